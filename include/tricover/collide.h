@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tricover/polygon.h"
+
+namespace tricover {
+
+/// How the answer is found. Both give the same answers, from the same predicates, influence areas and edge test.
+enum class Strategy {
+  Hierarchy,  ///< the default: clearance facts and a hierarchy of influence areas, both polygons descended together
+  Paper,      ///< Algorithm 3 as printed, with its repairs: circles, influence mask, extended areas, sign changes; O(n m)
+};
+
+struct CollideOptions {
+  /// World length >= 0: "closer than or equal to margin?" Exact, equality included.
+  double margin = 0;
+  /// World length >= 0: true stays certain wherever the distance is at most margin; above it, true may be answered
+  /// only where the distance is at most margin + tolerance.
+  double tolerance = 0;
+  Strategy strategy = Strategy::Hierarchy;
+};
+
+/// What one pair of polygons remembers between queries: facts, not state. Each stays true whatever happens in between,
+/// so a cache may be copied, shared between calls of other pairs, lost or stale: no answer changes, only its cost.
+/// Plain data; PairCache{} is empty. Not to be used by two threads at once.
+struct PairCache {
+  /// The polygons the facts are about, in the kernel's own order (0: none).
+  std::uint64_t first_id = 0, second_id = 0;
+
+  /// "With the second polygon at `pose` in the first one's frame (columns R, then t; rounded), every edge of one was at
+  /// least `clearance` from every edge of the other, and the regions did (`overlapping`) or did not overlap."
+  double pose[6] = {1, 0, 0, 1, 0, 0};
+  double clearance = 0;
+  bool overlapping = false;
+  std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next fact looks ahead
+
+  /// "These two edges met": tried first at the next pose.
+  std::int64_t first_edge = -1, second_edge = -1;
+
+  /// Strategy::Paper only: the influence mask of the moving centroid, two bits an edge, and the length it was made for.
+  std::vector<std::uint64_t> mask;
+  double mask_length = -1;
+};
+
+/// Whether the two closed regions share a point (or, with a margin, come at least that close). Exact for every finite
+/// input; independent of argument order, history and thread. O(log n + log m + k) typical, k the edge pairs in reach.
+/// Throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, and for a margin or
+/// tolerance that is negative or not finite.
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+             const CollideOptions& options = {});
+
+/// The same answer, using and renewing the facts in `cache`; O(1) while a fact pays for the motion since it was found.
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
+             const CollideOptions& options = {});
+
+}  // namespace tricover

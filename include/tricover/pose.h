@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace tricover {
+
+using Vec2 = Eigen::Vector2d;
+
+/// The exact affine map p -> R p + t that the stored doubles define, from a polygon's own frame to the world.
+/// R may miss orthonormality by rounding and may mirror (det R < 0); it is taken as written, never re-normalised.
+using Pose = Eigen::Isometry2d;
+
+/// How far an entry of R^T R may be from the identity's: float rounding (1e-7) passes, a scale or a shear doesn't.
+constexpr double kRigidTolerance = 1e-6;
+
+/// Throws std::invalid_argument, naming `name` and the field, unless the pose is finite and rigid within
+/// kRigidTolerance.
+void checkPose(const Pose& pose, const char* name = "pose");
+
+}  // namespace tricover

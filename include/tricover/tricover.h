@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/influence.h"
+#include "tricover/locate.h"
+#include "tricover/polygon.h"
+#include "tricover/pose.h"
+#include "tricover/svg.h"
