@@ -12,7 +12,7 @@ namespace tricover {
 /// How the answer is found. Both give the same answers, from the same predicates, influence areas and edge test.
 enum class Strategy {
   Hierarchy,  ///< the default: clearance facts and a hierarchy of influence areas, both polygons descended together
-  Paper,      ///< Algorithm 3 as printed, with its repairs: circles, influence mask, extended areas, sign changes; O(n m)
+  Paper,  ///< Algorithm 3 as printed, with its repairs: circles, influence mask, extended areas, sign changes; O(n m)
 };
 
 struct CollideOptions {
@@ -38,12 +38,12 @@ struct PairCache {
   bool overlapping = false;
   std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next fact looks ahead
 
-  /// "These two edges met": tried first at the next pose.
+  /// The edges that answered the last hit, -1 if none did: tried first at the next pose.
   std::int64_t first_edge = -1, second_edge = -1;
 
-  /// Strategy::Paper only: the influence mask of the moving centroid, two bits an edge, and the length it was made for.
+  /// Strategy::Paper only: the moving centroid's side of every edge of the first polygon, two bits each, when it was
+  /// last outside every influence area and the regions were apart. Empty if they weren't.
   std::vector<std::uint64_t> mask;
-  double mask_length = -1;
 };
 
 /// Whether the two closed regions share a point (or, with a margin, come at least that close). Exact for every finite

@@ -12,8 +12,8 @@ namespace tricover {
 struct Contact {
   /// World frame, rounded: where the two edges meet, or, in a containment, a vertex of the contained ring.
   Vec2 point;
-  /// The edges that meet there (numbered as in Polygon::edgeStart); in a containment, the edge that starts at the contained
-  /// vertex, and -1 for the polygon whose inside holds it.
+  /// The edges that meet there (numbered as in Polygon::edgeStart); in a containment, the edge that starts at the
+  /// contained vertex, and -1 for the polygon whose inside holds it.
   std::ptrdiff_t edge_a, edge_b;
 };
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "polygon_data.h"
+#include "predicates.h"
+#include "tricover/locate.h"
+
+namespace tricover::detail {
+
+/// The paper's Algorithm 1 with exact signs. The point is given twice: in the polygon's frame to within its error, and
+/// exactly in the world, where `pose` (none: the identity) puts the polygon; `handed` is the sign of that pose's
+/// determinant.
+Location locateInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
+                          const PosedPoint& exact, int handed);
+
+}  // namespace tricover::detail

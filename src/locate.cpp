@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/locate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "covering.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+/// Signs of one point against lines through two points of a polygon's frame.
+struct Signs {
+  int operator()(const Vec2& v, const Vec2& w) const {
+    const int sign = orientFilter({v.x(), v.y(), 0}, {w.x(), w.y(), 0}, approx);
+    return sign != kUncertain ? sign : handed * orientExact({pose, v}, {pose, w}, exact);
+  }
+  bool between(const Vec2& v, const Vec2& w) const { return betweenExact(exact, {pose, v}, {pose, w}); }
+  bool isPoint(const Vec2& v) const { return between(v, v); }
+
+  const Pose* pose;
+  ApproxPoint approx;
+  PosedPoint exact;
+  int handed;
+};
+
+/// Twice the winding number, or nothing on the boundary. Any origin serves that is not the point itself; the point lies
+/// in the triangle (S, v, w) of sign g if it is between the rays S->v and S->w (g d_v >= 0 >= g d_w, with d_v the sign
+/// of |S v p|) and on S's side of the edge; on one of the rays it counts half (the neighbouring triangle counts the
+/// other half).
+bool twiceWinding(const PolygonData& polygon, const Vec2& s, const Signs& signs, int& sum) {
+  sum = 0;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
+    int d_v = signs(s, polygon.path[polygon.edgeBegin(r)]);
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const Vec2 &v = polygon.path[e], &w = polygon.path[e + 1];
+      const int d_w = signs(s, w);
+      const bool counter_clockwise = d_v >= 0 && d_w <= 0, clockwise = d_v <= 0 && d_w >= 0;
+      if (counter_clockwise || clockwise) {
+        const int g = orientation(s, v, w);
+        if (g == 0) {
+          // No part of the sum, but its points are boundary points (repair 5).
+          if (signs(v, w) == 0 && signs.between(v, w)) return false;
+        } else if (g > 0 ? counter_clockwise : clockwise) {
+          const int side = g * signs(v, w);
+          if (side == 0) return false;
+          if (side > 0) sum += d_v != 0 && d_w != 0 ? 2 * g : g;
+        }
+      }
+      d_v = d_w;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Location locateInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
+                          const PosedPoint& exact, int handed) {
+  const double dx = approx.x - polygon.origin.x(), dy = approx.y - polygon.origin.y();
+  if (normBelow(dx, dy) > (polygon.radius + 2 * approx.error) * (1 + 4 * kUlp)) return Location::Outside;
+
+  const Signs signs{pose, approx, exact, handed};
+  const Vec2* s = &polygon.origin;
+  const bool off_origin = std::abs(dx) > approx.error || std::abs(dy) > approx.error;  // false for NaN
+  if (!off_origin && signs.isPoint(*s)) {
+    // Every triangle has the point as its corner: take the covering from a vertex. If that is the point, too, it is on
+    // the boundary.
+    s = &polygon.path.front();
+    if (signs.isPoint(*s)) return Location::Boundary;
+  }
+  int sum;
+  if (!twiceWinding(polygon, *s, signs, sum)) return Location::Boundary;
+  const bool inside = polygon.fill == FillRule::EvenOdd ? sum / 2 % 2 != 0 : sum != 0;
+  return inside ? Location::Inside : Location::Outside;
+}
+
+}  // namespace detail
+
+namespace {
+
+void checkPoint(const Vec2& point) {
+  if (!point.allFinite()) throw std::invalid_argument("point: a coordinate is not finite");
+}
+
+Location locateUnchecked(const detail::PolygonData& polygon, const Vec2& point) {
+  return detail::locateInCovering(polygon, nullptr, {point.x(), point.y(), 0}, {nullptr, point}, 1);
+}
+
+}  // namespace
+
+Location locate(const Polygon& polygon, const Vec2& point) {
+  checkPoint(point);
+  return locateUnchecked(polygon.data(), point);
+}
+
+Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache) {
+  checkPoint(point);
+  const detail::PolygonData& data = polygon.data();
+  constexpr std::size_t kPerWord = 32;
+  const std::size_t words = (data.path.size() + kPerWord - 1) / kPerWord;
+  bool same_zone = cache.polygon_id == data.id && cache.signs.size() == words;
+  if (!same_zone) cache.signs.assign(words, 0);
+
+  // Every edge's sign, -1, 0 or 1, as two bits: the point's zone. The closing vertices between rings form no edge, but
+  // their lines divide zones no less soundly.
+  for (std::size_t word = 0; word < words; ++word) {
+    std::uint64_t bits = 0;
+    const std::size_t end = std::min((word + 1) * kPerWord, data.path.size() - 1);
+    for (std::size_t e = word * kPerWord; e < end; ++e)
+      bits |= static_cast<std::uint64_t>(detail::orientation(data.path[e], data.path[e + 1], point) + 1)
+              << 2 * (e % kPerWord);
+    same_zone = same_zone && bits == cache.signs[word];
+    cache.signs[word] = bits;
+  }
+  if (!same_zone) {
+    cache.location = locateUnchecked(data, point);
+    cache.polygon_id = data.id;
+  }
+  return cache.location;
+}
+
+}  // namespace tricover

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "hierarchy.h"
+#include "tricover/polygon.h"
+
+namespace tricover::detail {
+
+/// What all copies of a polygon share. Rings lie one after another in `path`, each closed by a copy of its first
+/// vertex, so that the edge at position e joins path[e] and path[e + 1]; ring r takes positions [ring_begin[r],
+/// ring_begin[r + 1] - 1) and the closing vertex after them is no edge.
+struct PolygonData {
+  PolygonData(std::vector<Ring> rings_, FillRule fill_);
+
+  std::size_t ringCount() const { return rings.size(); }
+  std::size_t edgeBegin(std::size_t ring) const { return ring_begin[ring]; }
+  std::size_t edgeEnd(std::size_t ring) const { return ring_begin[ring + 1] - 1; }
+
+  /// Between positions in the path and the public numbering, which skips the closing vertices.
+  std::size_t edgeNumber(std::size_t position) const;
+  std::size_t edgePosition(std::size_t number) const;
+
+  /// Built at the first call, by whichever thread comes first.
+  const Hierarchy& hierarchy() const;
+
+  std::vector<Ring> rings;
+  FillRule fill;
+  std::uint64_t id;
+  std::vector<Vec2> path;
+  std::vector<std::size_t> ring_begin;
+  Vec2 origin;    ///< S
+  double radius;  ///< at least the distance from S to any vertex
+  double extent;  ///< the largest |x| + |y| of a vertex: scales the rounding errors
+
+ private:
+  mutable std::mutex building_;
+  mutable std::unique_ptr<const Hierarchy> hierarchy_;
+  mutable std::atomic<const Hierarchy*> ready_{nullptr};
+};
+
+}  // namespace tricover::detail

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "predicates.h"
+
+#include "dyadic.h"
+
+namespace tricover::detail {
+namespace {
+
+thread_local std::uint64_t exact_calls = 0;
+
+struct ExactVector {
+  Dyadic x, y;
+};
+
+Dyadic coordinate(const PosedPoint& p, int axis) {
+  if (p.pose == nullptr) return Dyadic(p.local[axis]);
+  const auto& m = p.pose->matrix();
+  return Dyadic(m(axis, 0)) * Dyadic(p.local.x()) + Dyadic(m(axis, 1)) * Dyadic(p.local.y()) + Dyadic(m(axis, 2));
+}
+
+ExactVector difference(const PosedPoint& p, const PosedPoint& q) {
+  return {coordinate(p, 0) - coordinate(q, 0), coordinate(p, 1) - coordinate(q, 1)};
+}
+
+Dyadic cross(const ExactVector& u, const ExactVector& w) { return u.x * w.y - u.y * w.x; }
+Dyadic dot(const ExactVector& u, const ExactVector& w) { return u.x * w.x + u.y * w.y; }
+
+}  // namespace
+
+int orientExact(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r) {
+  ++exact_calls;
+  return cross(difference(q, p), difference(r, p)).sign();
+}
+
+int compareExact(const PosedPoint& p, const PosedPoint& q, int axis) {
+  ++exact_calls;
+  return (coordinate(p, axis) - coordinate(q, axis)).sign();
+}
+
+bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w) {
+  return compareExact(p, v, 0) * compareExact(p, w, 0) <= 0 && compareExact(p, v, 1) * compareExact(p, w, 1) <= 0;
+}
+
+bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length) {
+  ++exact_calls;
+  const Dyadic square = Dyadic(length) * Dyadic(length);
+  const ExactVector u = difference(w, v), from_v = difference(p, v);
+  if (dot(from_v, u).sign() <= 0) return (dot(from_v, from_v) - square).sign() <= 0;
+  const ExactVector from_w = difference(p, w);
+  if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() <= 0;
+  const Dyadic area = cross(u, from_v);
+  return (area * area - square * dot(u, u)).sign() <= 0;
+}
+
+std::uint64_t exactCalls() { return exact_calls; }
+
+}  // namespace tricover::detail

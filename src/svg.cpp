@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/svg.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "posed_pair.h"
+#include "tricover/influence.h"
+
+namespace tricover {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string number(double x) {
+  std::ostringstream out;
+  out.precision(9);
+  out << x;
+  return out.str();
+}
+
+/// "x,y"; SVG's y axis points down.
+std::string pair(const Vec2& p) { return number(p.x()) + "," + number(-p.y()); }
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+const std::string kHairline = "vector-effect=\"non-scaling-stroke\"";
+
+}  // namespace
+
+SvgDrawing::SvgDrawing(double width_px)
+    : width_px_(width_px), low_(kInfinity, kInfinity), high_(-kInfinity, -kInfinity) {
+  if (!(width_px > 0)) throw std::invalid_argument("width_px: it must be positive");
+}
+
+void SvgDrawing::include(const Vec2& point) {
+  low_ = low_.cwiseMin(point);
+  high_ = high_.cwiseMax(point);
+}
+
+void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke) {
+  std::string path;
+  for (const Ring& ring : polygon.rings()) {
+    char command = 'M';
+    for (const Vec2& p : ring) {
+      const Vec2 world = pose * p;
+      include(world);
+      path += command + pair(world);
+      command = 'L';
+    }
+    path += 'Z';
+  }
+  const std::string rule = polygon.fillRule() == FillRule::EvenOdd ? "evenodd" : "nonzero";
+  body_ += "<path d=\"" + path + "\" fill=\"" + escaped(fill) + "\" fill-rule=\"" + rule + "\" stroke=\"" +
+           escaped(stroke) + "\" " + kHairline + "/>\n";
+}
+
+void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
+  for (const CoveringTriangle& triangle : polygon.covering()) {
+    const std::string tint = triangle.sign > 0 ? "#3b82f6" : triangle.sign < 0 ? "#ef4444" : "none";
+    const Vec2 s = pose * triangle.s;
+    include(s);
+    body_ += "<polygon points=\"" + pair(s) + " " + pair(pose * triangle.v) + " " + pair(pose * triangle.w) +
+             "\" fill=\"" + tint + "\" fill-opacity=\"0.12\" stroke=\"" + tint +
+             "\" stroke-opacity=\"0.5\" stroke-width=\"0.6\" " + kHairline + "/>\n";
+  }
+}
+
+void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill) {
+  for (std::size_t edge = 0; edge < polygon.vertexCount(); ++edge) {
+    std::string points;
+    for (const Vec2& corner : boundedInfluenceArea(polygon, edge, length)) {
+      const Vec2 world = pose * corner;
+      include(world);
+      points += pair(world) + " ";
+    }
+    body_ += "<polygon points=\"" + points + "\" fill=\"" + escaped(fill) + "\" fill-opacity=\"0.08\" stroke=\"" +
+             escaped(fill) + "\" stroke-opacity=\"0.4\" stroke-width=\"0.5\" " + kHairline + "/>\n";
+  }
+}
+
+void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  checkPose(pose_a, "pose_a");
+  checkPose(pose_b, "pose_b");
+  const detail::PosedPair posed(a.data(), pose_a, b.data(), pose_b);
+  std::vector<bool> hit_a(a.vertexCount(), false), hit_b(b.vertexCount(), false);
+  for (std::size_t i = 0; i < hit_a.size(); ++i)
+    for (std::size_t j = 0; j < hit_b.size(); ++j)
+      if (detail::edgesMeet(posed, a.data().edgePosition(i), b.data().edgePosition(j))) hit_a[i] = hit_b[j] = true;
+  const auto draw = [&](const Polygon& polygon, const Pose& pose, const std::vector<bool>& hit) {
+    for (std::size_t edge = 0; edge < hit.size(); ++edge)
+      if (hit[edge])
+        body_ += "<polyline points=\"" + pair(pose * polygon.edgeStart(edge)) + " " +
+                 pair(pose * polygon.edgeEnd(edge)) + "\" fill=\"none\" stroke=\"#dc2626\" stroke-width=\"2.5\" " +
+                 kHairline + "/>\n";
+  };
+  draw(a, pose_a, hit_a);
+  draw(b, pose_b, hit_b);
+}
+
+void SvgDrawing::text(const Vec2& position, const std::string& text) {
+  include(position);
+  // A font size in drawing units is known only when all is drawn: str() puts it on the group.
+  body_ += "<text x=\"" + number(position.x()) + "\" y=\"" + number(-position.y()) +
+           "\" fill=\"#111\" stroke=\"none\" text-anchor=\"middle\">" + escaped(text) + "</text>\n";
+}
+
+std::string SvgDrawing::str() const {
+  if (body_.empty()) throw std::logic_error("SvgDrawing: nothing is drawn");
+  const Vec2 size = (high_ - low_).cwiseMax(1e-3 * (high_ - low_).maxCoeff());
+  const double border = 0.03 * size.maxCoeff();
+  const double width = size.x() + 2 * border, height = size.y() + 2 * border;
+  const double font = 13 * width / width_px_;
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_px_) + "\" height=\"" +
+         number(width_px_ * height / width) + "\" viewBox=\"" + number(low_.x() - border) + " " +
+         number(-high_.y() - border) + " " + number(width) + " " + number(height) +
+         "\">\n<g stroke-width=\"1\" stroke-linejoin=\"round\" font-family=\"sans-serif\" font-size=\"" + number(font) +
+         "\">\n" + body_ + "</g>\n</svg>\n";
+}
+
+}  // namespace tricover
