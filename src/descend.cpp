@@ -57,7 +57,7 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
   const double reach = options.margin * (1 + 2 * pair.scale_defect);
   const double limit = reach + lookahead;
   Outcome outcome;
-  double clearance = std::numeric_limits<double>::infinity();
+  double clearance = std::numeric_limits<double>::max();
   while (top > 0) {
     const Visit visit = stack[--top];
     const Hierarchy::Node &a = tree_a[visit.a], &b = tree_b[visit.b];

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernel's stages one by one, through its private headers: an exact fallback must not hide a broken filter.
+#include "predicates.h"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "dyadic.h"
+#include "posed_pair.h"
+#include "strategy.h"
+
+namespace tricover::detail {
+namespace {
+
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// A double of any magnitude, now and then special.
+double anyDouble(Random& random) {
+  switch (random() % 12) {
+    case 0:
+      return 0;
+    case 1:
+      return std::numeric_limits<double>::denorm_min() * static_cast<double>(random() % 8);
+    case 2:
+      return std::numeric_limits<double>::max() * (random() % 2 ? 1 : -1);
+    case 3:
+      return static_cast<double>(random() % 9) - 4;
+    default:
+      return std::ldexp(uniform(random, -1, 1), static_cast<int>(random() % 2096) - 1072);
+  }
+}
+
+struct ExactPoint {
+  mpq_class x, y;
+};
+
+ExactPoint posed(const PosedPoint& p) {
+  if (p.pose == nullptr) return {p.local.x(), p.local.y()};
+  const auto& m = p.pose->matrix();
+  return {mpq_class(m(0, 0)) * p.local.x() + mpq_class(m(0, 1)) * p.local.y() + mpq_class(m(0, 2)),
+          mpq_class(m(1, 0)) * p.local.x() + mpq_class(m(1, 1)) * p.local.y() + mpq_class(m(1, 2))};
+}
+
+int trueOrientation(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r) {
+  const ExactPoint a = posed(p), b = posed(q), c = posed(r);
+  return sgn(mpq_class((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
+}
+
+enum class PoseKind { Double, Float, Mirrored };
+
+Pose randomPose(Random& random, double reach, PoseKind kind) {
+  const double angle = uniform(random, -4, 4);
+  Pose pose = Pose::Identity();
+  pose.linear() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  if (kind == PoseKind::Mirrored) pose.linear().col(1) *= -1;
+  pose.translation() << uniform(random, -reach, reach), uniform(random, -reach, reach);
+  if (kind == PoseKind::Float) pose.linear() = pose.linear().cast<float>().cast<double>().eval();
+  return pose;
+}
+
+Polygon randomPolygon(Random& random, double size, double offset = 0) {
+  Ring ring;
+  const std::size_t n = 3 + random() % 10;
+  for (std::size_t i = 0; i < n; ++i)
+    ring.push_back(Vec2(offset + uniform(random, -size, size), offset + uniform(random, -size, size)));
+  return Polygon({ring});
+}
+
+TEST(Dyadic, AgreesWithRationalsOverTheWholeRange) {
+  Random random(1);
+  std::array<int, 3> signs{};
+  for (int i = 0; i < 20000; ++i) {
+    const double a = anyDouble(random), b = anyDouble(random), c = anyDouble(random), d = anyDouble(random);
+    // Nearly cancelling every other time: (a + e)(b - f) against a b.
+    const bool near = i % 2 != 0;
+    const double p = near ? std::nextafter(a, d) : c, q = near ? std::nextafter(b, -d) : d;
+    if (!std::isfinite(p) || !std::isfinite(q)) continue;
+    const Dyadic exact = (Dyadic(a) + Dyadic(c)) * Dyadic(b) - Dyadic(p) * Dyadic(q) + -(Dyadic(c) * Dyadic(b));
+    const mpq_class truth =
+        (mpq_class(a) + mpq_class(c)) * mpq_class(b) - mpq_class(p) * mpq_class(q) - mpq_class(c) * mpq_class(b);
+    ASSERT_EQ(exact.sign(), sgn(truth)) << std::hexfloat << a << " " << b << " " << c << " " << p << " " << q;
+    const Dyadic square = exact * exact - Dyadic(a) * Dyadic(a) * Dyadic(d) * Dyadic(d);
+    ASSERT_EQ(square.sign(), sgn(mpq_class(truth * truth - mpq_class(a) * mpq_class(a) * mpq_class(d) * mpq_class(d))));
+    ++signs[static_cast<std::size_t>(exact.sign() + 1)];
+  }
+  for (int count : signs) EXPECT_GT(count, 400);
+}
+
+TEST(OrientExact, IsAlternatingAndTrueUnderMixedPoses) {
+  Random random(2);
+  std::array<int, 3> signs{};
+  for (int i = 0; i < 3000; ++i) {
+    const double scale = i % 3 == 0 ? 1e300 : i % 3 == 1 ? 1e-300 : 1;
+    const PoseKind kind = i % 2 != 0 ? PoseKind::Mirrored : PoseKind::Float;
+    const Pose one = randomPose(random, scale, PoseKind::Double), two = randomPose(random, scale, kind);
+    const Vec2 v(uniform(random, -scale, scale), uniform(random, -scale, scale));
+    std::array<PosedPoint, 3> p{PosedPoint{&one, v}, PosedPoint{&two, Vec2(-v.y(), v.x())}, PosedPoint{nullptr, v}};
+    if (i % 4 == 0) p[2] = p[0];                      // repeated: 0
+    if (i % 4 == 1) p[2] = PosedPoint{&one, -2 * v};  // p[1] off the line, or
+    if (i % 8 == 1) p[1] = PosedPoint{&one, 4 * v};   // exactly collinear under one pose
+    const int sign = orientExact(p[0], p[1], p[2]);
+    ASSERT_EQ(sign, trueOrientation(p[0], p[1], p[2])) << i;
+    ASSERT_EQ(orientExact(p[1], p[2], p[0]), sign);
+    ASSERT_EQ(orientExact(p[2], p[0], p[1]), sign);
+    ASSERT_EQ(orientExact(p[1], p[0], p[2]), -sign);
+    ASSERT_EQ(orientExact(p[0], p[2], p[1]), -sign);
+    ASSERT_EQ(orientExact(p[2], p[1], p[0]), -sign);
+    ++signs[static_cast<std::size_t>(sign + 1)];
+  }
+  for (int count : signs) EXPECT_GT(count, 300);
+}
+
+TEST(OrientExact, IsRightWhereProductsUnderflowOrOverflow) {
+  const auto orient = [](Vec2 p, Vec2 q, Vec2 r) { return orientation(p, q, r); };
+  EXPECT_EQ(orient({1e-170, 0}, {0, 1e-170}, {0, 0}), 1);
+  EXPECT_EQ(orient({0, 0}, {1e-300, 1e-300}, {2e-300, 2e-300}), 0);
+  EXPECT_EQ(orient({0, 0}, {1e-300, 1e-300}, {2e-300, 2e-300 * (1 + 1e-15)}), 1);
+  EXPECT_EQ(orient({0, 0}, {5e-324, 0}, {0, 5e-324}), 1);
+  EXPECT_EQ(orient({-1e308, -1e308}, {1e308, 1e308}, {0, 5e-324}), 1);
+  EXPECT_EQ(orient({-1e308, -1e308}, {1e308, 1e308}, {0, 0}), 0);
+  EXPECT_EQ(orient({0, 0}, {1e150, 1e-150}, {1e-150, 1e150}), 1);
+  EXPECT_EQ(orient({0, 0}, {1e150, 1e-150}, {1e300, 1}),
+            orientExact({nullptr, {0, 0}}, {nullptr, {1e150, 1e-150}}, {nullptr, {1e300, 1}}));
+}
+
+TEST(CompareAndBetween, FollowTheExactCoordinates) {
+  const Pose quarter = [] {
+    Pose pose = Pose::Identity();
+    pose.linear() << 0, -1, 1, 0;
+    pose.translation() << 1e15, 1;
+    return pose;
+  }();
+  const PosedPoint p{&quarter, Vec2(3, 0x1p-60)};  // at (1e15 - 2^-60, 4): rounds to (1e15, 4)
+  EXPECT_EQ(compareExact(p, {nullptr, Vec2(1e15, 4)}, 0), -1);
+  EXPECT_EQ(compareExact(p, {nullptr, Vec2(1e15, 4)}, 1), 0);
+  EXPECT_EQ(compareExact({nullptr, Vec2(1e15, 5)}, p, 1), 1);
+  const PosedPoint o{nullptr, Vec2(0, 0)}, e{nullptr, Vec2(2, 2)};
+  EXPECT_TRUE(betweenExact({nullptr, Vec2(1, 1)}, o, e));
+  EXPECT_TRUE(betweenExact(o, o, e));
+  EXPECT_TRUE(betweenExact(e, o, e));
+  EXPECT_TRUE(betweenExact(o, o, o));
+  EXPECT_FALSE(betweenExact({nullptr, Vec2(2.5, 2.5)}, o, e));
+  EXPECT_FALSE(betweenExact({nullptr, Vec2(-5e-324, -5e-324)}, o, e));
+  EXPECT_FALSE(betweenExact({nullptr, Vec2(0, 3)}, o, {nullptr, Vec2(0, 2)}));
+  EXPECT_FALSE(betweenExact({nullptr, Vec2(3, 0)}, o, {nullptr, Vec2(2, 0)}));
+}
+
+TEST(WithinExact, DecidesEqualityAndItsNeighbours) {
+  const PosedPoint v{nullptr, Vec2(0, 0)}, w{nullptr, Vec2(8, 6)};
+  const auto within = [&](Vec2 p, double length) { return withinExact({nullptr, p}, v, w, length); };
+  for (const auto& [p, distance] :
+       {std::pair<Vec2, double>{{4 - 3, 3 + 4}, 5}, {{-3, -4}, 5}, {{11, 10}, 5}, {{4, 3}, 0}}) {
+    EXPECT_TRUE(within(p, distance));
+    if (distance == 0) continue;
+    EXPECT_FALSE(within(p, std::nextafter(distance, 0.0)));
+    EXPECT_FALSE(within(p * (1 + 0x1p-40), distance) && within(p + 0x1p-40 * Vec2(-3, 4), distance));
+  }
+  EXPECT_TRUE(withinExact({nullptr, Vec2(3e-200, 4e-200)}, v, v, 5e-200 * (1 + 1e-15)));
+  EXPECT_FALSE(withinExact({nullptr, Vec2(3e200, 4e200)}, v, v, 5e200 * (1 - 1e-15)));
+}
+
+TEST(OrientFilter, IsNeverWrongAndSeldomUncertain) {
+  Random random(3);
+  int uncertain_generic = 0, uncertain_near = 0, decided_near = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec2 p(uniform(random, -1, 1), uniform(random, -1, 1)), q(uniform(random, -1, 1), uniform(random, -1, 1));
+    const bool near = i % 2 != 0;
+    const Vec2 on_line = p + uniform(random, -1, 2) * (q - p);
+    const double nudge = std::ldexp(uniform(random, -1, 1), -static_cast<int>(random() % 30) - 35);
+    const Vec2 r = near ? Vec2(on_line + nudge * Vec2(1, -1)) : Vec2(uniform(random, -1, 1), uniform(random, -1, 1));
+    const int sign = orientFilter({p.x(), p.y(), 0}, {q.x(), q.y(), 0}, {r.x(), r.y(), 0});
+    if (sign == kUncertain) {
+      ++(near ? uncertain_near : uncertain_generic);
+      continue;
+    }
+    decided_near += near;
+    ASSERT_EQ(sign, trueOrientation({nullptr, p}, {nullptr, q}, {nullptr, r}));
+  }
+  EXPECT_LE(uncertain_generic, 2);
+  EXPECT_GT(uncertain_near, 1000);
+  EXPECT_GT(decided_near, 3000);
+}
+
+/// Points moved by up to their stated errors keep the filter's sign, in whichever of the three roles the errors are.
+TEST(OrientFilter, HoldsForEveryPointWithinTheErrors) {
+  Random random(4);
+  int decided = 0, uncertain = 0;
+  for (int i = 0; i < 30000; ++i) {
+    std::array<ApproxPoint, 3> approx;
+    std::array<Vec2, 3> exact;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double error = (i >> k) % 2 != 0 ? std::ldexp(1.0, -static_cast<int>(random() % 12)) : 0;
+      approx[k] = {uniform(random, -1, 1), uniform(random, -1, 1), error};
+      // The corners of the error box are the worst.
+      exact[k] = Vec2(approx[k].x + (random() % 2 ? error : -error), approx[k].y + (random() % 2 ? error : -error));
+    }
+    const int sign = orientFilter(approx[0], approx[1], approx[2]);
+    if (sign == kUncertain) {
+      ++uncertain;
+      continue;
+    }
+    ++decided;
+    ASSERT_EQ(sign, trueOrientation({nullptr, exact[0]}, {nullptr, exact[1]}, {nullptr, exact[2]}));
+  }
+  EXPECT_GT(decided, 3000);
+  EXPECT_GT(uncertain, 3000);
+}
+
+TEST(OrientFilter, LeavesOverflowAndUnderflowToTheExactStage) {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(orientFilter({0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}), kUncertain);
+  EXPECT_EQ(orientFilter({0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}), kUncertain);
+  EXPECT_EQ(orientFilter({0, 0, 0}, {1, 0, inf}, {0, 1, 0}), kUncertain);
+  EXPECT_EQ(orientFilter({0, 0, 0}, {1, 0, nan}, {0, 1, 0}), kUncertain);
+  EXPECT_EQ(orientFilter({0, 0, 0}, {inf, 0, 0}, {0, 1, 0}), kUncertain);
+  EXPECT_EQ(orientFilter({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 1);
+  EXPECT_EQ(orientFilter({0, 0, 0}, {0, 1, 0}, {1, 0, 0}), -1);
+}
+
+TEST(PosedPair, MapsWithinItsStatedErrorWhichIsSmall) {
+  Random random(5);
+  for (int i = 0; i < 3000; ++i) {
+    const auto kind = static_cast<PoseKind>(i % 3);
+    const double offset = i % 5 == 0 ? 1e9 : 0, reach = i % 7 == 0 ? 1e12 : 3, size = i % 11 == 0 ? 1e-6 : 1;
+    const Polygon a = randomPolygon(random, 1), b = randomPolygon(random, size, offset);
+    const Pose pose_a = randomPose(random, reach, kind), pose_b = randomPose(random, reach, PoseKind::Double);
+    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+    ASSERT_LT(pair.error, 64 * kUlp * (4 * reach + 4 * offset + 4));
+    const auto& m = pose_a.matrix();
+    const mpq_class det = mpq_class(m(0, 0)) * m(1, 1) - mpq_class(m(0, 1)) * m(1, 0);
+    ASSERT_EQ(pair.handed, sgn(det));
+    for (const Vec2& p : b.data().path) {
+      const ExactPoint world = posed({&pose_b, p});
+      const mpq_class dx = world.x - m(0, 2), dy = world.y - m(1, 2);
+      const mpq_class x = (m(1, 1) * dx - m(0, 1) * dy) / det, y = (m(0, 0) * dy - m(1, 0) * dx) / det;
+      const ApproxPoint mapped = pair.fromB(p);
+      ASSERT_LE(abs(mpq_class(x - mapped.x)), mpq_class(mapped.error));
+      ASSERT_LE(abs(mpq_class(y - mapped.y)), mpq_class(mapped.error));
+    }
+    // The defects bound what either map does to a length.
+    const ExactPoint o = posed({&pose_a, Vec2(0, 0)}), e = posed({&pose_a, Vec2(0.6, 0.8)});
+    const mpq_class square = (e.x - o.x) * (e.x - o.x) + (e.y - o.y) * (e.y - o.y);
+    const mpq_class low = 1 - mpq_class(pair.scale_defect), high = 1 + mpq_class(pair.scale_defect);
+    ASSERT_TRUE(low * low <= square && square <= high * high);
+    ASSERT_LT(pair.scale_defect, kind == PoseKind::Float ? 1e-6 : 1e-14);
+  }
+}
+
+TEST(Stages, TheFilterAnswersWhatIsApartOrCrossingAndTheExactStageWhatTouches) {
+  Random random(6);
+  const Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  int hits = 0;
+  const std::uint64_t before = exactCalls();
+  for (int i = 0; i < 4000; ++i) {
+    const Pose pose_a = randomPose(random, 1, PoseKind::Double), pose_b = randomPose(random, 1, PoseKind::Mirrored);
+    hits += collide(square, pose_a, square, pose_b);
+  }
+  EXPECT_LE(exactCalls() - before, 4u) << "random poses are not the exact stage's business";
+  EXPECT_GT(hits, 1200);
+  EXPECT_LT(hits, 3600);
+
+  Pose right = Pose::Identity();
+  right.translation().x() = 1;
+  const std::uint64_t touching = exactCalls();
+  EXPECT_TRUE(collide(square, Pose::Identity(), square, right));
+  EXPECT_GT(exactCalls(), touching) << "a touch can't be a filter's answer";
+  right.translation().x() = std::nextafter(1.0, 2.0);
+  EXPECT_FALSE(collide(square, Pose::Identity(), square, right));
+}
+
+TEST(Hierarchy, EveryNodeHoldsItsChainAndEveryEdgeHasOneLeaf) {
+  Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    const double scale = i % 4 == 0 ? 1e-290 : i % 4 == 1 ? 1e290 : 1;
+    std::vector<Ring> rings(1 + random() % 9);
+    std::size_t edges = 0;
+    for (Ring& ring : rings) {
+      ring.resize(3 + random() % 40);
+      edges += ring.size();
+      for (Vec2& p : ring) p = scale * Vec2(uniform(random, -1, 1), uniform(random, -1, 1));
+      if (i % 5 == 0) ring[1] = ring[0];
+    }
+    const Polygon polygon(rings);
+    const Hierarchy& tree = polygon.data().hierarchy();
+    std::vector<int> leaves(polygon.data().path.size(), 0);
+    struct Visit {
+      std::uint32_t node;
+      std::vector<std::uint32_t> ancestors;
+    };
+    std::vector<Visit> stack{{0, {}}};
+    std::size_t nodes = 0;
+    while (!stack.empty()) {
+      Visit visit = stack.back();
+      stack.pop_back();
+      ++nodes;
+      visit.ancestors.push_back(visit.node);
+      ASSERT_LE(visit.ancestors.size(), 16u);
+      const Hierarchy::Node& node = tree[visit.node];
+      if (!node.isLeaf()) {
+        stack.push_back({visit.node + 1, visit.ancestors});
+        stack.push_back({node.right, visit.ancestors});
+        continue;
+      }
+      ++leaves[node.edge];
+      for (const std::uint32_t ancestor : visit.ancestors) {
+        const Hierarchy::Node& box = tree[ancestor];
+        for (const Vec2& p : {polygon.data().path[node.edge], polygon.data().path[node.edge + 1]}) {
+          const mpq_class dx = mpq_class(p.x()) - box.x, dy = mpq_class(p.y()) - box.y;
+          ASSERT_LE(abs(mpq_class(dx * box.ux + dy * box.uy)), mpq_class(box.along));
+          ASSERT_LE(abs(mpq_class(dy * box.ux - dx * box.uy)), mpq_class(box.across));
+        }
+        ASSERT_LE(box.across, 3 * scale);  // not vacuous
+      }
+    }
+    EXPECT_EQ(nodes, 2 * edges - 1);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(leaves.begin(), leaves.end(), 1)), edges);
+  }
+}
+
+}  // namespace
+}  // namespace tricover::detail
