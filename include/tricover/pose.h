@@ -3,6 +3,10 @@
 
 #include <Eigen/Geometry>
 
+#ifdef __FAST_MATH__
+#error "tricover's answers are proven for IEEE arithmetic: don't compile or link with -ffast-math"
+#endif
+
 namespace tricover {
 
 using Vec2 = Eigen::Vector2d;

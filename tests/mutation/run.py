@@ -31,7 +31,7 @@ MUTATIONS = [
     ("src/predicates.h", "eu * (std::abs(wx) + std::abs(wy) + 2 * ew)", "0 * (std::abs(wx) + std::abs(wy) + 2 * ew)", "filter: error of q"),
     ("src/predicates.h", "eu = p.error + q.error", "eu = p.error", "filter: q's error dropped"),
     ("src/predicates.h", "ew = p.error + r.error", "ew = r.error", "filter: p's error dropped"),
-    ("src/predicates.h", "constexpr double kTiny = 0x1p-1064;", "constexpr double kTiny = 0;", "filter: underflow term"),
+    ("src/predicates.h", "constexpr double kTiny = 0x1p-1010;", "constexpr double kTiny = 0;", "filter: underflow term"),
     ("src/predicates.h", "return square > 0x1p-1000 ?", "return square > 0 ?", "discs: squares of denormals trusted"),
     ("src/predicates.h", "return sign != kUncertain ? sign : orientExact({nullptr, p}, {nullptr, q}, {nullptr, r});", "return sign != kUncertain ? sign : 0;", "orientation: no exact stage"),
     # Exact stage.
