@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#ifdef __FAST_MATH__
-#error "tricover's answers are proven for IEEE arithmetic: don't compile or link with -ffast-math"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "tricover's answers are proven for IEEE arithmetic: don't compile or link with -ffast-math or -ffinite-math-only"
 #endif
 
 namespace tricover {
