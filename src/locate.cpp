@@ -104,14 +104,19 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache) {
   bool same_zone = cache.polygon_id == data.id && cache.signs.size() == words;
   if (!same_zone) cache.signs.assign(words, 0);
 
-  // Every edge's sign, -1, 0 or 1, as two bits: the point's zone. The closing vertices between rings form no edge, but
-  // their lines divide zones no less soundly.
+  // Every edge's sign, -1, 0 or 1, as two bits: the point's zone. The location is constant on an open face of the
+  // lines' arrangement, but on a line it may change where no other line crosses (at a spike's tip), so a sign of 0 says
+  // nothing. An edge of one repeated vertex has no line: it is 0 at that vertex only. The closing vertices between
+  // rings form no edge; their lines divide zones no less soundly.
   for (std::size_t word = 0; word < words; ++word) {
     std::uint64_t bits = 0;
     const std::size_t end = std::min((word + 1) * kPerWord, data.path.size() - 1);
-    for (std::size_t e = word * kPerWord; e < end; ++e)
-      bits |= static_cast<std::uint64_t>(detail::orientation(data.path[e], data.path[e + 1], point) + 1)
-              << 2 * (e % kPerWord);
+    for (std::size_t e = word * kPerWord; e < end; ++e) {
+      const Vec2 &v = data.path[e], &w = data.path[e + 1];
+      const int sign = v == w ? (point == v ? 0 : 1) : detail::orientation(v, w, point);
+      same_zone = same_zone && sign != 0;
+      bits |= static_cast<std::uint64_t>(sign + 1) << 2 * (e % kPerWord);
+    }
     same_zone = same_zone && bits == cache.signs[word];
     cache.signs[word] = bits;
   }

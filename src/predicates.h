@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "tricover/pose.h"
 
@@ -60,11 +61,11 @@ inline int orientation(const Vec2& p, const Vec2& q, const Vec2& r) {
 /// The sign of p's world coordinate minus q's; axis 0 is x, 1 is y.
 int compareExact(const PosedPoint& p, const PosedPoint& q, int axis);
 
-/// A lower bound of the length of (x, y), tight but for the smallest squares: those lose their digits, and the bound is
-/// 0. 4 roundings; below 2^-1000 underflow would matter.
+/// A lower bound of the length of (x, y): tight, but 0 where the squares overflow or lose digits to underflow. 4
+/// roundings.
 inline double normBelow(double x, double y) {
   const double square = x * x + y * y;
-  return square > 0x1p-1000 ? std::sqrt(square) * (1 - 4 * kUlp) : 0;
+  return square > 0x1p-960 && square <= std::numeric_limits<double>::max() ? std::sqrt(square) * (1 - 4 * kUlp) : 0;
 }
 
 /// Whether p, known to be on the line of v and w, is between them or on one of them.

@@ -32,7 +32,8 @@ MUTATIONS = [
     ("src/predicates.h", "eu = p.error + q.error", "eu = p.error", "filter: q's error dropped"),
     ("src/predicates.h", "ew = p.error + r.error", "ew = r.error", "filter: p's error dropped"),
     ("src/predicates.h", "constexpr double kTiny = 0x1p-1010;", "constexpr double kTiny = 0;", "filter: underflow term"),
-    ("src/predicates.h", "return square > 0x1p-1000 ?", "return square > 0 ?", "discs: squares of denormals trusted"),
+    ("src/predicates.h", "return square > 0x1p-960 &&", "return square > 0 &&", "discs: squares of denormals trusted"),
+    ("src/predicates.h", "&& square <= std::numeric_limits<double>::max() ?", "?", "discs: overflowed squares trusted"),
     ("src/predicates.h", "return sign != kUncertain ? sign : orientExact({nullptr, p}, {nullptr, q}, {nullptr, r});", "return sign != kUncertain ? sign : 0;", "orientation: no exact stage"),
     # Exact stage.
     ("src/predicates.cpp", "return u.x * w.y - u.y * w.x;", "return u.x * w.y + u.y * w.x;", "exact: cross product"),
@@ -77,6 +78,7 @@ MUTATIONS = [
     ("src/locate.cpp", "s = &polygon.path.front();", "", "the point at S"),
     ("src/locate.cpp", "if (signs.isPoint(*s)) return Location::Boundary;", "", "the point at S and at a vertex"),
     ("src/locate.cpp", "same_zone = same_zone && bits == cache.signs[word];", "", "Algorithm 2: mask not compared"),
+    ("src/locate.cpp", "same_zone = same_zone && sign != 0;", "", "Algorithm 2: zones on a line trusted"),
     ("src/locate.cpp", "bool same_zone = cache.polygon_id == data.id && cache", "bool same_zone = cache", "Algorithm 2: another polygon's mask"),
     # Influence areas.
     ("src/influence.cpp", "length * std::sqrt(ux * ux + uy * uy) * (1 + 8 * kUlp)", "0.999 * length * std::sqrt(ux * ux + uy * uy)", "influence area: too narrow"),
