@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// collide() against the exact reference: every family, both orders, both strategies, cold and with caches that saw
+// other poses and other pairs.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr int kCases = 2000;
+constexpr double kRareOutcome = 0.15;
+
+/// Caches that live through a whole family: what they hold is about other pairs and other poses.
+struct OldCaches {
+  PairCache hierarchy, paper, either;
+};
+
+/// b near where it is: facts about these poses are about to be used at the case's own.
+Pose elsewhere(Random& random, const Case& c) {
+  const double size = std::min(c.a.radius(), c.b.radius()) * (random.coin() ? 1e-3 : 1.0);
+  Pose result = c.pose_b * pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0);
+  const Vec2 moved = c.pose_b.translation() + Vec2(random.real(-size, size), random.real(-size, size));
+  if (moved.allFinite()) result.translation() = moved;
+  return result;
+}
+
+/// The first way of asking that gives another answer than `truth`; empty if there is none.
+std::string wrongWay(const Case& c, std::uint64_t seed, bool truth, OldCaches& old) {
+  Random random(~seed);
+  for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
+    CollideOptions options;
+    options.strategy = strategy;
+    const std::string name = strategy == Strategy::Hierarchy ? "Hierarchy" : "Paper";
+    if (collide(c.a, c.pose_a, c.b, c.pose_b, options) != truth) return name + ", cold";
+    if (collide(c.b, c.pose_b, c.a, c.pose_a, options) != truth) return name + ", cold, swapped";
+    PairCache& lived = strategy == Strategy::Hierarchy ? old.hierarchy : old.paper;
+    if (collide(c.a, c.pose_a, c.b, c.pose_b, lived, options) != truth) return name + ", cache of other pairs";
+    if (collide(c.b, c.pose_b, c.a, c.pose_a, old.either, options) != truth) return name + ", cache of all";
+    PairCache fresh;
+    for (int i = 0; i < 3; ++i) collide(c.a, c.pose_a, c.b, elsewhere(random, c), fresh, options);
+    if (collide(c.a, c.pose_a, c.b, c.pose_b, fresh, options) != truth) return name + ", cache of other poses";
+    if (collide(c.b, c.pose_b, c.a, c.pose_a, fresh, options) != truth) return name + ", that cache again, swapped";
+  }
+  if (contact(c.a, c.pose_a, c.b, c.pose_b).has_value() != truth) return "contact";
+  if (contact(c.b, c.pose_b, c.a, c.pose_a).has_value() != truth) return "contact, swapped";
+  return {};
+}
+
+class CollideOracle : public testing::TestWithParam<Family> {};
+
+TEST_P(CollideOracle, AgreesWithExactRationals) {
+  const int cases = scaledCount(kCases);
+  int hits = 0, disagreements = 0;
+  OldCaches old;
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    const Case c = GetParam().make(seed);
+    const bool truth = exact::collide(c.a, c.pose_a, c.b, c.pose_b);
+    hits += truth;
+    const std::string wrong = wrongWay(c, seed, truth, old);
+    if (wrong.empty()) continue;
+    if (++disagreements <= 3) {
+      ADD_FAILURE() << GetParam().name << " seed " << seed << ": " << wrong << ", truth " << truth << "\n"
+                    << reproduction(c);
+    }
+  }
+  std::printf("%-22s %6d cases %6d hits %4d disagreements\n", GetParam().name, cases, hits, disagreements);
+  EXPECT_EQ(disagreements, 0);
+  if (cases >= 100) {
+    EXPECT_GE(hits, kRareOutcome * cases);
+    EXPECT_LE(hits, (1 - kRareOutcome) * cases);
+  }
+}
+
+std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Families, CollideOracle, testing::ValuesIn(families()), familyName);
+
+}  // namespace
+}  // namespace tricover::support

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "exact_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace tricover::exact {
+namespace {
+
+/// mantissa * 2^exponent. Every double, sum and product of doubles is one.
+struct Dyadic {
+  mpz_class mantissa;
+  long exponent = 0;
+};
+
+struct Point {
+  mpz_class x, y;
+};
+
+/// Both polygons on one integer grid, whose unit is 2^exponent: signs are those of the true coordinates, and no
+/// rational has to be reduced on the way.
+struct Shape {
+  std::vector<std::vector<Point>> rings;
+  FillRule fill;
+};
+struct Edge {
+  const Point *v, *w;
+  const mpz_class *x_low, *x_high, *y_low, *y_high;
+};
+
+Dyadic dyadic(double value) {
+  if (value == 0) return {};
+  int exponent;
+  auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+  exponent -= 53;
+  for (; mantissa % 2 == 0; ++exponent) mantissa /= 2;
+  return {mpz_class(static_cast<long>(mantissa)), exponent};
+}
+
+Dyadic product(const Dyadic& left, const Dyadic& right) {
+  return {left.mantissa * right.mantissa, left.exponent + right.exponent};
+}
+
+mpz_class onGrid(const Dyadic& value, long exponent) {
+  if (value.mantissa == 0) return 0;
+  return value.mantissa << static_cast<mp_bitcnt_t>(value.exponent - exponent);
+}
+
+Dyadic sum(const Dyadic& left, const Dyadic& right) {
+  if (left.mantissa == 0) return right;
+  if (right.mantissa == 0) return left;
+  const long exponent = std::min(left.exponent, right.exponent);
+  return {onGrid(left, exponent) + onGrid(right, exponent), exponent};
+}
+
+using DyadicPoint = std::pair<Dyadic, Dyadic>;
+using DyadicRings = std::vector<std::vector<DyadicPoint>>;
+
+DyadicRings posed(const Polygon& polygon, const Pose& pose) {
+  Dyadic m[2][3];
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 3; ++column) m[row][column] = dyadic(pose.matrix()(row, column));
+  }
+  DyadicRings rings;
+  for (const Ring& ring : polygon.rings()) {
+    auto& out = rings.emplace_back();
+    for (const Vec2& vertex : ring) {
+      const Dyadic x = dyadic(vertex.x()), y = dyadic(vertex.y());
+      out.emplace_back(sum(sum(product(m[0][0], x), product(m[0][1], y)), m[0][2]),
+                       sum(sum(product(m[1][0], x), product(m[1][1], y)), m[1][2]));
+    }
+  }
+  return rings;
+}
+
+DyadicRings unposed(const std::vector<Ring>& rings) {
+  DyadicRings result;
+  for (const Ring& ring : rings) {
+    auto& out = result.emplace_back();
+    for (const Vec2& vertex : ring) out.emplace_back(dyadic(vertex.x()), dyadic(vertex.y()));
+  }
+  return result;
+}
+
+long finestExponent(const DyadicRings& rings, long so_far) {
+  for (const auto& ring : rings) {
+    for (const auto& [x, y] : ring) {
+      if (x.mantissa != 0) so_far = std::min(so_far, x.exponent);
+      if (y.mantissa != 0) so_far = std::min(so_far, y.exponent);
+    }
+  }
+  return so_far;
+}
+
+Shape gridded(const DyadicRings& rings, FillRule fill, long exponent) {
+  Shape shape{{}, fill};
+  for (const auto& ring : rings) {
+    auto& out = shape.rings.emplace_back();
+    for (const auto& [x, y] : ring) out.push_back({onGrid(x, exponent), onGrid(y, exponent)});
+  }
+  return shape;
+}
+
+struct Pair {
+  Shape a, b;
+  long exponent;
+};
+
+Pair griddedPair(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const DyadicRings rings_a = posed(a, pose_a), rings_b = posed(b, pose_b);
+  const long exponent = finestExponent(rings_b, finestExponent(rings_a, 0));
+  return {gridded(rings_a, a.fillRule(), exponent), gridded(rings_b, b.fillRule(), exponent), exponent};
+}
+
+Edge edge(const Point& v, const Point& w) {
+  const bool x_up = v.x <= w.x, y_up = v.y <= w.y;
+  return {&v, &w, x_up ? &v.x : &w.x, x_up ? &w.x : &v.x, y_up ? &v.y : &w.y, y_up ? &w.y : &v.y};
+}
+
+std::vector<Edge> edges(const Shape& shape) {
+  std::vector<Edge> result;
+  for (const auto& ring : shape.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) result.push_back(edge(ring[i], ring[(i + 1) % ring.size()]));
+  }
+  return result;
+}
+
+int orientation(const Point& p, const Point& q, const Point& r) {
+  const mpz_class left = (q.x - p.x) * (r.y - p.y), right = (q.y - p.y) * (r.x - p.x);
+  return sgn(mpz_class(left - right));
+}
+
+bool boxesMeet(const Edge& e, const Edge& f) {
+  return *e.x_low <= *f.x_high && *f.x_low <= *e.x_high && *e.y_low <= *f.y_high && *f.y_low <= *e.y_high;
+}
+
+/// Boxes that meet and lines that separate nothing: right for collinear and for single-point edges too.
+bool edgesMeet(const Edge& e, const Edge& f) {
+  return boxesMeet(e, f) && orientation(*e.v, *e.w, *f.v) * orientation(*e.v, *e.w, *f.w) <= 0 &&
+         orientation(*f.v, *f.w, *e.v) * orientation(*f.v, *f.w, *e.w) <= 0;
+}
+
+Location locate(const Shape& shape, const std::vector<Edge>& shape_edges, const Point& p) {
+  int winding = 0;
+  for (const Edge& e : shape_edges) {
+    if (p.y < *e.y_low || *e.y_high < p.y) continue;
+    const int side = orientation(*e.v, *e.w, p);
+    if (side == 0 && *e.x_low <= p.x && p.x <= *e.x_high) return Location::Boundary;
+    // Half-open in y, so that a vertex on the ray counts for one of its two edges.
+    if (e.v->y <= p.y && p.y < e.w->y && side > 0) ++winding;
+    if (e.w->y <= p.y && p.y < e.v->y && side < 0) --winding;
+  }
+  const bool inside = shape.fill == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
+  return inside ? Location::Inside : Location::Outside;
+}
+
+/// Where no edges meet, a ring lies on one side of the other polygon as a whole.
+bool holdsARing(const Shape& holder, const std::vector<Edge>& holder_edges, const Shape& held) {
+  return std::any_of(held.rings.begin(), held.rings.end(), [&](const std::vector<Point>& ring) {
+    return locate(holder, holder_edges, ring.front()) != Location::Outside;
+  });
+}
+
+bool collide(const Pair& pair, const std::vector<Edge>& edges_a, const std::vector<Edge>& edges_b) {
+  for (const Edge& e : edges_a) {
+    for (const Edge& f : edges_b) {
+      if (edgesMeet(e, f)) return true;
+    }
+  }
+  return holdsARing(pair.a, edges_a, pair.b) || holdsARing(pair.b, edges_b, pair.a);
+}
+
+/// numerator / denominator, in squared grid units; not reduced.
+struct Fraction {
+  mpz_class numerator, denominator;
+};
+
+bool operator<(const Fraction& left, const Fraction& right) {
+  return left.numerator * right.denominator < right.numerator * left.denominator;
+}
+
+Fraction squaredDistance(const Point& p, const Point& v, const Point& w) {
+  const mpz_class dx = w.x - v.x, dy = w.y - v.y, px = p.x - v.x, py = p.y - v.y;
+  const mpz_class along = dx * px + dy * py, length_squared = dx * dx + dy * dy;
+  if (along <= 0) return {px * px + py * py, 1};
+  if (along >= length_squared) {
+    const mpz_class qx = p.x - w.x, qy = p.y - w.y;
+    return {qx * qx + qy * qy, 1};
+  }
+  const mpz_class cross = dx * py - dy * px;
+  return {cross * cross, length_squared};
+}
+
+mpq_class inWorldUnits(const Fraction& fraction, long exponent) {
+  mpq_class result(fraction.numerator, fraction.denominator);
+  result.canonicalize();
+  return exponent >= 0 ? mpq_class(result << static_cast<mp_bitcnt_t>(2 * exponent))
+                       : mpq_class(result >> static_cast<mp_bitcnt_t>(-2 * exponent));
+}
+
+}  // namespace
+
+Location locate(const Polygon& polygon, const Vec2& point) {
+  const DyadicRings rings = unposed(polygon.rings()), points = unposed({{point}});
+  const long exponent = finestExponent(points, finestExponent(rings, 0));
+  const Shape shape = gridded(rings, polygon.fillRule(), exponent);
+  return locate(shape, edges(shape), gridded(points, FillRule::EvenOdd, exponent).rings[0][0]);
+}
+
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const Pair pair = griddedPair(a, pose_a, b, pose_b);
+  return collide(pair, edges(pair.a), edges(pair.b));
+}
+
+mpq_class distanceSquared(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const Pair pair = griddedPair(a, pose_a, b, pose_b);
+  const std::vector<Edge> edges_a = edges(pair.a), edges_b = edges(pair.b);
+  if (collide(pair, edges_a, edges_b)) return 0;
+  Fraction least = squaredDistance(*edges_a[0].v, *edges_b[0].v, *edges_b[0].w);
+  for (const Edge& e : edges_a) {
+    for (const Edge& f : edges_b) {
+      // Every vertex starts an edge, so the starts against the other's edges are all pairs.
+      least = std::min({least, squaredDistance(*e.v, *f.v, *f.w), squaredDistance(*f.v, *e.v, *e.w)});
+    }
+  }
+  return inWorldUnits(least, pair.exponent);
+}
+
+mpq_class distanceSquared(const Vec2& point, const Vec2& v, const Vec2& w) {
+  const DyadicRings points = unposed({{point, v, w}});
+  const long exponent = finestExponent(points, 0);
+  const Shape grid = gridded(points, FillRule::EvenOdd, exponent);
+  const std::vector<Point>& p = grid.rings[0];
+  return inWorldUnits(squaredDistance(p[0], p[1], p[2]), exponent);
+}
+
+bool within(const mpq_class& distance_squared, const mpq_class& length) { return distance_squared <= length * length; }
+
+double distanceBelow(const mpq_class& distance_squared) {
+  double root = mpf_class(sqrt(mpf_class(distance_squared, 256))).get_d();
+  if (!std::isfinite(root)) return std::numeric_limits<double>::infinity();
+  while (mpq_class(root) * root > distance_squared) root = std::nextafter(root, 0.0);
+  return root;
+}
+
+}  // namespace tricover::exact

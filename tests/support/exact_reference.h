@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gmpxx.h>
+
+#include "tricover/locate.h"
+#include "tricover/polygon.h"
+#include "tricover/pose.h"
+
+/// The truth by brute force on exact numbers. Shares nothing with the kernel but the types: inclusion is a winding
+/// number counted along a ray, not a covering, and no edge is left out for any reason but its exact bounding box.
+namespace tricover::exact {
+
+/// Where `point` (in the polygon's own frame) lies.
+Location locate(const Polygon& polygon, const Vec2& point);
+
+/// Whether the posed regions share a point; each pose is the affine map that its doubles define.
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+
+/// The squared distance of the posed regions, 0 where they collide.
+mpq_class distanceSquared(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+
+/// The squared distance from `point` to the segment v w.
+mpq_class distanceSquared(const Vec2& point, const Vec2& v, const Vec2& w);
+
+/// Whether the square root of `distance_squared` is at most `length` >= 0.
+bool within(const mpq_class& distance_squared, const mpq_class& length);
+
+/// The square root of `distance_squared`, rounded down to a double (infinity beyond the largest).
+double distanceBelow(const mpq_class& distance_squared);
+
+}  // namespace tricover::exact

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "families.h"
+
+#include <utility>
+
+#include "family_makers.h"
+#include "shapes.h"
+
+namespace tricover::support {
+namespace {
+
+template <Case (*maker)(Random&)>
+Case seeded(std::uint64_t seed) {
+  Random random(seed);
+  return maker(random);
+}
+
+Polygon scaledPolygon(const Polygon& polygon, double factor) {
+  std::vector<Ring> rings = polygon.rings();
+  for (Ring& ring : rings) ring = scaled(std::move(ring), factor);
+  return Polygon(rings, polygon.fillRule());
+}
+
+/// Contacts and regions at another size. A power of two keeps the truth; any other factor rounds every coordinate anew.
+Case scaledCase(Random& random, double factor) {
+  Case c = [&] {
+    switch (random.integer(0, 5)) {
+      case 0: return vertexOnEdge(random);
+      case 1: return vertexOnVertex(random);
+      case 2: return collinearOverlap(random);
+      case 3: return gapOfUlps(random);
+      case 4: return pinched(random);
+      default: return smallGrid(random);
+    }
+  }();
+  c.a = scaledPolygon(c.a, factor);
+  c.b = scaledPolygon(c.b, factor);
+  c.pose_a.translation() *= factor;
+  c.pose_b.translation() *= factor;
+  return c;
+}
+
+double near(Random& random, double power_of_two) {
+  return random.coin() ? power_of_two : power_of_two * random.real(0.5, 2);
+}
+
+Case size1e_150(Random& random) { return scaledCase(random, near(random, 0x1p-498)); }
+Case size1e150(Random& random) { return scaledCase(random, near(random, 0x1p498)); }
+Case size1e300(Random& random) { return scaledCase(random, near(random, 0x1p993)); }
+
+/// Coordinates up to the largest double: sums of them overflow.
+Case nearOverflow(Random& random) { return scaledCase(random, near(random, 0x1p1015)); }
+
+/// Coordinates of a few to some millions of the smallest double.
+Case denormals(Random& random) {
+  return scaledCase(random, random.real(1, 2) * static_cast<double>(1 << random.integer(2, 20)) * 0x1p-1074);
+}
+
+}  // namespace
+
+const std::vector<Family>& families() {
+  static const std::vector<Family> all = {
+      {"any_pair", seeded<anyPair>},
+      {"vertex_on_edge", seeded<vertexOnEdge>},
+      {"vertex_on_vertex", seeded<vertexOnVertex>},
+      {"collinear_overlap", seeded<collinearOverlap>},
+      {"gap_of_ulps", seeded<gapOfUlps>},
+      {"rotated_contact", seeded<rotatedContact>},
+      {"mirrored_contact", seeded<mirroredContact>},
+      {"float_pose_contact", seeded<floatPoseContact>},
+      {"offset_1e12_1e15", seeded<farFromOrigin>},
+      {"size_1e_minus_150", seeded<size1e_150>},
+      {"size_1e150", seeded<size1e150>},
+      {"size_1e300", seeded<size1e300>},
+      {"near_overflow", seeded<nearOverflow>},
+      {"denormals", seeded<denormals>},
+      {"1e150_by_1e_minus_150", seeded<hugeBesideTiny>},
+      {"1e6_by_1e_minus_6", seeded<largeBesideSmall>},
+      {"slivers_1e_minus_12", seeded<slivers>},
+      {"inside_hole", seeded<insideHole>},
+      {"touching_hole", seeded<touchingHole>},
+      {"containment", seeded<containment>},
+      {"pinched", seeded<pinched>},
+      {"bow_tie", seeded<bowTie>},
+      {"repeated_collinear", seeded<repeatedAndCollinear>},
+      {"interlocking_combs", seeded<interlockingCombs>},
+      {"ring_directions", seeded<ringDirections>},
+      {"overlapping_even_odd", seeded<overlappingRingsEvenOdd>},
+      {"overlapping_non_zero", seeded<overlappingRingsNonZero>},
+      {"small_grid", seeded<smallGrid>},
+  };
+  return all;
+}
+
+}  // namespace tricover::support

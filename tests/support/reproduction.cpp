@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reproduction.h"
+
+#include <ios>
+#include <sstream>
+
+namespace tricover::support {
+namespace {
+
+std::string vertex(const Vec2& p) { return "{" + hex(p.x()) + ", " + hex(p.y()) + "}"; }
+
+std::string polygonText(const char* name, const Polygon& polygon) {
+  std::string text = std::string("const Polygon ") + name + "({";
+  for (const Ring& ring : polygon.rings()) {
+    text += &ring == &polygon.rings().front() ? "{" : ", {";
+    for (std::size_t i = 0; i < ring.size(); ++i) text += (i == 0 ? "" : ", ") + vertex(ring[i]);
+    text += "}";
+  }
+  return text + "}, FillRule::" + (polygon.fillRule() == FillRule::EvenOdd ? "EvenOdd" : "NonZero") + ");\n";
+}
+
+std::string poseText(const std::string& name, const Pose& pose) {
+  std::string text = "Pose " + name + " = Pose::Identity();\n" + name + ".matrix().topRows<2>() << ";
+  for (int i = 0; i < 6; ++i) text += (i == 0 ? "" : ", ") + hex(pose.matrix()(i / 3, i % 3));
+  return text + ";\n";
+}
+
+}  // namespace
+
+std::string hex(double value) {
+  std::ostringstream out;
+  out << std::hexfloat << value;
+  return out.str();
+}
+
+std::string reproduction(const Case& c) {
+  return polygonText("a", c.a) + poseText("pose_a", c.pose_a) + polygonText("b", c.b) + poseText("pose_b", c.pose_b);
+}
+
+std::string reproduction(const Polygon& polygon, const Vec2& point) {
+  return polygonText("polygon", polygon) + "const Vec2 point" + vertex(point) + ";\n";
+}
+
+}  // namespace tricover::support

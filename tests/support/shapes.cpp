@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tricover::support {
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+
+}  // namespace
+
+Ring rectangle(double x_low, double y_low, double x_high, double y_high) {
+  return {{x_low, y_low}, {x_high, y_low}, {x_high, y_high}, {x_low, y_high}};
+}
+
+Ring star(Random& random, int n, double radius_low, double radius_high, const Vec2& center) {
+  Ring ring;
+  for (int i = 0; i < n; ++i) {
+    const double angle = kTurn * (i + random.real(0, 0.9)) / n, radius = random.real(radius_low, radius_high);
+    ring.emplace_back(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle));
+  }
+  return ring;
+}
+
+Ring regular(int n, double radius, const Vec2& center) {
+  Ring ring;
+  for (int i = 0; i < n; ++i) {
+    const double angle = kTurn * i / n;
+    ring.emplace_back(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle));
+  }
+  return ring;
+}
+
+Ring comb(int teeth, double pitch, double width, double height) {
+  const double length = pitch * (teeth - 1) + width;
+  Ring ring = {{0, -1}, {length, -1}};
+  for (int i = teeth - 1; i >= 0; --i) {
+    ring.insert(ring.end(), {{i * pitch + width, 0}, {i * pitch + width, height}, {i * pitch, height}, {i * pitch, 0}});
+  }
+  return ring;
+}
+
+Ring wedge(Random& random, const Vec2& direction, double length) {
+  const Vec2 along = direction.normalized() * length, across(-along.y(), along.x());
+  return {{0, 0}, along - random.real(0.1, 0.9) * across, along + random.real(0.1, 0.9) * across};
+}
+
+Ring reversed(Ring ring) {
+  std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+Ring scaled(Ring ring, double factor) {
+  for (Vec2& vertex : ring) vertex *= factor;
+  return ring;
+}
+
+Ring shifted(Ring ring, const Vec2& by) {
+  for (Vec2& vertex : ring) vertex += by;
+  return ring;
+}
+
+Ring withRepeatedAndMidpoints(Random& random, const Ring& ring) {
+  Ring result;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2& v = ring[i];
+    const Vec2& w = ring[(i + 1) % ring.size()];
+    result.insert(result.end(), static_cast<std::size_t>(random.integer(1, 2)), v);
+    if (random.coin()) result.push_back(0.5 * v + 0.5 * w);
+  }
+  return result;
+}
+
+std::vector<Ring> redirected(Random& random, std::vector<Ring> rings) {
+  for (Ring& ring : rings) {
+    if (random.coin()) ring = reversed(std::move(ring));
+    std::rotate(ring.begin(), ring.begin() + random.integer(0, static_cast<int>(ring.size()) - 1), ring.end());
+  }
+  for (std::size_t i = rings.size() - 1; i > 0; --i) {
+    std::swap(rings[i], rings[static_cast<std::size_t>(random.integer(0, static_cast<int>(i)))]);
+  }
+  return rings;
+}
+
+Pose pose(double angle, double x, double y) {
+  Pose result = Pose::Identity();
+  result.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  result.translation() = Vec2(x, y);
+  return result;
+}
+
+Pose mirrored(Pose pose) {
+  pose.linear().col(1) *= -1;
+  return pose;
+}
+
+Pose throughFloat(const Pose& pose) {
+  Pose result = Pose::Identity();
+  result.linear() = pose.linear().cast<float>().cast<double>();
+  result.translation() = pose.translation().cast<float>().cast<double>();
+  return result;
+}
+
+Pose randomPose(Random& random, double reach) {
+  return pose(random.real(0, kTurn), random.real(-reach, reach), random.real(-reach, reach));
+}
+
+double nudged(double value, int steps) {
+  const double towards = steps < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+  for (int i = 0; i < std::abs(steps); ++i) value = std::nextafter(value, towards);
+  return value;
+}
+
+Vec2 nudged(Random& random, const Vec2& point, int most) {
+  return {nudged(point.x(), random.integer(-most, most)), nudged(point.y(), random.integer(-most, most))};
+}
+
+}  // namespace tricover::support

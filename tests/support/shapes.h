@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "random.h"
+#include "tricover/polygon.h"
+#include "tricover/pose.h"
+
+/// Rings and poses that the families, the walks and the unit tests are made of. Rings run counter-clockwise.
+namespace tricover::support {
+
+Ring rectangle(double x_low, double y_low, double x_high, double y_high);
+
+/// n vertices at random angles around `center`, at random radii between the two: not convex unless they are equal.
+Ring star(Random& random, int n, double radius_low, double radius_high, const Vec2& center = Vec2::Zero());
+
+/// A regular n-gon.
+Ring regular(int n, double radius, const Vec2& center = Vec2::Zero());
+
+/// `teeth` teeth of the given width upwards from a bar, one every `pitch`.
+Ring comb(int teeth, double pitch, double width, double height);
+
+/// A narrow triangle with its apex at the origin and the rest of it around `direction`.
+Ring wedge(Random& random, const Vec2& direction, double length);
+
+Ring reversed(Ring ring);
+Ring scaled(Ring ring, double factor);
+Ring shifted(Ring ring, const Vec2& by);
+
+/// A vertex said twice here and there, and midpoints (rounded) of edges put in.
+Ring withRepeatedAndMidpoints(Random& random, const Ring& ring);
+
+/// Every ring's direction and the rings' order drawn anew: nothing changes under even-odd.
+std::vector<Ring> redirected(Random& random, std::vector<Ring> rings);
+
+Pose pose(double angle, double x, double y);
+Pose mirrored(Pose pose);
+/// Rounded through float, so that R misses orthonormality by about 1e-7.
+Pose throughFloat(const Pose& pose);
+Pose randomPose(Random& random, double reach);
+
+/// `steps` representable doubles up (or down).
+double nudged(double value, int steps);
+/// Each coordinate up to `most` steps either way.
+Vec2 nudged(Random& random, const Vec2& point, int most);
+
+}  // namespace tricover::support

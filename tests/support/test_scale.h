@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace tricover::support {
+
+/// `full`, or the share of it that the environment asks for (TRICOVER_TEST_SCALE=0.1): sanitizers and debug builds.
+inline int scaledCount(int full) {
+  const char* scale = std::getenv("TRICOVER_TEST_SCALE");
+  return scale ? std::max(1, static_cast<int>(full * std::atof(scale))) : full;
+}
+
+}  // namespace tricover::support
