@@ -1,1 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// locate() against the exact reference, cold and with point coherence, where signs vanish: vertices, edges, S, and the
+// rays from S through vertices.
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/locate.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr int kPolygons = 150;
+constexpr int kPointsEach = 24;
+
+struct Tally {
+  int points = 0, by_location[3] = {0, 0, 0}, disagreements = 0;
+};
+
+Vec2 degeneratePoint(Random& random, const Polygon& polygon) {
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
+  const int ulps = random.integer(0, 2);
+  switch (random.integer(0, 8)) {
+    case 0: return v;
+    case 1: return nudged(random, v, ulps);
+    case 2: return nudged(random, v + random.integer(1, 7) / 8.0 * (w - v), ulps);
+    case 3: return s;
+    case 4: return nudged(random, s + random.integer(1, 7) / 4.0 * (v - s), ulps);
+    case 5: return {v.x(), w.y()};
+    case 6: return {random.coin() ? s.x() : v.x(), random.coin() ? s.y() : w.y()};
+    case 7: return s + random.unit() * (v - s) + random.unit() * (w - s);
+    default: {
+      const double odd[] = {0, -0.0, kSmallest, -kSmallest, kLargest, -kLargest, 1e300, 1e-300, v.x(), v.y()};
+      return {odd[random.integer(0, 9)], odd[random.integer(0, 9)]};
+    }
+  }
+}
+
+void check(const Polygon& polygon, const Vec2& point, PointCache& cache, PointCache& old, Tally& tally) {
+  const Location truth = exact::locate(polygon, point);
+  ++tally.points;
+  ++tally.by_location[static_cast<int>(truth)];
+  const Location cold = locate(polygon, point), cached = locate(polygon, point, cache), stale = locate(polygon, point, old);
+  if (cold == truth && cached == truth && stale == truth) return;
+  if (++tally.disagreements <= 3) {
+    ADD_FAILURE() << "cold " << static_cast<int>(cold) << ", cached " << static_cast<int>(cached) << ", old cache "
+                  << static_cast<int>(stale) << ", truth " << static_cast<int>(truth) << "\n"
+                  << reproduction(polygon, point);
+  }
+}
+
+class LocateOracle : public testing::TestWithParam<Family> {};
+
+TEST_P(LocateOracle, AgreesWithExactRationals) {
+  Tally tally;
+  PointCache old;
+  for (int i = 0; i < scaledCount(kPolygons); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 2000000;
+    const Case c = GetParam().make(seed);
+    Random random(seed);
+    for (const Polygon& polygon : {c.a, c.b}) {
+      PointCache cache;
+      for (int k = 0; k < kPointsEach; ++k) {
+        const Vec2 point = degeneratePoint(random, polygon);
+        if (point.allFinite()) check(polygon, point, cache, old, tally);
+      }
+    }
+  }
+  const auto& by = tally.by_location;
+  std::printf("%-22s %6d points %6d outside %6d boundary %6d inside %4d disagreements\n", GetParam().name, tally.points,
+              by[0], by[1], by[2], tally.disagreements);
+  EXPECT_EQ(tally.disagreements, 0);
+  for (const int count : by) EXPECT_GE(count, 0.05 * tally.points);
+}
+
+std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Families, LocateOracle, testing::ValuesIn(families()), familyName);
+
+/// Steps from an ulp to the whole size, so that zones are kept, left and left far behind; two points share a cache.
+TEST(PointCacheWalk, EveryCachedAnswerIsTheColdOne) {
+  Tally tally;
+  for (int walk = 0; walk < scaledCount(200); ++walk) {
+    Random random(static_cast<std::uint64_t>(walk));
+    std::vector<Ring> rings = {star(random, 9, 2, 4), star(random, 5, 0.5, 1.5)};
+    if (random.coin()) rings.push_back(rectangle(-3, -1, 0, 2));
+    const Polygon polygon(redirected(random, rings), random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+    const Polygon other = Polygon({rectangle(-2, -2, 2, 2)});
+    PointCache cache, shared;
+    Vec2 point = degeneratePoint(random, other);
+    for (int step = 0; step < 100; ++step) {
+      const double length = std::pow(10, random.integer(-17, 0));
+      point += length * Vec2(random.real(-1, 1), random.real(-1, 1));
+      if (random.oneIn(10) || point.norm() > 5) point = degeneratePoint(random, random.coin() ? polygon : other);
+      if (!point.allFinite() || point.norm() > 100) point = {0, 0};
+      check(polygon, point, cache, shared, tally);
+      if (random.oneIn(5)) check(other, point, shared, shared, tally);
+    }
+  }
+  EXPECT_EQ(tally.disagreements, 0);
+  for (const int count : tally.by_location) EXPECT_GE(count, 0.02 * tally.points);
+}
+
+}  // namespace
+}  // namespace tricover::support
