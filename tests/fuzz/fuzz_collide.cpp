@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// collide() in every way of asking against the exact reference; the caches have seen b elsewhere.
+#include "byte_reader.h"
+#include "exact_reference.h"
+#include "reproduction.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tricover;
+  fuzz::ByteReader bytes(data, size);
+  const Polygon a = bytes.polygon();
+  const Pose pose_a = bytes.pose();
+  const Polygon b = bytes.polygon();
+  const Pose pose_b = bytes.pose(), before = bytes.pose();
+  const bool with_margin = bytes.byte() % 4 == 0;
+  const double margin = with_margin ? std::abs(bytes.coordinate()) : 0;
+  const bool truth = margin == 0 ? exact::collide(a, pose_a, b, pose_b)
+                                 : exact::within(exact::distanceSquared(a, pose_a, b, pose_b), mpq_class(margin));
+  const auto expect = [&](bool answer, const char* what) {
+    if (answer == truth) return;
+    fuzz::fail(what, "margin " + support::hex(margin) + ", truth " + (truth ? "1\n" : "0\n") +
+                         support::reproduction({a, pose_a, b, pose_b}));
+  };
+  for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
+    const CollideOptions options{margin, 0, strategy};
+    const bool paper = strategy == Strategy::Paper;
+    expect(collide(a, pose_a, b, pose_b, options), paper ? "Paper, cold" : "Hierarchy, cold");
+    expect(collide(b, pose_b, a, pose_a, options), paper ? "Paper, swapped" : "Hierarchy, swapped");
+    PairCache cache;
+    collide(a, pose_a, b, before, cache, options);
+    expect(collide(a, pose_a, b, pose_b, cache, options), paper ? "Paper, cached" : "Hierarchy, cached");
+    expect(collide(b, pose_b, a, pose_a, cache, options), paper ? "Paper, again" : "Hierarchy, again");
+  }
+  if (margin == 0) expect(contact(a, pose_a, b, pose_b).has_value(), "contact");
+  return 0;
+}

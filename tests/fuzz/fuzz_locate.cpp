@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// locate(), cold and along a walk with a cache, against the exact reference.
+#include "byte_reader.h"
+#include "exact_reference.h"
+#include "reproduction.h"
+#include "tricover/locate.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tricover;
+  fuzz::ByteReader bytes(data, size);
+  const Polygon polygon = bytes.polygon();
+  PointCache cache;
+  for (int i = 0; i < 6; ++i) {
+    const Vec2 point = i == 3 ? polygon.origin() : bytes.point();
+    const Location truth = exact::locate(polygon, point);
+    if (locate(polygon, point) != truth) fuzz::fail("cold", support::reproduction(polygon, point));
+    if (locate(polygon, point, cache) != truth) fuzz::fail("cached", support::reproduction(polygon, point));
+  }
+  return 0;
+}
