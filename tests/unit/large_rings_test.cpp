@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rings of 100,000 vertices: linear memory, and no recursion that grows with them (the queries run on a small stack).
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <new>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/locate.h"
+
+namespace {
+
+std::atomic<std::size_t> allocated{0};
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  allocated += size;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace tricover::support {
+namespace {
+
+constexpr int kVertices = 100000;
+constexpr std::size_t kStackBytes = 512 * 1024;
+
+void onSmallStack(std::function<void()> work) {
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, kStackBytes), 0);
+  pthread_t thread;
+  const auto run = [](void* argument) -> void* {
+    (*static_cast<std::function<void()>*>(argument))();
+    return nullptr;
+  };
+  ASSERT_EQ(pthread_create(&thread, &attributes, run, &work), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+}
+
+/// Cold, cached and in both orders.
+bool collideAllWays(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const bool answer = collide(a, pose_a, b, pose_b);
+  PairCache cache;
+  EXPECT_EQ(collide(b, pose_b, a, pose_a), answer);
+  EXPECT_EQ(collide(a, pose_a, b, pose_b, cache), answer);
+  EXPECT_EQ(collide(a, pose_a, b, pose_b, cache), answer);
+  EXPECT_EQ(contact(a, pose_a, b, pose_b).has_value(), answer);
+  return answer;
+}
+
+TEST(LargeRings, AnnulusAroundADiscWithoutTouching) {
+  onSmallStack([] {
+    const Polygon annulus({regular(kVertices, 2), regular(kVertices, 1.0001)}), disc({regular(kVertices, 1)});
+    EXPECT_FALSE(collideAllWays(annulus, Pose::Identity(), disc, Pose::Identity()));
+    EXPECT_FALSE(collideAllWays(annulus, Pose::Identity(), disc, pose(1, 0.00009, 0)));
+    EXPECT_TRUE(collideAllWays(annulus, Pose::Identity(), disc, pose(1, 0.00011, 0)));
+    EXPECT_TRUE(collideAllWays(annulus, Pose::Identity(), disc, pose(1, 1.5, 0)));
+    EXPECT_FALSE(collideAllWays(annulus, Pose::Identity(), disc, pose(1, 3.1, 0)));
+    EXPECT_EQ(locate(annulus, {1.5, 0}), Location::Inside);
+    EXPECT_EQ(locate(annulus, {0, 0}), Location::Outside);
+    for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper})
+      EXPECT_FALSE(collide(annulus, Pose::Identity(), disc, pose(0, 50, 0), CollideOptions{0, 0, strategy}));
+  });
+}
+
+TEST(LargeRings, TwoStarsOverlappingNearAndFar) {
+  onSmallStack([] {
+    Random random(7);
+    const Polygon a({star(random, kVertices, 0.9, 1)}), b({star(random, kVertices, 0.9, 1)});
+    EXPECT_TRUE(collideAllWays(a, Pose::Identity(), b, pose(0.5, 1.5, 0)));
+    EXPECT_TRUE(collideAllWays(a, Pose::Identity(), b, Pose::Identity()));
+    EXPECT_FALSE(collideAllWays(a, Pose::Identity(), b, pose(0.5, 2.0001, 0)));
+    EXPECT_FALSE(collideAllWays(a, Pose::Identity(), b, pose(0.5, 1e9, 0)));
+    EXPECT_TRUE(collide(a, Pose::Identity(), b, pose(0.5, 3, 0), CollideOptions{1.1, 0}));
+    EXPECT_FALSE(collide(a, Pose::Identity(), b, pose(0.5, 3, 0), CollideOptions{0.9, 0}));
+  });
+}
+
+TEST(LargeRings, InterlockingCombs) {
+  onSmallStack([] {
+    const int teeth = kVertices / 4;
+    const Polygon up({comb(teeth, 1, 0.4, 1)}), down({comb(teeth, 1, 0.4, 1)});
+    Pose turned = pose(0, 1.4 + teeth - 1 - 0.5, 1.5);
+    turned.linear() << -1, 0, 0, -1;
+    EXPECT_FALSE(collideAllWays(up, Pose::Identity(), down, turned));
+    turned.translation().x() += 0.11;
+    EXPECT_TRUE(collideAllWays(up, Pose::Identity(), down, turned));
+  });
+}
+
+std::size_t bytesFor(int vertices) {
+  std::vector<Ring> rings = {regular(vertices, 1)};
+  const std::size_t before = allocated;
+  const Polygon polygon(std::move(rings));
+  const Polygon other({rectangle(0, 0, 1, 1)});
+  EXPECT_TRUE(collide(polygon, Pose::Identity(), other, Pose::Identity()));
+  PairCache cache;
+  EXPECT_TRUE(collide(polygon, Pose::Identity(), other, Pose::Identity(), cache, {0, 0, Strategy::Paper}));
+  return allocated - before;
+}
+
+TEST(LargeRings, MemoryIsLinear) {
+  const std::size_t once = bytesFor(kVertices), twice = bytesFor(2 * kVertices);
+  EXPECT_LE(once, 500u * kVertices);
+  EXPECT_LE(static_cast<double>(twice), 2.1 * static_cast<double>(once));
+}
+
+}  // namespace
+}  // namespace tricover::support

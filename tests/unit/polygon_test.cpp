@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/polygon.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "shapes.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The text of the std::invalid_argument that these rings cause; empty if they are taken.
+std::string refusal(const std::vector<Ring>& rings) {
+  try {
+    const Polygon polygon(rings);
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(PolygonValidation, NamesWhatIsWrongAndWhere) {
+  const Ring good = rectangle(0, 0, 1, 1);
+  EXPECT_TRUE(names(refusal({}), "at least one ring"));
+  EXPECT_TRUE(names(refusal({good, {}}), "ring 1"));
+  EXPECT_TRUE(names(refusal({good, good, {{0, 0}, {1, 1}}}), "ring 2"));
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    Ring ring = good;
+    ring[3].y() = bad;
+    const std::string text = refusal({good, good, ring});
+    EXPECT_TRUE(names(text, "ring 2") && names(text, "vertex 3")) << text;
+    ring = good;
+    ring[0].x() = bad;
+    EXPECT_TRUE(names(refusal({ring}), "ring 0") && names(refusal({ring}), "vertex 0"));
+  }
+}
+
+TEST(PolygonValidation, RepeatedCollinearAndExtremeVerticesAreLegal) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  EXPECT_EQ(refusal({{{1, 1}, {1, 1}, {1, 1}}}), "");
+  EXPECT_EQ(refusal({{{0, 0}, {1, 1}, {2, 2}}}), "");
+  EXPECT_EQ(refusal({{{-kLargest, -kLargest}, {kLargest, -kLargest}, {0, kLargest}}}), "");
+  EXPECT_EQ(refusal({{{0, 0}, {0, 5e-324}, {5e-324, 0}}}), "");
+}
+
+TEST(PolygonId, IsNeverReusedAndSharedByCopies) {
+  std::set<std::uint64_t> seen;
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(seen.insert(Polygon({rectangle(0, 0, 1, 1)}).id()).second);
+  EXPECT_EQ(seen.count(0), 0u) << "0 stands for no polygon in the caches";
+  const Polygon original({rectangle(0, 0, 1, 1)});
+  const Polygon copy = original;  // NOLINT: the copy is the point
+  EXPECT_EQ(copy.id(), original.id());
+  EXPECT_EQ(&copy.rings(), &original.rings());
+}
+
+TEST(Polygon, KeepsItsRingsAndNumbersItsEdgesThroughThem) {
+  const std::vector<Ring> rings = {rectangle(0, 0, 9, 9), {{1, 1}, {1, 2}, {2, 1}}, rectangle(4, 4, 6, 6)};
+  const Polygon polygon(rings, FillRule::NonZero);
+  EXPECT_EQ(polygon.rings(), rings);
+  EXPECT_EQ(polygon.fillRule(), FillRule::NonZero);
+  ASSERT_EQ(polygon.vertexCount(), 11u);
+  std::size_t edge = 0;
+  for (const Ring& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i, ++edge) {
+      EXPECT_EQ(polygon.edgeStart(edge), ring[i]);
+      EXPECT_EQ(polygon.edgeEnd(edge), ring[(i + 1) % ring.size()]);
+    }
+  }
+  EXPECT_THROW(polygon.edgeStart(11), std::out_of_range);
+  EXPECT_THROW(polygon.edgeEnd(11), std::out_of_range);
+}
+
+TEST(Polygon, DiscHoldsEveryVertexAndIsTightAtEverySize) {
+  for (const Family& family : families()) {
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      const Case c = family.make(seed);
+      for (const Polygon& polygon : {c.a, c.b}) {
+        const Vec2 s = polygon.origin();
+        mpq_class farthest = 0;
+        Vec2 low = polygon.rings()[0][0], high = low;
+        for (const Ring& ring : polygon.rings()) {
+          for (const Vec2& v : ring) {
+            low = low.cwiseMin(v);
+            high = high.cwiseMax(v);
+            const mpq_class distance_squared = exact::distanceSquared(v, s, s);
+            if (farthest < distance_squared) farthest = distance_squared;
+          }
+        }
+        EXPECT_TRUE((low.array() <= s.array()).all() && (s.array() <= high.array()).all()) << family.name;
+        if (polygon.radius() == kInfinity) continue;
+        EXPECT_TRUE(exact::within(farthest, mpq_class(polygon.radius()))) << family.name << " seed " << seed;
+        // A few of the smallest doubles more where the distances are no larger themselves.
+        const mpq_class tight = (mpq_class(polygon.radius()) - 8 * mpq_class(5e-324)) * mpq_class(1 - 1e-12);
+        EXPECT_TRUE(tight <= 0 || tight * tight <= farthest) << family.name << " seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(Polygon, CoveringHasOneTriangleAnEdgeWithTheSignOfItsArea) {
+  const Polygon polygon({rectangle(-3, -3, 3, 3), reversed(rectangle(1, 1, 2, 2))});
+  const std::vector<CoveringTriangle> covering = polygon.covering();
+  ASSERT_EQ(covering.size(), polygon.vertexCount());
+  for (std::size_t edge = 0; edge < covering.size(); ++edge) {
+    const CoveringTriangle& t = covering[edge];
+    EXPECT_EQ(t.s, polygon.origin());
+    EXPECT_EQ(t.v, polygon.edgeStart(edge));
+    EXPECT_EQ(t.w, polygon.edgeEnd(edge));
+    const mpq_class area = (mpq_class(t.v.x()) - t.s.x()) * (mpq_class(t.w.y()) - t.s.y()) -
+                           (mpq_class(t.v.y()) - t.s.y()) * (mpq_class(t.w.x()) - t.s.x());
+    EXPECT_EQ(t.sign, sgn(area)) << edge;
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What collide(), locate() and the influence areas refuse, what the text says, and that a refusal changes nothing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/influence.h"
+#include "tricover/locate.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::vector<Pose> badPoses() {
+  std::vector<Pose> poses(9, Pose::Identity());
+  poses[0].linear() *= 1.001;
+  poses[1].linear()(0, 1) = 1e-3;
+  poses[2].linear()(0, 0) = kNaN;
+  poses[3].linear()(1, 0) = kInfinity;
+  poses[4].translation().x() = kNaN;
+  poses[5].translation().y() = -kInfinity;
+  poses[6].linear().setZero();
+  poses[7].linear() *= 1 + 2e-6;
+  poses[8].linear() << 1, 1, 0, 0;
+  return poses;
+}
+
+TEST(PoseCheck, NamesThePoseAndTheField) {
+  const Polygon polygon({rectangle(0, 0, 1, 1)});
+  for (const Pose& bad : badPoses()) {
+    const std::string first = refusal([&] { collide(polygon, bad, polygon, Pose::Identity()); });
+    const std::string second = refusal([&] { collide(polygon, Pose::Identity(), polygon, bad); });
+    const std::string field = bad.translation().allFinite() ? "linear" : "translation";
+    EXPECT_TRUE(names(first, "pose_a") && names(first, field)) << first;
+    EXPECT_TRUE(names(second, "pose_b") && names(second, field)) << second;
+    EXPECT_TRUE(names(refusal([&] { contact(polygon, bad, polygon, Pose::Identity()); }), "pose_a"));
+    EXPECT_TRUE(names(refusal([&] { checkPose(bad, "mine"); }), "mine"));
+  }
+}
+
+TEST(PoseCheck, TakesRotationsMirrorsAndFloatRounding) {
+  for (int i = 0; i < 100; ++i) {
+    const Pose turned = pose(0.0628 * i, i, -i);
+    EXPECT_NO_THROW(checkPose(turned));
+    EXPECT_NO_THROW(checkPose(throughFloat(turned)));
+    EXPECT_NO_THROW(checkPose(mirrored(throughFloat(turned))));
+  }
+  EXPECT_NO_THROW(checkPose(pose(0, 1e308, -1e308)));
+}
+
+TEST(CollideOptions, NegativeOrNotFiniteLengthsAreRefusedByName) {
+  const Polygon polygon({rectangle(0, 0, 1, 1)});
+  for (const double bad : {-1.0, -5e-324, kNaN, kInfinity}) {
+    for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
+      const auto ask = [&](const CollideOptions& options) {
+        return refusal([&] { collide(polygon, Pose::Identity(), polygon, Pose::Identity(), options); });
+      };
+      EXPECT_TRUE(names(ask({bad, 0, strategy}), "margin"));
+      EXPECT_TRUE(names(ask({0, bad, strategy}), "tolerance"));
+    }
+  }
+}
+
+TEST(Refusal, LeavesTheCachesAsTheyWere) {
+  const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
+  for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
+    PairCache cache;
+    collide(a, Pose::Identity(), b, pose(0, 1.5, 0), cache, {0, 0, strategy});
+    const PairCache before = cache;
+    for (const Pose& bad : badPoses()) EXPECT_THROW(collide(a, Pose::Identity(), b, bad, cache), std::invalid_argument);
+    EXPECT_THROW(collide(b, Pose::Identity(), b, Pose::Identity(), cache, {-1, 0, strategy}), std::invalid_argument);
+    EXPECT_EQ(cache.first_id, before.first_id);
+    EXPECT_EQ(cache.second_id, before.second_id);
+    EXPECT_EQ(cache.clearance, before.clearance);
+    EXPECT_EQ(cache.overlapping, before.overlapping);
+    EXPECT_EQ(cache.uses, before.uses);
+    EXPECT_EQ(cache.mask, before.mask);
+    EXPECT_TRUE(std::equal(cache.pose, cache.pose + 6, before.pose));
+  }
+  PointCache cache;
+  locate(a, {0.5, 0.5}, cache);
+  EXPECT_THROW(locate(b, {kNaN, 0}, cache), std::invalid_argument);
+  EXPECT_EQ(cache.polygon_id, a.id());
+  EXPECT_EQ(cache.location, Location::Inside);
+}
+
+TEST(Refusal, OfPointsAndLengths) {
+  const Polygon polygon({rectangle(0, 0, 1, 1)});
+  for (const Vec2& bad : {Vec2(kNaN, 0), Vec2(0, kInfinity)}) {
+    EXPECT_TRUE(names(refusal([&] { locate(polygon, bad); }), "point"));
+    EXPECT_TRUE(names(refusal([&] { influenceMask(polygon, bad, 1); }), "point"));
+    EXPECT_TRUE(names(refusal([&] { inInfluenceArea(polygon, 0, bad, 1, InfluenceKind::Bounded); }), "point"));
+  }
+  for (const double bad : {-1.0, kNaN}) {
+    EXPECT_TRUE(names(refusal([&] { influenceMask(polygon, {0, 0}, bad); }), "length"));
+    EXPECT_TRUE(names(refusal([&] { boundedInfluenceArea(polygon, 0, bad); }), "length"));
+  }
+  EXPECT_THROW(inInfluenceArea(polygon, 4, {0, 0}, 1, InfluenceKind::Extended), std::out_of_range);
+  EXPECT_THROW(boundedInfluenceArea(polygon, 4, 1), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace tricover::support

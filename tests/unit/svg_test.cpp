@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/svg.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <regex>
+#include <string>
+#include <stdexcept>
+#include <vector>
+
+#include "shapes.h"
+
+namespace tricover::support {
+namespace {
+
+std::ptrdiff_t count(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  return std::distance(std::sregex_iterator(text.begin(), text.end(), regex), std::sregex_iterator());
+}
+
+/// Every tag closed in order, nothing else that looks like one, no stray ampersand.
+bool wellFormed(const std::string& text) {
+  std::vector<std::string> open;
+  std::size_t at = 0;
+  while ((at = text.find('<', at)) != std::string::npos) {
+    const std::size_t end = text.find('>', at);
+    if (end == std::string::npos) return false;
+    const std::string tag = text.substr(at + 1, end - at - 1);
+    if (std::count(tag.begin(), tag.end(), '"') % 2 != 0 || tag.find('<') != std::string::npos) return false;
+    const std::string name = tag.substr(tag[0] == '/', tag.find_first_of(" /", 1) - (tag[0] == '/'));
+    if (tag[0] == '/') {
+      if (open.empty() || open.back() != name) return false;
+      open.pop_back();
+    } else if (tag.back() != '/') {
+      open.push_back(name);
+    }
+    at = end;
+  }
+  return open.empty() && count(text, "&(?!(amp|lt|gt|quot);)") == 0;
+}
+
+TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
+  const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)}), peg({rectangle(0, 0, 2, 2)});
+  const Pose pose_b = pose(0, 7, 3);
+  SvgDrawing drawing;
+  drawing.polygon(frame, Pose::Identity(), "#eee");
+  drawing.polygon(peg, pose_b, "#abc");
+  drawing.covering(frame, Pose::Identity());
+  drawing.influenceAreas(frame, Pose::Identity(), 0.5);
+  drawing.hits(frame, Pose::Identity(), peg, pose_b);
+  drawing.text({5, 5}, "a < b & \"c\"");
+  const std::string svg = drawing.str();
+
+  EXPECT_TRUE(wellFormed(svg)) << svg;
+  EXPECT_EQ(svg.rfind("<svg ", 0), 0u);
+  EXPECT_EQ(count(svg, "<path "), 2);
+  EXPECT_EQ(count(svg, "[0-9]Z"), 3) << "one closed outline a ring";
+  EXPECT_EQ(count(svg, "<polygon "), 8 + 8) << "covering and influence areas";
+  // The peg lies across the hole's right edge: two of its edges cross it.
+  EXPECT_EQ(count(svg, "<polyline "), 1 + 2);
+  EXPECT_NE(svg.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
+  EXPECT_EQ(count(svg, "nan|inf"), 0);
+}
+
+TEST(Svg, FitsWhatIsDrawn) {
+  SvgDrawing drawing(400);
+  drawing.polygon(Polygon({rectangle(-1, -2, 3, 4)}), pose(0, 100, 50), "none");
+  const std::string svg = drawing.str();
+  std::smatch box;
+  ASSERT_TRUE(std::regex_search(svg, box, std::regex("viewBox=\"(\\S+) (\\S+) (\\S+) (\\S+)\"")));
+  const double x = std::stod(box[1]), y = std::stod(box[2]), width = std::stod(box[3]), height = std::stod(box[4]);
+  // SVG's y axis points down.
+  EXPECT_LE(x, 99);
+  EXPECT_GE(x + width, 103);
+  EXPECT_LE(y, -54);
+  EXPECT_GE(y + height, -48);
+  EXPECT_LE(width, 6);
+  EXPECT_LE(height, 8);
+  EXPECT_NE(svg.find("width=\"400\""), std::string::npos);
+}
+
+TEST(Svg, NothingDrawnIsAnError) {
+  EXPECT_THROW(SvgDrawing().str(), std::logic_error);
+  EXPECT_THROW(SvgDrawing(0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace tricover::support

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Threads that share polygons: the first use (which builds what is built lazily) happens in all of them at once.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/locate.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr int kThreads = 8;
+constexpr int kRounds = 60;
+constexpr int kQueries = 40;
+
+struct Query {
+  Pose pose_a, pose_b;
+  bool truth;
+};
+
+struct Round {
+  std::vector<Polygon> polygons;
+  std::vector<Query> queries;  ///< query i is about polygons i and i + 1, cyclically
+};
+
+Round makeRound(std::uint64_t seed) {
+  Random random(seed);
+  Round round;
+  for (int i = 0; i < 4; ++i) round.polygons.push_back(Polygon({star(random, 40, 1, 3), star(random, 10, 0.2, 0.8)}));
+  for (std::size_t i = 0; i < kQueries; ++i) {
+    const Polygon &a = round.polygons[i % 4], &b = round.polygons[(i + 1) % 4];
+    const Pose pose_a = randomPose(random, 5), pose_b = randomPose(random, 5);
+    round.queries.push_back({pose_a, pose_b, exact::collide(a, pose_a, b, pose_b)});
+  }
+  return round;
+}
+
+int wrongAnswers(const Round& round, Strategy strategy) {
+  int wrong = 0;
+  PairCache caches[4];
+  PointCache points;
+  for (std::size_t i = 0; i < round.queries.size(); ++i) {
+    const Query& query = round.queries[i];
+    const Polygon a = round.polygons[i % 4], b = round.polygons[(i + 1) % 4];
+    const CollideOptions options{0, 0, strategy};
+    wrong += collide(a, query.pose_a, b, query.pose_b, caches[i % 4], options) != query.truth;
+    wrong += collide(b, query.pose_b, a, query.pose_a, options) != query.truth;
+    wrong += contact(a, query.pose_a, b, query.pose_b).has_value() != query.truth;
+    wrong += locate(a, {10, 10}, points) != Location::Outside;
+  }
+  return wrong;
+}
+
+TEST(Threads, ShareFreshPolygons) {
+  int hits = 0, queries = 0;
+  std::atomic<int> wrong{0};
+  for (int r = 0; r < scaledCount(kRounds); ++r) {
+    const Round round = makeRound(static_cast<std::uint64_t>(r));
+    for (const Query& query : round.queries) hits += query.truth, ++queries;
+    std::atomic<bool> go{false};
+    std::vector<std::thread> threads;
+    for (int t = 0; t < kThreads; ++t) {
+      threads.emplace_back([&, t] {
+        while (!go) std::this_thread::yield();
+        wrong += wrongAnswers(round, t % 4 == 0 ? Strategy::Paper : Strategy::Hierarchy);
+      });
+    }
+    go = true;
+    for (std::thread& thread : threads) thread.join();
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GE(hits, 0.2 * queries);
+  EXPECT_LE(hits, 0.8 * queries);
+}
+
+TEST(Threads, IdsStayUniqueAndTheLastCopyMayDieAnywhere) {
+  std::vector<std::vector<std::uint64_t>> ids(kThreads);
+  std::vector<std::thread> threads;
+  const Polygon shared({rectangle(0, 0, 1, 1)});
+  for (std::size_t t = 0; t < kThreads; ++t) {
+    threads.emplace_back([&ids, t, copy = shared] {
+      for (int i = 0; i < 200; ++i) {
+        const Polygon own({rectangle(0, 0, 1, 1)});
+        ids[t].push_back(own.id());
+        EXPECT_TRUE(collide(own, Pose::Identity(), copy, Pose::Identity()));
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  std::vector<std::uint64_t> all = {shared.id()};
+  for (const std::vector<std::uint64_t>& some : ids) all.insert(all.end(), some.begin(), some.end());
+  std::sort(all.begin(), all.end());
+  EXPECT_EQ(std::adjacent_find(all.begin(), all.end()), all.end());
+}
+
+}  // namespace
+}  // namespace tricover::support
