@@ -51,7 +51,8 @@ void check(const Polygon& polygon, const Vec2& point, PointCache& cache, PointCa
   const Location truth = exact::locate(polygon, point);
   ++tally.points;
   ++tally.by_location[static_cast<int>(truth)];
-  const Location cold = locate(polygon, point), cached = locate(polygon, point, cache), stale = locate(polygon, point, old);
+  const Location cold = locate(polygon, point), cached = locate(polygon, point, cache);
+  const Location stale = locate(polygon, point, old);
   if (cold == truth && cached == truth && stale == truth) return;
   if (++tally.disagreements <= 3) {
     ADD_FAILURE() << "cold " << static_cast<int>(cold) << ", cached " << static_cast<int>(cached) << ", old cache "

@@ -124,9 +124,9 @@ void check(const Walker& w, PairCache caches[2], PairCache shared[3], bool swapp
     const bool cached_shared = ask(shared[0]), again = ask(caches[own]), mixed = ask(shared[1 + own]);
     if (cold == truth && cached == truth && cached_shared == truth && again == truth && mixed == truth) continue;
     if (++tally.disagreements <= 2) {
-      ADD_FAILURE() << "step " << tally.steps << ", cold " << cold << ", cached " << cached << ", cached again " << again
-                    << ", shared by strategies " << cached_shared << ", shared by pairs " << mixed << ", truth " << truth
-                    << ", margin " << hex(w.margin) << (strategy == Strategy::Paper ? ", Paper\n" : ", Hierarchy\n")
+      ADD_FAILURE() << "step " << tally.steps << ", cold " << cold << ", cached " << cached << ", cached again "
+                    << again << ", shared by strategies " << cached_shared << ", shared by pairs " << mixed
+                    << ", truth " << truth << ", margin " << hex(w.margin) << (strategy == Strategy::Paper ? ", Paper\n" : ", Hierarchy\n")
                     << reproduction(c);
     }
   }

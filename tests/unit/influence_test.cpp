@@ -30,7 +30,8 @@ Sample sample(Random& random, double size) {
   const Vec2 u = random.oneIn(4) ? Vec2(random.integer(-1, 1) * size, random.integer(-1, 1) * size)
                                  : Vec2(size * stretch * std::cos(angle), size * stretch * std::sin(angle));
   const Vec2 w = v + u;
-  const Vec2 point = v + random.real(-0.5, 1.5) * u + size * random.real(-1, 1) * Vec2(-std::sin(angle), std::cos(angle));
+  const Vec2 across(-std::sin(angle), std::cos(angle));
+  const Vec2 point = v + random.real(-0.5, 1.5) * u + size * random.real(-1, 1) * across;
   const double distance = exact::distanceBelow(exact::distanceSquared(point, v, w));
   const double length = random.coin() ? nudged(distance, random.integer(0, 2)) : distance * random.real(0.05, 3);
   return {Polygon({{v, w, size * Vec2(random.real(-1, 1), random.real(-1, 1))}}), point, length};
@@ -83,8 +84,10 @@ TEST(InfluenceMask, HasABitAnEdgeThroughTheRings) {
   for (int i = 0; i < 30; ++i) {
     const std::vector<std::uint64_t> mask = influenceMask(polygon, Vec2(10 * i + 2, -0.5), 1);
     ASSERT_EQ(mask.size(), 2u);
-    for (std::size_t edge = 0; edge < 120; ++edge)
-      EXPECT_EQ(mask[edge / 64] >> edge % 64 & 1, edge == static_cast<std::size_t>(4 * i) ? 1u : 0u) << i << " " << edge;
+    for (std::size_t edge = 0; edge < 120; ++edge) {
+      const bool held = mask[edge / 64] >> edge % 64 & 1;
+      EXPECT_EQ(held, edge == static_cast<std::size_t>(4 * i)) << i << " " << edge;
+    }
   }
 }
 

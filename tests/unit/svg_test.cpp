@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iterator>
-#include <regex>
-#include <string>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "shapes.h"
@@ -15,9 +14,10 @@
 namespace tricover::support {
 namespace {
 
-std::ptrdiff_t count(const std::string& text, const std::string& pattern) {
-  const std::regex regex(pattern);
-  return std::distance(std::sregex_iterator(text.begin(), text.end(), regex), std::sregex_iterator());
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
 }
 
 /// Every tag closed in order, nothing else that looks like one, no stray ampersand.
@@ -38,7 +38,8 @@ bool wellFormed(const std::string& text) {
     }
     at = end;
   }
-  return open.empty() && count(text, "&(?!(amp|lt|gt|quot);)") == 0;
+  const int entities = count(text, "&amp;") + count(text, "&lt;") + count(text, "&gt;") + count(text, "&quot;");
+  return open.empty() && count(text, "&") == entities;
 }
 
 TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
@@ -56,21 +57,23 @@ TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
   EXPECT_TRUE(wellFormed(svg)) << svg;
   EXPECT_EQ(svg.rfind("<svg ", 0), 0u);
   EXPECT_EQ(count(svg, "<path "), 2);
-  EXPECT_EQ(count(svg, "[0-9]Z"), 3) << "one closed outline a ring";
+  EXPECT_EQ(count(svg, "Z"), 3) << "one closed outline a ring";
   EXPECT_EQ(count(svg, "<polygon "), 8 + 8) << "covering and influence areas";
   // The peg lies across the hole's right edge: two of its edges cross it.
   EXPECT_EQ(count(svg, "<polyline "), 1 + 2);
   EXPECT_NE(svg.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
-  EXPECT_EQ(count(svg, "nan|inf"), 0);
+  EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
 }
 
 TEST(Svg, FitsWhatIsDrawn) {
   SvgDrawing drawing(400);
   drawing.polygon(Polygon({rectangle(-1, -2, 3, 4)}), pose(0, 100, 50), "none");
   const std::string svg = drawing.str();
-  std::smatch box;
-  ASSERT_TRUE(std::regex_search(svg, box, std::regex("viewBox=\"(\\S+) (\\S+) (\\S+) (\\S+)\"")));
-  const double x = std::stod(box[1]), y = std::stod(box[2]), width = std::stod(box[3]), height = std::stod(box[4]);
+  const std::string before_box = "viewBox=\"";
+  ASSERT_EQ(count(svg, before_box), 1);
+  std::istringstream box(svg.substr(svg.find(before_box) + before_box.size()));
+  double x, y, width, height;
+  ASSERT_TRUE(box >> x >> y >> width >> height);
   // SVG's y axis points down.
   EXPECT_LE(x, 99);
   EXPECT_GE(x + width, 103);
