@@ -18,7 +18,7 @@
 namespace tricover::support {
 namespace {
 
-constexpr int kCases = 2000;
+constexpr int kCases = 5000;
 constexpr double kRareOutcome = 0.15;
 
 /// Caches that live through a whole family: what they hold is about other pairs and other poses.
