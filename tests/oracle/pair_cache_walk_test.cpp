@@ -63,6 +63,14 @@ void jumping(Random& random, Walker& w, int) {
   w.c.pose_b = randomPose(random, 3.5 * w.size);
   w.c.pose_b.translation() += w.c.pose_a.translation();
   if (random.oneIn(4)) w.c.pose_b = mirrored(w.c.pose_b);
+  if (random.oneIn(4)) w.c.pose_b = distorted(random, w.c.pose_b);
+}
+
+/// Hardly moving, but for what R misses of a rotation by: near the limit of what is rigid.
+void distorting(Random& random, Walker& w, int i) {
+  if (i % 30 == 0) w.c = atFirstContact(random, w.c, 4 * w.size * direction(random.real(0, 6.3)), 1);
+  const double angle = std::atan2(w.c.pose_b.linear()(1, 0), w.c.pose_b.linear()(0, 0));
+  w.c.pose_b.linear() = distorted(random, pose(angle, 0, 0)).linear();
 }
 
 /// Both carried by a frame that turns, so that their relative pose only changes by rounding, and a little by b's own.
@@ -80,7 +88,8 @@ void changingMargin(Random& random, Walker& w, int i) {
 }
 
 constexpr Kind kKinds[] = {{"slow", slow},       {"sliding", sliding}, {"rotating", rotating},
-                           {"jumping", jumping}, {"carried", carried}, {"changing_margin", changingMargin}};
+                           {"jumping", jumping}, {"carried", carried}, {"distorting", distorting},
+                           {"changing_margin", changingMargin}};
 
 std::vector<Ring> walkerRings(Random& random, bool with_hole) {
   if (!with_hole) return {anyRing(random)};

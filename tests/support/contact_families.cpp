@@ -133,6 +133,13 @@ Case vertexOnVertex(Random& random) {
 
 Case collinearOverlap(Random& random) { return onCommonLine(random, anyPose(random)); }
 
+Case collinearFarAway(Random& random) {
+  // Under one pose what is exact between them stays so, however far away it takes them.
+  Pose common = anyPose(random);
+  common.translation() *= std::pow(10, random.integer(12, 306));
+  return onCommonLine(random, common);
+}
+
 Case gapOfUlps(Random& random) {
   const double height = random.real(0.1, 10), shift = random.integer(-4, 4);
   const double bottom = nudged(height, random.integer(-4, 4));
@@ -165,6 +172,13 @@ Case floatPoseContact(Random& random) {
   return turnedContact(random, [](Case& c) {
     c.pose_a = throughFloat(c.pose_a);
     c.pose_b = throughFloat(c.pose_b);
+  });
+}
+
+Case distortedPoseContact(Random& random) {
+  return turnedContact(random, [&](Case& c) {
+    c.pose_a = distorted(random, c.pose_a);
+    c.pose_b = distorted(random, c.pose_b);
   });
 }
 

@@ -44,6 +44,7 @@ double near(Random& random, double power_of_two) {
   return random.coin() ? power_of_two : power_of_two * random.real(0.5, 2);
 }
 
+Case size1e_300(Random& random) { return scaledCase(random, near(random, 0x1p-997)); }
 Case size1e_150(Random& random) { return scaledCase(random, near(random, 0x1p-498)); }
 Case size1e150(Random& random) { return scaledCase(random, near(random, 0x1p498)); }
 Case size1e300(Random& random) { return scaledCase(random, near(random, 0x1p993)); }
@@ -64,11 +65,14 @@ const std::vector<Family>& families() {
       {"vertex_on_edge", seeded<vertexOnEdge>},
       {"vertex_on_vertex", seeded<vertexOnVertex>},
       {"collinear_overlap", seeded<collinearOverlap>},
+      {"collinear_far_away", seeded<collinearFarAway>},
       {"gap_of_ulps", seeded<gapOfUlps>},
       {"rotated_contact", seeded<rotatedContact>},
       {"mirrored_contact", seeded<mirroredContact>},
       {"float_pose_contact", seeded<floatPoseContact>},
+      {"distorted_pose_contact", seeded<distortedPoseContact>},
       {"offset_1e12_1e15", seeded<farFromOrigin>},
+      {"size_1e_minus_300", seeded<size1e_300>},
       {"size_1e_minus_150", seeded<size1e_150>},
       {"size_1e150", seeded<size1e150>},
       {"size_1e300", seeded<size1e300>},

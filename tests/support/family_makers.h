@@ -11,10 +11,12 @@ namespace tricover::support {
 Case vertexOnEdge(Random& random);
 Case vertexOnVertex(Random& random);
 Case collinearOverlap(Random& random);
+Case collinearFarAway(Random& random);
 Case gapOfUlps(Random& random);
 Case rotatedContact(Random& random);
 Case mirroredContact(Random& random);
 Case floatPoseContact(Random& random);
+Case distortedPoseContact(Random& random);
 Case farFromOrigin(Random& random);
 Case largeBesideSmall(Random& random);
 Case hugeBesideTiny(Random& random);

@@ -105,6 +105,13 @@ Pose throughFloat(const Pose& pose) {
   return result;
 }
 
+Pose distorted(Random& random, Pose pose) {
+  // R^T R - I is then below 4 times this in norm, also after another rotation.
+  constexpr double kMost = 0.24 * kRigidTolerance;
+  for (int i = 0; i < 4; ++i) pose.linear()(i / 2, i % 2) += random.real(-kMost, kMost);
+  return pose;
+}
+
 Pose randomPose(Random& random, double reach) {
   return pose(random.real(0, kTurn), random.real(-reach, reach), random.real(-reach, reach));
 }

@@ -38,6 +38,8 @@ Pose pose(double angle, double x, double y);
 Pose mirrored(Pose pose);
 /// Rounded through float, so that R misses orthonormality by about 1e-7.
 Pose throughFloat(const Pose& pose);
+/// R off orthonormality by nearly as much as is allowed: a little scale and shear.
+Pose distorted(Random& random, Pose pose);
 Pose randomPose(Random& random, double reach);
 
 /// `steps` representable doubles up (or down).

@@ -156,6 +156,10 @@ TEST(Repair6CollinearEdges, OfRegionsWithoutAnInside) {
   const Polygon segment({{{0, 0}, {2, 2}, {1, 1}}}), touching({{{2, 2}, {3, 3}, {4, 4}}});
   const Polygon apart({{{nudged(2, 1), nudged(2, 1)}, {3, 3}, {4, 4}}}), dot({{{0.7, 0.7}, {0.7, 0.7}, {0.7, 0.7}}});
   EXPECT_TRUE(collideAllWays(segment, Pose::Identity(), touching, Pose::Identity()));
+  // Neither's first vertex lies on the other: only the edges know.
+  const Polygon overlapping({{{3, 3}, {1.5, 1.5}, {2.5, 2.5}}}), beyond({{{3, 3}, {2.5, 2.5}, {nudged(2, 1), 2}}});
+  EXPECT_TRUE(collideAllWays(segment, Pose::Identity(), overlapping, Pose::Identity()));
+  EXPECT_FALSE(collideAllWays(segment, Pose::Identity(), beyond, Pose::Identity()));
   EXPECT_FALSE(collideAllWays(segment, Pose::Identity(), apart, Pose::Identity()));
   EXPECT_TRUE(collideAllWays(segment, Pose::Identity(), dot, Pose::Identity()));
   EXPECT_FALSE(collideAllWays(apart, Pose::Identity(), dot, Pose::Identity()));

@@ -65,6 +65,19 @@ TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
   EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
 }
 
+TEST(Svg, HitsHoldCollinearEdgesThatOverlap) {
+  const Polygon block({rectangle(0, 0, 4, 4)}), upon({rectangle(1, 4, 2, 5)}), beside({rectangle(4, 4, 5, 5)});
+  const auto hits = [&](const Polygon& b, double lift) {
+    SvgDrawing drawing;
+    drawing.polygon(block, Pose::Identity(), "none");
+    drawing.hits(block, Pose::Identity(), b, pose(0, 0, lift));
+    return count(drawing.str(), "<polyline ");
+  };
+  EXPECT_EQ(hits(upon, 0), 1 + 3);
+  EXPECT_EQ(hits(beside, 0), 2 + 2);
+  EXPECT_EQ(hits(upon, 1e-12), 0);
+}
+
 TEST(Svg, FitsWhatIsDrawn) {
   SvgDrawing drawing(400);
   drawing.polygon(Polygon({rectangle(-1, -2, 3, 4)}), pose(0, 100, 50), "none");
