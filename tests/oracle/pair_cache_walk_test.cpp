@@ -135,7 +135,8 @@ void check(const Walker& w, PairCache caches[2], PairCache shared[3], bool swapp
     if (++tally.disagreements <= 2) {
       ADD_FAILURE() << "step " << tally.steps << ", cold " << cold << ", cached " << cached << ", cached again "
                     << again << ", shared by strategies " << cached_shared << ", shared by pairs " << mixed
-                    << ", truth " << truth << ", margin " << hex(w.margin) << (strategy == Strategy::Paper ? ", Paper\n" : ", Hierarchy\n")
+                    << ", truth " << truth << ", margin " << hex(w.margin)
+                    << (strategy == Strategy::Paper ? ", Paper\n" : ", Hierarchy\n")
                     << reproduction(c);
     }
   }

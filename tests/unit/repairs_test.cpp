@@ -188,5 +188,14 @@ TEST(Repair7ExactZones, OneUlpAcrossAnEdgeIsAnotherZone) {
   for (const int count : counts) EXPECT_GE(count, 32);
 }
 
+TEST(Repair7ExactZones, AJumpFromTheHoleIntoTheSolidIsAnotherZone) {
+  const Polygon frame({rectangle(-10, -10, 10, 10), rectangle(-5, -5, 5, 5)}), peg({rectangle(-0.1, -0.1, 0.1, 0.1)});
+  for (const Strategy strategy : kStrategies) {
+    PairCache cache;
+    for (const double x : {0.0, 0.5, 7.5, 7.0, 0.0, -7.5, 0.25})
+      EXPECT_EQ(collide(frame, Pose::Identity(), peg, pose(0, x, 0), cache, {0, 0, strategy}), std::abs(x) > 5);
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support
