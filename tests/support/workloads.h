@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <string>
+#include <vector>
+
+#include "tricover/polygon.h"
+
+/// The paper's workloads (Figures 10 and 11, Table 2) and the reader of real outlines: what is timed and drawn is what
+/// workloads_test verifies.
+namespace tricover::workloads {
+
+/// Figure 11. All are about 100 units across; all but Slim and Irregular are star-shaped about their centre.
+enum class Kind {
+  Convex,     ///< round
+  Slim,       ///< convex, 100 x 15
+  Starred,    ///< spikes: long and short radii in turn
+  Contour,    ///< a random contour map's line: smooth radii of many frequencies
+  Irregular,  ///< a closed walk through random points that never crosses itself
+  WithHole,   ///< a contour around a starred hole, half of the vertices each
+};
+
+const std::vector<Kind>& allKinds();
+std::string name(Kind kind);
+
+/// Coordinates are multiples of kGrid below 128 in size, so that the orientation of any three vertices is exact in plain
+/// doubles (differences below 2^25 grid steps, products below 2^50).
+constexpr double kGrid = 1.0 / (1 << 17);
+
+/// A simple polygon (its rings cross neither themselves nor each other) with exactly that many vertices; the outer ring
+/// is counter-clockwise, the hole clockwise. Equal arguments give equal polygons on every platform whose <cmath> agrees.
+/// Throws std::invalid_argument for fewer than 8 or more than 1024 vertices, or an odd number of them.
+Polygon makePolygon(Kind kind, std::size_t vertices, std::uint64_t seed);
+
+/// Table 2: "the smallest gap is 9 units", 90,000 and 9,000 positions.
+constexpr double kGap = 9;
+constexpr std::size_t kCircularPositions = 90000;
+constexpr std::size_t kLinearPositions = 9000;
+
+/// Poses of `moving` while `fixed` stays at the identity. The moving polygon is carried around the fixed one's origin(),
+/// turning with the orbit as a body fixed to a rotating arm. Over the whole turn the smallest gap, which is also the first
+/// one, is `gap`: fixed sweeps a disc whose radius is its farthest vertex, and the arm keeps moving that far from it.
+std::vector<Pose> circularTrajectory(const Polygon& fixed, const Polygon& moving, double gap = kGap,
+                                     std::size_t positions = kCircularPositions);
+
+/// Poses of `moving` on a straight line towards the fixed one's origin(): from a distance of `gap` to first contact in
+/// the first nine tenths, then on at the same speed.
+std::vector<Pose> linearTrajectory(const Polygon& fixed, const Polygon& moving, double gap = kGap,
+                                   std::size_t positions = kLinearPositions);
+
+struct NamedPolygon {
+  std::string name;
+  Polygon polygon;
+};
+
+/// Reads `polygon <name> <rings>`, then for each ring `ring <n>` and n lines `x y`. Throws std::runtime_error naming the
+/// polygon where the text departs from that.
+std::vector<NamedPolygon> readPolygons(std::istream& in);
+
+}  // namespace tricover::workloads

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workloads.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+#include "tricover/collide.h"
+#include "tricover/locate.h"
+
+namespace tricover::workloads {
+namespace {
+
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+/// Exact on the grid, as kGrid says.
+int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double area = cross(b - a, c - a);
+  return (area > 0) - (area < 0);
+}
+
+bool segmentsMeet(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
+  const Vec2 low = p.cwiseMin(q).cwiseMax(r.cwiseMin(s)), high = p.cwiseMax(q).cwiseMin(r.cwiseMax(s));
+  if ((low.array() > high.array()).any()) return false;
+  return orientation(p, q, r) * orientation(p, q, s) <= 0 && orientation(r, s, p) * orientation(r, s, q) <= 0;
+}
+
+double area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
+  return sum / 2;
+}
+
+double pointToSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
+  const double along = std::clamp((p - v).dot(w - v) / (w - v).squaredNorm(), 0.0, 1.0);
+  return (p - v - along * (w - v)).norm();
+}
+
+std::vector<std::pair<Vec2, Vec2>> edges(const Polygon& polygon, const Pose& pose) {
+  std::vector<std::pair<Vec2, Vec2>> result;
+  for (std::size_t i = 0; i < polygon.vertexCount(); ++i) {
+    result.emplace_back(pose * polygon.edgeStart(i), pose * polygon.edgeEnd(i));
+  }
+  return result;
+}
+
+/// Between the outlines, which is between the regions for regions that don't overlap.
+double outlineDistance(const Polygon& a, const Polygon& b, const Pose& pose_b) {
+  double distance = std::numeric_limits<double>::infinity();
+  const auto edges_a = edges(a, Pose::Identity()), edges_b = edges(b, pose_b);
+  for (const auto& [v, w] : edges_a) {
+    for (const auto& [p, q] : edges_b) {
+      if (segmentsMeet(v, w, p, q)) return 0;
+      distance = std::min({distance, pointToSegment(v, p, q), pointToSegment(w, p, q), pointToSegment(p, v, w),
+                           pointToSegment(q, v, w)});
+    }
+  }
+  return distance;
+}
+
+class EveryKind : public testing::TestWithParam<Kind> {};
+INSTANTIATE_TEST_SUITE_P(Workloads, EveryKind, testing::ValuesIn(allKinds()), [](const auto& kind) {
+  std::string id = name(kind.param);
+  std::replace(id.begin(), id.end(), ' ', '_');
+  return id;
+});
+
+TEST_P(EveryKind, IsSimpleWithTheVerticesAskedFor) {
+  for (std::size_t n = 8; n <= 1024; n *= 2) {
+    for (std::uint64_t seed = 1; seed <= (n <= 128 ? 20u : 2u); ++seed) {
+      SCOPED_TRACE("vertices " + std::to_string(n) + " seed " + std::to_string(seed));
+      const Polygon polygon = makePolygon(GetParam(), n, seed);
+      ASSERT_EQ(polygon.vertexCount(), n);
+      ASSERT_EQ(polygon.rings().size(), GetParam() == Kind::WithHole ? 2u : 1u);
+      EXPECT_GT(area(polygon.rings()[0]), 0);
+
+      std::vector<std::size_t> next(n);
+      std::size_t first = 0;
+      for (const Ring& ring : polygon.rings()) {
+        for (std::size_t i = 0; i < ring.size(); ++i) next[first + i] = first + (i + 1) % ring.size();
+        first += ring.size();
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 v = polygon.edgeStart(i), w = polygon.edgeEnd(i);
+        for (double x : {v.x(), v.y()}) ASSERT_TRUE(std::abs(x) < 128 && std::fmod(x, kGrid) == 0);
+        ASSERT_NE(orientation(v, w, polygon.edgeEnd(next[i])), 0);
+        for (std::size_t j = i + 1; j < n; ++j) {
+          if (j == next[i] || i == next[j]) continue;
+          ASSERT_FALSE(segmentsMeet(v, w, polygon.edgeStart(j), polygon.edgeEnd(j))) << "edges " << i << " and " << j;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(EveryKind, DependsOnItsSeedAlone) {
+  EXPECT_EQ(makePolygon(GetParam(), 64, 7).rings(), makePolygon(GetParam(), 64, 7).rings());
+  EXPECT_NE(makePolygon(GetParam(), 64, 7).rings(), makePolygon(GetParam(), 64, 8).rings());
+}
+
+TEST_P(EveryKind, CircularTrajectoryComesWithinTheGapAndNoNearer) {
+  for (const std::size_t n : {8, 32, 128}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE("vertices " + std::to_string(n) + " seed " + std::to_string(seed));
+      const Polygon fixed = makePolygon(GetParam(), n, seed), moving = makePolygon(GetParam(), n, seed + 100);
+      const auto poses = circularTrajectory(fixed, moving);
+      ASSERT_EQ(poses.size(), kCircularPositions);
+      EXPECT_NEAR(outlineDistance(fixed, moving, poses.front()), kGap, 1e-9);
+      for (std::size_t i = 0; i < poses.size(); i += n < 100 ? 211 : 4001) {
+        ASSERT_GE(outlineDistance(fixed, moving, poses[i]), kGap - 1e-9) << "position " << i;
+        ASSERT_FALSE(collide(fixed, Pose::Identity(), moving, poses[i])) << "position " << i;
+      }
+      const Vec2 step = poses[1] * moving.origin() - poses[0] * moving.origin();
+      const Vec2 closing = poses.front() * moving.origin() - poses.back() * moving.origin();
+      EXPECT_NEAR(step.norm(), closing.norm(), 1e-9) << "the last position is one step before the first";
+    }
+  }
+}
+
+TEST_P(EveryKind, LinearTrajectoryStartsAtTheGapAndEndsInCollision) {
+  for (std::size_t n = 8; n <= 1024; n *= 2) {
+    for (std::uint64_t seed = 1; seed <= (n <= 128 ? 10u : 2u); ++seed) {
+      SCOPED_TRACE("vertices " + std::to_string(n) + " seed " + std::to_string(seed));
+      const Polygon fixed = makePolygon(GetParam(), n, seed), moving = makePolygon(GetParam(), n, seed + 100);
+      const auto poses = linearTrajectory(fixed, moving);
+      ASSERT_EQ(poses.size(), kLinearPositions);
+      EXPECT_NEAR(outlineDistance(fixed, moving, poses.front()), kGap, 1e-9);
+      EXPECT_GT(outlineDistance(fixed, moving, poses[kLinearPositions * 9 / 10 - 2]), 0) << "before contact";
+      EXPECT_EQ(outlineDistance(fixed, moving, poses[kLinearPositions * 9 / 10 + 2]), 0) << "after contact";
+      EXPECT_EQ(outlineDistance(fixed, moving, poses.back()), 0);
+      EXPECT_FALSE(collide(fixed, Pose::Identity(), moving, poses.front()));
+      EXPECT_TRUE(collide(fixed, Pose::Identity(), moving, poses.back()));
+    }
+  }
+}
+
+TEST(Workloads, ConvexKindsAreConvexAndOthersAreNot) {
+  for (const Kind kind : allKinds()) {
+    for (std::size_t n = 8; n <= 1024; n *= 2) {
+      const Polygon polygon = makePolygon(kind, n, n);
+      const Ring& ring = polygon.rings()[0];
+      bool convex = polygon.rings().size() == 1;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        convex = convex && orientation(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) > 0;
+      }
+      if (n == 8 && kind == Kind::Contour) continue;  // may be either
+      EXPECT_EQ(convex, kind == Kind::Convex || kind == Kind::Slim) << name(kind) << " with " << n << " vertices";
+    }
+  }
+}
+
+TEST(Workloads, HoleLiesInsideTheContour) {
+  const Polygon polygon = makePolygon(Kind::WithHole, 256, 3);
+  EXPECT_LT(area(polygon.rings()[1]), 0);
+  EXPECT_GT(area(polygon.rings()[0]) + area(polygon.rings()[1]), 0);
+  EXPECT_EQ(locate(polygon, Vec2::Zero()), Location::Outside);
+}
+
+TEST(Workloads, RefusesOddAndFarVertexCounts) {
+  for (const std::size_t n : {0, 6, 9, 1026}) EXPECT_THROW(makePolygon(Kind::Contour, n, 1), std::invalid_argument) << n;
+}
+
+TEST(ReadPolygons, ReadsNamesRingsAndVertices) {
+  std::istringstream text("polygon one 1\nring 3\n0 0\n1 0\n0 1.5\npolygon two 2\nring 3\n0 0\n9 0\n0 9\nring 3\n1 1\n2 1\n1 2\n");
+  const auto polygons = readPolygons(text);
+  ASSERT_EQ(polygons.size(), 2u);
+  EXPECT_EQ(polygons[0].name, "one");
+  EXPECT_EQ(polygons[0].polygon.rings(), (std::vector<Ring>{{{0, 0}, {1, 0}, {0, 1.5}}}));
+  EXPECT_EQ(polygons[1].polygon.rings().size(), 2u);
+}
+
+TEST(ReadPolygons, NamesThePolygonThatIsBroken) {
+  for (const char* text : {"polygon one 1\nring 3\n0 0\n1 0\n0 x\n", "polygon one 1\nrang 3\n", "polygon one\n"}) {
+    std::istringstream in(text);
+    try {
+      readPolygons(in);
+      ADD_FAILURE() << text;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("'one'"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(ReadPolygons, ReadsTheCountries) {
+  std::ifstream in(TRICOVER_COUNTRIES);
+  const auto countries = readPolygons(in);
+  EXPECT_EQ(countries.size(), 173u);
+  std::size_t vertices = 0;
+  for (const auto& [label, polygon] : countries) vertices += polygon.vertexCount();
+  EXPECT_GT(vertices, 10000u);
+}
+
+}  // namespace
+}  // namespace tricover::workloads
