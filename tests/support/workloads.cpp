@@ -52,22 +52,23 @@ Ring convexRing(std::size_t n, double squeeze, Random& random) {
 }
 
 Ring starredRing(std::size_t n, double radius, Random& random) {
-  return starShaped(n, 1, random, [&](std::size_t i, double) {
+  return starShaped(n, 0.6, random, [&](std::size_t i, double) {
     return radius * (i % 2 == 0 ? random.uniform(0.8, 1) : random.uniform(0.35, 0.55));
   });
 }
 
-/// Harmonics up to a quarter of the vertices, their sizes falling as 1/k: as rough as a coast at every scale.
+/// Oblong by the second harmonic; the others, up to a quarter of the vertices, fall as 1/k: as rough as a coast at every
+/// scale.
 Ring contourRing(std::size_t n, Random& random) {
-  std::vector<std::pair<double, double>> harmonics;
-  for (std::size_t k = 2; k <= std::max<std::size_t>(n / 4, 3); ++k) {
+  std::vector<std::pair<double, double>> harmonics = {{0.25, 0}};
+  for (std::size_t k = 3; k <= std::max<std::size_t>(n / 4, 3); ++k) {
     harmonics.emplace_back(random.uniform(0.05, 0.2) / static_cast<double>(k), random.uniform(0, 2 * kPi));
   }
   return starShaped(n, 1, random, [&](std::size_t, double angle) {
-    double sum = 0.8;
+    double sum = 0.65;
     double k = 2;
     for (const auto& [size, phase] : harmonics) sum += size * std::cos(k++ * angle + phase);
-    return kRadius * std::clamp(sum, 0.3, 1.0);
+    return kRadius * std::clamp(sum, 0.25, 1.0);
   });
 }
 
@@ -87,7 +88,7 @@ Ring irregularRing(std::size_t n, Random& random) {
   const auto rows = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n) / 2)));
   Ring ring;
   for (std::size_t i = 0; i < n; ++i) {
-    ring.push_back(onGrid(random.uniform(-0.7, 0.7) * kRadius, random.uniform(-0.7, 0.7) * kRadius));
+    ring.push_back(onGrid(random.uniform(-0.9, 0.9) * kRadius, random.uniform(-0.4, 0.4) * kRadius));
   }
   std::sort(ring.begin(), ring.end(), [](const Vec2& u, const Vec2& v) { return u.y() < v.y(); });
   for (std::size_t row = 0; row < rows; ++row) {
@@ -184,12 +185,34 @@ double lastApproach(const Polygon& fixed, const Polygon& moving, double distance
   return last;
 }
 
-/// The pose that turns by `angle` and puts the polygon's origin where the arm of that angle ends.
-Pose onArm(const Polygon& fixed, const Polygon& moving, double angle, double arm) {
+/// The polygon's origin where an arm ends that turns around the fixed one's origin; on the arm the polygon is turned by
+/// `own_angle` more.
+Pose onArm(const Polygon& fixed, const Polygon& moving, double arm_angle, double arm, double own_angle) {
+  const Eigen::Rotation2Dd turn(arm_angle);
   Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  pose.translation() = fixed.origin() + pose.linear() * (Vec2(arm, 0) - moving.origin());
+  pose.linear() = (turn * Eigen::Rotation2Dd(own_angle)).toRotationMatrix();
+  pose.translation() = fixed.origin() + turn * Vec2(arm, 0) - pose.linear() * moving.origin();
   return pose;
+}
+
+/// How long the arm must be for a polygon turned by own_angle, with its nearest point at that distance from the pivot, and
+/// the direction in which that point lies.
+struct Arm {
+  double own_angle, length, nearest_angle;
+};
+
+Arm fittingArm(const std::vector<Edge>& edges, double own_angle, double distance) {
+  const Eigen::Rotation2Dd turn(own_angle);
+  Arm result{own_angle, -std::numeric_limits<double>::infinity(), 0};
+  for (const Edge& edge : edges) {
+    const Vec2 v = turn * edge.v, w = turn * edge.w;
+    const double length = lastApproach(Vec2::Zero(), v, w, distance);
+    if (length <= result.length) continue;
+    const Vec2 start = v + Vec2(length, 0);
+    const Vec2 nearest = start + (w - v) * std::clamp(-start.dot(w - v) / (w - v).squaredNorm(), 0.0, 1.0);
+    result = {own_angle, length, std::atan2(nearest.y(), nearest.x())};
+  }
+  return result;
 }
 
 }  // namespace
@@ -221,27 +244,23 @@ Polygon makePolygon(Kind kind, std::size_t vertices, std::uint64_t seed) {
 }
 
 std::vector<Pose> circularTrajectory(const Polygon& fixed, const Polygon& moving, double gap, std::size_t positions) {
-  double swept = 0, first_angle = 0;
+  double swept = 0, farthest_angle = 0;
   for (const auto& [v, w] : edgesAroundOrigin(fixed)) {
     if (v.norm() <= swept) continue;
     swept = v.norm();
-    first_angle = std::atan2(v.y(), v.x());
+    farthest_angle = std::atan2(v.y(), v.x());
   }
-  double arm = -std::numeric_limits<double>::infinity();
-  Vec2 nearest = Vec2::UnitX();
-  for (const auto& [v, w] : edgesAroundOrigin(moving)) {
-    const double reach = lastApproach(Vec2::Zero(), v, w, swept + gap);
-    if (reach <= arm) continue;
-    arm = reach;
-    const Vec2 start = v + Vec2(arm, 0), edge = w - v;
-    nearest = start + edge * std::clamp(-start.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  const auto edges = edgesAroundOrigin(moving);
+  Arm arm = fittingArm(edges, 0, swept + gap);
+  for (int degrees = 1; degrees < 360; ++degrees) {
+    const Arm other = fittingArm(edges, degrees * kPi / 180, swept + gap);
+    if (other.length < arm.length) arm = other;
   }
-  first_angle -= std::atan2(nearest.y(), nearest.x());
   std::vector<Pose> poses;
   poses.reserve(positions);
   for (std::size_t i = 0; i < positions; ++i) {
     const double turn = 2 * kPi * static_cast<double>(i) / static_cast<double>(positions);
-    poses.push_back(onArm(fixed, moving, first_angle + turn, arm));
+    poses.push_back(onArm(fixed, moving, farthest_angle - arm.nearest_angle + turn, arm.length, arm.own_angle));
   }
   return poses;
 }
@@ -253,7 +272,7 @@ std::vector<Pose> linearTrajectory(const Polygon& fixed, const Polygon& moving, 
   poses.reserve(positions);
   for (std::size_t i = 0; i < positions; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(positions - 1);
-    poses.push_back(onArm(fixed, moving, 0, start + part * (end - start)));
+    poses.push_back(onArm(fixed, moving, 0, start + part * (end - start), 0));
   }
   return poses;
 }

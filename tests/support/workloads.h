@@ -13,7 +13,7 @@
 /// workloads_test verifies.
 namespace tricover::workloads {
 
-/// Figure 11. All are about 100 units across; all but Slim and Irregular are star-shaped about their centre.
+/// Figure 11. All are about 100 units long, and all but the first are oblong.
 enum class Kind {
   Convex,     ///< round
   Slim,       ///< convex, 100 x 15
@@ -26,12 +26,12 @@ enum class Kind {
 const std::vector<Kind>& allKinds();
 std::string name(Kind kind);
 
-/// Coordinates are multiples of kGrid below 128 in size, so that the orientation of any three vertices is exact in plain
-/// doubles (differences below 2^25 grid steps, products below 2^50).
+/// Coordinates are multiples of kGrid below 128 in size, so that the orientation of any three vertices is exact in
+/// plain doubles (differences below 2^25 grid steps, products below 2^50).
 constexpr double kGrid = 1.0 / (1 << 17);
 
 /// A simple polygon (its rings cross neither themselves nor each other) with exactly that many vertices; the outer ring
-/// is counter-clockwise, the hole clockwise. Equal arguments give equal polygons on every platform whose <cmath> agrees.
+/// is counter-clockwise, the hole clockwise. Equal arguments give equal polygons wherever <cmath> agrees.
 /// Throws std::invalid_argument for fewer than 8 or more than 1024 vertices, or an odd number of them.
 Polygon makePolygon(Kind kind, std::size_t vertices, std::uint64_t seed);
 
@@ -40,9 +40,10 @@ constexpr double kGap = 9;
 constexpr std::size_t kCircularPositions = 90000;
 constexpr std::size_t kLinearPositions = 9000;
 
-/// Poses of `moving` while `fixed` stays at the identity. The moving polygon is carried around the fixed one's origin(),
-/// turning with the orbit as a body fixed to a rotating arm. Over the whole turn the smallest gap, which is also the first
-/// one, is `gap`: fixed sweeps a disc whose radius is its farthest vertex, and the arm keeps moving that far from it.
+/// Poses of `moving` while `fixed` stays at the identity. The moving polygon is carried around the fixed one's origin()
+/// and turns with the orbit, like a body fixed to an arm, with the side towards the pivot (of 360) that brings it nearest.
+/// The smallest gap of the whole turn, which is also the first one, is `gap`: fixed's farthest vertex sweeps a circle that
+/// the arm keeps that far away. Bounding discs meet all the way unless the polygons are round.
 std::vector<Pose> circularTrajectory(const Polygon& fixed, const Polygon& moving, double gap = kGap,
                                      std::size_t positions = kCircularPositions);
 

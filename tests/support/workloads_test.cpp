@@ -116,6 +116,8 @@ TEST_P(EveryKind, CircularTrajectoryComesWithinTheGapAndNoNearer) {
         ASSERT_GE(outlineDistance(fixed, moving, poses[i]), kGap - 1e-9) << "position " << i;
         ASSERT_FALSE(collide(fixed, Pose::Identity(), moving, poses[i])) << "position " << i;
       }
+      const double arm = (poses.front() * moving.origin() - fixed.origin()).norm();
+      EXPECT_EQ(arm < fixed.radius() + moving.radius(), GetParam() != Kind::Convex) << "do the bounding discs meet?";
       const Vec2 step = poses[1] * moving.origin() - poses[0] * moving.origin();
       const Vec2 closing = poses.front() * moving.origin() - poses.back() * moving.origin();
       EXPECT_NEAR(step.norm(), closing.norm(), 1e-9) << "the last position is one step before the first";

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tricover::bench {
+
+/// What a walk over the positions found: position * targets + target for every hit.
+using Hits = std::vector<std::uint32_t>;
+
+enum class Role {
+  Ours,   ///< must agree with the reference on every answer
+  Rival,  ///< its disagreements are counted and shown
+  Floor,  ///< answers nothing: what the call alone costs
+};
+
+/// One way of answering a workload's queries.
+struct Contender {
+  std::string name;
+  Role role;
+  /// Coherent methods live on small steps: they always walk every position. The others may walk every stride-th one.
+  bool coherent;
+  /// Asks for positions 0, stride, 2 stride, ... and appends the hits.
+  std::function<void(std::size_t stride, Hits& hits)> walk;
+};
+
+struct Workload {
+  std::string job;         ///< the table it belongs to
+  std::string scene;       ///< kind of polygons, or who moves among whom
+  std::string trajectory;  ///< "circular" or "linear"
+  std::size_t vertices_fixed, vertices_moving;
+  std::size_t positions;  ///< a query is one position: the moving polygon against all targets
+  std::size_t targets;
+  std::vector<Contender> contenders;  ///< the first is tricover without coherence: the reference
+};
+
+struct Timing {
+  std::string name;
+  Role role;
+  double ns;            ///< per query, median over the repetitions, CPU time
+  std::size_t checked;  ///< queries whose answer was compared
+  std::size_t false_alarms, misses;  ///< queries with a hit too many, or one too few
+};
+
+struct Result {
+  Workload workload;  ///< without its contenders
+  std::size_t collisions;
+  std::vector<Timing> timings;
+};
+
+struct Settings {
+  int repetitions = 3;
+  double seconds_per_repetition = 0.01;  ///< at least, and for walks with a stride about that much
+};
+
+/// Times the contenders by Google Benchmark, interleaved at random in this process, and checks all that they answered
+/// while being timed.
+Result measure(const Workload& workload, const Settings& settings);
+
+}  // namespace tricover::bench
