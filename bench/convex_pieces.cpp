@@ -41,8 +41,7 @@ class Geos {
   }
 
   Ring vertices(const GEOSGeometry* polygon) const {
-    const GEOSCoordSequence* sequence =
-        GEOSGeom_getCoordSeq_r(handle_, GEOSGetExteriorRing_r(handle_, polygon));
+    const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(handle_, GEOSGetExteriorRing_r(handle_, polygon));
     unsigned size = 0;
     GEOSCoordSeq_getSize_r(handle_, sequence, &size);
     Ring ring(size - 1);
@@ -96,7 +95,8 @@ class PieceMerger {
     }
     for (const auto& [edge, piece] : owner_) {
       const auto twin = owner_.find({edge.second, edge.first});
-      if (edge.first < edge.second && twin != owner_.end()) tryMerge(edge.first, edge.second, root(piece), root(twin->second));
+      if (edge.first < edge.second && twin != owner_.end())
+        tryMerge(edge.first, edge.second, root(piece), root(twin->second));
     }
   }
 

@@ -8,19 +8,19 @@ std::vector<Contender> coreContenders(std::shared_ptr<const Passage> passage) {
   const auto contender = [&](const std::string& name, bool coherent, Strategy strategy) {
     CollideOptions options;
     options.strategy = strategy;
-    return Contender{name, Role::Ours, coherent, [=](std::size_t stride, Hits& hits) {
-                       const auto& [fixed, moving, poses] = *passage;
+    return Contender{name, Role::Ours, coherent, [=](const Sampling& sampling, Hits& hits) {
+                       const Polygon &fixed = passage->fixed, &moving = passage->moving;
+                       const std::vector<Pose>& poses = passage->poses;
                        PairCache cache;
-                       for (std::size_t i = 0; i < poses.size(); i += stride) {
-                         const bool hit = coherent
-                                              ? collide(fixed, Pose::Identity(), moving, poses[i], cache, options)
-                                              : collide(fixed, Pose::Identity(), moving, poses[i], options);
+                       forEachSample(sampling, poses.size(), [&](std::size_t i) {
+                         const bool hit = coherent ? collide(fixed, Pose::Identity(), moving, poses[i], cache, options)
+                                                   : collide(fixed, Pose::Identity(), moving, poses[i], options);
                          if (hit) hits.push_back(static_cast<std::uint32_t>(i));
-                       }
+                       });
                      }};
   };
-  return {contender("tricover cold", false, Strategy::Hierarchy), contender("tricover cached", true, Strategy::Hierarchy),
-          contender("paper cached", true, Strategy::Paper)};
+  return {contender("cold", false, Strategy::Hierarchy), contender("cached", true, Strategy::Hierarchy),
+          contender("paper", true, Strategy::Paper)};
 }
 
 }  // namespace tricover::bench

@@ -27,8 +27,8 @@ struct Drive {
   std::vector<fcl::Transform3d> transforms;
 };
 
-/// One object a shape, under FCL's broadphase. User data of a fixed object is its country's element of `countries_`, and
-/// null for the moving ones.
+/// One object a shape, under FCL's broadphase. User data of a fixed object is its country's element of `last_hit_`,
+/// and null for the moving ones.
 class FclScene {
  public:
   FclScene(std::shared_ptr<const Drive> drive, MakeGeometries make) : drive_(std::move(drive)) {
@@ -47,16 +47,17 @@ class FclScene {
     manager_.setup();
   }
 
-  void walk(std::size_t stride, Hits& hits) {
+  void walk(const Sampling& sampling, Hits& hits) {
     hits_ = &hits;
     last_hit_.assign(last_hit_.size(), kNever);
-    for (position_ = 0; position_ < drive_->transforms.size(); position_ += stride) {
+    forEachSample(sampling, drive_->transforms.size(), [&](std::size_t position) {
+      position_ = position;
       for (const auto& object : moving_) {
-        object->setTransform(drive_->transforms[position_]);
+        object->setTransform(drive_->transforms[position]);
         object->computeAABB();
         manager_.collide(object.get(), this, meet);
       }
-    }
+    });
   }
 
  private:
@@ -87,15 +88,15 @@ class FclScene {
 Contender fclContender(const std::string& name, Role role, bool coherent, std::shared_ptr<const Drive> drive,
                        MakeGeometries make) {
   const auto scene = std::make_shared<FclScene>(std::move(drive), make);
-  return {name, role, coherent, [=](std::size_t stride, Hits& hits) { scene->walk(stride, hits); }};
+  return {name, role, coherent, [=](const Sampling& sampling, Hits& hits) { scene->walk(sampling, hits); }};
 }
 
 /// Every country asked, without a broadphase.
 Contender coreContender(const std::string& name, bool coherent, std::shared_ptr<const Drive> drive) {
-  return {name, Role::Ours, coherent, [=](std::size_t stride, Hits& hits) {
+  return {name, Role::Ours, coherent, [=](const Sampling& sampling, Hits& hits) {
             const Countries& countries = *drive->countries;
             std::vector<PairCache> caches(countries.size());
-            for (std::size_t i = 0; i < drive->poses.size(); i += stride) {
+            forEachSample(sampling, drive->poses.size(), [&](std::size_t i) {
               for (std::size_t k = 0; k < countries.size(); ++k) {
                 if (k == drive->mover) continue;
                 const Polygon& fixed = countries[k].polygon;
@@ -103,11 +104,13 @@ Contender coreContender(const std::string& name, bool coherent, std::shared_ptr<
                                           : collide(fixed, Pose::Identity(), drive->moving, drive->poses[i]);
                 if (hit) hits.push_back(static_cast<std::uint32_t>(i * countries.size() + k));
               }
-            }
+            });
           }};
 }
 
-Geometries polygonShape(const Polygon& polygon, bool) { return {std::make_shared<tricover_fcl::PolygonShaped>(polygon)}; }
+Geometries polygonShape(const Polygon& polygon, bool) {
+  return {std::make_shared<tricover_fcl::PolygonShaped>(polygon)};
+}
 
 Geometries flatMesh(const Polygon& polygon, bool) { return {makeFlatMesh(triangulate(polygon))}; }
 
@@ -139,8 +142,8 @@ Polygon centred(const Polygon& polygon) {
 }
 
 std::vector<Pose> circularDrive(std::size_t positions) {
-  const Vec2 center(20, 20);
-  const double radius = 35;
+  const Vec2 center(-20, 15);
+  const double radius = 45;
   std::vector<Pose> poses(positions, Pose::Identity());
   for (std::size_t i = 0; i < positions; ++i) {
     const double angle = 2 * static_cast<double>(EIGEN_PI) * static_cast<double>(i) / static_cast<double>(positions);
@@ -175,10 +178,10 @@ Workload drive(std::shared_ptr<const Countries> countries, const std::string& mo
           moving.vertexCount(),
           shared->poses.size(),
           countries->size(),
-          {coreContender("tricover cold", false, shared), coreContender("tricover cached", true, shared),
-           fclContender("tricover in FCL", Role::Ours, true, shared, polygonShape),
-           fclContender("FCL GJK libccd", Role::Rival, false, shared, prisms),
-           fclContender("FCL BVH", Role::Rival, false, shared, flatMesh)}};
+          {coreContender("cold", false, shared), coreContender("cached", true, shared),
+           fclContender("via FCL", Role::Ours, true, shared, polygonShape),
+           fclContender("GJK ccd", Role::Rival, false, shared, prisms),
+           fclContender("BVH", Role::Rival, false, shared, flatMesh)}};
 }
 
 }  // namespace tricover::bench

@@ -19,13 +19,13 @@ std::size_t findCountry(const Countries& countries, const std::string& name);
 /// The polygon with its origin() shifted to (0, 0), as one authors a shape that is to turn.
 Polygon centred(const Polygon& polygon);
 
-/// A circle through Africa, Europe, Asia and two oceans, turning with it; or straight from the Atlantic through Eurasia
+/// A circle around the Atlantic, turning with it; or straight from the Atlantic through Eurasia
 /// to the Pacific. Poses of a centred polygon.
 std::vector<Pose> circularDrive(std::size_t positions = workloads::kCircularPositions);
 std::vector<Pose> linearDrive(std::size_t positions = workloads::kLinearPositions);
 
-/// The scene by tricover's core alone and, through FCL's broadphase (DynamicAABBTreeCollisionManager) and the unmodified
-/// fcl::collide, by tricover's shapes, by prisms of the convex pieces and by flat BVH meshes.
+/// The scene by tricover's core alone and, through FCL's broadphase (DynamicAABBTreeCollisionManager) and the
+/// unmodified fcl::collide, by tricover's shapes, by prisms of the convex pieces and by flat BVH meshes.
 Workload drive(std::shared_ptr<const Countries> countries, const std::string& mover, const std::string& trajectory);
 
 }  // namespace tricover::bench

@@ -36,9 +36,9 @@ Box posed(const Box& box, const Pose& pose, const Eigen::Matrix2d& size) {
 /// whole boxes, then piece against piece.
 class Pieces {
  public:
-  Pieces(const Polygon& polygon, double half_height) {
+  Pieces(const std::vector<Triangle>& triangles, double half_height) {
     Ring all;
-    for (const Ring& ring : convexPieces(triangulate(polygon))) {
+    for (const Ring& ring : convexPieces(triangles)) {
       prisms_.push_back(makePrism(ring, half_height));
       boxes_.push_back(boxAround(ring));
       all.insert(all.end(), ring.begin(), ring.end());
@@ -75,15 +75,18 @@ class Pieces {
 
 /// Everything the FCL contenders share, built before any timing.
 struct FclPassage {
-  explicit FclPassage(std::shared_ptr<const Passage> passage_)
+  FclPassage(std::shared_ptr<const Passage> passage_, const std::vector<Triangle>& fixed_triangles,
+             const std::vector<Triangle>& moving_triangles)
       : passage(std::move(passage_)),
         transforms(toTransforms(passage->poses)),
-        fixed_pieces(passage->fixed, kHalfHeight),
-        moving_pieces(passage->moving, 2 * kHalfHeight),
-        fixed_mesh(makeFlatMesh(triangulate(passage->fixed))),
-        moving_mesh(makeFlatMesh(triangulate(passage->moving))),
-        fixed_shape(passage->fixed),
-        moving_shape(passage->moving) {}
+        fixed_pieces(fixed_triangles, kHalfHeight),
+        moving_pieces(moving_triangles, 2 * kHalfHeight),
+        fixed_mesh(makeFlatMesh(fixed_triangles)),
+        moving_mesh(makeFlatMesh(moving_triangles)),
+        fixed_shape(std::make_shared<tricover_fcl::PolygonShaped>(passage->fixed)),
+        moving_shape(std::make_shared<tricover_fcl::PolygonShaped>(passage->moving)),
+        fixed_sphere(std::make_shared<fcl::Sphered>(1)),
+        moving_sphere(std::make_shared<fcl::Sphered>(1)) {}
 
   /// The same pre-check that tricover does, for rivals that have none.
   bool discsApart(const Pose& pose) const {
@@ -94,29 +97,28 @@ struct FclPassage {
   std::shared_ptr<const Passage> passage;
   std::vector<fcl::Transform3d> transforms;
   Pieces fixed_pieces, moving_pieces;
-  std::shared_ptr<FlatMesh> fixed_mesh, moving_mesh;
-  tricover_fcl::PolygonShaped fixed_shape, moving_shape;
+  fcl::CollisionObjectd fixed_mesh, moving_mesh, fixed_shape, moving_shape, fixed_sphere, moving_sphere;
 };
 
 /// `collides(scene, position)` answers one query.
 template <class Collides>
-Contender contender(const std::string& name, Role role, bool coherent, std::shared_ptr<const FclPassage> scene,
+Contender contender(const std::string& name, Role role, bool coherent, std::shared_ptr<FclPassage> scene,
                     Collides collides) {
-  return {name, role, coherent, [=](std::size_t stride, Hits& hits) {
-            for (std::size_t i = 0; i < scene->transforms.size(); i += stride) {
+  return {name, role, coherent, [=](const Sampling& sampling, Hits& hits) {
+            forEachSample(sampling, scene->transforms.size(), [&](std::size_t i) {
               if (collides(*scene, i)) hits.push_back(static_cast<std::uint32_t>(i));
-            }
+            });
           }};
 }
 
 /// The public entry point, unmodified.
-bool collideByFcl(const fcl::CollisionGeometryd& fixed, const fcl::CollisionGeometryd& moving,
+bool collideByFcl(const fcl::CollisionObjectd& fixed, fcl::CollisionObjectd& moving,
                   const fcl::Transform3d& transform) {
-  static const fcl::Transform3d identity = fcl::Transform3d::Identity();
   static const fcl::CollisionRequestd request;
   static fcl::CollisionResultd result;
   result.clear();
-  return fcl::collide(&fixed, identity, &moving, transform, request, result) > 0;
+  moving.setTransform(transform);
+  return fcl::collide(&fixed, &moving, request, result) > 0;
 }
 
 /// libccd's MPR, called as FCL's own rows call it.
@@ -149,22 +151,21 @@ bool collideByIndep(const FclPassage& scene, std::size_t i) {
 }  // namespace
 
 std::vector<Contender> fclContenders(std::shared_ptr<const Passage> passage) {
-  const auto scene = std::make_shared<const FclPassage>(std::move(passage));
-  const auto tricover = [](const FclPassage& s, std::size_t i) {
+  const auto fixed = triangulate(passage->fixed), moving = triangulate(passage->moving);
+  const auto scene = std::make_shared<FclPassage>(std::move(passage), fixed, moving);
+  const auto tricover = [](FclPassage& s, std::size_t i) {
     return collideByFcl(s.fixed_shape, s.moving_shape, s.transforms[i]);
   };
-  const auto mesh = [](const FclPassage& s, std::size_t i) {
-    return !s.discsApart(s.passage->poses[i]) && collideByFcl(*s.fixed_mesh, *s.moving_mesh, s.transforms[i]);
+  const auto mesh = [](FclPassage& s, std::size_t i) {
+    return !s.discsApart(s.passage->poses[i]) && collideByFcl(s.fixed_mesh, s.moving_mesh, s.transforms[i]);
   };
-  const auto nothing = [](const FclPassage& s, std::size_t i) {
-    static const fcl::Sphered fixed(1), moving(1);
-    return collideByFcl(fixed, moving, s.transforms[i]);
+  const auto nothing = [](FclPassage& s, std::size_t i) {
+    return collideByFcl(s.fixed_sphere, s.moving_sphere, s.transforms[i]);
   };
-  return {contender("tricover in FCL", Role::Ours, true, scene, tricover),
-          contender("FCL GJK libccd", Role::Rival, false, scene, collideByLibccd),
-          contender("FCL GJK indep", Role::Rival, false, scene, collideByIndep),
-          contender("FCL BVH", Role::Rival, false, scene, mesh),
-          contender("FCL two spheres", Role::Floor, false, scene, nothing)};
+  return {contender("via FCL", Role::Ours, true, scene, tricover),
+          contender("GJK ccd", Role::Rival, false, scene, collideByLibccd),
+          contender("GJK indep", Role::Rival, false, scene, collideByIndep),
+          contender("BVH", Role::Rival, false, scene, mesh), contender("floor", Role::Floor, false, scene, nothing)};
 }
 
 }  // namespace tricover::bench

@@ -8,8 +8,9 @@
 template struct fcl::detail::GJK<double>;
 template struct fcl::detail::MinkowskiDiff<double>;
 template class fcl::detail::GJKInitializer<double, fcl::Convex<double>>;
-template bool fcl::detail::GJKCollide<double>(void*, ccd_support_fn, ccd_center_fn, void*, ccd_support_fn, ccd_center_fn,
-                                              unsigned int, double, fcl::Vector3d*, double*, fcl::Vector3d*);
+template bool fcl::detail::GJKCollide<double>(void*, ccd_support_fn, ccd_center_fn, void*, ccd_support_fn,
+                                              ccd_center_fn, unsigned int, double, fcl::Vector3d*, double*,
+                                              fcl::Vector3d*);
 template class fcl::detail::Intersect<double>;
 template class fcl::OBB<double>;
 template class fcl::detail::MeshCollisionTraversalNodeOBBRSS<double>;

@@ -32,21 +32,24 @@ class Collector : public benchmark::BenchmarkReporter {
   std::map<std::string, std::vector<double>> seconds_;
 };
 
-std::size_t walkedPositions(const Workload& workload, std::size_t stride) {
-  return (workload.positions + stride - 1) / stride;
+std::size_t sampleCount(const Workload& workload, const Sampling& sampling) {
+  const std::size_t last = workload.positions % sampling.period;
+  return workload.positions / sampling.period * sampling.run + std::min(last, sampling.run);
 }
 
-/// The stride at which a walk takes about as long as a repetition should.
-std::size_t chooseStride(const Workload& workload, const Contender& contender, const Settings& settings) {
-  if (contender.coherent) return 1;
-  const std::size_t probe = std::max<std::size_t>(workload.positions / 50, 1);
+/// A sampling whose walk takes about as long as a repetition should, but has at least 50 runs.
+Sampling chooseSampling(const Workload& workload, const Contender& contender, const Settings& settings) {
+  // The first query of a run has nothing to be coherent with.
+  const std::size_t run = contender.coherent ? 100 : 1;
+  const Sampling sparse{std::max(workload.positions / 50, run), run};
   Hits hits;
   const auto start = std::chrono::steady_clock::now();
-  contender.walk(probe, hits);
+  contender.walk(sparse, hits);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  const double whole = taken.count() * static_cast<double>(probe);
-  const double stride = std::clamp(whole / settings.seconds_per_repetition, 1.0, static_cast<double>(probe));
-  return static_cast<std::size_t>(stride);
+  const double affordable = settings.seconds_per_repetition / taken.count();  // sparse walks
+  if (affordable * static_cast<double>(run) >= static_cast<double>(sparse.period)) return {};
+  const double period = static_cast<double>(sparse.period) / std::max(affordable, 1.0);
+  return {static_cast<std::size_t>(std::max(period, static_cast<double>(run))), run};
 }
 
 /// Positions, each once, that have a hit in `hits` which `others` lacks. Both sorted.
@@ -57,10 +60,10 @@ std::size_t positionsOnlyIn(const Hits& hits, const Hits& others, std::size_t ta
   return static_cast<std::size_t>(std::unique(extra.begin(), extra.end()) - extra.begin());
 }
 
-Hits every(std::size_t stride, const Hits& hits, std::size_t targets) {
+Hits sampled(const Sampling& sampling, const Hits& hits, std::size_t targets) {
   Hits kept;
   std::copy_if(hits.begin(), hits.end(), std::back_inserter(kept),
-               [&](std::uint32_t hit) { return hit / targets % stride == 0; });
+               [&](std::uint32_t hit) { return sampling.holds(hit / targets); });
   return kept;
 }
 
@@ -70,24 +73,24 @@ Result measure(const Workload& workload, const Settings& settings) {
   Result result{workload, 0, {}};
   result.workload.contenders.clear();
   Hits reference;
-  workload.contenders.front().walk(1, reference);
+  workload.contenders.front().walk(Sampling{}, reference);
   std::sort(reference.begin(), reference.end());
   result.collisions = positionsOnlyIn(reference, {}, workload.targets);
 
   benchmark::ClearRegisteredBenchmarks();
   for (const Contender& contender : workload.contenders) {
-    const std::size_t stride = chooseStride(workload, contender, settings);
-    const std::size_t walked = walkedPositions(workload, stride);
+    const Sampling sampling = chooseSampling(workload, contender, settings);
+    const std::size_t walked = sampleCount(workload, sampling);
     result.timings.push_back({contender.name, contender.role, 0, contender.role == Role::Floor ? 0 : walked, 0, 0});
-    const auto time = [&, stride, index = result.timings.size() - 1](benchmark::State& state) {
+    const auto time = [&, sampling, index = result.timings.size() - 1](benchmark::State& state) {
       Hits hits;
       for (auto _ : state) {
         hits.clear();
-        contender.walk(stride, hits);
+        contender.walk(sampling, hits);
       }
       if (contender.role == Role::Floor) return;
       std::sort(hits.begin(), hits.end());
-      const Hits expected = every(stride, reference, workload.targets);
+      const Hits expected = sampled(sampling, reference, workload.targets);
       Timing& timing = result.timings[index];
       timing.false_alarms = std::max(timing.false_alarms, positionsOnlyIn(hits, expected, workload.targets));
       timing.misses = std::max(timing.misses, positionsOnlyIn(expected, hits, workload.targets));

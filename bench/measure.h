@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -12,6 +13,21 @@ namespace tricover::bench {
 /// What a walk over the positions found: position * targets + target for every hit.
 using Hits = std::vector<std::uint32_t>;
 
+/// Which positions a walk visits: `run` consecutive ones out of every `period`.
+struct Sampling {
+  std::size_t period = 1, run = 1;
+  bool holds(std::size_t position) const { return position % period < run; }
+};
+
+/// Calls visit(position) for each position that the sampling holds, in order.
+template <class Visit>
+void forEachSample(const Sampling& sampling, std::size_t positions, Visit visit) {
+  for (std::size_t begin = 0; begin < positions; begin += sampling.period) {
+    const std::size_t end = std::min(begin + sampling.run, positions);
+    for (std::size_t position = begin; position < end; ++position) visit(position);
+  }
+}
+
 enum class Role {
   Ours,   ///< must agree with the reference on every answer
   Rival,  ///< its disagreements are counted and shown
@@ -22,10 +38,9 @@ enum class Role {
 struct Contender {
   std::string name;
   Role role;
-  /// Coherent methods live on small steps: they always walk every position. The others may walk every stride-th one.
-  bool coherent;
-  /// Asks for positions 0, stride, 2 stride, ... and appends the hits.
-  std::function<void(std::size_t stride, Hits& hits)> walk;
+  bool coherent;  ///< lives on small steps, so that its samples must be long runs
+  /// Asks for the sampled positions in order and appends the hits.
+  std::function<void(const Sampling& sampling, Hits& hits)> walk;
 };
 
 struct Workload {
@@ -41,8 +56,8 @@ struct Workload {
 struct Timing {
   std::string name;
   Role role;
-  double ns;            ///< per query, median over the repetitions, CPU time
-  std::size_t checked;  ///< queries whose answer was compared
+  double ns;                         ///< per query, median over the repetitions, CPU time
+  std::size_t checked;               ///< queries whose answer was compared
   std::size_t false_alarms, misses;  ///< queries with a hit too many, or one too few
 };
 
@@ -54,7 +69,7 @@ struct Result {
 
 struct Settings {
   int repetitions = 3;
-  double seconds_per_repetition = 0.01;  ///< at least, and for walks with a stride about that much
+  double seconds_per_repetition = 0.01;  ///< about; a walk that would take longer is sampled
 };
 
 /// Times the contenders by Google Benchmark, interleaved at random in this process, and checks all that they answered

@@ -60,27 +60,32 @@ std::string table(const std::vector<Result>& results, const std::string& job) {
   for (const Result& result : results) {
     const Workload& workload = result.workload;
     if (workload.job != job) continue;
-    if (lines.empty()) {
-      lines.push_back({"workload", "vertices", "queries", "collisions"});
-      for (const Timing& timing : result.timings) lines[0].push_back(timing.name + " ns");
-      for (const Timing& timing : result.timings) {
-        if (timing.role == Role::Rival) lines[0].push_back(timing.name + " agrees %");
-      }
-    }
     const std::string name = workload.scene + ", " + workload.trajectory;
-    lines.push_back({name, vertices(workload), std::to_string(workload.positions), std::to_string(result.collisions)});
-    for (const Timing& timing : result.timings) lines.back().push_back(rounded(timing.ns, timing.ns < 100 ? 1 : 0));
+    std::vector<std::string> heads = {"workload", "vertices", "queries", "collisions"};
+    std::vector<std::string> line = {name, vertices(workload), std::to_string(workload.positions),
+                                     std::to_string(result.collisions)};
+    std::string rivals, agreements;
     for (const Timing& timing : result.timings) {
-      if (timing.role == Role::Rival) lines.back().push_back(agreement(timing));
+      heads.push_back(timing.name);
+      line.push_back(rounded(timing.ns, timing.ns < 100 ? 1 : 0));
+      if (timing.role == Role::Rival) {
+        rivals += (rivals.empty() ? "" : " / ") + timing.name;
+        agreements += (agreements.empty() ? "" : " / ") + agreement(timing);
+      }
       if (timing.false_alarms + timing.misses == 0) continue;
       disagreements += "- " + name + ", " + vertices(workload) + ": " + timing.name + ": " +
                        std::to_string(timing.false_alarms) + " false alarms and " + std::to_string(timing.misses) +
                        " misses in " + std::to_string(timing.checked) + " queries\n";
     }
+    heads.push_back(rivals + " agree, %");
+    line.push_back(agreements);
+    if (lines.empty()) lines.push_back(heads);
+    lines.push_back(line);
   }
   if (lines.empty()) return "";
   if (disagreements.empty()) disagreements = "- none\n";
-  return aligned(lines) + "\nDisagreements with tricover's exact answers:\n" + disagreements;
+  return "Nanoseconds per query:\n\n" + aligned(lines) + "\nDisagreements with tricover's exact answers:\n" +
+         disagreements;
 }
 
 std::string csv(const std::vector<Result>& results) {
@@ -90,9 +95,9 @@ std::string csv(const std::vector<Result>& results) {
   for (const Result& result : results) {
     const Workload& w = result.workload;
     for (const Timing& t : result.timings) {
-      out << w.job << ',' << w.scene << ',' << w.trajectory << ',' << w.vertices_fixed << ',' << w.vertices_moving << ','
-          << w.positions << ',' << result.collisions << ',' << t.name << ',' << rounded(t.ns, 2) << ',' << t.checked << ','
-          << t.false_alarms << ',' << t.misses << '\n';
+      out << w.job << ',' << w.scene << ',' << w.trajectory << ',' << w.vertices_fixed << ',' << w.vertices_moving
+          << ',' << w.positions << ',' << result.collisions << ',' << t.name << ',' << rounded(t.ns, 2) << ','
+          << t.checked << ',' << t.false_alarms << ',' << t.misses << '\n';
     }
   }
   return out.str();
@@ -107,26 +112,34 @@ std::string conditions(const Settings& settings) {
   }
   std::ostringstream out;
   out << "- Machine: " << cpu << ", " << std::thread::hardware_concurrency() << " processors; one thread is timed.\n"
-      << "- Compiler: " << TRICOVER_BENCH_COMPILER << ", flags " << TRICOVER_BENCH_FLAGS << ".\n"
-      << "- Times: nanoseconds of CPU time per query; the median of " << settings.repetitions << " repetitions of at least "
-      << settings.seconds_per_repetition << " s each, all methods interleaved at random in one process. Methods "
-      << "without coherence may be timed on every k-th position, evenly spread; coherent ones walk all of them.\n"
-      << "- Every timed answer is compared with tricover's cold answer, which the test suite compares with exact arithmetic.\n"
-      << "- tricover cold: the core without a PairCache; cached: with one; in FCL: unmodified fcl::collide. paper cached: "
-      << "Algorithm 3 as printed, with its repairs, and a PairCache.\n"
-      << "- FCL GJK: one prism a convex piece (GEOS's constrained Delaunay triangles, merged by Hertel and Mehlhorn), moving ones "
-      << "twice as high as fixed ones because FCL's MPR errs on equal heights. libccd is what FCL calls GST_LIBCCD (MPR), indep is "
-      << "FCL's own GJK without the EPA that fcl::collide adds.\n"
-      << "- FCL BVH: flat OBBRSS meshes of the same triangles, through fcl::collide.\n"
-      << "- Paper's workloads: all methods, ours and the rivals, test the bounding discs first; then the pieces' boxes decide "
-      << "which prisms GJK sees, and the solvers are called directly, without fcl::collide's dispatch.\n"
-      << "- Countries: a query is one position of the moving country against all others. In FCL: "
-      << "DynamicAABBTreeCollisionManager finds the pairs and unmodified fcl::collide decides them; every prism is an object of its "
-      << "own, and pairs with a country that is hit already are skipped. The core methods have no broadphase and ask about "
-      << "every country.\n"
-      << "- The packaged libfcl has asserts on and SSE off. GJK, MPR's support functions and the mesh traversal are compiled "
-      << "here with the flags above (no asserts); libccd and FCL's broadphase are the packaged ones.\n"
-      << "- two spheres: fcl::collide on two spheres that don't meet; the floor of what a call costs.\n";
+      << "- Compiler: " << TRICOVER_BENCH_COMPILER << ", flags" << TRICOVER_BENCH_FLAGS << ".\n"
+      << "- Times: CPU time per query, the median of " << settings.repetitions << " repetitions of about "
+      << settings.seconds_per_repetition << " s, all methods\n"
+      << "  interleaved at random in one process. What would take longer visits a part of the positions, evenly "
+         "spread;\n"
+      << "  methods with coherence visit them in runs of 100.\n"
+      << "- Every timed answer is compared with that of `cold`, which the tests compare with exact arithmetic.\n"
+      << "- cold: tricover's core without a PairCache; cached: with one; paper: the paper's Algorithm 3, repaired, "
+         "with a\n"
+      << "  PairCache; via FCL: unmodified fcl::collide on tricover's shape.\n"
+      << "- GJK: one prism a convex piece (GEOS's constrained Delaunay triangles, merged by Hertel and Mehlhorn). ccd "
+         "is\n"
+      << "  libccd's MPR, which is what FCL runs for GST_LIBCCD; indep is FCL's own GJK, without the EPA that "
+         "fcl::collide\n"
+      << "  adds.\n"
+      << "- BVH: flat OBBRSS meshes of the same triangles, by fcl::collide. floor: fcl::collide on two spheres, "
+         "apart.\n"
+      << "- Paper's workloads: every method but the floor starts with the bounding discs. Then boxes decide which "
+         "prisms\n"
+      << "  GJK sees, called directly, without fcl::collide's dispatch.\n"
+      << "- Countries: a query is one position of the moving country against all others. cold and cached have no\n"
+      << "  broadphase and ask about every country. For the others DynamicAABBTreeCollisionManager finds the pairs "
+         "and\n"
+      << "  unmodified fcl::collide decides them; each prism is an object of its own, and further pairs with a "
+         "country\n"
+      << "  that is hit already are skipped.\n"
+      << "- The packaged libfcl has asserts on and SSE off. GJK, MPR's support functions and the mesh traversal are\n"
+      << "  compiled here with the flags above, without asserts; libccd and FCL's broadphase are the packaged ones.\n";
   return out.str();
 }
 
@@ -136,7 +149,7 @@ void writePlotData(const std::vector<Result>& results, const std::string& direct
   std::string grid;
   for (const Result& result : results) {
     const Workload& w = result.workload;
-    if (w.job != "paper") continue;
+    if (w.job == "countries") continue;
     std::string times;
     for (const Timing& timing : result.timings) times += " " + rounded(timing.ns, 2);
     if (w.vertices_fixed == w.vertices_moving) {

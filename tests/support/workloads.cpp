@@ -35,7 +35,8 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (area > 0) - (area < 0);
 }
 
-/// A ring around the origin with one vertex in each of n equal sectors; `radius` is called with the vertex's index and angle.
+/// A ring around the origin with one vertex in each of n equal sectors; `radius` is called with the vertex's index and
+/// angle.
 template <class Radius>
 Ring starShaped(std::size_t n, double squeeze, Random& random, Radius radius) {
   Ring ring;
@@ -57,8 +58,8 @@ Ring starredRing(std::size_t n, double radius, Random& random) {
   });
 }
 
-/// Oblong by the second harmonic; the others, up to a quarter of the vertices, fall as 1/k: as rough as a coast at every
-/// scale.
+/// Oblong by the second harmonic; the others, up to a quarter of the vertices, fall as 1/k: as rough as a coast at
+/// every scale.
 Ring contourRing(std::size_t n, Random& random) {
   std::vector<std::pair<double, double>> harmonics = {{0.25, 0}};
   for (std::size_t k = 3; k <= std::max<std::size_t>(n / 4, 3); ++k) {
@@ -101,7 +102,8 @@ Ring irregularRing(std::size_t n, Random& random) {
     for (std::size_t i = 0; i + 2 < n; ++i) {
       for (std::size_t j = i + 2; j < n; ++j) {
         if ((j + 1) % n == i || !segmentsMeet(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n])) continue;
-        std::reverse(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, ring.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+        std::reverse(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                     ring.begin() + static_cast<std::ptrdiff_t>(j) + 1);
         crossed = true;
       }
     }
@@ -131,12 +133,18 @@ std::vector<Ring> ringsWithHole(std::size_t n, Random& random) {
 
 std::vector<Ring> makeRings(Kind kind, std::size_t vertices, Random& random) {
   switch (kind) {
-    case Kind::Convex: return {convexRing(vertices, 1, random)};
-    case Kind::Slim: return {convexRing(vertices, 0.15, random)};
-    case Kind::Starred: return {starredRing(vertices, kRadius, random)};
-    case Kind::Contour: return {contourRing(vertices, random)};
-    case Kind::Irregular: return {irregularRing(vertices, random)};
-    case Kind::WithHole: return ringsWithHole(vertices, random);
+    case Kind::Convex:
+      return {convexRing(vertices, 1, random)};
+    case Kind::Slim:
+      return {convexRing(vertices, 0.15, random)};
+    case Kind::Starred:
+      return {starredRing(vertices, kRadius, random)};
+    case Kind::Contour:
+      return {contourRing(vertices, random)};
+    case Kind::Irregular:
+      return {irregularRing(vertices, random)};
+    case Kind::WithHole:
+      return ringsWithHole(vertices, random);
   }
   throw std::invalid_argument("kind: not a Kind");
 }
@@ -179,7 +187,8 @@ double lastApproach(const Polygon& fixed, const Polygon& moving, double distance
   double last = -std::numeric_limits<double>::infinity();
   for (const auto& [v, w] : fixed_edges) {
     for (const auto& [p, q] : moving_edges) {
-      last = std::max({last, lastApproach(v, p, q, distance), lastApproach(mirrored(p), mirrored(v), mirrored(w), distance)});
+      last = std::max(
+          {last, lastApproach(v, p, q, distance), lastApproach(mirrored(p), mirrored(v), mirrored(w), distance)});
     }
   }
   return last;
@@ -195,8 +204,8 @@ Pose onArm(const Polygon& fixed, const Polygon& moving, double arm_angle, double
   return pose;
 }
 
-/// How long the arm must be for a polygon turned by own_angle, with its nearest point at that distance from the pivot, and
-/// the direction in which that point lies.
+/// How long the arm must be for a polygon turned by own_angle, with its nearest point at that distance from the pivot,
+/// and the direction in which that point lies.
 struct Arm {
   double own_angle, length, nearest_angle;
 };
@@ -225,12 +234,18 @@ const std::vector<Kind>& allKinds() {
 
 std::string name(Kind kind) {
   switch (kind) {
-    case Kind::Convex: return "convex";
-    case Kind::Slim: return "slim";
-    case Kind::Starred: return "starred";
-    case Kind::Contour: return "contour";
-    case Kind::Irregular: return "irregular";
-    case Kind::WithHole: return "with hole";
+    case Kind::Convex:
+      return "convex";
+    case Kind::Slim:
+      return "slim";
+    case Kind::Starred:
+      return "starred";
+    case Kind::Contour:
+      return "contour";
+    case Kind::Irregular:
+      return "irregular";
+    case Kind::WithHole:
+      return "with hole";
   }
   throw std::invalid_argument("kind: not a Kind");
 }

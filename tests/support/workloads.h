@@ -41,9 +41,9 @@ constexpr std::size_t kCircularPositions = 90000;
 constexpr std::size_t kLinearPositions = 9000;
 
 /// Poses of `moving` while `fixed` stays at the identity. The moving polygon is carried around the fixed one's origin()
-/// and turns with the orbit, like a body fixed to an arm, with the side towards the pivot (of 360) that brings it nearest.
-/// The smallest gap of the whole turn, which is also the first one, is `gap`: fixed's farthest vertex sweeps a circle that
-/// the arm keeps that far away. Bounding discs meet all the way unless the polygons are round.
+/// and turns with the orbit, like a body fixed to an arm, with the side towards the pivot (of 360) that brings it
+/// nearest. The smallest gap of the whole turn, which is also the first one, is `gap`: fixed's farthest vertex sweeps a
+/// circle that the arm keeps that far away. Bounding discs meet all the way unless the polygons are round.
 std::vector<Pose> circularTrajectory(const Polygon& fixed, const Polygon& moving, double gap = kGap,
                                      std::size_t positions = kCircularPositions);
 
@@ -57,8 +57,8 @@ struct NamedPolygon {
   Polygon polygon;
 };
 
-/// Reads `polygon <name> <rings>`, then for each ring `ring <n>` and n lines `x y`. Throws std::runtime_error naming the
-/// polygon where the text departs from that.
+/// Reads `polygon <name> <rings>`, then for each ring `ring <n>` and n lines `x y`. Throws std::runtime_error naming
+/// the polygon where the text departs from that.
 std::vector<NamedPolygon> readPolygons(std::istream& in);
 
 }  // namespace tricover::workloads

@@ -165,11 +165,13 @@ TEST(Workloads, HoleLiesInsideTheContour) {
 }
 
 TEST(Workloads, RefusesOddAndFarVertexCounts) {
-  for (const std::size_t n : {0, 6, 9, 1026}) EXPECT_THROW(makePolygon(Kind::Contour, n, 1), std::invalid_argument) << n;
+  for (const std::size_t n : {0, 6, 9, 1026})
+    EXPECT_THROW(makePolygon(Kind::Contour, n, 1), std::invalid_argument) << n;
 }
 
 TEST(ReadPolygons, ReadsNamesRingsAndVertices) {
-  std::istringstream text("polygon one 1\nring 3\n0 0\n1 0\n0 1.5\npolygon two 2\nring 3\n0 0\n9 0\n0 9\nring 3\n1 1\n2 1\n1 2\n");
+  std::istringstream text(
+      "polygon one 1\nring 3\n0 0\n1 0\n0 1.5\npolygon two 2\nring 3\n0 0\n9 0\n0 9\nring 3\n1 1\n2 1\n1 2\n");
   const auto polygons = readPolygons(text);
   ASSERT_EQ(polygons.size(), 2u);
   EXPECT_EQ(polygons[0].name, "one");
