@@ -4,6 +4,7 @@
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/narrowphase/collision.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -123,6 +124,22 @@ Geometries prisms(const Polygon& polygon, bool moves) {
 }
 
 }  // namespace
+
+Countries readCountries(std::istream& in) {
+  Countries countries = workloads::readPolygons(in);
+  const auto spansTheMap = [](const workloads::NamedPolygon& country) {
+    double west = 180, east = -180;
+    for (const Ring& ring : country.polygon.rings()) {
+      for (const Vec2& v : ring) {
+        west = std::min(west, v.x());
+        east = std::max(east, v.x());
+      }
+    }
+    return east - west > 300;
+  };
+  countries.erase(std::remove_if(countries.begin(), countries.end(), spansTheMap), countries.end());
+  return countries;
+}
 
 std::size_t findCountry(const Countries& countries, const std::string& name) {
   const std::string ending = "_" + name;

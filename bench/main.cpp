@@ -95,7 +95,7 @@ int run(const std::string& data, const std::string& directory, bool full) {
   tricover_fcl::registerNarrowphase();
   std::ifstream in(data);
   if (!in) throw std::runtime_error("cannot read " + data);
-  const auto countries = std::make_shared<const Countries>(workloads::readPolygons(in));
+  const auto countries = std::make_shared<const Countries>(readCountries(in));
   drawPictures(*countries, directory);
 
   const Settings settings = full ? Settings{5, 0.05} : Settings{};

@@ -160,7 +160,7 @@ void writePlotData(const std::vector<Result>& results, const std::string& direct
     }
   }
   std::string times;
-  for (const auto& [name, lines] : blocks) times += "\"" + name + "\"\n" + lines + "\n\n";
+  for (const auto& [name, lines] : blocks) times += "# " + name + "\n" + lines + "\n\n";
   writeFile(directory + "/times.dat", times);
   writeFile(directory + "/grid.dat", grid);
 }
