@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tricover_fcl/collide.h"
+#include "tricover_fcl/polygon_shape.h"
+#include "tricover_fcl/registration.h"
