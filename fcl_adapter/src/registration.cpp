@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only file that sees FCL's function tables: instantiating them takes half a minute and a gigabyte.
 #include "tricover_fcl/registration.h"
 
-#include <fcl/broadphase/default_broadphase_callbacks.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
@@ -11,71 +9,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "collide_polygons.h"
-#include "tricover_fcl/collide.h"
+#include "tables.h"
 #include "tricover_fcl/polygon_shape.h"
 #include "unsupported.h"
 
-// libfcl hides its function tables but not the functions that read them. These instantiations replace them for the whole
-// program (they come first in the search order), and read our tables, which hold FCL's rows and ours.
-// Those for float are templates in every user's own code.
-namespace fcl {
-
-#define TRICOVER_INSTANTIATE(Solver)                                                                                 \
-  template std::size_t collide(const CollisionGeometry<double>*, const Transform3<double>&,                          \
-                               const CollisionGeometry<double>*, const Transform3<double>&, const Solver*,           \
-                               const CollisionRequest<double>&, CollisionResult<double>&);                           \
-  template double detail::continuousCollideConservativeAdvancement(                                                  \
-      const CollisionGeometry<double>*, const MotionBase<double>*, const CollisionGeometry<double>*,                 \
-      const MotionBase<double>*, const Solver*, const ContinuousCollisionRequest<double>&,                           \
-      ContinuousCollisionResult<double>&);
-TRICOVER_INSTANTIATE(detail::GJKSolver_libccd<double>)
-TRICOVER_INSTANTIATE(detail::GJKSolver_indep<double>)
-#undef TRICOVER_INSTANTIATE
-
-// libfcl doesn't export the solver's level of these.
-template double distance(const CollisionObject<double>*, const CollisionObject<double>*, const DistanceRequest<double>&,
-                         DistanceResult<double>&);
-template double distance(const CollisionGeometry<double>*, const Transform3<double>&, const CollisionGeometry<double>*,
-                         const Transform3<double>&, const DistanceRequest<double>&, DistanceResult<double>&);
-
-}  // namespace fcl
-
 namespace tricover_fcl {
 namespace {
-
-template <typename Solver, typename S = typename Solver::S>
-std::size_t collideRow(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
-                       const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2, const Solver*,
-                       const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  return collidePolygons(*o1, tf1, *o2, tf2, request, result);
-}
-
-template <typename Solver, typename S = typename Solver::S>
-S distanceRow(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>&, const fcl::CollisionGeometry<S>* o2,
-              const fcl::Transform3<S>&, const Solver*, const fcl::DistanceRequest<S>&, fcl::DistanceResult<S>&) {
-  throwUnsupported("distance", *o1, *o2);
-}
-
-template <typename Solver, typename S = typename Solver::S>
-S advancementRow(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>*, const fcl::CollisionGeometry<S>* o2,
-                 const fcl::MotionBase<S>*, const Solver*, const fcl::ContinuousCollisionRequest<S>&,
-                 fcl::ContinuousCollisionResult<S>&) {
-  throwUnsupported("conservative advancement", *o1, *o2);
-}
-
-/// Our node type's row and column, all of it: FCL leaves them empty, and answers "free" from an empty one.
-template <typename Solver>
-void fillTables() {
-  auto& collision = fcl::getCollisionFunctionLookTable<Solver>().collision_matrix;
-  auto& distance = fcl::getDistanceFunctionLookTable<Solver>().distance_matrix;
-  auto& advancement = fcl::getConservativeAdvancementFunctionLookTable<Solver>().conservative_advancement_matrix;
-  for (int other = 0; other < fcl::NODE_COUNT; ++other) {
-    collision[fcl::GEOM_TRIANGLE][other] = collision[other][fcl::GEOM_TRIANGLE] = collideRow<Solver>;
-    distance[fcl::GEOM_TRIANGLE][other] = distance[other][fcl::GEOM_TRIANGLE] = distanceRow<Solver>;
-    advancement[fcl::GEOM_TRIANGLE][other] = advancement[other][fcl::GEOM_TRIANGLE] = advancementRow<Solver>;
-  }
-}
 
 template <typename Query>
 bool throwsUnsupported(const Query& query) {
@@ -127,10 +66,8 @@ std::string unreachedEntryPoint() {
 }
 
 bool registerOnce() {
-  fillTables<fcl::detail::GJKSolver_libccd<float>>();
-  fillTables<fcl::detail::GJKSolver_indep<float>>();
-  fillTables<fcl::detail::GJKSolver_libccd<double>>();
-  fillTables<fcl::detail::GJKSolver_indep<double>>();
+  fillTables<float>();
+  fillTables<double>();
   const std::string unreached = unreachedEntryPoint();
   if (!unreached.empty()) {
     throw std::logic_error(
@@ -148,40 +85,5 @@ void registerNarrowphase() {
   static const bool registered = registerOnce();  // by one thread, the others wait; tried again if it throws
   static_cast<void>(registered);
 }
-
-template <typename S>
-std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
-                    const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
-                    const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  if (isPolygon(*o1) || isPolygon(*o2)) return collidePolygons(*o1, tf1, *o2, tf2, request, result);
-  return fcl::collide(o1, tf1, o2, tf2, request, result);
-}
-
-template <typename S>
-std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
-                    const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  return tricover_fcl::collide(o1->collisionGeometry().get(), o1->getTransform(), o2->collisionGeometry().get(),
-                               o2->getTransform(), request, result);
-}
-
-template <typename S>
-bool defaultCollisionFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data) {
-  auto& collision = *static_cast<fcl::DefaultCollisionData<S>*>(data);
-  if (collision.done) return true;
-  const std::size_t contacts = tricover_fcl::collide(o1, o2, collision.request, collision.result);
-  collision.done = !collision.request.enable_cost && contacts > 0 && contacts >= collision.request.num_max_contacts;
-  return collision.done;
-}
-
-#define TRICOVER_INSTANTIATE(S)                                                                                       \
-  template std::size_t collide(const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,                           \
-                               const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,                           \
-                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);                            \
-  template std::size_t collide(const fcl::CollisionObject<S>*, const fcl::CollisionObject<S>*,                        \
-                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);                            \
-  template bool defaultCollisionFunction(fcl::CollisionObject<S>*, fcl::CollisionObject<S>*, void*);
-TRICOVER_INSTANTIATE(float)
-TRICOVER_INSTANTIATE(double)
-#undef TRICOVER_INSTANTIATE
 
 }  // namespace tricover_fcl

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rows.h"
+#include "tables.h"
+
+// For tricover_fcl::collide<float>. FCL's entry points for float are templates, instantiated in every user's own code;
+// they read the same tables as these.
+template std::size_t fcl::collide(const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
+                                  const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
+                                  const fcl::CollisionRequest<float>&, fcl::CollisionResult<float>&);
+
+namespace tricover_fcl {
+
+template <>
+void fillTables<float>() {
+  fillSolverTables<fcl::detail::GJKSolver_libccd<float>>();
+  fillSolverTables<fcl::detail::GJKSolver_indep<float>>();
+}
+
+}  // namespace tricover_fcl
