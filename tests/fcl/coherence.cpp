@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the adapter remembers between calls never shows in an answer.
+#include <fcl/narrowphase/collision.h>
+
+#include <set>
+
+#include "pair_cache_table.h"
+#include "scene.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+using tricover::support::Random;
+
+TEST(Coherence, walksAnswerAsColdQueriesInEitherOrder) {
+  Random random(11);
+  int hits = 0, queries = 0;
+  for (int walk = 0; walk < 20; ++walk) {
+    // Two objects of one polygon, and a third: pairs that only their places tell apart.
+    const Shape<double> model = shapeOf(randomPolygon(random, 1)), other = shapeOf(randomPolygon(random, 1.5));
+    std::vector<fcl::CollisionObjectd> objects(2, fcl::CollisionObjectd(model));
+    objects.emplace_back(other);
+    std::vector<double> angle(3);
+    std::vector<tricover::Vec2> place = {{-1, 0}, {1.2, 0}, {0, 1.5}};
+    for (int step = 0; step < tricover::support::scaledCount(400); ++step) {
+      const double stride = random.oneIn(40) ? 1 : 0.02;
+      for (std::size_t i = 0; i < 3; ++i) {
+        angle[i] += stride * random.real(-1, 1);
+        place[i] = 0.999 * place[i] + stride * tricover::Vec2(random.real(-1, 1), random.real(-1, 1));
+        objects[i].setTransform(lifted(tricover::support::pose(angle[i], place[i].x(), place[i].y())));
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        const fcl::CollisionObjectd *a = &objects[i], *b = &objects[(i + 1) % 3];
+        if (random.coin()) std::swap(a, b);
+        const auto polygon = [](const fcl::CollisionObjectd* object) {
+          return static_cast<const PolygonShaped*>(object->collisionGeometry().get())->polygon();
+        };
+        const bool cold = tricover::collide(polygon(a), flat(a->getTransform()), polygon(b), flat(b->getTransform()));
+        fcl::CollisionResultd result;
+        ASSERT_EQ(fcl::collide(a, b, fcl::CollisionRequestd(), result), std::size_t{cold}) << walk << " " << step;
+        hits += cold;
+        ++queries;
+      }
+    }
+  }
+  EXPECT_GT(hits, queries * 3 / 10);
+  EXPECT_LT(hits, queries * 7 / 10);
+}
+
+TEST(Coherence, aPairHasOneSlotInEitherOrder) {
+  Random random(12);
+  const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+  const int places[2] = {};
+  EXPECT_EQ(&pairCache(a, &places[0], b, &places[1]), &pairCache(b, &places[1], a, &places[0]));
+}
+
+TEST(Coherence, fclCallsFillThePairsSlot) {
+  Random random(13);
+  const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+  const fcl::CollisionObjectd object_a(shapeOf(a)), object_b(shapeOf(b), lifted(tricover::support::pose(0, 1.7, 0)));
+  fcl::CollisionResultd result;
+  fcl::collide(&object_b, &object_a, fcl::CollisionRequestd(), result);
+  const tricover::PairCache& cache = pairCache(a, &object_a.getTransform(), b, &object_b.getTransform());
+  EXPECT_EQ((std::set<std::uint64_t>{cache.first_id, cache.second_id}), (std::set<std::uint64_t>{a.id(), b.id()}));
+}
+
+TEST(Coherence, slotsSpread) {
+  // A fleet of one model: 45 pairs of the same ids.
+  Random random(14);
+  const tricover::Polygon model = randomPolygon(random, 1);
+  const std::vector<fcl::CollisionObjectd> fleet(10, fcl::CollisionObjectd(shapeOf(model)));
+  std::set<const tricover::PairCache*> slots;
+  for (std::size_t i = 0; i < fleet.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      slots.insert(&pairCache(model, &fleet[i].getTransform(), model, &fleet[j].getTransform()));
+    }
+  }
+  EXPECT_GE(slots.size(), 43u);
+
+  slots.clear();
+  std::vector<tricover::Polygon> polygons;
+  for (int i = 0; i < 40; ++i) polygons.push_back(randomPolygon(random, 1));
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) slots.insert(&pairCache(polygons[i], nullptr, polygons[j], nullptr));
+  }
+  EXPECT_GE(slots.size(), 700u);  // of 780 pairs
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fcl/narrowphase/collision.h>
+
+#include <cmath>
+#include <limits>
+
+#include "scene.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+const Shape<double> kSquare = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+
+bool collide(const fcl::Transform3d& tf1, const fcl::Transform3d& tf2) {
+  fcl::CollisionResultd result;
+  return fcl::collide(kSquare.get(), tf1, kSquare.get(), tf2, fcl::CollisionRequestd(), result) > 0;
+}
+
+std::string refusal(const fcl::Transform3d& tf1, const fcl::Transform3d& tf2) {
+  return thrownBy<std::invalid_argument>([&] { collide(tf1, tf2); });
+}
+
+fcl::Transform3d turned(double angle, const fcl::Vector3d& axis) {
+  return fcl::Transform3d(fcl::AngleAxis<double>(angle, axis.normalized()));
+}
+
+const fcl::Transform3d kIdentity = fcl::Transform3d::Identity();
+
+TEST(PlanarPoses, heightIsComparedExactly) {
+  EXPECT_TRUE(collide(lifted(tricover::Pose::Identity(), 0.1), lifted(tricover::Pose::Identity(), 0.1)));
+  EXPECT_FALSE(collide(lifted(tricover::Pose::Identity(), 0.1), lifted(tricover::Pose::Identity(), 0.1 + 0x1p-56)));
+  EXPECT_FALSE(collide(kIdentity, lifted(tricover::Pose::Identity(), 5e-324)));
+  EXPECT_TRUE(collide(kIdentity, lifted(tricover::Pose::Identity(), -0.0)));
+}
+
+TEST(PlanarPoses, tiltIsRefusedByName) {
+  const fcl::Transform3d tilted = turned(0.01, {1, 2, 0});
+  EXPECT_NE(refusal(tilted, kIdentity).find("pose_a leaves the plane"), std::string::npos) << refusal(tilted, kIdentity);
+  EXPECT_NE(refusal(kIdentity, tilted).find("pose_b leaves the plane"), std::string::npos) << refusal(kIdentity, tilted);
+  EXPECT_NE(refusal(turned(kPi / 2, {1, 0, 0}), kIdentity), "");
+  EXPECT_NE(refusal(turned(2e-6, {0, 1, 0}), kIdentity), "");
+}
+
+TEST(PlanarPoses, tiltOfRoundingSizeIsNot) {
+  EXPECT_TRUE(collide(turned(1e-7, {1, 2, 0}), kIdentity));
+  EXPECT_TRUE(collide(turned(-9e-7, {0, 1, 0}), kIdentity));
+}
+
+TEST(PlanarPoses, halfTurnsAboutAnAxisInThePlaneMirror) {
+  // About x: the square lies below the x axis.
+  const fcl::Transform3d below = turned(kPi, {1, 0, 0});
+  EXPECT_TRUE(collide(below, kIdentity));  // both hold the x axis, up to cos and sin of a rounded pi
+  EXPECT_TRUE(collide(below, lifted(tricover::support::pose(0, 0, -0.5))));
+  EXPECT_FALSE(collide(below, lifted(tricover::support::pose(0, 0, 0.5))));
+  // A mirror that is no rotation of space is one in the plane all the same.
+  EXPECT_FALSE(collide(lifted(tricover::support::mirrored(tricover::Pose::Identity())),
+                       lifted(tricover::support::pose(0, 2, 2))));
+}
+
+TEST(PlanarPoses, whatIsNotRigidOrFiniteIsRefusedAtAnyHeight) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double z : {0.0, 3.0}) {
+    fcl::Transform3d scaled = lifted(tricover::Pose::Identity(), z);
+    scaled.matrix()(0, 0) = 1.1;
+    EXPECT_NE(refusal(scaled, kIdentity).find("pose_a"), std::string::npos) << refusal(scaled, kIdentity);
+    EXPECT_NE(refusal(kIdentity, scaled).find("pose_b"), std::string::npos) << refusal(kIdentity, scaled);
+    fcl::Transform3d far = lifted(tricover::Pose::Identity(), z);
+    far.translation().x() = infinity;
+    EXPECT_NE(refusal(kIdentity, far).find("pose_b"), std::string::npos) << refusal(kIdentity, far);
+    fcl::Transform3d turned_nan = lifted(tricover::Pose::Identity(), z);
+    turned_nan.matrix()(0, 1) = nan;
+    EXPECT_NE(refusal(turned_nan, kIdentity).find("pose_a"), std::string::npos) << refusal(turned_nan, kIdentity);
+  }
+  for (const double z : {nan, infinity}) {
+    const fcl::Transform3d nowhere = lifted(tricover::Pose::Identity(), z);
+    EXPECT_NE(refusal(nowhere, nowhere).find("z is not finite"), std::string::npos) << refusal(nowhere, nowhere);
+  }
+  fcl::Transform3d tilted_nan = kIdentity;
+  tilted_nan.matrix()(2, 0) = nan;
+  EXPECT_NE(refusal(tilted_nan, kIdentity), "");
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The boxes that the broadphase decides by: whatever the pose, they must overlap where the polygons meet.
+#include "tricover_fcl/polygon_shape.h"
+
+#include <cmath>
+#include <limits>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "scene.h"
+#include "test_scale.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+using tricover::support::Random;
+
+template <typename S>
+fcl::AABB<S> boxOf(const Shape<S>& shape, const tricover::Pose& pose) {
+  return fcl::CollisionObject<S>(shape, lifted<S>(pose)).getAABB();
+}
+
+TEST(PolygonShape, isTheGeometryThatItSays) {
+  const tricover::Polygon polygon({tricover::support::rectangle(1, 2, 4, 6)});
+  const PolygonShaped shape(polygon);
+  EXPECT_EQ(shape.polygon().id(), polygon.id());
+  EXPECT_EQ(shape.getObjectType(), fcl::OT_GEOM);
+  EXPECT_EQ(shape.getNodeType(), fcl::GEOM_TRIANGLE);
+  EXPECT_TRUE(shape.isOccupied());
+}
+
+TEST(PolygonShape, boxIsTightAndPadded) {
+  const PolygonShaped shape(tricover::Polygon({tricover::support::rectangle(-3, -1, 4, 2)}));
+  const double reach = std::hypot(4, 2);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = axis == 0 ? -3 : -1, high = axis == 0 ? 4 : 2;
+    EXPECT_LE(shape.aabb_local.min_[axis], low - 1e-12 * reach);
+    EXPECT_GE(shape.aabb_local.min_[axis], low - 1e-11 * reach);
+    EXPECT_GE(shape.aabb_local.max_[axis], high + 1e-12 * reach);
+    EXPECT_LE(shape.aabb_local.max_[axis], high + 1e-11 * reach);
+  }
+  EXPECT_LT(shape.aabb_local.min_.z(), 0);
+  EXPECT_GT(shape.aabb_local.max_.z(), 0);
+  EXPECT_LT(shape.aabb_local.depth(), 1e-10);
+  EXPECT_EQ(shape.aabb_center, fcl::Vector3d::Zero());
+  EXPECT_GE(shape.aabb_radius, reach);
+  EXPECT_LE(shape.aabb_radius, reach * (1 + 1e-5));
+}
+
+TEST(PolygonShape, computingTheBoxAgainChangesNothing) {
+  Random random(1);
+  PolygonShapef shape(randomPolygon(random, 3));
+  const fcl::AABB<float> before = shape.aabb_local;
+  const float radius = shape.aabb_radius;
+  shape.computeLocalAABB();
+  EXPECT_EQ(shape.aabb_local.min_, before.min_);
+  EXPECT_EQ(shape.aabb_local.max_, before.max_);
+  EXPECT_EQ(shape.aabb_radius, radius);
+}
+
+template <typename S>
+void expectBoxesToOverlapWherePolygonsMeet() {
+  int hits = 0, parted = 0, cases = 0;
+  for (const tricover::support::Family& family : tricover::support::families()) {
+    SCOPED_TRACE(family.name);
+    for (int i = 0; i < tricover::support::scaledCount(300); ++i) {
+      const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));
+      const fcl::Transform3<S> tf_a = lifted<S>(c.pose_a), tf_b = lifted<S>(c.pose_b);
+      if (!tf_a.matrix().allFinite() || !tf_b.matrix().allFinite()) continue;  // beyond float
+      const bool overlap = boxOf<S>(shapeOf<S>(c.a), c.pose_a).overlap(boxOf<S>(shapeOf<S>(c.b), c.pose_b));
+      const bool hit = tricover::exact::collide(c.a, flat(tf_a), c.b, flat(tf_b));
+      EXPECT_TRUE(overlap || !hit) << "case " << i;
+      ++cases;
+      hits += hit;
+      parted += !overlap;
+    }
+  }
+  EXPECT_GT(hits, cases / 5);
+  EXPECT_GT(parted, 0);
+}
+
+TEST(PolygonShape, boxesOverlapWherePolygonsMeet) { expectBoxesToOverlapWherePolygonsMeet<double>(); }
+
+TEST(PolygonShape, floatBoxesOverlapWherePolygonsMeet) { expectBoxesToOverlapWherePolygonsMeet<float>(); }
+
+TEST(PolygonShape, rotationThatFclTakesForTheIdentityStaysInTheBox) {
+  // A bar whose tip a rotation just below FCL's threshold lifts by 0.9e-12 x 1e6; one that lies off its origin, too.
+  const tricover::Pose tiny = tricover::support::pose(0.9e-12, 0, 0);
+  for (const double x : {0.0, 1e6}) {
+    const Shape<double> bar = shapeOf(tricover::Polygon({tricover::support::rectangle(x, 0, 1e6 + 1, 1)}));
+    ASSERT_TRUE(lifted(tiny).linear().isIdentity());
+    const tricover::Vec2 tip = tiny * tricover::Vec2(1e6 + 1, 1);
+    EXPECT_GT(tip.y(), 1 + 5e-7);
+    EXPECT_GT(boxOf(bar, tiny).max_.y(), tip.y());
+  }
+}
+
+TEST(PolygonShape, farOffTheBoxesStillTouch) {
+  // Two objects whose sizes are of the size of an ulp of their place, where each box is rounded to a multiple of it.
+  Random random(5);
+  int hits = 0;
+  constexpr int kCases = 2000;
+  for (int i = 0; i < kCases; ++i) {
+    const double place = 1e15, ulp = 0.125;
+    const tricover::Vec2 off(random.real(-2, 2) * ulp, random.real(-2, 2) * ulp);
+    const tricover::Polygon a({tricover::support::star(random, 5, 0.5 * ulp, ulp)});
+    const tricover::Polygon b({tricover::support::star(random, 5, 0.5 * ulp, ulp, off)});
+    const tricover::Pose pose_a = tricover::support::pose(random.coin() ? 0 : random.real(0, 6), place, place);
+    const tricover::Pose pose_b =
+        tricover::support::pose(random.coin() ? 0 : random.real(0, 6), place + random.integer(-1, 1) * ulp, place);
+    const bool hit = tricover::exact::collide(a, pose_a, b, pose_b);
+    EXPECT_TRUE(!hit || boxOf(shapeOf(a), pose_a).overlap(boxOf(shapeOf(b), pose_b)));
+    hits += hit;
+  }
+  EXPECT_GT(hits, kCases * 3 / 10);
+  EXPECT_LT(hits, kCases * 7 / 10);
+}
+
+TEST(PolygonShape, extremeSizesGiveUsableBoxes) {
+  for (const double size : {5e-324, 1e-300, 1e300, 1e308}) {
+    const tricover::Polygon polygon({tricover::support::rectangle(-size, -size, size, size)});
+    for (const double angle : {0.0, 1.0}) {
+      const tricover::Pose pose = tricover::support::pose(angle, 1, 2);
+      const fcl::AABB<double> box = boxOf(shapeOf(polygon), pose);
+      EXPECT_FALSE(box.min_.hasNaN() || box.max_.hasNaN());
+      EXPECT_TRUE(box.contain(fcl::Vector3d(1, 2, 0)));
+      EXPECT_LE(box.width(), 4 * size + 1e-15);
+      const fcl::AABB<float> float_box = boxOf(shapeOf<float>(polygon), pose);
+      EXPECT_FALSE(float_box.min_.hasNaN() || float_box.max_.hasNaN());
+      EXPECT_TRUE(float_box.contain(fcl::Vector3f(1, 2, 0)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fcl/narrowphase/collision_object.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "random.h"
+#include "shapes.h"
+#include "tricover_fcl/tricover_fcl.h"
+
+namespace tricover_fcl::test {
+
+template <typename S>
+using Shape = std::shared_ptr<PolygonShape<S>>;
+
+template <typename S = double>
+Shape<S> shapeOf(const tricover::Polygon& polygon) {
+  return std::make_shared<PolygonShape<S>>(polygon);
+}
+
+/// The planar pose in space, at height z.
+template <typename S = double>
+fcl::Transform3<S> lifted(const tricover::Pose& pose, double z = 0) {
+  fcl::Transform3<S> transform = fcl::Transform3<S>::Identity();
+  transform.matrix().template topLeftCorner<2, 2>() = pose.linear().cast<S>();
+  transform.translation() << static_cast<S>(pose.translation().x()), static_cast<S>(pose.translation().y()),
+      static_cast<S>(z);
+  return transform;
+}
+
+/// What FCL's transform does in the plane, exactly. Not inline: where GCC 12 sees double turned into float and back, its
+/// vectoriser leaves out the rounding.
+template <typename S>
+tricover::Pose flat(const fcl::Transform3<S>& transform);
+
+/// Not convex, half of them with a hole.
+inline tricover::Polygon randomPolygon(tricover::support::Random& random, double size) {
+  std::vector<tricover::Ring> rings = {
+      tricover::support::star(random, random.integer(5, 16), 0.4 * size, size)};
+  if (random.coin()) rings.push_back(tricover::support::star(random, 7, 0.1 * size, 0.3 * size));
+  return tricover::Polygon(rings);
+}
+
+/// What `query` throws, or an empty string.
+template <typename Exception, typename Query>
+std::string thrownBy(const Query& query) {
+  try {
+    query();
+  } catch (const Exception& exception) {
+    return exception.what();
+  }
+  return {};
+}
+
+}  // namespace tricover_fcl::test
