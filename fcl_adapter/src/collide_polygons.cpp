@@ -21,7 +21,7 @@ bool polygonsMeet(const tricover::Polygon& a, const PlanarPose& pose_a, const tr
 /// In the plane, from the origin of `a` towards that of `b`; along x where the two coincide.
 tricover::Vec2 direction(const tricover::Polygon& a, const tricover::Pose& pose_a, const tricover::Polygon& b,
                          const tricover::Pose& pose_b) {
-  const tricover::Vec2 between = (pose_b * b.origin()) / 2 - (pose_a * a.origin()) / 2;  // halved: 1e308 apart is finite
+  const tricover::Vec2 between = (pose_b * b.origin()) / 2 - (pose_a * a.origin()) / 2;  // halved, not to overflow
   return between.isZero(0) ? tricover::Vec2::UnitX() : between.stableNormalized();
 }
 

@@ -72,9 +72,9 @@ bool registerOnce() {
   if (!unreached.empty()) {
     throw std::logic_error(
         "tricover: " + unreached + " doesn't reach tricover, because libfcl comes before it in the search order. Link "
-        "tricover::fcl before fcl (with a shared tricover, libtricover_fcl.so before libfcl.so, and nothing in LD_PRELOAD "
-        "that brings libfcl first), or link tricover statically, without hiding the executable's symbols; or call "
-        "tricover_fcl::collide and tricover_fcl::defaultCollisionFunction, which work in every case");
+        "tricover::fcl before fcl (with a shared tricover, libtricover_fcl.so before libfcl.so, and nothing in "
+        "LD_PRELOAD that brings libfcl first), or link tricover statically, without hiding the executable's symbols; "
+        "or call tricover_fcl::collide and tricover_fcl::defaultCollisionFunction, which work in every case");
   }
   return true;
 }

@@ -3,8 +3,8 @@
 #include "tables.h"
 
 // libfcl hides its function tables but not the functions that read them. These instantiations replace those functions
-// for the whole program, wherever they come before libfcl in the search order, and read our tables, which hold FCL's rows
-// and ours.
+// for the whole program, wherever they come before libfcl in the search order, and read our tables, which hold FCL's
+// rows and ours.
 namespace fcl {
 
 #define TRICOVER_INSTANTIATE(Solver)                                                                   \

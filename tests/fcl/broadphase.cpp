@@ -171,7 +171,8 @@ TEST(Broadphase, extremeSizesAndOffsets) {
     const std::size_t hits = scene.pairs().size();
     EXPECT_GT(hits, 10u);
     EXPECT_LT(hits, 80u);  // of 91
-    expectAgreement(scene, [&] { scene.objects[0]->setTransform(lifted(tricover::support::randomPose(random, size))); });
+    expectAgreement(scene,
+                    [&] { scene.objects[0]->setTransform(lifted(tricover::support::randomPose(random, size))); });
   }
   for (const double place : {1e12, 1e14, 1e15}) {
     SCOPED_TRACE(place);

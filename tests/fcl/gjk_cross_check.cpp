@@ -77,7 +77,8 @@ bool collide(const fcl::Convexd& a, const fcl::Transform3d& tf_a, const fcl::Con
   return fcl::collide(&a, tf_a, &b, tf_b, request, result) > 0;
 }
 
-bool distance(const fcl::Convexd& a, const fcl::Transform3d& tf_a, const fcl::Convexd& b, const fcl::Transform3d& tf_b) {
+bool distance(const fcl::Convexd& a, const fcl::Transform3d& tf_a, const fcl::Convexd& b,
+              const fcl::Transform3d& tf_b) {
   fcl::DistanceResultd result;
   return fcl::distance(&a, tf_a, &b, tf_b, fcl::DistanceRequestd(), result) <= 0;
 }
@@ -163,8 +164,8 @@ void crossCheck(const char* title, Shaped (*make)(Random&)) {
     const Tally& tally = tallies[s];
     std::printf("  %-22s %4d false alarms (widest gap %.1e), %4d misses (deepest step into the touch %.1e)\n",
                 kSolvers[s].first, tally.false_alarms, tally.widest_false_alarm, tally.misses, tally.widest_miss);
-    // In the clear cases all agree; nearer, the exact reference has sided against FCL each time. (INDEP can miss overlaps
-    // of 1 % of the size.)
+    // In the clear cases all agree; nearer, the exact reference has sided against FCL each time. (INDEP can miss
+    // overlaps of 1 % of the size.)
     EXPECT_LT(tally.widest_false_alarm, 0.1) << kSolvers[s].first;
     EXPECT_LT(tally.widest_miss, 0.1) << kSolvers[s].first;
   }

@@ -33,8 +33,8 @@ fcl::Transform3<S> lifted(const tricover::Pose& pose, double z = 0) {
   return transform;
 }
 
-/// What FCL's transform does in the plane, exactly. Not inline: where GCC 12 sees double turned into float and back, its
-/// vectoriser leaves out the rounding.
+/// What FCL's transform does in the plane, exactly. Not inline: where GCC 12 sees double turned into float and back,
+/// its vectoriser leaves out the rounding.
 template <typename S>
 tricover::Pose flat(const fcl::Transform3<S>& transform);
 

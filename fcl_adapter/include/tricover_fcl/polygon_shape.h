@@ -12,9 +12,9 @@ namespace tricover_fcl {
 /// pose converts exactly, so both scalars get the same exact answers.
 ///
 /// The boxes that the broadphase sees are fixed at construction and hold every posed point whatever the pose:
-/// - aabb_center is the local origin, not the box's centre. Then a rotated object's box is its translation -+ aabb_radius,
-///   rounded once, and rounding can't part two boxes that meet, however far away. Author polygons around their own
-///   origin: the farther off they are, the wider their box becomes once they are rotated.
+/// - aabb_center is the local origin, not the box's centre. Then a rotated object's box is its translation -+
+///   aabb_radius, rounded once, and rounding can't part two boxes that meet, however far away. Author polygons around
+///   their own origin: the farther off they are, the wider their box becomes once they are rotated.
 /// - aabb_radius is the largest vertex distance from there, widened by the rigidity that poses may miss.
 /// - aabb_local is padded by what FCL drops when it takes a tiny rotation for the identity.
 template <typename S>

@@ -3,10 +3,10 @@
 
 namespace tricover_fcl {
 
-/// Makes fcl::collide answer for PolygonShape: geometries and CollisionObjects, float and double, both GJK solver types,
-/// both orders, and so every broadphase manager. Call it once before the first query, from any thread; more calls cost
-/// nothing. It asks FCL's public entry points about two known polygons and throws std::logic_error, which says how to
-/// link, if they don't reach tricover. (tricover_fcl::collide works regardless.)
+/// Makes fcl::collide answer for PolygonShape: geometries and CollisionObjects, float and double, both GJK solver
+/// types, both orders, and so every broadphase manager. Call it once before the first query, from any thread; more
+/// calls cost nothing. It asks FCL's public entry points about two known polygons and throws std::logic_error, which
+/// says how to link, if they don't reach tricover. (tricover_fcl::collide works regardless.)
 ///
 /// Polygon against polygon is answered by fcl::collide, and by what is built on it. What isn't there yet throws
 /// std::logic_error naming both types: a polygon against any other geometry, fcl::distance, and conservative
