@@ -1,5 +1,4 @@
 # find_package(tricover [COMPONENTS fcl]), with or without the adapter.
-include_guard(GLOBAL)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tricoverConfig.cmake.in
   ${PROJECT_BINARY_DIR}/tricoverConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tricover)

@@ -2,6 +2,7 @@
 #include "tricover/svg.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <sstream>
@@ -48,7 +49,8 @@ const std::string kHairline = "vector-effect=\"non-scaling-stroke\"";
 
 SvgDrawing::SvgDrawing(double width_px)
     : width_px_(width_px), low_(kInfinity, kInfinity), high_(-kInfinity, -kInfinity) {
-  if (!(width_px > 0)) throw std::invalid_argument("width_px: it must be positive");
+  if (!(width_px > 0 && std::isfinite(width_px)))
+    throw std::invalid_argument("width_px: it must be positive and finite");
 }
 
 void SvgDrawing::include(const Vec2& point) {
@@ -106,11 +108,14 @@ void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, co
     for (std::size_t j = 0; j < hit_b.size(); ++j)
       if (detail::edgesMeet(posed, a.data().edgePosition(i), b.data().edgePosition(j))) hit_a[i] = hit_b[j] = true;
   const auto draw = [&](const Polygon& polygon, const Pose& pose, const std::vector<bool>& hit) {
-    for (std::size_t edge = 0; edge < hit.size(); ++edge)
-      if (hit[edge])
-        body_ += "<polyline points=\"" + pair(pose * polygon.edgeStart(edge)) + " " +
-                 pair(pose * polygon.edgeEnd(edge)) + "\" fill=\"none\" stroke=\"#dc2626\" stroke-width=\"2.5\" " +
-                 kHairline + "/>\n";
+    for (std::size_t edge = 0; edge < hit.size(); ++edge) {
+      if (!hit[edge]) continue;
+      const Vec2 start = pose * polygon.edgeStart(edge), end = pose * polygon.edgeEnd(edge);
+      include(start);
+      include(end);
+      body_ += "<polyline points=\"" + pair(start) + " " + pair(end) +
+               "\" fill=\"none\" stroke=\"#dc2626\" stroke-width=\"2.5\" " + kHairline + "/>\n";
+    }
   };
   draw(a, pose_a, hit_a);
   draw(b, pose_b, hit_b);

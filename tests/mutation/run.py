@@ -125,7 +125,7 @@ def main():
 
     work = pathlib.Path(arguments.work or tempfile.mkdtemp(prefix="tricover-mutation-"))
     source, build = work / "source", work / "build"
-    shutil.copytree(ROOT, source, dirs_exist_ok=True, ignore=shutil.ignore_patterns("build*", ".git"))
+    shutil.copytree(ROOT, source, dirs_exist_ok=True, copy_function=shutil.copy, ignore=shutil.ignore_patterns("build*", ".git"))
     configure = ["cmake", "-S", source, "-B", build, "-DTRICOVER_BUILD_FCL=OFF", "-DTRICOVER_BUILD_BENCH=OFF",
                  "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w"]  # -w: a mutation may leave a variable unused
     compile_all = ["cmake", "--build", build, "-j", str(os.cpu_count())]

@@ -78,6 +78,14 @@ TEST(Svg, HitsHoldCollinearEdgesThatOverlap) {
   EXPECT_EQ(hits(upon, 1e-12), 0);
 }
 
+TEST(Svg, FitsHitsThatAreAlone) {
+  const Polygon block({rectangle(0, 0, 4, 4)});
+  SvgDrawing drawing;
+  drawing.hits(block, Pose::Identity(), block, pose(0, 4, 0));
+  EXPECT_EQ(count(drawing.str(), "<polyline "), 6);
+  EXPECT_EQ(count(drawing.str(), "inf") + count(drawing.str(), "nan"), 0);
+}
+
 TEST(Svg, FitsWhatIsDrawn) {
   SvgDrawing drawing(400);
   drawing.polygon(Polygon({rectangle(-1, -2, 3, 4)}), pose(0, 100, 50), "none");
