@@ -11,10 +11,11 @@ std::vector<Contender> coreContenders(std::shared_ptr<const Passage> passage) {
     return Contender{name, Role::Ours, coherent, [=](const Sampling& sampling, Hits& hits) {
                        const Polygon &fixed = passage->fixed, &moving = passage->moving;
                        const std::vector<Pose>& poses = passage->poses;
+                       const Pose identity = Pose::Identity();
                        PairCache cache;
                        forEachSample(sampling, poses.size(), [&](std::size_t i) {
-                         const bool hit = coherent ? collide(fixed, Pose::Identity(), moving, poses[i], cache, options)
-                                                   : collide(fixed, Pose::Identity(), moving, poses[i], options);
+                         const bool hit = coherent ? collide(fixed, identity, moving, poses[i], cache, options)
+                                                   : collide(fixed, identity, moving, poses[i], options);
                          if (hit) hits.push_back(static_cast<std::uint32_t>(i));
                        });
                      }};

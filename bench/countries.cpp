@@ -96,13 +96,14 @@ Contender fclContender(const std::string& name, Role role, bool coherent, std::s
 Contender coreContender(const std::string& name, bool coherent, std::shared_ptr<const Drive> drive) {
   return {name, Role::Ours, coherent, [=](const Sampling& sampling, Hits& hits) {
             const Countries& countries = *drive->countries;
+            const Pose identity = Pose::Identity();
             std::vector<PairCache> caches(countries.size());
             forEachSample(sampling, drive->poses.size(), [&](std::size_t i) {
               for (std::size_t k = 0; k < countries.size(); ++k) {
                 if (k == drive->mover) continue;
                 const Polygon& fixed = countries[k].polygon;
-                const bool hit = coherent ? collide(fixed, Pose::Identity(), drive->moving, drive->poses[i], caches[k])
-                                          : collide(fixed, Pose::Identity(), drive->moving, drive->poses[i]);
+                const bool hit = coherent ? collide(fixed, identity, drive->moving, drive->poses[i], caches[k])
+                                          : collide(fixed, identity, drive->moving, drive->poses[i]);
                 if (hit) hits.push_back(static_cast<std::uint32_t>(i * countries.size() + k));
               }
             });

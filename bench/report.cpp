@@ -30,6 +30,26 @@ std::string agreement(const Timing& timing) {
   return rounded(static_cast<double>(static_cast<long>(1e5 * share)) / 1e3, 3);
 }
 
+const char* const kConditions =
+    R"(- All methods are interleaved at random in one process. What would take longer visits a part of the positions,
+  evenly spread; methods with coherence visit them in runs of 100.
+- Every timed answer is compared with that of `cold`, which the tests compare with exact arithmetic.
+- cold: tricover's core without a PairCache; cached: with one; paper: the paper's Algorithm 3, repaired, with a
+  PairCache; via FCL: unmodified fcl::collide on tricover's shape.
+- GJK: one prism a convex piece (GEOS's constrained Delaunay triangles, merged by Hertel and Mehlhorn). ccd is
+  libccd's MPR, which is what FCL runs for GST_LIBCCD; indep is FCL's own GJK, without the EPA that fcl::collide
+  adds.
+- BVH: flat OBBRSS meshes of the same triangles, by fcl::collide. floor: fcl::collide on two spheres, apart.
+- Paper's workloads: every method but the floor starts with the bounding discs. Then boxes decide which prisms GJK
+  sees, called directly, without fcl::collide's dispatch.
+- Countries: a query is one position of the moving country against all others. cold and cached have no broadphase
+  and ask about every country. For the others DynamicAABBTreeCollisionManager finds the pairs and unmodified
+  fcl::collide decides them; each prism is an object of its own, and further pairs with a country that is hit
+  already are skipped.
+- The packaged libfcl has asserts on and SSE off. GJK, MPR's support functions and the meshes' triangle tests are
+  compiled here with the flags above, without asserts; libccd, the box tests and the broadphase are the packaged ones.
+)";
+
 using Lines = std::vector<std::vector<std::string>>;
 
 /// Markdown that is aligned enough to be read as it is.
@@ -114,32 +134,8 @@ std::string conditions(const Settings& settings) {
   out << "- Machine: " << cpu << ", " << std::thread::hardware_concurrency() << " processors; one thread is timed.\n"
       << "- Compiler: " << TRICOVER_BENCH_COMPILER << ", flags" << TRICOVER_BENCH_FLAGS << ".\n"
       << "- Times: CPU time per query, the median of " << settings.repetitions << " repetitions of about "
-      << settings.seconds_per_repetition << " s, all methods\n"
-      << "  interleaved at random in one process. What would take longer visits a part of the positions, evenly "
-         "spread;\n"
-      << "  methods with coherence visit them in runs of 100.\n"
-      << "- Every timed answer is compared with that of `cold`, which the tests compare with exact arithmetic.\n"
-      << "- cold: tricover's core without a PairCache; cached: with one; paper: the paper's Algorithm 3, repaired, "
-         "with a\n"
-      << "  PairCache; via FCL: unmodified fcl::collide on tricover's shape.\n"
-      << "- GJK: one prism a convex piece (GEOS's constrained Delaunay triangles, merged by Hertel and Mehlhorn). ccd "
-         "is\n"
-      << "  libccd's MPR, which is what FCL runs for GST_LIBCCD; indep is FCL's own GJK, without the EPA that "
-         "fcl::collide\n"
-      << "  adds.\n"
-      << "- BVH: flat OBBRSS meshes of the same triangles, by fcl::collide. floor: fcl::collide on two spheres, "
-         "apart.\n"
-      << "- Paper's workloads: every method but the floor starts with the bounding discs. Then boxes decide which "
-         "prisms\n"
-      << "  GJK sees, called directly, without fcl::collide's dispatch.\n"
-      << "- Countries: a query is one position of the moving country against all others. cold and cached have no\n"
-      << "  broadphase and ask about every country. For the others DynamicAABBTreeCollisionManager finds the pairs "
-         "and\n"
-      << "  unmodified fcl::collide decides them; each prism is an object of its own, and further pairs with a "
-         "country\n"
-      << "  that is hit already are skipped.\n"
-      << "- The packaged libfcl has asserts on and SSE off. GJK, MPR's support functions and the mesh traversal are\n"
-      << "  compiled here with the flags above, without asserts; libccd and FCL's broadphase are the packaged ones.\n";
+      << settings.seconds_per_repetition << " s.\n"
+      << kConditions;
   return out.str();
 }
 
