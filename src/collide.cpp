@@ -63,12 +63,15 @@ bool collideInOrder(const PosedPair& pair, PairCache* cache, const CollideOption
     }
     if (cache->first_edge >= 0 && cache->second_edge >= 0 &&
         edgesWithin(pair, static_cast<std::size_t>(cache->first_edge), static_cast<std::size_t>(cache->second_edge),
-                    options.margin, options.tolerance))
+                    options.margin, options.tolerance)) {
+      ++cache->uses;
       return true;
-    // A fact should pay for a good many steps like those since the last one.
+    }
+    // Look ahead so that the next fact pays for a good many steps like those since the last one; after a jump no fact
+    // would.
     constexpr double kStepsAhead = 32;
-    lookahead = std::min(kStepsAhead * motion / (cache->uses + 1.0), 0.25 * pair.b.radius);
-    if (!(lookahead >= 0)) lookahead = 0;
+    const double ahead = kStepsAhead * motion / (cache->uses + 1.0);
+    if (ahead <= 0.25 * pair.b.radius) lookahead = ahead;
   }
   const Outcome outcome = collideByHierarchy(pair, options, lookahead);
   remember(*cache, pair, outcome);
