@@ -6,7 +6,6 @@
 
 #include "pair_cache_table.h"
 #include "scene.h"
-#include "test_scale.h"
 #include "tricover/collide.h"
 
 namespace tricover_fcl::test {
@@ -24,7 +23,7 @@ TEST(Coherence, walksAnswerAsColdQueriesInEitherOrder) {
     objects.emplace_back(other);
     std::vector<double> angle(3);
     std::vector<tricover::Vec2> place = {{-1, 0}, {1.2, 0}, {0, 1.5}};
-    for (int step = 0; step < tricover::support::scaledCount(400); ++step) {
+    for (int step = 0; step < 400; ++step) {
       const double stride = random.oneIn(40) ? 1 : 0.02;
       for (std::size_t i = 0; i < 3; ++i) {
         angle[i] += stride * random.real(-1, 1);
