@@ -8,6 +8,8 @@
 #include <iterator>
 #include <map>
 
+#include "predicates.h"
+
 namespace tricover::bench {
 namespace {
 
@@ -70,10 +72,12 @@ Hits sampled(const Sampling& sampling, const Hits& hits, std::size_t targets) {
 }  // namespace
 
 Result measure(const Workload& workload, const Settings& settings) {
-  Result result{workload, 0, {}};
+  Result result{workload, 0, 0, {}};
   result.workload.contenders.clear();
   Hits reference;
+  const std::uint64_t exact_calls = detail::exactCalls();
   workload.contenders.front().walk(Sampling{}, reference);
+  result.exact_calls = detail::exactCalls() - exact_calls;
   std::sort(reference.begin(), reference.end());
   result.collisions = positionsOnlyIn(reference, {}, workload.targets);
 
