@@ -64,7 +64,8 @@ struct Timing {
 struct Result {
   Workload workload;  ///< without its contenders
   std::size_t collisions;
-  std::uint64_t exact_calls;  ///< of exact predicates, over the reference's whole walk: where the filters didn't suffice
+  std::uint64_t
+      exact_calls;  ///< of exact predicates, over the reference's whole walk: where the filters didn't suffice
   std::vector<Timing> timings;
 };
 

@@ -34,6 +34,7 @@ const char* const kConditions =
     R"(- All methods are interleaved at random in one process. What would take longer visits a part of the positions,
   evenly spread; methods with coherence visit them in runs of 100.
 - Every timed answer is compared with that of `cold`, which the tests compare with exact arithmetic.
+- exact: calls of the exact stage in all of cold's queries together; the filters decided everything else.
 - cold: tricover's core without a PairCache; cached: with one; paper: the paper's Algorithm 3, repaired, with a
   PairCache; via FCL: unmodified fcl::collide on tricover's shape.
 - GJK: one prism a convex piece (GEOS's constrained Delaunay triangles, merged by Hertel and Mehlhorn). ccd is
@@ -81,9 +82,9 @@ std::string table(const std::vector<Result>& results, const std::string& job) {
     const Workload& workload = result.workload;
     if (workload.job != job) continue;
     const std::string name = workload.scene + ", " + workload.trajectory;
-    std::vector<std::string> heads = {"workload", "vertices", "queries", "collisions"};
+    std::vector<std::string> heads = {"workload", "vertices", "queries", "collisions", "exact"};
     std::vector<std::string> line = {name, vertices(workload), std::to_string(workload.positions),
-                                     std::to_string(result.collisions)};
+                                     std::to_string(result.collisions), std::to_string(result.exact_calls)};
     std::string rivals, agreements;
     for (const Timing& timing : result.timings) {
       heads.push_back(timing.name);
@@ -110,14 +111,15 @@ std::string table(const std::vector<Result>& results, const std::string& job) {
 
 std::string csv(const std::vector<Result>& results) {
   std::ostringstream out;
-  out << "job,scene,trajectory,vertices_fixed,vertices_moving,queries,collisions,method,ns_per_query,checked,"
+  out << "job,scene,trajectory,vertices_fixed,vertices_moving,queries,collisions,exact_calls,method,ns_per_query,"
+         "checked,"
          "false_alarms,misses\n";
   for (const Result& result : results) {
     const Workload& w = result.workload;
     for (const Timing& t : result.timings) {
       out << w.job << ',' << w.scene << ',' << w.trajectory << ',' << w.vertices_fixed << ',' << w.vertices_moving
-          << ',' << w.positions << ',' << result.collisions << ',' << t.name << ',' << rounded(t.ns, 2) << ','
-          << t.checked << ',' << t.false_alarms << ',' << t.misses << '\n';
+          << ',' << w.positions << ',' << result.collisions << ',' << result.exact_calls << ',' << t.name << ','
+          << rounded(t.ns, 2) << ',' << t.checked << ',' << t.false_alarms << ',' << t.misses << '\n';
     }
   }
   return out.str();

@@ -36,12 +36,12 @@ bool defaultCollisionFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<
   return collision.done;
 }
 
-#define TRICOVER_INSTANTIATE(S)                                                                                       \
-  template std::size_t collide(const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,                           \
-                               const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,                           \
-                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);                            \
-  template std::size_t collide(const fcl::CollisionObject<S>*, const fcl::CollisionObject<S>*,                        \
-                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);                            \
+#define TRICOVER_INSTANTIATE(S)                                                                \
+  template std::size_t collide(const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,    \
+                               const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,    \
+                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);     \
+  template std::size_t collide(const fcl::CollisionObject<S>*, const fcl::CollisionObject<S>*, \
+                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);     \
   template bool defaultCollisionFunction(fcl::CollisionObject<S>*, fcl::CollisionObject<S>*, void*);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)

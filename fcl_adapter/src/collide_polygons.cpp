@@ -81,8 +81,8 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
       result.addContact(makeContact(shape_a, pose_a, shape_b, pose_b, common.value()));
     } else {
       // Zeros, because FCL's shorter constructor leaves these fields uninitialised.
-      result.addContact(fcl::Contact<S>(&o1, &o2, fcl::Contact<S>::NONE, fcl::Contact<S>::NONE,
-                                        fcl::Vector3<S>::Zero(), fcl::Vector3<S>::Zero(), S(0)));
+      result.addContact(fcl::Contact<S>(&o1, &o2, fcl::Contact<S>::NONE, fcl::Contact<S>::NONE, fcl::Vector3<S>::Zero(),
+                                        fcl::Vector3<S>::Zero(), S(0)));
     }
   }
   if (costs) result.addCostSource(makeCost(shape_a, pose_a, shape_b, pose_b), request.num_max_cost_sources);

@@ -44,9 +44,8 @@ std::string unreachedEntryPoint() {
     fcl::DistanceRequest<double> distance_request;
     distance_request.gjk_solver_type = solver;
     fcl::DistanceResult<double> distance_result;
-    if (!throwsUnsupported([&] {
-          fcl::distance(square.get(), pose, square.get(), pose, distance_request, distance_result);
-        }) ||
+    if (!throwsUnsupported(
+            [&] { fcl::distance(square.get(), pose, square.get(), pose, distance_request, distance_result); }) ||
         !throwsUnsupported([&] { fcl::distance(&object, &object, distance_request, distance_result); })) {
       return "fcl::distance";
     }
@@ -71,7 +70,8 @@ bool registerOnce() {
   const std::string unreached = unreachedEntryPoint();
   if (!unreached.empty()) {
     throw std::logic_error(
-        "tricover: " + unreached + " doesn't reach tricover, because libfcl comes before it in the search order. Link "
+        "tricover: " + unreached +
+        " doesn't reach tricover, because libfcl comes before it in the search order. Link "
         "tricover::fcl before fcl (with a shared tricover, libtricover_fcl.so before libfcl.so, and nothing in "
         "LD_PRELOAD that brings libfcl first), or link tricover statically, without hiding the executable's symbols; "
         "or call tricover_fcl::collide and tricover_fcl::defaultCollisionFunction, which work in every case");

@@ -7,13 +7,13 @@
 // rows and ours.
 namespace fcl {
 
-#define TRICOVER_INSTANTIATE(Solver)                                                                   \
-  template std::size_t collide(const CollisionGeometry<double>*, const Transform3<double>&,            \
-                               const CollisionGeometry<double>*, const Transform3<double>&,            \
-                               const Solver*, const CollisionRequest<double>&, CollisionResult<double>&); \
-  template double detail::continuousCollideConservativeAdvancement(                                    \
-      const CollisionGeometry<double>*, const MotionBase<double>*, const CollisionGeometry<double>*,   \
-      const MotionBase<double>*, const Solver*, const ContinuousCollisionRequest<double>&,             \
+#define TRICOVER_INSTANTIATE(Solver)                                                                       \
+  template std::size_t collide(const CollisionGeometry<double>*, const Transform3<double>&,                \
+                               const CollisionGeometry<double>*, const Transform3<double>&, const Solver*, \
+                               const CollisionRequest<double>&, CollisionResult<double>&);                 \
+  template double detail::continuousCollideConservativeAdvancement(                                        \
+      const CollisionGeometry<double>*, const MotionBase<double>*, const CollisionGeometry<double>*,       \
+      const MotionBase<double>*, const Solver*, const ContinuousCollisionRequest<double>&,                 \
       ContinuousCollisionResult<double>&);
 TRICOVER_INSTANTIATE(detail::GJKSolver_libccd<double>)
 TRICOVER_INSTANTIATE(detail::GJKSolver_indep<double>)

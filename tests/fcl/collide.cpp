@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/collide.h"
+
 #include <fcl/narrowphase/collision.h>
 
 #include "families.h"
 #include "reproduction.h"
 #include "scene.h"
 #include "test_scale.h"
-#include "tricover/collide.h"
 
 namespace tricover_fcl::test {
 namespace {

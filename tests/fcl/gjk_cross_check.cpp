@@ -90,8 +90,7 @@ const std::vector<std::pair<const char*, Solver>> kSolvers = {{"LIBCCD collide (
 bool anyPrismsMeet(Solver solver, const Prisms& a, const fcl::Transform3d& tf_a, const Prisms& b,
                    const fcl::Transform3d& tf_b) {
   return std::any_of(a.begin(), a.end(), [&](const auto& piece_a) {
-    return std::any_of(b.begin(), b.end(),
-                       [&](const auto& piece_b) { return solver(*piece_a, tf_a, *piece_b, tf_b); });
+    return std::any_of(b.begin(), b.end(), [&](const auto& piece_b) { return solver(*piece_a, tf_a, *piece_b, tf_b); });
   });
 }
 

@@ -40,8 +40,7 @@ tricover::Pose flat(const fcl::Transform3<S>& transform);
 
 /// Not convex, half of them with a hole.
 inline tricover::Polygon randomPolygon(tricover::support::Random& random, double size) {
-  std::vector<tricover::Ring> rings = {
-      tricover::support::star(random, random.integer(5, 16), 0.4 * size, size)};
+  std::vector<tricover::Ring> rings = {tricover::support::star(random, random.integer(5, 16), 0.4 * size, size)};
   if (random.coin()) rings.push_back(tricover::support::star(random, 7, 0.1 * size, 0.3 * size));
   return tricover::Polygon(rings);
 }

@@ -50,8 +50,8 @@ void ask(const Case& c, const CollideOptions& asked, bool must, bool may, PairCa
 /// Lengths around the pair's distance.
 std::vector<double> lengthsAround(Random& random, const mpq_class& distance_squared, double size) {
   const double below = exact::distanceBelow(distance_squared);
-  std::vector<double> lengths = {0, below, nudged(below, 1), nudged(below, 2), below * (1 + 1e-12), below * 2,
-                                 size * random.unit()};
+  std::vector<double> lengths = {
+      0, below, nudged(below, 1), nudged(below, 2), below * (1 + 1e-12), below * 2, size * random.unit()};
   if (below > 0) lengths.insert(lengths.end(), {nudged(below, -1), below * (1 - 1e-12), below / 2});
   for (double& length : lengths) length = std::min(length, kLargest);
   return lengths;

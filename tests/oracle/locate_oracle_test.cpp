@@ -32,14 +32,22 @@ Vec2 degeneratePoint(Random& random, const Polygon& polygon) {
   const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
   const int ulps = random.integer(0, 2);
   switch (random.integer(0, 8)) {
-    case 0: return v;
-    case 1: return nudged(random, v, ulps);
-    case 2: return nudged(random, v + random.integer(1, 7) / 8.0 * (w - v), ulps);
-    case 3: return s;
-    case 4: return nudged(random, s + random.integer(1, 7) / 4.0 * (v - s), ulps);
-    case 5: return {v.x(), w.y()};
-    case 6: return {random.coin() ? s.x() : v.x(), random.coin() ? s.y() : w.y()};
-    case 7: return s + random.unit() * (v - s) + random.unit() * (w - s);
+    case 0:
+      return v;
+    case 1:
+      return nudged(random, v, ulps);
+    case 2:
+      return nudged(random, v + random.integer(1, 7) / 8.0 * (w - v), ulps);
+    case 3:
+      return s;
+    case 4:
+      return nudged(random, s + random.integer(1, 7) / 4.0 * (v - s), ulps);
+    case 5:
+      return {v.x(), w.y()};
+    case 6:
+      return {random.coin() ? s.x() : v.x(), random.coin() ? s.y() : w.y()};
+    case 7:
+      return s + random.unit() * (v - s) + random.unit() * (w - s);
     default: {
       const double odd[] = {0, -0.0, kSmallest, -kSmallest, kLargest, -kLargest, 1e300, 1e-300, v.x(), v.y()};
       return {odd[random.integer(0, 9)], odd[random.integer(0, 9)]};

@@ -87,8 +87,12 @@ void changingMargin(Random& random, Walker& w, int i) {
   w.margin = random.coin() ? 0 : w.size * random.real(0, 4);
 }
 
-constexpr Kind kKinds[] = {{"slow", slow},       {"sliding", sliding}, {"rotating", rotating},
-                           {"jumping", jumping}, {"carried", carried}, {"distorting", distorting},
+constexpr Kind kKinds[] = {{"slow", slow},
+                           {"sliding", sliding},
+                           {"rotating", rotating},
+                           {"jumping", jumping},
+                           {"carried", carried},
+                           {"distorting", distorting},
                            {"changing_margin", changingMargin}};
 
 std::vector<Ring> walkerRings(Random& random, bool with_hole) {
@@ -136,8 +140,7 @@ void check(const Walker& w, PairCache caches[2], PairCache shared[3], bool swapp
       ADD_FAILURE() << "step " << tally.steps << ", cold " << cold << ", cached " << cached << ", cached again "
                     << again << ", shared by strategies " << cached_shared << ", shared by pairs " << mixed
                     << ", truth " << truth << ", margin " << hex(w.margin)
-                    << (strategy == Strategy::Paper ? ", Paper\n" : ", Hierarchy\n")
-                    << reproduction(c);
+                    << (strategy == Strategy::Paper ? ", Paper\n" : ", Hierarchy\n") << reproduction(c);
     }
   }
 }

@@ -18,9 +18,7 @@ std::size_t anyEdge(Random& random, const Polygon& polygon) {
   return static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
 }
 
-Vec2 anyDirection(Random& random, double length) {
-  return pose(random.real(0, 6.3), 0, 0).linear().col(0) * length;
-}
+Vec2 anyDirection(Random& random, double length) { return pose(random.real(0, 6.3), 0, 0).linear().col(0) * length; }
 
 /// Two rings on either side of a common line, whose edges on it overlap, touch at their ends, or leave a gap.
 Case onCommonLine(Random& random, const Pose& common) {
@@ -60,9 +58,12 @@ Case turnedContact(Random& random, Change change) {
 
 Ring anyRing(Random& random) {
   switch (random.integer(0, 3)) {
-    case 0: return star(random, random.integer(4, 9), 0.4, 2);
-    case 1: return regular(random.integer(3, 8), random.real(0.5, 2));
-    case 2: return comb(random.integer(2, 3), 0.5, 0.25, 1);
+    case 0:
+      return star(random, random.integer(4, 9), 0.4, 2);
+    case 1:
+      return regular(random.integer(3, 8), random.real(0.5, 2));
+    case 2:
+      return comb(random.integer(2, 3), 0.5, 0.25, 1);
     default: {
       const double x = random.integer(-4, 3), y = random.integer(-4, 3);
       return rectangle(x, y, x + random.integer(1, 3), y + random.integer(1, 3));
@@ -72,14 +73,17 @@ Ring anyRing(Random& random) {
 
 Pose anyPose(Random& random) {
   switch (random.integer(0, 3)) {
-    case 0: return Pose::Identity();
-    case 1: return pose(0, random.integer(-8, 8), random.integer(-8, 8) / 8.0);
+    case 0:
+      return Pose::Identity();
+    case 1:
+      return pose(0, random.integer(-8, 8), random.integer(-8, 8) / 8.0);
     case 2: {
       Pose quarter = pose(0, random.integer(-8, 8), random.integer(-8, 8));
       quarter.linear() << 0, -1, 1, 0;
       return quarter;
     }
-    default: return randomPose(random, 10);
+    default:
+      return randomPose(random, 10);
   }
 }
 
@@ -106,8 +110,8 @@ Case wedgeOnEdge(Random& random, const Polygon& a, const Pose& pose_a, std::size
   const Vec2 v = pose_a * a.edgeStart(edge), w = pose_a * a.edgeEnd(edge);
   const double share = random.coin() ? random.integer(0, 8) / 8.0 : random.unit();
   const Vec2 point = v + share * (w - v);
-  const Vec2 outwards = pose_a.linear() * Vec2(a.edgeEnd(edge).y() - a.edgeStart(edge).y(),
-                                               a.edgeStart(edge).x() - a.edgeEnd(edge).x());
+  const Vec2 outwards =
+      pose_a.linear() * Vec2(a.edgeEnd(edge).y() - a.edgeStart(edge).y(), a.edgeStart(edge).x() - a.edgeEnd(edge).x());
   Pose pose_b = anyPose(random);
   pose_b.translation() = random.coin() ? nudged(random, point, 2) : point;
   const Ring apex_at_origin = wedge(random, pose_b.linear().transpose() * outwards, length);

@@ -25,12 +25,18 @@ Polygon scaledPolygon(const Polygon& polygon, double factor) {
 Case scaledCase(Random& random, double factor) {
   Case c = [&] {
     switch (random.integer(0, 5)) {
-      case 0: return vertexOnEdge(random);
-      case 1: return vertexOnVertex(random);
-      case 2: return collinearOverlap(random);
-      case 3: return gapOfUlps(random);
-      case 4: return pinched(random);
-      default: return smallGrid(random);
+      case 0:
+        return vertexOnEdge(random);
+      case 1:
+        return vertexOnVertex(random);
+      case 2:
+        return collinearOverlap(random);
+      case 3:
+        return gapOfUlps(random);
+      case 4:
+        return pinched(random);
+      default:
+        return smallGrid(random);
     }
   }();
   c.a = scaledPolygon(c.a, factor);

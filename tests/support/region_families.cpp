@@ -100,7 +100,9 @@ Case pinched(Random& random) {
 Case bowTie(Random& random) {
   const auto coordinate = [&] { return random.coin() ? random.integer(1, 8) : random.real(1, 8); };
   // Lobes left and right of a crossing that is seldom a double; the notches above and below are free.
-  const Ring ties = {{-coordinate(), -coordinate()}, {coordinate(), coordinate()}, {coordinate(), -coordinate()},
+  const Ring ties = {{-coordinate(), -coordinate()},
+                     {coordinate(), coordinate()},
+                     {coordinate(), -coordinate()},
                      {-coordinate(), coordinate()}};
   Ring pentagram;
   const Ring corners = regular(5, random.real(1, 4));
