@@ -43,8 +43,6 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-const std::string kHairline = "vector-effect=\"non-scaling-stroke\"";
-
 }  // namespace
 
 SvgDrawing::SvgDrawing(double width_px)
@@ -71,8 +69,9 @@ void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::st
     path += 'Z';
   }
   const std::string rule = polygon.fillRule() == FillRule::EvenOdd ? "evenodd" : "nonzero";
-  body_ += "<path d=\"" + path + "\" fill=\"" + escaped(fill) + "\" fill-rule=\"" + rule + "\" stroke=\"" +
-           escaped(stroke) + "\" " + kHairline + "/>\n";
+  elements_.push_back({"<path d=\"" + path + "\" fill=\"" + escaped(fill) + "\" fill-rule=\"" + rule + "\" stroke=\"" +
+                           escaped(stroke) + "\"",
+                       "stroke-width", 1, "/>"});
 }
 
 void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
@@ -80,9 +79,10 @@ void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
     const std::string tint = triangle.sign > 0 ? "#3b82f6" : triangle.sign < 0 ? "#ef4444" : "none";
     const Vec2 s = pose * triangle.s;
     include(s);
-    body_ += "<polygon points=\"" + pair(s) + " " + pair(pose * triangle.v) + " " + pair(pose * triangle.w) +
-             "\" fill=\"" + tint + "\" fill-opacity=\"0.12\" stroke=\"" + tint +
-             "\" stroke-opacity=\"0.5\" stroke-width=\"0.6\" " + kHairline + "/>\n";
+    elements_.push_back({"<polygon points=\"" + pair(s) + " " + pair(pose * triangle.v) + " " +
+                             pair(pose * triangle.w) + "\" fill=\"" + tint + "\" fill-opacity=\"0.12\" stroke=\"" +
+                             tint + "\" stroke-opacity=\"0.5\"",
+                         "stroke-width", 0.6, "/>"});
   }
 }
 
@@ -94,8 +94,9 @@ void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double
       include(world);
       points += pair(world) + " ";
     }
-    body_ += "<polygon points=\"" + points + "\" fill=\"" + escaped(fill) + "\" fill-opacity=\"0.08\" stroke=\"" +
-             escaped(fill) + "\" stroke-opacity=\"0.4\" stroke-width=\"0.5\" " + kHairline + "/>\n";
+    elements_.push_back({"<polygon points=\"" + points + "\" fill=\"" + escaped(fill) +
+                             "\" fill-opacity=\"0.08\" stroke=\"" + escaped(fill) + "\" stroke-opacity=\"0.4\"",
+                         "stroke-width", 0.5, "/>"});
   }
 }
 
@@ -113,8 +114,9 @@ void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, co
       const Vec2 start = pose * polygon.edgeStart(edge), end = pose * polygon.edgeEnd(edge);
       include(start);
       include(end);
-      body_ += "<polyline points=\"" + pair(start) + " " + pair(end) +
-               "\" fill=\"none\" stroke=\"#dc2626\" stroke-width=\"2.5\" " + kHairline + "/>\n";
+      elements_.push_back(
+          {"<polyline points=\"" + pair(start) + " " + pair(end) + "\" fill=\"none\" stroke=\"#dc2626\"",
+           "stroke-width", 2.5, "/>"});
     }
   };
   draw(a, pose_a, hit_a);
@@ -123,22 +125,26 @@ void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, co
 
 void SvgDrawing::text(const Vec2& position, const std::string& text) {
   include(position);
-  // A font size in drawing units is known only when all is drawn: str() puts it on the group.
-  body_ += "<text x=\"" + number(position.x()) + "\" y=\"" + number(-position.y()) +
-           "\" fill=\"#111\" stroke=\"none\" text-anchor=\"middle\">" + escaped(text) + "</text>\n";
+  elements_.push_back({"<text x=\"" + number(position.x()) + "\" y=\"" + number(-position.y()) +
+                           "\" fill=\"#111\" text-anchor=\"middle\"",
+                       "font-size", 13, ">" + escaped(text) + "</text>"});
 }
 
 std::string SvgDrawing::str() const {
-  if (body_.empty()) throw std::logic_error("SvgDrawing: nothing is drawn");
+  if (elements_.empty()) throw std::logic_error("SvgDrawing: nothing is drawn");
   const Vec2 size = (high_ - low_).cwiseMax(1e-3 * (high_ - low_).maxCoeff());
   const double border = 0.03 * size.maxCoeff();
+  const double x = low_.x() - border, y = -high_.y() - border;
   const double width = size.x() + 2 * border, height = size.y() + 2 * border;
-  const double font = 13 * width / width_px_;
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_px_) + "\" height=\"" +
-         number(width_px_ * height / width) + "\" viewBox=\"" + number(low_.x() - border) + " " +
-         number(-high_.y() - border) + " " + number(width) + " " + number(height) +
-         "\">\n<g stroke-width=\"1\" stroke-linejoin=\"round\" font-family=\"sans-serif\" font-size=\"" + number(font) +
-         "\">\n" + body_ + "</g>\n</svg>\n";
+  std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_px_) + "\" height=\"" +
+      number(width_px_ * height / width) + "\" viewBox=\"" + number(x) + " " + number(y) + " " + number(width) + " " +
+      number(height) + "\">\n<g stroke-linejoin=\"round\" font-family=\"sans-serif\">\n" + "<rect x=\"" + number(x) +
+      "\" y=\"" + number(y) + "\" width=\"" + number(width) + "\" height=\"" + number(height) + "\" fill=\"white\"/>\n";
+  for (const Element& element : elements_)
+    svg += element.head + " " + element.attribute + "=\"" + number(element.px * width / width_px_) + "\"" +
+           element.tail + "\n";
+  return svg + "</g>\n</svg>\n";
 }
 
 }  // namespace tricover

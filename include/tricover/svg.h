@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tricover/polygon.h"
 
@@ -28,9 +29,16 @@ class SvgDrawing {
  private:
   void include(const Vec2& point);
 
+  /// An element with one length in pixels, which is known in drawing units only when all is drawn.
+  struct Element {
+    std::string head, attribute;
+    double px;
+    std::string tail;
+  };
+
   double width_px_;
   Vec2 low_, high_;
-  std::string body_;
+  std::vector<Element> elements_;
 };
 
 }  // namespace tricover
