@@ -16,7 +16,7 @@ suite() {  # suite <title> <build directory> <target> <test filter> <cmake optio
 
 mkdir -p build
 suite "optimised" build/tests all . -DCMAKE_BUILD_TYPE=Release
-# Instrumented code is some ten times slower: a tenth of the random cases.
-export TRICOVER_TEST_SCALE=0.1
+# Instrumented code is some ten times slower: fewer random cases.
+export TRICOVER_TEST_SCALE=0.3
 suite "address, undefined" build/sanitize all . -DCMAKE_BUILD_TYPE=Release -DTRICOVER_SANITIZE=address,undefined
 suite "thread" build/thread threads_test threads -DCMAKE_BUILD_TYPE=Release -DTRICOVER_SANITIZE=thread -DTRICOVER_BUILD_FCL=OFF
