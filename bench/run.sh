@@ -16,6 +16,6 @@ step "building (FCL's headers take their time)"
 quietly cmake --build "$build" --target bench_main -j "$(nproc)"
 step ""
 "$build/bench/bench_main" bench/data/countries_110m.txt build/report "$@"
-gnuplot -e "report='build/report'" bench/plots.gp
+LC_ALL=C.UTF-8 gnuplot -e "report='build/report'" bench/plots.gp
 echo
 echo "build/report/: tables.md, results.csv, times.svg, figure12.svg, countries.svg, algorithm.svg, workloads.svg"
