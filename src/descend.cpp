@@ -22,25 +22,22 @@ double boxGap(const Hierarchy::Node& a, const Hierarchy::Node& b, const PosedPai
   return std::max(std::max(along_a, across_a), std::max(along_b, across_b)) - pair.slack;
 }
 
+/// The position of the first edge of a ring of b that starts in a; -1 if there is none.
+std::ptrdiff_t ringInside(const PosedPair& pair) {
+  for (std::size_t r = 0; r < pair.b.ringCount(); ++r) {
+    const std::size_t first = pair.b.edgeBegin(r);
+    if (locate(pair, pair.b.path[first]) != Location::Outside) return static_cast<std::ptrdiff_t>(first);
+  }
+  return -1;
+}
+
 }  // namespace
 
 Outcome findContainment(const PosedPair& pair) {
   Outcome outcome;
-  for (std::size_t r = 0; r < pair.b.ringCount(); ++r) {
-    const std::size_t first = pair.b.edgeBegin(r);
-    if (locate(pair, pair.b.path[first]) == Location::Outside) continue;
-    outcome.collides = true;
-    outcome.edge_b = static_cast<std::ptrdiff_t>(first);
-    return outcome;
-  }
-  const PosedPair swapped(pair.b, pair.pose_b, pair.a, pair.pose_a);
-  for (std::size_t r = 0; r < pair.a.ringCount(); ++r) {
-    const std::size_t first = pair.a.edgeBegin(r);
-    if (locate(swapped, pair.a.path[first]) == Location::Outside) continue;
-    outcome.collides = true;
-    outcome.edge_a = static_cast<std::ptrdiff_t>(first);
-    return outcome;
-  }
+  outcome.edge_b = ringInside(pair);
+  if (outcome.edge_b < 0) outcome.edge_a = ringInside(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a));
+  outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
   return outcome;
 }
 
