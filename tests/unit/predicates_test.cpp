@@ -228,6 +228,24 @@ TEST(OrientFilter, LeavesOverflowAndUnderflowToTheExactStage) {
   EXPECT_EQ(orientFilter({0, 0, 0}, {0, 1, 0}, {1, 0, 0}), -1);
 }
 
+TEST(NormBelow, IsNeverAboveTheLengthAndTightWhereSquaresAreSafe) {
+  Random random(8);
+  int tight = 0, zero = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double scale = std::ldexp(1.0, static_cast<int>(random() % 2040) - 1060);
+    const double x = uniform(random, -1, 1) * scale, y = i % 3 == 0 ? 0 : uniform(random, -1, 1) * scale;
+    const double bound = normBelow(x, y);
+    const mpq_class square = mpq_class(x) * x + mpq_class(y) * y;
+    ASSERT_LE(mpq_class(bound) * bound, square) << std::hexfloat << x << " " << y;
+    tight += mpq_class(bound) * bound > (1 - mpq_class(32 * kUlp)) * square;
+    zero += bound == 0;
+  }
+  EXPECT_GT(tight, 8000);
+  EXPECT_GT(zero, 4000);
+  EXPECT_EQ(tight + zero, 20000);
+  EXPECT_LE(normBelow(1.7e-162, 0), 1.7e-162);  // its square rounds up to the smallest denormal
+}
+
 TEST(PosedPair, MapsWithinItsStatedErrorWhichIsSmall) {
   Random random(5);
   for (int i = 0; i < 3000; ++i) {
