@@ -65,12 +65,9 @@ Location locateInCovering(const PolygonData& polygon, const Pose* pose, const Ap
   const Signs signs{pose, approx, exact, handed};
   const Vec2* s = &polygon.origin;
   const bool off_origin = std::abs(dx) > approx.error || std::abs(dy) > approx.error;  // false for NaN
-  if (!off_origin && signs.isPoint(*s)) {
-    // Every triangle has the point as its corner: take the covering from a vertex. If that is the point, too, it is on
-    // the boundary.
-    s = &polygon.path.front();
-    if (signs.isPoint(*s)) return Location::Boundary;
-  }
+  // Every triangle would have the point as its corner: take the covering from a vertex. If that is the point, too, it
+  // is found on that vertex's edge.
+  if (!off_origin && signs.isPoint(*s)) s = &polygon.path.front();
   int sum;
   if (!twiceWinding(polygon, *s, signs, sum)) return Location::Boundary;
   const bool inside = polygon.fill == FillRule::EvenOdd ? sum / 2 % 2 != 0 : sum != 0;

@@ -121,5 +121,17 @@ TEST(PointCacheWalk, EveryCachedAnswerIsTheColdOne) {
   for (const int count : tally.by_location) EXPECT_GE(count, 0.01 * tally.points);
 }
 
+/// The same signs against the same edges, and yet another answer: the middle of a pentagram under either fill rule.
+TEST(PointCacheWalk, APolygonsZonesAreItsOwn) {
+  Ring ring;
+  for (int i = 0; i < 5; ++i) ring.push_back(Vec2(std::cos(0.8 * M_PI * i), std::sin(0.8 * M_PI * i)));
+  const Polygon even_odd({ring}, FillRule::EvenOdd), non_zero({ring}, FillRule::NonZero);
+  PointCache cache;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(tricover::locate(even_odd, Vec2::Zero(), cache), Location::Outside);
+    EXPECT_EQ(tricover::locate(non_zero, Vec2::Zero(), cache), Location::Inside);
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support

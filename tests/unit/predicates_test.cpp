@@ -275,6 +275,25 @@ TEST(PosedPair, MapsWithinItsStatedErrorWhichIsSmall) {
   }
 }
 
+/// Each end of either edge, alone, at exactly the margin: the exact stage decides.
+TEST(EdgesWithin, HoldsEveryEndAtExactlyTheMargin) {
+  const Polygon a({{{0, 0}, {8, 0}, {4, -9}}}), down({{{4, 30}, {4, 5}, {30, 30}}}), up({{{4, 5}, {4, 30}, {30, 30}}});
+  const Pose identity = Pose::Identity();
+  const auto within = [&](const Polygon& p, const Polygon& q, double reach) {
+    const PosedPair pair(p.data(), identity, q.data(), identity);
+    const std::uint64_t before = exactCalls();
+    const bool result = edgesWithin(pair, 0, 0, reach, 0);
+    EXPECT_GT(exactCalls(), before);
+    return result;
+  };
+  for (const Polygon& b : {down, up}) {
+    EXPECT_TRUE(within(a, b, 5));
+    EXPECT_TRUE(within(b, a, 5));
+    EXPECT_FALSE(within(a, b, std::nextafter(5.0, 0.0)));
+    EXPECT_FALSE(within(b, a, std::nextafter(5.0, 0.0)));
+  }
+}
+
 TEST(Stages, TheFilterAnswersWhatIsApartOrCrossingAndTheExactStageWhatTouches) {
   Random random(6);
   const Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
