@@ -48,13 +48,8 @@ bool collideInOrder(const PosedPair& pair, PairCache* cache, const CollideOption
   if (options.strategy == Strategy::Paper) return collideByPaper(pair, cache, options);
   if (cache == nullptr) return collideByHierarchy(pair, options, 0).collides;
 
-  const bool known = cache->first_id == pair.a.id && cache->second_id == pair.b.id;
   double lookahead = 0;
-  if (!known) {
-    *cache = PairCache();
-    cache->first_id = pair.a.id;
-    cache->second_id = pair.b.id;
-  } else {
+  if (recall(*cache, pair)) {
     const double motion = motionSince(*cache, pair);
     const double left = (cache->clearance - motion) * (1 - pair.scale_defect);
     if (left > 0 && (cache->overlapping || left > options.margin)) {
@@ -92,6 +87,15 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
 }
 
 }  // namespace
+
+bool recall(PairCache& cache, const PosedPair& pair) {
+  if (cache.first_id == pair.a.id && cache.second_id == pair.b.id) return true;
+  cache = PairCache();
+  cache.first_id = pair.a.id;
+  cache.second_id = pair.b.id;
+  return false;
+}
+
 }  // namespace detail
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

@@ -51,7 +51,7 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
   stack[top++] = {0, 0};
 
   const Hierarchy &tree_a = pair.a.hierarchy(), &tree_b = pair.b.hierarchy();
-  const double reach = options.margin * (1 + 2 * pair.scale_defect);
+  const double reach = pair.reach(options.margin);
   const double limit = reach + lookahead;
   Outcome outcome;
   double clearance = std::numeric_limits<double>::max();

@@ -60,16 +60,11 @@ bool detailedTest(const PosedPair& pair, const std::vector<std::size_t>& held, c
 
 bool collideByPaper(const PosedPair& pair, PairCache* cache, const CollideOptions& options) {
   // The mask in the cache, if any, was found outside every influence area, with the answer "free" (repair 1).
-  const bool known = cache != nullptr && cache->first_id == pair.a.id && cache->second_id == pair.b.id;
-  if (cache != nullptr && !known) {
-    *cache = PairCache();
-    cache->first_id = pair.a.id;
-    cache->second_id = pair.b.id;
-  }
+  const bool known = cache != nullptr && recall(*cache, pair);
 
   // Second step. Grown by the margin; rounded outwards.
   const ApproxPoint centroid{pair.center_x, pair.center_y, pair.error};
-  const double length = (pair.radius_b + options.margin * (1 + 2 * pair.scale_defect)) * (1 + 4 * kUlp) + pair.slack;
+  const double length = (pair.radius_b + pair.reach(options.margin)) * (1 + 4 * kUlp) + pair.slack;
   std::vector<std::size_t> held;
   std::vector<std::uint64_t> mask = influenceMask(pair, centroid, length, held);
   if (held.empty()) {

@@ -27,6 +27,9 @@ struct PosedPair {
     return normBelow(center_x - a.origin.x(), center_y - a.origin.y()) - (a.radius + radius_b) * (1 + 8 * kUlp) - slack;
   }
 
+  /// A length in a's frame that is at least the world's `length`.
+  double reach(double length) const { return length * (1 + 2 * scale_defect); }
+
   const PolygonData &a, &b;
   const Pose &pose_a, &pose_b;
   double m00, m01, m10, m11, tx, ty;  ///< rounded R_a^-1 R_b and R_a^-1 (t_b - t_a)

@@ -24,6 +24,9 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
 /// clearance 0.
 Outcome findContainment(const PosedPair& pair);
 
+/// Whether the cache is about this pair; otherwise it is emptied and becomes so.
+bool recall(PairCache& cache, const PosedPair& pair);
+
 /// Algorithm 3 as printed, repaired; the cache's mask carries its coherence. The bounding discs may meet.
 bool collideByPaper(const PosedPair& pair, PairCache* cache, const CollideOptions& options);
 

@@ -105,7 +105,7 @@ MUTATIONS = [
     ("src/collide.cpp", " + std::sqrt(cx * cx + cy * cy)", "", "facts: translation ignored"),
     ("src/collide.cpp", "if (left > 0 && (cache->overlapping || left > options.margin)) {", "if (left > 0) {", "facts: margin ignored"),
     ("src/collide.cpp", "return cache->overlapping;", "return false;", "facts: overlap answered as free"),
-    ("src/collide.cpp", "cache->first_id == pair.a.id && cache->second_id == pair.b.id;", "cache->first_id != 0;", "facts: another pair's"),
+    ("src/collide.cpp", "cache.first_id == pair.a.id && cache.second_id == pair.b.id", "cache.first_id != 0", "facts: another pair's"),
     ("src/collide.cpp", "if (pair.discGap() * (1 - pair.scale_defect) > options.margin) return false;", "if (pair.discGap() > 0) return false;", "discs: margin ignored"),
     ("src/polygon.cpp", "square = std::max(square,", "square = std::min(square + 1e-3,", "bounding radius too small"),
 ]
