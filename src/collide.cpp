@@ -3,99 +3,134 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
-#include <utility>
+#include <string>
 
+#include "facts.h"
+#include "rigidity.h"
 #include "strategy.h"
 
 namespace tricover {
 namespace detail {
 namespace {
 
-void checkLength(double length, const char* message) {
-  if (!(length >= 0 && std::isfinite(length))) throw std::invalid_argument(message);
+[[noreturn]] void refuseLength(const char* field) {
+  throw std::invalid_argument(std::string(field) + ": it must be finite and not negative");
 }
 
-/// The kernel's own order, so that neither answers nor facts depend on the caller's: the smaller polygon moves.
+/// Written so that NaN fails.
+void requireLengths(const CollideOptions& options) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  if (!(options.margin >= 0 && options.margin <= kLargest)) refuseLength("margin");
+  if (!(options.tolerance >= 0 && options.tolerance <= kLargest)) refuseLength("tolerance");
+}
+
+/// The kernel's own order, so that answers don't depend on the caller's: the smaller polygon moves.
 bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
   if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
   const double *p = pose_a.data(), *q = pose_b.data();
   return !std::lexicographical_compare(p, p + 9, q, q + 9);
 }
 
-/// At most how far any point of b has moved in a's frame since the fact was found: |M - M0|_F r + |c - c0|, c being b's
-/// origin, and rounding. It bounds the way of every point along the straight path between the two relative poses, too:
-/// edges whose gap outlasts it never touch on that way, and no ring passes from inside to outside.
-double motionSince(const PairCache& fact, const PosedPair& pair) {
-  const double* p = fact.pose;
-  const double m00 = pair.m00 - p[0], m10 = pair.m10 - p[1], m01 = pair.m01 - p[2], m11 = pair.m11 - p[3];
-  const double x = pair.b.origin.x(), y = pair.b.origin.y();
-  const double cx = m00 * x + m01 * y + (pair.tx - p[4]), cy = m10 * x + m11 * y + (pair.ty - p[5]);
-  const double turn = std::sqrt(m00 * m00 + m10 * m10 + m01 * m01 + m11 * m11) + 0x1p-500;
-  return (turn * pair.b.radius + std::sqrt(cx * cx + cy * cy)) * (1 + 16 * kUlp) + pair.slack + 0x1p-500;
-}
-
-void remember(PairCache& cache, const PosedPair& pair, const Outcome& outcome) {
-  const double pose[6] = {pair.m00, pair.m10, pair.m01, pair.m11, pair.tx, pair.ty};
-  std::copy(pose, pose + 6, cache.pose);
-  cache.clearance = outcome.clearance - pair.slack;  // the slack pays for the rounding of the pose kept here
-  cache.overlapping = outcome.collides && cache.clearance > 0;
-  cache.uses = 0;
-}
-
-bool collideInOrder(const PosedPair& pair, PairCache* cache, const CollideOptions& options) {
-  if (pair.discGap() * (1 - pair.scale_defect) > options.margin) return false;
-  if (options.strategy == Strategy::Paper) return collideByPaper(pair, cache, options);
-  if (cache == nullptr) return collideByHierarchy(pair, options, 0).collides;
-
-  double lookahead = 0;
-  if (recall(*cache, pair)) {
-    const double motion = motionSince(*cache, pair);
-    const double left = (cache->clearance - motion) * (1 - pair.scale_defect);
-    if (left > 0 && (cache->overlapping || left > options.margin)) {
-      ++cache->uses;
-      return cache->overlapping;
-    }
-    if (cache->first_edge >= 0 && cache->second_edge >= 0 &&
-        edgesWithin(pair, static_cast<std::size_t>(cache->first_edge), static_cast<std::size_t>(cache->second_edge),
-                    options.margin, options.tolerance)) {
-      ++cache->uses;
-      return true;
-    }
-    // Look ahead so that the next fact pays for a good many steps like those since the last one; after a jump no fact
-    // would.
-    constexpr double kStepsAhead = 32;
-    const double ahead = kStepsAhead * motion / (cache->uses + 1.0);
-    if (ahead <= 0.25 * pair.b.radius) lookahead = ahead;
+/// Discs of both polygons under their poses, seen from a point of a to one of b in the world: what decides without a
+/// relative pose.
+class Discs {
+ public:
+  Discs(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+      : a_(a), b_(b), columns_a_{load2(pose_a.data()), load2(pose_a.data() + 3)},
+        columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)}, shift_(load2(pose_b.data() + 6) - load2(pose_a.data() + 6)) {
+    const Double2 apart = absolute(shift_);
+    error_ = 16 * kUlp * (a.extent + b.extent + apart[0] + apart[1]) + kTiny;
   }
-  const Outcome outcome = collideByHierarchy(pair, options, lookahead);
-  remember(*cache, pair, outcome);
-  cache->first_edge = outcome.edge_a;
-  cache->second_edge = outcome.edge_b;
-  return outcome.collides;
+
+  /// The gap between the bounding discs, a lower bound of the distance, if it is above the margin; otherwise -1.
+  double gap(double margin) const {
+    const double square = squaredBetween(a_.origin, b_.origin);
+    const double sum = (a_.radius + b_.radius) * (1 + kLargestDefect) + error_, apart = sum + margin;
+    if (!(squarable(apart) && square > apart * apart * (1 + 16 * kUlp))) return -1;
+    return square < 0x1p1000 ? std::sqrt(square) * (1 - 4 * kUlp) - sum * (1 + 8 * kUlp) : margin;
+  }
+
+  /// How deep discs inside the two regions overlap; otherwise -1.
+  double depth() const {
+    const Hierarchy &tree_a = a_.hierarchy(), &tree_b = b_.hierarchy();
+    const double square = squaredBetween(tree_a.inner_center, tree_b.inner_center);
+    const double reach = (tree_a.inner_radius + tree_b.inner_radius) * (1 - kLargestDefect) - error_;
+    if (!(squarable(reach) && square * (1 + 16 * kUlp) < reach * reach)) return -1;
+    return reach * (1 - 8 * kUlp) - std::sqrt(square) * (1 + 8 * kUlp);
+  }
+
+ private:
+  /// Whether squares of this neither overflow nor lose digits.
+  static bool squarable(double length) { return length > 0x1p-480 && length < 0x1p480; }
+
+  double squaredBetween(const Vec2& p, const Vec2& q) const {
+    const Double2 d = (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
+    const Double2 squares = d * d;
+    return squares[0] + squares[1];
+  }
+
+  const PolygonData &a_, &b_;
+  Double2 columns_a_[2], columns_b_[2], shift_;
+  double error_;  ///< of a distance between two points
+};
+
+/// Finds the answer and keeps why it is certain.
+bool findFact(const PosedPair& pair, PairCache& cache, double lookahead, const CollideOptions& options) {
+  claim(cache, pair.a, pair.b);
+  const auto fact = [&](bool overlapping, double clearance) {
+    remember(cache, pair.a, pair.pose_a, pair.b, pair.pose_b, overlapping,
+             clearance * (1 - pair.scale_defect) * (1 - 8 * kUlp));
+    return overlapping;
+  };
+  if (cache.first_edge >= 0 && cache.second_edge >= 0) {
+    const auto i = static_cast<std::size_t>(cache.first_edge), j = static_cast<std::size_t>(cache.second_edge);
+    if (edgesWithin(pair, i, j, options.margin, options.tolerance)) return fact(true, crossingDepth(pair, i, j));
+  }
+  const Outcome outcome = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
+  cache.first_edge = outcome.edge_a;
+  cache.second_edge = outcome.edge_b;
+  if (outcome.edge_a < 0 || outcome.edge_b < 0) return fact(outcome.collides, outcome.clearance);
+  const auto i = static_cast<std::size_t>(outcome.edge_a), j = static_cast<std::size_t>(outcome.edge_b);
+  return fact(true, crossingDepth(pair, i, j));
+}
+
+bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                    PairCache* cache, double lookahead, const CollideOptions& options) {
+  const Discs discs(a, pose_a, b, pose_b);
+  const bool by_paper = options.strategy == Strategy::Paper;
+  const auto fact = [&](bool overlapping, double clearance) {
+    if (cache != nullptr && !by_paper) remember(*cache, a, pose_a, b, pose_b, overlapping, clearance);
+    return overlapping;
+  };
+  const double gap = discs.gap(options.margin);
+  if (gap >= 0) return fact(false, gap);
+  if (by_paper) return collideByPaper(PosedPair(a, pose_a, b, pose_b), cache, options);
+  const double depth = discs.depth();
+  if (depth >= 0) return fact(true, depth);
+  const PosedPair pair(a, pose_a, b, pose_b);
+  return cache != nullptr ? findFact(pair, *cache, lookahead, options)
+                          : collideByHierarchy(pair, options, 0, Wanted::Answer).collides;
 }
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache* cache,
              const CollideOptions& options) {
-  checkPose(pose_a, "pose_a");
-  checkPose(pose_b, "pose_b");
-  checkLength(options.margin, "margin: it must be finite and not negative");
-  checkLength(options.tolerance, "tolerance: it must be finite and not negative");
+  requireLengths(options);
+  requireRigid(pose_a, "pose_a");
+  requireRigid(pose_b, "pose_b");
+  double lookahead = 0;
+  if (cache != nullptr && options.strategy == Strategy::Hierarchy) {
+    const Recollection recollection = recall(*cache, a.data(), pose_a, b.data(), pose_b, options.margin);
+    if (recollection.certain) return recollection.collides;
+    lookahead = recollection.lookahead;
+  }
   if (inOrder(a.data(), pose_a, b.data(), pose_b))
-    return collideInOrder(PosedPair(a.data(), pose_a, b.data(), pose_b), cache, options);
-  return collideInOrder(PosedPair(b.data(), pose_b, a.data(), pose_a), cache, options);
+    return collideInOrder(a.data(), pose_a, b.data(), pose_b, cache, lookahead, options);
+  return collideInOrder(b.data(), pose_b, a.data(), pose_a, cache, lookahead, options);
 }
 
 }  // namespace
-
-bool recall(PairCache& cache, const PosedPair& pair) {
-  if (cache.first_id == pair.a.id && cache.second_id == pair.b.id) return true;
-  cache = PairCache();
-  cache.first_id = pair.a.id;
-  cache.second_id = pair.b.id;
-  return false;
-}
-
 }  // namespace detail
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

@@ -30,8 +30,7 @@ std::optional<Contact> contact(const Polygon& a, const Pose& pose_a, const Polyg
   checkPose(pose_a, "pose_a");
   checkPose(pose_b, "pose_b");
   const detail::PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-  if (pair.discGap() > 0) return std::nullopt;
-  const detail::Outcome outcome = detail::collideByHierarchy(pair, {}, 0);
+  const detail::Outcome outcome = detail::collideByHierarchy(pair, {}, 0, detail::Wanted::Edges);
   if (!outcome.collides) return std::nullopt;
 
   Contact contact{Vec2::Zero(), -1, -1};

@@ -7,110 +7,217 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "inner_discs.h"
 #include "polygon_data.h"
-#include "predicates.h"
+#include "small_convex.h"
 
 namespace tricover::detail {
+namespace {
 
-struct Hierarchy::Builder {
-  explicit Builder(const PolygonData& polygon_, std::vector<Node>& nodes_)
-      : polygon(polygon_),
-        nodes(nodes_),
-        slack(polygon.extent < 0x1p1000 ? 32 * kUlp * polygon.extent + kTiny
-                                        : std::numeric_limits<double>::infinity()) {}
+/// What a float box must be grown by, in its block's scale, to hold what it held in doubles: 2^-24 for rounding the
+/// centre, 2^-23 for the axis, 2^-23 for the extents themselves; the rest for the doubles it was fitted with (2^-52
+/// units, where a scale is at least 2^-30).
+constexpr double kOutwards = 0x1p-21;
+constexpr double kSmallestScale = 0x1p-30;
 
-  /// Rings order[begin, end): halved along the longer side of their first vertices' bounding box.
-  std::uint32_t addRings(std::vector<std::uint32_t>& order, std::size_t begin, std::size_t end) {
-    if (end - begin == 1) return addChain(polygon.edgeBegin(order[begin]), polygon.edgeEnd(order[begin]));
-    Vec2 low = firstVertex(order[begin]), high = low;
-    for (std::size_t i = begin; i < end; ++i) {
-      low = low.cwiseMin(firstVertex(order[i]));
-      high = high.cwiseMax(firstVertex(order[i]));
-    }
-    const int axis = high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
-    const std::size_t mid = (begin + end) / 2;
-    const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(mid), at(end),
-                     [&](std::uint32_t r, std::uint32_t s) { return firstVertex(r)[axis] < firstVertex(s)[axis]; });
-    Node box = emptyBox(firstVertex(order[begin]), Vec2(1, 0));
-    Bounds bounds;
-    for (std::size_t i = begin; i < end; ++i)
-      bounds.add(box, polygon.path, polygon.edgeBegin(order[i]), polygon.edgeEnd(order[i]) + 1);
-    const std::uint32_t index = addBox(box, bounds);
-    addRings(order, begin, mid);
-    const std::uint32_t right = addRings(order, mid, end);
-    nodes[index].right = right;
-    return index;
-  }
+struct FittedBox {
+  Vec2 center, axis;
+  double along, across;
+};
 
-  /// Edges [begin, end) of one ring.
-  std::uint32_t addChain(std::size_t begin, std::size_t end) {
-    const Vec2 &first = polygon.path[begin], &last = polygon.path[end];
-    Node box = emptyBox(first, last - first);
-    Bounds bounds;
-    bounds.add(box, polygon.path, begin, end + 1);
-    const std::uint32_t index = addBox(box, bounds);
-    nodes[index].spanned = true;
-    if (end - begin == 1) {
-      nodes[index].edge = static_cast<std::uint32_t>(begin);
-      return index;
-    }
-    const std::size_t mid = (begin + end) / 2;
-    addChain(begin, mid);
-    const std::uint32_t right = addChain(mid, end);
-    nodes[index].right = right;
-    return index;
+/// A part of the polygon that one box stands for: rings order[begin, end), or edges [begin, end) of one ring.
+struct Part {
+  bool rings;
+  std::size_t begin, end;
+};
+
+class Builder {
+ public:
+  Builder(const PolygonData& polygon, const std::vector<Vec2>& local, Hierarchy& hierarchy)
+      : polygon_(polygon), local_(local), blocks_(hierarchy.blocks), order_(polygon.ringCount()) {
+    std::iota(order_.begin(), order_.end(), 0u);
+    const Part all = part(0, order_.size());
+    const Vec2& farthest = *std::max_element(
+        local_.begin(), local_.end(), [](const Vec2& p, const Vec2& q) { return p.squaredNorm() < q.squaredNorm(); });
+    hierarchy.root = rounded(fit(all, farthest), Vec2::Zero(), 1);
+    hierarchy.root_spanned = !all.rings;
+    addBlock(all);
   }
 
  private:
-  /// Extents of points in a box's own axes, from its centre.
-  struct Bounds {
-    void add(const Node& box, const std::vector<Vec2>& path, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const double dx = path[i].x() - box.x, dy = path[i].y() - box.y;
-        const double u = dx * box.ux + dy * box.uy, v = dy * box.ux - dx * box.uy;
+  Part part(std::size_t begin, std::size_t end) const {
+    if (end - begin > 1) return {true, begin, end};
+    return {false, polygon_.edgeBegin(order_[begin]), polygon_.edgeEnd(order_[begin])};
+  }
+
+  template <typename Visit>
+  void forEachChain(const Part& part, Visit visit) const {
+    if (!part.rings) return visit(part.begin, part.end);
+    for (std::size_t i = part.begin; i < part.end; ++i)
+      visit(polygon_.edgeBegin(order_[i]), polygon_.edgeEnd(order_[i]));
+  }
+
+  std::size_t edgeCount(const Part& part) const {
+    std::size_t count = 0;
+    forEachChain(part, [&](std::size_t begin, std::size_t end) { count += end - begin; });
+    return count;
+  }
+
+  FittedBox fit(const Part& part, const Vec2& direction) const {
+    const double length = direction.norm();
+    const Vec2 axis = length > kSmallestScale * kSmallestScale ? Vec2(direction / length) : Vec2(1, 0);
+    double low_u = std::numeric_limits<double>::infinity(), high_u = -low_u, low_v = low_u, high_v = -low_u;
+    forEachChain(part, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i <= end; ++i) {
+        const double u = local_[i].x() * axis.x() + local_[i].y() * axis.y();
+        const double v = local_[i].y() * axis.x() - local_[i].x() * axis.y();
         low_u = std::min(low_u, u);
         high_u = std::max(high_u, u);
         low_v = std::min(low_v, v);
         high_v = std::max(high_v, v);
       }
+    });
+    const double u = 0.5 * (low_u + high_u), v = 0.5 * (low_v + high_v);
+    return {{u * axis.x() - v * axis.y(), u * axis.y() + v * axis.x()},
+            axis,
+            0.5 * (high_u - low_u),
+            0.5 * (high_v - low_v)};
+  }
+
+  /// A chain's box lies along its chord.
+  FittedBox fit(const Part& part) const {
+    return fit(part, part.rings ? Vec2(1, 0) : Vec2(local_[part.end] - local_[part.begin]));
+  }
+
+  static Box rounded(const FittedBox& box, const Vec2& origin, double inverse) {
+    const Vec2 center = (box.center - origin) * inverse;
+    return {static_cast<float>(center.x()),
+            static_cast<float>(center.y()),
+            static_cast<float>(box.axis.x()),
+            static_cast<float>(box.axis.y()),
+            static_cast<float>(box.along * inverse + kOutwards),
+            static_cast<float>(box.across * inverse + kOutwards)};
+  }
+
+  /// Rings order[begin, end) halved along the longer side of their first vertices' bounding box.
+  std::size_t halveRings(std::size_t begin, std::size_t end) {
+    const auto first = [&](std::uint32_t ring) -> const Vec2& { return local_[polygon_.edgeBegin(ring)]; };
+    Vec2 low = first(order_[begin]), high = low;
+    for (std::size_t i = begin; i < end; ++i) {
+      low = low.cwiseMin(first(order_[i]));
+      high = high.cwiseMax(first(order_[i]));
     }
-    double low_u = 0, high_u = 0, low_v = 0, high_v = 0;
-  };
-
-  const Vec2& firstVertex(std::uint32_t ring) const { return polygon.path[polygon.edgeBegin(ring)]; }
-
-  static Node emptyBox(const Vec2& at, const Vec2& direction) {
-    const double length = std::hypot(direction.x(), direction.y());
-    const bool usable = length > 0x1p-1000 && length < 0x1p1000;
-    const double ux = usable ? direction.x() / length : 1, uy = usable ? direction.y() / length : 0;
-    return {at.x(), at.y(), ux, uy, 0, 0, 0, 0, false};
+    const int axis = high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
+    const std::size_t mid = (begin + end) / 2;
+    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(begin), at(mid), at(end),
+                     [&](std::uint32_t r, std::uint32_t s) { return first(r)[axis] < first(s)[axis]; });
+    return mid;
   }
 
-  /// Moves the box's centre to the middle of the bounds. Rounding, of the projections and of the centre, is below
-  /// `slack`.
-  std::uint32_t addBox(Node box, const Bounds& bounds) {
-    const double u = 0.5 * (bounds.low_u + bounds.high_u), v = 0.5 * (bounds.low_v + bounds.high_v);
-    box.x += u * box.ux - v * box.uy;
-    box.y += u * box.uy + v * box.ux;
-    box.along = 0.5 * (bounds.high_u - bounds.low_u) + slack;
-    box.across = 0.5 * (bounds.high_v - bounds.low_v) + slack;
-    nodes.push_back(box);
-    return static_cast<std::uint32_t>(nodes.size() - 1);
+  /// Up to kLanes parts. Rings are taken apart before any is cut. A chain is cut evenly into as few parts as let the
+  /// blocks below be full.
+  std::vector<Part> divide(const Part& whole) {
+    std::vector<Part> parts;
+    if (whole.rings) {
+      parts.push_back(whole);
+      while (parts.size() < kLanes) {
+        auto largest = parts.end();
+        for (auto it = parts.begin(); it != parts.end(); ++it)
+          if (it->rings && edgeCount(*it) > kLanes && (largest == parts.end() || edgeCount(*it) > edgeCount(*largest)))
+            largest = it;
+        if (largest == parts.end()) break;
+        const Part halved = *largest;
+        const std::size_t mid = halveRings(halved.begin, halved.end);
+        *largest = part(halved.begin, mid);
+        parts.push_back(part(mid, halved.end));
+      }
+      return parts;
+    }
+    const std::size_t n = whole.end - whole.begin;
+    std::size_t below = kLanes;
+    while (below * kLanes < n) below *= kLanes;
+    const std::size_t k = (n + below - 1) / below;
+    for (std::size_t i = 0; i < k; ++i) parts.push_back({false, whole.begin + i * n / k, whole.begin + (i + 1) * n / k});
+    return parts;
   }
 
-  const PolygonData& polygon;
-  std::vector<Node>& nodes;
-  double slack;
+  std::uint32_t addBlock(const Part& whole) {
+    const bool leaf = edgeCount(whole) <= kLanes;
+    std::vector<Part> parts;
+    if (leaf) {
+      forEachChain(whole, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e) parts.push_back({false, e, e + 1});
+      });
+    } else {
+      parts = divide(whole);
+    }
+    std::vector<FittedBox> boxes;
+    for (const Part& p : parts) boxes.push_back(fit(p));
+
+    Vec2 low = boxes[0].center, high = low;
+    for (const FittedBox& box : boxes) {
+      low = low.cwiseMin(box.center);
+      high = high.cwiseMax(box.center);
+    }
+    const Vec2 origin = 0.5 * (low + high);
+    double size = kSmallestScale;
+    for (const FittedBox& box : boxes)
+      size = std::max(size, (box.center - origin).lpNorm<Eigen::Infinity>() + box.along + box.across);
+    const double scale = std::ldexp(1, std::ilogb(size) + 1);
+
+    Block block{};
+    block.origin_x = origin.x();
+    block.origin_y = origin.y();
+    block.scale = static_cast<float>(scale);
+    block.inverse = static_cast<float>(1 / scale);
+    block.leaf = leaf;
+    block.count = static_cast<std::uint8_t>(parts.size());
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const Box box = i < parts.size() ? rounded(boxes[i], origin, 1 / scale) : Box{0, 0, 1, 0, -1e30f, -1e30f};
+      block.x[i] = box.x;
+      block.y[i] = box.y;
+      block.ux[i] = box.ux;
+      block.uy[i] = box.uy;
+      block.along[i] = box.along;
+      block.across[i] = box.across;
+      if (i >= parts.size()) continue;
+      if (!parts[i].rings) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
+      if (leaf) block.child[i] = static_cast<std::uint32_t>(parts[i].begin);
+    }
+    const std::size_t index = blocks_.size();
+    blocks_.push_back(block);
+    if (!leaf)
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::uint32_t child = addBlock(parts[i]);
+        blocks_[index].child[i] = child;
+      }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  const PolygonData& polygon_;
+  const std::vector<Vec2>& local_;
+  std::vector<Block>& blocks_;
+  std::vector<std::uint32_t> order_;
 };
 
+}  // namespace
+
 Hierarchy::Hierarchy(const PolygonData& polygon) {
-  if (polygon.path.size() >= std::numeric_limits<std::uint32_t>::max() / 2)
-    throw std::length_error("rings: more than 2^31 vertices");
-  nodes_.reserve(2 * (polygon.path.size() - polygon.ringCount()));
-  std::vector<std::uint32_t> order(polygon.ringCount());
-  std::iota(order.begin(), order.end(), 0u);
-  Builder(polygon, nodes_).addRings(order, 0, order.size());
+  if (polygon.path.size() >= std::numeric_limits<std::uint32_t>::max() / kLanes)
+    throw std::length_error("rings: more than 2^29 vertices");
+  std::vector<Vec2> local;
+  local.reserve(polygon.path.size());
+  for (const Vec2& p : polygon.path) local.push_back(polygon.inUnits(p));
+  blocks.reserve(polygon.path.size() / (kLanes / 2) + 1);
+  Builder(polygon, local, *this);
+  blocks.shrink_to_fit();
+  findInnerDiscs(polygon, local, *this);
+  small_convex = makeSmallConvex(polygon, local);
+}
+
+std::size_t Hierarchy::bytes() const {
+  return sizeof *this + blocks.capacity() * sizeof(Block) + (small_convex ? sizeof *small_convex : 0);
 }
 
 }  // namespace tricover::detail

@@ -3,39 +3,71 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
+
+#include "tricover/pose.h"
 
 namespace tricover::detail {
 
 struct PolygonData;
 
-/// The influence hierarchy of a polygon: a binary tree over chains of consecutive edges. A node is an oriented box that
-/// holds its chain (rounded outwards); grown by n it is the chain's influence area of length n. Nodes stand in
-/// preorder: the left child follows its parent. Rings are split from each other first, so that below that a node is one
-/// connected chain, and the depth is at most log2(rings) + log2(edges) + 2.
-class Hierarchy {
- public:
-  struct Node {
-    double x, y;           ///< centre, in the polygon's frame
-    double ux, uy;         ///< unit axis along the chain
-    double along, across;  ///< half the extents
-    std::uint32_t edge;    ///< leaf: the edge's position in the path
-    std::uint32_t right;   ///< inner node: index of the right child; 0 in a leaf
-    /// The chain reaches from end to end of the box, so no point of the box is farther than 2 * across from the chain.
-    /// False above single rings.
-    bool spanned;
+constexpr int kLanes = 8;
 
-    bool isLeaf() const { return right == 0; }
-    double size() const { return along + across; }
-  };
+/// An oriented box: its centre, the unit axis it is `along`, and half its extents along and across that.
+struct Box {
+  float x, y, ux, uy, along, across;
+};
 
+/// Up to eight boxes side by side, each around a chain of consecutive edges or around several rings, rounded outwards.
+/// They are floats relative to the block's own origin and scale, so that they are as precise as the block is small.
+struct alignas(64) Block {
+  float x[kLanes], y[kLanes], ux[kLanes], uy[kLanes], along[kLanes], across[kLanes];
+  std::uint32_t child[kLanes];  ///< the block that the box is divided into; in a leaf the edge's position in the path
+  double origin_x, origin_y;    ///< in units of the hierarchy
+  float scale, inverse;         ///< powers of two: a length of 1 in this block is `scale` units
+  std::uint8_t count;           ///< of boxes; lanes beyond are infinitely far from everything
+  /// Bit per lane: the chain is connected and reaches from end to end of the box, so that no point of the box is
+  /// farther than 2 * across from the chain.
+  std::uint8_t spanned;
+  bool leaf;
+};
+static_assert(sizeof(Block) == 256, "four cache lines");
+
+/// Discs that are proven to lie in the region, in units; lanes beyond the count are no discs.
+struct InnerDiscs {
+  float x[kLanes], y[kLanes], radius[kLanes];
+  float reach;  ///< no point of a disc is farther from S
+  int count;
+};
+
+/// A convex polygon of few vertices as half planes, for convexMeet(): in units, vertices and edges padded to whole lanes
+/// by repeating the last one. A point p is beyond an edge by nx p.x + ny p.y - d.
+struct SmallConvex {
+  static constexpr int kMost = 2 * kLanes;
+  float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost];
+  int lanes;  ///< kLanes or kMost
+};
+
+/// The influence hierarchy of a polygon: a tree of boxes over chains of edges; a box grown by n is its chain's influence
+/// area of length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is the first.
+struct Hierarchy {
   explicit Hierarchy(const PolygonData& polygon);
 
-  const Node& operator[](std::uint32_t index) const { return nodes_[index]; }
+  std::vector<Block> blocks;
+  Box root;  ///< around everything, in units
+  bool root_spanned;
 
- private:
-  struct Builder;
-  std::vector<Node> nodes_;
+  InnerDiscs inner_discs;  ///< as large as a short search finds, spread over the region, the largest first
+  Vec2 inner_center;       ///< the first of them once more, in the polygon's frame
+  double inner_radius;     ///< 0 if there is none
+
+  std::unique_ptr<const SmallConvex> small_convex;  ///< null unless the polygon is one
+
+  std::size_t bytes() const;  ///< of memory, with all that it owns
 };
+
+/// Blocks above each other: one for each halving of up to 2^31 rings, and 8^11 edges.
+constexpr int kMaxDepth = 31 + 11 + 1;
 
 }  // namespace tricover::detail

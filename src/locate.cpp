@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "covering.h"
+#include "wide.h"
 
 namespace tricover {
 namespace detail {
@@ -26,32 +27,57 @@ struct Signs {
   int handed;
 };
 
-/// Twice the winding number, or nothing on the boundary. Any origin serves that is not the point itself; the point lies
-/// in the triangle (S, v, w) of sign g if it is between the rays S->v and S->w (g d_v >= 0 >= g d_w, with d_v the sign
-/// of |S v p|) and on S's side of the edge; on one of the rays it counts half (the neighbouring triangle counts the
-/// other half).
-bool twiceWinding(const PolygonData& polygon, const Vec2& s, const Signs& signs, int& sum) {
-  sum = 0;
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
-    int d_v = signs(s, polygon.path[polygon.edgeBegin(r)]);
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-      const Vec2 &v = polygon.path[e], &w = polygon.path[e + 1];
-      const int d_w = signs(s, w);
-      const bool counter_clockwise = d_v >= 0 && d_w <= 0, clockwise = d_v <= 0 && d_w >= 0;
-      if (counter_clockwise || clockwise) {
-        const int g = orientation(s, v, w);
-        if (g == 0) {
-          // No part of the sum, but its points are boundary points (repair 5).
-          if (signs(v, w) == 0 && signs.between(v, w)) return false;
-        } else if (g > 0 ? counter_clockwise : clockwise) {
-          const int side = g * signs(v, w);
-          if (side == 0) return false;
-          if (side > 0) sum += d_v != 0 && d_w != 0 ? 2 * g : g;
-        }
-      }
-      d_v = d_w;
-    }
+/// Adds up twice the winding number, edge by edge. Any origin s serves that is not the point itself; the point lies in
+/// the triangle (s, v, w) of sign g if it is between the rays s->v and s->w (g d_v >= 0 >= g d_w, with d_v the sign of
+/// |s v p|) and on s's side of the edge; on one of the rays it counts half (the neighbouring triangle counts the other
+/// half).
+struct Winding {
+  /// False if the point is on the edge: nothing else matters then.
+  bool add(const Vec2& v, const Vec2& w) {
+    const int d_v = signs(s, v), d_w = signs(s, w);
+    const bool counter_clockwise = d_v >= 0 && d_w <= 0, clockwise = d_v <= 0 && d_w >= 0;
+    if (!counter_clockwise && !clockwise) return true;
+    const int g = orientation(s, v, w);
+    // No part of the sum, but its points are boundary points (repair 5).
+    if (g == 0) return on_boundary = signs(v, w) == 0 && signs.between(v, w), !on_boundary;
+    if (!(g > 0 ? counter_clockwise : clockwise)) return true;
+    const int side = g * signs(v, w);
+    if (side > 0) sum += d_v != 0 && d_w != 0 ? 2 * g : g;
+    on_boundary = side == 0;
+    return !on_boundary;
   }
+
+  static bool visit(void* winding, std::uint32_t edge) {
+    auto& self = *static_cast<Winding*>(winding);
+    return self.add(self.polygon.path[edge], self.polygon.path[edge + 1]);
+  }
+
+  const PolygonData& polygon;
+  Vec2 s;
+  Signs signs;
+  int sum = 0;
+  bool on_boundary = false;
+};
+
+void addAll(Winding& winding) {
+  const PolygonData& polygon = winding.polygon;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
+      if (!winding.add(polygon.path[e], polygon.path[e + 1])) return;
+}
+
+/// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). False if rounding hides
+/// where that ray goes.
+bool addAlongRay(Winding& winding, const Hierarchy& hierarchy) {
+  const PolygonData& polygon = winding.polygon;
+  const ApproxPoint& p = winding.signs.approx;
+  const double unit = polygon.inverse_unit;
+  const Vec2 at = polygon.inUnits({p.x, p.y}), away = at - polygon.inUnits(winding.s);
+  const double distance = away.norm(), error = p.error * unit + 0x1p-50;
+  if (!(distance > 0x1p-10 && error < 0x1p-20)) return false;
+  // The direction turns by at most 4 error / distance, within a distance of 4.
+  const Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
+  visitEdgesOnRay(hierarchy, ray, &Winding::visit, &winding);
   return true;
 }
 
@@ -61,16 +87,16 @@ Location locateInCovering(const PolygonData& polygon, const Pose* pose, const Ap
                           const PosedPoint& exact, int handed) {
   const double dx = approx.x - polygon.origin.x(), dy = approx.y - polygon.origin.y();
   if (normBelow(dx, dy) > (polygon.radius + 2 * approx.error) * (1 + 4 * kUlp)) return Location::Outside;
+  const Hierarchy* hierarchy = polygon.hierarchyIfBuilt();
 
-  const Signs signs{pose, approx, exact, handed};
-  const Vec2* s = &polygon.origin;
+  Winding winding{polygon, polygon.origin, {pose, approx, exact, handed}};
   const bool off_origin = std::abs(dx) > approx.error || std::abs(dy) > approx.error;  // false for NaN
   // Every triangle would have the point as its corner: take the covering from a vertex. If that is the point, too, it
   // is found on that vertex's edge.
-  if (!off_origin && signs.isPoint(*s)) s = &polygon.path.front();
-  int sum;
-  if (!twiceWinding(polygon, *s, signs, sum)) return Location::Boundary;
-  const bool inside = polygon.fill == FillRule::EvenOdd ? sum / 2 % 2 != 0 : sum != 0;
+  if (!off_origin && (pose == nullptr || winding.signs.isPoint(winding.s))) winding.s = polygon.path.front();
+  if (hierarchy == nullptr || !addAlongRay(winding, *hierarchy)) addAll(winding);
+  if (winding.on_boundary) return Location::Boundary;
+  const bool inside = polygon.fill == FillRule::EvenOdd ? winding.sum / 2 % 2 != 0 : winding.sum != 0;
   return inside ? Location::Inside : Location::Outside;
 }
 
@@ -90,7 +116,12 @@ Location locateUnchecked(const detail::PolygonData& polygon, const Vec2& point) 
 
 Location locate(const Polygon& polygon, const Vec2& point) {
   checkPoint(point);
-  return locateUnchecked(polygon.data(), point);
+  // A scan costs a twentieth of a hierarchy: the first few points are no reason to build one.
+  constexpr unsigned kScans = 16;
+  const detail::PolygonData& data = polygon.data();
+  if (data.hierarchyIfBuilt() == nullptr && data.scans.fetch_add(1, std::memory_order_relaxed) >= kScans)
+    data.hierarchy();
+  return locateUnchecked(data, point);
 }
 
 Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache) {

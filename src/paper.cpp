@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vector>
 
+#include "facts.h"
 #include "influence_area.h"
 #include "strategy.h"
 
@@ -59,12 +60,13 @@ bool detailedTest(const PosedPair& pair, const std::vector<std::size_t>& held, c
 }  // namespace
 
 bool collideByPaper(const PosedPair& pair, PairCache* cache, const CollideOptions& options) {
+  if (cache != nullptr) claim(*cache, pair.a, pair.b);
   // The mask in the cache, if any, was found outside every influence area, with the answer "free" (repair 1).
-  const bool known = cache != nullptr && recall(*cache, pair);
+  const bool known = cache != nullptr && !cache->mask.empty();
 
   // Second step. Grown by the margin; rounded outwards.
-  const ApproxPoint centroid{pair.center_x, pair.center_y, pair.error};
-  const double length = (pair.radius_b + pair.reach(options.margin)) * (1 + 4 * kUlp) + pair.slack;
+  const ApproxPoint centroid = pair.center();
+  const double length = (pair.radiusB() + pair.reach(options.margin)) * (1 + 4 * kUlp) + pair.slack();
   std::vector<std::size_t> held;
   std::vector<std::uint64_t> mask = influenceMask(pair, centroid, length, held);
   if (held.empty()) {

@@ -93,7 +93,7 @@ double boundingRadius(const PolygonData& polygon, const Frame& frame) {
 
 }  // namespace
 
-PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : rings(std::move(rings_)), fill(fill_) {
+PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_), rings(std::move(rings_)) {
   validate(rings);
   id = nextId();
   std::size_t total = 0;
@@ -111,6 +111,12 @@ PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : rings(std::
   const Frame frame(path);
   origin = centroid(*this, frame);
   radius = boundingRadius(*this, frame);
+  // Below and above these the powers of two themselves would leave the range of normal doubles.
+  const int exponent = std::isfinite(radius) && radius > 0x1p-1000 ? std::min(std::ilogb(radius) + 1, 1020)
+                       : std::isfinite(radius)                     ? -1000
+                                                                   : 1020;
+  unit = std::ldexp(1, exponent);
+  inverse_unit = std::ldexp(1, -exponent);
 }
 
 std::size_t PolygonData::edgeNumber(std::size_t position) const {
@@ -127,8 +133,7 @@ std::size_t PolygonData::edgePosition(std::size_t number) const {
   return number + low;
 }
 
-const Hierarchy& PolygonData::hierarchy() const {
-  if (const Hierarchy* ready = ready_.load(std::memory_order_acquire)) return *ready;
+const Hierarchy& PolygonData::buildHierarchy() const {
   const std::lock_guard<std::mutex> lock(building_);
   if (!hierarchy_) {
     hierarchy_ = std::make_unique<const Hierarchy>(*this);

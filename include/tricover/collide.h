@@ -31,9 +31,9 @@ struct PairCache {
   /// The polygons the facts are about, in the kernel's own order (0: none).
   std::uint64_t first_id = 0, second_id = 0;
 
-  /// "With the second polygon at `pose` in the first one's frame (columns R, then t; rounded), every edge of one was at
-  /// least `clearance` from every edge of the other, and the regions did (`overlapping`) or did not overlap."
-  double pose[6] = {1, 0, 0, 1, 0, 0};
+  /// "With the polygons at these poses (columns of R, then t) the regions did (`overlapping`) or did not overlap, and
+  /// that stays so while no point is moved against the other polygon by `clearance` or more", a world length.
+  double first_pose[6] = {1, 0, 0, 1, 0, 0}, second_pose[6] = {1, 0, 0, 1, 0, 0};
   double clearance = 0;
   bool overlapping = false;
   std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next fact looks ahead

@@ -105,7 +105,8 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
     EXPECT_EQ(cache.overlapping, before.overlapping);
     EXPECT_EQ(cache.uses, before.uses);
     EXPECT_EQ(cache.mask, before.mask);
-    EXPECT_TRUE(std::equal(cache.pose, cache.pose + 6, before.pose));
+    EXPECT_TRUE(std::equal(cache.first_pose, cache.first_pose + 6, before.first_pose));
+    EXPECT_TRUE(std::equal(cache.second_pose, cache.second_pose + 6, before.second_pose));
   }
   PointCache cache;
   locate(a, {0.5, 0.5}, cache);

@@ -10,9 +10,11 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "dyadic.h"
+#include "exact_reference.h"
 #include "posed_pair.h"
 #include "strategy.h"
 
@@ -316,53 +318,103 @@ TEST(Stages, TheFilterAnswersWhatIsApartOrCrossingAndTheExactStageWhatTouches) {
   EXPECT_FALSE(collide(square, Pose::Identity(), square, right));
 }
 
-TEST(Hierarchy, EveryNodeHoldsItsChainAndEveryEdgeHasOneLeaf) {
+/// Whether lane `lane` of the block, taken as exact numbers, holds p, a point of the polygon's frame.
+void expectHolds(const Block& block, unsigned lane, const PolygonData& polygon, const Vec2& p) {
+  const mpq_class unit(polygon.unit), scale(block.scale);
+  const mpq_class x = ((mpq_class(p.x()) - polygon.origin.x()) / unit - block.origin_x) / scale - block.x[lane];
+  const mpq_class y = ((mpq_class(p.y()) - polygon.origin.y()) / unit - block.origin_y) / scale - block.y[lane];
+  const mpq_class ux(block.ux[lane]), uy(block.uy[lane]);
+  const mpq_class along = x * ux + y * uy, across = y * ux - x * uy;
+  ASSERT_LE(abs(along), mpq_class(block.along[lane]));
+  ASSERT_LE(abs(across), mpq_class(block.across[lane]));
+  // Also as the descent may assume them to be.
+  ASSERT_LE(std::abs(block.x[lane]), 1);
+  ASSERT_LE(std::abs(block.y[lane]), 1);
+  ASSERT_LE(block.along[lane] + block.across[lane], 1 + 0x1p-19);
+}
+
+TEST(Hierarchy, EveryBoxHoldsItsChainAndEveryEdgeHasOneLeaf) {
   Random random(7);
-  for (int i = 0; i < 200; ++i) {
-    const double scale = i % 4 == 0 ? 1e-290 : i % 4 == 1 ? 1e290 : 1;
-    std::vector<Ring> rings(1 + random() % 9);
+  std::size_t deepest = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double scale = i % 4 == 0 ? 1e-290 : i % 4 == 1 ? 1e290 : i % 4 == 2 ? 1e-13 : 1;
+    const Vec2 offset = i % 3 == 0 ? Vec2(3 * scale, -1e4 * scale) : Vec2(0, 0);
+    std::vector<Ring> rings(1 + random() % (i % 7 == 0 ? 90 : 9));
     std::size_t edges = 0;
     for (Ring& ring : rings) {
-      ring.resize(3 + random() % 40);
+      ring.resize(3 + random() % (i % 6 == 0 ? 300 : 40));
       edges += ring.size();
-      for (Vec2& p : ring) p = scale * Vec2(uniform(random, -1, 1), uniform(random, -1, 1));
+      for (Vec2& p : ring) p = offset + scale * Vec2(uniform(random, -1, 1), uniform(random, -1, 1));
       if (i % 5 == 0) ring[1] = ring[0];
+      if (i % 10 == 0) ring.back() = ring[ring.size() - 2] + Vec2(1e-14 * scale, 0);
     }
     const Polygon polygon(rings);
-    const Hierarchy& tree = polygon.data().hierarchy();
-    std::vector<int> leaves(polygon.data().path.size(), 0);
+    const PolygonData& data = polygon.data();
+    const Hierarchy& tree = data.hierarchy();
+    std::vector<int> leaves(data.path.size(), 0);
     struct Visit {
-      std::uint32_t node;
-      std::vector<std::uint32_t> ancestors;
+      std::uint32_t block;
+      std::vector<std::pair<std::uint32_t, unsigned>> ancestors;
     };
     std::vector<Visit> stack{{0, {}}};
-    std::size_t nodes = 0;
+    std::size_t blocks = 0, lanes = 0;
     while (!stack.empty()) {
       Visit visit = stack.back();
       stack.pop_back();
-      ++nodes;
-      visit.ancestors.push_back(visit.node);
-      ASSERT_LE(visit.ancestors.size(), 16u);
-      const Hierarchy::Node& node = tree[visit.node];
-      if (!node.isLeaf()) {
-        stack.push_back({visit.node + 1, visit.ancestors});
-        stack.push_back({node.right, visit.ancestors});
-        continue;
-      }
-      ++leaves[node.edge];
-      for (const std::uint32_t ancestor : visit.ancestors) {
-        const Hierarchy::Node& box = tree[ancestor];
-        for (const Vec2& p : {polygon.data().path[node.edge], polygon.data().path[node.edge + 1]}) {
-          const mpq_class dx = mpq_class(p.x()) - box.x, dy = mpq_class(p.y()) - box.y;
-          ASSERT_LE(abs(mpq_class(dx * box.ux + dy * box.uy)), mpq_class(box.along));
-          ASSERT_LE(abs(mpq_class(dy * box.ux - dx * box.uy)), mpq_class(box.across));
+      ++blocks;
+      ASSERT_LE(visit.ancestors.size(), 9u);
+      deepest = std::max(deepest, visit.ancestors.size());
+      const Block& block = tree.blocks[visit.block];
+      lanes += block.count;
+      ASSERT_EQ(block.scale * block.inverse, 1);
+      visit.ancestors.emplace_back(visit.block, 0);
+      for (unsigned lane = 0; lane < block.count; ++lane) {
+        visit.ancestors.back().second = lane;
+        if (!block.leaf) {
+          stack.push_back({block.child[lane], visit.ancestors});
+          continue;
         }
-        ASSERT_LE(box.across, 3 * scale);  // not vacuous
+        const std::uint32_t edge = block.child[lane];
+        ++leaves[edge];
+        for (const auto& [ancestor, held_by] : visit.ancestors)
+          for (const Vec2& p : {data.path[edge], data.path[edge + 1]}) expectHolds(tree.blocks[ancestor], held_by, data, p);
+        if (HasFatalFailure()) return;
       }
     }
-    EXPECT_EQ(nodes, 2 * edges - 1);
+    EXPECT_EQ(blocks, tree.blocks.size());
+    EXPECT_LE(blocks, edges / 2);
+    EXPECT_EQ(lanes, edges + blocks - 1);  // each block but the root is some box
     EXPECT_EQ(static_cast<std::size_t>(std::count(leaves.begin(), leaves.end(), 1)), edges);
   }
+  EXPECT_GE(deepest, 3u);
+}
+
+TEST(InnerDisc, LiesInTheRegionAndIsNotSmall) {
+  Random random(8);
+  int found = 0, large = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double scale = i % 3 == 0 ? 1e-200 : i % 3 == 1 ? 1e200 : 1;
+    std::vector<Ring> rings(1 + random() % 2);
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      const int n = 3 + static_cast<int>(random() % 60);
+      for (int k = 0; k < n; ++k) {
+        const double angle = 6.2831853 * k / n, radius = (r == 0 ? 1 : 0.4) * uniform(random, 0.5, 1) * scale;
+        rings[r].emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+      }
+    }
+    const Polygon polygon(rings);
+    const Hierarchy& tree = polygon.data().hierarchy();
+    if (!(tree.inner_radius > 0)) continue;
+    ++found;
+    large += tree.inner_radius > 0.2 * scale;
+    ASSERT_EQ(exact::locate(polygon, tree.inner_center), Location::Inside);
+    const mpq_class square = mpq_class(tree.inner_radius) * tree.inner_radius;
+    for (const Ring& ring : rings)
+      for (std::size_t k = 0; k < ring.size(); ++k)
+        ASSERT_GE(exact::distanceSquared(tree.inner_center, ring[k], ring[(k + 1) % ring.size()]), square);
+  }
+  EXPECT_GE(found, 290);
+  EXPECT_GE(large, 150);
 }
 
 }  // namespace

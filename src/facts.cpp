@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "posed_pair.h"
+#include "rigidity.h"
+
+namespace tricover::detail {
+namespace {
+
+void store(double (&fact)[6], const Pose& pose) {
+  const auto& m = pose.matrix();
+  const double values[6] = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
+  std::copy(values, values + 6, fact);
+}
+
+Pose restore(const double (&fact)[6]) {
+  Pose pose = Pose::Identity();
+  pose.linear() << fact[0], fact[2], fact[1], fact[3];
+  pose.translation() << fact[4], fact[5];
+  return pose;
+}
+
+/// What is left of the fact's clearance if only the motion against each other counts, for pairs that travel together.
+double leftOfRelativeMotion(const PairCache& cache, const PolygonData& first, const Pose& first_pose,
+                            const PolygonData& second, const Pose& second_pose) {
+  const Pose first_then = restore(cache.first_pose), second_then = restore(cache.second_pose);
+  const PosedPair now(first, first_pose, second, second_pose), then(first, first_then, second, second_then);
+  const Change change(second, load2(&now.m00) - load2(&then.m00), load2(&now.m01) - load2(&then.m01),
+                      load2(&now.tx) - load2(&then.tx));
+  const double motion = change.displacement() + 3 * (now.error + then.error);
+  return (cache.clearance * (1 - then.scale_defect) - motion) * (1 - now.scale_defect);
+}
+
+}  // namespace
+
+Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                         const Pose& second_pose, double margin) {
+  const double needed = cache.overlapping ? 0 : margin, room = (cache.clearance - needed) * (1 - 8 * kUlp);
+  const Change first_change(first, cache.first_pose, first_pose), second_change(second, cache.second_pose, second_pose);
+  const double motion = (first_change.any() ? first_change.displacement() : 0) +
+                        (second_change.any() ? second_change.displacement() : 0);
+  if (motion < room || (room > 0 && first_change.any() && second_change.any() &&
+                        leftOfRelativeMotion(cache, first, first_pose, second, second_pose) > needed)) {
+    ++cache.uses;
+    return {true, cache.overlapping, 0};
+  }
+  constexpr double kStepsAhead = 32;
+  const double ahead = kStepsAhead * motion / (cache.uses + 1.0);
+  // After a jump no lookahead would pay; nor does one that finds much less than it looks for, as in a narrow gap.
+  const bool jumped = !(ahead <= 0.25 * std::min(first.radius, second.radius));
+  return {false, false, jumped ? 0 : std::min(ahead, 2 * cache.clearance)};
+}
+
+void claim(PairCache& cache, const PolygonData& first, const PolygonData& second) {
+  if (cache.first_id == first.id && cache.second_id == second.id) return;
+  cache = PairCache();
+  cache.first_id = first.id;
+  cache.second_id = second.id;
+}
+
+void remember(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+              const Pose& second_pose, bool overlapping, double clearance) {
+  claim(cache, first, second);
+  store(cache.first_pose, first_pose);
+  store(cache.second_pose, second_pose);
+  cache.clearance = clearance > 0 ? clearance : 0;
+  cache.overlapping = overlapping;
+  cache.uses = 0;
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// No include guard: wide.cpp includes this once an instruction set, in a namespace of its own, with TRICOVER_TARGET the
+// functions' attribute and TRICOVER_VECTOR the bytes of a native vector.
+
+typedef float Native __attribute__((vector_size(TRICOVER_VECTOR)));
+typedef std::int32_t NativeBits __attribute__((vector_size(TRICOVER_VECTOR)));
+typedef float Loose __attribute__((vector_size(TRICOVER_VECTOR), aligned(4), may_alias));  // anywhere in an array
+
+#define TRICOVER_INLINE TRICOVER_TARGET __attribute__((always_inline)) inline
+
+TRICOVER_INLINE Native absolute(Native p) { return (Native)((NativeBits)p & 0x7fffffff); }
+TRICOVER_INLINE Native larger(Native p, Native q) { return p > q ? p : q; }
+TRICOVER_INLINE Native smaller(Native p, Native q) { return p < q ? p : q; }
+/// p where it is above q, elsewhere something large.
+TRICOVER_INLINE Native whereAbove(Native p, Native q) { return p > q ? p : 1e30f - Native{}; }
+/// Bit i: lane i of p is above that of q.
+TRICOVER_INLINE unsigned above(Native p, Native q) {
+  const NativeBits greater = p > q;
+#if TRICOVER_VECTOR == 32
+  return static_cast<unsigned>(__builtin_ia32_movmskps256((Native)greater));
+#elif defined(__SSE2__)
+  return static_cast<unsigned>(__builtin_ia32_movmskps((Native)greater));
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < 4; ++i) bits |= (greater[i] != 0 ? 1u : 0u) << i;
+  return bits;
+#endif
+}
+
+#if TRICOVER_VECTOR == 32
+typedef Native Lanes;
+TRICOVER_INLINE Lanes load(const float* p) { return *reinterpret_cast<const Loose*>(p); }
+TRICOVER_INLINE void store(float* p, Lanes lanes) { *reinterpret_cast<Loose*>(p) = lanes; }
+TRICOVER_INLINE Lanes all(float value) { return value - Native{}; }
+#else
+struct Lanes {
+  Native low, high;
+};
+TRICOVER_INLINE Lanes load(const float* p) {
+  return {*reinterpret_cast<const Loose*>(p), *reinterpret_cast<const Loose*>(p + 4)};
+}
+TRICOVER_INLINE void store(float* p, Lanes lanes) {
+  *reinterpret_cast<Loose*>(p) = lanes.low;
+  *reinterpret_cast<Loose*>(p + 4) = lanes.high;
+}
+TRICOVER_INLINE Lanes all(float value) { return {value - Native{}, value - Native{}}; }
+TRICOVER_INLINE Lanes operator+(Lanes p, Lanes q) { return {p.low + q.low, p.high + q.high}; }
+TRICOVER_INLINE Lanes operator-(Lanes p, Lanes q) { return {p.low - q.low, p.high - q.high}; }
+TRICOVER_INLINE Lanes operator*(Lanes p, Lanes q) { return {p.low * q.low, p.high * q.high}; }
+TRICOVER_INLINE Lanes operator+(Lanes p, float q) { return {p.low + q, p.high + q}; }
+TRICOVER_INLINE Lanes operator-(Lanes p, float q) { return {p.low - q, p.high - q}; }
+TRICOVER_INLINE Lanes operator*(Lanes p, float q) { return {p.low * q, p.high * q}; }
+TRICOVER_INLINE Lanes absolute(Lanes p) { return {absolute(p.low), absolute(p.high)}; }
+TRICOVER_INLINE Lanes larger(Lanes p, Lanes q) { return {larger(p.low, q.low), larger(p.high, q.high)}; }
+TRICOVER_INLINE Lanes smaller(Lanes p, Lanes q) { return {smaller(p.low, q.low), smaller(p.high, q.high)}; }
+TRICOVER_INLINE Lanes whereAbove(Lanes p, Lanes q) { return {whereAbove(p.low, q.low), whereAbove(p.high, q.high)}; }
+TRICOVER_INLINE unsigned above(Lanes p, Lanes q) { return above(p.low, q.low) | above(p.high, q.high) << 4; }
+#endif
+
+/// A box of one hierarchy, in its units.
+struct Item {
+  double x, y, ux, uy, along, across;
+  std::uint32_t child;
+  bool leaf, spanned;
+};
+
+constexpr std::uint32_t kRoot = 0xffffffff;
+
+TRICOVER_INLINE Item itemAt(const Hierarchy& hierarchy, std::uint32_t index) {
+  if (index == kRoot) {
+    const Box& box = hierarchy.root;
+    return {box.x, box.y, box.ux, box.uy, box.along, box.across, 0, false, hierarchy.root_spanned};
+  }
+  const Block& block = hierarchy.blocks[index / kLanes];
+  const unsigned lane = index % kLanes;
+  const double scale = block.scale;
+  return {block.origin_x + block.x[lane] * scale,
+          block.origin_y + block.y[lane] * scale,
+          block.ux[lane],
+          block.uy[lane],
+          block.along[lane] * scale,
+          block.across[lane] * scale,
+          block.child[lane],
+          block.leaf,
+          (block.spanned >> lane & 1) != 0};
+}
+
+/// A box in a block's scale, from its origin.
+struct Query {
+  float x, y, ux, uy, along, across;
+  float slack;  ///< what a gap may be too large by
+  float cap;    ///< no gap is proven beyond this
+};
+
+TRICOVER_INLINE double magnitude(double x) { return __builtin_fabs(x); }
+
+constexpr double kLong = 512, kKept = 64;
+
+/// A long edge beside a small block: only its part around the block counts, which floats can tell from the block; and
+/// the edge itself is known better than the float box around it. Returns the distance up to which that part stands for
+/// the whole.
+TRICOVER_TARGET double clip(const Item& item, const PolygonData& polygon, const UnitMap& map, const Block& block,
+                            double& x, double& y, double& ux, double& uy, double& along, double& across) {
+  if (item.leaf) {
+    const Vec2 v = polygon.inUnits(polygon.path[item.child]), w = polygon.inUnits(polygon.path[item.child + 1]);
+    const Vec2 half = 0.5 * (w - v), middle = v + half;
+    const double size = map.scale * block.inverse, length = half.norm();
+    x = (map.scale * (map.r00 * middle.x() + map.r01 * middle.y()) + map.tx - block.origin_x) * block.inverse;
+    y = (map.scale * (map.r10 * middle.x() + map.r11 * middle.y()) + map.ty - block.origin_y) * block.inverse;
+    ux = (map.r00 * half.x() + map.r01 * half.y()) / length;
+    uy = (map.r10 * half.x() + map.r11 * half.y()) / length;
+    along = length * size;
+    across = 0;
+  }
+  const double at = -(x * ux + y * uy) / (ux * ux + uy * uy);
+  double low = at - kKept, high = at + kKept;
+  low = low < -along ? -along : low > along ? along : low;
+  high = high < -along ? -along : high > along ? along : high;
+  const double middle = 0.5 * (low + high);
+  x += middle * ux;
+  y += middle * uy;
+  along = 0.5 * (high - low);
+  return kKept - 4;
+}
+
+/// Slack. In the block's scale its boxes are within 1 of the origin in either coordinate and no larger than 1. Rounding
+/// the query to floats, and 20 float operations on values below |x| + |y| + along + across + 4, err by less than 32
+/// 2^-24 of that: Descent::rounding is 2^-19 and, because a box is taken for a rectangle after a map that is rigid only
+/// within `defect`, 8 defects.
+TRICOVER_INLINE Query queryFor(const Item& item, const PolygonData& polygon, const UnitMap& map, const Block& block,
+                               double rounding) {
+  double x = (map.scale * (map.r00 * item.x + map.r01 * item.y) + map.tx - block.origin_x) * block.inverse;
+  double y = (map.scale * (map.r10 * item.x + map.r11 * item.y) + map.ty - block.origin_y) * block.inverse;
+  double ux = map.r00 * item.ux + map.r01 * item.uy, uy = map.r10 * item.ux + map.r11 * item.uy;
+  const double size = map.scale * block.inverse;
+  double along = item.along * size;
+  double across = item.across * size;
+  double cap = 1e30;
+  if (along > kLong) cap = clip(item, polygon, map, block, x, y, ux, uy, along, across);
+  const double slack = rounding * (magnitude(x) + magnitude(y) + along + across + 4) + map.error * block.inverse;
+  return {static_cast<float>(x),      static_cast<float>(y),      static_cast<float>(ux),    static_cast<float>(uy),
+          static_cast<float>(along),  static_cast<float>(across), static_cast<float>(slack), static_cast<float>(cap)};
+}
+
+/// Largest gap, over the four axes of the query and each box, between their projections (separating axes): a lower
+/// bound of their distance but for the slack; positive only if they are apart.
+TRICOVER_INLINE Lanes gaps(Lanes x, Lanes y, Lanes ux, Lanes uy, Lanes along,
+                           Lanes across, const Query& q) {
+  const Lanes dx = x - q.x, dy = y - q.y;
+  const Lanes c = absolute(ux * q.ux + uy * q.uy), s = absolute(ux * q.uy - uy * q.ux);
+  const Lanes along_query = absolute(dx * q.ux + dy * q.uy) - (along * c + across * s + q.along);
+  const Lanes across_query = absolute(dy * q.ux - dx * q.uy) - (along * s + across * c + q.across);
+  const Lanes along_box = absolute(dx * ux + dy * uy) - (along + c * q.along + s * q.across);
+  const Lanes across_box = absolute(dy * ux - dx * uy) - (across + s * q.along + c * q.across);
+  return larger(larger(along_query, across_query), larger(along_box, across_box));
+}
+
+TRICOVER_INLINE Lanes gaps(const Block& block, const Query& q) {
+  return gaps(load(block.x), load(block.y), load(block.ux), load(block.uy), load(block.along), load(block.across), q);
+}
+
+/// The pairs of boxes that are left to look at, deepest on top.
+struct Visits {
+  static constexpr int kMost = kLanes * kLanes * kMaxDepth + 1;  // a step takes one, adds at most 64, a level below
+  std::uint32_t a[kMost], b[kMost];
+  float gap[kMost];
+  int top;
+};
+
+/// Puts the deepest of the pairs from `first` on on top.
+TRICOVER_INLINE void raiseDeepest(Visits& visits, int first) {
+  const int last = visits.top - 1;
+  int deepest = last;
+  for (int i = first; i < last; ++i) deepest = visits.gap[i] < visits.gap[deepest] ? i : deepest;
+  if (deepest == last || last < first) return;
+  const std::uint32_t a = visits.a[deepest], b = visits.b[deepest];
+  visits.a[deepest] = visits.a[last];
+  visits.b[deepest] = visits.b[last];
+  visits.gap[deepest] = visits.gap[last];
+  visits.a[last] = a;
+  visits.b[last] = b;
+}
+
+/// What the boxes of one step have in common.
+struct Step {
+  double in_a;      ///< the frame's scale in a's units
+  float threshold;  ///< boxes with a gap beyond aren't entered; it includes the slack
+  float slack;      ///< what a gap may be too large by
+  float cap;        ///< no gap is proven beyond this
+  bool known;       ///< false where floats overflow, the frame being so small beside the distance
+};
+
+TRICOVER_INLINE Step stepOf(double in_a, double limit, float slack, float cap) {
+  const float threshold = static_cast<float>(limit + slack) * (1 + 0x1p-20f);
+  return {in_a, threshold, slack, cap, slack < 1e30f && threshold < cap};
+}
+
+/// The boxes that must be entered; the least gap of the others is kept.
+TRICOVER_INLINE unsigned entered(const Descent& d, const Block& block, const Step& step, Lanes found, Lanes& least) {
+  const unsigned used = (1u << block.count) - 1;
+  if (!step.known) return used;
+  const Lanes threshold = all(step.threshold);
+  if (d.wants_clearance) least = smaller(least, whereAbove(found, threshold));
+  return used & ~above(found, threshold);
+}
+
+/// Whether spanned boxes prove their chains to be within `accept`: the boxes' distance by their gap (diagonally it may
+/// be sqrt(2) times that), and from there to the chains.
+TRICOVER_INLINE bool accepts(const Descent& d, const Step& step, float gap, float across, float other_across) {
+  const double between = (gap > 0 ? gap : 0) + 2.0 * step.slack;
+  return step.known && (1.4143 * between + 2.0 * (across + other_across)) * step.in_a <= d.accept;
+}
+
+/// What a descent has found so far.
+struct Findings {
+  DescentResult hit;
+  double clearance;
+};
+
+TRICOVER_INLINE bool accepted(Findings& findings) {
+  findings.hit = {true, 0, -1, -1};
+  return true;
+}
+
+/// Whether two edges meet, unless their boxes' gap proves already that they don't.
+TRICOVER_INLINE bool leavesMeet(const Descent& d, const Step& step, float gap, std::uint32_t edge_a,
+                                std::uint32_t edge_b, Findings& findings) {
+  const double proven = step.known ? (gap - step.slack) * step.in_a : 0;
+  findings.clearance = proven < findings.clearance ? proven : findings.clearance;
+  if (proven > d.reach || !edgesWithin(d.pair, edge_a, edge_b, d.margin, d.tolerance)) return false;
+  findings.hit = {true, 0, edge_a, edge_b};
+  return true;
+}
+
+TRICOVER_INLINE void keepLeast(const Descent& d, Lanes least, const Step& step, Findings& findings) {
+  if (!d.wants_clearance) return;
+  if (!step.known) {
+    findings.clearance = 0;
+    return;
+  }
+  float values[kLanes];
+  store(values, least);
+  float lowest = step.cap;
+  for (int i = 0; i < kLanes; ++i) lowest = values[i] < lowest ? values[i] : lowest;
+  const double proven = (lowest - step.slack) * step.in_a;
+  findings.clearance = proven < findings.clearance ? proven : findings.clearance;
+}
+
+/// One item against the boxes that the other one is divided into. True if that ended the descent.
+TRICOVER_TARGET bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other, std::uint32_t visit_a,
+                              std::uint32_t visit_b, Visits& visits, Findings& findings) {
+  const std::uint32_t index = item.child;
+  const Block& block = into_a ? d.a.blocks[index] : d.b.blocks[index];
+  const UnitMap map = into_a ? d.to_a : inverse(d.to_a);
+  const Query query = queryFor(other, into_a ? d.pair.b : d.pair.a, map, block, d.rounding);
+  const double in_a = into_a ? block.scale : block.scale * d.to_a.scale;
+  const Step step = stepOf(in_a, d.limit / in_a, query.slack, query.cap);
+  const Lanes found = gaps(block, query);
+  Lanes least = all(1e30f);
+  const unsigned near = entered(d, block, step, found, least);
+  keepLeast(d, least, step, findings);
+  float gap[kLanes];
+  store(gap, found);
+
+  if (d.accept >= 0 && other.spanned)
+    for (unsigned left = near & block.spanned; left != 0; left &= left - 1) {
+      const int i = __builtin_ctz(left);
+      if (accepts(d, step, gap[i], block.across[i], query.across)) return accepted(findings);
+    }
+  if (block.leaf && other.leaf) {
+    for (unsigned left = near; left != 0; left &= left - 1) {
+      const int i = __builtin_ctz(left);
+      const std::uint32_t edge = block.child[i];
+      if (leavesMeet(d, step, gap[i], into_a ? edge : other.child, into_a ? other.child : edge, findings)) return true;
+    }
+    return false;
+  }
+  const int first = visits.top;
+  for (unsigned i = 0; i < kLanes; ++i) {
+    visits.a[visits.top] = into_a ? index * kLanes + i : visit_a;
+    visits.b[visits.top] = into_a ? visit_b : index * kLanes + i;
+    visits.gap[visits.top] = gap[i];
+    visits.top += static_cast<int>(near >> i & 1);
+  }
+  raiseDeepest(visits, first);
+  return false;
+}
+
+/// The boxes of two blocks of about the same size against each other, in the frame of a's. True if that ended the
+/// descent.
+TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits,
+                               Findings& findings) {
+  const Block &a = d.a.blocks[item_a.child], &b = d.b.blocks[item_b.child];
+  const UnitMap& map = d.to_a;
+  const double size = map.scale * b.scale * a.inverse;
+  const double x = (map.scale * (map.r00 * b.origin_x + map.r01 * b.origin_y) + map.tx - a.origin_x) * a.inverse;
+  const double y = (map.scale * (map.r10 * b.origin_x + map.r11 * b.origin_y) + map.ty - a.origin_y) * a.inverse;
+  const double slack = d.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
+  const Step step = stepOf(a.scale, d.limit * a.inverse, static_cast<float>(slack), 1e30f);
+
+  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
+  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const float scale = static_cast<float>(size);
+  const Lanes bx = load(b.x) * scale, by = load(b.y) * scale, bux = load(b.ux), buy = load(b.uy);
+  float moved[6][kLanes];
+  store(moved[0], bx * r00 + by * r01 + static_cast<float>(x));
+  store(moved[1], bx * r10 + by * r11 + static_cast<float>(y));
+  store(moved[2], bux * r00 + buy * r01);
+  store(moved[3], bux * r10 + buy * r11);
+  store(moved[4], load(b.along) * scale);
+  store(moved[5], load(b.across) * scale);
+
+  // First the whole of a against b's boxes.
+  const Query whole = {static_cast<float>((item_a.x - a.origin_x) * a.inverse),
+                       static_cast<float>((item_a.y - a.origin_y) * a.inverse),
+                       static_cast<float>(item_a.ux),
+                       static_cast<float>(item_a.uy),
+                       static_cast<float>(item_a.along * a.inverse),
+                       static_cast<float>(item_a.across * a.inverse),
+                       0,
+                       0};
+  Lanes least = all(1e30f);
+  const Lanes from_whole = gaps(load(moved[0]), load(moved[1]), load(moved[2]), load(moved[3]), load(moved[4]),
+                                load(moved[5]), whole);
+  const Lanes ax = load(a.x), ay = load(a.y), aux = load(a.ux), auy = load(a.uy), a_along = load(a.along),
+              a_across = load(a.across);
+  const int first = visits.top;
+  for (unsigned left = entered(d, b, step, from_whole, least); left != 0; left &= left - 1) {
+    const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
+    const Query query = {moved[0][j], moved[1][j], moved[2][j], moved[3][j], moved[4][j], moved[5][j], 0, 0};
+    const Lanes found = gaps(ax, ay, aux, auy, a_along, a_across, query);
+    const unsigned near = entered(d, a, step, found, least);
+    float gap[kLanes];
+    store(gap, found);
+    if (d.accept >= 0 && (b.spanned >> j & 1) != 0)
+      for (unsigned i_left = near & a.spanned; i_left != 0; i_left &= i_left - 1) {
+        const int i = __builtin_ctz(i_left);
+        if (accepts(d, step, gap[i], a.across[i], query.across)) return accepted(findings);
+      }
+    if (a.leaf && b.leaf) {
+      for (unsigned i_left = near; i_left != 0; i_left &= i_left - 1) {
+        const int i = __builtin_ctz(i_left);
+        if (leavesMeet(d, step, gap[i], a.child[i], b.child[j], findings)) return true;
+      }
+      continue;
+    }
+    for (unsigned i = 0; i < kLanes; ++i) {
+      visits.a[visits.top] = item_a.child * kLanes + i;
+      visits.b[visits.top] = item_b.child * kLanes + j;
+      visits.gap[visits.top] = gap[i];
+      visits.top += static_cast<int>(near >> i & 1);
+    }
+  }
+  keepLeast(d, least, step, findings);
+  raiseDeepest(visits, first);
+  return false;
+}
+
+TRICOVER_TARGET DescentResult descend(const Descent& d) {
+  Visits visits;
+  visits.a[0] = visits.b[0] = kRoot;
+  visits.top = 1;
+  Findings findings{{false, 0, -1, -1}, 1e300};
+  while (visits.top > 0) {
+    --visits.top;
+    const std::uint32_t visit_a = visits.a[visits.top], visit_b = visits.b[visits.top];
+    const Item a = itemAt(d.a, visit_a), b = itemAt(d.b, visit_b);
+    // Beyond this ratio of sizes floats couldn't tell the smaller one's boxes apart in the larger one's frame.
+    constexpr double kAlike = 32;
+    const double size_a = a.along + a.across, size_b = (b.along + b.across) * d.to_a.scale;
+    const bool both = !a.leaf && !b.leaf && size_a < kAlike * size_b && size_b < kAlike * size_a;
+    const bool into_a = b.leaf || (!a.leaf && size_a >= size_b);
+    if (both ? enterBoth(d, a, b, visits, findings)
+             : enterOne(d, into_a, into_a ? a : b, into_a ? b : a, visit_a, visit_b, visits, findings))
+      return findings.hit;
+  }
+  return {false, findings.clearance > 0 ? findings.clearance : 0, -1, -1};
+}
+
+TRICOVER_TARGET void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t),
+                                     void* context) {
+  std::uint32_t stack[(kLanes - 1) * kMaxDepth + 1];
+  int top = 0;
+  stack[top++] = 0;
+  const Block* blocks = hierarchy.blocks.data();
+  const float dx = static_cast<float>(ray.dx), dy = static_cast<float>(ray.dy);
+  while (top > 0) {
+    const Block& block = blocks[stack[--top]];
+    const double px = (ray.x - block.origin_x) * block.inverse, py = (ray.y - block.origin_y) * block.inverse;
+    const double slack = 0x1p-20 * (magnitude(px) + magnitude(py) + 4) + ray.error * block.inverse;
+    const float x = static_cast<float>(px), y = static_cast<float>(py), room = static_cast<float>(slack);
+    unsigned near = (1u << block.count) - 1;
+    if (room < 1e30f) {
+      const Lanes ux = load(block.ux), uy = load(block.uy), along = load(block.along), across = load(block.across);
+      const Lanes ex = load(block.x) - x, ey = load(block.y) - y;
+      const Lanes c = absolute(ux * dx + uy * dy), s = absolute(ux * dy - uy * dx);
+      const Lanes beside = absolute(ey * dx - ex * dy) - (along * s + across * c);
+      const Lanes behind = (all(0) - (ex * dx + ey * dy)) - (along * c + across * s);
+      near &= ~above(larger(beside, behind), all(room));
+    }
+    for (; near != 0; near &= near - 1) {
+      const int i = __builtin_ctz(near);
+      if (!block.leaf)
+        stack[top++] = block.child[i];
+      else if (!visit(context, block.child[i]))
+        return;
+    }
+  }
+}
+
+/// By how much the vertex of q that is farthest back is beyond each edge of eight; at most that, over all q.
+TRICOVER_INLINE Lanes beyond(Lanes nx, Lanes ny, Lanes d, const float* qx, const float* qy, int count) {
+  Lanes least = nx * qx[0] + ny * qy[0];
+  for (int j = 1; j < count; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
+  return least - d;
+}
+
+/// Convex polygons are apart if and only if some edge of either has all of the other beyond it. Rounding: points,
+/// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24.
+TRICOVER_TARGET Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
+  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
+  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  const float slack = static_cast<float>(8 * rounding + map.error);
+  float x[SmallConvex::kMost], y[SmallConvex::kMost];
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    const Lanes bx = load(b.x + i) * scale, by = load(b.y + i) * scale;
+    store(x + i, bx * r00 + by * r01 + tx);
+    store(y + i, bx * r10 + by * r11 + ty);
+  }
+  unsigned inside = (1u << kLanes) - 1;
+  for (int i = 0; i < a.lanes; i += kLanes) {
+    const Lanes out = beyond(load(a.nx + i), load(a.ny + i), load(a.d + i), x, y, b.lanes);
+    if (above(out, all(slack)) != 0) return Meeting::Apart;
+    inside &= above(all(-slack), out);
+  }
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    const Lanes bnx = load(b.nx + i), bny = load(b.ny + i);
+    const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
+    const Lanes d = load(b.d + i) * scale + nx * tx + ny * ty;
+    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.lanes);
+    if (above(out, all(slack)) != 0) return Meeting::Apart;
+    inside &= above(all(-slack), out);
+  }
+  return inside == (1u << kLanes) - 1 ? Meeting::Meet : Meeting::Unknown;
+}
+
+/// Rounding as in convexMeet(). With s the sum of two radii and d the distance of the centres, s - d >= (s^2 - d^2) /
+/// (2 s) where that is positive.
+TRICOVER_TARGET double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
+  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
+  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  const float slack = static_cast<float>(8 * rounding + map.error);
+  const float reach = a.reach + b.reach * scale;
+  if (tx * tx + ty * ty > reach * reach) return 0;
+  const Lanes bx = load(b.x) * scale, by = load(b.y) * scale;
+  float x[kLanes], y[kLanes], radius[kLanes];
+  store(x, bx * r00 + by * r01 + tx);
+  store(y, bx * r10 + by * r11 + ty);
+  store(radius, load(b.radius) * scale - slack);
+  const Lanes ax = load(a.x), ay = load(a.y), a_radius = load(a.radius);
+  Lanes most = all(0);
+  for (int j = 0; j < b.count; ++j) {
+    const Lanes dx = ax - x[j], dy = ay - y[j], sum = a_radius + radius[j];
+    most = larger(most, sum * absolute(sum) - (dx * dx + dy * dy));
+  }
+  float values[kLanes], deepest = 0;
+  store(values, most);
+  for (int i = 0; i < kLanes; ++i) deepest = values[i] > deepest ? values[i] : deepest;
+  if (!(deepest > slack)) return 0;
+  return (deepest - slack) / (2.0 * (static_cast<double>(a.radius[0]) + radius[0]) * (1 + 0x1p-10));
+}
+
+#undef TRICOVER_INLINE

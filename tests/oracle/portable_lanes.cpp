@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "wide.h"
+
+namespace {
+
+struct PortableLanes : testing::Environment {
+  void SetUp() override { tricover::detail::usePortableLanes(true); }
+};
+
+[[maybe_unused]] testing::Environment* const registered = testing::AddGlobalTestEnvironment(new PortableLanes);
+
+}  // namespace

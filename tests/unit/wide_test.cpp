@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The descents of eight boxes at a time: alike bit by bit for every instruction set, and what they prove is so.
+#include "wide.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "strategy.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::Outcome;
+using detail::PosedPair;
+using detail::Wanted;
+
+struct PortableLanes {
+  PortableLanes() { detail::usePortableLanes(true); }
+  ~PortableLanes() { detail::usePortableLanes(false); }
+};
+
+PosedPair largerFirst(const Case& c) {
+  if (c.a.radius() >= c.b.radius()) return {c.a.data(), c.pose_a, c.b.data(), c.pose_b};
+  return {c.b.data(), c.pose_b, c.a.data(), c.pose_a};
+}
+
+class Descents : public testing::TestWithParam<Family> {};
+
+/// A clearance is a lower bound of the exact distance (in a's frame, which the world's may differ from by 1e-6), and the
+/// answer without a reason is the one with a reason.
+TEST_P(Descents, AreAlikeAndProveWhatTheySay) {
+  int hits = 0, clear = 0, tight = 0;
+  for (int i = 0; i < scaledCount(400); ++i) {
+    const Case c = GetParam().make(static_cast<std::uint64_t>(i) + 5000000);
+    const PosedPair pair = largerFirst(c);
+    CollideOptions options;
+    if (i % 4 == 1) options.tolerance = 1e-3 * pair.b.radius;
+    if (i % 4 == 2) options.margin = 1e-3 * pair.b.radius;
+    if (!std::isfinite(options.margin) || !std::isfinite(options.tolerance)) options = {};
+    const double lookahead = i % 3 == 0 && std::isfinite(pair.b.radius) ? 0.5 * pair.b.radius : 0;
+    const Outcome wide = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
+    const bool unexplained = collideByHierarchy(pair, options, lookahead, Wanted::Answer).collides;
+    {
+      const PortableLanes portable;
+      const Outcome narrow = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
+      ASSERT_EQ(narrow.collides, wide.collides) << reproduction(c);
+      ASSERT_EQ(narrow.clearance, wide.clearance) << reproduction(c);
+      ASSERT_EQ(narrow.edge_a, wide.edge_a) << reproduction(c);
+      ASSERT_EQ(narrow.edge_b, wide.edge_b) << reproduction(c);
+      ASSERT_EQ(collideByHierarchy(pair, options, lookahead, Wanted::Answer).collides, unexplained) << reproduction(c);
+    }
+    if (options.tolerance == 0) {
+      ASSERT_EQ(unexplained, wide.collides) << reproduction(c);
+    }
+    hits += wide.collides;
+    if (wide.collides || wide.clearance == 0) continue;
+    ++clear;
+    const mpq_class distance_squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
+    const mpq_class clearance = mpq_class(wide.clearance) * mpq_class(1 - pair.scale_defect);
+    ASSERT_TRUE(clearance * clearance <= distance_squared) << wide.clearance << "\n" << reproduction(c);
+    tight += 16 * clearance * clearance >= distance_squared;
+  }
+  EXPECT_GT(hits, 0);
+  RecordProperty("clear", clear);
+  RecordProperty("tight", tight);
+}
+
+std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Families, Descents, testing::ValuesIn(families()), familyName);
+
+/// Pairs of large outlines near each other: the tree goes several blocks deep on either side, the sizes are alike or
+/// as different as a map's and a robot's, and clearances are neither wrong nor worthless.
+TEST(LargeOutlines, AreSearchedAlikeAndExactly) {
+  Random random(11);
+  int hits = 0, clear = 0, tight = 0;
+  const int cases = scaledCount(300);
+  for (int i = 0; i < cases; ++i) {
+    const double size = std::pow(10, -random.integer(0, 5));
+    const Polygon a({star(random, random.integer(9, 400), 6, 10)});
+    std::vector<Ring> rings = {star(random, random.integer(3, 90), 0.6 * size, size)};
+    if (random.coin()) rings.push_back(scaled(rings[0], 0.5));
+    const Polygon b(rings);
+    const double angle = random.real(0, 6.28), away = 8 + random.real(-2.5, 2 + size);
+    const Pose pose_b = pose(random.real(0, 6.28), away * std::cos(angle), away * std::sin(angle));
+    const PosedPair pair(a.data(), Pose::Identity(), b.data(), pose_b);
+    const Outcome wide = collideByHierarchy(pair, {}, 0, Wanted::Clearance);
+    const bool truth = exact::collide(a, Pose::Identity(), b, pose_b);
+    ASSERT_EQ(wide.collides, truth);
+    {
+      const PortableLanes portable;
+      const Outcome narrow = collideByHierarchy(pair, {}, 0, Wanted::Clearance);
+      ASSERT_EQ(narrow.collides, wide.collides);
+      ASSERT_EQ(narrow.clearance, wide.clearance);
+      ASSERT_EQ(narrow.edge_a, wide.edge_a);
+    }
+    hits += truth;
+    if (truth) continue;
+    ++clear;
+    const mpq_class distance_squared = exact::distanceSquared(a, Pose::Identity(), b, pose_b);
+    const mpq_class clearance(wide.clearance * (1 - 1e-12));
+    ASSERT_TRUE(clearance * clearance <= distance_squared);
+    tight += 9 * clearance * clearance >= distance_squared;
+  }
+  EXPECT_GT(hits, cases / 4);
+  EXPECT_GT(clear, cases / 5);
+  EXPECT_GT(tight, clear / 4);
+}
+
+/// Small convex polygons have a way of their own: never wrong, and seldom at a loss.
+TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
+  Random random(12);
+  int apart = 0, meet = 0, unknown = 0;
+  const int cases = scaledCount(4000);
+  for (int i = 0; i < cases; ++i) {
+    const double size = i % 5 == 0 ? 0.01 : 1, far = i % 7 == 0 ? 1e9 : 0;
+    const auto convex = [&](double radius) {
+      Ring ring = star(random, random.integer(3, 16), radius, radius);
+      if (random.coin())
+        for (Vec2& p : ring) p.y() *= 0.1;
+      if (random.coin()) ring = reversed(ring);
+      return Polygon({ring});
+    };
+    const Polygon a = convex(1), b = convex(size);
+    const double angle = random.real(0, 6.28), away = random.real(0, 1 + size);
+    const Pose pose_a = pose(random.real(0, 6.28), far, 0);
+    const Pose pose_b = pose(random.real(0, 6.28), far + away * std::cos(angle), away * std::sin(angle));
+    if (!a.data().hierarchy().small_convex || !b.data().hierarchy().small_convex) continue;  // less than half a circle
+    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+    const detail::UnitMap map{pair.m00,
+                              pair.m01,
+                              pair.m10,
+                              pair.m11,
+                              (pair.center_x - a.origin().x()) * a.data().inverse_unit,
+                              (pair.center_y - a.origin().y()) * a.data().inverse_unit,
+                              b.data().unit * a.data().inverse_unit,
+                              4 * pair.error * a.data().inverse_unit};
+    const auto answer = [&] {
+      return convexMeet(*a.data().hierarchy().small_convex, *b.data().hierarchy().small_convex, map, 0x1p-19);
+    };
+    const detail::Meeting meeting = answer();
+    {
+      const PortableLanes portable;
+      ASSERT_EQ(answer(), meeting);
+    }
+    if (meeting == detail::Meeting::Unknown) {
+      ++unknown;
+      continue;
+    }
+    const bool truth = exact::collide(a, pose_a, b, pose_b);
+    ASSERT_EQ(meeting == detail::Meeting::Meet, truth);
+    ++(truth ? meet : apart);
+  }
+  EXPECT_GT(apart, cases / 10);
+  EXPECT_GT(meet, cases / 10);
+  EXPECT_LT(unknown, cases / 100);
+}
+
+TEST(ConvexMeet, IsForConvexPolygonsOnly) {
+  const auto isSmallConvex = [](const Ring& ring) { return Polygon({ring}).data().hierarchy().small_convex != nullptr; };
+  EXPECT_TRUE(isSmallConvex(regular(3, 1)));
+  EXPECT_TRUE(isSmallConvex(regular(16, 1e200)));
+  EXPECT_TRUE(isSmallConvex(reversed(regular(8, 1e-200))));
+  EXPECT_TRUE(isSmallConvex(rectangle(0, 0, 1, 2)));
+  EXPECT_FALSE(isSmallConvex(regular(17, 1)));
+  Ring pentagram;
+  for (int i = 0; i < 5; ++i) pentagram.push_back(Vec2(std::cos(0.8 * M_PI * i), std::sin(0.8 * M_PI * i)));
+  EXPECT_FALSE(isSmallConvex(pentagram)) << "turns one way, but twice around";
+  EXPECT_FALSE(isSmallConvex({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}}));
+  EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {2, 0}, {2, 2}})) << "a straight vertex: the general way's";
+  EXPECT_EQ(Polygon({regular(4, 1), regular(4, 0.5)}).data().hierarchy().small_convex, nullptr);
+}
+
+/// Along the ray or edge by edge.
+TEST(Locate, TheHierarchyFindsWhatAScanFinds) {
+  Random random(13);
+  int by_location[3] = {0, 0, 0};
+  for (int i = 0; i < scaledCount(150); ++i) {
+    std::vector<Ring> rings = {star(random, random.integer(50, 900), 5, 10), star(random, 70, 1, 4)};
+    if (random.coin()) rings.push_back(shifted(rings[1], {3, 1}));
+    const Vec2 far = i % 4 == 0 ? Vec2(1e7, -3e6) : Vec2(0, 0);
+    for (Ring& ring : rings) ring = shifted(ring, far);
+    const FillRule fill = random.coin() ? FillRule::EvenOdd : FillRule::NonZero;
+    const Polygon scanned(rings, fill), built(rings, fill);
+    built.data().hierarchy();
+    for (int k = 0; k < 12; ++k) {
+      const Vec2& v = rings[0][static_cast<std::size_t>(random.integer(0, 40))];
+      const double t = random.real(0, 1.2);
+      const Vec2 point = k < 2 ? v : k < 5 ? Vec2(far + t * (v - far)) : Vec2(far + Vec2(random.real(-9, 9), random.real(-9, 9)));
+      const Location location = locate(built, point);
+      ASSERT_EQ(locate(scanned, point), location);
+      ++by_location[static_cast<int>(location)];
+      const PortableLanes portable;
+      ASSERT_EQ(locate(built, point), location);
+    }
+    ASSERT_EQ(scanned.data().hierarchyIfBuilt(), nullptr) << "so it was scanned";
+  }
+  for (const int count : by_location) EXPECT_GT(count, 50);
+}
+
+}  // namespace
+}  // namespace tricover::support
