@@ -4,9 +4,12 @@
 #include <fcl/common/types.h>
 
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "tricover/pose.h"
 
@@ -18,29 +21,47 @@ struct PlanarPose {
   double z;
 };
 
+template <typename S>
+[[noreturn]] void refuseTransform(const fcl::Transform3<S>& transform, const char* name) {
+  const auto m = transform.matrix().template cast<double>().eval();
+  if (!std::isfinite(m(2, 3))) throw std::invalid_argument(std::string("tricover: ") + name + ": z is not finite");
+  std::ostringstream text;
+  text << "tricover: " << name << " leaves the plane: the third row of R is (" << m(2, 0) << ", " << m(2, 1) << ", "
+       << m(2, 2) << "), its third column (" << m(0, 2) << ", " << m(1, 2) << ", " << m(2, 2)
+       << "); both must be (0, 0, 1) or (0, 0, -1)";
+  throw std::invalid_argument(text.str());
+}
+
 /// Exact: the upper left 2 x 2 and the translation as they are stored. A tilt of rounding size is left out, as the
 /// kernel accepts as much in R. What is wrong within the plane is left for the kernel to refuse.
 template <typename S>
 PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
-  const auto m = transform.matrix().template topRows<3>().template cast<double>().eval();
-  // Written so that NaN fails.
-  const auto negligible = [](double entry) { return std::abs(entry) <= tricover::kRigidTolerance; };
-  if (!(negligible(m(2, 0)) && negligible(m(2, 1)) && negligible(m(0, 2)) && negligible(m(1, 2)) &&
-        negligible(std::abs(m(2, 2)) - 1))) {
-    std::ostringstream text;
-    text << "tricover: " << name << " leaves the plane: the third row of R is (" << m(2, 0) << ", " << m(2, 1) << ", "
-         << m(2, 2) << "), its third column (" << m(0, 2) << ", " << m(1, 2) << ", " << m(2, 2)
-         << "); both must be (0, 0, 1) or (0, 0, -1)";
-    throw std::invalid_argument(text.str());
-  }
-  if (!std::isfinite(m(2, 3))) throw std::invalid_argument(std::string("tricover: ") + name + ": z is not finite");
+  const auto& m = transform.matrix();
+  const auto at = [&](int row, int column) { return static_cast<double>(m(row, column)); };
+  // Without branches, and so that NaN fails.
+  const auto within = [](double entry, double bound) { return std::abs(entry) <= bound; };
+  constexpr double kTilt = tricover::kRigidTolerance;
+  const bool planar = within(at(2, 0), kTilt) & within(at(2, 1), kTilt) & within(at(0, 2), kTilt) &
+                      within(at(1, 2), kTilt) & within(std::abs(at(2, 2)) - 1, kTilt) &
+                      within(at(2, 3), std::numeric_limits<double>::max());
+  if (!planar) refuseTransform(transform, name);
 
-  PlanarPose planar;
-  planar.pose.linear() = m.template topLeftCorner<2, 2>();
-  planar.pose.translation() << m(0, 3), m(1, 3);
-  planar.pose.makeAffine();
-  planar.z = m(2, 3);
-  return planar;
+  PlanarPose planar_pose{tricover::Pose(), at(2, 3)};
+  auto& planar_matrix = planar_pose.pose.matrix();
+  // Column by column, as the kernel reads them: it would have to wait for entries written one by one.
+  const auto copyColumn = [&](int to, int from) {
+    if constexpr (std::is_same_v<S, double>) {
+      std::memcpy(&planar_matrix(0, to), &m(0, from), 2 * sizeof(double));
+    } else {
+      planar_matrix(0, to) = at(0, from);
+      planar_matrix(1, to) = at(1, from);
+    }
+  };
+  copyColumn(0, 0);
+  copyColumn(1, 1);
+  copyColumn(2, 3);
+  planar_matrix.row(2) << 0, 0, 1;
+  return planar_pose;
 }
 
 }  // namespace tricover_fcl
