@@ -224,6 +224,56 @@ Arm fittingArm(const std::vector<Edge>& edges, double own_angle, double distance
   return result;
 }
 
+std::vector<Edge> turned(std::vector<Edge> edges, double angle) {
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  for (Edge& edge : edges) edge = {turn * edge.v, turn * edge.w};
+  return edges;
+}
+
+/// For each height the largest x at which an edge has it; -infinity where none does. Heights are in ascending order.
+std::vector<double> rightmost(const std::vector<Edge>& edges, const std::vector<double>& heights) {
+  std::vector<double> profile(heights.size(), -std::numeric_limits<double>::infinity());
+  for (Edge edge : edges) {
+    if (edge.v.y() > edge.w.y()) std::swap(edge.v, edge.w);
+    const double rise = edge.w.y() - edge.v.y();
+    auto i = static_cast<std::size_t>(std::lower_bound(heights.begin(), heights.end(), edge.v.y()) - heights.begin());
+    for (; i < heights.size() && heights[i] <= edge.w.y(); ++i) {
+      const double part = rise > 0 ? (heights[i] - edge.v.y()) / rise : 0;
+      profile[i] = std::max(profile[i], edge.v.x() + part * (edge.w.x() - edge.v.x()));
+      if (heights[i] == edge.w.y()) profile[i] = std::max(profile[i], edge.w.x());
+    }
+  }
+  return profile;
+}
+
+/// How far to the right of its own frame the moving outline touches the fixed one when it comes from the far right. The
+/// gap at a height is linear between the vertices' heights, so that one of these is where they touch.
+double firstContact(const std::vector<Edge>& fixed, std::vector<Edge> moving) {
+  std::vector<double> heights;
+  for (const Edge& edge : fixed) heights.push_back(edge.v.y());
+  for (const Edge& edge : moving) heights.push_back(edge.v.y());
+  std::sort(heights.begin(), heights.end());
+  for (Edge& edge : moving) edge = {Vec2(-edge.v.x(), edge.v.y()), Vec2(-edge.w.x(), edge.w.y())};
+  const auto right = rightmost(fixed, heights), left = rightmost(moving, heights);
+  double shift = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < heights.size(); ++i) shift = std::max(shift, right[i] + left[i]);
+  return shift;
+}
+
+/// `arm(arm_angle, own_angle, random)` is the distance between the origins.
+template <class ArmLength>
+std::vector<Pose> randomPoses(const Polygon& fixed, const Polygon& moving, std::uint64_t seed, std::size_t positions,
+                              ArmLength arm) {
+  Random random(seed);
+  std::vector<Pose> poses;
+  poses.reserve(positions);
+  for (std::size_t i = 0; i < positions; ++i) {
+    const double arm_angle = random.uniform(0, 2 * kPi), own_angle = random.uniform(0, 2 * kPi);
+    poses.push_back(onArm(fixed, moving, arm_angle, arm(arm_angle, own_angle, random), own_angle));
+  }
+  return poses;
+}
+
 }  // namespace
 
 const std::vector<Kind>& allKinds() {
@@ -290,6 +340,26 @@ std::vector<Pose> linearTrajectory(const Polygon& fixed, const Polygon& moving, 
     poses.push_back(onArm(fixed, moving, 0, start + part * (end - start), 0));
   }
   return poses;
+}
+
+std::vector<Pose> contactPoses(const Polygon& fixed, const Polygon& moving, std::uint64_t seed, std::size_t positions) {
+  const auto fixed_edges = edgesAroundOrigin(fixed), moving_edges = edgesAroundOrigin(moving);
+  return randomPoses(fixed, moving, seed, positions, [&](double arm_angle, double own_angle, Random& random) {
+    const double first = firstContact(turned(fixed_edges, -arm_angle), turned(moving_edges, own_angle));
+    return first * random.uniform(0.98, 1.02);
+  });
+}
+
+std::vector<Pose> nearPoses(const Polygon& fixed, const Polygon& moving, std::uint64_t seed, std::size_t positions) {
+  const double radius = (fixed.radius() + moving.radius()) / 2;
+  return randomPoses(fixed, moving, seed, positions,
+                     [&](double, double, Random& random) { return radius * random.uniform(1.3, 2); });
+}
+
+std::vector<Pose> overlapPoses(const Polygon& fixed, const Polygon& moving, std::uint64_t seed, std::size_t positions) {
+  const double radius = (fixed.radius() + moving.radius()) / 2;
+  return randomPoses(fixed, moving, seed, positions,
+                     [&](double, double, Random& random) { return radius * std::sqrt(random.uniform(0, 1)); });
 }
 
 std::vector<NamedPolygon> readPolygons(std::istream& in) {

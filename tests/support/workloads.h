@@ -9,8 +9,8 @@
 
 #include "tricover/polygon.h"
 
-/// The paper's workloads (Figures 10 and 11, Table 2) and the reader of real outlines: what is timed and drawn is what
-/// workloads_test verifies.
+/// The paper's workloads (Figures 10 and 11, Table 2), near misses, random poses, and the reader of real outlines: what
+/// is timed and drawn is what workloads_test verifies.
 namespace tricover::workloads {
 
 /// Figure 11. All are about 100 units long, and all but the first are oblong.
@@ -51,6 +51,23 @@ std::vector<Pose> circularTrajectory(const Polygon& fixed, const Polygon& moving
 /// the first nine tenths, then on at the same speed.
 std::vector<Pose> linearTrajectory(const Polygon& fixed, const Polygon& moving, double gap = kGap,
                                    std::size_t positions = kLinearPositions);
+
+/// A pose of each random workload below is independent of the one before: no coherence. `fixed` stays at the identity,
+/// the direction from its origin() to that of `moving` and the turn of `moving` are any. Equal seeds give equal poses.
+constexpr std::size_t kRandomPositions = 1000;
+
+/// The moving polygon comes along the direction from outside and stops at 0.98 .. 1.02 times the distance between the
+/// origins at first contact: about half of the poses collide, none by much.
+std::vector<Pose> contactPoses(const Polygon& fixed, const Polygon& moving, std::uint64_t seed,
+                               std::size_t positions = kRandomPositions);
+
+/// Origins 1.3 .. 2 radii apart, where a radius is the mean of both radius(): bounding discs meet, regions often don't.
+std::vector<Pose> nearPoses(const Polygon& fixed, const Polygon& moving, std::uint64_t seed,
+                            std::size_t positions = kRandomPositions);
+
+/// Origins at most one such radius apart, uniformly in that disc.
+std::vector<Pose> overlapPoses(const Polygon& fixed, const Polygon& moving, std::uint64_t seed,
+                               std::size_t positions = kRandomPositions);
 
 struct NamedPolygon {
   std::string name;

@@ -142,6 +142,82 @@ TEST_P(EveryKind, LinearTrajectoryStartsAtTheGapAndEndsInCollision) {
   }
 }
 
+TEST_P(EveryKind, CircularTrajectoryMayComeAsNearAsAsked) {
+  for (const double gap : {0.1, 0.01}) {
+    for (const std::size_t n : {8, 64, 1024}) {
+      SCOPED_TRACE("vertices " + std::to_string(n) + " gap " + std::to_string(gap));
+      const Polygon fixed = makePolygon(GetParam(), n, 1), moving = makePolygon(GetParam(), n, 2);
+      const auto poses = circularTrajectory(fixed, moving, gap);
+      EXPECT_NEAR(outlineDistance(fixed, moving, poses.front()), gap, 1e-9);
+      for (const Pose& pose : poses) ASSERT_FALSE(collide(fixed, Pose::Identity(), moving, pose));
+    }
+  }
+}
+
+double originDistance(const Polygon& fixed, const Polygon& moving, const Pose& pose) {
+  return (pose * moving.origin() - fixed.origin()).norm();
+}
+
+TEST_P(EveryKind, ContactPosesAreWithinTwoPercentOfFirstContact) {
+  for (const auto& [n, m] : {std::pair(8, 8), {64, 64}, {1024, 8}, {8, 512}}) {
+    SCOPED_TRACE("vertices " + std::to_string(n) + " x " + std::to_string(m));
+    const Polygon fixed = makePolygon(GetParam(), static_cast<std::size_t>(n), 1);
+    const Polygon moving = makePolygon(GetParam(), static_cast<std::size_t>(m), 2);
+    const auto poses = contactPoses(fixed, moving, 3);
+    ASSERT_EQ(poses.size(), kRandomPositions);
+    std::size_t hits = 0;
+    for (const Pose& pose : poses) {
+      const Vec2 arm = pose * moving.origin() - fixed.origin();
+      const auto hitsAt = [&](double share) {
+        Pose moved = pose;
+        moved.translation() += (share - 1) * arm;
+        return collide(fixed, Pose::Identity(), moving, moved);
+      };
+      const bool hit = hitsAt(1);
+      hits += hit;
+      // 1.02 / 0.98 is how far apart two of these can be on one way.
+      const double reach = 1.02 / 0.98 * (1 + 1e-12);
+      if (hit) {
+        ASSERT_FALSE(hitsAt(reach)) << "deeper than 2 %";
+        for (double share = reach; share < 3; share += 0.05) ASSERT_FALSE(hitsAt(share)) << "not the first contact";
+      } else {
+        bool met = false;
+        for (double share = 1; !met && share > 1 / reach - 1e-4; share -= 1e-4) met = hitsAt(share);
+        ASSERT_TRUE(met) << "farther than 2 %";
+      }
+    }
+    EXPECT_GE(hits, kRandomPositions * 2 / 5);
+    EXPECT_LE(hits, kRandomPositions * 3 / 5);
+  }
+}
+
+TEST_P(EveryKind, NearAndOverlappingPosesAreAsFarApartAsTheySay) {
+  const Polygon fixed = makePolygon(GetParam(), 64, 1), moving = makePolygon(GetParam(), 32, 2);
+  const double radius = (fixed.radius() + moving.radius()) / 2;
+  std::size_t near_hits = 0, overlapping_hits = 0;
+  for (const Pose& pose : nearPoses(fixed, moving, 3)) {
+    const double distance = originDistance(fixed, moving, pose);
+    ASSERT_TRUE(distance >= 1.3 * radius - 1e-9 && distance <= 2 * radius + 1e-9);
+    near_hits += collide(fixed, Pose::Identity(), moving, pose);
+  }
+  for (const Pose& pose : overlapPoses(fixed, moving, 3)) {
+    ASSERT_LE(originDistance(fixed, moving, pose), radius + 1e-9);
+    overlapping_hits += collide(fixed, Pose::Identity(), moving, pose);
+  }
+  EXPECT_LT(near_hits, kRandomPositions);
+  EXPECT_GT(overlapping_hits, near_hits);
+  EXPECT_GT(overlapping_hits, kRandomPositions / 3);
+}
+
+TEST(Workloads, RandomPosesDependOnTheirSeedAlone) {
+  const Polygon fixed = makePolygon(Kind::Contour, 16, 1), moving = makePolygon(Kind::Contour, 16, 2);
+  for (const auto make : {contactPoses, nearPoses, overlapPoses}) {
+    const auto poses = make(fixed, moving, 7, 10), same = make(fixed, moving, 7, 10), other = make(fixed, moving, 8, 10);
+    EXPECT_EQ(poses[9].matrix(), same[9].matrix());
+    EXPECT_NE(poses[9].matrix(), other[9].matrix());
+  }
+}
+
 TEST(Workloads, ConvexKindsAreConvexAndOthersAreNot) {
   for (const Kind kind : allKinds()) {
     for (std::size_t n = 8; n <= 1024; n *= 2) {
