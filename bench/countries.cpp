@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fcl_geometry.h"
+#include "rivals/fcl_geometry.h"
 #include "tricover/collide.h"
 #include "tricover_fcl/tricover_fcl.h"
 
@@ -180,7 +180,8 @@ std::vector<Pose> linearDrive(std::size_t positions) {
   return poses;
 }
 
-Workload drive(std::shared_ptr<const Countries> countries, const std::string& mover, const std::string& trajectory) {
+Result measureDrive(std::shared_ptr<const Countries> countries, const std::string& mover,
+                    const std::string& trajectory, const Settings& settings) {
   const std::size_t index = findCountry(*countries, mover);
   const Polygon moving = centred((*countries)[index].polygon);
   auto poses = trajectory == "circular" ? circularDrive() : linearDrive();
@@ -189,17 +190,16 @@ Workload drive(std::shared_ptr<const Countries> countries, const std::string& mo
       std::make_shared<const Drive>(Drive{countries, index, moving, std::move(poses), std::move(transforms)});
   std::size_t vertices = 0;
   for (const auto& country : *countries) vertices += country.polygon.vertexCount();
-  return {"countries",
-          mover,
-          trajectory,
-          vertices - moving.vertexCount(),
-          moving.vertexCount(),
-          shared->poses.size(),
-          countries->size(),
-          {coreContender("cold", false, shared), coreContender("cached", true, shared),
-           fclContender("via FCL", Role::Ours, true, shared, polygonShape),
-           fclContender("GJK ccd", Role::Rival, false, shared, prisms),
-           fclContender("BVH", Role::Rival, false, shared, flatMesh)}};
+  const Workload workload{"countries",           mover,
+                          trajectory,            vertices - moving.vertexCount(),
+                          moving.vertexCount(),  shared->poses.size(),
+                          countries->size()};
+  return measure(workload,
+                 {coreContender("cold", false, shared), coreContender("cached", true, shared),
+                  fclContender("via FCL", Role::Ours, true, shared, polygonShape),
+                  fclContender("FCL MPR", Role::Rival, false, shared, prisms),
+                  fclContender("FCL BVH", Role::Rival, false, shared, flatMesh)},
+                 settings);
 }
 
 }  // namespace tricover::bench

@@ -29,8 +29,9 @@ Polygon centred(const Polygon& polygon);
 std::vector<Pose> circularDrive(std::size_t positions = workloads::kCircularPositions);
 std::vector<Pose> linearDrive(std::size_t positions = workloads::kLinearPositions);
 
-/// The scene by tricover's core alone and, through FCL's broadphase (DynamicAABBTreeCollisionManager) and the
+/// Times the scene by tricover's core alone and, through FCL's broadphase (DynamicAABBTreeCollisionManager) and the
 /// unmodified fcl::collide, by tricover's shapes, by prisms of the convex pieces and by flat BVH meshes.
-Workload drive(std::shared_ptr<const Countries> countries, const std::string& mover, const std::string& trajectory);
+Result measureDrive(std::shared_ptr<const Countries> countries, const std::string& mover,
+                    const std::string& trajectory, const Settings& settings);
 
 }  // namespace tricover::bench

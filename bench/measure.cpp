@@ -71,18 +71,17 @@ Hits sampled(const Sampling& sampling, const Hits& hits, std::size_t targets) {
 
 }  // namespace
 
-Result measure(const Workload& workload, const Settings& settings) {
+Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings) {
   Result result{workload, 0, 0, {}};
-  result.workload.contenders.clear();
   Hits reference;
   const std::uint64_t exact_calls = detail::exactCalls();
-  workload.contenders.front().walk(Sampling{}, reference);
+  contenders.front().walk(Sampling{}, reference);
   result.exact_calls = detail::exactCalls() - exact_calls;
   std::sort(reference.begin(), reference.end());
   result.collisions = positionsOnlyIn(reference, {}, workload.targets);
 
   benchmark::ClearRegisteredBenchmarks();
-  for (const Contender& contender : workload.contenders) {
+  for (const Contender& contender : contenders) {
     const Sampling sampling = chooseSampling(workload, contender, settings);
     const std::size_t walked = sampleCount(workload, sampling);
     result.timings.push_back({contender.name, contender.role, 0, contender.role == Role::Floor ? 0 : walked, 0, 0});

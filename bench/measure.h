@@ -5,8 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "tricover/polygon.h"
 
 namespace tricover::bench {
 
@@ -29,9 +33,11 @@ void forEachSample(const Sampling& sampling, std::size_t positions, Visit visit)
 }
 
 enum class Role {
-  Ours,   ///< must agree with the reference on every answer
-  Rival,  ///< its disagreements are counted and shown
-  Floor,  ///< answers nothing: what the call alone costs
+  Ours,    ///< must agree with the reference on every answer
+  Rival,   ///< its disagreements are counted and shown
+  Box2d,   ///< a rival for convex polygons of 8 vertices, in floats: it has rows of its own
+  Floor,   ///< answers nothing: what the call alone costs
+  Inexact  ///< tricover without its filter and exact stage: what exactness costs
 };
 
 /// One way of answering a workload's queries.
@@ -43,14 +49,23 @@ struct Contender {
   std::function<void(const Sampling& sampling, Hits& hits)> walk;
 };
 
+/// `method` answers the pose with index i of those that it was last prepared for by collide(i).
+template <class Method>
+Contender contender(std::string name, Role role, bool coherent, std::shared_ptr<Method> method, std::size_t positions) {
+  return {std::move(name), role, coherent, [=](const Sampling& sampling, Hits& hits) {
+            forEachSample(sampling, positions, [&](std::size_t i) {
+              if (method->collide(i)) hits.push_back(static_cast<std::uint32_t>(i));
+            });
+          }};
+}
+
 struct Workload {
-  std::string job;         ///< the table it belongs to
-  std::string scene;       ///< kind of polygons, or who moves among whom
-  std::string trajectory;  ///< "circular" or "linear"
+  std::string job;    ///< the table it belongs to
+  std::string scene;  ///< kind of polygons, or who moves among whom
+  std::string name;   ///< "circular", "contact" and so on
   std::size_t vertices_fixed, vertices_moving;
   std::size_t positions;  ///< a query is one position: the moving polygon against all targets
   std::size_t targets;
-  std::vector<Contender> contenders;  ///< the first is tricover without coherence: the reference
 };
 
 struct Timing {
@@ -62,7 +77,7 @@ struct Timing {
 };
 
 struct Result {
-  Workload workload;  ///< without its contenders
+  Workload workload;
   std::size_t collisions;
   std::uint64_t
       exact_calls;  ///< of exact predicates, over the reference's whole walk: where the filters didn't suffice
@@ -70,12 +85,12 @@ struct Result {
 };
 
 struct Settings {
-  int repetitions = 3;
-  double seconds_per_repetition = 0.01;  ///< about; a walk that would take longer is sampled
+  int repetitions = 5;
+  double seconds_per_repetition = 0.002;  ///< about; a walk that would take longer is sampled
 };
 
 /// Times the contenders by Google Benchmark, interleaved at random in this process, and checks all that they answered
-/// while being timed.
-Result measure(const Workload& workload, const Settings& settings);
+/// while being timed. The first contender is tricover without coherence: the reference.
+Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings);
 
 }  // namespace tricover::bench

@@ -22,14 +22,6 @@ std::string vertices(const Workload& workload) {
   return std::to_string(workload.vertices_fixed) + " x " + std::to_string(workload.vertices_moving);
 }
 
-/// Rounded down, so that 100 means all.
-std::string agreement(const Timing& timing) {
-  const std::size_t wrong = timing.false_alarms + timing.misses;
-  if (wrong == 0) return "100";
-  const double share = 1 - static_cast<double>(wrong) / static_cast<double>(timing.checked);
-  return rounded(static_cast<double>(static_cast<long>(1e5 * share)) / 1e3, 3);
-}
-
 const char* const kConditions =
     R"(- All methods are interleaved at random in one process. What would take longer visits a part of the positions,
   evenly spread; methods with coherence visit them in runs of 100.
@@ -76,34 +68,33 @@ std::string aligned(const Lines& lines) {
 }  // namespace
 
 std::string table(const std::vector<Result>& results, const std::string& job) {
-  Lines lines;
+  std::vector<std::string> methods;
+  for (const Result& result : results) {
+    for (const Timing& timing : result.timings) {
+      const bool known = std::find(methods.begin(), methods.end(), timing.name) != methods.end();
+      if (result.workload.job == job && !known) methods.push_back(timing.name);
+    }
+  }
+  std::vector<std::string> heads = {"workload", "vertices", "collisions", "exact"};
+  heads.insert(heads.end(), methods.begin(), methods.end());
+  Lines lines = {heads};
   std::string disagreements;
   for (const Result& result : results) {
     const Workload& workload = result.workload;
     if (workload.job != job) continue;
-    const std::string name = workload.scene + ", " + workload.trajectory;
-    std::vector<std::string> heads = {"workload", "vertices", "queries", "collisions", "exact"};
-    std::vector<std::string> line = {name, vertices(workload), std::to_string(workload.positions),
-                                     std::to_string(result.collisions), std::to_string(result.exact_calls)};
-    std::string rivals, agreements;
+    const std::string name = workload.scene + ", " + workload.name;
+    lines.push_back({name, vertices(workload), std::to_string(result.collisions) + " of " +
+                     std::to_string(workload.positions), std::to_string(result.exact_calls)});
+    lines.back().resize(heads.size(), "");
     for (const Timing& timing : result.timings) {
-      heads.push_back(timing.name);
-      line.push_back(rounded(timing.ns, timing.ns < 100 ? 1 : 0));
-      if (timing.role == Role::Rival) {
-        rivals += (rivals.empty() ? "" : " / ") + timing.name;
-        agreements += (agreements.empty() ? "" : " / ") + agreement(timing);
-      }
+      const auto column = std::find(heads.begin() + 4, heads.end(), timing.name) - heads.begin();
+      lines.back()[static_cast<std::size_t>(column)] = rounded(timing.ns, timing.ns < 100 ? 1 : 0);
       if (timing.false_alarms + timing.misses == 0) continue;
       disagreements += "- " + name + ", " + vertices(workload) + ": " + timing.name + ": " +
                        std::to_string(timing.false_alarms) + " false alarms and " + std::to_string(timing.misses) +
                        " misses in " + std::to_string(timing.checked) + " queries\n";
     }
-    heads.push_back(rivals + " agree, %");
-    line.push_back(agreements);
-    if (lines.empty()) lines.push_back(heads);
-    lines.push_back(line);
   }
-  if (lines.empty()) return "";
   if (disagreements.empty()) disagreements = "- none\n";
   return "Nanoseconds per query:\n\n" + aligned(lines) + "\nDisagreements with tricover's exact answers:\n" +
          disagreements;
@@ -117,7 +108,7 @@ std::string csv(const std::vector<Result>& results) {
   for (const Result& result : results) {
     const Workload& w = result.workload;
     for (const Timing& t : result.timings) {
-      out << w.job << ',' << w.scene << ',' << w.trajectory << ',' << w.vertices_fixed << ',' << w.vertices_moving
+      out << w.job << ',' << w.scene << ',' << w.name << ',' << w.vertices_fixed << ',' << w.vertices_moving
           << ',' << w.positions << ',' << result.collisions << ',' << result.exact_calls << ',' << t.name << ','
           << rounded(t.ns, 2) << ',' << t.checked << ',' << t.false_alarms << ',' << t.misses << '\n';
     }
@@ -151,9 +142,9 @@ void writePlotData(const std::vector<Result>& results, const std::string& direct
     std::string times;
     for (const Timing& timing : result.timings) times += " " + rounded(timing.ns, 2);
     if (w.vertices_fixed == w.vertices_moving) {
-      blocks[w.scene + " " + w.trajectory] += std::to_string(w.vertices_fixed) + times + "\n";
+      blocks[w.scene + " " + w.name] += std::to_string(w.vertices_fixed) + times + "\n";
     }
-    if (w.scene == "contour" && w.trajectory == "circular") {
+    if (w.scene == "contour" && w.name == "circular") {
       grid += std::to_string(w.vertices_fixed) + " " + std::to_string(w.vertices_moving) + times + "\n";
     }
   }

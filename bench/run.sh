@@ -3,7 +3,8 @@
 # tables; build/report/ gets them too, with CSV and SVG. --full: every kind on the whole grid, for about an hour.
 set -eu
 cd "$(dirname "$0")/.."
-bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgeos-dev libbenchmark-dev gnuplot-nox
+bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgeos++-dev libbox2d-dev \
+  libboost-dev libbenchmark-dev gnuplot-nox
 
 build=build/bench
 mkdir -p build/report

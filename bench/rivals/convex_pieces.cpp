@@ -1,86 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_pieces.h"
 
-#include <geos_c.h>
+#include <geos/algorithm/Orientation.h>
+#include <geos/triangulate/polygon/ConstrainedDelaunayTriangulator.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "geos_region.h"
 
 namespace tricover::bench {
 namespace {
 
-/// GEOS's C interface with ownership, and its error texts as exceptions.
-class Geos {
- public:
-  Geos() : handle_(GEOS_init_r()) { GEOSContext_setErrorMessageHandler_r(handle_, keepMessage, &message_); }
-  ~Geos() { GEOS_finish_r(handle_); }
-  Geos(const Geos&) = delete;
-  Geos& operator=(const Geos&) = delete;
-
-  using Geometry = std::shared_ptr<GEOSGeometry>;
-
-  Geometry own(GEOSGeometry* geometry) const {
-    if (!geometry) throw std::runtime_error("GEOS: " + message_);
-    return Geometry(geometry, [handle = handle_](GEOSGeometry* g) { GEOSGeom_destroy_r(handle, g); });
-  }
-
-  GEOSCoordSequence* closedSequence(const Ring& ring) const {
-    GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, static_cast<unsigned>(ring.size() + 1), 2);
-    for (std::size_t i = 0; i <= ring.size(); ++i) {
-      const Vec2& v = ring[i % ring.size()];
-      GEOSCoordSeq_setXY_r(handle_, sequence, static_cast<unsigned>(i), v.x(), v.y());
-    }
-    return sequence;
-  }
-
-  Ring vertices(const GEOSGeometry* polygon) const {
-    const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(handle_, GEOSGetExteriorRing_r(handle_, polygon));
-    unsigned size = 0;
-    GEOSCoordSeq_getSize_r(handle_, sequence, &size);
-    Ring ring(size - 1);
-    for (unsigned i = 0; i + 1 < size; ++i) GEOSCoordSeq_getXY_r(handle_, sequence, i, &ring[i].x(), &ring[i].y());
-    return ring;
-  }
-
-  double area(const GEOSGeometry* geometry) const {
-    double area = 0;
-    if (!GEOSArea_r(handle_, geometry, &area)) throw std::runtime_error("GEOS: " + message_);
-    return area;
-  }
-
-  GEOSContextHandle_t handle() const { return handle_; }
-
- private:
-  static void keepMessage(const char* text, void* message) { *static_cast<std::string*>(message) = text; }
-
-  std::string message_;
-  GEOSContextHandle_t handle_;
-};
-
-/// The even-odd region: the symmetric difference of the rings.
-Geos::Geometry region(const Geos& geos, const Polygon& polygon) {
-  const GEOSContextHandle_t handle = geos.handle();
-  Geos::Geometry sum;
-  for (const Ring& ring : polygon.rings()) {
-    GEOSGeometry* shell = GEOSGeom_createLinearRing_r(handle, geos.closedSequence(ring));
-    const auto simple = geos.own(GEOSGeom_createPolygon_r(handle, shell, nullptr, 0));
-    const auto valid = geos.own(GEOSMakeValid_r(handle, simple.get()));
-    sum = sum ? geos.own(GEOSSymDifference_r(handle, sum.get(), valid.get())) : valid;
-  }
-  return sum;
-}
-
 /// Exact in its sign for ordinary coordinates (double-double arithmetic).
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
-  static const Geos geos;
-  return GEOSOrientationIndex_r(geos.handle(), a.x(), a.y(), b.x(), b.y(), c.x(), c.y());
+  using geos::geom::Coordinate;
+  return geos::algorithm::Orientation::index(Coordinate(a.x(), a.y()), Coordinate(b.x(), b.y()),
+                                             Coordinate(c.x(), c.y()));
 }
 
 class PieceMerger {
@@ -150,18 +90,17 @@ class PieceMerger {
 }  // namespace
 
 std::vector<Triangle> triangulate(const Polygon& polygon) {
-  const Geos geos;
-  const auto whole = region(geos, polygon);
-  const auto parts = geos.own(GEOSConstrainedDelaunayTriangulation_r(geos.handle(), whole.get()));
+  const auto region = geosRegion(polygon);
+  const auto parts = geos::triangulate::polygon::ConstrainedDelaunayTriangulator::triangulate(region.get());
   std::vector<Triangle> triangles;
-  for (int i = 0; i < GEOSGetNumGeometries_r(geos.handle(), parts.get()); ++i) {
-    const Ring ring = geos.vertices(GEOSGetGeometryN_r(geos.handle(), parts.get(), i));
+  for (std::size_t i = 0; i < parts->getNumGeometries(); ++i) {
+    const Ring ring = ringsOfPart(*parts, i)[0];
     Triangle triangle = {ring.at(0), ring.at(1), ring.at(2)};
     if (orientation(triangle[0], triangle[1], triangle[2]) < 0) std::swap(triangle[1], triangle[2]);
     triangles.push_back(triangle);
   }
-  const double wanted = geos.area(whole.get());
-  if (!(std::abs(geos.area(parts.get()) - wanted) <= 1e-9 * wanted)) {
+  const double wanted = region->getArea();
+  if (!(std::abs(parts->getArea() - wanted) <= 1e-9 * wanted)) {
     throw std::runtime_error("triangulate: the triangles' area is not the region's");
   }
   return triangles;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods.h"
+
+#include <box2d/b2_settings.h>
+
+#include <memory>
+#include <utility>
+
+#include "rivals/boost_geometry.h"
+#include "rivals/box2d.h"
+#include "rivals/empty_function.h"
+#include "rivals/fcl_bvh.h"
+#include "rivals/fcl_call.h"
+#include "rivals/fcl_convex.h"
+#include "rivals/geos.h"
+#include "tricover/collide.h"
+#include "tricover_fcl/tricover_fcl.h"
+
+namespace tricover::bench {
+namespace {
+
+/// tricover's core as its users call it.
+class Core {
+ public:
+  Core(Polygon fixed, Polygon moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
+  void prepare(const std::vector<Pose>& poses) { poses_ = poses.data(); }
+  bool collide(std::size_t i) { return tricover::collide(fixed_, identity_, moving_, poses_[i]); }
+
+ protected:
+  Polygon fixed_, moving_;
+  Pose identity_ = Pose::Identity();
+  const Pose* poses_ = nullptr;
+};
+
+/// With a PairCache; by strategy.
+class CachedCore : public Core {
+ public:
+  CachedCore(Polygon fixed, Polygon moving, Strategy strategy) : Core(std::move(fixed), std::move(moving)) {
+    options_.strategy = strategy;
+  }
+  bool collide(std::size_t i) {
+    return tricover::collide(fixed_, identity_, moving_, poses_[i], cache_, options_);
+  }
+
+ private:
+  PairCache cache_;
+  CollideOptions options_;
+};
+
+bool box2dTakes(const Polygon& polygon) {
+  return polygon.rings().size() == 1 && polygon.vertexCount() <= b2_maxPolygonVertices &&
+         convexPieces(triangulate(polygon)).size() == 1;
+}
+
+}  // namespace
+
+Methods::Methods(const Polygon& fixed, const Polygon& moving) {
+  const auto always = [](const Choice&) { return true; };
+  const auto coherent = [](const Choice& choice) { return choice.coherent; };
+  const auto paper = [](const Choice& choice) { return choice.paper; };
+  const auto add = [&](const char* name, Role role, bool lives_on_steps, auto method, auto wanted) {
+    makers_.push_back([=](const std::vector<Pose>& poses, const Choice& choice, std::vector<Contender>& to) {
+      if (!wanted(choice)) return;
+      method->prepare(poses);
+      to.push_back(contender(name, role, lives_on_steps, method, poses.size()));
+    });
+  };
+  add("cold", Role::Ours, false, std::make_shared<Core>(fixed, moving), always);
+  add("cached", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving, Strategy::Hierarchy), coherent);
+  add("paper", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving, Strategy::Paper), paper);
+  add("via FCL", Role::Ours, true,
+      std::make_shared<FclCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
+                                std::make_shared<tricover_fcl::PolygonShaped>(moving)),
+      always);
+  add("empty", Role::Floor, false, std::make_shared<FclCall>(emptyGeometry(), emptyGeometry()), always);
+  add("FCL MPR", Role::Rival, false, std::make_shared<FclMpr>(fixed, moving), always);
+  add("FCL GJK", Role::Rival, false, std::make_shared<FclGjk>(fixed, moving, false), always);
+  add("FCL GJK guess", Role::Rival, true, std::make_shared<FclGjk>(fixed, moving, true), coherent);
+  add("FCL BVH", Role::Rival, false, std::make_shared<FclBvh>(fixed, moving), always);
+  add("GEOS", Role::Rival, false, std::make_shared<Geos>(fixed, moving), always);
+  add("Boost", Role::Rival, false, std::make_shared<BoostGeometry>(fixed, moving), always);
+  if (box2dTakes(fixed) && box2dTakes(moving)) {
+    add("Box2D overlap", Role::Box2d, false, std::make_shared<Box2dOverlap>(fixed, moving), always);
+    add("Box2D manifold", Role::Box2d, false, std::make_shared<Box2dManifold>(fixed, moving), always);
+  }
+}
+
+std::vector<Contender> Methods::on(const std::vector<Pose>& poses, const Choice& choice) {
+  std::vector<Contender> contenders;
+  for (const Make& make : makers_) make(poses, choice, contenders);
+  return contenders;
+}
+
+}  // namespace tricover::bench

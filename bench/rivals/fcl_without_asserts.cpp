@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The packaged libfcl has its asserts on. These definitions, compiled with our flags, come before libfcl's when the
+// program is linked, so that the rivals run without them: all that is a template on their ways, from the call down.
+#include <fcl/narrowphase/detail/convexity_based_algorithm/gjk.h>
+#include <fcl/narrowphase/detail/convexity_based_algorithm/gjk_libccd.h>
+#include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
+#include <fcl/narrowphase/detail/traversal/collision_node.h>
+
+namespace fcl {
+
+template class CollisionObject<double>;
+template struct CollisionRequest<double>;
+template struct CollisionResult<double>;
+template struct Contact<double>;
+
+// GJK and MPR
+template class Convex<double>;
+template struct detail::GJK<double>;
+template struct detail::MinkowskiDiff<double>;
+template class detail::Project<double>;
+template class detail::GJKInitializer<double, Convex<double>>;
+template bool detail::GJKCollide<double>(void*, ccd_support_fn, ccd_center_fn, void*, ccd_support_fn, ccd_center_fn,
+                                         unsigned int, double, Vector3d*, double*, Vector3d*);
+
+// BVH
+template class OBB<double>;
+template class RSS<double>;
+template class OBBRSS<double>;
+template bool obbDisjoint(const Matrix3<double>&, const Vector3<double>&, const Vector3<double>&,
+                          const Vector3<double>&);
+template class detail::Intersect<double>;
+template class detail::TraversalNodeBase<double>;
+template class detail::CollisionTraversalNodeBase<double>;
+template class detail::MeshCollisionTraversalNodeOBBRSS<double>;
+template bool detail::initialize(MeshCollisionTraversalNodeOBBRSS<double>&, const BVHModel<OBBRSS<double>>&,
+                                 const Transform3<double>&, const BVHModel<OBBRSS<double>>&,
+                                 const Transform3<double>&, const CollisionRequest<double>&, CollisionResult<double>&);
+template void detail::collide(CollisionTraversalNodeBase<double>*, BVHFrontList*);
+template void detail::collisionRecurse(CollisionTraversalNodeBase<double>*, int, int, BVHFrontList*);
+
+}  // namespace fcl

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study.h"
+
+#include <stdexcept>
+
+#include "methods.h"
+
+namespace tricover::bench {
+namespace {
+
+std::vector<Pose> posesOf(const std::string& workload, const Polygon& fixed, const Polygon& moving) {
+  constexpr std::uint64_t kSeed = 3;
+  if (workload == "circular") return workloads::circularTrajectory(fixed, moving);
+  if (workload == "linear") return workloads::linearTrajectory(fixed, moving);
+  if (workload == "gap 0.1") return workloads::circularTrajectory(fixed, moving, 0.1);
+  if (workload == "gap 0.01") return workloads::circularTrajectory(fixed, moving, 0.01);
+  if (workload == "contact") return workloads::contactPoses(fixed, moving, kSeed);
+  if (workload == "near") return workloads::nearPoses(fixed, moving, kSeed);
+  if (workload == "overlap") return workloads::overlapPoses(fixed, moving, kSeed);
+  throw std::invalid_argument("workload: no '" + workload + "'");
+}
+
+}  // namespace
+
+const std::vector<std::string>& workloadNames() {
+  static const std::vector<std::string> names = {"circular", "linear", "gap 0.1", "gap 0.01",
+                                                 "contact",  "near",   "overlap"};
+  return names;
+}
+
+bool isCoherent(const std::string& workload) {
+  return workload != "contact" && workload != "near" && workload != "overlap";
+}
+
+std::vector<Cell> studyCells(bool full) {
+  std::vector<Cell> cells;
+  for (const workloads::Kind kind : workloads::allKinds()) {
+    for (std::size_t fixed = 8; fixed <= 1024; fixed *= 2) {
+      for (std::size_t moving = 8; moving <= 1024; moving *= 2) {
+        const bool diagonal = fixed == moving && (fixed == 8 || fixed == 64 || fixed == 1024);
+        const bool corner = (fixed == 512 && moving == 16) || (fixed == 1024 && moving == 8);
+        if (full || diagonal || corner) cells.push_back({kind, fixed, moving});
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<Result> measureCell(const Cell& cell, const Settings& settings) {
+  const Polygon fixed = workloads::makePolygon(cell.kind, cell.vertices_fixed, 1);
+  const Polygon moving = workloads::makePolygon(cell.kind, cell.vertices_moving, 2);
+  Methods methods(fixed, moving);
+  std::vector<Result> results;
+  for (const std::string& name : workloadNames()) {
+    const std::vector<Pose> poses = posesOf(name, fixed, moving);
+    Choice choice;
+    choice.coherent = isCoherent(name);
+    choice.paper = cell.vertices_fixed == cell.vertices_moving && (name == "circular" || name == "linear");
+    const Workload workload{"study", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving,
+                            poses.size(), 1};
+    results.push_back(measure(workload, methods.on(poses, choice), settings));
+  }
+  return results;
+}
+
+}  // namespace tricover::bench
