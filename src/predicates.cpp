@@ -8,22 +8,36 @@ namespace {
 
 thread_local std::uint64_t exact_calls = 0;
 
+#ifdef TRICOVER_PLAIN_SIGNS
+struct Number {
+  using Real = TRICOVER_PLAIN_SIGNS;
+  Real value;
+  explicit Number(double v) : value(static_cast<Real>(v)) {}
+  int sign() const { return (value > 0) - (value < 0); }
+  friend Number operator+(Number p, Number q) { return Number(p.value + q.value); }
+  friend Number operator-(Number p, Number q) { return Number(p.value - q.value); }
+  friend Number operator*(Number p, Number q) { return Number(p.value * q.value); }
+};
+#else
+using Number = Dyadic;
+#endif
+
 struct ExactVector {
-  Dyadic x, y;
+  Number x, y;
 };
 
-Dyadic coordinate(const PosedPoint& p, int axis) {
-  if (p.pose == nullptr) return Dyadic(p.local[axis]);
+Number coordinate(const PosedPoint& p, int axis) {
+  if (p.pose == nullptr) return Number(p.local[axis]);
   const auto& m = p.pose->matrix();
-  return Dyadic(m(axis, 0)) * Dyadic(p.local.x()) + Dyadic(m(axis, 1)) * Dyadic(p.local.y()) + Dyadic(m(axis, 2));
+  return Number(m(axis, 0)) * Number(p.local.x()) + Number(m(axis, 1)) * Number(p.local.y()) + Number(m(axis, 2));
 }
 
 ExactVector difference(const PosedPoint& p, const PosedPoint& q) {
   return {coordinate(p, 0) - coordinate(q, 0), coordinate(p, 1) - coordinate(q, 1)};
 }
 
-Dyadic cross(const ExactVector& u, const ExactVector& w) { return u.x * w.y - u.y * w.x; }
-Dyadic dot(const ExactVector& u, const ExactVector& w) { return u.x * w.x + u.y * w.y; }
+Number cross(const ExactVector& u, const ExactVector& w) { return u.x * w.y - u.y * w.x; }
+Number dot(const ExactVector& u, const ExactVector& w) { return u.x * w.x + u.y * w.y; }
 
 }  // namespace
 
@@ -43,12 +57,12 @@ bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w)
 
 bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length) {
   ++exact_calls;
-  const Dyadic square = Dyadic(length) * Dyadic(length);
+  const Number square = Number(length) * Number(length);
   const ExactVector u = difference(w, v), from_v = difference(p, v);
   if (dot(from_v, u).sign() <= 0) return (dot(from_v, from_v) - square).sign() <= 0;
   const ExactVector from_w = difference(p, w);
   if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() <= 0;
-  const Dyadic area = cross(u, from_v);
+  const Number area = cross(u, from_v);
   return (area * area - square * dot(u, u)).sign() <= 0;
 }
 

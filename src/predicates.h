@@ -36,7 +36,16 @@ constexpr int kUncertain = 2;
 /// The sum is below (4U + O(U^2)) P + (1 + 2U) (e_w |u|_1 + e_u |w|_1) + 2 e_u e_w + underflow. 5U, 1 + 2^-20 and kTiny
 /// leave room for rounding in the bound itself. Fused operations only drop roundings. Infinities and NaN end in
 /// "uncertain", because the bound is then infinite or NaN, too.
+///
+/// TRICOVER_PLAIN_SIGNS, a type, is for benches that ask what exactness costs: every sign is as that type rounds it.
 inline int orientFilter(const ApproxPoint& p, const ApproxPoint& q, const ApproxPoint& r) {
+#ifdef TRICOVER_PLAIN_SIGNS
+  using Real = TRICOVER_PLAIN_SIGNS;
+  const Real px = static_cast<Real>(p.x), py = static_cast<Real>(p.y);
+  const Real sign = (static_cast<Real>(q.x) - px) * (static_cast<Real>(r.y) - py) -
+                    (static_cast<Real>(q.y) - py) * (static_cast<Real>(r.x) - px);
+  return (sign > 0) - (sign < 0);
+#else
   const double ux = q.x - p.x, uy = q.y - p.y, wx = r.x - p.x, wy = r.y - p.y;
   const double left = ux * wy, right = uy * wx;
   const double det = left - right;
@@ -47,6 +56,7 @@ inline int orientFilter(const ApproxPoint& p, const ApproxPoint& q, const Approx
   if (det > bound) return 1;
   if (-det > bound) return -1;
   return kUncertain;
+#endif
 }
 
 /// The sign of the signed area |p q r| of the exact points, in the world.
