@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <iterator>
 #include <map>
 
@@ -13,14 +14,16 @@
 namespace tricover::bench {
 namespace {
 
-/// Keeps each repetition's CPU seconds per iteration, by benchmark name.
+/// Keeps each repetition's CPU seconds per iteration, by benchmark name; of manual times, those.
 class Collector : public benchmark::BenchmarkReporter {
  public:
+  explicit Collector(bool manual) : manual_(manual) {}
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
-      seconds_[run.run_name.function_name].push_back(run.cpu_accumulated_time / static_cast<double>(run.iterations));
+      const double seconds = manual_ ? run.real_accumulated_time : run.cpu_accumulated_time;
+      seconds_[run.run_name.function_name].push_back(seconds / static_cast<double>(run.iterations));
     }
   }
   double median(const std::string& name) {
@@ -31,6 +34,7 @@ class Collector : public benchmark::BenchmarkReporter {
   }
 
  private:
+  bool manual_;
   std::map<std::string, std::vector<double>> seconds_;
 };
 
@@ -71,6 +75,26 @@ Hits sampled(const Sampling& sampling, const Hits& hits, std::size_t targets) {
 
 }  // namespace
 
+double measureBuild(const std::string& name, std::size_t things, const std::function<void()>& make,
+                    const std::function<void(std::size_t thing)>& build, const Settings& settings) {
+  benchmark::ClearRegisteredBenchmarks();
+  const auto time = [&](benchmark::State& state) {
+    for (auto _ : state) {
+      make();
+      const std::clock_t start = std::clock();
+      for (std::size_t i = 0; i < things; ++i) build(i);
+      state.SetIterationTime(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+  };
+  benchmark::RegisterBenchmark(name.c_str(), time)
+      ->Repetitions(settings.repetitions)
+      ->MinTime(settings.seconds_per_repetition)
+      ->UseManualTime();
+  Collector collector(true);
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  return collector.median(name) / static_cast<double>(things);
+}
+
 Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings) {
   Result result{workload, 0, 0, {}};
   Hits reference;
@@ -104,7 +128,7 @@ Result measure(const Workload& workload, const std::vector<Contender>& contender
     // The walk's own length, to turn its time into time per query.
     result.timings.back().ns = 1e9 / static_cast<double>(walked);
   }
-  Collector collector;
+  Collector collector(false);
   benchmark::RunSpecifiedBenchmarks(&collector);
   for (Timing& timing : result.timings) timing.ns *= collector.median(timing.name);
   return result;

@@ -89,6 +89,10 @@ struct Settings {
   double seconds_per_repetition = 0.002;  ///< about; a walk that would take longer is sampled
 };
 
+/// Median CPU seconds of `build`, which does its work once for each of the things that `make` has made, per thing.
+double measureBuild(const std::string& name, std::size_t things, const std::function<void()>& make,
+                    const std::function<void(std::size_t thing)>& build, const Settings& settings);
+
 /// Times the contenders by Google Benchmark, interleaved at random in this process, and checks all that they answered
 /// while being timed. The first contender is tricover without coherence: the reference.
 Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "plain_core.h"
 #include "rivals/boost_geometry.h"
 #include "rivals/box2d.h"
 #include "rivals/empty_function.h"
@@ -73,6 +74,13 @@ Methods::Methods(const Polygon& fixed, const Polygon& moving) {
                                 std::make_shared<tricover_fcl::PolygonShaped>(moving)),
       always);
   add("empty", Role::Floor, false, std::make_shared<FclCall>(emptyGeometry(), emptyGeometry()), always);
+  makers_.push_back([walk = tricover_plain_double::plainWalk(fixed.rings(), moving.rings())](
+                        const std::vector<Pose>& poses, const Choice& choice, std::vector<Contender>& to) {
+    if (!choice.plain) return;
+    to.push_back({"plain signs", Role::Inexact, false, [&, walk](const Sampling& sampling, Hits& hits) {
+                    walk(poses.data(), poses.size(), sampling.period, sampling.run, hits);
+                  }});
+  });
   add("FCL MPR", Role::Rival, false, std::make_shared<FclMpr>(fixed, moving), always);
   add("FCL GJK", Role::Rival, false, std::make_shared<FclGjk>(fixed, moving, false), always);
   add("FCL GJK guess", Role::Rival, true, std::make_shared<FclGjk>(fixed, moving, true), coherent);

@@ -13,6 +13,7 @@ namespace tricover::bench {
 struct Choice {
   bool coherent = false;  ///< small steps: also those that live on them
   bool paper = false;     ///< also the paper's Algorithm 3, which is slow
+  bool plain = false;     ///< also the core with plain double signs
 };
 
 /// Everything that is timed on one pair of polygons, derived once for all workloads of theirs. The fixed polygon stays at

@@ -2,9 +2,9 @@
 #include "report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -23,30 +23,37 @@ std::string vertices(const Workload& workload) {
 }
 
 const char* const kConditions =
-    R"(- All methods are interleaved at random in one process. What would take longer visits a part of the positions,
-  evenly spread; methods with coherence visit them in runs of 100.
+    R"(- All methods of a cell are interleaved at random in one process. What would take longer visits a part of the
+  positions, evenly spread; methods with coherence visit them in runs of 100. Poses are converted before.
 - Every timed answer is compared with that of `cold`, which the tests compare with exact arithmetic.
 - exact: calls of the exact stage in all of cold's queries together; the filters decided everything else.
 - cold: tricover's core without a PairCache; cached: with one; paper: the paper's Algorithm 3, repaired, with a
-  PairCache; via FCL: unmodified fcl::collide on tricover's shape.
-- GJK: one prism a convex piece (GEOS's constrained Delaunay triangles, merged by Hertel and Mehlhorn). ccd is
-  libccd's MPR, which is what FCL runs for GST_LIBCCD; indep is FCL's own GJK, without the EPA that fcl::collide
-  adds.
-- BVH: flat OBBRSS meshes of the same triangles, by fcl::collide. floor: fcl::collide on two spheres, apart.
-- Paper's workloads: every method but the floor starts with the bounding discs. Then boxes decide which prisms GJK
-  sees, called directly, without fcl::collide's dispatch.
-- Countries: a query is one position of the moving country against all others. cold and cached have no broadphase
-  and ask about every country. For the others DynamicAABBTreeCollisionManager finds the pairs and unmodified
-  fcl::collide decides them; each prism is an object of its own, and further pairs with a country that is hit
-  already are skipped.
-- The packaged libfcl has asserts on and SSE off. GJK, MPR's support functions and the meshes' triangle tests are
-  compiled here with the flags above, without asserts; libccd, the box tests and the broadphase are the packaged ones.
+  PairCache; plain signs: the core compiled with plain double signs, no filter, no exact stage.
+- via FCL: unmodified fcl::collide on tricover's shape. empty: the same for a registered function that does nothing.
+- A cell's best rival is the fastest of FCL's four, GEOS and Boost, whether right or wrong. Rivals start without any
+  check that they don't make themselves; the one exception are boxes that decide which convex pieces FCL's solvers see.
+- FCL MPR (libccd's, which is what FCL runs for GST_LIBCCD) and FCL GJK (its own, GST_INDEP, without the EPA that
+  fcl::collide adds): on one prism a convex piece (GEOS's constrained Delaunay triangles, merged by Hertel and
+  Mehlhorn); "guess": started from its last simplex, where there is coherence. FCL BVH: flat OBBRSS meshes of the same
+  triangles. All four are called as FCL's own rows call them, without fcl::collide's dispatch.
+- GEOS: a prepared polygon, by the C++ interface; the one with more vertices is prepared, the other one's coordinates
+  are rewritten in place. Boost: boost::geometry::intersects; the one with fewer vertices is rewritten in place.
+- Box2D: b2TestOverlap ("overlap") and b2CollidePolygons ("manifold"), one of our units being 64 of its metres, so that
+  its skin is 3e-6 of the polygons' size.
+- The packaged libfcl has asserts on and SSE off. All its templates on the rivals' ways are compiled here, with the
+  flags above and without asserts; libccd, BVH nodes' accessors and the broadphase are the packaged ones.
+- Countries: a query is one position of the moving country against all others. cold and cached have no broadphase and
+  ask about every country. For the others DynamicAABBTreeCollisionManager finds the pairs and unmodified fcl::collide
+  decides them; each prism is an object of its own, and further pairs with a country that is hit already are skipped.
+- Moving outlines: a query is a frame. All objects are moved, the manager is updated and finds the pairs, fcl::collide
+  (cold: the core) decides them.
+- Memory: heap bytes beyond the given rings after all kinds of boolean queries. Building: from rings to a polygon with
+  all of that.
 )";
 
-using Lines = std::vector<std::vector<std::string>>;
+}  // namespace
 
-/// Markdown that is aligned enough to be read as it is.
-std::string aligned(const Lines& lines) {
+std::string markdown(const TextTable& lines) {
   std::vector<std::size_t> widths(lines.front().size(), 0);
   for (const auto& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
@@ -65,23 +72,26 @@ std::string aligned(const Lines& lines) {
   return text;
 }
 
-}  // namespace
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, std::abs(value) < 100 ? "%.3g" : "%.0f", value);
+  return text;
+}
 
-std::string table(const std::vector<Result>& results, const std::string& job) {
+std::string table(const std::vector<Result>& results) {
   std::vector<std::string> methods;
   for (const Result& result : results) {
     for (const Timing& timing : result.timings) {
       const bool known = std::find(methods.begin(), methods.end(), timing.name) != methods.end();
-      if (result.workload.job == job && !known) methods.push_back(timing.name);
+      if (!known) methods.push_back(timing.name);
     }
   }
   std::vector<std::string> heads = {"workload", "vertices", "collisions", "exact"};
   heads.insert(heads.end(), methods.begin(), methods.end());
-  Lines lines = {heads};
+  TextTable lines = {heads};
   std::string disagreements;
   for (const Result& result : results) {
     const Workload& workload = result.workload;
-    if (workload.job != job) continue;
     const std::string name = workload.scene + ", " + workload.name;
     lines.push_back({name, vertices(workload), std::to_string(result.collisions) + " of " +
                      std::to_string(workload.positions), std::to_string(result.exact_calls)});
@@ -96,15 +106,14 @@ std::string table(const std::vector<Result>& results, const std::string& job) {
     }
   }
   if (disagreements.empty()) disagreements = "- none\n";
-  return "Nanoseconds per query:\n\n" + aligned(lines) + "\nDisagreements with tricover's exact answers:\n" +
+  return "Nanoseconds per query:\n\n" + markdown(lines) + "\nDisagreements with tricover's exact answers:\n" +
          disagreements;
 }
 
 std::string csv(const std::vector<Result>& results) {
   std::ostringstream out;
-  out << "job,scene,trajectory,vertices_fixed,vertices_moving,queries,collisions,exact_calls,method,ns_per_query,"
-         "checked,"
-         "false_alarms,misses\n";
+  out << "job,scene,workload,vertices_fixed,vertices_moving,queries,collisions,exact_calls,method,ns_per_query,"
+         "checked,false_alarms,misses\n";
   for (const Result& result : results) {
     const Workload& w = result.workload;
     for (const Timing& t : result.timings) {
@@ -126,32 +135,11 @@ std::string conditions(const Settings& settings) {
   std::ostringstream out;
   out << "- Machine: " << cpu << ", " << std::thread::hardware_concurrency() << " processors; one thread is timed.\n"
       << "- Compiler: " << TRICOVER_BENCH_COMPILER << ", flags" << TRICOVER_BENCH_FLAGS << ".\n"
+      << "- Rivals: " << TRICOVER_BENCH_RIVALS << ", as Debian packages them.\n"
       << "- Times: CPU time per query, the median of " << settings.repetitions << " repetitions of about "
       << settings.seconds_per_repetition << " s.\n"
       << kConditions;
   return out.str();
-}
-
-void writePlotData(const std::vector<Result>& results, const std::string& directory) {
-  // times.dat: one gnuplot block for each kind and trajectory, polygons of equally many vertices.
-  std::map<std::string, std::string> blocks;
-  std::string grid;
-  for (const Result& result : results) {
-    const Workload& w = result.workload;
-    if (w.job == "countries") continue;
-    std::string times;
-    for (const Timing& timing : result.timings) times += " " + rounded(timing.ns, 2);
-    if (w.vertices_fixed == w.vertices_moving) {
-      blocks[w.scene + " " + w.name] += std::to_string(w.vertices_fixed) + times + "\n";
-    }
-    if (w.scene == "contour" && w.name == "circular") {
-      grid += std::to_string(w.vertices_fixed) + " " + std::to_string(w.vertices_moving) + times + "\n";
-    }
-  }
-  std::string times;
-  for (const auto& [name, lines] : blocks) times += "# " + name + "\n" + lines + "\n\n";
-  writeFile(directory + "/times.dat", times);
-  writeFile(directory + "/grid.dat", grid);
 }
 
 void writeFile(const std::string& path, const std::string& content) {

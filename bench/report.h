@@ -8,17 +8,23 @@
 
 namespace tricover::bench {
 
-/// The results of one job as a Markdown table, one row a workload, one column a method.
-std::string table(const std::vector<Result>& results, const std::string& job);
+/// A head and its lines.
+using TextTable = std::vector<std::vector<std::string>>;
+
+/// Markdown that is aligned enough to be read as it is.
+std::string markdown(const TextTable& table);
+
+/// Three digits, or all before the point.
+std::string shortNumber(double value);
+
+/// A Markdown table, one row a workload, one column a method; and who answered wrongly how often.
+std::string table(const std::vector<Result>& results);
 
 /// One line a workload and method.
 std::string csv(const std::vector<Result>& results);
 
 /// What must be known to read the times: machine, compiler, flags, how the rivals are set up.
 std::string conditions(const Settings& settings);
-
-/// Writes the data that plots.gp draws: `<directory>/times.dat` and `<directory>/grid.dat`.
-void writePlotData(const std::vector<Result>& results, const std::string& directory);
 
 /// Throws std::runtime_error, naming the file, unless all of it is written.
 void writeFile(const std::string& path, const std::string& content);

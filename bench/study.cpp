@@ -39,7 +39,11 @@ std::vector<Cell> studyCells(bool full) {
       for (std::size_t moving = 8; moving <= 1024; moving *= 2) {
         const bool diagonal = fixed == moving && (fixed == 8 || fixed == 64 || fixed == 1024);
         const bool corner = (fixed == 512 && moving == 16) || (fixed == 1024 && moving == 8);
-        if (full || diagonal || corner) cells.push_back({kind, fixed, moving});
+        if (full || diagonal || corner) {
+          cells.push_back({kind, fixed, moving, workloadNames()});
+        } else if (kind == workloads::Kind::Contour) {
+          cells.push_back({kind, fixed, moving, {"circular"}});
+        }
       }
     }
   }
@@ -51,11 +55,12 @@ std::vector<Result> measureCell(const Cell& cell, const Settings& settings) {
   const Polygon moving = workloads::makePolygon(cell.kind, cell.vertices_moving, 2);
   Methods methods(fixed, moving);
   std::vector<Result> results;
-  for (const std::string& name : workloadNames()) {
+  for (const std::string& name : cell.workloads) {
     const std::vector<Pose> poses = posesOf(name, fixed, moving);
     Choice choice;
     choice.coherent = isCoherent(name);
     choice.paper = cell.vertices_fixed == cell.vertices_moving && (name == "circular" || name == "linear");
+    choice.plain = name == "contact";
     const Workload workload{"study", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving,
                             poses.size(), 1};
     results.push_back(measure(workload, methods.on(poses, choice), settings));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,21 +10,21 @@
 /// The cells of the study: kinds, vertices of both polygons, workloads.
 namespace tricover::bench {
 
-/// Polygons of one kind and these numbers of vertices, on every workload.
 struct Cell {
   workloads::Kind kind;
   std::size_t vertices_fixed, vertices_moving;
+  std::vector<std::string> workloads;
 };
 
-/// All of 8 .. 1024 against all of 8 .. 1024 where `full`; else the diagonal, thinned out, and the corner of many fixed
-/// against few moving vertices.
+/// All of 8 .. 1024 against all of 8 .. 1024 on every workload where `full`; else the diagonal, thinned out, and the
+/// corner of many fixed against few moving vertices, and the grid of the paper's Figure 12: contours on the circle.
 std::vector<Cell> studyCells(bool full);
 
 /// Table 2's trajectories, "gap 0.1" and "gap 0.01" on the circle, "contact", "near", "overlap".
 const std::vector<std::string>& workloadNames();
 bool isCoherent(const std::string& workload);
 
-/// Every workload of a cell, timed. The paper's Algorithm 3 is timed on the diagonal's two trajectories of Table 2.
+/// Times a cell. The paper's Algorithm 3 is timed on the diagonal's two trajectories of Table 2.
 std::vector<Result> measureCell(const Cell& cell, const Settings& settings);
 
 }  // namespace tricover::bench

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "targets.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "report.h"
+#include "study.h"
+
+namespace tricover::bench {
+namespace {
+
+/// A figure and the cell that it is from.
+struct Figure {
+  double value;
+  std::string cell;
+};
+
+/// What is wanted of all figures: each at least (or at most) `every`, and the median at least `median`.
+struct Wanted {
+  bool at_least;
+  double every;
+  double median = 0;
+  std::string unit = "x";
+};
+
+std::string cellName(const Result& result) {
+  const Workload& w = result.workload;
+  return w.scene + " " + std::to_string(w.vertices_fixed) + " x " + std::to_string(w.vertices_moving) + ", " + w.name;
+}
+
+std::optional<double> nsOf(const Result& result, const std::string& method) {
+  for (const Timing& timing : result.timings) {
+    if (timing.name == method) return timing.ns;
+  }
+  return {};
+}
+
+std::optional<double> fastest(const Result& result, Role role) {
+  std::optional<double> ns;
+  for (const Timing& timing : result.timings) {
+    if (timing.role == role && (!ns || timing.ns < *ns)) ns = timing.ns;
+  }
+  return ns;
+}
+
+/// tricover's core as the workload has it used: with a PairCache where there is coherence.
+std::optional<double> core(const Result& result) {
+  return nsOf(result, isCoherent(result.workload.name) ? "cached" : "cold");
+}
+std::optional<double> viaFcl(const Result& result) { return nsOf(result, "via FCL"); }
+std::optional<double> emptyCall(const Result& result) { return nsOf(result, "empty"); }
+std::optional<double> bestRival(const Result& result) { return fastest(result, Role::Rival); }
+std::optional<double> bestBox2d(const Result& result) { return fastest(result, Role::Box2d); }
+
+using Ns = std::function<std::optional<double>(const Result&)>;
+using Filter = std::function<bool(const Workload&)>;
+
+std::vector<Figure> ratios(const std::vector<Result>& results, const Filter& holds, const Ns& above, const Ns& below) {
+  std::vector<Figure> figures;
+  for (const Result& result : results) {
+    const auto numerator = above(result), denominator = below(result);
+    if (!holds(result.workload) || !numerator || !denominator) continue;
+    figures.push_back({*numerator / *denominator, cellName(result)});
+  }
+  return figures;
+}
+
+Target judged(std::string subject, std::string compared, std::vector<Figure> figures, const Wanted& wanted) {
+  std::sort(figures.begin(), figures.end(), [](const Figure& p, const Figure& q) { return p.value < q.value; });
+  const Figure& worst = wanted.at_least ? figures.front() : figures.back();
+  const std::size_t n = figures.size();
+  const double median = (figures[(n - 1) / 2].value + figures[n / 2].value) / 2;
+  std::string text = (wanted.at_least ? ">= " : "<= ") + shortNumber(wanted.every) + " " + wanted.unit;
+  if (wanted.median > 0) text += ", median >= " + shortNumber(wanted.median) + " " + wanted.unit;
+  const bool met = (wanted.at_least ? worst.value >= wanted.every : worst.value <= wanted.every) &&
+                   median >= wanted.median;
+  return {std::move(subject), std::move(compared), text, wanted.unit, worst.value, median, worst.cell, met};
+}
+
+Filter named(std::vector<std::string> names) {
+  return [names](const Workload& w) { return std::find(names.begin(), names.end(), w.name) != names.end(); };
+}
+
+/// By kind: contact with 1024 vertices each against contact with 64 each.
+std::vector<Figure> growth(const std::vector<Result>& results) {
+  std::map<std::string, double> small, large;
+  for (const Result& result : results) {
+    const Workload& w = result.workload;
+    if (w.name != "contact" || w.vertices_fixed != w.vertices_moving) continue;
+    if (w.vertices_fixed == 64) small[w.scene] = *core(result);
+    if (w.vertices_fixed == 1024) large[w.scene] = *core(result);
+  }
+  std::vector<Figure> figures;
+  for (const auto& [kind, ns] : large) figures.push_back({ns / small.at(kind), kind});
+  return figures;
+}
+
+std::vector<Figure> perEdge(const std::vector<Footprint>& footprints, double Footprint::*figure) {
+  std::vector<Figure> figures;
+  for (const Footprint& f : footprints) figures.push_back({f.*figure, f.kind + " " + std::to_string(f.vertices)});
+  return figures;
+}
+
+}  // namespace
+
+std::vector<Target> judge(const std::vector<Result>& results, const CrowdResult& crowd,
+                          const std::vector<Footprint>& footprints) {
+  const std::string core_text = "best rival / core", fcl_text = "best rival / via FCL";
+  const auto trajectories = named({"circular", "linear"}), near_misses = named({"gap 0.1", "gap 0.01"});
+  std::vector<Target> targets;
+  const auto add = [&](const std::string& subject, const std::string& compared, std::vector<Figure> figures,
+                       const Wanted& wanted) {
+    if (!figures.empty()) targets.push_back(judged(subject, compared, std::move(figures), wanted));
+  };
+  const auto compare = [&](const std::string& subject, const Filter& holds, const Wanted& by_core,
+                           const Wanted& by_fcl) {
+    add(subject, core_text, ratios(results, holds, bestRival, core), by_core);
+    add(subject, fcl_text, ratios(results, holds, bestRival, viaFcl), by_fcl);
+  };
+  add("circular, linear", core_text, ratios(results, trajectories, bestRival, core), {true, 20, 100});
+  add("circular, linear", "via FCL / empty function", ratios(results, trajectories, viaFcl, emptyCall), {false, 1.4});
+  compare("gap 0.1, gap 0.01", near_misses, {true, 10}, {true, 5});
+  compare("contact", named({"contact"}), {true, 10}, {true, 5});
+  compare("near", named({"near"}), {true, 10}, {true, 5});
+  compare("overlap", named({"overlap"}), {true, 20, 100}, {true, 8});
+  for (const std::string& name : workloadNames()) {
+    add("convex, slim 8 x 8, " + name, "Box2D, the faster call / core", ratios(results, named({name}), bestBox2d, core),
+        {true, 2});
+  }
+  const Result& scene = crowd.result;
+  const double bvh = *nsOf(scene, "FCL BVH"), shapes = *nsOf(scene, "via FCL"), alone = *nsOf(scene, "manager alone");
+  const std::string percent = shortNumber(100 * crowd.colliding) + " % of 2000 colliding";
+  add("2000 moving outlines, whole frames", "BVH meshes / via FCL", {{bvh / shapes, percent}}, {true, 10});
+  add("2000 moving outlines, less the manager alone", "BVH meshes / via FCL",
+      {{(bvh - alone) / (shapes - alone), percent}}, {true, 10});
+  add("contact, 64 to 1024 vertices each", "core / core", growth(results), {false, 2.5});
+  add("static 512..1024, moving 8..16", core_text,
+      ratios(results, [](const Workload& w) { return w.vertices_fixed >= 512 && w.vertices_moving <= 16; }, bestRival,
+             core),
+      {true, 1});
+  add("any cell, any workload", core_text, ratios(results, [](const Workload&) { return true; }, bestRival, core),
+      {true, 1});
+  add("price of exactness, contact", "core / plain double signs",
+      ratios(results, named({"contact"}), core, [](const Result& r) { return nsOf(r, "plain signs"); }), {false, 1.2});
+  add("memory of all that is derived", "per edge", perEdge(footprints, &Footprint::bytes), {false, 160, 0, "bytes"});
+  add("building it", "per edge", perEdge(footprints, &Footprint::ns), {false, 400, 0, "ns"});
+  return targets;
+}
+
+std::string targetsTable(const std::vector<Target>& targets) {
+  TextTable table = {{"target", "compared", "wanted", "worst", "median", "worst cell", "met"}};
+  for (const Target& t : targets) {
+    table.push_back({t.subject, t.compared, t.wanted, shortNumber(t.worst) + " " + t.unit,
+                     shortNumber(t.median) + " " + t.unit, t.worst_cell, t.met ? "yes" : "**no**"});
+  }
+  return markdown(table);
+}
+
+std::string targetsCsv(const std::vector<Target>& targets) {
+  std::ostringstream out;
+  out << "target,compared,wanted,unit,worst,median,worst_cell,met\n";
+  for (const Target& t : targets) {
+    out << '"' << t.subject << "\",\"" << t.compared << "\",\"" << t.wanted << "\"," << t.unit << ',' << t.worst << ','
+        << t.median << ",\"" << t.worst_cell << "\"," << (t.met ? "yes" : "no") << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace tricover::bench
