@@ -17,9 +17,9 @@
 namespace tricover::bench {
 namespace {
 
-constexpr std::size_t kObjects = 2000, kShapes = 50, kVertices = 64, kFrames = 100;
-/// Rows of 50 outlines of 100 units: chosen so that about 5 % of them collide.
-constexpr double kSpacing = 105, kOrbit = 60;
+constexpr std::size_t kObjects = 2000, kShapes = 50, kVertices = 64, kFrames = 50;
+/// Homes in rows of 50, orbits that reach their neighbours: chosen so that about 5 % of the outlines collide.
+constexpr double kSpacing = 405, kOrbit = 480;
 
 /// Where every object is in every frame, and its shape.
 struct Crowd {
@@ -43,7 +43,7 @@ std::shared_ptr<const Crowd> makeCrowd() {
     std::vector<Pose> poses(kObjects, Pose::Identity());
     for (std::size_t i = 0; i < kObjects; ++i) {
       const double speed = 0.5 + spread(i, 0.7548776662466927);
-      const double angle = turn * (spread(i, 0.6180339887498949) + speed * static_cast<double>(frame) / (10 * kFrames));
+      const double angle = turn * (spread(i, 0.6180339887498949) + speed * static_cast<double>(frame) / 1000);
       const Vec2 home(kSpacing * static_cast<double>(i % 50), kSpacing * static_cast<double>(i / 50));
       poses[i].linear() = Eigen::Rotation2Dd(angle * (i % 2 ? 1.7 : -1.3)).toRotationMatrix();
       poses[i].translation() = home + kOrbit * Vec2(std::cos(angle), std::sin(angle));

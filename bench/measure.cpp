@@ -43,11 +43,11 @@ std::size_t sampleCount(const Workload& workload, const Sampling& sampling) {
   return workload.positions / sampling.period * sampling.run + std::min(last, sampling.run);
 }
 
-/// A sampling whose walk takes about as long as a repetition should, but has at least 50 runs.
+/// A sampling whose walk takes about as long as a repetition should, but has at least 50 queries, or 10 runs.
 Sampling chooseSampling(const Workload& workload, const Contender& contender, const Settings& settings) {
   // The first query of a run has nothing to be coherent with.
   const std::size_t run = contender.coherent ? 100 : 1;
-  const Sampling sparse{std::max(workload.positions / 50, run), run};
+  const Sampling sparse{std::max(workload.positions / (contender.coherent ? 10 : 50), run), run};
   Hits hits;
   const auto start = std::chrono::steady_clock::now();
   contender.walk(sparse, hits);

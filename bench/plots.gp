@@ -1,73 +1,114 @@
-# Draws times.svg and figure12.svg from times.dat and grid.dat in the directory `report`.
-# Their columns: vertices (in grid.dat fixed, then moving), then the times of these eight methods in this order.
-array label[8] = ["tricover, cold", "tricover, cached", "the paper's Algorithm 3, cached", \
-  "tricover in fcl::collide, cached", "FCL GJK (libccd) on convex pieces", "FCL GJK (indep) on convex pieces", \
-  "FCL BVH of triangles", "fcl::collide on two spheres"]
-array color[8] = ["#7dd3fc", "#1d4ed8", "#f59e0b", "#0f9d58", "#dc2626", "#a855f7", "#374151", "#c4c4c4"]
+# Draws times.svg, figure12.svg and speedup.svg from times.dat and grid.dat in the directory `report`: see plot_data.cpp.
 set encoding utf8
-set border lc rgb "#6b7280"
+kinds = "convex slim starred contour irregular 'with hole'"
+workloads = "circular linear 'gap 0.1' 'gap 0.01' contact near overlap"
+titles = "'circular, gap 9' 'linear, into contact' 'circular, gap 0.1' 'circular, gap 0.01' contact near overlap"
 
-# times.svg: polygons of equally many vertices, one panel a kind and trajectory.
-set terminal svg size 1500,860 font "sans-serif,13" background "white"
+# times.svg: polygons of equally many vertices, one panel a kind and workload.
+array label[8] = ["tricover, cold", "tricover, PairCache", "tricover in fcl::collide", "FCL GJK or MPR on convex pieces", \
+  "FCL BVH of triangles", "GEOS, prepared", "Boost.Geometry", "the paper's Algorithm 3, PairCache"]
+array color[8] = ["#7dd3fc", "#1d4ed8", "#0f9d58", "#dc2626", "#374151", "#a855f7", "#db7093", "#f59e0b"]
+set terminal svg size 1500,1750 font "sans-serif,13" background "white"
 set output report."/times.svg"
+set border lc rgb "#6b7280"
 set logscale x 2
 set logscale y
 set xrange [6:1400]
-set yrange [4:1e6]
+set yrange [5:1e6]
 set xtics (8, 32, 128, 512) nomirror
 set ytics nomirror
 set grid xtics ytics lt 1 lc rgb "#e5e7eb" lw 1
+set datafile missing "inf"
 unset key
-set multiplot layout 2,6 margins 0.055,0.99,0.17,0.91 spacing 0.012,0.1 \
+set multiplot layout 7,6 margins 0.055,0.99,0.075,0.95 spacing 0.012,0.03 \
   title "Time per query over the vertices of each of the two polygons" font ",17"
-do for [trajectory in "circular linear"] {
-  do for [i = 1:6] {
-    kind = word("convex slim starred contour irregular 'with hole'", i)
-    set title kind.", ".trajectory offset 0,-0.6
-    set xlabel trajectory eq "linear" ? "vertices of each" : ""
-    set ylabel i == 1 ? "ns per query" : ""
-    set format y i == 1 ? "10^{%L}" : ""
-    plot for [k = 1:8] report."/times.dat" index kind." ".trajectory using 1:(column(k + 1)) with linespoints \
-      pt 7 ps 0.5 lw (k == 2 ? 3.2 : 1.8) lc rgb color[k]
+do for [w = 1:7] {
+  do for [k = 1:6] {
+    set title word(kinds, k).", ".word(titles, w) offset 0,-0.7
+    set xlabel w == 7 ? "vertices of each" : "" offset 0,0.5
+    set ylabel k == 1 ? "ns per query" : "" offset 1,0
+    set format y k == 1 ? "10^{%L}" : ""
+    set format x w == 7 ? "%.0f" : ""
+    methods = w <= 2 ? "1 2 3 4 5 6 7 8" : w <= 4 ? "1 2 3 4 5 6 7" : "1 3 4 5 6 7"
+    plot for [m in methods] report."/times.dat" index word(kinds, k)." ".word(workloads, w) \
+      using 1:(column(m + 1)) with linespoints pt 7 ps 0.4 lw (m < 4 ? 2.6 : 1.6) lc rgb color[int(m)]
   }
 }
 # The legend is a plot of its own, all of whose points are out of range.
-set margins at screen 0.05, screen 0.99, screen 0.01, screen 0.09
+set margins at screen 0.05, screen 0.99, screen 0.005, screen 0.04
 unset title; unset border; unset tics; unset grid; unset xlabel; unset ylabel
 set key center center horizontal maxcols 4 maxrows 2 Left reverse samplen 2 width 1
-plot for [k = 1:8] 1 with linespoints pt 7 ps 0.5 lw (k == 2 ? 3.2 : 1.8) lc rgb color[k] title label[k]
+plot for [m = 1:8] 1 with linespoints pt 7 ps 0.5 lw (m < 4 ? 2.6 : 1.6) lc rgb color[m] title label[m]
 unset multiplot
 
-# figure12.svg: the paper's Figure 12 as numbers and colours, one panel a method.
+# figure12.svg: the paper's Figure 12, ours and the best rival's.
 reset
 set encoding utf8
-set terminal svg size 1500,920 font "sans-serif,12" background "white"
+set terminal svg size 1400,600 font "sans-serif,13" background "white"
 set output report."/figure12.svg"
-set logscale cb
-set cbrange [20:2e5]
-set format cb "10^{%L}"
-set cblabel "ns per query"
 set palette defined (0 "#f0f9e8", 1 "#bae4bc", 2 "#7bccc4", 3 "#43a2ca", 4 "#0868ac")
-set xrange [2.5:10.5]
-set yrange [2.5:10.5]
-do for [power = 3:10] {
-  set xtics add (sprintf("%d", 2**power) power) nomirror scale 0
-  set ytics add (sprintf("%d", 2**power) power) nomirror scale 0
-}
+set logscale z
+set logscale cb
+set zrange [5:1e4]
+set cbrange [10:2e4]
+set format z "10^{%L}"
+set xrange [3:10]
+set yrange [3:10]
+set for [power = 3:10] xtics add (sprintf("%d", 2**power) power) offset -0.5,-0.4
+set for [power = 3:10] ytics add (sprintf("%d", 2**power) power) offset 0.8,-0.3
+set ztics offset 0.5,0
+set xlabel "fixed"
+set ylabel "moving"
+set zlabel "ns per query" rotate by 90 offset 1,0
+set grid x y z lt 1 lc rgb "#e5e7eb"
+set xyplane at 5
+set view 60,312,0.95,1.1
 unset key
 unset colorbox
+set pm3d border lc rgb "#33556677" lw 0.6
 log2(x) = log(x) / log(2)
-short(ns) = ns < 1e4 ? sprintf("%.0f", ns) : sprintf("%.0fk", ns / 1e3)
-set multiplot layout 2,3 margins 0.05,0.9,0.07,0.9 spacing 0.045,0.12 \
-  title "Contours on the circular trajectory (the paper's Figure 12): ns per query" font ",17"
-do for [i = 1:6] {
-  k = int(word("2 1 3 4 5 7", i))
-  set title label[k] offset 0,-0.5
-  set xlabel i > 3 ? "vertices of the fixed polygon" : ""
-  set ylabel i % 3 == 1 ? "vertices of the moving polygon" : ""
-  if (i == 6) { set colorbox user origin screen 0.925, screen 0.2 size screen 0.015, screen 0.55 }
-  plot report."/grid.dat" using (log2($1)):(log2($2)):(column(k + 2)) with image pixels, \
-    '' using (log2($1)):(log2($2)):(short(column(k + 2))):(column(k + 2) > 2e3 ? 0xffffff : 0x111111) \
-      with labels font ",11" tc rgb variable
+array surface[2] = ["tricover, PairCache", "the best rival of each cell"]
+set multiplot layout 1,2 \
+  title "Contours on the circular trajectory (the paper's Figure 12), over the vertices of both polygons" font ",17"
+do for [i = 1:2] {
+  set title surface[i] offset 0,-1 font ",15"
+  splot report."/grid.dat" index "contour circular" using (log2($1)):(log2($2)):(column(i + 2)) with pm3d
+}
+unset multiplot
+
+# speedup.svg: the best rival's time over ours on the vertex grid, one panel a kind and workload.
+reset
+set encoding utf8
+set terminal svg size 1500,1750 font "sans-serif,12" background "white"
+set output report."/speedup.svg"
+set logscale cb
+set cbrange [0.5:200]
+set cbtics (0.5, 1, 2, 5, 10, 20, 50, 100, 200)
+set cblabel "times as fast as the best rival"
+set palette defined (0 "#b91c1c", 0.115 "#fca5a5", 0.117 "#fffbeb", 0.385 "#fde68a", 0.5 "#bbf7d0", 0.75 "#34d399", 1 "#065f46")
+set xrange [2.5:10.5]
+set yrange [2.5:10.5]
+set tics scale 0 nomirror
+unset key
+log2(x) = log(x) / log(2)
+short(ratio) = ratio < 10 ? sprintf("%.1f", ratio) : sprintf("%.0f", ratio)
+set multiplot layout 7,6 margins 0.05,0.92,0.04,0.955 spacing 0.015,0.028 \
+  title "Speed-up: the best rival's time over tricover's (PairCache on trajectories, none elsewhere)" font ",17"
+do for [w = 1:7] {
+  do for [k = 1:6] {
+    set title word(kinds, k).", ".word(titles, w) offset 0,-0.8
+    set xlabel w == 7 ? "fixed" : "" offset 0,0.5
+    set ylabel k == 1 ? "moving" : "" offset 1.5,0
+    unset xtics
+    unset ytics
+    if (w == 7) { set for [power = 3:10] xtics add (sprintf("%d", 2**power) power) scale 0 font ",9" }
+    if (k == 1) { set for [power = 3:10] ytics add (sprintf("%d", 2**power) power) scale 0 font ",9" }
+    unset colorbox
+    if (w == 1 && k == 6) { set colorbox user origin screen 0.935, screen 0.3 size screen 0.012, screen 0.4 }
+    plot report."/grid.dat" index word(kinds, k)." ".word(workloads, w) using (log2($1)):(log2($2)):(0.5):(0.5):5 \
+        with boxxyerror fill solid noborder lc palette, \
+      '' index word(kinds, k)." ".word(workloads, w) using (log2($1)):(log2($2)):(short($5)):($5 < 0.8 || $5 > 80 ? 0xffffff : 0x111827) \
+        with labels font ",8" tc rgb variable
+  }
 }
 unset multiplot
