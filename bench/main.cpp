@@ -47,7 +47,7 @@ int run(const std::string& data, const std::string& directory, bool full) {
   const auto countries = std::make_shared<const Countries>(readCountries(in));
   drawPictures(*countries, directory);
 
-  const Settings settings = full ? Settings{5, 0.02} : Settings{};
+  const Settings settings = full ? Settings{5, 0.006} : Settings{};
   std::vector<std::string> movers = {"Italy", "Norway"};
   if (full) movers.insert(movers.end(), {"Indonesia", "Chile", "Australia"});
   const std::vector<Cell> cells = studyCells(full);

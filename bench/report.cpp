@@ -35,7 +35,7 @@ const char* const kConditions =
 - FCL MPR (libccd's, which is what FCL runs for GST_LIBCCD) and FCL GJK (its own, GST_INDEP, without the EPA that
   fcl::collide adds): on one prism a convex piece (GEOS's constrained Delaunay triangles, merged by Hertel and
   Mehlhorn); "guess": started from its last simplex, where there is coherence. FCL BVH: flat OBBRSS meshes of the same
-  triangles. All four are called as FCL's own rows call them, without fcl::collide's dispatch.
+  triangles. All four are called as FCL's own rows call them, which spares them fcl::collide's dispatch.
 - GEOS: a prepared polygon, by the C++ interface; the one with more vertices is prepared, the other one's coordinates
   are rewritten in place. Boost: boost::geometry::intersects; the one with fewer vertices is rewritten in place.
 - Box2D: b2TestOverlap ("overlap") and b2CollidePolygons ("manifold"), one of our units being 64 of its metres, so that
