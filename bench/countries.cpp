@@ -180,8 +180,8 @@ std::vector<Pose> linearDrive(std::size_t positions) {
   return poses;
 }
 
-Result measureDrive(std::shared_ptr<const Countries> countries, const std::string& mover,
-                    const std::string& trajectory, const Settings& settings) {
+Result measureDrive(std::shared_ptr<const Countries> countries, const std::string& mover, const std::string& trajectory,
+                    const Settings& settings) {
   const std::size_t index = findCountry(*countries, mover);
   const Polygon moving = centred((*countries)[index].polygon);
   auto poses = trajectory == "circular" ? circularDrive() : linearDrive();
@@ -190,10 +190,9 @@ Result measureDrive(std::shared_ptr<const Countries> countries, const std::strin
       std::make_shared<const Drive>(Drive{countries, index, moving, std::move(poses), std::move(transforms)});
   std::size_t vertices = 0;
   for (const auto& country : *countries) vertices += country.polygon.vertexCount();
-  const Workload workload{"countries",           mover,
-                          trajectory,            vertices - moving.vertexCount(),
-                          moving.vertexCount(),  shared->poses.size(),
-                          countries->size()};
+  const Workload workload{
+      "countries",      mover, trajectory, vertices - moving.vertexCount(), moving.vertexCount(), shared->poses.size(),
+      countries->size()};
   return measure(workload,
                  {coreContender("cold", false, shared), coreContender("cached", true, shared),
                   fclContender("via FCL", Role::Ours, true, shared, polygonShape),

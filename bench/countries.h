@@ -31,7 +31,7 @@ std::vector<Pose> linearDrive(std::size_t positions = workloads::kLinearPosition
 
 /// Times the scene by tricover's core alone and, through FCL's broadphase (DynamicAABBTreeCollisionManager) and the
 /// unmodified fcl::collide, by tricover's shapes, by prisms of the convex pieces and by flat BVH meshes.
-Result measureDrive(std::shared_ptr<const Countries> countries, const std::string& mover,
-                    const std::string& trajectory, const Settings& settings);
+Result measureDrive(std::shared_ptr<const Countries> countries, const std::string& mover, const std::string& trajectory,
+                    const Settings& settings);
 
 }  // namespace tricover::bench

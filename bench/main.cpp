@@ -65,8 +65,9 @@ int run(const std::string& data, const std::string& directory, bool full) {
   showProgress(done++, total, "memory and building");
   const std::vector<Footprint> footprints = measureFootprints(settings);
   for (const Cell& cell : cells) {
-    showProgress(done++, total, name(cell.kind) + ", " + std::to_string(cell.vertices_fixed) + " x " +
-                                    std::to_string(cell.vertices_moving));
+    showProgress(
+        done++, total,
+        name(cell.kind) + ", " + std::to_string(cell.vertices_fixed) + " x " + std::to_string(cell.vertices_moving));
     for (Result& result : measureCell(cell, settings)) study.push_back(std::move(result));
   }
   showProgress(total, total, "done");

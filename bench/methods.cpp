@@ -39,9 +39,7 @@ class CachedCore : public Core {
   CachedCore(Polygon fixed, Polygon moving, Strategy strategy) : Core(std::move(fixed), std::move(moving)) {
     options_.strategy = strategy;
   }
-  bool collide(std::size_t i) {
-    return tricover::collide(fixed_, identity_, moving_, poses_[i], cache_, options_);
-  }
+  bool collide(std::size_t i) { return tricover::collide(fixed_, identity_, moving_, poses_[i], cache_, options_); }
 
  private:
   PairCache cache_;

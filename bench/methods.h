@@ -16,14 +16,14 @@ struct Choice {
   bool plain = false;     ///< also the core with plain double signs
 };
 
-/// Everything that is timed on one pair of polygons, derived once for all workloads of theirs. The fixed polygon stays at
-/// the identity.
+/// Everything that is timed on one pair of polygons, derived once for all workloads of theirs. The fixed polygon stays
+/// at the identity.
 class Methods {
  public:
   Methods(const Polygon& fixed, const Polygon& moving);
 
-  /// The contenders, tricover without coherence first, on these poses, which must outlive them. Those of an earlier call
-  /// are invalid.
+  /// The contenders, tricover without coherence first, on these poses, which must outlive them. Those of an earlier
+  /// call are invalid.
   std::vector<Contender> on(const std::vector<Pose>& poses, const Choice& choice);
 
  private:

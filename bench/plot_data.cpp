@@ -13,8 +13,8 @@ namespace {
 
 /// The columns of times.dat after the vertices; of several methods the fastest.
 const std::vector<std::vector<std::string>> kColumns = {
-    {"cold"}, {"cached"},  {"via FCL"}, {"FCL MPR", "FCL GJK", "FCL GJK guess"},
-    {"FCL BVH"}, {"GEOS"}, {"Boost"},   {"paper"}};
+    {"cold"},    {"cached"}, {"via FCL"}, {"FCL MPR", "FCL GJK", "FCL GJK guess"},
+    {"FCL BVH"}, {"GEOS"},   {"Boost"},   {"paper"}};
 
 double fastest(const Result& result, const std::vector<std::string>& methods) {
   double ns = std::numeric_limits<double>::infinity();

@@ -1,12 +1,13 @@
-# Draws times.svg, figure12.svg and speedup.svg from times.dat and grid.dat in the directory `report`: see plot_data.cpp.
+# Draws times.svg, figure12.svg and speedup.svg from the times.dat and grid.dat that plot_data.cpp wrote to the
+# directory `report`.
 set encoding utf8
 kinds = "convex slim starred contour irregular 'with hole'"
 workloads = "circular linear 'gap 0.1' 'gap 0.01' contact near overlap"
 titles = "'circular, gap 9' 'linear, into contact' 'circular, gap 0.1' 'circular, gap 0.01' contact near overlap"
 
 # times.svg: polygons of equally many vertices, one panel a kind and workload.
-array label[8] = ["tricover, cold", "tricover, PairCache", "tricover in fcl::collide", "FCL GJK or MPR on convex pieces", \
-  "FCL BVH of triangles", "GEOS, prepared", "Boost.Geometry", "the paper's Algorithm 3, PairCache"]
+array label[8] = ["tricover, cold", "tricover, PairCache", "tricover in fcl::collide", \
+  "FCL GJK or MPR on convex pieces", "FCL BVH of triangles", "GEOS, prepared", "Boost.Geometry", "the paper's Algorithm 3, PairCache"]
 array color[8] = ["#7dd3fc", "#1d4ed8", "#0f9d58", "#dc2626", "#374151", "#a855f7", "#db7093", "#f59e0b"]
 set terminal svg size 1500,1750 font "sans-serif,13" background "white"
 set output report."/times.svg"
@@ -85,7 +86,8 @@ set logscale cb
 set cbrange [0.5:200]
 set cbtics (0.5, 1, 2, 5, 10, 20, 50, 100, 200)
 set cblabel "times as fast as the best rival"
-set palette defined (0 "#b91c1c", 0.115 "#fca5a5", 0.117 "#fffbeb", 0.385 "#fde68a", 0.5 "#bbf7d0", 0.75 "#34d399", 1 "#065f46")
+set palette defined (0 "#b91c1c", 0.115 "#fca5a5", 0.117 "#fffbeb", 0.385 "#fde68a", \
+  0.5 "#bbf7d0", 0.75 "#34d399", 1 "#065f46")
 set xrange [2.5:10.5]
 set yrange [2.5:10.5]
 set tics scale 0 nomirror
@@ -107,7 +109,8 @@ do for [w = 1:7] {
     if (w == 1 && k == 6) { set colorbox user origin screen 0.935, screen 0.3 size screen 0.012, screen 0.4 }
     plot report."/grid.dat" index word(kinds, k)." ".word(workloads, w) using (log2($1)):(log2($2)):(0.5):(0.5):5 \
         with boxxyerror fill solid noborder lc palette, \
-      '' index word(kinds, k)." ".word(workloads, w) using (log2($1)):(log2($2)):(short($5)):($5 < 0.8 || $5 > 80 ? 0xffffff : 0x111827) \
+      '' index word(kinds, k)." ".word(workloads, w) using \
+        (log2($1)):(log2($2)):(short($5)):($5 < 0.8 || $5 > 80 ? 0xffffff : 0x111827) \
         with labels font ",8" tc rgb variable
   }
 }

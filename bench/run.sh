@@ -15,7 +15,8 @@ step() { if [ -t 2 ]; then printf '\r\033[K%s' "$1" >&2; fi; }
 quietly() { "$@" >"build/bench.log" 2>&1 || { cat build/bench.log; return 1; }; }
 
 step "configuring"
-quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_TESTS=OFF -DTRICOVER_BUILD_BENCH=ON
+quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_TESTS=OFF \
+  -DTRICOVER_BUILD_BENCH=ON
 step "building (FCL's headers take their time)"
 quietly cmake --build "$build" --target bench_main
 step ""
@@ -26,5 +27,5 @@ if [ "${1-}" = --full ]; then
   cp "$report"/{targets.csv,results.csv,conditions.md} bench/results/
 fi
 echo
-echo "$report/: tables.md, targets.csv, results.csv; times.svg, figure12.svg, speedup.svg; countries.svg, algorithm.svg,"
-echo "workloads.svg"
+echo "$report/: tables.md, targets.csv, results.csv; times.svg, figure12.svg, speedup.svg; countries.svg,"
+echo "algorithm.svg, workloads.svg"

@@ -61,8 +61,8 @@ std::vector<Result> measureCell(const Cell& cell, const Settings& settings) {
     choice.coherent = isCoherent(name);
     choice.paper = cell.vertices_fixed == cell.vertices_moving && (name == "circular" || name == "linear");
     choice.plain = name == "contact";
-    const Workload workload{"study", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving,
-                            poses.size(), 1};
+    const Workload workload{
+        "study", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};
     results.push_back(measure(workload, methods.on(poses, choice), settings));
   }
   return results;

@@ -76,8 +76,8 @@ Target judged(std::string subject, std::string compared, std::vector<Figure> fig
   const double median = (figures[(n - 1) / 2].value + figures[n / 2].value) / 2;
   std::string text = (wanted.at_least ? ">= " : "<= ") + shortNumber(wanted.every) + " " + wanted.unit;
   if (wanted.median > 0) text += ", median >= " + shortNumber(wanted.median) + " " + wanted.unit;
-  const bool met = (wanted.at_least ? worst.value >= wanted.every : worst.value <= wanted.every) &&
-                   median >= wanted.median;
+  const bool met =
+      (wanted.at_least ? worst.value >= wanted.every : worst.value <= wanted.every) && median >= wanted.median;
   return {std::move(subject), std::move(compared), text, wanted.unit, worst.value, median, worst.cell, met};
 }
 
@@ -139,10 +139,13 @@ std::vector<Target> judge(const std::vector<Result>& results, const CrowdResult&
       {{(bvh - alone) / (shapes - alone), percent}}, {true, 10});
   add("contact, 64 to 1024 vertices each", "core / core", growth(results), {false, 2.5});
   add("static 512..1024, moving 8..16", core_text,
-      ratios(results, [](const Workload& w) { return w.vertices_fixed >= 512 && w.vertices_moving <= 16; }, bestRival,
-             core),
+      ratios(
+          results, [](const Workload& w) { return w.vertices_fixed >= 512 && w.vertices_moving <= 16; }, bestRival,
+          core),
       {true, 1});
-  add("any cell, any workload", core_text, ratios(results, [](const Workload&) { return true; }, bestRival, core),
+  add("any cell, any workload", core_text,
+      ratios(
+          results, [](const Workload&) { return true; }, bestRival, core),
       {true, 1});
   add("price of exactness, contact", "core / plain double signs",
       ratios(results, named({"contact"}), core, [](const Result& r) { return nsOf(r, "plain signs"); }), {false, 1.2});

@@ -16,10 +16,7 @@ class FclCall {
  public:
   using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
 
-  FclCall(Geometry fixed, Geometry moving, fcl::GJKSolverType solver = fcl::GST_LIBCCD)
-      : fixed_(std::move(fixed)), moving_(std::move(moving)) {
-    request_.gjk_solver_type = solver;
-  }
+  FclCall(Geometry fixed, Geometry moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
 
   void prepare(const std::vector<Pose>& poses) { transforms_ = toTransforms(poses); }
 

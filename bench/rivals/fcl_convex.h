@@ -11,8 +11,8 @@
 
 namespace tricover::bench {
 
-/// Both polygons as prisms, one a convex piece. Convex polygons go to the solver as they are. Pieces are culled by boxes
-/// before the solver sees them: first against the whole other polygon's box, then piece against piece.
+/// Both polygons as prisms, one a convex piece. Convex polygons go to the solver as they are. Pieces are culled by
+/// boxes before the solver sees them: first against the whole other polygon's box, then piece against piece.
 class FclPieces {
  public:
   FclPieces(const Polygon& fixed, const Polygon& moving);

@@ -50,7 +50,8 @@ std::unique_ptr<geos::geom::Geometry> geosRegion(const Polygon& polygon) {
 std::vector<Ring> ringsOfPart(const geos::geom::Geometry& region, std::size_t part) {
   const auto& polygon = dynamic_cast<const geos::geom::Polygon&>(*region.getGeometryN(part));
   std::vector<Ring> rings = {vertices(*polygon.getExteriorRing())};
-  for (std::size_t i = 0; i < polygon.getNumInteriorRing(); ++i) rings.push_back(vertices(*polygon.getInteriorRingN(i)));
+  for (std::size_t i = 0; i < polygon.getNumInteriorRing(); ++i)
+    rings.push_back(vertices(*polygon.getInteriorRingN(i)));
   return rings;
 }
 

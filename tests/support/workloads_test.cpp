@@ -212,7 +212,8 @@ TEST_P(EveryKind, NearAndOverlappingPosesAreAsFarApartAsTheySay) {
 TEST(Workloads, RandomPosesDependOnTheirSeedAlone) {
   const Polygon fixed = makePolygon(Kind::Contour, 16, 1), moving = makePolygon(Kind::Contour, 16, 2);
   for (const auto make : {contactPoses, nearPoses, overlapPoses}) {
-    const auto poses = make(fixed, moving, 7, 10), same = make(fixed, moving, 7, 10), other = make(fixed, moving, 8, 10);
+    const auto poses = make(fixed, moving, 7, 10), same = make(fixed, moving, 7, 10),
+               other = make(fixed, moving, 8, 10);
     EXPECT_EQ(poses[9].matrix(), same[9].matrix());
     EXPECT_NE(poses[9].matrix(), other[9].matrix());
   }
