@@ -7,7 +7,8 @@ titles = "'circular, gap 9' 'linear, into contact' 'circular, gap 0.1' 'circular
 
 # times.svg: polygons of equally many vertices, one panel a kind and workload.
 array label[8] = ["tricover, cold", "tricover, PairCache", "tricover in fcl::collide", \
-  "FCL GJK or MPR on convex pieces", "FCL BVH of triangles", "GEOS, prepared", "Boost.Geometry", "the paper's Algorithm 3, PairCache"]
+  "FCL GJK or MPR on convex pieces", "FCL BVH of triangles", "GEOS, prepared", "Boost.Geometry", \
+  "the paper's Algorithm 3, PairCache"]
 array color[8] = ["#7dd3fc", "#1d4ed8", "#0f9d58", "#dc2626", "#374151", "#a855f7", "#db7093", "#f59e0b"]
 set terminal svg size 1500,1750 font "sans-serif,13" background "white"
 set output report."/times.svg"
