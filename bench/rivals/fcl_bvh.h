@@ -15,22 +15,24 @@ namespace tricover::bench {
 /// FCL's OBBRSS hierarchies of the region's triangles, as FCL's own row runs them, without fcl::collide's dispatch.
 class FclBvh {
  public:
-  FclBvh(const Polygon& fixed, const Polygon& moving)
-      : fixed_(makeFlatMesh(triangulate(fixed))), moving_(makeFlatMesh(triangulate(moving))) {}
+  FclBvh(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose = Pose::Identity())
+      : fixed_(makeFlatMesh(triangulate(fixed))),
+        moving_(makeFlatMesh(triangulate(moving))),
+        fixed_transform_(toTransform(fixed_pose)) {}
 
   void prepare(const std::vector<Pose>& poses) { transforms_ = toTransforms(poses); }
 
   bool collide(std::size_t i) {
     result_.clear();
     fcl::detail::MeshCollisionTraversalNodeOBBRSS<double> node;
-    initialize(node, *fixed_, identity_, *moving_, std::as_const(transforms_)[i], request_, result_);
+    initialize(node, *fixed_, fixed_transform_, *moving_, std::as_const(transforms_)[i], request_, result_);
     fcl::detail::collide(&node);
     return result_.isCollision();
   }
 
  private:
   std::shared_ptr<const FlatMesh> fixed_, moving_;
-  const fcl::Transform3d identity_ = fcl::Transform3d::Identity();
+  const fcl::Transform3d fixed_transform_;
   std::vector<fcl::Transform3d> transforms_;
   fcl::CollisionRequestd request_;
   fcl::CollisionResultd result_;
