@@ -66,8 +66,11 @@ std::string markdown(const TextTable& lines) {
     }
     text += " |\n";
     if (l > 0) continue;
-    for (std::size_t i = 0; i < widths.size(); ++i) text += (i == 0 ? "|:" : ":|-") + std::string(widths[i], '-');
-    text += ":|\n";
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      const std::string dashes(widths[i] + 1, '-');
+      text += i == 0 ? "|:" + dashes + "|" : dashes + ":|";
+    }
+    text += "\n";
   }
   return text;
 }

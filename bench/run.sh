@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgeos++-dev libbox2d-dev \
-  libboost-dev libbenchmark-dev gnuplot-nox ninja-build
+  libboost-dev libgmp-dev libbenchmark-dev gnuplot-nox ninja-build
 
 # Ninja compiles across targets: the tables of FCL's functions, two minutes each, beside all the rest.
 build=build/bench-ninja
@@ -18,14 +18,18 @@ step "configuring"
 quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_TESTS=OFF \
   -DTRICOVER_BUILD_BENCH=ON
 step "building (FCL's headers take their time)"
-quietly cmake --build "$build" --target bench_main
+quietly cmake --build "$build" --target bench_main bench_tradeoff bench_modelled bench_pages
 step ""
 "$build/bench/bench_main" bench/data/countries_110m.txt "$report" "$@"
-LC_ALL=C.UTF-8 gnuplot -e "report='$report'" bench/plots.gp
+step "counting wrong answers around contact and at the extremes"
+"$build/bench/bench_tradeoff" bench/data/countries_110m.txt "$report" "$@"
+"$build/bench/bench_modelled" "$report"
+step ""
+for plots in plots tradeoff; do LC_ALL=C.UTF-8 gnuplot -e "report='$report'" "bench/$plots.gp"; done
+"$build/bench/bench_pages" bench/pages.html "$report"
 if [ "${1-}" = --full ]; then
   mkdir -p bench/results
-  cp "$report"/{targets.csv,results.csv,conditions.md} bench/results/
+  cp "$report"/{targets,results,tradeoff,extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg} bench/results/
 fi
 echo
-echo "$report/: tables.md, targets.csv, results.csv; times.svg, figure12.svg, speedup.svg; countries.svg,"
-echo "algorithm.svg, workloads.svg"
+echo "$report/index.html shows it all; the tables, CSV files and pictures are beside it"
