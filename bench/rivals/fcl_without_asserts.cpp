@@ -21,6 +21,8 @@ template class detail::Project<double>;
 template class detail::GJKInitializer<double, Convex<double>>;
 template bool detail::GJKCollide<double>(void*, ccd_support_fn, ccd_center_fn, void*, ccd_support_fn, ccd_center_fn,
                                          unsigned int, double, Vector3d*, double*, Vector3d*);
+template bool detail::GJKDistance<double>(void*, ccd_support_fn, void*, ccd_support_fn, unsigned int, double, double*,
+                                          Vector3d*, Vector3d*);
 
 // BVH
 template class OBB<double>;
