@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,34 +59,38 @@ struct Pair {
 
 struct Query {
   const char* name;
+  bool answer;
   bool (*ask)(Pair& pair);
 };
 
-Pose at(double x) {
+Pose at(const Vec2& position) {
   Pose pose = Pose::Identity();
-  pose.translation().x() = x;
+  pose.translation() = position;
   return pose;
 }
 
-/// Out of the bounding discs' reach; and where the discs overlap by half, as they do in the paper's trajectories.
-Pose far(const Pair& pair) { return at(2 * (pair.fixed.radius() + pair.moving.radius())); }
-Pose near(const Pair& pair) { return at(pair.fixed.radius()); }
+/// Out of the bounding discs' reach; where the discs overlap and the polygons, twice as long as high, don't; and upon
+/// it.
+Pose far(const Pair& pair) { return at({2 * (pair.fixed.radius() + pair.moving.radius()), 0}); }
+Pose near(const Pair& pair) { return at({0, 1.3 * pair.fixed.radius()}); }
+Pose upon(const Pair& pair) { return at({pair.fixed.radius() / 2, 0}); }
+
+const Pose kIdentity = Pose::Identity();
 
 const Query kQueries[] = {
-    {"collide, discs apart", [](Pair& pair) { return collide(pair.fixed, Pose::Identity(), pair.moving, far(pair)); }},
-    {"collide, near", [](Pair& pair) { return collide(pair.fixed, Pose::Identity(), pair.moving, near(pair)); }},
-    {"collide, near, PairCache",
-     [](Pair& pair) { return collide(pair.fixed, Pose::Identity(), pair.moving, near(pair), pair.cache); }},
-    {"collide, near, Strategy::Paper",
+    {"collide, discs apart", false, [](Pair& pair) { return collide(pair.fixed, kIdentity, pair.moving, far(pair)); }},
+    {"collide, near", false, [](Pair& pair) { return collide(pair.fixed, kIdentity, pair.moving, near(pair)); }},
+    {"collide, overlapping", true, [](Pair& pair) { return collide(pair.fixed, kIdentity, pair.moving, upon(pair)); }},
+    {"collide, near, PairCache", false,
+     [](Pair& pair) { return collide(pair.fixed, kIdentity, pair.moving, near(pair), pair.cache); }},
+    {"collide, near, Strategy::Paper", false,
      [](Pair& pair) {
-       return collide(pair.fixed, Pose::Identity(), pair.moving, near(pair), {0, 0, Strategy::Paper});
+       return collide(pair.fixed, kIdentity, pair.moving, near(pair), {0, 0, Strategy::Paper});
      }},
-    {"locate, off the polygon",
-     [](Pair& pair) {
-       return locate(pair.fixed, pair.fixed.origin() + Vec2(3 * pair.fixed.radius(), 0)) != Location::Outside;
-     }},
-    {"locate, inside", [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin()) != Location::Outside; }},
-    {"locate, inside, PointCache",
+    {"locate, outside", false,
+     [](Pair& pair) { return locate(pair.fixed, 3 * far(pair).translation()) != Location::Outside; }},
+    {"locate, inside", true, [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin()) != Location::Outside; }},
+    {"locate, inside, PointCache", true,
      [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin(), pair.point_cache) != Location::Outside; }},
 };
 
@@ -105,7 +112,8 @@ double median(std::vector<double> values) {
 /// take.
 struct Cost {
   std::size_t bytes;
-  double extra_ns, warm_ns;
+  double extra_ns;
+  std::optional<double> warm_ns;
 };
 
 Cost costOf(const std::vector<Ring>& fixed, const std::vector<Ring>& moving, const Query& query) {
@@ -114,7 +122,8 @@ Cost costOf(const std::vector<Ring>& fixed, const std::vector<Ring>& moving, con
   std::size_t bytes = 0;
   for (int i = 0; i < kPairs; ++i) {
     Pair pair{Polygon(fixed), Polygon(moving), {}, {}};
-    const auto ask = [&] { query.ask(pair); };
+    bool right = true;
+    const auto ask = [&] { right = query.ask(pair) == query.answer && right; };
     const std::size_t before = heap_bytes;
     const double first = nanoseconds(ask);
     bytes = heap_bytes - before;
@@ -126,6 +135,7 @@ Cost costOf(const std::vector<Ring>& fixed, const std::vector<Ring>& moving, con
                      for (int k = 0; k < kWarm; ++k) ask();
                    }) /
                    kWarm);
+    if (!right) throw std::logic_error(std::string("modelled: wrong: ") + query.name);
   }
   return {bytes, median(extra), median(warm)};
 }
@@ -141,17 +151,19 @@ Cost costOfPolygon(const std::vector<Ring>& rings) {
     times.push_back(nanoseconds([&] { polygon = std::make_unique<Polygon>(rings); }));
     bytes = heap_bytes - before;
   }
-  return {bytes, median(times), 0};
+  return {bytes, median(times), {}};
 }
 
 const char* const kHow =
     R"(- Two fresh contours of that many vertices each, 101 times; medians. bytes: what operator new handed out and
   wasn't given back, rounded up as malloc does, for both polygons and the caches together. build ns: the first query's
   time less a later one's. warm ns: a later query. The clock ticks every 10 ns or so.
-- discs apart: twice as far as both radii. near: the discs overlap by half. A PairCache itself is %zu bytes, a
-  PointCache %zu, both the caller's.
+- discs apart: twice as far as both radii. near: the discs overlap, the polygons don't. Every answer is checked.
+- A PairCache itself is %zu bytes, a PointCache %zu, both the caller's.
 - polygon: one polygon from its rings, copied; that much every polygon pays, and the other rows come on top.
 )";
+
+std::string rounded(double value) { return std::to_string(std::lround(value)); }
 
 int run(const std::string& directory) {
   const std::vector<std::size_t> sizes = {8, 64, 512};
@@ -161,14 +173,14 @@ int run(const std::string& directory) {
   }
   std::string csv = "query,vertices,bytes,build_ns,warm_ns\n";
   const auto enter = [&](const std::string& name, std::size_t n, const Cost& cost) {
-    char text[2][32];
-    std::snprintf(text[0], sizeof text[0], "%.0f", cost.extra_ns);
-    std::snprintf(text[1], sizeof text[1], "%.0f", cost.warm_ns);
-    for (const std::string& cell : {std::to_string(cost.bytes), std::string(text[0]), std::string(text[1])}) {
+    const std::string cells[] = {std::to_string(cost.bytes), rounded(cost.extra_ns),
+                                 cost.warm_ns ? rounded(*cost.warm_ns) : ""};
+    csv += '"' + name + "\"," + std::to_string(n);
+    for (const std::string& cell : cells) {
       lines.back().push_back(cell);
+      csv += ',' + cell;
     }
-    csv += '"' + name + "\"," + std::to_string(n) + ',' + std::to_string(cost.bytes) + ',' + text[0] + ',' + text[1] +
-           '\n';
+    csv += '\n';
   };
   const auto rings = [](std::size_t n, std::uint64_t seed) {
     return workloads::makePolygon(workloads::Kind::Contour, n, seed).rings();
