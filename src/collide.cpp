@@ -38,8 +38,11 @@ bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, con
 class Discs {
  public:
   Discs(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-      : a_(a), b_(b), columns_a_{load2(pose_a.data()), load2(pose_a.data() + 3)},
-        columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)}, shift_(load2(pose_b.data() + 6) - load2(pose_a.data() + 6)) {
+      : a_(a),
+        b_(b),
+        columns_a_{load2(pose_a.data()), load2(pose_a.data() + 3)},
+        columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)},
+        shift_(load2(pose_b.data() + 6) - load2(pose_a.data() + 6)) {
     const Double2 apart = absolute(shift_);
     error_ = 16 * kUlp * (a.extent + b.extent + apart[0] + apart[1]) + kTiny;
   }
@@ -66,7 +69,8 @@ class Discs {
   static bool squarable(double length) { return length > 0x1p-480 && length < 0x1p480; }
 
   double squaredBetween(const Vec2& p, const Vec2& q) const {
-    const Double2 d = (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
+    const Double2 d =
+        (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
     const Double2 squares = d * d;
     return squares[0] + squares[1];
   }
@@ -77,7 +81,8 @@ class Discs {
 };
 
 /// Finds the answer and keeps why it is certain.
-bool findFact(const PosedPair& pair, PairCache& cache, double lookahead, const CollideOptions& options) {
+bool findFact(const PosedPair& pair, PairCache& cache, const Recollection& recollection,
+              const CollideOptions& options) {
   claim(cache, pair.a, pair.b);
   const auto fact = [&](bool overlapping, double clearance) {
     remember(cache, pair.a, pair.pose_a, pair.b, pair.pose_b, overlapping,
@@ -88,7 +93,9 @@ bool findFact(const PosedPair& pair, PairCache& cache, double lookahead, const C
     const auto i = static_cast<std::size_t>(cache.first_edge), j = static_cast<std::size_t>(cache.second_edge);
     if (edgesWithin(pair, i, j, options.margin, options.tolerance)) return fact(true, crossingDepth(pair, i, j));
   }
-  const Outcome outcome = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
+  // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
+  const Wanted wanted = recollection.coherent ? Wanted::Clearance : Wanted::Answer;
+  const Outcome outcome = collideByHierarchy(pair, options, recollection.lookahead, wanted);
   cache.first_edge = outcome.edge_a;
   cache.second_edge = outcome.edge_b;
   if (outcome.edge_a < 0 || outcome.edge_b < 0) return fact(outcome.collides, outcome.clearance);
@@ -97,7 +104,7 @@ bool findFact(const PosedPair& pair, PairCache& cache, double lookahead, const C
 }
 
 bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                    PairCache* cache, double lookahead, const CollideOptions& options) {
+                    PairCache* cache, const Recollection& recollection, const CollideOptions& options) {
   const Discs discs(a, pose_a, b, pose_b);
   const bool by_paper = options.strategy == Strategy::Paper;
   const auto fact = [&](bool overlapping, double clearance) {
@@ -110,7 +117,7 @@ bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData&
   const double depth = discs.depth();
   if (depth >= 0) return fact(true, depth);
   const PosedPair pair(a, pose_a, b, pose_b);
-  return cache != nullptr ? findFact(pair, *cache, lookahead, options)
+  return cache != nullptr ? findFact(pair, *cache, recollection, options)
                           : collideByHierarchy(pair, options, 0, Wanted::Answer).collides;
 }
 
@@ -119,15 +126,14 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
   requireLengths(options);
   requireRigid(pose_a, "pose_a");
   requireRigid(pose_b, "pose_b");
-  double lookahead = 0;
+  Recollection recollection{};
   if (cache != nullptr && options.strategy == Strategy::Hierarchy) {
-    const Recollection recollection = recall(*cache, a.data(), pose_a, b.data(), pose_b, options.margin);
+    recollection = recall(*cache, a.data(), pose_a, b.data(), pose_b, options.margin);
     if (recollection.certain) return recollection.collides;
-    lookahead = recollection.lookahead;
   }
   if (inOrder(a.data(), pose_a, b.data(), pose_b))
-    return collideInOrder(a.data(), pose_a, b.data(), pose_b, cache, lookahead, options);
-  return collideInOrder(b.data(), pose_b, a.data(), pose_a, cache, lookahead, options);
+    return collideInOrder(a.data(), pose_a, b.data(), pose_b, cache, recollection, options);
+  return collideInOrder(b.data(), pose_b, a.data(), pose_a, cache, recollection, options);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "strategy.h"
 #include "wide.h"
@@ -8,33 +9,32 @@
 namespace tricover::detail {
 namespace {
 
-/// b's centre in a's units is wrong by the mapping's own error and by rounding the difference to S; entries of R are by
-/// 9U, and what they are applied to is below 4 units.
-Descent describe(const PosedPair& pair, const CollideOptions& options, double lookahead, bool wants_clearance) {
+/// From b's units to a's. b's centre in a's units is wrong by the mapping's own error and by rounding the difference to
+/// S; entries of R are by 9U, and what they are applied to is below 4 units.
+UnitMap mapUnits(const PosedPair& pair) {
   const double inverse_unit = pair.a.inverse_unit;
   const ApproxPoint center = pair.center();
   const double cx = (center.x - pair.a.origin.x()) * inverse_unit, cy = (center.y - pair.a.origin.y()) * inverse_unit;
-  const double error = (center.error + kUlp * (std::abs(center.x) + std::abs(center.y))) * inverse_unit +
-                       64 * kUlp * (std::abs(cx) + std::abs(cy) + 4) + kTiny;
-  const double reach = pair.reach(options.margin) * inverse_unit, sum = options.margin + options.tolerance;
-  return {pair,
-          pair.a.hierarchy(),
-          pair.b.hierarchy(),
-          {pair.m00, pair.m01, pair.m10, pair.m11, cx, cy, pair.b.unit * inverse_unit, error},
-          0x1p-19 + 8 * pair.defect,
-          reach,
-          reach + lookahead * inverse_unit,
-          sum > 0 ? sum * inverse_unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1,
-          options.margin,
-          options.tolerance,
-          wants_clearance};
+  const double rounding = (center.error + kUlp * (std::abs(center.x) + std::abs(center.y))) * inverse_unit +
+                          64 * kUlp * (std::abs(cx) + std::abs(cy) + 4) + kTiny;
+  // The largest of polygons are more than their unit: nothing is known of those.
+  const bool fits = pair.a.radius <= pair.a.unit && pair.b.radius <= pair.b.unit;
+  const double error = fits ? rounding : std::numeric_limits<double>::infinity();
+  return {pair.m00, pair.m01, pair.m10, pair.m11, cx, cy, pair.b.unit * inverse_unit, error};
+}
+
+Descent describe(const PosedPair& pair, const UnitMap& to_a, double rounding, const CollideOptions& options,
+                 double lookahead, bool wants_clearance) {
+  const double unit = pair.a.inverse_unit, sum = options.margin + options.tolerance;
+  const double accept = sum > 0 ? sum * unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1;
+  const double reach = pair.reach(options.margin) * unit, limit = reach + lookahead * unit;
+  return {pair,   pair.a.hierarchy(), pair.b.hierarchy(), to_a,           rounding, reach, limit,
+          accept, options.margin,     options.tolerance,  wants_clearance};
 }
 
 /// A lower bound, in a's units, of the gap between the boxes around everything, by separating axes; not positive where
 /// they may meet.
-double rootGap(const Descent& d) {
-  const Box &a = d.a.root, &b = d.b.root;
-  const UnitMap& map = d.to_a;
+double rootGap(const Box& a, const Box& b, const UnitMap& map, double rounding) {
   const double ux = map.r00 * b.ux + map.r01 * b.uy, uy = map.r10 * b.ux + map.r11 * b.uy;
   const double dx = map.scale * (map.r00 * b.x + map.r01 * b.y) + map.tx - a.x;
   const double dy = map.scale * (map.r10 * b.x + map.r11 * b.y) + map.ty - a.y;
@@ -44,7 +44,7 @@ double rootGap(const Descent& d) {
                                        std::abs(dy * a.ux - dx * a.uy) - (a.across + along * s + across * c)),
                               std::max(std::abs(dx * ux + dy * uy) - (along + a.along * c + a.across * s),
                                        std::abs(dy * ux - dx * uy) - (across + a.along * s + a.across * c)));
-  return gap - d.rounding * (std::abs(dx) + std::abs(dy) + 4) - d.to_a.error;
+  return gap - rounding * (std::abs(dx) + std::abs(dy) + 4) - map.error;
 }
 
 /// Whether p, in the polygon's frame, is certainly outside of the box around everything.
@@ -89,8 +89,14 @@ std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
 UnitMap inverse(const UnitMap& map) {
   const double d = 1 / (map.r00 * map.r11 - map.r01 * map.r10), scale = 1 / map.scale;
   const double r00 = map.r11 * d, r01 = -map.r01 * d, r10 = -map.r10 * d, r11 = map.r00 * d;
-  return {r00, r01, r10, r11, -(r00 * map.tx + r01 * map.ty) * scale, -(r10 * map.tx + r11 * map.ty) * scale,
-          scale, map.error * scale * (1 + 0x1p-10)};
+  return {r00,
+          r01,
+          r10,
+          r11,
+          -(r00 * map.tx + r01 * map.ty) * scale,
+          -(r10 * map.tx + r11 * map.ty) * scale,
+          scale,
+          map.error * scale * (1 + 0x1p-10)};
 }
 
 Outcome findContainment(const PosedPair& pair) {
@@ -102,34 +108,36 @@ Outcome findContainment(const PosedPair& pair) {
 }
 
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
-  const Descent descent = describe(pair, options, lookahead, wanted == Wanted::Clearance);
+  const Hierarchy &a = pair.a.hierarchy(), &b = pair.b.hierarchy();
+  const UnitMap map = mapUnits(pair);
+  const double rounding = 0x1p-19 + 8 * pair.defect;
   Outcome outcome;
-  const bool near = std::abs(descent.to_a.tx) + std::abs(descent.to_a.ty) < 4;  // false for NaN
-  const auto &convex_a = descent.a.small_convex, &convex_b = descent.b.small_convex;
-  if (convex_a && convex_b && near && wanted == Wanted::Answer && options.margin == 0) {
-    const Meeting meeting = convexMeet(*convex_a, *convex_b, descent.to_a, descent.rounding);
+  // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
+  const double gap = rootGap(a.root, b.root, map, rounding);
+  if (gap * pair.a.unit > pair.reach(options.margin) + lookahead) {
+    outcome.clearance = gap * pair.a.unit;
+    return outcome;
+  }
+  const bool near = std::abs(map.tx) + std::abs(map.ty) < 4;  // false for NaN
+  if (a.small_convex && b.small_convex && near && wanted == Wanted::Answer && options.margin == 0) {
+    const Meeting meeting = convexMeet(*a.small_convex, *b.small_convex, map, rounding);
     if (meeting != Meeting::Unknown) {
       outcome.collides = meeting == Meeting::Meet;
       return outcome;
     }
   }
-  // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
-  const double gap = rootGap(descent);
-  if (gap > descent.limit) {
-    outcome.clearance = gap * pair.a.unit;
-    return outcome;
-  }
   // Inner discs hardly meet unless the boxes are deep in each other.
-  const double deep = 0.7 * std::min<double>(descent.a.root.across, descent.b.root.across * descent.to_a.scale);
+  const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * map.scale);
   if (near && gap < -deep && wanted != Wanted::Edges) {
-    const double depth = innerDepth(descent.a.inner_discs, descent.b.inner_discs, descent.to_a, descent.rounding);
+    const double depth = innerDepth(a.inner_discs, b.inner_discs, map, rounding);
     if (depth > 0) {
       outcome.collides = true;
       outcome.clearance = depth * pair.a.unit;
       return outcome;
     }
   }
-  const DescentResult found = descend(descent);
+  const bool wants_clearance = wanted == Wanted::Clearance;
+  const DescentResult found = descend(describe(pair, map, rounding, options, lookahead, wants_clearance));
   if (found.hit) {
     outcome.collides = true;
     outcome.edge_a = found.edge_a;
@@ -137,7 +145,7 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
     return outcome;
   }
   outcome = findContainment(pair);
-  if (wanted == Wanted::Clearance) outcome.clearance = std::min(found.clearance * pair.a.unit, std::numeric_limits<double>::max());
+  if (wants_clearance) outcome.clearance = std::min(found.clearance * pair.a.unit, std::numeric_limits<double>::max());
   return outcome;
 }
 

@@ -40,18 +40,19 @@ Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose&
                          const Pose& second_pose, double margin) {
   const double needed = cache.overlapping ? 0 : margin, room = (cache.clearance - needed) * (1 - 8 * kUlp);
   const Change first_change(first, cache.first_pose, first_pose), second_change(second, cache.second_pose, second_pose);
-  const double motion = (first_change.any() ? first_change.displacement() : 0) +
-                        (second_change.any() ? second_change.displacement() : 0);
+  const double motion =
+      (first_change.any() ? first_change.displacement() : 0) + (second_change.any() ? second_change.displacement() : 0);
   if (motion < room || (room > 0 && first_change.any() && second_change.any() &&
                         leftOfRelativeMotion(cache, first, first_pose, second, second_pose) > needed)) {
     ++cache.uses;
-    return {true, cache.overlapping, 0};
+    return {true, cache.overlapping, true, 0};
   }
   constexpr double kStepsAhead = 32;
   const double ahead = kStepsAhead * motion / (cache.uses + 1.0);
-  // After a jump no lookahead would pay; nor does one that finds much less than it looks for, as in a narrow gap.
-  const bool jumped = !(ahead <= 0.25 * std::min(first.radius, second.radius));
-  return {false, false, jumped ? 0 : std::min(ahead, 2 * cache.clearance)};
+  // A jump is a step that no clearance would pay for. Nor does it pay to look for much more than there was, as in a
+  // narrow gap.
+  const double size = std::min(first.radius, second.radius);
+  return {false, false, motion <= 0.25 * size, ahead <= 0.25 * size ? std::min(ahead, 2 * cache.clearance) : 0};
 }
 
 void claim(PairCache& cache, const PolygonData& first, const PolygonData& second) {

@@ -14,8 +14,10 @@ namespace tricover::detail {
 
 /// What a cache's fact says of a query.
 struct Recollection {
-  bool certain;      ///< `collides` is the answer
+  bool certain;  ///< `collides` is the answer
   bool collides;
+  /// Whether the next fact is likely to be of use: the polygons are known, and have not jumped since.
+  bool coherent;
   double lookahead;  ///< the clearance, beyond the margin, that would pay for a good many steps like the last ones
 };
 
@@ -79,7 +81,7 @@ inline Recollection recall(PairCache& cache, const PolygonData& a, const Pose& p
                                    : second_change.isBelow(room);
   if (!certain) return recallMoved(cache, first, first_pose, second, second_pose, margin);
   ++cache.uses;
-  return {true, cache.overlapping, 0};
+  return {true, cache.overlapping, true, 0};
 }
 
 /// Makes the cache one of these two polygons; empties it if it was another pair's.

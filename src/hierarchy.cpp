@@ -138,7 +138,8 @@ class Builder {
     std::size_t below = kLanes;
     while (below * kLanes < n) below *= kLanes;
     const std::size_t k = (n + below - 1) / below;
-    for (std::size_t i = 0; i < k; ++i) parts.push_back({false, whole.begin + i * n / k, whole.begin + (i + 1) * n / k});
+    for (std::size_t i = 0; i < k; ++i)
+      parts.push_back({false, whole.begin + i * n / k, whole.begin + (i + 1) * n / k});
     return parts;
   }
 

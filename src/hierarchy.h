@@ -41,16 +41,17 @@ struct InnerDiscs {
   int count;
 };
 
-/// A convex polygon of few vertices as half planes, for convexMeet(): in units, vertices and edges padded to whole lanes
-/// by repeating the last one. A point p is beyond an edge by nx p.x + ny p.y - d.
+/// A convex polygon of few vertices as half planes, for convexMeet(): in units, vertices and edges padded to whole
+/// lanes by repeating the last one. A point p is beyond an edge by nx p.x + ny p.y - d.
 struct SmallConvex {
   static constexpr int kMost = 2 * kLanes;
   float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost];
   int lanes;  ///< kLanes or kMost
 };
 
-/// The influence hierarchy of a polygon: a tree of boxes over chains of edges; a box grown by n is its chain's influence
-/// area of length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is the first.
+/// The influence hierarchy of a polygon: a tree of boxes over chains of edges; a box grown by n is its chain's
+/// influence area of length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is
+/// the first.
 struct Hierarchy {
   explicit Hierarchy(const PolygonData& polygon);
 

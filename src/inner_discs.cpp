@@ -41,8 +41,8 @@ struct Candidate {
   double depth;
 };
 
-/// Up to kLanes large discs, the first one the largest. A search on a thinned outline, in rounded numbers: what it finds
-/// has to be proven.
+/// Up to kLanes large discs, the first one the largest. A search on a thinned outline, in rounded numbers: what it
+/// finds has to be proven.
 std::vector<Candidate> search(const PolygonData& polygon, const std::vector<Vec2>& local, const Box& root) {
   constexpr std::size_t kSearched = 128;
   const std::size_t stride = local.size() / kSearched + 1;

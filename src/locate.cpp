@@ -66,16 +66,16 @@ void addAll(Winding& winding) {
       if (!winding.add(polygon.path[e], polygon.path[e + 1])) return;
 }
 
-/// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). False if rounding hides
-/// where that ray goes.
+/// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). False if rounding
+/// hides where that ray goes.
 bool addAlongRay(Winding& winding, const Hierarchy& hierarchy) {
   const PolygonData& polygon = winding.polygon;
   const ApproxPoint& p = winding.signs.approx;
   const double unit = polygon.inverse_unit;
   const Vec2 at = polygon.inUnits({p.x, p.y}), away = at - polygon.inUnits(winding.s);
   const double distance = away.norm(), error = p.error * unit + 0x1p-50;
-  if (!(distance > 0x1p-10 && error < 0x1p-20)) return false;
-  // The direction turns by at most 4 error / distance, within a distance of 4.
+  if (!(distance > 0x1p-10 && error < 0x1p-20 && polygon.radius <= polygon.unit)) return false;
+  // The direction turns by at most 4 error / distance, and nothing is farther away than 4.
   const Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
   visitEdgesOnRay(hierarchy, ray, &Winding::visit, &winding);
   return true;

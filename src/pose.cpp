@@ -14,7 +14,8 @@ void checkPose(const Pose& pose, const char* name) {
   // Negated, so that NaN fails.
   if (!(gram.norms[0] <= kRigidTolerance && gram.norms[1] <= kRigidTolerance && gram.dot <= kRigidTolerance))
     throw std::invalid_argument(std::string(name) + ": its linear part is not rigid within 1e-6");
-  if (!pose.translation().allFinite()) throw std::invalid_argument(std::string(name) + ": its translation is not finite");
+  if (!pose.translation().allFinite())
+    throw std::invalid_argument(std::string(name) + ": its translation is not finite");
 }
 
 }  // namespace tricover

@@ -102,8 +102,8 @@ double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
   for (const double apart : {pointSegmentDistance(e[0], e[2], e[3]), pointSegmentDistance(e[1], e[2], e[3]),
                              pointSegmentDistance(e[2], e[0], e[1]), pointSegmentDistance(e[3], e[0], e[1])})
     d = std::isnan(apart) || apart < d ? apart : d;
-  const double length = std::abs(e[1].x - e[0].x) + std::abs(e[1].y - e[0].y) + std::abs(e[3].x - e[2].x) +
-                        std::abs(e[3].y - e[2].y);
+  const double length =
+      std::abs(e[1].x - e[0].x) + std::abs(e[1].y - e[0].y) + std::abs(e[3].x - e[2].x) + std::abs(e[3].y - e[2].y);
   const double below = d - 8 * pair.error - 64 * kUlp * length;
   return below > 0 ? below : 0;  // NaN is 0
 }

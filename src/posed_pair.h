@@ -18,7 +18,8 @@ struct PosedPair {
   // Error of the mapping p -> M p + t. With d = 1 / det R_a, near +-1, the entries of adj(R_a) are those of R_a: exact.
   // M = d adj(R_a) R_b: two products (U each, their magnitudes sum to at most 1 + 2e-6), a sum (U), the reciprocal (U)
   // and its product (U), det's own error (3U): at most 9U an entry. t: the same 7U beside U for the rounded difference
-  // t_b - t_a, at most 11U |t_b - t_a|_1. Applying it: two products and two sums, at most 3U (|p|_1 + |t|_1). In all 14U
+  // t_b - t_a, at most 11U |t_b - t_a|_1. Applying it: two products and two sums, at most 3U (|p|_1 + |t|_1). In all
+  // 14U
   // (|p|_1 + |t_b - t_a|_1); 16U and kTiny are used, the latter for underflow. R^-1 is the true inverse, so a pose's
   // defect from orthonormality is no error here; it enters `defect` and `scale_defect`.
   PosedPair(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_)

@@ -19,8 +19,8 @@ struct Gram {
     dot = std::abs(product[0] + product[1]);
   }
 
-  /// An upper bound of |singular value - 1|: the eigenvalues of M^T M are within max(|c0.c0 - 1|, |c1.c1 - 1|) + |c0.c1|
-  /// of 1, and |s - 1| <= |s^2 - 1|. 16 kUlp cover the rounding here.
+  /// An upper bound of |singular value - 1|: the eigenvalues of M^T M are within max(|c0.c0 - 1|, |c1.c1 - 1|) +
+  /// |c0.c1| of 1, and |s - 1| <= |s^2 - 1|. 16 kUlp cover the rounding here.
   double defect() const { return std::max(norms[0], norms[1]) + dot + 16 * kUlp; }
 
   Double2 norms;  ///< |c0.c0 - 1|, |c1.c1 - 1|

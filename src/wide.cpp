@@ -33,7 +33,7 @@ struct Descents {
 };
 
 constexpr Descents kPortable = {portable::descend, portable::visitEdgesOnRay, portable::convexMeet,
-                                 portable::innerDepth};
+                                portable::innerDepth};
 
 const Descents* fastest() {
 #ifdef TRICOVER_HAS_AVX2

@@ -20,10 +20,10 @@ struct Descent {
   const PosedPair& pair;
   const Hierarchy &a, &b;
   UnitMap to_a;
-  double rounding;  ///< of a gap in a block's scale, relative to the coordinates it is computed from
-  double reach;     ///< edges beyond can't make a hit
-  double limit;     ///< boxes beyond aren't entered: reach + lookahead
-  double accept;    ///< regions that are proven closer are a hit without asking edges; negative: never
+  double rounding;           ///< of a gap in a block's scale, relative to the coordinates it is computed from
+  double reach;              ///< edges beyond can't make a hit
+  double limit;              ///< boxes beyond aren't entered: reach + lookahead
+  double accept;             ///< regions that are proven closer are a hit without asking edges; negative: never
   double margin, tolerance;  ///< world lengths, for the edges
   bool wants_clearance;
 };
@@ -33,15 +33,15 @@ UnitMap inverse(const UnitMap& map);
 
 struct DescentResult {
   bool hit;
-  double clearance;          ///< no pair of edges is nearer, if there is no hit
+  double clearance;             ///< no pair of edges is nearer, if there is no hit
   std::int64_t edge_a, edge_b;  ///< of a hit; -1 if `accept` answered
 };
 
 /// Deepest box first.
 DescentResult descend(const Descent& descent);
 
-/// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map` as
-/// for convexMeet().
+/// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
+/// as for convexMeet().
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding);
 
 enum class Meeting { Apart, Meet, Unknown };

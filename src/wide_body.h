@@ -138,14 +138,13 @@ TRICOVER_INLINE Query queryFor(const Item& item, const PolygonData& polygon, con
   double cap = 1e30;
   if (along > kLong) cap = clip(item, polygon, map, block, x, y, ux, uy, along, across);
   const double slack = rounding * (magnitude(x) + magnitude(y) + along + across + 4) + map.error * block.inverse;
-  return {static_cast<float>(x),      static_cast<float>(y),      static_cast<float>(ux),    static_cast<float>(uy),
-          static_cast<float>(along),  static_cast<float>(across), static_cast<float>(slack), static_cast<float>(cap)};
+  return {static_cast<float>(x),     static_cast<float>(y),      static_cast<float>(ux),    static_cast<float>(uy),
+          static_cast<float>(along), static_cast<float>(across), static_cast<float>(slack), static_cast<float>(cap)};
 }
 
 /// Largest gap, over the four axes of the query and each box, between their projections (separating axes): a lower
 /// bound of their distance but for the slack; positive only if they are apart.
-TRICOVER_INLINE Lanes gaps(Lanes x, Lanes y, Lanes ux, Lanes uy, Lanes along,
-                           Lanes across, const Query& q) {
+TRICOVER_INLINE Lanes gaps(Lanes x, Lanes y, Lanes ux, Lanes uy, Lanes along, Lanes across, const Query& q) {
   const Lanes dx = x - q.x, dy = y - q.y;
   const Lanes c = absolute(ux * q.ux + uy * q.uy), s = absolute(ux * q.uy - uy * q.ux);
   const Lanes along_query = absolute(dx * q.ux + dy * q.uy) - (along * c + across * s + q.along);
@@ -320,8 +319,8 @@ TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item&
                        0,
                        0};
   Lanes least = all(1e30f);
-  const Lanes from_whole = gaps(load(moved[0]), load(moved[1]), load(moved[2]), load(moved[3]), load(moved[4]),
-                                load(moved[5]), whole);
+  const Lanes from_whole =
+      gaps(load(moved[0]), load(moved[1]), load(moved[2]), load(moved[3]), load(moved[4]), load(moved[5]), whole);
   const Lanes ax = load(a.x), ay = load(a.y), aux = load(a.ux), auy = load(a.uy), a_along = load(a.along),
               a_across = load(a.across);
   const int first = visits.top;

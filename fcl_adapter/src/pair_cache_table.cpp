@@ -35,7 +35,8 @@ std::uint64_t mix(std::uint64_t id, const void* place) {
 
 /// The sum makes it order-free.
 std::uint64_t keyOf(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b) {
-  return (mix(a.id() * 0xBF58476D1CE4E5B9u, place_a) + mix(b.id() * 0xBF58476D1CE4E5B9u, place_b)) * 0x9E3779B97F4A7C15u;
+  return (mix(a.id() * 0xBF58476D1CE4E5B9u, place_a) + mix(b.id() * 0xBF58476D1CE4E5B9u, place_b)) *
+         0x9E3779B97F4A7C15u;
 }
 
 }  // namespace
@@ -43,7 +44,9 @@ std::uint64_t keyOf(const tricover::Polygon& a, const void* place_a, const trico
 tricover::PairCache& pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b,
                                const void* place_b) {
   Table& slots = table != nullptr ? *table : makeTable();
-  const auto slot = [&](std::uint64_t key) -> Slot& { return slots[static_cast<std::size_t>(key >> (64 - kSlotBits))]; };
+  const auto slot = [&](std::uint64_t key) -> Slot& {
+    return slots[static_cast<std::size_t>(key >> (64 - kSlotBits))];
+  };
   const std::uint64_t key = keyOf(a, place_a, b, place_b);
   Slot& own = slot(key);
   if (own.places == key) return own.facts;

@@ -377,7 +377,8 @@ TEST(Hierarchy, EveryBoxHoldsItsChainAndEveryEdgeHasOneLeaf) {
         const std::uint32_t edge = block.child[lane];
         ++leaves[edge];
         for (const auto& [ancestor, held_by] : visit.ancestors)
-          for (const Vec2& p : {data.path[edge], data.path[edge + 1]}) expectHolds(tree.blocks[ancestor], held_by, data, p);
+          for (const Vec2& p : {data.path[edge], data.path[edge + 1]})
+            expectHolds(tree.blocks[ancestor], held_by, data, p);
         if (HasFatalFailure()) return;
       }
     }

@@ -34,8 +34,8 @@ PosedPair largerFirst(const Case& c) {
 
 class Descents : public testing::TestWithParam<Family> {};
 
-/// A clearance is a lower bound of the exact distance (in a's frame, which the world's may differ from by 1e-6), and the
-/// answer without a reason is the one with a reason.
+/// A clearance is a lower bound of the exact distance (in a's frame, which the world's may differ from by 1e-6), and
+/// the answer without a reason is the one with a reason.
 TEST_P(Descents, AreAlikeAndProveWhatTheySay) {
   int hits = 0, clear = 0, tight = 0;
   for (int i = 0; i < scaledCount(400); ++i) {
@@ -165,7 +165,9 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
 }
 
 TEST(ConvexMeet, IsForConvexPolygonsOnly) {
-  const auto isSmallConvex = [](const Ring& ring) { return Polygon({ring}).data().hierarchy().small_convex != nullptr; };
+  const auto isSmallConvex = [](const Ring& ring) {
+    return Polygon({ring}).data().hierarchy().small_convex != nullptr;
+  };
   EXPECT_TRUE(isSmallConvex(regular(3, 1)));
   EXPECT_TRUE(isSmallConvex(regular(16, 1e200)));
   EXPECT_TRUE(isSmallConvex(reversed(regular(8, 1e-200))));
@@ -194,7 +196,9 @@ TEST(Locate, TheHierarchyFindsWhatAScanFinds) {
     for (int k = 0; k < 12; ++k) {
       const Vec2& v = rings[0][static_cast<std::size_t>(random.integer(0, 40))];
       const double t = random.real(0, 1.2);
-      const Vec2 point = k < 2 ? v : k < 5 ? Vec2(far + t * (v - far)) : Vec2(far + Vec2(random.real(-9, 9), random.real(-9, 9)));
+      const Vec2 point = k < 2   ? v
+                         : k < 5 ? Vec2(far + t * (v - far))
+                                 : Vec2(far + Vec2(random.real(-9, 9), random.real(-9, 9)));
       const Location location = locate(built, point);
       ASSERT_EQ(locate(scanned, point), location);
       ++by_location[static_cast<int>(location)];
