@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a cache's facts rest on: how far a change of pose moves a polygon at most.
+#include "facts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::Change;
+
+/// Turns and shifts of like effect, mirrors and distortions; a vertex in every direction, so that some moves about as far as
+/// it can.
+TEST(Change, BoundsTheWayOfEveryVertex) {
+  Random random(41);
+  for (int i = 0; i < scaledCount(3000); ++i) {
+    const Ring ring = shifted(regular(64, 1), {random.real(-3, 3), random.real(-3, 3)});
+    const Polygon polygon({ring});
+    const double angle = random.real(0, 6.28), turn = std::pow(10, random.real(-6, 0)), way = turn * random.unit();
+    const Pose before = pose(angle, 1, 2);
+    const Vec2 center = before * polygon.origin();
+    Pose after = pose(angle + turn, 0, 0);
+    if (i % 5 == 0) after = mirrored(after);
+    if (i % 5 == 1) after = distorted(random, before);
+    const double direction = random.real(0, 6.28);
+    after.translation() = center - after.linear() * polygon.origin() + way * Vec2(std::cos(direction), std::sin(direction));
+    double farthest = 0;
+    for (const Vec2& p : ring) farthest = std::max(farthest, (after * p - before * p).norm());
+    const auto& m = before.matrix();
+    const double fact[6] = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
+    const Change change(polygon.data(), fact, after);
+    ASSERT_TRUE(change.any());
+    ASSERT_GE(change.displacement(), farthest * (1 - 1e-9) - 1e-15);
+    ASSERT_FALSE(change.isBelow(0.99 * farthest)) << "turn " << turn << ", way " << way;
+    ASSERT_TRUE(change.isBelow(1.5 * change.displacement()));
+  }
+}
+
+/// A cache that goes from pair to pair holds nothing of the last one.
+TEST(Claim, EmptiesAnotherPairsCache) {
+  const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 2, 2)}), c({rectangle(0, 0, 3, 3)});
+  PairCache cache;
+  detail::remember(cache, a.data(), pose(0, 1, 2), b.data(), pose(0, 3, 4), true, 5);
+  cache.first_edge = cache.second_edge = 3;
+  cache.mask = {1};
+  detail::claim(cache, a.data(), b.data());
+  EXPECT_EQ(cache.first_edge, 3);
+  EXPECT_EQ(cache.clearance, 5);
+  detail::claim(cache, a.data(), c.data());
+  EXPECT_EQ(cache.first_edge, -1);
+  EXPECT_EQ(cache.second_edge, -1);
+  EXPECT_EQ(cache.clearance, 0);
+  EXPECT_TRUE(cache.mask.empty());
+  EXPECT_EQ(cache.first_id, a.id());
+  EXPECT_EQ(cache.second_id, c.id());
+}
+
+}  // namespace
+}  // namespace tricover::support

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a hierarchy says of its polygon, against exact numbers: its boxes hold their chains, its discs are in the region.
+#include "hierarchy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "exact_reference.h"
+#include "polygon_data.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::Block;
+using detail::Hierarchy;
+using detail::kLanes;
+using detail::PolygonData;
+
+/// Whether a block's box holds a point given in units, but for `room` in the block's scale.
+bool holds(const Block& block, int i, const Vec2& p, double room) {
+  const double x = (p.x() - block.origin_x) * block.inverse - block.x[i];
+  const double y = (p.y() - block.origin_y) * block.inverse - block.y[i];
+  const double ux = block.ux[i], uy = block.uy[i], norm = std::hypot(ux, uy);
+  return std::abs(x * ux + y * uy) <= block.along[i] * norm + room &&
+         std::abs(y * ux - x * uy) <= block.across[i] * norm + room;
+}
+
+Polygon outline(Random& random) {
+  std::vector<Ring> rings = {star(random, random.integer(3, 300), 5, 10)};
+  for (int k = random.integer(0, 3); k > 0; --k)
+    rings.push_back(shifted(star(random, random.integer(3, 30), 0.5, 1), {random.real(-3, 3), random.real(-3, 3)}));
+  const Vec2 far(random.coin() ? 0 : 1e9, random.coin() ? 0 : -1e6);
+  for (Ring& ring : rings) ring = shifted(ring, far);
+  return Polygon(rings);
+}
+
+/// Visits the edges below a box.
+template <typename Visit>
+void forEachEdge(const Hierarchy& hierarchy, const Block& block, int lane, Visit visit) {
+  if (block.leaf) return visit(block.child[lane]);
+  const Block& below = hierarchy.blocks[block.child[lane]];
+  for (int i = 0; i < below.count; ++i) forEachEdge(hierarchy, below, i, visit);
+}
+
+/// Their own rounding is part of it: half of kOutwards is left, for what is computed with the axis.
+TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
+  Random random(21);
+  for (int i = 0; i < scaledCount(100); ++i) {
+    const Polygon polygon = outline(random);
+    const PolygonData& data = polygon.data();
+    const Hierarchy& hierarchy = data.hierarchy();
+    for (const Block& block : hierarchy.blocks) {
+      for (int lane = 0; lane < block.count; ++lane) {
+        std::size_t first = data.path.size(), last = 0, edges = 0;
+        forEachEdge(hierarchy, block, lane, [&](std::size_t e) {
+          ASSERT_TRUE(holds(block, lane, data.inUnits(data.path[e]), -0x1p-23));
+          ASSERT_TRUE(holds(block, lane, data.inUnits(data.path[e + 1]), -0x1p-23));
+          first = std::min(first, e);
+          last = std::max(last, e);
+          ++edges;
+        });
+        const bool one_chain = std::upper_bound(data.ring_begin.begin(), data.ring_begin.end(), first) ==
+                                   std::upper_bound(data.ring_begin.begin(), data.ring_begin.end(), last) &&
+                               last - first + 1 == edges;
+        ASSERT_TRUE(one_chain || (block.spanned >> lane & 1) == 0);
+      }
+      for (int lane = block.count; lane < kLanes; ++lane) ASSERT_LT(block.along[lane], -1e20f) << "an unused lane";
+    }
+    ASSERT_TRUE(data.ringCount() == 1 || !hierarchy.root_spanned);
+  }
+}
+
+/// Exactly: the centre is inside, and no edge is nearer than the radius.
+void expectInside(const Polygon& polygon, const Vec2& center, const mpq_class& radius) {
+  ASSERT_EQ(exact::locate(polygon, center), Location::Inside);
+  for (std::size_t e = 0; e < polygon.vertexCount(); ++e)
+    ASSERT_TRUE(exact::distanceSquared(center, polygon.edgeStart(e), polygon.edgeEnd(e)) >= radius * radius);
+}
+
+TEST(InnerDiscs, AreInTheRegion) {
+  Random random(22);
+  int discs = 0;
+  for (int i = 0; i < scaledCount(400); ++i) {
+    const Polygon polygon = outline(random);
+    const PolygonData& data = polygon.data();
+    const Hierarchy& hierarchy = data.hierarchy();
+    if (hierarchy.inner_radius > 0) expectInside(polygon, hierarchy.inner_center, hierarchy.inner_radius);
+    for (int k = 0; k < hierarchy.inner_discs.count; ++k, ++discs) {
+      const float radius = hierarchy.inner_discs.radius[k];
+      const Vec2 center = data.origin + Vec2(hierarchy.inner_discs.x[k], hierarchy.inner_discs.y[k]) * data.unit;
+      expectInside(polygon, center, mpq_class(radius) * mpq_class(data.unit));
+    }
+  }
+  EXPECT_GT(discs, scaledCount(400));
+}
+
+/// A frame of a great many vertices whose hole has four: the search, on a thinned outline, doesn't see the hole.
+TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
+  const Polygon frame({regular(2000, 10), rectangle(-5, -5, 5, 5)}), peg({regular(40, 1)});
+  const Hierarchy& hierarchy = frame.data().hierarchy();
+  for (int k = 0; k < hierarchy.inner_discs.count; ++k)
+    EXPECT_EQ(locate(frame, {hierarchy.inner_discs.x[k] * frame.data().unit, hierarchy.inner_discs.y[k] * frame.data().unit}),
+              Location::Inside);
+  EXPECT_FALSE(collide(frame, Pose::Identity(), peg, pose(0, 0.3, 0.2)));
+}
+
+/// The radius is no more than what is certain, even where the polygon's frame has few digits left for it.
+TEST(InnerDiscs, OfATriangleFarAway) {
+  for (int k = 0; k < 200; ++k) {
+    const double far = 0x1p30 * (1 + 0.013 * k);
+    const Polygon triangle({{{far, far}, {far + 1, far + 0.25}, {far + 0.125 * (k % 7), far + 1}}});
+    const Hierarchy& hierarchy = triangle.data().hierarchy();
+    ASSERT_GT(hierarchy.inner_radius, 0);
+    expectInside(triangle, hierarchy.inner_center, hierarchy.inner_radius);
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
