@@ -27,6 +27,16 @@ Outcome descend(const Polygon& a, const Pose& pose_a, const Polygon& b, const Po
   return collideByHierarchy({a.data(), pose_a, b.data(), pose_b}, {}, lookahead, Wanted::Clearance);
 }
 
+void expectBelowDistance(double clearance, const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const mpq_class world(clearance * (1 - 1e-12));  // poses aren't quite rigid
+  ASSERT_TRUE(world * world <= exact::distanceSquared(a, pose_a, b, pose_b)) << clearance;
+}
+
+Ring turned(Ring ring, double angle) {
+  for (Vec2& p : ring) p = pose(angle, 0, 0) * p;
+  return ring;
+}
+
 /// b's lowest vertex, once turned, `depth` below the height 0 of the frame `ground`, at x.
 Pose standing(const Ring& b, const Pose& ground, double angle, double x, double depth) {
   Pose result = pose(angle, 0, 0);
@@ -57,6 +67,33 @@ TEST(Touching, AShortPolygonOnALongEdge) {
   EXPECT_GT(hits, cases / 2);
 }
 
+/// Nearly parallel to it, and near its end: the edge is cut to 64 times the polygon, whose tilt is below a float's last
+/// digit.
+TEST(Touching, AFlatPolygonNearTheEndOfALongEdge) {
+  Random random(36);
+  int hits = 0;
+  const int cases = scaledCount(3000);
+  for (int i = 0; i < cases; ++i) {
+    const double length = std::pow(10, random.real(3, 5));
+    const Polygon a({rectangle(-length, -20, length, 0)});
+    const double own = random.real(0, 6.28);  // a level box's axis would be exact
+    const Ring ring = turned(rectangle(-1, 0, 1, 1), own);
+    const Pose ground = pose(random.real(0, 6.28), 0, 0);
+    const double tilt = (random.coin() ? 1 : -1) * std::pow(10, random.real(-8, -6)), x = length - random.real(2, 60);
+    const double depth = i % 3 == 0 ? -random.real(0.001, 0.1) : std::pow(10, random.real(-10, -7));
+    const Pose pose_b = standing(ring, ground, tilt - own, random.coin() ? x : -x, depth);
+    const Polygon b({ring});
+    const bool truth = exact::collide(a, ground, b, pose_b);
+    for (const bool swapped : {false, true}) {
+      const Outcome outcome = swapped ? descend(b, pose_b, a, ground, 0) : descend(a, ground, b, pose_b, 0);
+      ASSERT_EQ(outcome.collides, truth);
+      if (!truth) expectBelowDistance(outcome.clearance, a, ground, b, pose_b);
+    }
+    hits += truth;
+  }
+  EXPECT_GT(hits, cases / 2);
+}
+
 /// A small rectangle between walls parallel to its sides, so that their gap is their distance.
 TEST(Clearance, IsNoMoreThanTheDistanceToAParallelWall) {
   Random random(32);
@@ -65,15 +102,15 @@ TEST(Clearance, IsNoMoreThanTheDistanceToAParallelWall) {
   for (int i = 0; i < cases; ++i) {
     const double length = std::pow(10, random.real(0.5, 2.8)), gap = random.real(0.01, 2);
     const Polygon a({rectangle(-length - 5, -length - 5, length + 5, length + 5), rectangle(-length, -length, length, length)});
-    const Polygon b({rectangle(-1, -0.5, 1, 0.5)});
+    const double own = random.real(0, 6.28);
+    const Polygon b({turned(rectangle(-1, -0.5, 1, 0.5), own)});
     const Pose frame = pose(random.real(0, 6.28), 0, 0);
-    const Pose pose_b = frame * pose(0, random.real(-0.6, 0.6) * length, 0.5 + gap - length);
+    const Pose pose_b = frame * pose(-own, random.real(-0.6, 0.6) * length, 0.5 + gap - length);
     const double lookahead = i % 3 == 0 ? 0 : random.real(0, 2 * length);
     for (const bool swapped : {false, true}) {
       const Outcome outcome = swapped ? descend(b, pose_b, a, frame, lookahead) : descend(a, frame, b, pose_b, lookahead);
       ASSERT_FALSE(outcome.collides);
-      const mpq_class clearance(outcome.clearance * (1 - 1e-12));  // poses aren't quite rigid
-      ASSERT_TRUE(clearance * clearance <= exact::distanceSquared(a, frame, b, pose_b)) << outcome.clearance - gap;
+      expectBelowDistance(outcome.clearance, a, frame, b, pose_b);
       tight += outcome.clearance > 0.9 * gap;
     }
   }
@@ -92,6 +129,28 @@ TEST(Touching, ConvexPolygonsFaceToFace) {
     const double depth = (random.coin() ? 1e-3 : -1e-3) * std::pow(10, random.real(-7, 0)), half = 0.5 * M_PI;
     const double angle = random.coin() ? half : random.real(0, 6.28);
     const Pose pose_b = standing(ring, ground, angle, random.real(-0.9, 0.9), depth);
+    const bool truth = exact::collide(a, ground, b, pose_b);
+    ASSERT_EQ(collide(a, ground, b, pose_b), truth) << depth;
+    hits += truth;
+  }
+  EXPECT_GT(hits, cases / 4);
+  EXPECT_LT(hits, 3 * cases / 4);
+}
+
+/// The same for the edges of the larger one, of which there are up to sixteen.
+TEST(Touching, AnEdgeOfAConvexPolygonByATip) {
+  Random random(38);
+  int hits = 0;
+  const int cases = scaledCount(4000);
+  for (int i = 0; i < cases; ++i) {
+    const int n = random.integer(3, 16);
+    const double up = 0.5 * M_PI - (random.integer(0, n - 1) + 0.5) * 2 * M_PI / n;
+    const Polygon a({shifted(turned(regular(n, 2), up), {0, -2 * std::cos(M_PI / n)})});
+    const Ring ring = regular(3, 1);
+    const Pose ground = pose(random.real(0, 6.28), 0, 0);
+    const double depth = (random.coin() ? 1e-3 : -1e-3) * std::pow(10, random.real(-7, 0));
+    const Pose pose_b = standing(ring, ground, random.real(0, 6.28), 0, depth);
+    const Polygon b({ring});
     const bool truth = exact::collide(a, ground, b, pose_b);
     ASSERT_EQ(collide(a, ground, b, pose_b), truth) << depth;
     hits += truth;
@@ -179,27 +238,66 @@ TEST(Tolerance, LeavesTheSpaceBetweenRingsFree) {
   EXPECT_FALSE(collide(a, Pose::Identity(), one, Pose::Identity(), options));
   EXPECT_FALSE(collide(a, Pose::Identity(), one, pose(0, 50, 0), options));
   EXPECT_TRUE(collide(a, Pose::Identity(), one, pose(0, 6, 0), options));
+
+  // A mast between two dots, and between two of four: about as long as they are apart, and longer by far.
+  const auto dot = [](double x, double y) { return rectangle(x, y, x + 0.01, y + 0.01); };
+  const Polygon two({dot(-10, 0), dot(10, 0)}), four({dot(-10, 0), dot(10, 0), dot(-10, 100), dot(10, 100)});
+  for (const double length : {80.0, 160.0, 5000.0}) {
+    const Polygon mast({rectangle(-0.001, -length, 0.001, length)});
+    EXPECT_FALSE(collide(mast, Pose::Identity(), two, Pose::Identity(), options)) << length;
+    EXPECT_FALSE(collide(mast, Pose::Identity(), four, Pose::Identity(), options)) << length;
+    EXPECT_TRUE(collide(mast, Pose::Identity(), two, pose(0, 10, 0), options)) << length;
+  }
 }
 
-/// A million million away, positions are known to a ten-thousandth: a ring that is contained by less than that.
-TEST(Containment, IsFoundWhereRoundingPutsTheRingOutside) {
-  Random random(35);
-  int contained = 0;
-  const int cases = scaledCount(1000);
-  for (int i = 0; i < cases; ++i) {
-    const Polygon block({rectangle(-1, -1, 1, 1)}), disc({regular(60, 1)});
-    const Ring dot = rectangle(-1e-5, -1e-5, 1e-5, 1e-5);
-    const Pose frame = pose(random.real(0, 6.28), 1e12, -7e11);
-    const double at = 1 - std::pow(10, random.real(-4.5, -2));
-    const Pose pose_dot = frame * pose(random.real(0, 6.28), at, random.real(-0.5, 0.5));
-    const Polygon alone({dot}), in_disc({dot, rectangle(-20, 30, 20, 40)});
-    const bool truth = exact::collide(block, frame, alone, pose_dot);
-    ASSERT_EQ(collide(block, frame, alone, pose_dot), truth);
-    const Pose at_disc = frame * pose(random.real(0, 6.28), at, 0);
-    ASSERT_EQ(collide(in_disc, at_disc, disc, frame), exact::collide(in_disc, at_disc, disc, frame));
-    contained += truth;
+/// Rays through the vertices of an outline so fine that a block is some thousand times smaller than its distance: whatever
+/// rounding does to the ray, both edges that share the vertex are visited. Here, and where a pose hides some digits.
+TEST(Ray, ThroughVerticesFarAway) {
+  Random random(37);
+  const Polygon scanned({regular(40000, 1)}), built({regular(40000, 1)});
+  const Vec2 far(5e7, -7e7);
+  const Polygon dot({shifted(rectangle(0, 0, 1, 1), far)});
+  built.data().hierarchy();
+  for (int i = 0; i < scaledCount(1000); ++i) {
+    const Vec2 v = built.edgeStart(static_cast<std::size_t>(random.integer(0, 39999)));
+    const double t = i % 2 == 0 ? random.real(0.01, 0.99) : 1 - std::pow(10, random.real(-5, -2));
+    const Vec2 point = built.origin() + t * (v - built.origin());
+    ASSERT_EQ(locate(built, point), Location::Inside);
+    const Pose frame = pose(random.real(0, 6.28), 0, 0);
+    Pose pose_dot = pose(random.real(0, 6.28), 0, 0);
+    pose_dot.translation() = frame * point - pose_dot * far;
+    ASSERT_EQ(locate(PosedPair(built.data(), frame, dot.data(), pose_dot), far),
+              locate(PosedPair(scanned.data(), frame, dot.data(), pose_dot), far));
   }
-  EXPECT_GT(contained, cases / 4);
+  ASSERT_EQ(scanned.data().hierarchyIfBuilt(), nullptr) << "so it was scanned";
+}
+
+/// A million million away from its own frame's origin, a polygon's place is known to a ten-thousandth: a ring that is
+/// contained, or touched, by less than that. The block's flat sides are those of the box around it.
+TEST(FarFromItsOwnOrigin, APolygonIsFoundWhereRoundingPutsItOutside) {
+  Random random(35);
+  int common = 0;
+  const int cases = scaledCount(20000);
+  const Polygon block({{{-1.1, 0}, {-0.9, -0.5}, {0.9, -0.5}, {1.1, 0}, {0.9, 0.5}, {-0.9, 0.5}}}), disc({regular(60, 1)});
+  const Vec2 far(5e11, -7e11);
+  const Ring dot = shifted(rectangle(-2e-4, -2e-4, 2e-4, 2e-4), far);
+  const Polygon alone({dot}), of_two({dot, shifted(rectangle(-20, 30, 20, 40), far)});
+  for (int i = 0; i < cases; ++i) {
+    const Pose frame = pose(random.real(0, 6.28), 0, 0);
+    const double away = random.real(1.5e-4, 4e-4), side = random.coin() ? 1 : -1;
+    const auto placed = [&](const Vec2& point) {
+      Pose result = pose(random.real(0, 6.28), 0, 0);
+      result.translation() = frame * point - result * far;
+      return result;
+    };
+    const Pose in_block = placed({random.real(-0.8, 0.8), 0.5 + side * away}), in_disc = placed({1 - away, 0});
+    const bool truth = exact::collide(block, frame, alone, in_block);
+    ASSERT_EQ(collide(block, frame, alone, in_block), truth);
+    ASSERT_EQ(collide(of_two, in_disc, disc, frame), exact::collide(of_two, in_disc, disc, frame));
+    common += truth;
+  }
+  EXPECT_GT(common, cases / 4);
+  EXPECT_LT(common, cases);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/collide.h"
 
 namespace tricover::support {
 namespace {
@@ -26,7 +27,7 @@ TEST(Change, BoundsTheWayOfEveryVertex) {
     const Pose before = pose(angle, 1, 2);
     const Vec2 center = before * polygon.origin();
     Pose after = pose(angle + turn, 0, 0);
-    if (i % 5 == 0) after = mirrored(after);
+    if (i % 5 == 0) after = mirrored(pose(random.real(0, 6.28), 0, 0));
     if (i % 5 == 1) after = distorted(random, before);
     const double direction = random.real(0, 6.28);
     after.translation() = center - after.linear() * polygon.origin() + way * Vec2(std::cos(direction), std::sin(direction));
@@ -40,6 +41,27 @@ TEST(Change, BoundsTheWayOfEveryVertex) {
     ASSERT_FALSE(change.isBelow(0.99 * farthest)) << "turn " << turn << ", way " << way;
     ASSERT_TRUE(change.isBelow(1.5 * change.displacement()));
   }
+}
+
+/// A fact pays for the motion of both, whichever moved by little.
+TEST(Recollection, CountsTheMotionOfBoth) {
+  const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(0, 0, 1, 1)});
+  const auto ask = [&](double x_a, double x_b, bool truth) {
+    for (const bool swapped : {false, true}) {
+      PairCache cache;
+      detail::remember(cache, a.data(), Pose::Identity(), b.data(), pose(0, 3, 0), false, 0.99);
+      const bool answer = swapped ? collide(b, pose(0, x_b, 0), a, pose(0, x_a, 0), cache)
+                                  : collide(a, pose(0, x_a, 0), b, pose(0, x_b, 0), cache);
+      EXPECT_EQ(answer, truth) << x_a << " " << x_b;
+    }
+  };
+  ask(0.1, 3, false);
+  ask(0, 2.9, false);
+  ask(0.1, 1.5, true);
+  ask(1.5, 3.1, true);
+  ask(0.6, 2.4, true);
+  ask(1.2, 3, true);
+  ask(0, 1.8, true);
 }
 
 /// A cache that goes from pair to pair holds nothing of the last one.
