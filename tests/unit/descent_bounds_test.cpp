@@ -243,10 +243,11 @@ TEST(Tolerance, LeavesTheSpaceBetweenRingsFree) {
   const auto dot = [](double x, double y) { return rectangle(x, y, x + 0.01, y + 0.01); };
   const Polygon two({dot(-10, 0), dot(10, 0)}), four({dot(-10, 0), dot(10, 0), dot(-10, 100), dot(10, 100)});
   for (const double length : {80.0, 160.0, 5000.0}) {
+    const CollideOptions tolerant{0, 1};
     const Polygon mast({rectangle(-0.001, -length, 0.001, length)});
-    EXPECT_FALSE(collide(mast, Pose::Identity(), two, Pose::Identity(), options)) << length;
-    EXPECT_FALSE(collide(mast, Pose::Identity(), four, Pose::Identity(), options)) << length;
-    EXPECT_TRUE(collide(mast, Pose::Identity(), two, pose(0, 10, 0), options)) << length;
+    EXPECT_FALSE(collide(mast, Pose::Identity(), two, Pose::Identity(), tolerant)) << length;
+    EXPECT_FALSE(collide(mast, Pose::Identity(), four, Pose::Identity(), tolerant)) << length;
+    EXPECT_TRUE(collide(mast, Pose::Identity(), two, pose(0, 10, 0), tolerant)) << length;
   }
 }
 
@@ -298,6 +299,25 @@ TEST(FarFromItsOwnOrigin, APolygonIsFoundWhereRoundingPutsItOutside) {
   }
   EXPECT_GT(common, cases / 4);
   EXPECT_LT(common, cases);
+}
+
+TEST(BoundingDiscs, OfTipsThatTouchOnTheLineOfCentres) {
+  Random random(39);
+  const Vec2 far(5e11, -7e11);
+  const Polygon a({regular(4, 1)}), away({shifted(regular(4, 1), far)});
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = random.real(0, 6.28);
+    const Pose frame = pose(angle, 0, 0);
+    Pose pose_b = pose(angle + 0.5 * M_PI * random.integer(0, 3), 0, 0);
+    pose_b.translation() = frame * Vec2(2 + random.real(-3e-4, 3e-4), 0) - pose_b * far;
+    ASSERT_EQ(collide(a, frame, away, pose_b), exact::collide(a, frame, away, pose_b));
+    // As large as a pose may make them.
+    Pose grown = frame, grown_b = frame;
+    grown.linear() *= 1 + 4.9e-7;
+    grown_b.linear() *= 1 + 4.9e-7;
+    grown_b.translation() = frame * Vec2(2 + 9e-7, 0);
+    ASSERT_TRUE(collide(a, grown, a, grown_b));
+  }
 }
 
 }  // namespace
