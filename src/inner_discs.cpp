@@ -103,10 +103,15 @@ void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, 
   discs.count = 0;
   hierarchy.inner_center = polygon.origin;
   hierarchy.inner_radius = 0;
+  std::vector<Candidate> proven;
   for (const Candidate& candidate : search(polygon, local, hierarchy.root)) {
     const Vec2 center = candidate.center.cast<float>().cast<double>();
     const double radius = provenRadius(polygon, local, center);
-    if (!(radius > 0)) continue;
+    if (radius > 0) proven.push_back({center, radius});
+  }
+  // What the thinned outline overlooked may have turned their order.
+  std::sort(proven.begin(), proven.end(), [](const Candidate& p, const Candidate& q) { return p.depth > q.depth; });
+  for (const auto& [center, radius] : proven) {
     if (discs.count == 0) {
       hierarchy.inner_center = polygon.origin + center * polygon.unit;
       hierarchy.inner_radius = radius * polygon.unit;
