@@ -101,14 +101,16 @@ TEST(Clearance, IsNoMoreThanTheDistanceToAParallelWall) {
   int tight = 0;
   for (int i = 0; i < cases; ++i) {
     const double length = std::pow(10, random.real(0.5, 2.8)), gap = random.real(0.01, 2);
-    const Polygon a({rectangle(-length - 5, -length - 5, length + 5, length + 5), rectangle(-length, -length, length, length)});
+    const Polygon a(
+        {rectangle(-length - 5, -length - 5, length + 5, length + 5), rectangle(-length, -length, length, length)});
     const double own = random.real(0, 6.28);
     const Polygon b({turned(rectangle(-1, -0.5, 1, 0.5), own)});
     const Pose frame = pose(random.real(0, 6.28), 0, 0);
     const Pose pose_b = frame * pose(-own, random.real(-0.6, 0.6) * length, 0.5 + gap - length);
     const double lookahead = i % 3 == 0 ? 0 : random.real(0, 2 * length);
     for (const bool swapped : {false, true}) {
-      const Outcome outcome = swapped ? descend(b, pose_b, a, frame, lookahead) : descend(a, frame, b, pose_b, lookahead);
+      const Outcome outcome =
+          swapped ? descend(b, pose_b, a, frame, lookahead) : descend(a, frame, b, pose_b, lookahead);
       ASSERT_FALSE(outcome.collides);
       expectBelowDistance(outcome.clearance, a, frame, b, pose_b);
       tight += outcome.clearance > 0.9 * gap;
@@ -204,10 +206,10 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
   EXPECT_GT(claimed, cases / 20);
 }
 
-/// Sixteen edges, the upper eight along the x axis from 10 to 0 but for a spike at 1: a box that is `height` thick, and empty at
-/// its far end.
+/// Sixteen edges, the upper eight along the x axis from 10 to 0 but for a spike at 1: a box that is `height` thick, and
+/// empty at its far end.
 Ring spiked(double height) {
-  return {{0, 0},  {1, -1}, {3, -1}, {4, -1}, {5, -1}, {6, -1},      {8, -1},   {9, -1},
+  return {{0, 0},  {1, -1}, {3, -1}, {4, -1}, {5, -1},  {6, -1},     {8, -1},  {9, -1},
           {10, 0}, {8, 0},  {6, 0},  {4, 0},  {1.1, 0}, {1, height}, {0.9, 0}, {0.1, 0}};
 }
 
@@ -251,8 +253,9 @@ TEST(Tolerance, LeavesTheSpaceBetweenRingsFree) {
   }
 }
 
-/// Rays through the vertices of an outline so fine that a block is some thousand times smaller than its distance: whatever
-/// rounding does to the ray, both edges that share the vertex are visited. Here, and where a pose hides some digits.
+/// Rays through the vertices of an outline so fine that a block is some thousand times smaller than its distance:
+/// whatever rounding does to the ray, both edges that share the vertex are visited. Here, and where a pose hides some
+/// digits.
 TEST(Ray, ThroughVerticesFarAway) {
   Random random(37);
   const Polygon scanned({regular(40000, 1)}), built({regular(40000, 1)});
@@ -279,7 +282,8 @@ TEST(FarFromItsOwnOrigin, APolygonIsFoundWhereRoundingPutsItOutside) {
   Random random(35);
   int common = 0;
   const int cases = scaledCount(20000);
-  const Polygon block({{{-1.1, 0}, {-0.9, -0.5}, {0.9, -0.5}, {1.1, 0}, {0.9, 0.5}, {-0.9, 0.5}}}), disc({regular(60, 1)});
+  const Polygon block({{{-1.1, 0}, {-0.9, -0.5}, {0.9, -0.5}, {1.1, 0}, {0.9, 0.5}, {-0.9, 0.5}}}),
+      disc({regular(60, 1)});
   const Vec2 far(5e11, -7e11);
   const Ring dot = shifted(rectangle(-2e-4, -2e-4, 2e-4, 2e-4), far);
   const Polygon alone({dot}), of_two({dot, shifted(rectangle(-20, 30, 20, 40), far)});

@@ -16,8 +16,8 @@ namespace {
 
 using detail::Change;
 
-/// Turns and shifts of like effect, mirrors and distortions; a vertex in every direction, so that some moves about as far as
-/// it can.
+/// Turns and shifts of like effect, mirrors and distortions; a vertex in every direction, so that some moves about as
+/// far as it can.
 TEST(Change, BoundsTheWayOfEveryVertex) {
   Random random(41);
   for (int i = 0; i < scaledCount(3000); ++i) {
@@ -30,7 +30,8 @@ TEST(Change, BoundsTheWayOfEveryVertex) {
     if (i % 5 == 0) after = mirrored(pose(random.real(0, 6.28), 0, 0));
     if (i % 5 == 1) after = distorted(random, before);
     const double direction = random.real(0, 6.28);
-    after.translation() = center - after.linear() * polygon.origin() + way * Vec2(std::cos(direction), std::sin(direction));
+    after.translation() =
+        center - after.linear() * polygon.origin() + way * Vec2(std::cos(direction), std::sin(direction));
     double farthest = 0;
     for (const Vec2& p : ring) farthest = std::max(farthest, (after * p - before * p).norm());
     const auto& m = before.matrix();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a hierarchy says of its polygon, against exact numbers: its boxes hold their chains, its discs are in the region.
+// What a hierarchy says of its polygon, against exact numbers: its boxes hold their chains, its discs are in the
+// region.
 #include "hierarchy.h"
 
 #include <gtest/gtest.h>
@@ -104,8 +105,9 @@ TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
   const Polygon frame({regular(2000, 10), rectangle(-5, -5, 5, 5)}), peg({regular(40, 1)});
   const Hierarchy& hierarchy = frame.data().hierarchy();
   for (int k = 0; k < hierarchy.inner_discs.count; ++k)
-    EXPECT_EQ(locate(frame, {hierarchy.inner_discs.x[k] * frame.data().unit, hierarchy.inner_discs.y[k] * frame.data().unit}),
-              Location::Inside);
+    EXPECT_EQ(
+        locate(frame, {hierarchy.inner_discs.x[k] * frame.data().unit, hierarchy.inner_discs.y[k] * frame.data().unit}),
+        Location::Inside);
   EXPECT_FALSE(collide(frame, Pose::Identity(), peg, pose(0, 0.3, 0.2)));
 }
 
