@@ -206,6 +206,20 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
   EXPECT_GT(claimed, cases / 20);
 }
 
+/// Whatever overlap is claimed, moving apart by that much doesn't end it.
+TEST(Clearance, OfOverlappingRegionsIsThere) {
+  const Polygon a({regular(40, 1)}), b({regular(30, 0.8)});
+  int claims = 0;
+  for (double x = 0; x < 1.8; x += 0.05) {
+    const Outcome outcome = descend(a, Pose::Identity(), b, pose(0, x, 0), 0);
+    ASSERT_TRUE(outcome.collides);
+    if (outcome.clearance == 0) continue;
+    ++claims;
+    ASSERT_TRUE(exact::collide(a, Pose::Identity(), b, pose(0, x + outcome.clearance, 0))) << x;
+  }
+  EXPECT_GT(claims, 5);
+}
+
 /// Sixteen edges, the upper eight along the x axis from 10 to 0 but for a spike at 1: a box that is `height` thick, and
 /// empty at its far end.
 Ring spiked(double height) {
