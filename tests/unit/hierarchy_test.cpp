@@ -100,6 +100,19 @@ TEST(InnerDiscs, AreInTheRegion) {
   EXPECT_GT(discs, scaledCount(400));
 }
 
+/// The proof may shrink what the search ranked first: innerDepth() divides by the first radii as the largest.
+TEST(InnerDiscs, TheFirstIsTheLargest) {
+  Random random(23);
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Ring> rings = {star(random, random.integer(130, 400), random.real(3, 9), 10)};
+    for (int k = random.integer(0, 4); k > 0; --k)
+      rings.push_back(shifted(star(random, random.integer(3, 8), 0.5, 2), {random.real(-5, 5), random.real(-5, 5)}));
+    const Polygon polygon(rings);
+    const detail::InnerDiscs& discs = polygon.data().hierarchy().inner_discs;
+    for (int k = 1; k < discs.count; ++k) ASSERT_LE(discs.radius[k], discs.radius[0]);
+  }
+}
+
 /// A frame of a great many vertices whose hole has four: the search, on a thinned outline, doesn't see the hole.
 TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
   const Polygon frame({regular(2000, 10), rectangle(-5, -5, 5, 5)}), peg({regular(40, 1)});
