@@ -178,6 +178,7 @@ TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   EXPECT_FALSE(isSmallConvex(pentagram)) << "turns one way, but twice around";
   EXPECT_FALSE(isSmallConvex({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}}));
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {2, 0}, {2, 2}})) << "a straight vertex: the general way's";
+  EXPECT_FALSE(isSmallConvex({{2, 2}, {0, 0}, {1, 0}, {2, 0}}));
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}})) << "an edge too short to have a direction";
   EXPECT_EQ(Polygon({regular(4, 1), regular(4, 0.5)}).data().hierarchy().small_convex, nullptr);
 }
