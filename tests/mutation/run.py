@@ -124,7 +124,7 @@ MUTATIONS = [
     ("src/small_convex.cpp", "if (orientation(p, q, r) != direction) return 0;", "if (orientation(p, q, r) == -direction) return 0;", "small convex: straight vertices"),
     ("src/small_convex.cpp", "(direction / length)", "(1 / length)", "small convex: direction"),
     ("src/small_convex.cpp", "if (!(length > 0x1p-30)) return nullptr;", "", "small convex: an edge too short to have a direction"),
-    ("src/small_convex.cpp", "polygon.ringCount() != 1 || ", "", "small convex: several rings"),
+    ("src/small_convex.cpp", "polygon.ringCount() != 1 || ", "", "small convex: several rings (equivalent: the vertex that closes the first is a straight one)"),
     # Descents, eight boxes at a time.
     ("src/wide_body.h", "absolute(dx * q.ux + dy * q.uy) - (along * c + across * s + q.along)", "absolute(dx * q.ux + dy * q.uy) - (along * c + q.along)", "gaps: extent across forgotten"),
     ("src/wide_body.h", "(along * s + across * c + q.across)", "(across * c + q.across)", "gaps: extent along forgotten"),
