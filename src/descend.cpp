@@ -15,7 +15,8 @@ UnitMap mapUnits(const PosedPair& pair) {
   const double inverse_unit = pair.a.inverse_unit;
   const ApproxPoint center = pair.center();
   const double cx = (center.x - pair.a.origin.x()) * inverse_unit, cy = (center.y - pair.a.origin.y()) * inverse_unit;
-  const double rounding = (center.error + kUlp * (std::abs(center.x) + std::abs(center.y))) * inverse_unit +
+  // In any direction, so once and a half what either coordinate is wrong by.
+  const double rounding = 1.5 * (center.error + kUlp * (std::abs(center.x) + std::abs(center.y))) * inverse_unit +
                           64 * kUlp * (std::abs(cx) + std::abs(cy) + 4) + kTiny;
   // The largest of polygons are more than their unit: nothing is known of those.
   const bool fits = pair.a.radius <= pair.a.unit && pair.b.radius <= pair.b.unit;

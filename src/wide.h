@@ -12,7 +12,7 @@ namespace tricover::detail {
 /// p -> scale r p + t, from one hierarchy's units to the other's.
 struct UnitMap {
   double r00, r01, r10, r11, tx, ty, scale;
-  double error;  ///< of a mapped point, either coordinate
+  double error;  ///< a mapped point is no farther than this from the true one
 };
 
 /// What a descent of two hierarchies needs to know. Lengths are in a's units.
