@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "covering.h"
 
@@ -86,9 +87,9 @@ double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, 
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
       square = std::min(square, squareDistance(center, local[e], local[e + 1]));
-  // Coordinates are below 2^5 units, so that rounding in them, in the distance and in the centre taken back to the
-  // polygon's frame (by an ulp of S, which may be far off) is below this.
-  const double radius = std::sqrt(square) - 0x1p-40 - 4 * kUlp * (polygon.extent / polygon.unit);
+  // Rounding the centre to floats moves it by less than 2^-23 units (coordinates are below 1 where discs are used), all
+  // else by far less, but taking it back to the polygon's frame (by an ulp of S, which may be far off).
+  const double radius = std::sqrt(square) - 0x1p-22 - 4 * kUlp * (polygon.extent / polygon.unit);
   const Vec2 p = polygon.origin + center * polygon.unit;
   if (!(radius > 0) || !std::isfinite(radius * polygon.unit) || !p.allFinite()) return 0;
   return locateInCovering(polygon, nullptr, {p.x(), p.y(), 0}, {nullptr, p}, 1) == Location::Inside ? radius : 0;
@@ -103,24 +104,25 @@ void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, 
   discs.count = 0;
   hierarchy.inner_center = polygon.origin;
   hierarchy.inner_radius = 0;
-  std::vector<Candidate> proven;
+  int largest = 0;
   for (const Candidate& candidate : search(polygon, local, hierarchy.root)) {
-    const Vec2 center = candidate.center.cast<float>().cast<double>();
-    const double radius = provenRadius(polygon, local, center);
-    if (radius > 0) proven.push_back({center, radius});
+    const int k = discs.count;
+    discs.x[k] = static_cast<float>(candidate.center.x());
+    discs.y[k] = static_cast<float>(candidate.center.y());
+    const double radius = provenRadius(polygon, local, Vec2(discs.x[k], discs.y[k]));
+    if (!(radius > 0)) continue;
+    discs.radius[k] = static_cast<float>(radius * (1 - 0x1p-22));
+    discs.reach = std::max(discs.reach, std::hypot(discs.x[k], discs.y[k]) + discs.radius[k]) * (1 + 0x1p-20f);
+    if (discs.radius[k] > discs.radius[largest]) largest = k;
+    ++discs.count;
   }
+  if (discs.count == 0) return;
   // What the thinned outline overlooked may have turned their order.
-  std::sort(proven.begin(), proven.end(), [](const Candidate& p, const Candidate& q) { return p.depth > q.depth; });
-  for (const auto& [center, radius] : proven) {
-    if (discs.count == 0) {
-      hierarchy.inner_center = polygon.origin + center * polygon.unit;
-      hierarchy.inner_radius = radius * polygon.unit;
-    }
-    discs.reach = std::max(discs.reach, static_cast<float>(center.norm() + radius) * (1 + 0x1p-20f));
-    discs.x[discs.count] = static_cast<float>(center.x());
-    discs.y[discs.count] = static_cast<float>(center.y());
-    discs.radius[discs.count++] = static_cast<float>(radius) * (1 - 0x1p-22f);
-  }
+  std::swap(discs.x[0], discs.x[largest]);
+  std::swap(discs.y[0], discs.y[largest]);
+  std::swap(discs.radius[0], discs.radius[largest]);
+  hierarchy.inner_center = polygon.origin + Vec2(discs.x[0], discs.y[0]) * polygon.unit;
+  hierarchy.inner_radius = discs.radius[0] * polygon.unit;
 }
 
 }  // namespace tricover::detail
