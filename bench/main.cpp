@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <benchmark/benchmark.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include "countries.h"
+#include "measure.h"
 #include "pictures.h"
 #include "plot_data.h"
 #include "report.h"
@@ -94,20 +93,4 @@ int run(const std::string& data, const std::string& directory, bool full) {
 }  // namespace
 }  // namespace tricover::bench
 
-int main(int argc, char** argv) {
-  const bool full = argc == 4 && std::string(argv[3]) == "--full";
-  if (argc != 3 && !full) {
-    std::fprintf(stderr, "usage: %s <countries file> <existing report directory> [--full]\n", argv[0]);
-    return 2;
-  }
-  std::string interleave = "--benchmark_enable_random_interleaving=true";
-  char* benchmark_arguments[] = {argv[0], interleave.data(), nullptr};
-  int benchmark_count = 2;
-  benchmark::Initialize(&benchmark_count, benchmark_arguments);
-  try {
-    return tricover::bench::run(argv[1], argv[2], full);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return tricover::bench::runStudy(argc, argv, tricover::bench::run); }

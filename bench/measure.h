@@ -97,4 +97,8 @@ double measureBuild(const std::string& name, std::size_t things, const std::func
 /// while being timed. The first contender is tricover without coherence: the reference.
 Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings);
 
+/// What main() of a timing program does: `<countries file> <existing report directory> [--full]` for `run`, Google
+/// Benchmark made ready. Errors go to stderr.
+int runStudy(int argc, char** argv, int (*run)(const std::string& data, const std::string& directory, bool full));
+
 }  // namespace tricover::bench

@@ -65,9 +65,6 @@ class Discs {
   }
 
  private:
-  /// Whether squares of this neither overflow nor lose digits.
-  static bool squarable(double length) { return length > 0x1p-480 && length < 0x1p480; }
-
   double squaredBetween(const Vec2& p, const Vec2& q) const {
     const Double2 d =
         (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));

@@ -73,12 +73,11 @@ std::ptrdiff_t ringOfBInside(const PosedPair& pair) {
 /// The same for a ring of a in b. Most starts are outside of b's disc, which is known in a's frame.
 std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
   const double radius = (pair.radiusB() + 4 * pair.error) * (1 + 16 * kUlp);
-  const bool squarable = radius > 0x1p-480 && radius < 0x1p480;
   for (std::size_t r = 0; r < pair.a.ringCount(); ++r) {
     const std::size_t first = pair.a.edgeBegin(r);
     const Vec2& p = pair.a.path[first];
     const double dx = p.x() - pair.center_x, dy = p.y() - pair.center_y;
-    if (squarable && dx * dx + dy * dy > radius * radius) continue;
+    if (squarable(radius) && dx * dx + dy * dy > radius * radius) continue;
     if (locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside)
       return static_cast<std::ptrdiff_t>(first);
   }

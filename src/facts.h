@@ -46,7 +46,7 @@ struct Change {
 
   /// Whether it is certainly below `length`, without a root: (x + y)^2 <= 2 (x^2 + y^2).
   bool isBelow(double length) const {
-    return length > 0x1p-480 && length < 0x1p480 &&
+    return squarable(length) &&
            2 * (square_of_turn * (radius * radius) + square_of_way) * (1 + 64 * kUlp) < length * length;
   }
 

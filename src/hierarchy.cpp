@@ -217,8 +217,4 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   small_convex = makeSmallConvex(polygon, local);
 }
 
-std::size_t Hierarchy::bytes() const {
-  return sizeof *this + blocks.capacity() * sizeof(Block) + (small_convex ? sizeof *small_convex : 0);
-}
-
 }  // namespace tricover::detail

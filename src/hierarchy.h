@@ -64,8 +64,6 @@ struct Hierarchy {
   double inner_radius;     ///< 0 if there is none
 
   std::unique_ptr<const SmallConvex> small_convex;  ///< null unless the polygon is one
-
-  std::size_t bytes() const;  ///< of memory, with all that it owns
 };
 
 /// Blocks above each other: one for each halving of up to 2^31 rings, and 8^11 edges.

@@ -71,6 +71,9 @@ inline int orientation(const Vec2& p, const Vec2& q, const Vec2& r) {
 /// The sign of p's world coordinate minus q's; axis 0 is x, 1 is y.
 int compareExact(const PosedPoint& p, const PosedPoint& q, int axis);
 
+/// Whether the square of this length, and of a good many times it, neither overflows nor loses digits.
+inline bool squarable(double length) { return length > 0x1p-480 && length < 0x1p480; }
+
 /// A lower bound of the length of (x, y): tight, but 0 where the squares overflow or lose digits to underflow. 4
 /// roundings.
 inline double normBelow(double x, double y) {

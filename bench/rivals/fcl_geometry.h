@@ -2,12 +2,12 @@
 #pragma once
 
 #include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/geometry/shape/convex.h>
 
 #include <memory>
 #include <vector>
 
 #include "convex_pieces.h"
+#include "prism.h"
 
 /// The rivals' shapes and frames.
 namespace tricover::bench {
@@ -20,7 +20,7 @@ using FlatMesh = fcl::BVHModel<fcl::OBBRSSd>;
 /// units high, the countries' prisms took 400 times as long).
 constexpr double kHalfHeight = 0.5;
 
-std::shared_ptr<Prism> makePrism(const Ring& convex_ring, double half_height);
+using support::makePrism;
 
 std::shared_ptr<FlatMesh> makeFlatMesh(const std::vector<Triangle>& triangles);
 

@@ -2,7 +2,6 @@
 // FCL's own solvers beside tricover, as a second opinion; the exact reference says who is right where they differ.
 // A polygon becomes prisms, one for each convex piece; those of one polygon are twice as high as the other's, and all
 // higher than wide, so that the shallowest way out lies in the plane (with equal heights MPR gives false alarms).
-#include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
@@ -10,6 +9,7 @@
 #include <cstdio>
 
 #include "exact_reference.h"
+#include "prism.h"
 #include "reproduction.h"
 #include "scene.h"
 #include "test_scale.h"
@@ -24,21 +24,6 @@ using tricover::support::Case;
 using tricover::support::Random;
 
 using Prisms = std::vector<std::shared_ptr<const fcl::Convexd>>;
-
-std::shared_ptr<const fcl::Convexd> prism(const Ring& piece, double half_height) {
-  const int n = static_cast<int>(piece.size());
-  auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
-  for (const double z : {-half_height, half_height}) {
-    for (const Vec2& vertex : piece) vertices->emplace_back(vertex.x(), vertex.y(), z);
-  }
-  auto faces = std::make_shared<std::vector<int>>();
-  faces->push_back(n);
-  for (int i = n - 1; i >= 0; --i) faces->push_back(i);
-  faces->push_back(n);
-  for (int i = 0; i < n; ++i) faces->push_back(n + i);
-  for (int i = 0; i < n; ++i) faces->insert(faces->end(), {4, i, (i + 1) % n, n + (i + 1) % n, n + i});
-  return std::make_shared<fcl::Convexd>(vertices, n + 2, faces);
-}
 
 /// A polygon and convex pieces whose union it is, exactly: they share its vertices and the local origin.
 struct Shaped {
@@ -63,7 +48,7 @@ Shaped starred(Random& random) {
 
 Prisms prisms(const Shaped& shaped, double half_height) {
   Prisms result;
-  for (const Ring& piece : shaped.pieces) result.push_back(prism(piece, half_height));
+  for (const Ring& piece : shaped.pieces) result.push_back(tricover::support::makePrism(piece, half_height));
   return result;
 }
 
