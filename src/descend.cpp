@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pairs.h"
 #include "strategy.h"
 #include "wide.h"
 
@@ -23,6 +24,9 @@ UnitMap mapUnits(const PosedPair& pair) {
   const double error = fits ? rounding : std::numeric_limits<double>::infinity();
   return {pair.m00, pair.m01, pair.m10, pair.m11, cx, cy, pair.b.unit * inverse_unit, error};
 }
+
+/// Of a gap between boxes, see Descent.
+double roundingOf(const PosedPair& pair) { return 0x1p-19 + 8 * pair.defect; }
 
 Descent describe(const PosedPair& pair, const UnitMap& to_a, double rounding, const CollideOptions& options,
                  double lookahead, bool wants_clearance) {
@@ -99,6 +103,11 @@ UnitMap inverse(const UnitMap& map) {
           map.error * scale * (1 + 0x1p-10)};
 }
 
+void visitPairs(const PosedPair& pair, double limit, PairVisit visit, void* context) {
+  const Descent everything = describe(pair, mapUnits(pair), roundingOf(pair), {}, limit, false);
+  visitPairs(everything, visit, context);
+}
+
 Outcome findContainment(const PosedPair& pair) {
   Outcome outcome;
   outcome.edge_b = ringOfBInside(pair);
@@ -110,7 +119,7 @@ Outcome findContainment(const PosedPair& pair) {
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
   const Hierarchy &a = pair.a.hierarchy(), &b = pair.b.hierarchy();
   const UnitMap map = mapUnits(pair);
-  const double rounding = 0x1p-19 + 8 * pair.defect;
+  const double rounding = roundingOf(pair);
   Outcome outcome;
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const double gap = rootGap(a.root, b.root, map, rounding);

@@ -27,17 +27,19 @@ namespace avx2 {
 
 struct Descents {
   decltype(&portable::descend) descend;
+  decltype(&portable::visitPairs) visit_pairs;
   decltype(&portable::visitEdgesOnRay) visit_edges_on_ray;
   decltype(&portable::convexMeet) convex_meet;
   decltype(&portable::innerDepth) inner_depth;
 };
 
-constexpr Descents kPortable = {portable::descend, portable::visitEdgesOnRay, portable::convexMeet,
-                                portable::innerDepth};
+constexpr Descents kPortable = {portable::descend, portable::visitPairs, portable::visitEdgesOnRay,
+                                portable::convexMeet, portable::innerDepth};
 
 const Descents* fastest() {
 #ifdef TRICOVER_HAS_AVX2
-  static const Descents wide = {avx2::descend, avx2::visitEdgesOnRay, avx2::convexMeet, avx2::innerDepth};
+  static const Descents wide = {avx2::descend, avx2::visitPairs, avx2::visitEdgesOnRay, avx2::convexMeet,
+                                avx2::innerDepth};
   if (__builtin_cpu_supports("avx2")) return &wide;
 #endif
   return &kPortable;
@@ -52,6 +54,10 @@ const Descents& descents() { return *chosen.load(std::memory_order_relaxed); }
 }  // namespace
 
 DescentResult descend(const Descent& descent) { return descents().descend(descent); }
+
+void visitPairs(const Descent& descent, PairVisit visit, void* context) {
+  descents().visit_pairs(descent, visit, context);
+}
 
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
   descents().visit_edges_on_ray(hierarchy, ray, visit, context);

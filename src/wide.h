@@ -40,6 +40,14 @@ struct DescentResult {
 /// Deepest box first.
 DescentResult descend(const Descent& descent);
 
+/// What a visitor of pairs does with edges at these positions, whose distance in a's units is at least `gap`: it
+/// returns the limit, in a's units, beyond which no more pairs need to be shown; negative ends the visit.
+using PairVisit = double (*)(void* context, double gap, std::uint32_t edge_a, std::uint32_t edge_b);
+
+/// Shows every pair of edges that may be within the limit, near ones roughly first. Of the descent, only its limit
+/// counts.
+void visitPairs(const Descent& descent, PairVisit visit, void* context);
+
 /// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
 /// as for convexMeet().
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding);

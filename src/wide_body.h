@@ -214,6 +214,7 @@ TRICOVER_INLINE bool accepts(const Descent& d, const Step& step, float gap, floa
 struct Findings {
   DescentResult hit;
   double clearance;
+  double limit;  ///< in a's units: boxes beyond aren't entered
 };
 
 TRICOVER_INLINE bool accepted(Findings& findings) {
@@ -221,15 +222,34 @@ TRICOVER_INLINE bool accepted(Findings& findings) {
   return true;
 }
 
-/// Whether two edges meet, unless their boxes' gap proves already that they don't.
-TRICOVER_INLINE bool leavesMeet(const Descent& d, const Step& step, float gap, std::uint32_t edge_a,
-                                std::uint32_t edge_b, Findings& findings) {
-  const double proven = step.known ? (gap - step.slack) * step.in_a : 0;
-  findings.clearance = proven < findings.clearance ? proven : findings.clearance;
-  if (proven > d.reach || !edgesWithin(d.pair, edge_a, edge_b, d.margin, d.tolerance)) return false;
-  findings.hit = {true, 0, edge_a, edge_b};
-  return true;
+/// A lower bound, in a's units, of the distance between what is in two boxes.
+TRICOVER_INLINE double provenGap(const Step& step, float gap) {
+  return step.known ? (gap - step.slack) * step.in_a : 0;
 }
+
+/// Asks whether two edges meet, unless their boxes' gap proves already that they don't.
+struct MeetEdges : Findings {
+  static constexpr bool kNarrows = false;
+
+  TRICOVER_INLINE bool operator()(const Descent& d, double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
+    clearance = proven < clearance ? proven : clearance;
+    if (proven > d.reach || !edgesWithin(d.pair, edge_a, edge_b, d.margin, d.tolerance)) return false;
+    hit = {true, 0, edge_a, edge_b};
+    return true;
+  }
+};
+
+/// Shows them to a visitor, who may lower the limit.
+struct ShowEdges : Findings {
+  static constexpr bool kNarrows = true;
+  PairVisit visit;
+  void* context;
+
+  TRICOVER_INLINE bool operator()(const Descent&, double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
+    if (proven <= limit) limit = visit(context, proven, edge_a, edge_b);
+    return limit < 0;
+  }
+};
 
 TRICOVER_INLINE void keepLeast(const Descent& d, Lanes least, const Step& step, Findings& findings) {
   if (!d.wants_clearance) return;
@@ -245,32 +265,40 @@ TRICOVER_INLINE void keepLeast(const Descent& d, Lanes least, const Step& step, 
   findings.clearance = proven < findings.clearance ? proven : findings.clearance;
 }
 
+/// What a visit is kept with: the boxes' gap in their block's scale, which is enough to tell the deepest, or what it
+/// proves, to be compared with a limit that has been lowered since.
+template <typename OnPair>
+TRICOVER_INLINE float keptGap(const Step& step, float gap) {
+  return OnPair::kNarrows ? static_cast<float>(provenGap(step, gap)) * (1 - 0x1p-20f) : gap;
+}
+
 /// One item against the boxes that the other one is divided into. True if that ended the descent.
+template <typename OnPair>
 TRICOVER_TARGET bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other, std::uint32_t visit_a,
-                              std::uint32_t visit_b, Visits& visits, Findings& findings) {
+                              std::uint32_t visit_b, Visits& visits, OnPair& on_pair) {
   const std::uint32_t index = item.child;
   const Block& block = into_a ? d.a.blocks[index] : d.b.blocks[index];
   const UnitMap map = into_a ? d.to_a : inverse(d.to_a);
   const Query query = queryFor(other, into_a ? d.pair.b : d.pair.a, map, block, d.rounding);
   const double in_a = into_a ? block.scale : block.scale * d.to_a.scale;
-  const Step step = stepOf(in_a, d.limit / in_a, query.slack, query.cap);
+  const Step step = stepOf(in_a, on_pair.limit / in_a, query.slack, query.cap);
   const Lanes found = gaps(block, query);
   Lanes least = all(1e30f);
   const unsigned near = entered(d, block, step, found, least);
-  keepLeast(d, least, step, findings);
+  keepLeast(d, least, step, on_pair);
   float gap[kLanes];
   store(gap, found);
 
   if (d.accept >= 0 && other.spanned)
     for (unsigned left = near & block.spanned; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      if (accepts(d, step, gap[i], block.across[i], query.across)) return accepted(findings);
+      if (accepts(d, step, gap[i], block.across[i], query.across)) return accepted(on_pair);
     }
   if (block.leaf && other.leaf) {
     for (unsigned left = near; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
       const std::uint32_t edge = block.child[i];
-      if (leavesMeet(d, step, gap[i], into_a ? edge : other.child, into_a ? other.child : edge, findings)) return true;
+      if (on_pair(d, provenGap(step, gap[i]), into_a ? edge : other.child, into_a ? other.child : edge)) return true;
     }
     return false;
   }
@@ -278,7 +306,7 @@ TRICOVER_TARGET bool enterOne(const Descent& d, bool into_a, const Item& item, c
   for (unsigned i = 0; i < kLanes; ++i) {
     visits.a[visits.top] = into_a ? index * kLanes + i : visit_a;
     visits.b[visits.top] = into_a ? visit_b : index * kLanes + i;
-    visits.gap[visits.top] = gap[i];
+    visits.gap[visits.top] = keptGap<OnPair>(step, gap[i]);
     visits.top += static_cast<int>(near >> i & 1);
   }
   raiseDeepest(visits, first);
@@ -287,15 +315,16 @@ TRICOVER_TARGET bool enterOne(const Descent& d, bool into_a, const Item& item, c
 
 /// The boxes of two blocks of about the same size against each other, in the frame of a's. True if that ended the
 /// descent.
+template <typename OnPair>
 TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits,
-                               Findings& findings) {
+                               OnPair& on_pair) {
   const Block &a = d.a.blocks[item_a.child], &b = d.b.blocks[item_b.child];
   const UnitMap& map = d.to_a;
   const double size = map.scale * b.scale * a.inverse;
   const double x = (map.scale * (map.r00 * b.origin_x + map.r01 * b.origin_y) + map.tx - a.origin_x) * a.inverse;
   const double y = (map.scale * (map.r10 * b.origin_x + map.r11 * b.origin_y) + map.ty - a.origin_y) * a.inverse;
   const double slack = d.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
-  const Step step = stepOf(a.scale, d.limit * a.inverse, static_cast<float>(slack), 1e30f);
+  const Step step = stepOf(a.scale, on_pair.limit * a.inverse, static_cast<float>(slack), 1e30f);
 
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
@@ -334,34 +363,37 @@ TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item&
     if (d.accept >= 0 && (b.spanned >> j & 1) != 0)
       for (unsigned i_left = near & a.spanned; i_left != 0; i_left &= i_left - 1) {
         const int i = __builtin_ctz(i_left);
-        if (accepts(d, step, gap[i], a.across[i], query.across)) return accepted(findings);
+        if (accepts(d, step, gap[i], a.across[i], query.across)) return accepted(on_pair);
       }
     if (a.leaf && b.leaf) {
       for (unsigned i_left = near; i_left != 0; i_left &= i_left - 1) {
         const int i = __builtin_ctz(i_left);
-        if (leavesMeet(d, step, gap[i], a.child[i], b.child[j], findings)) return true;
+        if (on_pair(d, provenGap(step, gap[i]), a.child[i], b.child[j])) return true;
       }
       continue;
     }
     for (unsigned i = 0; i < kLanes; ++i) {
       visits.a[visits.top] = item_a.child * kLanes + i;
       visits.b[visits.top] = item_b.child * kLanes + j;
-      visits.gap[visits.top] = gap[i];
+      visits.gap[visits.top] = keptGap<OnPair>(step, gap[i]);
       visits.top += static_cast<int>(near >> i & 1);
     }
   }
-  keepLeast(d, least, step, findings);
+  keepLeast(d, least, step, on_pair);
   raiseDeepest(visits, first);
   return false;
 }
 
-TRICOVER_TARGET DescentResult descend(const Descent& d) {
+/// Whether on_pair ended it.
+template <typename OnPair>
+TRICOVER_TARGET bool descendBoth(const Descent& d, OnPair& on_pair) {
   Visits visits;
   visits.a[0] = visits.b[0] = kRoot;
+  visits.gap[0] = -1e30f;
   visits.top = 1;
-  Findings findings{{false, 0, -1, -1}, 1e300};
   while (visits.top > 0) {
     --visits.top;
+    if (OnPair::kNarrows && visits.gap[visits.top] > on_pair.limit) continue;
     const std::uint32_t visit_a = visits.a[visits.top], visit_b = visits.b[visits.top];
     const Item a = itemAt(d.a, visit_a), b = itemAt(d.b, visit_b);
     // Beyond this ratio of sizes floats couldn't tell the smaller one's boxes apart in the larger one's frame.
@@ -369,11 +401,22 @@ TRICOVER_TARGET DescentResult descend(const Descent& d) {
     const double size_a = a.along + a.across, size_b = (b.along + b.across) * d.to_a.scale;
     const bool both = !a.leaf && !b.leaf && size_a < kAlike * size_b && size_b < kAlike * size_a;
     const bool into_a = b.leaf || (!a.leaf && size_a >= size_b);
-    if (both ? enterBoth(d, a, b, visits, findings)
-             : enterOne(d, into_a, into_a ? a : b, into_a ? b : a, visit_a, visit_b, visits, findings))
-      return findings.hit;
+    if (both ? enterBoth(d, a, b, visits, on_pair)
+             : enterOne(d, into_a, into_a ? a : b, into_a ? b : a, visit_a, visit_b, visits, on_pair))
+      return true;
   }
-  return {false, findings.clearance > 0 ? findings.clearance : 0, -1, -1};
+  return false;
+}
+
+TRICOVER_TARGET DescentResult descend(const Descent& d) {
+  MeetEdges meet{{{false, 0, -1, -1}, 1e300, d.limit}};
+  if (descendBoth(d, meet)) return meet.hit;
+  return {false, meet.clearance > 0 ? meet.clearance : 0, -1, -1};
+}
+
+TRICOVER_TARGET void visitPairs(const Descent& d, PairVisit visit, void* context) {
+  ShowEdges show{{{false, 0, -1, -1}, 1e300, d.limit}, visit, context};
+  descendBoth(d, show);
 }
 
 TRICOVER_TARGET void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t),

@@ -4,6 +4,7 @@
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
 #include "collide_polygons.h"
+#include "queries.h"
 
 // In tables_float.cpp.
 extern template std::size_t fcl::collide(const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
@@ -16,7 +17,7 @@ template <typename S>
 std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  if (isPolygon(*o1) || isPolygon(*o2)) return collidePolygons(*o1, tf1, *o2, tf2, request, result);
+  if (isPolygon(*o1) || isPolygon(*o2)) return collideGeometries(*o1, tf1, *o2, tf2, request, result);
   return fcl::collide(o1, tf1, o2, tf2, request, result);
 }
 

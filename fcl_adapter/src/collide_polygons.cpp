@@ -5,7 +5,6 @@
 #include "planar_pose.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
-#include "unsupported.h"
 
 namespace tricover_fcl {
 namespace {
@@ -61,8 +60,6 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                             const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
   if (request.isSatisfied(result)) return result.numContacts();
-  if (!isPolygon(o1) || !isPolygon(o2)) throwUnsupported("collide", o1, o2);
-
   const auto& shape_a = static_cast<const PolygonShape<S>&>(o1);
   const auto& shape_b = static_cast<const PolygonShape<S>&>(o2);
   const tricover::Polygon& a = shape_a.polygon();

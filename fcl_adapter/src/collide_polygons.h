@@ -16,7 +16,7 @@ bool isPolygon(const fcl::CollisionGeometry<S>& geometry) {
   return typeid(geometry) == typeid(PolygonShape<S>);
 }
 
-/// The one collision row, whatever the solver: throws UnsupportedPair unless both are polygons.
+/// Both are polygons.
 template <typename S>
 std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,

@@ -6,8 +6,7 @@
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
 
-#include "collide_polygons.h"
-#include "unsupported.h"
+#include "queries.h"
 
 namespace tricover_fcl {
 
@@ -15,20 +14,21 @@ template <typename Solver, typename S = typename Solver::S>
 std::size_t collideRow(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                        const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2, const Solver*,
                        const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  return collidePolygons(*o1, tf1, *o2, tf2, request, result);
+  return collideGeometries(*o1, tf1, *o2, tf2, request, result);
 }
 
 template <typename Solver, typename S = typename Solver::S>
-S distanceRow(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>&, const fcl::CollisionGeometry<S>* o2,
-              const fcl::Transform3<S>&, const Solver*, const fcl::DistanceRequest<S>&, fcl::DistanceResult<S>&) {
-  throwUnsupported("distance", *o1, *o2);
+S distanceRow(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>* o2,
+              const fcl::Transform3<S>& tf2, const Solver*, const fcl::DistanceRequest<S>& request,
+              fcl::DistanceResult<S>& result) {
+  return distanceOfGeometries(*o1, tf1, *o2, tf2, request, result);
 }
 
 template <typename Solver, typename S = typename Solver::S>
-S advancementRow(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>*, const fcl::CollisionGeometry<S>* o2,
-                 const fcl::MotionBase<S>*, const Solver*, const fcl::ContinuousCollisionRequest<S>&,
-                 fcl::ContinuousCollisionResult<S>&) {
-  throwUnsupported("conservative advancement", *o1, *o2);
+S advancementRow(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>* motion1,
+                 const fcl::CollisionGeometry<S>* o2, const fcl::MotionBase<S>* motion2, const Solver*,
+                 const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
+  return advanceGeometries(*o1, *motion1, *o2, *motion2, request, result);
 }
 
 /// Our node type's row and column, all of it: FCL leaves them empty, and answers "free" from an empty one.

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fcl/math/motion/motion_base.h>
+#include <fcl/narrowphase/collision_request.h>
+#include <fcl/narrowphase/collision_result.h>
+#include <fcl/narrowphase/continuous_collision_request.h>
+#include <fcl/narrowphase/continuous_collision_result.h>
+#include <fcl/narrowphase/distance_request.h>
+#include <fcl/narrowphase/distance_result.h>
+
+#include <cstddef>
+
+#include "tricover_fcl/polygon_shape.h"
+
+/// What our rows of FCL's tables answer, whatever the solver; at least one of the geometries has our node type. They
+/// return what a row returns.
+namespace tricover_fcl {
+
+template <typename S>
+std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+                              const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
+                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
+
+template <typename S>
+S distanceOfGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+                       const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
+                       const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);
+
+/// Conservative advancement.
+template <typename S>
+S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>& motion1,
+                    const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
+                    const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result);
+
+}  // namespace tricover_fcl
