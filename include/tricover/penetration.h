@@ -20,6 +20,7 @@ struct Penetration {
   Vec2 direction;      ///< unit, from a towards where b leaves it
   double lower_bound;  ///< no translation that is shorter parts them
   bool optimal;        ///< depth is the shortest to within 1e-12 of the smaller polygon's radius: the budget sufficed
+  Vec2 translation;
   /// Surface points that part last: point_a on a, point_b on b, point_a = point_b + depth * direction, rounded.
   Vec2 point_a, point_b;
   std::ptrdiff_t edge_a, edge_b;  ///< they lie on (numbered as in Polygon::edgeStart)

@@ -5,6 +5,7 @@
 #include "tricover/contacts.h"
 #include "tricover/influence.h"
 #include "tricover/locate.h"
+#include "tricover/penetration.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
 #include "tricover/svg.h"

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/penetration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "convex_penetration.h"
+#include "strategy.h"
+#include "translation_search.h"
+#include "tricover/collide.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+/// Swapping the operands mirrors the result: it is found in one order.
+bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
+  if (a.id != b.id) return a.id < b.id;
+  return !std::lexicographical_compare(pose_b.data(), pose_b.data() + 9, pose_a.data(), pose_a.data() + 9);
+}
+
+/// The number of the edge that is nearest to p.
+std::ptrdiff_t nearestEdge(const PolygonData& polygon, const std::vector<Vec2>& vertices, const Vec2& p) {
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const double square = (nearestOnSegment(p, vertices[e], vertices[e + 1]) - p).squaredNorm();
+      if (!(square < least)) continue;
+      least = square;
+      nearest = e;
+    }
+  return static_cast<std::ptrdiff_t>(polygon.edgeNumber(nearest));
+}
+
+struct Features {
+  Vec2 point_a, point_b;  ///< in the space's units
+  Vec2 direction;
+};
+
+/// Where the vertex and the edge part after the translation t; the vertex may be beyond the edge only where it starts
+/// an edge that is parallel to it.
+Features featuresOf(const TranslationSpace& space, const Vec2& t, const Vec2& direction, bool edge_of_a,
+                    std::size_t start, std::size_t end, std::size_t vertex) {
+  const std::vector<Vec2>&a = space.verticesOfA(), &b = space.verticesOfB();
+  if (edge_of_a) {
+    const Vec2 p = nearestOnSegment(b[vertex] + t, a[start], a[end]);
+    return {p, p - t, direction};
+  }
+  const Vec2 p = nearestOnSegment(a[vertex] - t, b[start], b[end]);
+  return {p + t, p, direction};
+}
+
+/// The same for what the search found, by the convolution segment that is nearest to its limit.
+Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
+  const Vec2 t = shortest.limit;
+  const double length = t.norm(), noise = space.noise();
+  Vec2 at = t;
+  const PosedPair pair = space.at(at);
+  double least = std::numeric_limits<double>::infinity();
+  TranslationSpace::Segment nearest{t, t, 0, 0, true};
+  space.forEachSegment(
+      pair, at, 64 * noise, [](std::size_t, std::size_t) { return true; },
+      [&](const TranslationSpace::Segment& segment) {
+        const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
+        if (apart < least) nearest = segment;
+        least = std::min(apart, least);
+        return true;
+      });
+  // Over a short way the segment's normal is known better than the way's direction.
+  const Vec2 way = length > noise ? t : shortest.parting, along = nearest.w - nearest.v;
+  Vec2 direction = way.normalized();
+  if (along.norm() > 0 && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
+    direction = Vec2(along.y(), -along.x()).normalized();
+    if (direction.dot(way) < 0) direction = -direction;
+  }
+  return nearest.vertex_of_a
+             ? featuresOf(space, t, direction, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
+             : featuresOf(space, t, direction, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
+}
+
+bool isFree(TranslationSpace& space, Vec2 t) {
+  return !collideByHierarchy(space.at(t), {}, 0, Wanted::Answer).collides;
+}
+
+Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                               const PenetrationOptions& options) {
+  const ConvexOutline outline_a = convexOutline(a), outline_b = convexOutline(b);
+  const SupportGap gap = leastSupportGap(a, pose_a, outline_a, b, pose_b, outline_b);
+  TranslationSpace space(a, pose_a, b, pose_b);
+  Penetration result{gap.depth, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
+  if (!space.isFinite()) return result;
+
+  const double unit = space.unit();
+  const Vec2 known = gap.direction * (gap.depth / unit);
+  Features features = featuresOf(space, known, gap.direction, gap.edge_of_a, gap.edge_start, gap.edge_end, gap.corner);
+  Vec2 limit = known, parting = known;
+  if (outline_a.is_region && outline_b.is_region) {
+    result.lower_bound = gap.depth;
+    result.optimal = true;
+  } else {
+    const ShortestParting shortest = searchShortestParting(space, known, options.budget);
+    if (shortest.limit != known) {
+      const double length = shortest.limit.norm();
+      limit = shortest.limit;
+      parting = shortest.parting;
+      features = featuresOf(space, shortest);
+      result.depth = length > 2 * space.noise() ? length * unit : 0;
+      result.direction = features.direction;
+    }
+    result.lower_bound = std::min(shortest.lower_bound * unit, result.depth);
+    result.optimal =
+        result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + 32 * space.noise() * unit;
+  }
+  // At the limit they may still touch.
+  for (double step = space.noise(); step < 1 && !isFree(space, parting); step *= 2)
+    parting = limit + step * result.direction;
+  result.translation = parting * unit;
+  result.point_a = space.inWorld(features.point_a);
+  result.point_b = space.inWorld(features.point_b);
+  result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);
+  result.edge_b = nearestEdge(b, space.verticesOfB(), features.point_b);
+  return result;
+}
+
+Penetration mirrored(const Penetration& p) {
+  return {p.depth, -p.direction, p.lower_bound, p.optimal, -p.translation, p.point_b, p.point_a, p.edge_b, p.edge_a};
+}
+
+}  // namespace
+}  // namespace detail
+
+std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                       const PenetrationOptions& options) {
+  if (!collide(a, pose_a, b, pose_b)) return std::nullopt;
+  if (detail::inOrder(a.data(), pose_a, b.data(), pose_b))
+    return detail::penetrationInOrder(a.data(), pose_a, b.data(), pose_b, options);
+  return detail::mirrored(detail::penetrationInOrder(b.data(), pose_b, a.data(), pose_a, options));
+}
+
+}  // namespace tricover
