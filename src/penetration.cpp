@@ -80,8 +80,14 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
              : featuresOf(space, t, direction, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
 }
 
-bool isFree(TranslationSpace& space, Vec2 t) {
-  return !collideByHierarchy(space.at(t), {}, 0, Wanted::Answer).collides;
+/// Whether either one, translated as its pose can be, leaves the other.
+bool parts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+           const Vec2& translation) {
+  Pose moved_a = pose_a, moved_b = pose_b;
+  moved_a.translation() -= translation;
+  moved_b.translation() += translation;
+  return !collideByHierarchy(PosedPair(a, pose_a, b, moved_b), {}, 0, Wanted::Answer).collides &&
+         !collideByHierarchy(PosedPair(a, moved_a, b, pose_b), {}, 0, Wanted::Answer).collides;
 }
 
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
@@ -113,10 +119,10 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.optimal =
         result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + 32 * space.noise() * unit;
   }
-  // At the limit they may still touch.
-  for (double step = space.noise(); step < 1 && !isFree(space, parting); step *= 2)
-    parting = limit + step * result.direction;
+  // At the limit they may still touch, and a pose's translation is rounded.
   result.translation = parting * unit;
+  for (double step = space.noise(); step < 8 && !parts(a, pose_a, b, pose_b, result.translation); step *= 2)
+    result.translation = (limit + step * result.direction) * unit;
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
   result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);

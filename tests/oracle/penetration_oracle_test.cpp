@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// penetration() against brute force on rationals, and its promises: the translation parts them, shorter ones don't,
+// swapping the operands mirrors the result.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "exact_penetration.h"
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/penetration.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr int kFamilyCases = 100;
+constexpr int kBruteForceCases = 150;
+constexpr int kConvexCases = 1500;
+
+Pose moved(Pose pose, const Vec2& by) {
+  pose.translation() += by;
+  return pose;
+}
+
+/// Rounding of world coordinates: no translation is more precise.
+double spacing(const Case& c) {
+  return 0x1p-52 * (c.pose_a.translation().lpNorm<1>() + c.pose_b.translation().lpNorm<1>()) + 0x1p-1072;
+}
+
+/// What every result promises. Empty if it is kept.
+std::string brokenPromise(Random& random, const Case& c, const Penetration& p) {
+  const double size = c.a.radius() + c.b.radius(), tiny = 1e-11 * size + 4 * spacing(c);
+  if (!(p.depth >= 0 && p.lower_bound >= 0 && p.lower_bound <= p.depth)) return "depth or lower_bound";
+  if (std::abs(p.direction.norm() - 1) > 1e-12) return "direction is no unit vector";
+  if (!(p.translation.norm() <= p.depth + tiny)) return "translation is longer than depth";
+  if (exact::collide(c.a, c.pose_a, c.b, moved(c.pose_b, p.translation))) return "translation doesn't part them";
+  if (p.optimal && !(p.depth - p.lower_bound <= tiny)) return "not optimal";
+  if (!((p.point_a - p.point_b - p.depth * p.direction).norm() <= tiny)) return "points don't meet";
+  const auto inRange = [](std::ptrdiff_t edge, const Polygon& polygon) {
+    return edge >= 0 && edge < static_cast<std::ptrdiff_t>(polygon.vertexCount());
+  };
+  if (!inRange(p.edge_a, c.a) || !inRange(p.edge_b, c.b)) return "edges";
+  const auto apart = [](const Vec2& point, const Polygon& polygon, const Pose& pose, std::ptrdiff_t edge) {
+    const Vec2 v = pose * polygon.edgeStart(static_cast<std::size_t>(edge)),
+               w = pose * polygon.edgeEnd(static_cast<std::size_t>(edge));
+    return exact::distanceBelow(exact::distanceSquared(point, v, w));
+  };
+  if (apart(p.point_a, c.a, c.pose_a, p.edge_a) > tiny) return "point_a isn't on edge_a";
+  if (apart(p.point_b, c.b, c.pose_b, p.edge_b) > tiny) return "point_b isn't on edge_b";
+  for (int i = 0; i < 64; ++i) {
+    const double angle = random.real(0, 6.3), length = (i % 2 == 0 ? 0.999 : random.unit()) * p.lower_bound - tiny;
+    if (length <= 0) break;
+    const Pose pose = moved(c.pose_b, length * Vec2(std::cos(angle), std::sin(angle)));
+    if (!collide(c.a, c.pose_a, c.b, pose)) return "a shorter translation parts them";
+  }
+  return {};
+}
+
+std::string swappedDiffers(const Case& c, const Penetration& p) {
+  const auto q = penetration(c.b, c.pose_b, c.a, c.pose_a);
+  const bool same = q && q->depth == p.depth && q->direction == -p.direction && q->translation == -p.translation &&
+                    q->edge_a == p.edge_b && q->edge_b == p.edge_a && q->point_a == p.point_b &&
+                    q->lower_bound == p.lower_bound && q->optimal == p.optimal;
+  return same || c.a.id() == c.b.id() ? "" : "swapped, the result differs";
+}
+
+class PenetrationFamilies : public testing::TestWithParam<Family> {};
+
+TEST_P(PenetrationFamilies, KeepsItsPromises) {
+  int overlapping = 0, deep = 0, optimal = 0, broken = 0;
+  const int cases = scaledCount(kFamilyCases);
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 77;
+    Random random(seed);
+    Case c = GetParam().make(seed);
+    const double smaller = std::min(c.a.radius(), c.b.radius());
+    // Contacts are shallow; half of them are pushed together.
+    if (i % 2 == 0) {
+      const Vec2 way = c.pose_a * c.a.origin() - c.pose_b * c.b.origin();
+      const double length = way.norm();
+      if (length > 0 && length < 1e300)
+        c.pose_b.translation() += way * (std::min(smaller, length) / length * random.unit());
+    }
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(p.has_value(), exact::collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    if (!p) continue;
+    ++overlapping;
+    deep += p->depth > 1e-6 * smaller;
+    optimal += p->optimal;
+    std::string what = brokenPromise(random, c, *p);
+    if (what.empty()) what = swappedDiffers(c, *p);
+    if (!what.empty() && ++broken <= 3)
+      ADD_FAILURE() << what << ": depth " << hex(p->depth) << ", lower bound " << hex(p->lower_bound) << "\n"
+                    << reproduction(c);
+  }
+  EXPECT_EQ(broken, 0);
+  std::printf("%d of %d overlap, %d deep, %d optimal\n", overlapping, cases, deep, optimal);
+  if (cases == kFamilyCases) {
+    EXPECT_GT(overlapping, cases / 4);
+    EXPECT_GT(deep, cases / 10);
+  }
+  EXPECT_GE(optimal, 0.98 * overlapping);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PenetrationFamilies, testing::ValuesIn(families()),
+                         [](const auto& family) { return family.param.name; });
+
+/// A few vertices, most of them not convex, with holes and with outlines that cross themselves.
+Polygon smallPolygon(Random& random) {
+  const FillRule fill = random.coin() ? FillRule::EvenOdd : FillRule::NonZero;
+  switch (random.integer(0, 4)) {
+    case 0:
+      return Polygon({star(random, random.integer(4, 6), 0.3, 2)}, fill);
+    case 1:
+      return Polygon({comb(2, 0.5, 0.25, 1)}, fill);
+    case 2: {
+      Ring hole = reversed(star(random, 3, 0.3, 0.9));
+      return Polygon({star(random, 4, 1.2, 2), hole}, fill);
+    }
+    case 3: {
+      Ring ring;
+      for (int i = random.integer(4, 5); i > 0; --i) ring.emplace_back(random.real(-1, 1), random.real(-1, 1));
+      return Polygon({ring}, fill);
+    }
+    default: {
+      Ring ring;
+      for (int i = random.integer(4, 6); i > 0; --i) ring.emplace_back(random.integer(-2, 2), random.integer(-2, 2));
+      return Polygon({ring}, fill);
+    }
+  }
+}
+
+TEST(PenetrationOracle, SmallPolygonsAgreeWithBruteForce) {
+  int overlapping = 0, below_hulls = 0, broken = 0;
+  double worst = 0;
+  for (int i = 0; i < scaledCount(kBruteForceCases); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 1;
+    Random random(seed);
+    const bool turned = random.coin();
+    const auto anyPoseNear = [&] {
+      const double x = random.integer(-4, 4) / 4.0, y = random.integer(-4, 4) / 4.0;
+      Pose result = turned ? pose(random.real(0, 6.3), random.real(-1, 1), random.real(-1, 1)) : pose(0, x, y);
+      return random.oneIn(4) ? mirrored(result) : result;
+    };
+    const Case c{smallPolygon(random), anyPoseNear(), smallPolygon(random), anyPoseNear()};
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(p.has_value(), exact::collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    if (!p) continue;
+    ++overlapping;
+    const double bound = penetration(c.a, c.pose_a, c.b, c.pose_b, {0})->depth;
+    below_hulls += p->depth < bound;
+    EXPECT_TRUE(p->optimal) << reproduction(c);
+    const double truth = exact::penetrationDepth(c.a, c.pose_a, c.b, c.pose_b, bound);
+    const double error = std::abs(p->depth - truth) / (c.a.radius() + c.b.radius());
+    worst = std::max(worst, error);
+    std::string what = error <= 1e-11 ? brokenPromise(random, c, *p) : "depth";
+    if (what.empty()) what = swappedDiffers(c, *p);
+    if (!what.empty() && ++broken <= 3)
+      ADD_FAILURE() << what << ": depth " << hex(p->depth) << ", truth " << hex(truth) << ", seed " << seed << "\n"
+                    << reproduction(c);
+  }
+  EXPECT_EQ(broken, 0);
+  std::printf("%d overlap, %d less deep than their hulls; worst error %.2g of the size\n", overlapping, below_hulls,
+              worst);
+  EXPECT_GT(below_hulls, overlapping / 3);
+  EXPECT_GT(overlapping, scaledCount(kBruteForceCases) / 2);
+}
+
+TEST(PenetrationOracle, ConvexPairsAreExactToRounding) {
+  int overlapping = 0, shallow = 0;
+  double worst = 0;
+  for (int i = 0; i < scaledCount(kConvexCases); ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 1);
+    const double scale = std::ldexp(1.0, random.integer(-3, 3) * (random.oneIn(3) ? 100 : 1));
+    const double offset = random.oneIn(4) ? 1e9 : 1;
+    const auto convex = [&] {
+      const double radius = random.real(0.1, 2) * scale;
+      Ring ring = star(random, random.integer(3, 12), radius, radius);
+      if (random.coin()) ring = reversed(ring);
+      return ring;
+    };
+    Case c{Polygon({convex()}), randomPose(random, offset * scale), Polygon({convex()}), randomPose(random, 0)};
+    const double apart = random.coin() ? random.unit() : 1 - std::exp2(random.real(-40, 0));
+    const Vec2 way = pose(random.real(0, 6.3), 0, 0).linear().col(0) * (apart * (c.a.radius() + c.b.radius()));
+    c.pose_b.translation() = c.pose_a.translation() + way;
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(p.has_value(), exact::collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    if (!p) continue;
+    ++overlapping;
+    shallow += p->depth < 1e-3 * scale;
+    const double truth = exact::distanceBelow(exact::convexPenetrationSquared(c.a, c.pose_a, c.b, c.pose_b));
+    worst = std::max(worst, std::abs(p->depth - truth) / truth);
+    EXPECT_LE(std::abs(p->depth - truth), 1e-14 * truth) << reproduction(c);
+    EXPECT_TRUE(p->optimal && p->lower_bound == p->depth);
+    EXPECT_EQ(brokenPromise(random, c, *p) + swappedDiffers(c, *p), "") << reproduction(c);
+  }
+  std::printf("%d overlap, %d shallow; worst relative error %.2g\n", overlapping, shallow, worst);
+  EXPECT_GT(overlapping, scaledCount(kConvexCases) / 3);
+  EXPECT_GT(shallow, 0);
+}
+
+}  // namespace
+}  // namespace tricover::support
