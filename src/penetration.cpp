@@ -36,48 +36,52 @@ std::ptrdiff_t nearestEdge(const PolygonData& polygon, const std::vector<Vec2>& 
 
 struct Features {
   Vec2 point_a, point_b;  ///< in the space's units
-  Vec2 direction;
+  Vec2 direction;         ///< unit
 };
 
-/// Where the vertex and the edge part after the translation t; the vertex may be beyond the edge only where it starts
-/// an edge that is parallel to it.
-Features featuresOf(const TranslationSpace& space, const Vec2& t, const Vec2& direction, bool edge_of_a,
-                    std::size_t start, std::size_t end, std::size_t vertex) {
+/// Where an edge and a vertex part after the translation t. The vertex may come beyond the edge's end only where the
+/// edge at it is parallel.
+Features featuresOf(const TranslationSpace& space, const Vec2& t, bool edge_of_a, std::size_t start, std::size_t end,
+                    std::size_t vertex) {
   const std::vector<Vec2>&a = space.verticesOfA(), &b = space.verticesOfB();
   if (edge_of_a) {
     const Vec2 p = nearestOnSegment(b[vertex] + t, a[start], a[end]);
-    return {p, p - t, direction};
+    return {p, p - t, t.normalized()};
   }
   const Vec2 p = nearestOnSegment(a[vertex] - t, b[start], b[end]);
-  return {p + t, p, direction};
+  return {p + t, p, t.normalized()};
 }
 
-/// The same for what the search found, by the convolution segment that is nearest to its limit.
+/// The same for what the search found, by the convolution segment that is nearest to its limit: it is on one, unless
+/// the budget ran out.
 Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   const Vec2 t = shortest.limit;
-  const double length = t.norm(), noise = space.noise();
+  const double noise = space.noise();
   Vec2 at = t;
   const PosedPair pair = space.at(at);
   double least = std::numeric_limits<double>::infinity();
-  TranslationSpace::Segment nearest{t, t, 0, 0, true};
-  space.forEachSegment(
-      pair, at, 64 * noise, [](std::size_t, std::size_t) { return true; },
-      [&](const TranslationSpace::Segment& segment) {
-        const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
-        if (apart < least) nearest = segment;
-        least = std::min(apart, least);
-        return true;
-      });
+  TranslationSpace::Segment nearest{};
+  for (double radius = 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
+    space.forEachSegment(
+        pair, at, radius, [](std::size_t, std::size_t) { return true; },
+        [&](const TranslationSpace::Segment& segment) {
+          const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
+          if (apart < least) nearest = segment;
+          least = std::min(apart, least);
+          return true;
+        });
+  const Vec2 parted = least > 64 * noise ? nearestOnSegment(t, nearest.v, nearest.w) : t;
+  Features features = nearest.vertex_of_a
+                          ? featuresOf(space, parted, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
+                          : featuresOf(space, parted, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
+  const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
+  features.direction = way.normalized();
   // Over a short way the segment's normal is known better than the way's direction.
-  const Vec2 way = length > noise ? t : shortest.parting, along = nearest.w - nearest.v;
-  Vec2 direction = way.normalized();
-  if (along.norm() > 0 && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
-    direction = Vec2(along.y(), -along.x()).normalized();
-    if (direction.dot(way) < 0) direction = -direction;
+  if (along.norm() > 0 && least <= 64 * noise && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
+    features.direction = Vec2(along.y(), -along.x()).normalized();
+    if (features.direction.dot(way) < 0) features.direction = -features.direction;
   }
-  return nearest.vertex_of_a
-             ? featuresOf(space, t, direction, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
-             : featuresOf(space, t, direction, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
+  return features;
 }
 
 /// Whether either one, translated as its pose can be, leaves the other.
@@ -100,18 +104,17 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
 
   const double unit = space.unit();
   const Vec2 known = gap.direction * (gap.depth / unit);
-  Features features = featuresOf(space, known, gap.direction, gap.edge_of_a, gap.edge_start, gap.edge_end, gap.corner);
-  Vec2 limit = known, parting = known;
+  ShortestParting shortest{known, known, known.norm()};
+  Features features;
   if (outline_a.is_region && outline_b.is_region) {
+    features = featuresOf(space, known, gap.edge_of_a, gap.edge_start, gap.edge_end, gap.corner);
     result.lower_bound = gap.depth;
     result.optimal = true;
   } else {
-    const ShortestParting shortest = searchShortestParting(space, known, options.budget);
+    shortest = searchShortestParting(space, known, options.budget);
+    features = featuresOf(space, shortest);
     if (shortest.limit != known) {
       const double length = shortest.limit.norm();
-      limit = shortest.limit;
-      parting = shortest.parting;
-      features = featuresOf(space, shortest);
       result.depth = length > 2 * space.noise() ? length * unit : 0;
       result.direction = features.direction;
     }
@@ -120,9 +123,10 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
         result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + 32 * space.noise() * unit;
   }
   // At the limit they may still touch, and a pose's translation is rounded.
-  result.translation = parting * unit;
-  for (double step = space.noise(); step < 8 && !parts(a, pose_a, b, pose_b, result.translation); step *= 2)
-    result.translation = (limit + step * result.direction) * unit;
+  result.translation = shortest.parting * unit;
+  for (double step = space.noise(); std::isfinite(step * unit) && !parts(a, pose_a, b, pose_b, result.translation);
+       step *= 2)
+    result.translation = (shortest.limit + step * result.direction) * unit;
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
   result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);

@@ -234,8 +234,9 @@ class Search {
       const Vec2 way(std::cos(middle), std::sin(middle));
       Vec2 sample = p + room * way;
       if (!isFree(sample)) continue;
-      Vec2 beside = p + std::min(room, 3 * resolution_ / width) * way;
-      if (isFree(beside)) {
+      for (double step = space_.noise() / width; step < room; step *= 2) {
+        Vec2 beside = p + step * way;
+        if (!isFree(beside)) continue;
         improve(p, beside, candidate.error);
         return resolved;
       }
