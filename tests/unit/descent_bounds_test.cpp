@@ -206,6 +206,19 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
   EXPECT_GT(claimed, cases / 20);
 }
 
+/// No disc fits into an angle of two bars that thin: its S, outside of it, is no point of its region.
+TEST(InnerDiscs, OfARegionThatHasNoneMeetNothing) {
+  const Polygon angle({{{-8, -8}, {8, -8}, {8, -8 + 1e-9}, {-8 + 1e-9, -8 + 1e-9}, {-8 + 1e-9, 8}, {-8, 8}}});
+  ASSERT_EQ(angle.data().hierarchy().inner_radius, 0);
+  const Polygon block({rectangle(-2, -2, 2, 2)});
+  for (const Vec2& at : {angle.origin(), Vec2(angle.origin() + Vec2(0.5, 0.5))}) {
+    const Pose pose_b = pose(0, at.x(), at.y());
+    ASSERT_FALSE(exact::collide(angle, Pose::Identity(), block, pose_b));
+    EXPECT_FALSE(collide(angle, Pose::Identity(), block, pose_b));
+    EXPECT_FALSE(collide(block, pose_b, angle, Pose::Identity()));
+  }
+}
+
 /// Whatever overlap is claimed, moving apart by that much doesn't end it.
 TEST(Clearance, OfOverlappingRegionsIsThere) {
   const Polygon a({regular(40, 1)}), b({regular(30, 0.8)});
