@@ -124,9 +124,11 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   }
   // At the limit they may still touch, and a pose's translation is rounded.
   result.translation = shortest.parting * unit;
-  for (double step = space.noise(); std::isfinite(step * unit) && !parts(a, pose_a, b, pose_b, result.translation);
-       step *= 2)
-    result.translation = (shortest.limit + step * result.direction) * unit;
+  const Vec2 aside = shortest.parting - shortest.limit;
+  const Vec2 way = aside.norm() > 0 ? Vec2(aside.normalized()) : result.direction;
+  for (double step = std::max(aside.norm(), space.noise());
+       std::isfinite(step * unit) && !parts(a, pose_a, b, pose_b, result.translation); step *= 2)
+    result.translation = (shortest.limit + step * way) * unit;
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
   result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);
