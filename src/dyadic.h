@@ -46,6 +46,20 @@ class Dyadic {
 
   int sign() const { return sign_; }
 
+  /// mantissa * 2^exponent, the exponent even.
+  struct Scaled {
+    double mantissa;
+    int exponent;
+  };
+
+  /// This number, right to 2^-52 of itself, in mantissas of 1 to 2^128: the top limb isn't 0, so what is below the two
+  /// highest is less than 2^-64 of them; two conversions and a sum round.
+  Scaled scaled() const {
+    const int top = low_ + size_ - 1;
+    const double magnitude = static_cast<double>(at(top)) * 0x1p64 + static_cast<double>(at(top - 1));
+    return {sign_ * magnitude, 64 * (top - 1)};
+  }
+
   Dyadic operator-() const {
     Dyadic result(*this);
     result.sign_ = -sign_;

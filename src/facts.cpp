@@ -10,12 +10,6 @@
 namespace tricover::detail {
 namespace {
 
-void store(double (&fact)[6], const Pose& pose) {
-  const auto& m = pose.matrix();
-  const double values[6] = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
-  std::copy(values, values + 6, fact);
-}
-
 Pose restore(const double (&fact)[6]) {
   Pose pose = Pose::Identity();
   pose.linear() << fact[0], fact[2], fact[1], fact[3];
@@ -23,18 +17,24 @@ Pose restore(const double (&fact)[6]) {
   return pose;
 }
 
-/// What is left of the fact's clearance if only the motion against each other counts, for pairs that travel together.
-double leftOfRelativeMotion(const PairCache& cache, const PolygonData& first, const Pose& first_pose,
-                            const PolygonData& second, const Pose& second_pose) {
-  const Pose first_then = restore(cache.first_pose), second_then = restore(cache.second_pose);
+}  // namespace
+
+void store(double (&fact)[6], const Pose& pose) {
+  const auto& m = pose.matrix();
+  const double values[6] = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
+  std::copy(values, values + 6, fact);
+}
+
+Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double (&second_fact)[6],
+                                    const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                                    const Pose& second_pose) {
+  const Pose first_then = restore(first_fact), second_then = restore(second_fact);
   const PosedPair now(first, first_pose, second, second_pose), then(first, first_then, second, second_then);
   const Change change(second, load2(&now.m00) - load2(&then.m00), load2(&now.m01) - load2(&then.m01),
                       load2(&now.tx) - load2(&then.tx));
   const double motion = change.displacement() + 3 * (now.error + then.error);
-  return (cache.clearance * (1 - then.scale_defect) - motion) * (1 - now.scale_defect);
+  return {(1 - then.scale_defect) * (1 - now.scale_defect) * (1 - 8 * kUlp), motion};
 }
-
-}  // namespace
 
 Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                          const Pose& second_pose, double margin) {
@@ -42,8 +42,10 @@ Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose&
   const Change first_change(first, cache.first_pose, first_pose), second_change(second, cache.second_pose, second_pose);
   const double motion =
       (first_change.any() ? first_change.displacement() : 0) + (second_change.any() ? second_change.displacement() : 0);
-  if (motion < room || (room > 0 && first_change.any() && second_change.any() &&
-                        leftOfRelativeMotion(cache, first, first_pose, second, second_pose) > needed)) {
+  if (motion < room ||
+      (room > 0 && first_change.any() && second_change.any() &&
+       remainderOfRelativeMotion(cache.first_pose, cache.second_pose, first, first_pose, second, second_pose)
+               .of(cache.clearance) > needed)) {
     ++cache.uses;
     return {true, cache.overlapping, true, 0};
   }

@@ -63,6 +63,22 @@ inline bool sameAs(const double (&fact)[6], const Pose& pose) {
   return difference[0] + difference[1] == 0;
 }
 
+/// Keeps a pose with a fact.
+void store(double (&fact)[6], const Pose& pose);
+
+/// What is left, at the least, of a distance between two points of the polygons (or of the least of many) after a
+/// motion.
+struct Remainder {
+  double of(double distance) const { return distance * factor - motion; }
+
+  double factor, motion;
+};
+
+/// Only the motion against each other counted, for pairs that travel together: in the first one's frame.
+Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double (&second_fact)[6],
+                                    const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                                    const Pose& second_pose);
+
 /// What recall() can't tell at a glance.
 Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                          const Pose& second_pose, double margin);

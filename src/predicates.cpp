@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "predicates.h"
 
+#include <algorithm>
+
 #include "dyadic.h"
 
 namespace tricover::detail {
@@ -14,6 +16,7 @@ struct Number {
   Real value;
   explicit Number(double v) : value(static_cast<Real>(v)) {}
   int sign() const { return (value > 0) - (value < 0); }
+  Dyadic::Scaled scaled() const { return {static_cast<double>(value), 0}; }
   friend Number operator+(Number p, Number q) { return Number(p.value + q.value); }
   friend Number operator-(Number p, Number q) { return Number(p.value - q.value); }
   friend Number operator*(Number p, Number q) { return Number(p.value * q.value); }
@@ -38,6 +41,8 @@ ExactVector difference(const PosedPoint& p, const PosedPoint& q) {
 
 Number cross(const ExactVector& u, const ExactVector& w) { return u.x * w.y - u.y * w.x; }
 Number dot(const ExactVector& u, const ExactVector& w) { return u.x * w.x + u.y * w.y; }
+
+double rootOf(const Dyadic::Scaled& square) { return std::ldexp(std::sqrt(square.mantissa), square.exponent / 2); }
 
 }  // namespace
 
@@ -64,6 +69,20 @@ bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, 
   if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() <= 0;
   const Number area = cross(u, from_v);
   return (area * area - square * dot(u, u)).sign() <= 0;
+}
+
+// The mantissas are right to 2U, their roots to 2U, and so is a quotient of such to 6U. The one scaling rounds again
+// only where the result is denormal.
+ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w) {
+  ++exact_calls;
+  const ExactVector u = difference(w, v), from_v = difference(p, v);
+  const Number along = dot(from_v, u);
+  if (along.sign() <= 0) return {rootOf(dot(from_v, from_v).scaled()), 0};
+  const ExactVector from_w = difference(p, w);
+  if (dot(from_w, u).sign() >= 0) return {rootOf(dot(from_w, from_w).scaled()), 1};
+  const Dyadic::Scaled area = cross(u, from_v).scaled(), square = dot(u, u).scaled(), part = along.scaled();
+  return {std::ldexp(std::abs(area.mantissa) / std::sqrt(square.mantissa), area.exponent - square.exponent / 2),
+          std::min(std::ldexp(part.mantissa / square.mantissa, part.exponent - square.exponent), 1.0)};
 }
 
 std::uint64_t exactCalls() { return exact_calls; }

@@ -87,6 +87,13 @@ bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w)
 /// Whether p is at most `length` >= 0 away from the closed segment (v, w), in the world.
 bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length);
 
+/// The distance of p from the closed segment (v, w), in the world: right to 16 kUlp of itself, and to the smallest
+/// double; infinity where it is above the largest. `along`: where the nearest point is, from 0 at v to 1 at w.
+struct ExactDistance {
+  double distance, along;
+};
+ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w);
+
 /// How often this thread has called an exact predicate: lets tests and benches tell the filter's share.
 std::uint64_t exactCalls();
 

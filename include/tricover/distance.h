@@ -12,34 +12,37 @@ namespace tricover {
 /// What a distance may be wrong by, and from where on it is of no interest. The default is exact.
 struct DistanceOptions {
   /// The result is at most truth * (1 + relative_error) + absolute_error, and never below the truth but for rounding.
+  /// Whether it is 0 stays exact.
   double relative_error = 0;
   double absolute_error = 0;  ///< world length
-  /// World length: a distance above it needn't be found; the result is then infinity, without points.
+  /// World length: a distance above it needn't be found; the result is then infinity, the points NaN, the edges -1.
   double limit = std::numeric_limits<double>::infinity();
 };
 
 /// World frame. Where the regions collide, both points are one common point.
 struct DistanceResult {
   double distance;
-  Vec2 point_a, point_b;  ///< nearest points of a and b, rounded
+  Vec2 point_a, point_b;  ///< nearest points of a and b; coordinates are rounded as those of a posed vertex are
   /// The edges they lie on (numbered as in Polygon::edgeStart); in a containment -1 for the polygon whose inside holds
-  /// the point.
+  /// the point, which is then the start of the other's edge.
   std::ptrdiff_t edge_a, edge_b;
 };
 
-/// What one pair remembers between distance queries: facts, as in PairCache, whose rules are these, too. DistanceCache{}
-/// is empty.
+/// What one pair remembers between distance queries: facts, as in PairCache, whose rules are these, too.
+/// DistanceCache{} is empty.
 struct DistanceCache {
   static constexpr int kMost = 8;
 
+  /// The polygons the facts are about, in the kernel's own order (0: none).
   std::uint64_t first_id = 0, second_id = 0;
-  double first_pose[6] = {1, 0, 0, 1, 0, 0}, second_pose[6] = {1, 0, 0, 1, 0, 0};
 
-  /// "With the polygons at these poses all pairs of edges but the `count` ones listed were farther apart than `beyond`",
-  /// a world length, and the regions didn't overlap.
-  double beyond = 0;
+  /// "With the polygons at these poses (columns of R, then t), of all pairs of edges only the first k ones listed were
+  /// nearer to each other than apart[k]", for every k up to `count`; world lengths, in increasing order. Where apart[0]
+  /// is positive, the regions didn't overlap.
+  double first_pose[6] = {1, 0, 0, 1, 0, 0}, second_pose[6] = {1, 0, 0, 1, 0, 0};
   int count = 0;
-  std::uint32_t first_edge[kMost] = {}, second_edge[kMost] = {};
+  std::uint32_t first_edge[kMost] = {}, second_edge[kMost] = {};  ///< positions in the kernel's paths
+  double apart[kMost + 1] = {};
   std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next fact looks ahead
 };
 
@@ -49,7 +52,8 @@ struct DistanceCache {
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         const DistanceOptions& options = {});
 
-/// The same distance (of equally near points, others may be found), using and renewing the facts in `cache`.
+/// The same distance, to the last bit unless options allow errors (of equally near points, others may be found), using
+/// and renewing the facts in `cache`; O(1) while the pairs of edges that it lists pay for the motion since.
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         DistanceCache& cache, const DistanceOptions& options = {});
 

@@ -3,6 +3,7 @@
 
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
+#include "tricover/distance.h"
 #include "tricover/influence.h"
 #include "tricover/locate.h"
 #include "tricover/penetration.h"

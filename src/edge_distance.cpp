@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edge_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "posed_pair.h"
+
+namespace tricover::detail {
+namespace {
+
+/// An unevaluated sum of two doubles, in either coordinate.
+struct Twofold {
+  Double2 high, low;
+};
+
+/// Exact (Knuth).
+Twofold twoSum(Double2 p, Double2 q) {
+  const Double2 sum = p + q, from_q = sum - p;
+  return {sum, (p - (sum - from_q)) + (q - from_q)};
+}
+
+/// The high half of each double's digits; what is left is exactly the low half (Dekker, Veltkamp).
+Double2 highHalf(Double2 p) {
+  const Double2 large = 134217729.0 * p;  // 2^27 + 1
+  return large - (large - p);
+}
+
+/// Exact, but for underflow of the rest.
+Twofold twoProduct(Double2 p, Double2 q) {
+  const Double2 product = p * q, ph = highHalf(p), pl = p - ph, qh = highHalf(q), ql = q - qh;
+  return {product, ((ph * qh - product) + ph * ql + pl * qh) + pl * ql};
+}
+
+Double2 both(double x) { return Double2{x, x}; }
+
+/// Adds a matrix times p to `sum`.
+void addProduct(Twofold& sum, const Double2 (&columns)[2], Double2 p) {
+  for (int i = 0; i < 2; ++i) {
+    const Twofold term = twoProduct(columns[i], both(p[i])), added = twoSum(sum.high, term.high);
+    sum.high = added.high;
+    sum.low += added.low + term.low;
+  }
+}
+
+Twofold normalised(const Twofold& sum) { return twoSum(sum.high, sum.low); }
+
+/// A matrix times (q - p).
+Twofold mappedDifference(const Double2 (&columns)[2], Double2 p, Double2 q) {
+  const Twofold difference = twoSum(q, -p);
+  const Twofold first = twoProduct(columns[0], both(difference.high[0]));
+  const Twofold second = twoProduct(columns[1], both(difference.high[1])), sum = twoSum(first.high, second.high);
+  const Double2 rest = columns[0] * difference.low[0] + columns[1] * difference.low[1];
+  return normalised({sum.high, sum.low + (first.low + second.low + rest)});
+}
+
+double cross(const Twofold& u, const Twofold& w) {
+  const Twofold products = twoProduct(u.high, swapped(w.high));
+  const Double2 rest = products.low + (u.high * swapped(w.low) + u.low * swapped(w.high));
+  const Twofold difference = twoSum(both(products.high[0]), both(-products.high[1]));
+  return difference.high[0] + (difference.low[0] + (rest[0] - rest[1]));
+}
+
+double dot(Double2 u, Double2 w) {
+  const Double2 products = u * w;
+  return products[0] + products[1];
+}
+
+/// A distance that is not 0 doesn't become so by rounding.
+double atLeastSmallest(double distance) { return std::max(distance, 0x1p-1074); }
+
+Double2 point(const PolygonData& polygon, std::size_t position) { return load2(polygon.path[position].data()); }
+
+}  // namespace
+
+// With M the size, a rounded R p errs by at most 2U |p|_1 in either coordinate, R q + t by 3U (|q|_1 + |t|_1) + U
+// |t|_1, a difference of two such by U of what it is: in all below 6U M, so the edges may be out of place by 9U M in
+// any direction. For the distance of a point from an edge, as below, doubles then err by at most 16U (|u_a| + |u_b| +
+// d), and the edges' lengths and d are at most 2.1 M and 1.1 M together: in all 61U M; 66U M is used.
+EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+    : a_(a),
+      b_(b),
+      pose_a_(pose_a),
+      pose_b_(pose_b),
+      columns_a_{load2(pose_a.data()), load2(pose_a.data() + 3)},
+      columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)},
+      scale_(1),
+      inverse_(1) {
+  Double2 from = load2(pose_a.data() + 6), to = load2(pose_b.data() + 6);
+  const Double2 apart = absolute(to - from);
+  size_ = (a.extent + b.extent + (apart[0] + apart[1])) * (1 + 8 * kUlp);
+  if (!(size_ > 0x1p-300 && size_ < 0x1p300)) {
+    // So that M is between 2^-400 and 2^400. An extent that overflowed is below 2^1025, hence the factor.
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    scale_ = size_ < 1 ? 0x1p700 : 0x1p-700;
+    inverse_ = size_ < 1 ? 0x1p-700 : 0x1p700;
+    from *= scale_;
+    to *= scale_;
+    const Double2 away = absolute(from) + absolute(to);
+    size_ = 4 * (std::min(a.extent, kLargest) * scale_ + std::min(b.extent, kLargest) * scale_ + (away[0] + away[1]));
+  }
+  const Twofold shift = twoSum(to, -from);
+  shift_ = shift.high;
+  shift_rest_ = shift.low;
+  error_ = 66 * kUlp * size_;
+}
+
+/// The point of a segment v + s u that is nearest to a point v + w is found by a rounded s; were s wrong by e, the
+/// distance would be too large by less than e |u|. s |u| errs by 5U |w|, the residual w - s u by 3U (|w| + |u|) in
+/// either coordinate, and |w| is at most |u| + d: in all below 16U (|u| + d). Signs of areas and of positions along u
+/// err by less than 8 times 6U M (|u|_1 + |w|_1).
+EdgeDistances::Rounded EdgeDistances::rounded(std::size_t i, std::size_t j) const {
+  const auto map = [this](const Double2(&columns)[2], Double2 p) {
+    const Double2 scaled = p * scale_;
+    return columns[0] * scaled[0] + columns[1] * scaled[1];
+  };
+  const Double2 a1 = map(columns_a_, point(a_, i)), a2 = map(columns_a_, point(a_, i + 1));
+  const Double2 b1 = map(columns_b_, point(b_, j)) + shift_, b2 = map(columns_b_, point(b_, j + 1)) + shift_;
+  Rounded result;
+  result.apart = false;
+  const auto compare = [&](Double2 u, Double2 w1, Double2 w2, int k) {
+    const Double2 x{w1[0], w2[0]}, y{w1[1], w2[1]};
+    const double square = dot(u, u);
+    const Double2 along = x * u[0] + y * u[1], area = y * u[0] - x * u[1];
+    const Double2 part = along * (square > 0x1p-960 ? 1 / square : 0);
+    const Double2 s = part > 0.0 ? (part < 1.0 ? part : both(1)) : both(0);
+    const Double2 dx = x - s * u[0], dy = y - s * u[1];
+    store2(result.square + k, dx * dx + dy * dy);
+    store2(result.along + k, s);
+    store2(result.area + k, area);
+    const Double2 sizes = absolute(u) + absolute(w1) + absolute(w2);
+    const double unsure = 48 * kUlp * size_ * (sizes[0] + sizes[1]);
+    const double least_area = std::min(area[0], area[1]), most_area = std::max(area[0], area[1]);
+    const double least_along = std::min(along[0], along[1]), most_along = std::max(along[0], along[1]);
+    result.apart = result.apart || least_area > unsure || most_area < -unsure || most_along < -unsure ||
+                   least_along > square + unsure;
+  };
+  compare(a2 - a1, b1 - a1, b2 - a1, 0);
+  compare(b2 - b1, a1 - b1, a2 - b1, 2);
+  return result;
+}
+
+bool EdgeDistances::meetExactly(std::size_t i, std::size_t j) const {
+  return edgesMeet(PosedPair(a_, pose_a_, b_, pose_b_), i, j);
+}
+
+EdgeDistances::Bounds EdgeDistances::bounds(std::size_t i, std::size_t j) const {
+  const Rounded r = rounded(i, j);
+  if (!r.apart && meetExactly(i, j)) return {true, 0, 0};
+  const double d = std::sqrt(std::min(std::min(r.square[0], r.square[1]), std::min(r.square[2], r.square[3])));
+  return {false, below(std::max(d - error_, 0.0) * inverse_), (d + error_) * (1 + 16 * kUlp) * inverse_ + kSmallest};
+}
+
+EdgeDistances::Nearest EdgeDistances::at(std::size_t i, std::size_t j, double relative_slack,
+                                         double absolute_slack) const {
+  const Rounded r = rounded(i, j);
+  const auto nearest = static_cast<int>(std::min_element(r.square, r.square + kCombinations) - r.square);
+  const double d = std::sqrt(r.square[nearest]), low = d - error_, high = d + error_;
+  if (high <= low * (1 + relative_slack) + absolute_slack * scale_) {
+    const double s = r.along[nearest], end = nearest % 2;
+    return {atLeastSmallest(high * inverse_), nearest < 2 ? s : end, nearest < 2 ? end : s};
+  }
+  Nearest best{std::numeric_limits<double>::infinity(), 0, 0};
+  const double most = d + 2 * error_;
+  for (int k = 0; k < kCombinations; ++k) {
+    if (r.square[k] > most * most * (1 + 16 * kUlp)) continue;
+    const Nearest found = combination(k, i, j);
+    if (found.distance < best.distance || k == nearest) best = found.distance <= best.distance ? found : best;
+  }
+  return best;
+}
+
+// Where an end of one is on the other but for rounding, that is the point. Otherwise they cross, and so clearly that
+// the areas tell where.
+EdgeDistances::Nearest EdgeDistances::whereTheyMeet(std::size_t i, std::size_t j) const {
+  const Rounded r = rounded(i, j);
+  const auto nearest = static_cast<int>(std::min_element(r.square, r.square + kCombinations) - r.square);
+  if (std::sqrt(r.square[nearest]) <= 2 * error_) {
+    const double s = r.along[nearest], end = nearest % 2;
+    return {0, nearest < 2 ? s : end, nearest < 2 ? end : s};
+  }
+  const auto part = [](double from, double to) { return std::clamp(from / (from - to), 0.0, 1.0); };
+  return {0, part(r.area[2], r.area[3]), part(r.area[0], r.area[1])};
+}
+
+// Let w go from the ends v1, v2 of an edge to the point, and u along the edge; U^2 is the unit here.
+//   w: each of the nine partial sums is at most M and rounds by U M, which is kept in the low parts, whose own ten sums
+//   and products round by U of that: below 100 U^2 M in either coordinate; 256 U^2 M in any direction.
+//   u: from the exact difference in the polygon's frame: below 32 U^2 |u|.
+//   u x w: 32 U^2 |u| |w| by the errors of u, 256 U^2 M |u| by those of w, 16 U^2 |u| |w| by the products that are
+//   rounded or left out, and the last sum rounds by U: divided by |u|, with |w| <= 3 M, that is 400 U^2 M + U d.
+// So where d >= 2^-44 M (= 512 U M) all of it is below 2U d. Squares, the root and the quotient round by 4U in all, and
+// |w| by as little. A point taken for one beside an end of the edge rather than beyond it, or the converse, is so by an
+// angle below 16U: in the distance the square of that. In all below 8U: kRelativeError is 32U.
+EdgeDistances::Nearest EdgeDistances::combination(int k, std::size_t i, std::size_t j) const {
+  const bool end_of_b = k < 2;
+  const std::size_t end = static_cast<std::size_t>(k % 2);
+  const Double2 p = (end_of_b ? point(b_, j + end) : point(a_, i + end)) * scale_;
+  const Double2 v1 = (end_of_b ? point(a_, i) : point(b_, j)) * scale_;
+  const Double2 v2 = (end_of_b ? point(a_, i + 1) : point(b_, j + 1)) * scale_;
+  const Double2(&columns_p)[2] = end_of_b ? columns_b_ : columns_a_;
+  const Double2(&columns_v)[2] = end_of_b ? columns_a_ : columns_b_;
+  Twofold common = end_of_b ? Twofold{shift_, shift_rest_} : Twofold{-shift_, -shift_rest_};
+  addProduct(common, columns_p, p);
+  Twofold w1 = common, w2 = common;
+  addProduct(w1, columns_v, -v1);
+  addProduct(w2, columns_v, -v2);
+  w1 = normalised(w1);
+  w2 = normalised(w2);
+  const Twofold u = mappedDifference(columns_v, v1, v2);
+  const double square = dot(u.high, u.high), along = dot(w1.high, u.high);
+  double d, s;
+  if (along <= 0) {
+    d = std::sqrt(dot(w1.high, w1.high));
+    s = 0;
+  } else if (dot(w2.high, u.high) >= 0) {
+    d = std::sqrt(dot(w2.high, w2.high));
+    s = 1;
+  } else {
+    d = std::abs(cross(u, w1)) / std::sqrt(square);
+    s = std::min(along / square, 1.0);
+  }
+  // Written so that infinity and NaN fail.
+  const bool sure = d >= 0x1p-44 * size_ && (square > 0x1p-900 || square == 0) && d < 0x1p1000;
+  if (!sure) return exactCombination(k, i, j);
+  const double where = static_cast<double>(end);
+  return {atLeastSmallest(d * inverse_), end_of_b ? s : where, end_of_b ? where : s};
+}
+
+EdgeDistances::Nearest EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {
+  const bool end_of_b = k < 2;
+  const std::size_t end = static_cast<std::size_t>(k % 2);
+  const double where = static_cast<double>(end);
+  const PosedPoint p = end_of_b ? PosedPoint{&pose_b_, b_.path[j + end]} : PosedPoint{&pose_a_, a_.path[i + end]};
+  const PosedPoint v1 = end_of_b ? PosedPoint{&pose_a_, a_.path[i]} : PosedPoint{&pose_b_, b_.path[j]};
+  const PosedPoint v2 = end_of_b ? PosedPoint{&pose_a_, a_.path[i + 1]} : PosedPoint{&pose_b_, b_.path[j + 1]};
+  const ExactDistance found = distanceExact(p, v1, v2);
+  return {atLeastSmallest(found.distance), end_of_b ? found.along : where, end_of_b ? where : found.along};
+}
+
+}  // namespace tricover::detail

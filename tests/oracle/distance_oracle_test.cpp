@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// distance() against the exact reference: every family, both orders, cold and with caches that saw other poses and
+// other pairs; what the options allow, no more; and walks on which every cached distance is the cold one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/distance.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr int kCases = 1000;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+/// Whether `distance` is the root of `squared` but for a factor within 1e-14 of 1 and the smallest double.
+bool isRootOf(double distance, const mpq_class& squared) {
+  if (sgn(squared) == 0 || distance == 0) return sgn(squared) == 0 && distance == 0;
+  const mpq_class error("1/100000000000000"), smallest(0x1p-1074);
+  if (distance == kInfinity) return mpq_class(kLargest) * kLargest <= squared * (1 + error) * (1 + error);
+  const mpq_class exact(distance), low = (exact - smallest) * (1 - error), high = (exact + smallest) * (1 + error);
+  return (sgn(low) <= 0 || low * low <= squared) && squared <= high * high;
+}
+
+/// A bound of what rounding makes of a posed vertex's coordinates.
+double rounding(const Case& c) {
+  const auto size = [](const Polygon& polygon, const Pose& pose) {
+    double most = 0;
+    for (const Ring& ring : polygon.rings())
+      for (const Vec2& p : ring) most = std::max(most, std::abs(0.25 * p.x()) + std::abs(0.25 * p.y()));
+    return most + 0.25 * std::abs(pose.translation().x()) + 0.25 * std::abs(pose.translation().y());
+  };
+  return 64 * 0x1p-53 * (size(c.a, c.pose_a) + size(c.b, c.pose_b)) + 0x1p-1070;
+}
+
+/// The world's edge, rounded.
+std::pair<Vec2, Vec2> posedEdge(const Polygon& polygon, const Pose& pose, std::ptrdiff_t edge) {
+  const auto at = [&](const Vec2& p) { return Vec2(pose.linear() * p + pose.translation()); };
+  const auto number = static_cast<std::size_t>(edge);
+  return {at(polygon.edgeStart(number)), at(polygon.edgeEnd(number))};
+}
+
+/// What is wrong with the points; empty if nothing is. Says nothing where coordinates overflow.
+std::string wrongPoints(const Case& c, const DistanceResult& r) {
+  // A common point is found by doubles alone.
+  const double error = (r.distance == 0 ? 10 : 1) * rounding(c);
+  const auto isOn = [&](const Polygon& polygon, const Pose& pose, std::ptrdiff_t edge, const Vec2& point) {
+    const auto [v, w] = posedEdge(polygon, pose, edge);
+    if (!v.allFinite() || !w.allFinite()) return true;
+    return exact::within(exact::distanceSquared(point, v, w), mpq_class(error));
+  };
+  if (r.distance == 0 && (r.edge_a < 0) != (r.edge_b < 0)) {
+    // The vertex as a polygon of its own.
+    const bool in_a = r.edge_a < 0;
+    const Polygon &holder = in_a ? c.a : c.b, &other = in_a ? c.b : c.a;
+    const Pose &holder_pose = in_a ? c.pose_a : c.pose_b, &other_pose = in_a ? c.pose_b : c.pose_a;
+    const auto edge = static_cast<std::size_t>(in_a ? r.edge_b : r.edge_a);
+    const Polygon vertex({Ring(3, other.edgeStart(edge))});
+    return exact::collide(holder, holder_pose, vertex, other_pose) ? "" : "the vertex isn't contained";
+  }
+  if (r.edge_a < 0 || r.edge_b < 0) return "edges are missing";
+  if (!r.point_a.allFinite() || !r.point_b.allFinite()) {
+    for (const Vec2* p : {&r.point_a, &r.point_b})
+      if (std::isnan(p->x()) || std::isnan(p->y())) return "a point is NaN";
+    return {};
+  }
+  if (!isOn(c.a, c.pose_a, r.edge_a, r.point_a)) return "a's point isn't on its edge";
+  if (!isOn(c.b, c.pose_b, r.edge_b, r.point_b)) return "b's point isn't on its edge";
+  if (r.distance == 0) return r.point_a == r.point_b ? "" : "there are two common points";
+  const mpq_class squared = exact::distanceSquared(r.point_a, r.point_b, r.point_b);
+  const mpq_class high = mpq_class(std::min(r.distance, kLargest)) + 4 * mpq_class(error);
+  const mpq_class low = mpq_class(std::min(r.distance, kLargest)) - 4 * mpq_class(error);
+  const bool apart = (r.distance == kInfinity || squared <= high * high) && (sgn(low) <= 0 || low * low <= squared);
+  return apart ? "" : "the points are not as far apart as the distance says";
+}
+
+bool same(const DistanceResult& p, const DistanceResult& q) {
+  const auto alike = [](const Vec2& s, const Vec2& t) { return s == t || !s.allFinite(); };
+  return p.distance == q.distance && alike(p.point_a, q.point_a) && alike(p.point_b, q.point_b) &&
+         p.edge_a == q.edge_a && p.edge_b == q.edge_b;
+}
+
+DistanceResult swapped(const DistanceResult& r) { return {r.distance, r.point_b, r.point_a, r.edge_b, r.edge_a}; }
+
+/// b near where it is: facts about these poses are about to be used at the case's own.
+Pose elsewhere(Random& random, const Case& c) {
+  const double size = std::min(c.a.radius(), c.b.radius()) * (random.coin() ? 1e-3 : random.coin() ? 1e-12 : 1.0);
+  Pose result = c.pose_b * pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0);
+  const Vec2 moved = c.pose_b.translation() + Vec2(random.real(-size, size), random.real(-size, size));
+  if (moved.allFinite()) result.translation() = moved;
+  return result;
+}
+
+/// What the options allow.
+std::string wrongOptions(const Case& c, Random& random, const mpq_class& squared, double cold, DistanceCache& cache) {
+  DistanceOptions options;
+  const double length = std::min(cold, kLargest) * random.real(0, 2);
+  if (random.coin()) options.relative_error = random.coin() ? 0.5 : 1e-3;
+  if (random.coin()) options.absolute_error = length;
+  if (random.coin()) options.limit = random.oneIn(4) ? cold : std::min(cold, kLargest) * random.real(0, 2);
+  const DistanceResult results[] = {distance(c.a, c.pose_a, c.b, c.pose_b, options),
+                                    distance(c.b, c.pose_b, c.a, c.pose_a, options),
+                                    distance(c.a, c.pose_a, c.b, c.pose_b, cache, options)};
+  for (const DistanceResult& r : results) {
+    if (r.distance > options.limit && r.distance < kInfinity) return "above the limit";
+    if (cold < options.limit * (1 - 1e-13) && r.distance == kInfinity && cold < kInfinity) {
+      // What is allowed to be too large may end up beyond the limit.
+      if (!(cold * (1 + options.relative_error) + options.absolute_error >= options.limit * (1 - 1e-13)))
+        return "not found within the limit";
+    }
+    if ((r.distance == 0) != (cold == 0)) return "zero or not";
+    if (r.distance == kInfinity) continue;
+    const mpq_class result(r.distance), slack("1/100000000000000");
+    const mpq_class least =
+        (result - mpq_class(options.absolute_error) - 0x1p-1073) / (1 + mpq_class(options.relative_error));
+    if (sgn(least) > 0 && least * least > squared * (1 + 3 * slack)) return "more than the options allow";
+    if (squared > (result + 0x1p-1074) * (result + 0x1p-1074) * (1 + 3 * slack)) return "below the truth";
+  }
+  return {};
+}
+
+class DistanceOracle : public testing::TestWithParam<Family> {};
+
+TEST_P(DistanceOracle, AgreesWithExactRationals) {
+  const int cases = scaledCount(kCases);
+  int hits = 0, near = 0, disagreements = 0;
+  DistanceCache old;
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 7000000;
+    Case c = GetParam().make(seed);
+    Random random(~seed);
+    const double size = std::min({c.a.radius(), c.b.radius(), kLargest});
+    if (random.oneIn(3)) {
+      const Vec2 apart = c.pose_b.translation() + size * Vec2(random.real(-2, 2), random.real(-2, 2));
+      if (apart.allFinite()) c.pose_b.translation() = apart;
+    }
+    const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
+    hits += sgn(squared) == 0;
+    near += sgn(squared) != 0 && squared < mpq_class(1e-12 * size) * mpq_class(1e-12 * size);
+    const DistanceResult cold = distance(c.a, c.pose_a, c.b, c.pose_b);
+    const auto problem = [&]() -> std::string {
+      if (!isRootOf(cold.distance, squared)) return "cold";
+      if ((cold.distance == 0) != collide(c.a, c.pose_a, c.b, c.pose_b)) return "collide";
+      const std::string points = wrongPoints(c, cold);
+      if (!points.empty()) return points;
+      if (!same(swapped(distance(c.b, c.pose_b, c.a, c.pose_a)), cold)) return "swapped";
+      const DistanceResult others = distance(c.a, c.pose_a, c.b, c.pose_b, old);
+      if (others.distance != cold.distance) return "cache of other pairs";
+      DistanceCache cache;
+      for (int k = 0; k < 3; ++k) distance(c.a, c.pose_a, c.b, elsewhere(random, c), cache);
+      const DistanceResult cached = distance(c.a, c.pose_a, c.b, c.pose_b, cache);
+      if (cached.distance != cold.distance) return "cache of other poses";
+      if (!wrongPoints(c, cached).empty()) return "cache of other poses: " + wrongPoints(c, cached);
+      if (distance(c.b, c.pose_b, c.a, c.pose_a, cache).distance != cold.distance) return "that cache again, swapped";
+      const std::string allowed = wrongOptions(c, random, squared, cold.distance, cache);
+      if (!allowed.empty()) return "options: " + allowed;
+      if (distance(c.a, c.pose_a, c.b, c.pose_b, cache).distance != cold.distance) return "cache of other options";
+      return {};
+    }();
+    if (problem.empty()) continue;
+    if (++disagreements <= 3) {
+      ADD_FAILURE() << GetParam().name << " seed " << seed << ": " << problem << ", cold " << hex(cold.distance)
+                    << ", truth above " << hex(exact::distanceBelow(squared)) << "\n"
+                    << reproduction(c);
+    }
+  }
+  std::printf("%-22s %6d cases %6d hits %6d within 1e-12 %4d disagreements\n", GetParam().name, cases, hits, near,
+              disagreements);
+  EXPECT_EQ(disagreements, 0);
+  if (cases >= 100) {
+    EXPECT_GE(hits, 0.1 * cases);
+    EXPECT_LE(hits, 0.85 * cases);
+  }
+}
+
+std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Families, DistanceOracle, testing::ValuesIn(families()), familyName);
+
+}  // namespace
+}  // namespace tricover::support
