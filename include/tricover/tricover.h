@@ -5,6 +5,8 @@
 #include "tricover/contacts.h"
 #include "tricover/influence.h"
 #include "tricover/locate.h"
+#include "tricover/motion.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
 #include "tricover/svg.h"
+#include "tricover/time_of_impact.h"
