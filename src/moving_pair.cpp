@@ -13,16 +13,6 @@ namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-/// How far into the window from * (1 - x) + to * x - sag * x * (1 - x) stays positive, from > 0; above 1 if throughout.
-double positiveUntil(double from, double to, double sag) {
-  const double slope = from - to + sag;
-  if (slope <= 0) return 2;
-  const double discriminant = slope * slope - 4 * sag * from;
-  if (discriminant < 0) return 2;
-  const double root = 2 * from / (slope + std::sqrt(discriminant));
-  return root < 1 ? root : 2;
-}
-
 }  // namespace
 
 Places Mover::places(double begin, double end) const {
@@ -54,10 +44,12 @@ Node Mover::node(std::uint32_t index) const {
           block.leaf};
 }
 
-/// A point at lever from the pivot is accelerated by turn^2 |lever|, towards the pivot. 2^-10 is for rounding and for
-/// what `linear` stretches.
+/// A point at lever (x, y) from the pivot is accelerated by turn^2 |lever|, towards the pivot, and |lever| is at most
+/// the larger coordinate and sqrt(2) - 1 of the smaller one. 2^-10 is for rounding, and for what `linear` stretches
+/// extents here and axes in cuts.
 double Mover::bendAt(double lever_x, double lever_y, double extent) const {
-  return turn == 0 ? 0 : turn * turn * (std::sqrt(lever_x * lever_x + lever_y * lever_y) + extent) * (1 + 0x1p-10);
+  const double x = std::abs(lever_x), y = std::abs(lever_y);
+  return turn * turn * (std::max(x, y) + 0.4143 * std::min(x, y) + extent) * (1 + 0x1p-10);
 }
 
 MovingBox Mover::box(const Places& p, const Node& node) const {
@@ -164,33 +156,36 @@ bool MovingPair::discsStayApart() const {
 
 // A point of b minus one of a, along the axis, is d(s) with |d''| <= A, the sum of both bends. So on a window of length
 // h, with x the share of it that has passed, it is at least its linear interpolation minus A h^2 x (1 - x) / 2. The
-// least of several such functions is at least the interpolation of the least at both ends, minus the same.
-void Rest::cut(Double2 distance, Double2 radius, double error, double sag) {
-  const Double2 at_begin = distance[0] < 0 ? -distance : distance, first = at_begin - radius - error;
-  if (first[0] > 0) {
-    const double until = positiveUntil(first[0], first[1], sag);
-    if (until > low) {
-      low = until;
-      aim = first[0] / (first[0] - first[1]);
-    }
-  }
-  const Double2 at_end = distance[1] < 0 ? -distance : distance, last = at_end - radius - error;
-  if (last[1] > 0) high = std::min(high, 1 - positiveUntil(last[1], last[0], sag));
+// least of several such functions is at least the interpolation of the least at both ends, minus the same: seen from
+// either end, a gap is at least from - slope x + sag x^2 with slope = from - to + sag.
+bool WindowCutter::cut(double nx, double ny) {
+  Double2 distance = nx * (b_.x - a_.x) + ny * (b_.y - a_.y);
+  if (distance[0] < 0) distance = -distance;
+  const Double2 radius = absolute(nx * a_.ux + ny * a_.uy) * a_.along + absolute(nx * a_.vx + ny * a_.vy) * a_.across +
+                         absolute(nx * b_.ux + ny * b_.uy) * b_.along + absolute(nx * b_.vx + ny * b_.vy) * b_.across +
+                         error_;
+  const Double2 gap = distance - radius;
+  if (offer(gap[0], gap[1], first_)) return true;
+  return distance[1] < 0 ? offer(-distance[1] - radius[1], -distance[0] - radius[0], last_)
+                         : offer(gap[1], gap[0], last_);
 }
 
-void cutBy(double nx, double ny, const MovingBox& a, const MovingBox& b, double error, double sag, Rest& rest) {
-  const Double2 distance = nx * (b.x - a.x) + ny * (b.y - a.y);
-  const Double2 radius = absolute(nx * a.ux + ny * a.uy) * a.along + absolute(nx * a.vx + ny * a.vy) * a.across +
-                         absolute(nx * b.ux + ny * b.uy) * b.along + absolute(nx * b.vx + ny * b.vy) * b.across;
-  rest.cut(distance, radius, error, sag);
+bool WindowCutter::offer(double from, double to, Side& side) const {
+  if (!(from > 0)) return false;
+  const double slope = from - to + sag_;
+  if (slope < from || slope * slope < 4 * sag_ * from) return true;  // without a root in [0, 1]
+  // Division can wait until the best is known; as can the root, of which this is the first order.
+  if (from * side.slope > side.from * slope) side = {from, to, slope};
+  return false;
 }
 
-void cutByAxesOf(const MovingBox& box, const MovingBox& a, const MovingBox& b, double error, double sag, Rest& rest) {
-  // Means of near unit vectors are shorter; 2^-10 pays for what `linear` may stretch.
-  constexpr double kHalf = 0.5 * (1 - 0x1p-10);
-  cutBy(kHalf * (box.ux[0] + box.ux[1]), kHalf * (box.uy[0] + box.uy[1]), a, b, error, sag, rest);
-  if (!rest.empty()) cutBy(kHalf * (box.vx[0] + box.vx[1]), kHalf * (box.vy[0] + box.vy[1]), a, b, error, sag, rest);
+double WindowCutter::share(const Side& side) const {
+  if (side.from == 0) return 0;
+  const double root = std::sqrt(std::max(side.slope * side.slope - 4 * sag_ * side.from, 0.0));
+  return std::min(2 * side.from / (side.slope + root), 1.0);
 }
+
+Rest WindowCutter::rest() const { return {share(first_), 1 - share(last_), first_.from / (first_.from - first_.to)}; }
 
 Nearest::Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane)
     : distance(std::numeric_limits<double>::infinity()) {

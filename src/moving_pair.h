@@ -67,24 +67,42 @@ struct MovingPair {
   double length, expansion;  ///< two powers of two: a length of 1 is their product in the world
 };
 
-/// The share [low, high] of a window that contact may lie in: cut by one axis after the other.
+/// The share [low, high] of a window that contact may lie in.
 struct Rest {
-  bool empty() const { return low > high; }
-
-  /// Along a fixed axis, not longer than 1, two boxes keep the gap |distance| - radius - error where that is positive,
-  /// given at the window's ends; `sag` is half the bound of the points' relative acceleration times the squared length
-  /// of the window.
-  void cut(Double2 distance, Double2 radius, double error, double sag);
-
-  double low = 0, high = 1;
-  double aim = 0;  ///< where points that aren't accelerated would meet along the axis that `low` is due to
+  double low, high;
+  double aim;  ///< where points that aren't accelerated would meet along the axis that `low` is due to
 };
 
-/// Cuts by the axis (nx, ny).
-void cutBy(double nx, double ny, const MovingBox& a, const MovingBox& b, double error, double sag, Rest& rest);
+/// Cuts a window down to where contact may lie, by one fixed axis after the other. `sag` is half the bound of the
+/// points' relative acceleration times the squared length of the window.
+class WindowCutter {
+ public:
+  WindowCutter(const MovingBox& a, const MovingBox& b, double error, double sag)
+      : a_(a), b_(b), error_(error), sag_(sag) {}
 
-/// Cuts by the axes that a box has in the middle of the window.
-void cutByAxesOf(const MovingBox& box, const MovingBox& a, const MovingBox& b, double error, double sag, Rest& rest);
+  /// By an axis that isn't longer than 1. Returns whether it parts the boxes throughout.
+  bool cut(double nx, double ny);
+  /// By the axes that a box has in the middle of the window.
+  bool cutByAxesOf(const MovingBox& box) {
+    return cut(0.5 * (box.ux[0] + box.ux[1]), 0.5 * (box.uy[0] + box.uy[1])) ||
+           cut(0.5 * (box.vx[0] + box.vx[1]), 0.5 * (box.vy[0] + box.vy[1]));
+  }
+  /// What no axis has cut off; nothing, low > high, is possible, too.
+  Rest rest() const;
+
+ private:
+  /// A gap `from` at one end of the window, which the line to `to` at the other and the sag leave positive for a share
+  /// of about from / slope.
+  struct Side {
+    double from = 0, to = 0, slope = 1;
+  };
+  bool offer(double from, double to, Side& side) const;
+  double share(const Side& side) const;
+
+  const MovingBox &a_, &b_;
+  double error_, sag_;
+  Side first_, last_;
+};
 
 /// The nearest points of two edges at one end of the window; distance 0 where they cross.
 struct Nearest {

@@ -84,11 +84,10 @@ class ImpactSearch {
   }
 
   void offer(const MovingBox& a, const MovingBox& b, const Candidate& candidate) {
-    const double sagging = sag(a, b, candidate.end - candidate.begin);
-    Rest rest;
-    cutByAxesOf(a, a, b, pair_.error, sagging, rest);
-    if (!rest.empty()) cutByAxesOf(b, a, b, pair_.error, sagging, rest);
-    if (!rest.empty()) push(cut(candidate, rest));
+    WindowCutter cutter(a, b, pair_.error, sag(a, b, candidate.end - candidate.begin));
+    if (cutter.cutByAxesOf(a) || cutter.cutByAxesOf(b)) return;
+    const Rest rest = cutter.rest();
+    if (rest.low <= rest.high) push(cut(candidate, rest));
   }
 
   void divide(const Candidate& candidate) {
@@ -146,13 +145,12 @@ class ImpactSearch {
 
     // Some axis parts the edges at the window's begin by nearly their distance: an edge's normal or, vertex to vertex,
     // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
-    const double length = candidate.end - candidate.begin, sagging = sag(a, b, length);
+    const double length = candidate.end - candidate.begin;
     const Vec2 axis = (at_begin.on_b - at_begin.on_a) / at_begin.distance;
-    Rest rest;
-    cutBy(axis.x(), axis.y(), a, b, pair_.error, sagging, rest);
-    if (!rest.empty()) cutBy(a.vx[0], a.vy[0], a, b, pair_.error, sagging, rest);
-    if (!rest.empty()) cutBy(b.vx[0], b.vy[0], a, b, pair_.error, sagging, rest);
-    if (rest.empty()) return;
+    WindowCutter cutter(a, b, pair_.error, sag(a, b, length));
+    if (cutter.cut(axis.x(), axis.y()) || cutter.cut(a.vx[0], a.vy[0]) || cutter.cut(b.vx[0], b.vy[0])) return;
+    const Rest rest = cutter.rest();
+    if (rest.low > rest.high) return;
 
     // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a window up to
     // there is shorter by an order.
