@@ -17,7 +17,9 @@ struct Motion {
   static Motion still(const Pose& pose);
   /// start's rotation is kept.
   static Motion translation(const Pose& start, const Vec2& shift);
-  /// From pose to pose with the turn in (-pi, pi] and the pivot on a straight line. Both must have the same handedness.
+  /// From pose to pose with the turn in (-pi, pi] and the pivot on a straight line. at(1) is `end` up to rounding and
+  /// to what the linear parts differ by beside a rotation. Throws std::invalid_argument, naming the field, for poses
+  /// that checkPose() refuses, of which only one mirrors, or a pivot that isn't finite.
   static Motion between(const Pose& start, const Pose& end, const Vec2& pivot = Vec2::Zero());
 
   /// The pose at `time`, rounded; exactly `start` at 0.

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Times of impact against exact collide() at many poses on the way, and for translations against the exact first
+// contact of vertices and edges.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact_reference.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/time_of_impact.h"
+#include "workloads.h"
+
+namespace tricover::support {
+namespace {
+
+/// Of positions, as a share of sizes and ways; of times, where ways are not much below the sizes.
+constexpr double kRounding = 1e-12;
+
+enum class Kind { Translation, Interpolation, Screw, ManyTurns };
+
+struct Flight {
+  Polygon a;
+  Motion motion_a;
+  Polygon b;
+  Motion motion_b;
+};
+
+/// About 50 units in radius.
+Polygon anyPolygon(Random& random) {
+  const auto& kinds = workloads::allKinds();
+  const int choice = random.integer(0, static_cast<int>(kinds.size()) + 2);
+  if (choice < static_cast<int>(kinds.size()))
+    return workloads::makePolygon(kinds[static_cast<std::size_t>(choice)],
+                                  static_cast<std::size_t>(2 * random.integer(5, 24)), random.bits());
+  if (choice == static_cast<int>(kinds.size()))
+    return Polygon({scaled(star(random, random.integer(3, 9), 0.1, 1), 50)});
+  if (choice == static_cast<int>(kinds.size()) + 1) return Polygon({shifted(comb(4, 20, 8, 40), {-34, -20})});
+  return Polygon({scaled(regular(24, 1), 90), scaled(regular(24, 1), 70)});  // a ring
+}
+
+/// Ways, mostly towards the middle, and turns of a size that lets about half of the pairs meet.
+Motion anyMotion(Random& random, Kind kind, const Pose& start, const Polygon& polygon) {
+  const Vec2 aside(random.real(-80, 80), random.real(-80, 80));
+  Motion motion = Motion::translation(start, aside - random.real(0, 1.5) * start.translation());
+  if (kind == Kind::Translation) return motion;
+  if (kind == Kind::Interpolation) {
+    const Pose end = random.oneIn(8) ? start : pose(random.real(-3, 3), 0, 0) * start;
+    Pose there = end;
+    there.translation() = start.translation() + motion.shift;
+    return Motion::between(start, there, random.coin() ? Vec2::Zero() : polygon.origin());
+  }
+  if (random.coin()) motion.pivot = Vec2(random.real(-100, 100), random.real(-100, 100));
+  motion.angle = random.real(-6, 6) * (kind == Kind::ManyTurns ? 10 : 1);
+  if (random.coin()) motion.shift = Vec2::Zero();
+  return motion;
+}
+
+Flight anyFlight(Random& random, Kind kind) {
+  Polygon a = anyPolygon(random), b = anyPolygon(random);
+  Pose start_a = randomPose(random, 20), start_b = randomPose(random, 200);
+  if (random.oneIn(5)) start_a = mirrored(start_a);
+  if (random.oneIn(5)) start_b = distorted(random, start_b);
+  const Motion motion_b = anyMotion(random, kind, start_b, b);
+  const Motion motion_a = random.coin() ? Motion::still(start_a) : anyMotion(random, kind, start_a, a);
+  return {a, motion_a, b, motion_b};
+}
+
+bool collideAt(const Flight& f, double time, double margin = 0) {
+  CollideOptions options;
+  options.margin = margin;
+  return collide(f.a, f.motion_a.at(time), f.b, f.motion_b.at(time), options);
+}
+
+/// The lengths that rounding is relative to.
+double sizeOf(const Flight& f) {
+  const auto size = [](const Polygon& polygon, const Motion& motion) {
+    const double reach = polygon.radius() + (polygon.origin() - motion.pivot).norm();
+    return (1 + std::abs(motion.angle)) * reach + motion.shift.norm() + motion.start.translation().norm();
+  };
+  return size(f.a, f.motion_a) + size(f.b, f.motion_b);
+}
+
+/// What is wrong with the answer; empty if nothing is.
+std::string wrongWith(const Flight& f, const std::optional<Impact>& impact, double time_error, Random& random) {
+  const double before = impact ? impact->time - kRounding : 1;
+  constexpr int kSamples = 400;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double time = i == 0 ? 0 : (i - random.unit()) / kSamples;
+    if (time < before && collideAt(f, time)) return "collides before, at " + std::to_string(time);
+  }
+  if (!impact) return collideAt(f, 1) ? "collides at the end" : "";
+  for (double ahead = 1e-12; ahead < 1e-2; ahead *= 4)
+    if (impact->time - ahead > 0 && collideAt(f, impact->time - ahead)) return "collides just before";
+  if (impact->time < 0 || impact->time > 1) return "time out of range";
+  for (int i = 0; i <= 50; ++i)
+    if (collideAt(f, impact->time + i * 0.02 * time_error, kRounding * sizeOf(f))) return "";
+  return "no collision within the time error";
+}
+
+/// Point and normal say how the edges come together: moved against each other by what is left of the gap, and a hair
+/// more, they touch.
+std::string wrongFeatures(const Flight& f, const Impact& impact, double time_error) {
+  if (!(std::abs(impact.normal.norm() - 1) < 1e-12)) return "normal isn't of unit length";
+  const double near = sizeOf(f) * (time_error + 1e-7);
+  const auto offEdge = [&](const Polygon& polygon, const Pose& at, std::ptrdiff_t edge) {
+    if (edge < 0) return 0.0;
+    const auto e = static_cast<std::size_t>(edge);
+    return exact::distanceBelow(
+        exact::distanceSquared(impact.point, at * polygon.edgeStart(e), at * polygon.edgeEnd(e)));
+  };
+  if (offEdge(f.a, f.motion_a.at(impact.time), impact.edge_a) > near) return "point isn't near a's edge";
+  if (offEdge(f.b, f.motion_b.at(impact.time), impact.edge_b) > near) return "point isn't near b's edge";
+  if (impact.time > 0 && (impact.edge_a < 0 || impact.edge_b < 0)) return "no edges";
+  return "";
+}
+
+class TimeOfImpactOracle : public testing::TestWithParam<Kind> {};
+
+TEST_P(TimeOfImpactOracle, BracketsTheFirstCollision) {
+  const int cases = scaledCount(6000);
+  int overlaps = 0, impacts = 0, failures = 0;
+  for (int i = 0; i < cases && failures < 5; ++i) {
+    Random random(static_cast<std::uint64_t>(i) * 4 + static_cast<std::uint64_t>(GetParam()));
+    const Flight f = anyFlight(random, GetParam());
+    ImpactOptions options;
+    options.time_error = random.oneIn(8) ? 0 : std::pow(10, random.real(-9, -3));
+    const auto impact = timeOfImpact(f.a, f.motion_a, f.b, f.motion_b, options);
+    const auto swapped = timeOfImpact(f.b, f.motion_b, f.a, f.motion_a, options);
+    overlaps += impact && impact->time == 0;
+    impacts += impact && impact->time > 0;
+    std::string wrong = wrongWith(f, impact, options.time_error, random);
+    if (wrong.empty() && impact) wrong = wrongFeatures(f, *impact, options.time_error);
+    if (impact.has_value() != swapped.has_value())
+      wrong += ", swapped: another answer";
+    else if (impact && (impact->time != swapped->time || impact->normal != Vec2(-swapped->normal) ||
+                        impact->edge_a != swapped->edge_b || impact->edge_b != swapped->edge_a))
+      wrong += ", swapped: another impact";
+    if ((impact && impact->time == 0) != collideAt(f, 0)) wrong += ", time 0 is not collide at the start";
+    if (wrong.empty()) continue;
+    ++failures;
+    ADD_FAILURE() << "case " << i << ": " << wrong << ", time " << (impact ? impact->time : -1) << ", time error "
+                  << options.time_error;
+  }
+  std::printf("%d cases, %d overlap at the start, %d impacts later\n", cases, overlaps, impacts);
+  if (cases < 100) return;
+  EXPECT_GT(impacts, cases / 5);
+  EXPECT_GT(cases - impacts - overlaps, cases / 5);
+  EXPECT_LT(overlaps, cases / 2);
+}
+
+std::string kindName(const testing::TestParamInfo<Kind>& kind) {
+  constexpr const char* kNames[] = {"Translation", "Interpolation", "Screw", "ManyTurns"};
+  return kNames[static_cast<int>(kind.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, TimeOfImpactOracle,
+                         testing::Values(Kind::Translation, Kind::Interpolation, Kind::Screw, Kind::ManyTurns),
+                         kindName);
+
+struct ExactVector {
+  mpq_class x, y;
+  friend ExactVector operator-(const ExactVector& p, const ExactVector& q) { return {p.x - q.x, p.y - q.y}; }
+};
+mpq_class cross(const ExactVector& p, const ExactVector& q) { return p.x * q.y - p.y * q.x; }
+mpq_class dot(const ExactVector& p, const ExactVector& q) { return p.x * q.x + p.y * q.y; }
+ExactVector exactly(const Vec2& p) { return {mpq_class(p.x()), mpq_class(p.y())}; }
+
+using ExactEdges = std::vector<std::pair<ExactVector, ExactVector>>;
+
+ExactEdges exactEdges(const Polygon& polygon, const Pose& pose) {
+  const auto& m = pose.matrix();
+  const auto place = [&](const Vec2& p) {
+    const ExactVector q = exactly(p);
+    return ExactVector{mpq_class(m(0, 0)) * q.x + mpq_class(m(0, 1)) * q.y + mpq_class(m(0, 2)),
+                       mpq_class(m(1, 0)) * q.x + mpq_class(m(1, 1)) * q.y + mpq_class(m(1, 2))};
+  };
+  ExactEdges edges;
+  for (std::size_t e = 0; e < polygon.vertexCount(); ++e)
+    edges.emplace_back(place(polygon.edgeStart(e)), place(polygon.edgeEnd(e)));
+  return edges;
+}
+
+/// Lowers `first` to the time at which a point that moves by `way` is on the edge.
+void meetEdge(const ExactVector& p, const ExactVector& way, const ExactVector& v, const ExactVector& w,
+              std::optional<mpq_class>& first) {
+  const auto offer = [&](const mpq_class& time) {
+    if (time >= 0 && time <= 1 && (!first || time < *first)) first = time;
+  };
+  const ExactVector along = w - v, from = v - p;
+  const mpq_class closing = cross(along, way);
+  if (closing != 0) {
+    const mpq_class time = cross(along, from) / closing;
+    const ExactVector there{p.x + time * way.x - v.x, p.y + time * way.y - v.y};
+    const mpq_class share = dot(there, along);
+    if (share >= 0 && share <= dot(along, along)) offer(time);
+    return;
+  }
+  // Along the edge's line, or to a point of an edge without length.
+  if (dot(way, way) == 0) return;
+  for (const ExactVector& end : {from, ExactVector(w - p)})
+    if (cross(end, way) == 0) offer(dot(end, way) / dot(way, way));
+}
+
+/// The first contact of polygons that are apart at first and only shifted: that of a vertex with an edge.
+std::optional<mpq_class> firstContact(const Flight& f) {
+  const ExactVector way = exactly(f.motion_b.shift) - exactly(f.motion_a.shift);
+  const ExactVector back{-way.x, -way.y};
+  const ExactEdges a = exactEdges(f.a, f.motion_a.start), b = exactEdges(f.b, f.motion_b.start);
+  std::optional<mpq_class> first;
+  for (const auto& edge_a : a)
+    for (const auto& edge_b : b) {
+      meetEdge(edge_b.first, way, edge_a.first, edge_a.second, first);
+      meetEdge(edge_a.first, back, edge_b.first, edge_b.second, first);
+    }
+  return first;
+}
+
+/// Vertices and ways on a coarse grid: grazes, contacts at the very end, collinear edges, parting from touch.
+Flight onGrid(Random& random) {
+  const auto coordinate = [&](int low, int high) { return 0.25 * random.integer(4 * low, 4 * high); };
+  const auto polygon = [&] {
+    if (random.coin()) {
+      const double x = random.integer(1, 3), y = random.integer(1, 3);
+      return Polygon({rectangle(-x, -y, x, y)});
+    }
+    Ring ring = star(random, random.integer(3, 8), 1, 4);
+    for (Vec2& v : ring) v = v.array().round();
+    return Polygon({ring});
+  };
+  Polygon a = polygon(), b = polygon();
+  Pose start = Pose::Identity();
+  if (random.coin()) start.linear() << 0, -1, 1, 0;
+  start.translation() = Vec2(coordinate(-10, 10), coordinate(-10, 10));
+  Vec2 shift = Vec2(coordinate(-4, 4), coordinate(-4, 4)) - 0.25 * random.integer(0, 8) * start.translation();
+  if (random.oneIn(3)) shift[random.integer(0, 1)] = 0;
+  Vec2 other = Vec2::Zero();
+  if (random.coin()) other = Vec2(coordinate(-3, 3), coordinate(-3, 3));
+  return {a, Motion::translation(Pose::Identity(), other), b, Motion::translation(start, shift)};
+}
+
+TEST(TimeOfImpactExact, TranslationsMeetWhenTheyExactlyDo) {
+  const int cases = scaledCount(4000);
+  int impacts = 0, misses = 0, overlaps = 0, at_end = 0;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 99);
+    const Flight f = i % 8 == 0 ? anyFlight(random, Kind::Translation) : onGrid(random);
+    ImpactOptions options;
+    options.time_error = random.oneIn(4) ? 0 : std::pow(10, random.real(-9, -2));
+    const auto impact = timeOfImpact(f.a, f.motion_a, f.b, f.motion_b, options);
+    if (exact::collide(f.a, f.motion_a.start, f.b, f.motion_b.start)) {
+      ++overlaps;
+      ASSERT_TRUE(impact && impact->time == 0) << "case " << i;
+      continue;
+    }
+    const auto truth = firstContact(f);
+    ASSERT_EQ(impact.has_value(), truth.has_value()) << "case " << i;
+    ++(truth ? impacts : misses);
+    if (!truth) continue;
+    at_end += *truth == 1;
+    ASSERT_TRUE(mpq_class(impact->time) <= *truth) << "case " << i << ": " << impact->time << " " << truth->get_d();
+    const double way = (f.motion_b.shift - f.motion_a.shift).norm();
+    ASSERT_GE(impact->time, truth->get_d() - options.time_error - kRounding * sizeOf(f) / way)
+        << "case " << i << " time error " << options.time_error;
+  }
+  std::printf("%d cases, %d overlap at the start, %d meet later, %d of them at time 1\n", cases, overlaps, impacts,
+              at_end);
+  if (cases < 400) return;
+  EXPECT_GT(impacts, cases / 5);
+  EXPECT_GT(misses, cases / 5);
+  EXPECT_GT(at_end, cases / 500);
+}
+
+}  // namespace
+}  // namespace tricover::support

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "random.h"
+#include "shapes.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+TEST(Motion, StillStays) {
+  const Motion motion = Motion::still(pose(0.3, 1, 2));
+  EXPECT_EQ(motion.at(0.7).matrix(), pose(0.3, 1, 2).matrix());
+}
+
+TEST(Motion, TranslationKeepsTheRotationAsWritten) {
+  const Motion motion = Motion::translation(throughFloat(pose(0.3, 1, 2)), {4, -8});
+  EXPECT_EQ(motion.at(0.25).linear(), motion.start.linear());
+  EXPECT_EQ(motion.at(0.5).translation(), Vec2(motion.start.translation() + Vec2(2, -4)));
+}
+
+TEST(Motion, StartsExactlyAtStart) {
+  Motion motion = Motion::between(throughFloat(pose(0.3, 1e15, 2)), pose(2, 3, 4), {5, 6});
+  EXPECT_EQ(motion.at(0).matrix(), motion.start.matrix());
+}
+
+TEST(Motion, TurnsAboutThePivotWhileThatMovesStraight) {
+  Motion motion;
+  motion.start = pose(kPi / 2, 10, 0);
+  motion.pivot = {2, 0};  // at (10, 2) in the world
+  motion.shift = {0, 8};
+  motion.angle = kPi;
+  const Pose half = motion.at(0.5);
+  EXPECT_NEAR((half * Vec2(2, 0) - Vec2(10, 6)).norm(), 0, 1e-14);
+  // The frame's origin was below the pivot and is now, a quarter turn counter-clockwise, on its right.
+  EXPECT_NEAR((half * Vec2(0, 0) - Vec2(12, 6)).norm(), 0, 1e-14);
+}
+
+TEST(Motion, TurnsCounterClockwiseInTheWorldThoughMirrored) {
+  Motion motion;
+  motion.start = mirrored(pose(0, 0, 0));
+  motion.angle = kPi / 2;
+  EXPECT_NEAR((motion.at(1) * Vec2(1, 0) - Vec2(0, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((motion.at(1) * Vec2(0, 1) - Vec2(1, 0)).norm(), 0, 1e-15);
+}
+
+TEST(Motion, KeepsThePivotToRoundingThroughManyTurns) {
+  Motion motion;
+  motion.start = pose(1, 2, 3);
+  motion.pivot = {4, 5};
+  motion.angle = 2e4 * kPi;
+  const Vec2 pivot = motion.start * motion.pivot;
+  for (double time = 0; time <= 1; time += 0.01) ASSERT_NEAR((motion.at(time) * motion.pivot - pivot).norm(), 0, 1e-14);
+}
+
+TEST(Motion, BetweenEndsAtItsEnd) {
+  Random random(7);
+  for (int i = 0; i < 2000; ++i) {
+    Pose start = randomPose(random, 10), end = randomPose(random, 10);
+    if (i % 3 == 0) start = mirrored(start), end = mirrored(end);
+    const Vec2 pivot(random.real(-5, 5), random.real(-5, 5));
+    const Motion motion = Motion::between(start, end, pivot);
+    ASSERT_GT(motion.angle, -kPi);
+    ASSERT_LE(motion.angle, kPi);
+    ASSERT_LT((motion.at(1).matrix() - end.matrix()).norm(), 1e-13);
+    // The pivot is on the straight line.
+    const Vec2 there = 0.75 * (start * pivot) + 0.25 * (end * pivot);
+    ASSERT_LT((motion.at(0.25) * pivot - there).norm(), 1e-13);
+  }
+}
+
+TEST(Motion, BetweenTurnsByPiRatherThanMinusPi) {
+  Pose half = Pose::Identity();
+  half.linear() << -1, -0.0, 0.0, -1;
+  EXPECT_EQ(Motion::between(Pose::Identity(), half).angle, kPi);
+  half.linear() << -1, 0.0, -0.0, -1;
+  EXPECT_EQ(Motion::between(Pose::Identity(), half).angle, kPi);
+}
+
+/// What refuses it says so.
+template <typename Call>
+std::string refusal(Call call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Motion, BetweenRefusesAMirror) {
+  EXPECT_NE(refusal([] { Motion::between(Pose::Identity(), mirrored(Pose::Identity())); }).find("end"),
+            std::string::npos);
+}
+
+TEST(CheckMotion, NamesTheField) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+  const auto refusalOf = [](const Motion& motion) { return refusal([&] { checkMotion(motion, "motion_b"); }); };
+  Motion motion;
+  EXPECT_EQ(refusalOf(motion), "accepted");
+  motion.angle = kInf;
+  EXPECT_NE(refusalOf(motion).find("motion_b.angle"), std::string::npos);
+  motion = Motion();
+  motion.shift.y() = kNan;
+  EXPECT_NE(refusalOf(motion).find("motion_b.shift"), std::string::npos);
+  motion = Motion();
+  motion.pivot.x() = -kInf;
+  EXPECT_NE(refusalOf(motion).find("motion_b.pivot"), std::string::npos);
+  motion = Motion();
+  motion.start.linear() *= 1.1;
+  EXPECT_NE(refusalOf(motion).find("motion_b.start"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tricover::support

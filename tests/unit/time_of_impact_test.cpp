@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Impacts whose times are known by hand.
+#include "tricover/time_of_impact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kTimeError = ImpactOptions().time_error;
+/// Of a time whose motion is of about the polygons' size: rounding.
+constexpr double kRounding = 1e-12;
+
+Motion turning(const Pose& start, double angle, const Vec2& shift = Vec2::Zero(), const Vec2& pivot = Vec2::Zero()) {
+  Motion motion;
+  motion.start = start;
+  motion.angle = angle;
+  motion.shift = shift;
+  motion.pivot = pivot;
+  return motion;
+}
+
+/// The impact is there, never later than `truth` and not too early; swapped operands say the same.
+Impact expectImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, double truth,
+                    double rounding = kRounding) {
+  const auto impact = timeOfImpact(a, motion_a, b, motion_b), swapped = timeOfImpact(b, motion_b, a, motion_a);
+  if (!impact || !swapped) {
+    ADD_FAILURE() << "no impact, expected at " << truth;
+    return {};
+  }
+  EXPECT_LE(impact->time, truth + 1e-16);
+  EXPECT_GE(impact->time, truth - kTimeError - rounding);
+  EXPECT_NEAR(impact->normal.norm(), 1, 1e-12);
+  EXPECT_EQ(impact->time, swapped->time);
+  EXPECT_EQ(impact->normal, Vec2(-swapped->normal));
+  EXPECT_EQ(impact->point, swapped->point);
+  EXPECT_EQ(impact->edge_a, swapped->edge_b);
+  EXPECT_EQ(impact->edge_b, swapped->edge_a);
+  return *impact;
+}
+
+void expectFree(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b) {
+  EXPECT_FALSE(timeOfImpact(a, motion_a, b, motion_b).has_value());
+  EXPECT_FALSE(timeOfImpact(b, motion_b, a, motion_a).has_value());
+}
+
+const Motion kStill;
+
+TEST(TimeOfImpact, SquareMeetsWall) {
+  const Polygon square({rectangle(0, 0, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
+  const Impact impact = expectImpact(square, Motion::translation(Pose::Identity(), {8, 0}), wall, kStill, 0.25);
+  EXPECT_NEAR((impact.normal - Vec2(1, 0)).norm(), 0, 1e-7);
+  EXPECT_NEAR(impact.point.x(), 3, 1e-5);
+  EXPECT_GE(impact.point.y(), 0);
+  EXPECT_LE(impact.point.y(), 1);
+  EXPECT_EQ(impact.edge_b, 3);
+}
+
+TEST(TimeOfImpact, CornerMeetsWall) {
+  const Polygon square({rectangle(-1, -1, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
+  const Impact impact =
+      expectImpact(square, Motion::translation(pose(kPi / 4, 0, 0.5), {2, 0}), wall, kStill, (3 - std::sqrt(2)) / 2);
+  EXPECT_NEAR((impact.normal - Vec2(1, 0)).norm(), 0, 1e-7);
+  EXPECT_NEAR((impact.point - Vec2(3, 0.5)).norm(), 0, 1e-5);
+  EXPECT_EQ(impact.edge_b, 3);
+}
+
+/// 1e-3 through 1e-3 in a step of 1e3.
+TEST(TimeOfImpact, BulletDoesNotTunnel) {
+  const Polygon bullet({rectangle(-5e-4, -5e-4, 5e-4, 5e-4)}), wall({rectangle(-5e-4, -50, 5e-4, 50)});
+  for (const double angle : {0.0, 40.0}) {
+    const auto impact = timeOfImpact(bullet, turning(pose(0, -500, 0.3), angle, {1000, 0}), wall, kStill);
+    ASSERT_TRUE(impact);
+    EXPECT_LE(impact->time, 0.5 - 0.9e-6);
+    EXPECT_GE(impact->time, 0.5 - 2.3e-6);
+  }
+}
+
+/// A rod from the origin along +x, 0.2 thick, of length 2, against a thin post straight ahead at angle 340 degrees.
+TEST(TimeOfImpact, RodTurns350Degrees) {
+  const Polygon rod({rectangle(0, -0.1, 2, 0.1)});
+  const double post_angle = 340 * kPi / 180;
+  // A small square whose corner is at distance 1.5 and points back along the turn.
+  const Polygon post({{{0, 0}, {0.05, 0.05}, {0.05, -0.05}}});
+  const Pose at_post = pose(post_angle + kPi / 2, 1.5 * std::cos(post_angle), 1.5 * std::sin(post_angle));
+  // The rod's upper side passes through the corner where it is 0.1 ahead of its middle line.
+  const double met = post_angle - std::asin(0.1 / 1.5), way = 350 * kPi / 180;
+  const Impact impact = expectImpact(rod, turning(Pose::Identity(), way), post, Motion::still(at_post), met / way);
+  EXPECT_NEAR((impact.point - at_post.translation()).norm(), 0, 2e-5);
+  EXPECT_EQ(impact.edge_a, 2);
+  const Vec2 ahead(-std::sin(met), std::cos(met));
+  EXPECT_NEAR((impact.normal - ahead).norm(), 0, 2e-5);
+  // The other way round it is met after 20 degrees less.
+  expectImpact(rod, turning(Pose::Identity(), -way), post, Motion::still(at_post),
+               (2 * kPi - post_angle - std::asin(0.1 / 1.5)) / way, 0.1);
+}
+
+TEST(TimeOfImpact, RodBetweenPostsIsFree) {
+  const Polygon rod({rectangle(0, -0.1, 2, 0.1)}), post({rectangle(-0.05, -0.05, 0.05, 0.05)});
+  expectFree(rod, turning(Pose::Identity(), 350 * kPi / 180), post, Motion::still(pose(0, 2.06, 0.0)));
+  // From 0.3 to 20 degrees before that, the post in the middle of the rest.
+  expectFree(rod, turning(pose(0.3, 0, 0), 340 * kPi / 180), post,
+             Motion::still(pose(0.1255, 1.5 * std::cos(0.1255), 1.5 * std::sin(0.1255))));
+}
+
+TEST(TimeOfImpact, GrazeIsContactAndAHairAsideIsFree) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  const Motion still = Motion::still(pose(0, 5, 1));
+  expectImpact(square, Motion::translation(Pose::Identity(), {10, 0}), square, still, 0.4);
+  expectFree(square, Motion::translation(pose(0, 0, -1e-9), {10, 0}), square, still);
+  // A vertex that brushes a vertex.
+  const Polygon tip({{{0, 1}, {-1, 0}, {1, 0}}}), down({{{0, 1}, {1, 2}, {-1, 2}}});
+  expectImpact(tip, Motion::translation(pose(0, -4, 0), {8, 0}), down, kStill, 0.5);
+  expectFree(tip, Motion::translation(pose(0, -4, -1e-9), {8, 0}), down, kStill);
+  // A turning tip that brushes a wall at the top of its circle.
+  const Polygon wall({rectangle(-9, 1, 9, 2)});
+  expectImpact(tip, turning(pose(-1, 0, 0), 2), wall, kStill, 0.5, 1e-6);
+  expectFree(tip, turning(pose(-1, 0, 0), 2), wall, Motion::still(pose(0, 0, 1e-9)));
+}
+
+TEST(TimeOfImpact, ContactAtTheEndCounts) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  expectImpact(square, Motion::translation(Pose::Identity(), {4, 0}), square, Motion::still(pose(0, 5, 0.5)), 1);
+  expectFree(square, Motion::translation(Pose::Identity(), {4 - 1e-9, 0}), square, Motion::still(pose(0, 5, 0.5)));
+}
+
+TEST(TimeOfImpact, OverlapAtTheStartIsTimeZero) {
+  const Polygon square({rectangle(0, 0, 1, 1)}), large({rectangle(-5, -5, 6, 6)});
+  // Parting from a touch.
+  const Impact touch = expectImpact(square, kStill, square, Motion::translation(pose(0, 1, 0), {1, 0}), 0);
+  EXPECT_EQ(touch.time, 0);
+  EXPECT_EQ(touch.normal, Vec2(1, 0));
+  EXPECT_EQ(touch.point.x(), 1);
+  // Held inside, no edges meeting.
+  const Impact held = expectImpact(square, turning(Pose::Identity(), 3), large, kStill, 0);
+  EXPECT_EQ(held.time, 0);
+  EXPECT_EQ(held.point, Vec2(0, 0));
+  EXPECT_EQ(held.edge_a, 0);
+  EXPECT_EQ(held.edge_b, -1);
+  EXPECT_EQ(expectImpact(square, kStill, square, Motion::still(pose(0.2, 0.5, 0)), 0).time, 0);
+}
+
+TEST(TimeOfImpact, StillAndApartIsFree) {
+  const Polygon square({rectangle(0, 0, 1, 1)}), c({{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {4, 3}, {4, 4}, {0, 4}}});
+  expectFree(c, kStill, square, Motion::still(pose(0, 2, 1.5)));
+}
+
+/// A box with a gap of 1 in its right wall.
+TEST(TimeOfImpact, LeavesThroughAGap) {
+  const Polygon room(
+      {{{0, 0}, {10, 0}, {10, 4.5}, {9, 4.5}, {9, 1}, {1, 1}, {1, 9}, {9, 9}, {9, 5.5}, {10, 5.5}, {10, 10}, {0, 10}}});
+  const Polygon ball({regular(16, 0.45)});
+  expectFree(room, kStill, ball, Motion::translation(pose(0, 5, 5), {20, 0}));
+  expectFree(room, kStill, ball, turning(pose(0, 5, 5), 50, {20, 0}));
+  expectImpact(room, kStill, ball, Motion::translation(pose(0, 5, 3), {16, 0}), (9 - 0.45 - 5) / 16);
+}
+
+TEST(TimeOfImpact, HoleHoldsTheBall) {
+  const Polygon frame({rectangle(-10, -10, 10, 10), rectangle(-5, -5, 5, 5)}), ball({regular(16, 1)});
+  expectImpact(frame, kStill, ball, Motion::translation(Pose::Identity(), {0, 40}), 0.1);
+  expectFree(frame, kStill, ball, Motion::translation(Pose::Identity(), {0, 3.9}));
+}
+
+TEST(TimeOfImpact, OrbitsInAnAnnulus) {
+  const Polygon annulus({regular(64, 12), regular(64, 10), regular(64, 5)}), ball({regular(12, 2)});
+  // Three turns about the common centre, 7.5 away.
+  expectFree(annulus, kStill, ball, turning(pose(0, 7.5, 0), 6 * kPi, Vec2::Zero(), {-7.5, 0}));
+  // The annulus turns the other way.
+  expectFree(annulus, turning(Pose::Identity(), -20), ball, turning(pose(0, 7.5, 0), 6 * kPi, Vec2::Zero(), {-7.5, 0}));
+  // Spirals out.
+  EXPECT_TRUE(timeOfImpact(annulus, kStill, ball, turning(pose(0, 7.5, 0), 6 * kPi, {2, 0}, {-7.5, 0})));
+}
+
+/// Two rods that turn against each other like gears, about pivots 3 apart: both reach 1.75, and their tips meet where
+/// both point at the other pivot. a takes an eighth of a turn to get there, then every half turn; b as well.
+TEST(TimeOfImpact, BothTurn) {
+  const Polygon rod({{{-1.75, 0}, {0, -0.01}, {1.75, 0}, {0, 0.01}}});
+  const double angle = 4 * kPi;
+  const auto impact =
+      timeOfImpact(rod, turning(pose(-kPi / 4, 0, 0), angle), rod, turning(pose(kPi / 4, 3, 0), -angle));
+  ASSERT_TRUE(impact);
+  // Tips at distance 1.75: they cross before they are in line, where both are at the same height.
+  const double met = (kPi / 4 - std::acos(1.5 / 1.75)) / angle;
+  EXPECT_LE(impact->time, met);
+  EXPECT_GE(impact->time, met - 2e-3 / angle - kTimeError);
+  // A quarter turn apart they mesh.
+  expectFree(rod, turning(Pose::Identity(), angle), rod, turning(pose(kPi / 2, 3, 0), -angle));
+}
+
+TEST(TimeOfImpact, MirroredTurnsCounterClockwise) {
+  // An arm that points down in its own frame and up in the world.
+  const Polygon arm({{{0, 0}, {-0.1, -2}, {0.1, -2}}}), wall({rectangle(-3, -3, -1.5, 3)});
+  Pose flipped = Pose::Identity();
+  flipped.linear()(1, 1) = -1;
+  // The corner (-0.1, 2) is at the angle pi / 2 + e, and meets x = -1.5 at acos(-1.5 / r).
+  const double r = std::hypot(0.1, 2.0), e = std::atan2(0.1, 2.0);
+  expectImpact(arm, turning(flipped, 1.5), wall, kStill, (std::acos(-1.5 / r) - kPi / 2 - e) / 1.5);
+  expectFree(arm, turning(flipped, -1.5), wall, kStill);
+}
+
+TEST(TimeOfImpact, AtAnyScale) {
+  for (const double scale : {1e-300, 1e-150, 1e-9, 1e9, 1e150, 1e300}) {
+    const Polygon square({scaled(rectangle(0, 0, 1, 1), scale)}), wall({scaled(rectangle(3, -10, 4, 10), scale)});
+    const Pose turned = pose(0, 0, 0);
+    expectImpact(square, Motion::translation(turned, Vec2(8, 0) * scale), wall, kStill, 0.25);
+    expectFree(square, Motion::translation(turned, Vec2(0, 8) * scale), wall, kStill);
+    const Polygon rod({scaled(rectangle(0, -1, 4, 1), scale)});
+    // The corner (4, 1) comes from above to the wall's top (3, -10) .. only where the wall is: meets x = 3 at
+    // acos(3/r).
+    const double r = std::hypot(4.0, 1.0), met = std::acos(3 / r) + std::atan2(1.0, 4.0);
+    expectImpact(rod, turning(pose(kPi / 2, 0, 0), -2), wall, kStill, (kPi / 2 - met + 2 * std::atan2(1.0, 4.0)) / 2,
+                 1);
+  }
+}
+
+TEST(TimeOfImpact, TinyAndHugeTogether) {
+  const Polygon bullet({scaled(rectangle(-1, -1, 1, 1), 1e-200)}), wall({scaled(rectangle(0, -1, 1, 1), 1e100)});
+  expectImpact(bullet, Motion::translation(pose(0, -1e100, 0), {1e101, 0}), wall, kStill, 0.1);
+  expectFree(bullet, Motion::translation(pose(0, -1e100, 0), {0, 1e101}), wall, kStill);
+  // Near the largest double nothing is proven to be apart, but what is far away.
+  const Polygon huge({scaled(rectangle(-1, -1, 1, 1), 1e308)});
+  EXPECT_TRUE(timeOfImpact(huge, turning(pose(0.3, -1e308, 1e308), 3, {1e308, 1e308}), huge, kStill));
+}
+
+TEST(TimeOfImpact, FarFromTheOrigin) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  const Pose here = pose(0, 1e15, -1e15), there = pose(0, 1e15 + 3, -1e15);
+  expectImpact(square, Motion::translation(here, {4, 0}), square, Motion::still(there), 0.5);
+  const Impact impact = expectImpact(square, turning(here, 0, {4, 0}), square, Motion::still(there), 0.5);
+  EXPECT_EQ(impact.point.x(), 1e15 + 3);
+}
+
+TEST(TimeOfImpact, TurnsWithoutEnd) {
+  // Whatever the number of turns, what is out of reach is free and what isn't is met.
+  const Polygon rod({rectangle(-2, -0.1, 2, 0.1)}), post({rectangle(-0.05, -0.05, 0.05, 0.05)});
+  for (const double angle : {1e3, 1e6, 1e200, -1e308}) {
+    EXPECT_TRUE(timeOfImpact(rod, turning(Pose::Identity(), angle), post, Motion::still(pose(0, 0, 1))));
+    expectFree(rod, turning(Pose::Identity(), angle), post, Motion::still(pose(0, 0, 2.2)));
+  }
+}
+
+TEST(TimeOfImpact, TimeErrorIsTheCallersChoice) {
+  const Polygon square({rectangle(0, 0, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
+  const double truth = (3 - std::sqrt(0.5) - 0.5) / 8;
+  for (const double time_error : {0.0, 1e-12, 1e-3, 0.1}) {
+    ImpactOptions options;
+    options.time_error = time_error;
+    Motion motion = turning(Pose::Identity(), 0.5 * kPi / (8 * truth) * 8 * truth, {8, 0}, {0.5, 0.5});
+    const auto impact = timeOfImpact(square, motion, wall, kStill, options);
+    ASSERT_TRUE(impact);
+    // Bracketed by the exact answer at the poses around.
+    EXPECT_FALSE(collide(square, motion.at(impact->time - 1e-12), wall, Pose::Identity()));
+    EXPECT_TRUE(collide(square, motion.at(impact->time + time_error + 1e-12), wall, Pose::Identity()) ||
+                time_error > 1e-3);
+  }
+}
+
+TEST(TimeOfImpact, RefusesWhatIsNoMotion) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  Motion wrong;
+  wrong.angle = std::numeric_limits<double>::quiet_NaN();
+  const auto refusal = [&](const Motion& motion_a, const Motion& motion_b, double time_error) -> std::string {
+    ImpactOptions options;
+    options.time_error = time_error;
+    try {
+      timeOfImpact(square, motion_a, square, motion_b, options);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(refusal(wrong, kStill, 0).find("motion_a.angle"), std::string::npos);
+  EXPECT_NE(refusal(kStill, wrong, 0).find("motion_b.angle"), std::string::npos);
+  for (const double time_error :
+       {-1e-6, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_NE(refusal(kStill, kStill, time_error).find("time_error"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tricover::support
