@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/collide.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -24,13 +23,6 @@ void requireLengths(const CollideOptions& options) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   if (!(options.margin >= 0 && options.margin <= kLargest)) refuseLength("margin");
   if (!(options.tolerance >= 0 && options.tolerance <= kLargest)) refuseLength("tolerance");
-}
-
-/// The kernel's own order, so that answers don't depend on the caller's: the smaller polygon moves.
-bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
-  if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
-  const double *p = pose_a.data(), *q = pose_b.data();
-  return !std::lexicographical_compare(p, p + 9, q, q + 9);
 }
 
 /// Discs of both polygons under their poses, seen from a point of a to one of b in the world: what decides without a

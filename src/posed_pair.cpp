@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "posed_pair.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "covering.h"
 
 namespace tricover::detail {
+
+bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
+  if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
+  const double *p = pose_a.data(), *q = pose_b.data();
+  return !std::lexicographical_compare(p, p + 9, q, q + 9);
+}
+
 double PosedPair::slack() const {
   const ApproxPoint c = center();
   const double apart = std::abs(c.x - a.origin.x()) + std::abs(c.y - a.origin.y());

@@ -12,6 +12,9 @@
 
 namespace tricover::detail {
 
+/// The kernel's own order, so that answers don't depend on the caller's: the smaller polygon moves.
+bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
+
 /// Two polygons under their poses, seen from a's frame. The relative pose is rounded, so it serves filters and bounds
 /// only; exact stages use the two poses as given.
 struct PosedPair {
