@@ -105,12 +105,12 @@ class ContactFinder {
     Exit exit;
     if (convex_)
       exit = byFacesOfBoth();
-    else if (!component.inner)
-      exit = ofTouch(component);
     else if (component.crossings.empty())
       exit = byNearestEdge(component);
-    else
+    else if (component.inner)
       exit = byFacesOfOverlap(component);
+    // All of an overlap may be one rounded point.
+    if (exit.depth == std::numeric_limits<double>::infinity()) exit = ofTouch(component);
     if (!component.inner || !(exit.depth > 0)) exit.depth = 0;
     if (component.crossings.empty()) (component.points.front().b < 0 ? exit.edge_b : exit.edge_a) = -1;
     return exit;
@@ -247,6 +247,7 @@ Exit ContactFinder::ofTouch(const OverlapComponent& component) const {
     if (length(k) > length(longest) + error) longest = k;
   const EdgeCrossing& main = crossings_[longest];
   Exit best;
+  best.depth = 0;
   best.edge_a = static_cast<std::ptrdiff_t>(main.edge_a);
   best.edge_b = static_cast<std::ptrdiff_t>(main.edge_b);
   if (component.facing.norm() > 8 * error) {

@@ -140,13 +140,23 @@ class Grouping {
     const Pose identity = Pose::Identity();
     const PosedPair with_itself(own.polygon, identity, own.polygon, identity);
     forEachPair(with_itself, 0, [&](double, std::size_t e, std::size_t f) {
-      if (e < f && own.after(e) != f && own.after(f) != e && edgesMeet(with_itself, e, f)) {
-        const std::size_t node = addNode(false);
-        own.stops.push_back({e, spanNear(ends(side, e), ends(side, f), frame_.error()), node, false});
-        own.stops.push_back({f, spanNear(ends(side, f), ends(side, e), frame_.error()), node, false});
-      }
+      if (e < f && own.after(e) != f && own.after(f) != e && edgesMeet(with_itself, e, f)) addOwnCrossing(side, e, f);
       return 0.0;
     });
+  }
+
+  /// Two nodes, where they cover each other: what is between needn't be in the overlap.
+  void addOwnCrossing(int side, std::size_t e, std::size_t f) {
+    const Ends of_e = ends(side, e), of_f = ends(side, f);
+    const Span on_e = spanNear(of_e, of_f, frame_.error()), on_f = spanNear(of_f, of_e, frame_.error());
+    const bool alike = (of_e.w - of_e.v).dot(of_f.w - of_f.v) > 0;
+    const double ends_on_e[] = {on_e.low, on_e.high};
+    const double ends_on_f[] = {alike ? on_f.low : on_f.high, alike ? on_f.high : on_f.low};
+    for (int end : {0, 1}) {
+      const std::size_t node = addNode(false);
+      sides_[side].stops.push_back({e, {ends_on_e[end], ends_on_e[end]}, node, false});
+      sides_[side].stops.push_back({f, {ends_on_f[end], ends_on_f[end]}, node, false});
+    }
   }
 
   void joinAlongRings(int side) {
