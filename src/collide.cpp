@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/collide.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

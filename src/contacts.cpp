@@ -2,55 +2,397 @@
 #include "tricover/contacts.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "strategy.h"
+#include "overlap_components.h"
+#include "pairs.h"
 
 namespace tricover {
+namespace detail {
 namespace {
 
-/// Where two edges that meet do so, rounded: their lines' crossing, held to the first edge; for parallel ones the end
-/// of one that is nearest to the other's middle stands in.
-Vec2 meetingPoint(const Vec2& v, const Vec2& w, const Vec2& p, const Vec2& q) {
-  const Vec2 u = w - v, d = q - p, from = p - v;
-  const double area = u.x() * d.y() - u.y() * d.x();
-  if (area != 0) {
-    const double s = (from.x() * d.y() - from.y() * d.x()) / area;
-    if (s >= 0 && s <= 1) return v + s * u;
-  }
-  const Vec2 ends[] = {v, w, p, q};
-  const Vec2 middle = 0.25 * v + 0.25 * w + 0.25 * p + 0.25 * q;
-  return *std::min_element(ends, ends + 4, [&](const Vec2& s, const Vec2& t) {
-    return (s - middle).lpNorm<1>() < (t - middle).lpNorm<1>();
+/// A convex ring, counter-clockwise.
+using Outline = std::vector<BoundaryPoint>;
+
+/// Andrew's monotone chain.
+Outline convexHull(std::vector<BoundaryPoint> points) {
+  std::sort(points.begin(), points.end(), [](const BoundaryPoint& p, const BoundaryPoint& q) {
+    return p.at.x() != q.at.x() ? p.at.x() < q.at.x() : p.at.y() < q.at.y();
   });
+  Outline hull;
+  const auto add = [&hull](const BoundaryPoint& p, std::size_t floor) {
+    while (hull.size() > floor && cross(hull.back().at - hull[hull.size() - 2].at, p.at - hull.back().at) <= 0)
+      hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const BoundaryPoint& p : points) add(p, 1);
+  const std::size_t upper = hull.size();
+  for (auto p = points.rbegin() + 1; p < points.rend(); ++p) add(*p, upper);
+  if (hull.size() > 1) hull.pop_back();
+  return hull;
 }
 
-}  // namespace
+/// Calls visit(from, to, normal, depth, deepest) for every face of the outline: `body` reaches `depth` behind it, with
+/// `deepest`, which goes round the body as the face goes round the outline.
+template <typename Visit>
+void forEachFace(const Outline& outline, const Outline& body, Visit visit) {
+  std::size_t deepest = 0;
+  bool first = true;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const BoundaryPoint &from = outline[k], &to = outline[k + 1 < outline.size() ? k + 1 : 0];
+    const Vec2 way = to.at - from.at;
+    if (way.isZero(0)) continue;
+    const Vec2 normal = Vec2(way.y(), -way.x()).stableNormalized();
+    const auto height = [&](std::size_t i) { return normal.dot(body[i].at - from.at); };
+    if (first)
+      for (std::size_t i = 1; i < body.size(); ++i) deepest = height(i) < height(deepest) ? i : deepest;
+    first = false;
+    for (std::size_t steps = 0; steps < body.size(); ++steps) {
+      const std::size_t next = deepest + 1 < body.size() ? deepest + 1 : 0;
+      if (height(next) > height(deepest)) break;
+      deepest = next;
+    }
+    visit(from, to, normal, -height(deepest), body[deepest]);
+  }
+}
 
-std::optional<Contact> contact(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
-  checkPose(pose_a, "pose_a");
-  checkPose(pose_b, "pose_b");
-  const detail::PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-  const detail::Outcome outcome = detail::collideByHierarchy(pair, {}, 0, detail::Wanted::Edges);
-  if (!outcome.collides) return std::nullopt;
+/// Whether the region is convex: one ring that turns one way only, and goes around once (from left to right and back).
+bool isConvex(const PolygonData& polygon) {
+  if (polygon.ringCount() != 1) return false;
+  std::vector<Vec2> ring;
+  for (const Vec2& p : polygon.path)
+    if (ring.empty() || ring.back() != p) ring.push_back(p);
+  if (ring.size() < 4) return false;
+  ring.push_back(ring[1]);
+  int direction = 0, changes = 0;
+  const auto rises = [](const Vec2& p, const Vec2& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
+  for (std::size_t i = 0; i + 2 < ring.size(); ++i) {
+    const int turn = orientation(ring[i], ring[i + 1], ring[i + 2]);
+    if (turn * direction < 0) return false;
+    if (turn != 0) direction = turn;
+    changes += rises(ring[i], ring[i + 1]) != rises(ring[i + 1], ring[i + 2]);
+  }
+  return direction != 0 && changes == 2;
+}
 
-  Contact contact{Vec2::Zero(), -1, -1};
-  const auto number = [](const detail::PolygonData& polygon, std::ptrdiff_t position) {
+/// A contact in the WorldFrame, edges by position.
+struct Exit {
+  Vec2 normal = Vec2::UnitX();
+  double depth = std::numeric_limits<double>::infinity();
+  std::ptrdiff_t edge_a = -1, edge_b = -1;
+  bool from_a = true;  ///< a's face, and a point of b is the deepest behind it; or the other way round
+};
+
+class ContactFinder {
+ public:
+  explicit ContactFinder(const PosedPair& pair)
+      : pair_(pair),
+        frame_(pair),
+        crossings_(findCrossings(pair, frame_)),
+        convex_(isConvex(pair.a) && isConvex(pair.b)),
+        towards_b_(-frame_.originOfA()) {}
+
+  /// In the pair's order.
+  std::vector<Contact> contacts() const {
+    std::vector<Contact> result;
+    for (const OverlapComponent& component : findComponents(pair_, frame_, crossings_))
+      result.push_back(inWorld(component, exitOf(component)));
+    return result;
+  }
+
+ private:
+  Exit exitOf(const OverlapComponent& component) const {
+    Exit exit;
+    if (convex_)
+      exit = byFacesOfBoth();
+    else if (component.crossings.empty())
+      exit = byNearestEdge(component);
+    else if (component.inner)
+      exit = byFacesOfOverlap(component);
+    // All of an overlap may be one rounded point.
+    if (exit.depth == std::numeric_limits<double>::infinity()) exit = ofTouch(component);
+    if (!component.inner || !(exit.depth > 0)) exit.depth = 0;
+    if (component.crossings.empty()) (component.points.front().b < 0 ? exit.edge_b : exit.edge_a) = -1;
+    return exit;
+  }
+
+  /// Of ways that are equally deep but for rounding, the one that leads b's origin away from a's.
+  void consider(const Exit& exit, Exit& best) const {
+    const double error = 4 * frame_.error();
+    if (exit.depth < best.depth - error ||
+        (exit.depth <= best.depth + error && exit.normal.dot(towards_b_) > best.normal.dot(towards_b_)))
+      best = exit;
+  }
+
+  /// The edge of one polygon that both points are on; otherwise one of the first point's.
+  static std::ptrdiff_t common(std::ptrdiff_t p, std::ptrdiff_t p_before, std::ptrdiff_t q, std::ptrdiff_t q_before) {
+    if (p >= 0 && (p == q || p == q_before)) return p;
+    if (p_before >= 0 && (p_before == q || p_before == q_before)) return p_before;
+    return -1;
+  }
+  static std::ptrdiff_t commonOfA(const BoundaryPoint& p, const BoundaryPoint& q) {
+    return common(p.a, p.a_before, q.a, q.a_before);
+  }
+  static std::ptrdiff_t commonOfB(const BoundaryPoint& p, const BoundaryPoint& q) {
+    return common(p.b, p.b_before, q.b, q.b_before);
+  }
+
+  /// Of a point's edges the one that is most across the normal: where a whole edge is deepest, that.
+  template <typename EdgeEnds>
+  static std::ptrdiff_t flatter(std::ptrdiff_t e, std::ptrdiff_t f, const Vec2& normal, EdgeEnds ends) {
+    if (e < 0 || e == f) return e;
+    const auto slope = [&](std::ptrdiff_t edge) {
+      const WorldFrame::Ends at = ends(static_cast<std::size_t>(edge));
+      const Vec2 way = at.w - at.v;
+      return way.isZero(0) ? 1 : std::abs(way.stableNormalized().dot(normal));
+    };
+    return slope(f) < slope(e) ? f : e;
+  }
+  std::ptrdiff_t flatterOfA(const BoundaryPoint& p, const Vec2& normal) const {
+    return flatter(p.a, p.a_before, normal, [this](std::size_t i) { return frame_.edgeEndsOfA(i); });
+  }
+  std::ptrdiff_t flatterOfB(const BoundaryPoint& p, const Vec2& normal) const {
+    return flatter(p.b, p.b_before, normal, [this](std::size_t j) { return frame_.edgeEndsOfB(j); });
+  }
+
+  Outline outlineOfA() const {
+    Outline points;
+    const auto n = static_cast<std::ptrdiff_t>(pair_.a.path.size()) - 1;
+    for (std::ptrdiff_t v = 0; v < n; ++v)
+      points.push_back({frame_.fromA(pair_.a.path[static_cast<std::size_t>(v)]), v, v > 0 ? v - 1 : n - 1, -1, -1});
+    return convexHull(std::move(points));
+  }
+  Outline outlineOfB() const {
+    Outline points;
+    const auto n = static_cast<std::ptrdiff_t>(pair_.b.path.size()) - 1;
+    for (std::ptrdiff_t v = 0; v < n; ++v)
+      points.push_back({frame_.fromB(pair_.b.path[static_cast<std::size_t>(v)]), -1, -1, v, v > 0 ? v - 1 : n - 1});
+    return convexHull(std::move(points));
+  }
+
+  /// Two convex regions: the separating axes' least depth, which no translation that parts them is shorter than.
+  Exit byFacesOfBoth() const {
+    Exit best;
+    const Outline a = outlineOfA(), b = outlineOfB();
+    forEachFace(a, b, [&](auto& from, auto&, const Vec2& normal, double depth, auto& deepest) {
+      consider({normal, depth, flatterOfA(from, normal), flatterOfB(deepest, normal), true}, best);
+    });
+    forEachFace(b, a, [&](auto& from, auto&, const Vec2& normal, double depth, auto& deepest) {
+      consider({-normal, depth, flatterOfA(deepest, normal), flatterOfB(from, normal), false}, best);
+    });
+    return best;
+  }
+
+  /// The least width of this part of the overlap, by the faces of its hull that are edges: b's share of it, moved that
+  /// far, is past a's.
+  Exit byFacesOfOverlap(const OverlapComponent& component) const {
+    Exit best, bridging;
+    const Outline hull = convexHull(component.points);
+    forEachFace(hull, hull, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
+      const std::ptrdiff_t a = commonOfA(from, to), b = commonOfB(from, to);
+      if (a >= 0) consider({normal, depth, a, flatterOfB(deepest, normal), true}, best);
+      if (b >= 0) consider({-normal, depth, flatterOfA(deepest, normal), b, false}, best);
+      const bool outwards = normal.dot(towards_b_) >= 0;
+      if (a < 0 && b < 0) consider({outwards ? normal : Vec2(-normal), depth, from.a, deepest.b, outwards}, bridging);
+    });
+    Exit& exit = best.depth < std::numeric_limits<double>::infinity() ? best : bridging;
+    // Behind a face of a there may be a's other side: then b's deepest edge is where that is crossed.
+    if (exit.edge_a < 0 || exit.edge_b < 0) completeEdges(component, exit);
+    return exit;
+  }
+
+  void completeEdges(const OverlapComponent& component, Exit& exit) const {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const BoundaryPoint& point : component.points) {
+      const double height = exit.normal.dot(point.at);
+      if (exit.edge_b < 0 && point.b >= 0 && height < lowest) lowest = height;
+      if (exit.edge_a < 0 && point.a >= 0 && height > highest) highest = height;
+    }
+    const bool needs_a = exit.edge_a < 0, needs_b = exit.edge_b < 0;
+    for (const BoundaryPoint& point : component.points) {
+      const double height = exit.normal.dot(point.at);
+      if (needs_b && point.b >= 0 && height == lowest) exit.edge_b = point.b;
+      if (needs_a && point.a >= 0 && height == highest) exit.edge_a = point.a;
+    }
+  }
+
+  Exit ofTouch(const OverlapComponent& component) const;
+  Exit byNearestEdge(const OverlapComponent& component) const;
+  Contact inWorld(const OverlapComponent& component, const Exit& exit) const;
+
+  const PosedPair& pair_;
+  WorldFrame frame_;
+  std::vector<EdgeCrossing> crossings_;
+  bool convex_;
+  Vec2 towards_b_;
+};
+
+/// Directions in which edges leave a point.
+void addDirections(const WorldFrame::Ends& edge, const Vec2& from, double error, std::vector<Vec2>& directions) {
+  for (const Vec2& end : {edge.v, edge.w})
+    if ((end - from).norm() > 8 * error) directions.push_back((end - from).normalized());
+}
+
+/// Where edges touch along a stretch, across these; where there is but a point, of the normals of its edges the one
+/// that both polygons' edges keep to their sides of best.
+Exit ContactFinder::ofTouch(const OverlapComponent& component) const {
+  const double error = frame_.error();
+  const auto length = [&](std::size_t k) {
+    const EdgeCrossing& c = crossings_[k];
+    const WorldFrame::Ends edge = frame_.edgeEndsOfA(c.edge_a);
+    return (edge.w - edge.v).norm() * (c.on_a.high - c.on_a.low);
+  };
+  std::size_t longest = component.crossings.front();
+  for (const std::size_t k : component.crossings)
+    if (length(k) > length(longest) + error) longest = k;
+  const EdgeCrossing& main = crossings_[longest];
+  Exit best;
+  best.depth = 0;
+  best.edge_a = static_cast<std::ptrdiff_t>(main.edge_a);
+  best.edge_b = static_cast<std::ptrdiff_t>(main.edge_b);
+  if (component.facing.norm() > 8 * error) {
+    best.normal = component.facing.normalized();
+    best.from_a = true;
+    return best;
+  }
+  std::vector<std::size_t> here;
+  for (const std::size_t k : component.crossings)
+    if ((crossings_[k].point - main.point).norm() <= 8 * error) here.push_back(k);
+  std::vector<Vec2> of_a, of_b;
+  for (const std::size_t k : here) {
+    addDirections(frame_.edgeEndsOfA(crossings_[k].edge_a), main.point, error, of_a);
+    addDirections(frame_.edgeEndsOfB(crossings_[k].edge_b), main.point, error, of_b);
+  }
+  best.normal = towards_b_.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(towards_b_.stableNormalized());
+  const auto trespass = [&](const Vec2& normal) {
+    double most = 0;
+    for (const Vec2& d : of_a) most = std::max(most, d.dot(normal));
+    for (const Vec2& d : of_b) most = std::max(most, -d.dot(normal));
+    return most;
+  };
+  double least = std::numeric_limits<double>::infinity();
+  const auto tryNormalsOf = [&](const std::vector<Vec2>& directions, const EdgeCrossing& c) {
+    for (const Vec2& d : directions) {
+      for (const Vec2& normal : {Vec2(d.y(), -d.x()), Vec2(-d.y(), d.x())}) {
+        const double t = trespass(normal);
+        if (t > least + 1e-9 || (t >= least - 1e-9 && normal.dot(towards_b_) <= best.normal.dot(towards_b_))) continue;
+        least = t;
+        best.normal = normal;
+        best.edge_a = static_cast<std::ptrdiff_t>(c.edge_a);
+        best.edge_b = static_cast<std::ptrdiff_t>(c.edge_b);
+      }
+    }
+  };
+  for (const std::size_t k : here) {
+    std::vector<Vec2> directions;
+    addDirections(frame_.edgeEndsOfA(crossings_[k].edge_a), main.point, error, directions);
+    addDirections(frame_.edgeEndsOfB(crossings_[k].edge_b), main.point, error, directions);
+    tryNormalsOf(directions, crossings_[k]);
+  }
+  return best;
+}
+
+Vec2 nearestOn(const WorldFrame::Ends& edge, const Vec2& p) {
+  const Vec2 way = edge.w - edge.v;
+  const double square = way.squaredNorm();
+  return square > 0 ? Vec2(edge.v + std::clamp(way.dot(p - edge.v) / square, 0.0, 1.0) * way) : edge.v;
+}
+
+/// In a containment: past the nearest of the outer polygon's edges.
+Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
+  const auto leftmost =
+      std::min_element(component.points.begin(), component.points.end(),
+                       [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.at.x() < q.at.x(); });
+  const bool b_inside = leftmost->b >= 0;
+  // Edges of the component's own rings are no way out of it.
+  std::vector<char> of_a(pair_.a.path.size(), false), of_b(pair_.b.path.size(), false);
+  for (const BoundaryPoint& point : component.points) {
+    if (point.a >= 0) of_a[static_cast<std::size_t>(point.a)] = true;
+    if (point.b >= 0) of_b[static_cast<std::size_t>(point.b)] = true;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  Vec2 in = leftmost->at, out = in;
+  Vec2 across = Vec2::UnitX();
+  const auto tryPoints = [&](const Vec2& inner, const Vec2& outer, const WorldFrame::Ends& outer_edge) {
+    const double distance = (outer - inner).norm();
+    if (!(distance < nearest)) return;
+    nearest = distance;
+    in = inner;
+    out = outer;
+    const Vec2 way = outer_edge.w - outer_edge.v;
+    across = Vec2(way.y(), -way.x()).stableNormalized();
+  };
+  const double far = 4 * std::min(pair_.a.radius + pair_.b.radius, 0x1p1000);
+  forEachPair(pair_, far, [&](double, std::size_t i, std::size_t j) {
+    if (of_a[i] != b_inside && of_b[j] == b_inside) {
+      const WorldFrame::Ends a = frame_.edgeEndsOfA(i), b = frame_.edgeEndsOfB(j);
+      const WorldFrame::Ends &inner = b_inside ? b : a, &outer = b_inside ? a : b;
+      for (const Vec2& p : {inner.v, inner.w}) tryPoints(p, nearestOn(outer, p), outer);
+      for (const Vec2& q : {outer.v, outer.w}) tryPoints(nearestOn(inner, q), q, outer);
+    }
+    return std::min(far, pair_.reach((nearest + frame_.error()) * frame_.unit()));
+  });
+  Exit exit;
+  Vec2 outwards = across;
+  if (nearest > 4 * frame_.error())
+    outwards = (out - in).normalized();
+  else if (across.dot(out - frame_.fromB(pair_.b.origin)) < 0)
+    outwards = -across;
+  exit.depth = 0;
+  for (const BoundaryPoint& point : component.points) {
+    const double depth = outwards.dot(out - point.at);
+    if (depth < exit.depth) continue;
+    exit.depth = depth;
+    exit.edge_a = flatterOfA(point, outwards);
+    exit.edge_b = flatterOfB(point, outwards);
+  }
+  exit.normal = b_inside ? outwards : Vec2(-outwards);
+  exit.from_a = b_inside;
+  return exit;
+}
+
+Contact ContactFinder::inWorld(const OverlapComponent& component, const Exit& exit) const {
+  // Halfway between its ends along the normal; beside that in the middle of the points at the deepest end.
+  const Vec2 &n = exit.normal, side(-n.y(), n.x());
+  double low = std::numeric_limits<double>::infinity(), high = -low, first = low, last = -low;
+  for (const BoundaryPoint& point : component.points) {
+    low = std::min(low, n.dot(point.at));
+    high = std::max(high, n.dot(point.at));
+  }
+  for (const BoundaryPoint& point : component.points) {
+    const double height = n.dot(point.at), error = 4 * frame_.error();
+    if (exit.from_a ? height > low + error : height < high - error) continue;
+    first = std::min(first, side.dot(point.at));
+    last = std::max(last, side.dot(point.at));
+  }
+  const Vec2 point = n * (0.5 * low + 0.5 * high) + side * (0.5 * first + 0.5 * last);
+  const auto number = [](const PolygonData& polygon, std::ptrdiff_t position) {
     return position < 0 ? position
                         : static_cast<std::ptrdiff_t>(polygon.edgeNumber(static_cast<std::size_t>(position)));
   };
-  contact.edge_a = number(a.data(), outcome.edge_a);
-  contact.edge_b = number(b.data(), outcome.edge_b);
-  const auto at = [](const detail::PolygonData& polygon, const Pose& pose, std::ptrdiff_t position) {
-    return Vec2(pose * polygon.path[static_cast<std::size_t>(position)]);
-  };
-  if (outcome.edge_a < 0)
-    contact.point = at(b.data(), pose_b, outcome.edge_b);
-  else if (outcome.edge_b < 0)
-    contact.point = at(a.data(), pose_a, outcome.edge_a);
-  else
-    contact.point = meetingPoint(at(a.data(), pose_a, outcome.edge_a), at(a.data(), pose_a, outcome.edge_a + 1),
-                                 at(b.data(), pose_b, outcome.edge_b), at(b.data(), pose_b, outcome.edge_b + 1));
-  return contact;
+  return {frame_.toWorld(point), n, exit.depth * frame_.unit(), number(pair_.a, exit.edge_a),
+          number(pair_.b, exit.edge_b)};
+}
+
+}  // namespace
+}  // namespace detail
+
+std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                              std::size_t most) {
+  checkPose(pose_a, "pose_a");
+  checkPose(pose_b, "pose_b");
+  const bool direct = detail::inOrder(a.data(), pose_a, b.data(), pose_b);
+  const detail::PosedPair pair = direct ? detail::PosedPair(a.data(), pose_a, b.data(), pose_b)
+                                        : detail::PosedPair(b.data(), pose_b, a.data(), pose_a);
+  std::vector<Contact> result = detail::ContactFinder(pair).contacts();
+  std::stable_sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
+  if (result.size() > most) result.erase(result.begin() + static_cast<std::ptrdiff_t>(most), result.end());
+  if (direct) return result;
+  for (Contact& contact : result) {
+    contact.normal = -contact.normal;
+    std::swap(contact.edge_a, contact.edge_b);
+  }
+  return result;
 }
 
 }  // namespace tricover

@@ -11,13 +11,6 @@
 
 namespace tricover::detail {
 
-/// The kernel's own order, so that answers don't depend on the caller's: the smaller polygon moves.
-inline bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
-  if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
-  const double *p = pose_a.data(), *q = pose_b.data();
-  return !std::lexicographical_compare(p, p + 9, q, q + 9);
-}
-
 /// Discs of both polygons under their poses, seen from a point of a to one of b in the world: what decides without a
 /// relative pose.
 class Discs {

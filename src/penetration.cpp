@@ -14,12 +14,6 @@ namespace tricover {
 namespace detail {
 namespace {
 
-/// Swapping the operands mirrors the result: it is found in one order.
-bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
-  if (a.id != b.id) return a.id < b.id;
-  return !std::lexicographical_compare(pose_b.data(), pose_b.data() + 9, pose_a.data(), pose_a.data() + 9);
-}
-
 /// The number of the edge that is nearest to p.
 std::ptrdiff_t nearestEdge(const PolygonData& polygon, const std::vector<Vec2>& vertices, const Vec2& p) {
   std::size_t nearest = 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "posed_pair.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "covering.h"
 
 namespace tricover::detail {
+
 double PosedPair::slack() const {
   const ApproxPoint c = center();
   const double apart = std::abs(c.x - a.origin.x()) + std::abs(c.y - a.origin.y());

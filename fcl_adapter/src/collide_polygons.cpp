@@ -17,20 +17,13 @@ bool polygonsMeet(const tricover::Polygon& a, const PlanarPose& pose_a, const tr
   return false;
 }
 
-/// In the plane, from the origin of `a` towards that of `b`; along x where the two coincide.
-tricover::Vec2 direction(const tricover::Polygon& a, const tricover::Pose& pose_a, const tricover::Polygon& b,
-                         const tricover::Pose& pose_b) {
-  const tricover::Vec2 between = (pose_b * b.origin()) / 2 - (pose_a * a.origin()) / 2;  // halved, not to overflow
-  return between.isZero(0) ? tricover::Vec2::UnitX() : between.stableNormalized();
-}
-
 template <typename S>
-fcl::Contact<S> makeContact(const PolygonShape<S>& o1, const PlanarPose& pose_a, const PolygonShape<S>& o2,
-                            const PlanarPose& pose_b, const tricover::Contact& common) {
-  const tricover::Vec2 normal = direction(o1.polygon(), pose_a.pose, o2.polygon(), pose_b.pose);
+fcl::Contact<S> makeContact(const PolygonShape<S>& o1, const PolygonShape<S>& o2, double z,
+                            const tricover::Contact& common) {
   fcl::Contact<S> contact(&o1, &o2, fcl::Contact<S>::NONE, fcl::Contact<S>::NONE,
-                          fcl::Vector3<double>(common.point.x(), common.point.y(), pose_a.z).template cast<S>(),
-                          fcl::Vector3<double>(normal.x(), normal.y(), 0).template cast<S>(), S(0));
+                          fcl::Vector3<double>(common.point.x(), common.point.y(), z).template cast<S>(),
+                          fcl::Vector3<double>(common.normal.x(), common.normal.y(), 0).template cast<S>(),
+                          static_cast<S>(common.depth));
   contact.b1 = common.edge_a;  // the constructor takes ints
   contact.b2 = common.edge_b;
   return contact;
@@ -74,8 +67,8 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
 
   if (occupied && result.numContacts() < request.num_max_contacts) {
     if (request.enable_contact) {
-      const auto common = tricover::contact(a, pose_a.pose, b, pose_b.pose);
-      result.addContact(makeContact(shape_a, pose_a, shape_b, pose_b, common.value()));
+      const auto deepest = tricover::contacts(a, pose_a.pose, b, pose_b.pose, 1);
+      result.addContact(makeContact(shape_a, shape_b, pose_a.z, deepest.front()));
     } else {
       // Zeros, because FCL's shorter constructor leaves these fields uninitialised.
       result.addContact(fcl::Contact<S>(&o1, &o2, fcl::Contact<S>::NONE, fcl::Contact<S>::NONE, fcl::Vector3<S>::Zero(),

@@ -2,22 +2,35 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <limits>
+#include <vector>
 
 #include "tricover/polygon.h"
 
 namespace tricover {
 
-/// A point common to two regions.
+/// Two edges that share a point.
+struct Crossing {
+  std::ptrdiff_t edge_a, edge_b;  ///< numbered as in Polygon::edgeStart
+  Vec2 point;                     ///< world, rounded; of collinear edges that overlap, one common point
+};
+
+/// Every pair of edges that share a point, in no order that means anything. Exact: a pair is listed if and only if they
+/// do. Empty in a containment.
+std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+
+/// One connected part of the regions' overlap, in the world.
 struct Contact {
-  /// World frame, rounded: where the two edges meet, or, in a containment, a vertex of the contained ring.
-  Vec2 point;
-  /// The edges that meet there (numbered as in Polygon::edgeStart); in a containment, the edge that starts at the
-  /// contained vertex, and -1 for the polygon whose inside holds it.
+  Vec2 point;    ///< the middle of the overlap along the normal
+  Vec2 normal;   ///< unit: moving b along it leaves this part of the overlap
+  double depth;  ///< >= 0: how far b must move along it; 0 where they only touch
+  /// The edges whose points part last; in a containment -1 for the polygon whose inside holds the point.
   std::ptrdiff_t edge_a, edge_b;
 };
 
-/// One contact if the regions collide, none otherwise: engaged exactly when collide() is true.
-std::optional<Contact> contact(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+/// One contact for each connected part of the overlap, deepest first, at most `most`; empty exactly where collide() is
+/// false. Throws std::invalid_argument as collide() does.
+std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                              std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace tricover

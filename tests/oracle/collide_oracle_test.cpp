@@ -52,8 +52,8 @@ std::string wrongWay(const Case& c, std::uint64_t seed, bool truth, OldCaches& o
     if (collide(c.a, c.pose_a, c.b, c.pose_b, fresh, options) != truth) return name + ", cache of other poses";
     if (collide(c.b, c.pose_b, c.a, c.pose_a, fresh, options) != truth) return name + ", that cache again, swapped";
   }
-  if (contact(c.a, c.pose_a, c.b, c.pose_b).has_value() != truth) return "contact";
-  if (contact(c.b, c.pose_b, c.a, c.pose_a).has_value() != truth) return "contact, swapped";
+  if (contacts(c.a, c.pose_a, c.b, c.pose_b).empty() == truth) return "contacts";
+  if (contacts(c.b, c.pose_b, c.a, c.pose_a).empty() == truth) return "contacts, swapped";
   return {};
 }
 

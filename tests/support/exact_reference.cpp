@@ -216,6 +216,19 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
   return collide(pair, edges(pair.a), edges(pair.b));
 }
 
+std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> meetingEdges(const Polygon& a, const Pose& pose_a,
+                                                                    const Polygon& b, const Pose& pose_b) {
+  const Pair pair = griddedPair(a, pose_a, b, pose_b);
+  const std::vector<Edge> edges_a = edges(pair.a), edges_b = edges(pair.b);
+  std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> result;
+  for (std::size_t i = 0; i < edges_a.size(); ++i) {
+    for (std::size_t j = 0; j < edges_b.size(); ++j) {
+      if (edgesMeet(edges_a[i], edges_b[j])) result.emplace_back(i, j);
+    }
+  }
+  return result;
+}
+
 mpq_class distanceSquared(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
   const Pair pair = griddedPair(a, pose_a, b, pose_b);
   const std::vector<Edge> edges_a = edges(pair.a), edges_b = edges(pair.b);

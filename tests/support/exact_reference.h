@@ -3,6 +3,10 @@
 
 #include <gmpxx.h>
 
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 #include "tricover/locate.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
@@ -16,6 +20,10 @@ Location locate(const Polygon& polygon, const Vec2& point);
 
 /// Whether the posed regions share a point; each pose is the affine map that its doubles define.
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+
+/// Every pair of edges (numbered as in Polygon::edgeStart) that share a point, in order.
+std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> meetingEdges(const Polygon& a, const Pose& pose_a,
+                                                                    const Polygon& b, const Pose& pose_b);
 
 /// The squared distance of the posed regions, 0 where they collide.
 mpq_class distanceSquared(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);

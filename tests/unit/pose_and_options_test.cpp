@@ -53,7 +53,7 @@ TEST(PoseCheck, NamesThePoseAndTheField) {
     const std::string field = bad.translation().allFinite() ? "linear" : "translation";
     EXPECT_TRUE(names(first, "pose_a") && names(first, field)) << first;
     EXPECT_TRUE(names(second, "pose_b") && names(second, field)) << second;
-    EXPECT_TRUE(names(refusal([&] { contact(polygon, bad, polygon, Pose::Identity()); }), "pose_a"));
+    EXPECT_TRUE(names(refusal([&] { contacts(polygon, bad, polygon, Pose::Identity()); }), "pose_a"));
     EXPECT_TRUE(names(refusal([&] { checkPose(bad, "mine"); }), "mine"));
   }
 }

@@ -55,7 +55,7 @@ int wrongAnswers(const Round& round, Strategy strategy) {
     const CollideOptions options{0, 0, strategy};
     wrong += collide(a, query.pose_a, b, query.pose_b, caches[i % 4], options) != query.truth;
     wrong += collide(b, query.pose_b, a, query.pose_a, options) != query.truth;
-    wrong += contact(a, query.pose_a, b, query.pose_b).has_value() != query.truth;
+    wrong += contacts(a, query.pose_a, b, query.pose_b).empty() == query.truth;
     wrong += locate(a, {10, 10}, points) != Location::Outside;
   }
   return wrong;

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The overlap's boundary consists of arcs of either polygon that lie in the other one, and its nodes are the crossings.
+// Nodes and arcs are joined along every ring; a polygon's own crossings join its arcs, too. What hangs together then is
+// either the outer boundary of a component or a hole's, and a hole belongs to what is next to the left of it.
+#include "overlap_components.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "covering.h"
+#include "pairs.h"
+
+namespace tricover::detail {
+namespace {
+
+/// Disjoint sets of nodes.
+class Sets {
+ public:
+  std::size_t add() {
+    parent_.push_back(parent_.size());
+    return parent_.size() - 1;
+  }
+  std::size_t find(std::size_t node) {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+    return node;
+  }
+  void join(std::size_t p, std::size_t q) { parent_[find(p)] = find(q); }
+  std::size_t size() const { return parent_.size(); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Where a node is on a ring.
+struct Stop {
+  std::size_t edge;
+  Span span;
+  std::size_t node;
+  bool joined;  ///< the arc from here to the next stop is in the other region
+};
+
+/// One polygon's boundary, as the nodes divide it.
+struct Side {
+  struct RingStops {
+    std::size_t begin, end;  ///< in `stops`
+    std::ptrdiff_t node;     ///< of a ring that lies in the other region as a whole; otherwise -1
+  };
+
+  std::size_t after(std::size_t edge) const { return follow(edge, edge + 1 == polygon.edgeEnd(ringOf(edge))); }
+  std::size_t before(std::size_t edge) const {
+    const std::size_t ring = ringOf(edge);
+    return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
+  }
+  std::size_t follow(std::size_t edge, bool last) const { return last ? polygon.edgeBegin(ringOf(edge)) : edge + 1; }
+  std::size_t ringOf(std::size_t edge) const {
+    const auto& begin = polygon.ring_begin;
+    return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
+  }
+
+  const PolygonData& polygon;
+  std::vector<Stop> stops;  ///< by edge, then where they begin
+  std::vector<RingStops> rings;
+};
+
+struct NodePoint {
+  std::size_t node;
+  BoundaryPoint point;
+};
+
+class Grouping {
+ public:
+  Grouping(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
+      : pair_(pair),
+        swapped_(pair.b, pair.pose_b, pair.a, pair.pose_a),
+        frame_(frame),
+        crossings_(crossings),
+        sides_{{pair.a, {}, {}}, {pair.b, {}, {}}} {}
+
+  std::vector<OverlapComponent> components() {
+    join(false);
+    // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
+    if (countSets() > 1) join(true);
+    if (countSets() > 1) joinHoles();
+    return collect();
+  }
+
+ private:
+  using Ends = WorldFrame::Ends;
+
+  Vec2 vertex(int side, std::size_t v) const {
+    const Vec2& local = sides_[side].polygon.path[v];
+    return side == 0 ? frame_.fromA(local) : frame_.fromB(local);
+  }
+  Ends ends(int side, std::size_t e) const { return side == 0 ? frame_.edgeEndsOfA(e) : frame_.edgeEndsOfB(e); }
+  Vec2 toLocal(int side, const Vec2& p) const { return side == 0 ? frame_.toA(p) : frame_.toB(p); }
+
+  /// Where one side's vertex is in the other's region. Exact.
+  Location locateVertex(int side, std::size_t v) const {
+    return side == 0 ? locate(swapped_, pair_.a.path[v]) : locate(pair_, pair_.b.path[v]);
+  }
+
+  /// Whether a rounded point is in one side's region.
+  bool holds(int side, const Vec2& p) const {
+    const Vec2 local = toLocal(side, p);
+    return locateInCovering(sides_[side].polygon, nullptr, {local.x(), local.y(), 0}, {nullptr, local}, 1) !=
+           Location::Outside;
+  }
+
+  void join(bool with_own_crossings) {
+    sets_ = Sets();
+    present_.clear();
+    points_.clear();
+    inner_.clear();
+    for (Side& side : sides_) {
+      side.stops.clear();
+      side.rings.clear();
+    }
+    for (const EdgeCrossing& c : crossings_) {
+      const std::size_t node = addNode(true);
+      sides_[0].stops.push_back({c.edge_a, c.on_a, node, false});
+      sides_[1].stops.push_back({c.edge_b, c.on_b, node, false});
+      const auto i = static_cast<std::ptrdiff_t>(c.edge_a), j = static_cast<std::ptrdiff_t>(c.edge_b);
+      points_.push_back({node, {c.point, i, i, j, j}});
+    }
+    for (int side : {0, 1}) {
+      if (with_own_crossings) addOwnCrossings(side);
+      joinAlongRings(side);
+    }
+  }
+
+  std::size_t addNode(bool present) {
+    present_.push_back(present);
+    inner_.push_back(false);
+    return sets_.add();
+  }
+
+  void addOwnCrossings(int side) {
+    Side& own = sides_[side];
+    const Pose identity = Pose::Identity();
+    const PosedPair with_itself(own.polygon, identity, own.polygon, identity);
+    forEachPair(with_itself, 0, [&](double, std::size_t e, std::size_t f) {
+      if (e < f && own.after(e) != f && own.after(f) != e && edgesMeet(with_itself, e, f)) addOwnCrossing(side, e, f);
+      return 0.0;
+    });
+  }
+
+  /// Two nodes, where they cover each other: what is between needn't be in the overlap.
+  void addOwnCrossing(int side, std::size_t e, std::size_t f) {
+    const Ends of_e = ends(side, e), of_f = ends(side, f);
+    const Span on_e = spanNear(of_e, of_f, frame_.error()), on_f = spanNear(of_f, of_e, frame_.error());
+    const bool alike = (of_e.w - of_e.v).dot(of_f.w - of_f.v) > 0;
+    const double ends_on_e[] = {on_e.low, on_e.high};
+    const double ends_on_f[] = {alike ? on_f.low : on_f.high, alike ? on_f.high : on_f.low};
+    for (int end : {0, 1}) {
+      const std::size_t node = addNode(false);
+      sides_[side].stops.push_back({e, {ends_on_e[end], ends_on_e[end]}, node, false});
+      sides_[side].stops.push_back({f, {ends_on_f[end], ends_on_f[end]}, node, false});
+    }
+  }
+
+  void joinAlongRings(int side) {
+    Side& own = sides_[side];
+    std::vector<Stop>& stops = own.stops;
+    std::sort(stops.begin(), stops.end(), [](const Stop& s, const Stop& t) {
+      return s.edge != t.edge ? s.edge < t.edge : s.span.low < t.span.low;
+    });
+    std::size_t begin = 0;
+    for (std::size_t r = 0; r < own.polygon.ringCount(); ++r) {
+      std::size_t end = begin;
+      bool crossed = false;
+      for (; end < stops.size() && stops[end].edge < own.polygon.edgeEnd(r); ++end)
+        crossed = crossed || stops[end].node < crossings_.size();
+      own.rings.push_back({begin, end, -1});
+      if (crossed)
+        joinArcs(side, begin, end);
+      else if (locateVertex(side, own.polygon.edgeBegin(r)) != Location::Outside)
+        joinWhole(side, r);
+      begin = end;
+    }
+  }
+
+  /// A ring that no edge of the other polygon meets, in the other's region.
+  void joinWhole(int side, std::size_t r) {
+    Side& own = sides_[side];
+    const std::size_t node = addNode(true);
+    inner_[node] = true;
+    own.rings[r].node = static_cast<std::ptrdiff_t>(node);
+    for (std::size_t k = own.rings[r].begin; k < own.rings[r].end; ++k) sets_.join(own.stops[k].node, node);
+    for (std::size_t v = own.polygon.edgeBegin(r); v < own.polygon.edgeEnd(r); ++v) addVertex(side, v, node);
+  }
+
+  void addVertex(int side, std::size_t v, std::size_t node) {
+    const auto edge = static_cast<std::ptrdiff_t>(v), other = static_cast<std::ptrdiff_t>(sides_[side].before(v));
+    points_.push_back({node, side == 0 ? BoundaryPoint{vertex(0, v), edge, other, -1, -1}
+                                       : BoundaryPoint{vertex(1, v), -1, -1, edge, other}});
+  }
+
+  void joinArcs(int side, std::size_t begin, std::size_t end) {
+    std::vector<Stop>& stops = sides_[side].stops;
+    double reach = stops[begin].span.high;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Stop& next = stops[k + 1 < end ? k + 1 : begin];
+      Stop& stop = stops[k];
+      if (k + 1 < end && next.edge == stop.edge) {
+        stop.joined = joinedOnEdge(side, stop, next, reach);
+        reach = std::max(reach, next.span.high);
+      } else {
+        stop.joined = joinedRoundVertices(side, stop, next);
+        reach = next.span.high;
+      }
+      if (stop.joined) sets_.join(stop.node, next.node);
+    }
+  }
+
+  bool joinedOnEdge(int side, const Stop& stop, const Stop& next, double reach) {
+    const Ends edge = ends(side, stop.edge);
+    const Vec2 way = edge.w - edge.v;
+    if ((next.span.low - reach) * way.norm() <= 4 * frame_.error()) return true;
+    const bool in = holds(1 - side, edge.v + (0.5 * reach + 0.5 * next.span.low) * way);
+    if (in) inner_[stop.node] = true;
+    return in;
+  }
+
+  /// No vertex between two stops in a row is on the other's boundary, unless it is both of them, so that one stands for
+  /// all.
+  bool joinedRoundVertices(int side, const Stop& stop, const Stop& next) {
+    const Side& own = sides_[side];
+    std::size_t v = own.after(stop.edge);
+    const Location location = locateVertex(side, v);
+    if (location != Location::Inside) return location == Location::Boundary;
+    inner_[stop.node] = present_[stop.node] = true;
+    for (addVertex(side, v, stop.node); v != next.edge; addVertex(side, v, stop.node)) v = own.after(v);
+    return true;
+  }
+
+  std::size_t countSets() {
+    std::vector<char> seen(sets_.size(), false);
+    std::size_t count = 0;
+    for (std::size_t node = 0; node < sets_.size(); ++node) {
+      if (!present_[node]) continue;
+      char& root = seen[sets_.find(node)];
+      count += !root;
+      root = true;
+    }
+    return count;
+  }
+
+  void joinHoles() {
+    std::vector<std::ptrdiff_t> leftmost(sets_.size(), -1);
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      std::ptrdiff_t& best = leftmost[sets_.find(points_[k].node)];
+      if (best < 0 || points_[k].point.at.x() < points_[static_cast<std::size_t>(best)].point.at.x())
+        best = static_cast<std::ptrdiff_t>(k);
+    }
+    for (const std::ptrdiff_t k : leftmost) {
+      if (k < 0) continue;
+      const NodePoint& point = points_[static_cast<std::size_t>(k)];
+      const std::ptrdiff_t node = leftOf(point.point.at);
+      if (node >= 0) sets_.join(point.node, static_cast<std::size_t>(node));
+    }
+  }
+
+  /// The node of the boundary that is next to the left, if the way is in the overlap; otherwise -1.
+  std::ptrdiff_t leftOf(const Vec2& p) {
+    const Vec2 beside = p - Vec2(4 * frame_.error(), 0);
+    if (!holds(0, beside) || !holds(1, beside)) return -1;
+    Hits hits{*this, 0, p.y(), beside.x(), -std::numeric_limits<double>::infinity(), -1};
+    for (; hits.side < 2; ++hits.side) {
+      const PolygonData& polygon = sides_[hits.side].polygon;
+      const Vec2 at = polygon.inUnits(toLocal(hits.side, p));
+      const Eigen::Matrix2d linear = (hits.side == 0 ? pair_.pose_a : pair_.pose_b).linear();
+      const Vec2 direction = (linear.inverse() * Vec2(-1, 0)).normalized();
+      const double error = 4 * frame_.error() * frame_.unit() * polygon.inverse_unit + 0x1p-40 * (at.norm() + 4);
+      visitEdgesOnRay(polygon.hierarchy(), {at.x(), at.y(), direction.x(), direction.y(), error}, &Hits::visit, &hits);
+    }
+    return hits.node;
+  }
+
+  struct Hits {
+    static bool visit(void* hits, std::uint32_t edge) {
+      static_cast<Hits*>(hits)->add(edge);
+      return true;
+    }
+    void add(std::size_t edge) {
+      const auto [v, w] = grouping.ends(side, edge);
+      if (y < std::min(v.y(), w.y()) || y > std::max(v.y(), w.y())) return;
+      const double t = v.y() != w.y() ? (y - v.y()) / (w.y() - v.y()) : v.x() < w.x() ? 1 : 0;
+      const double at = v.x() + t * (w.x() - v.x());
+      if (at > right || at < x) return;
+      const std::ptrdiff_t found = grouping.nodeAt(side, edge, t);
+      if (at == x && found < 0) return;
+      x = at;
+      node = found;
+    }
+
+    Grouping& grouping;
+    int side;
+    double y, right, x;
+    std::ptrdiff_t node;
+  };
+
+  /// A node that the point t of an edge is joined to; -1 if it isn't in the other region.
+  std::ptrdiff_t nodeAt(int side, std::size_t edge, double t) const {
+    const Side& own = sides_[side];
+    const Side::RingStops& ring = own.rings[own.ringOf(edge)];
+    if (ring.node >= 0 || ring.begin == ring.end) return ring.node;
+    const auto begin = own.stops.begin() + static_cast<std::ptrdiff_t>(ring.begin);
+    const auto end = own.stops.begin() + static_cast<std::ptrdiff_t>(ring.end);
+    const auto next = std::partition_point(
+        begin, end, [&](const Stop& stop) { return stop.edge != edge ? stop.edge < edge : stop.span.low <= t; });
+    const Stop& stop = *((next == begin ? end : next) - 1);
+    const bool on_stop = next != begin && stop.edge == edge && t <= stop.span.high;
+    return stop.joined || on_stop ? static_cast<std::ptrdiff_t>(stop.node) : -1;
+  }
+
+  std::vector<OverlapComponent> collect() {
+    std::vector<OverlapComponent> result;
+    std::vector<std::ptrdiff_t> component(sets_.size(), -1);
+    const auto of = [&](std::size_t node) -> OverlapComponent& {
+      return result[static_cast<std::size_t>(component[sets_.find(node)])];
+    };
+    for (std::size_t node = 0; node < sets_.size(); ++node) {
+      std::ptrdiff_t& index = component[sets_.find(node)];
+      if (!present_[node] || index >= 0) continue;
+      index = static_cast<std::ptrdiff_t>(result.size());
+      result.emplace_back();
+    }
+    for (std::size_t node = 0; node < sets_.size(); ++node)
+      if (inner_[node] && component[sets_.find(node)] >= 0) of(node).inner = true;
+    for (const NodePoint& point : points_) of(point.node).points.push_back(point.point);
+    for (std::size_t k = 0; k < crossings_.size(); ++k) {
+      of(k).crossings.push_back(k);
+      if (!of(k).inner) lookBeside(crossings_[k], of(k));
+    }
+    return result;
+  }
+
+  /// Which sides of a common stretch of two edges the regions are on.
+  void lookBeside(const EdgeCrossing& crossing, OverlapComponent& component) const {
+    const Ends edge = frame_.edgeEndsOfA(crossing.edge_a);
+    const Vec2 way = edge.w - edge.v;
+    const double length = way.norm() * (crossing.on_a.high - crossing.on_a.low), error = frame_.error();
+    if (!(length > 32 * error)) return;
+    const Vec2 normal = Vec2(-way.y(), way.x()).normalized(), beside = 8 * error * normal;
+    const Vec2 middle = frame_.edgeOfA(crossing.edge_a, crossing.on_a.middle());
+    const bool a_left = holds(0, middle + beside), a_right = holds(0, middle - beside);
+    const bool b_left = holds(1, middle + beside), b_right = holds(1, middle - beside);
+    component.inner = (a_left && b_left) || (a_right && b_right);
+    if (a_right && b_left) component.facing += length * normal;
+    if (a_left && b_right) component.facing -= length * normal;
+  }
+
+  const PosedPair &pair_, swapped_;
+  const WorldFrame& frame_;
+  const std::vector<EdgeCrossing>& crossings_;
+  Side sides_[2];
+  Sets sets_;
+  std::vector<char> present_;  ///< by node: it is in the overlap, which a polygon's own crossing needn't be
+  std::vector<char> inner_;    ///< by node: the overlap has an inside there
+  std::vector<NodePoint> points_;
+};
+
+}  // namespace
+
+std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
+                                             const std::vector<EdgeCrossing>& crossings) {
+  return Grouping(pair, frame, crossings).components();
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// crossings() against all pairs of edges, contacts() against collisions, components and translations, on exact numbers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/contacts.h"
+
+namespace tricover::support {
+namespace {
+
+using Pairs = std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>>;
+
+Pairs pairsOf(const std::vector<Crossing>& crossings, bool swapped) {
+  Pairs pairs;
+  for (const Crossing& c : crossings) pairs.emplace_back(swapped ? c.edge_b : c.edge_a, swapped ? c.edge_a : c.edge_b);
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+bool isEdge(const Polygon& polygon, std::ptrdiff_t edge) {
+  return edge >= 0 && edge < static_cast<std::ptrdiff_t>(polygon.vertexCount());
+}
+
+/// What is wrong with a pair's contacts whatever their number; empty if nothing is.
+std::string wrongContacts(const Case& c, const std::vector<Contact>& found, bool crossed) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Contact& contact = found[i];
+    if (!(std::abs(contact.normal.norm() - 1) <= 1e-12)) return "a normal that isn't unit";
+    if (!(contact.depth >= 0 && std::isfinite(contact.depth))) return "a depth";
+    if (!contact.point.allFinite()) return "a point";
+    if (i > 0 && contact.depth > found[i - 1].depth) return "the order";
+    const bool of_a = isEdge(c.a, contact.edge_a), of_b = isEdge(c.b, contact.edge_b);
+    if (!of_a && !(contact.edge_a == -1 && of_b)) return "edge_a";
+    if (!of_b && !(contact.edge_b == -1 && of_a)) return "edge_b";
+    if (!crossed && of_a && of_b) return "an edge of what holds the other";
+  }
+  return {};
+}
+
+std::string wrongWay(const Case& c, bool truth) {
+  const Pairs pairs = exact::meetingEdges(c.a, c.pose_a, c.b, c.pose_b);
+  if (pairsOf(crossings(c.a, c.pose_a, c.b, c.pose_b), false) != pairs) return "crossings";
+  if (pairsOf(crossings(c.b, c.pose_b, c.a, c.pose_a), true) != pairs) return "crossings, swapped";
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+  if (found.empty() == truth) return "contacts";
+  const std::vector<Contact> swapped = contacts(c.b, c.pose_b, c.a, c.pose_a);
+  if (swapped.size() != found.size()) return "contacts, swapped";
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Contact &p = found[i], &q = swapped[i];
+    if (p.point != q.point || p.normal != -q.normal || p.depth != q.depth || p.edge_a != q.edge_b ||
+        p.edge_b != q.edge_a)
+      return "a contact, swapped";
+  }
+  return wrongContacts(c, found, !pairs.empty());
+}
+
+class ContactsOracle : public testing::TestWithParam<Family> {};
+
+TEST_P(ContactsOracle, AgreesWithExactRationals) {
+  const int cases = scaledCount(1500);
+  int hits = 0, many = 0, disagreements = 0;
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    const Case c = GetParam().make(seed);
+    const bool truth = exact::collide(c.a, c.pose_a, c.b, c.pose_b);
+    hits += truth;
+    many += contacts(c.a, c.pose_a, c.b, c.pose_b).size() > 1;
+    const std::string wrong = wrongWay(c, truth);
+    if (!wrong.empty() && ++disagreements <= 3)
+      ADD_FAILURE() << GetParam().name << " seed " << seed << ": " << wrong << "\n" << reproduction(c);
+  }
+  std::printf("%-22s %6d cases %6d hits %6d with several contacts\n", GetParam().name, cases, hits, many);
+  EXPECT_EQ(disagreements, 0);
+  if (cases >= 100) {
+    EXPECT_GE(hits, 0.15 * cases);
+    EXPECT_LE(hits, 0.85 * cases);
+  }
+}
+
+std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Families, ContactsOracle, testing::ValuesIn(families()), familyName);
+
+constexpr int kCells = 12;
+
+/// A ring whose edges run along the axes from grid point to grid point, crossing and covering each other at will.
+Ring rectilinear(Random& random, int corners) {
+  Ring ring;
+  int x = random.integer(0, kCells), y = random.integer(0, kCells);
+  const int first_x = x;
+  for (int i = 0; i < corners; ++i) {
+    ring.emplace_back(x, y);
+    x = i + 1 < corners ? random.integer(0, kCells) : first_x;
+    ring.emplace_back(x, y);
+    y = random.integer(0, kCells);
+  }
+  ring.back().x() = first_x;
+  ring.emplace_back(first_x, ring.front().y());
+  return ring;
+}
+
+Polygon anyRectilinear(Random& random) {
+  std::vector<Ring> rings;
+  for (int i = random.integer(1, 4); i > 0; --i) {
+    const int x = random.integer(0, kCells - 1), y = random.integer(0, kCells - 1);
+    rings.push_back(random.oneIn(3) ? rectilinear(random, random.integer(2, 4))
+                                    : rectangle(x, y, random.integer(x + 1, kCells), random.integer(y + 1, kCells)));
+  }
+  return Polygon(redirected(random, std::move(rings)), random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+}
+
+/// Whether a polygon on the grid holds the point (x, y) / 2: on an edge, or by the winding number along a ray to the
+/// right, a little above.
+bool holds(const Polygon& polygon, int x, int y) {
+  int winding = 0;
+  for (const Ring& ring : polygon.rings()) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 v = 2 * ring[i], w = 2 * ring[(i + 1) % ring.size()];
+      const double low_x = std::min(v.x(), w.x()), high_x = std::max(v.x(), w.x());
+      const double low_y = std::min(v.y(), w.y()), high_y = std::max(v.y(), w.y());
+      if (low_x <= x && x <= high_x && low_y <= y && y <= high_y) return true;
+      if (v.x() == w.x() && v.x() > x && low_y <= y && y < high_y) winding += v.y() < w.y() ? 1 : -1;
+    }
+  }
+  return polygon.fillRule() == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
+}
+
+/// The components of the overlap by flooding the grid's points, sides and cells, which are the points of a grid twice
+/// as fine.
+std::size_t countByFlooding(const Polygon& a, const Polygon& b) {
+  constexpr int n = 2 * kCells + 1;
+  std::vector<char> wet(n * n);
+  const auto at = [&](int x, int y) -> char& { return wet[static_cast<std::size_t>(y * n + x)]; };
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) at(x, y) = holds(a, x, y) && holds(b, x, y);
+  std::size_t count = 0;
+  std::vector<std::pair<int, int>> front;
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      if (!at(x, y)) continue;
+      ++count;
+      front.assign(1, {x, y});
+      at(x, y) = false;
+      while (!front.empty()) {
+        const auto [p, q] = front.back();
+        front.pop_back();
+        for (const auto& [i, j] : {std::pair{p - 1, q}, {p + 1, q}, {p, q - 1}, {p, q + 1}}) {
+          if (i < 0 || j < 0 || i >= n || j >= n || !at(i, j)) continue;
+          at(i, j) = false;
+          front.emplace_back(i, j);
+        }
+      }
+    }
+  }
+  return count;
+}
+
+TEST(ContactsOracleGrid, AreAsManyAsTheOverlapHasComponents) {
+  const int cases = scaledCount(20000);
+  int several = 0, none = 0, wrong = 0;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon a = anyRectilinear(random), b = anyRectilinear(random);
+    const std::size_t count = countByFlooding(a, b);
+    several += count > 1;
+    none += count == 0;
+    // The same motion of both: a turn that rounding spoils would take the collinear apart.
+    const double turns[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    const double* turn = turns[random.integer(0, 3)];
+    Pose both = Pose::Identity();
+    both.linear() << turn[0], -turn[1], turn[1], turn[0];
+    both.translation() = Vec2(random.integer(-9, 9), random.integer(-9, 9));
+    if (random.oneIn(3)) both = mirrored(both);
+    const std::size_t found = contacts(a, both, b, both).size();
+    if (found != count && ++wrong <= 3)
+      ADD_FAILURE() << "seed " << i << ": " << found << ", not " << count << "\n" << reproduction({a, both, b, both});
+  }
+  std::printf("%d cases, %d with several components, %d with none, %d wrong\n", cases, several, none, wrong);
+  EXPECT_EQ(wrong, 0);
+  if (cases >= 100) {
+    EXPECT_GE(several, 0.15 * cases);
+    EXPECT_GE(none, 0.01 * cases);
+  }
+}
+
+/// A convex ring: the vertices of a polygon around a circle, squeezed.
+Ring convex(Random& random) {
+  const double squeeze = random.oneIn(4) ? 0.05 : random.real(0.3, 1);
+  const int n = random.integer(3, 12);
+  Ring ring;
+  std::vector<double> angles;
+  for (int i = 0; i < n; ++i) angles.push_back(random.real(0, 2 * std::acos(-1.0)));
+  std::sort(angles.begin(), angles.end());
+  for (const double angle : angles) ring.emplace_back(std::cos(angle), squeeze * std::sin(angle));
+  return ring;
+}
+
+/// By all faces of both against all vertices.
+double depthBySeparatingAxes(const Case& c) {
+  std::vector<Vec2> points[2];
+  for (const Vec2& p : c.a.rings()[0]) points[0].push_back(c.pose_a * p);
+  for (const Vec2& p : c.b.rings()[0]) points[1].push_back(c.pose_b * p);
+  double least = std::numeric_limits<double>::infinity();
+  for (const int side : {0, 1}) {
+    const std::vector<Vec2>&of = points[side], &behind = points[1 - side];
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      const Vec2 way = (of[(i + 1) % of.size()] - of[i]).normalized();
+      for (const Vec2& normal : {Vec2(way.y(), -way.x()), Vec2(-way.y(), way.x())}) {
+        double other = std::numeric_limits<double>::infinity(), own = -other;
+        for (const Vec2& p : of) own = std::max(own, normal.dot(p));
+        for (const Vec2& p : behind) other = std::min(other, normal.dot(p));
+        least = std::min(least, own - other);
+      }
+    }
+  }
+  return least;
+}
+
+TEST(ContactsOracleConvex, DepthAndNormalPartThemAndNothingLessDoes) {
+  const int cases = scaledCount(4000);
+  int hits = 0, contained = 0, wrong = 0;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const double size = random.coin() ? 0.2 : 1, reach = random.oneIn(4) ? 1e3 : 1;
+    Case c{Polygon({convex(random)}), randomPose(random, reach), Polygon({scaled(convex(random), size)}),
+           randomPose(random, 1)};
+    c.pose_b.translation() = c.pose_a.translation() + Vec2(random.real(-1.5, 1.5), random.real(-1.5, 1.5));
+    if (random.oneIn(5)) c.pose_a = mirrored(c.pose_a);
+    if (random.oneIn(5)) c.pose_b = throughFloat(c.pose_b);
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+    if (found.empty()) continue;
+    ++hits;
+    contained += found[0].edge_a < 0 || found[0].edge_b < 0;
+    const auto collidesAfter = [&](double way) {
+      Pose moved = c.pose_b;
+      moved.translation() += way * found[0].normal;
+      return exact::collide(c.a, c.pose_a, c.b, moved);
+    };
+    const double depth = found[0].depth, rounding = 1e-15 * (4 + 2 * reach);
+    const bool right = found.size() == 1 && !collidesAfter(depth * (1 + 1e-9) + rounding) &&
+                       (depth < 200 * rounding || collidesAfter(0.99 * depth)) &&
+                       std::abs(depth - depthBySeparatingAxes(c)) <= 2 * rounding;
+    if (!right && ++wrong <= 3)
+      ADD_FAILURE() << "seed " << i << ": " << found.size() << " contacts, depth " << depth << ", by separating axes "
+                    << depthBySeparatingAxes(c) << "\n"
+                    << reproduction(c);
+  }
+  std::printf("%d cases, %d hits, %d of them containments, %d wrong\n", cases, hits, contained, wrong);
+  EXPECT_EQ(wrong, 0);
+  if (cases >= 100) {
+    EXPECT_GE(hits, 0.3 * cases);
+    EXPECT_GE(contained, 0.02 * cases);
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// contacts(): one for each connected part of the overlap, by hand.
+#include "tricover/contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+
+namespace tricover::support {
+namespace {
+
+const Pose kHere = Pose::Identity();
+
+bool alike(const Contact& p, const Contact& q, double size) {
+  return std::abs(p.depth - q.depth) <= 1e-12 * size && ((p.point - q.point) / size).norm() <= 1e-12 &&
+         (p.normal - q.normal).norm() <= 1e-9 && p.edge_a == q.edge_a && p.edge_b == q.edge_b;
+}
+
+/// Asks in both orders, and looks at what holds for all contacts.
+std::vector<Contact> ask(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const std::vector<Contact> found = contacts(a, pose_a, b, pose_b);
+  std::vector<Contact> swapped = contacts(b, pose_b, a, pose_a);
+  EXPECT_EQ(found.empty(), !collide(a, pose_a, b, pose_b));
+  EXPECT_EQ(found.size(), swapped.size());
+  const double size = 2 * a.radius() + 2 * b.radius();
+  for (std::size_t i = 0; i < std::min(found.size(), swapped.size()); ++i) {
+    std::swap(swapped[i].edge_a, swapped[i].edge_b);
+    swapped[i].normal = -swapped[i].normal;
+    EXPECT_TRUE(a.id() == b.id() || alike(found[i], swapped[i], size)) << i;
+    EXPECT_NEAR(found[i].normal.norm(), 1, 1e-12);
+    EXPECT_GE(found[i].depth, 0);
+    EXPECT_TRUE(i == 0 || found[i].depth <= found[i - 1].depth);
+    EXPECT_TRUE(found[i].edge_a >= 0 || found[i].edge_b >= 0);
+    EXPECT_LT(found[i].edge_a, static_cast<std::ptrdiff_t>(a.vertexCount()));
+    EXPECT_LT(found[i].edge_b, static_cast<std::ptrdiff_t>(b.vertexCount()));
+  }
+  return found;
+}
+
+std::vector<Contact> ask(const std::vector<Ring>& a, const std::vector<Ring>& b) {
+  return ask(Polygon(a), kHere, Polygon(b), kHere);
+}
+
+void expectContact(const Contact& contact, const Vec2& point, const Vec2& normal, double depth, double size = 1) {
+  EXPECT_LE(((contact.point - point) / size).norm(), 1e-12) << contact.point.transpose();
+  EXPECT_LE((contact.normal - normal).norm(), 1e-9) << contact.normal.transpose();
+  EXPECT_NEAR(contact.depth, depth, 1e-12 * size);
+}
+
+TEST(Contacts, OfTwoSquares) {
+  const auto found = ask({rectangle(0, 0, 4, 4)}, {rectangle(3, 1, 5, 3)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {3.5, 2}, {1, 0}, 1);
+  EXPECT_EQ(found[0].edge_a, 1);
+  EXPECT_EQ(found[0].edge_b, 3);
+}
+
+TEST(Contacts, AreNoneBetweenRegionsThatAreApart) {
+  EXPECT_TRUE(ask({rectangle(0, 0, 4, 4)}, {rectangle(5, 1, 6, 3)}).empty());
+  EXPECT_TRUE(ask({rectangle(0, 0, 9, 9), rectangle(1, 1, 8, 8)}, {rectangle(2, 2, 7, 7)}).empty());
+}
+
+TEST(Contacts, OfCornersThatOverlap) {
+  const auto found = ask({rectangle(0, 0, 4, 4)}, {rectangle(3, 3.5, 6, 6)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {3.5, 3.75}, {0, 1}, 0.5);
+}
+
+TEST(Contacts, OfABarThroughASquareAreOne) {
+  const auto found = ask({rectangle(-5, -5, 5, 5)}, {rectangle(-50, 1, 50, 3)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {0, 2}, {0, 1}, 4);  // to leave the square, not only where it is
+}
+
+TEST(Contacts, OfACombOverABarAreOneATooth) {
+  constexpr int kTeeth = 7;
+  // Teeth from 0 to 5, 1 wide, one every 3.
+  const Polygon above({rectangle(-10, 4.75, 100, 9)}), teeth({comb(kTeeth, 3, 1, 5)});
+  auto found = ask(above, kHere, teeth, kHere);
+  ASSERT_EQ(found.size(), static_cast<std::size_t>(kTeeth));
+  std::sort(found.begin(), found.end(), [](auto& p, auto& q) { return p.point.x() < q.point.x(); });
+  for (std::size_t i = 0; i < found.size(); ++i)
+    expectContact(found[i], {0.5 + 3.0 * static_cast<double>(i), 4.875}, {0, -1}, 0.25, 100);
+}
+
+TEST(Contacts, AreAtMostAsManyAsAskedFor) {
+  const Polygon above({rectangle(-10, 4.75, 100, 9)}), teeth({comb(7, 3, 1, 5)});
+  EXPECT_EQ(contacts(above, kHere, teeth, kHere, 3).size(), 3u);
+  EXPECT_EQ(contacts(above, kHere, teeth, kHere, 0).size(), 0u);
+  EXPECT_EQ(contacts(above, kHere, teeth, kHere, 100).size(), 7u);
+}
+
+TEST(Contacts, OfTwoAnnuliAreTheirTwoLenses) {
+  const Polygon annulus({regular(64, 2), regular(64, 1.5)});
+  EXPECT_EQ(ask(annulus, kHere, annulus, pose(0.1, 2, 0)).size(), 2u);
+  // Wide rings hang together around the holes.
+  const Polygon wide({regular(64, 2), regular(64, 0.25)});
+  EXPECT_EQ(ask(wide, kHere, wide, pose(0.1, 1, 0)).size(), 1u);
+}
+
+TEST(Contacts, HolesBelongToTheComponentAroundThem) {
+  // Two holes of the one, one of the other, none of which meets an edge.
+  const auto found = ask({rectangle(0, 0, 10, 10), rectangle(1, 1, 3, 3), rectangle(5, 1, 7, 3)},
+                         {rectangle(0.5, 0.5, 11, 9.5), rectangle(1, 5, 3, 7)});
+  EXPECT_EQ(found.size(), 1u);
+  // A region with an island in its hole, under a square: two components, the hole's boundary belongs to the outer one.
+  EXPECT_EQ(
+      ask({rectangle(0, 0, 10, 10), rectangle(1, 1, 9, 9), rectangle(4, 4, 6, 6)}, {rectangle(-1, -1, 11, 11)}).size(),
+      2u);
+  EXPECT_EQ(
+      ask({rectangle(0, 0, 10, 10), rectangle(1, 1, 9, 9), rectangle(4, 4, 6, 6)}, {rectangle(2, 2, 8, 8)}).size(), 1u);
+}
+
+TEST(Contacts, OfAContainmentLeadPastTheNearestEdge) {
+  const auto found = ask({rectangle(0, 0, 10, 10)}, {rectangle(6, 4, 9, 5)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {7.5, 4.5}, {1, 0}, 4);
+  EXPECT_EQ(found[0].edge_a, -1);
+  EXPECT_EQ(found[0].edge_b, 3);
+  // The same in a region that isn't convex.
+  const auto beside_a_hole = ask({rectangle(0, 0, 20, 20), rectangle(10, 0.5, 19.5, 19)}, {rectangle(6, 4, 9, 5)});
+  ASSERT_EQ(beside_a_hole.size(), 1u);
+  expectContact(beside_a_hole[0], {7.5, 4.5}, {1, 0}, 4);
+  EXPECT_EQ(beside_a_hole[0].edge_a, -1);
+  EXPECT_EQ(beside_a_hole[0].edge_b, 3);
+}
+
+TEST(Contacts, WhereAVertexTouchesAnEdge) {
+  const auto found = ask({rectangle(0, 0, 4, 4)}, {{{4, 2}, {6, 1}, {6, 3}}});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {4, 2}, {1, 0}, 0);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_EQ(found[0].edge_a, 1);
+  // A notch keeps b from being convex.
+  const auto notched = ask({rectangle(0, 0, 4, 4)}, {{{4, 2}, {6, 1}, {5, 2}, {6, 3}}});
+  ASSERT_EQ(notched.size(), 1u);
+  expectContact(notched[0], {4, 2}, {1, 0}, 0);
+  EXPECT_EQ(notched[0].depth, 0);
+  EXPECT_EQ(notched[0].edge_a, 1);
+}
+
+TEST(Contacts, WhereVerticesTouch) {
+  for (const Ring& b : {Ring{{4, 4}, {6, 5}, {5, 6}}, Ring{{4, 4}, {6, 5}, {5, 5}, {5, 6}}}) {
+    const auto found = ask({rectangle(0, 0, 4, 4)}, {b});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].depth, 0);
+    EXPECT_LE((found[0].point - Vec2(4, 4)).norm(), 1e-12);
+    EXPECT_GT(found[0].normal.x() + found[0].normal.y(), 0.7);
+  }
+}
+
+TEST(Contacts, WhereEdgesTouchAlongAStretch) {
+  const auto found = ask({rectangle(0, 0, 4, 4)}, {rectangle(4, 1, 6, 9)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {4, 2.5}, {1, 0}, 0);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_EQ(found[0].edge_a, 1);
+  EXPECT_EQ(found[0].edge_b, 3);
+}
+
+TEST(Contacts, OfABoxInACornerThatItTouchesLeadOutOfTheCorner) {
+  const Ring corner = {{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}};
+  const auto found = ask({corner}, {rectangle(1, 1, 3, 3)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_LE((found[0].normal - Vec2(1, 1).normalized()).norm(), 1e-9);
+}
+
+TEST(Contacts, OfAPegInAHoleThatFitsIsOne) {
+  const auto found = ask({rectangle(0, 0, 9, 9), rectangle(3, 3, 6, 6)}, {rectangle(3, 3, 6, 6)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].depth, 0);
+}
+
+TEST(Contacts, OfIdenticalPolygonsAreWhatMovesThemApart) {
+  const auto found = ask({rectangle(0, 0, 4, 2)}, {rectangle(0, 0, 4, 2)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].depth, 2, 1e-12);
+  EXPECT_NEAR(std::abs(found[0].normal.y()), 1, 1e-12);
+  const Ring corner = {{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}};
+  const auto bent = ask({corner}, {corner});
+  ASSERT_EQ(bent.size(), 1u);
+  EXPECT_GT(bent[0].depth, 1);
+}
+
+TEST(Contacts, OfABowTie) {
+  const Ring bow_tie = {{-4, -4}, {4, 4}, {4, -4}, {-4, 4}};
+  EXPECT_EQ(ask({bow_tie}, {rectangle(-5, -1, 5, 1)}).size(), 1u);  // joined where it crosses itself
+  EXPECT_EQ(ask({bow_tie}, {rectangle(-5, 1, 5, 1.5)}).size(), 2u);
+  EXPECT_EQ(ask({bow_tie}, {rectangle(-5, -5, 5, 5)}).size(), 1u);
+  const auto touched = ask({bow_tie}, {{{0, 0}, {1, 3}, {-1, 3}}});  // in the crossing, from outside
+  ASSERT_EQ(touched.size(), 1u);
+  EXPECT_EQ(touched[0].depth, 0);
+}
+
+TEST(Contacts, OfRingsThatOverlapEvenOdd) {
+  // The common part is outside: two parts that touch at the two points where the rings cross.
+  const std::vector<Ring> rings = {rectangle(0, 0, 4, 4), rectangle(2, 2, 6, 6)};
+  EXPECT_EQ(ask(rings, {rectangle(-1, -1, 7, 7)}).size(), 1u);
+  EXPECT_EQ(ask(rings, {rectangle(2.5, 2.5, 3.5, 3.5)}).size(), 0u);
+  EXPECT_EQ(ask(rings, {rectangle(1, 1, 5, 5)}).size(), 1u);  // joined at the crossings inside
+  // Not so if those are outside.
+  EXPECT_EQ(ask(rings, {{{1, 1}, {3, 1.5}, {5, 5}, {1.5, 3}}}).size(), 2u);
+  // Two curves that cross twice, both their ends on b: only their crossings join what is above to what is below.
+  const Ring cap = {{-9, -2}, {0, 2}, {9, -2}, {9, -9}, {-9, -9}}, cup = {{-9, 2}, {0, -2}, {9, 2}, {9, 9}, {-9, 9}};
+  EXPECT_EQ(ask({cap, cup}, {rectangle(-6, -4, 6, 4)}).size(), 1u);
+}
+
+TEST(Contacts, OfMirroredPolygons) {
+  const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(0, 0, 2, 2)});
+  Pose flipped = kHere;
+  flipped.linear() << -1, 0, 0, 1;
+  const auto found = ask(a, kHere, b, Pose(pose(0, 5, 1) * flipped));  // x from 3 to 5
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {3.5, 2}, {1, 0}, 1);
+  const auto both = ask(a, flipped, b, Pose(pose(0, -3, 1) * flipped));  // x from -5 to -3
+  ASSERT_EQ(both.size(), 1u);
+  expectContact(both[0], {-3.5, 2}, {-1, 0}, 1);
+}
+
+TEST(Contacts, AtEveryScale) {
+  for (const double s : {1e-300, 1e-100, 1.0, 1e100, 1e300}) {
+    const auto overlap = ask({scaled(rectangle(0, 0, 4, 4), s)}, {scaled(rectangle(3, 1, 5, 3), s)});
+    ASSERT_EQ(overlap.size(), 1u) << s;
+    expectContact(overlap[0], Vec2(3.5, 2) * s, {1, 0}, s, s);
+    const auto touch = ask({scaled(rectangle(0, 0, 4, 4), s)}, {scaled({{4, 2}, {6, 1}, {5, 2}, {6, 3}}, s)});
+    ASSERT_EQ(touch.size(), 1u) << s;
+    expectContact(touch[0], Vec2(4, 2) * s, {1, 0}, 0, s);
+    EXPECT_EQ(touch[0].depth, 0);
+    const auto bent =
+        ask({scaled({{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}}, s)}, {scaled(rectangle(4, 0.5, 6, 6), s)});
+    ASSERT_EQ(bent.size(), 1u) << s;
+    expectContact(bent[0], Vec2(5, 0.75) * s, {0, 1}, 0.5 * s, s);
+  }
+}
+
+TEST(Contacts, OfAHugeAndATinyPolygonAreWhereTheTinyOneIs) {
+  const auto found = ask({rectangle(-1e300, -1e300, 1e300, 0)}, {scaled(rectangle(-1, -1, 1, 2), 1e-300)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LE(found[0].point.norm(), 1e-290);
+  const auto less = ask({rectangle(-1e9, -1e9, 1e9, 0)}, {scaled(rectangle(-1, -1, 1, 2), 1e-3)});
+  ASSERT_EQ(less.size(), 1u);
+  EXPECT_LE((less[0].point - Vec2(0, -0.5e-3)).norm(), 1e-6);
+  EXPECT_LE((less[0].normal - Vec2(0, 1)).norm(), 1e-9);
+}
+
+TEST(Contacts, FarAway) {
+  const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(0, 0, 2, 2)});
+  const auto found = ask(a, pose(0, 1e15, -1e15), b, pose(0, 1e15 + 3, -1e15 + 1));
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {1e15 + 3.5, -1e15 + 2}, {1, 0}, 1);
+  // Its own coordinates are far away, too.
+  const Polygon c({shifted(rectangle(0, 0, 2, 2), {1e15, 1e15})});
+  const auto again = ask(a, kHere, c, pose(0, -1e15 + 3, -1e15 + 1));
+  ASSERT_EQ(again.size(), 1u);
+  expectContact(again[0], {3.5, 2}, {1, 0}, 1);
+}
+
+TEST(Contacts, CopeWithThousandsOfThem) {
+  constexpr int kTeeth = 3000;
+  const Polygon above({rectangle(-10, 4.5, 10000, 9)}), teeth({comb(kTeeth, 3, 1, 5)});
+  EXPECT_EQ(ask(above, kHere, teeth, kHere).size(), static_cast<std::size_t>(kTeeth));
+}
+
+TEST(Contacts, NameEdgesOfSmallConvexAndOfDeepPairs) {
+  for (const int n : {4, 8, 16, 200}) {
+    const Polygon a({regular(n, 1)}), b({regular(n, 0.9)});
+    for (const double x : {0.3, 0.6, 1.2}) {
+      const auto found = ask(a, kHere, b, pose(0.1, x, 0));
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_GE(found[0].edge_a, 0) << n << " " << x;
+      EXPECT_GE(found[0].edge_b, 0) << n << " " << x;
+    }
+    const auto contained = ask(a, kHere, Polygon({regular(n, 0.1)}), kHere);
+    ASSERT_EQ(contained.size(), 1u);
+    EXPECT_EQ(contained[0].edge_a, -1);
+    EXPECT_GE(contained[0].edge_b, 0);
+    EXPECT_NEAR(contained[0].point.norm(), 0, 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
