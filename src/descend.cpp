@@ -137,7 +137,7 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
   }
   // Inner discs hardly meet unless the boxes are deep in each other.
   const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * map.scale);
-  if (near && gap < -deep) {
+  if (near && gap < -deep && wanted != Wanted::Edges) {
     const double depth = innerDepth(a.inner_discs, b.inner_discs, map, rounding);
     if (depth > 0) {
       outcome.collides = true;

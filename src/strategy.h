@@ -17,8 +17,9 @@ struct Outcome {
   std::ptrdiff_t edge_a = -1, edge_b = -1;
 };
 
-/// What a query wants to know beside the answer: nothing, or how certain it is. The less, the shorter the ways to it.
-enum class Wanted { Answer, Clearance };
+/// What a query wants to know beside the answer: nothing, how certain it is, or the edges of a hit. The less, the
+/// shorter the ways to it.
+enum class Wanted { Answer, Clearance, Edges };
 
 /// The default: both hierarchies descended together. Whatever is farther apart than the margin by `lookahead` isn't
 /// entered, so a clearance of at least that much is found if there is one. The bounding discs may meet.

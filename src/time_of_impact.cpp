@@ -175,7 +175,7 @@ class ImpactSearch {
 };
 
 /// A fixed order, so that swapping the operands swaps the result.
-bool inOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b, const Motion& motion_b) {
+bool startInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b, const Motion& motion_b) {
   if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
   const auto key = [](const Motion& m) {
     std::array<double, 14> values;
@@ -275,7 +275,7 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
     throw std::invalid_argument("time_error: it must be finite and not negative");
   checkMotion(motion_a, "motion_a");
   checkMotion(motion_b, "motion_b");
-  if (detail::inOrder(a.data(), motion_a, b.data(), motion_b))
+  if (detail::startInOrder(a.data(), motion_a, b.data(), motion_b))
     return detail::impactInOrder(a.data(), motion_a, b.data(), motion_b, options.time_error);
   auto impact = detail::impactInOrder(b.data(), motion_b, a.data(), motion_a, options.time_error);
   if (impact) {
