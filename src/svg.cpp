@@ -111,16 +111,21 @@ void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, co
   const auto draw = [&](const Polygon& polygon, const Pose& pose, const std::vector<bool>& hit) {
     for (std::size_t edge = 0; edge < hit.size(); ++edge) {
       if (!hit[edge]) continue;
-      const Vec2 start = pose * polygon.edgeStart(edge), end = pose * polygon.edgeEnd(edge);
-      include(start);
-      include(end);
-      elements_.push_back(
-          {"<polyline points=\"" + pair(start) + " " + pair(end) + "\" fill=\"none\" stroke=\"#dc2626\"",
-           "stroke-width", 2.5, "/>"});
+      polyline({pose * polygon.edgeStart(edge), pose * polygon.edgeEnd(edge)}, "#dc2626");
     }
   };
   draw(a, pose_a, hit_a);
   draw(b, pose_b, hit_b);
+}
+
+void SvgDrawing::polyline(const std::vector<Vec2>& points, const std::string& stroke) {
+  std::string list;
+  for (const Vec2& point : points) {
+    include(point);
+    list += (list.empty() ? "" : " ") + pair(point);
+  }
+  elements_.push_back({"<polyline points=\"" + list + "\" fill=\"none\" stroke=\"" + escaped(stroke) + "\"",
+                       "stroke-width", 2.5, "/>"});
 }
 
 void SvgDrawing::text(const Vec2& position, const std::string& text) {

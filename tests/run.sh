@@ -4,7 +4,7 @@
 # closing lines; exits non-zero if a test fails.
 set -eu
 cd "$(dirname "$0")/.."
-bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgtest-dev libgmp-dev
+bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgtest-dev libgmp-dev libompl-dev doxygen
 
 suite() {  # suite <title> <build directory> <targets> <test filter> <cmake options ...>
   local title=$1 build=$2 targets=$3 filter=$4

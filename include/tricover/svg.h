@@ -21,6 +21,7 @@ class SvgDrawing {
   void influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill = "#f59e0b");
   /// The edges of each polygon that meet an edge of the other, in red. O(n m).
   void hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+  void polyline(const std::vector<Vec2>& points, const std::string& stroke);
   void text(const Vec2& position, const std::string& text);
 
   /// A whole SVG document. Throws std::logic_error while nothing is drawn.

@@ -23,7 +23,7 @@ else()
 endif()
 
 run(${CMAKE_COMMAND} ${TOOLS} -S ${REPOSITORY}/tests/consumer/app -B ${WORK}/app -DCMAKE_PREFIX_PATH=${WORK}/prefix
-  -DCMAKE_BUILD_TYPE=Debug -DREADME=${REPOSITORY}/README.md)
+  -DCMAKE_BUILD_TYPE=Debug -DEXAMPLES=${REPOSITORY}/fcl_adapter/examples)
 run(${CMAKE_COMMAND} --build ${WORK}/app --parallel 2)
 
 expect(core_only "^meet\n$")

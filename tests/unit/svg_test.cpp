@@ -51,6 +51,7 @@ TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
   drawing.covering(frame, Pose::Identity());
   drawing.influenceAreas(frame, Pose::Identity(), 0.5);
   drawing.hits(frame, Pose::Identity(), peg, pose_b);
+  drawing.polyline({{1, 1}, {2, 9}, {9, 9}}, "blue");
   drawing.text({5, 5}, "a < b & \"c\"");
   const std::string svg = drawing.str();
 
@@ -60,7 +61,7 @@ TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
   EXPECT_EQ(count(svg, "Z"), 3) << "one closed outline a ring";
   EXPECT_EQ(count(svg, "<polygon "), 8 + 8) << "covering and influence areas";
   // The peg lies across the hole's right edge: two of its edges cross it.
-  EXPECT_EQ(count(svg, "<polyline "), 1 + 2);
+  EXPECT_EQ(count(svg, "<polyline "), 1 + 2 + 1);
   EXPECT_NE(svg.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
   EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
 }
