@@ -11,8 +11,9 @@ namespace tricover {
 
 /// Two edges that share a point.
 struct Crossing {
-  std::ptrdiff_t edge_a, edge_b;  ///< numbered as in Polygon::edgeStart
-  Vec2 point;                     ///< world, rounded; of collinear edges that overlap, one common point
+  std::ptrdiff_t edge_a;  ///< numbered as in Polygon::edgeStart
+  std::ptrdiff_t edge_b;  ///< likewise
+  Vec2 point;             ///< world, rounded; of collinear edges that overlap, one common point
 };
 
 /// Every pair of edges that share a point, in no order that means anything. Exact: a pair is listed if and only if they
@@ -21,11 +22,11 @@ std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Poly
 
 /// One connected part of the regions' overlap, in the world.
 struct Contact {
-  Vec2 point;    ///< the middle of the overlap along the normal
-  Vec2 normal;   ///< unit: moving b along it leaves this part of the overlap
-  double depth;  ///< >= 0: how far b must move along it; 0 where they only touch
-  /// The edges whose points part last; in a containment -1 for the polygon whose inside holds the point.
-  std::ptrdiff_t edge_a, edge_b;
+  Vec2 point;             ///< the middle of the overlap along the normal
+  Vec2 normal;            ///< unit: moving b along it leaves this part of the overlap
+  double depth;           ///< >= 0: how far b must move along it; 0 where they only touch
+  std::ptrdiff_t edge_a;  ///< whose point parts last; in a containment -1 for the polygon whose inside holds the point
+  std::ptrdiff_t edge_b;  ///< likewise of b
 };
 
 /// One contact for each connected part of the overlap, deepest first, at most `most`; empty exactly where collide() is

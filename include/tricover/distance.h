@@ -21,28 +21,32 @@ struct DistanceOptions {
 
 /// World frame. Where the regions collide, both points are one common point.
 struct DistanceResult {
-  double distance;
-  Vec2 point_a, point_b;  ///< nearest points of a and b; coordinates are rounded as those of a posed vertex are
-  /// The edges they lie on (numbered as in Polygon::edgeStart); in a containment -1 for the polygon whose inside holds
-  /// the point, which is then the start of the other's edge.
-  std::ptrdiff_t edge_a, edge_b;
+  double distance;  ///< world length
+  Vec2 point_a;     ///< of a, nearest to b; coordinates are rounded as those of a posed vertex are
+  Vec2 point_b;     ///< of b, likewise
+  /// The edge point_a lies on (numbered as in Polygon::edgeStart); in a containment -1 for the polygon whose inside
+  /// holds the point, which is then the start of the other's edge.
+  std::ptrdiff_t edge_a;
+  std::ptrdiff_t edge_b;  ///< likewise of b
 };
 
 /// What one pair remembers between distance queries: facts, as in PairCache, whose rules are these, too.
 /// DistanceCache{} is empty.
 struct DistanceCache {
-  static constexpr int kMost = 8;
+  static constexpr int kMost = 8;  ///< pairs of edges that it has room for
 
-  /// The polygons the facts are about, in the kernel's own order (0: none).
-  std::uint64_t first_id = 0, second_id = 0;
+  std::uint64_t first_id = 0;   ///< of the polygons the facts are about, in the kernel's own order (0: none)
+  std::uint64_t second_id = 0;  ///< likewise
 
   /// "With the polygons at these poses (columns of R, then t), of all pairs of edges only the first k ones listed were
   /// nearer to each other than apart[k]", for every k up to `count`; world lengths, in increasing order. Where apart[0]
   /// is positive, the regions didn't overlap.
-  double first_pose[6] = {1, 0, 0, 1, 0, 0}, second_pose[6] = {1, 0, 0, 1, 0, 0};
-  int count = 0;
-  std::uint32_t first_edge[kMost] = {}, second_edge[kMost] = {};  ///< positions in the kernel's paths
-  double apart[kMost + 1] = {};
+  double first_pose[6] = {1, 0, 0, 1, 0, 0};
+  double second_pose[6] = {1, 0, 0, 1, 0, 0};  ///< see first_pose
+  int count = 0;                               ///< see first_pose
+  std::uint32_t first_edge[kMost] = {};        ///< positions in the kernel's paths
+  std::uint32_t second_edge[kMost] = {};       ///< likewise
+  double apart[kMost + 1] = {};                ///< see first_pose
   std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next fact looks ahead
 };
 

@@ -8,6 +8,7 @@
 
 namespace tricover {
 
+/// Where a point is; an edge is Boundary even where the region lies on both of its sides.
 enum class Location { Outside, Boundary, Inside };
 
 /// Where `point` (in the polygon's own frame) lies: the paper's Algorithm 1, the sum of the signs of the covering
@@ -18,9 +19,9 @@ Location locate(const Polygon& polygon, const Vec2& point);
 /// What a moving point keeps between calls (the paper's Algorithm 2): its sign against every edge's line, two bits an
 /// edge. Empty at first; the polygon may change from call to call.
 struct PointCache {
-  std::uint64_t polygon_id = 0;
-  Location location = Location::Outside;
-  std::vector<std::uint64_t> signs;
+  std::uint64_t polygon_id = 0;           ///< whose edges the signs are about (0: none)
+  Location location = Location::Outside;  ///< of the zone that has these signs
+  std::vector<std::uint64_t> signs;       ///< two bits an edge
 };
 
 /// The same answer, with coherence: while no sign changes the point stays in its zone (a face of the arrangement of the

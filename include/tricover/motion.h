@@ -14,6 +14,7 @@ struct Motion {
   double angle = 0;               ///< radians, counter-clockwise in the world, any number of turns
   Vec2 pivot = Vec2::Zero();      ///< in the polygon's frame
 
+  /// At rest.
   static Motion still(const Pose& pose);
   /// start's rotation is kept.
   static Motion translation(const Pose& start, const Vec2& shift);

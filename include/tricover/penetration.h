@@ -8,6 +8,7 @@
 
 namespace tricover {
 
+/// How much a penetration may cost.
 struct PenetrationOptions {
   /// How many poses may be tried for a pair that isn't convex; 0 tries none but the bounds that cost nothing.
   std::size_t budget = 20000;
@@ -20,10 +21,12 @@ struct Penetration {
   Vec2 direction;      ///< unit, from a towards where b leaves it
   double lower_bound;  ///< no translation that is shorter parts them
   bool optimal;        ///< depth is the shortest to within 1e-12 of the smaller polygon's radius: the budget sufficed
-  Vec2 translation;
-  /// Surface points that part last: point_a on a, point_b on b, point_a = point_b + depth * direction, rounded.
-  Vec2 point_a, point_b;
-  std::ptrdiff_t edge_a, edge_b;  ///< they lie on (numbered as in Polygon::edgeStart)
+  Vec2 translation;    ///< of b, in the world: parts them, rounding included
+  /// On a's surface, where they part last: point_a = point_b + depth * direction, rounded.
+  Vec2 point_a;
+  Vec2 point_b;           ///< likewise on b's
+  std::ptrdiff_t edge_a;  ///< that point_a lies on (numbered as in Polygon::edgeStart)
+  std::ptrdiff_t edge_b;  ///< likewise of b
 };
 
 /// Nothing if the regions are apart; depth 0 where they only touch. The global optimum, holes and gaps included: b may

@@ -23,8 +23,10 @@ struct PolygonData;
 /// A triangle (S, v, w) of the covering: S the origin, (v, w) an edge of the polygon. sign is that of its area:
 /// 0 where the edge's line goes through S (paper, Definition 3).
 struct CoveringTriangle {
-  Vec2 s, v, w;
-  int sign;
+  Vec2 s;    ///< S
+  Vec2 v;    ///< where the edge starts
+  Vec2 w;    ///< where it ends
+  int sign;  ///< 1, 0 or -1
 };
 
 /// A closed planar region: every point that the fill rule calls inside, and every point of an edge.
@@ -36,17 +38,18 @@ class Polygon {
   /// coordinate that is not finite.
   explicit Polygon(std::vector<Ring> rings, FillRule fill = FillRule::EvenOdd);
 
-  const std::vector<Ring>& rings() const;
-  FillRule fillRule() const;
+  const std::vector<Ring>& rings() const;  ///< as they were given
+  FillRule fillRule() const;               ///< as it was given
 
   /// Never given to another polygon while the process lives; copies share it.
   std::uint64_t id() const;
 
-  /// Vertices of all rings, which is also the number of edges. Edges are numbered through the rings in order: edge i
-  /// of a ring joins its vertices i and i + 1.
+  /// Vertices of all rings, which is also the number of edges.
   std::size_t vertexCount() const;
+
+  /// Edges are numbered through the rings in order: edge i of a ring joins its vertices i and i + 1.
   Vec2 edgeStart(std::size_t edge) const;
-  Vec2 edgeEnd(std::size_t edge) const;
+  Vec2 edgeEnd(std::size_t edge) const;  ///< see edgeStart
 
   /// S, the covering's origin: a point of doubles near the region's centroid, inside the bounding box.
   const Vec2& origin() const;

@@ -12,8 +12,10 @@ namespace tricover {
 /// Members draw in call order, later ones on top.
 class SvgDrawing {
  public:
+  /// Throws std::invalid_argument for a width that isn't positive and finite.
   explicit SvgDrawing(double width_px = 800);
 
+  /// The region under its fill rule, and its outline.
   void polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke = "#333");
   /// The covering: positive triangles in one tint, negative ones in another, and S.
   void covering(const Polygon& polygon, const Pose& pose);
@@ -21,7 +23,9 @@ class SvgDrawing {
   void influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill = "#f59e0b");
   /// The edges of each polygon that meet an edge of the other, in red. O(n m).
   void hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+  /// An open line through the points.
   void polyline(const std::vector<Vec2>& points, const std::string& stroke);
+  /// Centred at `position`.
   void text(const Vec2& position, const std::string& text);
 
   /// A whole SVG document. Throws std::logic_error while nothing is drawn.

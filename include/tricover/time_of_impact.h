@@ -9,20 +9,23 @@
 
 namespace tricover {
 
+/// How exact a time of impact has to be.
 struct ImpactOptions {
   /// How much earlier than the first contact an impact may be reported, as a share of the motion (time runs 0 to 1).
   double time_error = 1e-6;
 };
 
+/// The first contact of two motions.
 struct Impact {
   double time;  ///< never later than the first contact, at most time_error earlier
-  /// The middle between the nearest points of the two edges at that time, in the world, and a unit normal from a to b.
-  /// Of regions that overlap at time 0, which are deeper in each other than an edge tells: a common point, and a normal
-  /// that need not be the shortest way out.
-  Vec2 point, normal;
-  /// The edges that come together, numbered as in Polygon::edgeStart; in a containment at time 0 -1 for the polygon
-  /// whose inside holds the point.
-  std::ptrdiff_t edge_a, edge_b;
+  /// The middle between the nearest points of the two edges at that time, in the world. Of regions that overlap at time
+  /// 0, which are deeper in each other than an edge tells: a common point.
+  Vec2 point;
+  Vec2 normal;  ///< unit, from a to b; of regions that overlap at time 0 it need not be the shortest way out
+  /// The edge of a that comes together with b's, numbered as in Polygon::edgeStart; in a containment at time 0 -1 for
+  /// the polygon whose inside holds the point.
+  std::ptrdiff_t edge_a;
+  std::ptrdiff_t edge_b;  ///< likewise of b
 };
 
 /// The first contact of two polygons that move, if there is one at a time from 0 to 1, both included; time 0 exactly
