@@ -3,8 +3,13 @@
 
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
-#include "collide_polygons.h"
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "polygon_pair.h"
 #include "queries.h"
+#include "unsupported.h"
 
 // In tables_float.cpp.
 extern template std::size_t fcl::collide(const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
@@ -13,11 +18,22 @@ extern template std::size_t fcl::collide(const fcl::CollisionGeometry<float>*, c
 
 namespace tricover_fcl {
 
+namespace {
+
+/// Before the shapes' margins are added, which would hide a negative one.
+void checkLength(double length, const char* field) {
+  if (!(std::isfinite(length) && length >= 0)) {
+    throw std::invalid_argument(std::string("tricover: CollideOptions: ") + field + " must be finite and not negative");
+  }
+}
+
+}  // namespace
+
 template <typename S>
 std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  if (isPolygon(*o1) || isPolygon(*o2)) return collideGeometries(*o1, tf1, *o2, tf2, request, result);
+  if (isPolygon(*o1) || isPolygon(*o2)) return collideGeometries(*o1, tf1, *o2, tf2, request, {}, result);
   return fcl::collide(o1, tf1, o2, tf2, request, result);
 }
 
@@ -29,6 +45,25 @@ std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObjec
 }
 
 template <typename S>
+std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
+                    const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
+                    const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                    fcl::CollisionResult<S>& result) {
+  if (!isPolygon(*o1) && !isPolygon(*o2)) throwUnsupported("collide with tricover::CollideOptions", *o1, *o2);
+  checkLength(options.margin, "margin");
+  checkLength(options.tolerance, "tolerance");
+  return collideGeometries(*o1, tf1, *o2, tf2, request, options, result);
+}
+
+template <typename S>
+std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
+                    const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                    fcl::CollisionResult<S>& result) {
+  return tricover_fcl::collide(o1->collisionGeometry().get(), o1->getTransform(), o2->collisionGeometry().get(),
+                               o2->getTransform(), request, options, result);
+}
+
+template <typename S>
 bool defaultCollisionFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data) {
   auto& collision = *static_cast<fcl::DefaultCollisionData<S>*>(data);
   if (collision.done) return true;
@@ -37,12 +72,19 @@ bool defaultCollisionFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<
   return collision.done;
 }
 
-#define TRICOVER_INSTANTIATE(S)                                                                \
-  template std::size_t collide(const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,    \
-                               const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,    \
-                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);     \
-  template std::size_t collide(const fcl::CollisionObject<S>*, const fcl::CollisionObject<S>*, \
-                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);     \
+#define TRICOVER_INSTANTIATE(S)                                                                  \
+  template std::size_t collide(const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,      \
+                               const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,      \
+                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);       \
+  template std::size_t collide(const fcl::CollisionObject<S>*, const fcl::CollisionObject<S>*,   \
+                               const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);       \
+  template std::size_t collide(const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,      \
+                               const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&,      \
+                               const fcl::CollisionRequest<S>&, const tricover::CollideOptions&, \
+                               fcl::CollisionResult<S>&);                                        \
+  template std::size_t collide(const fcl::CollisionObject<S>*, const fcl::CollisionObject<S>*,   \
+                               const fcl::CollisionRequest<S>&, const tricover::CollideOptions&, \
+                               fcl::CollisionResult<S>&);                                        \
   template bool defaultCollisionFunction(fcl::CollisionObject<S>*, fcl::CollisionObject<S>*, void*);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)

@@ -1,49 +1,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collide_polygons.h"
 
+#include <vector>
+
 #include "pair_cache_table.h"
-#include "planar_pose.h"
-#include "tricover/collide.h"
+#include "polygon_pair.h"
+#include "results.h"
 #include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/penetration.h"
 
 namespace tricover_fcl {
 namespace {
 
-bool polygonsMeet(const tricover::Polygon& a, const PlanarPose& pose_a, const tricover::Polygon& b,
-                  const PlanarPose& pose_b, tricover::PairCache& cache) {
-  if (pose_a.z == pose_b.z) return tricover::collide(a, pose_a.pose, b, pose_b.pose, cache);
-  tricover::checkPose(pose_a.pose, "pose_a");
-  tricover::checkPose(pose_b.pose, "pose_b");
-  return false;
+tricover::Vec2 middle(const tricover::Vec2& p, const tricover::Vec2& q) { return p / 2 + q / 2; }
+
+/// In the plane, from the origin of `a` towards that of `b`; along x where the two coincide.
+template <typename S>
+tricover::Vec2 towards(const PolygonPair<S>& pair) {
+  const tricover::Vec2 between = (pair.pose_b.pose * pair.b().origin()) / 2 -
+                                 (pair.pose_a.pose * pair.a().origin()) / 2;  // halved, not to overflow
+  return between.isZero(0) ? tricover::Vec2::UnitX() : between.stableNormalized();
 }
 
+/// What the pair shares, deepest first; where only margins meet, what is between the nearest points.
 template <typename S>
-fcl::Contact<S> makeContact(const PolygonShape<S>& o1, const PolygonShape<S>& o2, double z,
-                            const tricover::Contact& common) {
-  fcl::Contact<S> contact(&o1, &o2, fcl::Contact<S>::NONE, fcl::Contact<S>::NONE,
-                          fcl::Vector3<double>(common.point.x(), common.point.y(), z).template cast<S>(),
-                          fcl::Vector3<double>(common.normal.x(), common.normal.y(), 0).template cast<S>(),
-                          static_cast<S>(common.depth));
-  contact.b1 = common.edge_a;  // the constructor takes ints
-  contact.b2 = common.edge_b;
-  return contact;
-}
-
-/// The overlap of the boxes, 1 thick because flat boxes would cost nothing.
-template <typename S>
-fcl::CostSource<S> makeCost(const PolygonShape<S>& o1, const PlanarPose& pose_a, const PolygonShape<S>& o2,
-                            const PlanarPose& pose_b) {
-  const auto box = [](const PolygonShape<S>& shape, const PlanarPose& pose) {
-    Eigen::AlignedBox2d bounds;
-    for (const tricover::Ring& ring : shape.polygon().rings()) {
-      for (const tricover::Vec2& vertex : ring) bounds.extend(pose.pose * vertex);
+std::vector<PlanarContact> contactsOf(const PolygonPair<S>& pair, std::size_t most) {
+  const tricover::Polygon &a = pair.a(), &b = pair.b();
+  const tricover::Pose &pose_a = pair.pose_a.pose, &pose_b = pair.pose_b.pose;
+  std::vector<PlanarContact> shared;
+  if (most == 1) {
+    if (const auto whole = tricover::penetration(a, pose_a, b, pose_b)) {
+      shared.push_back(
+          {middle(whole->point_a, whole->point_b), whole->direction, whole->depth, whole->edge_a, whole->edge_b});
     }
-    return bounds;
-  };
-  const Eigen::AlignedBox2d overlap = box(o1, pose_a).intersection(box(o2, pose_b));
-  const fcl::Vector3<double> low(overlap.min().x(), overlap.min().y(), pose_a.z - 0.5);
-  const fcl::Vector3<double> high(overlap.max().x(), overlap.max().y(), pose_a.z + 0.5);
-  return fcl::CostSource<S>(low.template cast<S>(), high.template cast<S>(), o1.cost_density * o2.cost_density);
+  } else {
+    for (const tricover::Contact& part : tricover::contacts(a, pose_a, b, pose_b, most)) {
+      shared.push_back({part.point, part.normal, part.depth, part.edge_a, part.edge_b});
+    }
+  }
+  if (shared.empty()) {
+    const tricover::DistanceResult nearest = tricover::distance(a, pose_a, b, pose_b);
+    const tricover::Vec2 between = nearest.point_b - nearest.point_a;
+    shared.push_back({middle(nearest.point_a, nearest.point_b),
+                      between.isZero(0) ? towards(pair) : between.stableNormalized(), 0, nearest.edge_a,
+                      nearest.edge_b});
+  }
+  return shared;
+}
+
+/// The posed polygon's box, its margin added.
+template <typename S>
+Eigen::AlignedBox3d boxOf(const PolygonShape<S>& shape, const PlanarPose& pose, const SharedHeights& heights) {
+  Eigen::AlignedBox2d bounds;
+  for (const tricover::Ring& ring : shape.polygon().rings()) {
+    for (const tricover::Vec2& vertex : ring) bounds.extend(pose.pose * vertex);
+  }
+  const double margin = shape.options().margin;
+  return {Eigen::Vector3d(bounds.min().x() - margin, bounds.min().y() - margin, heights.low),
+          Eigen::Vector3d(bounds.max().x() + margin, bounds.max().y() + margin, heights.high)};
 }
 
 }  // namespace
@@ -51,39 +66,41 @@ fcl::CostSource<S> makeCost(const PolygonShape<S>& o1, const PlanarPose& pose_a,
 template <typename S>
 std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                            const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
+                            const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                            fcl::CollisionResult<S>& result) {
   if (request.isSatisfied(result)) return result.numContacts();
-  const auto& shape_a = static_cast<const PolygonShape<S>&>(o1);
-  const auto& shape_b = static_cast<const PolygonShape<S>&>(o2);
-  const tricover::Polygon& a = shape_a.polygon();
-  const tricover::Polygon& b = shape_b.polygon();
-  const PlanarPose pose_a = planarPose(tf1, "pose_a");
-  const PlanarPose pose_b = planarPose(tf2, "pose_b");
+  const PolygonPair<S> pair(o1, tf1, o2, tf2);
+  const Wanted want = wanted(o1, o2, request);
+  if (!want.contacts && !want.costs) return result.numContacts();
 
-  const bool occupied = o1.isOccupied() && o2.isOccupied();
-  const bool costs = request.enable_cost && !o1.isFree() && !o2.isFree();
-  if (!occupied && !costs) return result.numContacts();
-  if (!polygonsMeet(a, pose_a, b, pose_b, pairCache(a, &tf1, b, &tf2))) return result.numContacts();
+  const double margin = options.margin + (pair.shape_a.options().margin + pair.shape_b.options().margin);
+  const bool hit = pair.heightsMeet() && tricover::collide(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose,
+                                                           pairCache(pair.a(), &tf1, pair.b(), &tf2),
+                                                           {margin, options.tolerance, options.strategy});
+  if (!hit) return result.numContacts();
 
-  if (occupied && result.numContacts() < request.num_max_contacts) {
-    if (request.enable_contact) {
-      const auto deepest = tricover::contacts(a, pose_a.pose, b, pose_b.pose, 1);
-      result.addContact(makeContact(shape_a, shape_b, pose_a.z, deepest.front()));
-    } else {
-      // Zeros, because FCL's shorter constructor leaves these fields uninitialised.
-      result.addContact(fcl::Contact<S>(&o1, &o2, fcl::Contact<S>::NONE, fcl::Contact<S>::NONE, fcl::Vector3<S>::Zero(),
-                                        fcl::Vector3<S>::Zero(), S(0)));
-    }
+  const std::size_t most = want.contacts ? room(request, result) : 0;
+  if (most > 0 && !request.enable_contact) {
+    addContact(o1, o2, result);
+  } else if (most > 0) {
+    const Plane plane = planeAt(sharedHeights(pair.heightsA(), pair.heightsB()).middle());
+    for (const PlanarContact& contact : contactsOf(pair, most)) addContact(o1, o2, plane, contact, result);
   }
-  if (costs) result.addCostSource(makeCost(shape_a, pose_a, shape_b, pose_b), request.num_max_cost_sources);
+  if (want.costs) {
+    const SharedHeights heights = sharedHeights(pair.heightsA(), pair.heightsB());
+    addCost(o1, o2, boxOf(pair.shape_a, pair.pose_a, heights).intersection(boxOf(pair.shape_b, pair.pose_b, heights)),
+            request, result);
+  }
   return result.numContacts();
 }
 
-template std::size_t collidePolygons(const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
-                                     const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
-                                     const fcl::CollisionRequest<float>&, fcl::CollisionResult<float>&);
-template std::size_t collidePolygons(const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,
-                                     const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,
-                                     const fcl::CollisionRequest<double>&, fcl::CollisionResult<double>&);
+#define TRICOVER_INSTANTIATE(S)                                                                          \
+  template std::size_t collidePolygons(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
+                                       const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
+                                       const fcl::CollisionRequest<S>&, const tricover::CollideOptions&, \
+                                       fcl::CollisionResult<S>&);
+TRICOVER_INSTANTIATE(float)
+TRICOVER_INSTANTIATE(double)
+#undef TRICOVER_INSTANTIATE
 
 }  // namespace tricover_fcl

@@ -5,21 +5,16 @@
 #include <fcl/narrowphase/collision_result.h>
 
 #include <cstddef>
-#include <typeinfo>
 
-#include "tricover_fcl/polygon_shape.h"
+#include "tricover/collide.h"
 
 namespace tricover_fcl {
 
-template <typename S>
-bool isPolygon(const fcl::CollisionGeometry<S>& geometry) {
-  return typeid(geometry) == typeid(PolygonShape<S>);
-}
-
-/// Both are polygons.
+/// Both are polygons. The shapes' margins come on top of the options'.
 template <typename S>
 std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                            const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
+                            const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                            fcl::CollisionResult<S>& result);
 
 }  // namespace tricover_fcl

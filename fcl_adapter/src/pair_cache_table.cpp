@@ -9,23 +9,27 @@
 namespace tricover_fcl {
 namespace {
 
-constexpr int kSlotBits = 13;  // 1.5 MiB a thread; a thousand live pairs lose one in ten to a shared slot
+constexpr int kSlotBits = 13;  // a thousand live pairs lose one in ten to a shared slot
 
+template <typename Cache>
 struct alignas(64) Slot {
   std::uint64_t places = 0;  ///< key of the pair and places that came here last
-  tricover::PairCache facts;
+  Cache facts;
 };
-static_assert(sizeof(Slot) == 192);
+static_assert(sizeof(Slot<tricover::PairCache>) == 192);  // so 1.5 MiB a thread
 
-using Table = std::array<Slot, std::size_t{1} << kSlotBits>;
+template <typename Cache>
+using Table = std::array<Slot<Cache>, std::size_t{1} << kSlotBits>;
 
 /// A plain pointer beside its owner, because a thread_local with a destructor is asked for its state at every use.
-thread_local Table* table = nullptr;
+template <typename Cache>
+thread_local Table<Cache>* table = nullptr;
 
-Table& makeTable() {
-  thread_local const auto owner = std::make_unique<Table>();
-  table = owner.get();
-  return *table;
+template <typename Cache>
+Table<Cache>& makeTable() {
+  thread_local const auto owner = std::make_unique<Table<Cache>>();
+  table<Cache> = owner.get();
+  return *table<Cache>;
 }
 
 std::uint64_t mix(std::uint64_t id, const void* place) {
@@ -41,17 +45,23 @@ std::uint64_t keyOf(const tricover::Polygon& a, const void* place_a, const trico
 
 }  // namespace
 
-tricover::PairCache& pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b,
-                               const void* place_b) {
-  Table& slots = table != nullptr ? *table : makeTable();
-  const auto slot = [&](std::uint64_t key) -> Slot& {
+template <typename Cache>
+Cache& pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b) {
+  Table<Cache>& slots = table<Cache> != nullptr ? *table<Cache> : makeTable<Cache>();
+  const auto slot = [&](std::uint64_t key) -> Slot<Cache>& {
     return slots[static_cast<std::size_t>(key >> (64 - kSlotBits))];
   };
   const std::uint64_t key = keyOf(a, place_a, b, place_b);
-  Slot& own = slot(key);
+  Slot<Cache>& own = slot(key);
   if (own.places == key) return own.facts;
   own.places = key;
   return slot(keyOf(a, nullptr, b, nullptr)).facts;
 }
+
+#define TRICOVER_INSTANTIATE(Cache) \
+  template Cache& pairCache(const tricover::Polygon&, const void*, const tricover::Polygon&, const void*);
+TRICOVER_INSTANTIATE(tricover::PairCache)
+TRICOVER_INSTANTIATE(tricover::DistanceCache)
+#undef TRICOVER_INSTANTIATE
 
 }  // namespace tricover_fcl

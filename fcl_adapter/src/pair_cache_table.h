@@ -2,17 +2,18 @@
 #pragma once
 
 #include "tricover/collide.h"
+#include "tricover/distance.h"
 
 namespace tricover_fcl {
 
-/// What this thread remembers of the pair, in either order: a slot of a table of fixed size, so memory stays bounded
-/// while polygons come and go. Pairs that share a slot only lose facts to each other: a PairCache names the ids that
-/// its facts are about, and no answer depends on it.
-/// `place_a` and `place_b` tell objects apart that share a polygon (a fleet of one model): the addresses of their
-/// poses, which are those of the CollisionObjects' own members. They are compared, never read. Places that are new get
-/// the slot of their ids alone, and their own one from the next time on: so a walk along an array of poses is coherent,
-/// too.
-tricover::PairCache& pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b,
-                               const void* place_b);
+/// What this thread remembers of the pair, in either order, as a tricover::PairCache or DistanceCache: a slot of a
+/// table of fixed size, so memory stays bounded while polygons come and go. Each kind has its own table, made when
+/// first used. Pairs that share a slot only lose facts to each other: a cache names the ids that its facts are about,
+/// and no answer depends on it. `place_a` and `place_b` tell objects apart that share a polygon (a fleet of one model):
+/// the addresses of their poses, which are those of the CollisionObjects' own members. They are compared, never read.
+/// Places that are new get the slot of their ids alone, and their own one from the next time on: so a walk along an
+/// array of poses is coherent, too.
+template <typename Cache = tricover::PairCache>
+Cache& pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b);
 
 }  // namespace tricover_fcl

@@ -19,6 +19,7 @@ namespace tricover_fcl {
 struct PlanarPose {
   tricover::Pose pose;
   double z;
+  bool upside_down;  ///< local z points downwards
 };
 
 template <typename S>
@@ -46,7 +47,7 @@ PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
                       within(at(2, 3), std::numeric_limits<double>::max());
   if (!planar) refuseTransform(transform, name);
 
-  PlanarPose planar_pose{tricover::Pose(), at(2, 3)};
+  PlanarPose planar_pose{tricover::Pose(), at(2, 3), at(2, 2) < 0};
   auto& planar_matrix = planar_pose.pose.matrix();
   // Column by column, as the kernel reads them: it would have to wait for entries written one by one.
   const auto copyColumn = [&](int to, int from) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "tricover/pose.h"
@@ -20,30 +22,45 @@ S roundUp(double value) {
   return std::nextafter(rounded, std::numeric_limits<S>::infinity());
 }
 
+void check(bool valid, const char* field, const char* rule) {
+  if (!valid) throw std::invalid_argument(std::string("tricover: PolygonOptions: ") + field + " must be " + rule);
+}
+
 }  // namespace
 
 template <typename S>
-PolygonShape<S>::PolygonShape(tricover::Polygon polygon) : polygon_(std::move(polygon)) {
-  double low_x = std::numeric_limits<double>::infinity(), low_y = low_x, high_x = -low_x, high_y = -low_x, reach = 0;
+PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& options)
+    : polygon_(std::move(polygon)), options_(options), is_flat_(options.z_low == 0 && options.z_high == 0) {
+  check(std::isfinite(options.z_low), "z_low", "finite");
+  check(std::isfinite(options.z_high) && options.z_high >= options.z_low, "z_high", "finite and not below z_low");
+  check(std::isfinite(options.margin) && options.margin >= 0, "margin", "finite and not negative");
+
+  const double infinity = std::numeric_limits<double>::infinity();
+  tricover::Vec2 low(infinity, infinity), high(-infinity, -infinity);
+  double reach = 0;
   for (const tricover::Ring& ring : polygon_.rings()) {
     for (const tricover::Vec2& vertex : ring) {
-      low_x = std::min(low_x, vertex.x());
-      low_y = std::min(low_y, vertex.y());
-      high_x = std::max(high_x, vertex.x());
-      high_y = std::max(high_y, vertex.y());
+      low = low.cwiseMin(vertex);
+      high = high.cwiseMax(vertex);
       reach = std::max(reach, std::hypot(vertex.x(), vertex.y()));  // infinity where it overflows: a box too wide
     }
   }
 
   // CollisionObject::computeAABB leaves out a rotation within dummy_precision of the identity, entry by entry: a vertex
-  // may be off by that times |x| + |y| <= sqrt(2) reach.
+  // may be off by that times |x| + |y| <= sqrt(2) reach, within the plane; heights are taken without it.
   const double pad = 2 * static_cast<double>(Eigen::NumTraits<S>::dummy_precision()) * reach;
-  this->aabb_local.min_ = {-roundUp<S>(pad - low_x), -roundUp<S>(pad - low_y), -roundUp<S>(pad)};
-  this->aabb_local.max_ = {roundUp<S>(high_x + pad), roundUp<S>(high_y + pad), roundUp<S>(pad)};
+  const double margin = options.margin * (1 + 0x1p-50);  // pays for rounding where two margins are added
+  const double grown = pad + margin;
+  this->aabb_local.min_ = {-roundUp<S>(grown - low.x()), -roundUp<S>(grown - low.y()),
+                           -roundUp<S>(pad - options.z_low)};
+  this->aabb_local.max_ = {roundUp<S>(high.x() + grown), roundUp<S>(high.y() + grown),
+                           roundUp<S>(options.z_high + pad)};
 
   this->aabb_center.setZero();
   // |R|_2 <= 1 + kRigidTolerance if no entry of R^T R - I exceeds it; the rest pays for hypot's rounding.
-  this->aabb_radius = roundUp<S>(reach * (1 + 2 * tricover::kRigidTolerance));
+  const double planar = reach * (1 + 2 * tricover::kRigidTolerance) + margin;
+  const double height = std::max(std::abs(options.z_low), std::abs(options.z_high));
+  this->aabb_radius = roundUp<S>(std::hypot(planar, height));
 }
 
 template <typename S>

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 
+#include "tricover/collide.h"
 #include "tricover_fcl/polygon_shape.h"
 
 /// What our rows of FCL's tables answer, whatever the solver; at least one of the geometries has our node type. They
@@ -20,7 +21,8 @@ namespace tricover_fcl {
 template <typename S>
 std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
+                              const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                              fcl::CollisionResult<S>& result);
 
 template <typename S>
 S distanceOfGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,

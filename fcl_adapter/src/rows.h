@@ -14,7 +14,7 @@ template <typename Solver, typename S = typename Solver::S>
 std::size_t collideRow(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                        const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2, const Solver*,
                        const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  return collideGeometries(*o1, tf1, *o2, tf2, request, result);
+  return collideGeometries(*o1, tf1, *o2, tf2, request, {}, result);
 }
 
 template <typename Solver, typename S = typename Solver::S>

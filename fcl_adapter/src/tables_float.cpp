@@ -2,11 +2,18 @@
 #include "rows.h"
 #include "tables.h"
 
-// For tricover_fcl::collide<float>. FCL's entry points for float are templates, instantiated in every user's own code;
-// they read the same tables as these.
+// For tricover_fcl's own functions. FCL's entry points for float are templates, instantiated in every user's code; they
+// read the same tables as these.
 template std::size_t fcl::collide(const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
                                   const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
                                   const fcl::CollisionRequest<float>&, fcl::CollisionResult<float>&);
+template float fcl::distance(const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
+                             const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
+                             const fcl::DistanceRequest<float>&, fcl::DistanceResult<float>&);
+template float fcl::continuousCollide(const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
+                                      const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
+                                      const fcl::ContinuousCollisionRequest<float>&,
+                                      fcl::ContinuousCollisionResult<float>&);
 
 namespace tricover_fcl {
 

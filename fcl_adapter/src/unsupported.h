@@ -20,7 +20,7 @@ template <typename S>
 [[noreturn]] void throwUnsupported(const char* operation, const fcl::CollisionGeometry<S>& o1,
                                    const fcl::CollisionGeometry<S>& o2) {
   throw UnsupportedPair(std::string("tricover: ") + operation + " of " + typeName(o1) + " and " + typeName(o2) +
-                        " is not supported; only collide of two polygons is");
+                        " is not supported");
 }
 
 }  // namespace tricover_fcl

@@ -2,11 +2,16 @@
 // What a hit leaves in FCL's result.
 #include <fcl/narrowphase/collision.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "scene.h"
-#include "tricover/contacts.h"
+#include "test_scale.h"
 
 namespace tricover_fcl::test {
 namespace {
+
+using tricover::support::Random;
 
 class Contact : public ::testing::Test {
  protected:
@@ -30,58 +35,142 @@ TEST_F(Contact, isAddedWithoutDetailsUnlessAskedFor) {
   EXPECT_EQ(contact.penetration_depth, 0);
 }
 
-TEST_F(Contact, hasPlaceEdgesAndNormalInTheWorld) {
-  EXPECT_EQ(fcl::collide(square_.get(), lifted(tricover::support::pose(0, 10, 20), 5), other_.get(),
-                         lifted(tricover::support::pose(0, 11, 20), 5), fcl::CollisionRequestd(1, true), result_),
-            1u);
-  const fcl::Contactd& contact = result_.getContact(0);
-  EXPECT_EQ(contact.o1, square_.get());
-  EXPECT_EQ(contact.o2, other_.get());
-  EXPECT_EQ(contact.pos.z(), 5);
-  EXPECT_TRUE(contact.normal.isApprox(fcl::Vector3d::UnitX()));
-  EXPECT_EQ(contact.penetration_depth, 0);
-  // The edges named cross at the place named: other_'s long edges cross square_'s right side.
-  EXPECT_EQ(contact.b1, 1);
-  EXPECT_TRUE(contact.b2 == 0 || contact.b2 == 2) << contact.b2;
-  EXPECT_EQ(contact.pos.x(), 12);
-  EXPECT_EQ(contact.pos.y(), contact.b2 == 0 ? 20.5 : 21.5);
+TEST_F(Contact, hasPlaceNormalDepthAndEdgesInTheWorld) {
+  for (const std::size_t most : {1, 9}) {
+    fcl::CollisionResultd result;
+    ASSERT_EQ(fcl::collide(square_.get(), lifted(tricover::support::pose(0, 10, 20), 5), other_.get(),
+                           lifted(tricover::support::pose(0, 11.5, 20), 5), fcl::CollisionRequestd(most, true), result),
+              1u);
+    const fcl::Contactd& contact = result.getContact(0);
+    EXPECT_EQ(contact.o1, square_.get());
+    EXPECT_EQ(contact.o2, other_.get());
+    EXPECT_TRUE(contact.normal.isApprox(fcl::Vector3d::UnitX()));
+    EXPECT_NEAR(contact.penetration_depth, 0.5, 1e-12);
+    EXPECT_NEAR(contact.pos.x(), 11.75, 1e-12);
+    EXPECT_GE(contact.pos.y(), 20.5);
+    EXPECT_LE(contact.pos.y(), 21.5);
+    EXPECT_EQ(contact.pos.z(), 5);
+    // The edges that part last: square_'s right side and other_'s left one.
+    EXPECT_EQ(contact.b1, 1);
+    EXPECT_EQ(contact.b2, 3);
+  }
 }
 
 TEST_F(Contact, swapsWithTheArguments) {
-  const fcl::CollisionRequestd request(1, true);
-  fcl::CollisionResultd swapped;
-  ASSERT_EQ(collide(1, request), 1u);
-  ASSERT_EQ(fcl::collide(other_.get(), lifted(tricover::support::pose(0, 1, 0)), square_.get(),
-                         fcl::Transform3d::Identity(), request, swapped),
-            1u);
-  EXPECT_EQ(swapped.getContact(0).o1, other_.get());
-  EXPECT_TRUE(swapped.getContact(0).normal.isApprox(-result_.getContact(0).normal));
+  Random random(41);
+  int hits = 0;
+  const int count = tricover::support::scaledCount(300);
+  for (int i = 0; i < count; ++i) {
+    const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
+    const fcl::Transform3d tf_a = lifted(tricover::support::randomPose(random, 1.5));
+    const fcl::Transform3d tf_b = lifted(tricover::support::randomPose(random, 1.5));
+    fcl::CollisionRequestd request(random.oneIn(4) ? 1 : 100, true);
+    fcl::CollisionResultd result, swapped;
+    const std::size_t hit = fcl::collide(a.get(), tf_a, b.get(), tf_b, request, result);
+    request.gjk_solver_type = fcl::GST_INDEP;
+    ASSERT_EQ(fcl::collide(b.get(), tf_b, a.get(), tf_a, request, swapped), hit);
+    for (std::size_t k = 0; k < hit; ++k) {
+      const fcl::Contactd &contact = result.getContact(k), &other = swapped.getContact(k);
+      ASSERT_EQ(contact.penetration_depth, other.penetration_depth) << i;
+      ASSERT_EQ(contact.normal, -other.normal) << i;
+      ASSERT_EQ(contact.pos, other.pos) << i;
+      ASSERT_EQ(contact.b1, other.b2) << i;
+      ASSERT_EQ(contact.b2, other.b1) << i;
+      ASSERT_EQ(other.o1, b.get());
+    }
+    hits += hit > 0;
+  }
+  EXPECT_GT(hits, count * 3 / 10);
+  EXPECT_LT(hits, count * 9 / 10);
 }
 
-TEST_F(Contact, ofContainmentNamesTheContainedVertex) {
-  const Shape<double> small = shapeOf(tricover::Polygon({tricover::support::rectangle(0.5, 0.5, 1, 1)}));
-  ASSERT_EQ(fcl::collide(square_.get(), fcl::Transform3d::Identity(), small.get(), fcl::Transform3d::Identity(),
-                         fcl::CollisionRequestd(1, true), result_),
-            1u);
-  const fcl::Contactd& contact = result_.getContact(0);
-  EXPECT_EQ(contact.b1, -1);
-  ASSERT_GE(contact.b2, 0);
-  const tricover::Vec2 vertex = small->polygon().edgeStart(static_cast<std::size_t>(contact.b2));
-  EXPECT_EQ(contact.pos, fcl::Vector3d(vertex.x(), vertex.y(), 0));
+TEST_F(Contact, ofEachPartOfTheOverlapDeepestFirst) {
+  // A comb's teeth, each deeper than the one before, in a bar.
+  std::vector<tricover::Vec2> teeth = {{0, 2}};
+  for (int i = 0; i < 5; ++i) {
+    teeth.emplace_back(2 * i, 0);
+    teeth.emplace_back(2 * i + 0.25, -0.1 * (i + 1));
+    teeth.emplace_back(2 * i + 0.5, 0);
+    teeth.emplace_back(2 * i + 1, 1);
+  }
+  teeth.emplace_back(10, 2);
+  const Shape<double> comb = shapeOf(tricover::Polygon({teeth}));
+  const Shape<double> bar = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -5, 11, 0)}));
+  for (const std::size_t most : {2, 3, 5, 100}) {
+    fcl::CollisionResultd result;
+    fcl::collide(bar.get(), fcl::Transform3d::Identity(), comb.get(), fcl::Transform3d::Identity(),
+                 fcl::CollisionRequestd(most, true), result);
+    ASSERT_EQ(result.numContacts(), std::min<std::size_t>(most, 5));
+    for (std::size_t k = 0; k < result.numContacts(); ++k) {
+      const fcl::Contactd& contact = result.getContact(k);
+      EXPECT_NEAR(contact.penetration_depth, 0.1 * static_cast<double>(5 - k), 1e-12);
+      EXPECT_TRUE(contact.normal.isApprox(fcl::Vector3d::UnitY()));
+      EXPECT_NEAR(contact.pos.x(), 2 * static_cast<double>(4 - k) + 0.25, 1e-12);
+    }
+    // What is there already takes room.
+    fcl::collide(bar.get(), fcl::Transform3d::Identity(), comb.get(), fcl::Transform3d::Identity(),
+                 fcl::CollisionRequestd(most + 1, true), result);
+    EXPECT_EQ(result.numContacts(), most + 1 > 5 ? 10u : most + 1);
+  }
 }
 
-TEST_F(Contact, normalIsAUnitVectorEvenBetweenCoincidingOrigins) {
-  ASSERT_EQ(collide(0, fcl::CollisionRequestd(1, true)), 1u);
-  EXPECT_EQ(result_.getContact(0).normal, fcl::Vector3d::UnitX());
+TEST_F(Contact, movingTheSecondByDepthAlongTheNormalPartsThem) {
+  Random random(42);
+  int hits = 0;
+  const int count = tricover::support::scaledCount(150);
+  for (int i = 0; i < count; ++i) {
+    const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
+    const fcl::Transform3d tf_a = lifted(tricover::support::randomPose(random, 1));
+    fcl::Transform3d tf_b = lifted(tricover::support::randomPose(random, 1));
+    fcl::CollisionResultd result, parted, held;
+    if (fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(1, true), result) == 0) continue;
+    const fcl::Contactd contact = result.getContact(0);
+    ASSERT_NEAR(contact.normal.norm(), 1, 1e-12);
+    tf_b.pretranslate(fcl::Vector3d((contact.penetration_depth + 1e-9) * contact.normal));
+    EXPECT_EQ(fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(), parted), 0u) << i;
+    tf_b.pretranslate(fcl::Vector3d(-2e-9 * contact.normal));
+    EXPECT_EQ(fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(), held), 1u) << i;
+    ++hits;
+  }
+  EXPECT_GT(hits, count * 3 / 10);
 }
 
-TEST_F(Contact, normalOfHugePolygonsIsFinite) {
+TEST_F(Contact, ofContainmentHasDepth) {
+  const Shape<double> small = shapeOf(tricover::Polygon({tricover::support::rectangle(0.5, 0.75, 1, 1)}));
+  for (const std::size_t most : {1, 9}) {
+    fcl::CollisionResultd result;
+    ASSERT_EQ(fcl::collide(square_.get(), fcl::Transform3d::Identity(), small.get(), fcl::Transform3d::Identity(),
+                           fcl::CollisionRequestd(most, true), result),
+              1u);
+    const fcl::Contactd& contact = result.getContact(0);
+    EXPECT_NEAR(contact.penetration_depth, 1, 1e-9);
+    EXPECT_NEAR(std::abs(contact.normal.x() + contact.normal.y()), 1, 1e-9);
+  }
+}
+
+TEST_F(Contact, ofATouchHasDepthZero) {
+  for (const std::size_t most : {1, 9}) {
+    fcl::CollisionResultd result;
+    ASSERT_EQ(fcl::collide(square_.get(), fcl::Transform3d::Identity(), other_.get(),
+                           lifted(tricover::support::pose(0, 2, 0)), fcl::CollisionRequestd(most, true), result),
+              1u);
+    EXPECT_EQ(result.getContact(0).penetration_depth, 0);
+    EXPECT_TRUE(result.getContact(0).normal.isApprox(fcl::Vector3d::UnitX()));
+    EXPECT_EQ(result.getContact(0).pos.x(), 2);
+  }
+}
+
+TEST_F(Contact, ofHugePolygonsIsFinite) {
   const Shape<double> huge = shapeOf(tricover::Polygon({tricover::support::rectangle(-1e300, -1e300, 1e300, 1e300)}));
-  ASSERT_EQ(fcl::collide(huge.get(), lifted(tricover::support::pose(0, -9e299, 0)), huge.get(),
-                         lifted(tricover::support::pose(0, 9e299, 0)), fcl::CollisionRequestd(1, true), result_),
-            1u);
-  EXPECT_TRUE(result_.getContact(0).normal.isApprox(fcl::Vector3d::UnitX()));
-  EXPECT_TRUE(result_.getContact(0).pos.allFinite());
+  for (const std::size_t most : {1, 9}) {
+    fcl::CollisionResultd result;
+    ASSERT_EQ(fcl::collide(huge.get(), lifted(tricover::support::pose(0, -9e299, 0)), huge.get(),
+                           lifted(tricover::support::pose(0, 9e299, 0)), fcl::CollisionRequestd(most, true), result),
+              1u);
+    EXPECT_TRUE(result.getContact(0).normal.isApprox(fcl::Vector3d::UnitX()));
+    EXPECT_TRUE(result.getContact(0).pos.allFinite());
+    EXPECT_NEAR(result.getContact(0).penetration_depth, 2e299, 1e288);
+  }
 }
 
 TEST_F(Contact, accumulatesUpToTheNumberAskedFor) {

@@ -7,21 +7,26 @@
 
 #include <cstddef>
 
+#include "tricover/collide.h"
+
 namespace tricover_fcl {
 
 /// fcl::collide, reaching tricover however the program is linked; other pairs than polygons are handed to FCL. For
 /// float and double.
 ///
-/// Exact: gjk_solver_type, gjk_tolerance and the cached guess change nothing. Two polygons at different z (the doubles
-/// of the poses' translations, compared exactly) don't touch. Throws std::invalid_argument for a pose that leaves the
-/// plane (entries of R that mix z with x or y, or |R_zz| - 1, above tricover::kRigidTolerance), isn't rigid or isn't
-/// finite: pose_a is the first object's, pose_b the second's. A half turn about an axis in the plane is a legal,
-/// mirrored pose.
+/// Exact: gjk_solver_type, gjk_tolerance and the cached guess change nothing. Two polygons at different z don't touch,
+/// nor do prisms (PolygonOptions) whose intervals are apart: the doubles of poses and shapes, added and compared
+/// exactly. Throws std::invalid_argument for a pose that leaves the plane (entries of R that mix z with x or y, or
+/// |R_zz| - 1, above tricover::kRigidTolerance), isn't rigid or isn't finite: pose_a is the first object's, pose_b the
+/// second's. A half turn about an axis in the plane is a legal, mirrored pose.
 ///
-/// A hit adds one fcl::Contact. With enable_contact its pos is a common point (world), b1 and b2 are the edges there
-/// (tricover::Contact::edge_a, edge_b; -1 as there), and normal is the unit vector in the plane from the first
-/// polygon's origin() towards the second's (along x where they coincide): not a separating direction, and
-/// penetration_depth is 0.
+/// A hit adds fcl::Contacts as long as there are fewer than num_max_contacts: one without details, or with
+/// enable_contact one for each connected part of the overlap (tricover::contacts), deepest first. pos is in the middle
+/// of that part and of the heights that the shapes share; moving the second polygon by penetration_depth along normal,
+/// a unit vector in the plane, clears it; b1 and b2 are edges (tricover::Contact::edge_a, edge_b). Where there is room
+/// for one contact only (num_max_contacts is 1), it is the way to part the polygons altogether
+/// (tricover::penetration). Depths are those of the polygons, in the plane: where only margins meet, depth is 0, normal
+/// points between the nearest points and pos is their middle.
 template <typename S>
 std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
@@ -30,6 +35,20 @@ std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S
 template <typename S>
 std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
+
+/// The same with what tricover::collide takes; the shapes' margins come on top of options.margin. A broadphase manager
+/// knows nothing of it: its boxes include the shapes' own margins only. Throws std::logic_error if neither is a
+/// polygon.
+template <typename S>
+std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
+                    const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
+                    const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                    fcl::CollisionResult<S>& result);
+
+template <typename S>
+std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
+                    const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                    fcl::CollisionResult<S>& result);
 
 /// fcl::DefaultCollisionFunction on top of it, for any broadphase manager: `data` is an fcl::DefaultCollisionData<S>.
 template <typename S>

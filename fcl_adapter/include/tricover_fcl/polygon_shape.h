@@ -7,22 +7,41 @@
 
 namespace tricover_fcl {
 
+/// What a shape is besides its polygon. Lengths of the shape's own frame; doubles for S = float, too.
+struct PolygonOptions {
+  /// The shape is a prism: the polygon at every local z from z_low to z_high, both included. Flat by default. A pose
+  /// that turns the shape upside down turns the interval, too.
+  double z_low = 0, z_high = 0;
+  /// Safety distance >= 0 in the plane, honoured by collide: two shapes collide if and only if their heights overlap
+  /// and their polygons come as close as the sum of their margins (rounded to a double) or closer. Distances and depths
+  /// are those of the polygons themselves.
+  double margin = 0;
+};
+
 /// A tricover polygon as an FCL geometry: a flat shape in the plane z = 0 of its own frame, the polygon's coordinates
-/// being its local x and y. Needs registerNarrowphase() once. Its coordinates stay doubles for S = float, too; a float
-/// pose converts exactly, so both scalars get the same exact answers.
+/// being its local x and y, or a prism over it. Needs registerNarrowphase() once. Its coordinates stay doubles for
+/// S = float, too; a float pose converts exactly, so both scalars get the same exact answers.
 ///
-/// The boxes that the broadphase sees are fixed at construction and hold every posed point whatever the pose:
+/// The boxes that the broadphase sees are fixed at construction and hold every posed point, and what its margin adds,
+/// whatever the pose:
 /// - aabb_center is the local origin, not the box's centre. Then a rotated object's box is its translation -+
 ///   aabb_radius, rounded once, and rounding can't part two boxes that meet, however far away. Author polygons around
 ///   their own origin: the farther off they are, the wider their box becomes once they are rotated.
 /// - aabb_radius is the largest vertex distance from there, widened by the rigidity that poses may miss.
 /// - aabb_local is padded by what FCL drops when it takes a tiny rotation for the identity.
+///
+/// Volume and moments stay FCL's default, 0: a flat shape has none.
 template <typename S>
 class PolygonShape final : public fcl::ShapeBase<S> {
  public:
-  explicit PolygonShape(tricover::Polygon polygon);
+  /// Throws std::invalid_argument, naming the field, for an interval that isn't finite or runs downwards, and a margin
+  /// that is negative or not finite.
+  explicit PolygonShape(tricover::Polygon polygon, const PolygonOptions& options = {});
 
   const tricover::Polygon& polygon() const { return polygon_; }
+  const PolygonOptions& options() const { return options_; }
+  /// Whether the shape lies in its own plane z = 0.
+  bool isFlat() const { return is_flat_; }
 
   /// FCL has no free node type; this one is empty in all of its tables, also for its own TriangleP.
   fcl::NODE_TYPE getNodeType() const override;
@@ -32,6 +51,8 @@ class PolygonShape final : public fcl::ShapeBase<S> {
 
  private:
   tricover::Polygon polygon_;
+  PolygonOptions options_;
+  bool is_flat_;
 };
 
 using PolygonShapef = PolygonShape<float>;

@@ -2,5 +2,7 @@
 #pragma once
 
 #include "tricover_fcl/collide.h"
+#include "tricover_fcl/continuous_collide.h"
+#include "tricover_fcl/distance.h"
 #include "tricover_fcl/polygon_shape.h"
 #include "tricover_fcl/registration.h"

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fcl/narrowphase/collision_object.h>
+#include <fcl/narrowphase/distance_request.h>
+#include <fcl/narrowphase/distance_result.h>
+
+namespace tricover_fcl {
+
+/// fcl::distance, reaching tricover however the program is linked; other pairs than polygons are handed to FCL. For
+/// float and double.
+///
+/// The distance in space of two flat polygons or prisms: tricover::distance in the plane, whose errors it shares, and
+/// the gap between their heights. It is 0 or below exactly where collide() is true without margins, which don't count
+/// here. request.rel_err and abs_err are what it may be above the truth by, 0 unless set; distance_tolerance and the
+/// solver change nothing.
+/// - result keeps the least of the distances that it is given, with its geometries, its nearest points in the world
+///   (nearest_points[0] on o1, always filled), and edges in b1 and b2 (tricover::DistanceResult). Returned is
+///   result.min_distance. A pair that is farther apart than that already costs little, and changes nothing.
+/// - Polygons that only touch have distance 0, and such as overlap -1 or, with enable_signed_distance, minus the length
+///   of the shortest translation in the plane that parts them (tricover::penetration), and as nearest points those on
+///   the outlines that part last. (Under GST_INDEP FCL puts their middle in place of both.)
+/// Throws std::invalid_argument as collide() does.
+template <typename S>
+S distance(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>* o2,
+           const fcl::Transform3<S>& tf2, const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);
+
+template <typename S>
+S distance(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2, const fcl::DistanceRequest<S>& request,
+           fcl::DistanceResult<S>& result);
+
+/// fcl::DefaultDistanceFunction on top of it, for any broadphase manager: `data` is an fcl::DefaultDistanceData<S>.
+template <typename S>
+bool defaultDistanceFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data, S& distance);
+
+}  // namespace tricover_fcl

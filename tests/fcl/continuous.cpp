@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Continuous collision through FCL: its motions, its two solvers that reach us, and tricover_fcl::continuousCollide.
+#include <fcl/math/motion/interp_motion.h>
+#include <fcl/math/motion/screw_motion.h>
+#include <fcl/math/motion/spline_motion.h>
+#include <fcl/math/motion/translation_motion.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/continuous_collision.h>
+
+#include <cmath>
+#include <limits>
+
+#include "scene.h"
+#include "test_scale.h"
+#include "tricover/distance.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+using tricover::support::Random;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr fcl::GJKSolverType kSolvers[] = {fcl::GST_LIBCCD, fcl::GST_INDEP};
+
+fcl::Transform3d placed(double angle, double x, double y, double z = 0) {
+  return lifted(tricover::support::pose(angle, x, y), z);
+}
+
+fcl::ContinuousCollisionRequestd requestFor(fcl::CCDMotionType type, double error = 1e-9,
+                                            fcl::GJKSolverType solver = fcl::GST_LIBCCD) {
+  return fcl::ContinuousCollisionRequestd(10, error, type, solver, fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+}
+
+using Motion = fcl::MotionBase<double>;
+
+fcl::ContinuousCollisionResultd along(const Shape<double>& a, const Motion& motion_a, const Shape<double>& b,
+                                      const Motion& motion_b, double error = 1e-9,
+                                      fcl::GJKSolverType solver = fcl::GST_LIBCCD) {
+  fcl::ContinuousCollisionResultd result;
+  const double time = fcl::continuousCollide(a.get(), &motion_a, b.get(), &motion_b,
+                                             requestFor(fcl::CCDM_TRANS, error, solver), result);
+  EXPECT_EQ(time, result.time_of_contact);
+  EXPECT_TRUE(result.is_collide || time == 1);
+  return result;
+}
+
+fcl::Transform3d at(const Motion& motion, double time) {
+  fcl::Transform3d transform;
+  motion.integrate(time);
+  motion.getCurrentTransform(transform);
+  return transform;
+}
+
+const Shape<double> kSquare = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
+
+TEST(Continuous, bulletsDoNotTunnel) {
+  const Shape<double> bullet = shapeOf(tricover::Polygon({tricover::support::rectangle(-5e-4, -5e-4, 5e-4, 5e-4)}));
+  const Shape<double> wall = shapeOf(tricover::Polygon({tricover::support::rectangle(0, -1, 1e-3, 1)}));
+  const fcl::Transform3d begin = placed(0, -500, 0), end = placed(0, 500, 0), here = placed(0, 0, 0);
+  const double truth = (500 - 5e-4) / 1000;
+  for (const fcl::CCDMotionType type : {fcl::CCDM_TRANS, fcl::CCDM_LINEAR, fcl::CCDM_SCREW}) {
+    for (const fcl::GJKSolverType solver : kSolvers) {
+      for (const double error : {1e-4, 1e-9}) {
+        fcl::ContinuousCollisionResultd fcls, swapped, objects, ours;
+        const fcl::ContinuousCollisionRequestd request = requestFor(type, error, solver);
+        fcl::continuousCollide(bullet.get(), begin, end, wall.get(), here, here, request, fcls);
+        fcl::continuousCollide(wall.get(), here, here, bullet.get(), begin, end, request, swapped);
+        const fcl::CollisionObjectd object_a(bullet, begin), object_b(wall, here);
+        fcl::continuousCollide(&object_a, end, &object_b, here, request, objects);
+        tricover_fcl::continuousCollide(&object_a, end, &object_b, here, request, ours);
+        for (const auto* result : {&fcls, &swapped, &objects, &ours}) {
+          EXPECT_TRUE(result->is_collide);
+          EXPECT_LE(result->time_of_contact, truth);
+          EXPECT_GE(result->time_of_contact, truth - error);
+        }
+        EXPECT_NEAR(ours.contact_tf1.translation().x(), -5e-4, 1000 * error + 1e-9);
+        EXPECT_TRUE(ours.contact_tf2.isApprox(here));
+        if (type != fcl::CCDM_SCREW) {  // FCL's own without a turn goes too far
+          EXPECT_NEAR(fcls.contact_tf1.translation().x(), -5e-4, 1000 * error + 1e-9);
+        }
+      }
+    }
+  }
+  // NAIVE looks ten times, and sees nothing; ours doesn't sample.
+  fcl::ContinuousCollisionRequestd naive(10, 1e-9, fcl::CCDM_TRANS);
+  fcl::ContinuousCollisionResultd fcls, ours;
+  EXPECT_EQ(fcl::continuousCollide(bullet.get(), begin, end, wall.get(), here, here, naive, fcls), 1);
+  EXPECT_FALSE(fcls.is_collide);
+  EXPECT_NEAR(tricover_fcl::continuousCollide(bullet.get(), begin, end, wall.get(), here, here, naive, ours), truth,
+              1e-9);
+}
+
+TEST(Continuous, contactAtTheEndsCounts) {
+  for (const fcl::CCDMotionType type : {fcl::CCDM_TRANS, fcl::CCDM_LINEAR, fcl::CCDM_SCREW}) {
+    for (const fcl::CCDSolverType solver : {fcl::CCDC_NAIVE, fcl::CCDC_CONSERVATIVE_ADVANCEMENT}) {
+      fcl::ContinuousCollisionRequestd request = requestFor(type);
+      request.ccd_solver_type = solver;
+      const auto ask = [&](double from, double to) {
+        fcl::ContinuousCollisionResultd result;
+        fcl::continuousCollide(kSquare.get(), placed(0, from, 0), placed(0, to, 0), kSquare.get(), placed(0, 1, 0),
+                               placed(0, 1, 0), request, result);
+        return result;
+      };
+      EXPECT_TRUE(ask(-1, 0).is_collide);  // a way of length 1, because FCL's ScrewMotion is right for that only
+      EXPECT_NEAR(ask(-1, 0).time_of_contact, 1, 1e-9);
+      EXPECT_FALSE(ask(-1, -1e-9).is_collide);
+      EXPECT_TRUE(ask(0, -1).is_collide);
+      EXPECT_EQ(ask(0, -1).time_of_contact, 0);
+      EXPECT_EQ(ask(0.5, 1.5).time_of_contact, 0);
+      EXPECT_FALSE(ask(-1e-9, -1).is_collide);
+    }
+  }
+}
+
+TEST(Continuous, turnsCount) {
+  // A rod that sweeps past a post, about its own end; the poses at both ends are free.
+  const Shape<double> rod = shapeOf(tricover::Polygon({tricover::support::rectangle(0, -0.01, 10, 0.01)}));
+  const Shape<double> post = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.01, -0.01, 0.01, 0.01)}));
+  const fcl::TranslationMotiond still(placed(0, 0, 8), placed(0, 0, 8));
+  const double truth = (kPi / 2 - std::atan2(0.01, 7.99) - std::asin(0.01 / std::hypot(7.99, 0.01))) / (0.9 * kPi);
+  const fcl::InterpMotion<double> linear(placed(0, 0, 0).linear(), fcl::Vector3d::Zero(),
+                                         placed(0.9 * kPi, 0, 0).linear(), fcl::Vector3d::Zero(),
+                                         fcl::Vector3d::Zero());
+  const fcl::ScrewMotion<double> screw(placed(0, 0, 0), placed(0.9 * kPi, 0, 0));
+  for (const Motion* motion : {static_cast<const Motion*>(&linear), static_cast<const Motion*>(&screw)}) {
+    for (const fcl::GJKSolverType solver : kSolvers) {
+      const auto result = along(rod, *motion, post, still, 1e-9, solver);
+      EXPECT_TRUE(result.is_collide);
+      EXPECT_LE(result.time_of_contact, truth + 1e-12);
+      EXPECT_GE(result.time_of_contact, truth - 1e-9 - 1e-12);
+    }
+  }
+  for (const fcl::CCDMotionType type : {fcl::CCDM_LINEAR, fcl::CCDM_SCREW, fcl::CCDM_TRANS}) {
+    fcl::ContinuousCollisionResultd ours;
+    tricover_fcl::continuousCollide(rod.get(), placed(0, 0, 0), placed(0.9 * kPi, 0, 0), post.get(), placed(0, 0, 8),
+                                    placed(0, 0, 8), requestFor(type), ours);
+    EXPECT_EQ(ours.is_collide, type != fcl::CCDM_TRANS);  // which drops the turn, as FCL's does
+    EXPECT_NEAR(ours.time_of_contact, type != fcl::CCDM_TRANS ? truth : 1, 2e-9);
+  }
+}
+
+/// A random motion that keeps the plane, of each type, some upside down.
+std::unique_ptr<Motion> randomMotion(Random& random, double reach, double z) {
+  fcl::Transform3d begin = lifted(tricover::support::randomPose(random, reach), z);
+  fcl::Transform3d end = lifted(tricover::support::randomPose(random, reach), z);
+  if (random.oneIn(4)) {
+    const fcl::AngleAxis<double> half_turn(kPi, fcl::Vector3d::UnitX());
+    begin.linear() = begin.linear() * half_turn;
+    end.linear() = end.linear() * half_turn;
+  }
+  switch (random.integer(0, 2)) {
+    case 0:
+      return std::make_unique<fcl::TranslationMotiond>(begin, end);
+    case 1:
+      return std::make_unique<fcl::InterpMotion<double>>(begin.linear(), begin.translation(), end.linear(),
+                                                         end.translation(),
+                                                         fcl::Vector3d(random.real(-1, 1), random.real(-1, 1), 0));
+    default:
+      return std::make_unique<fcl::ScrewMotion<double>>(begin, end);
+  }
+}
+
+TEST(Continuous, noSampleOfFclsOwnMotionIsInContactBefore) {
+  Random random(61);
+  int hits = 0, at_once = 0;
+  const int count = tricover::support::scaledCount(400);
+  for (int i = 0; i < count; ++i) {
+    const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
+    const auto motion_a = randomMotion(random, 4, 1.5), motion_b = randomMotion(random, 4, 1.5);
+    const double error = 1e-7;
+    const auto result = along(a, *motion_a, b, *motion_b, error, kSolvers[i % 2]);
+    const auto swapped = along(b, *motion_b, a, *motion_a, error, kSolvers[(i + 1) % 2]);
+    ASSERT_EQ(result.is_collide, swapped.is_collide);
+    ASSERT_EQ(result.time_of_contact, swapped.time_of_contact);
+    const auto meet = [&](double time) {
+      fcl::CollisionResultd collision;
+      return fcl::collide(a.get(), at(*motion_a, time), b.get(), at(*motion_b, time), fcl::CollisionRequestd(),
+                          collision) > 0;
+    };
+    const double until = result.is_collide ? result.time_of_contact : 1;
+    for (int sample = 0; sample < 100; ++sample) ASSERT_FALSE(meet(until * sample / 100) && until > 0) << i;
+    if (!result.is_collide) {
+      ASSERT_FALSE(meet(1)) << i;
+      continue;
+    }
+    // No earlier than it may be: the polygons are as near as they can come in that time. No point is faster than 60.
+    const tricover::Pose pose_a = flat(result.contact_tf1), pose_b = flat(result.contact_tf2);
+    ASSERT_LE(tricover::distance(a->polygon(), pose_a, b->polygon(), pose_b).distance, 60 * error) << i;
+    ++hits;
+    at_once += result.time_of_contact == 0;
+  }
+  EXPECT_GT(hits, count * 2 / 10);
+  EXPECT_LT(hits, count * 9 / 10);
+  EXPECT_LT(at_once, hits / 2);
+}
+
+TEST(Continuous, collideAtTheBeginIsTimeZero) {
+  Random random(62);
+  int hits = 0;
+  const int count = tricover::support::scaledCount(300);
+  for (int i = 0; i < count; ++i) {
+    const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
+    const auto motion_a = randomMotion(random, 1.2, 0), motion_b = randomMotion(random, 1.2, 0);
+    fcl::CollisionResultd collision;
+    const bool meet =
+        fcl::collide(a.get(), at(*motion_a, 0), b.get(), at(*motion_b, 0), fcl::CollisionRequestd(), collision) > 0;
+    const auto result = along(a, *motion_a, b, *motion_b, 1e-12);
+    ASSERT_EQ(result.is_collide && result.time_of_contact == 0, meet) << i;
+    hits += meet;
+  }
+  EXPECT_GT(hits, count * 2 / 10);
+  EXPECT_LT(hits, count * 8 / 10);
+}
+
+TEST(Continuous, needsHeightsAndOccupancy) {
+  const Shape<double> prism = std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{-1, 1});
+  const auto through = [&](double z, const Shape<double>& b) {
+    const fcl::TranslationMotiond motion(placed(0, -3, 0, z), placed(0, 3, 0, z)),
+        still(placed(0, 0, 0), placed(0, 0, 0));
+    return along(kSquare, motion, b, still).is_collide;
+  };
+  EXPECT_TRUE(through(0, kSquare));
+  EXPECT_FALSE(through(1e-300, kSquare));
+  EXPECT_TRUE(through(1, prism));
+  EXPECT_FALSE(through(1.001, prism));
+  prism->cost_density = 0.5;
+  EXPECT_FALSE(through(1, prism));
+}
+
+TEST(Continuous, motionsThatLeaveThePlaneAreRefused) {
+  const fcl::Transform3d here = placed(0, 0, 0);
+  const fcl::Transform3d flipped(fcl::AngleAxis<double>(kPi, fcl::Vector3d::UnitX()));
+  const fcl::Transform3d tilted(fcl::AngleAxis<double>(0.1, fcl::Vector3d::UnitY()));
+  const fcl::TranslationMotiond still(here, here), lift(here, placed(0, 3, 0, 1)), tilt(tilted, tilted);
+  const fcl::InterpMotion<double> flip(here.linear(), fcl::Vector3d::Zero(), flipped.linear(), fcl::Vector3d::Zero(),
+                                       fcl::Vector3d::Zero());
+  const fcl::ScrewMotion<double> screw(here, placed(1, 3, 0, 1)), rise(here, placed(0, 0, 0, 2));
+  for (const Motion* motion : std::initializer_list<const Motion*>{&lift, &tilt, &flip, &screw, &rise}) {
+    for (const bool swapped : {false, true}) {
+      const std::string text = thrownBy<std::invalid_argument>([&] {
+        if (swapped) {
+          along(kSquare, still, kSquare, *motion);
+        } else {
+          along(kSquare, *motion, kSquare, still);
+        }
+      });
+      EXPECT_NE(text.find(swapped ? "motion_b" : "motion_a"), std::string::npos) << text;
+      EXPECT_NE(text.find("plane"), std::string::npos) << text;
+    }
+  }
+}
+
+TEST(Continuous, otherMotionsMarginsAndBadErrorsAreRefused) {
+  const fcl::TranslationMotiond still(placed(0, 0, 0), placed(0, 0, 0));
+  const fcl::SplineMotion<double> spline(placed(0, 0, 0), placed(0, 1, 0));
+  EXPECT_NE(thrownBy<std::logic_error>([&] { along(kSquare, spline, kSquare, still); }).find("SplineMotion"),
+            std::string::npos);
+  class Own : public fcl::TranslationMotiond {
+    using fcl::TranslationMotiond::TranslationMotiond;
+    bool integrate(double) const override { return true; }
+  };
+  const Own own(placed(0, 0, 0), placed(0, 1, 0));
+  EXPECT_NE(thrownBy<std::logic_error>([&] { along(kSquare, still, kSquare, own); }).find("Own"), std::string::npos);
+  const Shape<double> wide = std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{0, 0, 1});
+  EXPECT_NE(thrownBy<std::logic_error>([&] { along(wide, still, kSquare, still); }).find("margin"), std::string::npos);
+  for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(along(kSquare, still, kSquare, still, bad), std::invalid_argument);
+  }
+}
+
+TEST(Continuous, otherPairsGoToFcl) {
+  const fcl::Sphered sphere(1);
+  fcl::ContinuousCollisionResultd result;
+  tricover_fcl::continuousCollide<double>(&sphere, placed(0, -5, 0), placed(0, 5, 0), &sphere, placed(0, 0, 0),
+                                          placed(0, 0, 0), requestFor(fcl::CCDM_LINEAR), result);
+  EXPECT_TRUE(result.is_collide);
+  EXPECT_NEAR(result.time_of_contact, 0.3, 1e-2);
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test

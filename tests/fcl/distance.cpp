@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/distance.h"
+
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "families.h"
+#include "reproduction.h"
+#include "scene.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/penetration.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+using tricover::support::Random;
+
+constexpr fcl::GJKSolverType kSolvers[] = {fcl::GST_LIBCCD, fcl::GST_INDEP};
+
+fcl::DistanceRequestd requestFor(fcl::GJKSolverType solver, bool is_signed = false) {
+  fcl::DistanceRequestd request;
+  request.gjk_solver_type = solver;
+  request.enable_signed_distance = is_signed;
+  return request;
+}
+
+tricover::Vec2 flat(const fcl::Vector3d& point) { return point.head<2>(); }
+
+TEST(Distance, isTheCoresOnEveryFamily) {
+  for (const tricover::support::Family& family : tricover::support::families()) {
+    SCOPED_TRACE(family.name);
+    int overlaps = 0;
+    const int count = tricover::support::scaledCount(60);
+    for (int i = 0; i < count; ++i) {
+      const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));
+      const double truth = tricover::distance(c.a, c.pose_a, c.b, c.pose_b).distance;
+      if (!(truth < std::numeric_limits<double>::max())) continue;
+      const Shape<double> a = shapeOf(c.a), b = shapeOf(c.b);
+      const fcl::CollisionObjectd object_a(a, lifted(c.pose_a)), object_b(b, lifted(c.pose_b));
+      for (const fcl::GJKSolverType solver : kSolvers) {
+        fcl::DistanceResultd geometries, swapped, objects, ours;
+        const double answer = fcl::distance(a.get(), object_a.getTransform(), b.get(), object_b.getTransform(),
+                                            requestFor(solver), geometries);
+        ASSERT_EQ(answer, geometries.min_distance);
+        if (truth > 0) {
+          ASSERT_EQ(answer, truth) << reproduction(c);
+        } else {
+          ASSERT_TRUE(answer == 0 || answer == -1) << reproduction(c);
+        }
+        ASSERT_EQ(fcl::distance(b.get(), object_b.getTransform(), a.get(), object_a.getTransform(), requestFor(solver),
+                                swapped),
+                  answer)
+            << reproduction(c);
+        ASSERT_EQ(fcl::distance(&object_a, &object_b, requestFor(solver), objects), answer) << reproduction(c);
+        ASSERT_EQ(tricover_fcl::distance(&object_b, &object_a, requestFor(solver), ours), answer) << reproduction(c);
+        ASSERT_EQ(geometries.o1, a.get());
+        ASSERT_EQ(geometries.o2, b.get());
+        ASSERT_EQ(swapped.o1, b.get());
+        ASSERT_EQ(geometries.nearest_points[0].z(), 0);
+        // As far apart as is said, but for the rounding of coordinates.
+        const double extent = geometries.nearest_points[0].norm() + geometries.nearest_points[1].norm();
+        if (extent < 1e150) {
+          ASSERT_NEAR((geometries.nearest_points[0] - geometries.nearest_points[1]).norm(), std::max(answer, 0.0),
+                      1e-14 * (extent + answer + c.a.radius() + c.b.radius() + c.pose_a.translation().norm()))
+              << reproduction(c);
+        }
+      }
+      overlaps += truth == 0;
+    }
+    EXPECT_GT(overlaps, 0);
+    EXPECT_LT(overlaps, count);
+  }
+}
+
+TEST(Distance, tellsTouchFromOverlap) {
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  for (const fcl::GJKSolverType solver : kSolvers) {
+    for (const bool is_signed : {false, true}) {
+      for (const double x : {1.0, tricover::support::nudged(1, -1), tricover::support::nudged(1, 1)}) {
+        fcl::DistanceResultd result;
+        const double answer =
+            fcl::distance(square.get(), fcl::Transform3d::Identity(), square.get(),
+                          lifted(tricover::support::pose(0, x, 0)), requestFor(solver, is_signed), result);
+        if (x >= 1) {
+          EXPECT_EQ(answer, x - 1);
+        } else if (is_signed) {
+          EXPECT_LT(answer, 0);
+          EXPECT_GE(answer, -1e-12);
+        } else {
+          EXPECT_EQ(answer, -1);
+        }
+        EXPECT_EQ(result.min_distance, answer);
+        EXPECT_NEAR(result.nearest_points[0].x(), 1, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(Distance, signedIsMinusTheShortestWayOut) {
+  Random random(51);
+  int hits = 0;
+  const int count = tricover::support::scaledCount(200);
+  for (int i = 0; i < count; ++i) {
+    const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+    const tricover::Pose pose_a = tricover::support::randomPose(random, 1);
+    const tricover::Pose pose_b = tricover::support::randomPose(random, 1);
+    const Shape<double> shape_a = shapeOf(a), shape_b = shapeOf(b);
+    const auto penetration = tricover::penetration(a, pose_a, b, pose_b);
+    for (const fcl::GJKSolverType solver : kSolvers) {
+      fcl::DistanceRequestd request = requestFor(solver, true);
+      request.enable_nearest_points = true;
+      fcl::DistanceResultd result;
+      const double answer =
+          fcl::distance(shape_a.get(), lifted(pose_a, 2), shape_b.get(), lifted(pose_b, 2), request, result);
+      if (!penetration) {
+        ASSERT_GT(answer, 0);
+        continue;
+      }
+      ASSERT_EQ(answer, -penetration->depth) << i;
+      ASSERT_EQ(result.min_distance, answer) << i;
+      const tricover::Vec2 middle = (penetration->point_a + penetration->point_b) / 2;
+      // INDEP asks collide again, and puts the contact's place in.
+      const bool places = solver == fcl::GST_INDEP;
+      ASSERT_NEAR((flat(result.nearest_points[0]) - (places ? middle : penetration->point_a)).norm(), 0, 1e-15) << i;
+      ASSERT_NEAR((flat(result.nearest_points[1]) - (places ? middle : penetration->point_b)).norm(), 0, 1e-15) << i;
+      ASSERT_EQ(result.nearest_points[0].z(), 2);
+      fcl::CollisionResultd contact;
+      fcl::collide(shape_a.get(), lifted(pose_a), shape_b.get(), lifted(pose_b), fcl::CollisionRequestd(1, true),
+                   contact);
+      ASSERT_EQ(contact.getContact(0).penetration_depth, -answer);
+    }
+    hits += penetration.has_value();
+  }
+  EXPECT_GT(hits, count * 3 / 10);
+  EXPECT_LT(hits, count);
+}
+
+TEST(Distance, resultKeepsTheLeast) {
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  const Shape<double> other = shapeOf(square->polygon());
+  for (const fcl::GJKSolverType solver : kSolvers) {
+    fcl::DistanceResultd result;
+    const auto ask = [&](const Shape<double>& b, double x) {
+      return fcl::distance(square.get(), fcl::Transform3d::Identity(), b.get(),
+                           lifted(tricover::support::pose(0, x, 0)), requestFor(solver), result);
+    };
+    EXPECT_EQ(ask(square, 4), 3);
+    EXPECT_EQ(ask(other, 9), 3);
+    EXPECT_EQ(ask(other, 4), 3);  // no nearer
+    EXPECT_EQ(result.o2, square.get());
+    EXPECT_EQ(ask(other, 3), 2);
+    EXPECT_EQ(result.o2, other.get());
+    EXPECT_EQ(result.nearest_points[1].x(), 3);
+    EXPECT_EQ(result.b1, 1);
+    EXPECT_EQ(result.b2, 3);
+    EXPECT_EQ(ask(square, 0.5), -1);
+    EXPECT_EQ(result.o2, square.get());
+    // Satisfied: not even the poses are looked at.
+    fcl::Transform3d nowhere = fcl::Transform3d::Identity();
+    nowhere.translation().x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(fcl::distance(square.get(), nowhere, other.get(), nowhere, requestFor(solver), result), -1);
+  }
+}
+
+TEST(Distance, badPosesAreRefusedHoweverFarApart) {
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  fcl::Transform3d scaled = lifted(tricover::support::pose(0, 5, 0), 100),
+                   tilted(fcl::AngleAxis<double>(1, fcl::Vector3d::UnitX()));
+  scaled.matrix()(0, 0) = 2;
+  fcl::DistanceResultd result(1);
+  for (const fcl::Transform3d& bad : {scaled, tilted}) {
+    const std::string text = thrownBy<std::invalid_argument>([&] {
+      fcl::distance(square.get(), fcl::Transform3d::Identity(), square.get(), bad, fcl::DistanceRequestd(), result);
+    });
+    EXPECT_NE(text.find("pose_b"), std::string::npos) << text;
+  }
+  fcl::DistanceRequestd negative;
+  negative.rel_err = -1;
+  EXPECT_THROW(fcl::distance(square.get(), fcl::Transform3d::Identity(), square.get(),
+                             lifted(tricover::support::pose(0, 1.5, 0)), negative, result),
+               std::invalid_argument);
+}
+
+TEST(Distance, errorsStayWithinWhatTheRequestAllows) {
+  Random random(52);
+  int inexact = 0, apart = 0;
+  for (int i = 0; i < tricover::support::scaledCount(500); ++i) {
+    const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+    const tricover::Pose pose_a = tricover::support::randomPose(random, 1);
+    const tricover::Pose pose_b = tricover::support::randomPose(random, 4);
+    const double truth = tricover::distance(a, pose_a, b, pose_b).distance, z = random.coin() ? 0 : 1.5;
+    fcl::DistanceRequestd request = requestFor(kSolvers[i % 2]);
+    request.rel_err = 0.2;
+    request.abs_err = 0.05;
+    fcl::DistanceResultd result;
+    const double answer =
+        fcl::distance<double>(shapeOf(a).get(), lifted(pose_a), shapeOf(b).get(), lifted(pose_b, z), request, result);
+    const double exact = std::hypot(truth, z);
+    ASSERT_EQ(answer > 0, exact > 0);
+    if (!(exact > 0)) continue;
+    ASSERT_GE(answer, exact * (1 - 1e-14));
+    ASSERT_LE(answer, exact * 1.2 + 0.05);
+    inexact += answer > exact * (1 + 1e-12);
+    ++apart;
+  }
+  EXPECT_GT(apart, 0);
+  EXPECT_GT(inexact, 0);
+}
+
+TEST(Distance, otherPairsGoToFcl) {
+  const auto sphere = std::make_shared<fcl::Sphered>(1);
+  const fcl::CollisionObjectd a(sphere), b(sphere, fcl::Matrix3d::Identity(), fcl::Vector3d(5, 0, 0));
+  fcl::DistanceResultd result;
+  EXPECT_NEAR(tricover_fcl::distance(&a, &b, fcl::DistanceRequestd(), result), 3, 1e-6);
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test
