@@ -149,6 +149,18 @@ TEST(TimeOfImpact, OverlapAtTheStartIsTimeZero) {
   EXPECT_EQ(expectImpact(square, kStill, square, Motion::still(pose(0.2, 0.5, 0)), 0).time, 0);
 }
 
+/// collide() at the start <=> time 0, though rounding can't tell these from a touch.
+TEST(TimeOfImpact, AnUlpApartIsNotTimeZero) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  for (const double x : {nudged(1, 1), nudged(-1, -1)}) {
+    const auto impact = timeOfImpact(square, kStill, square, Motion::translation(pose(0, x, 0), {-x, 0}));
+    ASSERT_TRUE(impact);
+    EXPECT_GT(impact->time, 0);
+    EXPECT_LT(impact->time, 1e-15);
+    EXPECT_EQ(impact->normal, Vec2(x > 0 ? 1 : -1, 0));
+  }
+}
+
 TEST(TimeOfImpact, StillAndApartIsFree) {
   const Polygon square({rectangle(0, 0, 1, 1)}), c({{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {4, 3}, {4, 4}, {0, 4}}});
   expectFree(c, kStill, square, Motion::still(pose(0, 2, 1.5)));
