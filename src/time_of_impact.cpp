@@ -134,9 +134,8 @@ class ImpactSearch {
 
     // Some axis parts the edges at the window's begin by nearly their distance: an edge's normal or, vertex to vertex,
     // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
-    const Vec2 axis = (at_begin.on_b - at_begin.on_a) / at_begin.distance;
     WindowCutter cutter(window, a, b);
-    if (cutter.cutByFixed(axis.x(), axis.y()) || cutter.cutByNormals()) return;
+    if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
     const Rest rest = cutter.rest();
     if (rest.low > rest.high) return;
 

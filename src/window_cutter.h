@@ -29,8 +29,9 @@ class WindowCutter {
  public:
   WindowCutter(const Window& window, const MovingBox& a, const MovingBox& b);
 
-  /// Each returns whether it parts the boxes throughout. By an axis that stands still and isn't longer than 1:
-  bool cutByFixed(double nx, double ny) { return cut(nx - Double2{}, ny - Double2{}, sag_fixed_); }
+  /// Each returns whether it parts the boxes throughout. By an axis of length 1 at the window's begin, which turns with
+  /// a, with b or not at all, as is best:
+  bool cutByAxis(const Vec2& axis);
   /// By the axes of a or b, which turn with it or, if that loses more, stand still as in the middle of the window.
   bool cutByAxesOfA() { return cutByAxesOf(a_, turns_with_a_, turns_with_a_ ? sag_with_a_ : sag_fixed_); }
   bool cutByAxesOfB() { return cutByAxesOf(b_, turns_with_b_, turns_with_b_ ? sag_with_b_ : sag_fixed_); }
@@ -107,6 +108,15 @@ inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, cons
   // A box that turns while the axis stands still loses as much as its ends rise.
   turns_with_a_ = sag_with_a_ < sag_fixed_ + 2 * std::abs(alpha) * h * extent_a;
   turns_with_b_ = sag_with_b_ < sag_fixed_ + 2 * std::abs(beta) * h * extent_b;
+}
+
+inline bool WindowCutter::cutByAxis(const Vec2& axis) {
+  if (sag_fixed_ <= std::min(sag_with_a_, sag_with_b_))
+    return cut(axis.x() - Double2{}, axis.y() - Double2{}, sag_fixed_);
+  const bool with_a = sag_with_a_ <= sag_with_b_;
+  const MovingBox& box = with_a ? a_ : b_;
+  const double u = axis.x() * box.ux[0] + axis.y() * box.uy[0], v = axis.x() * box.vx[0] + axis.y() * box.vy[0];
+  return cut(u * box.ux + v * box.vx, u * box.uy + v * box.vy, with_a ? sag_with_a_ : sag_with_b_);
 }
 
 inline bool WindowCutter::cutByAxesOf(const MovingBox& box, bool turns, double sag) {
