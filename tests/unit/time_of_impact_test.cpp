@@ -208,6 +208,14 @@ TEST(TimeOfImpact, BothTurn) {
   expectFree(rod, turning(Pose::Identity(), angle), rod, turning(pose(kPi / 2, 3, 0), -angle));
 }
 
+/// Side by side on one turntable: edges on one line, none of which meet, and nothing moves against anything.
+TEST(TimeOfImpact, TurningTogetherIsFree) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  for (const double gap : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12})
+    expectFree(square, turning(Pose::Identity(), kPi), square,
+               turning(pose(0, 1 + gap, 0), kPi, Vec2::Zero(), {-1 - gap, 0}));
+}
+
 TEST(TimeOfImpact, MirroredTurnsCounterClockwise) {
   // An arm that points down in its own frame and up in the world.
   const Polygon arm({{{0, 0}, {-0.1, -2}, {0.1, -2}}}), wall({rectangle(-3, -3, -1.5, 3)});
