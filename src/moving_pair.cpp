@@ -19,46 +19,17 @@ Places Mover::places(double begin, double end) const {
   const Double2 time{begin, end};
   const Double2 x = base.x() + drift.x() * time, y = base.y() + drift.y() * time;
   const auto all = [](double value) { return value - Double2{}; };
-  if (turn == 0) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y};
+  if (turn == 0) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
   const Double2 angle = turn * time;
   const Double2 c{std::cos(angle[0]), std::cos(angle[1])}, s{std::sin(angle[0]), std::sin(angle[1])};
-  return {c * linear(0, 0) - s * linear(1, 0), s * linear(0, 0) + c * linear(1, 0), c * linear(0, 1) - s * linear(1, 1),
-          s * linear(0, 1) + c * linear(1, 1), x + (c * arm.x() - s * arm.y()),     y + (s * arm.x() + c * arm.y())};
-}
-
-Node Mover::node(std::uint32_t index) const {
-  if (index == kRootNode) {
-    const Box& root = tree->root;
-    return {root.x, root.y, root.ux, root.uy, root.along, root.across, 0, false};
-  }
-  const Block& block = tree->blocks[index / kLanes];
-  const unsigned lane = index % kLanes;
-  const double block_scale = block.scale;
-  return {block.origin_x + block.x[lane] * block_scale,
-          block.origin_y + block.y[lane] * block_scale,
-          block.ux[lane],
-          block.uy[lane],
-          block.along[lane] * block_scale,
-          block.across[lane] * block_scale,
-          block.child[lane],
-          block.leaf};
-}
-
-/// A point at lever (x, y) from the pivot is accelerated by turn^2 |lever|, towards the pivot, and |lever| is at most
-/// the larger coordinate and sqrt(2) - 1 of the smaller one. 2^-10 is for rounding, and for what `linear` stretches
-/// extents here and axes in cuts.
-double Mover::bendAt(double lever_x, double lever_y, double extent) const {
-  const double x = std::abs(lever_x), y = std::abs(lever_y);
-  return turn * turn * (std::max(x, y) + 0.4143 * std::min(x, y) + extent) * (1 + 0x1p-10);
-}
-
-MovingBox Mover::box(const Places& p, const Node& node) const {
-  const Double2 ux = p.m00 * node.ux + p.m01 * node.uy, uy = p.m10 * node.ux + p.m11 * node.uy;
-  const Double2 vx = p.m01 * node.ux - p.m00 * node.uy, vy = p.m11 * node.ux - p.m10 * node.uy;
-  const double x = node.x * scale, y = node.y * scale, along = node.along * scale, across = node.across * scale;
-  const double bend = bendAt(arm.x() + linear(0, 0) * x + linear(0, 1) * y,
-                             arm.y() + linear(1, 0) * x + linear(1, 1) * y, along + across);
-  return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy, along, across, bend};
+  return {c * linear(0, 0) - s * linear(1, 0),
+          s * linear(0, 0) + c * linear(1, 0),
+          c * linear(0, 1) - s * linear(1, 1),
+          s * linear(0, 1) + c * linear(1, 1),
+          x + (c * arm.x() - s * arm.y()),
+          y + (s * arm.x() + c * arm.y()),
+          x,
+          y};
 }
 
 MovingBox Mover::edge(const Places& p, std::size_t position) const {
@@ -67,18 +38,8 @@ MovingBox Mover::edge(const Places& p, std::size_t position) const {
   const Vec2 mid = 0.5 * (v + w), half = 0.5 * (w - v);
   const double length = half.norm();
   const Vec2 axis = length > 0 ? Vec2(half / length) : Vec2(1, 0);
-  const Vec2 lever = arm + linear * mid;
-  const double bend = bendAt(lever.x(), lever.y(), length);
   const Double2 ux = p.m00 * axis.x() + p.m01 * axis.y(), uy = p.m10 * axis.x() + p.m11 * axis.y();
-  return {p.m00 * mid.x() + p.m01 * mid.y() + p.x,
-          p.m10 * mid.x() + p.m11 * mid.y() + p.y,
-          ux,
-          uy,
-          -uy,
-          ux,
-          length,
-          0,
-          bend};
+  return {p.m00 * mid.x() + p.m01 * mid.y() + p.x, p.m10 * mid.x() + p.m11 * mid.y() + p.y, ux, uy, -uy, ux, length, 0};
 }
 
 // Error of a gap between computed points or boxes, U = kUlp, all lengths in the pair's length:
@@ -143,51 +104,19 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
     mover->reach *= inverse;
     mover->scale = shrink * mover->polygon->unit * inverse;
   }
+  speed = b.drift.norm();
   still_error = (64 * kUlp * others + kTiny) * inverse;
   error = 64 * kUlp * turned * inverse + still_error;
 }
 
 bool MovingPair::discsStayApart() const {
-  const double speed = b.drift.squaredNorm();
-  const double share = speed > 0 ? std::clamp(-b.base.dot(b.drift) / speed, 0.0, 1.0) : 0;
+  const double square = b.drift.squaredNorm();
+  const double share = square > 0 ? std::clamp(-b.base.dot(b.drift) / square, 0.0, 1.0) : 0;
   // Rounding the share moves the point along the way, by so little that the distance differs in the second order only.
   return (b.base + share * b.drift).norm() > a.reach + b.reach + still_error;
 }
 
-// A point of b minus one of a, along the axis, is d(s) with |d''| <= A, the sum of both bends. So on a window of length
-// h, with x the share of it that has passed, it is at least its linear interpolation minus A h^2 x (1 - x) / 2. The
-// least of several such functions is at least the interpolation of the least at both ends, minus the same: seen from
-// either end, a gap is at least from - slope x + sag x^2 with slope = from - to + sag.
-bool WindowCutter::cut(double nx, double ny) {
-  Double2 distance = nx * (b_.x - a_.x) + ny * (b_.y - a_.y);
-  if (distance[0] < 0) distance = -distance;
-  const Double2 radius = absolute(nx * a_.ux + ny * a_.uy) * a_.along + absolute(nx * a_.vx + ny * a_.vy) * a_.across +
-                         absolute(nx * b_.ux + ny * b_.uy) * b_.along + absolute(nx * b_.vx + ny * b_.vy) * b_.across +
-                         error_;
-  const Double2 gap = distance - radius;
-  if (offer(gap[0], gap[1], first_)) return true;
-  return distance[1] < 0 ? offer(-distance[1] - radius[1], -distance[0] - radius[0], last_)
-                         : offer(gap[1], gap[0], last_);
-}
-
-bool WindowCutter::offer(double from, double to, Side& side) const {
-  if (!(from > 0)) return false;
-  const double slope = from - to + sag_;
-  if (slope < from || slope * slope < 4 * sag_ * from) return true;  // without a root in [0, 1]
-  // Division can wait until the best is known; as can the root, of which this is the first order.
-  if (from * side.slope > side.from * slope) side = {from, to, slope};
-  return false;
-}
-
-double WindowCutter::share(const Side& side) const {
-  if (side.from == 0) return 0;
-  const double root = std::sqrt(std::max(side.slope * side.slope - 4 * sag_ * side.from, 0.0));
-  return std::min(2 * side.from / (side.slope + root), 1.0);
-}
-
-Rest WindowCutter::rest() const { return {share(first_), 1 - share(last_), first_.from / (first_.from - first_.to)}; }
-
-Nearest::Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane)
+Nearest::Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
     : distance(std::numeric_limits<double>::infinity()) {
   const auto end = [&](const MovingBox& edge, double sign) {
     return Vec2(edge.x[lane] + sign * edge.along * edge.ux[lane], edge.y[lane] + sign * edge.along * edge.uy[lane]);
@@ -197,8 +126,11 @@ Nearest::Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane)
   const Vec2 along_a = w - v, along_b = q - p;
   const double p_side = area(along_a, p - v), q_side = area(along_a, q - v);
   const double v_side = area(along_b, v - p), w_side = area(along_b, w - p);
-  if (((p_side < 0 && q_side > 0) || (p_side > 0 && q_side < 0)) &&
-      ((v_side < 0 && w_side > 0) || (v_side > 0 && w_side < 0))) {
+  // Where a sign isn't certain, an end of one is about as near to the other as rounding is large.
+  const double doubt =
+      error * (along_a.lpNorm<1>() + along_b.lpNorm<1>() + (p - v).lpNorm<1>() + std::numeric_limits<double>::min());
+  const auto opposite = [&](double s, double t) { return std::min(s, t) < -doubt && std::max(s, t) > doubt; };
+  if (opposite(p_side, q_side) && opposite(v_side, w_side)) {
     on_a = on_b = p + p_side / (p_side - q_side) * along_b;
     distance = 0;
     return;

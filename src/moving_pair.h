@@ -15,12 +15,11 @@ namespace tricover::detail {
 struct MovingBox {
   Double2 x, y, ux, uy, vx, vy;
   double along, across;
-  double bend;  ///< no point of it is accelerated by more; in the pair's lengths per squared time
 };
 
-/// Where a mover's hierarchy is at both ends of a window: p -> scale M p + (x, y).
+/// Where a mover's hierarchy is at both ends of a window: p -> scale M p + (x, y); and its pivot.
 struct Places {
-  Double2 m00, m10, m01, m11, x, y;
+  Double2 m00, m10, m01, m11, x, y, pivot_x, pivot_y;
 };
 
 /// One box of a hierarchy or, where that is a single edge, the edge.
@@ -47,9 +46,6 @@ struct Mover {
   Vec2 base, drift;           ///< of the pivot: at time 0, and from there to time 1
   Vec2 arm;                   ///< from the pivot to S, at time 0
   double turn, scale, reach;  ///< radians; a unit; no point is farther from the pivot
-
- private:
-  double bendAt(double lever_x, double lever_y, double extent) const;
 };
 
 /// Two moving polygons in a frame that goes with a's pivot without turning, so that only differences of positions
@@ -62,51 +58,40 @@ struct MovingPair {
   bool discsStayApart() const;
 
   Mover a, b;
+  double speed;              ///< of b's pivot in this frame
   double error;              ///< of a gap: see the constructor
   double still_error;        ///< of one between the pivots' places
   double length, expansion;  ///< two powers of two: a length of 1 is their product in the world
 };
 
-/// The share [low, high] of a window that contact may lie in.
-struct Rest {
-  double low, high;
-  double aim;  ///< where points that aren't accelerated would meet along the axis that `low` is due to
-};
-
-/// Cuts a window down to where contact may lie, by one fixed axis after the other. `sag` is half the bound of the
-/// points' relative acceleration times the squared length of the window.
-class WindowCutter {
- public:
-  WindowCutter(const MovingBox& a, const MovingBox& b, double error, double sag)
-      : a_(a), b_(b), error_(error), sag_(sag) {}
-
-  /// By an axis that isn't longer than 1. Returns whether it parts the boxes throughout.
-  bool cut(double nx, double ny);
-  /// By the axes that a box has in the middle of the window.
-  bool cutByAxesOf(const MovingBox& box) {
-    return cut(0.5 * (box.ux[0] + box.ux[1]), 0.5 * (box.uy[0] + box.uy[1])) ||
-           cut(0.5 * (box.vx[0] + box.vx[1]), 0.5 * (box.vy[0] + box.vy[1]));
+inline Node Mover::node(std::uint32_t index) const {
+  if (index == kRootNode) {
+    const Box& root = tree->root;
+    return {root.x, root.y, root.ux, root.uy, root.along, root.across, 0, false};
   }
-  /// What no axis has cut off; nothing, low > high, is possible, too.
-  Rest rest() const;
+  const Block& block = tree->blocks[index / kLanes];
+  const unsigned lane = index % kLanes;
+  const double block_scale = block.scale;
+  return {block.origin_x + block.x[lane] * block_scale,
+          block.origin_y + block.y[lane] * block_scale,
+          block.ux[lane],
+          block.uy[lane],
+          block.along[lane] * block_scale,
+          block.across[lane] * block_scale,
+          block.child[lane],
+          block.leaf};
+}
 
- private:
-  /// A gap `from` at one end of the window, which the line to `to` at the other and the sag leave positive for a share
-  /// of about from / slope.
-  struct Side {
-    double from = 0, to = 0, slope = 1;
-  };
-  bool offer(double from, double to, Side& side) const;
-  double share(const Side& side) const;
+inline MovingBox Mover::box(const Places& p, const Node& node) const {
+  const Double2 ux = p.m00 * node.ux + p.m01 * node.uy, uy = p.m10 * node.ux + p.m11 * node.uy;
+  const Double2 vx = p.m01 * node.ux - p.m00 * node.uy, vy = p.m11 * node.ux - p.m10 * node.uy;
+  const double x = node.x * scale, y = node.y * scale, along = node.along * scale, across = node.across * scale;
+  return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy, along, across};
+}
 
-  const MovingBox &a_, &b_;
-  double error_, sag_;
-  Side first_, last_;
-};
-
-/// The nearest points of two edges at one end of the window; distance 0 where they cross.
+/// The nearest points of two edges at one end of the window; distance 0 where they certainly cross.
 struct Nearest {
-  Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane);
+  Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error);
   Vec2 on_a, on_b;
   double distance;
 };

@@ -11,6 +11,7 @@
 
 #include "moving_pair.h"
 #include "strategy.h"
+#include "window_cutter.h"
 
 namespace tricover {
 namespace detail {
@@ -40,11 +41,11 @@ class ImpactSearch {
     candidates_.reserve(128);
   }
 
-  /// Whether the boxes around everything may meet at a time in [0, 1], and from when on.
+  /// Whether the boxes around everything may meet at a time in [0, 1].
   bool start() {
-    const Places places_a = pair_.a.places(0, 1), places_b = pair_.b.places(0, 1);
+    const Window window(pair_, 0, 1);
     const Node root_a = pair_.a.node(kRootNode), root_b = pair_.b.node(kRootNode);
-    offer(pair_.a.box(places_a, root_a), pair_.b.box(places_b, root_b), {0, 1, kRootNode, kRootNode, 0});
+    offer(window, pair_.a.box(window.a, root_a), pair_.b.box(window.b, root_b), {0, 1, kRootNode, kRootNode, 0});
     return !candidates_.empty();
   }
   double lowerBound() const { return candidates_.front().begin; }
@@ -66,10 +67,6 @@ class ImpactSearch {
   std::size_t edge_a = 0, edge_b = 0;  ///< positions of those that touch at the upper bound
 
  private:
-  double sag(const MovingBox& a, const MovingBox& b, double length) const {
-    return 0.5 * (a.bend + b.bend) * length * length;
-  }
-
   void push(const Candidate& candidate) {
     if (candidate.begin > upper_bound_) return;
     candidates_.push_back(candidate);
@@ -83,38 +80,31 @@ class ImpactSearch {
     return candidate;
   }
 
-  void offer(const MovingBox& a, const MovingBox& b, const Candidate& candidate) {
-    WindowCutter cutter(a, b, pair_.error, sag(a, b, candidate.end - candidate.begin));
-    if (cutter.cutByAxesOf(a) || cutter.cutByAxesOf(b)) return;
+  void offer(const Window& window, const MovingBox& a, const MovingBox& b, const Candidate& candidate) {
+    WindowCutter cutter(window, a, b);
+    if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
     const Rest rest = cutter.rest();
     if (rest.low <= rest.high) push(cut(candidate, rest));
   }
 
   void divide(const Candidate& candidate) {
-    const Node a = pair_.a.node(candidate.a), b = pair_.b.node(candidate.b);
-    if (a.edge && b.edge) return divideEdges(candidate, a.child, b.child);
-    const Places places_a = pair_.a.places(candidate.begin, candidate.end);
-    const Places places_b = pair_.b.places(candidate.begin, candidate.end);
-    const MovingBox box_a = pair_.a.box(places_a, a), box_b = pair_.b.box(places_b, b);
-    // Smaller boxes don't help where the paths' bends are larger than the boxes.
-    const double length = candidate.end - candidate.begin;
-    if (0.25 * sag(box_a, box_b, length) > box_a.along + box_a.across + box_b.along + box_b.across) {
-      halve(candidate, a, b);
-      return;
-    }
+    const Node node_a = pair_.a.node(candidate.a), node_b = pair_.b.node(candidate.b);
+    const Window window(pair_, candidate.begin, candidate.end);
+    if (node_a.edge && node_b.edge) return divideEdges(window, candidate, node_a.child, node_b.child);
+    const MovingBox a = pair_.a.box(window.a, node_a), b = pair_.b.box(window.b, node_b);
+    const double size_a = a.along + a.across, size_b = b.along + b.across;
+    // Smaller boxes don't help where ways bend by more than the boxes' size.
+    if (WindowCutter(window, a, b).bend() > size_a + size_b) return halve(candidate, node_a, node_b);
     Candidate part = candidate;
     ++part.depth;
-    const bool divides_a = !a.edge && (b.edge || box_a.along + box_a.across >= box_b.along + box_b.across);
+    const bool divides_a = !node_a.edge && (node_b.edge || size_a >= size_b);
     const Mover& mover = divides_a ? pair_.a : pair_.b;
-    const std::uint32_t block = divides_a ? a.child : b.child;
+    const std::uint32_t block = divides_a ? node_a.child : node_b.child;
     for (std::uint32_t lane = 0; lane < mover.tree->blocks[block].count; ++lane) {
       const std::uint32_t index = block * kLanes + lane;
       (divides_a ? part.a : part.b) = index;
-      const MovingBox box = mover.box(divides_a ? places_a : places_b, mover.node(index));
-      if (divides_a)
-        offer(box, box_b, part);
-      else
-        offer(box_a, box, part);
+      const MovingBox box = mover.box(divides_a ? window.a : window.b, mover.node(index));
+      offer(window, divides_a ? box : a, divides_a ? b : box, part);
     }
   }
 
@@ -123,8 +113,8 @@ class ImpactSearch {
     for (const bool later : {false, true}) {
       Candidate part = candidate;
       (later ? part.begin : part.end) = middle;
-      offer(pair_.a.box(pair_.a.places(part.begin, part.end), a), pair_.b.box(pair_.b.places(part.begin, part.end), b),
-            part);
+      const Window window(pair_, part.begin, part.end);
+      offer(window, pair_.a.box(window.a, a), pair_.b.box(window.b, b), part);
     }
   }
 
@@ -135,28 +125,25 @@ class ImpactSearch {
     edge_b = position_b;
   }
 
-  void divideEdges(const Candidate& candidate, std::size_t position_a, std::size_t position_b) {
-    const MovingBox a = pair_.a.edge(pair_.a.places(candidate.begin, candidate.end), position_a);
-    const MovingBox b = pair_.b.edge(pair_.b.places(candidate.begin, candidate.end), position_b);
-    const Nearest at_begin(a, b, 0);
+  void divideEdges(const Window& window, const Candidate& candidate, std::size_t position_a, std::size_t position_b) {
+    const MovingBox a = pair_.a.edge(window.a, position_a), b = pair_.b.edge(window.b, position_b);
+    const Nearest at_begin(a, b, 0, pair_.error);
     // Written so that NaN, as where bounds overflow, is a touch.
     if (!(at_begin.distance > touch_distance_)) return touch(candidate.begin, position_a, position_b);
-    if (!(Nearest(a, b, 1).distance > touch_distance_)) touch(candidate.end, position_a, position_b);
+    if (!(Nearest(a, b, 1, pair_.error).distance > touch_distance_)) touch(candidate.end, position_a, position_b);
 
     // Some axis parts the edges at the window's begin by nearly their distance: an edge's normal or, vertex to vertex,
     // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
-    const double length = candidate.end - candidate.begin;
-    const Vec2 axis = (at_begin.on_b - at_begin.on_a) / at_begin.distance;
-    WindowCutter cutter(a, b, pair_.error, sag(a, b, length));
-    if (cutter.cut(axis.x(), axis.y()) || cutter.cut(a.vx[0], a.vy[0]) || cutter.cut(b.vx[0], b.vy[0])) return;
+    WindowCutter cutter(window, a, b);
+    if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
     const Rest rest = cutter.rest();
     if (rest.low > rest.high) return;
 
     // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a window up to
     // there is shorter by an order.
-    const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / length;
+    const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / window.length;
     const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
-    const double split = candidate.begin + share * length;
+    const double split = candidate.begin + share * window.length;
     const Candidate part = cut(candidate, rest);
     if (split > part.begin && split < part.end) {
       push({part.begin, split, part.a, part.b, part.depth + 1});
@@ -221,7 +208,7 @@ Impact describe(const MovingPair& pair, const Motion& motion_a, double time, std
                 std::size_t position_b) {
   const Places places_a = pair.a.places(time, time), places_b = pair.b.places(time, time);
   const MovingBox a = pair.a.edge(places_a, position_a), b = pair.b.edge(places_b, position_b);
-  const Nearest nearest(a, b, 0);
+  const Nearest nearest(a, b, 0, pair.error);
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
                           ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
                           : normalOfTouch(a, b, betweenOrigins(places_a, places_b), pair.error);
@@ -263,7 +250,9 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
     }
   }
   if (!search.run()) return std::nullopt;
-  return describe(moving, motion_a, search.time, search.edge_a, search.edge_b);
+  // Apart at time 0, though it may be by less than rounding.
+  const double time = std::max(search.time, std::numeric_limits<double>::denorm_min());
+  return describe(moving, motion_a, time, search.edge_a, search.edge_b);
 }
 
 }  // namespace

@@ -149,6 +149,18 @@ TEST(TimeOfImpact, OverlapAtTheStartIsTimeZero) {
   EXPECT_EQ(expectImpact(square, kStill, square, Motion::still(pose(0.2, 0.5, 0)), 0).time, 0);
 }
 
+/// collide() at the start <=> time 0, though rounding can't tell these from a touch.
+TEST(TimeOfImpact, AnUlpApartIsNotTimeZero) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  for (const double x : {nudged(1, 1), nudged(-1, -1)}) {
+    const auto impact = timeOfImpact(square, kStill, square, Motion::translation(pose(0, x, 0), {-x, 0}));
+    ASSERT_TRUE(impact);
+    EXPECT_GT(impact->time, 0);
+    EXPECT_LT(impact->time, 1e-15);
+    EXPECT_EQ(impact->normal, Vec2(x > 0 ? 1 : -1, 0));
+  }
+}
+
 TEST(TimeOfImpact, StillAndApartIsFree) {
   const Polygon square({rectangle(0, 0, 1, 1)}), c({{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {4, 3}, {4, 4}, {0, 4}}});
   expectFree(c, kStill, square, Motion::still(pose(0, 2, 1.5)));
@@ -194,6 +206,14 @@ TEST(TimeOfImpact, BothTurn) {
   EXPECT_GE(impact->time, met - 2e-3 / angle - kTimeError);
   // A quarter turn apart they mesh.
   expectFree(rod, turning(Pose::Identity(), angle), rod, turning(pose(kPi / 2, 3, 0), -angle));
+}
+
+/// Side by side on one turntable: edges on one line, none of which meet, and nothing moves against anything.
+TEST(TimeOfImpact, TurningTogetherIsFree) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  for (const double gap : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12})
+    expectFree(square, turning(Pose::Identity(), kPi), square,
+               turning(pose(0, 1 + gap, 0), kPi, Vec2::Zero(), {-1 - gap, 0}));
 }
 
 TEST(TimeOfImpact, MirroredTurnsCounterClockwise) {
