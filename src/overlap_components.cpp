@@ -79,6 +79,9 @@ struct Side {
   std::vector<RingStops> rings;
 };
 
+/// Off the middle, where symmetric shapes have other edges, too.
+double somewhere(const Span& span) { return span.low + 0.4142 * (span.high - span.low); }
+
 struct NodePoint {
   std::size_t node;
   BoundaryPoint point;
@@ -255,7 +258,7 @@ class Grouping {
     const Vec2 way = edge.w - edge.v;
     if ((next.span.low - reach) * way.norm() <= 4 * frame_.error()) return true;
     const bool in = winding.known ? sides_[1 - side].isInside(winding.number)
-                                  : holds(1 - side, edge.v + (0.5 * reach + 0.5 * next.span.low) * way);
+                                  : holds(1 - side, edge.v + somewhere({reach, next.span.low}) * way);
     if (in) inner_[stop.node] = true;
     return in;
   }
@@ -404,9 +407,9 @@ class Grouping {
     const double length = way.norm() * (crossing.on_a.high - crossing.on_a.low), error = frame_.error();
     if (!(length > 32 * error)) return;
     const Vec2 normal = Vec2(-way.y(), way.x()).normalized(), beside = 8 * error * normal;
-    const Vec2 middle = frame_.edgeOfA(crossing.edge_a, crossing.on_a.middle());
-    const bool a_left = holds(0, middle + beside), a_right = holds(0, middle - beside);
-    const bool b_left = holds(1, middle + beside), b_right = holds(1, middle - beside);
+    const Vec2 point = frame_.edgeOfA(crossing.edge_a, somewhere(crossing.on_a));
+    const bool a_left = holds(0, point + beside), a_right = holds(0, point - beside);
+    const bool b_left = holds(1, point + beside), b_right = holds(1, point - beside);
     component.inner = (a_left && b_left) || (a_right && b_right);
     if (a_right && b_left) component.facing += length * normal;
     if (a_left && b_right) component.facing -= length * normal;
