@@ -218,6 +218,7 @@ class ContactFinder {
 
   Exit ofTouch(const OverlapComponent& component) const;
   Exit byNearestEdge(const OverlapComponent& component) const;
+  Vec2 middleOf(const OverlapComponent& component, const Exit& exit) const;
   Contact inWorld(const OverlapComponent& component, const Exit& exit) const;
 
   const PosedPair& pair_;
@@ -351,27 +352,36 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
   return exit;
 }
 
-Contact ContactFinder::inWorld(const OverlapComponent& component, const Exit& exit) const {
-  // Halfway between its ends along the normal; beside that in the middle of the points at the deepest end.
-  const Vec2 &n = exit.normal, side(-n.y(), n.x());
-  double low = std::numeric_limits<double>::infinity(), high = -low, first = low, last = -low;
+/// The middle of the overlap along the normal through the deepest point, or through the middle of those.
+Vec2 ContactFinder::middleOf(const OverlapComponent& component, const Exit& exit) const {
+  // Heights above the end where the deepest points are, towards the other.
+  const Vec2 up = exit.from_a ? exit.normal : Vec2(-exit.normal), side(-up.y(), up.x());
+  double lowest = std::numeric_limits<double>::infinity(), first = lowest, last = -lowest;
+  for (const BoundaryPoint& point : component.points) lowest = std::min(lowest, up.dot(point.at));
   for (const BoundaryPoint& point : component.points) {
-    low = std::min(low, n.dot(point.at));
-    high = std::max(high, n.dot(point.at));
-  }
-  for (const BoundaryPoint& point : component.points) {
-    const double height = n.dot(point.at), error = 4 * frame_.error();
-    if (exit.from_a ? height > low + error : height < high - error) continue;
+    if (up.dot(point.at) > lowest + 4 * frame_.error()) continue;
     first = std::min(first, side.dot(point.at));
     last = std::max(last, side.dot(point.at));
   }
-  const Vec2 point = n * (0.5 * low + 0.5 * high) + side * (0.5 * first + 0.5 * last);
+  const double across = 0.5 * first + 0.5 * last;
+  double highest = lowest;
+  const Outline hull = convexHull(component.points);
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const Vec2 &p = hull[k].at, &q = hull[k + 1 < hull.size() ? k + 1 : 0].at;
+    const double from = side.dot(p) - across, to = side.dot(q) - across;
+    if ((from > 0 && to > 0) || (from < 0 && to < 0)) continue;
+    highest = std::max(highest, up.dot(from != to ? Vec2(p + from / (from - to) * (q - p)) : p));
+  }
+  return (0.5 * lowest + 0.5 * highest) * up + across * side;
+}
+
+Contact ContactFinder::inWorld(const OverlapComponent& component, const Exit& exit) const {
   const auto number = [](const PolygonData& polygon, std::ptrdiff_t position) {
     return position < 0 ? position
                         : static_cast<std::ptrdiff_t>(polygon.edgeNumber(static_cast<std::size_t>(position)));
   };
-  return {frame_.toWorld(point), n, exit.depth * frame_.unit(), number(pair_.a, exit.edge_a),
-          number(pair_.b, exit.edge_b)};
+  return {frame_.toWorld(middleOf(component, exit)), exit.normal, exit.depth * frame_.unit(),
+          number(pair_.a, exit.edge_a), number(pair_.b, exit.edge_b)};
 }
 
 }  // namespace

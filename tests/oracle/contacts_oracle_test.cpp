@@ -249,6 +249,18 @@ double depthBySeparatingAxes(const Case& c) {
   return least;
 }
 
+/// By how much a point is outside of a convex polygon, in plain doubles.
+double outside(const Polygon& polygon, const Pose& pose, const Vec2& point) {
+  const Ring& ring = polygon.rings()[0];
+  double most = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 v = pose * ring[i], way = pose * ring[(i + 1) % ring.size()] - v;
+    const Vec2 normal = Vec2(way.y(), -way.x()).normalized() * (pose.linear().determinant() < 0 ? -1 : 1);
+    most = std::max(most, normal.dot(point - v));
+  }
+  return most;
+}
+
 TEST(ContactsOracleConvex, DepthAndNormalPartThemAndNothingLessDoes) {
   const int cases = scaledCount(4000);
   int hits = 0, contained = 0, wrong = 0;
@@ -272,7 +284,9 @@ TEST(ContactsOracleConvex, DepthAndNormalPartThemAndNothingLessDoes) {
     const double depth = found[0].depth, rounding = 1e-15 * (4 + 2 * reach);
     const bool right = found.size() == 1 && !collidesAfter(depth * (1 + 1e-9) + rounding) &&
                        (depth < 200 * rounding || collidesAfter(0.99 * depth)) &&
-                       std::abs(depth - depthBySeparatingAxes(c)) <= 2 * rounding;
+                       std::abs(depth - depthBySeparatingAxes(c)) <= 2 * rounding &&
+                       outside(c.a, c.pose_a, found[0].point) <= 8 * rounding &&
+                       outside(c.b, c.pose_b, found[0].point) <= 8 * rounding;
     if (!right && ++wrong <= 3)
       ADD_FAILURE() << "seed " << i << ": " << found.size() << " contacts, depth " << depth << ", by separating axes "
                     << depthBySeparatingAxes(c) << "\n"
