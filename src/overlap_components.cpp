@@ -61,12 +61,14 @@ struct Side {
 
   explicit Side(const PolygonData& polygon_) : polygon(polygon_) {}
 
-  std::size_t after(std::size_t edge) const { return follow(edge, edge + 1 == polygon.edgeEnd(ringOf(edge))); }
+  std::size_t after(std::size_t edge) const {
+    const std::size_t ring = ringOf(edge);
+    return edge + 1 == polygon.edgeEnd(ring) ? polygon.edgeBegin(ring) : edge + 1;
+  }
   std::size_t before(std::size_t edge) const {
     const std::size_t ring = ringOf(edge);
     return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
   }
-  std::size_t follow(std::size_t edge, bool last) const { return last ? polygon.edgeBegin(ringOf(edge)) : edge + 1; }
   std::size_t ringOf(std::size_t edge) const {
     const auto& begin = polygon.ring_begin;
     return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
