@@ -4,76 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convex_outline.h"
 #include "overlap_components.h"
 #include "pairs.h"
 
 namespace tricover {
 namespace detail {
 namespace {
-
-/// A convex ring, counter-clockwise.
-using Outline = std::vector<BoundaryPoint>;
-
-/// Andrew's monotone chain.
-Outline convexHull(std::vector<BoundaryPoint> points) {
-  std::sort(points.begin(), points.end(), [](const BoundaryPoint& p, const BoundaryPoint& q) {
-    return p.at.x() != q.at.x() ? p.at.x() < q.at.x() : p.at.y() < q.at.y();
-  });
-  Outline hull;
-  const auto add = [&hull](const BoundaryPoint& p, std::size_t floor) {
-    while (hull.size() > floor && cross(hull.back().at - hull[hull.size() - 2].at, p.at - hull.back().at) <= 0)
-      hull.pop_back();
-    hull.push_back(p);
-  };
-  for (const BoundaryPoint& p : points) add(p, 1);
-  const std::size_t upper = hull.size();
-  for (auto p = points.rbegin() + 1; p < points.rend(); ++p) add(*p, upper);
-  if (hull.size() > 1) hull.pop_back();
-  return hull;
-}
-
-/// Calls visit(from, to, normal, depth, deepest) for every face of the outline: `body` reaches `depth` behind it, with
-/// `deepest`, which goes round the body as the face goes round the outline.
-template <typename Visit>
-void forEachFace(const Outline& outline, const Outline& body, Visit visit) {
-  std::size_t deepest = 0;
-  bool first = true;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const BoundaryPoint &from = outline[k], &to = outline[k + 1 < outline.size() ? k + 1 : 0];
-    const Vec2 way = to.at - from.at;
-    if (way.isZero(0)) continue;
-    const Vec2 normal = Vec2(way.y(), -way.x()).stableNormalized();
-    const auto height = [&](std::size_t i) { return normal.dot(body[i].at - from.at); };
-    if (first)
-      for (std::size_t i = 1; i < body.size(); ++i) deepest = height(i) < height(deepest) ? i : deepest;
-    first = false;
-    for (std::size_t steps = 0; steps < body.size(); ++steps) {
-      const std::size_t next = deepest + 1 < body.size() ? deepest + 1 : 0;
-      if (height(next) > height(deepest)) break;
-      deepest = next;
-    }
-    visit(from, to, normal, -height(deepest), body[deepest]);
-  }
-}
-
-/// Whether the region is convex: one ring that turns one way only, and goes around once (from left to right and back).
-bool isConvex(const PolygonData& polygon) {
-  if (polygon.ringCount() != 1) return false;
-  std::vector<Vec2> ring;
-  for (const Vec2& p : polygon.path)
-    if (ring.empty() || ring.back() != p) ring.push_back(p);
-  if (ring.size() < 4) return false;
-  ring.push_back(ring[1]);
-  int direction = 0, changes = 0;
-  const auto rises = [](const Vec2& p, const Vec2& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
-  for (std::size_t i = 0; i + 2 < ring.size(); ++i) {
-    const int turn = orientation(ring[i], ring[i + 1], ring[i + 2]);
-    if (turn * direction < 0) return false;
-    if (turn != 0) direction = turn;
-    changes += rises(ring[i], ring[i + 1]) != rises(ring[i + 1], ring[i + 2]);
-  }
-  return direction != 0 && changes == 2;
-}
 
 /// A contact in the WorldFrame, edges by position.
 struct Exit {
@@ -218,6 +155,7 @@ class ContactFinder {
 
   Exit ofTouch(const OverlapComponent& component) const;
   Exit byNearestEdge(const OverlapComponent& component) const;
+  Vec2 middleOf(const OverlapComponent& component, const Exit& exit) const;
   Contact inWorld(const OverlapComponent& component, const Exit& exit) const;
 
   const PosedPair& pair_;
@@ -351,27 +289,36 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
   return exit;
 }
 
-Contact ContactFinder::inWorld(const OverlapComponent& component, const Exit& exit) const {
-  // Halfway between its ends along the normal; beside that in the middle of the points at the deepest end.
-  const Vec2 &n = exit.normal, side(-n.y(), n.x());
-  double low = std::numeric_limits<double>::infinity(), high = -low, first = low, last = -low;
+/// The middle of the overlap along the normal through the deepest point, or through the middle of those.
+Vec2 ContactFinder::middleOf(const OverlapComponent& component, const Exit& exit) const {
+  // Heights above the end where the deepest points are, towards the other.
+  const Vec2 up = exit.from_a ? exit.normal : Vec2(-exit.normal), side(-up.y(), up.x());
+  double lowest = std::numeric_limits<double>::infinity(), first = lowest, last = -lowest;
+  for (const BoundaryPoint& point : component.points) lowest = std::min(lowest, up.dot(point.at));
   for (const BoundaryPoint& point : component.points) {
-    low = std::min(low, n.dot(point.at));
-    high = std::max(high, n.dot(point.at));
-  }
-  for (const BoundaryPoint& point : component.points) {
-    const double height = n.dot(point.at), error = 4 * frame_.error();
-    if (exit.from_a ? height > low + error : height < high - error) continue;
+    if (up.dot(point.at) > lowest + 4 * frame_.error()) continue;
     first = std::min(first, side.dot(point.at));
     last = std::max(last, side.dot(point.at));
   }
-  const Vec2 point = n * (0.5 * low + 0.5 * high) + side * (0.5 * first + 0.5 * last);
+  const double across = 0.5 * first + 0.5 * last;
+  double highest = lowest;
+  const Outline hull = convexHull(component.points);
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const Vec2 &p = hull[k].at, &q = hull[k + 1 < hull.size() ? k + 1 : 0].at;
+    const double from = side.dot(p) - across, to = side.dot(q) - across;
+    if ((from > 0 && to > 0) || (from < 0 && to < 0)) continue;
+    highest = std::max(highest, up.dot(from != to ? Vec2(p + from / (from - to) * (q - p)) : p));
+  }
+  return (0.5 * lowest + 0.5 * highest) * up + across * side;
+}
+
+Contact ContactFinder::inWorld(const OverlapComponent& component, const Exit& exit) const {
   const auto number = [](const PolygonData& polygon, std::ptrdiff_t position) {
     return position < 0 ? position
                         : static_cast<std::ptrdiff_t>(polygon.edgeNumber(static_cast<std::size_t>(position)));
   };
-  return {frame_.toWorld(point), n, exit.depth * frame_.unit(), number(pair_.a, exit.edge_a),
-          number(pair_.b, exit.edge_b)};
+  return {frame_.toWorld(middleOf(component, exit)), exit.normal, exit.depth * frame_.unit(),
+          number(pair_.a, exit.edge_a), number(pair_.b, exit.edge_b)};
 }
 
 }  // namespace

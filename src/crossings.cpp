@@ -42,7 +42,7 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
     if (edgesMeet(pair, i, j)) {
       const WorldFrame::Ends edge_a = frame.edgeEndsOfA(i), edge_b = frame.edgeEndsOfB(j);
       const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());
-      result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle())});
+      result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
     }
     return 0.0;
   });

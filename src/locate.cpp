@@ -83,10 +83,10 @@ bool addAlongRay(Winding& winding, const Hierarchy& hierarchy) {
 
 }  // namespace
 
-Location locateInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
-                          const PosedPoint& exact, int handed) {
+Inclusion includeInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
+                            const PosedPoint& exact, int handed) {
   const double dx = approx.x - polygon.origin.x(), dy = approx.y - polygon.origin.y();
-  if (normBelow(dx, dy) > (polygon.radius + 2 * approx.error) * (1 + 4 * kUlp)) return Location::Outside;
+  if (normBelow(dx, dy) > (polygon.radius + 2 * approx.error) * (1 + 4 * kUlp)) return {Location::Outside, 0};
   const Hierarchy* hierarchy = polygon.hierarchyIfBuilt();
 
   Winding winding{polygon, polygon.origin, {pose, approx, exact, handed}};
@@ -95,9 +95,13 @@ Location locateInCovering(const PolygonData& polygon, const Pose* pose, const Ap
   // is found on that vertex's edge.
   if (!off_origin && (pose == nullptr || winding.signs.isPoint(winding.s))) winding.s = polygon.path.front();
   if (hierarchy == nullptr || !addAlongRay(winding, *hierarchy)) addAll(winding);
-  if (winding.on_boundary) return Location::Boundary;
-  const bool inside = polygon.fill == FillRule::EvenOdd ? winding.sum / 2 % 2 != 0 : winding.sum != 0;
-  return inside ? Location::Inside : Location::Outside;
+  if (winding.on_boundary) return {Location::Boundary, 0};
+  return {isInside(polygon.fill, winding.sum / 2) ? Location::Inside : Location::Outside, winding.sum / 2};
+}
+
+Location locateInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
+                          const PosedPoint& exact, int handed) {
+  return includeInCovering(polygon, pose, approx, exact, handed).location;
 }
 
 }  // namespace detail

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The overlap's boundary consists of arcs of either polygon that lie in the other one, and its nodes are the crossings.
 // Nodes and arcs are joined along every ring; a polygon's own crossings join its arcs, too. What hangs together then is
-// either the outer boundary of a component or a hole's, and a hole belongs to what is next to the left of it.
+// either the outer boundary of a component or a hole's, and a hole belongs to what is next to it on any side.
+// On the way along a ring every crossing changes the other polygon's winding number by one, so that as a rule one
+// vertex of a ring is located, not one of every arc: that may cost O(n) each, as in combs.
 #include "overlap_components.h"
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "covering.h"
 #include "pairs.h"
@@ -32,36 +33,56 @@ class Sets {
   std::vector<std::size_t> parent_;
 };
 
+/// A winding number or a change of one, where that is known.
+struct Winding {
+  bool known = false;
+  int number = 0;
+};
+
 /// Where a node is on a ring.
 struct Stop {
   std::size_t edge;
   Span span;
   std::size_t node;
+  /// By how much the other's winding number changes here; none if it may do anything, as where edges touch.
+  Winding change;
   bool joined;  ///< the arc from here to the next stop is in the other region
 };
 
 /// One polygon's boundary, as the nodes divide it.
 struct Side {
   struct RingStops {
-    std::size_t begin, end;  ///< in `stops`
-    std::ptrdiff_t node;     ///< of a ring that lies in the other region as a whole; otherwise -1
+    std::size_t begin = 0, end = 0;  ///< in `stops`
+    std::ptrdiff_t node = -1;        ///< of a ring that lies in the other region as a whole; otherwise -1
+    /// The own winding number along its left, all along the ring, if that is known.
+    Winding left;
+    bool meets_own = false;  ///< or other rings of its polygon: then it isn't the same all along
   };
 
-  std::size_t after(std::size_t edge) const { return follow(edge, edge + 1 == polygon.edgeEnd(ringOf(edge))); }
+  explicit Side(const PolygonData& polygon_) : polygon(polygon_) {}
+
+  std::size_t after(std::size_t edge) const {
+    const std::size_t ring = ringOf(edge);
+    return edge + 1 == polygon.edgeEnd(ring) ? polygon.edgeBegin(ring) : edge + 1;
+  }
   std::size_t before(std::size_t edge) const {
     const std::size_t ring = ringOf(edge);
     return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
   }
-  std::size_t follow(std::size_t edge, bool last) const { return last ? polygon.edgeBegin(ringOf(edge)) : edge + 1; }
   std::size_t ringOf(std::size_t edge) const {
     const auto& begin = polygon.ring_begin;
     return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
   }
 
+  bool isInside(int winding) const { return detail::isInside(polygon.fill, winding); }
+
   const PolygonData& polygon;
   std::vector<Stop> stops;  ///< by edge, then where they begin
   std::vector<RingStops> rings;
 };
+
+/// Off the middle, where symmetric shapes have other edges, too.
+double somewhere(const Span& span) { return span.low + 0.4142 * (span.high - span.low); }
 
 struct NodePoint {
   std::size_t node;
@@ -75,7 +96,7 @@ class Grouping {
         swapped_(pair.b, pair.pose_b, pair.a, pair.pose_a),
         frame_(frame),
         crossings_(crossings),
-        sides_{{pair.a, {}, {}}, {pair.b, {}, {}}} {}
+        sides_{Side(pair.a), Side(pair.b)} {}
 
   std::vector<OverlapComponent> components() {
     join(false);
@@ -95,9 +116,13 @@ class Grouping {
   Ends ends(int side, std::size_t e) const { return side == 0 ? frame_.edgeEndsOfA(e) : frame_.edgeEndsOfB(e); }
   Vec2 toLocal(int side, const Vec2& p) const { return side == 0 ? frame_.toA(p) : frame_.toB(p); }
 
-  /// Where one side's vertex is in the other's region. Exact.
-  Location locateVertex(int side, std::size_t v) const {
-    return side == 0 ? locate(swapped_, pair_.a.path[v]) : locate(pair_, pair_.b.path[v]);
+  /// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.
+  Inclusion includeVertex(int side, std::size_t v) const {
+    const PosedPair& pair = side == 0 ? swapped_ : pair_;
+    const Vec2& local = pair.b.path[v];
+    const Inclusion found =
+        includeInCovering(pair.a, &pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed);
+    return {found.location, found.winding * pair.handed};
   }
 
   /// Whether a rounded point is in one side's region.
@@ -114,12 +139,13 @@ class Grouping {
     inner_.clear();
     for (Side& side : sides_) {
       side.stops.clear();
-      side.rings.clear();
+      side.rings.assign(side.polygon.ringCount(), {});
     }
     for (const EdgeCrossing& c : crossings_) {
       const std::size_t node = addNode(true);
-      sides_[0].stops.push_back({c.edge_a, c.on_a, node, false});
-      sides_[1].stops.push_back({c.edge_b, c.on_b, node, false});
+      const bool known = c.direction != 0;
+      sides_[0].stops.push_back({c.edge_a, c.on_a, node, {known, -c.direction}, false});
+      sides_[1].stops.push_back({c.edge_b, c.on_b, node, {known, c.direction}, false});
       const auto i = static_cast<std::ptrdiff_t>(c.edge_a), j = static_cast<std::ptrdiff_t>(c.edge_b);
       points_.push_back({node, {c.point, i, i, j, j}});
     }
@@ -147,6 +173,8 @@ class Grouping {
 
   /// Two nodes, where they cover each other: what is between needn't be in the overlap.
   void addOwnCrossing(int side, std::size_t e, std::size_t f) {
+    Side& own = sides_[side];
+    own.rings[own.ringOf(e)].meets_own = own.rings[own.ringOf(f)].meets_own = true;
     const Ends of_e = ends(side, e), of_f = ends(side, f);
     const Span on_e = spanNear(of_e, of_f, frame_.error()), on_f = spanNear(of_f, of_e, frame_.error());
     const bool alike = (of_e.w - of_e.v).dot(of_f.w - of_f.v) > 0;
@@ -154,8 +182,8 @@ class Grouping {
     const double ends_on_f[] = {alike ? on_f.low : on_f.high, alike ? on_f.high : on_f.low};
     for (int end : {0, 1}) {
       const std::size_t node = addNode(false);
-      sides_[side].stops.push_back({e, {ends_on_e[end], ends_on_e[end]}, node, false});
-      sides_[side].stops.push_back({f, {ends_on_f[end], ends_on_f[end]}, node, false});
+      own.stops.push_back({e, {ends_on_e[end], ends_on_e[end]}, node, {true, 0}, false});
+      own.stops.push_back({f, {ends_on_f[end], ends_on_f[end]}, node, {true, 0}, false});
     }
   }
 
@@ -171,10 +199,11 @@ class Grouping {
       bool crossed = false;
       for (; end < stops.size() && stops[end].edge < own.polygon.edgeEnd(r); ++end)
         crossed = crossed || stops[end].node < crossings_.size();
-      own.rings.push_back({begin, end, -1});
+      own.rings[r].begin = begin;
+      own.rings[r].end = end;
       if (crossed)
         joinArcs(side, begin, end);
-      else if (locateVertex(side, own.polygon.edgeBegin(r)) != Location::Outside)
+      else if (includeVertex(side, own.polygon.edgeBegin(r)).location != Location::Outside)
         joinWhole(side, r);
       begin = end;
     }
@@ -198,37 +227,55 @@ class Grouping {
 
   void joinArcs(int side, std::size_t begin, std::size_t end) {
     std::vector<Stop>& stops = sides_[side].stops;
-    double reach = stops[begin].span.high;
-    for (std::size_t k = begin; k < end; ++k) {
-      const Stop& next = stops[k + 1 < end ? k + 1 : begin];
+    Winding winding;  // the other's, on the arc after the stop
+    double reach = 0;
+    // Beginning with the way round from the last stop to the first, which tells the winding number.
+    for (std::size_t k = end - 1, next = begin; next < end; k = next++) {
       Stop& stop = stops[k];
-      if (k + 1 < end && next.edge == stop.edge) {
-        stop.joined = joinedOnEdge(side, stop, next, reach);
-        reach = std::max(reach, next.span.high);
-      } else {
-        stop.joined = joinedRoundVertices(side, stop, next);
-        reach = next.span.high;
-      }
-      if (stop.joined) sets_.join(stop.node, next.node);
+      pass(1 - side, stop, winding);
+      const bool on_edge = k < next && stop.edge == stops[next].edge;
+      stop.joined = on_edge ? joinedOnEdge(side, stop, stops[next], reach, winding)
+                            : joinedRoundVertices(side, stop, stops[next], winding);
+      reach = on_edge ? std::max(reach, stops[next].span.high) : stops[next].span.high;
+      if (stop.joined) sets_.join(stop.node, stops[next].node);
     }
   }
 
-  bool joinedOnEdge(int side, const Stop& stop, const Stop& next, double reach) {
+  /// Takes the other side's winding number past a stop; on the way it is the one along the left of the edge crossed.
+  void pass(int other, const Stop& stop, Winding& winding) {
+    winding.known = winding.known && stop.change.known;
+    if (!winding.known) return;
+    const int before = winding.number;
+    winding.number += stop.change.number;
+    if (stop.node < crossings_.size()) {
+      const EdgeCrossing& crossing = crossings_[stop.node];
+      Side& crossed = sides_[other];
+      const std::size_t ring = crossed.ringOf(other == 0 ? crossing.edge_a : crossing.edge_b);
+      crossed.rings[ring].left = {true, std::max(before, winding.number)};
+    }
+  }
+
+  bool joinedOnEdge(int side, const Stop& stop, const Stop& next, double reach, const Winding& winding) {
     const Ends edge = ends(side, stop.edge);
     const Vec2 way = edge.w - edge.v;
     if ((next.span.low - reach) * way.norm() <= 4 * frame_.error()) return true;
-    const bool in = holds(1 - side, edge.v + (0.5 * reach + 0.5 * next.span.low) * way);
+    const bool in = winding.known ? sides_[1 - side].isInside(winding.number)
+                                  : holds(1 - side, edge.v + somewhere({reach, next.span.low}) * way);
     if (in) inner_[stop.node] = true;
     return in;
   }
 
   /// No vertex between two stops in a row is on the other's boundary, unless it is both of them, so that one stands for
   /// all.
-  bool joinedRoundVertices(int side, const Stop& stop, const Stop& next) {
+  bool joinedRoundVertices(int side, const Stop& stop, const Stop& next, Winding& winding) {
     const Side& own = sides_[side];
     std::size_t v = own.after(stop.edge);
-    const Location location = locateVertex(side, v);
-    if (location != Location::Inside) return location == Location::Boundary;
+    if (!winding.known) {
+      const Inclusion found = includeVertex(side, v);
+      if (found.location == Location::Boundary) return true;
+      winding = {true, found.winding};
+    }
+    if (!sides_[1 - side].isInside(winding.number)) return false;
     inner_[stop.node] = present_[stop.node] = true;
     for (addVertex(side, v, stop.node); v != next.edge; addVertex(side, v, stop.node)) v = own.after(v);
     return true;
@@ -256,16 +303,35 @@ class Grouping {
     for (const std::ptrdiff_t k : leftmost) {
       if (k < 0) continue;
       const NodePoint& point = points_[static_cast<std::size_t>(k)];
+      if (!overlapsLeftOf(point)) continue;
       const std::ptrdiff_t node = leftOf(point.point.at);
       if (node >= 0) sets_.join(point.node, static_cast<std::size_t>(node));
     }
   }
 
-  /// The node of the boundary that is next to the left, if the way is in the overlap; otherwise -1.
+  /// Whether what is next to the leftmost point of a boundary, outside of it, is in the overlap.
+  bool overlapsLeftOf(const NodePoint& point) const {
+    const BoundaryPoint& p = point.point;
+    // Where edges cross, a corner of the overlap is less than a half turn: here to the right.
+    if (p.a >= 0 && p.b >= 0 && crossings_[point.node].direction != 0) return false;
+    if (p.a < 0 || p.b < 0) {
+      const int side = p.b < 0 ? 0 : 1;
+      const std::ptrdiff_t edge = side == 0 ? p.a : p.b, before = side == 0 ? p.a_before : p.b_before;
+      const Side& own = sides_[side];
+      const Side::RingStops& ring = own.rings[own.ringOf(static_cast<std::size_t>(edge))];
+      // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
+      const Ends to = ends(side, static_cast<std::size_t>(edge)), from = ends(side, static_cast<std::size_t>(before));
+      const double turn = cross(from.v - from.w, to.w - to.v);
+      if (ring.left.known && !ring.meets_own && turn != 0)
+        return own.isInside(turn > 0 ? ring.left.number : ring.left.number - 1);
+    }
+    const Vec2 beside = p.at - Vec2(4 * frame_.error(), 0);
+    return holds(0, beside) && holds(1, beside);
+  }
+
+  /// The node of the boundary that is next to the left; -1 if none is found.
   std::ptrdiff_t leftOf(const Vec2& p) {
-    const Vec2 beside = p - Vec2(4 * frame_.error(), 0);
-    if (!holds(0, beside) || !holds(1, beside)) return -1;
-    Hits hits{*this, 0, p.y(), beside.x(), -std::numeric_limits<double>::infinity(), -1};
+    Hits hits{*this, 0, p.y(), p.x() - 4 * frame_.error(), -std::numeric_limits<double>::infinity(), -1};
     for (; hits.side < 2; ++hits.side) {
       const PolygonData& polygon = sides_[hits.side].polygon;
       const Vec2 at = polygon.inUnits(toLocal(hits.side, p));
@@ -343,9 +409,9 @@ class Grouping {
     const double length = way.norm() * (crossing.on_a.high - crossing.on_a.low), error = frame_.error();
     if (!(length > 32 * error)) return;
     const Vec2 normal = Vec2(-way.y(), way.x()).normalized(), beside = 8 * error * normal;
-    const Vec2 middle = frame_.edgeOfA(crossing.edge_a, crossing.on_a.middle());
-    const bool a_left = holds(0, middle + beside), a_right = holds(0, middle - beside);
-    const bool b_left = holds(1, middle + beside), b_right = holds(1, middle - beside);
+    const Vec2 point = frame_.edgeOfA(crossing.edge_a, somewhere(crossing.on_a));
+    const bool a_left = holds(0, point + beside), a_right = holds(0, point - beside);
+    const bool b_left = holds(1, point + beside), b_right = holds(1, point - beside);
     component.inner = (a_left && b_left) || (a_right && b_right);
     if (a_right && b_left) component.facing += length * normal;
     if (a_left && b_right) component.facing -= length * normal;

@@ -19,7 +19,8 @@ struct Span {
 struct EdgeCrossing {
   std::size_t edge_a, edge_b;
   Span on_a, on_b;
-  Vec2 point;  ///< in the WorldFrame
+  Vec2 point;     ///< in the WorldFrame
+  int direction;  ///< see crossingDirection()
 };
 
 /// Where `edge` is no farther than `error` from `other`, which it meets, but for rounding.

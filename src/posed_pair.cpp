@@ -94,6 +94,12 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
          ends.within(3, 0, 1, reach);
 }
 
+int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j) {
+  const EdgePair ends(pair, i, j);
+  const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
+  return p * q == -1 && v * w == -1 ? pair.handed * q : 0;
+}
+
 double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
   const EdgePair ends(pair, i, j);
   const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);

@@ -84,6 +84,10 @@ bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j);
 /// tolerance only. Exact where tolerance is 0.
 bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance);
 
+/// Where the filters prove that two edges cross at a point inside both: 1 if, in the world, b's edge leads from the
+/// right of a's to the left, -1 for the other way. Otherwise 0.
+int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j);
+
 /// How far, in a's frame, each point of b may at least be moved before these two edges come apart; 0 where that isn't
 /// certain.
 double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j);
