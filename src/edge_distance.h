@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "double2.h"
 #include "polygon_data.h"
@@ -23,11 +24,31 @@ class EdgeDistances {
   /// The other way: nothing that is farther apart than this has an at() of at most `distance`.
   static double above(double distance) { return distance * (1 + 4 * kRelativeError) + 4 * kSmallest; }
 
-  struct Bounds {
-    bool meet;         ///< the edges share a point: exact
+  static constexpr int kCombinations = 4;
+
+  /// What doubles tell of two edges: each end of one against the other edge, first b's ends, then a's.
+  struct View {
+    bool meet;         ///< whether the edges share a point: exact
+    int nearest;       ///< of the combinations
     double low, high;  ///< of what at() returns, for edges that don't meet
+    /// Equal for pairs whose nearest points are certainly of the same vertices and edges, so that at() finds them to be
+    /// just as far apart; 0 if there is no telling.
+    std::uint64_t feature;
+
+    double square[kCombinations];        ///< of the distance
+    double part[kCombinations];          ///< where on the edge the nearest point is, from 0 to 1
+    double area[kCombinations];          ///< spanned by the point and the edge, twice
+    double along[kCombinations];         ///< times the edge's length, from its start
+    double length_square[2], unsure[2];  ///< the edge's; what areas and positions may be wrong by
+
+    /// Whether the nearest point is certainly the edge's start (-1), inside of it (0) or its end (1); otherwise
+    /// kUncertain.
+    int place(int k) const {
+      const double at = along[k], length = length_square[k / 2], error = unsure[k / 2];
+      return at < -error ? -1 : at > length + error ? 1 : at > error && at < length - error ? 0 : kUncertain;
+    }
   };
-  Bounds bounds(std::size_t i, std::size_t j) const;
+  View view(std::size_t i, std::size_t j) const;
 
   /// Where two edges are nearest: an end of one, and a part of the other from its start (0) to its end (1).
   struct Nearest {
@@ -37,23 +58,19 @@ class EdgeDistances {
 
   /// For edges that don't meet. Depends on nothing but them and the poses. Where `slack` suffices, a value is
   /// returned that may be above the true one by as much (a factor beyond 1, and a length).
-  Nearest at(std::size_t i, std::size_t j, double relative_slack, double absolute_slack) const;
+  Nearest at(const View& view, std::size_t i, std::size_t j, double relative_slack, double absolute_slack) const;
 
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
-  Nearest whereTheyMeet(std::size_t i, std::size_t j) const;
+  Nearest whereTheyMeet(const View& view) const;
 
  private:
   static constexpr double kSmallest = 0x1p-1074;
-  static constexpr int kCombinations = 4;
 
-  /// Each end of one edge against the other edge, as doubles see it: b's ends against the edge of a, then the converse.
-  struct Rounded {
-    double square[kCombinations], along[kCombinations], area[kCombinations];
-    bool apart;  ///< whether they certainly don't meet
-  };
-  Rounded rounded(std::size_t i, std::size_t j) const;
-  Nearest combination(int k, std::size_t i, std::size_t j) const;
+  Nearest combination(int k, const View& view, std::size_t i, std::size_t j) const;
   Nearest exactCombination(int k, std::size_t i, std::size_t j) const;
+  std::uint64_t featureOf(const View& view, double d, std::size_t i, std::size_t j) const;
+  /// Squares above this are of combinations that can't be the nearest, `d` being the least rounded distance.
+  double mostSquare(double d) const;
   bool meetExactly(std::size_t i, std::size_t j) const;
 
   const PolygonData &a_, &b_;
