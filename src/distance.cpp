@@ -46,22 +46,23 @@ class Search {
 
   /// False if they share a point, which ends the search.
   bool show(std::uint32_t i, std::uint32_t j) {
-    const EdgeDistances::View view = edges_.view(i, j);
-    const Listed pair{view.low, view.feature, i, j};
-    if (view.meet) {
+    const EdgeDistances::Bounds bounds = edges_.bounds(i, j);
+    if (!bounds.clear && edges_.meet(i, j)) {
       meets_ = true;
-      best_ = edges_.whereTheyMeet(view);
-      best_pair_ = pair;
+      best_ = edges_.whereTheyMeet(edges_.view(i, j));
+      best_pair_ = {0, i, j, -1};
       return false;
     }
-    if (view.high < upper_) {
-      upper_ = view.high;
-      upper_pair_ = pair;
-      upper_view_ = view;
-      updateReach();
-    }
-    if (view.low <= reach_) list(pair);
+    count(bounds, {0, i, j, -1});
     return true;
+  }
+
+  /// The same for a pair that is likely to be the nearest and doesn't meet.
+  void showNear(std::uint32_t i, std::uint32_t j) {
+    const EdgeDistances::View& view = views_[view_count_] = edges_.view(i, j);
+    const int index = view_count_;
+    if (view_count_ < DistanceCache::kMost) ++view_count_;
+    count(edges_.bounds(view), {0, i, j, index < DistanceCache::kMost ? index : -1});
   }
 
   /// A length beyond which no pair holds the answer.
@@ -86,7 +87,7 @@ class Search {
   /// Finds the least distance of all that was shown, infinity if that was nothing.
   void finish() {
     if (meets_) return;
-    if (upper_ < best_.distance) evaluate(upper_pair_, upper_view_);
+    if (upper_ < best_.distance) evaluate(upper_pair_);
     for (int k = 0; k < count_ && listed_[k].low <= best_.distance; ++k) evaluate(listed_[k]);
   }
 
@@ -122,9 +123,19 @@ class Search {
  private:
   struct Listed {
     double low;
-    std::uint64_t feature;
     std::uint32_t i, j;
+    int view;  ///< of views_; -1 if there is none
   };
+
+  void count(const EdgeDistances::Bounds& bounds, Listed pair) {
+    pair.low = bounds.low;
+    if (bounds.high < upper_) {
+      upper_ = bounds.high;
+      upper_pair_ = pair;
+      updateReach();
+    }
+    if (bounds.low <= reach_) list(pair);
+  }
 
   void updateReach() {
     worth_ = std::min(limit_, std::max((upper_ - options_.absolute_error) / (1 + options_.relative_error), 0.0));
@@ -161,18 +172,22 @@ class Search {
     if (pair.low <= std::min(upper_, best_.distance)) evaluate(pair);
   }
 
+  void evaluate(const Listed& pair) {
+    if (pair.i == best_pair_.i && pair.j == best_pair_.j) return;
+    if (pair.view >= 0)
+      evaluate(pair, views_[pair.view]);
+    else
+      evaluate(pair, edges_.view(pair.i, pair.j));
+  }
+
   void evaluate(const Listed& pair, const EdgeDistances::View& view) {
+    if (view.feature != 0 && view.feature == best_feature_) return;
     const EdgeDistances::Nearest found =
         edges_.at(view, pair.i, pair.j, options_.relative_error, options_.absolute_error);
     if (found.distance > best_.distance) return;
     best_ = found;
     best_pair_ = pair;
-  }
-
-  void evaluate(const Listed& pair) {
-    const bool same_pair = pair.i == best_pair_.i && pair.j == best_pair_.j;
-    const bool known = pair.feature != 0 ? pair.feature == best_pair_.feature : same_pair;
-    if (!known) evaluate(pair, edges_.view(pair.i, pair.j));
+    best_feature_ = view.feature;
   }
 
   const EdgeDistances edges_;
@@ -184,8 +199,10 @@ class Search {
   int count_ = 0;
   bool meets_ = false;
   EdgeDistances::Nearest best_{kInfinity, 0, 0};
-  Listed upper_pair_, best_pair_{0, 0, UINT32_MAX, UINT32_MAX};
-  EdgeDistances::View upper_view_;
+  Listed upper_pair_, best_pair_{0, UINT32_MAX, UINT32_MAX, -1};
+  EdgeDistances::View views_[DistanceCache::kMost + 1];  ///< the last one isn't kept
+  int view_count_ = 0;
+  std::uint64_t best_feature_ = 0;
 };
 
 /// Rounded as a posed vertex is. What could overflow on the way is made smaller first.
@@ -221,17 +238,23 @@ DistanceResult contained(const Pair& pair, const Outcome& outcome) {
 /// How many of the pairs that the fact lists had to be shown for the least distance, or a meeting, to be among them
 /// after a motion; -1 if it isn't certain to be.
 int recall(const DistanceCache& cache, const Remainder& remainder, Search& search) {
+  const bool apart = remainder.of(cache.apart[0]) > 0;
   for (int k = 0; k <= cache.count; ++k) {
     if (EdgeDistances::below(remainder.of(cache.apart[k])) > search.worth()) return k;
-    if (k < cache.count && !search.show(cache.first_edge[k], cache.second_edge[k])) return k;
+    if (k == cache.count) break;
+    if (apart)
+      search.showNear(cache.first_edge[k], cache.second_edge[k]);
+    else if (!search.show(cache.first_edge[k], cache.second_edge[k]))
+      return k;
   }
   return -1;
 }
 
 Remainder remainderOf(const DistanceCache& cache, const Pair& pair, bool& both_moved) {
-  const Change change_a(pair.a, cache.first_pose, pair.pose_a), change_b(pair.b, cache.second_pose, pair.pose_b);
-  both_moved = change_a.any() && change_b.any();
-  const double motion = (change_a.any() ? change_a.displacement() : 0) + (change_b.any() ? change_b.displacement() : 0);
+  const bool a_moved = !sameAs(cache.first_pose, pair.pose_a), b_moved = !sameAs(cache.second_pose, pair.pose_b);
+  both_moved = a_moved && b_moved;
+  const double motion = (a_moved ? Change(pair.a, cache.first_pose, pair.pose_a).displacement() : 0) +
+                        (b_moved ? Change(pair.b, cache.second_pose, pair.pose_b).displacement() : 0);
   return {1 - 8 * kUlp, motion};
 }
 
@@ -241,10 +264,16 @@ bool descend(const PosedPair& pair, Search& search) {
   const double dx = std::abs(pair.center_x - pair.a.origin.x()), dy = std::abs(pair.center_y - pair.a.origin.y());
   search.limitTo((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect) *
                  (1 + 16 * kUlp));
-  const auto limit = [&] { return std::min(pair.reach(EdgeDistances::above(search.reach())), 0x1p1023); };
-  forEachPair(pair, limit(), [&](double, std::size_t i, std::size_t j) {
-    return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
-  });
+  const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
+  forNearPairs(
+      pair, limit(),
+      [&](double, std::size_t i, std::size_t j) {
+        return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
+      },
+      [&](double length) {
+        search.limitTo(length * (1 + pair.scale_defect) * (1 + 16 * kUlp));
+        return limit();
+      });
   return !search.meets();
 }
 

@@ -104,65 +104,47 @@ EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const Pol
   shift_ = shift.high;
   shift_rest_ = shift.low;
   error_ = 66 * kUlp * size_;
+  unsure_ = 512 * kUlp * size_ * size_;
+  for (int i = 0; i < 2; ++i) {
+    scaled_a_[i] = columns_a_[i] * scale_;
+    scaled_b_[i] = columns_b_[i] * scale_;
+  }
 }
 
-// The point of a segment v + s u that is nearest to a point v + w is found by a rounded s; were s wrong by e, the
-// distance would be too large by less than e |u|. s |u| errs by 5U |w|, the residual w - s u by 3U (|w| + |u|) in
-// either coordinate, and |w| is at most |u| + d: in all below 16U (|u| + d). Signs of areas and of positions along u
-// err by less than 8 times 6U M (|u|_1 + |w|_1).
 EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
-  const auto map = [this](const Double2(&columns)[2], Double2 p) {
-    const Double2 scaled = p * scale_;
-    return columns[0] * scaled[0] + columns[1] * scaled[1];
-  };
-  const Double2 a1 = map(columns_a_, point(a_, i)), a2 = map(columns_a_, point(a_, i + 1));
-  const Double2 b1 = map(columns_b_, point(b_, j)) + shift_, b2 = map(columns_b_, point(b_, j + 1)) + shift_;
+  const Ends e = ends(i, j);
   View v;
-  const auto compare = [&](Double2 u, Double2 w1, Double2 w2, int k) {
-    const Double2 x{w1[0], w2[0]}, y{w1[1], w2[1]};
-    const double square = dot(u, u);
-    const Double2 along = x * u[0] + y * u[1], area = y * u[0] - x * u[1];
-    const Double2 part = along * (square > 0x1p-960 ? 1 / square : 0);
-    const Double2 s = part > 0.0 ? (part < 1.0 ? part : both(1)) : both(0);
-    const Double2 dx = x - s * u[0], dy = y - s * u[1];
-    store2(v.square + k, dx * dx + dy * dy);
-    store2(v.part + k, s);
-    store2(v.area + k, area);
-    store2(v.along + k, along);
-    const Double2 sizes = absolute(u) + absolute(w1) + absolute(w2);
-    const double unsure = 48 * kUlp * size_ * (sizes[0] + sizes[1]);
-    v.length_square[k / 2] = square;
-    v.unsure[k / 2] = unsure;
-    const double least_area = std::min(area[0], area[1]), most_area = std::max(area[0], area[1]);
-    const double least_along = std::min(along[0], along[1]), most_along = std::max(along[0], along[1]);
-    return (least_area > unsure) | (most_area < -unsure) | (most_along < -unsure) | (least_along > square + unsure);
+  const auto put = [&v](const Beside& side, int k) {
+    store2(v.square + k, side.square);
+    store2(v.part + k, side.part);
+    store2(v.area + k, side.area);
+    store2(v.along + k, side.along);
+    v.length_square[k / 2] = side.length_square;
+    return side.square[0] <= side.square[1] ? k : k + 1;
   };
-  const bool apart = compare(a2 - a1, b1 - a1, b2 - a1, 0) | compare(b2 - b1, a1 - b1, a2 - b1, 2);
-  const int first = v.square[0] <= v.square[1] ? 0 : 1, second = v.square[2] <= v.square[3] ? 2 : 3;
-  v.nearest = v.square[first] <= v.square[second] ? first : second;
-  v.meet = !apart && meetExactly(i, j);
-  const double d = std::sqrt(v.square[v.nearest]);
-  v.low = below((d > error_ ? d - error_ : 0) * inverse_);
-  v.high = (d + error_) * (1 + 16 * kUlp) * inverse_ + kSmallest;
-  v.feature = featureOf(v, d, i, j);
+  const int at_a = put(beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1), 0);
+  const int at_b = put(beside(e.b2 - e.b1, e.a1 - e.b1, e.a2 - e.b1), 2);
+  v.nearest = v.square[at_a] <= v.square[at_b] ? at_a : at_b;
+  v.distance = std::sqrt(v.square[v.nearest]);
+  v.feature = featureOf(v, i, j);
   return v;
 }
 
-bool EdgeDistances::meetExactly(std::size_t i, std::size_t j) const {
+bool EdgeDistances::meet(std::size_t i, std::size_t j) const {
   return edgesMeet(PosedPair(a_, pose_a_, b_, pose_b_), i, j);
 }
 
-double EdgeDistances::mostSquare(double d) const {
-  const double most = d + 2 * error_;
+double EdgeDistances::mostSquare(const View& v) const {
+  const double most = v.distance + 2 * error_;
   return most * most * (1 + 16 * kUlp);
 }
 
-std::uint64_t EdgeDistances::featureOf(const View& v, double d, std::size_t i, std::size_t j) const {
-  const double most = mostSquare(d);
+std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t j) const {
+  const double most = mostSquare(v);
   std::uint64_t feature = 0;
   for (int k = 0; k < kCombinations; ++k) {
     if (v.square[k] > most) continue;
-    const int place = v.place(k);
+    const int place = placeOf(v, k);
     if (place == kUncertain) return 0;
     const std::size_t end = static_cast<std::size_t>(k % 2), other = place > 0 ? 1 : 0;
     const std::uint64_t kind = place != 0 ? 3 : k < 2 ? 1 : 2;
@@ -177,14 +159,14 @@ std::uint64_t EdgeDistances::featureOf(const View& v, double d, std::size_t i, s
 EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size_t j, double relative_slack,
                                          double absolute_slack) const {
   const int nearest = v.nearest;
-  const double d = std::sqrt(v.square[nearest]), low = d - error_, high = d + error_;
+  const double low = v.distance - error_, high = v.distance + error_;
   if (high <= low * (1 + relative_slack) + absolute_slack * scale_) {
     const double s = v.part[nearest], end = nearest % 2;
     return {atLeastSmallest(high * inverse_), nearest < 2 ? s : end, nearest < 2 ? end : s};
   }
   Nearest best = combination(nearest, v, i, j);
   if (v.feature != 0) return best;
-  const double most = mostSquare(d);
+  const double most = mostSquare(v);
   for (int k = 0; k < kCombinations; ++k) {
     if (k == nearest || v.square[k] > most) continue;
     const Nearest other = combination(k, v, i, j);
@@ -196,7 +178,7 @@ EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size
 // Where an end of one is on the other but for rounding, that is the point. Otherwise they cross, and so clearly that
 // the areas tell where.
 EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
-  if (std::sqrt(v.square[v.nearest]) <= 2 * error_) {
+  if (v.distance <= 2 * error_) {
     const double s = v.part[v.nearest], end = v.nearest % 2;
     return {0, v.nearest < 2 ? s : end, v.nearest < 2 ? end : s};
   }
@@ -238,7 +220,7 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   };
   const auto norm = [](Double2 p) { return std::sqrt(dot(p, p)); };
 
-  const int place = view.place(k);
+  const int place = placeOf(view, k);
   const Twofold w = from(view.part[k] > 0.5 ? 1 : 0);
   if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
   const Double2 v1 = point(polygon, edge) * scale_, v2 = point(polygon, edge + 1) * scale_;
