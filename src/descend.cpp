@@ -103,9 +103,8 @@ UnitMap inverse(const UnitMap& map) {
           map.error * scale * (1 + 0x1p-10)};
 }
 
-void visitPairs(const PosedPair& pair, double limit, PairVisit visit, void* context) {
-  const Descent everything = describe(pair, mapUnits(pair), roundingOf(pair), {}, limit, false);
-  visitPairs(everything, visit, context);
+void visitPairs(const PosedPair& pair, double limit, const PairVisitor& visitor) {
+  visitPairs(describe(pair, mapUnits(pair), roundingOf(pair), {}, limit, false), visitor);
 }
 
 Outcome findContainment(const PosedPair& pair) {

@@ -38,22 +38,36 @@ struct Pair {
 class Search {
  public:
   Search(const Pair& pair, const DistanceOptions& options)
-      : edges_(pair.a, pair.pose_a, pair.b, pair.pose_b), options_(options), limit_(options.limit), reach_(limit_) {}
+      : edges_(pair.a, pair.pose_a, pair.b, pair.pose_b),
+        options_(options),
+        limit_(options.limit),
+        worth_(limit_),
+        reach_(limit_) {}
 
   /// False if they share a point, which ends the search.
   bool show(std::uint32_t i, std::uint32_t j) {
     const EdgeDistances::Bounds bounds = edges_.bounds(i, j);
-    if (bounds.meet) return meet(i, j);
-    if (bounds.high < upper_) {
-      upper_ = bounds.high;
-      upper_pair_ = {bounds.low, i, j};
-      updateReach();
+    if (!bounds.clear && edges_.meet(i, j)) {
+      meets_ = true;
+      best_ = edges_.whereTheyMeet(edges_.view(i, j));
+      best_pair_ = {0, i, j, -1};
+      return false;
     }
-    if (bounds.low <= reach_) list({bounds.low, i, j});
+    count(bounds, {0, i, j, -1});
     return true;
   }
 
-  /// A length beyond which no pair counts.
+  /// The same for a pair that is likely to be the nearest and doesn't meet.
+  void showNear(std::uint32_t i, std::uint32_t j) {
+    const EdgeDistances::View& view = views_[view_count_] = edges_.view(i, j);
+    const int index = view_count_;
+    if (view_count_ < DistanceCache::kMost) ++view_count_;
+    count(edges_.bounds(view), {0, i, j, index < DistanceCache::kMost ? index : -1});
+  }
+
+  /// A length beyond which no pair holds the answer.
+  double worth() const { return worth_; }
+  /// A length beyond which no pair is listed.
   double reach() const { return reach_; }
 
   /// Pairs that are farther apart don't count.
@@ -73,9 +87,8 @@ class Search {
   /// Finds the least distance of all that was shown, infinity if that was nothing.
   void finish() {
     if (meets_) return;
-    for (int k = 0; k < count_ && listed_[k].low <= best_.distance; ++k) evaluate(listed_[k]);
-    // Where errors are allowed it may not have been worth listing.
     if (upper_ < best_.distance) evaluate(upper_pair_);
+    for (int k = 0; k < count_ && listed_[k].low <= best_.distance; ++k) evaluate(listed_[k]);
   }
 
   const EdgeDistances::Nearest& nearest() const { return best_; }
@@ -93,29 +106,48 @@ class Search {
     }
     cache.count = 0;
     for (int k = 0; k < count_ && listed_[k].low < reach_; ++k, ++cache.count) {
-      cache.first_edge[k] = listed_[k].i;
-      cache.second_edge[k] = listed_[k].j;
-      cache.apart[k] = std::max(listed_[k].low, 0.0);
+      put(cache, k, listed_[k].low);
     }
     cache.apart[cache.count] = std::min({unlisted_, reach_, std::numeric_limits<double>::max()});
+  }
+
+  /// After the first `shown` pairs of the cache's fact were shown and found to suffice, moves the fact to these poses,
+  /// so that the next query needs fewer: worth it if some weren't among the nearest.
+  bool refresh(DistanceCache& cache, const Remainder& remainder, int shown) const {
+    if (meets_ || count_ == 0 || count_ != shown || listed_[count_ - 1].low <= upper_) return false;
+    for (int k = shown; k <= cache.count; ++k) cache.apart[k] = remainder.of(cache.apart[k]);
+    for (int k = 0; k < shown; ++k) put(cache, k, std::min(listed_[k].low, cache.apart[shown]));
+    return true;
   }
 
  private:
   struct Listed {
     double low;
     std::uint32_t i, j;
+    int view;  ///< of views_; -1 if there is none
   };
 
-  void updateReach() {
-    const double worth = std::max((upper_ - options_.absolute_error) / (1 + options_.relative_error), 0.0);
-    reach_ = std::min(worth, limit_) + lookahead_;
+  void count(const EdgeDistances::Bounds& bounds, Listed pair) {
+    pair.low = bounds.low;
+    if (bounds.high < upper_) {
+      upper_ = bounds.high;
+      upper_pair_ = pair;
+      updateReach();
+    }
+    if (bounds.low <= reach_) list(pair);
   }
 
-  bool meet(std::uint32_t i, std::uint32_t j) {
-    meets_ = true;
-    best_ = edges_.whereTheyMeet(i, j);
-    best_pair_ = {0, i, j};
-    return false;
+  void updateReach() {
+    worth_ = std::min(limit_, std::max((upper_ - options_.absolute_error) / (1 + options_.relative_error), 0.0));
+    reach_ = worth_ + lookahead_;
+    // The last one that is listed might as well not be.
+    if (count_ == DistanceCache::kMost) reach_ = std::max(worth_, std::min(reach_, listed_[count_ - 1].low));
+  }
+
+  void put(DistanceCache& cache, int k, double low) const {
+    cache.first_edge[k] = listed_[k].i;
+    cache.second_edge[k] = listed_[k].j;
+    cache.apart[k] = std::max(low, 0.0);
   }
 
   void list(const Listed& pair) {
@@ -131,6 +163,7 @@ class Search {
     int k = count_++;
     for (; k > 0 && listed_[k - 1].low > pair.low; --k) listed_[k] = listed_[k - 1];
     listed_[k] = pair;
+    if (count_ == DistanceCache::kMost) updateReach();
   }
 
   /// A list that is full has room for no more: what may be the nearest is evaluated at once.
@@ -140,22 +173,36 @@ class Search {
   }
 
   void evaluate(const Listed& pair) {
-    const EdgeDistances::Nearest found = edges_.at(pair.i, pair.j, options_.relative_error, options_.absolute_error);
+    if (pair.i == best_pair_.i && pair.j == best_pair_.j) return;
+    if (pair.view >= 0)
+      evaluate(pair, views_[pair.view]);
+    else
+      evaluate(pair, edges_.view(pair.i, pair.j));
+  }
+
+  void evaluate(const Listed& pair, const EdgeDistances::View& view) {
+    if (view.feature != 0 && view.feature == best_feature_) return;
+    const EdgeDistances::Nearest found =
+        edges_.at(view, pair.i, pair.j, options_.relative_error, options_.absolute_error);
     if (found.distance > best_.distance) return;
     best_ = found;
     best_pair_ = pair;
+    best_feature_ = view.feature;
   }
 
   const EdgeDistances edges_;
   const DistanceOptions& options_;
   double upper_ = kInfinity;  ///< the least distance is at most this, that of upper_pair_
-  double limit_, reach_, lookahead_ = 0;
+  double limit_, worth_, reach_, lookahead_ = 0;
   double unlisted_ = kInfinity;  ///< shown, but nearer than this only if listed
   Listed listed_[DistanceCache::kMost];
   int count_ = 0;
   bool meets_ = false;
   EdgeDistances::Nearest best_{kInfinity, 0, 0};
-  Listed upper_pair_{}, best_pair_{};
+  Listed upper_pair_, best_pair_{0, UINT32_MAX, UINT32_MAX, -1};
+  EdgeDistances::View views_[DistanceCache::kMost + 1];  ///< the last one isn't kept
+  int view_count_ = 0;
+  std::uint64_t best_feature_ = 0;
 };
 
 /// Rounded as a posed vertex is. What could overflow on the way is made smaller first.
@@ -188,20 +235,26 @@ DistanceResult contained(const Pair& pair, const Outcome& outcome) {
   return {0, point, point, in_b ? number : -1, in_b ? -1 : number};
 }
 
-/// The fact, after a motion: whether the pairs that it lists hold the least distance, or one of them meets. Shows no
-/// more of them than that takes.
-bool recall(const DistanceCache& cache, const Remainder& remainder, Search& search) {
+/// How many of the pairs that the fact lists had to be shown for the least distance, or a meeting, to be among them
+/// after a motion; -1 if it isn't certain to be.
+int recall(const DistanceCache& cache, const Remainder& remainder, Search& search) {
+  const bool apart = remainder.of(cache.apart[0]) > 0;
   for (int k = 0; k <= cache.count; ++k) {
-    if (EdgeDistances::below(remainder.of(cache.apart[k])) > search.reach()) return true;
-    if (k < cache.count && !search.show(cache.first_edge[k], cache.second_edge[k])) return true;
+    if (EdgeDistances::below(remainder.of(cache.apart[k])) > search.worth()) return k;
+    if (k == cache.count) break;
+    if (apart)
+      search.showNear(cache.first_edge[k], cache.second_edge[k]);
+    else if (!search.show(cache.first_edge[k], cache.second_edge[k]))
+      return k;
   }
-  return false;
+  return -1;
 }
 
 Remainder remainderOf(const DistanceCache& cache, const Pair& pair, bool& both_moved) {
-  const Change change_a(pair.a, cache.first_pose, pair.pose_a), change_b(pair.b, cache.second_pose, pair.pose_b);
-  both_moved = change_a.any() && change_b.any();
-  const double motion = (change_a.any() ? change_a.displacement() : 0) + (change_b.any() ? change_b.displacement() : 0);
+  const bool a_moved = !sameAs(cache.first_pose, pair.pose_a), b_moved = !sameAs(cache.second_pose, pair.pose_b);
+  both_moved = a_moved && b_moved;
+  const double motion = (a_moved ? Change(pair.a, cache.first_pose, pair.pose_a).displacement() : 0) +
+                        (b_moved ? Change(pair.b, cache.second_pose, pair.pose_b).displacement() : 0);
   return {1 - 8 * kUlp, motion};
 }
 
@@ -211,10 +264,16 @@ bool descend(const PosedPair& pair, Search& search) {
   const double dx = std::abs(pair.center_x - pair.a.origin.x()), dy = std::abs(pair.center_y - pair.a.origin.y());
   search.limitTo((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect) *
                  (1 + 16 * kUlp));
-  const auto limit = [&] { return std::min(pair.reach(EdgeDistances::above(search.reach())), 0x1p1023); };
-  forEachPair(pair, limit(), [&](double, std::size_t i, std::size_t j) {
-    return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
-  });
+  const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
+  forNearPairs(
+      pair, limit(),
+      [&](double, std::size_t i, std::size_t j) {
+        return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
+      },
+      [&](double length) {
+        search.limitTo(length * (1 + pair.scale_defect) * (1 + 16 * kUlp));
+        return limit();
+      });
   return !search.meets();
 }
 
@@ -224,49 +283,50 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
     search.finish();
     return search.nearest().distance <= options.limit ? resultOf(pair, search) : farResult();
   };
-  const auto keep = [&] {
-    if (cache == nullptr) return;
-    cache->first_id = pair.a.id;
-    cache->second_id = pair.b.id;
+  const auto storePoses = [&] {
     store(cache->first_pose, pair.pose_a);
     store(cache->second_pose, pair.pose_b);
     cache->uses = 0;
-    search.keep(*cache);
   };
-  const bool known = cache != nullptr && cache->first_id == pair.a.id && cache->second_id == pair.b.id;
-  if (known) {
+  if (cache != nullptr && cache->first_id == pair.a.id && cache->second_id == pair.b.id) {
     bool both_moved;
     Remainder remainder = remainderOf(*cache, pair, both_moved);
-    bool certain = recall(*cache, remainder, search);
-    if (!certain && both_moved) {
+    search.lookAhead(kInfinity);
+    int shown = recall(*cache, remainder, search);
+    if (shown < 0 && both_moved) {
       remainder =
           remainderOfRelativeMotion(cache->first_pose, cache->second_pose, pair.a, pair.pose_a, pair.b, pair.pose_b);
-      certain = recall(*cache, remainder, search);
+      shown = recall(*cache, remainder, search);
     }
-    if (certain && !search.meets() && !(remainder.of(cache->apart[0]) > 0)) {
-      const Outcome outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
-      if (outcome.collides) return contained(pair, outcome);
-    }
-    if (certain) {
+    if (shown >= 0) {
       ++cache->uses;
-      if (search.meets()) keep();
+      if (!search.meets() && !(remainder.of(cache->apart[0]) > 0)) {
+        const Outcome outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
+        if (outcome.collides) return contained(pair, outcome);
+      }
+      if (search.refresh(*cache, remainder, shown)) storePoses();
       return answer();
     }
     constexpr double kStepsAhead = 32;
     const double ahead = kStepsAhead * remainder.motion / (cache->uses + 1.0);
-    if (ahead <= 0.25 * pair.b.radius) search.lookAhead(ahead);
+    search.lookAhead(remainder.motion <= 0.25 * pair.b.radius ? std::min(ahead, pair.b.radius) : 0);
   } else if (cache != nullptr) {
     *cache = DistanceCache();
+    cache->first_id = pair.a.id;
+    cache->second_id = pair.b.id;
   }
   const PosedPair posed(pair.a, pair.pose_a, pair.b, pair.pose_b);
   if (descend(posed, search)) {
     const Outcome outcome = findContainment(posed);
     if (outcome.collides) {
-      if (cache != nullptr) *cache = DistanceCache();
+      if (cache != nullptr) cache->count = 0, cache->apart[0] = 0;
       return contained(pair, outcome);
     }
   }
-  keep();
+  if (cache != nullptr) {
+    storePoses();
+    search.keep(*cache);
+  }
   return answer();
 }
 

@@ -104,87 +104,89 @@ EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const Pol
   shift_ = shift.high;
   shift_rest_ = shift.low;
   error_ = 66 * kUlp * size_;
+  unsure_ = 512 * kUlp * size_ * size_;
+  for (int i = 0; i < 2; ++i) {
+    scaled_a_[i] = columns_a_[i] * scale_;
+    scaled_b_[i] = columns_b_[i] * scale_;
+  }
 }
 
-/// The point of a segment v + s u that is nearest to a point v + w is found by a rounded s; were s wrong by e, the
-/// distance would be too large by less than e |u|. s |u| errs by 5U |w|, the residual w - s u by 3U (|w| + |u|) in
-/// either coordinate, and |w| is at most |u| + d: in all below 16U (|u| + d). Signs of areas and of positions along u
-/// err by less than 8 times 6U M (|u|_1 + |w|_1).
-EdgeDistances::Rounded EdgeDistances::rounded(std::size_t i, std::size_t j) const {
-  const auto map = [this](const Double2(&columns)[2], Double2 p) {
-    const Double2 scaled = p * scale_;
-    return columns[0] * scaled[0] + columns[1] * scaled[1];
+EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
+  const Ends e = ends(i, j);
+  View v;
+  const auto put = [&v](const Beside& side, int k) {
+    store2(v.square + k, side.square);
+    store2(v.part + k, side.part);
+    store2(v.area + k, side.area);
+    store2(v.along + k, side.along);
+    v.length_square[k / 2] = side.length_square;
+    return side.square[0] <= side.square[1] ? k : k + 1;
   };
-  const Double2 a1 = map(columns_a_, point(a_, i)), a2 = map(columns_a_, point(a_, i + 1));
-  const Double2 b1 = map(columns_b_, point(b_, j)) + shift_, b2 = map(columns_b_, point(b_, j + 1)) + shift_;
-  Rounded result;
-  result.apart = false;
-  const auto compare = [&](Double2 u, Double2 w1, Double2 w2, int k) {
-    const Double2 x{w1[0], w2[0]}, y{w1[1], w2[1]};
-    const double square = dot(u, u);
-    const Double2 along = x * u[0] + y * u[1], area = y * u[0] - x * u[1];
-    const Double2 part = along * (square > 0x1p-960 ? 1 / square : 0);
-    const Double2 s = part > 0.0 ? (part < 1.0 ? part : both(1)) : both(0);
-    const Double2 dx = x - s * u[0], dy = y - s * u[1];
-    store2(result.square + k, dx * dx + dy * dy);
-    store2(result.along + k, s);
-    store2(result.area + k, area);
-    const Double2 sizes = absolute(u) + absolute(w1) + absolute(w2);
-    const double unsure = 48 * kUlp * size_ * (sizes[0] + sizes[1]);
-    const double least_area = std::min(area[0], area[1]), most_area = std::max(area[0], area[1]);
-    const double least_along = std::min(along[0], along[1]), most_along = std::max(along[0], along[1]);
-    result.apart = result.apart || least_area > unsure || most_area < -unsure || most_along < -unsure ||
-                   least_along > square + unsure;
-  };
-  compare(a2 - a1, b1 - a1, b2 - a1, 0);
-  compare(b2 - b1, a1 - b1, a2 - b1, 2);
-  return result;
+  const int at_a = put(beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1), 0);
+  const int at_b = put(beside(e.b2 - e.b1, e.a1 - e.b1, e.a2 - e.b1), 2);
+  v.nearest = v.square[at_a] <= v.square[at_b] ? at_a : at_b;
+  v.distance = std::sqrt(v.square[v.nearest]);
+  v.feature = featureOf(v, i, j);
+  return v;
 }
 
-bool EdgeDistances::meetExactly(std::size_t i, std::size_t j) const {
+bool EdgeDistances::meet(std::size_t i, std::size_t j) const {
   return edgesMeet(PosedPair(a_, pose_a_, b_, pose_b_), i, j);
 }
 
-EdgeDistances::Bounds EdgeDistances::bounds(std::size_t i, std::size_t j) const {
-  const Rounded r = rounded(i, j);
-  if (!r.apart && meetExactly(i, j)) return {true, 0, 0};
-  const double d = std::sqrt(std::min(std::min(r.square[0], r.square[1]), std::min(r.square[2], r.square[3])));
-  return {false, below(std::max(d - error_, 0.0) * inverse_), (d + error_) * (1 + 16 * kUlp) * inverse_ + kSmallest};
+double EdgeDistances::mostSquare(const View& v) const {
+  const double most = v.distance + 2 * error_;
+  return most * most * (1 + 16 * kUlp);
 }
 
-EdgeDistances::Nearest EdgeDistances::at(std::size_t i, std::size_t j, double relative_slack,
+std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t j) const {
+  const double most = mostSquare(v);
+  std::uint64_t feature = 0;
+  for (int k = 0; k < kCombinations; ++k) {
+    if (v.square[k] > most) continue;
+    const int place = placeOf(v, k);
+    if (place == kUncertain) return 0;
+    const std::size_t end = static_cast<std::size_t>(k % 2), other = place > 0 ? 1 : 0;
+    const std::uint64_t kind = place != 0 ? 3 : k < 2 ? 1 : 2;
+    const std::uint64_t at_a = k < 2 ? i + other : i + end, at_b = k < 2 ? j + end : j + other;
+    const std::uint64_t found = kind << 62 | at_a << 31 | at_b;
+    if (feature != 0 && feature != found) return 0;
+    feature = found;
+  }
+  return feature;
+}
+
+EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size_t j, double relative_slack,
                                          double absolute_slack) const {
-  const Rounded r = rounded(i, j);
-  const auto nearest = static_cast<int>(std::min_element(r.square, r.square + kCombinations) - r.square);
-  const double d = std::sqrt(r.square[nearest]), low = d - error_, high = d + error_;
+  const int nearest = v.nearest;
+  const double low = v.distance - error_, high = v.distance + error_;
   if (high <= low * (1 + relative_slack) + absolute_slack * scale_) {
-    const double s = r.along[nearest], end = nearest % 2;
+    const double s = v.part[nearest], end = nearest % 2;
     return {atLeastSmallest(high * inverse_), nearest < 2 ? s : end, nearest < 2 ? end : s};
   }
-  Nearest best{std::numeric_limits<double>::infinity(), 0, 0};
-  const double most = d + 2 * error_;
+  Nearest best = combination(nearest, v, i, j);
+  if (v.feature != 0) return best;
+  const double most = mostSquare(v);
   for (int k = 0; k < kCombinations; ++k) {
-    if (r.square[k] > most * most * (1 + 16 * kUlp)) continue;
-    const Nearest found = combination(k, i, j);
-    if (found.distance < best.distance || k == nearest) best = found.distance <= best.distance ? found : best;
+    if (k == nearest || v.square[k] > most) continue;
+    const Nearest other = combination(k, v, i, j);
+    if (other.distance < best.distance) best = other;
   }
   return best;
 }
 
 // Where an end of one is on the other but for rounding, that is the point. Otherwise they cross, and so clearly that
 // the areas tell where.
-EdgeDistances::Nearest EdgeDistances::whereTheyMeet(std::size_t i, std::size_t j) const {
-  const Rounded r = rounded(i, j);
-  const auto nearest = static_cast<int>(std::min_element(r.square, r.square + kCombinations) - r.square);
-  if (std::sqrt(r.square[nearest]) <= 2 * error_) {
-    const double s = r.along[nearest], end = nearest % 2;
-    return {0, nearest < 2 ? s : end, nearest < 2 ? end : s};
+EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
+  if (v.distance <= 2 * error_) {
+    const double s = v.part[v.nearest], end = v.nearest % 2;
+    return {0, v.nearest < 2 ? s : end, v.nearest < 2 ? end : s};
   }
   const auto part = [](double from, double to) { return std::clamp(from / (from - to), 0.0, 1.0); };
-  return {0, part(r.area[2], r.area[3]), part(r.area[0], r.area[1])};
+  return {0, part(v.area[2], v.area[3]), part(v.area[0], v.area[1])};
 }
 
-// Let w go from the ends v1, v2 of an edge to the point, and u along the edge; U^2 is the unit here.
+// Let w go from an end of an edge to the point, and u along the edge; U^2 is the unit here, M the size.
 //   w: each of the nine partial sums is at most M and rounds by U M, which is kept in the low parts, whose own ten sums
 //   and products round by U of that: below 100 U^2 M in either coordinate; 256 U^2 M in any direction.
 //   u: from the exact difference in the polygon's frame: below 32 U^2 |u|.
@@ -192,40 +194,52 @@ EdgeDistances::Nearest EdgeDistances::whereTheyMeet(std::size_t i, std::size_t j
 //   rounded or left out, and the last sum rounds by U: divided by |u|, with |w| <= 3 M, that is 400 U^2 M + U d.
 // So where d >= 2^-44 M (= 512 U M) all of it is below 2U d. Squares, the root and the quotient round by 4U in all, and
 // |w| by as little. A point taken for one beside an end of the edge rather than beyond it, or the converse, is so by an
-// angle below 16U: in the distance the square of that. In all below 8U: kRelativeError is 32U.
-EdgeDistances::Nearest EdgeDistances::combination(int k, std::size_t i, std::size_t j) const {
+// angle below 16U: in the distance the square of that. Where |w| <= 2 d, a u that is rounded to 4U will do: with three
+// roundings of the area that is 14U d. In all below 24U: kRelativeError is 32U.
+//
+// Vectors go from a to b whatever k is, so that two vertices are found just as far apart from either's edges.
+EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j) const {
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2);
-  const Double2 p = (end_of_b ? point(b_, j + end) : point(a_, i + end)) * scale_;
-  const Double2 v1 = (end_of_b ? point(a_, i) : point(b_, j)) * scale_;
-  const Double2 v2 = (end_of_b ? point(a_, i + 1) : point(b_, j + 1)) * scale_;
-  const Double2(&columns_p)[2] = end_of_b ? columns_b_ : columns_a_;
-  const Double2(&columns_v)[2] = end_of_b ? columns_a_ : columns_b_;
-  Twofold common = end_of_b ? Twofold{shift_, shift_rest_} : Twofold{-shift_, -shift_rest_};
-  addProduct(common, columns_p, p);
-  Twofold w1 = common, w2 = common;
-  addProduct(w1, columns_v, -v1);
-  addProduct(w2, columns_v, -v2);
-  w1 = normalised(w1);
-  w2 = normalised(w2);
-  const Twofold u = mappedDifference(columns_v, v1, v2);
-  const double square = dot(u.high, u.high), along = dot(w1.high, u.high);
-  double d, s;
-  if (along <= 0) {
-    d = std::sqrt(dot(w1.high, w1.high));
-    s = 0;
-  } else if (dot(w2.high, u.high) >= 0) {
-    d = std::sqrt(dot(w2.high, w2.high));
-    s = 1;
-  } else {
-    d = std::abs(cross(u, w1)) / std::sqrt(square);
-    s = std::min(along / square, 1.0);
-  }
-  // Written so that infinity and NaN fail.
-  const bool sure = d >= 0x1p-44 * size_ && (square > 0x1p-900 || square == 0) && d < 0x1p1000;
-  if (!sure) return exactCombination(k, i, j);
+  const PolygonData& polygon = end_of_b ? a_ : b_;
+  const std::size_t edge = end_of_b ? i : j;
+  const Double2(&columns)[2] = end_of_b ? columns_a_ : columns_b_;
+  /// From the posed vertex of a at one position to that of b at another.
+  const auto between = [&](std::size_t at_a, std::size_t at_b) {
+    Twofold w{shift_, shift_rest_};
+    addProduct(w, columns_b_, point(b_, at_b) * scale_);
+    addProduct(w, columns_a_, -(point(a_, at_a) * scale_));
+    return normalised(w);
+  };
+  const auto from = [&](std::size_t v) { return end_of_b ? between(edge + v, j + end) : between(i + end, edge + v); };
   const double where = static_cast<double>(end);
-  return {atLeastSmallest(d * inverse_), end_of_b ? s : where, end_of_b ? where : s};
+  const auto answer = [&](double d, double part) -> Nearest {
+    // Written so that NaN fails.
+    if (!(d >= 0x1p-44 * size_)) return exactCombination(k, i, j);
+    return {atLeastSmallest(d * inverse_), end_of_b ? part : where, end_of_b ? where : part};
+  };
+  const auto norm = [](Double2 p) { return std::sqrt(dot(p, p)); };
+
+  const int place = placeOf(view, k);
+  const Twofold w = from(view.part[k] > 0.5 ? 1 : 0);
+  if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
+  const Double2 v1 = point(polygon, edge) * scale_, v2 = point(polygon, edge + 1) * scale_;
+  if (place == 0) {
+    const Double2 difference = v2 - v1, u = columns[0] * difference[0] + columns[1] * difference[1];
+    const Double2 products = u * swapped(w.high);
+    const double d = std::abs(products[0] - products[1]) / norm(u);
+    if (dot(w.high, w.high) <= 4 * d * d) return answer(d, view.part[k]);
+  }
+  const Twofold u = mappedDifference(columns, v1, v2);
+  const double square = dot(u.high, u.high);
+  if (!(square > 0x1p-900)) return square == 0 ? answer(norm(w.high), 0) : exactCombination(k, i, j);
+  const double length = std::sqrt(square);
+  if (place == 0) return answer(std::abs(cross(u, w)) / length, view.part[k]);
+  const Twofold w1 = from(0), w2 = from(1);
+  const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u.high);
+  if (along <= 0) return answer(norm(w1.high), 0);
+  if (sign * dot(w2.high, u.high) >= 0) return answer(norm(w2.high), 1);
+  return answer(std::abs(cross(u, w1)) / length, std::min(along / square, 1.0));
 }
 
 EdgeDistances::Nearest EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {

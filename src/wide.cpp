@@ -55,9 +55,7 @@ const Descents& descents() { return *chosen.load(std::memory_order_relaxed); }
 
 DescentResult descend(const Descent& descent) { return descents().descend(descent); }
 
-void visitPairs(const Descent& descent, PairVisit visit, void* context) {
-  descents().visit_pairs(descent, visit, context);
-}
+void visitPairs(const Descent& descent, const PairVisitor& visitor) { descents().visit_pairs(descent, visitor); }
 
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
   descents().visit_edges_on_ray(hierarchy, ray, visit, context);

@@ -40,13 +40,18 @@ struct DescentResult {
 /// Deepest box first.
 DescentResult descend(const Descent& descent);
 
-/// What a visitor of pairs does with edges at these positions, whose distance in a's units is at least `gap`: it
-/// returns the limit, in a's units, beyond which no more pairs need to be shown; negative ends the visit.
-using PairVisit = double (*)(void* context, double gap, std::uint32_t edge_a, std::uint32_t edge_b);
+/// Lengths in a's units. Both return the limit beyond which no more pairs need to be shown; negative ends the visit.
+struct PairVisitor {
+  void* context;
+  /// Edges at these positions, whose distance is at least `gap`.
+  double (*visit)(void* context, double gap, std::uint32_t edge_a, std::uint32_t edge_b);
+  /// Null, or told a length that some pair's distance is proven not to be above.
+  double (*narrow)(void* context, double length);
+};
 
 /// Shows every pair of edges that may be within the limit, near ones roughly first. Of the descent, only its limit
 /// counts.
-void visitPairs(const Descent& descent, PairVisit visit, void* context);
+void visitPairs(const Descent& descent, const PairVisitor& visitor);
 
 /// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
 /// as for convexMeet().

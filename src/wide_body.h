@@ -242,11 +242,10 @@ struct MeetEdges : Findings {
 /// Shows them to a visitor, who may lower the limit.
 struct ShowEdges : Findings {
   static constexpr bool kNarrows = true;
-  PairVisit visit;
-  void* context;
+  PairVisitor visitor;
 
   TRICOVER_INLINE bool operator()(const Descent&, double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
-    if (proven <= limit) limit = visit(context, proven, edge_a, edge_b);
+    if (proven <= limit) limit = visitor.visit(visitor.context, proven, edge_a, edge_b);
     return limit < 0;
   }
 };
@@ -263,6 +262,17 @@ TRICOVER_INLINE void keepLeast(const Descent& d, Lanes least, const Step& step, 
   for (int i = 0; i < kLanes; ++i) lowest = values[i] < lowest ? values[i] : lowest;
   const double proven = (lowest - step.slack) * step.in_a;
   findings.clearance = proven < findings.clearance ? proven : findings.clearance;
+}
+
+/// Lowers the limit to what the boxes of one step prove: `upper` is the least of what two spanned boxes may be apart,
+/// as in accepts(), but for the slack.
+TRICOVER_INLINE void narrow(Lanes upper, const Step& step, ShowEdges& show) {
+  float values[kLanes], least = 1e30f;
+  store(values, upper);
+  for (int i = 0; i < kLanes; ++i) least = values[i] < least ? values[i] : least;
+  if (!step.known || least >= 1e29f) return;
+  const double proven = (least + 3.0 * step.slack) * step.in_a * (1 + 0x1p-18);
+  if (proven < show.limit) show.limit = show.visitor.narrow(show.visitor.context, proven);
 }
 
 /// What a visit is kept with: the boxes' gap in their block's scale, which is enough to tell the deepest, or what it
@@ -353,6 +363,60 @@ TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item&
   const Lanes ax = load(a.x), ay = load(a.y), aux = load(a.ux), auy = load(a.uy), a_along = load(a.along),
               a_across = load(a.across);
   const int first = visits.top;
+  if constexpr (OnPair::kNarrows) {
+    const unsigned near_b = entered(d, b, step, from_whole, least);
+    float gap[kLanes][kLanes], spans[kLanes];
+    for (unsigned i = 0; i < kLanes; ++i) spans[i] = (a.spanned >> i & 1) != 0 ? 2 * a.across[i] : 1e30f;
+    const Lanes spans_a = load(spans);
+    Lanes upper = all(1e30f);
+    for (unsigned left = near_b; left != 0; left &= left - 1) {
+      const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
+      const Query query = {moved[0][j], moved[1][j], moved[2][j], moved[3][j], moved[4][j], moved[5][j], 0, 0};
+      const Lanes found = gaps(ax, ay, aux, auy, a_along, a_across, query);
+      store(gap[j], found);
+      if ((b.spanned >> j & 1) != 0)
+        upper = smaller(upper, larger(found, all(0)) * 1.4143f + spans_a + 2 * query.across);
+    }
+    if (on_pair.visitor.narrow != nullptr) narrow(upper, step, on_pair);
+    const Step narrowed = stepOf(a.scale, on_pair.limit * a.inverse, step.slack, 1e30f);
+    unsigned near[kLanes];
+    unsigned nearest_i = 0, nearest_j = 0;
+    float nearest = 0;
+    bool any = false;
+    for (unsigned left = near_b; left != 0; left &= left - 1) {
+      const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
+      near[j] = entered(d, a, narrowed, load(gap[j]), least);
+      for (unsigned i_left = near[j]; i_left != 0; i_left &= i_left - 1) {
+        const unsigned i = static_cast<unsigned>(__builtin_ctz(i_left));
+        if (any && !(gap[j][i] < nearest)) continue;
+        any = true;
+        nearest = gap[j][i];
+        nearest_i = i;
+        nearest_j = j;
+      }
+    }
+    if (!any) return false;
+    if (a.leaf && b.leaf) {
+      // The nearest first: it may spare the others.
+      if (on_pair(d, provenGap(step, nearest), a.child[nearest_i], b.child[nearest_j])) return true;
+      near[nearest_j] &= ~(1u << nearest_i);
+    }
+    for (unsigned left = near_b; left != 0; left &= left - 1) {
+      const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
+      for (unsigned i_left = near[j]; i_left != 0; i_left &= i_left - 1) {
+        const unsigned i = static_cast<unsigned>(__builtin_ctz(i_left));
+        if (a.leaf && b.leaf) {
+          if (on_pair(d, provenGap(step, gap[j][i]), a.child[i], b.child[j])) return true;
+          continue;
+        }
+        visits.a[visits.top] = item_a.child * kLanes + i;
+        visits.b[visits.top] = item_b.child * kLanes + j;
+        visits.gap[visits.top++] = keptGap<OnPair>(step, gap[j][i]);
+      }
+    }
+    raiseDeepest(visits, first);
+    return false;
+  }
   for (unsigned left = entered(d, b, step, from_whole, least); left != 0; left &= left - 1) {
     const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
     const Query query = {moved[0][j], moved[1][j], moved[2][j], moved[3][j], moved[4][j], moved[5][j], 0, 0};
@@ -414,8 +478,8 @@ TRICOVER_TARGET DescentResult descend(const Descent& d) {
   return {false, meet.clearance > 0 ? meet.clearance : 0, -1, -1};
 }
 
-TRICOVER_TARGET void visitPairs(const Descent& d, PairVisit visit, void* context) {
-  ShowEdges show{{{false, 0, -1, -1}, 1e300, d.limit}, visit, context};
+TRICOVER_TARGET void visitPairs(const Descent& d, const PairVisitor& visitor) {
+  ShowEdges show{{{false, 0, -1, -1}, 1e300, d.limit}, visitor};
   descendBoth(d, show);
 }
 

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Distances worked out by hand, at every size; holes, containment, options, refusals, and what a cache keeps.
+#include "tricover/distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "random.h"
+#include "shapes.h"
+#include "tricover/collide.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Polygon square(double size) { return Polygon({scaled(rectangle(0, 0, 1, 1), size)}); }
+
+Pose at(double x, double y) { return pose(0, x, y); }
+
+/// Between the corners (1, 1) and (4, 5).
+TEST(Distance, ThreeFourFiveAtEverySize) {
+  for (const int exponent : {-1070, -1000, -498, -30, 0, 30, 498, 1000, 1020}) {
+    const double unit = std::ldexp(1, exponent);
+    const Polygon a = square(unit);
+    const DistanceResult r = distance(a, at(0, 0), a, at(4 * unit, 5 * unit));
+    EXPECT_EQ(r.distance, 5 * unit) << exponent;
+    EXPECT_EQ(r.point_a, Vec2(unit, unit)) << exponent;
+    EXPECT_EQ(r.point_b, Vec2(4 * unit, 5 * unit)) << exponent;
+  }
+}
+
+TEST(Distance, EdgeToVertexAndEdgeToEdge) {
+  const Polygon a = square(1), diamond({{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}});
+  const DistanceResult r = distance(a, at(0, 0), diamond, at(0.25, 5));
+  EXPECT_EQ(r.distance, 3);
+  EXPECT_EQ(r.point_a, Vec2(0.25, 1));
+  EXPECT_EQ(r.point_b, Vec2(0.25, 4));
+  EXPECT_EQ(r.edge_a, 2);
+  EXPECT_TRUE(r.edge_b == 0 || r.edge_b == 3);
+  const DistanceResult parallel = distance(a, at(0, 0), a, at(3, 0.5));
+  EXPECT_EQ(parallel.distance, 2);
+  EXPECT_EQ(parallel.point_a.x(), 1);
+  EXPECT_EQ(parallel.point_b.x(), 3);
+  EXPECT_EQ(parallel.point_a.y(), parallel.point_b.y());
+}
+
+/// A gap of one unit in the last place, and of far less than that of any coordinate.
+TEST(Distance, GapsBelowRounding) {
+  const Polygon a = square(1);
+  EXPECT_EQ(distance(a, at(0, 0), a, at(nudged(1, 1), 0)).distance, 0x1p-52);
+  EXPECT_EQ(distance(a, at(0, 0), a, at(1, 0)).distance, 0);
+  // The right edge of `left` is at 1 - 2^-60 in the world, which no double is.
+  const Polygon left({rectangle(-1, 0, -0x1p-60, 1)});
+  EXPECT_EQ(distance(left, at(1, 0), a, at(1, 0)).distance, 0x1p-60);
+  // y = 2^-70 x, against the axis: a shear that is far below what rounding would show.
+  Pose sheared = at(0, 0);
+  sheared.linear()(1, 0) = 0x1p-70;
+  const Polygon above({rectangle(1, 0, 2, 1)}), below({rectangle(1, -1, 2, 0)});
+  EXPECT_EQ(distance(above, sheared, below, at(0, 0)).distance, 0x1p-70);
+}
+
+TEST(Distance, FarFromTheOriginAndOverflow) {
+  const Polygon a = square(1);
+  EXPECT_EQ(distance(a, at(1e15, -1e15), a, at(1e15 + 4, -1e15 + 5)).distance, 5);
+  const Polygon huge = square(1e308);
+  const DistanceResult r = distance(huge, at(-1.7e308, 0), huge, at(1.7e308, 0));
+  EXPECT_EQ(r.distance, kInfinity);
+  EXPECT_EQ(r.edge_a, 1);
+  EXPECT_EQ(r.edge_b, 3);
+  EXPECT_EQ(distance(huge, at(-1.2e308, 0), huge, at(1.2e308, 0)).distance, 1.2e308 + (1.2e308 - 1e308));
+}
+
+TEST(Distance, InsideAHole) {
+  const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)}), small = square(1);
+  const DistanceResult r = distance(frame, at(0, 0), small, at(3, 4));
+  EXPECT_EQ(r.distance, 1);
+  EXPECT_EQ(r.point_a.x(), 2);
+  EXPECT_EQ(r.point_b.x(), 3);
+  EXPECT_GE(r.edge_a, 4);
+  EXPECT_EQ(distance(small, at(3, 4), frame, at(0, 0)).point_a, r.point_b);
+  const Polygon filled({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)}, FillRule::NonZero);
+  EXPECT_EQ(distance(filled, at(0, 0), small, at(3, 4)).distance, 0);
+}
+
+TEST(Distance, OverlapAndContainmentHaveOneCommonPoint) {
+  const Polygon a = square(10), b = square(1);
+  const DistanceResult inside = distance(a, at(0, 0), b, at(4, 5));
+  EXPECT_EQ(inside.distance, 0);
+  EXPECT_EQ(inside.point_a, Vec2(4, 5));
+  EXPECT_EQ(inside.point_b, Vec2(4, 5));
+  EXPECT_EQ(inside.edge_a, -1);
+  EXPECT_EQ(inside.edge_b, 0);
+  const DistanceResult turned = distance(b, at(4, 5), a, at(0, 0));
+  EXPECT_EQ(turned.edge_a, 0);
+  EXPECT_EQ(turned.edge_b, -1);
+  const DistanceResult crossing = distance(a, at(0, 0), b, at(9.5, 5));
+  EXPECT_EQ(crossing.distance, 0);
+  EXPECT_EQ(crossing.point_a, crossing.point_b);
+  EXPECT_EQ(crossing.point_a.x(), 10);
+  EXPECT_EQ(crossing.edge_a, 1);
+  EXPECT_EQ(distance(a, at(0, 0), a, at(0, 0)).distance, 0);
+}
+
+TEST(Distance, LimitAndAllowedErrors) {
+  const Polygon a = square(1);
+  DistanceOptions options;
+  options.limit = 5;
+  EXPECT_EQ(distance(a, at(0, 0), a, at(4, 5), options).distance, 5);
+  options.limit = nudged(5, -1);
+  const DistanceResult r = distance(a, at(0, 0), a, at(4, 5), options);
+  EXPECT_EQ(r.distance, kInfinity);
+  EXPECT_EQ(r.edge_a, -1);
+  EXPECT_EQ(r.edge_b, -1);
+  EXPECT_TRUE(std::isnan(r.point_a.x()) && std::isnan(r.point_b.y()));
+  options.limit = 0;
+  EXPECT_EQ(distance(a, at(0, 0), a, at(0.5, 0.5), options).distance, 0);
+
+  Random random(3);
+  for (int i = 0; i < 300; ++i) {
+    const Polygon p({star(random, 20, 1, 2)}), q({star(random, 20, 1, 2)});
+    const Pose pose_q = pose(random.real(0, 6), random.real(-6, 6), random.real(-6, 6));
+    const double exact = distance(p, at(0, 0), q, pose_q).distance;
+    DistanceOptions relative, absolute;
+    relative.relative_error = 0.3;
+    absolute.absolute_error = 0.5;
+    const double loose = distance(p, at(0, 0), q, pose_q, relative).distance;
+    const double near = distance(p, at(0, 0), q, pose_q, absolute).distance;
+    EXPECT_GE(loose, exact);
+    EXPECT_LE(loose, exact * 1.3);
+    EXPECT_GE(near, exact);
+    EXPECT_LE(near, exact + 0.5);
+    EXPECT_EQ(loose == 0, exact == 0);
+    EXPECT_EQ(near == 0, exact == 0);
+  }
+}
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+TEST(Distance, RefusesAndNamesTheField) {
+  const Polygon a = square(1);
+  const auto refused = [&](const DistanceOptions& options) {
+    return refusal([&] { distance(a, at(0, 0), a, at(3, 0), options); });
+  };
+  for (const double bad : {-1.0, kNaN, -kInfinity}) {
+    DistanceOptions relative, absolute, limit;
+    relative.relative_error = absolute.absolute_error = limit.limit = bad;
+    EXPECT_NE(refused(relative).find("relative_error"), std::string::npos);
+    EXPECT_NE(refused(absolute).find("absolute_error"), std::string::npos);
+    EXPECT_NE(refused(limit).find("limit"), std::string::npos);
+  }
+  Pose bad = at(0, 0);
+  bad.linear() *= 1.001;
+  DistanceCache cache;
+  distance(a, at(0, 0), a, at(3, 0), cache);
+  EXPECT_NE(refusal([&] { distance(a, bad, a, at(3, 0), cache); }).find("pose_a"), std::string::npos);
+  EXPECT_NE(refusal([&] { distance(a, at(3, 0), a, bad, cache); }).find("pose_b"), std::string::npos);
+  EXPECT_EQ(distance(a, at(0, 0), a, at(3, 0), cache).distance, 2) << "a refusal changes nothing";
+}
+
+/// A small polygon that jumps through an edge lies as near to the same edges as before, and yet inside.
+TEST(DistanceCache, SeesAJumpThroughAnEdge) {
+  const Polygon a = square(100), b({scaled(regular(3, 1), 0.01)});
+  DistanceCache cache;
+  for (const double x : {-0.04, -0.03, -0.02, -0.015})
+    EXPECT_GT(distance(a, at(0, 0), b, at(x, 50), cache).distance, 0);
+  EXPECT_EQ(distance(a, at(0, 0), b, at(0.015, 50), cache).distance, 0);
+  EXPECT_EQ(distance(a, at(0, 0), b, at(0.02, 50), cache).distance, 0);
+  EXPECT_EQ(distance(a, at(0, 0), b, at(-0.02, 50), cache).distance, distance(a, at(0, 0), b, at(-0.02, 50)).distance);
+}
+
+/// Facts answer queries of a slow walk (more than these: a fact that is moved to new poses counts anew), and none of
+/// another pair's.
+TEST(DistanceCache, KeepsFactsOfOnePair) {
+  const Polygon a({regular(40, 3)}), b({regular(30, 1)});
+  DistanceCache cache;
+  int by_facts = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Pose pose_b = pose(0.001 * i, 6 * std::cos(0.001 * i), 6 * std::sin(0.001 * i));
+    const std::uint32_t before = cache.uses;
+    ASSERT_EQ(distance(a, at(0, 0), b, pose_b, cache).distance, distance(a, at(0, 0), b, pose_b).distance);
+    by_facts += cache.uses > before;
+  }
+  EXPECT_GT(by_facts, 200);
+  const Polygon c({regular(30, 1)});
+  EXPECT_EQ(distance(a, at(0, 0), c, at(10, 0), cache).distance, distance(a, at(0, 0), c, at(10, 0)).distance);
+  EXPECT_EQ(cache.second_id, c.id());
+}
+
+}  // namespace
+}  // namespace tricover::support
