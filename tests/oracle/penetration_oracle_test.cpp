@@ -19,9 +19,9 @@
 namespace tricover::support {
 namespace {
 
-constexpr int kFamilyCases = 100;
-constexpr int kBruteForceCases = 150;
-constexpr int kConvexCases = 1500;
+constexpr int kFamilyCases = 300;
+constexpr int kBruteForceCases = 600;
+constexpr int kConvexCases = 3000;
 
 Pose moved(Pose pose, const Vec2& by) {
   pose.translation() += by;

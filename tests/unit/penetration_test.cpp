@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Penetrations that can be worked out by hand.
+#include "tricover/penetration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+
+namespace tricover::support {
+namespace {
+
+const Pose kIdentity = Pose::Identity();
+const Vec2 kAnyWay(0, 0);
+
+Pose at(double x, double y) { return pose(0, x, y); }
+
+struct Expected {
+  double depth;
+  Vec2 direction;  ///< kAnyWay where several are as short
+};
+
+/// What is expected, under turned, mirrored and shifted poses, in either order.
+void expectPenetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                       const Expected& expected) {
+  for (const Pose& frame : {kIdentity, pose(0.7, 3, -2), mirrored(pose(-2.1, 0.1, 5)), pose(1.1, 1e6, -1e6)}) {
+    const Pose in_a = frame * pose_a, in_b = frame * pose_b;
+    const double error = 1e-12 + 1e-14 * frame.translation().norm();
+    const auto p = penetration(a, in_a, b, in_b), q = penetration(b, in_b, a, in_a);
+    ASSERT_TRUE(p && q);
+    EXPECT_TRUE(p->optimal);
+    EXPECT_NEAR(p->depth, expected.depth, error);
+    EXPECT_NEAR(p->lower_bound, expected.depth, error);
+    EXPECT_LE(p->lower_bound, p->depth);
+    EXPECT_NEAR(p->direction.norm(), 1, 1e-14);
+    if (expected.direction != kAnyWay) {
+      EXPECT_LE((p->direction - frame.linear() * expected.direction).norm(), error);
+    }
+    EXPECT_LE((p->point_b + p->depth * p->direction - p->point_a).norm(), error);
+    EXPECT_NEAR(p->translation.norm(), p->depth, 4 * error);
+    Pose moved = in_b;
+    moved.translation() += p->translation;
+    EXPECT_FALSE(collide(a, in_a, b, moved));
+    EXPECT_EQ(q->depth, p->depth);
+    EXPECT_EQ(q->lower_bound, p->lower_bound);
+    EXPECT_EQ(q->direction, -p->direction);
+    EXPECT_EQ(q->translation, -p->translation);
+    EXPECT_EQ(q->point_a, p->point_b);
+    EXPECT_EQ(q->point_b, p->point_a);
+    EXPECT_EQ(q->edge_a, p->edge_b);
+    EXPECT_EQ(q->edge_b, p->edge_a);
+  }
+}
+
+const Polygon& square() {
+  static const Polygon polygon({rectangle(-1, -1, 1, 1)});
+  return polygon;
+}
+
+/// Five wide and high, walls one thick, open at the top.
+const Polygon& cup() {
+  static const Polygon polygon({{{0, 0}, {5, 0}, {5, 5}, {4, 5}, {4, 1}, {1, 1}, {1, 5}, {0, 5}}});
+  return polygon;
+}
+
+/// Ten wide, with a hole of six in the middle.
+const Polygon& frame() {
+  static const Polygon polygon({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)});
+  return polygon;
+}
+
+TEST(Convex, Boxes) {
+  const Polygon box({rectangle(0, 0, 4, 4)});
+  expectPenetration(box, kIdentity, square(), at(4.5, 2), {0.5, {1, 0}});
+  expectPenetration(box, kIdentity, square(), at(1, 1.5), {2, {-1, 0}});
+  expectPenetration(box, kIdentity, square(), at(2, 2), {3, kAnyWay});
+  // By a corner: the box's normals count as much as the diamond's.
+  expectPenetration(box, kIdentity, Polygon({{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}}), at(4.25, 4.25),
+                    {0.5 * std::sqrt(0.5), {std::sqrt(0.5), std::sqrt(0.5)}});
+}
+
+TEST(Convex, StraightAndRepeatedVerticesAndClockwiseRings) {
+  const Polygon box({{{0, 4}, {2, 4}, {4, 4}, {4, 4}, {4, 1}, {4, 0}, {0, 0}, {0, 0}, {0, 2}}});
+  expectPenetration(box, kIdentity, square(), at(4.5, 2), {0.5, {1, 0}});
+  const auto p = penetration(box, kIdentity, square(), at(4.5, 2.5));
+  EXPECT_EQ(p->edge_a, 3);  // the long one of the two on that side
+}
+
+TEST(Convex, SegmentsAndPoints) {
+  const Polygon segment({{{-1, 0}, {0, 0}, {1, 0}}}), point({{{1, 1}, {1, 1}, {1, 1}}});
+  expectPenetration(square(), kIdentity, segment, at(0, 0.75), {0.25, {0, 1}});
+  expectPenetration(square(), kIdentity, point, at(-1, -0.5), {0.5, {0, 1}});
+  expectPenetration(segment, kIdentity, segment, pose(1, 0, 0), {std::sin(1), kAnyWay});
+  EXPECT_EQ(penetration(segment, kIdentity, segment, at(1, 0))->depth, 0);
+  EXPECT_EQ(penetration(point, kIdentity, point, kIdentity)->depth, 0);
+}
+
+TEST(Convex, AShallowOneIsExact) {
+  const auto p = penetration(square(), kIdentity, square(), at(2 - 0x1p-50, 0.3));
+  EXPECT_EQ(p->depth, 0x1p-50);
+  EXPECT_EQ(p->direction, Vec2(1, 0));
+}
+
+TEST(NotConvex, OutOfACup) {
+  expectPenetration(cup(), kIdentity, square(), at(2.5, 1.5), {0.5, {0, 1}});    // off its floor
+  expectPenetration(cup(), kIdentity, square(), at(0.5, 3), {1.5, kAnyWay});     // across the wall, as far as inwards
+  expectPenetration(cup(), kIdentity, square(), at(0.75, 3), {1.25, {1, 0}});    // into the cup
+  expectPenetration(cup(), kIdentity, square(), at(2.5, -0.3), {0.7, {0, -1}});  // out through the floor
+}
+
+TEST(NotConvex, TooWideForTheCup) {
+  const Polygon plug({rectangle(-1.6, -0.5, 1.6, 0.5)}), needle({rectangle(-10, -0.25, 10, 0.25)});
+  expectPenetration(cup(), kIdentity, plug, at(2.5, 4), {1.5, {0, 1}});   // out through the mouth
+  expectPenetration(cup(), kIdentity, plug, at(2.5, 2), {2.5, {0, -1}});  // through the floor is shorter than 3.5
+  expectPenetration(cup(), kIdentity, needle, at(2.5, 1.75), {2, {0, -1}});
+}
+
+TEST(NotConvex, AsWideAsTheCupItSlidesOut) {
+  expectPenetration(cup(), kIdentity, Polygon({rectangle(-1.5, -1, 1.5, 1)}), at(2.5, 3), {3, {0, 1}});
+}
+
+TEST(NotConvex, IntoTheHoleOrOut) {
+  expectPenetration(frame(), kIdentity, square(), at(1.5, 5), {1.5, {1, 0}});
+  expectPenetration(frame(), kIdentity, square(), at(0.5, 5), {1.5, {-1, 0}});
+  expectPenetration(frame(), kIdentity, square(), at(1, 1), {2, kAnyWay});
+  // From a hole's corner, where both coordinates have to change.
+  expectPenetration(frame(), kIdentity, square(), at(2.5, 2.25),
+                    {std::hypot(0.5, 0.75), {0.5 / std::hypot(0.5, 0.75), 0.75 / std::hypot(0.5, 0.75)}});
+  // Under the non-zero rule there is no hole: all the way out.
+  const Polygon filled(frame().rings(), FillRule::NonZero);
+  expectPenetration(filled, kIdentity, square(), at(1.5, 5), {2.5, {-1, 0}});
+}
+
+TEST(NotConvex, SmallInTheMiddleOfAWall) {
+  const Polygon crumb({rectangle(-1e-3, -1e-3, 1e-3, 1e-3)});
+  expectPenetration(frame(), kIdentity, crumb, at(1.25, 5), {0.751, {1, 0}});
+}
+
+TEST(NotConvex, CombsInEachOther) {
+  const auto teeth = [](double width, double y_low, double y_high, double bar) {
+    std::vector<Ring> rings = {rectangle(0, bar, 6, bar + 1)};
+    for (int i = 0; i < 6; ++i) rings.push_back(rectangle(i, y_low, i + width, y_high));
+    return Polygon(rings, FillRule::NonZero);
+  };
+  const Polygon below = teeth(0.5, 1, 5, 0), above = teeth(0.25, -5, -1, -1);
+  // The gaps are at [i + 0.5, i + 1], as deep as the teeth are long.
+  expectPenetration(below, kIdentity, above, at(0.875, 6.5), {0.125, {-1, 0}});
+  expectPenetration(below, kIdentity, above, at(0.625, 5.75), {0.25, {0, 1}});
+  expectPenetration(below, kIdentity, above, at(0.875, 5.75),
+                    {std::hypot(0.125, 0.25), {-0.125 / std::hypot(0.125, 0.25), 0.25 / std::hypot(0.125, 0.25)}});
+}
+
+TEST(NotConvex, LShapes) {
+  const Polygon angle({{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}});
+  // Nested like chairs: off along the diagonal's cheaper coordinate.
+  expectPenetration(angle, kIdentity, angle, at(0.25, 0.5),
+                    {std::hypot(0.75, 0.5), {0.75 / std::hypot(0.75, 0.5), 0.5 / std::hypot(0.75, 0.5)}});
+  expectPenetration(angle, kIdentity, angle, at(0.75, 1), {0.25, {1, 0}});
+}
+
+TEST(NotConvex, SelfCrossingOutlines) {
+  // A bow tie: two triangles, nothing between them.
+  const Polygon bow({{{-4, -2}, {4, 2}, {4, -2}, {-4, 2}}});
+  expectPenetration(bow, kIdentity, Polygon({rectangle(-0.5, -0.25, 0.5, 0.25)}), at(0, 0.25), {0.25, {0, 1}});
+  // A ring that goes around twice: its region is all of the square by one rule, its outline alone by the other.
+  const Ring once = rectangle(-4, -4, 4, 4);
+  Ring twice = once;
+  twice.insert(twice.end(), once.begin(), once.end());
+  const Polygon pebble({rectangle(-1, -1, 1, 1)});
+  expectPenetration(Polygon({twice}, FillRule::NonZero), kIdentity, pebble, at(3.5, 0), {1.5, {1, 0}});
+  expectPenetration(Polygon({twice}), kIdentity, pebble, at(3.5, 0), {0.5, {-1, 0}});
+}
+
+TEST(NotConvex, SeveralParts) {
+  const Polygon posts({rectangle(0, 0, 1, 8), rectangle(4, 0, 5, 8), rectangle(8, 0, 9, 8)});
+  expectPenetration(posts, kIdentity, square(), at(1.5, 4), {0.5, {1, 0}});
+  // Between posts that are too close: out of all of them.
+  expectPenetration(posts, kIdentity, Polygon({rectangle(-1.6, -1.6, 1.6, 1.6)}), at(2.5, 6), {3.6, {0, 1}});
+  // A rake with the posts' spacing.
+  const Polygon rake({rectangle(-4.25, -1, -3.75, 1), rectangle(-0.25, -1, 0.25, 1), rectangle(3.75, -1, 4.25, 1)});
+  expectPenetration(posts, kIdentity, rake, at(4.375, 4), {0.625, {-1, 0}});
+}
+
+TEST(Touching, HasDepthZeroAndAWayOut) {
+  for (const auto& [polygon, where, way] :
+       {std::tuple{cup(), at(6, 2), Vec2(1, 0)}, {frame(), at(3, 5), Vec2(1, 0)}, {cup(), at(2.5, 2), Vec2(0, 1)}}) {
+    const auto p = penetration(polygon, kIdentity, square(), where);
+    ASSERT_TRUE(p);
+    EXPECT_EQ(p->depth, 0);
+    EXPECT_EQ(p->lower_bound, 0);
+    EXPECT_TRUE(p->optimal);
+    EXPECT_EQ(p->direction, way);
+    EXPECT_LE((p->point_a - p->point_b).norm(), 1e-13);
+  }
+}
+
+TEST(Apart, IsNothing) {
+  EXPECT_FALSE(penetration(cup(), kIdentity, square(), at(2.5, 2.1)));
+  EXPECT_FALSE(penetration(frame(), kIdentity, square(), at(5, 5)));
+  EXPECT_FALSE(penetration(square(), kIdentity, square(), at(2 + 0x1p-50, 0)));
+}
+
+TEST(Sizes, FromTinyToHuge) {
+  for (const int exponent : {-990, -300, 300, 990}) {
+    const double scale = std::ldexp(1, exponent);
+    const Polygon a({scaled(cup().rings()[0], scale)}), b({scaled(square().rings()[0], scale)});
+    const auto p = penetration(a, kIdentity, b, at(2.5 * scale, 1.5 * scale));
+    ASSERT_TRUE(p);
+    EXPECT_NEAR(p->depth / scale, 0.5, 1e-12);
+    EXPECT_NEAR(p->lower_bound / scale, 0.5, 1e-12);
+    EXPECT_EQ(p->direction, Vec2(0, 1));
+    EXPECT_TRUE(p->optimal);
+    const auto q = penetration(b, kIdentity, b, at(1.5 * scale, 0.25 * scale));
+    EXPECT_EQ(q->depth, 0.5 * scale);
+  }
+}
+
+TEST(Sizes, WhatOverflowsIsNoAnswer) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const Polygon a({rectangle(-kLargest, -kLargest, kLargest, kLargest)});
+  const auto p = penetration(a, kIdentity, cup(), kIdentity);
+  ASSERT_TRUE(p);
+  EXPECT_GE(p->depth, 0.9 * kLargest);
+  EXPECT_LE(p->lower_bound, p->depth);
+}
+
+TEST(FarAway, OnlyWhatTheirPosesShareIsLost) {
+  const double far = 0x1p40;
+  const auto p = penetration(cup(), at(far, -far), square(), at(far + 2.5, -far + 1.5));
+  ASSERT_TRUE(p);
+  EXPECT_NEAR(p->depth, 0.5, 1e-12);
+}
+
+TEST(Budget, EveryResultIsABound) {
+  for (const std::size_t budget : {0u, 1u, 2u, 5u, 20u, 1000u}) {
+    const auto p = penetration(frame(), kIdentity, square(), at(1.5, 5), {budget});
+    ASSERT_TRUE(p);
+    EXPECT_GE(p->depth, 1.5 - 1e-12);
+    EXPECT_LE(p->depth, 2.5 + 1e-12);
+    EXPECT_LE(p->lower_bound, 1.5);
+    EXPECT_EQ(p->optimal, p->depth - p->lower_bound <= 1e-11);
+    Pose moved = at(1.5, 5);
+    moved.translation() += p->translation;
+    EXPECT_FALSE(collide(frame(), kIdentity, square(), moved));
+    EXPECT_LE(p->translation.norm(), p->depth + 1e-11);
+  }
+  // The hulls' separating axes.
+  const auto none = penetration(frame(), kIdentity, square(), at(1.5, 5), {0});
+  EXPECT_NEAR(none->depth, 2.5, 1e-14);
+  EXPECT_EQ(none->lower_bound, 0);
+  EXPECT_FALSE(none->optimal);
+  // Convex pairs need none.
+  EXPECT_TRUE(penetration(square(), kIdentity, square(), kIdentity, {0})->optimal);
+}
+
+TEST(Budget, MoreOfItIsNoWorse) {
+  Random random(5);
+  const Polygon a({star(random, 60, 1, 3)}), b({star(random, 60, 1, 3)});
+  const auto best = penetration(a, kIdentity, b, at(0.5, 0.25));
+  ASSERT_TRUE(best->optimal);
+  Penetration last = *penetration(a, kIdentity, b, at(0.5, 0.25), {0});
+  for (const std::size_t budget : {10u, 30u, 100u, 300u}) {
+    const auto p = penetration(a, kIdentity, b, at(0.5, 0.25), {budget});
+    EXPECT_FALSE(p->optimal);
+    EXPECT_LE(p->depth, last.depth);
+    EXPECT_GE(p->depth, best->depth);
+    EXPECT_GE(p->lower_bound, last.lower_bound);
+    EXPECT_LE(p->lower_bound, best->depth);
+    last = *p;
+  }
+  EXPECT_GT(last.lower_bound, 0.2 * best->depth);
+}
+
+TEST(Arguments, PosesAreChecked) {
+  Pose tilted = kIdentity;
+  tilted.linear() *= 2;
+  EXPECT_THROW(penetration(square(), tilted, square(), kIdentity), std::invalid_argument);
+  EXPECT_THROW(penetration(square(), kIdentity, square(), tilted), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace tricover::support
