@@ -23,34 +23,28 @@ struct Exit {
 class ContactFinder {
  public:
   explicit ContactFinder(const PosedPair& pair)
-      : pair_(pair),
-        frame_(pair),
-        crossings_(findCrossings(pair, frame_)),
-        convex_(isConvex(pair.a) && isConvex(pair.b)),
-        towards_b_(-frame_.originOfA()) {}
+      : pair_(pair), frame_(pair), crossings_(findCrossings(pair, frame_)), towards_b_(-frame_.originOfA()) {}
 
   /// In the pair's order.
   std::vector<Contact> contacts() const {
+    const std::vector<OverlapComponent> components = findComponents(pair_, frame_, crossings_);
+    const bool convex = !components.empty() && isConvex(pair_.a) && isConvex(pair_.b);
     std::vector<Contact> result;
-    for (const OverlapComponent& component : findComponents(pair_, frame_, crossings_))
-      result.push_back(inWorld(component, exitOf(component)));
+    for (const OverlapComponent& component : components) {
+      Exit exit = convex ? byFacesOfBoth(component) : exitOf(component);
+      if (!component.inner || !(exit.depth > 0)) exit.depth = 0;
+      result.push_back(inWorld(component, exit));
+    }
     return result;
   }
 
  private:
   Exit exitOf(const OverlapComponent& component) const {
-    Exit exit;
-    if (convex_)
-      exit = byFacesOfBoth();
-    else if (component.crossings.empty())
-      exit = byNearestEdge(component);
-    else if (component.inner)
-      exit = byFacesOfOverlap(component);
-    // All of an overlap may be one rounded point.
-    if (exit.depth == std::numeric_limits<double>::infinity()) exit = ofTouch(component);
-    if (!component.inner || !(exit.depth > 0)) exit.depth = 0;
-    if (component.crossings.empty()) (component.points.front().b < 0 ? exit.edge_b : exit.edge_a) = -1;
-    return exit;
+    if (component.crossings.empty()) return byNearestEdge(component);
+    if (!component.inner) return ofTouch(component);
+    const Exit exit = byFacesOfOverlap(component);
+    // All of it may be one rounded point.
+    return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
   }
 
   /// Of ways that are equally deep but for rounding, the one that leads b's origin away from a's.
@@ -61,7 +55,7 @@ class ContactFinder {
       best = exit;
   }
 
-  /// The edge of one polygon that both points are on; otherwise one of the first point's.
+  /// The edge of one polygon that both points are on; -1 if there is none.
   static std::ptrdiff_t common(std::ptrdiff_t p, std::ptrdiff_t p_before, std::ptrdiff_t q, std::ptrdiff_t q_before) {
     if (p >= 0 && (p == q || p == q_before)) return p;
     if (p_before >= 0 && (p_before == q || p_before == q_before)) return p_before;
@@ -92,23 +86,29 @@ class ContactFinder {
     return flatter(p.b, p.b_before, normal, [this](std::size_t j) { return frame_.edgeEndsOfB(j); });
   }
 
+  BoundaryPoint vertexOfA(std::size_t v) const {
+    return {frame_.fromA(pair_.a.path[v]), static_cast<std::ptrdiff_t>(v),
+            static_cast<std::ptrdiff_t>(edgeBefore(pair_.a, v)), -1, -1};
+  }
+  BoundaryPoint vertexOfB(std::size_t v) const {
+    return {frame_.fromB(pair_.b.path[v]), -1, -1, static_cast<std::ptrdiff_t>(v),
+            static_cast<std::ptrdiff_t>(edgeBefore(pair_.b, v))};
+  }
+
+  /// All of the polygons.
   Outline outlineOfA() const {
     Outline points;
-    const auto n = static_cast<std::ptrdiff_t>(pair_.a.path.size()) - 1;
-    for (std::ptrdiff_t v = 0; v < n; ++v)
-      points.push_back({frame_.fromA(pair_.a.path[static_cast<std::size_t>(v)]), v, v > 0 ? v - 1 : n - 1, -1, -1});
+    for (std::size_t v = 0; v + 1 < pair_.a.path.size(); ++v) points.push_back(vertexOfA(v));
     return convexHull(std::move(points));
   }
   Outline outlineOfB() const {
     Outline points;
-    const auto n = static_cast<std::ptrdiff_t>(pair_.b.path.size()) - 1;
-    for (std::ptrdiff_t v = 0; v < n; ++v)
-      points.push_back({frame_.fromB(pair_.b.path[static_cast<std::size_t>(v)]), -1, -1, v, v > 0 ? v - 1 : n - 1});
+    for (std::size_t v = 0; v + 1 < pair_.b.path.size(); ++v) points.push_back(vertexOfB(v));
     return convexHull(std::move(points));
   }
 
   /// Two convex regions: the separating axes' least depth, which no translation that parts them is shorter than.
-  Exit byFacesOfBoth() const {
+  Exit byFacesOfBoth(const OverlapComponent& component) const {
     Exit best;
     const Outline a = outlineOfA(), b = outlineOfB();
     forEachFace(a, b, [&](auto& from, auto&, const Vec2& normal, double depth, auto& deepest) {
@@ -117,23 +117,38 @@ class ContactFinder {
     forEachFace(b, a, [&](auto& from, auto&, const Vec2& normal, double depth, auto& deepest) {
       consider({-normal, depth, flatterOfA(deepest, normal), flatterOfB(from, normal), false}, best);
     });
+    if (component.crossings.empty()) (component.points.front().a < 0 ? best.edge_a : best.edge_b) = -1;
     return best;
   }
 
-  /// The least width of this part of the overlap, by the faces of its hull that are edges: b's share of it, moved that
-  /// far, is past a's.
+  /// As if this part of the overlap and the edges around it were all there is: by the faces of their hulls that are
+  /// edges, or by any faces if none is.
   Exit byFacesOfOverlap(const OverlapComponent& component) const {
+    std::vector<BoundaryPoint> of_a = component.points, of_b = component.points;
+    for (const BoundaryPoint& point : component.points) {
+      for (const std::ptrdiff_t edge : {point.a, point.a_before}) {
+        if (edge < 0) continue;
+        const auto v = static_cast<std::size_t>(edge);
+        of_a.insert(of_a.end(), {vertexOfA(v), vertexOfA(edgeAfter(pair_.a, v))});
+      }
+      for (const std::ptrdiff_t edge : {point.b, point.b_before}) {
+        if (edge < 0) continue;
+        const auto v = static_cast<std::size_t>(edge);
+        of_b.insert(of_b.end(), {vertexOfB(v), vertexOfB(edgeAfter(pair_.b, v))});
+      }
+    }
+    const Outline a = convexHull(std::move(of_a)), b = convexHull(std::move(of_b));
     Exit best, bridging;
-    const Outline hull = convexHull(component.points);
-    forEachFace(hull, hull, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
-      const std::ptrdiff_t a = commonOfA(from, to), b = commonOfB(from, to);
-      if (a >= 0) consider({normal, depth, a, flatterOfB(deepest, normal), true}, best);
-      if (b >= 0) consider({-normal, depth, flatterOfA(deepest, normal), b, false}, best);
-      const bool outwards = normal.dot(towards_b_) >= 0;
-      if (a < 0 && b < 0) consider({outwards ? normal : Vec2(-normal), depth, from.a, deepest.b, outwards}, bridging);
+    forEachFace(a, b, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
+      const std::ptrdiff_t edge = commonOfA(from, to);
+      consider({normal, depth, edge, flatterOfB(deepest, normal), true}, edge >= 0 ? best : bridging);
+    });
+    forEachFace(b, a, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
+      const std::ptrdiff_t edge = commonOfB(from, to);
+      consider({-normal, depth, flatterOfA(deepest, normal), edge, false}, edge >= 0 ? best : bridging);
     });
     Exit& exit = best.depth < std::numeric_limits<double>::infinity() ? best : bridging;
-    // Behind a face of a there may be a's other side: then b's deepest edge is where that is crossed.
+    // What is deepest may be a vertex of the other polygon.
     if (exit.edge_a < 0 || exit.edge_b < 0) completeEdges(component, exit);
     return exit;
   }
@@ -161,15 +176,8 @@ class ContactFinder {
   const PosedPair& pair_;
   WorldFrame frame_;
   std::vector<EdgeCrossing> crossings_;
-  bool convex_;
   Vec2 towards_b_;
 };
-
-/// Directions in which edges leave a point.
-void addDirections(const WorldFrame::Ends& edge, const Vec2& from, double error, std::vector<Vec2>& directions) {
-  for (const Vec2& end : {edge.v, edge.w})
-    if ((end - from).norm() > 8 * error) directions.push_back((end - from).normalized());
-}
 
 /// Where edges touch along a stretch, across these; where there is but a point, of the normals of its edges the one
 /// that both polygons' edges keep to their sides of best.
@@ -190,42 +198,41 @@ Exit ContactFinder::ofTouch(const OverlapComponent& component) const {
   best.edge_b = static_cast<std::ptrdiff_t>(main.edge_b);
   if (component.facing.norm() > 8 * error) {
     best.normal = component.facing.normalized();
-    best.from_a = true;
     return best;
   }
-  std::vector<std::size_t> here;
-  for (const std::size_t k : component.crossings)
-    if ((crossings_[k].point - main.point).norm() <= 8 * error) here.push_back(k);
-  std::vector<Vec2> of_a, of_b;
-  for (const std::size_t k : here) {
-    addDirections(frame_.edgeEndsOfA(crossings_[k].edge_a), main.point, error, of_a);
-    addDirections(frame_.edgeEndsOfB(crossings_[k].edge_b), main.point, error, of_b);
+
+  std::vector<std::size_t> edges_a, edges_b;
+  for (const std::size_t k : component.crossings) {
+    if ((crossings_[k].point - main.point).norm() > 8 * error) continue;
+    edges_a.push_back(crossings_[k].edge_a);
+    edges_b.push_back(crossings_[k].edge_b);
   }
-  best.normal = towards_b_.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(towards_b_.stableNormalized());
-  const auto trespass = [&](const Vec2& normal) {
-    double most = 0;
-    for (const Vec2& d : of_a) most = std::max(most, d.dot(normal));
-    for (const Vec2& d : of_b) most = std::max(most, -d.dot(normal));
-    return most;
-  };
-  double least = std::numeric_limits<double>::infinity();
-  const auto tryNormalsOf = [&](const std::vector<Vec2>& directions, const EdgeCrossing& c) {
-    for (const Vec2& d : directions) {
-      for (const Vec2& normal : {Vec2(d.y(), -d.x()), Vec2(-d.y(), d.x())}) {
-        const double t = trespass(normal);
-        if (t > least + 1e-9 || (t >= least - 1e-9 && normal.dot(towards_b_) <= best.normal.dot(towards_b_))) continue;
-        least = t;
-        best.normal = normal;
-        best.edge_a = static_cast<std::ptrdiff_t>(c.edge_a);
-        best.edge_b = static_cast<std::ptrdiff_t>(c.edge_b);
+  // Where the edges lead from the point: a's on, b's turned back, so that none should go along the normal.
+  std::vector<Vec2> directions;
+  for (const bool of_a : {true, false}) {
+    std::vector<std::size_t>& edges = of_a ? edges_a : edges_b;
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (const std::size_t edge : edges) {
+      const WorldFrame::Ends ends = of_a ? frame_.edgeEndsOfA(edge) : frame_.edgeEndsOfB(edge);
+      for (const Vec2& end : {ends.v, ends.w}) {
+        const Vec2 way = of_a ? Vec2(end - main.point) : Vec2(main.point - end);
+        if (way.norm() > 8 * error) directions.push_back(way.normalized());
       }
     }
-  };
-  for (const std::size_t k : here) {
-    std::vector<Vec2> directions;
-    addDirections(frame_.edgeEndsOfA(crossings_[k].edge_a), main.point, error, directions);
-    addDirections(frame_.edgeEndsOfB(crossings_[k].edge_b), main.point, error, directions);
-    tryNormalsOf(directions, crossings_[k]);
+  }
+  constexpr double kSameAngle = 1e-9;
+  best.normal = towards_b_.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(towards_b_.stableNormalized());
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2& direction : directions) {
+    for (const Vec2& normal : {Vec2(direction.y(), -direction.x()), Vec2(-direction.y(), direction.x())}) {
+      double most = 0;
+      for (const Vec2& d : directions) most = std::max(most, d.dot(normal));
+      const bool better = normal.dot(towards_b_) > best.normal.dot(towards_b_);
+      if (most > least + kSameAngle || (most >= least - kSameAngle && !better)) continue;
+      least = most;
+      best.normal = normal;
+    }
   }
   return best;
 }
@@ -260,7 +267,7 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
     const Vec2 way = outer_edge.w - outer_edge.v;
     across = Vec2(way.y(), -way.x()).stableNormalized();
   };
-  const double far = 4 * std::min(pair_.a.radius + pair_.b.radius, 0x1p1000);
+  const double far = 4 * std::min(pair_.a.radius + pair_.b.radius, 0x1p1020);
   forEachPair(pair_, far, [&](double, std::size_t i, std::size_t j) {
     if (of_a[i] != b_inside && of_b[j] == b_inside) {
       const WorldFrame::Ends a = frame_.edgeEndsOfA(i), b = frame_.edgeEndsOfB(j);
@@ -274,7 +281,7 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
   Vec2 outwards = across;
   if (nearest > 4 * frame_.error())
     outwards = (out - in).normalized();
-  else if (across.dot(out - frame_.fromB(pair_.b.origin)) < 0)
+  else if (across.dot(out - (b_inside ? Vec2(Vec2::Zero()) : frame_.originOfA())) < 0)
     outwards = -across;
   exit.depth = 0;
   for (const BoundaryPoint& point : component.points) {

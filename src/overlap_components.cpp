@@ -15,6 +15,11 @@
 namespace tricover::detail {
 namespace {
 
+std::size_t ringOf(const PolygonData& polygon, std::size_t edge) {
+  const auto& begin = polygon.ring_begin;
+  return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
+}
+
 /// Disjoint sets of nodes.
 class Sets {
  public:
@@ -61,19 +66,7 @@ struct Side {
 
   explicit Side(const PolygonData& polygon_) : polygon(polygon_) {}
 
-  std::size_t after(std::size_t edge) const {
-    const std::size_t ring = ringOf(edge);
-    return edge + 1 == polygon.edgeEnd(ring) ? polygon.edgeBegin(ring) : edge + 1;
-  }
-  std::size_t before(std::size_t edge) const {
-    const std::size_t ring = ringOf(edge);
-    return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
-  }
-  std::size_t ringOf(std::size_t edge) const {
-    const auto& begin = polygon.ring_begin;
-    return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
-  }
-
+  std::size_t after(std::size_t edge) const { return edgeAfter(polygon, edge); }
   bool isInside(int winding) const { return detail::isInside(polygon.fill, winding); }
 
   const PolygonData& polygon;
@@ -174,7 +167,7 @@ class Grouping {
   /// Two nodes, where they cover each other: what is between needn't be in the overlap.
   void addOwnCrossing(int side, std::size_t e, std::size_t f) {
     Side& own = sides_[side];
-    own.rings[own.ringOf(e)].meets_own = own.rings[own.ringOf(f)].meets_own = true;
+    own.rings[ringOf(own.polygon, e)].meets_own = own.rings[ringOf(own.polygon, f)].meets_own = true;
     const Ends of_e = ends(side, e), of_f = ends(side, f);
     const Span on_e = spanNear(of_e, of_f, frame_.error()), on_f = spanNear(of_f, of_e, frame_.error());
     const bool alike = (of_e.w - of_e.v).dot(of_f.w - of_f.v) > 0;
@@ -220,7 +213,8 @@ class Grouping {
   }
 
   void addVertex(int side, std::size_t v, std::size_t node) {
-    const auto edge = static_cast<std::ptrdiff_t>(v), other = static_cast<std::ptrdiff_t>(sides_[side].before(v));
+    const auto edge = static_cast<std::ptrdiff_t>(v),
+               other = static_cast<std::ptrdiff_t>(edgeBefore(sides_[side].polygon, v));
     points_.push_back({node, side == 0 ? BoundaryPoint{vertex(0, v), edge, other, -1, -1}
                                        : BoundaryPoint{vertex(1, v), -1, -1, edge, other}});
   }
@@ -250,7 +244,7 @@ class Grouping {
     if (stop.node < crossings_.size()) {
       const EdgeCrossing& crossing = crossings_[stop.node];
       Side& crossed = sides_[other];
-      const std::size_t ring = crossed.ringOf(other == 0 ? crossing.edge_a : crossing.edge_b);
+      const std::size_t ring = ringOf(crossed.polygon, other == 0 ? crossing.edge_a : crossing.edge_b);
       crossed.rings[ring].left = {true, std::max(before, winding.number)};
     }
   }
@@ -318,7 +312,7 @@ class Grouping {
       const int side = p.b < 0 ? 0 : 1;
       const std::ptrdiff_t edge = side == 0 ? p.a : p.b, before = side == 0 ? p.a_before : p.b_before;
       const Side& own = sides_[side];
-      const Side::RingStops& ring = own.rings[own.ringOf(static_cast<std::size_t>(edge))];
+      const Side::RingStops& ring = own.rings[ringOf(own.polygon, static_cast<std::size_t>(edge))];
       // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
       const Ends to = ends(side, static_cast<std::size_t>(edge)), from = ends(side, static_cast<std::size_t>(before));
       const double turn = cross(from.v - from.w, to.w - to.v);
@@ -369,7 +363,7 @@ class Grouping {
   /// A node that the point t of an edge is joined to; -1 if it isn't in the other region.
   std::ptrdiff_t nodeAt(int side, std::size_t edge, double t) const {
     const Side& own = sides_[side];
-    const Side::RingStops& ring = own.rings[own.ringOf(edge)];
+    const Side::RingStops& ring = own.rings[ringOf(own.polygon, edge)];
     if (ring.node >= 0 || ring.begin == ring.end) return ring.node;
     const auto begin = own.stops.begin() + static_cast<std::ptrdiff_t>(ring.begin);
     const auto end = own.stops.begin() + static_cast<std::ptrdiff_t>(ring.end);
@@ -428,6 +422,16 @@ class Grouping {
 };
 
 }  // namespace
+
+std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge) {
+  const std::size_t ring = ringOf(polygon, edge);
+  return edge + 1 == polygon.edgeEnd(ring) ? polygon.edgeBegin(ring) : edge + 1;
+}
+
+std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge) {
+  const std::size_t ring = ringOf(polygon, edge);
+  return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
+}
 
 std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
                                              const std::vector<EdgeCrossing>& crossings) {

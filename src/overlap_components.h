@@ -29,6 +29,10 @@ Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, doubl
 /// All of them: exactly those that share a point.
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame);
 
+/// The next edge of a ring, all around, and the one before; positions in the path.
+std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
+std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);
+
 /// A point of a component's boundary and the edges that it is on (positions; -1: none): a crossing is on one of each, a
 /// vertex on two of its polygon.
 struct BoundaryPoint {

@@ -20,10 +20,13 @@ struct Crossing {
 /// do. Empty in a containment.
 std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
 
-/// One connected part of the regions' overlap, in the world.
+/// One connected part of the regions' overlap, in the world. Coordinates are rounded: by a few ulps of the polygons'
+/// sizes, seen from the smaller one's place.
 struct Contact {
-  Vec2 point;             ///< the middle of the overlap along the normal
-  Vec2 normal;            ///< unit: moving b along it leaves this part of the overlap
+  Vec2 point;  ///< the middle of the overlap along the normal, through the deepest point
+  /// Unit: moving b along it leaves this part of the overlap. For two convex polygons that is the shortest way apart;
+  /// otherwise one that takes the edges around this part past each other, in a containment past the nearest edge.
+  Vec2 normal;
   double depth;           ///< >= 0: how far b must move along it; 0 where they only touch
   std::ptrdiff_t edge_a;  ///< whose point parts last; in a containment -1 for the polygon whose inside holds the point
   std::ptrdiff_t edge_b;  ///< likewise of b

@@ -87,6 +87,16 @@ TEST(Contacts, OfACombOverABarAreOneATooth) {
     expectContact(found[i], {0.5 + 3.0 * static_cast<double>(i), 4.875}, {0, -1}, 0.25, 100);
 }
 
+TEST(Contacts, OfTeethThroughAThinBarPullThemOut) {
+  const auto found = ask({rectangle(-10, 1, 100, 2)}, {comb(4, 3, 1, 5)});
+  ASSERT_EQ(found.size(), 4u);
+  for (const Contact& contact : found) {
+    EXPECT_NEAR(contact.depth, 2, 1e-12);  // the other way it would be 4
+    EXPECT_LE((contact.normal - Vec2(0, 1)).norm(), 1e-9);
+    EXPECT_NEAR(contact.point.y(), 1.5, 1e-12);
+  }
+}
+
 TEST(Contacts, AreAtMostAsManyAsAskedFor) {
   const Polygon above({rectangle(-10, 4.75, 100, 9)}), teeth({comb(7, 3, 1, 5)});
   EXPECT_EQ(contacts(above, kHere, teeth, kHere, 3).size(), 3u);
@@ -127,6 +137,29 @@ TEST(Contacts, OfAContainmentLeadPastTheNearestEdge) {
   expectContact(beside_a_hole[0], {7.5, 4.5}, {1, 0}, 4);
   EXPECT_EQ(beside_a_hole[0].edge_a, -1);
   EXPECT_EQ(beside_a_hole[0].edge_b, 3);
+}
+
+TEST(Contacts, OfARingAroundAHoleLeadOutwards) {
+  // Every ring is part of the component but a's outermost.
+  const auto found = ask({rectangle(0, 0, 20, 20), rectangle(9, 9, 11, 11)}, {rectangle(4, 5, 14, 15)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].depth, 14, 1e-12);
+  EXPECT_LE((found[0].normal - Vec2(-1, 0)).norm(), 1e-9);
+  EXPECT_EQ(found[0].edge_a, -1);
+  EXPECT_EQ(found[0].edge_b, 1);
+}
+
+TEST(Contacts, ThatAreShallowHaveTheEdgesNormalAllTheSame) {
+  const double cosine = std::cos(0.3), sine = std::sin(0.3);
+  for (const double depth : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const Pose turned = pose(0.3, 7, 5);
+    const auto found =
+        ask(Polygon({rectangle(0, 0, 4, 4)}), turned, Polygon({{{4 - depth, 2}, {6, 1}, {5, 2}, {6, 3}}}), turned);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_LE((found[0].normal - Vec2(cosine, sine)).norm(), 1e-12) << depth;
+    EXPECT_NEAR(found[0].depth, depth, 1e-14);
+    EXPECT_EQ(found[0].edge_a, 1);
+  }
 }
 
 TEST(Contacts, WhereAVertexTouchesAnEdge) {
