@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The shortest parting translation is the nearest point of the closure of the free ones. That is 0's projection on a
+// convolution segment, an end of one or a crossing of two (on the boundary of a free face of the segments' arrangement
+// no other point is nearest), and which of these are limits of free translations the kernel tells, by samples beside
+// them. Looking at all would cost (n m)^2, so the plane is searched from 0 outwards by square cells. A cell is done
+// with where the kernel's clearance or depth at its centre reaches beyond it, where no segment comes near it, and where
+// few enough do for all their candidates to be tried; otherwise it is split in four. Nearer cells are done with before
+// farther ones, so the least distance of those left is a lower bound.
+//
+// Segments within `resolution_` of each other are taken for one: outlines that run parallel but for rounding would make
+// slivers without end. So a free slit narrower than twice that may be missed, and nothing else.
+//
+// Cost: a query of the kernel a cell, and one a sample. The cells are those of the disc of radius depth, as fine as the
+// overlap is intricate there. Measured on the paper's polygons of size 100 (median; one core of a server), overlapping
+// by 0.5 / by 30 on the mean: contour of 64 vertices 16 / 240 us, with hole 14 / 280 us, starred 40 / 720 us; 256
+// vertices 55 us / 7 ms, 40 us / 1.3 ms, 90 us / 6 ms. Two contours of 1024 deep in each other exhaust the default
+// budget (in 0.2 s, with the bounds 7 of 60 apart). Worst case: outlines that are nearly parallel by more than the
+// resolution over a long way, as combs turned by 1e-9 against each other are, need cells as small as their gaps are
+// narrow; only the budget ends that.
 #include "translation_search.h"
 
 #include <algorithm>
@@ -7,6 +25,7 @@
 #include <vector>
 
 #include "strategy.h"
+#include "world_frame.h"
 
 namespace tricover::detail {
 namespace {
@@ -31,8 +50,6 @@ Cell makeCell(const Vec2& center, double half) {
   return {std::hypot(std::max(std::abs(center.x()) - half, 0.0), std::max(std::abs(center.y()) - half, 0.0)), center,
           half};
 }
-
-double cross(const Vec2& u, const Vec2& w) { return u.x() * w.y() - u.y() * w.x(); }
 
 /// Where a free face of the lines' arrangement may be nearest to 0.
 struct Candidate {

@@ -5,14 +5,9 @@
 #include <cmath>
 
 #include "double_double.h"
+#include "world_frame.h"
 
 namespace tricover::detail {
-namespace {
-
-double cross(const Vec2& u, const Vec2& w) { return u.x() * w.y() - u.y() * w.x(); }
-
-}  // namespace
-
 Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
   const Vec2 u = w - v;
   const double square = u.squaredNorm();
