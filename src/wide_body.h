@@ -1,61 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No include guard: wide.cpp includes this once an instruction set, in a namespace of its own, with TRICOVER_TARGET the
-// functions' attribute and TRICOVER_VECTOR the bytes of a native vector.
+// functions' attribute and TRICOVER_VECTOR the bytes of a native vector. So it is for what it includes: eight floats
+// side by side, and the ways that need no tree.
 
-typedef float Native __attribute__((vector_size(TRICOVER_VECTOR)));
-typedef std::int32_t NativeBits __attribute__((vector_size(TRICOVER_VECTOR)));
-typedef float Loose __attribute__((vector_size(TRICOVER_VECTOR), aligned(4), may_alias));  // anywhere in an array
-
-#define TRICOVER_INLINE TRICOVER_TARGET __attribute__((always_inline)) inline
-
-TRICOVER_INLINE Native absolute(Native p) { return (Native)((NativeBits)p & 0x7fffffff); }
-TRICOVER_INLINE Native larger(Native p, Native q) { return p > q ? p : q; }
-TRICOVER_INLINE Native smaller(Native p, Native q) { return p < q ? p : q; }
-/// p where it is above q, elsewhere something large.
-TRICOVER_INLINE Native whereAbove(Native p, Native q) { return p > q ? p : 1e30f - Native{}; }
-/// Bit i: lane i of p is above that of q.
-TRICOVER_INLINE unsigned above(Native p, Native q) {
-  const NativeBits greater = p > q;
-#if TRICOVER_VECTOR == 32
-  return static_cast<unsigned>(__builtin_ia32_movmskps256((Native)greater));
-#elif defined(__SSE2__)
-  return static_cast<unsigned>(__builtin_ia32_movmskps((Native)greater));
-#else
-  unsigned bits = 0;
-  for (int i = 0; i < 4; ++i) bits |= (greater[i] != 0 ? 1u : 0u) << i;
-  return bits;
-#endif
-}
-
-#if TRICOVER_VECTOR == 32
-typedef Native Lanes;
-TRICOVER_INLINE Lanes load(const float* p) { return *reinterpret_cast<const Loose*>(p); }
-TRICOVER_INLINE void store(float* p, Lanes lanes) { *reinterpret_cast<Loose*>(p) = lanes; }
-TRICOVER_INLINE Lanes all(float value) { return value - Native{}; }
-#else
-struct Lanes {
-  Native low, high;
-};
-TRICOVER_INLINE Lanes load(const float* p) {
-  return {*reinterpret_cast<const Loose*>(p), *reinterpret_cast<const Loose*>(p + 4)};
-}
-TRICOVER_INLINE void store(float* p, Lanes lanes) {
-  *reinterpret_cast<Loose*>(p) = lanes.low;
-  *reinterpret_cast<Loose*>(p + 4) = lanes.high;
-}
-TRICOVER_INLINE Lanes all(float value) { return {value - Native{}, value - Native{}}; }
-TRICOVER_INLINE Lanes operator+(Lanes p, Lanes q) { return {p.low + q.low, p.high + q.high}; }
-TRICOVER_INLINE Lanes operator-(Lanes p, Lanes q) { return {p.low - q.low, p.high - q.high}; }
-TRICOVER_INLINE Lanes operator*(Lanes p, Lanes q) { return {p.low * q.low, p.high * q.high}; }
-TRICOVER_INLINE Lanes operator+(Lanes p, float q) { return {p.low + q, p.high + q}; }
-TRICOVER_INLINE Lanes operator-(Lanes p, float q) { return {p.low - q, p.high - q}; }
-TRICOVER_INLINE Lanes operator*(Lanes p, float q) { return {p.low * q, p.high * q}; }
-TRICOVER_INLINE Lanes absolute(Lanes p) { return {absolute(p.low), absolute(p.high)}; }
-TRICOVER_INLINE Lanes larger(Lanes p, Lanes q) { return {larger(p.low, q.low), larger(p.high, q.high)}; }
-TRICOVER_INLINE Lanes smaller(Lanes p, Lanes q) { return {smaller(p.low, q.low), smaller(p.high, q.high)}; }
-TRICOVER_INLINE Lanes whereAbove(Lanes p, Lanes q) { return {whereAbove(p.low, q.low), whereAbove(p.high, q.high)}; }
-TRICOVER_INLINE unsigned above(Lanes p, Lanes q) { return above(p.low, q.low) | above(p.high, q.high) << 4; }
-#endif
+#include "wide_lanes.h"
 
 /// A box of one hierarchy, in its units.
 struct Item {
@@ -92,14 +40,12 @@ struct Query {
   float cap;    ///< no gap is proven beyond this
 };
 
-TRICOVER_INLINE double magnitude(double x) { return __builtin_fabs(x); }
-
 constexpr double kLong = 512, kKept = 64;
 
 /// A long edge beside a small block: only its part around the block counts, which floats can tell from the block; and
 /// the edge itself is known better than the float box around it. Returns the distance up to which that part stands for
 /// the whole.
-TRICOVER_TARGET double clip(const Item& item, const PolygonData& polygon, const UnitMap& map, const Block& block,
+TRICOVER_INLINE double clip(const Item& item, const PolygonData& polygon, const UnitMap& map, const Block& block,
                             double& x, double& y, double& ux, double& uy, double& along, double& across) {
   if (item.leaf) {
     const Vec2 v = polygon.inUnits(polygon.path[item.child]), w = polygon.inUnits(polygon.path[item.child + 1]);
@@ -222,7 +168,6 @@ TRICOVER_INLINE bool accepts(const Descent& d, const Step& step, float gap, floa
 struct Findings {
   DescentResult hit;
   double clearance;
-  double limit;  ///< in a's units: boxes beyond aren't entered
 };
 
 TRICOVER_INLINE bool accepted(Findings& findings) {
@@ -239,6 +184,7 @@ TRICOVER_INLINE double provenGap(const Step& step, float gap) {
 struct MeetEdges : Findings {
   static constexpr bool kNarrows = false;
   static constexpr float kSlacks = 1;
+  TRICOVER_INLINE double limitOf(const Descent& d) const { return d.limit; }
 
   TRICOVER_INLINE bool operator()(const Descent& d, double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
     clearance = proven < clearance ? proven : clearance;
@@ -253,6 +199,8 @@ struct ShowEdges : Findings {
   static constexpr bool kNarrows = true;
   static constexpr float kSlacks = 1.5f;  ///< of gaps with diagonals
   PairVisitor visitor;
+  double limit;  ///< in a's units: boxes beyond aren't entered
+  TRICOVER_INLINE double limitOf(const Descent&) const { return limit; }
 
   TRICOVER_INLINE bool operator()(const Descent&, double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
     if (proven <= limit) limit = visitor.visit(visitor.context, proven, edge_a, edge_b);
@@ -301,7 +249,7 @@ TRICOVER_TARGET bool enterOne(const Descent& d, bool into_a, const Item& item, c
   const UnitMap map = into_a ? d.to_a : inverse(d.to_a);
   const Query query = queryFor(other, into_a ? d.pair.b : d.pair.a, map, block, d.rounding);
   const double in_a = into_a ? block.scale : block.scale * d.to_a.scale;
-  const Step step = stepOf(in_a, on_pair.limit / in_a, query.slack * OnPair::kSlacks, query.cap);
+  const Step step = stepOf(in_a, on_pair.limitOf(d) / in_a, query.slack * OnPair::kSlacks, query.cap);
   const Lanes found = gaps<OnPair::kNarrows>(block, query);
   Lanes least = all(1e30f);
   const unsigned near = entered(d, block, step, found, least);
@@ -333,103 +281,64 @@ TRICOVER_TARGET bool enterOne(const Descent& d, bool into_a, const Item& item, c
   return false;
 }
 
-/// The boxes of two blocks of about the same size against each other, in the frame of a's. True if that ended the
-/// descent.
-template <typename OnPair>
-TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits,
-                               OnPair& on_pair) {
-  const Block &a = d.a.blocks[item_a.child], &b = d.b.blocks[item_b.child];
+/// The boxes of two blocks of about the same size, in the frame of a's.
+struct Together {
+  Step step;
+  Query whole;             ///< all of a
+  float moved[6][kLanes];  ///< b's boxes
+};
+
+TRICOVER_INLINE Query movedBox(const Together& t, unsigned j) {
+  return {t.moved[0][j], t.moved[1][j], t.moved[2][j], t.moved[3][j], t.moved[4][j], t.moved[5][j], 0, 0};
+}
+
+TRICOVER_INLINE void bringTogether(const Descent& d, const Item& item_a, const Block& a, const Block& b, double limit,
+                                   float slacks, Together& t) {
   const UnitMap& map = d.to_a;
   const double size = map.scale * b.scale * a.inverse;
   const double x = (map.scale * (map.r00 * b.origin_x + map.r01 * b.origin_y) + map.tx - a.origin_x) * a.inverse;
   const double y = (map.scale * (map.r10 * b.origin_x + map.r11 * b.origin_y) + map.ty - a.origin_y) * a.inverse;
   const double slack = d.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
-  const Step step = stepOf(a.scale, on_pair.limit * a.inverse, static_cast<float>(slack) * OnPair::kSlacks, 1e30f);
+  t.step = stepOf(a.scale, limit * a.inverse, static_cast<float>(slack) * slacks, 1e30f);
 
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float scale = static_cast<float>(size);
   const Lanes bx = load(b.x) * scale, by = load(b.y) * scale, bux = load(b.ux), buy = load(b.uy);
-  float moved[6][kLanes];
-  store(moved[0], bx * r00 + by * r01 + static_cast<float>(x));
-  store(moved[1], bx * r10 + by * r11 + static_cast<float>(y));
-  store(moved[2], bux * r00 + buy * r01);
-  store(moved[3], bux * r10 + buy * r11);
-  store(moved[4], load(b.along) * scale);
-  store(moved[5], load(b.across) * scale);
+  store(t.moved[0], bx * r00 + by * r01 + static_cast<float>(x));
+  store(t.moved[1], bx * r10 + by * r11 + static_cast<float>(y));
+  store(t.moved[2], bux * r00 + buy * r01);
+  store(t.moved[3], bux * r10 + buy * r11);
+  store(t.moved[4], load(b.along) * scale);
+  store(t.moved[5], load(b.across) * scale);
 
+  t.whole = {static_cast<float>((item_a.x - a.origin_x) * a.inverse),
+             static_cast<float>((item_a.y - a.origin_y) * a.inverse),
+             static_cast<float>(item_a.ux),
+             static_cast<float>(item_a.uy),
+             static_cast<float>(item_a.along * a.inverse),
+             static_cast<float>(item_a.across * a.inverse),
+             0,
+             0};
+}
+
+/// True if that ended the descent.
+TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits,
+                               MeetEdges& on_pair) {
+  const Block &a = d.a.blocks[item_a.child], &b = d.b.blocks[item_b.child];
+  Together t;
+  bringTogether(d, item_a, a, b, d.limit, 1, t);
+  const Step step = t.step;
   // First the whole of a against b's boxes.
-  const Query whole = {static_cast<float>((item_a.x - a.origin_x) * a.inverse),
-                       static_cast<float>((item_a.y - a.origin_y) * a.inverse),
-                       static_cast<float>(item_a.ux),
-                       static_cast<float>(item_a.uy),
-                       static_cast<float>(item_a.along * a.inverse),
-                       static_cast<float>(item_a.across * a.inverse),
-                       0,
-                       0};
   Lanes least = all(1e30f);
-  const Lanes from_whole = gaps<OnPair::kNarrows>(load(moved[0]), load(moved[1]), load(moved[2]), load(moved[3]),
-                                                  load(moved[4]), load(moved[5]), whole);
+  const Lanes from_whole = gaps<false>(load(t.moved[0]), load(t.moved[1]), load(t.moved[2]), load(t.moved[3]),
+                                       load(t.moved[4]), load(t.moved[5]), t.whole);
   const Lanes ax = load(a.x), ay = load(a.y), aux = load(a.ux), auy = load(a.uy), a_along = load(a.along),
               a_across = load(a.across);
   const int first = visits.top;
-  if constexpr (OnPair::kNarrows) {
-    const unsigned near_b = entered(d, b, step, from_whole, least);
-    float gap[kLanes][kLanes], spans[kLanes];
-    for (unsigned i = 0; i < kLanes; ++i) spans[i] = (a.spanned >> i & 1) != 0 ? 2 * a.across[i] : 1e30f;
-    const Lanes spans_a = load(spans);
-    Lanes upper = all(1e30f);
-    for (unsigned left = near_b; left != 0; left &= left - 1) {
-      const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
-      const Query query = {moved[0][j], moved[1][j], moved[2][j], moved[3][j], moved[4][j], moved[5][j], 0, 0};
-      const Lanes found = gaps<true>(ax, ay, aux, auy, a_along, a_across, query);
-      store(gap[j], found);
-      if ((b.spanned >> j & 1) != 0)
-        upper = smaller(upper, larger(found, all(0)) * 1.4143f + spans_a + 2 * query.across);
-    }
-    if (on_pair.visitor.narrow != nullptr) narrow(upper, step, on_pair);
-    const Step narrowed = stepOf(a.scale, on_pair.limit * a.inverse, step.slack, 1e30f);
-    unsigned near[kLanes];
-    unsigned nearest_i = 0, nearest_j = 0;
-    float nearest = 0;
-    bool any = false;
-    for (unsigned left = near_b; left != 0; left &= left - 1) {
-      const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
-      near[j] = entered(d, a, narrowed, load(gap[j]), least);
-      for (unsigned i_left = near[j]; i_left != 0; i_left &= i_left - 1) {
-        const unsigned i = static_cast<unsigned>(__builtin_ctz(i_left));
-        if (any && !(gap[j][i] < nearest)) continue;
-        any = true;
-        nearest = gap[j][i];
-        nearest_i = i;
-        nearest_j = j;
-      }
-    }
-    if (!any) return false;
-    if (a.leaf && b.leaf) {
-      // The nearest first: it may spare the others.
-      if (on_pair(d, provenGap(step, nearest), a.child[nearest_i], b.child[nearest_j])) return true;
-      near[nearest_j] &= ~(1u << nearest_i);
-    }
-    for (unsigned left = near_b; left != 0; left &= left - 1) {
-      const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
-      for (unsigned i_left = near[j]; i_left != 0; i_left &= i_left - 1) {
-        const unsigned i = static_cast<unsigned>(__builtin_ctz(i_left));
-        if (a.leaf && b.leaf) {
-          if (on_pair(d, provenGap(step, gap[j][i]), a.child[i], b.child[j])) return true;
-          continue;
-        }
-        visits.a[visits.top] = item_a.child * kLanes + i;
-        visits.b[visits.top] = item_b.child * kLanes + j;
-        visits.gap[visits.top++] = keptGap<OnPair>(step, gap[j][i]);
-      }
-    }
-    raiseDeepest(visits, first);
-    return false;
-  }
   for (unsigned left = entered(d, b, step, from_whole, least); left != 0; left &= left - 1) {
     const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
-    const Query query = {moved[0][j], moved[1][j], moved[2][j], moved[3][j], moved[4][j], moved[5][j], 0, 0};
+    const Query query = movedBox(t, j);
     const Lanes found = gaps<false>(ax, ay, aux, auy, a_along, a_across, query);
     const unsigned near = entered(d, a, step, found, least);
     float gap[kLanes];
@@ -449,7 +358,7 @@ TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item&
     for (unsigned i = 0; i < kLanes; ++i) {
       visits.a[visits.top] = item_a.child * kLanes + i;
       visits.b[visits.top] = item_b.child * kLanes + j;
-      visits.gap[visits.top] = keptGap<OnPair>(step, gap[i]);
+      visits.gap[visits.top] = gap[i];
       visits.top += static_cast<int>(near >> i & 1);
     }
   }
@@ -458,16 +367,82 @@ TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item&
   return false;
 }
 
+/// The same, first lowering the limit to what all boxes together prove; true if a visitor ended the descent.
+TRICOVER_TARGET bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits,
+                               ShowEdges& on_pair) {
+  const Block &a = d.a.blocks[item_a.child], &b = d.b.blocks[item_b.child];
+  Together t;
+  bringTogether(d, item_a, a, b, on_pair.limit, ShowEdges::kSlacks, t);
+  const Step step = t.step;
+  Lanes least = all(1e30f);
+  const Lanes from_whole = gaps<true>(load(t.moved[0]), load(t.moved[1]), load(t.moved[2]), load(t.moved[3]),
+                                      load(t.moved[4]), load(t.moved[5]), t.whole);
+  const Lanes ax = load(a.x), ay = load(a.y), aux = load(a.ux), auy = load(a.uy), a_along = load(a.along),
+              a_across = load(a.across);
+  const int first = visits.top;
+  const unsigned near_b = entered(d, b, step, from_whole, least);
+  float gap[kLanes][kLanes], spans[kLanes];
+  for (unsigned i = 0; i < kLanes; ++i) spans[i] = (a.spanned >> i & 1) != 0 ? 2 * a.across[i] : 1e30f;
+  const Lanes spans_a = load(spans);
+  Lanes upper = all(1e30f);
+  for (unsigned left = near_b; left != 0; left &= left - 1) {
+    const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
+    const Query query = movedBox(t, j);
+    const Lanes found = gaps<true>(ax, ay, aux, auy, a_along, a_across, query);
+    store(gap[j], found);
+    if ((b.spanned >> j & 1) != 0) upper = smaller(upper, larger(found, all(0)) * 1.4143f + spans_a + 2 * query.across);
+  }
+  if (on_pair.visitor.narrow != nullptr) narrow(upper, step, on_pair);
+  const Step narrowed = stepOf(a.scale, on_pair.limit * a.inverse, step.slack, 1e30f);
+  unsigned near[kLanes];
+  unsigned nearest_i = 0, nearest_j = 0;
+  float nearest = 0;
+  bool any = false;
+  for (unsigned left = near_b; left != 0; left &= left - 1) {
+    const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
+    near[j] = entered(d, a, narrowed, load(gap[j]), least);
+    for (unsigned i_left = near[j]; i_left != 0; i_left &= i_left - 1) {
+      const unsigned i = static_cast<unsigned>(__builtin_ctz(i_left));
+      if (any && !(gap[j][i] < nearest)) continue;
+      any = true;
+      nearest = gap[j][i];
+      nearest_i = i;
+      nearest_j = j;
+    }
+  }
+  if (!any) return false;
+  if (a.leaf && b.leaf) {
+    // The nearest first: it may spare the others.
+    if (on_pair(d, provenGap(step, nearest), a.child[nearest_i], b.child[nearest_j])) return true;
+    near[nearest_j] &= ~(1u << nearest_i);
+  }
+  for (unsigned left = near_b; left != 0; left &= left - 1) {
+    const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
+    for (unsigned i_left = near[j]; i_left != 0; i_left &= i_left - 1) {
+      const unsigned i = static_cast<unsigned>(__builtin_ctz(i_left));
+      if (a.leaf && b.leaf) {
+        if (on_pair(d, provenGap(step, gap[j][i]), a.child[i], b.child[j])) return true;
+        continue;
+      }
+      visits.a[visits.top] = item_a.child * kLanes + i;
+      visits.b[visits.top] = item_b.child * kLanes + j;
+      visits.gap[visits.top++] = keptGap<ShowEdges>(step, gap[j][i]);
+    }
+  }
+  raiseDeepest(visits, first);
+  return false;
+}
+
 /// Whether on_pair ended it.
 template <typename OnPair>
-TRICOVER_TARGET bool descendBoth(const Descent& d, OnPair& on_pair) {
+TRICOVER_INLINE bool descendBoth(const Descent& d, OnPair& on_pair) {
   Visits visits;
   visits.a[0] = visits.b[0] = kRoot;
   visits.gap[0] = -1e30f;
   visits.top = 1;
   while (visits.top > 0) {
     --visits.top;
-    if (OnPair::kNarrows && visits.gap[visits.top] > on_pair.limit) continue;
+    if (OnPair::kNarrows && visits.gap[visits.top] > on_pair.limitOf(d)) continue;
     const std::uint32_t visit_a = visits.a[visits.top], visit_b = visits.b[visits.top];
     const Item a = itemAt(d.a, visit_a), b = itemAt(d.b, visit_b);
     // Beyond this ratio of sizes floats couldn't tell the smaller one's boxes apart in the larger one's frame.
@@ -483,109 +458,16 @@ TRICOVER_TARGET bool descendBoth(const Descent& d, OnPair& on_pair) {
 }
 
 TRICOVER_TARGET DescentResult descend(const Descent& d) {
-  MeetEdges meet{{{false, 0, -1, -1}, 1e300, d.limit}};
+  MeetEdges meet{{{false, 0, -1, -1}, 1e300}};
   if (descendBoth(d, meet)) return meet.hit;
   return {false, meet.clearance > 0 ? meet.clearance : 0, -1, -1};
 }
 
 TRICOVER_TARGET void visitPairs(const Descent& d, const PairVisitor& visitor) {
-  ShowEdges show{{{false, 0, -1, -1}, 1e300, d.limit}, visitor};
+  ShowEdges show{{{false, 0, -1, -1}, 1e300}, visitor, d.limit};
   descendBoth(d, show);
 }
 
-TRICOVER_TARGET void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t),
-                                     void* context) {
-  std::uint32_t stack[(kLanes - 1) * kMaxDepth + 1];
-  int top = 0;
-  stack[top++] = 0;
-  const Block* blocks = hierarchy.blocks.data();
-  const float dx = static_cast<float>(ray.dx), dy = static_cast<float>(ray.dy);
-  while (top > 0) {
-    const Block& block = blocks[stack[--top]];
-    const double px = (ray.x - block.origin_x) * block.inverse, py = (ray.y - block.origin_y) * block.inverse;
-    const double slack = 0x1p-20 * (magnitude(px) + magnitude(py) + 4) + ray.error * block.inverse;
-    const float x = static_cast<float>(px), y = static_cast<float>(py), room = static_cast<float>(slack);
-    unsigned near = (1u << block.count) - 1;
-    if (room < 1e30f) {
-      const Lanes ux = load(block.ux), uy = load(block.uy), along = load(block.along), across = load(block.across);
-      const Lanes ex = load(block.x) - x, ey = load(block.y) - y;
-      const Lanes c = absolute(ux * dx + uy * dy), s = absolute(ux * dy - uy * dx);
-      const Lanes beside = absolute(ey * dx - ex * dy) - (along * s + across * c);
-      const Lanes behind = (all(0) - (ex * dx + ey * dy)) - (along * c + across * s);
-      near &= ~above(larger(beside, behind), all(room));
-    }
-    for (; near != 0; near &= near - 1) {
-      const int i = __builtin_ctz(near);
-      if (!block.leaf)
-        stack[top++] = block.child[i];
-      else if (!visit(context, block.child[i]))
-        return;
-    }
-  }
-}
-
-/// By how much the vertex of q that is farthest back is beyond each edge of eight; at most that, over all q.
-TRICOVER_INLINE Lanes beyond(Lanes nx, Lanes ny, Lanes d, const float* qx, const float* qy, int count) {
-  Lanes least = nx * qx[0] + ny * qy[0];
-  for (int j = 1; j < count; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
-  return least - d;
-}
-
-/// Convex polygons are apart if and only if some edge of either has all of the other beyond it. Rounding: points,
-/// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24.
-TRICOVER_TARGET Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
-  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
-  const float slack = static_cast<float>(8 * rounding + map.error);
-  float x[SmallConvex::kMost], y[SmallConvex::kMost];
-  for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bx = load(b.x + i) * scale, by = load(b.y + i) * scale;
-    store(x + i, bx * r00 + by * r01 + tx);
-    store(y + i, bx * r10 + by * r11 + ty);
-  }
-  unsigned inside = (1u << kLanes) - 1;
-  for (int i = 0; i < a.lanes; i += kLanes) {
-    const Lanes out = beyond(load(a.nx + i), load(a.ny + i), load(a.d + i), x, y, b.lanes);
-    if (above(out, all(slack)) != 0) return Meeting::Apart;
-    inside &= above(all(-slack), out);
-  }
-  for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bnx = load(b.nx + i), bny = load(b.ny + i);
-    const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
-    const Lanes d = load(b.d + i) * scale + nx * tx + ny * ty;
-    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.lanes);
-    if (above(out, all(slack)) != 0) return Meeting::Apart;
-    inside &= above(all(-slack), out);
-  }
-  return inside == (1u << kLanes) - 1 ? Meeting::Meet : Meeting::Unknown;
-}
-
-/// Rounding as in convexMeet(). With s the sum of two radii and d the distance of the centres, s - d >= (s^2 - d^2) /
-/// (2 s) where that is positive.
-TRICOVER_TARGET double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
-  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
-  const float slack = static_cast<float>(8 * rounding + map.error);
-  const float reach = a.reach + b.reach * scale;
-  if (tx * tx + ty * ty > reach * reach) return 0;
-  const Lanes bx = load(b.x) * scale, by = load(b.y) * scale;
-  float x[kLanes], y[kLanes], radius[kLanes];
-  store(x, bx * r00 + by * r01 + tx);
-  store(y, bx * r10 + by * r11 + ty);
-  store(radius, load(b.radius) * scale - slack);
-  const Lanes ax = load(a.x), ay = load(a.y), a_radius = load(a.radius);
-  Lanes most = all(0);
-  for (int j = 0; j < b.count; ++j) {
-    const Lanes dx = ax - x[j], dy = ay - y[j], sum = a_radius + radius[j];
-    most = larger(most, sum * absolute(sum) - (dx * dx + dy * dy));
-  }
-  float values[kLanes], deepest = 0;
-  store(values, most);
-  for (int i = 0; i < kLanes; ++i) deepest = values[i] > deepest ? values[i] : deepest;
-  if (!(deepest > slack)) return 0;
-  return (deepest - slack) / (2.0 * (static_cast<double>(a.radius[0]) + radius[0]) * (1 + 0x1p-10));
-}
+#include "wide_shapes.h"
 
 #undef TRICOVER_INLINE
