@@ -23,13 +23,14 @@ tricover::Vec2 towards(const PolygonPair<S>& pair) {
   return between.isZero(0) ? tricover::Vec2::UnitX() : between.stableNormalized();
 }
 
-/// What the pair shares, deepest first; where only margins meet, what is between the nearest points.
+/// What the pair shares, as one or in parts, deepest first; where only margins meet, what is between the nearest
+/// points.
 template <typename S>
-std::vector<PlanarContact> contactsOf(const PolygonPair<S>& pair, std::size_t most) {
+std::vector<PlanarContact> contactsOf(const PolygonPair<S>& pair, bool as_one, std::size_t most) {
   const tricover::Polygon &a = pair.a(), &b = pair.b();
   const tricover::Pose &pose_a = pair.pose_a.pose, &pose_b = pair.pose_b.pose;
   std::vector<PlanarContact> shared;
-  if (most == 1) {
+  if (as_one) {
     if (const auto whole = tricover::penetration(a, pose_a, b, pose_b)) {
       shared.push_back(
           {middle(whole->point_a, whole->point_b), whole->direction, whole->depth, whole->edge_a, whole->edge_b});
@@ -84,7 +85,8 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
     addContact(o1, o2, result);
   } else if (most > 0) {
     const Plane plane = planeAt(sharedHeights(pair.heightsA(), pair.heightsB()).middle());
-    for (const PlanarContact& contact : contactsOf(pair, most)) addContact(o1, o2, plane, contact, result);
+    for (const PlanarContact& contact : contactsOf(pair, request.num_max_contacts == 1, most))
+      addContact(o1, o2, plane, contact, result);
   }
   if (want.costs) {
     const SharedHeights heights = sharedHeights(pair.heightsA(), pair.heightsB());

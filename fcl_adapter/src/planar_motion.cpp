@@ -44,28 +44,31 @@ double turn(S angle, const fcl::Vector3<S>& axis) {
 
 template <typename S>
 PlanarMotion planarMotion(const fcl::MotionBase<S>& motion, const char* name) {
-  PlanarMotion result{{}, poseAt(motion, S(0), name), poseAt(motion, S(1), name)};
-  const tricover::Pose& start = result.motion.start = result.start.pose;
-  if (const auto* translation = as<fcl::TranslationMotion<S>>(motion)) {
-    result.motion.shift = planar<S>(translation->getVelocity());
-  } else if (const auto* interpolation = as<fcl::InterpMotion<S>>(motion)) {
-    result.motion.shift = planar<S>(interpolation->getLinearVelocity());
-    result.motion.angle = turn<S>(interpolation->getAngularVelocity(), interpolation->getAngularAxis());
-    result.motion.pivot = planar<S>(interpolation->getReferencePoint());
-  } else if (const auto* screw = as<fcl::ScrewMotion<S>>(motion)) {
-    if (screw->getAngularVelocity() == 0) {
-      // The axis is the way to go; FCL's own transforms go its length times as far.
-      result.motion.shift = planar<S>(screw->getAxis());
-      result.end.pose = result.motion.at(1);
-      result.end.z = result.start.z + static_cast<double>(screw->getAxis().z());
-    } else {
-      result.motion.angle = turn<S>(screw->getAngularVelocity(), screw->getAxis());
-      result.motion.pivot = start.linear().inverse() * (planar<S>(screw->getAxisOrigin()) - start.translation());
-    }
-  } else {
+  const auto* translation = as<fcl::TranslationMotion<S>>(motion);
+  const auto* interpolation = as<fcl::InterpMotion<S>>(motion);
+  const auto* screw = as<fcl::ScrewMotion<S>>(motion);
+  if (!translation && !interpolation && !screw) {
     throw UnsupportedPair(std::string("tricover: conservative advancement along ") + name + " of type " +
                           typeid(motion).name() +
                           " is not supported; fcl::TranslationMotion, InterpMotion and ScrewMotion are");
+  }
+
+  PlanarMotion result{{}, poseAt(motion, S(0), name), poseAt(motion, S(1), name)};
+  const tricover::Pose& start = result.motion.start = result.start.pose;
+  if (translation) {
+    result.motion.shift = planar<S>(translation->getVelocity());
+  } else if (interpolation) {
+    result.motion.shift = planar<S>(interpolation->getLinearVelocity());
+    result.motion.angle = turn<S>(interpolation->getAngularVelocity(), interpolation->getAngularAxis());
+    result.motion.pivot = planar<S>(interpolation->getReferencePoint());
+  } else if (screw->getAngularVelocity() != 0) {
+    result.motion.angle = turn<S>(screw->getAngularVelocity(), screw->getAxis());
+    result.motion.pivot = start.linear().inverse() * (planar<S>(screw->getAxisOrigin()) - start.translation());
+  } else {
+    // Its axis is the way to go; FCL's own transforms go its length times as far.
+    result.motion.shift = planar<S>(screw->getAxis());
+    result.end.pose = result.motion.at(1);
+    result.end.z = result.start.z + static_cast<double>(screw->getAxis().z());
   }
   tricover::checkMotion(result.motion, name);
 

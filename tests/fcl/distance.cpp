@@ -65,8 +65,9 @@ TEST(Distance, isTheCoresOnEveryFamily) {
         // As far apart as is said, but for the rounding of coordinates.
         const double extent = geometries.nearest_points[0].norm() + geometries.nearest_points[1].norm();
         if (extent < 1e150) {
-          ASSERT_NEAR((geometries.nearest_points[0] - geometries.nearest_points[1]).norm(), std::max(answer, 0.0),
-                      1e-14 * (extent + answer + c.a.radius() + c.b.radius() + c.pose_a.translation().norm()))
+          ASSERT_NEAR(
+              (geometries.nearest_points[0] - geometries.nearest_points[1]).stableNorm(), std::max(answer, 0.0),
+              1e-14 * (extent + std::max(answer, 0.0) + c.a.radius() + c.b.radius() + c.pose_a.translation().norm()))
               << reproduction(c);
         }
       }
@@ -156,8 +157,8 @@ TEST(Distance, resultKeepsTheLeast) {
     EXPECT_EQ(ask(other, 3), 2);
     EXPECT_EQ(result.o2, other.get());
     EXPECT_EQ(result.nearest_points[1].x(), 3);
-    EXPECT_EQ(result.b1, 1);
-    EXPECT_EQ(result.b2, 3);
+    expectOnEdge(*square, result.b1, flat(result.nearest_points[0]));
+    expectOnEdge(*other, result.b2, flat(result.nearest_points[1]) - tricover::Vec2(3, 0));
     EXPECT_EQ(ask(square, 0.5), -1);
     EXPECT_EQ(result.o2, square.get());
     // Satisfied: not even the poses are looked at.

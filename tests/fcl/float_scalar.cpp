@@ -2,14 +2,23 @@
 // FCL's entry points for float are templates: this file instantiates them and their tables, as a user's code does.
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
+#include <fcl/math/motion/translation_motion.h>
+#include <fcl/narrowphase/continuous_collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <limits>
 
 #include "families.h"
 #include "scene.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
+#include "tricover/distance.h"
+#include "tricover/penetration.h"
 
 namespace tricover_fcl::test {
 namespace {
+
+using tricover::support::Random;
 
 TEST(FloatScalar, answersExactlyForTheFloatPoses) {
   int hits = 0, cases = 0;
@@ -64,6 +73,74 @@ TEST(FloatScalar, broadphaseAndContact) {
   }
 }
 
+TEST(FloatScalar, distancesAreRoundedExactOnes) {
+  Random random(81);
+  int apart = 0;
+  const int count = tricover::support::scaledCount(300);
+  for (int i = 0; i < count; ++i) {
+    const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+    const fcl::Transform3f tf_a = lifted<float>(tricover::support::randomPose(random, 2), 1);
+    const fcl::Transform3f tf_b = lifted<float>(tricover::support::randomPose(random, 2), 1);
+    const Shape<float> shape_a = shapeOf<float>(a), shape_b = shapeOf<float>(b);
+    const double truth = tricover::distance(a, flat(tf_a), b, flat(tf_b)).distance;
+    const auto penetration = tricover::penetration(a, flat(tf_a), b, flat(tf_b));
+    for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+      fcl::DistanceRequestf request;
+      request.gjk_solver_type = solver;
+      request.enable_signed_distance = true;
+      fcl::DistanceResultf result, ours;
+      const float answer = fcl::distance<float>(shape_a.get(), tf_a, shape_b.get(), tf_b, request, result);
+      ASSERT_EQ(answer, static_cast<float>(penetration ? -penetration->depth : truth)) << i;
+      ASSERT_EQ(result.min_distance, answer) << i;
+      ASSERT_EQ(tricover_fcl::distance<float>(shape_b.get(), tf_b, shape_a.get(), tf_a, request, ours), answer) << i;
+    }
+    apart += truth > 0;
+  }
+  EXPECT_GT(apart, count / 10);
+  EXPECT_LT(apart, count * 9 / 10);
+}
+
+TEST(FloatScalar, distancesBelowTheSmallestFloatAreNotZero) {
+  const Shape<float> tiny = shapeOf<float>(tricover::Polygon({tricover::support::rectangle(0, 0, 1e-60, 1e-60)}));
+  const Shape<float> other = shapeOf<float>(tricover::Polygon({tricover::support::rectangle(3e-60, 0, 4e-60, 1e-60)}));
+  const Shape<float> across = shapeOf<float>(tricover::Polygon({tricover::support::rectangle(0, 0, 3.5e-60, 1e-60)}));
+  const fcl::Transform3f pose = fcl::Transform3f::Identity();
+  for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+    fcl::DistanceRequestf request;
+    request.gjk_solver_type = solver;
+    request.enable_signed_distance = true;
+    fcl::DistanceResultf apart, overlap;
+    EXPECT_EQ(fcl::distance(tiny.get(), pose, other.get(), pose, request, apart),
+              std::numeric_limits<float>::denorm_min());
+    EXPECT_EQ(fcl::distance(across.get(), pose, other.get(), pose, request, overlap), 0);  // FCL asserts a depth
+  }
+}
+
+TEST(FloatScalar, translationsCollide) {
+  // The motions that compile; so does what takes motions, but not what takes transforms.
+  const Shape<float> square = shapeOf<float>(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  const fcl::Transform3f begin = lifted<float>(tricover::support::pose(0, -4, 0)),
+                         end = lifted<float>(tricover::support::pose(0, 4, 0)), here = fcl::Transform3f::Identity();
+  const fcl::TranslationMotionf motion(begin, end), still(here, here);
+  for (const fcl::CCDSolverType solver : {fcl::CCDC_NAIVE, fcl::CCDC_CONSERVATIVE_ADVANCEMENT}) {
+    const fcl::ContinuousCollisionRequestf request(1001, 1e-3f, fcl::CCDM_TRANS, fcl::GST_LIBCCD, solver);
+    fcl::ContinuousCollisionResultf result, ours;
+    fcl::continuousCollide<float>(square.get(), &motion, square.get(), &still, request, result);
+    EXPECT_TRUE(result.is_collide);
+    EXPECT_NEAR(result.time_of_contact, 0.375f, 1.1e-3f);
+    tricover_fcl::continuousCollide<float>(square.get(), begin, end, square.get(), here, here, request, ours);
+    EXPECT_TRUE(ours.is_collide);
+    EXPECT_LE(ours.time_of_contact, 0.375f);
+    EXPECT_GE(ours.time_of_contact, 0.374f);
+    EXPECT_NEAR(ours.contact_tf1.translation().x(), -1, 0.01f);
+  }
+  fcl::ContinuousCollisionRequestf turning(10, 1e-3f, fcl::CCDM_LINEAR);
+  fcl::ContinuousCollisionResultf result;
+  EXPECT_THROW(
+      tricover_fcl::continuousCollide<float>(square.get(), begin, end, square.get(), here, here, turning, result),
+      std::logic_error);
+}
+
 TEST(FloatScalar, otherPairsThrowOrGoToFcl) {
   const PolygonShapef polygon(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
   const fcl::Spheref sphere(1);
@@ -72,6 +149,8 @@ TEST(FloatScalar, otherPairsThrowOrGoToFcl) {
   EXPECT_THROW(fcl::collide(&polygon, pose, &sphere, pose, fcl::CollisionRequestf(), result), std::logic_error);
   EXPECT_THROW(fcl::collide(&sphere, pose, &polygon, pose, fcl::CollisionRequestf(), result), std::logic_error);
   EXPECT_EQ(tricover_fcl::collide<float>(&sphere, pose, &sphere, pose, fcl::CollisionRequestf(), result), 1u);
+  fcl::DistanceResultf distance;
+  EXPECT_LE(tricover_fcl::distance<float>(&sphere, pose, &sphere, pose, fcl::DistanceRequestf(), distance), 0);
 }
 
 }  // namespace

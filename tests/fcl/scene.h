@@ -4,6 +4,7 @@
 #include <fcl/narrowphase/collision_object.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -43,6 +44,15 @@ inline tricover::Polygon randomPolygon(tricover::support::Random& random, double
   std::vector<tricover::Ring> rings = {tricover::support::star(random, random.integer(5, 16), 0.4 * size, size)};
   if (random.coin()) rings.push_back(tricover::support::star(random, 7, 0.1 * size, 0.3 * size));
   return tricover::Polygon(rings);
+}
+
+/// In the polygon's own frame.
+template <typename S>
+void expectOnEdge(const PolygonShape<S>& shape, std::intptr_t edge, const tricover::Vec2& point) {
+  ASSERT_GE(edge, 0);
+  const auto number = static_cast<std::size_t>(edge);
+  const tricover::Vec2 start = shape.polygon().edgeStart(number), end = shape.polygon().edgeEnd(number);
+  EXPECT_NEAR((point - start).norm() + (end - point).norm(), (end - start).norm(), 1e-12);
 }
 
 /// What `query` throws, or an empty string.

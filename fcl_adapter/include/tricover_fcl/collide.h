@@ -23,10 +23,10 @@ namespace tricover_fcl {
 /// A hit adds fcl::Contacts as long as there are fewer than num_max_contacts: one without details, or with
 /// enable_contact one for each connected part of the overlap (tricover::contacts), deepest first. pos is in the middle
 /// of that part and of the heights that the shapes share; moving the second polygon by penetration_depth along normal,
-/// a unit vector in the plane, clears it; b1 and b2 are edges (tricover::Contact::edge_a, edge_b). Where there is room
-/// for one contact only (num_max_contacts is 1), it is the way to part the polygons altogether
-/// (tricover::penetration). Depths are those of the polygons, in the plane: where only margins meet, depth is 0, normal
-/// points between the nearest points and pos is their middle.
+/// a unit vector in the plane, clears it; b1 and b2 are edges (tricover::Contact::edge_a, edge_b). Where
+/// num_max_contacts is 1, that contact is the way to part the polygons altogether (tricover::penetration). Depths are
+/// those of the polygons, in the plane: where only margins meet, depth is 0, normal points between the nearest points
+/// and pos is their middle.
 template <typename S>
 std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
