@@ -2,6 +2,7 @@
 #include "queries.h"
 
 #include "advance_polygons.h"
+#include "collide_mixed.h"
 #include "collide_polygons.h"
 #include "distance_polygons.h"
 #include "polygon_pair.h"
@@ -14,7 +15,8 @@ std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Tr
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                               const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                               fcl::CollisionResult<S>& result) {
-  if (!isPolygon(o1) || !isPolygon(o2)) throwUnsupported("collide", o1, o2);
+  if (isPolygon(o1) != isPolygon(o2)) return collideMixed(o1, tf1, o2, tf2, request, options, result);
+  if (!isPolygon(o1)) throwUnsupported("collide", o1, o2);
   return collidePolygons(o1, tf1, o2, tf2, request, options, result);
 }
 
