@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collide_mixed.h"
 
-#include "mixed_pair.h"
-#include "tricover/contacts.h"
+#include "mixed_contacts.h"
 
 namespace tricover_fcl {
 namespace {
-
-template <typename S>
-void addContacts(const MixedPair<S>& pair, const Shadow& shadow, const fcl::CollisionGeometry<S>& o1,
-                 const fcl::CollisionGeometry<S>& o2, const fcl::CollisionRequest<S>& request,
-                 fcl::CollisionResult<S>& result) {
-  static_cast<void>(request);
-  const tricover::Polygon outline = shadow.outline();
-  const auto common =
-      tricover::contact(pair.polygon(), tricover::Pose::Identity(), outline, tricover::Pose::Identity());
-  PlanarContact contact{common->point, tricover::Vec2::UnitX(), 0, common->edge_a, shadow.partOf(common->edge_b)};
-  if (!pair.polygon_first) {
-    std::swap(contact.edge1, contact.edge2);
-    contact.normal *= -1;
-  }
-  addContact(o1, o2, pair.plane, contact, result);
-}
 
 /// The world's box around what the boxes of polygon and shadow share in the polygon's frame.
 template <typename S>
@@ -56,17 +39,19 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
   const Wanted of_hit = wanted(o1, o2, request);
   if (!of_hit.contacts && !of_hit.costs) return result.numContacts();
 
-  pair.view.only_there = true;
+  pair.view.only_there = !request.enable_contact;  // the way out of a mesh depends on all of it
   pair.view.around.min().array() -= margin;
   pair.view.around.max().array() += margin;
   const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
   if (!shadow || !shadow->meets(pair.polygon(), margin)) return result.numContacts();
 
-  if (of_hit.contacts && room(request, result) > 0) {
-    if (request.enable_contact)
-      addContacts(pair, *shadow, o1, o2, request, result);
-    else
-      addContact(o1, o2, result);
+  const std::size_t most = of_hit.contacts ? room(request, result) : 0;
+  if (most > 0 && !request.enable_contact) {
+    addContact(o1, o2, result);
+  } else if (most > 0) {
+    for (const MixedContact& found : contactsOf(pair, *shadow, most)) {
+      addContact(o1, o2, found.plane, found.contact, result);
+    }
   }
   if (of_hit.costs) addCost(o1, o2, overlap(pair, *shadow), request, result);
   return result.numContacts();

@@ -26,31 +26,37 @@ Ring clip(const Ring& ring, const Vec2& normal, double offset) {
   return kept;
 }
 
-/// `lowest` <= normal . x <= `highest`, x in space and in the geometry's frame. Seen along z over the slab this is a
-/// strip (a line for a plane that stands on a flat polygon) or all or nothing of the polygon's plane. Of the strip a
-/// square is made around the polygon, so large that the polygon can't leave it on a shorter way than across the strip,
-/// and that what is nearest to the polygon is in it.
-std::optional<Shadow> stripShadow(const Eigen::Vector3d& normal, double offset, bool below_too, const View& view) {
+/// The plane normal . x = offset of the geometry's frame, or the half-space below it. Seen along z over the slab it is
+/// a strip (a line for a plane that stands on a flat polygon) or a half-plane. Of that a square is made around the
+/// polygon, so large that the polygon can't leave it on a shorter way than across the edge, and that what is nearest to
+/// the polygon is in it. What is parallel to the polygon, as far as rounding can tell, is met all over, or nowhere.
+std::optional<Shadow> shadowOf(const Eigen::Vector3d& normal, double offset, bool below_too, const View& view) {
   // x = M p + t lies in the plane n . p = d if M^-T n . x = d + M^-T n . t.
   const Eigen::Vector3d n = view.to_polygon.linear().inverse().transpose() * normal;
   const double d = offset + n.dot(view.to_polygon.translation());
-  const Vec2 center = view.around.center(), across = n.head<2>();
-  const double radius = view.around.diagonal().stableNorm() / 2, steepness = across.stableNorm();
+  const Vec2 center = view.around.center();
+  const double radius = view.around.diagonal().stableNorm() / 2, steepness = n.head<2>().stableNorm();
+  const bool parallel = steepness <= kMappingError;
+  const Vec2 across = parallel ? Vec2(Vec2::Zero()) : Vec2(n.head<2>());
   const double at_low = d - n.z() * view.slab.low - across.dot(center);
   const double at_high = d - n.z() * view.slab.high - across.dot(center);
+  const double first = std::min(at_low, at_high), last = std::max(at_low, at_high);
 
-  double side = 4 * radius;
-  const double away = std::max(std::abs(at_low), std::abs(at_high)) / steepness;
-  if (std::isfinite(away)) side += 2 * away;  // otherwise parallel: the plane is met all over, or nowhere
-  const double rounding = mappingError(view.to_polygon, std::abs(offset) + center.stableNorm() + side) +
-                          kMappingError * std::max(std::abs(view.slab.low), std::abs(view.slab.high));
-
+  const double side = 4 * radius + (parallel ? 0 : 2 * std::max(std::abs(first), std::abs(last)) / steepness);
+  const double rounding = mappingError(view.to_polygon, std::abs(offset) + center.stableNorm() + side +
+                                                            std::abs(view.slab.low) + std::abs(view.slab.high));
   Ring ring = {{-side, -side}, {side, -side}, {side, side}, {-side, side}};
-  ring = clip(ring, across, std::max(at_low, at_high) + rounding);
-  if (!below_too) ring = clip(ring, -across, rounding - std::min(at_low, at_high));
+  ring = clip(ring, across, last + rounding);
+  if (!below_too) ring = clip(ring, -across, rounding - first);
   if (ring.empty()) return std::nullopt;
   for (Vec2& v : ring) v += center;
-  return Shadow(tricover::Polygon({convexHull(ring)}, tricover::FillRule::NonZero), rounding);
+  Shadow shadow(tricover::Polygon({convexHull(ring)}, tricover::FillRule::NonZero), rounding);
+  if (!below_too) shadow.makeSurface();
+  if (parallel) {
+    const bool up = below_too || last <= -first;  // the way of the polygon, along n
+    shadow.coverAll({(up ? -1 : 1) * n.normalized(), std::max(up ? last : -first, 0.0)});
+  }
+  return shadow;
 }
 
 }  // namespace
@@ -59,10 +65,10 @@ template <typename S>
 std::optional<Shadow> makeHalfspaceShadow(const fcl::CollisionGeometry<S>& plane_or_halfspace, const View& view) {
   if (plane_or_halfspace.getNodeType() == fcl::GEOM_PLANE) {
     const auto& plane = static_cast<const fcl::Plane<S>&>(plane_or_halfspace);
-    return stripShadow(plane.n.template cast<double>(), static_cast<double>(plane.d), false, view);
+    return shadowOf(plane.n.template cast<double>(), static_cast<double>(plane.d), false, view);
   }
   const auto& halfspace = static_cast<const fcl::Halfspace<S>&>(plane_or_halfspace);
-  return stripShadow(halfspace.n.template cast<double>(), static_cast<double>(halfspace.d), true, view);
+  return shadowOf(halfspace.n.template cast<double>(), static_cast<double>(halfspace.d), true, view);
 }
 
 template std::optional<Shadow> makeHalfspaceShadow(const fcl::CollisionGeometry<float>&, const View&);

@@ -46,7 +46,9 @@ std::optional<Shadow> shadowOf(const fcl::CollisionGeometry<S>& geometry, const 
     parts.push_back({i, rings.back().size()});
   }
   if (rings.empty()) return std::nullopt;
-  return Shadow(tricover::Polygon(std::move(rings), tricover::FillRule::NonZero), rounding, std::move(parts));
+  Shadow shadow(tricover::Polygon(std::move(rings), tricover::FillRule::NonZero), rounding, std::move(parts));
+  shadow.makeSurface();
+  return shadow;
 }
 
 }  // namespace

@@ -14,6 +14,17 @@ bool Shadow::meets(const tricover::Polygon& polygon, double margin) const {
   return tricover::collide(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), options);
 }
 
+tricover::DistanceResult Shadow::distance(const tricover::Polygon& polygon,
+                                          const tricover::DistanceOptions& options) const {
+  tricover::DistanceResult found =
+      smooth_ ? smooth_->distance(polygon)
+              : tricover::distance(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), options);
+  if (meets(polygon, 0)) found.distance = 0;
+  return found;
+}
+
+double Shadow::outlineError() const { return smooth_ ? smooth_->outlineError(kOutlineError) : rounding_; }
+
 tricover::Polygon Shadow::outline() const {
   return smooth_ ? tricover::Polygon({smooth_->outline(kOutlineError)}, tricover::FillRule::NonZero) : *region_;
 }

@@ -11,6 +11,7 @@
 
 #include "slab_cut.h"
 #include "smooth_shadow.h"
+#include "tricover/distance.h"
 #include "tricover/polygon.h"
 
 namespace tricover_fcl {
@@ -28,12 +29,33 @@ class Shadow {
       : region_(std::move(region)), rounding_(rounding), parts_(std::move(parts)) {}
   explicit Shadow(SmoothShadow smooth) : smooth_(std::move(smooth)) {}
 
+  /// Whether it is a surface's, which has no inside to be in.
+  bool isSurface() const { return is_surface_; }
+  void makeSurface() { is_surface_ = true; }
+
+  /// How to part a polygon from a geometry that covers all of its plane: move the geometry along the unit normal (in
+  /// space, polygon's frame) by `depth`.
+  struct Lift {
+    Eigen::Vector3d normal;
+    double depth;
+  };
+  void coverAll(const Lift& lift) { lift_ = lift; }
+  const std::optional<Lift>& lift() const { return lift_; }
+
   /// Whether the polygon and the shadow come as close as `margin`; never false where they do.
   bool meets(const tricover::Polygon& polygon, double margin) const;
+
+  /// Of the polygon (a) and the shadow (b): 0 exactly where meets(polygon, 0), otherwise as `options` allow, and for
+  /// smooth bodies SmoothShadow::kError of the body's reach above the truth.
+  tricover::DistanceResult distance(const tricover::Polygon& polygon, const tricover::DistanceOptions& options) const;
 
   /// The shadow itself, or, of a smooth body, a polygon around it within kOutlineError of the body's reach.
   tricover::Polygon outline() const;
   static constexpr double kOutlineError = 1e-6;
+  /// Within the shadow: itself, or, of a smooth body, a polygon of few vertices.
+  tricover::Polygon core() const { return smooth_ ? smooth_->inscribed() : *region_; }
+  /// How far the outline and what meets() takes for it may be from the true shadow, a length.
+  double outlineError() const;
 
   /// The triangle of a mesh or the cell of an octree (FCL's query cell id) which an edge of the outline comes from;
   /// otherwise fcl::Contact's NONE.
@@ -44,6 +66,8 @@ class Shadow {
   double rounding_ = 0;
   std::vector<Part> parts_;
   std::optional<SmoothShadow> smooth_;
+  std::optional<Lift> lift_;
+  bool is_surface_ = false;
 };
 
 /// What a shadow is needed for. Of unbounded or many-parted geometries, only as much is made.

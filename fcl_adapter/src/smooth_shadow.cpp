@@ -15,6 +15,7 @@ using tricover::Ring;
 using tricover::Vec2;
 
 constexpr int kFirstTangents = 16;
+constexpr int kMostSteps = 150;  // a third of them bisections: as many as a double has bits
 Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
 
 bool collide(const Polygon& a, const Polygon& b, double margin) {
@@ -57,28 +58,45 @@ SmoothShadow::SmoothShadow(const SmoothBody& body, const Eigen::Affine3d& to_pol
 /// duality it is the smallest over all slopes s / c (c > 0, c^2 + s^2 = 1) of
 ///   max over the body's p of (c n . p - s p.z) / c + (s / c) z,  z the slab's side on which s presses,
 /// and any slope's value is at least that: tangents hold C whatever the search comes to. The value is convex in the
-/// slope and falls while the maximum's point is beyond z, so the search is a bisection; the point in the slab is where
-/// the connection of the last two points passes z. A value errs by what the points do, over c.
+/// slope and falls while the maximum's point is beyond z: the search is for the slope whose point is at z, by regula
+/// falsi (Illinois), every third step a bisection, because a body's flat parts make the point jump. The point in the
+/// slab is where the connection of the last two points passes z. A value errs by what the points do, over c.
 SmoothShadow::Tangent SmoothShadow::tangent(const Vec2& normal) const {
   const Eigen::Vector3d middle = support({normal.x(), normal.y(), 0});
   if (middle.z() >= slab_.low && middle.z() <= slab_.high) return {normal, middle.head<2>(), 2 * rounding_};
 
   const double side = middle.z() > slab_.high ? 1 : -1, z = side > 0 ? slab_.high : slab_.low;
-  Vec2 beyond_slope(1, 0), within_slope(0, side);  // (c, s)
-  Eigen::Vector3d beyond = middle, within = support({0, 0, -side});
+  struct End {
+    Vec2 slope;  // (c, s)
+    Eigen::Vector3d point;
+    double weight;
+  };
+  const auto end = [&](const Vec2& slope, const Eigen::Vector3d& point) {
+    return End{slope, point, std::abs(point.z() - z)};
+  };
+  End beyond = end({1, 0}, middle), within = end({0, side}, support({0, 0, -side}));
+  const auto touched = [&]() -> Vec2 {
+    const double height = beyond.point.z() - within.point.z();
+    return within.point.head<2>() +
+           std::clamp((z - within.point.z()) / height, 0.0, 1.0) * (beyond.point - within.point).head<2>();
+  };
   double reach = normal.dot(middle.head<2>()) + rounding_;
-  for (int i = 0; i < kDeepest; ++i) {
-    const Vec2 slope = (beyond_slope + within_slope).normalized();
-    if (slope == beyond_slope || slope == within_slope) break;
+  bool was_beyond = true;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const bool bisect = i % 3 == 2 || !(beyond.weight > 0 && within.weight > 0);
+    const double share = bisect ? 0.5 : beyond.weight / (beyond.weight + within.weight);
+    const Vec2 slope = ((1 - share) * beyond.slope + share * within.slope).normalized();
+    if (slope == beyond.slope || slope == within.slope) break;
     const Eigen::Vector3d p = support({slope.x() * normal.x(), slope.x() * normal.y(), -slope.y()});
     const double value = normal.dot(p.head<2>()) + slope.y() * (z - p.z()) / slope.x();
     reach = std::min(reach, value + 2 * rounding_ / slope.x());
     const bool is_beyond = side * (p.z() - z) > 0;
-    (is_beyond ? beyond_slope : within_slope) = slope;
-    (is_beyond ? beyond : within) = p;
+    (is_beyond ? beyond : within) = end(slope, p);
+    if (is_beyond == was_beyond) (is_beyond ? within : beyond).weight /= 2;
+    was_beyond = is_beyond;
+    if (reach - normal.dot(touched()) <= 8 * rounding_) break;
   }
-  const double share = std::clamp((z - within.z()) / (beyond.z() - within.z()), 0.0, 1.0);
-  const Vec2 point = within.head<2>() + share * (beyond - within).head<2>();
+  const Vec2 point = touched();
   return {normal, point, std::max(reach - normal.dot(point), 0.0) + rounding_};
 }
 
@@ -122,14 +140,13 @@ bool SmoothShadow::meets(const Polygon& polygon, double margin, const Cap& cap, 
 Ring SmoothShadow::outline(double error) const {
   Ring ring;
   for (std::size_t i = 0; i < tangents_.size(); ++i) {
-    addOutline(ring, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), error * body_.reach(), 0);
+    addOutline(ring, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), outlineError(error), 0);
   }
   return ring;
 }
 
 void SmoothShadow::addOutline(Ring& ring, const Cap& cap, double height, int depth) const {
-  if (cap.height <= std::max(height, finest_) || cap.width <= finest_ || depth == kDeepest) {
-    ring.push_back(cap.first.point);
+  if (cap.height <= height || cap.width <= finest_ || depth == kDeepest) {
     ring.push_back(cap.tip);
     return;
   }

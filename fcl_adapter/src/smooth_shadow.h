@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <vector>
 
 #include "slab_cut.h"
@@ -40,8 +41,13 @@ class SmoothShadow {
   /// Of the polygon (a) and C (b), at most kError above the truth.
   tricover::DistanceResult distance(const tricover::Polygon& polygon) const;
 
+  /// A polygon within C, roughly.
+  tricover::Polygon inscribed() const;
+
   /// A ring around C, at no place farther from C than `error` times the body's reach.
   tricover::Ring outline(double error) const;
+  /// As a length, and not less than rounding allows.
+  double outlineError(double error) const { return std::max(error * body_.reach(), finest_); }
 
  private:
   /// C lies within `height` + `slack` along the normal; `point` is one of C, at most `slack` short of that.
@@ -66,7 +72,6 @@ class SmoothShadow {
     return tricover::Polygon({{p, q, r}});
   }
   Cap cap(const Tangent& first, const Tangent& second) const;
-  tricover::Polygon inscribed() const;
   bool meets(const tricover::Polygon& polygon, double margin, const Cap& cap, int depth) const;
   void improve(tricover::DistanceResult& best, const tricover::Polygon& polygon, const Cap& cap, int depth) const;
   void addOutline(tricover::Ring& ring, const Cap& cap, double height, int depth) const;

@@ -19,17 +19,6 @@ namespace {
 using tricover::support::Random;
 using Vec3 = fcl::Vector3<double>;
 
-std::size_t ask(const fcl::CollisionGeometryd& a, const fcl::Transform3d& tf_a, const fcl::CollisionGeometryd& b,
-                const fcl::Transform3d& tf_b, const fcl::CollisionRequestd& request, fcl::CollisionResultd& result) {
-  return fcl::collide(&a, tf_a, &b, tf_b, request, result);
-}
-
-/// FCL's entry points for float are in float_scalar.cpp.
-std::size_t ask(const fcl::CollisionGeometryf& a, const fcl::Transform3f& tf_a, const fcl::CollisionGeometryf& b,
-                const fcl::Transform3f& tf_b, const fcl::CollisionRequestf& request, fcl::CollisionResultf& result) {
-  return tricover_fcl::collide(&a, tf_a, &b, tf_b, request, result);
-}
-
 /// The answer, which is the same in both orders and under both solvers.
 template <typename S>
 bool meet(const PolygonShape<S>& polygon, const fcl::Transform3<S>& tf_polygon, const fcl::CollisionGeometry<S>& other,
@@ -39,17 +28,11 @@ bool meet(const PolygonShape<S>& polygon, const fcl::Transform3<S>& tf_polygon, 
     fcl::CollisionRequest<S> request;
     request.gjk_solver_type = solver;
     fcl::CollisionResult<S> result, swapped;
-    hits += ask(polygon, tf_polygon, other, tf_other, request, result);
-    hits += ask(other, tf_other, polygon, tf_polygon, request, swapped);
+    hits += askCollide<S>(polygon, tf_polygon, other, tf_other, request, result);
+    hits += askCollide<S>(other, tf_other, polygon, tf_polygon, request, swapped);
   }
   EXPECT_TRUE(hits == 0 || hits == 4) << hits;
   return hits > 0;
-}
-
-/// A tip to the left, on the line y = 0, at x = 0.
-template <typename S>
-Shape<S> tip() {
-  return shapeOf<S>(tricover::Polygon({{{0, 0}, {1, -0.1}, {1, 0.1}}}));
 }
 
 template <typename S>
@@ -116,10 +99,6 @@ bool squareMeets(const fcl::CollisionGeometryd& other, const fcl::Transform3d& p
   return meet<double>(*square, fcl::Transform3d::Identity(), other, pose);
 }
 
-fcl::Transform3d shifted(double x, double y, double z) {
-  return placed<double>({x, y, z}, fcl::Matrix3<double>::Identity());
-}
-
 TEST(MixedCollideWhere, containmentCountsOfSolidsAndNotOfSurfaces) {
   const Shape<double> small = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.1, -0.1, 0.1, 0.1)}));
   const fcl::Transform3d here = fcl::Transform3d::Identity();
@@ -153,9 +132,9 @@ TEST(MixedCollideWhere, planesInOrParallelToThePolygon) {
   const fcl::Planed ground(0, 0, 1, 0);
   const fcl::Halfspaced below(0, 0, 1, 0), above(0, 0, -1, 0);
   for (const double z : {-1.0, -1e-9, 0.0, 1e-9, 1.0}) {
-    EXPECT_EQ(squareMeets(ground, shifted(0, 0, z)), z == 0) << z;
-    EXPECT_EQ(squareMeets(below, shifted(0, 0, z)), z >= 0) << z;
-    EXPECT_EQ(squareMeets(above, shifted(0, 0, z)), z <= 0) << z;
+    EXPECT_EQ(squareMeets(ground, shifted<double>(0, 0, z)), z == 0) << z;
+    EXPECT_EQ(squareMeets(below, shifted<double>(0, 0, z)), z >= 0) << z;
+    EXPECT_EQ(squareMeets(above, shifted<double>(0, 0, z)), z <= 0) << z;
   }
   // Hardly tilted, the line of intersection is far away.
   const fcl::Matrix3<double> tilt = turned(1e-9, Vec3::UnitY());
@@ -175,7 +154,7 @@ TEST(MixedCollideWhere, touchingCountsAndRoundingNeverPartsWhatTouches) {
   for (const double size : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {
     SCOPED_TRACE(size);
     const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-size, -size, size, size)}));
-    const auto at = [size](double x) { return shifted(x * size, 0, 0); };
+    const auto at = [size](double x) { return shifted<double>(x * size, 0, 0); };
     const fcl::Boxd box(size, size, size);
     const fcl::Sphered sphere(size);
     const fcl::Cylinderd cylinder(size, size);
@@ -193,9 +172,10 @@ TEST(MixedCollideWhere, touchingCountsAndRoundingNeverPartsWhatTouches) {
   // Far from the world's origin, with poses that are exact there.
   const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
   for (const double place : {1e6, 1e12, 1e15}) {
-    EXPECT_TRUE(meet<double>(*square, shifted(place, place, place), fcl::Sphered(2), shifted(place + 3, place, place)));
-    EXPECT_FALSE(
-        meet<double>(*square, shifted(place, place, place), fcl::Sphered(1.75), shifted(place + 3, place, place)));
+    EXPECT_TRUE(meet<double>(*square, shifted<double>(place, place, place), fcl::Sphered(2),
+                             shifted<double>(place + 3, place, place)));
+    EXPECT_FALSE(meet<double>(*square, shifted<double>(place, place, place), fcl::Sphered(1.75),
+                              shifted<double>(place + 3, place, place)));
   }
 }
 
@@ -251,13 +231,14 @@ TEST(MixedCollideWhere, posesAreChecked) {
 
 TEST(MixedCollideOctree, onlyOccupiedCellsAreThere) {
   const auto tree = octree<double>();
-  EXPECT_TRUE(squareMeets(*tree, shifted(-1.25, -1.25, -0.25)));
-  EXPECT_TRUE(squareMeets(*tree, shifted(2.75, 2.75, -0.25)));
-  EXPECT_FALSE(squareMeets(*tree, shifted(-4, -1.25, -0.25)));    // unknown
-  EXPECT_FALSE(squareMeets(*tree, shifted(-2.6, 0.2, -0.25)));    // free, and the occupied cell left of the square
-  EXPECT_FALSE(squareMeets(*tree, shifted(-1.25, -1.25, 0.25)));  // below
+  EXPECT_TRUE(squareMeets(*tree, shifted<double>(-1.25, -1.25, -0.25)));
+  EXPECT_TRUE(squareMeets(*tree, shifted<double>(2.75, 2.75, -0.25)));
+  EXPECT_FALSE(squareMeets(*tree, shifted<double>(-4, -1.25, -0.25)));  // unknown
+  EXPECT_FALSE(
+      squareMeets(*tree, shifted<double>(-2.6, 0.2, -0.25)));  // free, and the occupied cell left of the square
+  EXPECT_FALSE(squareMeets(*tree, shifted<double>(-1.25, -1.25, 0.25)));  // below
   const fcl::OcTree<double> nothing(0.1);
-  EXPECT_FALSE(squareMeets(nothing, shifted(0, 0, 0)));
+  EXPECT_FALSE(squareMeets(nothing, shifted<double>(0, 0, 0)));
 }
 
 TEST(MixedCollideOctree, worksUnderTheBroadphase) {
@@ -273,7 +254,7 @@ TEST(MixedCollideOctree, worksUnderTheBroadphase) {
     std::vector<fcl::CollisionObjectd*> pointers;
     for (const double x : {-10.0, -2.9, 1.25, 2.2}) {
       const Shape<double> small = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.2, -0.2, 0.2, 0.2)}));
-      polygons.push_back(std::make_unique<fcl::CollisionObjectd>(small, shifted(x, x, 0.25)));
+      polygons.push_back(std::make_unique<fcl::CollisionObjectd>(small, shifted<double>(x, x, 0.25)));
       pointers.push_back(polygons.back().get());
     }
     manager->registerObjects(pointers);
