@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "queries.h"
 
+#include "advance_mixed.h"
 #include "advance_polygons.h"
+#include "collide_mixed.h"
 #include "collide_polygons.h"
+#include "distance_mixed.h"
 #include "distance_polygons.h"
 #include "polygon_pair.h"
 #include "unsupported.h"
@@ -14,7 +17,8 @@ std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Tr
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                               const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                               fcl::CollisionResult<S>& result) {
-  if (!isPolygon(o1) || !isPolygon(o2)) throwUnsupported("collide", o1, o2);
+  if (isPolygon(o1) != isPolygon(o2)) return collideMixed(o1, tf1, o2, tf2, request, options, result);
+  if (!isPolygon(o1)) throwUnsupported("collide", o1, o2);
   return collidePolygons(o1, tf1, o2, tf2, request, options, result);
 }
 
@@ -22,7 +26,8 @@ template <typename S>
 S distanceOfGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                        const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                        const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
-  if (!isPolygon(o1) || !isPolygon(o2)) throwUnsupported("distance", o1, o2);
+  if (isPolygon(o1) != isPolygon(o2)) return distanceMixed(o1, tf1, o2, tf2, request, result);
+  if (!isPolygon(o1)) throwUnsupported("distance", o1, o2);
   return distanceOfPolygons(o1, tf1, o2, tf2, request, result);
 }
 
@@ -30,7 +35,8 @@ template <typename S>
 S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>& motion1,
                     const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
                     const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
-  if (!isPolygon(o1) || !isPolygon(o2)) throwUnsupported("conservative advancement", o1, o2);
+  if (isPolygon(o1) != isPolygon(o2)) return advanceMixed(o1, motion1, o2, motion2, request, result);
+  if (!isPolygon(o1)) throwUnsupported("conservative advancement", o1, o2);
   return advancePolygons(o1, motion1, o2, motion2, request, result);
 }
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "tricover/polygon.h"
+
+namespace tricover_fcl {
+
+/// The heights between which a polygon reaches, in its own frame. A flat polygon has {0, 0}.
+struct Slab {
+  double low, high;
+};
+
+/// The convex hull of the points (at least one), counter-clockwise, right to 2^-50 of its size. The ring of a hull
+/// without area runs there and back; it has three vertices at least.
+tricover::Ring convexHull(const std::vector<tricover::Vec2>& points);
+
+/// A point mapped from a geometry's frame into the polygon's is right to this share of its distances from both frames'
+/// origins: a matrix inverse, a product and a mapping, less than 2^-49 each. Shadows are those of geometries grown by
+/// as much, so that rounding never parts what meets.
+constexpr double kMappingError = 0x1p-46;
+
+/// Bound for all points within `reach` of the geometry's origin (the last term is for denormal numbers).
+inline double mappingError(const Eigen::Affine3d& to_polygon, double reach) {
+  return kMappingError * (to_polygon.translation().stableNorm() + reach) + 0x1p-1066;
+}
+
+inline Slab grown(const Slab& slab, double by) { return {slab.low - by, slab.high + by}; }
+
+/// Gathers the corners of a convex polytope's part in the slab, seen along z.
+class SlabCut {
+ public:
+  explicit SlabCut(const Slab& slab) : slab_(slab) {}
+
+  void addVertex(const Eigen::Vector3d& p) {
+    if (p.z() < slab_.low || p.z() > slab_.high) return;  // NaN stays, for Polygon to refuse
+    corners_.push_back(p.head<2>());
+  }
+
+  /// Where the edge passes the slab's planes.
+  void addEdge(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+    addCrossing(p, q, slab_.low);
+    if (slab_.high > slab_.low) addCrossing(p, q, slab_.high);
+  }
+
+  /// Empty where the polytope doesn't reach the slab.
+  const std::vector<tricover::Vec2>& corners() const { return corners_; }
+
+ private:
+  void addCrossing(const Eigen::Vector3d& p, const Eigen::Vector3d& q, double z);
+
+  Slab slab_;
+  std::vector<tricover::Vec2> corners_;
+};
+
+/// Corners of the slab's part of the axis-parallel box from `low` to `high`, mapped into the polygon's frame.
+std::vector<tricover::Vec2> cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+                                   const Eigen::Affine3d& to_polygon, const Slab& slab);
+
+}  // namespace tricover_fcl

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Distance of a polygon and FCL's own geometries: measured in the polygon's plane.
+#include <limits>
+
+#include "mixed_scene.h"
+#include "test_scale.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+using tricover::support::Random;
+using Vec3 = fcl::Vector3<double>;
+
+template <typename S>
+fcl::DistanceResult<S> ask(fcl::GJKSolverType solver, bool is_signed, const fcl::CollisionGeometry<S>& a,
+                           const fcl::Transform3<S>& tf_a, const fcl::CollisionGeometry<S>& b,
+                           const fcl::Transform3<S>& tf_b) {
+  fcl::DistanceRequest<S> request;
+  request.gjk_solver_type = solver;
+  request.enable_nearest_points = true;
+  request.enable_signed_distance = is_signed;
+  fcl::DistanceResult<S> result;
+  askDistance<S>(a, tf_a, b, tf_b, request, result);
+  return result;
+}
+
+template <typename S>
+class MixedDistance : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { registerNarrowphase(); }
+  static constexpr double kError = std::is_same_v<S, float> ? 2e-6 : 1e-8;
+};
+
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(MixedDistance, Scalars);
+
+TYPED_TEST(MixedDistance, ofATipIsWhatItIsAlongX) {
+  using S = TypeParam;
+  for (const Known<S>& known : knownGeometries<S>()) {
+    SCOPED_TRACE(known.name);
+    for (const double gap : {2.0, 1e-3}) {
+      const fcl::Transform3<S> pose = shifted<S>(known.right + gap, 0, 0);
+      const Vec3 on_tip(known.right + gap, 0, 0), on_other(known.right, 0, 0);
+      for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+        const auto first = ask<S>(solver, false, *tip<S>(), pose, *known.geometry, known.pose);
+        const auto second = ask<S>(solver, true, *known.geometry, known.pose, *tip<S>(), pose);
+        for (const auto& result : {first, second}) {
+          EXPECT_NEAR(result.min_distance, gap, this->kError);
+          const int polygon = result.o1 == known.geometry.get() ? 1 : 0;
+          const auto error = [&](int which, const Vec3& truth) {
+            return (result.nearest_points[which].template cast<double>() - truth).norm();
+          };
+          EXPECT_LT(error(polygon, on_tip), 10 * this->kError);
+          // Where a round outline is flat, 1e-9 of distance is 1e-4 of place.
+          EXPECT_LT(error(1 - polygon, on_other), 1e-3);
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(MixedDistance, ofAnOverlapIsMinusOneOrTheDepth) {
+  using S = TypeParam;
+  for (const Known<S>& known : knownGeometries<S>()) {
+    SCOPED_TRACE(known.name);
+    // Near a tip or an edge-on face the way out is a shorter one.
+    if (known.name.find("tip") != std::string::npos || known.name.find("convex") != std::string::npos) continue;
+    const double depth = 1e-3;
+    const fcl::Transform3<S> pose = shifted<S>(known.right - depth, 0, 0);
+    for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+      EXPECT_EQ(ask<S>(solver, false, *tip<S>(), pose, *known.geometry, known.pose).min_distance, S(-1));
+      EXPECT_EQ(ask<S>(solver, false, *known.geometry, known.pose, *tip<S>(), pose).min_distance, S(-1));
+      EXPECT_NEAR(ask<S>(solver, true, *tip<S>(), pose, *known.geometry, known.pose).min_distance, -depth, 5e-6);
+      EXPECT_NEAR(ask<S>(solver, true, *known.geometry, known.pose, *tip<S>(), pose).min_distance, -depth, 5e-6);
+    }
+  }
+}
+
+TYPED_TEST(MixedDistance, isNoneWithoutASection) {
+  using S = TypeParam;
+  for (const Known<S>& known : knownGeometries<S>()) {
+    SCOPED_TRACE(known.name);
+    const fcl::NODE_TYPE type = known.geometry->getNodeType();
+    if (type == fcl::GEOM_PLANE || type == fcl::GEOM_HALFSPACE) continue;  // they go everywhere
+    const auto result = ask<S>(fcl::GST_LIBCCD, false, *tip<S>(), shifted<S>(0, 0, 60), *known.geometry, known.pose);
+    EXPECT_EQ(result.min_distance, std::numeric_limits<S>::max());
+  }
+}
+
+TEST(MixedDistanceLaws, zeroIfAndOnlyIfTheyCollideAndSwapsWithTheArguments) {
+  registerNarrowphase();
+  Random random(63);
+  int hits = 0, cases = 0;
+  const auto geometries = knownGeometries<double>();
+  for (int i = 0; i < tricover::support::scaledCount(2000); ++i) {
+    const Known<double>& known = geometries[static_cast<std::size_t>(i) % geometries.size()];
+    SCOPED_TRACE(known.name + " " + std::to_string(i));
+    const Shape<double> polygon = shapeOf(randomPolygon(random, random.real(0.2, 2)));
+    const auto anywhere = [&random](double reach) {
+      const Vec3 axis(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
+      const Vec3 at(random.real(-reach, reach), random.real(-reach, reach), random.real(-reach, reach));
+      return placed<double>(at, turned(random.real(0, 6), axis));
+    };
+    const fcl::Transform3d tf_polygon = anywhere(1.5), tf_other = anywhere(1.5);
+    fcl::CollisionResultd collision;
+    const bool hit = fcl::collide(polygon.get(), tf_polygon, known.geometry.get(), tf_other, fcl::CollisionRequestd(),
+                                  collision) > 0;
+    const auto result = ask<double>(fcl::GST_LIBCCD, false, *polygon, tf_polygon, *known.geometry, tf_other);
+    const auto swapped = ask<double>(fcl::GST_INDEP, false, *known.geometry, tf_other, *polygon, tf_polygon);
+    EXPECT_EQ(result.min_distance <= 0, hit);
+    EXPECT_EQ(result.min_distance, swapped.min_distance);
+    if (result.min_distance > 0 && result.min_distance < 1e300) {
+      const Vec3 between = result.nearest_points[0] - result.nearest_points[1];
+      EXPECT_NEAR(between.norm(), result.min_distance, 1e-9);
+      // The plane is the polygon's.
+      EXPECT_NEAR((tf_polygon.inverse() * result.nearest_points[1]).z(), 0, 1e-12);
+    }
+    hits += hit;
+    ++cases;
+  }
+  EXPECT_GT(hits, cases * 2 / 10);
+  EXPECT_LT(hits, cases * 8 / 10);
+}
+
+TEST(MixedDistanceLaws, planesParallelToThePolygonAreLeftAlongTheirNormal) {
+  registerNarrowphase();
+  const fcl::Halfspaced below(0, 0, 1, 0);
+  for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+    const auto result =
+        ask<double>(solver, true, *tip<double>(), shifted<double>(0, 0, -0.25), below, fcl::Transform3d::Identity());
+    EXPECT_NEAR(result.min_distance, -0.25, 1e-12);
+    const auto touch =
+        ask<double>(solver, true, *tip<double>(), shifted<double>(0, 0, 0), below, fcl::Transform3d::Identity());
+    EXPECT_EQ(touch.min_distance, 0);
+  }
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test
