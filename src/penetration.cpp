@@ -84,6 +84,7 @@ bool parts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const
   Pose moved_a = pose_a, moved_b = pose_b;
   moved_a.translation() -= translation;
   moved_b.translation() += translation;
+  if (!moved_a.translation().allFinite() || !moved_b.translation().allFinite()) return false;
   return !collideByHierarchy(PosedPair(a, pose_a, b, moved_b), {}, 0, Wanted::Answer).collides &&
          !collideByHierarchy(PosedPair(a, moved_a, b, pose_b), {}, 0, Wanted::Answer).collides;
 }
@@ -93,9 +94,11 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   const ConvexOutline outline_a = convexOutline(a), outline_b = convexOutline(b);
   const SupportGap gap = leastSupportGap(a, pose_a, outline_a, b, pose_b, outline_b);
   TranslationSpace space(a, pose_a, b, pose_b);
-  Penetration result{gap.depth, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
-  if (!space.isFinite()) return result;
-
+  if (!space.isFinite()) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
+  }
+  Penetration result{gap.depth, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
   const double unit = space.unit();
   const Vec2 known = gap.direction * (gap.depth / unit);
   ShortestParting shortest{known, known, known.norm()};

@@ -17,7 +17,8 @@ struct PenetrationOptions {
 
 /// The shortest translation of b that parts two regions which overlap, in the world.
 struct Penetration {
-  /// Its length, at whose end they still touch. An upper bound in any case; infinity where it overflows.
+  /// Its length, at whose end they still touch. An upper bound in any case. Infinity where lengths overflow or the
+  /// coordinates are rounded by more than the polygons' size; there are then no translation, points and edges (-1).
   double depth;
   Vec2 direction;      ///< unit, from a towards where b leaves it
   double lower_bound;  ///< no shorter translation parts them, but into a slit narrower than the precision below
