@@ -11,12 +11,11 @@
 // slivers without end. So a free slit narrower than twice that may be missed, and nothing else.
 //
 // Cost: a query of the kernel a cell, and one a sample. The cells are those of the disc of radius depth, as fine as the
-// overlap is intricate there. Measured on the paper's polygons of size 100 (median; one core of a server), overlapping
-// by 0.5 / by 30 on the mean: contour of 64 vertices 16 / 240 us, with hole 14 / 280 us, starred 40 / 720 us; 256
-// vertices 55 us / 7 ms, 40 us / 1.3 ms, 90 us / 6 ms. Two contours of 1024 deep in each other exhaust the default
-// budget (in 0.2 s, with the bounds 7 of 60 apart). Worst case: outlines that are nearly parallel by more than the
-// resolution over a long way, as combs turned by 1e-9 against each other are, need cells as small as their gaps are
-// narrow; only the budget ends that.
+// overlap is intricate there. Measured (processor time, median) on the paper's polygons of size 100, overlapping by
+// 0.5 / by 30 on the mean: contour of 64 vertices 16 / 270 us, with hole 14 / 320 us, starred 40 / 400 us; of 256
+// vertices 55 us / 6 ms, 40 us / 1.4 ms, 90 us / 2.2 ms. Deep pairs of 1024 vertices: 40 to 200 ms. Worst case:
+// outlines that are nearly parallel by more than the resolution over a long way, as combs turned by 1e-9 against each
+// other are, need cells as small as their gaps are narrow; only the budget ends that.
 #include "translation_search.h"
 
 #include <algorithm>
@@ -34,6 +33,8 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kRoot2 = 1.4142135623730951;
 /// Cells with no more segments than this are decided; others are split.
 constexpr std::size_t kMostSegments = 8;
+/// A search of more queries than this is worth covering both regions by discs.
+constexpr std::size_t kLong = 1500;
 /// How far beyond a cell's circumcircle its segments are gathered, so that samples around a point of it are understood.
 constexpr double kSurroundings = 1.25;
 
@@ -145,10 +146,14 @@ class Search {
 
   /// Whether nothing shorter than the best is left to be found in the cell.
   bool decide(const Cell& cell) {
-    ++queries_;
+    if (++queries_ > kLong && !covered_) {
+      covered_ = true;
+      space_.coverByDiscs();
+    }
     Vec2 t = cell.center;
     const PosedPair pair = space_.at(t);
     const double radius = (cell.half * kRoot2 + (t - cell.center).norm()) * (1 + 0x1p-40);
+    if (space_.overlapsAround(t, radius)) return true;
     const Outcome outcome = collideByHierarchy(pair, {}, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
     if (outcome.collides) {
       if (depthOf(pair, outcome) >= radius) return true;
@@ -270,6 +275,7 @@ class Search {
   ShortestParting found_;
   double upper_, error_ = 0;
   std::size_t queries_ = 0;
+  bool covered_ = false;
   std::vector<Line> lines_;
   std::vector<Candidate> candidates_;
   std::vector<double> rays_;

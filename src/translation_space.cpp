@@ -60,7 +60,6 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
       origin_(pose_a * a.origin) {
   const auto& ra = pose_a.matrix();
   const auto& rb = pose_b.matrix();
-  Vec2 between;
   for (int row = 0; row < 2; ++row) {
     const DoubleDouble shift = exactSum(rb(row, 2), -ra(row, 2));
     shift_[row] = shift.high;
@@ -69,15 +68,29 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
       return exactProduct(m(row, 0), s.x() * inverse_unit_) + exactProduct(m(row, 1), s.y() * inverse_unit_);
     };
     const DoubleDouble scaled{shift.high * inverse_unit_, shift.low * inverse_unit_};
-    between[row] = (inUnits(rb, b.origin) - inUnits(ra, a.origin) + scaled).high;
+    between_[row] = (inUnits(rb, b.origin) - inUnits(ra, a.origin) + scaled).high;
   }
   pose_a_.translation().setZero();
   const double radii = (a.radius * inverse_unit_ + b.radius * inverse_unit_) * (1 + kLargestDefect);
-  reach_ = radii + between.norm();
+  reach_ = radii + between_.norm();
   noise_ = 16 * kUlp * reach_ + 4 * kUlp * (shift_.lpNorm<1>() * inverse_unit_) + 0x1p-1073 * inverse_unit_;
   if (!isFinite()) return;
   a_ = outline(a, pose_a, Vec2::Zero(), inverse_unit_);
-  b_ = outline(b, pose_b, between, inverse_unit_);
+  b_ = outline(b, pose_b, between_, inverse_unit_);
+}
+
+void TranslationSpace::coverByDiscs() {
+  discs_a_ = detail::coverByDiscs(polygon_a_, pose_a_, a_.vertices, Vec2::Zero(), unit_, noise_);
+  discs_b_ = detail::coverByDiscs(polygon_b_, pose_b_, b_.vertices, between_, unit_, noise_);
+}
+
+bool TranslationSpace::overlapsAround(const Vec2& t, double radius) const {
+  for (const Disc& p : discs_a_)
+    for (const Disc& q : discs_b_) {
+      const double reach = p.radius + q.radius - radius - 4 * noise_;
+      if (reach > 0 && (p.center - q.center - t).squaredNorm() < reach * reach) return true;
+    }
+  return false;
 }
 
 PosedPair TranslationSpace::at(Vec2& t) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "disc_cover.h"
 #include "pairs.h"
 
 namespace tricover::detail {
@@ -38,6 +39,12 @@ class TranslationSpace {
       return goes_on ? limit : -1;
     });
   }
+
+  /// Prepares overlapsAround(): worth its while in a long search.
+  void coverByDiscs();
+
+  /// Whether discs in the regions overlap at t and at every translation within `radius` of it.
+  bool overlapsAround(const Vec2& t, double radius) const;
 
   double unit() const { return unit_; }
   bool isFinite() const { return noise_ < 1; }
@@ -82,7 +89,9 @@ class TranslationSpace {
   Vec2 shift_, shift_rest_;  ///< t_b - t_a, as a rounded part and the rest
   double unit_, inverse_unit_, noise_, reach_;
   Vec2 origin_;
+  Vec2 between_;  ///< b's S, as vertices
   Outline a_, b_;
+  std::vector<Disc> discs_a_, discs_b_;
 };
 
 /// The point of the segment v w that is nearest to p.

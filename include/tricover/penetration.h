@@ -39,8 +39,8 @@ struct Penetration {
 /// Precision: of a convex pair, 1e-15 of depth itself while that is above 1e-14 of the coordinates; of others, 1e-12 of
 /// the smaller radius() plus 1e-13 of both and of the distance between the poses' translations.
 /// Cost: of a convex pair, O(n + m) (3 us for 8 vertices each, 20 us for 64); of others, a search: for 64 vertices each
-/// typically 15 to 40 us where they overlap by little and 0.2 to 1 ms where by a third of their size. Deep overlaps of
-/// 1024 vertices, and outlines that are nearly but not quite parallel over a long way, may exhaust the budget.
+/// typically 15 to 40 us where they overlap by little and 0.3 to 1 ms where by a third of their size, for 1024 vertices
+/// up to 0.2 s. Outlines that are nearly but not quite parallel over a long way may exhaust the budget.
 /// Swapping the operands gives the same depth and the opposite direction. Throws std::invalid_argument as collide()
 /// does.
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

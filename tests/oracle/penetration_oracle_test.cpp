@@ -44,7 +44,7 @@ std::string brokenPromise(Random& random, const Case& c, const Penetration& p) {
   if (!(length(p.translation) <= p.depth + tiny)) return "translation is longer than depth";
   if (exact::collide(c.a, c.pose_a, c.b, moved(c.pose_b, p.translation))) return "translation doesn't part them";
   if (p.optimal && !(p.depth - p.lower_bound <= tiny)) return "not optimal";
-  if (!(length(p.point_a - p.point_b - p.depth * p.direction) <= tiny)) return "points don't meet";
+  if (p.optimal && !(length(p.point_a - p.point_b - p.depth * p.direction) <= tiny)) return "points don't meet";
   const auto inRange = [](std::ptrdiff_t edge, const Polygon& polygon) {
     return edge >= 0 && edge < static_cast<std::ptrdiff_t>(polygon.vertexCount());
   };
@@ -173,6 +173,22 @@ TEST(PenetrationOracle, SmallPolygonsAgreeWithBruteForce) {
               worst);
   EXPECT_GT(below_hulls, overlapping / 3);
   EXPECT_GT(overlapping, scaledCount(kBruteForceCases) / 2);
+}
+
+/// Searches so long that the regions are covered by discs.
+TEST(PenetrationOracle, ManyVerticesDeepInEachOther) {
+  for (int i = 0; i < scaledCount(6); ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 1);
+    const auto outline = [&] { return Polygon({star(random, 250, 1.9, 2), reversed(star(random, 20, 0.2, 0.5))}); };
+    const Case c{outline(), pose(1, 3e5, -2e5), outline(), pose(random.real(0, 6.3), 3e5, -2e5 + random.unit())};
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b), q = penetration(c.a, c.pose_a, c.b, c.pose_b, {1600});
+    ASSERT_TRUE(p && q);
+    EXPECT_TRUE(p->optimal);
+    EXPECT_FALSE(q->optimal) << "a short search";
+    EXPECT_LE(p->depth, q->depth);
+    EXPECT_GE(p->lower_bound, q->lower_bound);
+    for (int round = 0; round < 20; ++round) ASSERT_EQ(brokenPromise(random, c, *p), "") << reproduction(c);
+  }
 }
 
 TEST(PenetrationOracle, ConvexPairsAreExactToRounding) {
