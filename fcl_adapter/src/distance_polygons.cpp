@@ -10,6 +10,7 @@
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
+#include "unsupported.h"
 
 namespace tricover_fcl {
 namespace {
@@ -70,6 +71,11 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
       tricover::distance(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose,
                          pairCache<tricover::DistanceCache>(pair.a(), &tf1, pair.b(), &tf2), options);
   if (planar.distance == 0 && apart == 0) {
+    // FCL then asks collide for a contact and, as with its own shapes, aborts where there is none.
+    if (request.enable_signed_distance && request.gjk_solver_type == fcl::GST_INDEP &&
+        !(o1.isOccupied() && o2.isOccupied())) {
+      throwUnsupported("signed distance under GST_INDEP, of shapes that are not occupied,", o1, o2);
+    }
     updateOverlap(pair, request.enable_signed_distance, planar, result);
   } else if (planar.distance <= options.limit) {
     const NearestPoints<S> points(pair, planar.point_a, planar.point_b);

@@ -213,6 +213,19 @@ TEST(Distance, errorsStayWithinWhatTheRequestAllows) {
   EXPECT_GT(inexact, 0);
 }
 
+TEST(Distance, signedOfWhatIsNotOccupiedDoesNotAbort) {
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  square->cost_density = 0.5;
+  const auto ask = [&](fcl::GJKSolverType solver, double x) {
+    fcl::DistanceResultd result;
+    return fcl::distance(square.get(), fcl::Transform3d::Identity(), square.get(),
+                         lifted(tricover::support::pose(0, x, 0)), requestFor(solver, true), result);
+  };
+  EXPECT_NEAR(ask(fcl::GST_LIBCCD, 0.75), -0.25, 1e-12);
+  EXPECT_THROW(ask(fcl::GST_INDEP, 0.75), std::logic_error);
+  EXPECT_EQ(ask(fcl::GST_INDEP, 1.5), 0.5);
+}
+
 TEST(Distance, otherPairsGoToFcl) {
   const auto sphere = std::make_shared<fcl::Sphered>(1);
   const fcl::CollisionObjectd a(sphere), b(sphere, fcl::Matrix3d::Identity(), fcl::Vector3d(5, 0, 0));

@@ -20,7 +20,8 @@ namespace tricover_fcl {
 /// - Polygons that only touch have distance 0, and such as overlap -1 or, with enable_signed_distance, minus the length
 ///   of the shortest translation in the plane that parts them (tricover::penetration), and as nearest points those on
 ///   the outlines that part last. (Under GST_INDEP FCL puts their middle in place of both.)
-/// Throws std::invalid_argument as collide() does.
+/// Throws std::invalid_argument as collide() does, and std::logic_error where FCL would abort: signed distance under
+/// GST_INDEP of shapes that overlap and aren't both occupied.
 template <typename S>
 S distance(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>* o2,
            const fcl::Transform3<S>& tf2, const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);
