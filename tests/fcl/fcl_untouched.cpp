@@ -199,8 +199,8 @@ class Questions {
       if (type == fcl::CCDM_LINEAR) {
         // FCL leaves the pivot of this motion uninitialised where it makes it from two poses.
         const auto motion = [](const fcl::Transform3d& from, const fcl::Transform3d& to) {
-          return fcl::InterpMotiond(from.linear(), from.translation(), to.linear(), to.translation(),
-                                    fcl::Vector3d::Zero());
+          return fcl::InterpMotion<double>(from.linear(), from.translation(), to.linear(), to.translation(),
+                                           fcl::Vector3d::Zero());
         };
         const auto motion_a = motion(pose_a_, end_a), motion_b = motion(pose_b_, end_b);
         time =
