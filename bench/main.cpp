@@ -7,6 +7,8 @@
 #include <string>
 
 #include "countries.h"
+#include "distance_study.h"
+#include "impact_study.h"
 #include "measure.h"
 #include "pictures.h"
 #include "plot_data.h"
@@ -50,9 +52,10 @@ int run(const std::string& data, const std::string& directory, bool full) {
   std::vector<std::string> movers = {"Italy", "Norway"};
   if (full) movers.insert(movers.end(), {"Indonesia", "Chile", "Australia"});
   const std::vector<Cell> cells = studyCells(full);
-  const std::size_t total = 2 * movers.size() + 2 + cells.size();
+  const std::vector<Cell> distance_cells = distanceCells(full), impact_cells = impactCells(full);
+  const std::size_t total = 2 * movers.size() + 2 + cells.size() + distance_cells.size() + impact_cells.size();
   std::size_t done = 0;
-  std::vector<Result> drives, study;
+  std::vector<Result> drives, study, distances, impacts;
   for (const std::string& mover : movers) {
     for (const char* trajectory : {"circular", "linear"}) {
       showProgress(done++, total, mover + ", " + trajectory);
@@ -63,15 +66,21 @@ int run(const std::string& data, const std::string& directory, bool full) {
   const CrowdResult crowd = measureCrowd(settings);
   showProgress(done++, total, "memory and building");
   const std::vector<Footprint> footprints = measureFootprints(settings);
-  for (const Cell& cell : cells) {
-    showProgress(
-        done++, total,
-        name(cell.kind) + ", " + std::to_string(cell.vertices_fixed) + " x " + std::to_string(cell.vertices_moving));
-    for (Result& result : measureCell(cell, settings)) study.push_back(std::move(result));
-  }
+  const auto measureAll = [&](const char* what, const std::vector<Cell>& some, auto measureOne,
+                              std::vector<Result>& to) {
+    for (const Cell& cell : some) {
+      showProgress(done++, total,
+                   what + name(cell.kind) + ", " + std::to_string(cell.vertices_fixed) + " x " +
+                       std::to_string(cell.vertices_moving));
+      for (Result& result : measureOne(cell, settings)) to.push_back(std::move(result));
+    }
+  };
+  measureAll("", cells, measureCell, study);
+  measureAll("distance, ", distance_cells, measureDistances, distances);
+  measureAll("time of impact, ", impact_cells, measureImpacts, impacts);
   showProgress(total, total, "done");
 
-  const std::vector<Target> targets = judge(study, crowd, footprints);
+  const std::vector<Target> targets = judge(study, distances, impacts, crowd, footprints);
   const std::string main_job = "# One country among all the others\n\n" + table(drives);
   const std::string how = "\n# How it was measured\n\n" + conditions(settings);
   const std::string summary = "# Targets\n\n" + targetsTable(targets) + "\n";
@@ -80,12 +89,14 @@ int run(const std::string& data, const std::string& directory, bool full) {
   writeFile(directory + "/targets.csv", targetsCsv(targets));
   writeFile(directory + "/conditions.md", how);
   writeFile(directory + "/tables.md", summary + main_job + "\n# 2000 moving outlines\n\n" + table({crowd.result}) +
-                                          "\n# Every kind, vertices fixed x moving\n\n" + table(study) + how);
+                                          "\n# Every kind, vertices fixed x moving\n\n" + table(study) +
+                                          "\n# Distances\n\n" + table(distances) + "\n# Times of impact\n\n" +
+                                          table(impacts) + how);
   writePlotData(study, directory);
 
   std::vector<Result> all = std::move(drives);
   all.push_back(crowd.result);
-  all.insert(all.end(), study.begin(), study.end());
+  for (const auto& results : {study, distances, impacts}) all.insert(all.end(), results.begin(), results.end());
   writeFile(directory + "/results.csv", csv(all));
   return oursAgree(all) ? 0 : 1;
 }

@@ -47,13 +47,14 @@ std::size_t sampleCount(const Workload& workload, const Sampling& sampling) {
 }
 
 /// A sampling whose walk takes about as long as a repetition should, but has at least 50 queries, or 10 runs.
-Sampling chooseSampling(const Workload& workload, const Contender& contender, const Settings& settings) {
+template <class Answers>
+Sampling chooseSampling(const Workload& workload, const ContenderFor<Answers>& contender, const Settings& settings) {
   // The first query of a run has nothing to be coherent with.
   const std::size_t run = contender.coherent ? 100 : 1;
   const Sampling sparse{std::max(workload.positions / (contender.coherent ? 10 : 50), run), run};
-  Hits hits;
+  Answers answers;
   const auto start = std::chrono::steady_clock::now();
-  contender.walk(sparse, hits);
+  contender.walk(sparse, answers);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const double affordable = settings.seconds_per_repetition / taken.count();  // sparse walks
   if (affordable * static_cast<double>(run) >= static_cast<double>(sparse.period)) return {};
@@ -74,6 +75,46 @@ Hits sampled(const Sampling& sampling, const Hits& hits, std::size_t targets) {
   std::copy_if(hits.begin(), hits.end(), std::back_inserter(kept),
                [&](std::uint32_t hit) { return sampling.holds(hit / targets); });
   return kept;
+}
+
+/// Times the contenders; `check(answers, sampling, timing)` counts what is wrong with a walk's answers.
+template <class Answers, class Check>
+std::vector<Timing> timeAll(const Workload& workload, const std::vector<ContenderFor<Answers>>& contenders,
+                            const Settings& settings, Check check) {
+  std::vector<Timing> timings;
+  benchmark::ClearRegisteredBenchmarks();
+  for (const ContenderFor<Answers>& contender : contenders) {
+    const Sampling sampling = chooseSampling(workload, contender, settings);
+    const std::size_t walked = sampleCount(workload, sampling);
+    timings.push_back({contender.name, contender.role, 0, contender.role == Role::Floor ? 0 : walked, 0, 0});
+    const auto time = [&, sampling, index = timings.size() - 1](benchmark::State& state) {
+      Answers answers;
+      for (auto _ : state) {
+        answers.clear();
+        contender.walk(sampling, answers);
+      }
+      if (contender.role != Role::Floor) check(answers, sampling, timings[index]);
+    };
+    benchmark::RegisterBenchmark(contender.name.c_str(), time)
+        ->Repetitions(settings.repetitions)
+        ->MinTime(settings.seconds_per_repetition);
+    // The walk's own length, to turn its time into time per query.
+    timings.back().ns = 1e9 / static_cast<double>(walked);
+  }
+  Collector collector(false);
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  for (Timing& timing : timings) timing.ns *= collector.median(timing.name);
+  return timings;
+}
+
+/// The reference's answers at all positions, and how often they needed the exact stage.
+template <class Answers>
+Answers askReference(const ContenderFor<Answers>& reference, std::uint64_t& exact_calls) {
+  Answers answers;
+  const std::uint64_t before = detail::exactCalls();
+  reference.walk(Sampling{}, answers);
+  exact_calls = detail::exactCalls() - before;
+  return answers;
 }
 
 }  // namespace
@@ -100,40 +141,36 @@ double measureBuild(const std::string& name, std::size_t things, const std::func
 
 Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings) {
   Result result{workload, 0, 0, {}};
-  Hits reference;
-  const std::uint64_t exact_calls = detail::exactCalls();
-  contenders.front().walk(Sampling{}, reference);
-  result.exact_calls = detail::exactCalls() - exact_calls;
+  Hits reference = askReference(contenders.front(), result.exact_calls);
   std::sort(reference.begin(), reference.end());
   result.collisions = positionsOnlyIn(reference, {}, workload.targets);
+  result.timings = timeAll(workload, contenders, settings, [&](Hits& hits, const Sampling& sampling, Timing& timing) {
+    std::sort(hits.begin(), hits.end());
+    const Hits expected = sampled(sampling, reference, workload.targets);
+    timing.false_alarms = std::max(timing.false_alarms, positionsOnlyIn(hits, expected, workload.targets));
+    timing.misses = std::max(timing.misses, positionsOnlyIn(expected, hits, workload.targets));
+  });
+  return result;
+}
 
-  benchmark::ClearRegisteredBenchmarks();
-  for (const Contender& contender : contenders) {
-    const Sampling sampling = chooseSampling(workload, contender, settings);
-    const std::size_t walked = sampleCount(workload, sampling);
-    result.timings.push_back({contender.name, contender.role, 0, contender.role == Role::Floor ? 0 : walked, 0, 0});
-    const auto time = [&, sampling, index = result.timings.size() - 1](benchmark::State& state) {
-      Hits hits;
-      for (auto _ : state) {
-        hits.clear();
-        contender.walk(sampling, hits);
-      }
-      if (contender.role == Role::Floor) return;
-      std::sort(hits.begin(), hits.end());
-      const Hits expected = sampled(sampling, reference, workload.targets);
-      Timing& timing = result.timings[index];
-      timing.false_alarms = std::max(timing.false_alarms, positionsOnlyIn(hits, expected, workload.targets));
-      timing.misses = std::max(timing.misses, positionsOnlyIn(expected, hits, workload.targets));
-    };
-    benchmark::RegisterBenchmark(contender.name.c_str(), time)
-        ->Repetitions(settings.repetitions)
-        ->MinTime(settings.seconds_per_repetition);
-    // The walk's own length, to turn its time into time per query.
-    result.timings.back().ns = 1e9 / static_cast<double>(walked);
-  }
-  Collector collector(false);
-  benchmark::RunSpecifiedBenchmarks(&collector);
-  for (Timing& timing : result.timings) timing.ns *= collector.median(timing.name);
+Result measure(const Workload& workload, const std::vector<ValueContender>& contenders, const Agreement& agreement,
+               const Settings& settings) {
+  Result result{workload, 0, 0, {}};
+  const Values reference = askReference(contenders.front(), result.exact_calls);
+  result.collisions = static_cast<std::size_t>(
+      std::count_if(reference.begin(), reference.end(), [&](double value) { return value <= agreement.hit; }));
+  result.timings =
+      timeAll(workload, contenders, settings, [&](const Values& values, const Sampling& sampling, Timing& timing) {
+        const Tolerance& tolerance = timing.role == Role::Ours ? agreement.ours : agreement.rivals;
+        std::size_t low = 0, high = 0, next = 0;
+        forEachSample(sampling, workload.positions, [&](std::size_t position) {
+          const double value = values[next++], expected = reference[position];
+          if (!(value >= expected - tolerance.below)) ++low;  // NaN is wrong
+          if (value > expected + tolerance.above) ++high;
+        });
+        timing.false_alarms = std::max(timing.false_alarms, low);
+        timing.misses = std::max(timing.misses, high);
+      });
   return result;
 }
 

@@ -17,6 +17,9 @@ namespace tricover::bench {
 /// What a walk over the positions found: position * targets + target for every hit.
 using Hits = std::vector<std::uint32_t>;
 
+/// One for each position that a walk visited: a distance, or a time of impact.
+using Values = std::vector<double>;
+
 /// Which positions a walk visits: `run` consecutive ones out of every `period`.
 struct Sampling {
   std::size_t period = 1, run = 1;
@@ -41,13 +44,16 @@ enum class Role {
 };
 
 /// One way of answering a workload's queries.
-struct Contender {
+template <class Answers>
+struct ContenderFor {
   std::string name;
   Role role;
   bool coherent;  ///< lives on small steps, so that its samples must be long runs
-  /// Asks for the sampled positions in order and appends the hits.
-  std::function<void(const Sampling& sampling, Hits& hits)> walk;
+  /// Asks for the sampled positions in order and appends the answers.
+  std::function<void(const Sampling& sampling, Answers& answers)> walk;
 };
+using Contender = ContenderFor<Hits>;
+using ValueContender = ContenderFor<Values>;
 
 /// `method` answers the pose with index i of those that it was last prepared for by collide(i).
 template <class Method>
@@ -58,6 +64,25 @@ Contender contender(std::string name, Role role, bool coherent, std::shared_ptr<
             });
           }};
 }
+
+/// `method` answers with method->value(i).
+template <class Method>
+ValueContender valueContender(std::string name, Role role, bool coherent, std::shared_ptr<Method> method,
+                              std::size_t positions) {
+  return {std::move(name), role, coherent, [=](const Sampling& sampling, Values& values) {
+            forEachSample(sampling, positions, [&](std::size_t i) { values.push_back(method->value(i)); });
+          }};
+}
+
+/// What values may differ by from the reference's.
+struct Tolerance {
+  double below, above;
+};
+
+struct Agreement {
+  double hit;  ///< values up to this one are collisions
+  Tolerance ours, rivals;
+};
 
 struct Workload {
   std::string job;    ///< the table it belongs to
@@ -73,7 +98,7 @@ struct Timing {
   Role role;
   double ns;                         ///< per query, median over the repetitions, CPU time
   std::size_t checked;               ///< queries whose answer was compared
-  std::size_t false_alarms, misses;  ///< queries with a hit too many, or one too few
+  std::size_t false_alarms, misses;  ///< queries with a hit too many or one too few; with a value too low or too high
 };
 
 struct Result {
@@ -96,6 +121,10 @@ double measureBuild(const std::string& name, std::size_t things, const std::func
 /// Times the contenders by Google Benchmark, interleaved at random in this process, and checks all that they answered
 /// while being timed. The first contender is tricover without coherence: the reference.
 Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings);
+
+/// The same for queries that are answered by values.
+Result measure(const Workload& workload, const std::vector<ValueContender>& contenders, const Agreement& agreement,
+               const Settings& settings);
 
 /// What main() of a timing program does: `<countries file> <existing report directory> [--full]` for `run`, Google
 /// Benchmark made ready. Errors go to stderr.

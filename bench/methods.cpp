@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods.h"
 
-#include <box2d/b2_settings.h>
-
 #include <memory>
 #include <utility>
 
@@ -45,11 +43,6 @@ class CachedCore : public Core {
   PairCache cache_;
   CollideOptions options_;
 };
-
-bool box2dTakes(const Polygon& polygon) {
-  return polygon.rings().size() == 1 && polygon.vertexCount() <= b2_maxPolygonVertices &&
-         convexPieces(triangulate(polygon)).size() == 1;
-}
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace tricover::bench {
 namespace {
@@ -20,6 +21,13 @@ std::string rounded(double value, int digits) {
 
 std::string vertices(const Workload& workload) {
   return std::to_string(workload.vertices_fixed) + " x " + std::to_string(workload.vertices_moving);
+}
+
+/// What is wrong in either direction with the answers of a job.
+std::pair<std::string, std::string> faults(const std::string& job) {
+  if (job == "distance") return {"too short", "too long"};
+  if (job == "impact") return {"too early", "too late or missed"};
+  return {"false alarms", "misses"};
 }
 
 const char* const kConditions =
@@ -38,6 +46,15 @@ const char* const kConditions =
   triangles. All four are called as FCL's own rows call them, which spares them fcl::collide's dispatch.
 - GEOS: a prepared polygon, by the C++ interface; the one with more vertices is prepared, the other one's coordinates
   are rewritten in place. Boost: boost::geometry::intersects; the one with fewer vertices is rewritten in place.
+- Distances: near and far are random poses whose regions are apart. FCL RSS, OBBRSS and kIOS are flat meshes with these
+  volumes, called without fcl::distance's dispatch; FCL GJK (libccd) and (indep) take convex polygons as prisms; GEOS
+  prepared is PreparedGeometry::distance. GEOS (Geometry::distance) and Boost compare all edges with all and are left
+  out above 4096 pairs of edges. Box2D: b2Distance; "warm" starts from its last simplex. An answer of a rival is wrong if
+  it is off by more than 1e-6 of the polygons' size; cached and via FCL must give cold's to the last bit.
+- Times of impact: sliding and turning (by up to 150 degrees) are random motions from near the fixed polygon, into it or
+  past it. FCL RSS and OBBRSS: fcl::continuousCollide by conservative advancement on flat meshes, to which FCL gives a
+  tolerance of 1e-5 of the motion; tricover is asked for the same. A rival's time is wrong if it is later than that, or
+  earlier than contact by a thousandth of the motion. Box2D: b2TimeOfImpact.
 - Box2D: b2TestOverlap ("overlap") and b2CollidePolygons ("manifold"), one of our units being 64 of its metres, so that
   its skin is 3e-6 of the polygons' size.
 - The packaged libfcl has asserts on and SSE off. All its templates on the rivals' ways are compiled here, with the
@@ -103,9 +120,10 @@ std::string table(const std::vector<Result>& results) {
       const auto column = std::find(heads.begin() + 4, heads.end(), timing.name) - heads.begin();
       lines.back()[static_cast<std::size_t>(column)] = rounded(timing.ns, timing.ns < 100 ? 1 : 0);
       if (timing.false_alarms + timing.misses == 0) continue;
+      const auto [low, high] = faults(workload.job);
       disagreements += "- " + name + ", " + vertices(workload) + ": " + timing.name + ": " +
-                       std::to_string(timing.false_alarms) + " false alarms and " + std::to_string(timing.misses) +
-                       " misses in " + std::to_string(timing.checked) + " queries\n";
+                       std::to_string(timing.false_alarms) + " " + low + " and " + std::to_string(timing.misses) +
+                       " " + high + " in " + std::to_string(timing.checked) + " queries\n";
     }
   }
   if (disagreements.empty()) disagreements = "- none\n";

@@ -6,8 +6,6 @@
 #include "methods.h"
 
 namespace tricover::bench {
-namespace {
-
 std::vector<Pose> posesOf(const std::string& workload, const Polygon& fixed, const Polygon& moving) {
   constexpr std::uint64_t kSeed = 3;
   if (workload == "circular") return workloads::circularTrajectory(fixed, moving);
@@ -20,7 +18,10 @@ std::vector<Pose> posesOf(const std::string& workload, const Polygon& fixed, con
   throw std::invalid_argument("workload: no '" + workload + "'");
 }
 
-}  // namespace
+std::pair<Polygon, Polygon> polygonsOf(const Cell& cell) {
+  return {workloads::makePolygon(cell.kind, cell.vertices_fixed, 1),
+          workloads::makePolygon(cell.kind, cell.vertices_moving, 2)};
+}
 
 const std::vector<std::string>& workloadNames() {
   static const std::vector<std::string> names = {"circular", "linear", "gap 0.1", "gap 0.01",
@@ -29,7 +30,7 @@ const std::vector<std::string>& workloadNames() {
 }
 
 bool isCoherent(const std::string& workload) {
-  return workload != "contact" && workload != "near" && workload != "overlap";
+  return workload == "circular" || workload == "linear" || workload == "gap 0.1" || workload == "gap 0.01";
 }
 
 std::vector<Cell> studyCells(bool full) {
@@ -51,8 +52,7 @@ std::vector<Cell> studyCells(bool full) {
 }
 
 std::vector<Result> measureCell(const Cell& cell, const Settings& settings) {
-  const Polygon fixed = workloads::makePolygon(cell.kind, cell.vertices_fixed, 1);
-  const Polygon moving = workloads::makePolygon(cell.kind, cell.vertices_moving, 2);
+  const auto [fixed, moving] = polygonsOf(cell);
   Methods methods(fixed, moving);
   std::vector<Result> results;
   for (const std::string& name : cell.workloads) {

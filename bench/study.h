@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "measure.h"
@@ -20,9 +21,13 @@ struct Cell {
 /// corner of many fixed against few moving vertices, and the grid of the paper's Figure 12: contours on the circle.
 std::vector<Cell> studyCells(bool full);
 
+/// The fixed polygon and the moving one.
+std::pair<Polygon, Polygon> polygonsOf(const Cell& cell);
+
 /// Table 2's trajectories, "gap 0.1" and "gap 0.01" on the circle, "contact", "near", "overlap".
 const std::vector<std::string>& workloadNames();
 bool isCoherent(const std::string& workload);
+std::vector<Pose> posesOf(const std::string& workload, const Polygon& fixed, const Polygon& moving);
 
 /// Times a cell. The paper's Algorithm 3 is timed on the diagonal's two trajectories of Table 2.
 std::vector<Result> measureCell(const Cell& cell, const Settings& settings);

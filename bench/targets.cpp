@@ -107,7 +107,8 @@ std::vector<Figure> perEdge(const std::vector<Footprint>& footprints, double Foo
 
 }  // namespace
 
-std::vector<Target> judge(const std::vector<Result>& results, const CrowdResult& crowd,
+std::vector<Target> judge(const std::vector<Result>& results, const std::vector<Result>& distances,
+                          const std::vector<Result>& impacts, const CrowdResult& crowd,
                           const std::vector<Footprint>& footprints) {
   const std::string core_text = "best rival / core", fcl_text = "best rival / via FCL";
   const auto trajectories = named({"circular", "linear"}), near_misses = named({"gap 0.1", "gap 0.01"});
@@ -143,10 +144,18 @@ std::vector<Target> judge(const std::vector<Result>& results, const CrowdResult&
           results, [](const Workload& w) { return w.vertices_fixed >= 512 && w.vertices_moving <= 16; }, bestRival,
           core),
       {true, 1});
-  add("any cell, any workload", core_text,
-      ratios(
-          results, [](const Workload&) { return true; }, bestRival, core),
+  const auto any = [](const Workload&) { return true; };
+  add("any cell, any workload", core_text, ratios(results, any, bestRival, core), {true, 1});
+  const auto coherent = [](const Workload& w) { return isCoherent(w.name); };
+  const Ns cold = [](const Result& r) { return nsOf(r, "cold"); };
+  add("distance, any cell, without a cache", core_text, ratios(distances, any, bestRival, cold), {true, 5});
+  add("distance on trajectories", core_text, ratios(distances, coherent, bestRival, core), {true, 20});
+  add("distance, any cell", fcl_text, ratios(distances, any, bestRival, viaFcl), {true, 5});
+  add("distance, convex, slim 8 x 8", "Box2D, the faster start / core", ratios(distances, any, bestBox2d, core),
       {true, 1});
+  add("time of impact", core_text, ratios(impacts, any, bestRival, core), {true, 10});
+  add("time of impact", fcl_text, ratios(impacts, any, bestRival, viaFcl), {true, 10});
+  add("time of impact, convex, slim 8 x 8", "Box2D / core", ratios(impacts, any, bestBox2d, core), {true, 1});
   add("price of exactness, contact", "core / plain double signs",
       ratios(results, named({"contact"}), core, [](const Result& r) { return nsOf(r, "plain signs"); }), {false, 1.2});
   add("memory of all that is derived", "per edge", perEdge(footprints, &Footprint::bytes), {false, 160, 0, "bytes"});

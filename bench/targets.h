@@ -21,7 +21,8 @@ struct Target {
 };
 
 /// `results` are the study's.
-std::vector<Target> judge(const std::vector<Result>& results, const CrowdResult& crowd,
+std::vector<Target> judge(const std::vector<Result>& results, const std::vector<Result>& distances,
+                          const std::vector<Result>& impacts, const CrowdResult& crowd,
                           const std::vector<Footprint>& footprints);
 
 /// As a Markdown table with a column "met", and one line a target.

@@ -67,19 +67,31 @@ void BoostGeometry::prepare(const std::vector<Pose>& poses) {
   for (Pose& pose : poses_) pose = pose.inverse(Eigen::Isometry);
 }
 
-bool BoostGeometry::collide(std::size_t i) {
-  Shapes& shapes = *shapes_;
-  for (std::size_t part = 0; part < shapes.moved.size(); ++part) {
-    const BoostPolygon& original = shapes.original[part];
-    BoostPolygon& moved = shapes.moved[part];
+void BoostGeometry::move(std::size_t i) {
+  for (std::size_t part = 0; part < shapes_->moved.size(); ++part) {
+    const BoostPolygon& original = shapes_->original[part];
+    BoostPolygon& moved = shapes_->moved[part];
     transform(original.outer(), poses_[i], moved.outer());
     for (std::size_t k = 0; k < original.inners().size(); ++k) {
       transform(original.inners()[k], poses_[i], moved.inners()[k]);
     }
   }
+}
+
+bool BoostGeometry::collide(std::size_t i) {
+  move(i);
+  const Shapes& shapes = *shapes_;
   return shapes.still.size() == 1 && shapes.moved.size() == 1
              ? boost::geometry::intersects(shapes.still[0], shapes.moved[0])
              : boost::geometry::intersects(shapes.still, shapes.moved);
+}
+
+double BoostGeometry::value(std::size_t i) {
+  move(i);
+  const Shapes& shapes = *shapes_;
+  return shapes.still.size() == 1 && shapes.moved.size() == 1
+             ? boost::geometry::distance(shapes.still[0], shapes.moved[0])
+             : boost::geometry::distance(shapes.still, shapes.moved);
 }
 
 }  // namespace tricover::bench

@@ -2,7 +2,10 @@
 #include "box2d.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+
+#include "convex_pieces.h"
 
 namespace tricover::bench {
 namespace {
@@ -29,6 +32,10 @@ b2PolygonShape box2dShape(const Polygon& polygon) {
 
 }  // namespace
 
+bool box2dTakes(const Polygon& polygon) {
+  return polygon.rings().size() == 1 && polygon.vertexCount() <= b2_maxPolygonVertices && isConvex(polygon);
+}
+
 Box2dPair::Box2dPair(const Polygon& fixed, const Polygon& moving)
     : fixed_(box2dShape(fixed)), moving_(box2dShape(moving)) {
   identity_.SetIdentity();
@@ -40,6 +47,36 @@ void Box2dPair::prepare(const std::vector<Pose>& poses) {
     const double angle = std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
     transforms_.emplace_back(scaled(pose.translation()), b2Rot(static_cast<float>(angle)));
   }
+}
+
+Box2dImpact::Box2dImpact(const Polygon& fixed, const Polygon& moving) : Box2dPair(fixed, moving) {
+  input_.proxyA.Set(&fixed_, 0);
+  input_.proxyB.Set(&moving_, 0);
+  input_.sweepA = {};
+  input_.tMax = 1;
+}
+
+void Box2dImpact::prepare(const std::vector<Motion>& motions) {
+  sweeps_.clear();
+  for (const Motion& motion : motions) {
+    const Vec2 from = motion.start * motion.pivot;
+    const double angle = std::atan2(motion.start.linear()(1, 0), motion.start.linear()(0, 0));
+    b2Sweep sweep{};
+    sweep.localCenter = scaled(motion.pivot);
+    sweep.c0 = scaled(from);
+    sweep.c = scaled(from + motion.shift);
+    sweep.a0 = static_cast<float>(angle);
+    sweep.a = static_cast<float>(angle + motion.angle);
+    sweeps_.push_back(sweep);
+  }
+}
+
+double Box2dImpact::value(std::size_t i) {
+  input_.sweepB = sweeps_[i];
+  b2TOIOutput output;
+  b2TimeOfImpact(&output, &input_);
+  return output.state == b2TOIOutput::e_separated ? std::numeric_limits<double>::infinity()
+                                                  : static_cast<double>(output.t);
 }
 
 }  // namespace tricover::bench

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <box2d/b2_collision.h>
+#include <box2d/b2_distance.h>
 #include <box2d/b2_polygon_shape.h>
+#include <box2d/b2_time_of_impact.h>
 
 #include <vector>
 
+#include "tricover/motion.h"
 #include "tricover/polygon.h"
 
 namespace tricover::bench {
@@ -14,7 +17,10 @@ namespace tricover::bench {
 /// computes in floats; this makes the skin 3e-6 of polygons of 100 units, about what floats resolve.
 constexpr float kBox2dScale = 64;
 
-/// What both of Box2D's calls need: convex polygons of at most b2_maxPolygonVertices = 8 vertices.
+/// Whether it is convex and has at most b2_maxPolygonVertices = 8 vertices.
+bool box2dTakes(const Polygon& polygon);
+
+/// What all of Box2D's calls need: convex polygons of at most b2_maxPolygonVertices = 8 vertices.
 class Box2dPair {
  public:
   /// Throws std::invalid_argument for a polygon that Box2D can't hold as it is.
@@ -44,6 +50,47 @@ class Box2dManifold : public Box2dPair {
     b2CollidePolygons(&manifold, &fixed_, identity_, &moving_, transforms_[i]);
     return manifold.pointCount > 0;
   }
+};
+
+/// b2Distance, without the skin: GJK, which can start from its last simplex.
+class Box2dDistance : public Box2dPair {
+ public:
+  Box2dDistance(const Polygon& fixed, const Polygon& moving, bool coherent)
+      : Box2dPair(fixed, moving), coherent_(coherent) {
+    input_.proxyA.Set(&fixed_, 0);
+    input_.proxyB.Set(&moving_, 0);
+    input_.transformA = identity_;
+    input_.useRadii = false;
+    cache_.count = 0;
+  }
+
+  double value(std::size_t i) {
+    if (!coherent_) cache_.count = 0;
+    input_.transformB = transforms_[i];
+    b2DistanceOutput output;
+    b2Distance(&output, &cache_, &input_);
+    return static_cast<double>(output.distance / kBox2dScale);
+  }
+
+ private:
+  bool coherent_;
+  b2DistanceInput input_;
+  b2SimplexCache cache_;
+};
+
+/// b2TimeOfImpact. It stops a little before the skins touch, which are 3e-6 of the polygons' size.
+class Box2dImpact : public Box2dPair {
+ public:
+  Box2dImpact(const Polygon& fixed, const Polygon& moving);
+
+  void prepare(const std::vector<Motion>& motions);
+
+  /// Infinity where they don't meet.
+  double value(std::size_t i);
+
+ private:
+  b2TOIInput input_;
+  std::vector<b2Sweep> sweeps_;
 };
 
 }  // namespace tricover::bench

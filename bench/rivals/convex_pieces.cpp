@@ -108,4 +108,6 @@ std::vector<Triangle> triangulate(const Polygon& polygon) {
 
 std::vector<Ring> convexPieces(const std::vector<Triangle>& triangles) { return PieceMerger(triangles).pieces(); }
 
+bool isConvex(const Polygon& polygon) { return convexPieces(triangulate(polygon)).size() == 1; }
+
 }  // namespace tricover::bench

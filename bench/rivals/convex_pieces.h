@@ -18,4 +18,6 @@ std::vector<Triangle> triangulate(const Polygon& polygon);
 /// Hertel and Mehlhorn: drops every diagonal that convexity can spare; at most four times the fewest pieces possible.
 std::vector<Ring> convexPieces(const std::vector<Triangle>& triangles);
 
+bool isConvex(const Polygon& polygon);
+
 }  // namespace tricover::bench

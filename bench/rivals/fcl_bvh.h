@@ -31,7 +31,7 @@ class FclBvh {
   }
 
  private:
-  std::shared_ptr<const FlatMesh> fixed_, moving_;
+  std::shared_ptr<const fcl::BVHModel<fcl::OBBRSSd>> fixed_, moving_;
   const fcl::Transform3d fixed_transform_;
   std::vector<fcl::Transform3d> transforms_;
   fcl::CollisionRequestd request_;

@@ -3,17 +3,6 @@
 
 namespace tricover::bench {
 
-std::shared_ptr<FlatMesh> makeFlatMesh(const std::vector<Triangle>& triangles) {
-  auto mesh = std::make_shared<FlatMesh>();
-  mesh->beginModel();
-  for (const Triangle& t : triangles) {
-    mesh->addTriangle({t[0].x(), t[0].y(), 0}, {t[1].x(), t[1].y(), 0}, {t[2].x(), t[2].y(), 0});
-  }
-  mesh->endModel();
-  mesh->computeLocalAABB();
-  return mesh;
-}
-
 fcl::Transform3d toTransform(const Pose& pose) {
   fcl::Transform3d transform = fcl::Transform3d::Identity();
   transform.linear().topLeftCorner<2, 2>() = pose.linear();

@@ -13,7 +13,6 @@
 namespace tricover::bench {
 
 using Prism = fcl::Convex<double>;
-using FlatMesh = fcl::BVHModel<fcl::OBBRSSd>;
 
 /// FCL's MPR is wrong for prisms of equal height at equal z, so fixed prisms reach this far up and down and moving ones
 /// twice as far. Low ones suit FCL best: a rotated object's box in the broadphase is its bounding sphere's (a thousand
@@ -22,7 +21,17 @@ constexpr double kHalfHeight = 0.5;
 
 using support::makePrism;
 
-std::shared_ptr<FlatMesh> makeFlatMesh(const std::vector<Triangle>& triangles);
+template <class Volume = fcl::OBBRSSd>
+std::shared_ptr<fcl::BVHModel<Volume>> makeFlatMesh(const std::vector<Triangle>& triangles) {
+  auto mesh = std::make_shared<fcl::BVHModel<Volume>>();
+  mesh->beginModel();
+  for (const Triangle& t : triangles) {
+    mesh->addTriangle({t[0].x(), t[0].y(), 0}, {t[1].x(), t[1].y(), 0}, {t[2].x(), t[2].y(), 0});
+  }
+  mesh->endModel();
+  mesh->computeLocalAABB();
+  return mesh;
+}
 
 fcl::Transform3d toTransform(const Pose& pose);
 std::vector<fcl::Transform3d> toTransforms(const std::vector<Pose>& poses);

@@ -5,6 +5,8 @@
 #include <fcl/narrowphase/detail/convexity_based_algorithm/gjk_libccd.h>
 #include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
 #include <fcl/narrowphase/detail/traversal/collision_node.h>
+#include <fcl/narrowphase/detail/traversal/distance/mesh_conservative_advancement_traversal_node.h>
+#include <fcl/narrowphase/detail/traversal/distance/mesh_distance_traversal_node.h>
 
 namespace fcl {
 
@@ -35,9 +37,30 @@ template class detail::TraversalNodeBase<double>;
 template class detail::CollisionTraversalNodeBase<double>;
 template class detail::MeshCollisionTraversalNodeOBBRSS<double>;
 template bool detail::initialize(MeshCollisionTraversalNodeOBBRSS<double>&, const BVHModel<OBBRSS<double>>&,
-                                 const Transform3<double>&, const BVHModel<OBBRSS<double>>&,
-                                 const Transform3<double>&, const CollisionRequest<double>&, CollisionResult<double>&);
+                                 const Transform3<double>&, const BVHModel<OBBRSS<double>>&, const Transform3<double>&,
+                                 const CollisionRequest<double>&, CollisionResult<double>&);
 template void detail::collide(CollisionTraversalNodeBase<double>*, BVHFrontList*);
 template void detail::collisionRecurse(CollisionTraversalNodeBase<double>*, int, int, BVHFrontList*);
 
+// distances and conservative advancement of BVH
+template class kIOS<double>;
+template double rectDistance(const Matrix3<double>&, const Vector3<double>&, const double[2], const double[2],
+                             Vector3<double>*, Vector3<double>*);
+template class detail::TriangleDistance<double>;
+template class detail::DistanceTraversalNodeBase<double>;
+#define TRICOVER_INSTANTIATE(Volume)                                                                            \
+  template class detail::MeshDistanceTraversalNode##Volume<double>;                                             \
+  template bool detail::initialize(MeshDistanceTraversalNode##Volume<double>&, const BVHModel<Volume<double>>&, \
+                                   const Transform3<double>&, const BVHModel<Volume<double>>&,                  \
+                                   const Transform3<double>&, const DistanceRequest<double>&,                   \
+                                   DistanceResult<double>&);
+TRICOVER_INSTANTIATE(RSS)
+TRICOVER_INSTANTIATE(OBBRSS)
+TRICOVER_INSTANTIATE(kIOS)
+#undef TRICOVER_INSTANTIATE
+template class detail::MeshConservativeAdvancementTraversalNodeRSS<double>;
+template class detail::MeshConservativeAdvancementTraversalNodeOBBRSS<double>;
+template class TriangleMotionBoundVisitor<double>;
+template void detail::distance(DistanceTraversalNodeBase<double>*, BVHFrontList*, int);
+template void detail::distanceRecurse(DistanceTraversalNodeBase<double>*, int, int, BVHFrontList*);
 }  // namespace fcl

@@ -20,10 +20,12 @@ class Geos {
 
   void prepare(const std::vector<Pose>& poses);
 
-  bool collide(std::size_t i) {
-    mover_.start(poses_[i]);
-    moved_->apply_rw(mover_);
-    return prepared_->intersects(moved_.get());
+  bool collide(std::size_t i) { return prepared_->intersects(moved(i)); }
+
+  /// By PreparedGeometry::distance, which indexes the prepared one's facets once and the other one's at each query; or
+  /// by Geometry::distance, which compares all with all.
+  double distance(std::size_t i, bool prepared) {
+    return prepared ? prepared_->distance(moved(i)) : still_->distance(moved(i));
   }
 
  private:
@@ -45,11 +47,26 @@ class Geos {
     std::size_t next_ = 0;
   };
 
+  const geos::geom::Geometry* moved(std::size_t i) {
+    mover_.start(poses_[i]);
+    moved_->apply_rw(mover_);
+    return moved_.get();
+  }
+
   bool fixed_is_prepared_;
   std::unique_ptr<geos::geom::Geometry> still_, moved_;
   std::unique_ptr<geos::geom::prep::PreparedGeometry> prepared_;
   Mover mover_;
   std::vector<Pose> poses_;  ///< of the moved geometry in the prepared one's frame
+};
+
+class GeosDistance : public Geos {
+ public:
+  GeosDistance(const Polygon& fixed, const Polygon& moving, bool prepared) : Geos(fixed, moving), prepared_(prepared) {}
+  double value(std::size_t i) { return distance(i, prepared_); }
+
+ private:
+  bool prepared_;
 };
 
 }  // namespace tricover::bench

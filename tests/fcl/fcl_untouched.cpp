@@ -17,6 +17,7 @@
 #include <fcl/geometry/shape/halfspace.h>
 #include <fcl/geometry/shape/plane.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <fcl/math/motion/interp_motion.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
@@ -189,13 +190,25 @@ class Questions {
     return d;
   }
 
-  void continuous(const fcl::Transform3d& end_a, const fcl::Transform3d& end_b, fcl::CCDMotionType motion,
+  void continuous(const fcl::Transform3d& end_a, const fcl::Transform3d& end_b, fcl::CCDMotionType type,
                   fcl::CCDSolverType method) const {
     ask("continuous", [&] {
-      const fcl::ContinuousCollisionRequestd request(10, 0.0001, motion, solver_, method);
+      const fcl::ContinuousCollisionRequestd request(10, 0.0001, type, solver_, method);
       fcl::ContinuousCollisionResultd result;
-      const double time =
-          fcl::continuousCollide(a_.geometry.get(), pose_a_, end_a, b_.geometry.get(), pose_b_, end_b, request, result);
+      double time;
+      if (type == fcl::CCDM_LINEAR) {
+        // FCL leaves the pivot of this motion uninitialised where it makes it from two poses.
+        const auto motion = [](const fcl::Transform3d& from, const fcl::Transform3d& to) {
+          return fcl::InterpMotion<double>(from.linear(), from.translation(), to.linear(), to.translation(),
+                                           fcl::Vector3d::Zero());
+        };
+        const auto motion_a = motion(pose_a_, end_a), motion_b = motion(pose_b_, end_b);
+        time =
+            fcl::continuousCollide<double>(a_.geometry.get(), &motion_a, b_.geometry.get(), &motion_b, request, result);
+      } else {
+        time = fcl::continuousCollide(a_.geometry.get(), pose_a_, end_a, b_.geometry.get(), pose_b_, end_b, request,
+                                      result);
+      }
       std::printf(" %a %d %a", time, result.is_collide, result.time_of_contact);
       if (!result.is_collide) return;  // the poses are uninitialised
       printVector(result.contact_tf1.translation());

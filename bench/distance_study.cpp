@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "distance_study.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "rivals/boost_geometry.h"
+#include "rivals/box2d.h"
+#include "rivals/fcl_distance.h"
+#include "rivals/geos.h"
+#include "tricover/collide.h"
+#include "tricover/distance.h"
+#include "tricover_fcl/tricover_fcl.h"
+
+namespace tricover::bench {
+namespace {
+
+/// Of the polygons' size, 100 units: GJK's tolerance and floats pass.
+constexpr Agreement kAgreement = {0, {0, 0}, {1e-4, 1e-4}};
+
+/// What compares all edges with all is timed up to this number of pairs: from there on it is slower than the others.
+constexpr std::size_t kAllPairs = 64 * 64;
+
+class Core {
+ public:
+  Core(Polygon fixed, Polygon moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
+  void prepare(const std::vector<Pose>& poses) { poses_ = poses.data(); }
+  double value(std::size_t i) { return distance(fixed_, identity_, moving_, poses_[i]).distance; }
+
+ protected:
+  Polygon fixed_, moving_;
+  Pose identity_ = Pose::Identity();
+  const Pose* poses_ = nullptr;
+};
+
+class CachedCore : public Core {
+ public:
+  using Core::Core;
+  double value(std::size_t i) { return distance(fixed_, identity_, moving_, poses_[i], cache_).distance; }
+
+ private:
+  DistanceCache cache_;
+};
+
+/// All methods on one pair of polygons, derived once for all workloads of theirs.
+class Methods {
+ public:
+  Methods(const Polygon& fixed, const Polygon& moving) {
+    constexpr bool kColdStart = false, kWarmStart = true, kPrepared = true, kPlain = false;
+    const bool few = fixed.vertexCount() * moving.vertexCount() <= kAllPairs;
+    add("cold", Role::Ours, false, true, std::make_shared<Core>(fixed, moving));
+    add("cached", Role::Ours, true, false, std::make_shared<CachedCore>(fixed, moving));
+    add("via FCL", Role::Ours, true, true,
+        std::make_shared<FclDistanceCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
+                                          std::make_shared<tricover_fcl::PolygonShaped>(moving)));
+    add("FCL RSS", Role::Rival, false, true, std::make_shared<FclRssDistance>(fixed, moving));
+    add("FCL OBBRSS", Role::Rival, false, true, std::make_shared<FclObbrssDistance>(fixed, moving));
+    add("FCL kIOS", Role::Rival, false, true, std::make_shared<FclKiosDistance>(fixed, moving));
+    if (isConvex(fixed) && isConvex(moving)) {
+      using Libccd = FclGjkDistance<fcl::detail::GJKSolver_libccdd>;
+      using Indep = FclGjkDistance<fcl::detail::GJKSolver_indepd>;
+      add("FCL GJK (libccd)", Role::Rival, false, true, std::make_shared<Libccd>(fixed, moving, kColdStart));
+      add("FCL GJK (indep)", Role::Rival, false, true, std::make_shared<Indep>(fixed, moving, kColdStart));
+      add("FCL GJK (indep) guess", Role::Rival, true, false, std::make_shared<Indep>(fixed, moving, kWarmStart));
+    }
+    add("GEOS prepared", Role::Rival, false, true, std::make_shared<GeosDistance>(fixed, moving, kPrepared));
+    if (few) add("GEOS", Role::Rival, false, true, std::make_shared<GeosDistance>(fixed, moving, kPlain));
+    if (few) add("Boost", Role::Rival, false, true, std::make_shared<BoostGeometry>(fixed, moving));
+    if (box2dTakes(fixed) && box2dTakes(moving)) {
+      add("Box2D", Role::Box2d, false, true, std::make_shared<Box2dDistance>(fixed, moving, kColdStart));
+      add("Box2D warm", Role::Box2d, true, false, std::make_shared<Box2dDistance>(fixed, moving, kWarmStart));
+    }
+  }
+
+  std::vector<ValueContender> on(const std::vector<Pose>& poses, bool coherent) {
+    std::vector<ValueContender> contenders;
+    for (const Make& make : makers_) make(poses, coherent, contenders);
+    return contenders;
+  }
+
+ private:
+  using Make = std::function<void(const std::vector<Pose>& poses, bool coherent, std::vector<ValueContender>& to)>;
+
+  template <class Method>
+  void add(const char* name, Role role, bool lives_on_steps, bool always, std::shared_ptr<Method> method) {
+    makers_.push_back([=](const std::vector<Pose>& poses, bool coherent, std::vector<ValueContender>& to) {
+      if (!always && !coherent) return;
+      method->prepare(poses);
+      to.push_back(valueContender(name, role, lives_on_steps, method, poses.size()));
+    });
+  }
+
+  std::vector<Make> makers_;
+};
+
+/// Random poses without the colliding ones; "far": three times as far.
+std::vector<Pose> separatedPoses(const Polygon& fixed, const Polygon& moving, bool far) {
+  std::vector<Pose> poses;
+  for (Pose pose : workloads::nearPoses(fixed, moving, 3)) {
+    if (collide(fixed, Pose::Identity(), moving, pose)) continue;
+    if (far) pose.translation() += 2 * (pose * moving.origin() - fixed.origin());
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+}  // namespace
+
+std::vector<Cell> distanceCells(bool full) {
+  const std::vector<std::string> names = {"circular", "linear", "gap 0.1", "gap 0.01", "near", "far"};
+  std::vector<std::pair<std::size_t, std::size_t>> sizes = {{8, 8}, {64, 64}, {1024, 1024}, {512, 16}};
+  if (full) sizes.insert(sizes.end(), {{16, 16}, {32, 32}, {128, 128}, {256, 256}, {512, 512}, {1024, 8}, {8, 1024}});
+  std::vector<Cell> cells;
+  for (const workloads::Kind kind : workloads::allKinds()) {
+    for (const auto& [fixed, moving] : sizes) cells.push_back({kind, fixed, moving, names});
+  }
+  return cells;
+}
+
+std::vector<Result> measureDistances(const Cell& cell, const Settings& settings) {
+  const auto [fixed, moving] = polygonsOf(cell);
+  Methods methods(fixed, moving);
+  std::vector<Result> results;
+  for (const std::string& name : cell.workloads) {
+    const bool coherent = isCoherent(name);
+    const std::vector<Pose> poses =
+        coherent ? posesOf(name, fixed, moving) : separatedPoses(fixed, moving, name == "far");
+    const Workload workload{
+        "distance", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};
+    results.push_back(measure(workload, methods.on(poses, coherent), kAgreement, settings));
+  }
+  return results;
+}
+
+}  // namespace tricover::bench

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "impact_study.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "random.h"
+#include "rivals/box2d.h"
+#include "rivals/fcl_advancement.h"
+#include "tricover/collide.h"
+#include "tricover/time_of_impact.h"
+#include "tricover_fcl/tricover_fcl.h"
+
+namespace tricover::bench {
+namespace {
+
+/// FCL's advancement stops short of contact where it comes slowly; that isn't counted as wrong below a thousandth.
+constexpr Agreement kAgreement = {1, {kTimeError, kTimeError}, {1e-3, 2 * kTimeError}};
+
+class Core {
+ public:
+  Core(Polygon fixed, Polygon moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
+  void prepare(const std::vector<Motion>& motions) { motions_ = motions.data(); }
+  double value(std::size_t i) {
+    const auto impact = timeOfImpact(fixed_, still_, moving_, motions_[i], {kTimeError});
+    return impact ? impact->time : kNever;
+  }
+
+ private:
+  Polygon fixed_, moving_;
+  Motion still_;
+  const Motion* motions_ = nullptr;
+};
+
+std::vector<Motion> randomMotions(const Polygon& fixed, const Polygon& moving, bool turning) {
+  support::Random random(3);
+  const double radius = (fixed.radius() + moving.radius()) / 2;
+  std::vector<Motion> motions;
+  for (const Pose& near : workloads::nearPoses(fixed, moving, 3)) {
+    if (collide(fixed, Pose::Identity(), moving, near)) continue;
+    Motion motion;
+    motion.start = near;
+    const Vec2 inwards = (fixed.origin() - near * moving.origin()).normalized();
+    motion.shift = radius * random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1.2, 1.2)) * inwards);
+    motion.pivot = moving.origin();
+    if (turning) motion.angle = random.real(-2.6, 2.6);
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
+template <class Method>
+ValueContender made(const char* name, Role role, std::shared_ptr<Method> method, const std::vector<Motion>& motions) {
+  method->prepare(motions);
+  return valueContender(name, role, false, std::move(method), motions.size());
+}
+
+}  // namespace
+
+std::vector<Cell> impactCells(bool full) {
+  std::vector<std::pair<std::size_t, std::size_t>> sizes = {{8, 8}, {64, 64}, {512, 16}};
+  if (full) sizes.insert(sizes.end(), {{16, 16}, {256, 256}, {1024, 1024}});
+  std::vector<Cell> cells;
+  for (const workloads::Kind kind : workloads::allKinds()) {
+    for (const auto& [fixed, moving] : sizes) cells.push_back({kind, fixed, moving, {"sliding", "turning"}});
+  }
+  return cells;
+}
+
+std::vector<Result> measureImpacts(const Cell& cell, const Settings& settings) {
+  const auto [fixed, moving] = polygonsOf(cell);
+  const auto shape = [](const Polygon& polygon) { return std::make_shared<tricover_fcl::PolygonShaped>(polygon); };
+  const std::vector<Triangle> fixed_triangles = triangulate(fixed), moving_triangles = triangulate(moving);
+  std::vector<Result> results;
+  for (const std::string& name : cell.workloads) {
+    const std::vector<Motion> motions = randomMotions(fixed, moving, name == "turning");
+    std::vector<ValueContender> contenders = {
+        made("cold", Role::Ours, std::make_shared<Core>(fixed, moving), motions),
+        made("via FCL", Role::Ours, std::make_shared<FclAdvancement>(shape(fixed), shape(moving)), motions),
+        made("FCL RSS", Role::Rival,
+             std::make_shared<FclAdvancement>(makeFlatMesh<fcl::RSSd>(fixed_triangles),
+                                              makeFlatMesh<fcl::RSSd>(moving_triangles)),
+             motions),
+        made("FCL OBBRSS", Role::Rival,
+             std::make_shared<FclAdvancement>(makeFlatMesh(fixed_triangles), makeFlatMesh(moving_triangles)), motions)};
+    if (box2dTakes(fixed) && box2dTakes(moving)) {
+      contenders.push_back(made("Box2D", Role::Box2d, std::make_shared<Box2dImpact>(fixed, moving), motions));
+    }
+    const Workload workload{
+        "impact", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, motions.size(), 1};
+    results.push_back(measure(workload, contenders, kAgreement, settings));
+  }
+  return results;
+}
+
+}  // namespace tricover::bench

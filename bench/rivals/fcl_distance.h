@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fcl/narrowphase/detail/gjk_solver_indep.h>
+#include <fcl/narrowphase/detail/gjk_solver_libccd.h>
+#include <fcl/narrowphase/detail/traversal/collision_node.h>
+#include <fcl/narrowphase/detail/traversal/distance/mesh_distance_traversal_node.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "fcl_convex.h"
+#include "fcl_geometry.h"
+
+namespace tricover::bench {
+
+/// FCL's hierarchies of the region's triangles, as FCL's own row runs them, without fcl::distance's dispatch. `Node` is
+/// the traversal of meshes with that volume.
+template <class Node, class Volume>
+class FclBvhDistance {
+ public:
+  FclBvhDistance(const Polygon& fixed, const Polygon& moving)
+      : fixed_(makeFlatMesh<Volume>(triangulate(fixed))), moving_(makeFlatMesh<Volume>(triangulate(moving))) {}
+
+  void prepare(const std::vector<Pose>& poses) { transforms_ = toTransforms(poses); }
+
+  double value(std::size_t i) {
+    result_.clear();
+    Node node;
+    initialize(node, *fixed_, identity_, *moving_, std::as_const(transforms_)[i], request_, result_);
+    fcl::detail::distance(&node);
+    return std::max(result_.min_distance, 0.0);
+  }
+
+ private:
+  std::shared_ptr<const fcl::BVHModel<Volume>> fixed_, moving_;
+  const fcl::Transform3d identity_ = fcl::Transform3d::Identity();
+  std::vector<fcl::Transform3d> transforms_;
+  fcl::DistanceRequestd request_;
+  fcl::DistanceResultd result_;
+};
+
+using FclRssDistance = FclBvhDistance<fcl::detail::MeshDistanceTraversalNodeRSSd, fcl::RSSd>;
+using FclObbrssDistance = FclBvhDistance<fcl::detail::MeshDistanceTraversalNodeOBBRSSd, fcl::OBBRSSd>;
+using FclKiosDistance = FclBvhDistance<fcl::detail::MeshDistanceTraversalNodekIOSd, fcl::kIOSd>;
+
+/// FCL's solvers on two convex polygons; `coherent` starts from the last answer (GST_INDEP only).
+template <class Solver>
+class FclGjkDistance : public FclPieces {
+ public:
+  FclGjkDistance(const Polygon& fixed, const Polygon& moving, bool coherent) : FclPieces(fixed, moving) {
+    solver_.enableCachedGuess(coherent);
+  }
+
+  double value(std::size_t i) {
+    double distance = 0;
+    anyPair(i, [&](const Prism& a, const Prism& b) {
+      return !solver_.shapeDistance(a, identity_, b, transforms_[i], &distance);
+    });
+    return std::max(distance, 0.0);
+  }
+
+ private:
+  Solver solver_;
+};
+
+/// Two objects asked by the unmodified fcl::distance.
+class FclDistanceCall {
+ public:
+  using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
+
+  FclDistanceCall(Geometry fixed, Geometry moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
+
+  void prepare(const std::vector<Pose>& poses) { transforms_ = toTransforms(poses); }
+
+  double value(std::size_t i) {
+    result_.clear();
+    moving_.setTransform(transforms_[i]);
+    return std::max(fcl::distance(&fixed_, &moving_, request_, result_), 0.0);
+  }
+
+ private:
+  fcl::CollisionObjectd fixed_, moving_;
+  std::vector<fcl::Transform3d> transforms_;
+  fcl::DistanceRequestd request_;
+  fcl::DistanceResultd result_;
+};
+
+}  // namespace tricover::bench
