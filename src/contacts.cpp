@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "convex_outline.h"
+#include "convex_penetration.h"
 #include "overlap_components.h"
 #include "pairs.h"
 
@@ -28,7 +29,7 @@ class ContactFinder {
   /// In the pair's order.
   std::vector<Contact> contacts() const {
     const std::vector<OverlapComponent> components = findComponents(pair_, frame_, crossings_);
-    const bool convex = !components.empty() && isConvex(pair_.a) && isConvex(pair_.b);
+    const bool convex = !components.empty() && !convexCorners(pair_.a).empty() && !convexCorners(pair_.b).empty();
     std::vector<Contact> result;
     for (const OverlapComponent& component : components) {
       Exit exit = convex ? byFacesOfBoth(component) : exitOf(component);

@@ -22,26 +22,4 @@ Outline convexHull(std::vector<BoundaryPoint> points) {
   return hull;
 }
 
-bool isConvex(const PolygonData& polygon) {
-  const std::vector<Vec2>& path = polygon.path;
-  const std::size_t n = path.size() - 1;
-  if (polygon.ringCount() != 1) return false;
-  std::size_t second = 1;
-  while (second < n && path[second] == path[0]) ++second;
-  const auto rises = [](const Vec2& p, const Vec2& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
-  Vec2 p = path[0], q = path[second];
-  int direction = 0, changes = 0;
-  for (std::size_t i = second + 1; i <= n + second; ++i) {
-    const Vec2& r = path[i % n];
-    if (r == q) continue;
-    const int turn = orientation(p, q, r);
-    if (turn * direction < 0) return false;
-    if (turn != 0) direction = turn;
-    changes += rises(p, q) != rises(q, r);
-    p = q;
-    q = r;
-  }
-  return direction != 0 && changes == 2;
-}
-
 }  // namespace tricover::detail

@@ -13,10 +13,6 @@ using Outline = std::vector<BoundaryPoint>;
 /// By Andrew's monotone chain, in O(n log n).
 Outline convexHull(std::vector<BoundaryPoint> points);
 
-/// Whether the region is convex: one ring that turns one way only, and goes around once (from left to right and back).
-/// Exact; no region without an area is.
-bool isConvex(const PolygonData& polygon);
-
 /// Calls visit(from, to, normal, depth, deepest) for every face of the outline: `body` reaches `depth` behind it, with
 /// `deepest`, which goes round the body as the face goes round the outline.
 template <typename Visit>

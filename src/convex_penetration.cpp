@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "double_double.h"
 #include "predicates.h"
@@ -16,28 +17,6 @@ namespace {
 bool isBetween(const Vec2& p, const Vec2& q, const Vec2& r) {
   return std::min(p.x(), r.x()) <= q.x() && q.x() <= std::max(p.x(), r.x()) && std::min(p.y(), r.y()) <= q.y() &&
          q.y() <= std::max(p.y(), r.y());
-}
-
-/// The corners of a ring that is convex, has an area and goes around once, counter-clockwise; otherwise nothing.
-std::vector<std::size_t> cornersOfConvexRing(const PolygonData& polygon) {
-  std::vector<std::size_t> distinct, corners;
-  for (std::size_t i = polygon.edgeBegin(0); i < polygon.edgeEnd(0); ++i)
-    if (polygon.path[i] != polygon.path[i + 1]) distinct.push_back(i);
-  int direction = 0, turns_in_x = 0;
-  const std::size_t n = distinct.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 &p = polygon.path[distinct[i]], &q = polygon.path[distinct[(i + 1) % n]],
-               &r = polygon.path[distinct[(i + 2) % n]];
-    const int turn = orientation(p, q, r);
-    turns_in_x += (q.x() > p.x()) != (r.x() > q.x());
-    if (turn == 0 && isBetween(p, q, r)) continue;
-    if (turn == 0 || turn == -direction) return {};
-    direction = turn;
-    corners.push_back(distinct[(i + 1) % n]);
-  }
-  if (turns_in_x != 2) return {};
-  if (direction < 0) std::reverse(corners.begin(), corners.end());
-  return corners;
 }
 
 /// Andrew's monotone chains.
@@ -117,12 +96,32 @@ Gap leastGap(const Corners& of, const Corners& other) {
 
 }  // namespace
 
-ConvexOutline convexOutline(const PolygonData& polygon) {
-  if (polygon.ringCount() == 1) {
-    std::vector<std::size_t> corners = cornersOfConvexRing(polygon);
-    if (!corners.empty()) return {corners, true};
+std::vector<std::size_t> convexCorners(const PolygonData& polygon) {
+  if (polygon.ringCount() != 1) return {};
+  std::vector<std::size_t> distinct, corners;
+  for (std::size_t i = polygon.edgeBegin(0); i < polygon.edgeEnd(0); ++i)
+    if (polygon.path[i] != polygon.path[i + 1]) distinct.push_back(i);
+  int direction = 0, turns_in_x = 0;
+  const std::size_t n = distinct.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &p = polygon.path[distinct[i]], &q = polygon.path[distinct[(i + 1) % n]],
+               &r = polygon.path[distinct[(i + 2) % n]];
+    const int turn = orientation(p, q, r);
+    turns_in_x += (q.x() > p.x()) != (r.x() > q.x());
+    if (turn == 0 && isBetween(p, q, r)) continue;
+    if (turn == 0 || turn == -direction) return {};
+    direction = turn;
+    corners.push_back(distinct[(i + 1) % n]);
   }
-  std::vector<std::size_t> corners = hullCorners(polygon);
+  if (turns_in_x != 2) return {};
+  if (direction < 0) std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
+ConvexOutline convexOutline(const PolygonData& polygon) {
+  std::vector<std::size_t> corners = convexCorners(polygon);
+  if (!corners.empty()) return {std::move(corners), true};
+  corners = hullCorners(polygon);
   // A ring without area covers all of its segment.
   const bool is_region = polygon.ringCount() == 1 && corners.size() < 3;
   return {std::move(corners), is_region};

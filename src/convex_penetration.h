@@ -15,6 +15,10 @@ struct ConvexOutline {
   bool is_region;  ///< the polygon's region is that convex set; otherwise it is the region's convex hull
 };
 
+/// The corners, as in ConvexOutline, of a polygon that is convex and has an area: one ring that turns one way and goes
+/// around once. Otherwise nothing. Exact, O(n).
+std::vector<std::size_t> convexCorners(const PolygonData& polygon);
+
 /// O(n) for a convex polygon, O(n log n) for others. Exact.
 ConvexOutline convexOutline(const PolygonData& polygon);
 
