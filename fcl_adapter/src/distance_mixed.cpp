@@ -7,7 +7,6 @@
 #include "mixed_pair.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
-#include "tricover/penetration.h"
 
 namespace tricover_fcl {
 namespace {
@@ -35,7 +34,7 @@ void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, 
     span.point_a = inSpace(pair.polygon().origin());
     span.point_b = span.point_a - lift->depth * lift->normal;
   } else if (is_signed) {
-    const auto whole = tricover::penetration(pair.polygon(), Pose::Identity(), shadow.outline(), Pose::Identity());
+    const auto whole = shadow.penetration(pair.polygon());
     if (!whole || !(whole->depth > touch)) return;
     span = {-whole->depth, inSpace(whole->point_a), inSpace(whole->point_b), whole->edge_a,
             shadow.partOf(whole->edge_b)};
@@ -44,7 +43,7 @@ void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, 
       const auto deepest = tricover::contacts(pair.polygon(), Pose::Identity(), region, Pose::Identity(), 1);
       return !deepest.empty() && deepest.front().depth > touch;
     };
-    if (shadow.isSurface() || overlaps(shadow.core()) || overlaps(shadow.outline())) span.distance = -1;
+    if (shadow.isSurface() || overlaps(shadow.core()) || overlaps(shadow.outlineIn(pair.polygon()))) span.distance = -1;
   }
 }
 

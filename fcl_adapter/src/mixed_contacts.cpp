@@ -5,7 +5,6 @@
 
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
-#include "tricover/penetration.h"
 
 namespace tricover_fcl {
 namespace {
@@ -39,23 +38,23 @@ MixedContact liftContact(const MixedPair<S>& pair, const Shadow::Lift& lift) {
 template <typename S>
 std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& shadow, std::size_t most) {
   if (shadow.lift()) return {liftContact(pair, *shadow.lift())};
-  const tricover::Polygon &polygon = pair.polygon(), outline = shadow.outline();
+  const tricover::Polygon& polygon = pair.polygon();
   std::vector<MixedContact> found;
   const auto add = [&](const Vec2& point, const Vec2& normal, double depth, const auto& edges) {
     const PlanarContact contact{point, normal, depth, edges.edge_a, shadow.partOf(edges.edge_b)};
     found.push_back(inOrder(pair, pair.plane, contact));
   };
   if (most == 1) {
-    if (const auto whole = tricover::penetration(polygon, Pose::Identity(), outline, Pose::Identity()))
+    if (const auto whole = shadow.penetration(polygon))
       add(middle(whole->point_a, whole->point_b), whole->direction, whole->depth, *whole);
   } else {
     for (const tricover::Contact& part :
-         tricover::contacts(polygon, Pose::Identity(), outline, Pose::Identity(), most)) {
+         tricover::contacts(polygon, Pose::Identity(), shadow.outlineIn(polygon), Pose::Identity(), most)) {
       add(part.point, part.normal, part.depth, part);
     }
   }
   if (found.empty()) {
-    const auto nearest = tricover::distance(polygon, Pose::Identity(), outline, Pose::Identity());
+    const tricover::DistanceResult nearest = shadow.distance(polygon, {});
     const Vec2 between = nearest.point_b - nearest.point_a;
     const Vec2 normal = between.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(between.stableNormalized());
     add(middle(nearest.point_a, nearest.point_b), normal, 0, nearest);

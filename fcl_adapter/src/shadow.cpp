@@ -25,8 +25,28 @@ tricover::DistanceResult Shadow::distance(const tricover::Polygon& polygon,
 
 double Shadow::outlineError() const { return smooth_ ? smooth_->outlineError(kOutlineError) : rounding_; }
 
-tricover::Polygon Shadow::outline() const {
-  return smooth_ ? tricover::Polygon({smooth_->outline(kOutlineError)}, tricover::FillRule::NonZero) : *region_;
+tricover::Polygon Shadow::outline() const { return smooth_ ? smooth_->outline({kOutlineError}) : *region_; }
+
+tricover::Polygon Shadow::outlineIn(const tricover::Polygon& polygon) const {
+  return smooth_ ? smooth_->outline({kOutlineError, &polygon, kFarOutlineError}) : *region_;
+}
+
+std::optional<tricover::Penetration> Shadow::penetration(const tricover::Polygon& polygon) const {
+  const auto into = [&](const tricover::Polygon& region) {
+    return tricover::penetration(polygon, tricover::Pose::Identity(), region, tricover::Pose::Identity());
+  };
+  auto found = into(outlineIn(polygon));
+  if (!smooth_) return found;
+  // The outline is coarse where the polygon is far inside: made to touch the body in the way's direction, it gives that
+  // way its right length. A better way may show then, but a way's length errs by the square of its direction's error.
+  SmoothShadow sharpened = *smooth_;
+  for (int round = 0; round < 4 && found; ++round) {
+    const double depth = found->depth;
+    sharpened.addTangent(-found->direction);
+    found = into(sharpened.outline({kOutlineError, &polygon, kFarOutlineError}));
+    if (!found || depth - found->depth <= outlineError()) break;
+  }
+  return found;
 }
 
 int Shadow::partOf(std::ptrdiff_t edge) const {

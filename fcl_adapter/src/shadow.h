@@ -12,6 +12,7 @@
 #include "slab_cut.h"
 #include "smooth_shadow.h"
 #include "tricover/distance.h"
+#include "tricover/penetration.h"
 #include "tricover/polygon.h"
 
 namespace tricover_fcl {
@@ -52,6 +53,14 @@ class Shadow {
   /// The shadow itself, or, of a smooth body, a polygon around it within kOutlineError of the body's reach.
   tricover::Polygon outline() const;
   static constexpr double kOutlineError = 1e-6;
+  /// The same where it meets `polygon`, and elsewhere within kFarOutlineError, which saves nearly all of its vertices.
+  tricover::Polygon outlineIn(const tricover::Polygon& polygon) const;
+  static constexpr double kFarOutlineError = 1e-3;
+
+  /// Of the polygon (a) and the shadow (b). The way is right to kOutlineError of the body's reach for its direction; of
+  /// two ways out of a smooth body that differ by less than kFarOutlineError the longer one may be taken.
+  std::optional<tricover::Penetration> penetration(const tricover::Polygon& polygon) const;
+
   /// Within the shadow: itself, or, of a smooth body, a polygon of few vertices.
   tricover::Polygon core() const { return smooth_ ? smooth_->inscribed() : *region_; }
   /// How far the outline and what meets() takes for it may be from the true shadow, a length.

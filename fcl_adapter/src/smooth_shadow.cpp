@@ -137,22 +137,37 @@ bool SmoothShadow::meets(const Polygon& polygon, double margin, const Cap& cap, 
          meets(polygon, margin, this->cap(middle, cap.second), depth + 1);
 }
 
-Ring SmoothShadow::outline(double error) const {
+Polygon SmoothShadow::outline(const Fineness& fineness) const {
   Ring ring;
   for (std::size_t i = 0; i < tangents_.size(); ++i) {
-    addOutline(ring, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), outlineError(error), 0);
+    addOutline(ring, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), fineness, 0);
   }
-  return ring;
+  return Polygon({ring}, tricover::FillRule::NonZero);
 }
 
-void SmoothShadow::addOutline(Ring& ring, const Cap& cap, double height, int depth) const {
-  if (cap.height <= height || cap.width <= finest_ || depth == kDeepest) {
+void SmoothShadow::addOutline(Ring& ring, const Cap& cap, const Fineness& fineness, int depth) const {
+  const auto isFine = [&] {
+    if (cap.width <= finest_ || depth == kDeepest || cap.height <= outlineError(fineness.error)) return true;
+    return fineness.polygon != nullptr && cap.height <= outlineError(fineness.elsewhere) &&
+           !collide(*fineness.polygon, triangle(cap.first.point, cap.tip, cap.second.point), cap.slack);
+  };
+  if (isFine()) {
     ring.push_back(cap.tip);
     return;
   }
   const Tangent middle = tangent(chordNormal(cap));
-  addOutline(ring, this->cap(cap.first, middle), height, depth + 1);
-  addOutline(ring, this->cap(middle, cap.second), height, depth + 1);
+  addOutline(ring, this->cap(cap.first, middle), fineness, depth + 1);
+  addOutline(ring, this->cap(middle, cap.second), fineness, depth + 1);
+}
+
+void SmoothShadow::addTangent(const Vec2& normal) {
+  const auto leftTurn = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x() > 0; };
+  for (std::size_t i = 0; i < tangents_.size(); ++i) {
+    if (leftTurn(tangents_[i].normal, normal) && leftTurn(normal, tangents_[(i + 1) % tangents_.size()].normal)) {
+      tangents_.insert(tangents_.begin() + static_cast<std::ptrdiff_t>(i) + 1, tangent(normal));
+      return;
+    }
+  }
 }
 
 }  // namespace tricover_fcl

@@ -44,8 +44,17 @@ class SmoothShadow {
   /// A polygon within C, roughly.
   tricover::Polygon inscribed() const;
 
-  /// A ring around C, at no place farther from C than `error` times the body's reach.
-  tricover::Ring outline(double error) const;
+  /// How fine an outline is, as shares of the body's reach: `error`, but `elsewhere` where it doesn't meet `polygon`,
+  /// if there is one.
+  struct Fineness {
+    double error;
+    const tricover::Polygon* polygon = nullptr;
+    double elsewhere = 0;
+  };
+  /// A polygon around C.
+  tricover::Polygon outline(const Fineness& fineness) const;
+  /// From now on all outlines touch C in that direction.
+  void addTangent(const tricover::Vec2& normal);
   /// As a length, and not less than rounding allows.
   double outlineError(double error) const { return std::max(error * body_.reach(), finest_); }
 
@@ -74,7 +83,7 @@ class SmoothShadow {
   Cap cap(const Tangent& first, const Tangent& second) const;
   bool meets(const tricover::Polygon& polygon, double margin, const Cap& cap, int depth) const;
   void improve(tricover::DistanceResult& best, const tricover::Polygon& polygon, const Cap& cap, int depth) const;
-  void addOutline(tricover::Ring& ring, const Cap& cap, double height, int depth) const;
+  void addOutline(tricover::Ring& ring, const Cap& cap, const Fineness& fineness, int depth) const;
 
   SmoothBody body_;
   Eigen::Affine3d to_polygon_;

@@ -122,6 +122,23 @@ TEST(MixedDistanceLaws, zeroIfAndOnlyIfTheyCollideAndSwapsWithTheArguments) {
   EXPECT_LT(hits, cases * 8 / 10);
 }
 
+TEST(MixedDistanceLaws, depthOfWhatIsFarInside) {
+  registerNarrowphase();
+  // A square whose left side is 1.6 from the round outline's rightmost point, and farther from any other.
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0.4, -0.1, 0.6, 0.1)}));
+  const fcl::Sphered sphere(2.5);  // a disc of 2 at this height
+  const fcl::Cylinderd cylinder(2, 4);
+  for (const double angle : {0.0, 0.3, 2.0}) {
+    const fcl::Transform3d pose = placed<double>({0, 0, 0}, turned(angle, Vec3::UnitZ()));
+    for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+      const auto in_sphere = ask<double>(solver, true, *square, pose, sphere, shifted<double>(0, 0, 1.5));
+      const auto in_cylinder = ask<double>(solver, true, *square, pose, cylinder, shifted<double>(0, 0, 1.5));
+      EXPECT_NEAR(in_sphere.min_distance, -1.6, 1e-5);
+      EXPECT_NEAR(in_cylinder.min_distance, -1.6, 1e-5);
+    }
+  }
+}
+
 TEST(MixedDistanceLaws, planesParallelToThePolygonAreLeftAlongTheirNormal) {
   registerNarrowphase();
   const fcl::Halfspaced below(0, 0, 1, 0);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a hit of a polygon and one of FCL's own geometries leaves in the result.
+#include <fcl/narrowphase/collision.h>
+
+#include <cmath>
+
+#include "mixed_scene.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+using Vec3 = fcl::Vector3<double>;
+
+class MixedContact : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { registerNarrowphase(); }
+
+  static std::vector<fcl::Contactd> contacts(const fcl::CollisionGeometryd& a, const fcl::Transform3d& tf_a,
+                                             const fcl::CollisionGeometryd& b, const fcl::Transform3d& tf_b,
+                                             std::size_t most) {
+    fcl::CollisionResultd result;
+    fcl::collide(&a, tf_a, &b, tf_b, fcl::CollisionRequestd(most, true), result);
+    std::vector<fcl::Contactd> all;
+    result.getContacts(all);
+    return all;
+  }
+
+  const PolygonShaped square_{tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)})};
+  const fcl::Transform3d here_ = fcl::Transform3d::Identity();
+};
+
+TEST_F(MixedContact, isTheWayOutInThePolygonsPlane) {
+  // Each reaches 0.25 into the square's right side, in any plane of the world.
+  const std::vector<std::pair<Geometry<double>, fcl::Transform3d>> others = {
+      {std::make_shared<fcl::Boxd>(2, 1, 4), shifted<double>(1.75, 0, 0.5)},
+      {std::make_shared<fcl::Sphered>(2), shifted<double>(1 + std::sqrt(3.0) - 0.25, 0, 1)},
+      {std::make_shared<fcl::Cylinderd>(1, 3), shifted<double>(1.75, 0, 1)},
+      {std::make_shared<fcl::Halfspaced>(-1, 0, 0, -0.75), here_},
+      {boxMesh<fcl::OBBRSSd>({1, 0.5, 2}), shifted<double>(1.75, 0, 0)},
+  };
+  const fcl::Transform3d moved = placed<double>({5, -6, 7}, turned(1, Vec3(1, 2, 3)));
+  for (const auto& [other, pose] : others) {
+    SCOPED_TRACE(other->getNodeType());
+    for (const std::size_t most : {1u, 10u}) {
+      const fcl::Transform3d tf_other = moved * pose;
+      const auto found = contacts(square_, moved, *other, tf_other, most);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].o1, other->getObjectType() == fcl::OT_BVH ? other.get() : &square_);
+      const double side = found[0].o1 == &square_ ? 1 : -1;  // FCL hands a mesh's row the mesh first, and leaves it so
+      EXPECT_LT((found[0].normal - side * moved.linear() * Vec3::UnitX()).norm(), 1e-3);
+      EXPECT_NEAR((moved.inverse() * found[0].pos).z(), 0, 1e-12);
+      if (other->getObjectType() != fcl::OT_BVH || most == 1) {
+        EXPECT_NEAR(found[0].penetration_depth, 0.25, 3e-6);
+        EXPECT_NEAR((moved.inverse() * found[0].pos).x(), 0.875, 1e-5);
+      }
+      // The square's right side, or an edge that shares a corner with it.
+      const auto isThere = [](std::ptrdiff_t edge) { return edge >= 0 && edge <= 2; };
+      EXPECT_TRUE(isThere(side > 0 ? found[0].b1 : found[0].b2));
+
+      const auto swapped = contacts(*other, tf_other, square_, moved, most);
+      ASSERT_EQ(swapped.size(), 1u);
+      EXPECT_EQ(swapped[0].o1, other.get());
+      EXPECT_LT((swapped[0].normal + moved.linear() * Vec3::UnitX()).norm(), 1e-3);
+      EXPECT_TRUE(isThere(swapped[0].b2));
+    }
+  }
+}
+
+TEST_F(MixedContact, isOnePerPartOfTheOverlapDeepestFirst) {
+  // Two teeth into a wall: 1 and 2 long.
+  const PolygonShaped fork(tricover::Polygon(
+      {{{0, 0}, {5, 0}, {5, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}}}));
+  const fcl::Boxd wall(20, 10, 1);
+  const fcl::Transform3d at = shifted<double>(0, 6.5, 0);  // its lower side at y = 1.5
+  const auto found = contacts(fork, here_, wall, at, 10);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found[0].pos.x(), 3.5, 0.51);
+  EXPECT_NEAR(found[1].pos.x(), 1.5, 0.51);
+  EXPECT_GE(found[0].penetration_depth, found[1].penetration_depth);
+  EXPECT_NEAR(found[1].penetration_depth, 0.5, 1e-9);
+  EXPECT_EQ(contacts(fork, here_, wall, at, 1).size(), 1u);
+  EXPECT_NEAR(contacts(fork, here_, wall, at, 1)[0].penetration_depth, 1.5, 1e-9);  // of the whole
+}
+
+TEST_F(MixedContact, namesTrianglesAndCells) {
+  const auto mesh = boxMesh<fcl::OBBRSSd>({1, 1, 1});
+  const auto of_mesh = contacts(*mesh, shifted<double>(1.5, 0, 0), square_, here_, 1);
+  ASSERT_EQ(of_mesh.size(), 1u);
+  EXPECT_EQ(of_mesh[0].o1, mesh.get());
+  ASSERT_GE(of_mesh[0].b1, 0);
+  ASSERT_LT(of_mesh[0].b1, 12);
+
+  const auto tree = octree<double>();
+  const auto of_tree = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 1);
+  ASSERT_EQ(of_tree.size(), 1u);
+  EXPECT_NE(of_tree[0].b1, int{fcl::Contactd::NONE});
+  const auto bare = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 3);
+  EXPECT_EQ(bare.size(), 1u);
+  // As FCL's own row names the cell.
+  const fcl::Boxd box(2, 2, 1);
+  const auto of_box = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), box, here_, 1);
+  ASSERT_EQ(of_box.size(), 1u);
+  EXPECT_EQ(of_tree[0].b1, of_box[0].b1);
+}
+
+TEST_F(MixedContact, ofAPlaneParallelToThePolygonIsAlongItsNormal) {
+  const fcl::Halfspaced ground(0, 0, 1, 0);
+  const auto found = contacts(square_, shifted<double>(3, 4, -0.25), ground, here_, 10);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LT((found[0].normal + Vec3::UnitZ()).norm(), 1e-12);
+  EXPECT_NEAR(found[0].penetration_depth, 0.25, 1e-12);
+  const auto swapped = contacts(ground, here_, square_, shifted<double>(3, 4, -0.25), 10);
+  ASSERT_EQ(swapped.size(), 1u);
+  EXPECT_LT((swapped[0].normal - Vec3::UnitZ()).norm(), 1e-12);
+}
+
+TEST_F(MixedContact, touchingHasOneWithoutDepth) {
+  const fcl::Boxd box(2, 2, 2);
+  const auto found = contacts(square_, here_, box, shifted<double>(2, 0, 0), 10);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].penetration_depth, 0, 1e-13);
+  EXPECT_NEAR(found[0].normal.norm(), 1, 1e-12);
+  EXPECT_NEAR(found[0].pos.x(), 1, 1e-12);
+}
+
+TEST_F(MixedContact, hasNoDetailsUnlessAskedForAndHonoursOccupancyAndCost) {
+  fcl::Boxd box(2, 2, 2);
+  fcl::CollisionResultd result;
+  EXPECT_EQ(fcl::collide(&square_, here_, &box, shifted<double>(1, 0, 0), fcl::CollisionRequestd(), result), 1u);
+  EXPECT_EQ(result.getContact(0).o1, &square_);
+  EXPECT_EQ(result.getContact(0).o2, &box);
+  EXPECT_EQ(result.getContact(0).b1, int{fcl::Contactd::NONE});
+
+  box.cost_density = 0.5;  // uncertain: costs, but no contact
+  fcl::CollisionResultd costs;
+  EXPECT_EQ(
+      fcl::collide(&square_, here_, &box, shifted<double>(1, 0, 0), fcl::CollisionRequestd(1, false, 3, true), costs),
+      0u);
+  std::vector<fcl::CostSourced> sources;
+  costs.getCostSources(sources);
+  ASSERT_EQ(sources.size(), 1u);
+  EXPECT_NEAR(sources[0].total_cost, 0.5 * 1 * 2 * 1, 1e-12);  // 1 x 2 in the plane, 1 thick
+}
+
+TEST_F(MixedContact, marginsCount) {
+  PolygonOptions options;
+  options.margin = 0.5;
+  const PolygonShaped wide(square_.polygon(), options);
+  for (const auto& other : {Geometry<double>(std::make_shared<fcl::Boxd>(2, 2, 2)),
+                            Geometry<double>(std::make_shared<fcl::Sphered>(1)), boxMesh<fcl::OBBRSSd>({1, 1, 1})}) {
+    EXPECT_TRUE(contacts(square_, here_, *other, shifted<double>(2.01, 0, 0), 1).empty());
+    const auto found = contacts(wide, here_, *other, shifted<double>(2.5 - 1e-8, 0, 0), 1);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].penetration_depth, 0);
+    EXPECT_NEAR(found[0].pos.x(), 1.25, 1e-6);
+    EXPECT_TRUE(contacts(wide, here_, *other, shifted<double>(2.5 + 1e-8, 0, 0), 1).empty());
+  }
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test
