@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "heights.h"
-#include "planar_motion.h"
+#include "motion_in_plane.h"
 #include "tricover/collide.h"
 #include "tricover/time_of_impact.h"
 #include "unsupported.h"
@@ -20,6 +20,25 @@ S roundDown(double time) {
   return static_cast<double>(rounded) <= time ? rounded : std::nextafter(rounded, S(0));
 }
 
+/// Its heights are those of `start`: it keeps them.
+struct MovingPolygon {
+  PlanarPose start;
+  tricover::Motion motion;
+  tricover::Pose end;
+};
+
+template <typename S>
+MovingPolygon movingPolygon(const fcl::MotionBase<S>& motion, const char* name) {
+  const fcl::Transform3<S> begin = poseAt(motion, S(0));
+  const tricover::Motion in_plane = motionInPlane(motion, planeAt(static_cast<double>(begin.translation().z())), name);
+  MovingPolygon moving{planarPose(begin, name), in_plane, {}};
+  const tricover::Pose& start = moving.motion.start = moving.start.pose;
+  moving.motion.pivot = start.linear().inverse() * (in_plane.pivot - start.translation());
+  // FCL's own, rounded in its way; but without a turn its ScrewMotion doesn't end where it should.
+  moving.end = in_plane.angle != 0 ? planarPose(poseAt(motion, S(1)), name).pose : moving.motion.at(1);
+  return moving;
+}
+
 }  // namespace
 
 template <typename S>
@@ -31,18 +50,17 @@ S advancePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>&
   if (shape_a.options().margin > 0 || shape_b.options().margin > 0) {
     throwUnsupported("conservative advancement, with a margin,", o1, o2);
   }
-  const tricover::Polygon &a = shape_a.polygon(), &b = shape_b.polygon();
-  const PlanarMotion along_a = planarMotion(motion1, "motion_a"), along_b = planarMotion(motion2, "motion_b");
+  const MovingPolygon a = movingPolygon(motion1, "motion_a"), b = movingPolygon(motion2, "motion_b");
 
   std::optional<double> time;
   if (o1.isOccupied() && o2.isOccupied() &&
-      share(heightsOf(shape_a.options(), along_a.start), heightsOf(shape_b.options(), along_b.start))) {
+      share(heightsOf(shape_a.options(), a.start), heightsOf(shape_b.options(), b.start))) {
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
-    if (const auto impact = tricover::timeOfImpact(a, along_a.motion, b, along_b.motion, options)) {
+    if (const auto impact = tricover::timeOfImpact(shape_a.polygon(), a.motion, shape_b.polygon(), b.motion, options)) {
       time = impact->time;
-    } else if (tricover::collide(a, along_a.end.pose, b, along_b.end.pose)) {
-      time = 1;  // the motions end there but for rounding
+    } else if (tricover::collide(shape_a.polygon(), a.end, shape_b.polygon(), b.end)) {
+      time = 1;
     }
   }
   result.is_collide = time.has_value();

@@ -53,7 +53,7 @@ double timeOfContact(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd
 TEST(Agreement, alongWalks) {
   Random random(71);
   int hits = 0, queries = 0;
-  for (int walk = 0; walk < tricover::support::scaledCount(30); ++walk) {
+  for (int walk = 0; walk < tricover::support::scaledCount(150); ++walk) {
     const double heights[3] = {0, random.real(0, 0.2), 0};
     const auto shape = [&](double height) {
       return std::make_shared<PolygonShaped>(randomPolygon(random, 1), PolygonOptions{0, height});

@@ -163,7 +163,7 @@ std::unique_ptr<Motion> randomMotion(Random& random, double reach, double z) {
 TEST(Continuous, noSampleOfFclsOwnMotionIsInContactBefore) {
   Random random(61);
   int hits = 0, at_once = 0;
-  const int count = tricover::support::scaledCount(400);
+  const int count = tricover::support::scaledCount(3000);
   for (int i = 0; i < count; ++i) {
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
     const auto motion_a = randomMotion(random, 4, 1.5), motion_b = randomMotion(random, 4, 1.5);
@@ -197,7 +197,7 @@ TEST(Continuous, noSampleOfFclsOwnMotionIsInContactBefore) {
 TEST(Continuous, collideAtTheBeginIsTimeZero) {
   Random random(62);
   int hits = 0;
-  const int count = tricover::support::scaledCount(300);
+  const int count = tricover::support::scaledCount(2000);
   for (int i = 0; i < count; ++i) {
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
     const auto motion_a = randomMotion(random, 1.2, 0), motion_b = randomMotion(random, 1.2, 0);

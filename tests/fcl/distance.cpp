@@ -65,9 +65,9 @@ TEST(Distance, isTheCoresOnEveryFamily) {
         // As far apart as is said, but for the rounding of coordinates.
         const double extent = geometries.nearest_points[0].norm() + geometries.nearest_points[1].norm();
         if (extent < 1e150) {
-          ASSERT_NEAR(
-              (geometries.nearest_points[0] - geometries.nearest_points[1]).stableNorm(), std::max(answer, 0.0),
-              1e-14 * (extent + std::max(answer, 0.0) + c.a.radius() + c.b.radius() + c.pose_a.translation().norm()))
+          ASSERT_NEAR((geometries.nearest_points[0] - geometries.nearest_points[1]).stableNorm(), std::max(answer, 0.0),
+                      1e-320 + 1e-14 * (extent + std::max(answer, 0.0) + c.a.radius() + c.b.radius() +
+                                        c.pose_a.translation().norm()))
               << reproduction(c);
         }
       }
