@@ -7,6 +7,7 @@
 #include "mixed_pair.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
+#include "unsupported.h"
 
 namespace tricover_fcl {
 namespace {
@@ -64,6 +65,12 @@ S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& t
   const tricover::DistanceResult found = shadow->distance(pair.polygon(), options);
   Span span{found.distance, inSpace(found.point_a), inSpace(found.point_b), found.edge_a, shadow->partOf(found.edge_b)};
   if (span.distance == 0) measureOverlap(span, pair, *shadow, request.enable_signed_distance);
+  // FCL asks collide for a contact then, and aborts where there is none.
+  const bool asks_again = request.gjk_solver_type == fcl::GST_INDEP || pair.other.getObjectType() != fcl::OT_GEOM;
+  if (span.distance < 0 && request.enable_signed_distance && asks_again && !(o1.isOccupied() && o2.isOccupied())) {
+    throwUnsupported("signed distance under GST_INDEP or to a mesh or octree, of geometries that are not occupied,", o1,
+                     o2);
+  }
 
   const Eigen::Vector3d at_a = pair.plane * span.point_a, at_b = pair.plane * span.point_b;
   if (pair.polygon_first)

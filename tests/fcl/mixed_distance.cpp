@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distance of a polygon and FCL's own geometries: measured in the polygon's plane.
 #include <limits>
+#include <stdexcept>
 
 #include "mixed_scene.h"
 #include "test_scale.h"
@@ -137,6 +138,19 @@ TEST(MixedDistanceLaws, depthOfWhatIsFarInside) {
       EXPECT_NEAR(in_cylinder.min_distance, -1.6, 1e-5);
     }
   }
+}
+
+TEST(MixedDistanceLaws, signedWhereFclWouldAbortThrows) {
+  registerNarrowphase();
+  const fcl::Transform3d here = fcl::Transform3d::Identity();
+  fcl::Boxd box(2, 2, 2);
+  const Geometry<double> mesh = boxMesh<fcl::OBBRSSd>({0.5, 0.5, 0.5});
+  box.cost_density = mesh->cost_density = 0.5;  // uncertain: collide has no contact for them
+  EXPECT_LT(ask<double>(fcl::GST_LIBCCD, true, *tip<double>(), here, box, here).min_distance, 0);
+  EXPECT_THROW(ask<double>(fcl::GST_INDEP, true, *tip<double>(), here, box, here), std::logic_error);
+  EXPECT_THROW(ask<double>(fcl::GST_INDEP, true, *tip<double>(), here, *mesh, here), std::logic_error);
+  EXPECT_THROW(ask<double>(fcl::GST_LIBCCD, true, *mesh, here, *tip<double>(), here), std::logic_error);
+  EXPECT_EQ(ask<double>(fcl::GST_INDEP, false, *tip<double>(), here, box, here).min_distance, -1);
 }
 
 TEST(MixedDistanceLaws, planesParallelToThePolygonAreLeftAlongTheirNormal) {

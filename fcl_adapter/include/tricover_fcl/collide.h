@@ -27,6 +27,19 @@ namespace tricover_fcl {
 /// num_max_contacts is 1, that contact is the way to part the polygons altogether (tricover::penetration). Depths are
 /// those of the polygons, in the plane: where only margins meet, depth is 0, normal points between the nearest points
 /// and pos is their middle.
+///
+/// Other geometries: a polygon may have any rigid pose in space, and so may a geometry of FCL's own. They collide if
+/// and only if they share a point within the polygon's plane (a prism's heights), decided in the polygon's frame, where
+/// the geometry is cut by them and seen along z. What touches is always a hit. A false alarm is possible
+/// - for box, convex, plane, halfspace, triangles and octree cells, where they come within 1e-13 of their size and
+///   distance: the relative pose is rounded, and its rounding counts as contact;
+/// - for sphere, ellipsoid, capsule, cone and cylinder, where they come within 1e-9 of the geometry's size, and 1e-6
+///   where its surface only grazes the polygon's plane.
+/// Meshes are surfaces without an inside and cost a pass over their triangles; of octrees the occupied cells count.
+/// Contacts are as above, in the polygon's plane, `depth` right to 1e-6 of a round geometry's size (of two ways that
+/// differ by less than 1e-3 of it, the longer may be taken); b1 or b2 of a mesh is its triangle and of an octree its
+/// cell, otherwise NONE. A plane or halfspace parallel to the polygon is left along its own normal. CollideOptions:
+/// margin counts, tolerance and strategy change nothing.
 template <typename S>
 std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,

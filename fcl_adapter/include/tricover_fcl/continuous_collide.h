@@ -18,6 +18,11 @@ namespace tricover_fcl {
 /// user's own throw std::logic_error; std::invalid_argument is thrown for a motion that leaves the plane (it must keep
 /// z and turn about z), and for shapes with a margin std::logic_error.
 ///
+/// Other geometries: as long as both motions keep the polygon's plane as it lies at time 0 (they shift within it and
+/// turn about its normal), wherever that is in space; other motions throw std::invalid_argument, and work with
+/// CCDC_NAIVE in fcl::continuousCollide. A round geometry is taken for a polygon around it, at most 1e-6 of its size
+/// outside.
+///
 /// FCL's motions turn by quaternions, so their first and last pose are those given up to rounding. Two of them have a
 /// bug in FCL 0.7.0 that shows in fcl::continuousCollide for two transforms, but not here:
 /// - InterpMotion (CCDM_LINEAR) leaves the point that moves on a straight line uninitialised; here it is the origin.

@@ -20,8 +20,17 @@ namespace tricover_fcl {
 /// - Polygons that only touch have distance 0, and such as overlap -1 or, with enable_signed_distance, minus the length
 ///   of the shortest translation in the plane that parts them (tricover::penetration), and as nearest points those on
 ///   the outlines that part last. (Under GST_INDEP FCL puts their middle in place of both.)
+///
+/// Other geometries: the distance within the polygon's plane (of a prism, from what its heights cut out, seen along z),
+/// which is at least the distance in space, and the same for geometries that stand upright on the plane. It is 0 or
+/// below exactly where collide() is true; right to 1e-13 of size and distance, and at most 1e-9 of a round geometry's
+/// size above the truth. nearest_points lie in the plane (in the middle of a prism's heights). A geometry that doesn't
+/// reach the plane has no such distance: result stays as it was, min_distance at FCL's largest number. Depths are those
+/// of collide()'s contacts; up to their error an overlap counts as a touch, except of surfaces (mesh, plane), which
+/// without enable_signed_distance answer -1 wherever they meet the polygon.
+///
 /// Throws std::invalid_argument as collide() does, and std::logic_error where FCL would abort: signed distance under
-/// GST_INDEP of shapes that overlap and aren't both occupied.
+/// GST_INDEP, or to a mesh or octree, of geometries that overlap and aren't both occupied.
 template <typename S>
 S distance(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>* o2,
            const fcl::Transform3<S>& tf2, const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);

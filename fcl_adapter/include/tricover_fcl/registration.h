@@ -9,8 +9,11 @@ namespace tricover_fcl {
 /// polygons and throws std::logic_error, which says how to link, if they don't reach tricover. (tricover_fcl::collide,
 /// distance and continuousCollide work regardless.)
 ///
-/// What isn't there yet throws std::logic_error naming both types: a polygon against any other geometry. So does
-/// fcl::TriangleP, which shares the node type, where FCL would print and answer "free".
+/// Polygons meet polygons in the world's plane, and every other geometry that FCL knows (box, sphere, ellipsoid,
+/// capsule, cone, cylinder, convex, plane, halfspace, meshes of all bounding volumes, octrees) in the polygon's own
+/// plane, wherever that lies in space: see "other geometries" at collide, distance and continuousCollide.
+/// std::logic_error, naming both types, is thrown where FCL would print and answer "free": for geometries of no type
+/// that FCL knows, and for fcl::TriangleP, which shares the node type.
 void registerNarrowphase();
 
 }  // namespace tricover_fcl
