@@ -23,22 +23,23 @@ extern template float fcl::continuousCollide(const fcl::CollisionGeometry<float>
 namespace tricover_fcl {
 namespace {
 
+/// Made shared, because libfcl's own delete frees what a program in C++17 gets from another new (Eigen's aligned one).
 template <typename S>
-std::unique_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begin, const fcl::Transform3<S>& end,
+std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begin, const fcl::Transform3<S>& end,
                                                   fcl::CCDMotionType type) {
-  if (type == fcl::CCDM_TRANS) return std::make_unique<fcl::TranslationMotion<S>>(begin, end);
+  if (type == fcl::CCDM_TRANS) return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
   if constexpr (std::is_same_v<S, double>) {
     // The constructor for a point of the polygon's own, because the others don't set it.
     if (type == fcl::CCDM_LINEAR) {
-      return std::make_unique<fcl::InterpMotion<S>>(begin.linear(), begin.translation(), end.linear(),
+      return std::make_shared<fcl::InterpMotion<S>>(begin.linear(), begin.translation(), end.linear(),
                                                     end.translation(), fcl::Vector3<S>::Zero());
     }
     if (type == fcl::CCDM_SCREW) {
-      auto screw = std::make_unique<fcl::ScrewMotion<S>>(begin, end);
+      auto screw = std::make_shared<fcl::ScrewMotion<S>>(begin, end);
       if (screw->getAngularVelocity() != 0) return screw;
-      return std::make_unique<fcl::TranslationMotion<S>>(begin, end);
+      return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
     }
-    if (type == fcl::CCDM_SPLINE) return std::make_unique<fcl::SplineMotion<S>>(begin, end);
+    if (type == fcl::CCDM_SPLINE) return std::make_shared<fcl::SplineMotion<S>>(begin, end);
   }
   throw UnsupportedPair("tricover: FCL has no motion for this ccd_motion_type and scalar");
 }
