@@ -10,7 +10,6 @@
 #include "rivals/box2d.h"
 #include "rivals/fcl_distance.h"
 #include "rivals/geos.h"
-#include "tricover/collide.h"
 #include "tricover/distance.h"
 #include "tricover_fcl/tricover_fcl.h"
 
@@ -56,7 +55,6 @@ class Methods {
         std::make_shared<FclDistanceCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
                                           std::make_shared<tricover_fcl::PolygonShaped>(moving)));
     add("FCL RSS", Role::Rival, false, true, std::make_shared<FclRssDistance>(fixed, moving));
-    add("FCL OBBRSS", Role::Rival, false, true, std::make_shared<FclObbrssDistance>(fixed, moving));
     add("FCL kIOS", Role::Rival, false, true, std::make_shared<FclKiosDistance>(fixed, moving));
     if (isConvex(fixed) && isConvex(moving)) {
       using Libccd = FclGjkDistance<fcl::detail::GJKSolver_libccdd>;
@@ -95,21 +93,10 @@ class Methods {
   std::vector<Make> makers_;
 };
 
-/// Random poses without the colliding ones; "far": three times as far.
-std::vector<Pose> separatedPoses(const Polygon& fixed, const Polygon& moving, bool far) {
-  std::vector<Pose> poses;
-  for (Pose pose : workloads::nearPoses(fixed, moving, 3)) {
-    if (collide(fixed, Pose::Identity(), moving, pose)) continue;
-    if (far) pose.translation() += 2 * (pose * moving.origin() - fixed.origin());
-    poses.push_back(pose);
-  }
-  return poses;
-}
-
 }  // namespace
 
 std::vector<Cell> distanceCells(bool full) {
-  const std::vector<std::string> names = {"circular", "linear", "gap 0.1", "gap 0.01", "near", "far"};
+  const std::vector<std::string> names = {"circular", "linear", "gap 0.01", "near", "far"};
   std::vector<std::pair<std::size_t, std::size_t>> sizes = {{8, 8}, {64, 64}, {1024, 1024}, {512, 16}};
   if (full) sizes.insert(sizes.end(), {{16, 16}, {32, 32}, {128, 128}, {256, 256}, {512, 512}, {1024, 8}, {8, 1024}});
   std::vector<Cell> cells;
@@ -125,8 +112,9 @@ std::vector<Result> measureDistances(const Cell& cell, const Settings& settings)
   std::vector<Result> results;
   for (const std::string& name : cell.workloads) {
     const bool coherent = isCoherent(name);
-    const std::vector<Pose> poses =
-        coherent ? posesOf(name, fixed, moving) : separatedPoses(fixed, moving, name == "far");
+    const std::vector<Pose> poses = coherent         ? posesOf(name, fixed, moving)
+                                    : name == "near" ? separatedPoses(fixed, moving, 1.03, 1.5)
+                                                     : separatedPoses(fixed, moving, 2, 4);
     const Workload workload{
         "distance", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};
     results.push_back(measure(workload, methods.on(poses, coherent), kAgreement, settings));

@@ -8,7 +8,6 @@
 #include "random.h"
 #include "rivals/box2d.h"
 #include "rivals/fcl_advancement.h"
-#include "tricover/collide.h"
 #include "tricover/time_of_impact.h"
 #include "tricover_fcl/tricover_fcl.h"
 
@@ -37,8 +36,7 @@ std::vector<Motion> randomMotions(const Polygon& fixed, const Polygon& moving, b
   support::Random random(3);
   const double radius = (fixed.radius() + moving.radius()) / 2;
   std::vector<Motion> motions;
-  for (const Pose& near : workloads::nearPoses(fixed, moving, 3)) {
-    if (collide(fixed, Pose::Identity(), moving, near)) continue;
+  for (const Pose& near : separatedPoses(fixed, moving, 1.03, 1.5)) {
     Motion motion;
     motion.start = near;
     const Vec2 inwards = (fixed.origin() - near * moving.origin()).normalized();
@@ -59,11 +57,12 @@ ValueContender made(const char* name, Role role, std::shared_ptr<Method> method,
 }  // namespace
 
 std::vector<Cell> impactCells(bool full) {
-  std::vector<std::pair<std::size_t, std::size_t>> sizes = {{8, 8}, {64, 64}, {512, 16}};
+  std::vector<std::pair<std::size_t, std::size_t>> sizes = {{8, 8}, {64, 64}};
   if (full) sizes.insert(sizes.end(), {{16, 16}, {256, 256}, {1024, 1024}});
   std::vector<Cell> cells;
   for (const workloads::Kind kind : workloads::allKinds()) {
     for (const auto& [fixed, moving] : sizes) cells.push_back({kind, fixed, moving, {"sliding", "turning"}});
+    if (full || kind == workloads::Kind::Contour) cells.push_back({kind, 512, 16, {"sliding", "turning"}});
   }
   return cells;
 }

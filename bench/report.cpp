@@ -46,15 +46,17 @@ const char* const kConditions =
   triangles. All four are called as FCL's own rows call them, which spares them fcl::collide's dispatch.
 - GEOS: a prepared polygon, by the C++ interface; the one with more vertices is prepared, the other one's coordinates
   are rewritten in place. Boost: boost::geometry::intersects; the one with fewer vertices is rewritten in place.
-- Distances: near and far are random poses whose regions are apart. FCL RSS, OBBRSS and kIOS are flat meshes with these
-  volumes, called without fcl::distance's dispatch; FCL GJK (libccd) and (indep) take convex polygons as prisms; GEOS
-  prepared is PreparedGeometry::distance. GEOS (Geometry::distance) and Boost compare all edges with all and are left
-  out above 4096 pairs of edges. Box2D: b2Distance; "warm" starts from its last simplex. An answer of a rival is wrong if
-  it is off by more than 1e-6 of the polygons' size; cached and via FCL must give cold's to the last bit.
+- Distances: near and far are random poses whose regions are apart, the origins at 1.03 to 1.5 and 2 to 4 times their
+  distance at contact. FCL RSS (OBBRSS is the same here) and kIOS are flat meshes with these volumes, called without
+  fcl::distance's dispatch; FCL GJK (libccd) and (indep) take convex polygons as prisms; GEOS prepared is
+  PreparedGeometry::distance. GEOS (Geometry::distance) and Boost compare all edges with all and are left out above 4096
+  pairs of edges. Box2D: b2Distance; "warm" starts from its last simplex. An answer of a rival is wrong if it is off by
+  more than 1e-6 of the polygons' size; cached and via FCL must give cold's to the last bit.
 - Times of impact: sliding and turning (by up to 150 degrees) are random motions from near the fixed polygon, into it or
   past it. FCL RSS and OBBRSS: fcl::continuousCollide by conservative advancement on flat meshes, to which FCL gives a
   tolerance of 1e-5 of the motion; tricover is asked for the same. A rival's time is wrong if it is later than that, or
-  earlier than contact by a thousandth of the motion. Box2D: b2TimeOfImpact.
+  earlier than contact by a thousandth of the motion. (Where a step of FCL's lands on the contact to the last bit it finds no
+  direction there, and goes on: most of its misses.) Box2D: b2TimeOfImpact.
 - Box2D: b2TestOverlap ("overlap") and b2CollidePolygons ("manifold"), one of our units being 64 of its metres, so that
   its skin is 3e-6 of the polygons' size.
 - The packaged libfcl has asserts on and SSE off. All its templates on the rivals' ways are compiled here, with the

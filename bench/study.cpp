@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "methods.h"
+#include "random.h"
 
 namespace tricover::bench {
 std::vector<Pose> posesOf(const std::string& workload, const Polygon& fixed, const Polygon& moving) {
@@ -16,6 +17,15 @@ std::vector<Pose> posesOf(const std::string& workload, const Polygon& fixed, con
   if (workload == "near") return workloads::nearPoses(fixed, moving, kSeed);
   if (workload == "overlap") return workloads::overlapPoses(fixed, moving, kSeed);
   throw std::invalid_argument("workload: no '" + workload + "'");
+}
+
+std::vector<Pose> separatedPoses(const Polygon& fixed, const Polygon& moving, double low, double high) {
+  std::vector<Pose> poses = posesOf("contact", fixed, moving);
+  support::Random random(5);
+  for (Pose& pose : poses) {
+    pose.translation() += (random.real(low, high) - 1) * (pose * moving.origin() - fixed.origin());
+  }
+  return poses;
 }
 
 std::pair<Polygon, Polygon> polygonsOf(const Cell& cell) {

@@ -43,8 +43,8 @@ class FclBvhDistance {
   fcl::DistanceResultd result_;
 };
 
+/// An OBBRSS tree's distances are its RSS's.
 using FclRssDistance = FclBvhDistance<fcl::detail::MeshDistanceTraversalNodeRSSd, fcl::RSSd>;
-using FclObbrssDistance = FclBvhDistance<fcl::detail::MeshDistanceTraversalNodeOBBRSSd, fcl::OBBRSSd>;
 using FclKiosDistance = FclBvhDistance<fcl::detail::MeshDistanceTraversalNodekIOSd, fcl::kIOSd>;
 
 /// FCL's solvers on two convex polygons; `coherent` starts from the last answer (GST_INDEP only).

@@ -55,7 +55,6 @@ template class detail::DistanceTraversalNodeBase<double>;
                                    const Transform3<double>&, const DistanceRequest<double>&,                   \
                                    DistanceResult<double>&);
 TRICOVER_INSTANTIATE(RSS)
-TRICOVER_INSTANTIATE(OBBRSS)
 TRICOVER_INSTANTIATE(kIOS)
 #undef TRICOVER_INSTANTIATE
 template class detail::MeshConservativeAdvancementTraversalNodeRSS<double>;

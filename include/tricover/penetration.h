@@ -26,10 +26,12 @@ struct Penetration {
   /// Of b, or its opposite of a: proven to part them, rounding of pose.translation() + translation included. Longer
   /// than depth * direction, and off it, by as little as that takes.
   Vec2 translation;
-  /// Surface points that part last: point_a on a, point_b on b, where they are now. If optimal, point_a is point_b +
-  /// depth * direction; otherwise near it.
-  Vec2 point_a, point_b;
-  std::ptrdiff_t edge_a, edge_b;  ///< they lie on (numbered as in Polygon::edgeStart)
+  /// On a's surface, where they part last, as it is now. If optimal, point_a is point_b + depth * direction; otherwise
+  /// near it.
+  Vec2 point_a;
+  Vec2 point_b;           ///< likewise on b's
+  std::ptrdiff_t edge_a;  ///< that point_a lies on (numbered as in Polygon::edgeStart)
+  std::ptrdiff_t edge_b;  ///< likewise of b
 };
 
 /// Nothing if the regions are apart; otherwise the greatest lower bound of the translations after which they are: the

@@ -11,7 +11,8 @@ namespace tricover_fcl {
 struct PolygonOptions {
   /// The shape is a prism: the polygon at every local z from z_low to z_high, both included. Flat by default. A pose
   /// that turns the shape upside down turns the interval, too.
-  double z_low = 0, z_high = 0;
+  double z_low = 0;
+  double z_high = 0;  ///< see z_low
   /// Safety distance >= 0 in the plane, honoured by collide: two shapes collide if and only if their heights overlap
   /// and their polygons come as close as the sum of their margins (rounded to a double) or closer. Distances and depths
   /// are those of the polygons themselves.
@@ -38,8 +39,8 @@ class PolygonShape final : public fcl::ShapeBase<S> {
   /// that is negative or not finite.
   explicit PolygonShape(tricover::Polygon polygon, const PolygonOptions& options = {});
 
-  const tricover::Polygon& polygon() const { return polygon_; }
-  const PolygonOptions& options() const { return options_; }
+  const tricover::Polygon& polygon() const { return polygon_; }  ///< as it was given
+  const PolygonOptions& options() const { return options_; }     ///< as they were given
   /// Whether the shape lies in its own plane z = 0.
   bool isFlat() const { return is_flat_; }
 
