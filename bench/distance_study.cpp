@@ -22,6 +22,9 @@ constexpr Agreement kAgreement = {0, {0, 0}, {1e-4, 1e-4}};
 /// What compares all edges with all is timed up to this number of pairs: from there on it is slower than the others.
 constexpr std::size_t kAllPairs = 64 * 64;
 
+/// The circle's first tenth, which begins at the smallest gap.
+constexpr std::size_t kLongest = 9000;
+
 class Core {
  public:
   Core(Polygon fixed, Polygon moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
@@ -112,9 +115,10 @@ std::vector<Result> measureDistances(const Cell& cell, const Settings& settings)
   std::vector<Result> results;
   for (const std::string& name : cell.workloads) {
     const bool coherent = isCoherent(name);
-    const std::vector<Pose> poses = coherent         ? posesOf(name, fixed, moving)
-                                    : name == "near" ? separatedPoses(fixed, moving, 1.03, 1.5)
-                                                     : separatedPoses(fixed, moving, 2, 4);
+    std::vector<Pose> poses = coherent         ? posesOf(name, fixed, moving)
+                              : name == "near" ? separatedPoses(fixed, moving, 1.03, 1.5)
+                                               : separatedPoses(fixed, moving, 2, 4);
+    if (poses.size() > kLongest) poses.resize(kLongest);
     const Workload workload{
         "distance", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};
     results.push_back(measure(workload, methods.on(poses, coherent), kAgreement, settings));
