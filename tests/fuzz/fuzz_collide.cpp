@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// collide() in every way of asking against the exact reference; the caches have seen b elsewhere.
+// collide() in every way of asking, and what must agree with it, against the exact reference; the caches have seen b
+// elsewhere.
 #include "byte_reader.h"
 #include "exact_reference.h"
 #include "reproduction.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/penetration.h"
+#include "tricover/time_of_impact.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tricover;
@@ -32,6 +36,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     expect(collide(a, pose_a, b, pose_b, cache, options), paper ? "Paper, cached" : "Hierarchy, cached");
     expect(collide(b, pose_b, a, pose_a, cache, options), paper ? "Paper, again" : "Hierarchy, again");
   }
-  if (margin == 0) expect(!contacts(a, pose_a, b, pose_b).empty(), "contacts");
+  if (margin != 0) return 0;
+  expect(!contacts(a, pose_a, b, pose_b).empty(), "contacts");
+  expect(penetration(a, pose_a, b, pose_b, {20}).has_value(), "penetration");
+  expect(distance(a, pose_a, b, pose_b).distance == 0, "distance");
+  DistanceCache cache;
+  distance(a, pose_a, b, before, cache);
+  expect(distance(a, pose_a, b, pose_b, cache).distance == 0, "distance, cached");
+  const auto impact = timeOfImpact(a, Motion::still(pose_a), b, Motion::still(pose_b));
+  expect(impact && impact->time == 0, "time of impact");
   return 0;
 }
