@@ -90,20 +90,28 @@ TRICOVER_INLINE Query queryFor(const Item& item, const PolygonData& polygon, con
 
 /// Largest gap, over the four axes of the query and each box, between their projections (separating axes): a lower
 /// bound of their distance but for the slack; positive only if they are apart. With kDiagonals the axes between those
-/// count, too, which finds 0.92 of the distance at least; gaps along two axes at right angles are taken together there,
-/// so that the error is sqrt(2) times theirs.
+/// count, too, which finds 0.92 of the distance at least (gaps along two axes at right angles are taken together there,
+/// so that the error is sqrt(2) times theirs), and so does the line of the centres: along the sides of two round
+/// outlines, that are beyond each other's nearest points, only that one grows with the distance. Its products are
+/// rounded four times and divided by what they have in common.
 template <bool kDiagonals>
 TRICOVER_INLINE Lanes gaps(Lanes x, Lanes y, Lanes ux, Lanes uy, Lanes along, Lanes across, const Query& q) {
   const Lanes dx = x - q.x, dy = y - q.y;
   const Lanes c = absolute(ux * q.ux + uy * q.uy), s = absolute(ux * q.uy - uy * q.ux);
-  const Lanes along_query = absolute(dx * q.ux + dy * q.uy) - (along * c + across * s + q.along);
-  const Lanes across_query = absolute(dy * q.ux - dx * q.uy) - (along * s + across * c + q.across);
-  const Lanes along_box = absolute(dx * ux + dy * uy) - (along + c * q.along + s * q.across);
-  const Lanes across_box = absolute(dy * ux - dx * uy) - (across + s * q.along + c * q.across);
+  const Lanes along_apart = absolute(dx * q.ux + dy * q.uy), across_apart = absolute(dy * q.ux - dx * q.uy);
+  const Lanes box_along_apart = absolute(dx * ux + dy * uy), box_across_apart = absolute(dy * ux - dx * uy);
+  const Lanes along_query = along_apart - (along * c + across * s + q.along);
+  const Lanes across_query = across_apart - (along * s + across * c + q.across);
+  const Lanes along_box = box_along_apart - (along + c * q.along + s * q.across);
+  const Lanes across_box = box_across_apart - (across + s * q.along + c * q.across);
   const Lanes largest = larger(larger(along_query, across_query), larger(along_box, across_box));
   if (!kDiagonals) return largest;
   constexpr float kHalf = 0.70710678f;  // at most the root of 1/2 but for rounding
-  return larger(largest, larger(along_query + across_query, along_box + across_box) * kHalf);
+  const Lanes diagonal = larger(along_query + across_query, along_box + across_box) * kHalf;
+  const Lanes square = dx * dx + dy * dy, extents = along * box_along_apart + across * box_across_apart +
+                                                    (along_apart * q.along + across_apart * q.across);
+  const Lanes between = (square - extents) / root(square);  // NaN where the centres are the same, which larger drops
+  return larger(between, larger(largest, diagonal));
 }
 
 template <bool kDiagonals>

@@ -8,6 +8,16 @@ typedef float Loose __attribute__((vector_size(TRICOVER_VECTOR), aligned(4), may
 #define TRICOVER_INLINE TRICOVER_TARGET __attribute__((always_inline)) inline
 
 TRICOVER_INLINE Native absolute(Native p) { return (Native)((NativeBits)p & 0x7fffffff); }
+TRICOVER_INLINE Native root(Native p) {
+#if TRICOVER_VECTOR == 32
+  return __builtin_ia32_sqrtps256(p);
+#elif defined(__SSE2__)
+  return __builtin_ia32_sqrtps(p);
+#else
+  for (int i = 0; i < 4; ++i) p[i] = __builtin_sqrtf(p[i]);
+  return p;
+#endif
+}
 TRICOVER_INLINE Native larger(Native p, Native q) { return p > q ? p : q; }
 TRICOVER_INLINE Native smaller(Native p, Native q) { return p < q ? p : q; }
 /// p where it is above q, elsewhere something large.
@@ -49,6 +59,8 @@ TRICOVER_INLINE Lanes operator*(Lanes p, Lanes q) { return {p.low * q.low, p.hig
 TRICOVER_INLINE Lanes operator+(Lanes p, float q) { return {p.low + q, p.high + q}; }
 TRICOVER_INLINE Lanes operator-(Lanes p, float q) { return {p.low - q, p.high - q}; }
 TRICOVER_INLINE Lanes operator*(Lanes p, float q) { return {p.low * q, p.high * q}; }
+TRICOVER_INLINE Lanes operator/(Lanes p, Lanes q) { return {p.low / q.low, p.high / q.high}; }
+TRICOVER_INLINE Lanes root(Lanes p) { return {root(p.low), root(p.high)}; }
 TRICOVER_INLINE Lanes absolute(Lanes p) { return {absolute(p.low), absolute(p.high)}; }
 TRICOVER_INLINE Lanes larger(Lanes p, Lanes q) { return {larger(p.low, q.low), larger(p.high, q.high)}; }
 TRICOVER_INLINE Lanes smaller(Lanes p, Lanes q) { return {smaller(p.low, q.low), smaller(p.high, q.high)}; }
