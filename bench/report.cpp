@@ -49,9 +49,9 @@ const char* const kConditions =
 - Distances: near and far are random poses whose regions are apart, the origins at 1.03 to 1.5 and 2 to 4 times their
   distance at contact. FCL RSS (OBBRSS is the same here) and kIOS are flat meshes with these volumes, called without
   fcl::distance's dispatch; FCL GJK (libccd) and (indep) take convex polygons as prisms; GEOS prepared is
-  PreparedGeometry::distance. GEOS (Geometry::distance) and Boost compare all edges with all and are left out above 4096
-  pairs of edges. Box2D: b2Distance; "warm" starts from its last simplex. An answer of a rival is wrong if it is off by
-  more than 1e-6 of the polygons' size; cached and via FCL must give cold's to the last bit.
+  PreparedGeometry::distance. GEOS (Geometry::distance) and Boost, which compare all edges with all, and kIOS are left
+  out above 4096 pairs of edges. Box2D: b2Distance; "warm" starts from its last simplex. An answer of a rival is wrong
+  if it is off by more than 1e-6 of the polygons' size; cached and via FCL must give cold's to the last bit.
 - Times of impact: sliding and turning (by up to 150 degrees) are random motions from near the fixed polygon, into it or
   past it. FCL RSS and OBBRSS: fcl::continuousCollide by conservative advancement on flat meshes, to which FCL gives a
   tolerance of 1e-5 of the motion; tricover is asked for the same. A rival's time is wrong if it is later than that, or
