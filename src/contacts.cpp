@@ -340,7 +340,7 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
   const detail::PosedPair pair = direct ? detail::PosedPair(a.data(), pose_a, b.data(), pose_b)
                                         : detail::PosedPair(b.data(), pose_b, a.data(), pose_a);
   std::vector<Contact> result = detail::ContactFinder(pair).contacts();
-  std::stable_sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
+  std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > most) result.erase(result.begin() + static_cast<std::ptrdiff_t>(most), result.end());
   if (direct) return result;
   for (Contact& contact : result) {
