@@ -19,7 +19,11 @@
 
 /// For LeakSanitizer: what FCL's interval trees leave behind at each setup() is not ours.
 extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:fcl::IntervalTreeCollisionManager\n"; }
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:fcl::IntervalTreeCollisionManager\n"
+         "leak:fcl::DynamicAABBTreeCollisionManager_Array\n"
+         "leak:fcl::detail::implementation_array::HierarchyTree\n";
+}
 
 namespace tricover_fcl::test {
 namespace {
