@@ -3,7 +3,7 @@
 
 #include <malloc.h>
 
-#include "polygon_data.h"
+#include "polygon/polygon_data.h"
 #include "tricover/collide.h"
 #include "tricover/locate.h"
 #include "workloads.h"

@@ -12,7 +12,7 @@
 #include <map>
 #include <string>
 
-#include "predicates.h"
+#include "numbers/predicates.h"
 
 namespace tricover::bench {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "pair_cache_table.h"
+#include "polygons/pair_cache_table.h"
 #include "scene.h"
 #include "tricover/collide.h"
 

@@ -7,12 +7,12 @@
 #include <limits>
 
 #include "exact_reference.h"
+#include "hierarchy/wide.h"
+#include "pair/strategy.h"
 #include "random.h"
 #include "shapes.h"
-#include "strategy.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
-#include "wide.h"
 
 namespace tricover::support {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a cache's facts rest on: how far a change of pose moves a polygon at most.
-#include "facts.h"
+#include "pair/facts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a hierarchy says of its polygon, against exact numbers: its boxes hold their chains, its discs are in the
 // region.
-#include "hierarchy.h"
+#include "hierarchy/hierarchy.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "exact_reference.h"
-#include "polygon_data.h"
+#include "polygon/polygon_data.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"

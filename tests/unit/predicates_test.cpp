@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernel's stages one by one, through its private headers: an exact fallback must not hide a broken filter.
-#include "predicates.h"
+#include "numbers/predicates.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "dyadic.h"
 #include "exact_reference.h"
-#include "posed_pair.h"
-#include "strategy.h"
+#include "numbers/dyadic.h"
+#include "pair/posed_pair.h"
+#include "pair/strategy.h"
 
 namespace tricover::detail {
 namespace {
@@ -239,7 +239,7 @@ TEST(NormBelow, IsNeverAboveTheLengthAndTightWhereSquaresAreSafe) {
     const double bound = normBelow(x, y);
     const mpq_class square = mpq_class(x) * x + mpq_class(y) * y;
     ASSERT_LE(mpq_class(bound) * bound, square) << std::hexfloat << x << " " << y;
-    tight += mpq_class(bound) * bound > (1 - mpq_class(32 * kUlp)) * square;
+    tight += mpq_class(bound) * bound > (1 - mpq_class(32 * kUnitRoundoff)) * square;
     zero += bound == 0;
   }
   EXPECT_GT(tight, 8000);
@@ -256,7 +256,7 @@ TEST(PosedPair, MapsWithinItsStatedErrorWhichIsSmall) {
     const Polygon a = randomPolygon(random, 1), b = randomPolygon(random, size, offset);
     const Pose pose_a = randomPose(random, reach, kind), pose_b = randomPose(random, reach, PoseKind::Double);
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    ASSERT_LT(pair.error, 64 * kUlp * (4 * reach + 4 * offset + 4));
+    ASSERT_LT(pair.error, 64 * kUnitRoundoff * (4 * reach + 4 * offset + 4));
     const auto& m = pose_a.matrix();
     const mpq_class det = mpq_class(m(0, 0)) * m(1, 1) - mpq_class(m(0, 1)) * m(1, 0);
     ASSERT_EQ(pair.handed, sgn(det));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The descents of eight boxes at a time: alike bit by bit for every instruction set, and what they prove is so.
-#include "wide.h"
+#include "hierarchy/wide.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 
 #include "exact_reference.h"
 #include "families.h"
+#include "pair/strategy.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
-#include "strategy.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
 

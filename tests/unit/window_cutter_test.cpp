@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bounds that windows of time are cut by, each by itself: contact that is made to happen is never cut off.
-#include "window_cutter.h"
+#include "apart/window_cutter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover_fcl/continuous_collide.h"
+
+#include <fcl/math/motion/interp_motion.h>
+#include <fcl/math/motion/screw_motion.h>
+#include <fcl/math/motion/spline_motion.h>
+#include <fcl/math/motion/translation_motion.h>
+#include <fcl/narrowphase/continuous_collision.h>
+
+#include <memory>
+#include <type_traits>
+
+#include "entry/queries.h"
+#include "polygons/polygon_pair.h"
+#include "shape/unsupported.h"
+
+// In tables_float.cpp.
+extern template float fcl::continuousCollide(const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
+                                             const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
+                                             const fcl::ContinuousCollisionRequest<float>&,
+                                             fcl::ContinuousCollisionResult<float>&);
+
+namespace tricover_fcl {
+namespace {
+
+/// Made shared, because libfcl's own delete frees what a program in C++17 gets from another new (Eigen's aligned one).
+template <typename S>
+std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begin, const fcl::Transform3<S>& end,
+                                                  fcl::CCDMotionType type) {
+  if (type == fcl::CCDM_TRANS) return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
+  if constexpr (std::is_same_v<S, double>) {
+    // The constructor for a point of the polygon's own, because the others don't set it.
+    if (type == fcl::CCDM_LINEAR) {
+      return std::make_shared<fcl::InterpMotion<S>>(begin.linear(), begin.translation(), end.linear(),
+                                                    end.translation(), fcl::Vector3<S>::Zero());
+    }
+    if (type == fcl::CCDM_SCREW) {
+      auto screw = std::make_shared<fcl::ScrewMotion<S>>(begin, end);
+      if (screw->getAngularVelocity() != 0) return screw;
+      return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
+    }
+    if (type == fcl::CCDM_SPLINE) return std::make_shared<fcl::SplineMotion<S>>(begin, end);
+  }
+  throw UnsupportedPair("tricover: FCL has no motion for this ccd_motion_type and scalar");
+}
+
+}  // namespace
+
+template <typename S>
+S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>* motion1,
+                    const fcl::CollisionGeometry<S>* o2, const fcl::MotionBase<S>* motion2,
+                    const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
+  if (!isPolygon(*o1) && !isPolygon(*o2)) return fcl::continuousCollide(o1, motion1, o2, motion2, request, result);
+  const S time = advanceGeometries(*o1, *motion1, *o2, *motion2, request, result);
+  if (result.is_collide) {
+    motion1->integrate(time);
+    motion2->integrate(time);
+    motion1->getCurrentTransform(result.contact_tf1);
+    motion2->getCurrentTransform(result.contact_tf2);
+  }
+  return time;
+}
+
+template <typename S>
+S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1_beg,
+                    const fcl::Transform3<S>& tf1_end, const fcl::CollisionGeometry<S>* o2,
+                    const fcl::Transform3<S>& tf2_beg, const fcl::Transform3<S>& tf2_end,
+                    const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
+  const auto motion1 = motionBetween(tf1_beg, tf1_end, request.ccd_motion_type);
+  const auto motion2 = motionBetween(tf2_beg, tf2_end, request.ccd_motion_type);
+  return tricover_fcl::continuousCollide(o1, motion1.get(), o2, motion2.get(), request, result);
+}
+
+template <typename S>
+S continuousCollide(const fcl::CollisionObject<S>* o1, const fcl::Transform3<S>& tf1_end,
+                    const fcl::CollisionObject<S>* o2, const fcl::Transform3<S>& tf2_end,
+                    const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
+  return tricover_fcl::continuousCollide(o1->collisionGeometry().get(), o1->getTransform(), tf1_end,
+                                         o2->collisionGeometry().get(), o2->getTransform(), tf2_end, request, result);
+}
+
+#define TRICOVER_INSTANTIATE(S)                                                                                        \
+  template S continuousCollide(const fcl::CollisionGeometry<S>*, const fcl::MotionBase<S>*,                            \
+                               const fcl::CollisionGeometry<S>*, const fcl::MotionBase<S>*,                            \
+                               const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);         \
+  template S continuousCollide(const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&, const fcl::Transform3<S>&, \
+                               const fcl::CollisionGeometry<S>*, const fcl::Transform3<S>&, const fcl::Transform3<S>&, \
+                               const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);         \
+  template S continuousCollide(const fcl::CollisionObject<S>*, const fcl::Transform3<S>&,                              \
+                               const fcl::CollisionObject<S>*, const fcl::Transform3<S>&,                              \
+                               const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);
+TRICOVER_INSTANTIATE(float)
+TRICOVER_INSTANTIATE(double)
+#undef TRICOVER_INSTANTIATE
+
+}  // namespace tricover_fcl

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mixed/collide_mixed.h"
+
+#include "mixed/mixed_contacts.h"
+
+namespace tricover_fcl {
+namespace {
+
+/// The world's box around what the boxes of polygon and shadow share in the polygon's frame.
+template <typename S>
+Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
+  Eigen::AlignedBox2d box;
+  for (const tricover::Ring& ring : shadow.outlineIn(pair.polygon()).rings()) {
+    for (const tricover::Vec2& vertex : ring) box.extend(vertex);
+  }
+  box = box.intersection(pair.view.around);
+  const double half_height = pair.view.slab.high / 2 - pair.view.slab.low / 2;
+  Eigen::AlignedBox3d world;
+  for (const double x : {box.min().x(), box.max().x()}) {
+    for (const double y : {box.min().y(), box.max().y()}) {
+      for (const double z : {-half_height, half_height}) {
+        world.extend(pair.plane * Eigen::Vector3d(x, y, z));
+      }
+    }
+  }
+  return world;
+}
+
+}  // namespace
+
+template <typename S>
+std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+                         const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
+                         const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                         fcl::CollisionResult<S>& result) {
+  if (request.isSatisfied(result)) return result.numContacts();
+  MixedPair<S> pair = mixedPair("collide", o1, tf1, o2, tf2);
+  const double margin = options.margin + pair.shape.options().margin;
+  const Wanted of_hit = wanted(o1, o2, request);
+  if (!of_hit.contacts && !of_hit.costs) return result.numContacts();
+
+  pair.view.only_there = !request.enable_contact;  // the way out of a mesh depends on all of it
+  pair.view.around.min().array() -= margin;
+  pair.view.around.max().array() += margin;
+  const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
+  if (!shadow || !shadow->meets(pair.polygon(), margin)) return result.numContacts();
+
+  const std::size_t most = of_hit.contacts ? room(request, result) : 0;
+  if (most > 0 && !request.enable_contact) {
+    addContact(o1, o2, result);
+  } else if (most > 0) {
+    for (const MixedContact& found : contactsOf(pair, *shadow, most)) {
+      addContact(o1, o2, found.plane, found.contact, result);
+    }
+  }
+  if (of_hit.costs) addCost(o1, o2, overlap(pair, *shadow), request, result);
+  return result.numContacts();
+}
+
+template std::size_t collideMixed(const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
+                                  const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
+                                  const fcl::CollisionRequest<float>&, const tricover::CollideOptions&,
+                                  fcl::CollisionResult<float>&);
+template std::size_t collideMixed(const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,
+                                  const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,
+                                  const fcl::CollisionRequest<double>&, const tricover::CollideOptions&,
+                                  fcl::CollisionResult<double>&);
+
+}  // namespace tricover_fcl

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mixed/mixed_pair.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "shape/unsupported.h"
+
+namespace tricover_fcl {
+namespace {
+
+template <typename S>
+Plane checkedPose(const fcl::Transform3<S>& transform, const char* name) {
+  const Plane pose(transform.matrix().template cast<double>().eval());
+  if (!pose.matrix().allFinite()) throw std::invalid_argument(std::string("tricover: ") + name + ": it must be finite");
+  const Eigen::Matrix3d defect = pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity();
+  if (!(defect.cwiseAbs().maxCoeff() <= tricover::kRigidTolerance))
+    throw std::invalid_argument(std::string("tricover: ") + name + ": R is not rigid");
+  return pose;
+}
+
+Eigen::AlignedBox2d boundingBox(const tricover::Polygon& polygon) {
+  Eigen::AlignedBox2d box;
+  for (const tricover::Ring& ring : polygon.rings()) {
+    for (const tricover::Vec2& vertex : ring) box.extend(vertex);
+  }
+  return box;
+}
+
+}  // namespace
+
+template <typename S>
+MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+                       const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2) {
+  const bool polygon_first = isPolygon(o1);
+  const auto& other = polygon_first ? o2 : o1;
+  if (!castsShadow(other)) throwUnsupported(operation, o1, o2);
+  const Plane pose1 = checkedPose(tf1, "pose_a"), pose2 = checkedPose(tf2, "pose_b");
+  const Plane &of_polygon = polygon_first ? pose1 : pose2, &of_other = polygon_first ? pose2 : pose1;
+
+  const auto& shape = static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2);
+  // The difference first: far from the world's origin the two may still be near each other.
+  const Eigen::Matrix3d inverse = of_polygon.linear().inverse();
+  Eigen::Affine3d to_polygon;
+  to_polygon.linear() = inverse * of_other.linear();
+  to_polygon.translation() = inverse * (of_other.translation() - of_polygon.translation());
+  const Slab slab{shape.options().z_low, shape.options().z_high};
+  return {shape,
+          other,
+          polygon_first,
+          of_polygon * planeAt(slab.low / 2 + slab.high / 2),
+          {to_polygon, slab, boundingBox(shape.polygon()), false}};
+}
+
+template MixedPair<float> mixedPair(const char*, const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
+                                    const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&);
+template MixedPair<double> mixedPair(const char*, const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,
+                                     const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&);
+
+}  // namespace tricover_fcl

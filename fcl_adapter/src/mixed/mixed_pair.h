@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "polygons/polygon_pair.h"
+#include "shadow/shadow.h"
+#include "shape/results.h"
+
+namespace tricover_fcl {
+
+/// A polygon and a geometry of FCL's own, as a row gets them. The polygon may have any pose in space: queries are
+/// answered in its own frame, where the other one is seen as its shadow.
+template <typename S>
+struct MixedPair {
+  const PolygonShape<S>& shape;
+  const fcl::CollisionGeometry<S>& other;
+  bool polygon_first;
+  Plane plane;  ///< maps points of the polygon, the middle of its heights being z = 0, to the world
+  View view;
+
+  const tricover::Polygon& polygon() const { return shape.polygon(); }
+};
+
+/// Throws UnsupportedPair, naming the operation, if the other geometry isn't one that FCL knows, and
+/// std::invalid_argument, naming pose_a (the first geometry's) or pose_b, for a pose that isn't rigid within
+/// tricover::kRigidTolerance or isn't finite.
+template <typename S>
+MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+                       const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2);
+
+}  // namespace tricover_fcl

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <typeinfo>
+
+#include "shape/heights.h"
+#include "shape/planar_pose.h"
+#include "tricover_fcl/polygon_shape.h"
+
+namespace tricover_fcl {
+
+template <typename S>
+bool isPolygon(const fcl::CollisionGeometry<S>& geometry) {
+  return typeid(geometry) == typeid(PolygonShape<S>);
+}
+
+/// Two polygons as a row gets them: `a` is its first geometry.
+template <typename S>
+struct PolygonPair {
+  const PolygonShape<S>&shape_a, &shape_b;
+  PlanarPose pose_a, pose_b;
+
+  PolygonPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,
+              const fcl::Transform3<S>& tf2)
+      : shape_a(static_cast<const PolygonShape<S>&>(o1)),
+        shape_b(static_cast<const PolygonShape<S>&>(o2)),
+        pose_a(planarPose(tf1, "pose_a")),
+        pose_b(planarPose(tf2, "pose_b")) {}
+
+  const tricover::Polygon& a() const { return shape_a.polygon(); }
+  const tricover::Polygon& b() const { return shape_b.polygon(); }
+
+  /// Exact, touching counts. Checks the poses if they don't, as the kernel, which then isn't asked, would.
+  bool heightsMeet() const {
+    const bool meet = shape_a.isFlat() && shape_b.isFlat() ? pose_a.z == pose_b.z : share(heightsA(), heightsB());
+    if (!meet) {
+      tricover::checkPose(pose_a.pose, "pose_a");
+      tricover::checkPose(pose_b.pose, "pose_b");
+    }
+    return meet;
+  }
+
+  Heights heightsA() const { return heightsOf(shape_a.options(), pose_a); }
+  Heights heightsB() const { return heightsOf(shape_b.options(), pose_b); }
+};
+
+}  // namespace tricover_fcl

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shadow/smooth_shadow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tricover/collide.h"
+
+namespace tricover_fcl {
+namespace {
+
+using tricover::Polygon;
+using tricover::Pose;
+using tricover::Ring;
+using tricover::Vec2;
+
+constexpr int kFirstTangents = 16;
+constexpr int kMostSteps = 150;  // a third of them bisections: as many as a double has bits
+Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
+
+bool collide(const Polygon& a, const Polygon& b, double margin) {
+  tricover::CollideOptions options;
+  options.margin = margin;
+  return tricover::collide(a, Pose::Identity(), b, Pose::Identity(), options);
+}
+
+}  // namespace
+
+Eigen::Vector3d SmoothBody::support(const Eigen::Vector3d& direction) const {
+  const auto ofEllipsoid = [&](double z, const Eigen::Vector3d& radii) {
+    const Eigen::Vector3d scaled = radii.cwiseProduct(direction);
+    const double norm = scaled.stableNorm();
+    Eigen::Vector3d point = norm > 0 ? radii.cwiseProduct(scaled / norm).eval() : Eigen::Vector3d::Zero().eval();
+    point.z() += z;
+    return point;
+  };
+  const Eigen::Vector3d low = ofEllipsoid(-half_height, bottom), high = ofEllipsoid(half_height, top);
+  return direction.dot(high) > direction.dot(low) ? high : low;
+}
+
+Vec2 SmoothShadow::chordNormal(const Cap& cap) {
+  return -leftOf((cap.second.point - cap.first.point).stableNormalized());
+}
+
+SmoothShadow::SmoothShadow(const SmoothBody& body, const Eigen::Affine3d& to_polygon, const Slab& slab, double rounding)
+    : body_(body),
+      to_polygon_(to_polygon),
+      slab_(slab),
+      rounding_(rounding),
+      finest_(std::max(kError * body.reach() / 4, 4 * rounding)) {
+  for (int i = 0; i < kFirstTangents; ++i) {
+    const double angle = 2 * M_PI * i / kFirstTangents;
+    tangents_.push_back(tangent({std::cos(angle), std::sin(angle)}));
+  }
+}
+
+/// C's reach along the normal n is the largest n . p over the body's points p with a height in the slab. By Lagrange's
+/// duality it is the smallest over all slopes s / c (c > 0, c^2 + s^2 = 1) of
+///   max over the body's p of (c n . p - s p.z) / c + (s / c) z,  z the slab's side on which s presses,
+/// and any slope's value is at least that: tangents hold C whatever the search comes to. The value is convex in the
+/// slope and falls while the maximum's point is beyond z: the search is for the slope whose point is at z, by regula
+/// falsi (Illinois), every third step a bisection, because a body's flat parts make the point jump. The point in the
+/// slab is where the connection of the last two points passes z. A value errs by what the points do, over c.
+SmoothShadow::Tangent SmoothShadow::tangent(const Vec2& normal) const {
+  const Eigen::Vector3d middle = support({normal.x(), normal.y(), 0});
+  if (middle.z() >= slab_.low && middle.z() <= slab_.high) return {normal, middle.head<2>(), 2 * rounding_};
+
+  const double side = middle.z() > slab_.high ? 1 : -1, z = side > 0 ? slab_.high : slab_.low;
+  struct End {
+    Vec2 slope;  // (c, s)
+    Eigen::Vector3d point;
+    double weight;
+  };
+  const auto end = [&](const Vec2& slope, const Eigen::Vector3d& point) {
+    return End{slope, point, std::abs(point.z() - z)};
+  };
+  End beyond = end({1, 0}, middle), within = end({0, side}, support({0, 0, -side}));
+  const auto touched = [&]() -> Vec2 {
+    const double height = beyond.point.z() - within.point.z();
+    return within.point.head<2>() +
+           std::clamp((z - within.point.z()) / height, 0.0, 1.0) * (beyond.point - within.point).head<2>();
+  };
+  double reach = normal.dot(middle.head<2>()) + rounding_;
+  bool was_beyond = true;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const bool bisect = i % 3 == 2 || !(beyond.weight > 0 && within.weight > 0);
+    const double share = bisect ? 0.5 : beyond.weight / (beyond.weight + within.weight);
+    const Vec2 slope = ((1 - share) * beyond.slope + share * within.slope).normalized();
+    if (slope == beyond.slope || slope == within.slope) break;
+    const Eigen::Vector3d p = support({slope.x() * normal.x(), slope.x() * normal.y(), -slope.y()});
+    const double value = normal.dot(p.head<2>()) + slope.y() * (z - p.z()) / slope.x();
+    reach = std::min(reach, value + 2 * rounding_ / slope.x());
+    const bool is_beyond = side * (p.z() - z) > 0;
+    (is_beyond ? beyond : within) = end(slope, p);
+    if (is_beyond == was_beyond) (is_beyond ? within : beyond).weight /= 2;
+    was_beyond = is_beyond;
+    if (reach - normal.dot(touched()) <= 8 * rounding_) break;
+  }
+  const Vec2 point = touched();
+  return {normal, point, std::max(reach - normal.dot(point), 0.0) + rounding_};
+}
+
+SmoothShadow::Cap SmoothShadow::cap(const Tangent& first, const Tangent& second) const {
+  Cap cap{first, second, first.point, 0, 0, std::max(first.slack, second.slack)};
+  const Vec2 chord = second.point - first.point;
+  cap.width = chord.stableNorm();
+  if (cap.width == 0) return cap;
+  // Along the first tangent to the second one. The angle at the tip is obtuse, so the tip is no farther than the chord
+  // is wide, which also holds back what rounding does to nearly parallel tangents.
+  const Vec2 along = leftOf(first.normal);
+  const double way = std::clamp(second.normal.dot(chord) / second.normal.dot(along), 0.0, cap.width);
+  cap.tip = first.point + way * along;
+  cap.height = std::max(chordNormal(cap).dot(cap.tip - first.point), 0.0);
+  return cap;
+}
+
+Polygon SmoothShadow::inscribed() const {
+  Ring ring;
+  for (const Tangent& tangent : tangents_) ring.push_back(tangent.point);
+  return Polygon({ring}, tricover::FillRule::NonZero);
+}
+
+bool SmoothShadow::meets(const Polygon& polygon, double margin) const {
+  if (collide(polygon, inscribed(), margin)) return true;
+  for (std::size_t i = 0; i < tangents_.size(); ++i) {
+    if (meets(polygon, margin, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), 0)) return true;
+  }
+  return false;
+}
+
+bool SmoothShadow::meets(const Polygon& polygon, double margin, const Cap& cap, int depth) const {
+  if (!collide(polygon, triangle(cap.first.point, cap.tip, cap.second.point), margin + cap.slack)) return false;
+  if (cap.height <= finest_ || cap.width <= finest_ || depth == kDeepest) return true;
+  const Tangent middle = tangent(chordNormal(cap));
+  return collide(polygon, triangle(cap.first.point, middle.point, cap.second.point), margin) ||
+         meets(polygon, margin, this->cap(cap.first, middle), depth + 1) ||
+         meets(polygon, margin, this->cap(middle, cap.second), depth + 1);
+}
+
+Polygon SmoothShadow::outline(const Fineness& fineness) const {
+  Ring ring;
+  for (std::size_t i = 0; i < tangents_.size(); ++i) {
+    addOutline(ring, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), fineness, 0);
+  }
+  return Polygon({ring}, tricover::FillRule::NonZero);
+}
+
+void SmoothShadow::addOutline(Ring& ring, const Cap& cap, const Fineness& fineness, int depth) const {
+  const auto isFine = [&] {
+    if (cap.width <= finest_ || depth == kDeepest || cap.height <= outlineError(fineness.error)) return true;
+    return fineness.polygon != nullptr && cap.height <= outlineError(fineness.elsewhere) &&
+           !collide(*fineness.polygon, triangle(cap.first.point, cap.tip, cap.second.point), cap.slack);
+  };
+  if (isFine()) {
+    ring.push_back(cap.tip);
+    return;
+  }
+  const Tangent middle = tangent(chordNormal(cap));
+  addOutline(ring, this->cap(cap.first, middle), fineness, depth + 1);
+  addOutline(ring, this->cap(middle, cap.second), fineness, depth + 1);
+}
+
+void SmoothShadow::addTangent(const Vec2& normal) {
+  const auto leftTurn = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x() > 0; };
+  for (std::size_t i = 0; i < tangents_.size(); ++i) {
+    if (leftTurn(tangents_[i].normal, normal) && leftTurn(normal, tangents_[(i + 1) % tangents_.size()].normal)) {
+      tangents_.insert(tangents_.begin() + static_cast<std::ptrdiff_t>(i) + 1, tangent(normal));
+      return;
+    }
+  }
+}
+
+}  // namespace tricover_fcl

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "shape/planar_pose.h"
+#include "tricover_fcl/polygon_shape.h"
+
+namespace tricover_fcl {
+
+/// A height of a pose plus one of its shape: the exact sum of two doubles.
+struct Height {
+  double of_pose, of_shape;
+
+  double rounded() const { return of_pose + of_shape; }
+  /// What rounding left (Knuth's two-sum): exact unless rounded() is infinite.
+  double rest() const {
+    const double sum = rounded(), second = sum - of_pose;
+    return (of_pose - (sum - second)) + (of_shape - second);
+  }
+  Height halved() const { return {of_pose / 2, of_shape / 2}; }  // exact where rounded() is infinite
+};
+
+/// Exact. Rounding is monotonic, so sums that round apart are apart; where they round alike, the rests decide.
+inline bool isBelow(const Height& x, const Height& y) {
+  if (x.rounded() != y.rounded()) return x.rounded() < y.rounded();
+  if (std::isinf(x.rounded())) return isBelow(x.halved(), y.halved());
+  return x.rest() < y.rest();
+}
+
+/// How far x is below y, to three roundings of itself; 0 if and only if it isn't below.
+inline double gap(const Height& x, const Height& y) {
+  if (!isBelow(x, y)) return 0;
+  if (std::isinf(x.rounded()) || std::isinf(y.rounded())) return 2 * gap(x.halved(), y.halved());
+  return (y.rounded() - x.rounded()) + (y.rest() - x.rest());
+}
+
+/// Where a posed shape lies along the world's z.
+struct Heights {
+  Height low, high;
+};
+
+inline Heights heightsOf(const PolygonOptions& shape, const PlanarPose& pose) {
+  if (pose.upside_down) return {{pose.z, -shape.z_high}, {pose.z, -shape.z_low}};
+  return {{pose.z, shape.z_low}, {pose.z, shape.z_high}};
+}
+
+/// Exact, touching counts.
+inline bool share(const Heights& a, const Heights& b) { return !isBelow(a.high, b.low) && !isBelow(b.high, a.low); }
+
+/// How far apart they are: 0 if and only if they share one.
+inline double gap(const Heights& a, const Heights& b) { return std::max(gap(a.high, b.low), gap(b.high, a.low)); }
+
+/// What heights that meet share, rounded.
+struct SharedHeights {
+  double low, high;
+  double middle() const { return low / 2 + high / 2; }
+};
+
+inline SharedHeights sharedHeights(const Heights& a, const Heights& b) {
+  return {std::max(a.low.rounded(), b.low.rounded()), std::min(a.high.rounded(), b.high.rounded())};
+}
+
+}  // namespace tricover_fcl

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fcl/math/motion/motion_base.h>
+
+#include "shape/results.h"
+#include "tricover/motion.h"
+
+namespace tricover_fcl {
+
+/// The pose at `time` as FCL rounds it.
+template <typename S>
+fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time);
+
+/// What the motion does to things in `plane`, in its coordinates: from where they are at time 0, so it starts with the
+/// identity. For FCL's TranslationMotion, InterpMotion and ScrewMotion; these types exactly. Throws UnsupportedPair for
+/// others, and std::invalid_argument naming the motion if it leaves the plane.
+template <typename S>
+tricover::Motion motionInPlane(const fcl::MotionBase<S>& motion, const Plane& plane, const char* name);
+
+}  // namespace tricover_fcl

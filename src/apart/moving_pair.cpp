@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apart/moving_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numbers/predicates.h"
+#include "numbers/rigidity.h"
+
+namespace tricover::detail {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+}  // namespace
+
+Places Mover::places(double begin, double end) const {
+  const Double2 time{begin, end};
+  const Double2 x = base.x() + drift.x() * time, y = base.y() + drift.y() * time;
+  const auto all = [](double value) { return value - Double2{}; };
+  if (turn == 0) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
+  const Double2 angle = turn * time;
+  const Double2 c{std::cos(angle[0]), std::cos(angle[1])}, s{std::sin(angle[0]), std::sin(angle[1])};
+  return {c * linear(0, 0) - s * linear(1, 0),
+          s * linear(0, 0) + c * linear(1, 0),
+          c * linear(0, 1) - s * linear(1, 1),
+          s * linear(0, 1) + c * linear(1, 1),
+          x + (c * arm.x() - s * arm.y()),
+          y + (s * arm.x() + c * arm.y()),
+          x,
+          y};
+}
+
+MovingBox Mover::edge(const Places& p, std::size_t position) const {
+  const Vec2 v = scale * polygon->inUnits(polygon->path[position]);
+  const Vec2 w = scale * polygon->inUnits(polygon->path[position + 1]);
+  const Vec2 mid = 0.5 * (v + w), half = 0.5 * (w - v);
+  const double length = half.norm();
+  const Vec2 axis = length > 0 ? Vec2(half / length) : Vec2(1, 0);
+  const Double2 ux = p.m00 * axis.x() + p.m01 * axis.y(), uy = p.m10 * axis.x() + p.m11 * axis.y();
+  return {p.m00 * mid.x() + p.m01 * mid.y() + p.x, p.m10 * mid.x() + p.m11 * mid.y() + p.y, ux, uy, -uy, ux, length, 0};
+}
+
+// Error of a gap between computed points or boxes, U = kUnitRoundoff, all lengths in the pair's length:
+//   angle * time rounds by U |angle|, and sin and cos by 2U at most: entries of the rotation err by (|angle| + 2) U,
+//   those of its product with the start's linear part by (1.5 |angle| + 6) U;
+//   a point at p from S, |p| <= reach, and the arm, which itself errs by 4U, thereby by (2.2 |angle| + 18) U reach in a
+//   coordinate, the vertex's own rounding to units included;
+//   the pivots' places by 8U of all that they are summed up from: shifts, levers and the starts' difference.
+// A gap along an axis takes such points of both, times sqrt(2), and rounds its dot products by 8U of the same lengths.
+// A window's end, cut at a share that rounding has moved by some 8U, costs 8U of what the points travel: shifts and
+// |angle| reach. All that is below 64U ((1 + |angle|) reach + shifts + levers + difference).
+MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
+                       const Motion& motion_b) {
+  // First to where neither sums nor products of what is given overflow, and what they lose to underflow is least.
+  double given = 0;
+  const auto include = [&](double value) { given = std::max(given, std::min(value, kLargest)); };
+  const auto includeAll = [&](const PolygonData& polygon, const Motion& motion) {
+    for (const Vec2& v : {Vec2(motion.start.translation()), motion.shift, motion.pivot})
+      include(v.lpNorm<Eigen::Infinity>());
+    include(polygon.extent);
+  };
+  includeAll(polygon_a, motion_a);
+  includeAll(polygon_b, motion_b);
+  const double shrink = given > 0 ? std::ldexp(1, std::min(1000 - std::ilogb(given), 1000)) : 1;
+
+  double turned = 0, others = 0;
+  const auto describe = [&](Mover& mover, const PolygonData& polygon, const Motion& motion) {
+    mover.polygon = &polygon;
+    mover.tree = &polygon.hierarchy();
+    mover.linear = motion.start.linear();
+    mover.turn = motion.angle;
+    // Without a turn any pivot will do, and S is the nearest.
+    mover.pivot = motion.angle == 0 ? polygon.origin : motion.pivot;
+    const Vec2 pivot = shrink * mover.pivot;
+    mover.base = mover.linear * pivot;
+    mover.drift = shrink * motion.shift;
+    mover.arm = mover.linear * (shrink * polygon.origin - pivot);
+    mover.reach = mover.arm.lpNorm<1>() + shrink * polygon.radius * (1 + kLargestDefect);
+    // Of the largest polygons the hierarchy knows nothing.
+    if (polygon.radius > polygon.unit) mover.reach = std::numeric_limits<double>::infinity();
+    turned += std::abs(motion.angle) * mover.reach;
+    others += mover.reach + pivot.lpNorm<1>() + mover.drift.lpNorm<1>();
+  };
+  describe(a, polygon_a, motion_a);
+  describe(b, polygon_b, motion_b);
+  const Vec2 apart = shrink * motion_b.start.translation() - shrink * motion_a.start.translation();
+  others += apart.lpNorm<1>();
+  b.base = apart + (b.base - a.base);
+  b.drift -= a.drift;
+  a.base = a.drift = Vec2::Zero();
+
+  // Then to the size of what is left, of which squares are taken.
+  const double largest = std::max(std::max(a.reach, b.reach), std::max(b.base.lpNorm<1>(), b.drift.lpNorm<1>()));
+  const int exponent = std::clamp(std::ilogb(largest), -1000, 1020);
+  const double inverse = std::ldexp(1, -exponent);
+  length = std::ldexp(1, exponent);
+  expansion = 1 / shrink;
+  for (Mover* mover : {&a, &b}) {
+    mover->base *= inverse;
+    mover->drift *= inverse;
+    mover->arm *= inverse;
+    mover->reach *= inverse;
+    mover->scale = shrink * mover->polygon->unit * inverse;
+  }
+  speed = b.drift.norm();
+  still_error = (64 * kUnitRoundoff * others + kTiny) * inverse;
+  error = 64 * kUnitRoundoff * turned * inverse + still_error;
+}
+
+bool MovingPair::discsStayApart() const {
+  const double square = b.drift.squaredNorm();
+  const double share = square > 0 ? std::clamp(-b.base.dot(b.drift) / square, 0.0, 1.0) : 0;
+  // Rounding the share moves the point along the way, by so little that the distance differs in the second order only.
+  return (b.base + share * b.drift).norm() > a.reach + b.reach + still_error;
+}
+
+Nearest::Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
+    : distance(std::numeric_limits<double>::infinity()) {
+  const auto end = [&](const MovingBox& edge, double sign) {
+    return Vec2(edge.x[lane] + sign * edge.along * edge.ux[lane], edge.y[lane] + sign * edge.along * edge.uy[lane]);
+  };
+  const Vec2 v = end(edge_a, -1), w = end(edge_a, 1), p = end(edge_b, -1), q = end(edge_b, 1);
+  const auto area = [](const Vec2& s, const Vec2& t) { return s.x() * t.y() - s.y() * t.x(); };
+  const Vec2 along_a = w - v, along_b = q - p;
+  const double p_side = area(along_a, p - v), q_side = area(along_a, q - v);
+  const double v_side = area(along_b, v - p), w_side = area(along_b, w - p);
+  // Where a sign isn't certain, an end of one is about as near to the other as rounding is large.
+  const double doubt =
+      error * (along_a.lpNorm<1>() + along_b.lpNorm<1>() + (p - v).lpNorm<1>() + std::numeric_limits<double>::min());
+  const auto opposite = [&](double s, double t) { return std::min(s, t) < -doubt && std::max(s, t) > doubt; };
+  if (opposite(p_side, q_side) && opposite(v_side, w_side)) {
+    on_a = on_b = p + p_side / (p_side - q_side) * along_b;
+    distance = 0;
+    return;
+  }
+  // Written so that NaN ends as distance NaN.
+  const auto foot = [](const Vec2& point, const Vec2& from, const Vec2& along) {
+    const double square = along.squaredNorm();
+    return Vec2(from + (square > 0 ? std::clamp(along.dot(point - from) / square, 0.0, 1.0) : 0.0) * along);
+  };
+  const auto offer = [&](const Vec2& s, const Vec2& t) {
+    const double apart = (t - s).norm();
+    if (apart >= distance) return;
+    on_a = s;
+    on_b = t;
+    distance = apart;
+  };
+  offer(v, foot(v, p, along_b));
+  offer(w, foot(w, p, along_b));
+  offer(foot(p, v, along_a), p);
+  offer(foot(q, v, along_a), q);
+}
+
+}  // namespace tricover::detail

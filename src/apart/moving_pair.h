@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "numbers/double2.h"
+#include "polygon/polygon_data.h"
+#include "tricover/motion.h"
+
+namespace tricover::detail {
+
+/// A box (or an edge, as a box without width) of a moving polygon at both ends of a window of time, one a lane: its
+/// centre, the images of its axes, near unit length, and its half extents along them.
+struct MovingBox {
+  Double2 x, y, ux, uy, vx, vy;
+  double along, across;
+};
+
+/// Where a mover's hierarchy is at both ends of a window: p -> scale M p + (x, y); and its pivot.
+struct Places {
+  Double2 m00, m10, m01, m11, x, y, pivot_x, pivot_y;
+};
+
+/// One box of a hierarchy or, where that is a single edge, the edge.
+struct Node {
+  double x, y, ux, uy, along, across;  ///< in units
+  std::uint32_t child;                 ///< the block below; of an edge, its position in the path
+  bool edge;
+};
+
+/// The node that is around everything; all others are block * kLanes + lane.
+constexpr std::uint32_t kRootNode = 0xffffffff;
+
+/// A polygon that moves, in the pair's frame.
+struct Mover {
+  Places places(double begin, double end) const;
+  Node node(std::uint32_t index) const;
+  MovingBox box(const Places& places, const Node& node) const;
+  MovingBox edge(const Places& places, std::size_t position) const;
+
+  const PolygonData* polygon;
+  const Hierarchy* tree;
+  Vec2 pivot;                 ///< in the polygon's frame
+  Eigen::Matrix2d linear;     ///< the start's
+  Vec2 base, drift;           ///< of the pivot: at time 0, and from there to time 1
+  Vec2 arm;                   ///< from the pivot to S, at time 0
+  double turn, scale, reach;  ///< radians; a unit; no point is farther from the pivot
+};
+
+/// Two moving polygons in a frame that goes with a's pivot without turning, so that only differences of positions
+/// enter, and in a length, a power of two, in which none of them is much above 1.
+struct MovingPair {
+  MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
+             const Motion& motion_b);
+
+  /// Whether the discs around the pivots stay apart for all of the time.
+  bool discsStayApart() const;
+
+  Mover a, b;
+  double speed;              ///< of b's pivot in this frame
+  double error;              ///< of a gap: see the constructor
+  double still_error;        ///< of one between the pivots' places
+  double length, expansion;  ///< two powers of two: a length of 1 is their product in the world
+};
+
+inline Node Mover::node(std::uint32_t index) const {
+  if (index == kRootNode) {
+    const Box& root = tree->root;
+    return {root.x, root.y, root.ux, root.uy, root.along, root.across, 0, false};
+  }
+  const Block& block = tree->blocks[index / kLanes];
+  const unsigned lane = index % kLanes;
+  const double block_scale = block.scale;
+  return {block.origin_x + block.x[lane] * block_scale,
+          block.origin_y + block.y[lane] * block_scale,
+          block.ux[lane],
+          block.uy[lane],
+          block.along[lane] * block_scale,
+          block.across[lane] * block_scale,
+          block.child[lane],
+          block.leaf};
+}
+
+inline MovingBox Mover::box(const Places& p, const Node& node) const {
+  const Double2 ux = p.m00 * node.ux + p.m01 * node.uy, uy = p.m10 * node.ux + p.m11 * node.uy;
+  const Double2 vx = p.m01 * node.ux - p.m00 * node.uy, vy = p.m11 * node.ux - p.m10 * node.uy;
+  const double x = node.x * scale, y = node.y * scale, along = node.along * scale, across = node.across * scale;
+  return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy, along, across};
+}
+
+/// The nearest points of two edges at one end of the window; distance 0 where they certainly cross.
+struct Nearest {
+  Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error);
+  Vec2 on_a, on_b;
+  double distance;
+};
+
+}  // namespace tricover::detail

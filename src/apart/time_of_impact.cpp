@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/time_of_impact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "apart/moving_pair.h"
+#include "apart/window_cutter.h"
+#include "pair/strategy.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A window of time in which two nodes may meet: they certainly don't from time 0 to its begin.
+struct Candidate {
+  double begin, end;
+  std::uint32_t a, b;
+  int depth;
+
+  /// Of those that begin together, the deepest leads to an impact soonest.
+  bool operator<(const Candidate& other) const {
+    return begin != other.begin ? begin > other.begin : depth < other.depth;
+  }
+};
+
+/// Best first: the candidate that begins first is divided, its nodes or its window, and what is left of the parts are
+/// candidates again. So their least begin is a proven lower bound of the time of impact; the upper one is the earliest
+/// time at which two edges were seen to touch.
+class ImpactSearch {
+ public:
+  ImpactSearch(const MovingPair& pair, double time_error)
+      : pair_(pair), time_error_(time_error), touch_distance_(4 * pair.error) {
+    candidates_.reserve(128);
+  }
+
+  /// Whether the boxes around everything may meet at a time in [0, 1].
+  bool start() {
+    const Window window(pair_, 0, 1);
+    const Node root_a = pair_.a.node(kRootNode), root_b = pair_.b.node(kRootNode);
+    offer(window, pair_.a.box(window.a, root_a), pair_.b.box(window.b, root_b), {0, 1, kRootNode, kRootNode, 0});
+    return !candidates_.empty();
+  }
+  double lowerBound() const { return candidates_.front().begin; }
+
+  /// Whether there is an impact.
+  bool run() {
+    while (!candidates_.empty() && upper_bound_ - lowerBound() > time_error_) {
+      std::pop_heap(candidates_.begin(), candidates_.end());
+      Candidate candidate = candidates_.back();
+      candidates_.pop_back();
+      candidate.end = std::min(candidate.end, upper_bound_);
+      divide(candidate);
+    }
+    time = candidates_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
+    return time <= 1;
+  }
+
+  double time = kInfinity;
+  std::size_t edge_a = 0, edge_b = 0;  ///< positions of those that touch at the upper bound
+
+ private:
+  void push(const Candidate& candidate) {
+    if (candidate.begin > upper_bound_) return;
+    candidates_.push_back(candidate);
+    std::push_heap(candidates_.begin(), candidates_.end());
+  }
+
+  static Candidate cut(Candidate candidate, const Rest& rest) {
+    const double begin = candidate.begin, length = candidate.end - begin;
+    candidate.begin = std::min(begin + rest.low * length, candidate.end);
+    if (rest.high < 1) candidate.end = std::max(begin + rest.high * length, candidate.begin);
+    return candidate;
+  }
+
+  void offer(const Window& window, const MovingBox& a, const MovingBox& b, const Candidate& candidate) {
+    WindowCutter cutter(window, a, b);
+    if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
+    const Rest rest = cutter.rest();
+    if (rest.low <= rest.high) push(cut(candidate, rest));
+  }
+
+  void divide(const Candidate& candidate) {
+    const Node node_a = pair_.a.node(candidate.a), node_b = pair_.b.node(candidate.b);
+    const Window window(pair_, candidate.begin, candidate.end);
+    if (node_a.edge && node_b.edge) return divideEdges(window, candidate, node_a.child, node_b.child);
+    const MovingBox a = pair_.a.box(window.a, node_a), b = pair_.b.box(window.b, node_b);
+    const double size_a = a.along + a.across, size_b = b.along + b.across;
+    // Smaller boxes don't help where ways bend by more than the boxes' size.
+    if (WindowCutter(window, a, b).bend() > size_a + size_b) return halve(candidate, node_a, node_b);
+    Candidate part = candidate;
+    ++part.depth;
+    const bool divides_a = !node_a.edge && (node_b.edge || size_a >= size_b);
+    const Mover& mover = divides_a ? pair_.a : pair_.b;
+    const std::uint32_t block = divides_a ? node_a.child : node_b.child;
+    for (std::uint32_t lane = 0; lane < mover.tree->blocks[block].count; ++lane) {
+      const std::uint32_t index = block * kLanes + lane;
+      (divides_a ? part.a : part.b) = index;
+      const MovingBox box = mover.box(divides_a ? window.a : window.b, mover.node(index));
+      offer(window, divides_a ? box : a, divides_a ? b : box, part);
+    }
+  }
+
+  void halve(const Candidate& candidate, const Node& a, const Node& b) {
+    const double middle = 0.5 * (candidate.begin + candidate.end);
+    for (const bool later : {false, true}) {
+      Candidate part = candidate;
+      (later ? part.begin : part.end) = middle;
+      const Window window(pair_, part.begin, part.end);
+      offer(window, pair_.a.box(window.a, a), pair_.b.box(window.b, b), part);
+    }
+  }
+
+  void touch(double when, std::size_t position_a, std::size_t position_b) {
+    if (!(when < upper_bound_)) return;
+    upper_bound_ = when;
+    edge_a = position_a;
+    edge_b = position_b;
+  }
+
+  void divideEdges(const Window& window, const Candidate& candidate, std::size_t position_a, std::size_t position_b) {
+    const MovingBox a = pair_.a.edge(window.a, position_a), b = pair_.b.edge(window.b, position_b);
+    const Nearest at_begin(a, b, 0, pair_.error);
+    // Written so that NaN, as where bounds overflow, is a touch.
+    if (!(at_begin.distance > touch_distance_)) return touch(candidate.begin, position_a, position_b);
+    if (!(Nearest(a, b, 1, pair_.error).distance > touch_distance_)) touch(candidate.end, position_a, position_b);
+
+    // Some axis parts the edges at the window's begin by nearly their distance: an edge's normal or, vertex to vertex,
+    // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
+    WindowCutter cutter(window, a, b);
+    if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
+    const Rest rest = cutter.rest();
+    if (rest.low > rest.high) return;
+
+    // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a window up to
+    // there is shorter by an order.
+    const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / window.length;
+    const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
+    const double split = candidate.begin + share * window.length;
+    const Candidate part = cut(candidate, rest);
+    if (split > part.begin && split < part.end) {
+      push({part.begin, split, part.a, part.b, part.depth + 1});
+      push({split, part.end, part.a, part.b, part.depth + 1});
+    } else if (part.begin > candidate.begin) {
+      push(part);
+    } else {
+      touch(candidate.begin, position_a, position_b);  // no time between the window's ends
+    }
+  }
+
+  const MovingPair& pair_;
+  double time_error_, touch_distance_;
+  double upper_bound_ = kInfinity;
+  std::vector<Candidate> candidates_;
+};
+
+/// A fixed order, so that swapping the operands swaps the result.
+bool startInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b, const Motion& motion_b) {
+  if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
+  const auto key = [](const Motion& m) {
+    std::array<double, 14> values;
+    std::copy(m.start.data(), m.start.data() + 9, values.begin());
+    const double rest[] = {m.shift.x(), m.shift.y(), m.angle, m.pivot.x(), m.pivot.y()};
+    std::copy(rest, rest + 5, values.begin() + 9);
+    return values;
+  };
+  return key(motion_a) <= key(motion_b);
+}
+
+/// From the pair's frame at `time` to the world.
+Vec2 toWorld(const MovingPair& pair, const Motion& motion_a, double time, const Vec2& p) {
+  return motion_a.start * pair.a.pivot + time * motion_a.shift + p * pair.length * pair.expansion;
+}
+
+/// From S of a to S of b.
+Vec2 betweenOrigins(const Places& places_a, const Places& places_b) {
+  return {places_b.x[0] - places_a.x[0], places_b.y[0] - places_a.y[0]};
+}
+
+/// The axis of an edge, or normal to it, that parts two edges best, for such as are so near that the difference of
+/// their nearest points is mostly rounding. Where the edges don't tell axis or side, the origins do.
+Vec2 normalOfTouch(const MovingBox& a, const MovingBox& b, const Vec2& between_origins, double error) {
+  const Vec2 middles(b.x[0] - a.x[0], b.y[0] - a.y[0]);
+  double widest = -kInfinity;
+  Vec2 best(1, 0);
+  for (const MovingBox* edge : {&a, &b})
+    for (const Vec2& axis : {Vec2(edge->vx[0], edge->vy[0]), Vec2(edge->ux[0], edge->uy[0])}) {
+      const Vec2 normal = axis.normalized();
+      const double apart = normal.dot(middles);
+      const double gap = std::abs(apart) - std::abs(normal.x() * a.ux[0] + normal.y() * a.uy[0]) * a.along -
+                         std::abs(normal.x() * b.ux[0] + normal.y() * b.uy[0]) * b.along;
+      const bool alike = std::abs(gap - widest) <= error;
+      if (alike ? std::abs(normal.dot(between_origins)) <= std::abs(best.dot(between_origins)) : gap < widest) continue;
+      widest = gap;
+      best = (std::abs(apart) > error ? apart : normal.dot(between_origins)) < 0 ? Vec2(-normal) : normal;
+    }
+  return best;
+}
+
+Impact describe(const MovingPair& pair, const Motion& motion_a, double time, std::size_t position_a,
+                std::size_t position_b) {
+  const Places places_a = pair.a.places(time, time), places_b = pair.b.places(time, time);
+  const MovingBox a = pair.a.edge(places_a, position_a), b = pair.b.edge(places_b, position_b);
+  const Nearest nearest(a, b, 0, pair.error);
+  const Vec2 normal = nearest.distance > 0x1p20 * pair.error
+                          ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
+                          : normalOfTouch(a, b, betweenOrigins(places_a, places_b), pair.error);
+  return {time, toWorld(pair, motion_a, time, 0.5 * (nearest.on_a + nearest.on_b)), normal,
+          static_cast<std::ptrdiff_t>(pair.a.polygon->edgeNumber(position_a)),
+          static_cast<std::ptrdiff_t>(pair.b.polygon->edgeNumber(position_b))};
+}
+
+/// One polygon holds a ring of the other at time 0, and no edges meet.
+Impact describeContainment(const MovingPair& pair, const Motion& motion_a, const Motion& motion_b,
+                           const Outcome& outcome) {
+  const Vec2 between = betweenOrigins(pair.a.places(0, 0), pair.b.places(0, 0));
+  const double apart = between.norm();
+  Impact impact{0, Vec2::Zero(), apart > 0 ? Vec2(between / apart) : Vec2(1, 0), -1, -1};
+  const auto vertex = [&](const Mover& mover, const Motion& motion, std::ptrdiff_t found) {
+    const auto position = static_cast<std::size_t>(found);
+    impact.point = motion.start * mover.polygon->path[position];
+    return static_cast<std::ptrdiff_t>(mover.polygon->edgeNumber(position));
+  };
+  if (outcome.edge_a >= 0) impact.edge_a = vertex(pair.a, motion_a, outcome.edge_a);
+  if (outcome.edge_b >= 0) impact.edge_b = vertex(pair.b, motion_b, outcome.edge_b);
+  return impact;
+}
+
+std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
+                                    const Motion& motion_b, double time_error) {
+  const MovingPair moving(a, motion_a, b, motion_b);
+  if (moving.discsStayApart()) return std::nullopt;
+  ImpactSearch search(moving, time_error);
+  if (!search.start()) return std::nullopt;
+  // All of a region is in the box around everything. Regions that start apart meet at their edges first.
+  if (search.lowerBound() == 0) {
+    const Outcome outcome = collideByHierarchy(PosedPair(a, motion_a.start, b, motion_b.start), {}, 0, Wanted::Edges);
+    if (outcome.collides) {
+      return outcome.edge_a >= 0 && outcome.edge_b >= 0
+                 ? describe(moving, motion_a, 0, static_cast<std::size_t>(outcome.edge_a),
+                            static_cast<std::size_t>(outcome.edge_b))
+                 : describeContainment(moving, motion_a, motion_b, outcome);
+    }
+  }
+  if (!search.run()) return std::nullopt;
+  // Apart at time 0, though it may be by less than rounding.
+  const double time = std::max(search.time, std::numeric_limits<double>::denorm_min());
+  return describe(moving, motion_a, time, search.edge_a, search.edge_b);
+}
+
+}  // namespace
+}  // namespace detail
+
+std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                                   const ImpactOptions& options) {
+  if (!(options.time_error >= 0 && options.time_error <= std::numeric_limits<double>::max()))
+    throw std::invalid_argument("time_error: it must be finite and not negative");
+  checkMotion(motion_a, "motion_a");
+  checkMotion(motion_b, "motion_b");
+  if (detail::startInOrder(a.data(), motion_a, b.data(), motion_b))
+    return detail::impactInOrder(a.data(), motion_a, b.data(), motion_b, options.time_error);
+  auto impact = detail::impactInOrder(b.data(), motion_b, a.data(), motion_a, options.time_error);
+  if (impact) {
+    impact->normal = -impact->normal;
+    std::swap(impact->edge_a, impact->edge_b);
+  }
+  return impact;
+}
+
+}  // namespace tricover

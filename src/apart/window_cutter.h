@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "apart/moving_pair.h"
+
+namespace tricover::detail {
+
+/// The share [low, high] of a window that contact may lie in.
+struct Rest {
+  double low, high;
+  double aim;  ///< where points that aren't accelerated would meet along the axis that `low` is due to
+};
+
+/// A window of time with both movers' places at its ends.
+struct Window {
+  Window(const MovingPair& pair_, double begin, double end)
+      : pair(pair_), length(end - begin), a(pair.a.places(begin, end)), b(pair.b.places(begin, end)) {}
+
+  const MovingPair& pair;
+  double length;
+  Places a, b;
+};
+
+/// Cuts a window down to where contact of two boxes may lie, by one axis after the other.
+class WindowCutter {
+ public:
+  WindowCutter(const Window& window, const MovingBox& a, const MovingBox& b);
+
+  /// Each returns whether it parts the boxes throughout. By an axis of length 1 at the window's begin, which turns with
+  /// a, with b or not at all, as is best:
+  bool cutByAxis(const Vec2& axis);
+  /// By the axes of a or b, which turn with it or, if that loses more, stand still as in the middle of the window.
+  bool cutByAxesOfA() { return cutByAxesOf(a_, turns_with_a_, turns_with_a_ ? sag_with_a_ : sag_fixed_); }
+  bool cutByAxesOfB() { return cutByAxesOf(b_, turns_with_b_, turns_with_b_ ? sag_with_b_ : sag_fixed_); }
+  /// By the normals of two edges.
+  bool cutByNormals() { return cut(a_.vx, a_.vy, sag_with_a_) || cut(b_.vx, b_.vy, sag_with_b_); }
+
+  /// What no axis has cut off; nothing, low > high, is possible, too.
+  Rest rest() const { return {share(first_), 1 - share(last_), first_.from / (first_.from - first_.to)}; }
+
+  /// What points' ways across the window may bend by, seen along an axis that stands still.
+  double bend() const { return 0.25 * sag_fixed_; }
+
+ private:
+  /// A gap `from` at one end of the window, which stays positive for a share of about from / slope.
+  struct Side {
+    double from = 0, to = 0, slope = 1, sag = 0;
+  };
+
+  bool cutByAxesOf(const MovingBox& box, bool turns, double sag);
+  bool cut(Double2 nx, Double2 ny, double sag);
+  bool offer(double from, double to, double sag, Side& side) const;
+  static double share(const Side& side);
+
+  const MovingBox &a_, &b_;
+  double error_;
+  double sag_fixed_ = 0, sag_with_a_ = 0, sag_with_b_ = 0;
+  bool turns_with_a_ = false, turns_with_b_ = false;
+  Side first_, last_;
+};
+
+/// An upper bound of a length, too large by 8 percent at most.
+inline double lengthAbove(double x, double y) {
+  x = std::abs(x);
+  y = std::abs(y);
+  return std::max(x, y) + 0.41422 * std::min(x, y);
+}
+
+// The gap along an axis is the least of n . (p_b - p_a) over points of both boxes. If no such function of time has a
+// second derivative beyond A, each is at least its linear interpolation over the window minus A h^2 x (1 - x) / 2, with
+// h the window's length and x the share of it that has passed; and so the least is at least the interpolation of the
+// gaps at both ends minus the same. `sag` is A h^2 / 2.
+//
+// With r_a, r_b the points' levers from their pivots, which turn at rates alpha and beta, D the vector from a's pivot
+// to b's and V its constant velocity: along a fixed axis of length 1,
+//   A <= alpha^2 |r_a| + beta^2 |r_b|.
+// Along an axis that turns at the rate omega, by differentiating in a frame that does,
+//   A <= |(beta - omega)^2 r_b - (alpha - omega)^2 r_a + omega^2 D| + 2 |omega| |V|, up to the signs of the whole.
+// With omega = alpha that is at most (beta - alpha)^2 |r_b| + alpha^2 |D| or, by D = (p_b - c_a) - r_b for a's pivot
+// c_a, |beta| |beta - 2 alpha| |r_b| + alpha^2 |p_b - c_a|; and likewise for omega = beta. |D| and |p_b - c_a| are
+// bounded over the window by their value at its begin and how fast they change. 2^-10 pays for rounding, for axes that
+// a pose off rigid by 1e-6 makes longer than 1, and for extents that it stretches.
+inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, const MovingBox& b)
+    : a_(a), b_(b), error_(window.pair.error) {
+  const double alpha = window.pair.a.turn, beta = window.pair.b.turn;
+  if (alpha == 0 && beta == 0) return;
+  const double speed = window.pair.speed, h = window.length, half_square = 0.5 * (1 + 0x1p-10) * h * h;
+  const Places &at_a = window.a, &at_b = window.b;
+  const double extent_a = a.along + a.across, extent_b = b.along + b.across;
+  const double lever_a = lengthAbove(a.x[0] - at_a.pivot_x[0], a.y[0] - at_a.pivot_y[0]) + extent_a;
+  const double lever_b = lengthAbove(b.x[0] - at_b.pivot_x[0], b.y[0] - at_b.pivot_y[0]) + extent_b;
+  const double apart = lengthAbove(at_b.pivot_x[0] - at_a.pivot_x[0], at_b.pivot_y[0] - at_a.pivot_y[0]) + h * speed;
+  const double b_from_a = lengthAbove(b.x[0] - at_a.pivot_x[0], b.y[0] - at_a.pivot_y[0]) + extent_b +
+                          h * (speed + std::abs(beta) * lever_b);
+  const double a_from_b = lengthAbove(a.x[0] - at_b.pivot_x[0], a.y[0] - at_b.pivot_y[0]) + extent_a +
+                          h * (speed + std::abs(alpha) * lever_a);
+  const double relative = (beta - alpha) * (beta - alpha);
+  const double with_a = std::min(relative * lever_b + alpha * alpha * apart,
+                                 std::abs(beta) * std::abs(beta - 2 * alpha) * lever_b + alpha * alpha * b_from_a);
+  const double with_b = std::min(relative * lever_a + beta * beta * apart,
+                                 std::abs(alpha) * std::abs(alpha - 2 * beta) * lever_a + beta * beta * a_from_b);
+  sag_fixed_ = half_square * (alpha * alpha * lever_a + beta * beta * lever_b);
+  sag_with_a_ = half_square * (with_a + 2 * std::abs(alpha) * speed);
+  sag_with_b_ = half_square * (with_b + 2 * std::abs(beta) * speed);
+  // A box that turns while the axis stands still loses as much as its ends rise.
+  turns_with_a_ = sag_with_a_ < sag_fixed_ + 2 * std::abs(alpha) * h * extent_a;
+  turns_with_b_ = sag_with_b_ < sag_fixed_ + 2 * std::abs(beta) * h * extent_b;
+}
+
+inline bool WindowCutter::cutByAxis(const Vec2& axis) {
+  if (sag_fixed_ <= std::min(sag_with_a_, sag_with_b_))
+    return cut(axis.x() - Double2{}, axis.y() - Double2{}, sag_fixed_);
+  const bool with_a = sag_with_a_ <= sag_with_b_;
+  const MovingBox& box = with_a ? a_ : b_;
+  const double u = axis.x() * box.ux[0] + axis.y() * box.uy[0], v = axis.x() * box.vx[0] + axis.y() * box.vy[0];
+  return cut(u * box.ux + v * box.vx, u * box.uy + v * box.vy, with_a ? sag_with_a_ : sag_with_b_);
+}
+
+inline bool WindowCutter::cutByAxesOf(const MovingBox& box, bool turns, double sag) {
+  if (turns) return cut(box.ux, box.uy, sag) || cut(box.vx, box.vy, sag);
+  const auto middle = [](Double2 p) { return 0.5 * (p + swapped(p)); };
+  return cut(middle(box.ux), middle(box.uy), sag) || cut(middle(box.vx), middle(box.vy), sag);
+}
+
+inline bool WindowCutter::cut(Double2 nx, Double2 ny, double sag) {
+  Double2 distance = nx * (b_.x - a_.x) + ny * (b_.y - a_.y);
+  if (distance[0] < 0) distance = -distance;
+  const Double2 radius = absolute(nx * a_.ux + ny * a_.uy) * a_.along + absolute(nx * a_.vx + ny * a_.vy) * a_.across +
+                         absolute(nx * b_.ux + ny * b_.uy) * b_.along + absolute(nx * b_.vx + ny * b_.vy) * b_.across +
+                         error_;
+  const Double2 gap = distance - radius;
+  if (offer(gap[0], gap[1], sag, first_)) return true;
+  return distance[1] < 0 ? offer(-distance[1] - radius[1], -distance[0] - radius[0], sag, last_)
+                         : offer(gap[1], gap[0], sag, last_);
+}
+
+/// Seen from an end of the window, the gap is at least from - slope x + sag x^2.
+inline bool WindowCutter::offer(double from, double to, double sag, Side& side) const {
+  if (!(from > 0)) return false;
+  const double slope = from - to + sag;
+  if (slope < from || slope * slope < 4 * sag * from) return true;  // without a root in [0, 1]
+  // Division can wait until the best is known; as can the root, of which this is the first order.
+  if (from * side.slope > side.from * slope) side = {from, to, slope, sag};
+  return false;
+}
+
+inline double WindowCutter::share(const Side& side) {
+  if (side.from == 0) return 0;
+  const double root = std::sqrt(std::max(side.slope * side.slope - 4 * side.sag * side.from, 0.0));
+  return std::min(2 * side.from / (side.slope + root), 1.0);
+}
+
+}  // namespace tricover::detail

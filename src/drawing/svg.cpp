@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/svg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "pair/posed_pair.h"
+#include "tricover/influence.h"
+
+namespace tricover {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string number(double x) {
+  std::ostringstream out;
+  out.precision(9);
+  out << x;
+  return out.str();
+}
+
+/// "x,y"; SVG's y axis points down.
+std::string pair(const Vec2& p) { return number(p.x()) + "," + number(-p.y()); }
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+}  // namespace
+
+SvgDrawing::SvgDrawing(double width_px)
+    : width_px_(width_px), low_(kInfinity, kInfinity), high_(-kInfinity, -kInfinity) {
+  if (!(width_px > 0 && std::isfinite(width_px)))
+    throw std::invalid_argument("width_px: it must be positive and finite");
+}
+
+void SvgDrawing::include(const Vec2& point) {
+  low_ = low_.cwiseMin(point);
+  high_ = high_.cwiseMax(point);
+}
+
+void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke) {
+  std::string path;
+  for (const Ring& ring : polygon.rings()) {
+    char command = 'M';
+    for (const Vec2& p : ring) {
+      const Vec2 world = pose * p;
+      include(world);
+      path += command + pair(world);
+      command = 'L';
+    }
+    path += 'Z';
+  }
+  const std::string rule = polygon.fillRule() == FillRule::EvenOdd ? "evenodd" : "nonzero";
+  elements_.push_back({"<path d=\"" + path + "\" fill=\"" + escaped(fill) + "\" fill-rule=\"" + rule + "\" stroke=\"" +
+                           escaped(stroke) + "\"",
+                       "stroke-width", 1, "/>"});
+}
+
+void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
+  for (const CoveringTriangle& triangle : polygon.covering()) {
+    const std::string tint = triangle.sign > 0 ? "#3b82f6" : triangle.sign < 0 ? "#ef4444" : "none";
+    const Vec2 s = pose * triangle.s;
+    include(s);
+    elements_.push_back({"<polygon points=\"" + pair(s) + " " + pair(pose * triangle.v) + " " +
+                             pair(pose * triangle.w) + "\" fill=\"" + tint + "\" fill-opacity=\"0.12\" stroke=\"" +
+                             tint + "\" stroke-opacity=\"0.5\"",
+                         "stroke-width", 0.6, "/>"});
+  }
+}
+
+void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill) {
+  for (std::size_t edge = 0; edge < polygon.vertexCount(); ++edge) {
+    std::string points;
+    for (const Vec2& corner : boundedInfluenceArea(polygon, edge, length)) {
+      const Vec2 world = pose * corner;
+      include(world);
+      points += pair(world) + " ";
+    }
+    elements_.push_back({"<polygon points=\"" + points + "\" fill=\"" + escaped(fill) +
+                             "\" fill-opacity=\"0.08\" stroke=\"" + escaped(fill) + "\" stroke-opacity=\"0.4\"",
+                         "stroke-width", 0.5, "/>"});
+  }
+}
+
+void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  checkPose(pose_a, "pose_a");
+  checkPose(pose_b, "pose_b");
+  const detail::PosedPair posed(a.data(), pose_a, b.data(), pose_b);
+  std::vector<bool> hit_a(a.vertexCount(), false), hit_b(b.vertexCount(), false);
+  for (std::size_t i = 0; i < hit_a.size(); ++i)
+    for (std::size_t j = 0; j < hit_b.size(); ++j)
+      if (detail::edgesMeet(posed, a.data().edgePosition(i), b.data().edgePosition(j))) hit_a[i] = hit_b[j] = true;
+  const auto draw = [&](const Polygon& polygon, const Pose& pose, const std::vector<bool>& hit) {
+    for (std::size_t edge = 0; edge < hit.size(); ++edge) {
+      if (!hit[edge]) continue;
+      polyline({pose * polygon.edgeStart(edge), pose * polygon.edgeEnd(edge)}, "#dc2626");
+    }
+  };
+  draw(a, pose_a, hit_a);
+  draw(b, pose_b, hit_b);
+}
+
+void SvgDrawing::polyline(const std::vector<Vec2>& points, const std::string& stroke) {
+  std::string list;
+  for (const Vec2& point : points) {
+    include(point);
+    list += (list.empty() ? "" : " ") + pair(point);
+  }
+  elements_.push_back({"<polyline points=\"" + list + "\" fill=\"none\" stroke=\"" + escaped(stroke) + "\"",
+                       "stroke-width", 2.5, "/>"});
+}
+
+void SvgDrawing::text(const Vec2& position, const std::string& text) {
+  include(position);
+  elements_.push_back({"<text x=\"" + number(position.x()) + "\" y=\"" + number(-position.y()) +
+                           "\" fill=\"#111\" text-anchor=\"middle\"",
+                       "font-size", 13, ">" + escaped(text) + "</text>"});
+}
+
+std::string SvgDrawing::str() const {
+  if (elements_.empty()) throw std::logic_error("SvgDrawing: nothing is drawn");
+  const Vec2 size = (high_ - low_).cwiseMax(1e-3 * (high_ - low_).maxCoeff());
+  const double border = 0.03 * size.maxCoeff();
+  const double x = low_.x() - border, y = -high_.y() - border;
+  const double width = size.x() + 2 * border, height = size.y() + 2 * border;
+  std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_px_) + "\" height=\"" +
+      number(width_px_ * height / width) + "\" viewBox=\"" + number(x) + " " + number(y) + " " + number(width) + " " +
+      number(height) + "\">\n<g stroke-linejoin=\"round\" font-family=\"sans-serif\">\n" + "<rect x=\"" + number(x) +
+      "\" y=\"" + number(y) + "\" width=\"" + number(width) + "\" height=\"" + number(height) + "\" fill=\"white\"/>\n";
+  for (const Element& element : elements_)
+    svg += element.head + " " + element.attribute + "=\"" + number(element.px * width / width_px_) + "\"" +
+           element.tail + "\n";
+  return svg + "</g>\n</svg>\n";
+}
+
+}  // namespace tricover

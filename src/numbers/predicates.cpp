@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "numbers/predicates.h"
+
+#include <algorithm>
+
+#include "numbers/dyadic.h"
+
+namespace tricover::detail {
+namespace {
+
+thread_local std::uint64_t exact_calls = 0;
+
+#ifdef TRICOVER_PLAIN_SIGNS
+struct Number {
+  using Real = TRICOVER_PLAIN_SIGNS;
+  Real value;
+  explicit Number(double v) : value(static_cast<Real>(v)) {}
+  int sign() const { return (value > 0) - (value < 0); }
+  Dyadic::Scaled scaled() const { return {static_cast<double>(value), 0}; }
+  friend Number operator+(Number p, Number q) { return Number(p.value + q.value); }
+  friend Number operator-(Number p, Number q) { return Number(p.value - q.value); }
+  friend Number operator*(Number p, Number q) { return Number(p.value * q.value); }
+};
+#else
+using Number = Dyadic;
+#endif
+
+struct ExactVector {
+  Number x, y;
+};
+
+Number coordinate(const PosedPoint& p, int axis) {
+  if (p.pose == nullptr) return Number(p.local[axis]);
+  const auto& m = p.pose->matrix();
+  return Number(m(axis, 0)) * Number(p.local.x()) + Number(m(axis, 1)) * Number(p.local.y()) + Number(m(axis, 2));
+}
+
+ExactVector difference(const PosedPoint& p, const PosedPoint& q) {
+  return {coordinate(p, 0) - coordinate(q, 0), coordinate(p, 1) - coordinate(q, 1)};
+}
+
+Number cross(const ExactVector& u, const ExactVector& w) { return u.x * w.y - u.y * w.x; }
+Number dot(const ExactVector& u, const ExactVector& w) { return u.x * w.x + u.y * w.y; }
+
+double rootOf(const Dyadic::Scaled& square) { return std::ldexp(std::sqrt(square.mantissa), square.exponent / 2); }
+
+}  // namespace
+
+int orientExact(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r) {
+  ++exact_calls;
+  return cross(difference(q, p), difference(r, p)).sign();
+}
+
+int compareExact(const PosedPoint& p, const PosedPoint& q, int axis) {
+  ++exact_calls;
+  return (coordinate(p, axis) - coordinate(q, axis)).sign();
+}
+
+bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w) {
+  return compareExact(p, v, 0) * compareExact(p, w, 0) <= 0 && compareExact(p, v, 1) * compareExact(p, w, 1) <= 0;
+}
+
+bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length) {
+  ++exact_calls;
+  const Number square = Number(length) * Number(length);
+  const ExactVector u = difference(w, v), from_v = difference(p, v);
+  if (dot(from_v, u).sign() <= 0) return (dot(from_v, from_v) - square).sign() <= 0;
+  const ExactVector from_w = difference(p, w);
+  if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() <= 0;
+  const Number area = cross(u, from_v);
+  return (area * area - square * dot(u, u)).sign() <= 0;
+}
+
+// The mantissas are right to 2U, their roots to 2U, and so is a quotient of such to 6U. The one scaling rounds again
+// only where the result is denormal.
+ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w) {
+  ++exact_calls;
+  const ExactVector u = difference(w, v), from_v = difference(p, v);
+  const Number along = dot(from_v, u);
+  if (along.sign() <= 0) return {rootOf(dot(from_v, from_v).scaled()), 0};
+  const ExactVector from_w = difference(p, w);
+  if (dot(from_w, u).sign() >= 0) return {rootOf(dot(from_w, from_w).scaled()), 1};
+  const Dyadic::Scaled area = cross(u, from_v).scaled(), square = dot(u, u).scaled(), part = along.scaled();
+  return {std::ldexp(std::abs(area.mantissa) / std::sqrt(square.mantissa), area.exponent - square.exponent / 2),
+          std::min(std::ldexp(part.mantissa / square.mantissa, part.exponent - square.exponent), 1.0)};
+}
+
+std::uint64_t exactCalls() { return exact_calls; }
+
+}  // namespace tricover::detail

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "numbers/rounding.h"
+#include "tricover/pose.h"
+
+namespace tricover::detail {
+
+/// The exact point pose * local; no pose means the identity.
+struct PosedPoint {
+  const Pose* pose;
+  Vec2 local;
+};
+
+/// A point known to within `error` in each coordinate.
+struct ApproxPoint {
+  double x, y, error;
+};
+
+constexpr int kUncertain = 2;
+
+/// The sign of the signed area |p q r|: 1 counter-clockwise, -1 clockwise, kUncertain where rounding could matter.
+///
+/// Bound. Write u = q - p, w = r - p, ^ for the computed values, e_u = e_p + e_q, e_w = e_p + e_r, and U =
+/// kUnitRoundoff:
+///   |u_x - ^u_x| <= U |^u_x| + e_u, and so on for u_y, w_x, w_y;
+///   each product of two of them therefore errs by at most 2U |^u ^w| + e_w |^u| + e_u |^w| + (U |^u| + e_u)(U |^w| +
+///   e_w), rounding the products adds U (P), rounding their difference U (1 + U) P, with P = |^u_x ^w_y| + |^u_y ^w_x|.
+/// The sum is below (4U + O(U^2)) P + (1 + 2U) (e_w |u|_1 + e_u |w|_1) + 2 e_u e_w + underflow. 5U, 1 + 2^-20 and kTiny
+/// leave room for rounding in the bound itself. Fused operations only drop roundings. Infinities and NaN end in
+/// "uncertain", because the bound is then infinite or NaN, too.
+///
+/// TRICOVER_PLAIN_SIGNS, a type, is for benches that ask what exactness costs: every sign is as that type rounds it.
+inline int orientFilter(const ApproxPoint& p, const ApproxPoint& q, const ApproxPoint& r) {
+#ifdef TRICOVER_PLAIN_SIGNS
+  using Real = TRICOVER_PLAIN_SIGNS;
+  const Real px = static_cast<Real>(p.x), py = static_cast<Real>(p.y);
+  const Real sign = (static_cast<Real>(q.x) - px) * (static_cast<Real>(r.y) - py) -
+                    (static_cast<Real>(q.y) - py) * (static_cast<Real>(r.x) - px);
+  return (sign > 0) - (sign < 0);
+#else
+  const double ux = q.x - p.x, uy = q.y - p.y, wx = r.x - p.x, wy = r.y - p.y;
+  const double left = ux * wy, right = uy * wx;
+  const double det = left - right;
+  const double eu = p.error + q.error, ew = p.error + r.error;
+  const double bound =
+      5 * kUnitRoundoff * (std::abs(left) + std::abs(right)) +
+      (1 + 0x1p-20) * (ew * (std::abs(ux) + std::abs(uy)) + eu * (std::abs(wx) + std::abs(wy) + 2 * ew)) + kTiny;
+  if (det > bound) return 1;
+  if (-det > bound) return -1;
+  return kUncertain;
+#endif
+}
+
+/// The sign of the signed area |p q r| of the exact points, in the world.
+int orientExact(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r);
+
+/// The sign of the signed area of three points of one frame: filter, then exact stage.
+inline int orientation(const Vec2& p, const Vec2& q, const Vec2& r) {
+  const int sign = orientFilter({p.x(), p.y(), 0}, {q.x(), q.y(), 0}, {r.x(), r.y(), 0});
+  return sign != kUncertain ? sign : orientExact({nullptr, p}, {nullptr, q}, {nullptr, r});
+}
+
+/// The sign of p's world coordinate minus q's; axis 0 is x, 1 is y.
+int compareExact(const PosedPoint& p, const PosedPoint& q, int axis);
+
+/// Whether p, known to be on the line of v and w, is between them or on one of them.
+bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w);
+
+/// Whether p is at most `length` >= 0 away from the closed segment (v, w), in the world.
+bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length);
+
+/// The distance of p from the closed segment (v, w), in the world: right to 16 kUnitRoundoff of itself, and to the
+/// smallest double; infinity where it is above the largest. `along`: where the nearest point is, from 0 at v to 1 at w.
+struct ExactDistance {
+  double distance, along;
+};
+ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w);
+
+/// How often this thread has called an exact predicate: lets tests and benches tell the filter's share.
+std::uint64_t exactCalls();
+
+}  // namespace tricover::detail

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "overlap/convex_penetration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "numbers/double_double.h"
+#include "numbers/predicates.h"
+
+namespace tricover::detail {
+namespace {
+
+/// Whether q, on the line of p and r, is between them: a straight vertex rather than a spike's tip.
+bool isBetween(const Vec2& p, const Vec2& q, const Vec2& r) {
+  return std::min(p.x(), r.x()) <= q.x() && q.x() <= std::max(p.x(), r.x()) && std::min(p.y(), r.y()) <= q.y() &&
+         q.y() <= std::max(p.y(), r.y());
+}
+
+/// Andrew's monotone chains.
+std::vector<std::size_t> hullCorners(const PolygonData& polygon) {
+  std::vector<std::size_t> order(polygon.path.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto at = [&](std::size_t i) -> const Vec2& { return polygon.path[i]; };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return at(i).x() != at(j).x() ? at(i).x() < at(j).x() : at(i).y() < at(j).y();
+  });
+  order.erase(std::unique(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return at(i) == at(j); }),
+              order.end());
+  if (order.size() == 1) return order;
+  std::vector<std::size_t> hull;
+  for (const bool upper : {false, true}) {
+    const std::size_t begin = hull.size();
+    for (const std::size_t i : order) {
+      while (hull.size() >= begin + 2 && orientation(at(hull[hull.size() - 2]), at(hull.back()), at(i)) <= 0)
+        hull.pop_back();
+      hull.push_back(i);
+    }
+    hull.pop_back();  // the other chain's first
+    if (!upper) std::reverse(order.begin(), order.end());
+  }
+  return hull;
+}
+
+/// Corners in the world less a's translation, times a power of two that keeps products in range.
+using Corners = std::vector<DoubleDouble2>;
+
+Corners posed(const PolygonData& polygon, const Pose& pose, const std::vector<std::size_t>& positions,
+              const DoubleDouble2& shift, double scale) {
+  const auto& m = pose.matrix();
+  Corners corners;
+  corners.reserve(positions.size());
+  for (const std::size_t i : positions) {
+    const Vec2 p = polygon.path[i] * scale;
+    const auto row = [&](int r, const DoubleDouble& t) {
+      return exactProduct(m(r, 0), p.x()) + exactProduct(m(r, 1), p.y()) + t;
+    };
+    corners.push_back({row(0, shift.x), row(1, shift.y)});
+  }
+  return corners;
+}
+
+struct Gap {
+  double depth = std::numeric_limits<double>::infinity();
+  Vec2 normal = Vec2(1, 0);  ///< outwards from `of`
+  std::size_t edge = 0, corner = 0;
+};
+
+/// The least gap over the edges of one of them, both counter-clockwise. While the normal turns, the other's farthest
+/// corner goes around at most once.
+Gap leastGap(const Corners& of, const Corners& other) {
+  Gap least;
+  const std::size_t n = of.size(), m = other.size();
+  if (n < 2) return least;
+  std::size_t farthest = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const DoubleDouble2 edge = of[(k + 1) % n] - of[k], normal{edge.y, -edge.x};
+    // A segment's normals are opposite: on the way from one to the other a step may be no descent.
+    if (k == 0 || n == 2)
+      for (std::size_t j = 0; j < m; ++j)
+        if (dot(normal, other[j] - other[farthest]).high < 0) farthest = j;
+    for (std::size_t steps = 0; steps < m; ++steps) {
+      const std::size_t next = (farthest + 1) % m;
+      if (!(dot(normal, other[next] - other[farthest]).high < 0)) break;
+      farthest = next;
+    }
+    const double length = std::hypot(normal.x.high, normal.y.high);
+    const double depth = std::max(0.0, dot(normal, of[k] - other[farthest]).high / length);
+    if (!(depth < least.depth)) continue;
+    least = {depth, Vec2(normal.x.high, normal.y.high) / length, k, farthest};
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<std::size_t> convexCorners(const PolygonData& polygon) {
+  if (polygon.ringCount() != 1) return {};
+  std::vector<std::size_t> distinct, corners;
+  for (std::size_t i = polygon.edgeBegin(0); i < polygon.edgeEnd(0); ++i)
+    if (polygon.path[i] != polygon.path[i + 1]) distinct.push_back(i);
+  int direction = 0, turns_in_x = 0;
+  const std::size_t n = distinct.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &p = polygon.path[distinct[i]], &q = polygon.path[distinct[(i + 1) % n]],
+               &r = polygon.path[distinct[(i + 2) % n]];
+    const int turn = orientation(p, q, r);
+    turns_in_x += (q.x() > p.x()) != (r.x() > q.x());
+    if (turn == 0 && isBetween(p, q, r)) continue;
+    if (turn == 0 || turn == -direction) return {};
+    direction = turn;
+    corners.push_back(distinct[(i + 1) % n]);
+  }
+  if (turns_in_x != 2) return {};
+  if (direction < 0) std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
+ConvexOutline convexOutline(const PolygonData& polygon) {
+  std::vector<std::size_t> corners = convexCorners(polygon);
+  if (!corners.empty()) return {std::move(corners), true};
+  corners = hullCorners(polygon);
+  // A ring without area covers all of its segment.
+  const bool is_region = polygon.ringCount() == 1 && corners.size() < 3;
+  return {std::move(corners), is_region};
+}
+
+SupportGap leastSupportGap(const PolygonData& a, const Pose& pose_a, const ConvexOutline& outline_a,
+                           const PolygonData& b, const Pose& pose_b, const ConvexOutline& outline_b) {
+  const Vec2 ta = pose_a.translation(), tb = pose_b.translation();
+  const double largest = std::max({a.extent, b.extent, ta.lpNorm<Eigen::Infinity>(), tb.lpNorm<Eigen::Infinity>()});
+  const int exponent = largest > 0 ? std::clamp(std::ilogb(largest), -1000, 1000) : 0;
+  const double scale = std::ldexp(1, -exponent);
+  const DoubleDouble2 shift{exactSum(tb.x() * scale, -ta.x() * scale), exactSum(tb.y() * scale, -ta.y() * scale)};
+  const auto counterClockwise = [](const Pose& pose, std::vector<std::size_t> corners) {
+    if (pose.linear().determinant() < 0) std::reverse(corners.begin(), corners.end());
+    return corners;
+  };
+  const std::vector<std::size_t> at_a = counterClockwise(pose_a, outline_a.corners),
+                                 at_b = counterClockwise(pose_b, outline_b.corners);
+  const Corners corners_a = posed(a, pose_a, at_a, {}, scale), corners_b = posed(b, pose_b, at_b, shift, scale);
+  const Gap of_a = leastGap(corners_a, corners_b), of_b = leastGap(corners_b, corners_a);
+  const bool edge_of_a = of_a.depth <= of_b.depth;
+  const Gap& least = edge_of_a ? of_a : of_b;
+  const bool points = corners_a.size() < 2 && corners_b.size() < 2;  // which any translation parts
+  const std::vector<std::size_t>&holder = edge_of_a ? at_a : at_b, &other = edge_of_a ? at_b : at_a;
+  return {points ? 0 : least.depth / scale,
+          edge_of_a ? least.normal : Vec2(-least.normal),
+          edge_of_a,
+          holder[least.edge],
+          holder[(least.edge + 1) % holder.size()],
+          other[least.corner]};
+}
+
+}  // namespace tricover::detail

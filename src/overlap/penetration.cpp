@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/penetration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "overlap/convex_penetration.h"
+#include "overlap/translation_search.h"
+#include "pair/strategy.h"
+#include "tricover/collide.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+/// The number of the edge that is nearest to p.
+std::ptrdiff_t nearestEdge(const PolygonData& polygon, const std::vector<Vec2>& vertices, const Vec2& p) {
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const double square = (nearestOnSegment(p, vertices[e], vertices[e + 1]) - p).squaredNorm();
+      if (!(square < least)) continue;
+      least = square;
+      nearest = e;
+    }
+  return static_cast<std::ptrdiff_t>(polygon.edgeNumber(nearest));
+}
+
+struct Features {
+  Vec2 point_a, point_b;  ///< in the space's units
+  Vec2 direction;         ///< unit
+};
+
+/// Where an edge and a vertex part after the translation t. The vertex may come beyond the edge's end only where the
+/// edge at it is parallel.
+Features featuresOf(const TranslationSpace& space, const Vec2& t, bool edge_of_a, std::size_t start, std::size_t end,
+                    std::size_t vertex) {
+  const std::vector<Vec2>&a = space.verticesOfA(), &b = space.verticesOfB();
+  if (edge_of_a) {
+    const Vec2 p = nearestOnSegment(b[vertex] + t, a[start], a[end]);
+    return {p, p - t, t.normalized()};
+  }
+  const Vec2 p = nearestOnSegment(a[vertex] - t, b[start], b[end]);
+  return {p + t, p, t.normalized()};
+}
+
+/// The same for what the search found, by the convolution segment that is nearest to its limit: it is on one, unless
+/// the budget ran out.
+Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
+  const Vec2 t = shortest.limit;
+  const double noise = space.noise();
+  Vec2 at = t;
+  const PosedPair pair = space.at(at);
+  double least = std::numeric_limits<double>::infinity();
+  TranslationSpace::Segment nearest{};
+  for (double radius = 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
+    space.forEachSegment(
+        pair, at, radius, [](std::size_t, std::size_t) { return true; },
+        [&](const TranslationSpace::Segment& segment) {
+          const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
+          if (apart < least) nearest = segment;
+          least = std::min(apart, least);
+          return true;
+        });
+  const Vec2 parted = least > 64 * noise ? nearestOnSegment(t, nearest.v, nearest.w) : t;
+  Features features = nearest.vertex_of_a
+                          ? featuresOf(space, parted, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
+                          : featuresOf(space, parted, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
+  const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
+  features.direction = way.normalized();
+  // Over a short way the segment's normal is known better than the way's direction.
+  if (along.norm() > 0 && least <= 64 * noise && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
+    features.direction = Vec2(along.y(), -along.x()).normalized();
+    if (features.direction.dot(way) < 0) features.direction = -features.direction;
+  }
+  return features;
+}
+
+/// Whether either one, translated as its pose can be, leaves the other.
+bool parts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+           const Vec2& translation) {
+  Pose moved_a = pose_a, moved_b = pose_b;
+  moved_a.translation() -= translation;
+  moved_b.translation() += translation;
+  if (!moved_a.translation().allFinite() || !moved_b.translation().allFinite()) return false;
+  return !collideByHierarchy(PosedPair(a, pose_a, b, moved_b), {}, 0, Wanted::Answer).collides &&
+         !collideByHierarchy(PosedPair(a, moved_a, b, pose_b), {}, 0, Wanted::Answer).collides;
+}
+
+Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                               const PenetrationOptions& options) {
+  const ConvexOutline outline_a = convexOutline(a), outline_b = convexOutline(b);
+  const SupportGap gap = leastSupportGap(a, pose_a, outline_a, b, pose_b, outline_b);
+  TranslationSpace space(a, pose_a, b, pose_b);
+  if (!space.isFinite()) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
+  }
+  Penetration result{gap.depth, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
+  const double unit = space.unit();
+  const Vec2 known = gap.direction * (gap.depth / unit);
+  ShortestParting shortest{known, known, known.norm()};
+  Features features;
+  if (outline_a.is_region && outline_b.is_region) {
+    features = featuresOf(space, known, gap.edge_of_a, gap.edge_start, gap.edge_end, gap.corner);
+    result.lower_bound = gap.depth;
+    result.optimal = true;
+  } else {
+    shortest = searchShortestParting(space, known, options.budget);
+    features = featuresOf(space, shortest);
+    if (shortest.limit != known) {
+      const double length = shortest.limit.norm();
+      result.depth = length > 2 * space.noise() ? length * unit : 0;
+      result.direction = features.direction;
+    }
+    result.lower_bound = std::min(shortest.lower_bound * unit, result.depth);
+    result.optimal =
+        result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + 32 * space.noise() * unit;
+  }
+  // At the limit they may still touch, and a pose's translation is rounded.
+  result.translation = shortest.parting * unit;
+  const Vec2 aside = shortest.parting - shortest.limit;
+  const Vec2 way = aside.norm() > 0 ? Vec2(aside.normalized()) : result.direction;
+  for (double step = std::max(aside.norm(), space.noise());
+       std::isfinite(step * unit) && !parts(a, pose_a, b, pose_b, result.translation); step *= 2)
+    result.translation = (shortest.limit + step * way) * unit;
+  result.point_a = space.inWorld(features.point_a);
+  result.point_b = space.inWorld(features.point_b);
+  result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);
+  result.edge_b = nearestEdge(b, space.verticesOfB(), features.point_b);
+  return result;
+}
+
+Penetration mirrored(const Penetration& p) {
+  return {p.depth, -p.direction, p.lower_bound, p.optimal, -p.translation, p.point_b, p.point_a, p.edge_b, p.edge_a};
+}
+
+}  // namespace
+}  // namespace detail
+
+std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                       const PenetrationOptions& options) {
+  if (!collide(a, pose_a, b, pose_b)) return std::nullopt;
+  if (detail::inOrder(a.data(), pose_a, b.data(), pose_b))
+    return detail::penetrationInOrder(a.data(), pose_a, b.data(), pose_b, options);
+  return detail::mirrored(detail::penetrationInOrder(b.data(), pose_b, a.data(), pose_a, options));
+}
+
+}  // namespace tricover

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "overlap/translation_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numbers/double_double.h"
+#include "pair/world_frame.h"
+
+namespace tricover::detail {
+Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
+  const Vec2 u = w - v;
+  const double square = u.squaredNorm();
+  if (!(square > 0)) return v;
+  const double s = (p - v).dot(u) / square;
+  if (s <= 0) return v;
+  if (s >= 1) return w;
+  // From the nearer end: an end is met without rounding.
+  return s <= 0.5 ? Vec2(v + s * u) : Vec2(w - (1 - s) * u);
+}
+
+TranslationSpace::Outline TranslationSpace::outline(const PolygonData& polygon, const Pose& pose, const Vec2& origin,
+                                                    double inverse_unit) {
+  const std::size_t n = polygon.path.size();
+  const Eigen::Matrix2d turn = pose.linear();
+  Outline result{std::vector<Vec2>(n), std::vector<Vec2>(n, Vec2::Zero()), std::vector<Vec2>(n, Vec2::Zero()),
+                 std::vector<char>(n, 0)};
+  const auto inUnits = [&](const Vec2& p, const Vec2& q) { return Vec2(turn * (p * inverse_unit - q * inverse_unit)); };
+  for (std::size_t i = 0; i < n; ++i) result.vertices[i] = origin + inUnits(polygon.path[i], polygon.origin);
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
+    const std::size_t begin = polygon.edgeBegin(r), end = polygon.edgeEnd(r);
+    std::size_t last = end;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (polygon.path[i] == polygon.path[i + 1]) continue;
+      result.is_edge[i] = 1;
+      result.outgoing[i] = inUnits(polygon.path[i + 1], polygon.path[i]);
+      last = i;
+    }
+    // A ring that is one point is one edge without a length.
+    if (last == end) result.is_edge[begin] = 1;
+    for (std::size_t i = begin; i < end && last != end; ++i) {
+      if (!result.is_edge[i]) continue;
+      result.incoming[i] = result.outgoing[last];
+      last = i;
+    }
+  }
+  return result;
+}
+
+// Coordinates in a frame from S round by U in p - q, by at most 3U in R (p - q), and by U in each of the sums with the
+// shift and in a segment's ends, whose lengths are below those of the radii and of the shift between the origins, which
+// itself is rounded once. A translation is rounded to the spacing of doubles at t_b - t_a + t.
+TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+    : polygon_a_(a),
+      polygon_b_(b),
+      pose_a_(pose_a),
+      pose_b_(pose_b),
+      unit_(std::max(a.unit, b.unit)),
+      inverse_unit_(std::min(a.inverse_unit, b.inverse_unit)),
+      origin_(pose_a * a.origin) {
+  const auto& ra = pose_a.matrix();
+  const auto& rb = pose_b.matrix();
+  for (int row = 0; row < 2; ++row) {
+    const DoubleDouble shift = exactSum(rb(row, 2), -ra(row, 2));
+    shift_[row] = shift.high;
+    shift_rest_[row] = shift.low;
+    const auto inUnits = [&](const Eigen::Matrix3d& m, const Vec2& s) {
+      return exactProduct(m(row, 0), s.x() * inverse_unit_) + exactProduct(m(row, 1), s.y() * inverse_unit_);
+    };
+    const DoubleDouble scaled{shift.high * inverse_unit_, shift.low * inverse_unit_};
+    between_[row] = (inUnits(rb, b.origin) - inUnits(ra, a.origin) + scaled).high;
+  }
+  pose_a_.translation().setZero();
+  const double radii = (a.radius * inverse_unit_ + b.radius * inverse_unit_) * (1 + kLargestDefect);
+  reach_ = radii + between_.norm();
+  noise_ = 16 * kUnitRoundoff * reach_ + 4 * kUnitRoundoff * (shift_.lpNorm<1>() * inverse_unit_) +
+           0x1p-1073 * inverse_unit_;
+  if (!isFinite()) return;
+  a_ = outline(a, pose_a, Vec2::Zero(), inverse_unit_);
+  b_ = outline(b, pose_b, between_, inverse_unit_);
+}
+
+void TranslationSpace::coverByDiscs() {
+  discs_a_ = detail::coverByDiscs(polygon_a_, pose_a_, a_.vertices, Vec2::Zero(), unit_, noise_);
+  discs_b_ = detail::coverByDiscs(polygon_b_, pose_b_, b_.vertices, between_, unit_, noise_);
+}
+
+bool TranslationSpace::overlapsAround(const Vec2& t, double radius) const {
+  for (const Disc& p : discs_a_)
+    for (const Disc& q : discs_b_) {
+      const double reach = p.radius + q.radius - radius - 4 * noise_;
+      if (reach > 0 && (p.center - q.center - t).squaredNorm() < reach * reach) return true;
+    }
+  return false;
+}
+
+PosedPair TranslationSpace::at(Vec2& t) {
+  const Vec2 translation = shift_ + (shift_rest_ + t * unit_);
+  t = ((translation - shift_) - shift_rest_) * inverse_unit_;
+  pose_b_.translation() = translation;
+  return PosedPair(polygon_a_, pose_a_, polygon_b_, pose_b_);
+}
+
+/// False only if the edges at the vertex certainly leave to both sides of the other's line. A direction's coordinates
+/// err by at most 6U of its 1-norm, their cross product by 15U of the two norms.
+bool TranslationSpace::mayBound(const Outline& vertices, std::size_t i, const Vec2& edge) {
+  const Vec2 &in = vertices.incoming[i], &out = vertices.outgoing[i];
+  const double bound = 16 * kUnitRoundoff * edge.lpNorm<1>(), from = cross(edge, in), to = cross(edge, out);
+  const bool passes = (from > bound * in.lpNorm<1>() && to > bound * out.lpNorm<1>()) ||
+                      (-from > bound * in.lpNorm<1>() && -to > bound * out.lpNorm<1>());
+  return !passes;
+}
+
+bool TranslationSpace::isNear(const Vec2& t, double radius, const Segment& segment) {
+  return (nearestOnSegment(t, segment.v, segment.w) - t).squaredNorm() <= radius * radius;
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/collide.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "numbers/rigidity.h"
+#include "pair/discs.h"
+#include "pair/facts.h"
+#include "pair/strategy.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+[[noreturn]] void refuseLength(const char* field) {
+  throw std::invalid_argument(std::string(field) + ": it must be finite and not negative");
+}
+
+/// Written so that NaN fails.
+void requireLengths(const CollideOptions& options) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  if (!(options.margin >= 0 && options.margin <= kLargest)) refuseLength("margin");
+  if (!(options.tolerance >= 0 && options.tolerance <= kLargest)) refuseLength("tolerance");
+}
+
+/// Finds the answer and keeps why it is certain.
+bool findFact(const PosedPair& pair, PairCache& cache, const Recollection& recollection,
+              const CollideOptions& options) {
+  claim(cache, pair.a, pair.b);
+  const auto fact = [&](bool overlapping, double clearance) {
+    remember(cache, pair.a, pair.pose_a, pair.b, pair.pose_b, overlapping,
+             clearance * (1 - pair.scale_defect) * (1 - 8 * kUnitRoundoff));
+    return overlapping;
+  };
+  if (cache.first_edge >= 0 && cache.second_edge >= 0) {
+    const auto i = static_cast<std::size_t>(cache.first_edge), j = static_cast<std::size_t>(cache.second_edge);
+    if (edgesWithin(pair, i, j, options.margin, options.tolerance)) return fact(true, crossingDepth(pair, i, j));
+  }
+  // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
+  const Wanted wanted = recollection.coherent ? Wanted::Clearance : Wanted::Answer;
+  const Outcome outcome = collideByHierarchy(pair, options, recollection.lookahead, wanted);
+  cache.first_edge = outcome.edge_a;
+  cache.second_edge = outcome.edge_b;
+  if (outcome.edge_a < 0 || outcome.edge_b < 0) return fact(outcome.collides, outcome.clearance);
+  const auto i = static_cast<std::size_t>(outcome.edge_a), j = static_cast<std::size_t>(outcome.edge_b);
+  return fact(true, crossingDepth(pair, i, j));
+}
+
+bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                    PairCache* cache, const Recollection& recollection, const CollideOptions& options) {
+  const Discs discs(a, pose_a, b, pose_b);
+  const bool by_paper = options.strategy == Strategy::Paper;
+  const auto fact = [&](bool overlapping, double clearance) {
+    if (cache != nullptr && !by_paper) remember(*cache, a, pose_a, b, pose_b, overlapping, clearance);
+    return overlapping;
+  };
+  const double gap = discs.gap(options.margin);
+  if (gap >= 0) return fact(false, gap);
+  if (by_paper) return collideByPaper(PosedPair(a, pose_a, b, pose_b), cache, options);
+  const double depth = discs.depth();
+  if (depth >= 0) return fact(true, depth);
+  const PosedPair pair(a, pose_a, b, pose_b);
+  return cache != nullptr ? findFact(pair, *cache, recollection, options)
+                          : collideByHierarchy(pair, options, 0, Wanted::Answer).collides;
+}
+
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache* cache,
+             const CollideOptions& options) {
+  requireLengths(options);
+  requireRigid(pose_a, "pose_a");
+  requireRigid(pose_b, "pose_b");
+  Recollection recollection{};
+  if (cache != nullptr && options.strategy == Strategy::Hierarchy) {
+    recollection = recall(*cache, a.data(), pose_a, b.data(), pose_b, options.margin);
+    if (recollection.certain) return recollection.collides;
+  }
+  if (inOrder(a.data(), pose_a, b.data(), pose_b))
+    return collideInOrder(a.data(), pose_a, b.data(), pose_b, cache, recollection, options);
+  return collideInOrder(b.data(), pose_b, a.data(), pose_a, cache, recollection, options);
+}
+
+}  // namespace
+}  // namespace detail
+
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+             const CollideOptions& options) {
+  return detail::collide(a, pose_a, b, pose_b, nullptr, options);
+}
+
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
+             const CollideOptions& options) {
+  return detail::collide(a, pose_a, b, pose_b, &cache, options);
+}
+
+}  // namespace tricover

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <vector>
+
+#include "pair/facts.h"
+#include "pair/strategy.h"
+#include "polygon/influence_area.h"
+
+namespace tricover::detail {
+namespace {
+
+/// The moving centroid against the influence areas of a: two bits an edge, the side of the edge's line (sign + 1) or
+/// kHeld where its bounded area holds the centroid.
+constexpr std::uint64_t kHeld = 3;
+constexpr std::size_t kPerWord = 32;
+
+std::vector<std::uint64_t> influenceMask(const PosedPair& pair, const ApproxPoint& centroid, double length,
+                                         std::vector<std::size_t>& held) {
+  std::vector<std::uint64_t> mask((pair.a.path.size() + kPerWord - 1) / kPerWord, 0);
+  for (std::size_t r = 0; r < pair.a.ringCount(); ++r)
+    for (std::size_t e = pair.a.edgeBegin(r); e < pair.a.edgeEnd(r); ++e) {
+      const Vec2 &v = pair.a.path[e], &w = pair.a.path[e + 1];
+      std::uint64_t state = kHeld;
+      if (inBoundedArea(v, w, centroid, length)) {
+        held.push_back(e);
+      } else {
+        int side = orientFilter(PosedPair::fromA(v), PosedPair::fromA(w), centroid);
+        if (side == kUncertain)
+          side = pair.handed * orientExact({&pair.pose_a, v}, {&pair.pose_a, w}, {&pair.pose_b, pair.b.origin});
+        state = static_cast<std::uint64_t>(side + 1);
+      }
+      mask[e / kPerWord] |= state << 2 * (e % kPerWord);
+    }
+  return mask;
+}
+
+/// The detailed test: an edge of a whose area holds the centroid, against the edges of b on whose ends the sign of s
+/// (their side of that edge's line) changes, or isn't certain. With a margin or a tolerance an edge may be in reach
+/// without a change.
+bool detailedTest(const PosedPair& pair, const std::vector<std::size_t>& held, const CollideOptions& options) {
+  const bool any_edge = options.margin > 0 || options.tolerance > 0;
+  std::vector<ApproxPoint> moved;
+  moved.reserve(pair.b.path.size());
+  for (const Vec2& p : pair.b.path) moved.push_back(pair.fromB(p));
+  for (const std::size_t i : held) {
+    const ApproxPoint v = PosedPair::fromA(pair.a.path[i]), w = PosedPair::fromA(pair.a.path[i + 1]);
+    for (std::size_t r = 0; r < pair.b.ringCount(); ++r) {
+      int sign = orientFilter(v, w, moved[pair.b.edgeBegin(r)]);
+      for (std::size_t j = pair.b.edgeBegin(r); j < pair.b.edgeEnd(r); ++j) {
+        const int next = orientFilter(v, w, moved[j + 1]);
+        if ((any_edge || sign != next || sign == kUncertain) &&
+            edgesWithin(pair, i, j, options.margin, options.tolerance))
+          return true;
+        sign = next;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool collideByPaper(const PosedPair& pair, PairCache* cache, const CollideOptions& options) {
+  if (cache != nullptr) claim(*cache, pair.a, pair.b);
+  // The mask in the cache, if any, was found outside every influence area, with the answer "free" (repair 1).
+  const bool known = cache != nullptr && !cache->mask.empty();
+
+  // Second step. Grown by the margin; rounded outwards.
+  const ApproxPoint centroid = pair.center();
+  const double length = (pair.radiusB() + pair.reach(options.margin)) * (1 + 4 * kUnitRoundoff) + pair.slack();
+  std::vector<std::size_t> held;
+  std::vector<std::uint64_t> mask = influenceMask(pair, centroid, length, held);
+  if (held.empty()) {
+    // No edge of a touches b's bounding disc: the disc, all of b with it, lies where the centroid lies. An unchanged
+    // mask is an unchanged zone, by exact signs (repair 7).
+    if (known && mask == cache->mask) return false;
+    const bool collides = locate(pair, pair.b.origin) != Location::Outside;
+    if (cache != nullptr) {
+      if (collides) mask.clear();
+      cache->mask = std::move(mask);
+    }
+    return collides;
+  }
+  if (cache != nullptr) cache->mask.clear();
+
+  // Third step.
+  return detailedTest(pair, held, options) || findContainment(pair).collides;
+}
+
+}  // namespace tricover::detail

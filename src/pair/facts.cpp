@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair/facts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numbers/rigidity.h"
+#include "pair/posed_pair.h"
+
+namespace tricover::detail {
+namespace {
+
+Pose restore(const double (&fact)[6]) {
+  Pose pose = Pose::Identity();
+  pose.linear() << fact[0], fact[2], fact[1], fact[3];
+  pose.translation() << fact[4], fact[5];
+  return pose;
+}
+
+}  // namespace
+
+void store(double (&fact)[6], const Pose& pose) {
+  const auto& m = pose.matrix();
+  const double values[6] = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
+  std::copy(values, values + 6, fact);
+}
+
+Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double (&second_fact)[6],
+                                    const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                                    const Pose& second_pose) {
+  const Pose first_then = restore(first_fact), second_then = restore(second_fact);
+  const PosedPair now(first, first_pose, second, second_pose), then(first, first_then, second, second_then);
+  const Change change(second, load2(&now.m00) - load2(&then.m00), load2(&now.m01) - load2(&then.m01),
+                      load2(&now.tx) - load2(&then.tx));
+  const double motion = change.displacement() + 3 * (now.error + then.error);
+  return {(1 - then.scale_defect) * (1 - now.scale_defect) * (1 - 8 * kUnitRoundoff), motion};
+}
+
+Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                         const Pose& second_pose, double margin) {
+  const double needed = cache.overlapping ? 0 : margin, room = (cache.clearance - needed) * (1 - 8 * kUnitRoundoff);
+  const Change first_change(first, cache.first_pose, first_pose), second_change(second, cache.second_pose, second_pose);
+  const double motion =
+      (first_change.any() ? first_change.displacement() : 0) + (second_change.any() ? second_change.displacement() : 0);
+  if (motion < room ||
+      (room > 0 && first_change.any() && second_change.any() &&
+       remainderOfRelativeMotion(cache.first_pose, cache.second_pose, first, first_pose, second, second_pose)
+               .of(cache.clearance) > needed)) {
+    ++cache.uses;
+    return {true, cache.overlapping, true, 0};
+  }
+  constexpr double kStepsAhead = 32;
+  const double ahead = kStepsAhead * motion / (cache.uses + 1.0);
+  // A jump is a step that no clearance would pay for. Nor does it pay to look for much more than there was, as in a
+  // narrow gap.
+  const double size = std::min(first.radius, second.radius);
+  return {false, false, motion <= 0.25 * size, ahead <= 0.25 * size ? std::min(ahead, 2 * cache.clearance) : 0};
+}
+
+void claim(PairCache& cache, const PolygonData& first, const PolygonData& second) {
+  if (cache.first_id == first.id && cache.second_id == second.id) return;
+  cache = PairCache();
+  cache.first_id = first.id;
+  cache.second_id = second.id;
+}
+
+void remember(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+              const Pose& second_pose, bool overlapping, double clearance) {
+  claim(cache, first, second);
+  store(cache.first_pose, first_pose);
+  store(cache.second_pose, second_pose);
+  cache.clearance = clearance > 0 ? clearance : 0;
+  cache.overlapping = overlapping;
+  cache.uses = 0;
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "numbers/double2.h"
+#include "numbers/predicates.h"
+#include "polygon/polygon_data.h"
+#include "tricover/collide.h"
+
+namespace tricover::detail {
+
+/// What a cache's fact says of a query.
+struct Recollection {
+  bool certain;  ///< `collides` is the answer
+  bool collides;
+  /// Whether the next fact is likely to be of use: the polygons are known, and have not jumped since.
+  bool coherent;
+  double lookahead;  ///< the clearance, beyond the margin, that would pay for a good many steps like the last ones
+};
+
+/// How a map has changed, as p -> D p + d: at most how far that takes any point of a polygon's bounding disc: |D| r +
+/// |D S + d|, the norm of D by the eigenvalues of D^T D, which are at most the larger squared column and their product.
+/// D and d are differences of doubles, rounded by U; D S + d is by a few U of |D| |S| and of itself, and for the former
+/// r is taken larger. What underflows in the squares is put back.
+struct Change {
+  Change(const PolygonData& polygon, Double2 d0, Double2 d1, Double2 shift)
+      : entries(absolute(d0) + absolute(d1) + absolute(shift)),
+        radius(polygon.radius + 64 * kUnitRoundoff * (std::abs(polygon.origin.x()) + std::abs(polygon.origin.y()))) {
+    const Double2 x{d0[0], d1[0]}, y{d0[1], d1[1]}, norms = x * x + y * y, product = d0 * d1;
+    square_of_turn = std::max(norms[0], norms[1]) + std::abs(product[0] + product[1]) + 0x1p-1000;
+    const Double2 way = d0 * polygon.origin.x() + d1 * polygon.origin.y() + shift, squares = way * way;
+    square_of_way = squares[0] + squares[1] + 0x1p-1000;
+  }
+
+  /// The same for a polygon that was at `fact` and is at `pose` now, in the world.
+  Change(const PolygonData& polygon, const double (&fact)[6], const Pose& pose)
+      : Change(polygon, load2(pose.data()) - load2(fact), load2(pose.data() + 3) - load2(fact + 2),
+               load2(pose.data() + 6) - load2(fact + 4)) {}
+
+  double displacement() const {
+    return (std::sqrt(square_of_turn) * radius + std::sqrt(square_of_way)) * (1 + 64 * kUnitRoundoff);
+  }
+
+  /// Whether it is certainly below `length`, without a root: (x + y)^2 <= 2 (x^2 + y^2).
+  bool isBelow(double length) const {
+    return squarable(length) &&
+           2 * (square_of_turn * (radius * radius) + square_of_way) * (1 + 64 * kUnitRoundoff) < length * length;
+  }
+
+  bool any() const { return entries[0] + entries[1] != 0; }
+
+  Double2 entries;
+  double radius, square_of_turn, square_of_way;
+};
+
+inline bool sameAs(const double (&fact)[6], const Pose& pose) {
+  const double* m = pose.data();
+  const Double2 difference = absolute(load2(m) - load2(fact)) + absolute(load2(m + 3) - load2(fact + 2)) +
+                             absolute(load2(m + 6) - load2(fact + 4));
+  return difference[0] + difference[1] == 0;
+}
+
+/// Keeps a pose with a fact.
+void store(double (&fact)[6], const Pose& pose);
+
+/// What is left, at the least, of a distance between two points of the polygons (or of the least of many) after a
+/// motion.
+struct Remainder {
+  double of(double distance) const { return distance * factor - motion; }
+
+  double factor, motion;
+};
+
+/// Only the motion against each other counted, for pairs that travel together: in the first one's frame.
+Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double (&second_fact)[6],
+                                    const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                                    const Pose& second_pose);
+
+/// What recall() can't tell at a glance.
+Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                         const Pose& second_pose, double margin);
+
+inline Recollection recall(PairCache& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
+                           const Pose& pose_b, double margin) {
+  const bool direct = cache.first_id == a.id && cache.second_id == b.id;
+  if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) return {};
+  const PolygonData &first = direct ? a : b, &second = direct ? b : a;
+  const Pose &first_pose = direct ? pose_a : pose_b, &second_pose = direct ? pose_b : pose_a;
+  const double room = (cache.clearance - (cache.overlapping ? 0 : margin)) * (1 - 8 * kUnitRoundoff);
+  // As a rule one of them stands still.
+  const Change second_change(second, cache.second_pose, second_pose);
+  const bool second_moved = second_change.any(), first_moved = !sameAs(cache.first_pose, first_pose);
+  const bool certain = first_moved ? !second_moved && Change(first, cache.first_pose, first_pose).isBelow(room)
+                                   : second_change.isBelow(room);
+  if (!certain) return recallMoved(cache, first, first_pose, second, second_pose, margin);
+  ++cache.uses;
+  return {true, cache.overlapping, true, 0};
+}
+
+/// Makes the cache one of these two polygons; empties it if it was another pair's.
+void claim(PairCache& cache, const PolygonData& first, const PolygonData& second);
+
+/// Keeps the fact: at these poses `overlapping` was the answer, and moving points by less than `clearance` can't change
+/// it.
+void remember(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+              const Pose& second_pose, bool overlapping, double clearance);
+
+}  // namespace tricover::detail

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair/posed_pair.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "polygon/covering.h"
+
+namespace tricover::detail {
+
+double PosedPair::slack() const {
+  const ApproxPoint c = center();
+  const double apart = std::abs(c.x - a.origin.x()) + std::abs(c.y - a.origin.y());
+  return 4 * error + 8 * defect * b.radius + 64 * kUnitRoundoff * (a.radius + b.radius + apart) + kTiny;
+}
+
+namespace {
+
+/// The four ends of two edges, as the filters see them (a's start and end, then b's) and, on request, as they are.
+struct EdgePair {
+  EdgePair(const PosedPair& pair_, std::size_t i_, std::size_t j_)
+      : approx{PosedPair::fromA(pair_.a.path[i_]), PosedPair::fromA(pair_.a.path[i_ + 1]),
+               pair_.fromB(pair_.b.path[j_]), pair_.fromB(pair_.b.path[j_ + 1])},
+        pair(pair_),
+        i(i_),
+        j(j_) {}
+
+  PosedPoint exact(int p) const {
+    const auto end = static_cast<std::size_t>(p);
+    return p < 2 ? PosedPoint{&pair.pose_a, pair.a.path[i + end]} : PosedPoint{&pair.pose_b, pair.b.path[j + end - 2]};
+  }
+  int filter(int p, int q, int r) const { return orientFilter(approx[p], approx[q], approx[r]); }
+  int resolve(int sign, int p, int q, int r) const {
+    return sign != kUncertain ? sign : pair.handed * orientExact(exact(p), exact(q), exact(r));
+  }
+  bool between(int p, int v, int w) const { return betweenExact(exact(p), exact(v), exact(w)); }
+  bool within(int p, int v, int w, double reach) const { return withinExact(exact(p), exact(v), exact(w), reach); }
+
+  ApproxPoint approx[4];
+  const PosedPair& pair;
+  std::size_t i, j;
+};
+
+bool sameSide(int s, int t) { return s == t && (s == 1 || s == -1); }
+
+bool meet(const EdgePair& ends) {
+  int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3);
+  if (sameSide(p, q)) return false;
+  int v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
+  if (sameSide(v, w)) return false;
+  p = ends.resolve(p, 0, 1, 2);
+  q = ends.resolve(q, 0, 1, 3);
+  if (sameSide(p, q)) return false;
+  v = ends.resolve(v, 2, 3, 0);
+  w = ends.resolve(w, 2, 3, 1);
+  if (sameSide(v, w)) return false;
+  if (p != 0 || q != 0 || v != 0 || w != 0) return true;
+  // Collinear, or a single point on the other's line (repair 6): they meet where an end of one lies between the
+  // other's.
+  return ends.between(0, 2, 3) || ends.between(1, 2, 3) || ends.between(2, 0, 1) || ends.between(3, 0, 1);
+}
+
+/// Distance from a point to a segment in plain doubles; NaN where squares leave the range of doubles.
+double pointSegmentDistance(const ApproxPoint& p, const ApproxPoint& v, const ApproxPoint& w) {
+  const double ux = w.x - v.x, uy = w.y - v.y, dx = p.x - v.x, dy = p.y - v.y;
+  const double square = ux * ux + uy * uy, along = dx * ux + dy * uy;
+  if (!(square > 0x1p-960 && square < 0x1p1000 && std::abs(along) < 0x1p1000))
+    return ux == 0 && uy == 0 ? std::hypot(dx, dy) : std::numeric_limits<double>::quiet_NaN();
+  const double s = std::clamp(along / square, 0.0, 1.0);
+  return std::hypot(dx - s * ux, dy - s * uy);
+}
+
+}  // namespace
+
+bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j) { return meet(EdgePair(pair, i, j)); }
+
+bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance) {
+  const EdgePair ends(pair, i, j);
+  if (reach == 0 && tolerance == 0) return meet(ends);
+  // The rounded distance d between an end and the other edge. An upper bound always holds; as a lower bound it holds
+  // unless the edges cross, so that is asked first. NaN decides nothing.
+  const ApproxPoint* e = ends.approx;
+  const double ends_apart[] = {pointSegmentDistance(e[0], e[2], e[3]), pointSegmentDistance(e[1], e[2], e[3]),
+                               pointSegmentDistance(e[2], e[0], e[1]), pointSegmentDistance(e[3], e[0], e[1])};
+  double d = ends_apart[0];
+  for (double apart : ends_apart) d = std::isnan(apart) || apart < d ? apart : d;
+  const double length =
+      std::max(std::hypot(e[1].x - e[0].x, e[1].y - e[0].y), std::hypot(e[3].x - e[2].x, e[3].y - e[2].y));
+  const double err = 8 * pair.error + 64 * kUnitRoundoff * (length + d) + kTiny;
+  if ((d + err) * (1 + pair.scale_defect) <= reach + tolerance) return true;
+  if (meet(ends)) return true;
+  if ((d - err) * (1 - pair.scale_defect) > reach) return false;
+  return ends.within(0, 2, 3, reach) || ends.within(1, 2, 3, reach) || ends.within(2, 0, 1, reach) ||
+         ends.within(3, 0, 1, reach);
+}
+
+int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j) {
+  const EdgePair ends(pair, i, j);
+  const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
+  return p * q == -1 && v * w == -1 ? pair.handed * q : 0;
+}
+
+double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
+  const EdgePair ends(pair, i, j);
+  const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
+  if (p * q != -1 || v * w != -1) return 0;
+  // They cross, and do so until an end of one is on the other.
+  const ApproxPoint* e = ends.approx;
+  double d = std::numeric_limits<double>::infinity();
+  for (const double apart : {pointSegmentDistance(e[0], e[2], e[3]), pointSegmentDistance(e[1], e[2], e[3]),
+                             pointSegmentDistance(e[2], e[0], e[1]), pointSegmentDistance(e[3], e[0], e[1])})
+    d = std::isnan(apart) || apart < d ? apart : d;
+  const double length =
+      std::abs(e[1].x - e[0].x) + std::abs(e[1].y - e[0].y) + std::abs(e[3].x - e[2].x) + std::abs(e[3].y - e[2].y);
+  const double below = d - 8 * pair.error - 64 * kUnitRoundoff * length;
+  return below > 0 ? below : 0;  // NaN is 0
+}
+
+Location locate(const PosedPair& pair, const Vec2& local) {
+  return locateInCovering(pair.a, &pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed);
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair/world_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numbers/double_double.h"
+
+namespace tricover::detail {
+namespace {
+
+/// A quarter of the way from b's S to a's, in the world: a quarter, not to overflow.
+Vec2 quarterToA(const PosedPair& pair) {
+  Vec2 result;
+  const auto &a = pair.pose_a.matrix(), &b = pair.pose_b.matrix();
+  const Vec2 s_a = pair.a.origin / 4, s_b = pair.b.origin / 4;
+  for (int axis = 0; axis < 2; ++axis) {
+    const DoubleDouble shift = exactSum(a(axis, 2) / 4, -b(axis, 2) / 4);
+    const DoubleDouble to_a = exactProduct(a(axis, 0), s_a.x()) + exactProduct(a(axis, 1), s_a.y());
+    const DoubleDouble to_b = exactProduct(b(axis, 0), s_b.x()) + exactProduct(b(axis, 1), s_b.y());
+    result[axis] = (shift + (to_a - to_b)).high;
+  }
+  return result;
+}
+
+}  // namespace
+
+WorldFrame::WorldFrame(const PosedPair& pair)
+    : pair_(pair),
+      linear_a_(pair.pose_a.linear()),
+      linear_b_(pair.pose_b.linear()),
+      unit_(std::max(pair.b.unit, pair.a.unit * 0x1p-200)),
+      scale_a_(pair.a.unit / unit_),
+      scale_b_(pair.b.unit / unit_),
+      origin_a_(quarterToA(pair) / unit_ * 4),
+      world_origin_(pair.pose_b * pair.b.origin) {
+  error_ = 16 * kUnitRoundoff * (scale_a_ + scale_b_ + origin_a_.lpNorm<1>());
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pair/posed_pair.h"
+
+namespace tricover::detail {
+
+inline double cross(const Vec2& u, const Vec2& w) { return u.x() * w.y() - u.y() * w.x(); }
+
+/// The world seen from b's origin S, in b's units (a's where b is less than 2^-200 of a), rounded: for what an answer
+/// reports, not for what it is. Nothing overflows here, and b's coordinates are as precise as b is small.
+class WorldFrame {
+ public:
+  explicit WorldFrame(const PosedPair& pair);
+
+  Vec2 fromA(const Vec2& local) const { return linear_a_ * (pair_.a.inUnits(local) * scale_a_) + origin_a_; }
+  Vec2 fromB(const Vec2& local) const { return linear_b_ * (pair_.b.inUnits(local) * scale_b_); }
+  Vec2 edgeOfA(std::size_t position, double t) const { return between(edgeEndsOfA(position), t); }
+  Vec2 edgeOfB(std::size_t position, double t) const { return between(edgeEndsOfB(position), t); }
+
+  struct Ends {
+    Vec2 v, w;
+  };
+  Ends edgeEndsOfA(std::size_t i) const { return {fromA(pair_.a.path[i]), fromA(pair_.a.path[i + 1])}; }
+  Ends edgeEndsOfB(std::size_t j) const { return {fromB(pair_.b.path[j]), fromB(pair_.b.path[j + 1])}; }
+
+  /// Back into a polygon's own frame.
+  Vec2 toA(const Vec2& p) const { return pair_.a.origin + linear_a_.inverse() * ((p - origin_a_) * unit_); }
+  Vec2 toB(const Vec2& p) const { return pair_.b.origin + linear_b_.inverse() * (p * unit_); }
+  Vec2 toWorld(const Vec2& p) const { return world_origin_ + p * unit_; }
+
+  double unit() const { return unit_; }
+  const Vec2& originOfA() const { return origin_a_; }  ///< b's is zero
+
+  /// How far a mapped vertex may be from the true one. Its coordinates in units err by U, two products and a sum by 3U,
+  /// the shift by as much as its own coordinates: 8U of everything involved; twice that, for the points of edges.
+  double error() const { return error_; }
+
+ private:
+  static Vec2 between(const Ends& ends, double t) {
+    return t < 0.5 ? Vec2(ends.v + t * (ends.w - ends.v)) : Vec2(ends.w + (t - 1) * (ends.w - ends.v));
+  }
+
+  const PosedPair& pair_;
+  Eigen::Matrix2d linear_a_, linear_b_;
+  double unit_, scale_a_, scale_b_, error_;
+  Vec2 origin_a_, world_origin_;
+};
+
+}  // namespace tricover::detail

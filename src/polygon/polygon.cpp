@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "numbers/predicates.h"
+#include "polygon/polygon_data.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void validate(const std::vector<Ring>& rings) {
+  if (rings.empty()) throw std::invalid_argument("rings: a polygon needs at least one ring");
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const std::string ring = "rings: ring " + std::to_string(r);
+    if (rings[r].size() < 3)
+      throw std::invalid_argument(ring + " has " + std::to_string(rings[r].size()) + " vertices, it needs at least 3");
+    for (std::size_t i = 0; i < rings[r].size(); ++i)
+      if (!rings[r][i].allFinite())
+        throw std::invalid_argument(ring + ", vertex " + std::to_string(i) + " is not finite");
+  }
+}
+
+std::uint64_t nextId() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+/// 2^exponent as two factors, either of them finite where the power itself would overflow or underflow.
+struct PowerOfTwo {
+  explicit PowerOfTwo(int exponent)
+      : first(std::ldexp(1, exponent / 2)), second(std::ldexp(1, exponent - exponent / 2)) {}
+  template <typename T>
+  T operator()(const T& x) const {
+    return x * first * second;
+  }
+  double first, second;
+};
+
+/// A bounding box whose size is brought near 1 by a power of two, so that areas and squares neither overflow nor
+/// underflow.
+struct Frame {
+  explicit Frame(const std::vector<Vec2>& path) : low(path[0]), high(path[0]), center(path[0]), exponent(0) {
+    for (const Vec2& p : path) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const Vec2 half = 0.5 * high - 0.5 * low;
+    center = low + half;
+    if (half.maxCoeff() > 0) exponent = std::ilogb(half.maxCoeff());
+  }
+  Vec2 low, high, center;
+  int exponent;
+};
+
+/// The centroid by the covering's signed areas; the box's centre where they cancel or it falls outside the box.
+Vec2 centroid(const PolygonData& polygon, const Frame& frame) {
+  const PowerOfTwo shrink(-frame.exponent), grow(frame.exponent);
+  double area = 0, total = 0;
+  Vec2 moment = Vec2::Zero();
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
+    Vec2 v = shrink(Vec2(polygon.path[polygon.edgeBegin(r)] - frame.center));
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const Vec2 w = shrink(Vec2(polygon.path[e + 1] - frame.center));
+      const double twice = v.x() * w.y() - v.y() * w.x();
+      area += twice;
+      total += std::abs(twice);
+      moment += twice * (v + w);
+      v = w;
+    }
+  }
+  if (std::abs(area) <= 1e-9 * total) return frame.center;
+  const Vec2 s = frame.center + grow(Vec2(moment / (3 * area)));
+  const bool inside = (s.array() >= frame.low.array()).all() && (s.array() <= frame.high.array()).all();
+  return inside ? s : frame.center;
+}
+
+double boundingRadius(const PolygonData& polygon, const Frame& frame) {
+  const PowerOfTwo shrink(-frame.exponent), grow(frame.exponent);
+  double square = 0;
+  for (const Vec2& p : polygon.path) square = std::max(square, shrink(Vec2(p - polygon.origin)).squaredNorm());
+  // Each step up to here rounds by half an ulp or, scaled back, by half the smallest denormal.
+  return std::nextafter(grow(std::sqrt(square) * (1 + 16 * kUnitRoundoff)), kInfinity);
+}
+
+}  // namespace
+
+PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_), rings(std::move(rings_)) {
+  validate(rings);
+  id = nextId();
+  std::size_t total = 0;
+  for (const Ring& ring : rings) total += ring.size() + 1;
+  path.reserve(total);
+  ring_begin.reserve(rings.size() + 1);
+  extent = 0;
+  for (const Ring& ring : rings) {
+    ring_begin.push_back(path.size());
+    path.insert(path.end(), ring.begin(), ring.end());
+    path.push_back(ring.front());
+    for (const Vec2& p : ring) extent = std::max(extent, std::abs(p.x()) + std::abs(p.y()));
+  }
+  ring_begin.push_back(path.size());
+  const Frame frame(path);
+  origin = centroid(*this, frame);
+  radius = boundingRadius(*this, frame);
+  // Below and above these the powers of two themselves would leave the range of normal doubles.
+  const int exponent = std::isfinite(radius) && radius > 0x1p-1000 ? std::min(std::ilogb(radius) + 1, 1020)
+                       : std::isfinite(radius)                     ? -1000
+                                                                   : 1020;
+  unit = std::ldexp(1, exponent);
+  inverse_unit = std::ldexp(1, -exponent);
+}
+
+std::size_t PolygonData::edgeNumber(std::size_t position) const {
+  const auto next = std::upper_bound(ring_begin.begin(), ring_begin.end(), position);
+  return position - static_cast<std::size_t>(next - ring_begin.begin() - 1);
+}
+
+std::size_t PolygonData::edgePosition(std::size_t number) const {
+  std::size_t low = 0, high = ringCount();
+  while (high - low > 1) {
+    const std::size_t mid = (low + high) / 2;
+    (ring_begin[mid] - mid <= number ? low : high) = mid;
+  }
+  return number + low;
+}
+
+const Hierarchy& PolygonData::buildHierarchy() const {
+  const std::lock_guard<std::mutex> lock(building_);
+  if (!hierarchy_) {
+    hierarchy_ = std::make_unique<const Hierarchy>(*this);
+    ready_.store(hierarchy_.get(), std::memory_order_release);
+  }
+  return *hierarchy_;
+}
+
+}  // namespace detail
+
+Polygon::Polygon(std::vector<Ring> rings, FillRule fill)
+    : data_(std::make_shared<const detail::PolygonData>(std::move(rings), fill)) {}
+
+const std::vector<Ring>& Polygon::rings() const { return data_->rings; }
+FillRule Polygon::fillRule() const { return data_->fill; }
+std::uint64_t Polygon::id() const { return data_->id; }
+std::size_t Polygon::vertexCount() const { return data_->path.size() - data_->ringCount(); }
+const Vec2& Polygon::origin() const { return data_->origin; }
+double Polygon::radius() const { return data_->radius; }
+
+Vec2 Polygon::edgeStart(std::size_t edge) const {
+  if (edge >= vertexCount()) throw std::out_of_range("edge " + std::to_string(edge) + " is beyond the last one");
+  return data_->path[data_->edgePosition(edge)];
+}
+
+Vec2 Polygon::edgeEnd(std::size_t edge) const {
+  if (edge >= vertexCount()) throw std::out_of_range("edge " + std::to_string(edge) + " is beyond the last one");
+  return data_->path[data_->edgePosition(edge) + 1];
+}
+
+std::vector<CoveringTriangle> Polygon::covering() const {
+  std::vector<CoveringTriangle> triangles;
+  triangles.reserve(vertexCount());
+  for (std::size_t r = 0; r < data_->ringCount(); ++r)
+    for (std::size_t e = data_->edgeBegin(r); e < data_->edgeEnd(r); ++e) {
+      const Vec2 &v = data_->path[e], &w = data_->path[e + 1];
+      triangles.push_back({data_->origin, v, w, detail::orientation(data_->origin, v, w)});
+    }
+  return triangles;
+}
+
+}  // namespace tricover

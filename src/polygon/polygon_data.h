@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "hierarchy/hierarchy.h"
+#include "tricover/polygon.h"
+
+namespace tricover::detail {
+
+/// What all copies of a polygon share. Rings lie one after another in `path`, each closed by a copy of its first
+/// vertex, so that the edge at position e joins path[e] and path[e + 1]; ring r takes positions [ring_begin[r],
+/// ring_begin[r + 1] - 1) and the closing vertex after them is no edge.
+struct PolygonData {
+  PolygonData(std::vector<Ring> rings_, FillRule fill_);
+
+  std::size_t ringCount() const { return rings.size(); }
+  std::size_t edgeBegin(std::size_t ring) const { return ring_begin[ring]; }
+  std::size_t edgeEnd(std::size_t ring) const { return ring_begin[ring + 1] - 1; }
+
+  /// Between positions in the path and the public numbering, which skips the closing vertices.
+  std::size_t edgeNumber(std::size_t position) const;
+  std::size_t edgePosition(std::size_t number) const;
+
+  /// The hierarchy if it has been built, otherwise null.
+  const Hierarchy* hierarchyIfBuilt() const { return ready_.load(std::memory_order_acquire); }
+
+  /// Built at the first call, by whichever thread comes first.
+  const Hierarchy& hierarchy() const {
+    const Hierarchy* ready = hierarchyIfBuilt();
+    return ready != nullptr ? *ready : buildHierarchy();
+  }
+
+  /// A point of the polygon's frame in the hierarchy's: from S, in units. Rounded by U.
+  Vec2 inUnits(const Vec2& p) const {
+    return extent < 0x1p1000 ? Vec2((p - origin) * inverse_unit) : Vec2(p * inverse_unit - origin * inverse_unit);
+  }
+
+  std::uint64_t id;
+  Vec2 origin;    ///< S
+  double radius;  ///< at least the distance from S to any vertex
+  double extent;  ///< the largest |x| + |y| of a vertex: scales the rounding errors
+  /// A power of two, at least the radius (where that is finite and above 2^-1000) and below 2 radii; and 1 / unit.
+  double unit, inverse_unit;
+  FillRule fill;
+  std::vector<Vec2> path;
+  std::vector<std::size_t> ring_begin;
+  std::vector<Ring> rings;
+  mutable std::atomic<unsigned> scans{0};  ///< points located edge by edge so far
+
+ private:
+  const Hierarchy& buildHierarchy() const;
+
+  mutable std::mutex building_;
+  mutable std::unique_ptr<const Hierarchy> hierarchy_;
+  mutable std::atomic<const Hierarchy*> ready_{nullptr};
+};
+
+}  // namespace tricover::detail
