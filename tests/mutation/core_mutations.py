@@ -1,23 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Breaks the kernel in one place at a time and asks the test suite to notice.
-
-usage: tests/mutation/run.py [--only TEXT] [--scale 0.1] [--work DIR]
-
-Copies the project to DIR (default: a temporary one), builds the core's tests there and, for every mutation below, applies it, rebuilds and
-runs them. Prints a line a mutation (killed by which test, or SURVIVED) and the totals; exits 1 if one survived that isn't marked
-as equivalent. Not part of ctest: it takes up to a minute a mutation.
-"""
-import argparse
-import os
-import pathlib
-import re
-import shutil
-import subprocess
-import sys
-import tempfile
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+"""Mutations of the core: see run.py."""
 
 # (file, text as it stands there, replacement, what it breaks); the text must occur exactly once.
 MUTATIONS = [
@@ -31,9 +13,9 @@ MUTATIONS = [
     ("src/numbers/predicates.h", "eu * (std::abs(wx) + std::abs(wy) + 2 * ew)", "0 * (std::abs(wx) + std::abs(wy) + 2 * ew)", "filter: error of q"),
     ("src/numbers/predicates.h", "eu = p.error + q.error", "eu = p.error", "filter: q's error dropped"),
     ("src/numbers/predicates.h", "ew = p.error + r.error", "ew = r.error", "filter: p's error dropped"),
-    ("src/numbers/predicates.h", "constexpr double kTiny = 0x1p-1010;", "constexpr double kTiny = 0;", "filter: underflow term"),
-    ("src/numbers/predicates.h", "return square > 0x1p-960 &&", "return square > 0 &&", "discs: squares of denormals trusted"),
-    ("src/numbers/predicates.h", "&& square <= std::numeric_limits<double>::max() ?", "?", "discs: overflowed squares trusted"),
+    ("src/numbers/rounding.h", "constexpr double kTiny = 0x1p-1010;", "constexpr double kTiny = 0;", "filter: underflow term"),
+    ("src/numbers/rounding.h", "return square > 0x1p-960 &&", "return square > 0 &&", "discs: squares of denormals trusted"),
+    ("src/numbers/rounding.h", "&& square <= std::numeric_limits<double>::max() ?", "?", "discs: overflowed squares trusted"),
     ("src/numbers/predicates.h", "return sign != kUncertain ? sign : orientExact({nullptr, p}, {nullptr, q}, {nullptr, r});", "return sign != kUncertain ? sign : 0;", "orientation: no exact stage"),
     # Exact stage.
     ("src/numbers/predicates.cpp", "return u.x * w.y - u.y * w.x;", "return u.x * w.y + u.y * w.x;", "exact: cross product"),
@@ -126,7 +108,7 @@ MUTATIONS = [
     ("src/hierarchy/small_convex.cpp", "if (!(length > 0x1p-30)) return nullptr;", "", "small convex: an edge too short to have a direction"),
     ("src/hierarchy/small_convex.cpp", "polygon.ringCount() != 1 || ", "", "small convex: several rings (equivalent: the vertex that closes the first is a straight one)"),
     # Descents, eight boxes at a time.
-    ("src/hierarchy/wide_body.h", "absolute(dx * q.ux + dy * q.uy) - (along * c + across * s + q.along)", "absolute(dx * q.ux + dy * q.uy) - (along * c + q.along)", "gaps: extent across forgotten"),
+    ("src/hierarchy/wide_body.h", "along_query = along_apart - (along * c + across * s + q.along)", "along_query = along_apart - (along * c + q.along)", "gaps: extent across forgotten"),
     ("src/hierarchy/wide_body.h", "(along * s + across * c + q.across)", "(across * c + q.across)", "gaps: extent along forgotten"),
     ("src/hierarchy/wide_body.h", "(across + s * q.along + c * q.across)", "(across + c * q.across)", "gaps: extent of the query forgotten"),
     ("src/hierarchy/wide_body.h", "const double slack = rounding * (magnitude(x) + magnitude(y) + along + across + 4) + map.error * block.inverse;", "const double slack = map.error * block.inverse;", "one box: no rounding"),
@@ -231,61 +213,3 @@ MUTATIONS = [
     ("src/apart/distance.cpp", "return {1 - 8 * kUnitRoundoff, motion};", "return {1, 0 * motion};", "distance: facts that forget motion"),
     ("src/apart/distance.cpp", "if (upper_ < best_.distance) evaluate(upper_pair_);", "", "distance: the pair of the bound forgotten"),
 ]
-
-
-def run(command, **kwargs):
-    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **kwargs)
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", default="", help="run mutations whose description or file holds this text")
-    parser.add_argument("--scale", default="0.1", help="TRICOVER_TEST_SCALE for the tests")
-    parser.add_argument("--work", help="where to copy and build; kept afterwards")
-    arguments = parser.parse_args()
-
-    work = pathlib.Path(arguments.work or tempfile.mkdtemp(prefix="tricover-mutation-"))
-    source, build = work / "source", work / "build"
-    shutil.copytree(ROOT, source, dirs_exist_ok=True, copy_function=shutil.copy, ignore=shutil.ignore_patterns("build*", ".git"))
-    configure = ["cmake", "-S", source, "-B", build, "-DTRICOVER_BUILD_FCL=OFF", "-DTRICOVER_BUILD_BENCH=OFF",
-                 "-DBUILD_SHARED_LIBS=ON",  # a mutation then links one library, not every test
-                 "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w"]  # -w: a mutation may leave a variable unused
-    compile_all = ["cmake", "--build", build, "-j", str(os.cpu_count())]
-    environment = dict(os.environ, TRICOVER_TEST_SCALE=arguments.scale)
-    tests = ["ctest", "--test-dir", build, "--stop-on-failure", "--timeout", "300"]
-    for step in (configure, compile_all):
-        result = run(step)
-        if result.returncode != 0:
-            sys.exit(result.stdout)
-    result = run(tests, env=environment)
-    if result.returncode != 0:
-        sys.exit("the unmutated tests fail:\n" + result.stdout)
-
-    tried = survived = equivalent = 0
-    for file, old, new, what in MUTATIONS:
-        if arguments.only not in what and arguments.only not in file:
-            continue
-        path = source / file
-        original = path.read_text()
-        if original.count(old) != 1:
-            sys.exit(f"{file}: {original.count(old)} times in the file: {old}")
-        path.write_text(original.replace(old, new))
-        built = run(compile_all + ["--", "-k"])
-        path_error = next((line for line in built.stdout.splitlines() if "error:" in line), None)
-        if built.returncode != 0 and path_error:
-            sys.exit(f"{what}: does not compile: {path_error}")
-        tested = run(tests, env=environment)
-        path.write_text(original)
-        tried += 1
-        failed = re.search(r"\d+ - (\S+) \((Failed|Timeout|SEGFAULT|Subprocess aborted|Bus error|SIG\w+)\)", tested.stdout)
-        verdict = f"killed by {failed.group(1)}" if failed else "SURVIVED"
-        if not failed:
-            equivalent += "(equivalent" in what
-            survived += "(equivalent" not in what
-        print(f"{verdict:40} {file}: {what}", flush=True)
-    print(f"{tried} mutations, {survived} survived, {equivalent} equivalent")
-    return 1 if survived else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,0 +1,273 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Breaks the code in one place at a time and asks the test suite to notice.
+
+usage: tests/mutation/run.py [--check] [--adapter] [--only TEXT] [--jobs N] [--scale 0.1] [--work DIR] [--again]
+
+For every mutation of core_mutations.py (with --adapter: of adapter_mutations.py, on fcl_test, which needs FCL): applies it to a
+copy of the project, builds the library and runs one test after the other until one fails, those first that noticed the last
+mutations of the same file, then the quickest. Prints a line a mutation (killed by which test, or SURVIVED) and a table at the end;
+exits 1 if one survived that isn't marked as equivalent, or doesn't compile. What was found is kept in DIR (default: build/mutation):
+a run that was stopped goes on where it was, and a mutation is tried again when its file or its text has changed, or with --again.
+
+--check only looks whether every text occurs exactly once in its file. That is a CTest; a run is not, since it takes an hour.
+"""
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import threading
+import time
+
+sys.dont_write_bytecode = True
+import core_mutations
+try:
+    import adapter_mutations
+except ModuleNotFoundError:
+    adapter_mutations = argparse.Namespace(MUTATIONS=[])
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Neither the reference nor the workloads see the library's faults, and a fuzzer that stops by the clock finds other ones each time.
+LEFT_OUT = re.compile(r"exact_reference_test|workloads_test|fuzz_|fcl_alone|fcl_with_tricover")
+# Compiled once instead of in every file: what no mutation changes.
+PRECOMPILED = """cmake_language(DEFER CALL target_precompile_headers tricover PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
+  <algorithm> <atomic> <cmath> <functional> <limits> <memory> <mutex> <queue> <stdexcept> <string> <vector>)
+"""
+MEMORY = 6 << 30  # bytes: a mutation may allocate without end
+
+
+def run(command, **kwargs):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", **kwargs)
+
+
+def wrong_texts(mutations):
+    """What stands in the way of applying them."""
+    seen = set()
+    for file, old, new, what in mutations:
+        path = ROOT / file
+        count = path.read_text().count(old) if path.exists() else 0
+        if count != 1:
+            yield f"{file}: {count} times in the file: {old}"
+        if old == new or (file, old, new) in seen:
+            yield f"{file}: changes nothing, or stands here twice: {what}"
+        seen.add((file, old, new))
+
+
+def key_of(mutation):
+    file, old, new, _ = mutation
+    return hashlib.sha256("\0".join((file, old, new, (ROOT / file).read_text())).encode()).hexdigest()[:16]
+
+
+class Tests:
+    """The executables in the order in which they are tried: shared by all workers."""
+
+    def __init__(self):
+        self.seconds = {}
+        self.kills = {}
+        self.lock = threading.Lock()
+
+    def order(self, file):
+        with self.lock:
+            kills = self.kills.get(file, {})
+            # The same tests on other lanes: nothing else that they see differs.
+            wanted = [t for t in self.seconds if file.startswith("src/hierarchy/") or not t.endswith("_portable")]
+            return sorted(wanted, key=lambda test: (-kills.get(test, 0), self.seconds[test]))
+
+    def killed(self, file, test):
+        with self.lock:
+            kills = self.kills.setdefault(file, {})
+            kills[test] = kills.get(test, 0) + 1
+
+
+class Worker:
+    """A copy of the project with a build of its own."""
+
+    def __init__(self, directory, arguments, tests):
+        self.source, self.build = directory / "source", directory / ("build_fcl" if arguments.adapter else "build")
+        self.adapter, self.scale, self.tests = arguments.adapter, arguments.scale, tests
+        self.library = "tricover_fcl" if arguments.adapter else "tricover"
+
+    def prepare(self):
+        listed = run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT).stdout.split("\n")
+        for name in filter(None, listed):
+            if not (ROOT / name).is_file():  # deleted
+                (self.source / name).unlink(missing_ok=True)
+                continue
+            path, content = self.source / name, (ROOT / name).read_bytes()
+            if not path.exists() or path.read_bytes() != content:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(content)
+        self.build.mkdir(parents=True, exist_ok=True)
+        precompiled = self.build / "precompiled.cmake"
+        precompiled.write_text(PRECOMPILED)
+        configure = ["cmake", "-S", self.source, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release",
+                     # Asserts stay in, and those of the standard library are turned on: they notice what is read out of bounds.
+                     # -w: a mutation may leave a variable unused.
+                     "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w -D_GLIBCXX_ASSERTIONS -DEIGEN_NO_DEBUG",
+                     f"-DCMAKE_PROJECT_tricover_INCLUDE={precompiled}", "-DTRICOVER_BUILD_TESTS=ON", "-DTRICOVER_BUILD_BENCH=OFF",
+                     f"-DTRICOVER_BUILD_FCL={'ON' if self.adapter else 'OFF'}"]
+        if run(["ninja", "--version"]).returncode == 0:
+            configure += ["-G", "Ninja"]
+        configured = run(configure)
+        if configured.returncode != 0:
+            raise RuntimeError(configured.stdout)
+        shown = json.loads(run(["ctest", "--test-dir", self.build, "--show-only=json-v1"]).stdout)
+        commands = [pathlib.Path(test["command"][0]) for test in shown["tests"] if "command" in test]
+        self.programs = {c.name: c for c in commands if self.build in c.parents and not LEFT_OUT.search(c.name)}
+        if self.adapter:
+            self.programs = {name: c for name, c in self.programs.items() if c.parent.name == "fcl"}
+
+    def make(self, target):
+        return run(["cmake", "--build", self.build, "--target", target, "-j", "1"])
+
+    def try_test(self, test, seconds):
+        """What failed, or nothing."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        environment = dict(os.environ, TRICOVER_TEST_SCALE=self.scale)
+        try:
+            tested = run([self.programs[test], "--gtest_break_on_failure", "--gtest_color=no"], env=environment, timeout=seconds,
+                         cwd=self.programs[test].parent, preexec_fn=limit)
+        except subprocess.TimeoutExpired:
+            return f"{test} (no end)"
+        if tested.returncode == 0:
+            return None
+        started = re.findall(r"\[ RUN      \] (\S+)", tested.stdout)
+        return f"{test}: {started[-1]}" if started else test
+
+    def try_unmutated(self, test):
+        built = self.make(test)
+        if built.returncode != 0:
+            raise RuntimeError(built.stdout)
+        start = time.time()
+        failed = self.try_test(test, 3600)
+        if failed:
+            raise RuntimeError(f"fails without a mutation: {failed}")
+        self.tests.seconds[test] = time.time() - start
+
+    def verdict(self, file):
+        for test in [None, *self.tests.order(file)]:
+            built = self.make(test or self.library)
+            if built.returncode != 0:
+                if "static assertion failed" in built.stdout:
+                    return "killed by static_assert"
+                error = next((line for line in built.stdout.splitlines() if "error:" in line), built.stdout[-300:])
+                return f"DOES NOT COMPILE: {error.replace(str(self.source), '')}"
+            failed = self.try_test(test, 30 + 10 * self.tests.seconds[test]) if test else None
+            if failed:
+                self.tests.killed(file, test)
+                return f"killed by {failed}"
+        return "SURVIVED"
+
+    def try_mutation(self, mutation):
+        file, old, new, _ = mutation
+        path = self.source / file
+        original = path.read_text()
+        path.write_text(original.replace(old, new))
+        try:
+            return self.verdict(file)
+        finally:
+            path.write_text(original)
+
+
+def in_parallel(workers, work, items):
+    """work(worker, item) for all of them; the first exception ends it."""
+    items, lock, raised = list(items), threading.Lock(), []
+
+    def loop(worker):
+        while not raised:
+            with lock:
+                if not items:
+                    return
+                item = items.pop(0)
+            try:
+                work(worker, item)
+            except Exception as error:
+                raised.append(error)
+
+    threads = [threading.Thread(target=loop, args=(worker,)) for worker in workers]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    if raised:
+        sys.exit(str(raised[0]))
+
+
+def print_table(mutations, verdicts):
+    rooms = {}
+    for mutation in mutations:
+        verdict = verdicts.get(key_of(mutation), "not run")
+        kind = verdict.split()[0]
+        if kind == "SURVIVED":
+            kind = "equivalent" if "(equivalent" in mutation[3] else "survived"
+        row = rooms.setdefault(mutation[0].rsplit("/", 1)[0], {})
+        row[kind] = row.get(kind, 0) + 1
+    columns = ["killed", "equivalent", "survived", "DOES", "not"]
+    print(f"\n{'room':28}{'mutations':>10}" + "".join(f"{c:>12}" for c in [*columns[:3], "broken", "not run"]))
+    for room, row in [*sorted(rooms.items()), ("all", {c: sum(r.get(c, 0) for r in rooms.values()) for c in columns})]:
+        print(f"{room:28}{sum(row.values()):>10}" + "".join(f"{row.get(c, 0):>12}" for c in columns))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="only look for the texts")
+    parser.add_argument("--adapter", action="store_true", help="the adapter's mutations instead of the core's")
+    parser.add_argument("--only", default="", help="mutations whose description or file holds this text")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutations at a time, each with a build of its own")
+    parser.add_argument("--scale", default="0.1", help="TRICOVER_TEST_SCALE for the tests")
+    parser.add_argument("--work", default=ROOT / "build" / "mutation", help="where to copy and build, and what was found is kept")
+    parser.add_argument("--again", action="store_true", help="forget what was found")
+    arguments = parser.parse_args()
+
+    wrong = [*wrong_texts(core_mutations.MUTATIONS), *wrong_texts(adapter_mutations.MUTATIONS)]
+    if arguments.check and not wrong:
+        print(f"{len(core_mutations.MUTATIONS)} and {len(adapter_mutations.MUTATIONS)} mutations can be applied")
+    if wrong or arguments.check:
+        return "\n".join(wrong) if wrong else 0
+
+    mutations = [m for m in (adapter_mutations if arguments.adapter else core_mutations).MUTATIONS
+                 if arguments.only in m[3] or arguments.only in m[0]]
+    work = pathlib.Path(arguments.work).resolve()
+    work.mkdir(parents=True, exist_ok=True)
+    results = work / "results.txt"  # a key and a verdict a line
+    if arguments.again:
+        results.unlink(missing_ok=True)
+    verdicts = dict(line.split(" ", 1) for line in results.read_text().splitlines()) if results.exists() else {}
+    left = sorted((m for m in mutations if key_of(m) not in verdicts), key=lambda m: m[0])
+
+    if left:
+        tests, lock = Tests(), threading.Lock()
+        workers = [Worker(work / str(k), arguments, tests) for k in range(min(arguments.jobs, len(left)))]
+        in_parallel(workers, lambda worker, prepared: prepared.prepare(), workers)
+        in_parallel(workers, Worker.try_unmutated, sorted(workers[0].programs))
+        print(f"without a mutation {len(tests.seconds)} tests pass in {sum(tests.seconds.values()):.0f} s", flush=True)
+
+        def try_one(worker, mutation):
+            start = time.time()
+            verdict = worker.try_mutation(mutation)
+            with lock:
+                verdicts[key_of(mutation)] = verdict
+                with results.open("a") as file:
+                    print(key_of(mutation), verdict, file=file)
+                print(f"{verdict:70} {mutation[0]}: {mutation[3]} ({time.time() - start:.0f} s)", flush=True)
+
+        in_parallel(workers, try_one, left)
+    bad = [m for m in mutations if not verdicts[key_of(m)].startswith("killed") and "(equivalent" not in m[3]]
+    for mutation in bad:
+        print(f"{verdicts[key_of(mutation)]}: {mutation[0]}: {mutation[3]}")
+    for mutation in mutations:
+        if "(equivalent" in mutation[3] and verdicts[key_of(mutation)].startswith("killed"):
+            print(f"marked as equivalent, but {verdicts[key_of(mutation)]}: {mutation[0]}: {mutation[3]}")
+    print_table(mutations, verdicts)
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
