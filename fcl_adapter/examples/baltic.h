@@ -42,8 +42,8 @@ struct Berth {
 
 /// Where other such ships lie at anchor.
 inline const std::vector<Berth>& anchored() {
-  static const std::vector<Berth> berths = {{90, 330, 0.4},    {60, 130, 1.8},   {180, -20, 2.9},   {60, -160, 0.9},
-                                            {100, -330, 2.2},  {-40, -400, 1.2}, {-150, -480, 0.3}, {-500, -170, 2.5},
+  static const std::vector<Berth> berths = {{90, 330, 0.4},   {60, 130, 1.8},   {180, -20, 2.9},   {60, -160, 0.9},
+                                            {100, -330, 2.2}, {-40, -400, 1.2}, {-150, -480, 0.3}, {-500, -170, 2.5},
                                             {-450, -60, 1.4}, {460, 60, 0.1}};
   return berths;
 }

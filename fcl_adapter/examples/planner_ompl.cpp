@@ -16,13 +16,13 @@
 #include <cmath>
 #include <ctime>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
 #include "baltic.h"
+#include "picture.h"
 #include "triangulate.h"
 
 namespace {
@@ -153,7 +153,7 @@ void draw(const std::vector<State>& path, const char* file) {
   for (const State& state : path) line.emplace_back(state.x, state.y);
   for (std::size_t i = 0; i < path.size(); i += 3) drawing.polygon(baltic::ship(), poseOf(path[i]), "#16a34a");
   drawing.polyline(line, "#1d4ed8");
-  std::ofstream(file) << drawing.str();
+  savePicture(drawing, file);
 }
 
 int compare(const char* picture) {

@@ -8,12 +8,12 @@
 
 #include <cmath>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <vector>
 
 #include "baltic.h"
+#include "picture.h"
 
 namespace {
 
@@ -78,7 +78,7 @@ int sail(const char* picture) {
     }
   }
   std::cout << positions << " positions: " << aground << " aground, " << rammed << " in another ship\n";
-  std::ofstream(picture) << drawing.str();
+  savePicture(drawing, picture);
   return 0;
 }
 

@@ -4,12 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/motion.h"
 #include "tricover/polygon.h"
+#include "tricover/time_of_impact.h"
 
 namespace tricover {
 
 /// A drawing in world coordinates (y upwards), scaled to fit. Colours are SVG colour strings.
-/// Members draw in call order, later ones on top.
+/// Members draw in call order, later ones on top. Numbers are written the same in every locale.
+/// \snippet svg.cpp svg
 class SvgDrawing {
  public:
   /// Throws std::invalid_argument for a width that isn't positive and finite.
@@ -17,26 +22,43 @@ class SvgDrawing {
 
   /// The region under its fill rule, and its outline.
   void polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke = "#333");
-  /// The covering: positive triangles in one tint, negative ones in another, and S.
-  void covering(const Polygon& polygon, const Pose& pose);
-  /// The bounded influence areas of length n of all edges.
-  void influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill = "#f59e0b");
-  /// The edges of each polygon that meet an edge of the other, in red. O(n m).
-  void hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
   /// An open line through the points.
   void polyline(const std::vector<Vec2>& points, const std::string& stroke);
   /// Centred at `position`.
   void text(const Vec2& position, const std::string& text);
+
+  /// The covering: positive triangles in one tint, negative ones in another, and S.
+  void covering(const Polygon& polygon, const Pose& pose);
+  /// The bounded influence areas of length n of all edges.
+  void influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill = "#f59e0b");
+  /// The boxes of the polygon's hierarchy on one level. Level 0 is the box around everything. Level k + 1 is what the
+  /// boxes of level k are divided into; the box of a single edge stays as it is. Throws std::invalid_argument for a
+  /// negative level.
+  void boxes(const Polygon& polygon, const Pose& pose, int level, const std::string& stroke = "#7c3aed");
+  /// The discs that the hierarchy knows to lie in the region.
+  void innerDiscs(const Polygon& polygon, const Pose& pose, const std::string& fill = "#16a34a");
+
+  /// The edges of each polygon that meet an edge of the other, in red. O(n m).
+  void hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+  /// The nearest points and the line between them. Throws std::invalid_argument for a result without points, which is
+  /// one beyond DistanceOptions::limit.
+  void nearest(const DistanceResult& result);
+  /// Of each contact the point, an arrow along the normal and, in its true length, the way by `depth`.
+  void contacts(const std::vector<Contact>& contacts);
+  /// Both polygons at the start, faintly, and at the time of impact; there the point and an arrow along the normal.
+  void impact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, const Impact& impact);
 
   /// A whole SVG document. Throws std::logic_error while nothing is drawn.
   std::string str() const;
 
  private:
   void include(const Vec2& point);
+  void dot(const Vec2& at, const std::string& fill);
+  void arrow(const Vec2& from, const Vec2& direction, const std::string& stroke);
 
-  /// An element with one length in pixels, which is known in drawing units only when all is drawn.
+  /// An element around one length in pixels, which is known in drawing units only when all is drawn.
   struct Element {
-    std::string head, attribute;
+    std::string head;
     double px;
     std::string tail;
   };

@@ -2,13 +2,17 @@
 #include "tricover/svg.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
+#include "hierarchy/hierarchy.h"
 #include "pair/posed_pair.h"
+#include "polygon/polygon_data.h"
 #include "tricover/influence.h"
 
 namespace tricover {
@@ -16,8 +20,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// In the classic locale: the global one may write a comma for the point and group digits.
 std::string number(double x) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out.precision(9);
   out << x;
   return out.str();
@@ -41,6 +47,30 @@ std::string escaped(const std::string& text) {
       result += c;
   }
   return result;
+}
+
+/// A box of the hierarchy by its corners in the polygon's frame. It is given in lengths of `scale` units from `origin`,
+/// itself in units.
+std::array<Vec2, 4> corners(const detail::PolygonData& polygon, const detail::Box& box, const Vec2& origin,
+                            double scale) {
+  const Vec2 axis(box.ux, box.uy), normal(-box.uy, box.ux), u = axis * box.along, v = normal * box.across;
+  const Vec2 center(box.x, box.y);
+  const auto inFrame = [&](const Vec2& p) { return Vec2(polygon.origin + (origin + p * scale) * polygon.unit); };
+  return {inFrame(center - u - v), inFrame(center + u - v), inFrame(center + u + v), inFrame(center - u + v)};
+}
+
+/// Calls visit(corners) for the boxes of one level, the block's own being level 1. Edges are divided no further.
+template <typename Visit>
+void forEachBox(const detail::PolygonData& polygon, const std::vector<detail::Block>& blocks,
+                const detail::Block& block, int level, const Visit& visit) {
+  for (std::size_t i = 0; i < block.count; ++i) {
+    if (level == 1 || block.leaf) {
+      const detail::Box box = {block.x[i], block.y[i], block.ux[i], block.uy[i], block.along[i], block.across[i]};
+      visit(corners(polygon, box, {block.origin_x, block.origin_y}, block.scale));
+    } else {
+      forEachBox(polygon, blocks, blocks[block.child[i]], level - 1, visit);
+    }
+  }
 }
 
 }  // namespace
@@ -70,8 +100,8 @@ void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::st
   }
   const std::string rule = polygon.fillRule() == FillRule::EvenOdd ? "evenodd" : "nonzero";
   elements_.push_back({"<path d=\"" + path + "\" fill=\"" + escaped(fill) + "\" fill-rule=\"" + rule + "\" stroke=\"" +
-                           escaped(stroke) + "\"",
-                       "stroke-width", 1, "/>"});
+                           escaped(stroke) + "\" stroke-width=\"",
+                       1, "\"/>"});
 }
 
 void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
@@ -81,8 +111,8 @@ void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
     include(s);
     elements_.push_back({"<polygon points=\"" + pair(s) + " " + pair(pose * triangle.v) + " " +
                              pair(pose * triangle.w) + "\" fill=\"" + tint + "\" fill-opacity=\"0.12\" stroke=\"" +
-                             tint + "\" stroke-opacity=\"0.5\"",
-                         "stroke-width", 0.6, "/>"});
+                             tint + "\" stroke-opacity=\"0.5\" stroke-width=\"",
+                         0.6, "\"/>"});
   }
 }
 
@@ -95,8 +125,45 @@ void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double
       points += pair(world) + " ";
     }
     elements_.push_back({"<polygon points=\"" + points + "\" fill=\"" + escaped(fill) +
-                             "\" fill-opacity=\"0.08\" stroke=\"" + escaped(fill) + "\" stroke-opacity=\"0.4\"",
-                         "stroke-width", 0.5, "/>"});
+                             "\" fill-opacity=\"0.08\" stroke=\"" + escaped(fill) +
+                             "\" stroke-opacity=\"0.4\" stroke-width=\"",
+                         0.5, "\"/>"});
+  }
+}
+
+void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, const std::string& stroke) {
+  if (level < 0) throw std::invalid_argument("level: it must not be negative");
+  const detail::PolygonData& data = polygon.data();
+  const detail::Hierarchy& hierarchy = data.hierarchy();
+  const auto draw = [&](const std::array<Vec2, 4>& box) {
+    std::string points;
+    for (const Vec2& corner : box) {
+      const Vec2 world = pose * corner;
+      include(world);
+      points += (points.empty() ? "" : " ") + pair(world);
+    }
+    elements_.push_back({"<polygon points=\"" + points + "\" fill=\"none\" stroke=\"" + escaped(stroke) +
+                             "\" stroke-opacity=\"0.7\" stroke-width=\"",
+                         1, "\"/>"});
+  };
+  if (level == 0)
+    draw(corners(data, hierarchy.root, Vec2::Zero(), 1));
+  else
+    forEachBox(data, hierarchy.blocks, hierarchy.blocks.front(), level, draw);
+}
+
+void SvgDrawing::innerDiscs(const Polygon& polygon, const Pose& pose, const std::string& fill) {
+  const detail::PolygonData& data = polygon.data();
+  const detail::InnerDiscs& discs = data.hierarchy().inner_discs;
+  for (int i = 0; i < discs.count; ++i) {
+    const Vec2 center = pose * Vec2(data.origin + Vec2(discs.x[i], discs.y[i]) * data.unit);
+    const double radius = discs.radius[i] * data.unit;
+    include(center - Vec2(radius, radius));
+    include(center + Vec2(radius, radius));
+    elements_.push_back({"<circle cx=\"" + number(center.x()) + "\" cy=\"" + number(-center.y()) + "\" r=\"" +
+                             number(radius) + "\" fill=\"" + escaped(fill) + "\" fill-opacity=\"0.2\" stroke=\"" +
+                             escaped(fill) + "\" stroke-width=\"",
+                         1, "\"/>"});
   }
 }
 
@@ -124,15 +191,57 @@ void SvgDrawing::polyline(const std::vector<Vec2>& points, const std::string& st
     include(point);
     list += (list.empty() ? "" : " ") + pair(point);
   }
-  elements_.push_back({"<polyline points=\"" + list + "\" fill=\"none\" stroke=\"" + escaped(stroke) + "\"",
-                       "stroke-width", 2.5, "/>"});
+  elements_.push_back(
+      {"<polyline points=\"" + list + "\" fill=\"none\" stroke=\"" + escaped(stroke) + "\" stroke-width=\"", 2.5,
+       "\"/>"});
 }
 
 void SvgDrawing::text(const Vec2& position, const std::string& text) {
   include(position);
   elements_.push_back({"<text x=\"" + number(position.x()) + "\" y=\"" + number(-position.y()) +
-                           "\" fill=\"#111\" text-anchor=\"middle\"",
-                       "font-size", 13, ">" + escaped(text) + "</text>"});
+                           "\" fill=\"#111\" text-anchor=\"middle\" font-size=\"",
+                       13, "\">" + escaped(text) + "</text>"});
+}
+
+void SvgDrawing::dot(const Vec2& at, const std::string& fill) {
+  include(at);
+  elements_.push_back(
+      {"<circle cx=\"" + number(at.x()) + "\" cy=\"" + number(-at.y()) + "\" fill=\"" + fill + "\" r=\"", 4, "\"/>"});
+}
+
+void SvgDrawing::arrow(const Vec2& from, const Vec2& direction, const std::string& stroke) {
+  include(from);
+  const double degrees = std::atan2(-direction.y(), direction.x()) * (180 / static_cast<double>(EIGEN_PI));
+  elements_.push_back({"<path d=\"M0,0L24,0M17,-4L24,0L17,4\" fill=\"none\" stroke=\"" + stroke +
+                           "\" stroke-width=\"2\" transform=\"translate(" + pair(from) + ") rotate(" + number(degrees) +
+                           ") scale(",
+                       1, ")\"/>"});
+}
+
+void SvgDrawing::nearest(const DistanceResult& result) {
+  if (!(result.point_a.allFinite() && result.point_b.allFinite()))
+    throw std::invalid_argument("result: it has no points; the distance is above its limit");
+  polyline({result.point_a, result.point_b}, "#2563eb");
+  dot(result.point_a, "#2563eb");
+  dot(result.point_b, "#2563eb");
+}
+
+void SvgDrawing::contacts(const std::vector<Contact>& contacts) {
+  for (const Contact& contact : contacts) {
+    polyline({contact.point, contact.point + contact.normal * contact.depth}, "#f59e0b");
+    arrow(contact.point, contact.normal, "#dc2626");
+    dot(contact.point, "#dc2626");
+  }
+}
+
+void SvgDrawing::impact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                        const Impact& impact) {
+  polygon(a, motion_a.at(0), "none", "#93c5fd");
+  polygon(b, motion_b.at(0), "none", "#fdba74");
+  polygon(a, motion_a.at(impact.time), "#bfdbfe");
+  polygon(b, motion_b.at(impact.time), "#fed7aa");
+  arrow(impact.point, impact.normal, "#dc2626");
+  dot(impact.point, "#dc2626");
 }
 
 std::string SvgDrawing::str() const {
@@ -147,8 +256,7 @@ std::string SvgDrawing::str() const {
       number(height) + "\">\n<g stroke-linejoin=\"round\" font-family=\"sans-serif\">\n" + "<rect x=\"" + number(x) +
       "\" y=\"" + number(y) + "\" width=\"" + number(width) + "\" height=\"" + number(height) + "\" fill=\"white\"/>\n";
   for (const Element& element : elements_)
-    svg += element.head + " " + element.attribute + "=\"" + number(element.px * width / width_px_) + "\"" +
-           element.tail + "\n";
+    svg += element.head + number(element.px * width / width_px_) + element.tail + "\n";
   return svg + "</g>\n</svg>\n";
 }
 

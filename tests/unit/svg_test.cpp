@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "shapes.h"
+#include "tricover/locate.h"
 
 namespace tricover::support {
 namespace {
@@ -104,6 +108,143 @@ TEST(Svg, FitsWhatIsDrawn) {
   EXPECT_LE(width, 6);
   EXPECT_LE(height, 8);
   EXPECT_NE(svg.find("width=\"400\""), std::string::npos);
+}
+
+/// The values of an attribute, one for each element that begins like `element`.
+std::vector<std::string> attributes(const std::string& svg, const std::string& element, const std::string& name) {
+  std::vector<std::string> values;
+  const std::string before = " " + name + "=\"";
+  for (std::size_t at = svg.find(element); at != std::string::npos; at = svg.find(element, at + 1)) {
+    const std::size_t begin = svg.find(before, at) + before.size();
+    values.push_back(svg.substr(begin, svg.find('"', begin) - begin));
+  }
+  return values;
+}
+
+/// "x,y x,y ...", back in the world.
+std::vector<Vec2> points(const std::string& list) {
+  std::vector<Vec2> result;
+  std::istringstream in(list);
+  double x, y;
+  char comma;
+  while (in >> x >> comma >> y) result.emplace_back(x, -y);
+  return result;
+}
+
+TEST(Svg, BoxesOfEachLevelHoldAllVertices) {
+  const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8), comb(12, 1, 0.5, 3)});
+  const Pose pose_frame = pose(0.5, 100, 20);
+  std::size_t boxes_above = 0;
+  for (int level = 0; level < 4; ++level) {
+    SvgDrawing drawing;
+    drawing.boxes(frame, pose_frame, level);
+    const std::vector<std::string> lists = attributes(drawing.str(), "<polygon ", "points");
+    EXPECT_GE(lists.size(), boxes_above);
+    boxes_above = lists.size();
+    std::vector<Polygon> boxes;
+    for (const std::string& list : lists) boxes.emplace_back(std::vector<Ring>{points(list)});
+    for (std::size_t edge = 0; edge < frame.vertexCount(); ++edge) {
+      const Vec2 vertex = pose_frame * frame.edgeStart(edge), inwards = (pose_frame * frame.origin() - vertex) * 1e-6;
+      // Boxes are rounded outwards by less than a millionth of what they hold; a thin one is as thin as its rounding.
+      EXPECT_TRUE(std::any_of(boxes.begin(), boxes.end(),
+                              [&](const Polygon& box) {
+                                return locate(box, vertex) != Location::Outside ||
+                                       locate(box, vertex + inwards) != Location::Outside;
+                              }))
+          << "level " << level << ", edge " << edge;
+    }
+  }
+  EXPECT_EQ(boxes_above, frame.vertexCount()) << "one an edge, at last";
+  SvgDrawing drawing;
+  EXPECT_THROW(drawing.boxes(frame, pose_frame, -1), std::invalid_argument);
+}
+
+TEST(Svg, InnerDiscsLieInTheRegion) {
+  const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)});
+  SvgDrawing drawing;
+  drawing.innerDiscs(frame, pose(0, 50, 7));
+  const std::string svg = drawing.str();
+  const std::vector<std::string> x = attributes(svg, "<circle", "cx"), y = attributes(svg, "<circle", "cy"),
+                                 r = attributes(svg, "<circle", "r");
+  ASSERT_GT(r.size(), 0u);
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const Vec2 center(std::stod(x[i]) - 50, -std::stod(y[i]) - 7);
+    const double radius = std::stod(r[i]);
+    EXPECT_GT(radius, 0);
+    EXPECT_EQ(locate(frame, center), Location::Inside);
+    const double to_outer = 5 - (center - Vec2(5, 5)).lpNorm<Eigen::Infinity>();
+    EXPECT_LE(radius, to_outer + 1e-6);
+    EXPECT_GE((center - Vec2(5, 5)).lpNorm<Eigen::Infinity>() - radius, 3 - 1e-6);
+  }
+}
+
+TEST(Svg, NearestPointsAreJoined) {
+  const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(5, 1, 6, 2)});
+  SvgDrawing drawing;
+  drawing.nearest(distance(a, Pose::Identity(), b, Pose::Identity()));
+  const std::string svg = drawing.str();
+  EXPECT_TRUE(wellFormed(svg)) << svg;
+  const std::vector<Vec2> line = points(attributes(svg, "<polyline ", "points").at(0));
+  ASSERT_EQ(line.size(), 2u);
+  EXPECT_EQ(line[0].x(), 2);
+  EXPECT_EQ(line[1].x(), 5);
+  EXPECT_EQ(count(svg, "<circle "), 2);
+  DistanceOptions near;
+  near.limit = 1;
+  EXPECT_THROW(drawing.nearest(distance(a, Pose::Identity(), b, Pose::Identity(), near)), std::invalid_argument);
+}
+
+TEST(Svg, ContactsShowPointNormalAndDepth) {
+  const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(3, 1, 8, 3)});
+  const std::vector<Contact> found = contacts(a, Pose::Identity(), b, Pose::Identity());
+  ASSERT_EQ(found.size(), 1u);
+  SvgDrawing drawing;
+  drawing.contacts(found);
+  const std::string svg = drawing.str();
+  EXPECT_TRUE(wellFormed(svg)) << svg;
+  const std::vector<Vec2> way = points(attributes(svg, "<polyline ", "points").at(0));
+  ASSERT_EQ(way.size(), 2u);
+  EXPECT_TRUE((way[1] - way[0]).isApprox(Vec2(1, 0)));
+  const std::string arrow = attributes(svg, "<path ", "transform").back();
+  EXPECT_EQ(count(arrow, "rotate(0)") + count(arrow, "rotate(-0)"), 1) << arrow;
+  EXPECT_EQ(count(svg, "<circle "), 1);
+}
+
+TEST(Svg, AnImpactShowsThePolygonsWhereTheyMeet) {
+  const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(0, 0, 1, 1)});
+  const Motion still = Motion::still(Pose::Identity()), falling = Motion::translation(pose(0, 0.5, 10), {0, -16});
+  const auto first = timeOfImpact(a, still, b, falling);
+  ASSERT_TRUE(first.has_value());
+  SvgDrawing drawing;
+  drawing.impact(a, still, b, falling, *first);
+  const std::string svg = drawing.str();
+  EXPECT_TRUE(wellFormed(svg)) << svg;
+  EXPECT_EQ(count(svg, "<path "), 5) << "each polygon twice, and an arrow";
+  const std::string landed = attributes(svg, "<path ", "d").at(3);  // "Mx,yL..."
+  const std::vector<Vec2> corner = points(landed.substr(1, landed.find('L') - 1));
+  EXPECT_NEAR(corner.at(0).y(), 2, 1e-4);
+  EXPECT_NE(attributes(svg, "<path ", "transform").back().find("rotate(-90)"), std::string::npos) << svg;
+}
+
+/// A comma for the point, and digits in groups.
+struct German : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Svg, IsTheSameInEveryLocale) {
+  const auto draw = [] {
+    SvgDrawing drawing;
+    drawing.polygon(Polygon({rectangle(-1234.5, 0.25, 12345678, 9)}), pose(0.1, 0, 0), "none");
+    drawing.text({0.5, 1000}, "1.5");
+    return drawing.str();
+  };
+  const std::string classic = draw();
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new German));
+  const std::string german = draw();
+  std::locale::global(before);
+  EXPECT_EQ(german, classic);
 }
 
 TEST(Svg, NothingDrawnIsAnError) {
