@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 #include "apart/edge_distance.h"
+#include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
 #include "pair/edge_pairs.h"
@@ -19,11 +18,6 @@ namespace detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Written so that NaN fails.
-void requireNotNegative(double value, const char* field) {
-  if (!(value >= 0)) throw std::invalid_argument(std::string(field) + ": it must be a number and not negative");
-}
 
 /// Two polygons and their poses, in the kernel's own order.
 struct Pair {

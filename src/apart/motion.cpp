@@ -2,8 +2,9 @@
 #include "tricover/motion.h"
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "numbers/errors.h"
 
 namespace tricover {
 
@@ -19,11 +20,10 @@ Motion Motion::translation(const Pose& start, const Vec2& shift) {
 Motion Motion::between(const Pose& start, const Pose& end, const Vec2& pivot) {
   checkPose(start, "start");
   checkPose(end, "end");
-  if (!pivot.allFinite()) throw std::invalid_argument("pivot: it must be finite");
+  if (!pivot.allFinite()) detail::refuse("pivot", "a coordinate is not finite");
   // The rotation nearest to end * start^-1.
   const Eigen::Matrix2d turn = end.linear() * start.linear().transpose();
-  if (turn.determinant() < 0)
-    throw std::invalid_argument("end: it mirrors where start doesn't, or the other way round");
+  if (turn.determinant() < 0) detail::refuse("end", "it mirrors where start doesn't, or the other way round");
   Motion motion;
   motion.start = start;
   motion.pivot = pivot;
@@ -51,7 +51,7 @@ void checkMotion(const Motion& motion, const char* name) {
   const std::string prefix(name);
   checkPose(motion.start, (prefix + ".start").c_str());
   const auto require = [&](bool finite, const char* field) {
-    if (!finite) throw std::invalid_argument(prefix + "." + field + ": it must be finite");
+    if (!finite) detail::refuse(prefix + "." + field, "it is not finite");
   };
   require(motion.shift.allFinite(), "shift");
   require(std::isfinite(motion.angle), "angle");

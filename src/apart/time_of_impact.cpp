@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "apart/moving_pair.h"
 #include "apart/window_cutter.h"
+#include "numbers/errors.h"
 #include "pair/strategy.h"
 
 namespace tricover {
@@ -260,8 +260,7 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
 
 std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                    const ImpactOptions& options) {
-  if (!(options.time_error >= 0 && options.time_error <= std::numeric_limits<double>::max()))
-    throw std::invalid_argument("time_error: it must be finite and not negative");
+  detail::requireFiniteNotNegative(options.time_error, "time_error");
   checkMotion(motion_a, "motion_a");
   checkMotion(motion_b, "motion_b");
   if (detail::startInOrder(a.data(), motion_a, b.data(), motion_b))

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "hierarchy/hierarchy.h"
+#include "numbers/errors.h"
 #include "pair/posed_pair.h"
 #include "polygon/polygon_data.h"
 #include "tricover/influence.h"
@@ -77,8 +78,7 @@ void forEachBox(const detail::PolygonData& polygon, const std::vector<detail::Bl
 
 SvgDrawing::SvgDrawing(double width_px)
     : width_px_(width_px), low_(kInfinity, kInfinity), high_(-kInfinity, -kInfinity) {
-  if (!(width_px > 0 && std::isfinite(width_px)))
-    throw std::invalid_argument("width_px: it must be positive and finite");
+  if (!(width_px > 0 && std::isfinite(width_px))) detail::refuse("width_px", "it must be positive and finite");
 }
 
 void SvgDrawing::include(const Vec2& point) {
@@ -245,7 +245,7 @@ void SvgDrawing::impact(const Polygon& a, const Motion& motion_a, const Polygon&
 }
 
 std::string SvgDrawing::str() const {
-  if (elements_.empty()) throw std::logic_error("SvgDrawing: nothing is drawn");
+  if (elements_.empty()) throw std::logic_error(detail::refusal("SvgDrawing", "nothing is drawn"));
   const Vec2 size = (high_ - low_).cwiseMax(1e-3 * (high_ - low_).maxCoeff());
   const double border = 0.03 * size.maxCoeff();
   const double x = low_.x() - border, y = -high_.y() - border;

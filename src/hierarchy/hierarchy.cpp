@@ -9,6 +9,7 @@
 
 #include "hierarchy/inner_discs.h"
 #include "hierarchy/small_convex.h"
+#include "numbers/errors.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {
@@ -206,7 +207,7 @@ class Builder {
 
 Hierarchy::Hierarchy(const PolygonData& polygon) {
   if (polygon.path.size() >= std::numeric_limits<std::uint32_t>::max() / kLanes)
-    throw std::length_error("rings: more than 2^29 vertices");
+    throw std::length_error(refusal("rings", "more than 2^29 vertices"));
   std::vector<Vec2> local;
   local.reserve(polygon.path.size());
   for (const Vec2& p : polygon.path) local.push_back(polygon.inUnits(p));

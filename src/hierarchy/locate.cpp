@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "hierarchy/wide.h"
+#include "numbers/errors.h"
 #include "polygon/covering.h"
 
 namespace tricover {
@@ -109,7 +109,7 @@ Location locateInCovering(const PolygonData& polygon, const Pose* pose, const Ap
 namespace {
 
 void checkPoint(const Vec2& point) {
-  if (!point.allFinite()) throw std::invalid_argument("point: a coordinate is not finite");
+  if (!point.allFinite()) detail::refuse("point", "a coordinate is not finite");
 }
 
 Location locateUnchecked(const detail::PolygonData& polygon, const Vec2& point) {

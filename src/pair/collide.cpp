@@ -2,10 +2,8 @@
 #include "tricover/collide.h"
 
 #include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
 
+#include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
@@ -14,17 +12,6 @@
 namespace tricover {
 namespace detail {
 namespace {
-
-[[noreturn]] void refuseLength(const char* field) {
-  throw std::invalid_argument(std::string(field) + ": it must be finite and not negative");
-}
-
-/// Written so that NaN fails.
-void requireLengths(const CollideOptions& options) {
-  constexpr double kLargest = std::numeric_limits<double>::max();
-  if (!(options.margin >= 0 && options.margin <= kLargest)) refuseLength("margin");
-  if (!(options.tolerance >= 0 && options.tolerance <= kLargest)) refuseLength("tolerance");
-}
 
 /// Finds the answer and keeps why it is certain.
 bool findFact(const PosedPair& pair, PairCache& cache, const Recollection& recollection,
@@ -69,7 +56,8 @@ bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData&
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache* cache,
              const CollideOptions& options) {
-  requireLengths(options);
+  requireFiniteNotNegative(options.margin, "margin");
+  requireFiniteNotNegative(options.tolerance, "tolerance");
   requireRigid(pose_a, "pose_a");
   requireRigid(pose_b, "pose_b");
   Recollection recollection{};

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "numbers/errors.h"
 #include "polygon/influence_area.h"
 #include "polygon/polygon_data.h"
 
@@ -49,8 +49,8 @@ bool inBoundedArea(const Vec2& v, const Vec2& w, const ApproxPoint& p, double le
 namespace {
 
 void check(const Vec2& point, double length) {
-  if (!point.allFinite()) throw std::invalid_argument("point: a coordinate is not finite");
-  if (!(length >= 0)) throw std::invalid_argument("length: it must not be negative or NaN");
+  if (!point.allFinite()) detail::refuse("point", "a coordinate is not finite");
+  detail::requireNotNegative(length, "length");
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ bool inInfluenceArea(const Polygon& polygon, std::size_t edge, const Vec2& point
     case InfluenceKind::Bounded:
       return detail::inBoundedArea(v, w, p, length);
   }
-  throw std::invalid_argument("kind: not an InfluenceKind");
+  detail::refuse("kind", "not an InfluenceKind");
 }
 
 std::vector<std::uint64_t> influenceMask(const Polygon& polygon, const Vec2& point, double length) {

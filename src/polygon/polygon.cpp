@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "numbers/errors.h"
 #include "numbers/predicates.h"
 #include "polygon/polygon_data.h"
 
@@ -18,14 +19,14 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void validate(const std::vector<Ring>& rings) {
-  if (rings.empty()) throw std::invalid_argument("rings: a polygon needs at least one ring");
+  if (rings.empty()) refuse("rings", "a polygon needs at least one ring");
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const std::string ring = "rings: ring " + std::to_string(r);
     if (rings[r].size() < 3)
-      throw std::invalid_argument(ring + " has " + std::to_string(rings[r].size()) + " vertices, it needs at least 3");
+      refuse(ring, "it has " + std::to_string(rings[r].size()) + " vertices",
+             "it needs at least 3, which may be equal ones");
     for (std::size_t i = 0; i < rings[r].size(); ++i)
-      if (!rings[r][i].allFinite())
-        throw std::invalid_argument(ring + ", vertex " + std::to_string(i) + " is not finite");
+      if (!rings[r][i].allFinite()) refuse(ring + ", vertex " + std::to_string(i), "a coordinate is not finite");
   }
 }
 
@@ -133,6 +134,14 @@ std::size_t PolygonData::edgePosition(std::size_t number) const {
   return number + low;
 }
 
+std::size_t PolygonData::checkedEdgePosition(std::size_t number) const {
+  const std::size_t count = path.size() - ringCount();
+  if (number >= count)
+    throw std::out_of_range(
+        refusal("edge", std::to_string(number) + " is beyond the last one, " + std::to_string(count - 1)));
+  return edgePosition(number);
+}
+
 const Hierarchy& PolygonData::buildHierarchy() const {
   const std::lock_guard<std::mutex> lock(building_);
   if (!hierarchy_) {
@@ -154,15 +163,8 @@ std::size_t Polygon::vertexCount() const { return data_->path.size() - data_->ri
 const Vec2& Polygon::origin() const { return data_->origin; }
 double Polygon::radius() const { return data_->radius; }
 
-Vec2 Polygon::edgeStart(std::size_t edge) const {
-  if (edge >= vertexCount()) throw std::out_of_range("edge " + std::to_string(edge) + " is beyond the last one");
-  return data_->path[data_->edgePosition(edge)];
-}
-
-Vec2 Polygon::edgeEnd(std::size_t edge) const {
-  if (edge >= vertexCount()) throw std::out_of_range("edge " + std::to_string(edge) + " is beyond the last one");
-  return data_->path[data_->edgePosition(edge) + 1];
-}
+Vec2 Polygon::edgeStart(std::size_t edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
+Vec2 Polygon::edgeEnd(std::size_t edge) const { return data_->path[data_->checkedEdgePosition(edge) + 1]; }
 
 std::vector<CoveringTriangle> Polygon::covering() const {
   std::vector<CoveringTriangle> triangles;

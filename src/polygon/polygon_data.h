@@ -26,6 +26,8 @@ struct PolygonData {
   /// Between positions in the path and the public numbering, which skips the closing vertices.
   std::size_t edgeNumber(std::size_t position) const;
   std::size_t edgePosition(std::size_t number) const;
+  /// Throws std::out_of_range for what is no edge's number.
+  std::size_t checkedEdgePosition(std::size_t number) const;
 
   /// The hierarchy if it has been built, otherwise null.
   const Hierarchy* hierarchyIfBuilt() const { return ready_.load(std::memory_order_acquire); }

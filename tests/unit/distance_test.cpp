@@ -158,9 +158,9 @@ TEST(Distance, RefusesAndNamesTheField) {
   for (const double bad : {-1.0, kNaN, -kInfinity}) {
     DistanceOptions relative, absolute, limit;
     relative.relative_error = absolute.absolute_error = limit.limit = bad;
-    EXPECT_NE(refused(relative).find("relative_error"), std::string::npos);
-    EXPECT_NE(refused(absolute).find("absolute_error"), std::string::npos);
-    EXPECT_NE(refused(limit).find("limit"), std::string::npos);
+    EXPECT_NE(refused(relative).find("tricover: relative_error: "), std::string::npos);
+    EXPECT_NE(refused(absolute).find("tricover: absolute_error: "), std::string::npos);
+    EXPECT_NE(refused(limit).find("tricover: limit: "), std::string::npos);
   }
   Pose bad = at(0, 0);
   bad.linear() *= 1.001;

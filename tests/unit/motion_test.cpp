@@ -97,7 +97,7 @@ std::string refusal(Call call) {
 }
 
 TEST(Motion, BetweenRefusesAMirror) {
-  EXPECT_NE(refusal([] { Motion::between(Pose::Identity(), mirrored(Pose::Identity())); }).find("end"),
+  EXPECT_NE(refusal([] { Motion::between(Pose::Identity(), mirrored(Pose::Identity())); }).find("tricover: end: "),
             std::string::npos);
 }
 
@@ -110,7 +110,7 @@ TEST(CheckMotion, NamesTheField) {
   EXPECT_NE(refusalOf(motion).find("motion_b.angle"), std::string::npos);
   motion = Motion();
   motion.shift.y() = kNan;
-  EXPECT_NE(refusalOf(motion).find("motion_b.shift"), std::string::npos);
+  EXPECT_NE(refusalOf(motion).find("tricover: motion_b.shift: "), std::string::npos);
   motion = Motion();
   motion.pivot.x() = -kInf;
   EXPECT_NE(refusalOf(motion).find("motion_b.pivot"), std::string::npos);

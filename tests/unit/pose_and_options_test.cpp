@@ -50,12 +50,30 @@ TEST(PoseCheck, NamesThePoseAndTheField) {
   for (const Pose& bad : badPoses()) {
     const std::string first = refusal([&] { collide(polygon, bad, polygon, Pose::Identity()); });
     const std::string second = refusal([&] { collide(polygon, Pose::Identity(), polygon, bad); });
-    const std::string field = bad.translation().allFinite() ? "linear" : "translation";
+    const std::string field = bad.translation().allFinite() ? "linear(" : "translation(";
     EXPECT_TRUE(names(first, "pose_a") && names(first, field)) << first;
     EXPECT_TRUE(names(second, "pose_b") && names(second, field)) << second;
     EXPECT_TRUE(names(refusal([&] { contacts(polygon, bad, polygon, Pose::Identity()); }), "pose_a"));
     EXPECT_TRUE(names(refusal([&] { checkPose(bad, "mine"); }), "mine"));
   }
+}
+
+/// An entry that is no number is named, rather than said to be not rigid.
+TEST(PoseCheck, NamesTheEntryThatIsNotFinite) {
+  const auto refusalOf = [](const Pose& bad) { return refusal([&] { checkPose(bad, "mine"); }); };
+  for (const double bad : {kNaN, kInfinity, -kInfinity})
+    for (int row : {0, 1})
+      for (int column : {0, 1, 2}) {
+        Pose pose = Pose::Identity();
+        pose.matrix()(row, column) = bad;
+        const std::string place = column == 2 ? "translation(" + std::to_string(row)
+                                              : "linear(" + std::to_string(row) + ", " + std::to_string(column);
+        EXPECT_EQ(refusalOf(pose), "tricover: mine: " + place + ") is not finite");
+      }
+  Pose large = Pose::Identity();
+  large.linear()(0, 1) = 1e200;
+  for (const Pose& bad : {large, badPoses()[0], badPoses()[6]})
+    EXPECT_TRUE(names(refusalOf(bad), "tricover: mine: linear() is not rigid within 1e-6; ")) << refusalOf(bad);
 }
 
 TEST(PoseCheck, TakesRotationsMirrorsAndFloatRounding) {
@@ -75,8 +93,8 @@ TEST(CollideOptions, NegativeOrNotFiniteLengthsAreRefusedByName) {
       const auto ask = [&](const CollideOptions& options) {
         return refusal([&] { collide(polygon, Pose::Identity(), polygon, Pose::Identity(), options); });
       };
-      EXPECT_TRUE(names(ask({bad, 0, strategy}), "margin"));
-      EXPECT_TRUE(names(ask({0, bad, strategy}), "tolerance"));
+      EXPECT_TRUE(names(ask({bad, 0, strategy}), "tricover: margin: "));
+      EXPECT_TRUE(names(ask({0, bad, strategy}), "tricover: tolerance: "));
     }
   }
 }
@@ -118,12 +136,12 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
 TEST(Refusal, OfPointsAndLengths) {
   const Polygon polygon({rectangle(0, 0, 1, 1)});
   for (const Vec2& bad : {Vec2(kNaN, 0), Vec2(0, kInfinity)}) {
-    EXPECT_TRUE(names(refusal([&] { locate(polygon, bad); }), "point"));
-    EXPECT_TRUE(names(refusal([&] { influenceMask(polygon, bad, 1); }), "point"));
+    EXPECT_TRUE(names(refusal([&] { locate(polygon, bad); }), "tricover: point: "));
+    EXPECT_TRUE(names(refusal([&] { influenceMask(polygon, bad, 1); }), "tricover: point: "));
     EXPECT_TRUE(names(refusal([&] { inInfluenceArea(polygon, 0, bad, 1, InfluenceKind::Bounded); }), "point"));
   }
   for (const double bad : {-1.0, kNaN}) {
-    EXPECT_TRUE(names(refusal([&] { influenceMask(polygon, {0, 0}, bad); }), "length"));
+    EXPECT_TRUE(names(refusal([&] { influenceMask(polygon, {0, 0}, bad); }), "tricover: length: "));
     EXPECT_TRUE(names(refusal([&] { boundedInfluenceArea(polygon, 0, bad); }), "length"));
   }
   EXPECT_THROW(inInfluenceArea(polygon, 4, {0, 0}, 1, InfluenceKind::Extended), std::out_of_range);

@@ -298,11 +298,11 @@ TEST(TimeOfImpact, RefusesWhatIsNoMotion) {
     }
     return "accepted";
   };
-  EXPECT_NE(refusal(wrong, kStill, 0).find("motion_a.angle"), std::string::npos);
+  EXPECT_NE(refusal(wrong, kStill, 0).find("tricover: motion_a.angle: "), std::string::npos);
   EXPECT_NE(refusal(kStill, wrong, 0).find("motion_b.angle"), std::string::npos);
   for (const double time_error :
        {-1e-6, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-    EXPECT_NE(refusal(kStill, kStill, time_error).find("time_error"), std::string::npos);
+    EXPECT_NE(refusal(kStill, kStill, time_error).find("tricover: time_error: "), std::string::npos);
 }
 
 }  // namespace
