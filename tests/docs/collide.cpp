@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/collide.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(Documentation, Collide) {
+  //! [collide]
+  const tricover::Polygon room({{{0, 0}, {9, 0}, {9, 7}, {0, 7}}, {{1, 1}, {8, 1}, {8, 6}, {1, 6}}});  // ring in ring
+  const tricover::Polygon robot({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}});                   // an L
+  const tricover::Pose still = tricover::Pose::Identity();
+  tricover::Pose pose = still;
+  pose.translation() << 5, 3;
+  EXPECT_FALSE(tricover::collide(room, still, robot, pose));
+  EXPECT_TRUE(tricover::collide(room, still, robot, pose, {/*margin*/ 1}));  // the wall is 1 away
+
+  pose.translation() << 6, 3;
+  EXPECT_TRUE(tricover::collide(room, still, robot, pose));  // touching is colliding
+  //! [collide]
+}
+
+TEST(Documentation, CollideWithCache) {
+  //! [collide with cache]
+  const tricover::Polygon room({{{0, 0}, {9, 0}, {9, 7}, {0, 7}}, {{1, 1}, {8, 1}, {8, 6}, {1, 6}}});
+  const tricover::Polygon robot({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}});
+  const tricover::Pose still = tricover::Pose::Identity();
+  tricover::Pose pose = still;
+  tricover::PairCache cache;  // one a pair
+  double x = 2;
+  for (;; x += 0.125) {
+    pose.translation() << x, 3;
+    if (tricover::collide(room, still, robot, pose, cache)) break;
+  }
+  EXPECT_EQ(x, 6);
+  //! [collide with cache]
+}
+
+}  // namespace

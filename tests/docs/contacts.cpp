@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+TEST(Documentation, Contacts) {
+  //! [contacts]
+  const tricover::Polygon floor({{{0, 0}, {9, 0}, {9, 1}, {0, 1}}});
+  const tricover::Polygon table({{{0, 0}, {1, 0}, {1, 2}, {5, 2}, {5, 0}, {6, 0}, {6, 3}, {0, 3}}});  // two legs
+  tricover::Pose sunk = tricover::Pose::Identity();
+  sunk.translation() << 1, 0.5;
+  const std::vector<tricover::Contact> found = tricover::contacts(floor, tricover::Pose::Identity(), table, sunk);
+  ASSERT_EQ(found.size(), 2u);  // one for each part of the overlap
+  for (const tricover::Contact& leg : found) {
+    EXPECT_NEAR(leg.depth, 0.5, 1e-12);
+    EXPECT_NEAR(leg.normal.y(), 1, 1e-12);  // up: from the floor towards where the table leaves it
+  }
+  //! [contacts]
+}
+
+TEST(Documentation, Crossings) {
+  //! [crossings]
+  const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  tricover::Pose shifted = tricover::Pose::Identity();
+  shifted.translation() << 1, 1;
+  const std::vector<tricover::Crossing> found =
+      tricover::crossings(square, tricover::Pose::Identity(), square, shifted);
+  ASSERT_EQ(found.size(), 2u);
+  for (const tricover::Crossing& crossing : found) EXPECT_NEAR(crossing.point.sum(), 5, 1e-12);  // (4, 1) and (1, 4)
+  //! [crossings]
+}
+
+}  // namespace

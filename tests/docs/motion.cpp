@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace {
+
+TEST(Documentation, Motion) {
+  //! [motion]
+  tricover::Pose start = tricover::Pose::Identity(), end = start;
+  end.linear() << 0, -1, 1, 0;
+  end.translation() << 10, 0;
+
+  const tricover::Motion slide = tricover::Motion::translation(start, {10, 0});
+  EXPECT_TRUE(slide.at(0.5).translation().isApprox(tricover::Vec2(5, 0)));
+
+  // From pose to pose: the pivot, here the polygon's point (1, 0), runs straight while the polygon turns about it.
+  const tricover::Motion turn = tricover::Motion::between(start, end, {1, 0});
+  EXPECT_TRUE(turn.at(1).isApprox(end, 1e-12));
+  EXPECT_TRUE((turn.at(0.5) * tricover::Vec2(1, 0)).isApprox(tricover::Vec2(5.5, 0.5)));
+  //! [motion]
+}
+
+TEST(Documentation, CheckMotion) {
+  //! [check motion]
+  tricover::Motion motion = tricover::Motion::still(tricover::Pose::Identity());
+  tricover::checkMotion(motion);
+  motion.angle = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(tricover::checkMotion(motion), std::invalid_argument);
+  //! [check motion]
+}
+
+}  // namespace

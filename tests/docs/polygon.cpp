@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/polygon.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace {
+
+TEST(Documentation, Polygon) {
+  //! [polygon]
+  // A square with a square hole. Rings run in either direction and aren't closed by a repeated vertex.
+  const tricover::Polygon frame({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}});
+  EXPECT_EQ(frame.vertexCount(), 8u);
+  EXPECT_EQ(frame.edgeStart(5), tricover::Vec2(3, 1));  // edges are numbered through the rings
+  EXPECT_EQ(frame.edgeEnd(5), tricover::Vec2(3, 3));
+
+  const tricover::Polygon copy = frame;  // shares all data
+  EXPECT_EQ(copy.id(), frame.id());
+
+  EXPECT_THROW(tricover::Polygon({{{0, 0}, {1, 1}}}), std::invalid_argument);  // two vertices
+  //! [polygon]
+}
+
+TEST(Documentation, Covering) {
+  //! [covering]
+  const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  EXPECT_EQ(square.origin(), tricover::Vec2(2, 2));
+  double area = 0;
+  for (const tricover::CoveringTriangle& t : square.covering()) {
+    const tricover::Vec2 v = t.v - t.s, w = t.w - t.s;
+    area += (v.x() * w.y() - v.y() * w.x()) / 2;
+    EXPECT_EQ(t.sign, 1);
+  }
+  EXPECT_EQ(area, 16);
+  //! [covering]
+}
+
+}  // namespace

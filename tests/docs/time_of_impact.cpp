@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/time_of_impact.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace {
+
+TEST(Documentation, TimeOfImpact) {
+  //! [time of impact]
+  const tricover::Polygon wall({{{0, -5}, {0.001, -5}, {0.001, 5}, {0, 5}}});
+  const tricover::Polygon square({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});
+  tricover::Pose start = tricover::Pose::Identity();
+  start.translation() << -100, 0;
+  const tricover::Motion still = tricover::Motion::still(tricover::Pose::Identity());
+
+  // However fast and thin: nothing tunnels.
+  const tricover::Motion fast = tricover::Motion::translation(start, {1000, 0});
+  const std::optional<tricover::Impact> first = tricover::timeOfImpact(wall, still, square, fast);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_LE(first->time, 0.099);  // never later than the first contact
+  EXPECT_GE(first->time, 0.099 - 1e-6);
+  EXPECT_NEAR(first->normal.x(), -1, 1e-9);  // from the wall to the square
+
+  const tricover::Motion aside = tricover::Motion::translation(start, {0, 1000});
+  EXPECT_FALSE(tricover::timeOfImpact(wall, still, square, aside).has_value());
+  //! [time of impact]
+}
+
+}  // namespace
