@@ -9,20 +9,20 @@
 
 namespace tricover {
 
-/// How the answer is found. Both give the same answers, from the same predicates, influence areas and edge test.
+/// How the answer is found. Both strategies give the same answers, from the same predicates and the same edge test.
 enum class Strategy {
-  Hierarchy,  ///< the default: clearance facts and a hierarchy of influence areas, both polygons descended together
-  Paper,  ///< Algorithm 3 as printed, with its repairs: circles, influence mask, extended areas, sign changes; O(n m)
+  Hierarchy,  ///< The default: facts, and a hierarchy of influence areas. Both polygons are descended together.
+  Paper,      ///< The paper's Algorithm 3, with its repairs. Takes O(n m).
 };
 
 /// What is asked of a boolean query. The default: do the regions share a point?
 struct CollideOptions {
-  /// World length >= 0: "closer than or equal to margin?" Exact, equality included.
+  /// A world length, at least 0. The question becomes "is the distance at most margin?". Exact, equality included.
   double margin = 0;
-  /// World length >= 0: true stays certain wherever the distance is at most margin; above it, true may be answered
-  /// only where the distance is at most margin + tolerance.
+  /// A world length, at least 0, that buys time. Up to a distance of margin the answer is true, as ever. Above margin +
+  /// tolerance it is false. In between it may be either.
   double tolerance = 0;
-  Strategy strategy = Strategy::Hierarchy;  ///< changes the cost, never the answer
+  Strategy strategy = Strategy::Hierarchy;  ///< Changes the cost, never the answer.
 };
 
 /// What one pair of polygons remembers between queries: facts, not state. Each stays true whatever happens in between,
@@ -49,14 +49,22 @@ struct PairCache {
   std::vector<std::uint64_t> mask;
 };
 
-/// Whether the two closed regions share a point (or, with a margin, come at least that close). Exact for every finite
-/// input; independent of argument order, history and thread. O(log n + log m + k) typical, k the edge pairs in reach.
+/// Whether the two closed regions share a point or, with a margin, come at least that close.
+///
+/// Exact for every finite input. The answer depends neither on the order of the arguments nor on earlier calls nor on
+/// the thread. Typical cost: O(log n + log m + k), where k counts the pairs of edges in reach of each other.
+///
 /// Throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, and for a margin or
-/// tolerance that is negative or not finite.
+/// tolerance that is negative or not finite. The first query of a polygon that comes near it builds its hierarchy,
+/// which throws std::length_error for more than 2^29 vertices.
+///
+/// \snippet collide.cpp collide
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
              const CollideOptions& options = {});
 
-/// The same answer, using and renewing the facts in `cache`; O(1) while a fact pays for the motion since it was found.
+/// The same answer, using and renewing the facts in `cache`. O(1) while the fact in it pays for the motion since.
+///
+/// \snippet collide.cpp collide with cache
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
              const CollideOptions& options = {});
 

@@ -11,53 +11,59 @@ namespace tricover {
 
 /// What a distance may be wrong by, and from where on it is of no interest. The default is exact.
 struct DistanceOptions {
-  /// The result is at most truth * (1 + relative_error) + absolute_error, and never below the truth but for rounding.
+  /// The result is at most truth * (1 + relative_error) + absolute_error. It is never below the truth but for rounding.
   /// Whether it is 0 stays exact.
   double relative_error = 0;
-  double absolute_error = 0;  ///< world length
-  /// World length: a distance above it needn't be found; the result is then infinity, the points NaN, the edges -1.
+  double absolute_error = 0;  ///< A world length; see relative_error.
+  /// A world length. A distance above it need not be found: the result is then infinity, the points NaN, the edges -1.
   double limit = std::numeric_limits<double>::infinity();
 };
 
-/// World frame. Where the regions collide, both points are one common point.
+/// A distance and where it is attained, in the world. Where the regions collide, both points are one common point.
 struct DistanceResult {
-  double distance;  ///< world length
-  Vec2 point_a;     ///< of a, nearest to b; coordinates are rounded as those of a posed vertex are
-  Vec2 point_b;     ///< of b, likewise
-  /// The edge point_a lies on (numbered as in Polygon::edgeStart); in a containment -1 for the polygon whose inside
-  /// holds the point, which is then the start of the other's edge.
-  std::ptrdiff_t edge_a;
-  std::ptrdiff_t edge_b;  ///< likewise of b
+  double distance;        ///< A world length.
+  Vec2 point_a;           ///< The point of a nearest to b. Rounded as the coordinates of a posed vertex are.
+  Vec2 point_b;           ///< The point of b nearest to a. Rounded likewise.
+  std::ptrdiff_t edge_a;  ///< The edge of a that point_a lies on. -1 where a ring of b lies inside a.
+  std::ptrdiff_t edge_b;  ///< The edge of b that point_b lies on. -1 where a ring of a lies inside b.
 };
 
-/// What one pair remembers between distance queries: facts, as in PairCache, whose rules are these, too.
-/// DistanceCache{} is empty.
+/// What one pair of polygons remembers between distance queries. It is facts, as a PairCache is, and the same rules
+/// hold for it. DistanceCache{} is empty.
+///
+/// The facts read: when the polygons were at first_pose and second_pose, of all pairs of edges only the first k ones
+/// listed here were nearer to each other than apart[k]. That holds for every k from 0 to count.
 struct DistanceCache {
-  static constexpr int kMost = 8;  ///< pairs of edges that it has room for
+  static constexpr int kMost = 8;  ///< How many pairs of edges it has room for.
 
-  std::uint64_t first_id = 0;   ///< of the polygons the facts are about, in the kernel's own order (0: none)
-  std::uint64_t second_id = 0;  ///< likewise
+  std::uint64_t first_id = 0;   ///< Polygon::id() of the polygon that the kernel takes first. 0: the cache is empty.
+  std::uint64_t second_id = 0;  ///< Polygon::id() of the other one.
 
-  /// "With the polygons at these poses (columns of R, then t), of all pairs of edges only the first k ones listed were
-  /// nearer to each other than apart[k]", for every k up to `count`; world lengths, in increasing order. Where apart[0]
-  /// is positive, the regions didn't overlap.
-  double first_pose[6] = {1, 0, 0, 1, 0, 0};
-  double second_pose[6] = {1, 0, 0, 1, 0, 0};  ///< see first_pose
-  int count = 0;                               ///< see first_pose
-  std::uint32_t first_edge[kMost] = {};        ///< positions in the kernel's paths
-  std::uint32_t second_edge[kMost] = {};       ///< likewise
-  double apart[kMost + 1] = {};                ///< see first_pose
-  std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next fact looks ahead
+  double first_pose[6] = {1, 0, 0, 1, 0, 0};   ///< The first polygon's pose then: the columns of R, and t.
+  double second_pose[6] = {1, 0, 0, 1, 0, 0};  ///< The second polygon's pose then.
+  int count = 0;                               ///< How many pairs of edges are listed.
+  std::uint32_t first_edge[kMost] = {};        ///< Their edges of the first polygon, as the kernel numbers them.
+  std::uint32_t second_edge[kMost] = {};       ///< Their edges of the second polygon.
+  double apart[kMost + 1] = {};  ///< World lengths, increasing. If apart[0] is positive, the regions didn't overlap.
+  std::uint32_t uses = 0;        ///< Queries answered since. Tells how far the next facts should look ahead.
 };
 
-/// The distance of the two closed regions: 0 exactly where collide() is true, otherwise right to 1e-14 of itself
-/// (nearer the smallest double: to that; infinity where it overflows). Exact for every finite input; symmetric;
-/// independent of history. Throws std::invalid_argument as collide() does, and for negative or NaN options.
+/// The distance of the two closed regions.
+///
+/// It is 0 exactly where collide() is true. Otherwise it is right to 1e-14 of itself, or to the smallest double where
+/// that is more, and infinity where it overflows. The order of the arguments and earlier calls change nothing.
+///
+/// Throws as collide() does, and std::invalid_argument for options that are negative or NaN.
+///
+/// \snippet distance.cpp distance
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         const DistanceOptions& options = {});
 
-/// The same distance, to the last bit unless options allow errors (of equally near points, others may be found), using
-/// and renewing the facts in `cache`; O(1) while the pairs of edges that it lists pay for the motion since.
+/// The same, using and renewing the facts in `cache`. O(1) while the pairs of edges that it lists pay for the motion
+/// since. The distance is the same to the last bit, unless options allow errors. Of equally near points, others may be
+/// found.
+///
+/// \snippet distance.cpp distance with cache
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         DistanceCache& cache, const DistanceOptions& options = {});
 

@@ -8,24 +8,31 @@
 
 namespace tricover {
 
-/// Where a point is; an edge is Boundary even where the region lies on both of its sides.
+/// Where a point is. A point of an edge is Boundary even where the region lies on both of the edge's sides.
 enum class Location { Outside, Boundary, Inside };
 
-/// Where `point` (in the polygon's own frame) lies: the paper's Algorithm 1, the sum of the signs of the covering
-/// triangles that hold the point, under the polygon's fill rule. Exact for every finite point; O(n).
-/// Throws std::invalid_argument if a coordinate is not finite.
+/// Where `point`, in the polygon's own frame, lies. Exact for every finite point.
+///
+/// This is the paper's Algorithm 1: the signs of the covering triangles that hold the point are summed, and the
+/// polygon's fill rule says what the sum means. O(n).
+///
+/// Throws std::invalid_argument for a point that is not finite, and std::length_error as collide() does.
+///
+/// \snippet locate.cpp locate
 Location locate(const Polygon& polygon, const Vec2& point);
 
-/// What a moving point keeps between calls (the paper's Algorithm 2): its sign against every edge's line, two bits an
-/// edge. Empty at first; the polygon may change from call to call.
+/// What a moving point keeps between calls: its sign against the line of every edge (the paper's Algorithm 2).
+/// PointCache{} is empty. It may serve another polygon from call to call.
 struct PointCache {
-  std::uint64_t polygon_id = 0;           ///< whose edges the signs are about (0: none)
-  Location location = Location::Outside;  ///< of the zone that has these signs
-  std::vector<std::uint64_t> signs;       ///< two bits an edge
+  std::uint64_t polygon_id = 0;           ///< Polygon::id() of the polygon that the signs are about. 0: none.
+  Location location = Location::Outside;  ///< Where all points with these signs are.
+  std::vector<std::uint64_t> signs;       ///< Two bits an edge.
 };
 
-/// The same answer, with coherence: while no sign changes the point stays in its zone (a face of the arrangement of the
-/// edges' lines, on which the location is constant) and the inclusion test is skipped.
+/// The same answer, with coherence. Points with equal signs against all edges' lines lie in one zone, and all of a zone
+/// is at one location. So while no sign changes, the inclusion test is skipped.
+///
+/// \snippet locate.cpp locate with cache
 Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache);
 
 }  // namespace tricover

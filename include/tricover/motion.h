@@ -5,29 +5,35 @@
 
 namespace tricover {
 
-/// A planar rigid motion over time 0 to 1: the polygon turns at a constant rate about a pivot of its own, which moves
-/// at a constant velocity. Pure translation (angle 0), interpolation between poses (any pivot) and the plane's screw
-/// (shift 0: a rotation about a fixed point) are all of this kind.
+/// A planar rigid motion from time 0 to time 1. The polygon turns at a constant rate about a pivot of its own, and the
+/// pivot moves at a constant velocity.
+///
+/// With angle 0 this is a translation, with shift 0 a rotation about a fixed point (the plane's screw motion), and with
+/// both an interpolation between two poses.
+///
+/// \snippet motion.cpp motion
 struct Motion {
-  Pose start = Pose::Identity();  ///< at time 0; from the polygon's frame to the world
-  Vec2 shift = Vec2::Zero();      ///< of the pivot, in the world, from time 0 to 1
-  double angle = 0;               ///< radians, counter-clockwise in the world, any number of turns
-  Vec2 pivot = Vec2::Zero();      ///< in the polygon's frame
+  Pose start = Pose::Identity();  ///< The pose at time 0, from the polygon's frame to the world.
+  Vec2 shift = Vec2::Zero();      ///< How far the pivot moves from time 0 to 1, in the world.
+  double angle = 0;               ///< How far the polygon turns: radians, counter-clockwise, any number of turns.
+  Vec2 pivot = Vec2::Zero();      ///< The pivot, in the polygon's frame.
 
   /// At rest.
   static Motion still(const Pose& pose);
-  /// start's rotation is kept.
+  /// A shift without a turn.
   static Motion translation(const Pose& start, const Vec2& shift);
-  /// From pose to pose with the turn in (-pi, pi] and the pivot on a straight line. at(1) is `end` up to rounding and
-  /// to what the linear parts differ by beside a rotation. Throws std::invalid_argument, naming the field, for poses
-  /// that checkPose() refuses, of which only one mirrors, or a pivot that isn't finite.
+  /// From pose to pose, with a turn in (-pi, pi] and the pivot on a straight line. at(1) is `end` up to rounding, and
+  /// up to how far the two linear parts differ by more than a rotation. Throws std::invalid_argument, naming the field,
+  /// for a pose that checkPose() refuses, for two poses of which only one mirrors, and for a pivot that is not finite.
   static Motion between(const Pose& start, const Pose& end, const Vec2& pivot = Vec2::Zero());
 
-  /// The pose at `time`, rounded; exactly `start` at 0.
+  /// The pose at `time`, rounded. At 0 it is exactly `start`.
   Pose at(double time) const;
 };
 
-/// Throws std::invalid_argument, naming `name` and the field, unless all of it is finite and start is rigid.
+/// Throws std::invalid_argument, naming `name` and the field, unless all of the motion is finite and start is rigid.
+///
+/// \snippet motion.cpp check motion
 void checkMotion(const Motion& motion, const char* name = "motion");
 
 }  // namespace tricover

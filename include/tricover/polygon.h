@@ -10,58 +10,65 @@
 
 namespace tricover {
 
-/// Vertices in order; not closed: the last vertex joins the first. Repeated and collinear vertices are allowed.
+/// Vertices in order. The last one is joined to the first. Repeated and collinear vertices are allowed.
 using Ring = std::vector<Vec2>;
 
-/// Which points the rings call inside, by their winding number: odd ones, or all but zero.
-enum class FillRule { EvenOdd, NonZero };
+/// Which points the rings call inside, by how often they wind around the point.
+enum class FillRule {
+  EvenOdd,  ///< Inside is where the winding number is odd.
+  NonZero,  ///< Inside is where the winding number isn't 0.
+};
 
 namespace detail {
 struct PolygonData;
 }
 
-/// A triangle (S, v, w) of the covering: S the origin, (v, w) an edge of the polygon. sign is that of its area:
-/// 0 where the edge's line goes through S (paper, Definition 3).
+/// A triangle (S, v, w) of a polygon's covering (the paper's Definition 3). (v, w) is an edge.
 struct CoveringTriangle {
-  Vec2 s;    ///< S
-  Vec2 v;    ///< where the edge starts
-  Vec2 w;    ///< where it ends
-  int sign;  ///< 1, 0 or -1
+  Vec2 s;    ///< S, the covering's origin.
+  Vec2 v;    ///< Where the edge starts.
+  Vec2 w;    ///< Where the edge ends.
+  int sign;  ///< The sign of the triangle's area: 1 or -1, and 0 where the edge's line goes through S.
 };
 
 /// A closed planar region: every point that the fill rule calls inside, and every point of an edge.
-/// Immutable; a copy shares the data and the id; safe to share between threads. What queries derive from a polygon
-/// (its hierarchy) is built when first needed, once for all copies.
+///
+/// It never changes. Copies are cheap: they share the data and the id. Threads may share a polygon. What queries derive
+/// from it, its hierarchy, is built when first needed, once for all copies.
+///
+/// \snippet polygon.cpp polygon
 class Polygon {
  public:
   /// Throws std::invalid_argument, naming ring and vertex, for no ring, fewer than three vertices in a ring, or a
   /// coordinate that is not finite.
   explicit Polygon(std::vector<Ring> rings, FillRule fill = FillRule::EvenOdd);
 
-  const std::vector<Ring>& rings() const;  ///< as they were given
-  FillRule fillRule() const;               ///< as it was given
+  const std::vector<Ring>& rings() const;  ///< As they were given.
+  FillRule fillRule() const;               ///< As it was given.
 
-  /// Never given to another polygon while the process lives; copies share it.
+  /// Copies share it, and no other polygon has it while the process lives. It means nothing in another process.
   std::uint64_t id() const;
 
-  /// Vertices of all rings, which is also the number of edges.
+  /// How many vertices all rings have, and so how many edges.
   std::size_t vertexCount() const;
 
-  /// Edges are numbered through the rings in order: edge i of a ring joins its vertices i and i + 1.
+  /// Edges are numbered through the rings in order. Edge i of a ring joins the ring's vertices i and i + 1. Throws
+  /// std::out_of_range for an edge that isn't there.
   Vec2 edgeStart(std::size_t edge) const;
-  Vec2 edgeEnd(std::size_t edge) const;  ///< see edgeStart
+  Vec2 edgeEnd(std::size_t edge) const;  ///< See edgeStart().
 
-  /// S, the covering's origin: a point of doubles near the region's centroid, inside the bounding box.
+  /// S, the covering's origin: a point near the region's centroid, inside the bounding box.
   const Vec2& origin() const;
 
-  /// Radius of the bounding disc around origin(): at least the distance to every vertex (rounded up; infinity where
-  /// that overflows).
+  /// The radius of the bounding disc around origin(): at least the distance to every vertex. It is rounded up, and
+  /// infinity where it overflows.
   double radius() const;
 
-  /// The paper's covering: one triangle an edge, in edge order. O(n), made anew at each call.
+  /// The paper's covering: one triangle an edge, in the edges' order. O(n), made anew at each call.
+  /// \snippet polygon.cpp covering
   std::vector<CoveringTriangle> covering() const;
 
-  const detail::PolygonData& data() const { return *data_; }  ///< for the kernel
+  const detail::PolygonData& data() const { return *data_; }  ///< For the kernel.
 
  private:
   std::shared_ptr<const detail::PolygonData> data_;

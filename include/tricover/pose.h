@@ -9,13 +9,15 @@
 
 namespace tricover {
 
+/// A point or vector of the plane.
 using Vec2 = Eigen::Vector2d;
 
-/// The exact affine map p -> R p + t that the stored doubles define, from a polygon's own frame to the world.
-/// R may miss orthonormality by rounding and may mirror (det R < 0); it is taken as written, never re-normalised.
+/// A rigid map p -> R p + t from a polygon's own frame to the world. It is exactly the one that the stored doubles
+/// define: R may miss orthonormality by rounding and is never re-normalised. R may mirror (det R < 0).
+/// \snippet pose.cpp pose
 using Pose = Eigen::Isometry2d;
 
-/// How far an entry of R^T R may be from the identity's: float rounding (1e-7) passes, a scale or a shear doesn't.
+/// How far an entry of R^T R may be from the identity's. Rounding to float (1e-7) passes; a scale or a shear doesn't.
 constexpr double kRigidTolerance = 1e-6;
 
 /// Throws std::invalid_argument, naming `name` and the field, unless the pose is finite and rigid within

@@ -11,30 +11,40 @@ namespace tricover {
 
 /// How exact a time of impact has to be.
 struct ImpactOptions {
-  /// How much earlier than the first contact an impact may be reported, as a share of the motion (time runs 0 to 1).
+  /// How much earlier than the first contact an impact may be reported. Time runs from 0 to 1.
   double time_error = 1e-6;
 };
 
-/// The first contact of two motions.
+/// The first contact of two motions, in the world.
 struct Impact {
-  double time;  ///< never later than the first contact, at most time_error earlier
-  /// The middle between the nearest points of the two edges at that time, in the world. Of regions that overlap at time
-  /// 0, which are deeper in each other than an edge tells: a common point.
+  double time;  ///< Never later than the first contact, and at most ImpactOptions::time_error earlier.
+  /// The middle between the nearest points of the two edges at that time. Of regions that overlap at time 0, a common
+  /// point.
   Vec2 point;
-  Vec2 normal;  ///< unit, from a to b; of regions that overlap at time 0 it need not be the shortest way out
-  /// The edge of a that comes together with b's, numbered as in Polygon::edgeStart; in a containment at time 0 -1 for
-  /// the polygon whose inside holds the point.
-  std::ptrdiff_t edge_a;
-  std::ptrdiff_t edge_b;  ///< likewise of b
+  /// A unit vector from a to b. Of regions that overlap at time 0 it need not be the shortest way out.
+  Vec2 normal;
+  std::ptrdiff_t edge_a;  ///< The edge of a that meets b's. -1 where b lies inside a at time 0.
+  std::ptrdiff_t edge_b;  ///< The edge of b that meets a's. -1 where a lies inside b at time 0.
 };
 
-/// The first contact of two polygons that move, if there is one at a time from 0 to 1, both included; time 0 exactly
-/// where collide() is true of the starts. Never misses one, however fast and thin. Coming within 1e-13 L may be
-/// reported like contact, L the sum of the starts' distance (of their translations) and for either polygon of |shift|,
-/// |pivot| and 1 + |angle| times its points' largest distance from the pivot; without a turn, origin() stands for the
-/// pivot. Beyond 1e307 whatever may come near may be reported.
-/// Symmetric. The cost grows with the number of turns near each other.
-/// Throws std::invalid_argument for motions that checkMotion() refuses and a time_error that is negative or not finite.
+/// The first contact of two moving polygons at a time from 0 to 1, both included, or nothing if there is none.
+///
+/// No contact is missed, however fast and thin the polygons are. The time is 0 exactly where collide() is true of the
+/// two starts. Swapping the operands swaps the edges and turns the normal round.
+///
+/// Coming within 1e-13 L may be reported like a contact. L is the sum of
+/// - the distance between the two starts' translations,
+/// - for either polygon |shift|, |pivot|, and (1 + |angle|) times the largest distance of its points from the pivot.
+///
+/// (For a polygon that doesn't turn, read origin() for the pivot.) Where L exceeds 1e307, whatever may come near may be
+/// reported.
+///
+/// The cost grows with the number of turns that the polygons make near each other.
+///
+/// Throws std::invalid_argument for motions that checkMotion() refuses, and for a time_error that is negative or not
+/// finite. Throws std::length_error as collide() does.
+///
+/// \snippet time_of_impact.cpp time of impact
 std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                    const ImpactOptions& options = {});
 
