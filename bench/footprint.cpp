@@ -3,7 +3,7 @@
 
 #include <malloc.h>
 
-#include "polygon/polygon_data.h"
+#include "hierarchy/hierarchy.h"
 #include "tricover/collide.h"
 #include "tricover/locate.h"
 #include "workloads.h"
@@ -50,7 +50,7 @@ double nsPerEdge(const Polygon& model, const Settings& settings) {
     polygons.reserve(count);
     shapes.assign(count, model.rings());
   };
-  const auto build = [&](std::size_t i) { polygons.emplace_back(std::move(shapes[i])).data().hierarchy(); };
+  const auto build = [&](std::size_t i) { hierarchyOf(polygons.emplace_back(std::move(shapes[i])).data()); };
   return 1e9 * measureBuild("build", count, make, build, settings) / static_cast<double>(model.vertexCount());
 }
 

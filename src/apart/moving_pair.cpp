@@ -68,7 +68,7 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
   double turned = 0, others = 0;
   const auto describe = [&](Mover& mover, const PolygonData& polygon, const Motion& motion) {
     mover.polygon = &polygon;
-    mover.tree = &polygon.hierarchy();
+    mover.tree = &hierarchyOf(polygon);
     mover.linear = motion.start.linear();
     mover.turn = motion.angle;
     // Without a turn any pivot will do, and S is the nearest.

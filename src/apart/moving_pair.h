@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hierarchy/hierarchy.h"
 #include "numbers/double2.h"
 #include "polygon/polygon_data.h"
 #include "tricover/motion.h"

@@ -134,7 +134,7 @@ void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double
 void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, const std::string& stroke) {
   if (level < 0) throw std::invalid_argument("level: it must not be negative");
   const detail::PolygonData& data = polygon.data();
-  const detail::Hierarchy& hierarchy = data.hierarchy();
+  const detail::Hierarchy& hierarchy = hierarchyOf(data);
   const auto draw = [&](const std::array<Vec2, 4>& box) {
     std::string points;
     for (const Vec2& corner : box) {
@@ -154,7 +154,7 @@ void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, cons
 
 void SvgDrawing::innerDiscs(const Polygon& polygon, const Pose& pose, const std::string& fill) {
   const detail::PolygonData& data = polygon.data();
-  const detail::InnerDiscs& discs = data.hierarchy().inner_discs;
+  const detail::InnerDiscs& discs = hierarchyOf(data).inner_discs;
   for (int i = 0; i < discs.count; ++i) {
     const Vec2 center = pose * Vec2(data.origin + Vec2(discs.x[i], discs.y[i]) * data.unit);
     const double radius = discs.radius[i] * data.unit;

@@ -10,7 +10,6 @@
 #include "hierarchy/inner_discs.h"
 #include "hierarchy/small_convex.h"
 #include "numbers/errors.h"
-#include "polygon/polygon_data.h"
 
 namespace tricover::detail {
 namespace {
@@ -216,6 +215,11 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   blocks.shrink_to_fit();
   findInnerDiscs(polygon, local, *this);
   small_convex = makeSmallConvex(polygon, local);
+}
+
+const Hierarchy& buildHierarchy(const PolygonData& polygon) {
+  return *static_cast<const Hierarchy*>(
+      polygon.derived.built([&] { return std::make_shared<const Hierarchy>(polygon); }));
 }
 
 }  // namespace tricover::detail

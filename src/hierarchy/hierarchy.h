@@ -6,11 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "tricover/pose.h"
+#include "polygon/polygon_data.h"
 
 namespace tricover::detail {
-
-struct PolygonData;
 
 constexpr int kLanes = 8;
 
@@ -65,6 +63,19 @@ struct Hierarchy {
 
   std::unique_ptr<const SmallConvex> small_convex;  ///< null unless the polygon is one
 };
+
+/// The hierarchy if it has been built, otherwise null.
+inline const Hierarchy* hierarchyIfBuilt(const PolygonData& polygon) {
+  return static_cast<const Hierarchy*>(polygon.derived.ifBuilt());
+}
+
+const Hierarchy& buildHierarchy(const PolygonData& polygon);
+
+/// Built at the first call, once for all copies and threads.
+inline const Hierarchy& hierarchyOf(const PolygonData& polygon) {
+  const Hierarchy* ready = hierarchyIfBuilt(polygon);
+  return ready != nullptr ? *ready : buildHierarchy(polygon);
+}
 
 /// Blocks above each other: one for each halving of up to 2^31 rings, and 8^11 edges.
 constexpr int kMaxDepth = 31 + 11 + 1;

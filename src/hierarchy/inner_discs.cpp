@@ -92,7 +92,7 @@ double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, 
   const double radius = std::sqrt(square) - 0x1p-22 - 4 * kUnitRoundoff * (polygon.extent / polygon.unit);
   const Vec2 p = polygon.origin + center * polygon.unit;
   if (!(radius > 0) || !std::isfinite(radius * polygon.unit) || !p.allFinite()) return 0;
-  return locateInCovering(polygon, nullptr, {p.x(), p.y(), 0}, {nullptr, p}, 1) == Location::Inside ? radius : 0;
+  return includeInCovering(polygon, IncludedPoint::ofFrame(p)).location == Location::Inside ? radius : 0;
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "polygon/polygon_data.h"
+#include "hierarchy/hierarchy.h"
 
 namespace tricover::detail {
 

@@ -2,110 +2,12 @@
 #include "tricover/locate.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/hierarchy.h"
+#include "hierarchy/inclusion.h"
 #include "numbers/errors.h"
-#include "polygon/covering.h"
 
 namespace tricover {
-namespace detail {
-namespace {
-
-/// Signs of one point against lines through two points of a polygon's frame.
-struct Signs {
-  int operator()(const Vec2& v, const Vec2& w) const {
-    const int sign = orientFilter({v.x(), v.y(), 0}, {w.x(), w.y(), 0}, approx);
-    return sign != kUncertain ? sign : handed * orientExact({pose, v}, {pose, w}, exact);
-  }
-  bool between(const Vec2& v, const Vec2& w) const { return betweenExact(exact, {pose, v}, {pose, w}); }
-  bool isPoint(const Vec2& v) const { return between(v, v); }
-
-  const Pose* pose;
-  ApproxPoint approx;
-  PosedPoint exact;
-  int handed;
-};
-
-/// Adds up twice the winding number, edge by edge. Any origin s serves that is not the point itself; the point lies in
-/// the triangle (s, v, w) of sign g if it is between the rays s->v and s->w (g d_v >= 0 >= g d_w, with d_v the sign of
-/// |s v p|) and on s's side of the edge; on one of the rays it counts half (the neighbouring triangle counts the other
-/// half).
-struct Winding {
-  /// False if the point is on the edge: nothing else matters then.
-  bool add(const Vec2& v, const Vec2& w) {
-    const int d_v = signs(s, v), d_w = signs(s, w);
-    const bool counter_clockwise = d_v >= 0 && d_w <= 0, clockwise = d_v <= 0 && d_w >= 0;
-    if (!counter_clockwise && !clockwise) return true;
-    const int g = orientation(s, v, w);
-    // No part of the sum, but its points are boundary points (repair 5).
-    if (g == 0) return on_boundary = signs(v, w) == 0 && signs.between(v, w), !on_boundary;
-    if (!(g > 0 ? counter_clockwise : clockwise)) return true;
-    const int side = g * signs(v, w);
-    if (side > 0) sum += d_v != 0 && d_w != 0 ? 2 * g : g;
-    on_boundary = side == 0;
-    return !on_boundary;
-  }
-
-  static bool visit(void* winding, std::uint32_t edge) {
-    auto& self = *static_cast<Winding*>(winding);
-    return self.add(self.polygon.path[edge], self.polygon.path[edge + 1]);
-  }
-
-  const PolygonData& polygon;
-  Vec2 s;
-  Signs signs;
-  int sum = 0;
-  bool on_boundary = false;
-};
-
-void addAll(Winding& winding) {
-  const PolygonData& polygon = winding.polygon;
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
-      if (!winding.add(polygon.path[e], polygon.path[e + 1])) return;
-}
-
-/// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). False if rounding
-/// hides where that ray goes.
-bool addAlongRay(Winding& winding, const Hierarchy& hierarchy) {
-  const PolygonData& polygon = winding.polygon;
-  const ApproxPoint& p = winding.signs.approx;
-  const double unit = polygon.inverse_unit;
-  const Vec2 at = polygon.inUnits({p.x, p.y}), away = at - polygon.inUnits(winding.s);
-  const double distance = away.norm(), error = p.error * unit + 0x1p-50;
-  if (!(distance > 0x1p-10 && error < 0x1p-20 && polygon.radius <= polygon.unit)) return false;
-  // The direction turns by at most 4 error / distance, and nothing is farther away than 4.
-  const Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
-  visitEdgesOnRay(hierarchy, ray, &Winding::visit, &winding);
-  return true;
-}
-
-}  // namespace
-
-Inclusion includeInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
-                            const PosedPoint& exact, int handed) {
-  const double dx = approx.x - polygon.origin.x(), dy = approx.y - polygon.origin.y();
-  if (normBelow(dx, dy) > (polygon.radius + 2 * approx.error) * (1 + 4 * kUnitRoundoff)) return {Location::Outside, 0};
-  const Hierarchy* hierarchy = polygon.hierarchyIfBuilt();
-
-  Winding winding{polygon, polygon.origin, {pose, approx, exact, handed}};
-  const bool off_origin = std::abs(dx) > approx.error || std::abs(dy) > approx.error;  // false for NaN
-  // Every triangle would have the point as its corner: take the covering from a vertex. If that is the point, too, it
-  // is found on that vertex's edge.
-  if (!off_origin && (pose == nullptr || winding.signs.isPoint(winding.s))) winding.s = polygon.path.front();
-  if (hierarchy == nullptr || !addAlongRay(winding, *hierarchy)) addAll(winding);
-  if (winding.on_boundary) return {Location::Boundary, 0};
-  return {isInside(polygon.fill, winding.sum / 2) ? Location::Inside : Location::Outside, winding.sum / 2};
-}
-
-Location locateInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
-                          const PosedPoint& exact, int handed) {
-  return includeInCovering(polygon, pose, approx, exact, handed).location;
-}
-
-}  // namespace detail
-
 namespace {
 
 void checkPoint(const Vec2& point) {
@@ -113,7 +15,7 @@ void checkPoint(const Vec2& point) {
 }
 
 Location locateUnchecked(const detail::PolygonData& polygon, const Vec2& point) {
-  return detail::locateInCovering(polygon, nullptr, {point.x(), point.y(), 0}, {nullptr, point}, 1);
+  return detail::locateInPolygon(polygon, detail::IncludedPoint::ofFrame(point));
 }
 
 }  // namespace
@@ -123,8 +25,8 @@ Location locate(const Polygon& polygon, const Vec2& point) {
   // A scan costs a twentieth of a hierarchy: the first few points are no reason to build one.
   constexpr unsigned kScans = 16;
   const detail::PolygonData& data = polygon.data();
-  if (data.hierarchyIfBuilt() == nullptr && data.scans.fetch_add(1, std::memory_order_relaxed) >= kScans)
-    data.hierarchy();
+  if (detail::hierarchyIfBuilt(data) == nullptr && data.scans.fetch_add(1, std::memory_order_relaxed) >= kScans)
+    detail::hierarchyOf(data);
   return locateUnchecked(data, point);
 }
 

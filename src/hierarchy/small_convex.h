@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "polygon/polygon_data.h"
+#include "hierarchy/hierarchy.h"
 
 namespace tricover::detail {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "overlap/translation_space.h"
-#include "polygon/covering.h"
+#include "hierarchy/inclusion.h"
 
 namespace tricover::detail {
 
@@ -39,7 +39,7 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon, const Pose& pose, con
     if (std::any_of(discs.begin(), discs.end(), held)) continue;
     const Vec2 local = polygon.origin + back * ((disc.center - origin) * unit);
     if (local.allFinite() &&
-        locateInCovering(polygon, nullptr, {local.x(), local.y(), 0}, {nullptr, local}, 1) == Location::Inside)
+        locateInPolygon(polygon, IncludedPoint::ofFrame(local)) == Location::Inside)
       discs.push_back(disc);
   }
   return discs;

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "hierarchy/inclusion.h"
 #include "pair/edge_pairs.h"
-#include "polygon/covering.h"
 
 namespace tricover::detail {
 namespace {
@@ -114,14 +114,14 @@ class Grouping {
     const PosedPair& pair = side == 0 ? swapped_ : pair_;
     const Vec2& local = pair.b.path[v];
     const Inclusion found =
-        includeInCovering(pair.a, &pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed);
+        includeInPolygon(pair.a, {&pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed});
     return {found.location, found.winding * pair.handed};
   }
 
   /// Whether a rounded point is in one side's region.
   bool holds(int side, const Vec2& p) const {
     const Vec2 local = toLocal(side, p);
-    return locateInCovering(sides_[side].polygon, nullptr, {local.x(), local.y(), 0}, {nullptr, local}, 1) !=
+    return locateInPolygon(sides_[side].polygon, IncludedPoint::ofFrame(local)) !=
            Location::Outside;
   }
 
@@ -332,7 +332,7 @@ class Grouping {
       const Eigen::Matrix2d linear = (hits.side == 0 ? pair_.pose_a : pair_.pose_b).linear();
       const Vec2 direction = (linear.inverse() * Vec2(-1, 0)).normalized();
       const double error = 4 * frame_.error() * frame_.unit() * polygon.inverse_unit + 0x1p-40 * (at.norm() + 4);
-      visitEdgesOnRay(polygon.hierarchy(), {at.x(), at.y(), direction.x(), direction.y(), error}, &Hits::visit, &hits);
+      visitEdgesOnRay(hierarchyOf(polygon), {at.x(), at.y(), direction.x(), direction.y(), error}, &Hits::visit, &hits);
     }
     return hits.node;
   }

@@ -34,7 +34,7 @@ Descent describe(const PosedPair& pair, const UnitMap& to_a, double rounding, co
   const double unit = pair.a.inverse_unit, sum = options.margin + options.tolerance;
   const double accept = sum > 0 ? sum * unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1;
   const double reach = pair.reach(options.margin) * unit, limit = reach + lookahead * unit;
-  return {pair,   pair.a.hierarchy(), pair.b.hierarchy(), to_a,           rounding, reach, limit,
+  return {pair,   hierarchyOf(pair.a), hierarchyOf(pair.b), to_a,           rounding, reach, limit,
           accept, options.margin,     options.tolerance,  wants_clearance};
 }
 
@@ -55,7 +55,7 @@ double rootGap(const Box& a, const Box& b, const UnitMap& map, double rounding) 
 
 /// Whether p, in the polygon's frame, is certainly outside of the box around everything.
 bool outsideRoot(const PolygonData& polygon, const ApproxPoint& p) {
-  const Hierarchy* hierarchy = polygon.hierarchyIfBuilt();
+  const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
   if (hierarchy == nullptr) return false;
   const Box& box = hierarchy->root;
   const Vec2 d = polygon.inUnits({p.x, p.y}) - Vec2(box.x, box.y);
@@ -117,7 +117,7 @@ Outcome findContainment(const PosedPair& pair) {
 }
 
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
-  const Hierarchy &a = pair.a.hierarchy(), &b = pair.b.hierarchy();
+  const Hierarchy &a = hierarchyOf(pair.a), &b = hierarchyOf(pair.b);
   const UnitMap map = mapUnits(pair);
   const double rounding = roundingOf(pair);
   Outcome outcome;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hierarchy/hierarchy.h"
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
@@ -35,7 +36,7 @@ class Discs {
 
   /// How deep discs inside the two regions overlap; otherwise -1.
   double depth() const {
-    const Hierarchy &tree_a = a_.hierarchy(), &tree_b = b_.hierarchy();
+    const Hierarchy &tree_a = hierarchyOf(a_), &tree_b = hierarchyOf(b_);
     if (!(tree_a.inner_radius > 0 && tree_b.inner_radius > 0)) return -1;  // the centre needn't be in the region
     const double square = squaredBetween(tree_a.inner_center, tree_b.inner_center);
     const double reach = (tree_a.inner_radius + tree_b.inner_radius) * (1 - kLargestDefect) - error_;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "polygon/covering.h"
+#include "hierarchy/inclusion.h"
 
 namespace tricover::detail {
 
@@ -117,7 +117,7 @@ double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
 }
 
 Location locate(const PosedPair& pair, const Vec2& local) {
-  return locateInCovering(pair.a, &pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed);
+  return locateInPolygon(pair.a, {&pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed});
 }
 
 }  // namespace tricover::detail

@@ -15,12 +15,55 @@ struct Inclusion {
   int winding;
 };
 
-/// The paper's Algorithm 1 with exact signs. The point is given twice: in the polygon's frame to within its error, and
+/// A point whose place in a polygon is asked for. It is given twice: in the polygon's frame to within its error, and
 /// exactly in the world, where `pose` (none: the identity) puts the polygon; `handed` is the sign of that pose's
 /// determinant.
-Inclusion includeInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
-                            const PosedPoint& exact, int handed);
-Location locateInCovering(const PolygonData& polygon, const Pose* pose, const ApproxPoint& approx,
-                          const PosedPoint& exact, int handed);
+struct IncludedPoint {
+  const Pose* pose;
+  ApproxPoint approx;
+  PosedPoint exact;
+  int handed;
+
+  /// A point of the polygon's own frame, exactly.
+  static IncludedPoint ofFrame(const Vec2& p) { return {nullptr, {p.x(), p.y(), 0}, {nullptr, p}, 1}; }
+};
+
+inline bool outsideBoundingDisc(const PolygonData& polygon, const ApproxPoint& p) {
+  return normBelow(p.x - polygon.origin.x(), p.y - polygon.origin.y()) >
+         (polygon.radius + 2 * p.error) * (1 + 4 * kUnitRoundoff);
+}
+
+/// The sum of the paper's Algorithm 1 with exact signs, twice the winding number, edge by edge. Any origin s serves
+/// that is not the point itself; the point lies in the triangle (s, v, w) of sign g if it is between the rays s->v and
+/// s->w (g d_v >= 0 >= g d_w, with d_v the sign of |s v p|) and on s's side of the edge; on one of the rays it counts
+/// half (the neighbouring triangle counts the other half).
+class CoveringSum {
+ public:
+  CoveringSum(const PolygonData& polygon, const IncludedPoint& point);
+
+  /// Takes the triangle of the edge at this position. False if the point is on the edge: nothing else matters then.
+  bool add(std::size_t edge);
+  void addAll();
+
+  /// Once every triangle that holds the point has been added.
+  Inclusion result() const;
+
+  const PolygonData& polygon() const { return polygon_; }
+  const IncludedPoint& point() const { return point_; }
+  const Vec2& origin() const { return s_; }
+
+ private:
+  int sign(const Vec2& v, const Vec2& w) const;
+  bool between(const Vec2& v, const Vec2& w) const;
+
+  const PolygonData& polygon_;
+  const IncludedPoint& point_;
+  Vec2 s_;
+  int sum_ = 0;
+  bool on_boundary_ = false;
+};
+
+/// Algorithm 1: all edges, O(n).
+Inclusion includeInCovering(const PolygonData& polygon, const IncludedPoint& point);
 
 }  // namespace tricover::detail

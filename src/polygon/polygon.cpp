@@ -142,15 +142,6 @@ std::size_t PolygonData::checkedEdgePosition(std::size_t number) const {
   return edgePosition(number);
 }
 
-const Hierarchy& PolygonData::buildHierarchy() const {
-  const std::lock_guard<std::mutex> lock(building_);
-  if (!hierarchy_) {
-    hierarchy_ = std::make_unique<const Hierarchy>(*this);
-    ready_.store(hierarchy_.get(), std::memory_order_release);
-  }
-  return *hierarchy_;
-}
-
 }  // namespace detail
 
 Polygon::Polygon(std::vector<Ring> rings, FillRule fill)

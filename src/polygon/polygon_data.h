@@ -8,10 +8,33 @@
 #include <mutex>
 #include <vector>
 
-#include "hierarchy/hierarchy.h"
 #include "tricover/polygon.h"
 
 namespace tricover::detail {
+
+/// A place for what others derive from a polygon: built at the first call, by whichever thread comes first, and
+/// immutable from then on. Only who puts it there knows its type.
+class Derived {
+ public:
+  /// Null until it has been built.
+  const void* ifBuilt() const { return ready_.load(std::memory_order_acquire); }
+
+  /// What `build` returns, a shared pointer, unless another thread was first.
+  template <typename Build>
+  const void* built(Build build) const {
+    const std::lock_guard<std::mutex> lock(building_);
+    if (!kept_) {
+      kept_ = build();
+      ready_.store(kept_.get(), std::memory_order_release);
+    }
+    return kept_.get();
+  }
+
+ private:
+  mutable std::mutex building_;
+  mutable std::shared_ptr<const void> kept_;
+  mutable std::atomic<const void*> ready_{nullptr};
+};
 
 /// What all copies of a polygon share. Rings lie one after another in `path`, each closed by a copy of its first
 /// vertex, so that the edge at position e joins path[e] and path[e + 1]; ring r takes positions [ring_begin[r],
@@ -29,16 +52,7 @@ struct PolygonData {
   /// Throws std::out_of_range for what is no edge's number.
   std::size_t checkedEdgePosition(std::size_t number) const;
 
-  /// The hierarchy if it has been built, otherwise null.
-  const Hierarchy* hierarchyIfBuilt() const { return ready_.load(std::memory_order_acquire); }
-
-  /// Built at the first call, by whichever thread comes first.
-  const Hierarchy& hierarchy() const {
-    const Hierarchy* ready = hierarchyIfBuilt();
-    return ready != nullptr ? *ready : buildHierarchy();
-  }
-
-  /// A point of the polygon's frame in the hierarchy's: from S, in units. Rounded by U.
+  /// A point of the polygon's frame from S, in units. Rounded by U.
   Vec2 inUnits(const Vec2& p) const {
     return extent < 0x1p1000 ? Vec2((p - origin) * inverse_unit) : Vec2(p * inverse_unit - origin * inverse_unit);
   }
@@ -54,13 +68,7 @@ struct PolygonData {
   std::vector<std::size_t> ring_begin;
   std::vector<Ring> rings;
   mutable std::atomic<unsigned> scans{0};  ///< points located edge by edge so far
-
- private:
-  const Hierarchy& buildHierarchy() const;
-
-  mutable std::mutex building_;
-  mutable std::unique_ptr<const Hierarchy> hierarchy_;
-  mutable std::atomic<const Hierarchy*> ready_{nullptr};
+  Derived derived;                         ///< the hierarchy's place
 };
 
 }  // namespace tricover::detail

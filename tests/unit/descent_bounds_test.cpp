@@ -209,7 +209,7 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
 /// No disc fits into an angle of two bars that thin: its S, outside of it, is no point of its region.
 TEST(InnerDiscs, OfARegionThatHasNoneMeetNothing) {
   const Polygon angle({{{-8, -8}, {8, -8}, {8, -8 + 1e-9}, {-8 + 1e-9, -8 + 1e-9}, {-8 + 1e-9, 8}, {-8, 8}}});
-  ASSERT_EQ(angle.data().hierarchy().inner_radius, 0);
+  ASSERT_EQ(hierarchyOf(angle.data()).inner_radius, 0);
   const Polygon block({rectangle(-2, -2, 2, 2)});
   for (const Vec2& at : {angle.origin(), Vec2(angle.origin() + Vec2(0.5, 0.5))}) {
     const Pose pose_b = pose(0, at.x(), at.y());
@@ -288,7 +288,7 @@ TEST(Ray, ThroughVerticesFarAway) {
   const Polygon scanned({regular(40000, 1)}), built({regular(40000, 1)});
   const Vec2 far(5e7, -7e7);
   const Polygon dot({shifted(rectangle(0, 0, 1, 1), far)});
-  built.data().hierarchy();
+  hierarchyOf(built.data());
   for (int i = 0; i < scaledCount(1000); ++i) {
     const Vec2 v = built.edgeStart(static_cast<std::size_t>(random.integer(0, 39999)));
     const double t = i % 2 == 0 ? random.real(0.01, 0.99) : 1 - std::pow(10, random.real(-5, -2));
@@ -300,7 +300,7 @@ TEST(Ray, ThroughVerticesFarAway) {
     ASSERT_EQ(locate(PosedPair(built.data(), frame, dot.data(), pose_dot), far),
               locate(PosedPair(scanned.data(), frame, dot.data(), pose_dot), far));
   }
-  ASSERT_EQ(scanned.data().hierarchyIfBuilt(), nullptr) << "so it was scanned";
+  ASSERT_EQ(hierarchyIfBuilt(scanned.data()), nullptr) << "so it was scanned";
 }
 
 /// A million million away from its own frame's origin, a polygon's place is known to a ten-thousandth: a ring that is

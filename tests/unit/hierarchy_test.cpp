@@ -54,7 +54,7 @@ TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
   for (int i = 0; i < scaledCount(100); ++i) {
     const Polygon polygon = outline(random);
     const PolygonData& data = polygon.data();
-    const Hierarchy& hierarchy = data.hierarchy();
+    const Hierarchy& hierarchy = hierarchyOf(data);
     for (const Block& block : hierarchy.blocks) {
       for (int lane = 0; lane < block.count; ++lane) {
         std::size_t first = data.path.size(), last = 0, edges = 0;
@@ -89,7 +89,7 @@ TEST(InnerDiscs, AreInTheRegion) {
   for (int i = 0; i < scaledCount(400); ++i) {
     const Polygon polygon = outline(random);
     const PolygonData& data = polygon.data();
-    const Hierarchy& hierarchy = data.hierarchy();
+    const Hierarchy& hierarchy = hierarchyOf(data);
     if (hierarchy.inner_radius > 0) expectInside(polygon, hierarchy.inner_center, hierarchy.inner_radius);
     for (int k = 0; k < hierarchy.inner_discs.count; ++k, ++discs) {
       const float radius = hierarchy.inner_discs.radius[k];
@@ -108,7 +108,7 @@ TEST(InnerDiscs, TheFirstIsTheLargest) {
     for (int k = random.integer(0, 4); k > 0; --k)
       rings.push_back(shifted(star(random, random.integer(3, 8), 0.5, 2), {random.real(-5, 5), random.real(-5, 5)}));
     const Polygon polygon(rings);
-    const detail::InnerDiscs& discs = polygon.data().hierarchy().inner_discs;
+    const detail::InnerDiscs& discs = hierarchyOf(polygon.data()).inner_discs;
     for (int k = 1; k < discs.count; ++k) ASSERT_LE(discs.radius[k], discs.radius[0]);
   }
 }
@@ -116,7 +116,7 @@ TEST(InnerDiscs, TheFirstIsTheLargest) {
 /// A frame of a great many vertices whose hole has four: the search, on a thinned outline, doesn't see the hole.
 TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
   const Polygon frame({regular(2000, 10), rectangle(-5, -5, 5, 5)}), peg({regular(40, 1)});
-  const Hierarchy& hierarchy = frame.data().hierarchy();
+  const Hierarchy& hierarchy = hierarchyOf(frame.data());
   for (int k = 0; k < hierarchy.inner_discs.count; ++k)
     EXPECT_EQ(
         locate(frame, {hierarchy.inner_discs.x[k] * frame.data().unit, hierarchy.inner_discs.y[k] * frame.data().unit}),
@@ -129,7 +129,7 @@ TEST(InnerDiscs, OfATriangleFarAway) {
   for (int k = 0; k < 200; ++k) {
     const double far = 0x1p30 * (1 + 0.013 * k);
     const Polygon triangle({{{far, far}, {far + 1, far + 0.25}, {far + 0.125 * (k % 7), far + 1}}});
-    const Hierarchy& hierarchy = triangle.data().hierarchy();
+    const Hierarchy& hierarchy = hierarchyOf(triangle.data());
     ASSERT_GT(hierarchy.inner_radius, 0);
     expectInside(triangle, hierarchy.inner_center, hierarchy.inner_radius);
   }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "exact_reference.h"
+#include "hierarchy/hierarchy.h"
 #include "numbers/dyadic.h"
 #include "pair/posed_pair.h"
 #include "pair/strategy.h"
@@ -350,7 +351,7 @@ TEST(Hierarchy, EveryBoxHoldsItsChainAndEveryEdgeHasOneLeaf) {
     }
     const Polygon polygon(rings);
     const PolygonData& data = polygon.data();
-    const Hierarchy& tree = data.hierarchy();
+    const Hierarchy& tree = hierarchyOf(data);
     std::vector<int> leaves(data.path.size(), 0);
     struct Visit {
       std::uint32_t block;
@@ -404,7 +405,7 @@ TEST(InnerDisc, LiesInTheRegionAndIsNotSmall) {
       }
     }
     const Polygon polygon(rings);
-    const Hierarchy& tree = polygon.data().hierarchy();
+    const Hierarchy& tree = hierarchyOf(polygon.data());
     if (!(tree.inner_radius > 0)) continue;
     ++found;
     large += tree.inner_radius > 0.2 * scale;

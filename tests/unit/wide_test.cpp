@@ -133,7 +133,7 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     const double angle = random.real(0, 6.28), away = random.real(0, 1 + size);
     const Pose pose_a = pose(random.real(0, 6.28), far, 0);
     const Pose pose_b = pose(random.real(0, 6.28), far + away * std::cos(angle), away * std::sin(angle));
-    if (!a.data().hierarchy().small_convex || !b.data().hierarchy().small_convex) continue;  // less than half a circle
+    if (!hierarchyOf(a.data()).small_convex || !hierarchyOf(b.data()).small_convex) continue;  // less than half a circle
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
     const detail::UnitMap map{pair.m00,
                               pair.m01,
@@ -144,7 +144,7 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
                               b.data().unit * a.data().inverse_unit,
                               4 * pair.error * a.data().inverse_unit};
     const auto answer = [&] {
-      return convexMeet(*a.data().hierarchy().small_convex, *b.data().hierarchy().small_convex, map, 0x1p-19);
+      return convexMeet(*hierarchyOf(a.data()).small_convex, *hierarchyOf(b.data()).small_convex, map, 0x1p-19);
     };
     const detail::Meeting meeting = answer();
     {
@@ -166,7 +166,7 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
 
 TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   const auto isSmallConvex = [](const Ring& ring) {
-    return Polygon({ring}).data().hierarchy().small_convex != nullptr;
+    return hierarchyOf(Polygon({ring}).data()).small_convex != nullptr;
   };
   EXPECT_TRUE(isSmallConvex(regular(3, 1)));
   EXPECT_TRUE(isSmallConvex(regular(16, 1e200)));
@@ -180,7 +180,7 @@ TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {2, 0}, {2, 2}})) << "a straight vertex: the general way's";
   EXPECT_FALSE(isSmallConvex({{2, 2}, {0, 0}, {1, 0}, {2, 0}}));
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}})) << "an edge too short to have a direction";
-  EXPECT_EQ(Polygon({regular(4, 1), regular(4, 0.5)}).data().hierarchy().small_convex, nullptr);
+  EXPECT_EQ(hierarchyOf(Polygon({regular(4, 1), regular(4, 0.5)}).data()).small_convex, nullptr);
 }
 
 /// Along the ray or edge by edge.
@@ -195,7 +195,7 @@ TEST(Locate, TheHierarchyFindsWhatAScanFinds) {
     for (Ring& ring : rings) ring = shifted(ring, far);
     const FillRule fill = random.coin() ? FillRule::EvenOdd : FillRule::NonZero;
     const Polygon scanned(rings, fill), built(rings, fill);
-    built.data().hierarchy();
+    hierarchyOf(built.data());
     for (int k = 0; k < 12; ++k) {
       const Vec2& v = rings[0][static_cast<std::size_t>(random.integer(0, 40))];
       const double t = random.real(0, 1.2);
@@ -208,7 +208,7 @@ TEST(Locate, TheHierarchyFindsWhatAScanFinds) {
       const PortableLanes portable;
       ASSERT_EQ(locate(built, point), location);
     }
-    ASSERT_EQ(scanned.data().hierarchyIfBuilt(), nullptr) << "so it was scanned";
+    ASSERT_EQ(hierarchyIfBuilt(scanned.data()), nullptr) << "so it was scanned";
   }
   for (const int count : by_location) EXPECT_GT(count, polygons / 3);
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hierarchy/inclusion.h"
+
+#include "hierarchy/wide.h"
+
+namespace tricover::detail {
+namespace {
+
+/// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). False if rounding
+/// hides where that ray goes.
+bool addAlongRay(CoveringSum& sum, const Hierarchy& hierarchy) {
+  const PolygonData& polygon = sum.polygon();
+  const ApproxPoint& p = sum.point().approx;
+  const Vec2 at = polygon.inUnits({p.x, p.y}), away = at - polygon.inUnits(sum.origin());
+  const double distance = away.norm(), error = p.error * polygon.inverse_unit + 0x1p-50;
+  if (!(distance > 0x1p-10 && error < 0x1p-20 && polygon.radius <= polygon.unit)) return false;
+  // The direction turns by at most 4 error / distance, and nothing is farther away than 4.
+  const Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
+  const auto add = [](void* context, std::uint32_t edge) { return static_cast<CoveringSum*>(context)->add(edge); };
+  visitEdgesOnRay(hierarchy, ray, add, &sum);
+  return true;
+}
+
+}  // namespace
+
+Inclusion includeInPolygon(const PolygonData& polygon, const IncludedPoint& point) {
+  if (outsideBoundingDisc(polygon, point.approx)) return {Location::Outside, 0};
+  CoveringSum sum(polygon, point);
+  const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
+  if (hierarchy == nullptr || !addAlongRay(sum, *hierarchy)) sum.addAll();
+  return sum.result();
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "polygon/covering.h"
+
+namespace tricover::detail {
+
+/// Algorithm 1 on those edges only that a ray from the point meets, found by the hierarchy; on all of them where there
+/// is none yet.
+Inclusion includeInPolygon(const PolygonData& polygon, const IncludedPoint& point);
+
+inline Location locateInPolygon(const PolygonData& polygon, const IncludedPoint& point) {
+  return includeInPolygon(polygon, point).location;
+}
+
+}  // namespace tricover::detail

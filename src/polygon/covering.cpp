@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "polygon/covering.h"
+
+#include <cmath>
+
+namespace tricover::detail {
+
+CoveringSum::CoveringSum(const PolygonData& polygon, const IncludedPoint& point)
+    : polygon_(polygon), point_(point), s_(polygon.origin) {
+  const ApproxPoint& p = point.approx;
+  const bool off_origin = std::abs(p.x - s_.x()) > p.error || std::abs(p.y - s_.y()) > p.error;  // false for NaN
+  // Every triangle would have the point as its corner: take the covering from a vertex. If that is the point, too, it
+  // is found on that vertex's edge.
+  if (!off_origin && (point.pose == nullptr || between(s_, s_))) s_ = polygon.path.front();
+}
+
+inline int CoveringSum::sign(const Vec2& v, const Vec2& w) const {
+  const int sign = orientFilter({v.x(), v.y(), 0}, {w.x(), w.y(), 0}, point_.approx);
+  return sign != kUncertain ? sign : point_.handed * orientExact({point_.pose, v}, {point_.pose, w}, point_.exact);
+}
+
+inline bool CoveringSum::between(const Vec2& v, const Vec2& w) const {
+  return betweenExact(point_.exact, {point_.pose, v}, {point_.pose, w});
+}
+
+bool CoveringSum::add(std::size_t edge) {
+  const Vec2 &v = polygon_.path[edge], &w = polygon_.path[edge + 1];
+  const int d_v = sign(s_, v), d_w = sign(s_, w);
+  const bool counter_clockwise = d_v >= 0 && d_w <= 0, clockwise = d_v <= 0 && d_w >= 0;
+  if (!counter_clockwise && !clockwise) return true;
+  const int g = orientation(s_, v, w);
+  // No part of the sum, but its points are boundary points (repair 5).
+  if (g == 0) return on_boundary_ = sign(v, w) == 0 && between(v, w), !on_boundary_;
+  if (!(g > 0 ? counter_clockwise : clockwise)) return true;
+  const int side = g * sign(v, w);
+  if (side > 0) sum_ += d_v != 0 && d_w != 0 ? 2 * g : g;
+  on_boundary_ = side == 0;
+  return !on_boundary_;
+}
+
+void CoveringSum::addAll() {
+  for (std::size_t r = 0; r < polygon_.ringCount(); ++r)
+    for (std::size_t e = polygon_.edgeBegin(r); e < polygon_.edgeEnd(r); ++e)
+      if (!add(e)) return;
+}
+
+Inclusion CoveringSum::result() const {
+  if (on_boundary_) return {Location::Boundary, 0};
+  return {isInside(polygon_.fill, sum_ / 2) ? Location::Inside : Location::Outside, sum_ / 2};
+}
+
+Inclusion includeInCovering(const PolygonData& polygon, const IncludedPoint& point) {
+  if (outsideBoundingDisc(polygon, point.approx)) return {Location::Outside, 0};
+  CoveringSum sum(polygon, point);
+  sum.addAll();
+  return sum.result();
+}
+
+}  // namespace tricover::detail
