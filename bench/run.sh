@@ -15,8 +15,8 @@ step() { if [ -t 2 ]; then printf '\r\033[K%s' "$1" >&2; fi; }
 quietly() { "$@" >"build/bench.log" 2>&1 || { cat build/bench.log; return 1; }; }
 
 step "configuring"
-quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_TESTS=OFF \
-  -DTRICOVER_BUILD_BENCH=ON
+quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_BENCH=ON \
+  -DTRICOVER_WERROR=ON
 step "building (FCL's headers take their time)"
 quietly cmake --build "$build" --target bench_main bench_tradeoff bench_modelled bench_pages
 step ""

@@ -1,7 +1,35 @@
-# find_package(tricover [COMPONENTS fcl]), with or without the adapter.
+# What an installed tricover leaves for those who build against it: the headers, find_package(tricover [COMPONENTS fcl])
+# and pkg-config's tricover.pc.
+include(CMakePackageConfigHelpers)
+set(TRICOVER_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/tricover)
 
+install(TARGETS tricover EXPORT tricover-core)
+install(DIRECTORY include/tricover DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT tricover-core NAMESPACE tricover:: DESTINATION ${TRICOVER_PACKAGE_DIR})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tricoverConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/tricoverConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tricover)
+  ${PROJECT_BINARY_DIR}/tricoverConfig.cmake INSTALL_DESTINATION ${TRICOVER_PACKAGE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/tricoverConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/tricoverConfig.cmake ${PROJECT_BINARY_DIR}/tricoverConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tricover)
+  DESTINATION ${TRICOVER_PACKAGE_DIR})
+
+# A .pc file finds its prefix from where it is itself, so that the installed tree can be moved.
+if(IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})
+  set(TRICOVER_PC_PREFIX ${CMAKE_INSTALL_PREFIX})
+else()
+  file(RELATIVE_PATH TRICOVER_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  string(PREPEND TRICOVER_PC_PREFIX "\${pcfiledir}/")
+endif()
+foreach(kind INCLUDE LIB)
+  set(TRICOVER_PC_${kind}DIR ${CMAKE_INSTALL_${kind}DIR})
+  if(NOT IS_ABSOLUTE ${CMAKE_INSTALL_${kind}DIR})
+    string(PREPEND TRICOVER_PC_${kind}DIR "\${prefix}/")
+  endif()
+endforeach()
+
+# tricover_install_pc(<template>): <template> is a .pc file with variables, and ends in .in.
+function(tricover_install_pc template)
+  cmake_path(GET template STEM LAST_ONLY name)
+  configure_file(${template} ${PROJECT_BINARY_DIR}/${name} @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+tricover_install_pc(${CMAKE_CURRENT_LIST_DIR}/tricover.pc.in)

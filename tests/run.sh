@@ -10,7 +10,7 @@ suite() {  # suite <title> <build directory> <targets> <test filter> <cmake opti
   local title=$1 build=$2 targets=$3 filter=$4
   shift 4
   echo "== $title"
-  cmake -S . -B "$build" -DTRICOVER_BUILD_BENCH=OFF "$@" >"$build.log" 2>&1 || { cat "$build.log"; return 1; }
+  cmake -S . -B "$build" -DTRICOVER_BUILD_TESTS=ON -DTRICOVER_WERROR=ON "$@" >"$build.log" 2>&1 || { cat "$build.log"; return 1; }
   cmake --build "$build" --target $targets -j "$(nproc)" >>"$build.log" 2>&1 || { tail -n 60 "$build.log"; return 1; }
   ctest --test-dir "$build" -R "$filter" --output-on-failure -j "$(nproc)"
 }

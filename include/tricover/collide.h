@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -59,13 +60,13 @@ struct PairCache {
 /// which throws std::length_error for more than 2^29 vertices.
 ///
 /// \snippet collide.cpp collide
-bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-             const CollideOptions& options = {});
+TRICOVER_EXPORT bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                             const CollideOptions& options = {});
 
 /// The same answer, using and renewing the facts in `cache`. O(1) while the fact in it pays for the motion since.
 ///
 /// \snippet collide.cpp collide with cache
-bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
-             const CollideOptions& options = {});
+TRICOVER_EXPORT bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                             PairCache& cache, const CollideOptions& options = {});
 
 }  // namespace tricover

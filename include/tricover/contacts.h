@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -22,7 +23,8 @@ struct Crossing {
 /// Throws as collide() does.
 ///
 /// \snippet contacts.cpp crossings
-std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+TRICOVER_EXPORT std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                                const Pose& pose_b);
 
 /// One connected part of the regions' overlap, in the world. Coordinates are rounded, by a few ulps of the polygons'
 /// sizes.
@@ -44,7 +46,8 @@ struct Contact {
 /// Throws as collide() does.
 ///
 /// \snippet contacts.cpp contacts
-std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                              std::size_t most = std::numeric_limits<std::size_t>::max());
+TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                              const Pose& pose_b,
+                                              std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace tricover

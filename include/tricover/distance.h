@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -56,15 +57,15 @@ struct DistanceCache {
 /// Throws as collide() does, and std::invalid_argument for options that are negative or NaN.
 ///
 /// \snippet distance.cpp distance
-DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                        const DistanceOptions& options = {});
+TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                        const DistanceOptions& options = {});
 
 /// The same, using and renewing the facts in `cache`. O(1) while the pairs of edges that it lists pay for the motion
 /// since. The distance is the same to the last bit, unless options allow errors. Of equally near points, others may be
 /// found.
 ///
 /// \snippet distance.cpp distance with cache
-DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                        DistanceCache& cache, const DistanceOptions& options = {});
+TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                        DistanceCache& cache, const DistanceOptions& options = {});
 
 }  // namespace tricover

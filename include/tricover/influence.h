@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -30,7 +31,8 @@ enum class InfluenceKind {
 /// std::out_of_range for an edge that isn't there.
 ///
 /// \snippet influence.cpp influence
-bool inInfluenceArea(const Polygon& polygon, std::size_t edge, const Vec2& point, double length, InfluenceKind kind);
+TRICOVER_EXPORT bool inInfluenceArea(const Polygon& polygon, std::size_t edge, const Vec2& point, double length,
+                                     InfluenceKind kind);
 
 /// One bit an edge: whether the point, in the polygon's frame, is in that edge's bounded area. Edge i has bit i % 64 of
 /// word i / 64. If no bit is set, no edge comes within that length of the point.
@@ -38,13 +40,13 @@ bool inInfluenceArea(const Polygon& polygon, std::size_t edge, const Vec2& point
 /// Throws std::invalid_argument as inInfluenceArea() does.
 ///
 /// \snippet influence.cpp influence mask
-std::vector<std::uint64_t> influenceMask(const Polygon& polygon, const Vec2& point, double length);
+TRICOVER_EXPORT std::vector<std::uint64_t> influenceMask(const Polygon& polygon, const Vec2& point, double length);
 
 /// The corners of an edge's bounded area, in order, rounded: for drawings.
 ///
 /// Throws as inInfluenceArea() does.
 ///
 /// \snippet influence.cpp bounded influence area
-std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, std::size_t edge, double length);
+TRICOVER_EXPORT std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, std::size_t edge, double length);
 
 }  // namespace tricover

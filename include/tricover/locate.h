@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -19,7 +20,7 @@ enum class Location { Outside, Boundary, Inside };
 /// Throws std::invalid_argument for a point that is not finite, and std::length_error as collide() does.
 ///
 /// \snippet locate.cpp locate
-Location locate(const Polygon& polygon, const Vec2& point);
+TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point);
 
 /// What a moving point keeps between calls: its sign against the line of every edge (the paper's Algorithm 2).
 /// PointCache{} is empty. It may serve another polygon from call to call.
@@ -33,6 +34,6 @@ struct PointCache {
 /// is at one location. So while no sign changes, the inclusion test is skipped.
 ///
 /// \snippet locate.cpp locate with cache
-Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache);
+TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache);
 
 }  // namespace tricover

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "tricover/export.h"
 #include "tricover/pose.h"
 
 namespace tricover {
@@ -12,7 +13,7 @@ namespace tricover {
 /// both an interpolation between two poses.
 ///
 /// \snippet motion.cpp motion
-struct Motion {
+struct TRICOVER_EXPORT Motion {
   Pose start = Pose::Identity();  ///< The pose at time 0, from the polygon's frame to the world.
   Vec2 shift = Vec2::Zero();      ///< How far the pivot moves from time 0 to 1, in the world.
   double angle = 0;               ///< How far the polygon turns: radians, counter-clockwise, any number of turns.
@@ -34,6 +35,6 @@ struct Motion {
 /// Throws std::invalid_argument, naming `name` and the field, unless all of the motion is finite and start is rigid.
 ///
 /// \snippet motion.cpp check motion
-void checkMotion(const Motion& motion, const char* name = "motion");
+TRICOVER_EXPORT void checkMotion(const Motion& motion, const char* name = "motion");
 
 }  // namespace tricover

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -51,7 +52,7 @@ struct Penetration {
 /// Throws as collide() does.
 ///
 /// \snippet penetration.cpp penetration
-std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                                       const PenetrationOptions& options = {});
+TRICOVER_EXPORT std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                                       const Pose& pose_b, const PenetrationOptions& options = {});
 
 }  // namespace tricover

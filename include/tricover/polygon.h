@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "tricover/export.h"
 #include "tricover/pose.h"
 
 namespace tricover {
@@ -37,7 +38,7 @@ struct CoveringTriangle {
 /// from it, its hierarchy, is built when first needed, once for all copies.
 ///
 /// \snippet polygon.cpp polygon
-class Polygon {
+class TRICOVER_EXPORT Polygon {
  public:
   /// Throws std::invalid_argument, naming ring and vertex, for no ring, fewer than three vertices in a ring, or a
   /// coordinate that is not finite.

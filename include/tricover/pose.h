@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "tricover/export.h"
+
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "tricover's answers are proven for IEEE arithmetic: don't compile or link with -ffast-math or -ffinite-math-only"
 #endif
@@ -22,6 +24,6 @@ constexpr double kRigidTolerance = 1e-6;
 
 /// Throws std::invalid_argument, naming `name` and the field, unless the pose is finite and rigid within
 /// kRigidTolerance.
-void checkPose(const Pose& pose, const char* name = "pose");
+TRICOVER_EXPORT void checkPose(const Pose& pose, const char* name = "pose");
 
 }  // namespace tricover

@@ -6,6 +6,7 @@
 
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
+#include "tricover/export.h"
 #include "tricover/motion.h"
 #include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
@@ -15,7 +16,7 @@ namespace tricover {
 /// A drawing in world coordinates (y upwards), scaled to fit. Colours are SVG colour strings.
 /// Members draw in call order, later ones on top. Numbers are written the same in every locale.
 /// \snippet svg.cpp svg
-class SvgDrawing {
+class TRICOVER_EXPORT SvgDrawing {
  public:
   /// Throws std::invalid_argument for a width that isn't positive and finite.
   explicit SvgDrawing(double width_px = 800);

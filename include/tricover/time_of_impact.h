@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "tricover/export.h"
 #include "tricover/motion.h"
 #include "tricover/polygon.h"
 
@@ -45,7 +46,7 @@ struct Impact {
 /// finite. Throws std::length_error as collide() does.
 ///
 /// \snippet time_of_impact.cpp time of impact
-std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
-                                   const ImpactOptions& options = {});
+TRICOVER_EXPORT std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b,
+                                                   const Motion& motion_b, const ImpactOptions& options = {});
 
 }  // namespace tricover

@@ -4,6 +4,7 @@
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
+#include "tricover/export.h"
 #include "tricover/influence.h"
 #include "tricover/locate.h"
 #include "tricover/motion.h"
@@ -12,3 +13,4 @@
 #include "tricover/pose.h"
 #include "tricover/svg.h"
 #include "tricover/time_of_impact.h"
+#include "tricover/version.h"

@@ -109,7 +109,7 @@ class Worker:
                      # Asserts stay in, and those of the standard library are turned on: they notice what is read out of bounds.
                      # -w: a mutation may leave a variable unused.
                      "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w -D_GLIBCXX_ASSERTIONS -DEIGEN_NO_DEBUG",
-                     f"-DCMAKE_PROJECT_tricover_INCLUDE={precompiled}", "-DTRICOVER_BUILD_TESTS=ON", "-DTRICOVER_BUILD_BENCH=OFF",
+                     f"-DCMAKE_PROJECT_tricover_INCLUDE={precompiled}", "-DTRICOVER_BUILD_TESTS=ON",
                      f"-DTRICOVER_BUILD_FCL={'ON' if self.adapter else 'OFF'}"]
         if run(["ninja", "--version"]).returncode == 0:
             configure += ["-G", "Ninja"]

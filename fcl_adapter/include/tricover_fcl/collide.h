@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "tricover/collide.h"
+#include "tricover/export.h"
 
 namespace tricover_fcl {
 
@@ -41,30 +42,30 @@ namespace tricover_fcl {
 /// cell, otherwise NONE. A plane or halfspace parallel to the polygon is left along its own normal. CollideOptions:
 /// margin counts, tolerance and strategy change nothing.
 template <typename S>
-std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
-                    const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
-                    const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
+TRICOVER_EXPORT std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
+                                    const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
+                                    const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
 
 template <typename S>
-std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
-                    const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
+TRICOVER_EXPORT std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
+                                    const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
 
 /// The same with what tricover::collide takes; the shapes' margins come on top of options.margin. A broadphase manager
 /// knows nothing of it: its boxes include the shapes' own margins only. Throws std::logic_error if neither is a
 /// polygon.
 template <typename S>
-std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
-                    const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
-                    const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
-                    fcl::CollisionResult<S>& result);
+TRICOVER_EXPORT std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
+                                    const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
+                                    const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                                    fcl::CollisionResult<S>& result);
 
 template <typename S>
-std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
-                    const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
-                    fcl::CollisionResult<S>& result);
+TRICOVER_EXPORT std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
+                                    const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
+                                    fcl::CollisionResult<S>& result);
 
 /// fcl::DefaultCollisionFunction on top of it, for any broadphase manager: `data` is an fcl::DefaultCollisionData<S>.
 template <typename S>
-bool defaultCollisionFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data);
+TRICOVER_EXPORT bool defaultCollisionFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data);
 
 }  // namespace tricover_fcl

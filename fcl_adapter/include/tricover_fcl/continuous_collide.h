@@ -6,6 +6,8 @@
 #include <fcl/narrowphase/continuous_collision_request.h>
 #include <fcl/narrowphase/continuous_collision_result.h>
 
+#include "tricover/export.h"
+
 namespace tricover_fcl {
 
 /// fcl::continuousCollide, reaching tricover however the program is linked; other pairs than polygons are handed to
@@ -29,22 +31,25 @@ namespace tricover_fcl {
 /// - ScrewMotion (CCDM_SCREW) without a turn goes on beyond its goal, to its own length times the way. fcl's row for
 ///   polygons takes the goal for the end, but contact_tf1 and contact_tf2, which FCL fills, don't.
 template <typename S>
-S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>* motion1,
-                    const fcl::CollisionGeometry<S>* o2, const fcl::MotionBase<S>* motion2,
-                    const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result);
+TRICOVER_EXPORT S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>* motion1,
+                                    const fcl::CollisionGeometry<S>* o2, const fcl::MotionBase<S>* motion2,
+                                    const fcl::ContinuousCollisionRequest<S>& request,
+                                    fcl::ContinuousCollisionResult<S>& result);
 
 /// Along motions from pose to pose of request.ccd_motion_type. For float, FCL can translate only (CCDM_TRANS): its
 /// other motions don't compile.
 template <typename S>
-S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1_beg,
-                    const fcl::Transform3<S>& tf1_end, const fcl::CollisionGeometry<S>* o2,
-                    const fcl::Transform3<S>& tf2_beg, const fcl::Transform3<S>& tf2_end,
-                    const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result);
+TRICOVER_EXPORT S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1_beg,
+                                    const fcl::Transform3<S>& tf1_end, const fcl::CollisionGeometry<S>* o2,
+                                    const fcl::Transform3<S>& tf2_beg, const fcl::Transform3<S>& tf2_end,
+                                    const fcl::ContinuousCollisionRequest<S>& request,
+                                    fcl::ContinuousCollisionResult<S>& result);
 
 /// From where the objects are.
 template <typename S>
-S continuousCollide(const fcl::CollisionObject<S>* o1, const fcl::Transform3<S>& tf1_end,
-                    const fcl::CollisionObject<S>* o2, const fcl::Transform3<S>& tf2_end,
-                    const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result);
+TRICOVER_EXPORT S continuousCollide(const fcl::CollisionObject<S>* o1, const fcl::Transform3<S>& tf1_end,
+                                    const fcl::CollisionObject<S>* o2, const fcl::Transform3<S>& tf2_end,
+                                    const fcl::ContinuousCollisionRequest<S>& request,
+                                    fcl::ContinuousCollisionResult<S>& result);
 
 }  // namespace tricover_fcl

@@ -5,6 +5,8 @@
 #include <fcl/narrowphase/distance_request.h>
 #include <fcl/narrowphase/distance_result.h>
 
+#include "tricover/export.h"
+
 namespace tricover_fcl {
 
 /// fcl::distance, reaching tricover however the program is linked; other pairs than polygons are handed to FCL. For
@@ -32,15 +34,17 @@ namespace tricover_fcl {
 /// Throws std::invalid_argument as collide() does, and std::logic_error where FCL would abort: signed distance under
 /// GST_INDEP, or to a mesh or octree, of geometries that overlap and aren't both occupied.
 template <typename S>
-S distance(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>* o2,
-           const fcl::Transform3<S>& tf2, const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);
+TRICOVER_EXPORT S distance(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
+                           const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
+                           const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);
 
 template <typename S>
-S distance(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2, const fcl::DistanceRequest<S>& request,
-           fcl::DistanceResult<S>& result);
+TRICOVER_EXPORT S distance(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
+                           const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);
 
 /// fcl::DefaultDistanceFunction on top of it, for any broadphase manager: `data` is an fcl::DefaultDistanceData<S>.
 template <typename S>
-bool defaultDistanceFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data, S& distance);
+TRICOVER_EXPORT bool defaultDistanceFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data,
+                                             S& distance);
 
 }  // namespace tricover_fcl

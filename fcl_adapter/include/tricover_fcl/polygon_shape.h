@@ -3,6 +3,7 @@
 
 #include <fcl/geometry/shape/shape_base.h>
 
+#include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover_fcl {
@@ -33,7 +34,7 @@ struct PolygonOptions {
 ///
 /// Volume and moments stay FCL's default, 0: a flat shape has none.
 template <typename S>
-class PolygonShape final : public fcl::ShapeBase<S> {
+class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
   /// Throws std::invalid_argument, naming the field, for an interval that isn't finite or runs downwards, and a margin
   /// that is negative or not finite.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "tricover/export.h"
+
 namespace tricover_fcl {
 
 /// Makes fcl::collide, fcl::distance and fcl::continuousCollide answer for PolygonShape: geometries and
@@ -14,6 +16,6 @@ namespace tricover_fcl {
 /// plane, wherever that lies in space: see "other geometries" at collide, distance and continuousCollide.
 /// std::logic_error, naming both types, is thrown where FCL would print and answer "free": for geometries of no type
 /// that FCL knows, and for fcl::TriangleP, which shares the node type.
-void registerNarrowphase();
+TRICOVER_EXPORT void registerNarrowphase();
 
 }  // namespace tricover_fcl
