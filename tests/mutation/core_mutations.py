@@ -212,4 +212,15 @@ MUTATIONS = [
     ("src/apart/distance.cpp", "const bool apart = remainder.of(cache.apart[0]) > 0;", "const bool apart = true;", "distance: a jump through an edge"),
     ("src/apart/distance.cpp", "return {1 - 8 * kUnitRoundoff, motion};", "return {1, 0 * motion};", "distance: facts that forget motion"),
     ("src/apart/distance.cpp", "if (upper_ < best_.distance) evaluate(upper_pair_);", "", "distance: the pair of the bound forgotten"),
+    # Found by a random sample.
+    ("src/pair/facts.cpp", "load2(&now.m00) - load2(&then.m00)", "load2(&now.m00) + load2(&then.m00)", "facts: relative motion's first column"),
+    ("src/pair/facts.h", "absolute(load2(m) - load2(fact)) + absolute(load2(m + 3) - load2(fact + 2))", "absolute(load2(m + 3) - load2(fact + 2))", "facts: a column that changed taken for the same"),
+    ("src/pair/facts.h", "return difference[0] + difference[1] == 0;", "return difference[0] == 0;", "facts: second row's change"),
+    ("src/apart/moving_pair.cpp", "  includeAll(polygon_b, motion_b);\n", "", "impact: b left out where overflow is kept off"),
+    ("src/apart/edge_distance.cpp", "place != 0 ? 3 : k < 2 ? 1 : 2;", "place != 0 ? 3 : 1;", "distance: a's end beside b's edge taken for b's beside a's"),
+    ("src/apart/edge_distance.cpp", "if (v.distance <= 2 * error_) {", "if (v.distance < 2 * error_ - 2 * error_) {", "distance: where they meet, two points"),
+    ("src/overlap/contacts.cpp", "    edges_b.push_back(crossings_[k].edge_b);\n", "", "contacts: b's edges at a touch"),
+    ("src/overlap/contacts.cpp", "      best.normal = normal;\n    }", "    }", "contacts: a touch's best normal"),
+    ("src/overlap/contacts.cpp", "exit.normal.dot(towards_b_) > best.normal.dot(towards_b_)))\n      best", "exit.normal.dot(towards_b_) < best.normal.dot(towards_b_)))\n      best", "contacts: of equally deep ways the one back"),
+    ("src/overlap/disc_cover.cpp", "e < polygon.edgeEnd(r); ++e)", "e <= polygon.edgeEnd(r); ++e)", "discs that cover: an edge beyond the last"),
 ]

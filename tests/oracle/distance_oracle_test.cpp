@@ -238,7 +238,20 @@ void carried(Random& random, Walker& w, int i) {
   w.c.pose_b = frame * w.c.pose_b;
 }
 
-constexpr Kind kKinds[] = {{"slow", slow}, {"creeping", creeping}, {"hopping", hopping}, {"carried", carried}};
+/// Both carried on, and one of them mirrored now and then: where both have moved, only the relative pose tells.
+void flipping(Random& random, Walker& w, int i) {
+  if (i % 20 == 0)
+    w.c.pose_b.translation() = w.c.pose_a.translation() + random.real(1, 5) * w.size * direction(random.real(0, 6.3));
+  const Vec2 shift = 0.3 * w.size * direction(random.real(0, 6.3));
+  w.c.pose_a.translation() += shift;
+  w.c.pose_b.translation() += shift;
+  if (!random.oneIn(4)) return;
+  Pose& flipped = random.coin() ? w.c.pose_a : w.c.pose_b;
+  flipped.linear().col(random.integer(0, 1)) *= -1;
+}
+
+constexpr Kind kKinds[] = {
+    {"slow", slow}, {"creeping", creeping}, {"hopping", hopping}, {"carried", carried}, {"flipping", flipping}};
 
 Walker walker(Random& random) {
   const double sizes[] = {1, 1, 1, 1e-150, 1e150, 1e300, 1e-300}, size = sizes[random.integer(0, 6)];

@@ -81,6 +81,17 @@ void carried(Random& random, Walker& w, int) {
   w.c.pose_b = frame * w.c.pose_b;
 }
 
+/// Both carried on, and one of them mirrored now and then: where both have moved, only the relative pose tells.
+void flipping(Random& random, Walker& w, int i) {
+  if (i % 20 == 0) w.c.pose_b.translation() = w.c.pose_a.translation() + 2 * w.size * direction(random.real(0, 6.3));
+  const Vec2 shift = 0.3 * w.size * direction(random.real(0, 6.3));
+  w.c.pose_a.translation() += shift;
+  w.c.pose_b.translation() += shift;
+  if (!random.oneIn(4)) return;
+  Pose& flipped = random.coin() ? w.c.pose_a : w.c.pose_b;
+  flipped.linear().col(random.integer(0, 1)) *= -1;
+}
+
 /// The question itself changes from step to step, while b drifts.
 void changingMargin(Random& random, Walker& w, int i) {
   w.c.pose_b.translation() = w.c.pose_a.translation() + (0.4 + 0.035 * i) * w.size * direction(0.01 * i);
@@ -93,6 +104,7 @@ constexpr Kind kKinds[] = {{"slow", slow},
                            {"jumping", jumping},
                            {"carried", carried},
                            {"distorting", distorting},
+                           {"flipping", flipping},
                            {"changing_margin", changingMargin}};
 
 std::vector<Ring> walkerRings(Random& random, bool with_hole) {

@@ -238,6 +238,20 @@ Case slivers(Random& random) {
                         -2.5 * pose_a.linear().col(0), 1);
 }
 
+Case facingWalls(Random& random) {
+  const auto anyStart = [&](Ring ring) {
+    std::rotate(ring.begin(), ring.begin() + random.integer(0, 3), ring.end());
+    return random.coin() ? ring : reversed(ring);
+  };
+  // Each end of either wall is as near to the other wall, but for ulps.
+  const double gap = std::ldexp(random.real(0.5, 1), random.integer(-36, -24)), tilt = random.real(-1, 1) * 2e-14;
+  const double low = random.coin() ? random.integer(-1, 0) * gap : gap, shift = random.real(-9, 9);
+  const Ring lower = rectangle(0, -1, 20, 0);
+  const Ring upper = {{shift, low}, {shift + 20, low + tilt}, {shift + 20, 1}, {shift, 1}};
+  const Pose common = random.oneIn(4) ? anyPose(random) : randomPose(random, 10);
+  return {Polygon({anyStart(lower)}), common, Polygon({anyStart(upper)}), common};
+}
+
 Case interlockingCombs(Random& random) {
   const double pitch = random.real(0.8, 1.2), gap = random.coin() ? 1e-9 : random.real(0.01, 0.1);
   const double width = (pitch - gap) / 2;

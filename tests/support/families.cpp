@@ -87,6 +87,7 @@ const std::vector<Family>& families() {
       {"1e150_by_1e_minus_150", seeded<hugeBesideTiny>},
       {"1e6_by_1e_minus_6", seeded<largeBesideSmall>},
       {"slivers_1e_minus_12", seeded<slivers>},
+      {"facing_walls", seeded<facingWalls>},
       {"inside_hole", seeded<insideHole>},
       {"touching_hole", seeded<touchingHole>},
       {"containment", seeded<containment>},

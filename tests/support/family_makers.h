@@ -21,6 +21,7 @@ Case farFromOrigin(Random& random);
 Case largeBesideSmall(Random& random);
 Case hugeBesideTiny(Random& random);
 Case slivers(Random& random);
+Case facingWalls(Random& random);
 Case interlockingCombs(Random& random);
 
 // region_families.cpp: where rings, holes and the fill rule decide

@@ -176,6 +176,22 @@ TEST(Contacts, WhereAVertexTouchesAnEdge) {
   EXPECT_EQ(notched[0].edge_a, 1);
 }
 
+/// a's vertex touches b's edge, and a's edges there lean to one side: those of the other normal would run into b.
+TEST(Contacts, WhereAVertexThatLeansTouchesAnEdge) {
+  const auto found = ask({{{4, 2}, {-6, 6}, {-4, 2}, {-6, -2}}}, {rectangle(4, 1.5, 5, 8)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {4, 2}, {1, 0}, 0);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_EQ(found[0].edge_b, 3);
+}
+
+/// Both ways out of a corner are as long; b's origin is above a's rather than beside it.
+TEST(Contacts, OfEquallyDeepWaysTakeTheOneAwayFromTheOther) {
+  const auto found = ask({rectangle(-2, -4, 2, 4)}, {rectangle(1.5, 3.5, 4, 6)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {1.75, 3.75}, {0, 1}, 0.5);
+}
+
 TEST(Contacts, WhereVerticesTouch) {
   for (const Ring& b : {Ring{{4, 4}, {6, 5}, {5, 6}}, Ring{{4, 4}, {6, 5}, {5, 5}, {5, 6}}}) {
     const auto found = ask({rectangle(0, 0, 4, 4)}, {b});

@@ -51,6 +51,17 @@ TEST(Distance, EdgeToVertexAndEdgeToEdge) {
   EXPECT_EQ(parallel.point_a.y(), parallel.point_b.y());
 }
 
+/// Two regions that are one point each, the same one: there is no edge to divide by.
+TEST(Distance, OfTwoPolygonsThatAreOnePoint) {
+  const Polygon a({Ring(3, Vec2(0, 0))}), b({Ring(3, Vec2(0, 0))});
+  for (const DistanceResult& r : {distance(a, at(0, 0), b, at(0, 0)), distance(a, at(0, 0), a, at(0, 0))}) {
+    EXPECT_EQ(r.distance, 0);
+    EXPECT_EQ(r.point_a, Vec2(0, 0));
+    EXPECT_EQ(r.point_b, Vec2(0, 0));
+  }
+  EXPECT_EQ(distance(a, at(0, 0), b, at(3, 4)).distance, 5);
+}
+
 /// A gap of one unit in the last place, and of far less than that of any coordinate.
 TEST(Distance, GapsBelowRounding) {
   const Polygon a = square(1);

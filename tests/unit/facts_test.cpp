@@ -65,6 +65,49 @@ TEST(Recollection, CountsTheMotionOfBoth) {
   ask(0, 1.8, true);
 }
 
+/// Both moved by the same, and b mirrored besides, which the sum of its matrices would hide.
+TEST(Recollection, CountsAMirrorOfTheRelativePose) {
+  const Polygon a({rectangle(-5, -1, -2, 1)}), b({rectangle(1, -0.5, 3, 0.5)});
+  Pose flipped = pose(0, 0, 1);
+  flipped.linear() << -1, 0, 0, 1;
+  for (const bool swapped : {false, true}) {
+    PairCache cache;
+    const auto ask = [&](const Pose& pose_a, const Pose& pose_b) {
+      return swapped ? collide(b, pose_b, a, pose_a, cache) : collide(a, pose_a, b, pose_b, cache);
+    };
+    EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
+    EXPECT_GT(cache.clearance, 2);  // the fact that is to be used
+    EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
+    EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
+    EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
+  }
+}
+
+TEST(SameAs, SeesEveryEntry) {
+  double fact[6];
+  const Pose stored = pose(0.3, 7, -1e-300);
+  detail::store(fact, stored);
+  EXPECT_TRUE(detail::sameAs(fact, stored));
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      for (const int steps : {-1, 1}) {
+        Pose other = stored;
+        other.matrix()(row, column) = nudged(stored.matrix()(row, column), steps);
+        EXPECT_FALSE(detail::sameAs(fact, other)) << row << " " << column;
+      }
+    }
+  }
+  // Changes that cancel each other are changes.
+  Pose both = stored;
+  both.translation() += Vec2(1, -1);
+  EXPECT_FALSE(detail::sameAs(fact, both));
+  // The two zeros are one place.
+  detail::store(fact, Pose::Identity());
+  Pose negative = Pose::Identity();
+  negative.translation() = Vec2(-0.0, -0.0);
+  EXPECT_TRUE(detail::sameAs(fact, negative));
+}
+
 /// A cache that goes from pair to pair holds nothing of the last one.
 TEST(Claim, EmptiesAnotherPairsCache) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 2, 2)}), c({rectangle(0, 0, 3, 3)});

@@ -55,6 +55,15 @@ void expectFree(const Polygon& a, const Motion& motion_a, const Polygon& b, cons
 
 const Motion kStill;
 
+/// Whichever is far away, nothing overflows on the way to the pair's own length.
+TEST(TimeOfImpact, OfAPairAtRestFarApartIsNone) {
+  const Polygon large({rectangle(-2, -2, 2, 2)}), small({rectangle(-1, -1, 1, 1)});
+  for (const Vec2& far : {Vec2(1e12, 0), Vec2(0, -1e200), Vec2(1e300, 1e300)}) {
+    expectFree(large, kStill, small, Motion::still(pose(0, far.x(), far.y())));
+    expectFree(large, Motion::still(pose(0, far.x(), far.y())), small, kStill);
+  }
+}
+
 TEST(TimeOfImpact, SquareMeetsWall) {
   const Polygon square({rectangle(0, 0, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
   const Impact impact = expectImpact(square, Motion::translation(Pose::Identity(), {8, 0}), wall, kStill, 0.25);
