@@ -98,14 +98,9 @@ void changingMargin(Random& random, Walker& w, int i) {
   w.margin = random.coin() ? 0 : w.size * random.real(0, 4);
 }
 
-constexpr Kind kKinds[] = {{"slow", slow},
-                           {"sliding", sliding},
-                           {"rotating", rotating},
-                           {"jumping", jumping},
-                           {"carried", carried},
-                           {"distorting", distorting},
-                           {"flipping", flipping},
-                           {"changing_margin", changingMargin}};
+constexpr Kind kKinds[] = {
+    {"slow", slow},       {"sliding", sliding},       {"rotating", rotating}, {"jumping", jumping},
+    {"carried", carried}, {"distorting", distorting}, {"flipping", flipping}, {"changing_margin", changingMargin}};
 
 std::vector<Ring> walkerRings(Random& random, bool with_hole) {
   if (!with_hole) return {anyRing(random)};
