@@ -17,6 +17,11 @@ MUTATIONS = [
     ("src/numbers/rounding.h", "return square > 0x1p-960 &&", "return square > 0 &&", "discs: squares of denormals trusted"),
     ("src/numbers/rounding.h", "&& square <= std::numeric_limits<double>::max() ?", "?", "discs: overflowed squares trusted"),
     ("src/numbers/predicates.h", "return sign != kUncertain ? sign : orientExact({nullptr, p}, {nullptr, q}, {nullptr, r});", "return sign != kUncertain ? sign : 0;", "orientation: no exact stage"),
+    # Helpers of bounds.
+    ("src/numbers/rounding.h", "return (n + 0x1p-20) * kUnitRoundoff;", "return n * kUnitRoundoff;", "errorOf: terms of second order"),
+    ("src/numbers/rounding.h", "(1 + (n + 3) / 2 * 2 * kUnitRoundoff)", "(1 + n * kUnitRoundoff)", "roundedUp: the product's own rounding"),
+    ("src/numbers/rounding.h", "(1 - (n + 1) * kUnitRoundoff)", "(1 - n * kUnitRoundoff)", "roundedDown: the product's own rounding"),
+    ("src/numbers/rounding.h", "? roundedDown<2>(std::sqrt(square)) : 0", "? std::sqrt(square) : 0", "lower bound of a length: rounding"),
     # Exact stage.
     ("src/numbers/predicates.cpp", "return u.x * w.y - u.y * w.x;", "return u.x * w.y + u.y * w.x;", "exact: cross product"),
     ("src/numbers/predicates.cpp", "return u.x * w.x + u.y * w.y;", "return u.x * w.x - u.y * w.y;", "exact: dot product"),

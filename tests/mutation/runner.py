@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Breaks the code in one place at a time and asks the test suite to notice.
 
-usage: tests/mutation/run.py [--check] [--adapter] [--only TEXT] [--jobs N] [--scale 0.1] [--work DIR] [--again]
+usage: tests/mutation/run.py [--check] [--adapter] [--only REGEX] [--jobs N] [--scale 0.1] [--work DIR] [--again]
 
 For every mutation of core_mutations.py (with --adapter: of adapter_mutations.py, on fcl_test, which needs FCL): applies it to a
 copy of the project, builds the library and runs one test after the other until one fails, those first that noticed the last
@@ -226,7 +226,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="only look for the texts")
     parser.add_argument("--adapter", action="store_true", help="the adapter's mutations instead of the core's")
-    parser.add_argument("--only", default="", help="mutations whose description or file holds this text")
+    parser.add_argument("--only", default="", help="mutations whose line (file: what it breaks) matches this expression")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutations at a time, each with a build of its own")
     parser.add_argument("--scale", default="0.1", help="TRICOVER_TEST_SCALE for the tests")
     parser.add_argument("--work", default=ROOT / "build" / "mutation", help="where to copy and build, and what was found is kept")
@@ -240,7 +240,7 @@ def main():
         return "\n".join(wrong) if wrong else 0
 
     mutations = [m for m in (adapter_mutations if arguments.adapter else core_mutations).MUTATIONS
-                 if arguments.only in m[3] or arguments.only in m[0]]
+                 if re.search(arguments.only, f"{m[0]}: {m[3]}")]
     work = pathlib.Path(arguments.work).resolve()
     work.mkdir(parents=True, exist_ok=True)
     results = work / "results.txt"  # a key and a verdict a line
