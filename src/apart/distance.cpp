@@ -11,6 +11,7 @@
 #include "pair/discs.h"
 #include "pair/edge_pairs.h"
 #include "pair/facts.h"
+#include "pair/kernel_order.h"
 #include "pair/strategy.h"
 
 namespace tricover {
@@ -331,12 +332,13 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   requireNotNegative(options.relative_error, "relative_error");
   requireNotNegative(options.absolute_error, "absolute_error");
   requireNotNegative(options.limit, "limit");
-  if (inOrder(a.data(), pose_a, b.data(), pose_b))
-    return distanceInOrder({a.data(), pose_a, b.data(), pose_b}, cache, options);
-  DistanceResult result = distanceInOrder({b.data(), pose_b, a.data(), pose_a}, cache, options);
-  std::swap(result.point_a, result.point_b);
-  std::swap(result.edge_a, result.edge_b);
-  return result;
+  return inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) { return distanceInOrder({operands...}, cache, options); },
+      [](DistanceResult& result) {
+        std::swap(result.point_a, result.point_b);
+        std::swap(result.edge_a, result.edge_b);
+      });
 }
 
 }  // namespace

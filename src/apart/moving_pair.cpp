@@ -7,6 +7,7 @@
 
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
+#include "numbers/segment.h"
 
 namespace tricover::detail {
 namespace {
@@ -116,16 +117,15 @@ bool MovingPair::discsStayApart() const {
   return (b.base + share * b.drift).norm() > a.reach + b.reach + still_error;
 }
 
-Nearest::Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
+NearestPoints::NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
     : distance(std::numeric_limits<double>::infinity()) {
   const auto end = [&](const MovingBox& edge, double sign) {
     return Vec2(edge.x[lane] + sign * edge.along * edge.ux[lane], edge.y[lane] + sign * edge.along * edge.uy[lane]);
   };
   const Vec2 v = end(edge_a, -1), w = end(edge_a, 1), p = end(edge_b, -1), q = end(edge_b, 1);
-  const auto area = [](const Vec2& s, const Vec2& t) { return s.x() * t.y() - s.y() * t.x(); };
   const Vec2 along_a = w - v, along_b = q - p;
-  const double p_side = area(along_a, p - v), q_side = area(along_a, q - v);
-  const double v_side = area(along_b, v - p), w_side = area(along_b, w - p);
+  const double p_side = cross(along_a, p - v), q_side = cross(along_a, q - v);
+  const double v_side = cross(along_b, v - p), w_side = cross(along_b, w - p);
   // Where a sign isn't certain, an end of one is about as near to the other as rounding is large.
   const double doubt =
       error * (along_a.lpNorm<1>() + along_b.lpNorm<1>() + (p - v).lpNorm<1>() + std::numeric_limits<double>::min());
@@ -135,11 +135,7 @@ Nearest::Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane, dou
     distance = 0;
     return;
   }
-  // Written so that NaN ends as distance NaN.
-  const auto foot = [](const Vec2& point, const Vec2& from, const Vec2& along) {
-    const double square = along.squaredNorm();
-    return Vec2(from + (square > 0 ? std::clamp(along.dot(point - from) / square, 0.0, 1.0) : 0.0) * along);
-  };
+  // NaN ends as distance NaN.
   const auto offer = [&](const Vec2& s, const Vec2& t) {
     const double apart = (t - s).norm();
     if (apart >= distance) return;
@@ -147,10 +143,10 @@ Nearest::Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane, dou
     on_b = t;
     distance = apart;
   };
-  offer(v, foot(v, p, along_b));
-  offer(w, foot(w, p, along_b));
-  offer(foot(p, v, along_a), p);
-  offer(foot(q, v, along_a), q);
+  offer(v, nearestOnSegment(v, p, q));
+  offer(w, nearestOnSegment(w, p, q));
+  offer(nearestOnSegment(p, v, w), p);
+  offer(nearestOnSegment(q, v, w), q);
 }
 
 }  // namespace tricover::detail

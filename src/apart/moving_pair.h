@@ -91,8 +91,8 @@ inline MovingBox Mover::box(const Places& p, const Node& node) const {
 }
 
 /// The nearest points of two edges at one end of the window; distance 0 where they certainly cross.
-struct Nearest {
-  Nearest(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error);
+struct NearestPoints {
+  NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error);
   Vec2 on_a, on_b;
   double distance;
 };

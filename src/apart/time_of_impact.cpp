@@ -2,7 +2,6 @@
 #include "tricover/time_of_impact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "apart/moving_pair.h"
 #include "apart/window_cutter.h"
 #include "numbers/errors.h"
+#include "pair/kernel_order.h"
 #include "pair/strategy.h"
 
 namespace tricover {
@@ -20,25 +20,25 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A window of time in which two nodes may meet: they certainly don't from time 0 to its begin.
-struct Candidate {
+struct Encounter {
   double begin, end;
   std::uint32_t a, b;
   int depth;
 
   /// Of those that begin together, the deepest leads to an impact soonest.
-  bool operator<(const Candidate& other) const {
+  bool operator<(const Encounter& other) const {
     return begin != other.begin ? begin > other.begin : depth < other.depth;
   }
 };
 
-/// Best first: the candidate that begins first is divided, its nodes or its window, and what is left of the parts are
-/// candidates again. So their least begin is a proven lower bound of the time of impact; the upper one is the earliest
+/// Best first: the encounter that begins first is divided, its nodes or its window, and what is left of the parts are
+/// encounters again. So their least begin is a proven lower bound of the time of impact; the upper one is the earliest
 /// time at which two edges were seen to touch.
 class ImpactSearch {
  public:
   ImpactSearch(const MovingPair& pair, double time_error)
       : pair_(pair), time_error_(time_error), touch_distance_(4 * pair.error) {
-    candidates_.reserve(128);
+    encounters_.reserve(128);
   }
 
   /// Whether the boxes around everything may meet at a time in [0, 1].
@@ -46,20 +46,20 @@ class ImpactSearch {
     const Window window(pair_, 0, 1);
     const Node root_a = pair_.a.node(kRootNode), root_b = pair_.b.node(kRootNode);
     offer(window, pair_.a.box(window.a, root_a), pair_.b.box(window.b, root_b), {0, 1, kRootNode, kRootNode, 0});
-    return !candidates_.empty();
+    return !encounters_.empty();
   }
-  double lowerBound() const { return candidates_.front().begin; }
+  double lowerBound() const { return encounters_.front().begin; }
 
   /// Whether there is an impact.
   bool run() {
-    while (!candidates_.empty() && upper_bound_ - lowerBound() > time_error_) {
-      std::pop_heap(candidates_.begin(), candidates_.end());
-      Candidate candidate = candidates_.back();
-      candidates_.pop_back();
-      candidate.end = std::min(candidate.end, upper_bound_);
-      divide(candidate);
+    while (!encounters_.empty() && upper_bound_ - lowerBound() > time_error_) {
+      std::pop_heap(encounters_.begin(), encounters_.end());
+      Encounter encounter = encounters_.back();
+      encounters_.pop_back();
+      encounter.end = std::min(encounter.end, upper_bound_);
+      divide(encounter);
     }
-    time = candidates_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
+    time = encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
     return time <= 1;
   }
 
@@ -67,35 +67,35 @@ class ImpactSearch {
   std::size_t edge_a = 0, edge_b = 0;  ///< positions of those that touch at the upper bound
 
  private:
-  void push(const Candidate& candidate) {
-    if (candidate.begin > upper_bound_) return;
-    candidates_.push_back(candidate);
-    std::push_heap(candidates_.begin(), candidates_.end());
+  void push(const Encounter& encounter) {
+    if (encounter.begin > upper_bound_) return;
+    encounters_.push_back(encounter);
+    std::push_heap(encounters_.begin(), encounters_.end());
   }
 
-  static Candidate cut(Candidate candidate, const Rest& rest) {
-    const double begin = candidate.begin, length = candidate.end - begin;
-    candidate.begin = std::min(begin + rest.low * length, candidate.end);
-    if (rest.high < 1) candidate.end = std::max(begin + rest.high * length, candidate.begin);
-    return candidate;
+  static Encounter cut(Encounter encounter, const Rest& rest) {
+    const double begin = encounter.begin, length = encounter.end - begin;
+    encounter.begin = std::min(begin + rest.low * length, encounter.end);
+    if (rest.high < 1) encounter.end = std::max(begin + rest.high * length, encounter.begin);
+    return encounter;
   }
 
-  void offer(const Window& window, const MovingBox& a, const MovingBox& b, const Candidate& candidate) {
+  void offer(const Window& window, const MovingBox& a, const MovingBox& b, const Encounter& encounter) {
     WindowCutter cutter(window, a, b);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
     const Rest rest = cutter.rest();
-    if (rest.low <= rest.high) push(cut(candidate, rest));
+    if (rest.low <= rest.high) push(cut(encounter, rest));
   }
 
-  void divide(const Candidate& candidate) {
-    const Node node_a = pair_.a.node(candidate.a), node_b = pair_.b.node(candidate.b);
-    const Window window(pair_, candidate.begin, candidate.end);
-    if (node_a.edge && node_b.edge) return divideEdges(window, candidate, node_a.child, node_b.child);
+  void divide(const Encounter& encounter) {
+    const Node node_a = pair_.a.node(encounter.a), node_b = pair_.b.node(encounter.b);
+    const Window window(pair_, encounter.begin, encounter.end);
+    if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
     const MovingBox a = pair_.a.box(window.a, node_a), b = pair_.b.box(window.b, node_b);
     const double size_a = a.along + a.across, size_b = b.along + b.across;
     // Smaller boxes don't help where ways bend by more than the boxes' size.
-    if (WindowCutter(window, a, b).bend() > size_a + size_b) return halve(candidate, node_a, node_b);
-    Candidate part = candidate;
+    if (WindowCutter(window, a, b).bend() > size_a + size_b) return halve(encounter, node_a, node_b);
+    Encounter part = encounter;
     ++part.depth;
     const bool divides_a = !node_a.edge && (node_b.edge || size_a >= size_b);
     const Mover& mover = divides_a ? pair_.a : pair_.b;
@@ -108,10 +108,10 @@ class ImpactSearch {
     }
   }
 
-  void halve(const Candidate& candidate, const Node& a, const Node& b) {
-    const double middle = 0.5 * (candidate.begin + candidate.end);
+  void halve(const Encounter& encounter, const Node& a, const Node& b) {
+    const double middle = 0.5 * (encounter.begin + encounter.end);
     for (const bool later : {false, true}) {
-      Candidate part = candidate;
+      Encounter part = encounter;
       (later ? part.begin : part.end) = middle;
       const Window window(pair_, part.begin, part.end);
       offer(window, pair_.a.box(window.a, a), pair_.b.box(window.b, b), part);
@@ -125,12 +125,12 @@ class ImpactSearch {
     edge_b = position_b;
   }
 
-  void divideEdges(const Window& window, const Candidate& candidate, std::size_t position_a, std::size_t position_b) {
+  void divideEdges(const Window& window, const Encounter& encounter, std::size_t position_a, std::size_t position_b) {
     const MovingBox a = pair_.a.edge(window.a, position_a), b = pair_.b.edge(window.b, position_b);
-    const Nearest at_begin(a, b, 0, pair_.error);
+    const NearestPoints at_begin(a, b, 0, pair_.error);
     // Written so that NaN, as where bounds overflow, is a touch.
-    if (!(at_begin.distance > touch_distance_)) return touch(candidate.begin, position_a, position_b);
-    if (!(Nearest(a, b, 1, pair_.error).distance > touch_distance_)) touch(candidate.end, position_a, position_b);
+    if (!(at_begin.distance > touch_distance_)) return touch(encounter.begin, position_a, position_b);
+    if (!(NearestPoints(a, b, 1, pair_.error).distance > touch_distance_)) touch(encounter.end, position_a, position_b);
 
     // Some axis parts the edges at the window's begin by nearly their distance: an edge's normal or, vertex to vertex,
     // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
@@ -143,36 +143,23 @@ class ImpactSearch {
     // there is shorter by an order.
     const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / window.length;
     const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
-    const double split = candidate.begin + share * window.length;
-    const Candidate part = cut(candidate, rest);
+    const double split = encounter.begin + share * window.length;
+    const Encounter part = cut(encounter, rest);
     if (split > part.begin && split < part.end) {
       push({part.begin, split, part.a, part.b, part.depth + 1});
       push({split, part.end, part.a, part.b, part.depth + 1});
-    } else if (part.begin > candidate.begin) {
+    } else if (part.begin > encounter.begin) {
       push(part);
     } else {
-      touch(candidate.begin, position_a, position_b);  // no time between the window's ends
+      touch(encounter.begin, position_a, position_b);  // no time between the window's ends
     }
   }
 
   const MovingPair& pair_;
   double time_error_, touch_distance_;
   double upper_bound_ = kInfinity;
-  std::vector<Candidate> candidates_;
+  std::vector<Encounter> encounters_;
 };
-
-/// A fixed order, so that swapping the operands swaps the result.
-bool startInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b, const Motion& motion_b) {
-  if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
-  const auto key = [](const Motion& m) {
-    std::array<double, 14> values;
-    std::copy(m.start.data(), m.start.data() + 9, values.begin());
-    const double rest[] = {m.shift.x(), m.shift.y(), m.angle, m.pivot.x(), m.pivot.y()};
-    std::copy(rest, rest + 5, values.begin() + 9);
-    return values;
-  };
-  return key(motion_a) <= key(motion_b);
-}
 
 /// From the pair's frame at `time` to the world.
 Vec2 toWorld(const MovingPair& pair, const Motion& motion_a, double time, const Vec2& p) {
@@ -208,7 +195,7 @@ Impact describe(const MovingPair& pair, const Motion& motion_a, double time, std
                 std::size_t position_b) {
   const Places places_a = pair.a.places(time, time), places_b = pair.b.places(time, time);
   const MovingBox a = pair.a.edge(places_a, position_a), b = pair.b.edge(places_b, position_b);
-  const Nearest nearest(a, b, 0, pair.error);
+  const NearestPoints nearest(a, b, 0, pair.error);
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
                           ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
                           : normalOfTouch(a, b, betweenOrigins(places_a, places_b), pair.error);
@@ -263,14 +250,14 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
   detail::requireFiniteNotNegative(options.time_error, "time_error");
   checkMotion(motion_a, "motion_a");
   checkMotion(motion_b, "motion_b");
-  if (detail::startInOrder(a.data(), motion_a, b.data(), motion_b))
-    return detail::impactInOrder(a.data(), motion_a, b.data(), motion_b, options.time_error);
-  auto impact = detail::impactInOrder(b.data(), motion_b, a.data(), motion_a, options.time_error);
-  if (impact) {
-    impact->normal = -impact->normal;
-    std::swap(impact->edge_a, impact->edge_b);
-  }
-  return impact;
+  return detail::inKernelOrder(
+      a.data(), motion_a, b.data(), motion_b,
+      [&](const auto&... operands) { return detail::impactInOrder(operands..., options.time_error); },
+      [](std::optional<Impact>& impact) {
+        if (!impact) return;
+        impact->normal = -impact->normal;
+        std::swap(impact->edge_a, impact->edge_b);
+      });
 }
 
 }  // namespace tricover

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "overlap/convex_outline.h"
+#include "numbers/rigidity.h"
+#include "numbers/segment.h"
 #include "overlap/convex_penetration.h"
+#include "overlap/hull_faces.h"
 #include "overlap/overlap_components.h"
 #include "pair/edge_pairs.h"
+#include "pair/kernel_order.h"
 
 namespace tricover {
 namespace detail {
@@ -97,21 +100,21 @@ class ContactFinder {
   }
 
   /// All of the polygons.
-  Outline outlineOfA() const {
-    Outline points;
+  Hull hullOfA() const {
+    std::vector<BoundaryPoint> points;
     for (std::size_t v = 0; v + 1 < pair_.a.path.size(); ++v) points.push_back(vertexOfA(v));
-    return convexHull(std::move(points));
+    return hullOf(std::move(points));
   }
-  Outline outlineOfB() const {
-    Outline points;
+  Hull hullOfB() const {
+    std::vector<BoundaryPoint> points;
     for (std::size_t v = 0; v + 1 < pair_.b.path.size(); ++v) points.push_back(vertexOfB(v));
-    return convexHull(std::move(points));
+    return hullOf(std::move(points));
   }
 
   /// Two convex regions: the separating axes' least depth, which no translation that parts them is shorter than.
   Exit byFacesOfBoth(const OverlapComponent& component) const {
     Exit best;
-    const Outline a = outlineOfA(), b = outlineOfB();
+    const Hull a = hullOfA(), b = hullOfB();
     forEachFace(a, b, [&](auto& from, auto&, const Vec2& normal, double depth, auto& deepest) {
       consider({normal, depth, flatterOfA(from, normal), flatterOfB(deepest, normal), true}, best);
     });
@@ -138,7 +141,7 @@ class ContactFinder {
         of_b.insert(of_b.end(), {vertexOfB(v), vertexOfB(edgeAfter(pair_.b, v))});
       }
     }
-    const Outline a = convexHull(std::move(of_a)), b = convexHull(std::move(of_b));
+    const Hull a = hullOf(std::move(of_a)), b = hullOf(std::move(of_b));
     Exit best, bridging;
     forEachFace(a, b, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
       const std::ptrdiff_t edge = commonOfA(from, to);
@@ -238,12 +241,6 @@ Exit ContactFinder::ofTouch(const OverlapComponent& component) const {
   return best;
 }
 
-Vec2 nearestOn(const WorldFrame::Ends& edge, const Vec2& p) {
-  const Vec2 way = edge.w - edge.v;
-  const double square = way.squaredNorm();
-  return square > 0 ? Vec2(edge.v + std::clamp(way.dot(p - edge.v) / square, 0.0, 1.0) * way) : edge.v;
-}
-
 /// In a containment: past the nearest of the outer polygon's edges.
 Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
   const auto leftmost =
@@ -273,8 +270,8 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
     if (of_a[i] != b_inside && of_b[j] == b_inside) {
       const WorldFrame::Ends a = frame_.edgeEndsOfA(i), b = frame_.edgeEndsOfB(j);
       const WorldFrame::Ends &inner = b_inside ? b : a, &outer = b_inside ? a : b;
-      for (const Vec2& p : {inner.v, inner.w}) tryPoints(p, nearestOn(outer, p), outer);
-      for (const Vec2& q : {outer.v, outer.w}) tryPoints(nearestOn(inner, q), q, outer);
+      for (const Vec2& p : {inner.v, inner.w}) tryPoints(p, nearestOnSegment(p, outer.v, outer.w), outer);
+      for (const Vec2& q : {outer.v, outer.w}) tryPoints(nearestOnSegment(q, inner.v, inner.w), q, outer);
     }
     return std::min(far, pair_.reach((nearest + frame_.error()) * frame_.unit()));
   });
@@ -310,7 +307,7 @@ Vec2 ContactFinder::middleOf(const OverlapComponent& component, const Exit& exit
   }
   const double across = 0.5 * first + 0.5 * last;
   double highest = lowest;
-  const Outline hull = convexHull(component.points);
+  const Hull hull = hullOf(component.points);
   for (std::size_t k = 0; k < hull.size(); ++k) {
     const Vec2 &p = hull[k].at, &q = hull[k + 1 < hull.size() ? k + 1 : 0].at;
     const double from = side.dot(p) - across, to = side.dot(q) - across;
@@ -329,25 +326,29 @@ Contact ContactFinder::inWorld(const OverlapComponent& component, const Exit& ex
           number(pair_.a, exit.edge_a), number(pair_.b, exit.edge_b)};
 }
 
+std::vector<Contact> deepestContacts(const PosedPair& pair, std::size_t most) {
+  std::vector<Contact> result = ContactFinder(pair).contacts();
+  std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
+  if (result.size() > most) result.erase(result.begin() + static_cast<std::ptrdiff_t>(most), result.end());
+  return result;
+}
+
 }  // namespace
 }  // namespace detail
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                               std::size_t most) {
-  checkPose(pose_a, "pose_a");
-  checkPose(pose_b, "pose_b");
-  const bool direct = detail::inOrder(a.data(), pose_a, b.data(), pose_b);
-  const detail::PosedPair pair = direct ? detail::PosedPair(a.data(), pose_a, b.data(), pose_b)
-                                        : detail::PosedPair(b.data(), pose_b, a.data(), pose_a);
-  std::vector<Contact> result = detail::ContactFinder(pair).contacts();
-  std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
-  if (result.size() > most) result.erase(result.begin() + static_cast<std::ptrdiff_t>(most), result.end());
-  if (direct) return result;
-  for (Contact& contact : result) {
-    contact.normal = -contact.normal;
-    std::swap(contact.edge_a, contact.edge_b);
-  }
-  return result;
+  detail::requireRigid(pose_a, "pose_a");
+  detail::requireRigid(pose_b, "pose_b");
+  return detail::inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) { return detail::deepestContacts(detail::PosedPair(operands...), most); },
+      [](std::vector<Contact>& contacts) {
+        for (Contact& contact : contacts) {
+          contact.normal = -contact.normal;
+          std::swap(contact.edge_a, contact.edge_b);
+        }
+      });
 }
 
 }  // namespace tricover

@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "overlap/convex_outline.h"
 
-#include <algorithm>
+#include <utility>
+
+#include "numbers/convex_hull.h"
+#include "numbers/predicates.h"
+#include "overlap/convex_penetration.h"
 
 namespace tricover::detail {
+namespace {
 
-Outline convexHull(std::vector<BoundaryPoint> points) {
-  std::sort(points.begin(), points.end(), [](const BoundaryPoint& p, const BoundaryPoint& q) {
-    return p.at.x() != q.at.x() ? p.at.x() < q.at.x() : p.at.y() < q.at.y();
-  });
-  Outline hull;
-  const auto add = [&hull](const BoundaryPoint& p, std::size_t floor) {
-    while (hull.size() > floor && cross(hull.back().at - hull[hull.size() - 2].at, p.at - hull.back().at) <= 0)
-      hull.pop_back();
-    hull.push_back(p);
-  };
-  for (const BoundaryPoint& p : points) add(p, 1);
-  const std::size_t upper = hull.size();
-  for (auto p = points.rbegin() + 1; p < points.rend(); ++p) add(*p, upper);
-  if (hull.size() > 1) hull.pop_back();
-  return hull;
+std::vector<std::size_t> hullCorners(const PolygonData& polygon) {
+  std::vector<std::size_t> vertices;
+  vertices.reserve(polygon.path.size());
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) vertices.push_back(e);
+  return convexHull(
+      std::move(vertices), [&](std::size_t i) -> const Vec2& { return polygon.path[i]; },
+      [](const Vec2& p, const Vec2& q, const Vec2& r) { return orientation(p, q, r) > 0; });
+}
+
+}  // namespace
+
+ConvexOutline convexOutline(const PolygonData& polygon) {
+  std::vector<std::size_t> corners = convexCorners(polygon);
+  if (!corners.empty()) return {std::move(corners), true};
+  corners = hullCorners(polygon);
+  // A ring without area covers all of its segment.
+  const bool is_region = polygon.ringCount() == 1 && corners.size() < 3;
+  return {std::move(corners), is_region};
 }
 
 }  // namespace tricover::detail

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "numbers/double_double.h"
@@ -17,31 +16,6 @@ namespace {
 bool isBetween(const Vec2& p, const Vec2& q, const Vec2& r) {
   return std::min(p.x(), r.x()) <= q.x() && q.x() <= std::max(p.x(), r.x()) && std::min(p.y(), r.y()) <= q.y() &&
          q.y() <= std::max(p.y(), r.y());
-}
-
-/// Andrew's monotone chains.
-std::vector<std::size_t> hullCorners(const PolygonData& polygon) {
-  std::vector<std::size_t> order(polygon.path.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto at = [&](std::size_t i) -> const Vec2& { return polygon.path[i]; };
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return at(i).x() != at(j).x() ? at(i).x() < at(j).x() : at(i).y() < at(j).y();
-  });
-  order.erase(std::unique(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return at(i) == at(j); }),
-              order.end());
-  if (order.size() == 1) return order;
-  std::vector<std::size_t> hull;
-  for (const bool upper : {false, true}) {
-    const std::size_t begin = hull.size();
-    for (const std::size_t i : order) {
-      while (hull.size() >= begin + 2 && orientation(at(hull[hull.size() - 2]), at(hull.back()), at(i)) <= 0)
-        hull.pop_back();
-      hull.push_back(i);
-    }
-    hull.pop_back();  // the other chain's first
-    if (!upper) std::reverse(order.begin(), order.end());
-  }
-  return hull;
 }
 
 /// Corners in the world less a's translation, times a power of two that keeps products in range.
@@ -116,15 +90,6 @@ std::vector<std::size_t> convexCorners(const PolygonData& polygon) {
   if (turns_in_x != 2) return {};
   if (direction < 0) std::reverse(corners.begin(), corners.end());
   return corners;
-}
-
-ConvexOutline convexOutline(const PolygonData& polygon) {
-  std::vector<std::size_t> corners = convexCorners(polygon);
-  if (!corners.empty()) return {std::move(corners), true};
-  corners = hullCorners(polygon);
-  // A ring without area covers all of its segment.
-  const bool is_region = polygon.ringCount() == 1 && corners.size() < 3;
-  return {std::move(corners), is_region};
 }
 
 SupportGap leastSupportGap(const PolygonData& a, const Pose& pose_a, const ConvexOutline& outline_a,

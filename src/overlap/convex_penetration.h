@@ -4,23 +4,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "overlap/convex_outline.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {
 
-/// A convex polygon by its strictly convex corners, counter-clockwise in its own frame, as positions in the path. Two
-/// of them are a line segment, one is a point.
-struct ConvexOutline {
-  std::vector<std::size_t> corners;
-  bool is_region;  ///< the polygon's region is that convex set; otherwise it is the region's convex hull
-};
-
 /// The corners, as in ConvexOutline, of a polygon that is convex and has an area: one ring that turns one way and goes
 /// around once. Otherwise nothing. Exact, O(n).
 std::vector<std::size_t> convexCorners(const PolygonData& polygon);
-
-/// O(n) for a convex polygon, O(n log n) for others. Exact.
-ConvexOutline convexOutline(const PolygonData& polygon);
 
 /// The shortest translation of b that parts two convex sets which meet.
 struct SupportGap {

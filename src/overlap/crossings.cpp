@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include "overlap/crossings.h"
 
-#include "overlap/overlap_components.h"
+#include <algorithm>
+#include <utility>
+
+#include "numbers/rigidity.h"
+#include "numbers/segment.h"
 #include "pair/edge_pairs.h"
+#include "pair/kernel_order.h"
 #include "tricover/contacts.h"
 
 namespace tricover {
 namespace detail {
 namespace {
+
+std::vector<Crossing> crossingsInWorld(const PosedPair& pair) {
+  const WorldFrame frame(pair);
+  std::vector<Crossing> result;
+  for (const EdgeCrossing& crossing : findCrossings(pair, frame)) {
+    const auto first = static_cast<std::ptrdiff_t>(pair.a.edgeNumber(crossing.edge_a));
+    const auto second = static_cast<std::ptrdiff_t>(pair.b.edgeNumber(crossing.edge_b));
+    result.push_back({first, second, frame.toWorld(crossing.point)});
+  }
+  return result;
+}
 
 /// Keeps of the span where f is between low and high, f going evenly from f0 to f1.
 void clip(Span& span, double f0, double f1, double low, double high) {
@@ -52,19 +68,14 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
 }  // namespace detail
 
 std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
-  checkPose(pose_a, "pose_a");
-  checkPose(pose_b, "pose_b");
-  const bool direct = detail::inOrder(a.data(), pose_a, b.data(), pose_b);
-  const detail::PosedPair pair = direct ? detail::PosedPair(a.data(), pose_a, b.data(), pose_b)
-                                        : detail::PosedPair(b.data(), pose_b, a.data(), pose_a);
-  const detail::WorldFrame frame(pair);
-  std::vector<Crossing> result;
-  for (const detail::EdgeCrossing& crossing : detail::findCrossings(pair, frame)) {
-    const auto first = static_cast<std::ptrdiff_t>(pair.a.edgeNumber(crossing.edge_a));
-    const auto second = static_cast<std::ptrdiff_t>(pair.b.edgeNumber(crossing.edge_b));
-    result.push_back({direct ? first : second, direct ? second : first, frame.toWorld(crossing.point)});
-  }
-  return result;
+  detail::requireRigid(pose_a, "pose_a");
+  detail::requireRigid(pose_b, "pose_b");
+  return detail::inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [](const auto&... operands) { return detail::crossingsInWorld(detail::PosedPair(operands...)); },
+      [](std::vector<Crossing>& crossings) {
+        for (Crossing& crossing : crossings) std::swap(crossing.edge_a, crossing.edge_b);
+      });
 }
 
 }  // namespace tricover

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "overlap/translation_space.h"
 #include "hierarchy/inclusion.h"
+#include "numbers/segment.h"
 
 namespace tricover::detail {
 
@@ -26,7 +26,7 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon, const Pose& pose, con
     double square = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < polygon.ringCount(); ++r)
       for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
-        square = std::min(square, (nearestOnSegment(p, vertices[e], vertices[e + 1]) - p).squaredNorm());
+        square = std::min(square, squaredDistanceToSegment(p, vertices[e], vertices[e + 1]));
     // The boundary and, below, the way back to the polygon's frame are wrong by a few `noise`.
     grid.push_back({p, std::sqrt(square) - 16 * noise});
   }

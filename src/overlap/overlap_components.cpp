@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "hierarchy/inclusion.h"
+#include "numbers/segment.h"
 #include "pair/edge_pairs.h"
 
 namespace tricover::detail {

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "numbers/segment.h"
+#include "overlap/convex_outline.h"
 #include "overlap/convex_penetration.h"
 #include "overlap/translation_search.h"
+#include "pair/kernel_order.h"
 #include "pair/strategy.h"
 #include "tricover/collide.h"
 
@@ -20,7 +24,7 @@ std::ptrdiff_t nearestEdge(const PolygonData& polygon, const std::vector<Vec2>& 
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-      const double square = (nearestOnSegment(p, vertices[e], vertices[e + 1]) - p).squaredNorm();
+      const double square = squaredDistanceToSegment(p, vertices[e], vertices[e + 1]);
       if (!(square < least)) continue;
       least = square;
       nearest = e;
@@ -133,8 +137,11 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   return result;
 }
 
-Penetration mirrored(const Penetration& p) {
-  return {p.depth, -p.direction, p.lower_bound, p.optimal, -p.translation, p.point_b, p.point_a, p.edge_b, p.edge_a};
+void swapOperands(Penetration& p) {
+  p.direction = -p.direction;
+  p.translation = -p.translation;
+  std::swap(p.point_a, p.point_b);
+  std::swap(p.edge_a, p.edge_b);
 }
 
 }  // namespace
@@ -143,9 +150,9 @@ Penetration mirrored(const Penetration& p) {
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                        const PenetrationOptions& options) {
   if (!collide(a, pose_a, b, pose_b)) return std::nullopt;
-  if (detail::inOrder(a.data(), pose_a, b.data(), pose_b))
-    return detail::penetrationInOrder(a.data(), pose_a, b.data(), pose_b, options);
-  return detail::mirrored(detail::penetrationInOrder(b.data(), pose_b, a.data(), pose_a, options));
+  return detail::inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) { return detail::penetrationInOrder(operands..., options); }, detail::swapOperands);
 }
 
 }  // namespace tricover

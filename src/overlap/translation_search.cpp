@@ -23,8 +23,8 @@
 #include <queue>
 #include <vector>
 
+#include "numbers/segment.h"
 #include "pair/strategy.h"
-#include "pair/world_frame.h"
 
 namespace tricover::detail {
 namespace {
@@ -53,7 +53,7 @@ Cell makeCell(const Vec2& center, double half) {
 }
 
 /// Where a free face of the lines' arrangement may be nearest to 0.
-struct Candidate {
+struct PossibleLimit {
   Vec2 p;
   double error;  ///< of p, along the lines that cross there
 };
@@ -92,9 +92,9 @@ bool merged(Line& into, const Line& line, double resolution) {
   return true;
 }
 
-class Search {
+class PartingSearch {
  public:
-  Search(TranslationSpace& space, const Vec2& known, std::size_t budget)
+  PartingSearch(TranslationSpace& space, const Vec2& known, std::size_t budget)
       : space_(space),
         budget_(budget),
         resolution_(16 * space.noise()),
@@ -191,12 +191,12 @@ class Search {
 
   /// The nearest point of a free face of the lines' arrangement is the nearest point, an end or a crossing of lines.
   bool decideByLines(const Cell& cell, double radius) {
-    candidates_.clear();
+    limits_.clear();
     const auto offer = [&](const Vec2& p, double error = 0) {
       if ((p - cell.center).lpNorm<Eigen::Infinity>() > cell.half + resolution_ || !(p.norm() < upper_)) return;
-      for (const Candidate& other : candidates_)
+      for (const PossibleLimit& other : limits_)
         if ((p - other.p).norm() <= space_.noise()) return;
-      candidates_.push_back({p, error});
+      limits_.push_back({p, error});
     };
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Line& line = lines_[i];
@@ -214,19 +214,19 @@ class Search {
           offer(p, 2 * space_.noise() * u.norm() * other.norm() / std::abs(area));
       }
     }
-    std::sort(candidates_.begin(), candidates_.end(),
-              [](const Candidate& c, const Candidate& d) { return c.p.squaredNorm() < d.p.squaredNorm(); });
+    std::sort(limits_.begin(), limits_.end(),
+              [](const PossibleLimit& c, const PossibleLimit& d) { return c.p.squaredNorm() < d.p.squaredNorm(); });
     bool resolved = true;
-    for (const Candidate& candidate : candidates_) {
-      if (!(candidate.p.norm() < upper_)) break;
-      resolved &= decideCandidate(candidate, radius);
+    for (const PossibleLimit& limit : limits_) {
+      if (!(limit.p.norm() < upper_)) break;
+      resolved &= decideLimit(limit, radius);
     }
     return resolved;
   }
 
   /// Samples each sector between the lines through p. False if one is too narrow for that.
-  bool decideCandidate(const Candidate& candidate, double radius) {
-    const Vec2& p = candidate.p;
+  bool decideLimit(const PossibleLimit& limit, double radius) {
+    const Vec2& p = limit.p;
     double room = 0.2 * radius;
     rays_.clear();
     for (const Line& line : lines_) {
@@ -259,7 +259,7 @@ class Search {
       for (double step = space_.noise() / width; step < room; step *= 2) {
         Vec2 beside = p + step * way;
         if (!isFree(beside)) continue;
-        improve(p, beside, candidate.error);
+        improve(p, beside, limit.error);
         return resolved;
       }
       improve(sample, sample);
@@ -277,14 +277,14 @@ class Search {
   std::size_t queries_ = 0;
   bool covered_ = false;
   std::vector<Line> lines_;
-  std::vector<Candidate> candidates_;
+  std::vector<PossibleLimit> limits_;
   std::vector<double> rays_;
 };
 
 }  // namespace
 
 ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, std::size_t budget) {
-  return Search(space, known, budget).run();
+  return PartingSearch(space, known, budget).run();
 }
 
 }  // namespace tricover::detail

@@ -5,28 +5,18 @@
 #include <cmath>
 
 #include "numbers/double_double.h"
-#include "pair/world_frame.h"
+#include "numbers/segment.h"
 
 namespace tricover::detail {
-Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
-  const Vec2 u = w - v;
-  const double square = u.squaredNorm();
-  if (!(square > 0)) return v;
-  const double s = (p - v).dot(u) / square;
-  if (s <= 0) return v;
-  if (s >= 1) return w;
-  // From the nearer end: an end is met without rounding.
-  return s <= 0.5 ? Vec2(v + s * u) : Vec2(w - (1 - s) * u);
-}
 
-TranslationSpace::Outline TranslationSpace::outline(const PolygonData& polygon, const Pose& pose, const Vec2& origin,
-                                                    double inverse_unit) {
+TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polygon, const Pose& pose,
+                                                        const Vec2& origin, double inverse_unit) {
   const std::size_t n = polygon.path.size();
   const Eigen::Matrix2d turn = pose.linear();
-  Outline result{std::vector<Vec2>(n), std::vector<Vec2>(n, Vec2::Zero()), std::vector<Vec2>(n, Vec2::Zero()),
-                 std::vector<char>(n, 0)};
+  Vertices result{std::vector<Vec2>(n), std::vector<Vec2>(n, Vec2::Zero()), std::vector<Vec2>(n, Vec2::Zero()),
+                  std::vector<char>(n, 0)};
   const auto inUnits = [&](const Vec2& p, const Vec2& q) { return Vec2(turn * (p * inverse_unit - q * inverse_unit)); };
-  for (std::size_t i = 0; i < n; ++i) result.vertices[i] = origin + inUnits(polygon.path[i], polygon.origin);
+  for (std::size_t i = 0; i < n; ++i) result.at[i] = origin + inUnits(polygon.path[i], polygon.origin);
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
     const std::size_t begin = polygon.edgeBegin(r), end = polygon.edgeEnd(r);
     std::size_t last = end;
@@ -76,13 +66,13 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
   noise_ = 16 * kUnitRoundoff * reach_ + 4 * kUnitRoundoff * (shift_.lpNorm<1>() * inverse_unit_) +
            0x1p-1073 * inverse_unit_;
   if (!isFinite()) return;
-  a_ = outline(a, pose_a, Vec2::Zero(), inverse_unit_);
-  b_ = outline(b, pose_b, between_, inverse_unit_);
+  a_ = verticesOf(a, pose_a, Vec2::Zero(), inverse_unit_);
+  b_ = verticesOf(b, pose_b, between_, inverse_unit_);
 }
 
 void TranslationSpace::coverByDiscs() {
-  discs_a_ = detail::coverByDiscs(polygon_a_, pose_a_, a_.vertices, Vec2::Zero(), unit_, noise_);
-  discs_b_ = detail::coverByDiscs(polygon_b_, pose_b_, b_.vertices, between_, unit_, noise_);
+  discs_a_ = detail::coverByDiscs(polygon_a_, pose_a_, a_.at, Vec2::Zero(), unit_, noise_);
+  discs_b_ = detail::coverByDiscs(polygon_b_, pose_b_, b_.at, between_, unit_, noise_);
 }
 
 bool TranslationSpace::overlapsAround(const Vec2& t, double radius) const {
@@ -103,8 +93,8 @@ PosedPair TranslationSpace::at(Vec2& t) {
 
 /// False only if the edges at the vertex certainly leave to both sides of the other's line. A direction's coordinates
 /// err by at most 6U of its 1-norm, their cross product by 15U of the two norms.
-bool TranslationSpace::mayBound(const Outline& vertices, std::size_t i, const Vec2& edge) {
-  const Vec2 &in = vertices.incoming[i], &out = vertices.outgoing[i];
+bool TranslationSpace::mayBound(const Vertices& polygon, std::size_t i, const Vec2& edge) {
+  const Vec2 &in = polygon.incoming[i], &out = polygon.outgoing[i];
   const double bound = 16 * kUnitRoundoff * edge.lpNorm<1>(), from = cross(edge, in), to = cross(edge, out);
   const bool passes = (from > bound * in.lpNorm<1>() && to > bound * out.lpNorm<1>()) ||
                       (-from > bound * in.lpNorm<1>() && -to > bound * out.lpNorm<1>());
@@ -112,7 +102,7 @@ bool TranslationSpace::mayBound(const Outline& vertices, std::size_t i, const Ve
 }
 
 bool TranslationSpace::isNear(const Vec2& t, double radius, const Segment& segment) {
-  return (nearestOnSegment(t, segment.v, segment.w) - t).squaredNorm() <= radius * radius;
+  return squaredDistanceToSegment(t, segment.v, segment.w) <= radius * radius;
 }
 
 }  // namespace tricover::detail

@@ -54,31 +54,31 @@ class TranslationSpace {
   double reach() const { return reach_; }
 
   /// Vertices, by position, in the world from a's origin S, in units; b's where it is.
-  const std::vector<Vec2>& verticesOfA() const { return a_.vertices; }
-  const std::vector<Vec2>& verticesOfB() const { return b_.vertices; }
+  const std::vector<Vec2>& verticesOfA() const { return a_.at; }
+  const std::vector<Vec2>& verticesOfB() const { return b_.at; }
   Vec2 inWorld(const Vec2& p) const { return origin_ + p * unit_; }
 
  private:
-  struct Outline {
-    std::vector<Vec2> vertices;
+  struct Vertices {
+    std::vector<Vec2> at;
     std::vector<Vec2> incoming, outgoing;  ///< edges at a vertex, beyond repetitions of it
     std::vector<char> is_edge;             ///< not a repetition of its start
   };
 
-  static Outline outline(const PolygonData& polygon, const Pose& pose, const Vec2& origin, double inverse_unit);
-  static bool mayBound(const Outline& vertices, std::size_t i, const Vec2& edge);
+  static Vertices verticesOf(const PolygonData& polygon, const Pose& pose, const Vec2& origin, double inverse_unit);
+  static bool mayBound(const Vertices& polygon, std::size_t i, const Vec2& edge);
   static bool isNear(const Vec2& t, double radius, const Segment& segment);
 
   template <typename Visit>
   bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
     if (!a_.is_edge[i] || !b_.is_edge[j]) return true;
-    const Vec2 start = a_.vertices[i] - b_.vertices[j];
+    const Vec2 start = a_.at[i] - b_.at[j];
     if (mayBound(a_, i, b_.outgoing[j])) {
-      const Segment segment{start, a_.vertices[i] - b_.vertices[j + 1], i, j, true};
+      const Segment segment{start, a_.at[i] - b_.at[j + 1], i, j, true};
       if (isNear(t, radius + noise_, segment) && !visit(segment)) return false;
     }
     if (mayBound(b_, j, a_.outgoing[i])) {
-      const Segment segment{start, a_.vertices[i + 1] - b_.vertices[j], i, j, false};
+      const Segment segment{start, a_.at[i + 1] - b_.at[j], i, j, false};
       if (isNear(t, radius + noise_, segment) && !visit(segment)) return false;
     }
     return true;
@@ -90,11 +90,8 @@ class TranslationSpace {
   double unit_, inverse_unit_, noise_, reach_;
   Vec2 origin_;
   Vec2 between_;  ///< b's S, as vertices
-  Outline a_, b_;
+  Vertices a_, b_;
   std::vector<Disc> discs_a_, discs_b_;
 };
-
-/// The point of the segment v w that is nearest to p.
-Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w);
 
 }  // namespace tricover::detail

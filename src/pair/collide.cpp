@@ -7,6 +7,7 @@
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
+#include "pair/kernel_order.h"
 #include "pair/strategy.h"
 
 namespace tricover {
@@ -65,9 +66,9 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
     recollection = recall(*cache, a.data(), pose_a, b.data(), pose_b, options.margin);
     if (recollection.certain) return recollection.collides;
   }
-  if (inOrder(a.data(), pose_a, b.data(), pose_b))
-    return collideInOrder(a.data(), pose_a, b.data(), pose_b, cache, recollection, options);
-  return collideInOrder(b.data(), pose_b, a.data(), pose_a, cache, recollection, options);
+  return inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) { return collideInOrder(operands..., cache, recollection, options); }, [](bool) {});
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -11,13 +10,6 @@
 #include "tricover/locate.h"
 
 namespace tricover::detail {
-
-/// The kernel's own order, so that answers don't depend on the caller's: the smaller polygon moves.
-inline bool inOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
-  if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
-  const double *p = pose_a.data(), *q = pose_b.data();
-  return !std::lexicographical_compare(p, p + 9, q, q + 9);
-}
 
 /// Two polygons under their poses, seen from a's frame. The relative pose is rounded, so it serves filters and bounds
 /// only; exact stages use the two poses as given.

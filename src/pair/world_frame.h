@@ -5,8 +5,6 @@
 
 namespace tricover::detail {
 
-inline double cross(const Vec2& u, const Vec2& w) { return u.x() * w.y() - u.y() * w.x(); }
-
 /// The world seen from b's origin S, in b's units (a's where b is less than 2^-200 of a), rounded: for what an answer
 /// reports, not for what it is. Nothing overflows here, and b's coordinates are as precise as b is small.
 class WorldFrame {

@@ -279,6 +279,23 @@ TEST(Budget, MoreOfItIsNoWorse) {
   EXPECT_GT(last.lower_bound, 0.2 * best->depth);
 }
 
+/// A polygon and itself, at places that differ by the sign of a zero only.
+TEST(Arguments, SwappedTheyGiveTheOppositeDirection) {
+  for (const Polygon& polygon :
+       {Polygon({rectangle(-1, -1, 1, 1)}), Polygon({rectangle(-3, -3, 3, 3), rectangle(-1, -1, 1, 1)})})
+    for (const int entry : {0, 1, 2}) {
+      Pose with_zero = kIdentity, with_minus_zero = kIdentity;
+      (entry == 0 ? with_minus_zero.linear()(0, 1) : with_minus_zero.translation()[entry - 1]) = -0.0;
+      const auto p = penetration(polygon, with_zero, polygon, with_minus_zero);
+      const auto q = penetration(polygon, with_minus_zero, polygon, with_zero);
+      ASSERT_TRUE(p && q);
+      EXPECT_EQ(p->depth, q->depth);
+      EXPECT_EQ(p->direction, -q->direction);
+      EXPECT_EQ(p->translation, -q->translation);
+      EXPECT_EQ(p->point_a, q->point_b);
+    }
+}
+
 TEST(Arguments, PosesAreChecked) {
   Pose tilted = kIdentity;
   tilted.linear() *= 2;

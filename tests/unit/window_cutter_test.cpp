@@ -74,7 +74,7 @@ TEST(WindowCutter, NeverCutsContactOff) {
     const MovingPair pair(a.data(), motion_a, b.data(), motion_b);
     const Window window(pair, begin, begin + length);
     const MovingBox box_a = pair.a.edge(window.a, edge_a), box_b = pair.b.edge(window.b, edge_b);
-    const Nearest at_begin(box_a, box_b, 0, pair.error);
+    const NearestPoints at_begin(box_a, box_b, 0, pair.error);
     for (int way = 0; way < 4; ++way) {
       WindowCutter cutter(window, box_a, box_b);
       ASSERT_FALSE(cut(cutter, way, (at_begin.on_b - at_begin.on_a) / at_begin.distance))
@@ -90,7 +90,7 @@ TEST(WindowCutter, NeverCutsContactOff) {
     const MovingPair aside(a.data(), motion_a, b.data(), motion_b);
     const Window other(aside, begin, begin + length);
     const MovingBox aside_a = aside.a.edge(other.a, edge_a), aside_b = aside.b.edge(other.b, edge_b);
-    const Nearest from(aside_a, aside_b, 0, aside.error);
+    const NearestPoints from(aside_a, aside_b, 0, aside.error);
     for (int way = 0; way < 4; ++way) {
       WindowCutter cutter(other, aside_a, aside_b);
       parted[way] += cut(cutter, way, (from.on_b - from.on_a) / from.distance);

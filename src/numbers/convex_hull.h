@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "tricover/pose.h"
+
+namespace tricover::detail {
+
+/// The corners of the convex hull, counter-clockwise from the leftmost one; a segment has two, a point one. By Andrew's
+/// monotone chains, in O(n log n). at(point) is where a point is, and turnsLeft(p, q, r), of such places, whether the
+/// way through them turns to the left at q: what that decides rounded, the hull is right to.
+template <typename Point, typename At, typename TurnsLeft>
+std::vector<Point> convexHull(std::vector<Point> points, At at, TurnsLeft turnsLeft) {
+  std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+    const Vec2 &s = at(p), &t = at(q);
+    return s.x() != t.x() ? s.x() < t.x() : s.y() < t.y();
+  });
+  std::vector<Point> hull;
+  const auto add = [&](const Point& p, std::size_t floor) {
+    while (hull.size() > floor && !turnsLeft(at(hull[hull.size() - 2]), at(hull.back()), at(p))) hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const Point& p : points) add(p, 1);
+  const std::size_t lower = hull.size();
+  for (auto p = points.rbegin() + (points.empty() ? 0 : 1); p < points.rend(); ++p) add(*p, lower);
+  if (hull.size() > 1) hull.pop_back();  // the first once more
+  if (hull.size() == 2 && at(hull[0]) == at(hull[1])) hull.pop_back();
+  return hull;
+}
+
+}  // namespace tricover::detail

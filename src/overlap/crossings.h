@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "pair/world_frame.h"
+
+namespace tricover::detail {
+
+/// Part of an edge, from 0 at its start to 1 at its end.
+struct Span {
+  double low, high;
+  double middle() const { return 0.5 * low + 0.5 * high; }
+};
+
+/// Two edges (positions in the paths) that share a point, and where, but for rounding: more than a point where they
+/// are collinear.
+struct EdgeCrossing {
+  std::size_t edge_a, edge_b;
+  Span on_a, on_b;
+  Vec2 point;     ///< in the WorldFrame
+  int direction;  ///< see crossingDirection()
+};
+
+/// Where `edge` is no farther than `error` from `other`, which it meets, but for rounding.
+Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, double error);
+
+/// All of them: exactly those that share a point.
+std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame);
+
+}  // namespace tricover::detail

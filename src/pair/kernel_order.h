@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "polygon/polygon_data.h"
+#include "tricover/motion.h"
+
+namespace tricover::detail {
+
+/// A total order of finite doubles: -0 is before 0, because what is asked with one may be asked again with the other,
+/// the operands swapped.
+inline bool isBefore(double x, double y) { return x != y ? x < y : std::signbit(x) && !std::signbit(y); }
+
+inline std::array<double, 6> numbersOf(const Pose& pose) {
+  const auto& m = pose.matrix();
+  return {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
+}
+
+inline std::array<double, 11> numbersOf(const Motion& motion) {
+  const auto& m = motion.start.matrix();
+  return {m(0, 0),          m(1, 0),          m(0, 1),      m(1, 1),          m(0, 2),         m(1, 2),
+          motion.shift.x(), motion.shift.y(), motion.angle, motion.pivot.x(), motion.pivot.y()};
+}
+
+/// The kernel's own order of two operands, so that answers don't depend on the caller's: the smaller polygon moves. Of
+/// a polygon and itself, the place (a pose or a motion) decides; only equal places leave the caller's order.
+template <typename Place>
+bool inOrder(const PolygonData& a, const Place& place_a, const PolygonData& b, const Place& place_b) {
+  if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
+  const auto p = numbersOf(place_a), q = numbersOf(place_b);
+  return !std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), isBefore);
+}
+
+/// What query(a, place_a, b, place_b) returns of the operands in the kernel's order; in the caller's order again by
+/// swapOperands(result).
+template <typename Place, typename Query, typename SwapOperands>
+auto inKernelOrder(const PolygonData& a, const Place& place_a, const PolygonData& b, const Place& place_b, Query query,
+                   SwapOperands swapOperands) {
+  if (inOrder(a, place_a, b, place_b)) return query(a, place_a, b, place_b);
+  auto result = query(b, place_b, a, place_a);
+  swapOperands(result);
+  return result;
+}
+
+}  // namespace tricover::detail
