@@ -131,8 +131,9 @@ struct Tallies {
 
 // Known deviations, which these shares keep from growing. A contact's point is the middle of its part's hull along the
 // normal, which may lie in a notch or a hole, and of a touch at several places may be between them. The normal leads
-// one stretch of the outlines past the other as if there were no more, and may so run into the next one; from a pinched
-// point, or out of a slot, no normal leads at all. The edges named are then not always those that part last.
+// one stretch of the outlines past the other as if there were no more, and may so run into the next one. Out of a slot,
+// or from a pinched point, no direction leads at all; where a vertex touches a notch's corner, one does, but isn't
+// found. The edges named are then not always those that part last.
 TEST(ContactLaws, HoldOfConvexPairsAndMostlyOfOthers) {
   Tallies tallies;
   for (const Family& family : families()) {
