@@ -22,6 +22,16 @@ MUTATIONS = [
     ("src/numbers/rounding.h", "(1 + (n + 3) / 2 * 2 * kUnitRoundoff)", "(1 + n * kUnitRoundoff)", "roundedUp: the product's own rounding"),
     ("src/numbers/rounding.h", "(1 - (n + 1) * kUnitRoundoff)", "(1 - n * kUnitRoundoff)", "roundedDown: the product's own rounding"),
     ("src/numbers/rounding.h", "? roundedDown<2>(std::sqrt(square)) : 0", "? std::sqrt(square) : 0", "lower bound of a length: rounding"),
+    # Segments, hulls and the operands' order.
+    ("src/numbers/segment.h", "if (square == 0) return v;", "", "nearest point: a segment that is a point"),
+    ("src/numbers/segment.h", "if (s >= 1) return w;", "", "nearest point: beyond the far end"),
+    ("src/numbers/segment.h", "s <= 0.5 ? Vec2(v + s * u) : Vec2(w - (1 - s) * u)", "Vec2(v + s * u)", "nearest point: from one end only (equivalent as far as tests see: by an ulp)"),
+    ("src/numbers/convex_hull.h", "add(*p, lower);", "add(*p, 1);", "hull: the upper chain eats the lower"),
+    ("src/numbers/convex_hull.h", "if (hull.size() == 2 && at(hull[0]) == at(hull[1])) hull.pop_back();", "", "hull: a point said twice"),
+    ("src/numbers/convex_hull.h", ": s.y() < t.y();", ": false;", "hull: points above each other"),
+    ("src/pair/kernel_order.h", "std::signbit(x) && !std::signbit(y)", "false", "order: the two zeros are one"),
+    ("src/pair/kernel_order.h", "a.radius != b.radius ? a.radius > b.radius : a.id < b.id", "a.id < b.id", "order: by age"),
+    ("src/pair/kernel_order.h", "  swapOperands(result);\n", "", "order: results aren't swapped back"),
     # Exact stage.
     ("src/numbers/predicates.cpp", "return u.x * w.y - u.y * w.x;", "return u.x * w.y + u.y * w.x;", "exact: cross product"),
     ("src/numbers/predicates.cpp", "return u.x * w.x + u.y * w.y;", "return u.x * w.x - u.y * w.y;", "exact: dot product"),

@@ -207,19 +207,15 @@ def in_parallel(workers, work, items):
         sys.exit(str(raised[0]))
 
 
-def print_table(mutations, verdicts):
-    rooms = {}
-    for mutation in mutations:
-        verdict = verdicts.get(key_of(mutation), "not run")
-        kind = verdict.split()[0]
-        if kind == "SURVIVED":
-            kind = "equivalent" if "(equivalent" in mutation[3] else "survived"
-        row = rooms.setdefault(mutation[0].rsplit("/", 1)[0], {})
-        row[kind] = row.get(kind, 0) + 1
-    columns = ["killed", "equivalent", "survived", "DOES", "not"]
-    print(f"\n{'room':28}{'mutations':>10}" + "".join(f"{c:>12}" for c in [*columns[:3], "broken", "not run"]))
-    for room, row in [*sorted(rooms.items()), ("all", {c: sum(r.get(c, 0) for r in rooms.values()) for c in columns})]:
-        print(f"{room:28}{sum(row.values()):>10}" + "".join(f"{row.get(c, 0):>12}" for c in columns))
+def print_table(found):
+    rooms, columns = {}, ["killed", "equivalent", "survived", "broken"]
+    for (file, _, _, what), verdict in found.items():
+        kind = {"killed": "killed", "DOES": "broken"}.get(verdict.split()[0], "equivalent" if "(equivalent" in what else "survived")
+        row = rooms.setdefault(file.rsplit("/", 1)[0], dict.fromkeys(columns, 0))
+        row[kind] += 1
+    print(f"\n{'room':28}{'mutations':>10}" + "".join(f"{c:>12}" for c in columns))
+    for room, row in [*sorted(rooms.items()), ("all", {c: sum(r[c] for r in rooms.values()) for c in columns})]:
+        print(f"{room:28}{sum(row.values()):>10}" + "".join(f"{n:>12}" for n in row.values()))
 
 
 def main():
@@ -247,7 +243,8 @@ def main():
     if arguments.again:
         results.unlink(missing_ok=True)
     verdicts = dict(line.split(" ", 1) for line in results.read_text().splitlines()) if results.exists() else {}
-    left = sorted((m for m in mutations if key_of(m) not in verdicts), key=lambda m: m[0])
+    keys = {m: key_of(m) for m in mutations}  # now: the project may change while this runs
+    left = sorted((m for m in mutations if keys[m] not in verdicts), key=lambda m: m[0])
 
     if left:
         tests, lock = Tests(), threading.Lock()
@@ -264,19 +261,20 @@ def main():
             start = time.time()
             verdict = worker.try_mutation(mutation)
             with lock:
-                verdicts[key_of(mutation)] = verdict
+                verdicts[keys[mutation]] = verdict
                 with results.open("a") as file:
-                    print(key_of(mutation), verdict, file=file)
+                    print(keys[mutation], verdict, file=file)
                 print(f"{verdict:70} {mutation[0]}: {mutation[3]} ({time.time() - start:.0f} s)", flush=True)
 
         in_parallel(workers, try_one, left)
-    bad = [m for m in mutations if not verdicts[key_of(m)].startswith("killed") and "(equivalent" not in m[3]]
-    for mutation in bad:
-        print(f"{verdicts[key_of(mutation)]}: {mutation[0]}: {mutation[3]}")
-    for mutation in mutations:
-        if "(equivalent" in mutation[3] and verdicts[key_of(mutation)].startswith("killed"):
-            print(f"marked as equivalent, but {verdicts[key_of(mutation)]}: {mutation[0]}: {mutation[3]}")
-    print_table(mutations, verdicts)
+    found = {m: verdicts[keys[m]] for m in mutations}
+    bad = [m for m in mutations if not found[m].startswith("killed") and "(equivalent" not in m[3]]
+    for m in bad:
+        print(f"{found[m]}: {m[0]}: {m[3]}")
+    for m in mutations:
+        if "(equivalent" in m[3] and found[m].startswith("killed"):
+            print(f"marked as equivalent, but {found[m]}: {m[0]}: {m[3]}")
+    print_table(found)
     return 1 if bad else 0
 
 

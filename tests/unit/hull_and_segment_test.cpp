@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The convex hull by its laws, on a grid where signs are exact; nearest points of segments; the operands' order.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "numbers/convex_hull.h"
+#include "numbers/segment.h"
+#include "pair/kernel_order.h"
+#include "random.h"
+#include "shapes.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::cross;
+using detail::nearestOnSegment;
+
+std::vector<Vec2> hull(std::vector<Vec2> points) {
+  return detail::convexHull(
+      std::move(points), [](const Vec2& p) -> const Vec2& { return p; },
+      [](const Vec2& p, const Vec2& q, const Vec2& r) { return cross(q - p, r - q) > 0; });
+}
+
+TEST(ConvexHull, TurnsLeftAtEveryCornerAndHoldsEveryPoint) {
+  Random random(3);
+  int segments = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const int cells = random.integer(1, 6);
+    std::vector<Vec2> points;
+    for (int n = random.integer(1, 12); n > 0; --n)
+      points.emplace_back(random.integer(0, cells), random.oneIn(5) ? 0 : random.integer(0, cells));
+    const std::vector<Vec2> corners = hull(points);
+    ASSERT_FALSE(corners.empty());
+    segments += corners.size() == 2;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Vec2 &p = corners[k], &q = corners[(k + 1) % corners.size()], &r = corners[(k + 2) % corners.size()];
+      ASSERT_TRUE(std::find(points.begin(), points.end(), p) != points.end());
+      ASSERT_FALSE(corners[0].x() > p.x() || (corners[0].x() == p.x() && corners[0].y() > p.y()));
+      if (corners.size() > 2) {
+        ASSERT_GT(cross(q - p, r - q), 0);
+      }
+      for (const Vec2& point : points) {
+        if (corners.size() > 1) {
+          ASSERT_GE(cross(q - p, point - p), 0);
+        } else {
+          ASSERT_EQ(point, p);
+        }
+      }
+    }
+    if (corners.size() == 2) {
+      ASSERT_NE(corners[0], corners[1]);
+    }
+  }
+  EXPECT_GT(segments, 100);
+  EXPECT_TRUE(hull({}).empty());
+}
+
+TEST(NearestOnSegment, MeetsTheEndsExactly) {
+  const Vec2 v(1, 2), w(4, 6);
+  EXPECT_EQ(nearestOnSegment({-3, -1}, v, w), v);
+  EXPECT_EQ(nearestOnSegment({9, 9}, v, w), w);
+  EXPECT_EQ(nearestOnSegment(v, v, w), v);
+  EXPECT_EQ(nearestOnSegment(w, v, w), w);
+  EXPECT_EQ(nearestOnSegment({7, 7}, v, v), v);  // one point
+  EXPECT_LE((nearestOnSegment({2.5 - 4, 4 + 3}, v, w) - Vec2(2.5, 4)).norm(), 1e-15);
+  EXPECT_EQ(detail::squaredDistanceToSegment({-2, -2}, v, w), 25);
+}
+
+TEST(NearestOnSegment, IsAtARightAngleFromEitherSide) {
+  Random random(4);
+  for (int i = 0; i < 3000; ++i) {
+    const auto point = [&] { return Vec2(random.real(-1, 1), random.real(-1, 1)); };
+    const Vec2 v = point(), w = point(), p = point(), nearest = nearestOnSegment(p, v, w);
+    ASSERT_LE((nearestOnSegment(p, w, v) - nearest).norm(), 1e-14);
+    for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0})
+      ASSERT_GE((v + share * (w - v) - p).norm(), (nearest - p).norm() - 1e-15);
+  }
+}
+
+TEST(KernelOrder, IsTotalAndTellsTheZerosApart) {
+  const Polygon b({rectangle(0, 0, 1, 1)}), c({rectangle(0, 0, 1, 1)}), a({rectangle(0, 0, 3, 3)});
+  const Pose here = Pose::Identity(), there = pose(0.1, 2, 3);
+  // The larger first, whatever the poses; then the older.
+  EXPECT_TRUE(detail::inOrder(a.data(), here, b.data(), there));
+  EXPECT_FALSE(detail::inOrder(b.data(), there, a.data(), here));
+  EXPECT_TRUE(detail::inOrder(b.data(), there, c.data(), here));
+  EXPECT_FALSE(detail::inOrder(c.data(), here, b.data(), there));
+  // Of one polygon, any pose that differs by any entry comes before or after, the sign of a zero included.
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      Pose other = there;
+      other.matrix()(row, column) = nudged(there.matrix()(row, column), 1);
+      ASSERT_NE(detail::inOrder(a.data(), there, a.data(), other), detail::inOrder(a.data(), other, a.data(), there));
+    }
+  }
+  Pose negative = here;
+  negative.translation().x() = -0.0;
+  EXPECT_NE(detail::inOrder(a.data(), here, a.data(), negative), detail::inOrder(a.data(), negative, a.data(), here));
+  EXPECT_TRUE(detail::inOrder(a.data(), there, a.data(), there));
+  // And of one polygon and two motions.
+  const Motion still = Motion::still(there);
+  for (const auto change :
+       {+[](Motion& m) { m.shift.x() = 1; }, +[](Motion& m) { m.shift.y() = 1; }, +[](Motion& m) { m.angle = 1; },
+        +[](Motion& m) { m.pivot.x() = 1; }, +[](Motion& m) { m.pivot.y() = -0.0; }}) {
+    Motion other = still;
+    change(other);
+    EXPECT_NE(detail::inOrder(a.data(), still, a.data(), other), detail::inOrder(a.data(), other, a.data(), still));
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
