@@ -24,6 +24,8 @@ constexpr double kRigidTolerance = 1e-6;
 
 /// Throws std::invalid_argument, naming `name` and the field, unless the pose is finite and rigid within
 /// kRigidTolerance.
+///
+/// \snippet pose.cpp pose
 TRICOVER_EXPORT void checkPose(const Pose& pose, const char* name = "pose");
 
 }  // namespace tricover

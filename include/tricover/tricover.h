@@ -14,3 +14,7 @@
 #include "tricover/svg.h"
 #include "tricover/time_of_impact.h"
 #include "tricover/version.h"
+
+/// Exact collision detection between 2D polygons: a shape, queries about two of them under their poses, and what the
+/// queries answer. It needs Eigen alone.
+namespace tricover {}

@@ -14,6 +14,9 @@
 namespace tricover {
 
 /// The version of the library that the program runs with, as "0.2.0": that of the headers it was built from.
+/// TRICOVER_VERSION, a macro, is the version of the headers that the program is compiled with: 200 for 0.2.0.
+///
+/// \snippet version.cpp version
 TRICOVER_EXPORT const char* version();
 
 }  // namespace tricover

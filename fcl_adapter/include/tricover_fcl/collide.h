@@ -41,11 +41,14 @@ namespace tricover_fcl {
 /// differ by less than 1e-3 of it, the longer may be taken); b1 or b2 of a mesh is its triangle and of an octree its
 /// cell, otherwise NONE. A plane or halfspace parallel to the polygon is left along its own normal. CollideOptions:
 /// margin counts, tolerance and strategy change nothing.
+///
+/// \snippet fcl.cpp fcl collide
 template <typename S>
 TRICOVER_EXPORT std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
                                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
 
+/// The same for two objects, where they are.
 template <typename S>
 TRICOVER_EXPORT std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
                                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
@@ -53,18 +56,22 @@ TRICOVER_EXPORT std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl
 /// The same with what tricover::collide takes; the shapes' margins come on top of options.margin. A broadphase manager
 /// knows nothing of it: its boxes include the shapes' own margins only. Throws std::logic_error if neither is a
 /// polygon.
+///
+/// \snippet fcl.cpp fcl collide with options
 template <typename S>
 TRICOVER_EXPORT std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
                                     const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                                     fcl::CollisionResult<S>& result);
 
+/// The same for two objects, where they are.
 template <typename S>
 TRICOVER_EXPORT std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
                                     const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                                     fcl::CollisionResult<S>& result);
 
 /// fcl::DefaultCollisionFunction on top of it, for any broadphase manager: `data` is an fcl::DefaultCollisionData<S>.
+/// \snippet fcl.cpp fcl collide callback
 template <typename S>
 TRICOVER_EXPORT bool defaultCollisionFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data);
 

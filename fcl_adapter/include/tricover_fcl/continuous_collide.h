@@ -30,6 +30,8 @@ namespace tricover_fcl {
 /// - InterpMotion (CCDM_LINEAR) leaves the point that moves on a straight line uninitialised; here it is the origin.
 /// - ScrewMotion (CCDM_SCREW) without a turn goes on beyond its goal, to its own length times the way. fcl's row for
 ///   polygons takes the goal for the end, but contact_tf1 and contact_tf2, which FCL fills, don't.
+///
+/// \snippet fcl.cpp fcl continuous collide
 template <typename S>
 TRICOVER_EXPORT S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>* motion1,
                                     const fcl::CollisionGeometry<S>* o2, const fcl::MotionBase<S>* motion2,

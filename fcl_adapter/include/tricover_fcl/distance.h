@@ -33,16 +33,20 @@ namespace tricover_fcl {
 ///
 /// Throws std::invalid_argument as collide() does, and std::logic_error where FCL would abort: signed distance under
 /// GST_INDEP, or to a mesh or octree, of geometries that overlap and aren't both occupied.
+///
+/// \snippet fcl.cpp fcl distance
 template <typename S>
 TRICOVER_EXPORT S distance(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                            const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
                            const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);
 
+/// The same for two objects, where they are.
 template <typename S>
 TRICOVER_EXPORT S distance(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
                            const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result);
 
 /// fcl::DefaultDistanceFunction on top of it, for any broadphase manager: `data` is an fcl::DefaultDistanceData<S>.
+/// \snippet fcl.cpp fcl distance callback
 template <typename S>
 TRICOVER_EXPORT bool defaultDistanceFunction(fcl::CollisionObject<S>* o1, fcl::CollisionObject<S>* o2, void* data,
                                              S& distance);

@@ -33,6 +33,8 @@ struct PolygonOptions {
 /// - aabb_local is padded by what FCL drops when it takes a tiny rotation for the identity.
 ///
 /// Volume and moments stay FCL's default, 0: a flat shape has none.
+///
+/// \snippet fcl.cpp shape
 template <typename S>
 class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
@@ -57,8 +59,8 @@ class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
   bool is_flat_;
 };
 
-using PolygonShapef = PolygonShape<float>;
-using PolygonShaped = PolygonShape<double>;
+using PolygonShapef = PolygonShape<float>;   ///< For FCL's float types.
+using PolygonShaped = PolygonShape<double>;  ///< For FCL's double types.
 
 extern template class PolygonShape<float>;
 extern template class PolygonShape<double>;

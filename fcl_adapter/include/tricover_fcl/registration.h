@@ -16,6 +16,8 @@ namespace tricover_fcl {
 /// plane, wherever that lies in space: see "other geometries" at collide, distance and continuousCollide.
 /// std::logic_error, naming both types, is thrown where FCL would print and answer "free": for geometries of no type
 /// that FCL knows, and for fcl::TriangleP, which shares the node type.
+///
+/// \snippet fcl.cpp register
 TRICOVER_EXPORT void registerNarrowphase();
 
 }  // namespace tricover_fcl

@@ -6,3 +6,6 @@
 #include "tricover_fcl/distance.h"
 #include "tricover_fcl/polygon_shape.h"
 #include "tricover_fcl/registration.h"
+
+/// tricover's polygons as shapes of FCL, and FCL's queries about them.
+namespace tricover_fcl {}

@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The API reference has every public free function and class, and each of their descriptions shows an example.
+
+usage: tests/docs/check.py HTML   (the directory that Doxygen wrote)
+
+A free function's declaration begins in the first column, as clang-format leaves it. Of overloads, one example is enough.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DECLARED = re.compile(r"((?:^///[^\n]*\n)*)(?:^template[^\n]*\n)?^(?!using|extern|template|struct|enum|namespace|static_assert)"
+                      r"[A-Za-z][\w:<>,&* ]*?[ &*](\w+)\(", re.MULTILINE)
+CLASS = re.compile(r"((?:^///[^\n]*\n)+)(?:^template[^\n]*\n)?^class (?:TRICOVER\w* )?(\w+)", re.MULTILINE)
+
+
+def main() -> int:
+    html = pathlib.Path(sys.argv[1])
+    wrong = []
+    for folder, namespace in ((ROOT / "include/tricover", "tricover"), (ROOT / "fcl_adapter/include/tricover_fcl", "tricover_fcl")):
+        page = html / f"namespace{namespace.replace('_', '__')}.html"
+        listed = page.read_text() if page.exists() else ""
+        descriptions = {}
+        for header in sorted(folder.glob("*.h")):
+            text = header.read_text()
+            for comment, name in DECLARED.findall(text) + CLASS.findall(text):
+                descriptions.setdefault(name, []).append((header, comment))
+        if not descriptions:
+            wrong.append(f"{folder}: declares nothing")
+        for name, found in descriptions.items():
+            header = found[0][0].relative_to(ROOT)
+            if f">{name}<" not in listed:
+                wrong.append(f"{header}: {namespace}::{name} is not in {page.name}")
+            if not any("\\snippet" in comment for _, comment in found):
+                wrong.append(f"{header}: {namespace}::{name} shows no example")
+            for path, comment in found:
+                if not comment:
+                    wrong.append(f"{path.relative_to(ROOT)}: {namespace}::{name} has an overload without a description")
+    print("\n".join(wrong) or "every function and class is listed and shows an example")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

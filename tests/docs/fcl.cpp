@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/broadphase/default_broadphase_callbacks.h>
+#include <fcl/geometry/shape/sphere.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tricover_fcl/tricover_fcl.h"
+
+namespace {
+
+TEST(Documentation, RegisterNarrowphase) {
+  //! [register]
+  tricover_fcl::registerNarrowphase();  // once, before the first query
+
+  const auto square =
+      std::make_shared<tricover_fcl::PolygonShaped>(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  fcl::CollisionObjectd still(square), moved(square, Eigen::Matrix3d::Identity(), fcl::Vector3d(3, 1, 0));
+  fcl::CollisionRequestd request;
+  fcl::CollisionResultd result;
+  EXPECT_EQ(fcl::collide(&still, &moved, request, result), 1u);  // FCL's own function
+  //! [register]
+}
+
+TEST(Documentation, PolygonShape) {
+  //! [shape]
+  const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  const tricover_fcl::PolygonShaped flat(square);
+  EXPECT_TRUE(flat.isFlat());
+
+  tricover_fcl::PolygonOptions options;
+  options.z_high = 2;     // a prism, from 0 to 2
+  options.margin = 0.25;  // kept free around it
+  const tricover_fcl::PolygonShaped box(square, options);
+  EXPECT_FALSE(box.isFlat());
+  EXPECT_EQ(box.polygon().id(), square.id());  // shares the polygon and what is derived from it
+  //! [shape]
+}
+
+TEST(Documentation, FclCollide) {
+  //! [fcl collide]
+  const tricover_fcl::PolygonShaped square(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  fcl::Transform3d still = fcl::Transform3d::Identity(), moved = still;
+  moved.translation() << 3, 1, 0;
+  fcl::CollisionRequestd request;
+  request.enable_contact = true;
+  fcl::CollisionResultd result;
+  EXPECT_EQ(tricover_fcl::collide(&square, still, &square, moved, request, result), 1u);
+  EXPECT_NEAR(result.getContact(0).penetration_depth, 1, 1e-12);
+  EXPECT_NEAR(result.getContact(0).normal.x(), 1, 1e-12);
+
+  // A geometry of FCL's own meets the polygon in its plane, z = 0.
+  const fcl::Sphered ball(1);
+  moved.translation() << 2, 2, 0.5;
+  fcl::CollisionResultd with_ball;
+  EXPECT_EQ(tricover_fcl::collide<double>(&square, still, &ball, moved, request, with_ball), 1u);
+  //! [fcl collide]
+}
+
+TEST(Documentation, FclCollideWithOptions) {
+  //! [fcl collide with options]
+  const auto square =
+      std::make_shared<tricover_fcl::PolygonShaped>(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  const fcl::CollisionObjectd still(square), moved(square, Eigen::Matrix3d::Identity(), fcl::Vector3d(4.5, 0, 0));
+  tricover::CollideOptions options;
+  options.margin = 0.5;
+  fcl::CollisionResultd result;
+  EXPECT_EQ(tricover_fcl::collide(&still, &moved, fcl::CollisionRequestd(), options, result), 1u);
+  //! [fcl collide with options]
+}
+
+TEST(Documentation, FclCollideCallback) {
+  //! [fcl collide callback]
+  const auto square =
+      std::make_shared<tricover_fcl::PolygonShaped>(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  fcl::CollisionObjectd still(square), moved(square, Eigen::Matrix3d::Identity(), fcl::Vector3d(3, 1, 0));
+  fcl::DynamicAABBTreeCollisionManagerd manager;
+  manager.registerObject(&still);
+  manager.setup();
+  fcl::DefaultCollisionData<double> data;
+  manager.collide(&moved, &data, tricover_fcl::defaultCollisionFunction<double>);
+  EXPECT_TRUE(data.result.isCollision());
+  //! [fcl collide callback]
+}
+
+TEST(Documentation, FclDistance) {
+  //! [fcl distance]
+  const auto square =
+      std::make_shared<tricover_fcl::PolygonShaped>(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  const fcl::CollisionObjectd still(square), moved(square, Eigen::Matrix3d::Identity(), fcl::Vector3d(7, 1, 0));
+  fcl::DistanceResultd result;
+  EXPECT_EQ(tricover_fcl::distance(&still, &moved, fcl::DistanceRequestd(), result), 3);
+  EXPECT_EQ(result.nearest_points[0].x(), 4);
+
+  const fcl::CollisionObjectd inside(square, Eigen::Matrix3d::Identity(), fcl::Vector3d(3, 0, 0));
+  fcl::DistanceRequestd signed_too;
+  signed_too.enable_signed_distance = true;
+  fcl::DistanceResultd depth;
+  EXPECT_NEAR(tricover_fcl::distance(&still, &inside, signed_too, depth), -1, 1e-12);
+  //! [fcl distance]
+}
+
+TEST(Documentation, FclDistanceCallback) {
+  //! [fcl distance callback]
+  const auto square =
+      std::make_shared<tricover_fcl::PolygonShaped>(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  fcl::CollisionObjectd still(square), moved(square, Eigen::Matrix3d::Identity(), fcl::Vector3d(7, 1, 0));
+  fcl::DynamicAABBTreeCollisionManagerd manager;
+  manager.registerObject(&still);
+  manager.setup();
+  fcl::DefaultDistanceData<double> data;
+  manager.distance(&moved, &data, tricover_fcl::defaultDistanceFunction<double>);
+  EXPECT_EQ(data.result.min_distance, 3);
+  //! [fcl distance callback]
+}
+
+TEST(Documentation, FclContinuousCollide) {
+  //! [fcl continuous collide]
+  const tricover_fcl::PolygonShaped square(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  const fcl::Transform3d still = fcl::Transform3d::Identity();
+  fcl::Transform3d begin = still, end = still;
+  begin.translation() << 14, 0, 0;
+  end.translation() << -6, 0, 0;
+  fcl::ContinuousCollisionRequestd request;
+  request.ccd_motion_type = fcl::CCDM_TRANS;
+  fcl::ContinuousCollisionResultd result;
+  const double time =
+      tricover_fcl::continuousCollide<double>(&square, still, still, &square, begin, end, request, result);
+  EXPECT_TRUE(result.is_collide);
+  EXPECT_LE(time, 0.5);  // never later than the first contact
+  EXPECT_GE(time, 0.5 - request.toc_err);
+  //! [fcl continuous collide]
+}
+
+}  // namespace
