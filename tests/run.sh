@@ -1,28 +1,44 @@
 #!/usr/bin/env bash
-# Installs what is missing (Debian, as root or with sudo), builds, and runs every test: optimised, then under AddressSanitizer
-# and UndefinedBehaviorSanitizer, then the threads under ThreadSanitizer, then libFuzzer where clang has it. Prints CTest's
-# closing lines; exits non-zero if a test fails.
+# Installs what is missing (Debian, as root or with sudo), builds, and runs every test: optimised, and on libraries with
+# asserts and sanitizers; then threads under ThreadSanitizer; then, where there is clang, shared libraries that it built
+# and libFuzzer. Prints CTest's closing lines; exits non-zero if a test fails.
+# --fast: only the optimised tests with the label fast. src/README.md says where the time goes.
 set -eu
 cd "$(dirname "$0")/.."
-bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgtest-dev libgmp-dev libompl-dev doxygen
+bash .ci/install build-essential cmake pkg-config libeigen3-dev libfcl-dev libccd-dev libgtest-dev libgmp-dev \
+  libompl-dev doxygen python3
 
-suite() {  # suite <title> <build directory> <targets> <test filter> <cmake options ...>
-  local title=$1 build=$2 targets=$3 filter=$4
+# Ninja compiles across targets and ccache across runs; neither is needed.
+generator=make
+tools=(-DTRICOVER_BUILD_TESTS=ON -DTRICOVER_WERROR=ON)
+if command -v ninja >/dev/null; then generator=ninja tools+=(-G Ninja); fi
+if command -v ccache >/dev/null; then tools+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+
+# suite <title> <build directory> <targets> <ctest's filter> <cmake options ...>
+suite() {
+  local title=$1 build=build/$generator-$2 targets=$3 filter=$4
   shift 4
   echo "== $title"
-  cmake -S . -B "$build" -DTRICOVER_BUILD_TESTS=ON -DTRICOVER_WERROR=ON "$@" >"$build.log" 2>&1 || { cat "$build.log"; return 1; }
+  mkdir -p build
+  cmake -S . -B "$build" "${tools[@]}" "$@" >"$build.log" 2>&1 || { cat "$build.log"; return 1; }
   cmake --build "$build" --target $targets -j "$(nproc)" >>"$build.log" 2>&1 || { tail -n 60 "$build.log"; return 1; }
-  ctest --test-dir "$build" -R "$filter" --output-on-failure -j "$(nproc)"
+  ctest --test-dir "$build" $filter --no-tests=error --output-on-failure -j "$(nproc)"
 }
+TIMEFORMAT="== took %lR, of processors %lU and %lS"
 
-mkdir -p build
-suite "optimised" build/tests all . -DCMAKE_BUILD_TYPE=Release
-# Instrumented code is some ten times slower: fewer random cases.
-export TRICOVER_TEST_SCALE=0.3
-suite "address, undefined" build/sanitize all . -DCMAKE_BUILD_TYPE=Release -DTRICOVER_SANITIZE=address,undefined
-suite "thread" build/thread threads_test threads -DCMAKE_BUILD_TYPE=Release -DTRICOVER_SANITIZE=thread -DTRICOVER_BUILD_FCL=OFF
-if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
-  clang++ -fsanitize=fuzzer -x c++ -o /dev/null - 2>/dev/null; then
-  suite "libFuzzer" build/clang "fuzz_collide_libfuzzer fuzz_locate_libfuzzer fuzz_validation_libfuzzer" libfuzzer \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DTRICOVER_BUILD_FCL=OFF
+if [ "${1-}" = --fast ]; then
+  time suite "fast" tests all "-L fast" -DCMAKE_BUILD_TYPE=Release
+  exit
+fi
+time suite "optimised; and with asserts and sanitizers" tests all "" -DCMAKE_BUILD_TYPE=Release -DTRICOVER_TEST_CHECKED=ON
+time suite "threads" threads threads_test "-R threads" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
+  -DTRICOVER_SANITIZE=thread -DTRICOVER_BUILD_FCL=OFF
+if command -v clang++ >/dev/null; then
+  targets="tricover tricover_fcl" filter="-R consumer"
+  if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+    clang++ -fsanitize=fuzzer -x c++ -o /dev/null - 2>/dev/null; then
+    targets+=" fuzz_collide_libfuzzer fuzz_locate_libfuzzer fuzz_validation_libfuzzer" filter+="|libfuzzer"
+  fi
+  time suite "clang: shared libraries, libFuzzer" clang "$targets" "$filter" -DCMAKE_CXX_COMPILER=clang++ \
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DBUILD_SHARED_LIBS=ON
 fi

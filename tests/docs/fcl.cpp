@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <stdexcept>
 
 #include "tricover_fcl/tricover_fcl.h"
 
@@ -21,6 +22,15 @@ TEST(Documentation, RegisterNarrowphase) {
   fcl::CollisionResultd result;
   EXPECT_EQ(fcl::collide(&still, &moved, request, result), 1u);  // FCL's own function
   //! [register]
+}
+
+TEST(Documentation, FclLayout) {
+  //! [layout]
+  tricover_fcl::checkFclLayout();  // registerNarrowphase() does that, too
+  tricover_fcl::FclLayout patched;
+  patched.sphere += 8;
+  EXPECT_THROW(tricover_fcl::checkFclLayout(patched), std::logic_error);
+  //! [layout]
 }
 
 TEST(Documentation, PolygonShape) {

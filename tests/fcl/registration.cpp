@@ -4,6 +4,7 @@
 #include <fcl/narrowphase/collision.h>
 
 #include <atomic>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -30,6 +31,16 @@ class Registration : public ::testing::Environment {
 };
 
 const ::testing::Environment* const registration = ::testing::AddGlobalTestEnvironment(new Registration);
+
+TEST(Registration, refusesAnotherFcl) {
+  EXPECT_NO_THROW(checkFclLayout());
+  FclLayout patched;
+  patched.sphere += 8;
+  EXPECT_THROW(checkFclLayout(patched), std::logic_error);
+  FclLayout avx;
+  avx.alignment *= 2;
+  EXPECT_THROW(checkFclLayout(avx), std::logic_error);
+}
 
 TEST(Registration, canBeRepeated) { EXPECT_NO_THROW(registerNarrowphase()); }
 

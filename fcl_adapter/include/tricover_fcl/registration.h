@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tricover/export.h"
+#include "tricover_fcl/fcl_layout.h"
 
 namespace tricover_fcl {
 
@@ -17,7 +18,18 @@ namespace tricover_fcl {
 /// std::logic_error, naming both types, is thrown where FCL would print and answer "free": for geometries of no type
 /// that FCL knows, and for fcl::TriangleP, which shares the node type.
 ///
+/// Calls checkFclLayout() first, which throws std::logic_error if this was compiled with another FCL than tricover.
+///
 /// \snippet fcl.cpp register
+inline void registerNarrowphase();
+
+namespace detail {
 TRICOVER_EXPORT void registerNarrowphase();
+}
+
+inline void registerNarrowphase() {
+  checkFclLayout();
+  detail::registerNarrowphase();
+}
 
 }  // namespace tricover_fcl

@@ -70,7 +70,7 @@ bool registerOnce() {
 
 }  // namespace
 
-void registerNarrowphase() {
+void detail::registerNarrowphase() {
   static const bool registered = registerOnce();  // by one thread, the others wait; tried again if it throws
   static_cast<void>(registered);
 }
