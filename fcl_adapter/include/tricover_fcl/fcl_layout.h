@@ -21,16 +21,16 @@ namespace tricover_fcl {
 /// copy, or compiler flags that align Eigen's matrices otherwise (-march=native, -mavx) make types of the same names
 /// that can't be exchanged. An aggregate whose defaults are what is seen here.
 struct FclLayout {
-  std::size_t version = FCL_MAJOR_VERSION * 100 + FCL_MINOR_VERSION;  ///< 7 is 0.7
-  std::size_t alignment = EIGEN_MAX_ALIGN_BYTES;                      ///< of Eigen's matrices, in bytes
-  std::size_t sphere = sizeof(fcl::Sphere<double>);                   ///< bytes, as all below
-  std::size_t object = sizeof(fcl::CollisionObject<double>);
-  std::size_t collision_request = sizeof(fcl::CollisionRequest<double>);
-  std::size_t collision_result = sizeof(fcl::CollisionResult<double>);
-  std::size_t distance_request = sizeof(fcl::DistanceRequest<double>);
-  std::size_t distance_result = sizeof(fcl::DistanceResult<double>);
-  std::size_t continuous_request = sizeof(fcl::ContinuousCollisionRequest<double>);
-  std::size_t continuous_result = sizeof(fcl::ContinuousCollisionResult<double>);
+  std::size_t version = FCL_MAJOR_VERSION * 100 + FCL_MINOR_VERSION;                 ///< 7 is 0.7
+  std::size_t alignment = EIGEN_MAX_ALIGN_BYTES;                                     ///< of Eigen's matrices, in bytes
+  std::size_t sphere = sizeof(fcl::Sphere<double>);                                  ///< in bytes
+  std::size_t object = sizeof(fcl::CollisionObject<double>);                         ///< see sphere
+  std::size_t collision_request = sizeof(fcl::CollisionRequest<double>);             ///< see sphere
+  std::size_t collision_result = sizeof(fcl::CollisionResult<double>);               ///< see sphere
+  std::size_t distance_request = sizeof(fcl::DistanceRequest<double>);               ///< see sphere
+  std::size_t distance_result = sizeof(fcl::DistanceResult<double>);                 ///< see sphere
+  std::size_t continuous_request = sizeof(fcl::ContinuousCollisionRequest<double>);  ///< see sphere
+  std::size_t continuous_result = sizeof(fcl::ContinuousCollisionResult<double>);    ///< see sphere
 };
 
 /// Throws std::logic_error, naming what differs, unless the caller sees FCL as tricover did when it was built.

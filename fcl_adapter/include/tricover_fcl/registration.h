@@ -6,6 +6,11 @@
 
 namespace tricover_fcl {
 
+namespace detail {
+/// What the library does of it.
+TRICOVER_EXPORT void registerNarrowphase();
+}  // namespace detail
+
 /// Makes fcl::collide, fcl::distance and fcl::continuousCollide answer for PolygonShape: geometries and
 /// CollisionObjects, float and double, both GJK solver types, both orders, and so every broadphase manager. Call it
 /// once before the first query, from any thread; more calls cost nothing. It asks FCL's public entry points about known
@@ -21,12 +26,6 @@ namespace tricover_fcl {
 /// Calls checkFclLayout() first, which throws std::logic_error if this was compiled with another FCL than tricover.
 ///
 /// \snippet fcl.cpp register
-inline void registerNarrowphase();
-
-namespace detail {
-TRICOVER_EXPORT void registerNarrowphase();
-}
-
 inline void registerNarrowphase() {
   checkFclLayout();
   detail::registerNarrowphase();
