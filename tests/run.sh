@@ -40,5 +40,5 @@ if command -v clang++ >/dev/null; then
     targets+=" fuzz_collide_libfuzzer fuzz_locate_libfuzzer fuzz_validation_libfuzzer" filter+="|libfuzzer"
   fi
   time suite "clang: shared libraries, libFuzzer" clang "$targets" "$filter" -DCMAKE_CXX_COMPILER=clang++ \
-    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DBUILD_SHARED_LIBS=ON
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DBUILD_SHARED_LIBS=ON
 fi
