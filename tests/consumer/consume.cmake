@@ -28,7 +28,7 @@ refuse("tricover has no component gjk" -DCOMPONENT=gjk)
 refuse("builds an FCL of its own \\(target fcl\\)" -DCOMPONENT=fcl -DOWN_FCL=ON)
 
 # With pkg-config.
-file(GLOB_RECURSE pc_file ${WORK}/prefix/*/tricover-fcl.pc)
+file(GLOB_RECURSE pc_file ${WORK}/prefix/tricover-fcl.pc)
 cmake_path(GET pc_file PARENT_PATH ENV{PKG_CONFIG_PATH})
 cmake_path(GET pc_file PARENT_PATH libraries)
 cmake_path(GET libraries PARENT_PATH libraries)
