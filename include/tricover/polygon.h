@@ -40,8 +40,8 @@ struct CoveringTriangle {
 /// \snippet polygon.cpp polygon
 class TRICOVER_EXPORT Polygon {
  public:
-  /// Throws std::invalid_argument, naming ring and vertex, for no ring, fewer than three vertices in a ring, or a
-  /// coordinate that is not finite.
+  /// Throws std::invalid_argument, naming ring and vertex, for no ring, fewer than three vertices in a ring, a
+  /// coordinate that is not finite, or more than 2^29 vertices in all (one more counted for each ring).
   explicit Polygon(std::vector<Ring> rings, FillRule fill = FillRule::EvenOdd);
 
   const std::vector<Ring>& rings() const;  ///< As they were given.

@@ -8,11 +8,11 @@
 #include "apart/edge_distance.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/containment.h"
 #include "pair/discs.h"
 #include "pair/edge_pairs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
-#include "pair/strategy.h"
 
 namespace tricover {
 namespace detail {
@@ -302,9 +302,8 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
       if (search.refresh(*cache, remainder, shown)) storePoses();
       return answer();
     }
-    constexpr double kStepsAhead = 32;
     const double ahead = kStepsAhead * remainder.motion / (cache->uses + 1.0);
-    search.lookAhead(remainder.motion <= 0.25 * pair.b.radius ? std::min(ahead, pair.b.radius) : 0);
+    search.lookAhead(remainder.motion <= kCoherentPart * pair.b.radius ? std::min(ahead, pair.b.radius) : 0);
   } else if (cache != nullptr) {
     *cache = DistanceCache();
     cache->first_id = pair.a.id;

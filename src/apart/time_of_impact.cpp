@@ -10,8 +10,8 @@
 #include "apart/moving_pair.h"
 #include "apart/window_cutter.h"
 #include "numbers/errors.h"
+#include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
-#include "pair/strategy.h"
 
 namespace tricover {
 namespace detail {

@@ -2,23 +2,38 @@
 #include "hierarchy/hierarchy.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
 #include "hierarchy/inner_discs.h"
 #include "hierarchy/small_convex.h"
-#include "numbers/errors.h"
+#include "numbers/rounding.h"
 
 namespace tricover::detail {
 namespace {
 
-/// What a float box must be grown by, in its block's scale, to hold what it held in doubles: 2^-24 for rounding the
-/// centre, 2^-23 for the axis, 2^-23 for the extents themselves; the rest for the doubles it was fitted with (2^-52
-/// units, where a scale is at least 2^-30).
+/// Blocks aren't scaled below twice this, in units.
+constexpr double kSmallestSize = 0x1p-27;
+
+/// What a float box is grown by, in its block's scale, to hold its chain, all of which is within 1 there:
+///   the centre's coordinates are rounded by 2^-25 each, so that in no direction it moves by more than
+constexpr double kOfCenter = 0x1p-24;
+///   nor does the axis, of length 1, and with it nothing that is within 1 of the centre;
+constexpr double kOfAxis = 0x1p-24;
+///   an extent, grown beyond 1 perhaps, is rounded by
+constexpr double kOfExtent = 0x1p-24;
+///   the doubles that the box was fitted with are wrong by up to 13U units: a projection by 2 roundings and by the
+///   axis' length (3U), the middle and the extent by 1 each, the centre in any direction by 3 and again by that length.
+constexpr double kOfFit = (2 + 3 + 1 + 1 + 3 + 3) * kUnitRoundoff / (2 * kSmallestSize);
 constexpr double kOutwards = 0x1p-21;
-constexpr double kSmallestScale = 0x1p-30;
+/// What must be left, for what is computed with the box's axis.
+constexpr double kSpared = 0x1p-23;
+static_assert(kOfCenter + kOfAxis + kOfExtent + kOfFit + kSpared <= kOutwards);
+
+/// A shorter chord gives its box no direction, in units.
+constexpr double kShortestChord = 0x1p-60;
 
 struct FittedBox {
   Vec2 center, axis;
@@ -65,7 +80,7 @@ class Builder {
 
   FittedBox fit(const Part& part, const Vec2& direction) const {
     const double length = direction.norm();
-    const Vec2 axis = length > kSmallestScale * kSmallestScale ? Vec2(direction / length) : Vec2(1, 0);
+    const Vec2 axis = length > kShortestChord ? Vec2(direction / length) : Vec2(1, 0);
     double low_u = std::numeric_limits<double>::infinity(), high_u = -low_u, low_v = low_u, high_v = -low_u;
     forEachChain(part, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i <= end; ++i) {
@@ -97,6 +112,21 @@ class Builder {
             static_cast<float>(box.axis.y()),
             static_cast<float>(box.along * inverse + kOutwards),
             static_cast<float>(box.across * inverse + kOutwards)};
+  }
+
+  /// Whether a lane's box holds its part, and has room to spare.
+  [[maybe_unused]] bool holds(const Block& block, std::size_t i, const Part& part) const {
+    const double ux = block.ux[i], uy = block.uy[i], length = std::hypot(ux, uy);
+    bool all = true;
+    forEachChain(part, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k <= end; ++k) {
+        const double x = (local_[k].x() - block.origin_x) * block.inverse - block.x[i];
+        const double y = (local_[k].y() - block.origin_y) * block.inverse - block.y[i];
+        all = all && std::abs(x * ux + y * uy) <= (block.along[i] - kSpared) * length &&
+              std::abs(y * ux - x * uy) <= (block.across[i] - kSpared) * length;
+      }
+    });
+    return all;
   }
 
   /// Rings order[begin, end) halved along the longer side of their first vertices' bounding box.
@@ -162,7 +192,7 @@ class Builder {
       high = high.cwiseMax(box.center);
     }
     const Vec2 origin = 0.5 * (low + high);
-    double size = kSmallestScale;
+    double size = kSmallestSize;
     for (const FittedBox& box : boxes)
       size = std::max(size, (box.center - origin).lpNorm<Eigen::Infinity>() + box.along + box.across);
     const double scale = std::ldexp(1, std::ilogb(size) + 1);
@@ -183,6 +213,7 @@ class Builder {
       block.along[i] = box.along;
       block.across[i] = box.across;
       if (i >= parts.size()) continue;
+      assert(!polygon_.fitsUnit() || holds(block, i, parts[i]));
       if (!parts[i].rings) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
       if (leaf) block.child[i] = static_cast<std::uint32_t>(parts[i].begin);
     }
@@ -202,17 +233,34 @@ class Builder {
   std::vector<std::uint32_t> order_;
 };
 
+/// Whether every block but the first is the child of one before it, and every lane of a leaf an edge of its own.
+[[maybe_unused]] bool isTree(const Hierarchy& hierarchy, const PolygonData& polygon) {
+  std::vector<bool> is_child(hierarchy.blocks.size(), false), has_leaf(polygon.path.size(), false);
+  std::size_t children = 0, edges = 0;
+  for (std::size_t k = 0; k < hierarchy.blocks.size(); ++k) {
+    const Block& block = hierarchy.blocks[k];
+    if (block.count < 1 || block.count > kLanes) return false;
+    for (int i = 0; i < block.count; ++i) {
+      const std::size_t child = block.child[i];
+      std::vector<bool>& met = block.leaf ? has_leaf : is_child;
+      if (child >= met.size() || met[child] || (!block.leaf && child <= k)) return false;
+      met[child] = true;
+      ++(block.leaf ? edges : children);
+    }
+  }
+  return children + 1 == hierarchy.blocks.size() && edges == polygon.path.size() - polygon.ringCount();
+}
+
 }  // namespace
 
 Hierarchy::Hierarchy(const PolygonData& polygon) {
-  if (polygon.path.size() >= std::numeric_limits<std::uint32_t>::max() / kLanes)
-    throw std::length_error(refusal("rings", "more than 2^29 vertices"));
   std::vector<Vec2> local;
   local.reserve(polygon.path.size());
   for (const Vec2& p : polygon.path) local.push_back(polygon.inUnits(p));
   blocks.reserve(polygon.path.size() / (kLanes / 2) + 1);
   Builder(polygon, local, *this);
   blocks.shrink_to_fit();
+  assert(isTree(*this, polygon));
   findInnerDiscs(polygon, local, *this);
   small_convex = makeSmallConvex(polygon, local);
 }

@@ -64,6 +64,8 @@ struct Hierarchy {
   std::unique_ptr<const SmallConvex> small_convex;  ///< null unless the polygon is one
 };
 
+static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");
+
 /// The hierarchy if it has been built, otherwise null.
 inline const Hierarchy* hierarchyIfBuilt(const PolygonData& polygon) {
   return static_cast<const Hierarchy*>(polygon.derived.ifBuilt());

@@ -13,7 +13,7 @@ bool addAlongRay(CoveringSum& sum, const Hierarchy& hierarchy) {
   const ApproxPoint& p = sum.point().approx;
   const Vec2 at = polygon.inUnits({p.x, p.y}), away = at - polygon.inUnits(sum.origin());
   const double distance = away.norm(), error = p.error * polygon.inverse_unit + 0x1p-50;
-  if (!(distance > 0x1p-10 && error < 0x1p-20 && polygon.radius <= polygon.unit)) return false;
+  if (!(distance > 0x1p-10 && error < 0x1p-20 && polygon.fitsUnit())) return false;
   // The direction turns by at most 4 error / distance, and nothing is farther away than 4.
   const Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
   const auto add = [](void* context, std::uint32_t edge) { return static_cast<CoveringSum*>(context)->add(edge); };

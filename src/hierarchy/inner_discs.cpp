@@ -2,6 +2,7 @@
 #include "hierarchy/inner_discs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -37,44 +38,45 @@ double depth(const PolygonData& polygon, const std::vector<Vec2>& local, const V
   return inside ? std::sqrt(square) : -std::sqrt(square);
 }
 
-struct Candidate {
+/// A disc that may be in the region.
+struct Guess {
   Vec2 center;
   double depth;
 };
 
 /// Up to kLanes large discs, the first one the largest. A search on a thinned outline, in rounded numbers: what it
 /// finds has to be proven.
-std::vector<Candidate> search(const PolygonData& polygon, const std::vector<Vec2>& local, const Box& root) {
+std::vector<Guess> search(const PolygonData& polygon, const std::vector<Vec2>& local, const Box& root) {
   constexpr std::size_t kSearched = 128;
   const std::size_t stride = local.size() / kSearched + 1;
-  const auto candidate = [&](const Vec2& p) { return Candidate{p, depth(polygon, local, p, stride)}; };
+  const auto guess = [&](const Vec2& p) { return Guess{p, depth(polygon, local, p, stride)}; };
 
   // The largest, uphill from near S (but not where symmetry would need the exact stage).
-  Candidate best = candidate(Vec2(0x1.8p-11, 0x1.2p-12));
+  Guess best = guess(Vec2(0x1.8p-11, 0x1.2p-12));
   for (double step = 0.4; step > 0.02; step *= best.depth > 0 ? 0.5 : 0.7) {
     const Vec2 from = best.center;
     for (const Vec2& way : {Vec2(step, 0), Vec2(-step, 0), Vec2(0, step), Vec2(0, -step)}) {
-      const Candidate other = candidate(from + way);
+      const Guess other = guess(from + way);
       if (other.depth > best.depth) best = other;
     }
   }
   // The others, from a grid over the box around everything: each time the largest whose centre no disc holds yet.
   const int along = local.size() < 32 ? 6 : 10, across = local.size() < 32 ? 2 : 4;
-  std::vector<Candidate> grid;
+  std::vector<Guess> grid;
   for (int i = 0; i < along * across; ++i) {
     const double u = root.along * ((2.0 * (i % along) + 1) / along - 1);
     const double v = root.across * ((2.0 * (i / along) + 1) / across - 1);
-    const Candidate found = candidate({root.x + u * root.ux - v * root.uy, root.y + u * root.uy + v * root.ux});
+    const Guess found = guess({root.x + u * root.ux - v * root.uy, root.y + u * root.uy + v * root.ux});
     if (found.depth > 0) grid.push_back(found);
     if (found.depth > best.depth) best = found;
   }
-  std::vector<Candidate> chosen;
-  for (Candidate next = best; next.depth > 0 && chosen.size() < kLanes;) {
+  std::vector<Guess> chosen;
+  for (Guess next = best; next.depth > 0 && chosen.size() < kLanes;) {
     chosen.push_back(next);
-    const auto held = [&](const Candidate& c) { return (c.center - next.center).norm() < next.depth; };
+    const auto held = [&](const Guess& g) { return (g.center - next.center).norm() < next.depth; };
     grid.erase(std::remove_if(grid.begin(), grid.end(), held), grid.end());
-    const auto largest = std::max_element(grid.begin(), grid.end(),
-                                          [](const Candidate& p, const Candidate& q) { return p.depth < q.depth; });
+    const auto largest =
+        std::max_element(grid.begin(), grid.end(), [](const Guess& p, const Guess& q) { return p.depth < q.depth; });
     if (largest == grid.end()) break;
     next = *largest;
   }
@@ -87,12 +89,24 @@ double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, 
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
       square = std::min(square, squareDistance(center, local[e], local[e + 1]));
-  // Rounding the centre to floats moves it by less than 2^-23 units (coordinates are below 1 where discs are used), all
-  // else by far less, but taking it back to the polygon's frame (by an ulp of S, which may be far off).
-  const double radius = std::sqrt(square) - 0x1p-22 - 4 * kUnitRoundoff * (polygon.extent / polygon.unit);
+  // Distances of points below 2 units are computed with less than 32 U of error. Taking the centre back to the
+  // polygon's frame rounds it, in either coordinate, by U of the product and of the sum with S, which may be far off.
+  constexpr double kRoom = 0x1p-22;
+  static_assert(32 * kUnitRoundoff <= kRoom);
+  const double radius = std::sqrt(square) - kRoom - 4 * kUnitRoundoff * (polygon.extent / polygon.unit);
   const Vec2 p = polygon.origin + center * polygon.unit;
   if (!(radius > 0) || !std::isfinite(radius * polygon.unit) || !p.allFinite()) return 0;
   return includeInCovering(polygon, IncludedPoint::ofFrame(p)).location == Location::Inside ? radius : 0;
+}
+
+/// Exactly, as far as a radius less an ulp is the radius.
+[[maybe_unused]] bool isInRegion(const PolygonData& polygon, const Vec2& center, double radius) {
+  const double within = std::nextafter(radius, 0);
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
+      if (withinExact({nullptr, center}, {nullptr, polygon.path[e]}, {nullptr, polygon.path[e + 1]}, within))
+        return false;
+  return includeInCovering(polygon, IncludedPoint::ofFrame(center)).location == Location::Inside;
 }
 
 }  // namespace
@@ -105,10 +119,10 @@ void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, 
   hierarchy.inner_center = polygon.origin;
   hierarchy.inner_radius = 0;
   int largest = 0;
-  for (const Candidate& candidate : search(polygon, local, hierarchy.root)) {
+  for (const Guess& guess : search(polygon, local, hierarchy.root)) {
     const int k = discs.count;
-    discs.x[k] = static_cast<float>(candidate.center.x());
-    discs.y[k] = static_cast<float>(candidate.center.y());
+    discs.x[k] = static_cast<float>(guess.center.x());
+    discs.y[k] = static_cast<float>(guess.center.y());
     const double radius = provenRadius(polygon, local, Vec2(discs.x[k], discs.y[k]));
     if (!(radius > 0)) continue;
     discs.radius[k] = static_cast<float>(radius * (1 - 0x1p-22));
@@ -123,6 +137,7 @@ void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, 
   std::swap(discs.radius[0], discs.radius[largest]);
   hierarchy.inner_center = polygon.origin + Vec2(discs.x[0], discs.y[0]) * polygon.unit;
   hierarchy.inner_radius = discs.radius[0] * polygon.unit;
+  assert(isInRegion(polygon, hierarchy.inner_center, hierarchy.inner_radius));
 }
 
 }  // namespace tricover::detail

@@ -2,34 +2,44 @@
 #pragma once
 
 #include "hierarchy/hierarchy.h"
-#include "pair/posed_pair.h"
+#include "hierarchy/unit_map.h"
 
-/// Descents of the hierarchy, eight boxes at a time. wide_body.h has them once; wide.cpp compiles it for AVX2 and for
-/// whatever the target has (SSE2, NEON), and picks by what the processor has. No operation is fused or reordered, so
-/// both give the same bits.
+/// Descents of the hierarchy, eight boxes at a time. wide_descent.h and wide_shapes.h have them once, as templates over
+/// the eight lanes; wide_portable.cpp and wide_avx2.cpp instantiate them for whatever the target has (SSE2, NEON) and
+/// for AVX2, and wide.cpp picks by what the processor has. No operation is fused or reordered, so both give the same
+/// bits.
 namespace tricover::detail {
 
-/// p -> scale r p + t, from one hierarchy's units to the other's.
-struct UnitMap {
-  double r00, r01, r10, r11, tx, ty, scale;
-  double error;  ///< a mapped point is no farther than this from the true one
-};
+/// What a gap may be too large by, computed in floats: relative to the sum of what it is computed from, the query's
+/// coordinates and extents in the block's scale, |x| + |y| + along + across + 4. There a block's boxes are within 1 of
+/// the origin in either coordinate, and no larger than 1.
+///
+/// A float is rounded by 2^-24 of itself. On its way into a gap a difference of coordinates is so 6 times at most
+/// (converted, subtracted, times an axis that is converted, too, added, and the gap itself), and an extent 9 times (4
+/// in the cosine, then the product, two sums, and the gap; 1 for an axis that isn't quite of unit length).
+///   Differences: 6 (|x| + |y| + 2). Extents: 9 (along + across + 1). Together at most 9 of the sum above.
+/// The rest, three times as much, is for what the kinds of gaps do to it: 1.4143 along a diagonal, 4 roundings of the
+/// centres' distance; and for a block's extents, which are rounded outwards beyond 1.
+constexpr double kFloatRoundoff = 0x1p-24, kGapRounding = 0x1p-19;
+static_assert(kGapRounding >= 3 * 9 * kFloatRoundoff && 6 * 2 + 9 * 1 <= 9 * 4);
 
-/// What a descent of two hierarchies needs to know. Lengths are in a's units.
+/// Two hierarchies, each with its polygon, as a descent sees them. Lengths are in a's units.
 struct Descent {
-  const PosedPair& pair;
+  const PolygonData &polygon_a, &polygon_b;
   const Hierarchy &a, &b;
   UnitMap to_a;
-  double rounding;           ///< of a gap in a block's scale, relative to the coordinates it is computed from
-  double reach;              ///< edges beyond can't make a hit
-  double limit;              ///< boxes beyond aren't entered: reach + lookahead
-  double accept;             ///< regions that are proven closer are a hit without asking edges; negative: never
-  double margin, tolerance;  ///< world lengths, for the edges
-  bool wants_clearance;
+  double rounding;  ///< of a gap in a block's scale, relative to the coordinates it is computed from
+  double limit;     ///< boxes beyond aren't entered
 };
 
-/// The way back. Entries of R are wrong by 9U, those of its inverse by 13U.
-UnitMap inverse(const UnitMap& map);
+/// Which edges make a hit. Lengths are in a's units.
+struct HitTest {
+  const void* context;
+  bool (*meet)(const void* context, std::size_t edge_a, std::size_t edge_b);  ///< edges by their positions
+  double reach;                                                               ///< edges beyond can't make a hit
+  double accept;  ///< regions that are proven closer are a hit without asking edges; negative: never
+  bool wants_clearance;
+};
 
 struct DescentResult {
   bool hit;
@@ -37,8 +47,8 @@ struct DescentResult {
   std::int64_t edge_a, edge_b;  ///< of a hit; -1 if `accept` answered
 };
 
-/// Deepest box first.
-DescentResult descend(const Descent& descent);
+/// The first pair of edges that makes a hit, deepest box first.
+DescentResult findHit(const Descent& descent, const HitTest& test);
 
 /// Lengths in a's units. Both return the limit beyond which no more pairs need to be shown; negative ends the visit.
 struct PairVisitor {
@@ -49,9 +59,8 @@ struct PairVisitor {
   double (*narrow)(void* context, double length);
 };
 
-/// Shows every pair of edges that may be within the limit, near ones roughly first. Of the descent, only its limit
-/// counts.
-void visitPairs(const Descent& descent, const PairVisitor& visitor);
+/// Shows every pair of edges that may be within the limit, near ones roughly first.
+void showPairs(const Descent& descent, const PairVisitor& visitor);
 
 /// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
 /// as for convexMeet().

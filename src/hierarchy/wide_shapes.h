@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ray, small convex polygons and inner discs. Part of wide_body.h.
+// A ray, small convex polygons and inner discs. See wide_gaps.h for Lanes.
+#pragma once
 
-TRICOVER_TARGET void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t),
-                                     void* context) {
+#include "hierarchy/wide_gaps.h"
+
+namespace tricover::detail::wide {
+
+template <class Lanes>
+void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
   std::uint32_t stack[(kLanes - 1) * kMaxDepth + 1];
   int top = 0;
   stack[top++] = 0;
@@ -15,12 +20,13 @@ TRICOVER_TARGET void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray,
     const float x = static_cast<float>(px), y = static_cast<float>(py), room = static_cast<float>(slack);
     unsigned near = (1u << block.count) - 1;
     if (room < 1e30f) {
-      const Lanes ux = load(block.ux), uy = load(block.uy), along = load(block.along), across = load(block.across);
-      const Lanes ex = load(block.x) - x, ey = load(block.y) - y;
+      const Lanes ux = Lanes::load(block.ux), uy = Lanes::load(block.uy), along = Lanes::load(block.along),
+                  across = Lanes::load(block.across);
+      const Lanes ex = Lanes::load(block.x) - x, ey = Lanes::load(block.y) - y;
       const Lanes c = absolute(ux * dx + uy * dy), s = absolute(ux * dy - uy * dx);
       const Lanes beside = absolute(ey * dx - ex * dy) - (along * s + across * c);
-      const Lanes behind = (all(0) - (ex * dx + ey * dy)) - (along * c + across * s);
-      near &= ~above(larger(beside, behind), all(room));
+      const Lanes behind = (Lanes::all(0) - (ex * dx + ey * dy)) - (along * c + across * s);
+      near &= ~above(larger(beside, behind), Lanes::all(room));
     }
     for (; near != 0; near &= near - 1) {
       const int i = __builtin_ctz(near);
@@ -33,65 +39,73 @@ TRICOVER_TARGET void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray,
 }
 
 /// By how much the vertex of q that is farthest back is beyond each edge of eight; at most that, over all q.
-TRICOVER_INLINE Lanes beyond(Lanes nx, Lanes ny, Lanes d, const float* qx, const float* qy, int count) {
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes beyond(Lanes nx, Lanes ny, Lanes d, const float* qx, const float* qy, int count) {
   Lanes least = nx * qx[0] + ny * qy[0];
   for (int j = 1; j < count; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
   return least - d;
 }
 
+static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
+
 /// Convex polygons are apart if and only if some edge of either has all of the other beyond it. Rounding: points,
-/// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24.
-TRICOVER_TARGET Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
+/// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24; 8 times a
+/// gap's rounding is more.
+template <class Lanes>
+Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
   const float slack = static_cast<float>(8 * rounding + map.error);
   float x[SmallConvex::kMost], y[SmallConvex::kMost];
   for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bx = load(b.x + i) * scale, by = load(b.y + i) * scale;
-    store(x + i, bx * r00 + by * r01 + tx);
-    store(y + i, bx * r10 + by * r11 + ty);
+    const Lanes bx = Lanes::load(b.x + i) * scale, by = Lanes::load(b.y + i) * scale;
+    (bx * r00 + by * r01 + tx).store(x + i);
+    (bx * r10 + by * r11 + ty).store(y + i);
   }
   unsigned inside = (1u << kLanes) - 1;
   for (int i = 0; i < a.lanes; i += kLanes) {
-    const Lanes out = beyond(load(a.nx + i), load(a.ny + i), load(a.d + i), x, y, b.lanes);
-    if (above(out, all(slack)) != 0) return Meeting::Apart;
-    inside &= above(all(-slack), out);
+    const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
+    if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
+    inside &= above(Lanes::all(-slack), out);
   }
   for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bnx = load(b.nx + i), bny = load(b.ny + i);
+    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
     const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
-    const Lanes d = load(b.d + i) * scale + nx * tx + ny * ty;
+    const Lanes d = Lanes::load(b.d + i) * scale + nx * tx + ny * ty;
     const Lanes out = beyond(nx, ny, d, a.x, a.y, a.lanes);
-    if (above(out, all(slack)) != 0) return Meeting::Apart;
-    inside &= above(all(-slack), out);
+    if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
+    inside &= above(Lanes::all(-slack), out);
   }
   return inside == (1u << kLanes) - 1 ? Meeting::Meet : Meeting::Unknown;
 }
 
 /// Rounding as in convexMeet(). With s the sum of two radii and d the distance of the centres, s - d >= (s^2 - d^2) /
 /// (2 s) where that is positive.
-TRICOVER_TARGET double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
+template <class Lanes>
+double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
   const float slack = static_cast<float>(8 * rounding + map.error);
   const float reach = a.reach + b.reach * scale;
   if (tx * tx + ty * ty > reach * reach) return 0;
-  const Lanes bx = load(b.x) * scale, by = load(b.y) * scale;
+  const Lanes bx = Lanes::load(b.x) * scale, by = Lanes::load(b.y) * scale;
   float x[kLanes], y[kLanes], radius[kLanes];
-  store(x, bx * r00 + by * r01 + tx);
-  store(y, bx * r10 + by * r11 + ty);
-  store(radius, load(b.radius) * scale - slack);
-  const Lanes ax = load(a.x), ay = load(a.y), a_radius = load(a.radius);
-  Lanes most = all(0);
+  (bx * r00 + by * r01 + tx).store(x);
+  (bx * r10 + by * r11 + ty).store(y);
+  (Lanes::load(b.radius) * scale - slack).store(radius);
+  const Lanes ax = Lanes::load(a.x), ay = Lanes::load(a.y), a_radius = Lanes::load(a.radius);
+  Lanes most = Lanes::all(0);
   for (int j = 0; j < b.count; ++j) {
     const Lanes dx = ax - x[j], dy = ay - y[j], sum = a_radius + radius[j];
     most = larger(most, sum * absolute(sum) - (dx * dx + dy * dy));
   }
   float values[kLanes], deepest = 0;
-  store(values, most);
+  most.store(values);
   for (int i = 0; i < kLanes; ++i) deepest = values[i] > deepest ? values[i] : deepest;
   if (!(deepest > slack)) return 0;
   return (deepest - slack) / (2.0 * (static_cast<double>(a.radius[0]) + radius[0]) * (1 + 0x1p-10));
 }
+
+}  // namespace tricover::detail::wide

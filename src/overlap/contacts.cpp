@@ -6,11 +6,11 @@
 
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
-#include "overlap/convex_penetration.h"
 #include "overlap/hull_faces.h"
 #include "overlap/overlap_components.h"
 #include "pair/edge_pairs.h"
 #include "pair/kernel_order.h"
+#include "polygon/convexity.h"
 
 namespace tricover {
 namespace detail {
@@ -32,7 +32,8 @@ class ContactFinder {
   /// In the pair's order.
   std::vector<Contact> contacts() const {
     const std::vector<OverlapComponent> components = findComponents(pair_, frame_, crossings_);
-    const bool convex = !components.empty() && !convexCorners(pair_.a).empty() && !convexCorners(pair_.b).empty();
+    const bool convex =
+        !components.empty() && convexityOf(pair_.a).direction != 0 && convexityOf(pair_.b).direction != 0;
     std::vector<Contact> result;
     for (const OverlapComponent& component : components) {
       Exit exit = convex ? byFacesOfBoth(component) : exitOf(component);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "overlap/convex_outline.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "numbers/convex_hull.h"
 #include "numbers/predicates.h"
-#include "overlap/convex_penetration.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
@@ -23,9 +24,10 @@ std::vector<std::size_t> hullCorners(const PolygonData& polygon) {
 }  // namespace
 
 ConvexOutline convexOutline(const PolygonData& polygon) {
-  std::vector<std::size_t> corners = convexCorners(polygon);
-  if (!corners.empty()) return {std::move(corners), true};
-  corners = hullCorners(polygon);
+  Convexity convexity = convexityOf(polygon);
+  if (convexity.direction < 0) std::reverse(convexity.corners.begin(), convexity.corners.end());
+  if (convexity.direction != 0) return {std::move(convexity.corners), true};
+  std::vector<std::size_t> corners = hullCorners(polygon);
   // A ring without area covers all of its segment.
   const bool is_region = polygon.ringCount() == 1 && corners.size() < 3;
   return {std::move(corners), is_region};

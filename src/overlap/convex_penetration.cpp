@@ -12,12 +12,6 @@
 namespace tricover::detail {
 namespace {
 
-/// Whether q, on the line of p and r, is between them: a straight vertex rather than a spike's tip.
-bool isBetween(const Vec2& p, const Vec2& q, const Vec2& r) {
-  return std::min(p.x(), r.x()) <= q.x() && q.x() <= std::max(p.x(), r.x()) && std::min(p.y(), r.y()) <= q.y() &&
-         q.y() <= std::max(p.y(), r.y());
-}
-
 /// Corners in the world less a's translation, times a power of two that keeps products in range.
 using Corners = std::vector<DoubleDouble2>;
 
@@ -69,28 +63,6 @@ Gap leastGap(const Corners& of, const Corners& other) {
 }
 
 }  // namespace
-
-std::vector<std::size_t> convexCorners(const PolygonData& polygon) {
-  if (polygon.ringCount() != 1) return {};
-  std::vector<std::size_t> distinct, corners;
-  for (std::size_t i = polygon.edgeBegin(0); i < polygon.edgeEnd(0); ++i)
-    if (polygon.path[i] != polygon.path[i + 1]) distinct.push_back(i);
-  int direction = 0, turns_in_x = 0;
-  const std::size_t n = distinct.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 &p = polygon.path[distinct[i]], &q = polygon.path[distinct[(i + 1) % n]],
-               &r = polygon.path[distinct[(i + 2) % n]];
-    const int turn = orientation(p, q, r);
-    turns_in_x += (q.x() > p.x()) != (r.x() > q.x());
-    if (turn == 0 && isBetween(p, q, r)) continue;
-    if (turn == 0 || turn == -direction) return {};
-    direction = turn;
-    corners.push_back(distinct[(i + 1) % n]);
-  }
-  if (turns_in_x != 2) return {};
-  if (direction < 0) std::reverse(corners.begin(), corners.end());
-  return corners;
-}
 
 SupportGap leastSupportGap(const PolygonData& a, const Pose& pose_a, const ConvexOutline& outline_a,
                            const PolygonData& b, const Pose& pose_b, const ConvexOutline& outline_b) {

@@ -9,10 +9,6 @@
 
 namespace tricover::detail {
 
-/// The corners, as in ConvexOutline, of a polygon that is convex and has an area: one ring that turns one way and goes
-/// around once. Otherwise nothing. Exact, O(n).
-std::vector<std::size_t> convexCorners(const PolygonData& polygon);
-
 /// The shortest translation of b that parts two convex sets which meet.
 struct SupportGap {
   double depth;    ///< world length

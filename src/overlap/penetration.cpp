@@ -10,8 +10,8 @@
 #include "overlap/convex_outline.h"
 #include "overlap/convex_penetration.h"
 #include "overlap/translation_search.h"
+#include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
-#include "pair/strategy.h"
 #include "tricover/collide.h"
 
 namespace tricover {

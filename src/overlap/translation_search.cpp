@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "numbers/segment.h"
-#include "pair/strategy.h"
+#include "pair/collide_by_hierarchy.h"
 
 namespace tricover::detail {
 namespace {

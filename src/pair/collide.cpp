@@ -5,10 +5,11 @@
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/collide_by_hierarchy.h"
+#include "pair/collide_by_paper.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
-#include "pair/strategy.h"
 
 namespace tricover {
 namespace detail {

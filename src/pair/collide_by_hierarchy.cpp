@@ -1,46 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pair/collide_by_hierarchy.h"
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
-#include "hierarchy/wide.h"
-#include "pair/edge_pairs.h"
-#include "pair/strategy.h"
+#include "pair/containment.h"
+#include "pair/pair_descent.h"
 
 namespace tricover::detail {
 namespace {
 
-/// From b's units to a's. b's centre in a's units is wrong by the mapping's own error and by rounding the difference to
-/// S; entries of R are by 9U, and what they are applied to is below 4 units.
-UnitMap mapUnits(const PosedPair& pair) {
-  const double inverse_unit = pair.a.inverse_unit;
-  const ApproxPoint center = pair.center();
-  const double cx = (center.x - pair.a.origin.x()) * inverse_unit, cy = (center.y - pair.a.origin.y()) * inverse_unit;
-  // In any direction, so once and a half what either coordinate is wrong by.
-  const double rounding =
-      1.5 * (center.error + kUnitRoundoff * (std::abs(center.x) + std::abs(center.y))) * inverse_unit +
-      64 * kUnitRoundoff * (std::abs(cx) + std::abs(cy) + 4) + kTiny;
-  // The largest of polygons are more than their unit: nothing is known of those.
-  const bool fits = pair.a.radius <= pair.a.unit && pair.b.radius <= pair.b.unit;
-  const double error = fits ? rounding : std::numeric_limits<double>::infinity();
-  return {pair.m00, pair.m01, pair.m10, pair.m11, cx, cy, pair.b.unit * inverse_unit, error};
-}
-
-/// Of a gap between boxes, see Descent.
-double roundingOf(const PosedPair& pair) { return 0x1p-19 + 8 * pair.defect; }
-
-Descent describe(const PosedPair& pair, const UnitMap& to_a, double rounding, const CollideOptions& options,
-                 double lookahead, bool wants_clearance) {
-  const double unit = pair.a.inverse_unit, sum = options.margin + options.tolerance;
-  const double accept = sum > 0 ? sum * unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1;
-  const double reach = pair.reach(options.margin) * unit, limit = reach + lookahead * unit;
-  return {pair,   hierarchyOf(pair.a), hierarchyOf(pair.b), to_a,           rounding, reach, limit,
-          accept, options.margin,     options.tolerance,  wants_clearance};
-}
-
 /// A lower bound, in a's units, of the gap between the boxes around everything, by separating axes; not positive where
-/// they may meet.
+/// they may meet. No point of a is farther than 1 from its origin, and none of b from its own, because b's unit is at
+/// most a's: so 4 is more than all extents together.
 double rootGap(const Box& a, const Box& b, const UnitMap& map, double rounding) {
+  assert(map.scale <= 1);
   const double ux = map.r00 * b.ux + map.r01 * b.uy, uy = map.r10 * b.ux + map.r11 * b.uy;
   const double dx = map.scale * (map.r00 * b.x + map.r01 * b.y) + map.tx - a.x;
   const double dy = map.scale * (map.r10 * b.x + map.r11 * b.y) + map.ty - a.y;
@@ -53,73 +29,33 @@ double rootGap(const Box& a, const Box& b, const UnitMap& map, double rounding) 
   return gap - rounding * (std::abs(dx) + std::abs(dy) + 4) - map.error;
 }
 
-/// Whether p, in the polygon's frame, is certainly outside of the box around everything.
-bool outsideRoot(const PolygonData& polygon, const ApproxPoint& p) {
-  const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
-  if (hierarchy == nullptr) return false;
-  const Box& box = hierarchy->root;
-  const Vec2 d = polygon.inUnits({p.x, p.y}) - Vec2(box.x, box.y);
-  const double error = 2 * p.error * polygon.inverse_unit + 0x1p-40;
-  return std::abs(d.x() * box.ux + d.y() * box.uy) > box.along + error ||
-         std::abs(d.y() * box.ux - d.x() * box.uy) > box.across + error;
-}
-
-/// The position of the first edge of a ring of b that starts in a; -1 if there is none.
-std::ptrdiff_t ringOfBInside(const PosedPair& pair) {
-  for (std::size_t r = 0; r < pair.b.ringCount(); ++r) {
-    const std::size_t first = pair.b.edgeBegin(r);
-    const Vec2& p = pair.b.path[first];
-    if (outsideRoot(pair.a, pair.fromB(p))) continue;
-    if (locate(pair, p) != Location::Outside) return static_cast<std::ptrdiff_t>(first);
+/// The edge test at the descent's leaves.
+struct EdgeTest {
+  static bool meet(const void* context, std::size_t edge_a, std::size_t edge_b) {
+    const EdgeTest& test = *static_cast<const EdgeTest*>(context);
+    return edgesWithin(test.pair, edge_a, edge_b, test.options.margin, test.options.tolerance);
   }
-  return -1;
-}
 
-/// The same for a ring of a in b. Most starts are outside of b's disc, which is known in a's frame.
-std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
-  const double radius = (pair.radiusB() + 4 * pair.error) * (1 + 16 * kUnitRoundoff);
-  for (std::size_t r = 0; r < pair.a.ringCount(); ++r) {
-    const std::size_t first = pair.a.edgeBegin(r);
-    const Vec2& p = pair.a.path[first];
-    const double dx = p.x() - pair.center_x, dy = p.y() - pair.center_y;
-    if (squarable(radius) && dx * dx + dy * dy > radius * radius) continue;
-    if (locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside)
-      return static_cast<std::ptrdiff_t>(first);
-  }
-  return -1;
+  const PosedPair& pair;
+  const CollideOptions& options;
+};
+
+DescentResult descend(const PosedPair& pair, const UnitMap& map, double rounding, const CollideOptions& options,
+                      double lookahead, bool wants_clearance) {
+  const double unit = pair.a.inverse_unit, sum = options.margin + options.tolerance;
+  // Rounded inwards, for poses that aren't quite rigid and for the few roundings here and where it is compared.
+  const double accept = sum > 0 ? sum * unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1;
+  const double reach = pair.reach(options.margin) * unit, limit = reach + lookahead * unit;
+  const EdgeTest test{pair, options};
+  return findHit(descentOf(pair, map, rounding, limit), {&test, &EdgeTest::meet, reach, accept, wants_clearance});
 }
 
 }  // namespace
 
-UnitMap inverse(const UnitMap& map) {
-  const double d = 1 / (map.r00 * map.r11 - map.r01 * map.r10), scale = 1 / map.scale;
-  const double r00 = map.r11 * d, r01 = -map.r01 * d, r10 = -map.r10 * d, r11 = map.r00 * d;
-  return {r00,
-          r01,
-          r10,
-          r11,
-          -(r00 * map.tx + r01 * map.ty) * scale,
-          -(r10 * map.tx + r11 * map.ty) * scale,
-          scale,
-          map.error * scale * (1 + 0x1p-10)};
-}
-
-void visitPairs(const PosedPair& pair, double limit, const PairVisitor& visitor) {
-  visitPairs(describe(pair, mapUnits(pair), roundingOf(pair), {}, limit, false), visitor);
-}
-
-Outcome findContainment(const PosedPair& pair) {
-  Outcome outcome;
-  outcome.edge_b = ringOfBInside(pair);
-  if (outcome.edge_b < 0) outcome.edge_a = ringOfAInside(pair);
-  outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
-  return outcome;
-}
-
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
   const Hierarchy &a = hierarchyOf(pair.a), &b = hierarchyOf(pair.b);
   const UnitMap map = mapUnits(pair);
-  const double rounding = roundingOf(pair);
+  const double rounding = gapRounding(pair);
   Outcome outcome;
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const double gap = rootGap(a.root, b.root, map, rounding);
@@ -146,7 +82,7 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
     }
   }
   const bool wants_clearance = wanted == Wanted::Clearance;
-  const DescentResult found = descend(describe(pair, map, rounding, options, lookahead, wants_clearance));
+  const DescentResult found = descend(pair, map, rounding, options, lookahead, wants_clearance);
   if (found.hit) {
     outcome.collides = true;
     outcome.edge_a = found.edge_a;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pair/collide_by_paper.h"
+
 #include <vector>
 
+#include "pair/containment.h"
 #include "pair/facts.h"
-#include "pair/strategy.h"
 #include "polygon/influence_area.h"
 
 namespace tricover::detail {

@@ -9,7 +9,7 @@ namespace tricover::detail {
 /// Shows every pair of edges (positions in the paths) whose distance may be at most `limit`, near ones roughly first.
 /// The limit is a length in a's frame (infinity shows all, in no order); what the visitor sees and returns is in a's
 /// units (PolygonData::unit).
-void visitPairs(const PosedPair& pair, double limit, const PairVisitor& visitor);
+void showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visitor);
 
 template <typename Visit>
 struct PairCall {
@@ -22,11 +22,11 @@ struct PairCall {
   double unit, inverse_unit;
 };
 
-/// visitPairs() for a callable visit(gap, edge_a, edge_b), which returns the new limit; all lengths in a's frame.
+/// showEdgePairs() for a callable visit(gap, edge_a, edge_b), which returns the new limit; all lengths in a's frame.
 template <typename Visit>
 void forEachPair(const PosedPair& pair, double limit, Visit visit) {
   PairCall<Visit> call{visit, pair.a.unit, pair.a.inverse_unit};
-  visitPairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr});
+  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr});
 }
 
 /// The same for who looks for the nearest: narrow(length) is told of lengths that some pair is proven to be within, and
@@ -36,11 +36,11 @@ void forNearPairs(const PosedPair& pair, double limit, Visit visit, Narrow narro
   struct Call : PairCall<Visit> {
     Narrow& narrow;
   } call{{visit, pair.a.unit, pair.a.inverse_unit}, narrow};
-  visitPairs(pair, limit,
-             {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit, [](void* context, double length) {
-                const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
-                return c.narrow(length * c.unit) * c.inverse_unit;
-              }});
+  showEdgePairs(pair, limit,
+                {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit, [](void* context, double length) {
+                   const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
+                   return c.narrow(length * c.unit) * c.inverse_unit;
+                 }});
 }
 
 }  // namespace tricover::detail

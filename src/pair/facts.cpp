@@ -49,12 +49,10 @@ Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose&
     ++cache.uses;
     return {true, cache.overlapping, true, 0};
   }
-  constexpr double kStepsAhead = 32;
   const double ahead = kStepsAhead * motion / (cache.uses + 1.0);
-  // A jump is a step that no clearance would pay for. Nor does it pay to look for much more than there was, as in a
-  // narrow gap.
-  const double size = std::min(first.radius, second.radius);
-  return {false, false, motion <= 0.25 * size, ahead <= 0.25 * size ? std::min(ahead, 2 * cache.clearance) : 0};
+  const double most = kCoherentPart * std::min(first.radius, second.radius);
+  // Nor does it pay to look for much more than there was, as in a narrow gap.
+  return {false, false, motion <= most, ahead <= most ? std::min(ahead, 2 * cache.clearance) : 0};
 }
 
 void claim(PairCache& cache, const PolygonData& first, const PolygonData& second) {

@@ -41,6 +41,11 @@ struct PosedPair {
     handed = det < 0 ? -1 : 1;
   }
 
+  // Poses are referred to, so that a temporary one would be gone.
+  PosedPair(const PolygonData&, const Pose&&, const PolygonData&, const Pose&) = delete;
+  PosedPair(const PolygonData&, const Pose&, const PolygonData&, const Pose&&) = delete;
+  PosedPair(const PolygonData&, const Pose&&, const PolygonData&, const Pose&&) = delete;
+
   /// b's point in a's frame, right to within `error`.
   ApproxPoint fromB(const Vec2& p) const {
     return {m00 * p.x() + m01 * p.y() + tx, m10 * p.x() + m11 * p.y() + ty, error};

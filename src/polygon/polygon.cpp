@@ -94,11 +94,17 @@ double boundingRadius(const PolygonData& polygon, const Frame& frame) {
 
 }  // namespace
 
+void requireCapacity(std::size_t positions) {
+  if (positions > kMostPositions)
+    refuse("rings", "more than 2^29 vertices, one more counted for each ring", "divide the polygon");
+}
+
 PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_), rings(std::move(rings_)) {
   validate(rings);
   id = nextId();
   std::size_t total = 0;
   for (const Ring& ring : rings) total += ring.size() + 1;
+  requireCapacity(total);
   path.reserve(total);
   ring_begin.reserve(rings.size() + 1);
   extent = 0;
@@ -111,6 +117,7 @@ PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_)
   ring_begin.push_back(path.size());
   const Frame frame(path);
   origin = centroid(*this, frame);
+  extent = std::max(extent, std::abs(origin.x()) + std::abs(origin.y()));
   radius = boundingRadius(*this, frame);
   // Below and above these the powers of two themselves would leave the range of normal doubles.
   const int exponent = std::isfinite(radius) && radius > 0x1p-1000 ? std::min(std::ilogb(radius) + 1, 1020)

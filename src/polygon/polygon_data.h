@@ -12,6 +12,12 @@
 
 namespace tricover::detail {
 
+/// More positions than these don't fit into what is derived from a polygon, nor into memory as a rule.
+constexpr std::size_t kMostPositions = std::size_t{1} << 29;
+
+/// Throws std::invalid_argument for a path that is longer.
+void requireCapacity(std::size_t positions);
+
 /// A place for what others derive from a polygon: built at the first call, by whichever thread comes first, and
 /// immutable from then on. Only who puts it there knows its type.
 class Derived {
@@ -52,6 +58,9 @@ struct PolygonData {
   /// Throws std::out_of_range for what is no edge's number.
   std::size_t checkedEdgePosition(std::size_t number) const;
 
+  /// False for the largest of polygons: no power of two is above their radius.
+  bool fitsUnit() const { return radius <= unit; }
+
   /// A point of the polygon's frame from S, in units. Rounded by U.
   Vec2 inUnits(const Vec2& p) const {
     return extent < 0x1p1000 ? Vec2((p - origin) * inverse_unit) : Vec2(p * inverse_unit - origin * inverse_unit);
@@ -60,7 +69,7 @@ struct PolygonData {
   std::uint64_t id;
   Vec2 origin;    ///< S
   double radius;  ///< at least the distance from S to any vertex
-  double extent;  ///< the largest |x| + |y| of a vertex: scales the rounding errors
+  double extent;  ///< the largest |x| + |y| of a vertex or of S: scales the rounding errors
   /// A power of two, at least the radius (where that is finite and above 2^-1000) and below 2 radii; and 1 / unit.
   double unit, inverse_unit;
   FillRule fill;

@@ -8,7 +8,7 @@
 
 #include "exact_reference.h"
 #include "hierarchy/wide.h"
-#include "pair/strategy.h"
+#include "pair/collide_by_hierarchy.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -23,7 +23,9 @@ using detail::Outcome;
 using detail::PosedPair;
 using detail::Wanted;
 
+/// The larger polygon first, as the kernel has them.
 Outcome descend(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, double lookahead) {
+  EXPECT_GE(a.radius(), b.radius());
   return collideByHierarchy({a.data(), pose_a, b.data(), pose_b}, {}, lookahead, Wanted::Clearance);
 }
 
@@ -36,6 +38,10 @@ Ring turned(Ring ring, double angle) {
   for (Vec2& p : ring) p = pose(angle, 0, 0) * p;
   return ring;
 }
+
+/// The ring as part of the larger of two polygons: `far` away, beyond whatever it is asked about, there is another
+/// ring.
+Polygon enlarged(const Ring& ring, double far) { return Polygon({ring, shifted(rectangle(-1, -1, 1, 1), {far, far})}); }
 
 /// b's lowest vertex, once turned, `depth` below the height 0 of the frame `ground`, at x.
 Pose standing(const Ring& b, const Pose& ground, double angle, double x, double depth) {
@@ -61,7 +67,8 @@ TEST(Touching, AShortPolygonOnALongEdge) {
     const Polygon b({ring});
     const bool truth = exact::collide(a, ground, b, pose_b);
     ASSERT_EQ(descend(a, ground, b, pose_b, 0).collides, truth);
-    ASSERT_EQ(descend(b, pose_b, a, ground, 0).collides, truth);
+    const Polygon large_b = enlarged(ring, 4 * length + 100);
+    ASSERT_EQ(descend(large_b, pose_b, a, ground, 0).collides, exact::collide(large_b, pose_b, a, ground));
     hits += truth;
   }
   EXPECT_GT(hits, cases / 2);
@@ -84,8 +91,9 @@ TEST(Touching, AFlatPolygonNearTheEndOfALongEdge) {
     const Pose pose_b = standing(ring, ground, tilt - own, random.coin() ? x : -x, depth);
     const Polygon b({ring});
     const bool truth = exact::collide(a, ground, b, pose_b);
+    const Polygon large_b = enlarged(ring, 4 * length + 100);
     for (const bool swapped : {false, true}) {
-      const Outcome outcome = swapped ? descend(b, pose_b, a, ground, 0) : descend(a, ground, b, pose_b, 0);
+      const Outcome outcome = swapped ? descend(large_b, pose_b, a, ground, 0) : descend(a, ground, b, pose_b, 0);
       ASSERT_EQ(outcome.collides, truth);
       if (!truth) expectBelowDistance(outcome.clearance, a, ground, b, pose_b);
     }
@@ -104,13 +112,14 @@ TEST(Clearance, IsNoMoreThanTheDistanceToAParallelWall) {
     const Polygon a(
         {rectangle(-length - 5, -length - 5, length + 5, length + 5), rectangle(-length, -length, length, length)});
     const double own = random.real(0, 6.28);
-    const Polygon b({turned(rectangle(-1, -0.5, 1, 0.5), own)});
+    const Ring ring = turned(rectangle(-1, -0.5, 1, 0.5), own);
+    const Polygon b({ring}), large_b = enlarged(ring, 4 * length + 100);
     const Pose frame = pose(random.real(0, 6.28), 0, 0);
     const Pose pose_b = frame * pose(-own, random.real(-0.6, 0.6) * length, 0.5 + gap - length);
     const double lookahead = i % 3 == 0 ? 0 : random.real(0, 2 * length);
     for (const bool swapped : {false, true}) {
       const Outcome outcome =
-          swapped ? descend(b, pose_b, a, frame, lookahead) : descend(a, frame, b, pose_b, lookahead);
+          swapped ? descend(large_b, pose_b, a, frame, lookahead) : descend(a, frame, b, pose_b, lookahead);
       ASSERT_FALSE(outcome.collides);
       expectBelowDistance(outcome.clearance, a, frame, b, pose_b);
       tight += outcome.clearance > 0.9 * gap;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "exact_reference.h"
 #include "polygon/polygon_data.h"
@@ -21,6 +22,12 @@ using detail::Block;
 using detail::Hierarchy;
 using detail::kLanes;
 using detail::PolygonData;
+
+/// A polygon that large isn't made here: its paths are checked before they are.
+TEST(Polygon, IsRefusedWhereItsHierarchyCouldNotNameItsEdges) {
+  EXPECT_NO_THROW(detail::requireCapacity(detail::kMostPositions));
+  EXPECT_THROW(detail::requireCapacity(detail::kMostPositions + 1), std::invalid_argument);
+}
 
 /// Whether a block's box holds a point given in units, but for `room` in the block's scale.
 bool holds(const Block& block, int i, const Vec2& p, double room) {
@@ -48,7 +55,7 @@ void forEachEdge(const Hierarchy& hierarchy, const Block& block, int lane, Visit
   for (int i = 0; i < below.count; ++i) forEachEdge(hierarchy, below, i, visit);
 }
 
-/// Their own rounding is part of it: half of kOutwards is left, for what is computed with the axis.
+/// Their own rounding is part of it: a quarter of kOutwards is left, for what is computed with the axis.
 TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
   Random random(21);
   for (int i = 0; i < scaledCount(100); ++i) {

@@ -17,7 +17,7 @@
 #include "hierarchy/hierarchy.h"
 #include "numbers/dyadic.h"
 #include "pair/posed_pair.h"
-#include "pair/strategy.h"
+#include "tricover/collide.h"
 
 namespace tricover::detail {
 namespace {

@@ -5,10 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "exact_reference.h"
 #include "families.h"
-#include "pair/strategy.h"
+#include "pair/collide_by_hierarchy.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -26,6 +27,10 @@ struct PortableLanes {
   PortableLanes() { detail::usePortableLanes(true); }
   ~PortableLanes() { detail::usePortableLanes(false); }
 };
+
+static_assert(std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose&>);
+static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose, const detail::PolygonData&, Pose&>);
+static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose>);
 
 PosedPair largerFirst(const Case& c) {
   if (c.a.radius() >= c.b.radius()) return {c.a.data(), c.pose_a, c.b.data(), c.pose_b};
@@ -91,7 +96,8 @@ TEST(LargeOutlines, AreSearchedAlikeAndExactly) {
     const Polygon b(rings);
     const double angle = random.real(0, 6.28), away = 8 + random.real(-2.5, 2 + size);
     const Pose pose_b = pose(random.real(0, 6.28), away * std::cos(angle), away * std::sin(angle));
-    const PosedPair pair(a.data(), Pose::Identity(), b.data(), pose_b);
+    const Pose pose_a = Pose::Identity();
+    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
     const Outcome wide = collideByHierarchy(pair, {}, 0, Wanted::Clearance);
     const bool truth = exact::collide(a, Pose::Identity(), b, pose_b);
     ASSERT_EQ(wide.collides, truth);
@@ -133,7 +139,8 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     const double angle = random.real(0, 6.28), away = random.real(0, 1 + size);
     const Pose pose_a = pose(random.real(0, 6.28), far, 0);
     const Pose pose_b = pose(random.real(0, 6.28), far + away * std::cos(angle), away * std::sin(angle));
-    if (!hierarchyOf(a.data()).small_convex || !hierarchyOf(b.data()).small_convex) continue;  // less than half a circle
+    if (!hierarchyOf(a.data()).small_convex || !hierarchyOf(b.data()).small_convex)
+      continue;  // less than half a circle
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
     const detail::UnitMap map{pair.m00,
                               pair.m01,

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The wide functions in vectors of eight floats, for processors that have AVX2. Only what stands between push and pop
+// may use it: what is included before them (Eigen, the standard library) is compiled as everywhere else, so that no
+// inline function that other files share needs such a processor. Whatever wide_descent.h and wide_shapes.h include is
+// therefore included before them, too.
+#include <cassert>
+
+#include "hierarchy/wide_table.h"
+
+#ifdef __x86_64__
+
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+
+#include "hierarchy/wide_descent.h"
+#include "hierarchy/wide_shapes.h"
+
+namespace tricover::detail {
+namespace wide {
+namespace {
+
+typedef float Eight __attribute__((vector_size(32)));
+typedef std::int32_t EightBits __attribute__((vector_size(32)));
+typedef float EightAnywhere __attribute__((vector_size(32), aligned(4), may_alias));
+
+/// See wide_gaps.h.
+struct Avx2Lanes {
+  Eight v;
+
+  [[gnu::always_inline]] static Avx2Lanes load(const float* p) { return {*reinterpret_cast<const EightAnywhere*>(p)}; }
+  [[gnu::always_inline]] static Avx2Lanes all(float value) { return {value - Eight{}}; }
+  [[gnu::always_inline]] void store(float* p) const { *reinterpret_cast<EightAnywhere*>(p) = v; }
+
+  using L = Avx2Lanes;
+  [[gnu::always_inline]] friend L operator+(L p, L q) { return {p.v + q.v}; }
+  [[gnu::always_inline]] friend L operator-(L p, L q) { return {p.v - q.v}; }
+  [[gnu::always_inline]] friend L operator*(L p, L q) { return {p.v * q.v}; }
+  [[gnu::always_inline]] friend L operator/(L p, L q) { return {p.v / q.v}; }
+  [[gnu::always_inline]] friend L operator+(L p, float q) { return {p.v + q}; }
+  [[gnu::always_inline]] friend L operator-(L p, float q) { return {p.v - q}; }
+  [[gnu::always_inline]] friend L operator*(L p, float q) { return {p.v * q}; }
+  [[gnu::always_inline]] friend L absolute(L p) { return {(Eight)((EightBits)p.v & 0x7fffffff)}; }
+  [[gnu::always_inline]] friend L root(L p) { return {__builtin_ia32_sqrtps256(p.v)}; }
+  [[gnu::always_inline]] friend L larger(L p, L q) { return {p.v > q.v ? p.v : q.v}; }
+  [[gnu::always_inline]] friend L smaller(L p, L q) { return {p.v < q.v ? p.v : q.v}; }
+  [[gnu::always_inline]] friend L whereAbove(L p, L q) { return {p.v > q.v ? p.v : 1e30f - Eight{}}; }
+  [[gnu::always_inline]] friend unsigned above(L p, L q) {
+    const EightBits greater = p.v > q.v;
+    return static_cast<unsigned>(__builtin_ia32_movmskps256((Eight)greater));
+  }
+};
+
+}  // namespace
+}  // namespace wide
+
+const WideTable kAvx2Table = {&wide::findHit<wide::Avx2Lanes>, &wide::showPairs<wide::Avx2Lanes>,
+                              &wide::visitEdgesOnRay<wide::Avx2Lanes>, &wide::convexMeet<wide::Avx2Lanes>,
+                              &wide::innerDepth<wide::Avx2Lanes>};
+
+}  // namespace tricover::detail
+
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+#endif

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two hierarchies descended together. See wide_gaps.h for Lanes.
+#pragma once
+
+#include "hierarchy/wide_gaps.h"
+
+namespace tricover::detail::wide {
+
+/// The pairs of boxes that are left to look at, deepest on top.
+struct Visits {
+  static constexpr int kMost = kLanes * kLanes * kMaxDepth + 1;  // a step takes one, adds at most 64, a level below
+  std::uint32_t a[kMost], b[kMost];
+  float gap[kMost];
+  int top;
+};
+
+/// Puts the deepest of the pairs from `first` on on top.
+[[gnu::always_inline]] inline void raiseDeepest(Visits& visits, int first) {
+  const int last = visits.top - 1;
+  int deepest = last;
+  for (int i = first; i < last; ++i) deepest = visits.gap[i] < visits.gap[deepest] ? i : deepest;
+  if (deepest == last || last < first) return;
+  const std::uint32_t a = visits.a[deepest], b = visits.b[deepest];
+  visits.a[deepest] = visits.a[last];
+  visits.b[deepest] = visits.b[last];
+  visits.gap[deepest] = visits.gap[last];
+  visits.a[last] = a;
+  visits.b[last] = b;
+}
+
+/// What the boxes of one step have in common.
+struct Step {
+  double in_a;      ///< the frame's scale in a's units
+  float threshold;  ///< boxes with a gap beyond aren't entered; it includes the slack
+  float slack;      ///< what a gap may be too large by
+  float cap;        ///< no gap is proven beyond this
+  bool known;       ///< false where floats overflow, the frame being so small beside the distance
+};
+
+[[gnu::always_inline]] inline Step stepOf(double in_a, double limit, float slack, float cap) {
+  const float threshold = static_cast<float>(limit + slack) * (1 + 0x1p-20f);
+  return {in_a, threshold, slack, cap, slack < 1e30f && threshold < cap};
+}
+
+/// A lower bound, in a's units, of the distance between what is in two boxes.
+[[gnu::always_inline]] inline double provenGap(const Step& step, float gap) {
+  return step.known ? (gap - step.slack) * step.in_a : 0;
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline float least(Lanes lanes, float at_most) {
+  float values[kLanes];
+  lanes.store(values);
+  for (int i = 0; i < kLanes; ++i) at_most = values[i] < at_most ? values[i] : at_most;
+  return at_most;
+}
+
+/// A descent's goal: the first two edges that make a hit.
+struct FindHit {
+  static constexpr bool kNarrows = false;
+  static constexpr float kSlacks = 1;
+
+  const HitTest& test;
+  double limit;
+  DescentResult result;
+
+  /// At the leaves. True ends the descent.
+  [[gnu::always_inline]] bool operator()(double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
+    result.clearance = proven < result.clearance ? proven : result.clearance;
+    if (proven > test.reach || !test.meet(test.context, edge_a, edge_b)) return false;
+    result = {true, 0, edge_a, edge_b};
+    return true;
+  }
+
+  /// Whether one of these spanned boxes and another one prove their chains to be within `accept`: the boxes' distance
+  /// by their gap (diagonally it may be sqrt(2) times that), and from there to the chains.
+  [[gnu::always_inline]] bool accepts(const Step& step, unsigned boxes, const float* gap, const float* across,
+                                      float other_across) {
+    if (!step.known) return false;
+    for (; boxes != 0; boxes &= boxes - 1) {
+      const int i = __builtin_ctz(boxes);
+      const double between = (gap[i] > 0 ? gap[i] : 0) + 2.0 * step.slack;
+      if (!((1.4143 * between + 2.0 * (across[i] + other_across)) * step.in_a <= test.accept)) continue;
+      result = {true, 0, -1, -1};
+      return true;
+    }
+    return false;
+  }
+  [[gnu::always_inline]] bool mayAccept() const { return test.accept >= 0; }
+
+  [[gnu::always_inline]] bool wantsClearance() const { return test.wants_clearance; }
+  /// What is left out is at least as far as the least gap of it.
+  template <class Lanes>
+  [[gnu::always_inline]] void leaveOut(Lanes left_out, const Step& step) {
+    if (!test.wants_clearance) return;
+    const double proven = step.known ? (least(left_out, step.cap) - step.slack) * step.in_a : 0;
+    result.clearance = proven < result.clearance ? proven : result.clearance;
+  }
+
+  /// What a visit is kept with: the boxes' gap in their block's scale is enough to tell the deepest.
+  [[gnu::always_inline]] static float keptGap(const Step&, float gap) { return gap; }
+};
+
+/// A descent's goal: to show a visitor, who may lower the limit, all pairs of edges within it.
+struct ShowPairs {
+  static constexpr bool kNarrows = true;
+  static constexpr float kSlacks = 1.5f;  ///< of gaps along all axes
+
+  const PairVisitor& visitor;
+  double limit;
+
+  [[gnu::always_inline]] bool operator()(double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
+    if (proven <= limit) limit = visitor.visit(visitor.context, proven, edge_a, edge_b);
+    return limit < 0;
+  }
+
+  [[gnu::always_inline]] bool accepts(const Step&, unsigned, const float*, const float*, float) { return false; }
+  [[gnu::always_inline]] static bool mayAccept() { return false; }
+  [[gnu::always_inline]] static bool wantsClearance() { return false; }
+  template <class Lanes>
+  [[gnu::always_inline]] static void leaveOut(Lanes, const Step&) {}
+
+  /// What it proves, to be compared with a limit that has been lowered since.
+  [[gnu::always_inline]] static float keptGap(const Step& step, float gap) {
+    return static_cast<float>(provenGap(step, gap)) * (1 - 0x1p-20f);
+  }
+
+  /// Lowers the limit to what the boxes of one step prove: `upper` is the least of what two spanned boxes may be apart,
+  /// as in FindHit::accepts(), but for the slack.
+  template <class Lanes>
+  [[gnu::always_inline]] void narrow(Lanes upper, const Step& step) {
+    if (visitor.narrow == nullptr) return;
+    const float nearest = least(upper, 1e30f);
+    if (!step.known || nearest >= 1e29f) return;
+    const double proven = (nearest + 3.0 * step.slack) * step.in_a * (1 + 0x1p-18);
+    if (proven < limit) limit = visitor.narrow(visitor.context, proven);
+  }
+};
+
+/// The boxes that must be entered; the least gap of the others is kept.
+template <class Lanes, class Goal>
+[[gnu::always_inline]] inline unsigned entered(const Goal& goal, const Block& block, const Step& step, Lanes found,
+                                               Lanes& left_out) {
+  const unsigned used = (1u << block.count) - 1;
+  if (!step.known) return used;
+  const Lanes threshold = Lanes::all(step.threshold);
+  if (goal.wantsClearance()) left_out = smaller(left_out, whereAbove(found, threshold));
+  return used & ~above(found, threshold);
+}
+
+/// One item against the boxes that the other one is divided into. True if that ended the descent.
+template <class Lanes, class Goal>
+bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other, std::uint32_t visit_a,
+              std::uint32_t visit_b, Visits& visits, Goal& goal) {
+  const std::uint32_t index = item.child;
+  const Block& block = into_a ? d.a.blocks[index] : d.b.blocks[index];
+  const UnitMap map = into_a ? d.to_a : inverse(d.to_a);
+  const Query query = queryFor(other, into_a ? d.polygon_b : d.polygon_a, map, block, d.rounding);
+  const double in_a = into_a ? block.scale : block.scale * d.to_a.scale;
+  const Step step = stepOf(in_a, goal.limit / in_a, query.slack * Goal::kSlacks, query.cap);
+  const Lanes found = gaps<Goal::kNarrows>(boxesOf<Lanes>(block), query);
+  Lanes left_out = Lanes::all(1e30f);
+  const unsigned near = entered(goal, block, step, found, left_out);
+  goal.leaveOut(left_out, step);
+  float gap[kLanes];
+  found.store(gap);
+
+  if (goal.mayAccept() && other.spanned && goal.accepts(step, near & block.spanned, gap, block.across, query.across))
+    return true;
+  if (block.leaf && other.leaf) {
+    for (unsigned left = near; left != 0; left &= left - 1) {
+      const int i = __builtin_ctz(left);
+      const std::uint32_t edge = block.child[i];
+      if (goal(provenGap(step, gap[i]), into_a ? edge : other.child, into_a ? other.child : edge)) return true;
+    }
+    return false;
+  }
+  const int first = visits.top;
+  assert(first + kLanes < Visits::kMost);
+  for (unsigned i = 0; i < kLanes; ++i) {
+    visits.a[visits.top] = into_a ? index * kLanes + i : visit_a;
+    visits.b[visits.top] = into_a ? visit_b : index * kLanes + i;
+    visits.gap[visits.top] = Goal::keptGap(step, gap[i]);
+    visits.top += static_cast<int>(near >> i & 1);
+  }
+  raiseDeepest(visits, first);
+  return false;
+}
+
+/// The boxes of two blocks of about the same size, in the frame of a's.
+struct Together {
+  Step step;
+  Query whole;             ///< all of a
+  float moved[6][kLanes];  ///< b's boxes
+};
+
+[[gnu::always_inline]] inline Query movedBox(const Together& t, unsigned j) {
+  return {t.moved[0][j], t.moved[1][j], t.moved[2][j], t.moved[3][j], t.moved[4][j], t.moved[5][j], 0, 0};
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline Boxes<Lanes> movedBoxes(const Together& t) {
+  return {Lanes::load(t.moved[0]), Lanes::load(t.moved[1]), Lanes::load(t.moved[2]),
+          Lanes::load(t.moved[3]), Lanes::load(t.moved[4]), Lanes::load(t.moved[5])};
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline void bringTogether(const Descent& d, const Item& item_a, const Block& a, const Block& b,
+                                                 double limit, float slacks, Together& t) {
+  const UnitMap& map = d.to_a;
+  const double size = map.scale * b.scale * a.inverse;
+  const double x = (map.scale * (map.r00 * b.origin_x + map.r01 * b.origin_y) + map.tx - a.origin_x) * a.inverse;
+  const double y = (map.scale * (map.r10 * b.origin_x + map.r11 * b.origin_y) + map.ty - a.origin_y) * a.inverse;
+  const double slack = d.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
+  t.step = stepOf(a.scale, limit * a.inverse, static_cast<float>(slack) * slacks, 1e30f);
+
+  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
+  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const float scale = static_cast<float>(size);
+  const Lanes bx = Lanes::load(b.x) * scale, by = Lanes::load(b.y) * scale;
+  const Lanes bux = Lanes::load(b.ux), buy = Lanes::load(b.uy);
+  (bx * r00 + by * r01 + static_cast<float>(x)).store(t.moved[0]);
+  (bx * r10 + by * r11 + static_cast<float>(y)).store(t.moved[1]);
+  (bux * r00 + buy * r01).store(t.moved[2]);
+  (bux * r10 + buy * r11).store(t.moved[3]);
+  (Lanes::load(b.along) * scale).store(t.moved[4]);
+  (Lanes::load(b.across) * scale).store(t.moved[5]);
+
+  t.whole = {static_cast<float>((item_a.x - a.origin_x) * a.inverse),
+             static_cast<float>((item_a.y - a.origin_y) * a.inverse),
+             static_cast<float>(item_a.ux),
+             static_cast<float>(item_a.uy),
+             static_cast<float>(item_a.along * a.inverse),
+             static_cast<float>(item_a.across * a.inverse),
+             0,
+             0};
+}
+
+/// Fills the gaps of a's boxes (columns) against those of b's (rows), and lowers the limit by what they prove.
+template <class Lanes>
+[[gnu::always_inline]] inline void narrowFirst(const Block& a, const Block& b, const Boxes<Lanes>& boxes,
+                                               const Together& t, unsigned rows, float (&gap)[kLanes][kLanes],
+                                               ShowPairs& goal) {
+  float spans[kLanes];
+  for (unsigned i = 0; i < kLanes; ++i) spans[i] = (a.spanned >> i & 1) != 0 ? 2 * a.across[i] : 1e30f;
+  const Lanes spans_a = Lanes::load(spans);
+  Lanes upper = Lanes::all(1e30f);
+  for (; rows != 0; rows &= rows - 1) {
+    const unsigned j = static_cast<unsigned>(__builtin_ctz(rows));
+    const Query query = movedBox(t, j);
+    const Lanes found = gaps<true>(boxes, query);
+    found.store(gap[j]);
+    if ((b.spanned >> j & 1) != 0)
+      upper = smaller(upper, larger(found, Lanes::all(0)) * 1.4143f + spans_a + 2 * query.across);
+  }
+  goal.narrow(upper, t.step);
+}
+
+/// A pair of lanes; none at first.
+struct LanePair {
+  unsigned i = kLanes, j = kLanes;
+};
+
+/// The least of the gaps that are to be entered.
+template <class Lanes>
+[[gnu::always_inline]] inline LanePair nearestPair(const Block& a, const Step& step, unsigned rows,
+                                                   const float (&gap)[kLanes][kLanes], const ShowPairs& goal) {
+  LanePair nearest;
+  Lanes unused = Lanes::all(0);
+  float least = 0;
+  for (; rows != 0; rows &= rows - 1) {
+    const unsigned j = static_cast<unsigned>(__builtin_ctz(rows));
+    for (unsigned left = entered(goal, a, step, Lanes::load(gap[j]), unused); left != 0; left &= left - 1) {
+      const unsigned i = static_cast<unsigned>(__builtin_ctz(left));
+      if (nearest.i != kLanes && !(gap[j][i] < least)) continue;
+      least = gap[j][i];
+      nearest = {i, j};
+    }
+  }
+  return nearest;
+}
+
+/// Two items that are both divided. True if that ended the descent.
+template <class Lanes, class Goal>
+bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits, Goal& goal) {
+  const Block &a = d.a.blocks[item_a.child], &b = d.b.blocks[item_b.child];
+  Together t;
+  bringTogether<Lanes>(d, item_a, a, b, goal.limit, Goal::kSlacks, t);
+  const bool leaves = a.leaf && b.leaf;
+  // First the whole of a against b's boxes.
+  Lanes left_out = Lanes::all(1e30f);
+  const Lanes from_whole = gaps<Goal::kNarrows>(movedBoxes<Lanes>(t), t.whole);
+  const unsigned near_b = entered(goal, b, t.step, from_whole, left_out);
+  const Boxes<Lanes> boxes = boxesOf<Lanes>(a);
+  Step step = t.step;
+  float gap[kLanes][kLanes];
+  LanePair shown;
+  if constexpr (Goal::kNarrows) {
+    narrowFirst(a, b, boxes, t, near_b, gap, goal);
+    step = stepOf(a.scale, goal.limit * a.inverse, step.slack, step.cap);
+    // Of edges, the nearest: it may spare the others.
+    if (leaves) shown = nearestPair<Lanes>(a, step, near_b, gap, goal);
+    if (shown.i != kLanes && goal(provenGap(step, gap[shown.j][shown.i]), a.child[shown.i], b.child[shown.j]))
+      return true;
+  }
+  const int first = visits.top;
+  assert(first + kLanes * kLanes < Visits::kMost);
+  for (unsigned left = near_b; left != 0; left &= left - 1) {
+    const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
+    const Query query = movedBox(t, j);
+    if constexpr (!Goal::kNarrows) gaps<false>(boxes, query).store(gap[j]);
+    unsigned near = entered(goal, a, step, Lanes::load(gap[j]), left_out);
+    if (goal.mayAccept() && (b.spanned >> j & 1) != 0 &&
+        goal.accepts(step, near & a.spanned, gap[j], a.across, query.across))
+      return true;
+    if (leaves) {
+      if (j == shown.j) near &= ~(1u << shown.i);
+      for (; near != 0; near &= near - 1) {
+        const int i = __builtin_ctz(near);
+        if (goal(provenGap(step, gap[j][i]), a.child[i], b.child[j])) return true;
+      }
+      continue;
+    }
+    for (; near != 0; near &= near - 1) {
+      const unsigned i = static_cast<unsigned>(__builtin_ctz(near));
+      visits.a[visits.top] = item_a.child * kLanes + i;
+      visits.b[visits.top] = item_b.child * kLanes + j;
+      visits.gap[visits.top++] = Goal::keptGap(step, gap[j][i]);
+    }
+  }
+  goal.leaveOut(left_out, step);
+  raiseDeepest(visits, first);
+  return false;
+}
+
+/// True if the goal ended it.
+template <class Lanes, class Goal>
+[[gnu::always_inline]] inline bool descendBoth(const Descent& d, Goal& goal) {
+  Visits visits;
+  visits.a[0] = visits.b[0] = kRoot;
+  visits.gap[0] = -1e30f;
+  visits.top = 1;
+  while (visits.top > 0) {
+    --visits.top;
+    if (Goal::kNarrows && visits.gap[visits.top] > goal.limit) continue;
+    const std::uint32_t visit_a = visits.a[visits.top], visit_b = visits.b[visits.top];
+    const Item a = itemAt(d.a, visit_a), b = itemAt(d.b, visit_b);
+    // Beyond this ratio of sizes floats couldn't tell the smaller one's boxes apart in the larger one's frame.
+    constexpr double kAlike = 32;
+    const double size_a = a.along + a.across, size_b = (b.along + b.across) * d.to_a.scale;
+    const bool both = !a.leaf && !b.leaf && size_a < kAlike * size_b && size_b < kAlike * size_a;
+    const bool into_a = b.leaf || (!a.leaf && size_a >= size_b);
+    if (both ? enterBoth<Lanes>(d, a, b, visits, goal)
+             : enterOne<Lanes>(d, into_a, into_a ? a : b, into_a ? b : a, visit_a, visit_b, visits, goal))
+      return true;
+  }
+  return false;
+}
+
+template <class Lanes>
+DescentResult findHit(const Descent& d, const HitTest& test) {
+  FindHit goal{test, d.limit, {false, 1e300, -1, -1}};
+  if (descendBoth<Lanes>(d, goal)) return goal.result;
+  return {false, goal.result.clearance > 0 ? goal.result.clearance : 0, -1, -1};
+}
+
+template <class Lanes>
+void showPairs(const Descent& d, const PairVisitor& visitor) {
+  ShowPairs goal{visitor, d.limit};
+  descendBoth<Lanes>(d, goal);
+}
+
+}  // namespace tricover::detail::wide

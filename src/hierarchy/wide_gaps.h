@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gaps between boxes, eight at a time. `Lanes` is eight floats side by side in some instruction set: load() and
+// store() anywhere in memory, all() of one value, + - * and, where used, / of lanes and of lanes and a float, and
+// absolute, root, larger, smaller, whereAbove (the first where it is above the second, elsewhere something large),
+// above (bit i: lane i of the first is above that of the second).
+//
+// What isn't a template over Lanes here must be always inlined: wide_avx2.cpp compiles it for AVX2.
+#pragma once
+
+#include <cassert>
+
+#include "hierarchy/wide.h"
+
+namespace tricover::detail::wide {
+
+[[gnu::always_inline]] inline double magnitude(double x) { return __builtin_fabs(x); }
+
+/// A box of one hierarchy, in its units.
+struct Item {
+  double x, y, ux, uy, along, across;
+  std::uint32_t child;
+  bool leaf, spanned;
+};
+
+constexpr std::uint32_t kRoot = 0xffffffff;
+
+[[gnu::always_inline]] inline Item itemAt(const Hierarchy& hierarchy, std::uint32_t index) {
+  if (index == kRoot) {
+    const Box& box = hierarchy.root;
+    return {box.x, box.y, box.ux, box.uy, box.along, box.across, 0, false, hierarchy.root_spanned};
+  }
+  const Block& block = hierarchy.blocks[index / kLanes];
+  const unsigned lane = index % kLanes;
+  const double scale = block.scale;
+  return {block.origin_x + block.x[lane] * scale,
+          block.origin_y + block.y[lane] * scale,
+          block.ux[lane],
+          block.uy[lane],
+          block.along[lane] * scale,
+          block.across[lane] * scale,
+          block.child[lane],
+          block.leaf,
+          (block.spanned >> lane & 1) != 0};
+}
+
+/// A box in a block's scale, from its origin.
+struct Query {
+  float x, y, ux, uy, along, across;
+  float slack;  ///< what a gap may be too large by
+  float cap;    ///< no gap is proven beyond this
+};
+
+constexpr double kLong = 512, kKept = 64;
+
+/// A long edge beside a small block: only its part around the block counts, which floats can tell from the block; and
+/// the edge itself is known better than the float box around it. Returns the distance up to which that part stands for
+/// the whole.
+[[gnu::always_inline]] inline double clip(const Item& item, const PolygonData& polygon, const UnitMap& map,
+                                          const Block& block, double& x, double& y, double& ux, double& uy,
+                                          double& along, double& across) {
+  if (item.leaf) {
+    const Vec2 v = polygon.inUnits(polygon.path[item.child]), w = polygon.inUnits(polygon.path[item.child + 1]);
+    const Vec2 half = 0.5 * (w - v), middle = v + half;
+    const double size = map.scale * block.inverse, length = half.norm();
+    x = (map.scale * (map.r00 * middle.x() + map.r01 * middle.y()) + map.tx - block.origin_x) * block.inverse;
+    y = (map.scale * (map.r10 * middle.x() + map.r11 * middle.y()) + map.ty - block.origin_y) * block.inverse;
+    ux = (map.r00 * half.x() + map.r01 * half.y()) / length;
+    uy = (map.r10 * half.x() + map.r11 * half.y()) / length;
+    along = length * size;
+    across = 0;
+  }
+  const double at = -(x * ux + y * uy) / (ux * ux + uy * uy);
+  double low = at - kKept, high = at + kKept;
+  low = low < -along ? -along : low > along ? along : low;
+  high = high < -along ? -along : high > along ? along : high;
+  const double middle = 0.5 * (low + high);
+  x += middle * ux;
+  y += middle * uy;
+  along = 0.5 * (high - low);
+  return kKept - 4;
+}
+
+/// `rounding` is Descent's.
+[[gnu::always_inline]] inline Query queryFor(const Item& item, const PolygonData& polygon, const UnitMap& map,
+                                             const Block& block, double rounding) {
+  double x = (map.scale * (map.r00 * item.x + map.r01 * item.y) + map.tx - block.origin_x) * block.inverse;
+  double y = (map.scale * (map.r10 * item.x + map.r11 * item.y) + map.ty - block.origin_y) * block.inverse;
+  double ux = map.r00 * item.ux + map.r01 * item.uy, uy = map.r10 * item.ux + map.r11 * item.uy;
+  const double size = map.scale * block.inverse;
+  double along = item.along * size;
+  double across = item.across * size;
+  double cap = 1e30;
+  if (along > kLong) cap = clip(item, polygon, map, block, x, y, ux, uy, along, across);
+  const double slack = rounding * (magnitude(x) + magnitude(y) + along + across + 4) + map.error * block.inverse;
+  return {static_cast<float>(x),     static_cast<float>(y),      static_cast<float>(ux),    static_cast<float>(uy),
+          static_cast<float>(along), static_cast<float>(across), static_cast<float>(slack), static_cast<float>(cap)};
+}
+
+/// Eight boxes of one block.
+template <class Lanes>
+struct Boxes {
+  Lanes x, y, ux, uy, along, across;
+};
+
+template <class Lanes>
+[[gnu::always_inline]] inline Boxes<Lanes> boxesOf(const Block& block) {
+  return {Lanes::load(block.x),  Lanes::load(block.y),     Lanes::load(block.ux),
+          Lanes::load(block.uy), Lanes::load(block.along), Lanes::load(block.across)};
+}
+
+/// The largest gap between the projections of the query and of each box, over a few axes (separating axes): a lower
+/// bound of their distance but for the slack; positive only if they are apart.
+///
+/// Sides. Four axes: along and across the query, along and across the box. With c and s the cosine and sine of the
+/// angle between the two, one's extents reach along c + across s along the other, and along s + across c across it.
+///
+/// With kAllAxes the following, too; they make a tight bound of the distance out of what tells overlap.
+///
+/// Diagonals. Midway between two axes at right angles the gap is the sum of theirs times sqrt(1/2): with the sides
+/// every direction is within 22.5 degrees of an axis, and 0.92 (the cosine of that) of the distance is found at least.
+/// Its error is sqrt(2) times that of one gap.
+///
+/// Centres. Along the sides of two round outlines, that are beyond each other's nearest points, no gap grows with the
+/// distance; along the line of the centres it does. Its products are rounded four times and divided by what they have
+/// in common, the distance of the centres. Where that is 0 the gap is NaN, which larger() drops.
+template <bool kAllAxes, class Lanes>
+[[gnu::always_inline]] inline Lanes gaps(const Boxes<Lanes>& box, const Query& q) {
+  const Lanes ux = box.ux, uy = box.uy, along = box.along, across = box.across;
+  const Lanes dx = box.x - q.x, dy = box.y - q.y;
+  const Lanes c = absolute(ux * q.ux + uy * q.uy), s = absolute(ux * q.uy - uy * q.ux);
+  const Lanes along_apart = absolute(dx * q.ux + dy * q.uy), across_apart = absolute(dy * q.ux - dx * q.uy);
+  const Lanes box_along_apart = absolute(dx * ux + dy * uy), box_across_apart = absolute(dy * ux - dx * uy);
+  const Lanes along_query = along_apart - (along * c + across * s + q.along);
+  const Lanes across_query = across_apart - (along * s + across * c + q.across);
+  const Lanes along_box = box_along_apart - (along + c * q.along + s * q.across);
+  const Lanes across_box = box_across_apart - (across + s * q.along + c * q.across);
+  const Lanes largest = larger(larger(along_query, across_query), larger(along_box, across_box));
+  if constexpr (!kAllAxes) {
+    return largest;
+  } else {
+    constexpr float kHalf = 0.70710678f;  // at most the root of 1/2 but for rounding
+    const Lanes diagonal = larger(along_query + across_query, along_box + across_box) * kHalf;
+    const Lanes square = dx * dx + dy * dy, extents = along * box_along_apart + across * box_across_apart +
+                                                      (along_apart * q.along + across_apart * q.across);
+    const Lanes between = (square - extents) / root(square);
+    return larger(between, larger(largest, diagonal));
+  }
+}
+
+}  // namespace tricover::detail::wide

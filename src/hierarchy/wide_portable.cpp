@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The wide functions for every target, in vectors of four floats.
+#include "hierarchy/wide_descent.h"
+#include "hierarchy/wide_shapes.h"
+#include "hierarchy/wide_table.h"
+
+namespace tricover::detail {
+namespace wide {
+namespace {
+
+typedef float Four __attribute__((vector_size(16)));
+typedef std::int32_t FourBits __attribute__((vector_size(16)));
+typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias));
+
+[[gnu::always_inline]] inline Four absolute(Four p) { return (Four)((FourBits)p & 0x7fffffff); }
+[[gnu::always_inline]] inline Four root(Four p) {
+#ifdef __SSE2__
+  return __builtin_ia32_sqrtps(p);
+#else
+  for (int i = 0; i < 4; ++i) p[i] = __builtin_sqrtf(p[i]);
+  return p;
+#endif
+}
+[[gnu::always_inline]] inline Four larger(Four p, Four q) { return p > q ? p : q; }
+[[gnu::always_inline]] inline Four smaller(Four p, Four q) { return p < q ? p : q; }
+[[gnu::always_inline]] inline Four whereAbove(Four p, Four q) { return p > q ? p : 1e30f - Four{}; }
+[[gnu::always_inline]] inline unsigned above(Four p, Four q) {
+  const FourBits greater = p > q;
+#ifdef __SSE2__
+  return static_cast<unsigned>(__builtin_ia32_movmskps((Four)greater));
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < 4; ++i) bits |= (greater[i] != 0 ? 1u : 0u) << i;
+  return bits;
+#endif
+}
+
+/// See wide_gaps.h.
+struct PortableLanes {
+  Four low, high;
+
+  [[gnu::always_inline]] static PortableLanes load(const float* p) {
+    return {*reinterpret_cast<const FourAnywhere*>(p), *reinterpret_cast<const FourAnywhere*>(p + 4)};
+  }
+  [[gnu::always_inline]] static PortableLanes all(float value) { return {value - Four{}, value - Four{}}; }
+  [[gnu::always_inline]] void store(float* p) const {
+    *reinterpret_cast<FourAnywhere*>(p) = low;
+    *reinterpret_cast<FourAnywhere*>(p + 4) = high;
+  }
+
+  using L = PortableLanes;
+  [[gnu::always_inline]] friend L operator+(L p, L q) { return {p.low + q.low, p.high + q.high}; }
+  [[gnu::always_inline]] friend L operator-(L p, L q) { return {p.low - q.low, p.high - q.high}; }
+  [[gnu::always_inline]] friend L operator*(L p, L q) { return {p.low * q.low, p.high * q.high}; }
+  [[gnu::always_inline]] friend L operator/(L p, L q) { return {p.low / q.low, p.high / q.high}; }
+  [[gnu::always_inline]] friend L operator+(L p, float q) { return {p.low + q, p.high + q}; }
+  [[gnu::always_inline]] friend L operator-(L p, float q) { return {p.low - q, p.high - q}; }
+  [[gnu::always_inline]] friend L operator*(L p, float q) { return {p.low * q, p.high * q}; }
+  [[gnu::always_inline]] friend L absolute(L p) { return {wide::absolute(p.low), wide::absolute(p.high)}; }
+  [[gnu::always_inline]] friend L root(L p) { return {wide::root(p.low), wide::root(p.high)}; }
+  [[gnu::always_inline]] friend L larger(L p, L q) {
+    return {wide::larger(p.low, q.low), wide::larger(p.high, q.high)};
+  }
+  [[gnu::always_inline]] friend L smaller(L p, L q) {
+    return {wide::smaller(p.low, q.low), wide::smaller(p.high, q.high)};
+  }
+  [[gnu::always_inline]] friend L whereAbove(L p, L q) {
+    return {wide::whereAbove(p.low, q.low), wide::whereAbove(p.high, q.high)};
+  }
+  [[gnu::always_inline]] friend unsigned above(L p, L q) {
+    return wide::above(p.low, q.low) | wide::above(p.high, q.high) << 4;
+  }
+};
+
+}  // namespace
+}  // namespace wide
+
+const WideTable kPortableTable = {&wide::findHit<wide::PortableLanes>, &wide::showPairs<wide::PortableLanes>,
+                                  &wide::visitEdgesOnRay<wide::PortableLanes>, &wide::convexMeet<wide::PortableLanes>,
+                                  &wide::innerDepth<wide::PortableLanes>};
+
+}  // namespace tricover::detail

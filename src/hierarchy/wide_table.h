@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hierarchy/wide.h"
+
+namespace tricover::detail {
+
+/// wide.h's functions for one instruction set.
+struct WideTable {
+  decltype(&findHit) find_hit;
+  decltype(&showPairs) show_pairs;
+  decltype(&visitEdgesOnRay) visit_edges_on_ray;
+  decltype(&convexMeet) convex_meet;
+  decltype(&innerDepth) inner_depth;
+};
+
+/// Constant, so that static objects may ask questions before anything is initialised.
+extern const WideTable kPortableTable;
+#ifdef __x86_64__
+extern const WideTable kAvx2Table;
+#endif
+
+}  // namespace tricover::detail

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pair/outcome.h"
+#include "pair/posed_pair.h"
+
+namespace tricover::detail {
+
+/// Whether, no edges meeting, one region holds a ring of the other (repair 2): by one vertex of every ring. Leaves
+/// clearance 0.
+Outcome findContainment(const PosedPair& pair);
+
+}  // namespace tricover::detail

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Holds the sources to the drawing: every room includes only the rooms above it.
+
+usage: tests/rooms.py [ROOT]
+
+Fails on an #include that leads to a later room, between two rooms that must not see each other, or from the adapter into the core's private
+headers; on a cycle between files; and on a function that one room declares and another defines.
+"""
+import pathlib
+import re
+import sys
+
+# First to last; rooms that share a line don't see each other.
+CORE = [["numbers"], ["polygon"], ["hierarchy"], ["pair"], ["apart", "overlap"], ["drawing"]]
+ADAPTER = [["shape"], ["shadow"], ["polygons"], ["mixed"], ["entry"]]
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
+# A function's name and its closing parenthesis, with what may stand before a ';' (a declaration) or a '{' (a definition) at a namespace's level.
+FUNCTION = re.compile(r"^(?=\S)(?:[\w:&*<>,\[\] ]+[ &*>])?((?:\w+::)*~?\w+)\([^;{}]*\)(?: const| noexcept)*\s*(?:: [^;{}]*(?:\{[^{}]*\}[^;{}]*)*)?([;{])", re.M)
+
+
+def uncommented(text):
+    return re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
+
+
+class House:
+    """The files of one source directory, by the name that an #include gives them."""
+
+    def __init__(self, directory, rows):
+        self.rank = {room: i for i, row in enumerate(rows) for room in row}
+        self.rank[""] = -1  # a file outside of the rooms sees none of them
+        self.files = {}
+        for path in sorted(directory.rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                self.files[path.relative_to(directory).as_posix()] = uncommented(path.read_text())
+
+    def includes(self, file):
+        return INCLUDE.findall(self.files[file])
+
+    def faults(self, include_directories):
+        headers = [path for directory in include_directories for path in directory.rglob("*.h")]
+        public = {name for path in headers for name, end in FUNCTION.findall(uncommented(path.read_text())) if end == ";"}
+        for file in self.files:
+            room = self.room(file)
+            if room not in self.rank:
+                yield f"{file} is in no room"
+                continue
+            for name in self.includes(file):
+                if name in self.files:
+                    other = self.room(name)
+                    if other != room and self.rank.get(other, len(self.rank)) >= self.rank[room]:
+                        yield f'{file} includes "{name}", but {room} does not see {other}'
+                elif not any((directory / name).is_file() for directory in include_directories):
+                    yield f'{file} includes "{name}", which is neither in a room nor public'
+        yield from self.cycles()
+        yield from self.strangers(public)
+
+    @staticmethod
+    def room(file):
+        return file.split("/")[0] if "/" in file else ""
+
+    def cycles(self):
+        """Depth first; a file that is met again on the way to itself closes a cycle."""
+        done = set()
+
+        def visit(file, way):
+            if file in way:
+                yield "a cycle of includes: " + " -> ".join(way[way.index(file):] + [file])
+            elif file not in done:
+                for name in self.includes(file):
+                    if name in self.files:
+                        yield from visit(name, way + [file])
+                done.add(file)
+
+        for file in self.files:
+            yield from visit(file, [])
+
+    def strangers(self, public):
+        """Functions declared in a header of one room and defined in a source of another; a name that is public, too, may be another overload."""
+        declared = {}
+        for file, text in self.files.items():
+            if file.endswith(".h"):
+                for name, end in FUNCTION.findall(text):
+                    if end == ";":
+                        declared.setdefault(name, set()).add(self.room(file))
+                for owner, body in re.findall(r"^(?:struct|class) (?:alignas\(\w+\) )?(\w+)[^;{]*\{(.*?)^\};", text, re.M | re.S):
+                    for name in re.findall(r"^  (?:[\w:&*<>, ]+[ &*>])?(~?\w+)\([^;{}]*\)(?: const| noexcept)*;", body, re.M):
+                        declared.setdefault(f"{owner}::{name}", set()).add(self.room(file))
+        for file, text in self.files.items():
+            if not file.endswith(".cpp"):
+                continue
+            for name, end in FUNCTION.findall(without_unnamed(text)):
+                rooms = declared.get(name)
+                if end == "{" and rooms and self.room(file) not in rooms and name not in public:
+                    yield f"{file} defines {name}, which {'/'.join(sorted(rooms))} declares"
+
+
+def without_unnamed(text):
+    """Without what unnamed namespaces hold, which no header declares; clang-format names the namespaces' ends, but not theirs to us: braces are counted."""
+    result, at = "", 0
+    while (start := text.find("namespace {", at)) >= 0:
+        result += text[at:start]
+        at, depth = start + len("namespace {"), 1
+        while depth:
+            depth += {"{": 1, "}": -1}.get(text[at], 0)
+            at += 1
+    return result + text[at:]
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[1])
+    own, fcl = root / "include", root / "fcl_adapter/include"
+    faults = list(House(root / "src", CORE).faults([own]))
+    faults += House(root / "fcl_adapter/src", ADAPTER).faults([own, fcl])
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
