@@ -250,15 +250,16 @@ Remainder remainderOf(const DistanceCache& cache, const Pair& pair, bool& both_m
   both_moved = a_moved && b_moved;
   const double motion = (a_moved ? Change(pair.a, cache.first_pose, pair.pose_a).displacement() : 0) +
                         (b_moved ? Change(pair.b, cache.second_pose, pair.pose_b).displacement() : 0);
-  return {1 - 8 * kUnitRoundoff, motion};
+  return {roundedDown<Remainder::kRoundings>(1), motion};
 }
 
 /// Shows the search what it must see. False if two edges meet.
 bool descend(const PosedPair& pair, Search& search) {
   // The discs' farthest points are no nearer than any of the polygons.
   const double dx = std::abs(pair.center_x - pair.a.origin.x()), dy = std::abs(pair.center_y - pair.a.origin.y());
-  search.limitTo((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect) *
-                 (1 + 16 * kUnitRoundoff));
+  constexpr int kSums = 1 + 4;  // one difference, four sums; and the scale's sum and product
+  search.limitTo(
+      roundedUp<kSums + 2>((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect)));
   const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
   forNearPairs(
       pair, limit(),
@@ -266,7 +267,7 @@ bool descend(const PosedPair& pair, Search& search) {
         return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
       },
       [&](double length) {
-        search.limitTo(length * (1 + pair.scale_defect) * (1 + 16 * kUnitRoundoff));
+        search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
         return limit();
       });
   return !search.meets();

@@ -5,60 +5,41 @@
 #include <cmath>
 #include <limits>
 
+#include "numbers/double_double.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
 namespace {
 
-/// An unevaluated sum of two doubles, in either coordinate.
-struct Twofold {
-  Double2 high, low;
-};
-
-/// Exact (Knuth).
-Twofold twoSum(Double2 p, Double2 q) {
-  const Double2 sum = p + q, from_q = sum - p;
-  return {sum, (p - (sum - from_q)) + (q - from_q)};
-}
-
-/// The high half of each double's digits; what is left is exactly the low half (Dekker, Veltkamp).
-Double2 highHalf(Double2 p) {
-  const Double2 large = 134217729.0 * p;  // 2^27 + 1
-  return large - (large - p);
-}
-
-/// Exact, but for underflow of the rest.
-Twofold twoProduct(Double2 p, Double2 q) {
-  const Double2 product = p * q, ph = highHalf(p), pl = p - ph, qh = highHalf(q), ql = q - qh;
-  return {product, ((ph * qh - product) + ph * ql + pl * qh) + pl * ql};
-}
+/// In either coordinate.
+using Twofold2 = Twofold<Double2>;
 
 Double2 both(double x) { return Double2{x, x}; }
 
 /// Adds a matrix times p to `sum`.
-void addProduct(Twofold& sum, const Double2 (&columns)[2], Double2 p) {
+void addProduct(Twofold2& sum, const Double2 (&columns)[2], Double2 p) {
   for (int i = 0; i < 2; ++i) {
-    const Twofold term = twoProduct(columns[i], both(p[i])), added = twoSum(sum.high, term.high);
+    const Twofold2 term = twoProduct(columns[i], both(p[i])), added = twoSum(sum.high, term.high);
     sum.high = added.high;
     sum.low += added.low + term.low;
   }
 }
 
-Twofold normalised(const Twofold& sum) { return twoSum(sum.high, sum.low); }
+Twofold2 normalised(const Twofold2& sum) { return twoSum(sum.high, sum.low); }
 
 /// A matrix times (q - p).
-Twofold mappedDifference(const Double2 (&columns)[2], Double2 p, Double2 q) {
-  const Twofold difference = twoSum(q, -p);
-  const Twofold first = twoProduct(columns[0], both(difference.high[0]));
-  const Twofold second = twoProduct(columns[1], both(difference.high[1])), sum = twoSum(first.high, second.high);
+Twofold2 mappedDifference(const Double2 (&columns)[2], Double2 p, Double2 q) {
+  const Twofold2 difference = twoSum(q, -p);
+  const Twofold2 first = twoProduct(columns[0], both(difference.high[0]));
+  const Twofold2 second = twoProduct(columns[1], both(difference.high[1])), sum = twoSum(first.high, second.high);
   const Double2 rest = columns[0] * difference.low[0] + columns[1] * difference.low[1];
   return normalised({sum.high, sum.low + (first.low + second.low + rest)});
 }
 
-double cross(const Twofold& u, const Twofold& w) {
-  const Twofold products = twoProduct(u.high, swapped(w.high));
+double cross(const Twofold2& u, const Twofold2& w) {
+  const Twofold2 products = twoProduct(u.high, swapped(w.high));
   const Double2 rest = products.low + (u.high * swapped(w.low) + u.low * swapped(w.high));
-  const Twofold difference = twoSum(both(products.high[0]), both(-products.high[1]));
+  const Twofold2 difference = twoSum(both(products.high[0]), both(-products.high[1]));
   return difference.high[0] + (difference.low[0] + (rest[0] - rest[1]));
 }
 
@@ -74,10 +55,29 @@ Double2 point(const PolygonData& polygon, std::size_t position) { return load2(p
 
 }  // namespace
 
-// With M the size, a rounded R p errs by at most 2U |p|_1 in either coordinate, R q + t by 3U (|q|_1 + |t|_1) + U
-// |t|_1, a difference of two such by U of what it is: in all below 6U M, so the edges may be out of place by 9U M in
-// any direction. For the distance of a point from an edge, as below, doubles then err by at most 16U (|u_a| + |u_b| +
-// d), and the edges' lengths and d are at most 2.1 M and 1.1 M together: in all 61U M; 66U M is used.
+// With M the size, |p|_1, |q|_1 and |t|_1 (of t_b - t_a) sum to at most M. In units of U, rows of R being unit vectors
+// but for 1e-6:
+//   R p        products 1, sum 1                         2 |p|_1 in either coordinate
+//   R q + t    the same, t itself 1, the sum 1           3 |q|_1 + 2 |t|_1
+// so that a distance between the edges is off by sqrt2 3 M in any direction because its ends are, and beside() rounds
+// as pointSegmentDistance() does (there 12 |u| + 8 d; here 1 |u| more for the inverse, and 8 d), with |u| <= 2 M, d <=
+// M:
+//   4.25 M + 26 M + 8 M = 38.25 M.
+constexpr double kDistanceError = 64 * kUnitRoundoff;
+static_assert(kDistanceError >= (1 + 1e-5) * (errorOf(3) * kRoot2 + 2 * errorOf(12 + 1) + errorOf(8)));
+
+// Areas u x w and products u . w, where u leads along an edge and w from its start to an end of the other, |u| <= 2 M
+// and |w| <= M; in units of U:
+//   u          of b: twice 3 |q|_1 + 2 |t|_1, the difference 1 |u|     8 M in either coordinate
+//   w          R p and R q + t together, the difference 1              4 M
+//   u, w       sqrt2 (8 |w| + 4 |u|)                                   sqrt2 16 M^2
+//   products and their sum, 2 |u| |w|                                  4 M^2
+// in all below 27 M^2. The square of u is off by 2 sqrt2 8 |u| + 2 |u|^2, 53.3 M^2, and the sum with unsure_ by 5 M^2:
+// where an end is beyond it, 86 M^2.
+constexpr double kProductError = 128 * kUnitRoundoff;
+static_assert(kProductError >=
+              (1 + 1e-5) * (errorOf(16) * kRoot2 + errorOf(4) + errorOf(32) * kRoot2 + errorOf(8 + 5)));
+
 EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
     : a_(a),
       b_(b),
@@ -89,7 +89,7 @@ EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const Pol
       inverse_(1) {
   Double2 from = load2(pose_a.data() + 6), to = load2(pose_b.data() + 6);
   const Double2 apart = absolute(to - from);
-  size_ = (a.extent + b.extent + (apart[0] + apart[1])) * (1 + 8 * kUnitRoundoff);
+  size_ = roundedUp<4>(a.extent + b.extent + (apart[0] + apart[1]));
   if (!(size_ > 0x1p-300 && size_ < 0x1p300)) {
     // So that M is between 2^-400 and 2^400. An extent that overflowed is below 2^1025, hence the factor.
     constexpr double kLargest = std::numeric_limits<double>::max();
@@ -100,11 +100,11 @@ EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const Pol
     const Double2 away = absolute(from) + absolute(to);
     size_ = 4 * (std::min(a.extent, kLargest) * scale_ + std::min(b.extent, kLargest) * scale_ + (away[0] + away[1]));
   }
-  const Twofold shift = twoSum(to, -from);
+  const Twofold2 shift = twoSum(to, -from);
   shift_ = shift.high;
   shift_rest_ = shift.low;
-  error_ = 66 * kUnitRoundoff * size_;
-  unsure_ = 512 * kUnitRoundoff * size_ * size_;
+  error_ = kDistanceError * size_;
+  unsure_ = kProductError * size_ * size_;
   for (int i = 0; i < 2; ++i) {
     scaled_a_[i] = columns_a_[i] * scale_;
     scaled_b_[i] = columns_b_[i] * scale_;
@@ -136,7 +136,7 @@ bool EdgeDistances::meet(std::size_t i, std::size_t j) const {
 
 double EdgeDistances::mostSquare(const View& v) const {
   const double most = v.distance + 2 * error_;
-  return most * most * (1 + 16 * kUnitRoundoff);
+  return roundedUp<6>(most * most);  // a root, a product and a sum, twice, and the square
 }
 
 std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t j) const {
@@ -186,17 +186,27 @@ EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
   return {0, part(v.area[2], v.area[3]), part(v.area[0], v.area[1])};
 }
 
-// Let w go from an end of an edge to the point, and u along the edge; U^2 is the unit here, M the size.
+// Let w go from an end of an edge to the point, and u along the edge; M is the size.
 //   w: each of the nine partial sums is at most M and rounds by U M, which is kept in the low parts, whose own ten sums
-//   and products round by U of that: below 100 U^2 M in either coordinate; 256 U^2 M in any direction.
-//   u: from the exact difference in the polygon's frame: below 32 U^2 |u|.
-//   u x w: 32 U^2 |u| |w| by the errors of u, 256 U^2 M |u| by those of w, 16 U^2 |u| |w| by the products that are
-//   rounded or left out, and the last sum rounds by U: divided by |u|, with |w| <= 3 M, that is 400 U^2 M + U d.
-// So where d >= 2^-44 M (= 512 U M) all of it is below 2U d. Squares, the root and the quotient round by 4U in all, and
-// |w| by as little. A point taken for one beside an end of the edge rather than beyond it, or the converse, is so by an
-// angle below 16U: in the distance the square of that. Where |w| <= 2 d, a u that is rounded to 4U will do: with three
-// roundings of the area that is 14U d. In all below 24U: kRelativeError is 32U.
-//
+//   and products round by U of at most 9U M: below 100 U^2 M in either coordinate.
+//   u: from the exact difference in the polygon's frame, by the same count of U |u|: below 32 U^2 |u|.
+// The distance d = |u x w| / |u|, where |w| <= 3 M, then errs by
+//   256 U^2 M      by w, sqrt2 100 in any direction,
+//   3 * 32 U^2 M   by u,
+//   3 * 16 U^2 M   by the products in u x w that are rounded or left out,
+//   U d            by its last sum,
+// which is 400 U^2 M + U d, below 2U d where d >= kLeastShare M. A point taken for one beside an end of the edge rather
+// than beyond it, or the converse, is so by an angle below 16U: in the distance the square of that. |w| alone errs by
+// as little as that. Where |w| <= 2 d, a u will do whose coordinates err by 3U |u| (difference, product, sum):
+//   2 (sqrt2 3 + 1 + 1) U d   u, w's own rounding and the products, of |u| |w|
+//   U d                       their difference
+// which is 13.5U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
+// the quotient (U) add 7.3U: in all below 21U, and kRelativeError is 32U.
+constexpr double kLeastShare = 0x1p-44;
+static_assert(kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoundoff * kUnitRoundoff);
+static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (2 * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
+static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
+
 // Vectors go from a to b whatever k is, so that two vertices are found just as far apart from either's edges.
 EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j) const {
   const bool end_of_b = k < 2;
@@ -206,7 +216,7 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   const Double2(&columns)[2] = end_of_b ? columns_a_ : columns_b_;
   /// From the posed vertex of a at one position to that of b at another.
   const auto between = [&](std::size_t at_a, std::size_t at_b) {
-    Twofold w{shift_, shift_rest_};
+    Twofold2 w{shift_, shift_rest_};
     addProduct(w, columns_b_, point(b_, at_b) * scale_);
     addProduct(w, columns_a_, -(point(a_, at_a) * scale_));
     return normalised(w);
@@ -215,13 +225,13 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   const double where = static_cast<double>(end);
   const auto answer = [&](double d, double part) -> Nearest {
     // Written so that NaN fails.
-    if (!(d >= 0x1p-44 * size_)) return exactCombination(k, i, j);
+    if (!(d >= kLeastShare * size_)) return exactCombination(k, i, j);
     return {atLeastSmallest(d * inverse_), end_of_b ? part : where, end_of_b ? where : part};
   };
   const auto norm = [](Double2 p) { return std::sqrt(dot(p, p)); };
 
   const int place = placeOf(view, k);
-  const Twofold w = from(view.part[k] > 0.5 ? 1 : 0);
+  const Twofold2 w = from(view.part[k] > 0.5 ? 1 : 0);
   if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
   const Double2 v1 = point(polygon, edge) * scale_, v2 = point(polygon, edge + 1) * scale_;
   if (place == 0) {
@@ -230,12 +240,12 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
     const double d = std::abs(products[0] - products[1]) / norm(u);
     if (dot(w.high, w.high) <= 4 * d * d) return answer(d, view.part[k]);
   }
-  const Twofold u = mappedDifference(columns, v1, v2);
+  const Twofold2 u = mappedDifference(columns, v1, v2);
   const double square = dot(u.high, u.high);
   if (!(square > 0x1p-900)) return square == 0 ? answer(norm(w.high), 0) : exactCombination(k, i, j);
   const double length = std::sqrt(square);
   if (place == 0) return answer(std::abs(cross(u, w)) / length, view.part[k]);
-  const Twofold w1 = from(0), w2 = from(1);
+  const Twofold2 w1 = from(0), w2 = from(1);
   const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u.high);
   if (along <= 0) return answer(norm(w1.high), 0);
   if (sign * dot(w2.high, u.high) >= 0) return answer(norm(w2.high), 1);

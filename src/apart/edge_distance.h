@@ -113,7 +113,7 @@ class EdgeDistances {
   }
   Bounds boundsOf(double d, bool clear) const {
     return {below((d > error_ ? d - error_ : 0) * inverse_),
-            (d + error_) * (1 + 16 * kUnitRoundoff) * inverse_ + kSmallest, clear};
+            (d + error_) * (1 + 2 * kRelativeError) * inverse_ + kSmallest, clear};
   }
 
   /// Where a point's nearest one is: certainly the edge's start (-1), inside of it (0), its end (1); or kUncertain.

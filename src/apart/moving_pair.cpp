@@ -43,15 +43,21 @@ MovingBox Mover::edge(const Places& p, std::size_t position) const {
   return {p.m00 * mid.x() + p.m01 * mid.y() + p.x, p.m10 * mid.x() + p.m11 * mid.y() + p.y, ux, uy, -uy, ux, length, 0};
 }
 
-// Error of a gap between computed points or boxes, U = kUnitRoundoff, all lengths in the pair's length:
-//   angle * time rounds by U |angle|, and sin and cos by 2U at most: entries of the rotation err by (|angle| + 2) U,
-//   those of its product with the start's linear part by (1.5 |angle| + 6) U;
-//   a point at p from S, |p| <= reach, and the arm, which itself errs by 4U, thereby by (2.2 |angle| + 18) U reach in a
-//   coordinate, the vertex's own rounding to units included;
-//   the pivots' places by 8U of all that they are summed up from: shifts, levers and the starts' difference.
-// A gap along an axis takes such points of both, times sqrt(2), and rounds its dot products by 8U of the same lengths.
-// A window's end, cut at a share that rounding has moved by some 8U, costs 8U of what the points travel: shifts and
-// |angle| reach. All that is below 64U ((1 + |angle|) reach + shifts + levers + difference).
+// Error of a gap between computed points or boxes, all lengths in the pair's length; in units of U, with A = |angle|, r
+// = reach, f the shifts, levers and the difference of the starts:
+//   rotation   angle * time A, sine and cosine an ulp 2                                  A + 2
+//   M          those of two entries sqrt2 (A + 2), product 1, sum 1                      1.42 A + 4.9
+//   a point    two entries of M, product 1, two sums 2, to units 1: (2.1 A + 11) r       in either coordinate
+//   the arm    itself 4, two entries, product 1, two sums 2: (1.42 A + 12) r             the same
+//   pivots     two products, and five sums or differences at most                        7 f
+//   sqrt2 of these in any direction, of both movers together                             3 A r + 17 r + 10 f
+//   a gap      the dot products with unit axes                                           8 r + 8 f
+//   a window's end, moved by some 8 of its share, costs that of what the points travel   8 A r + 8 f
+constexpr double kGapError = 64 * kUnitRoundoff;
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(12) * kRoot2 + errorOf(8)));       // of r
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(1) * 2.1 * kRoot2 + errorOf(8)));  // of A r
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(7) * kRoot2 + errorOf(8 + 8)));    // of f
+
 MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
                        const Motion& motion_b) {
   // First to where neither sums nor products of what is given overflow, and what they lose to underflow is least.
@@ -106,8 +112,8 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
     mover->scale = shrink * mover->polygon->unit * inverse;
   }
   speed = b.drift.norm();
-  still_error = (64 * kUnitRoundoff * others + kTiny) * inverse;
-  error = 64 * kUnitRoundoff * turned * inverse + still_error;
+  still_error = (kGapError * others + kTiny) * inverse;
+  error = kGapError * turned * inverse + still_error;
 }
 
 bool MovingPair::discsStayApart() const {

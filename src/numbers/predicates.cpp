@@ -71,8 +71,9 @@ bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, 
   return (area * area - square * dot(u, u)).sign() <= 0;
 }
 
-// The mantissas are right to 2U, their roots to 2U, and so is a quotient of such to 6U. The one scaling rounds again
-// only where the result is denormal.
+// A mantissa is right to 2U, the root of one to U + U, their quotient to 2U + 2U + U. The one scaling rounds again only
+// where the result is denormal.
+static_assert(kExactDistanceError >= errorOf(2 + 2 + 1));
 ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w) {
   ++exact_calls;
   const ExactVector u = difference(w, v), from_v = difference(p, v);

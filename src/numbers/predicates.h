@@ -22,16 +22,22 @@ struct ApproxPoint {
 
 constexpr int kUncertain = 2;
 
+/// See orientFilter(). The bound's own roundings: two sums, two products, three more sums.
+constexpr double kAreaError = 5 * kUnitRoundoff;
+static_assert(kAreaError >= errorOf(2 + 1 + 1) * (1 + errorOf(7)));
+
 /// The sign of the signed area |p q r|: 1 counter-clockwise, -1 clockwise, kUncertain where rounding could matter.
 ///
-/// Bound. Write u = q - p, w = r - p, ^ for the computed values, e_u = e_p + e_q, e_w = e_p + e_r, and U =
-/// kUnitRoundoff:
-///   |u_x - ^u_x| <= U |^u_x| + e_u, and so on for u_y, w_x, w_y;
-///   each product of two of them therefore errs by at most 2U |^u ^w| + e_w |^u| + e_u |^w| + (U |^u| + e_u)(U |^w| +
-///   e_w), rounding the products adds U (P), rounding their difference U (1 + U) P, with P = |^u_x ^w_y| + |^u_y ^w_x|.
-/// The sum is below (4U + O(U^2)) P + (1 + 2U) (e_w |u|_1 + e_u |w|_1) + 2 e_u e_w + underflow. 5U, 1 + 2^-20 and kTiny
-/// leave room for rounding in the bound itself. Fused operations only drop roundings. Infinities and NaN end in
-/// "uncertain", because the bound is then infinite or NaN, too.
+/// Bound. Write u = q - p, w = r - p, ^ for the computed values, e_u = e_p + e_q, e_w = e_p + e_r, and P = |^u_x ^w_y|
+/// +
+/// |^u_y ^w_x|. Each coordinate of u errs by U |^u| + e_u, each of w by U |^w| + e_w, so that the area errs by
+///   2U P                                  the products' factors, by their rounding,
+///   e_w |^u|_1 + e_u |^w|_1 + 2 e_u e_w   the same, by what the points are known to,
+///   U P                                   the products' own rounding,
+///   U P                                   that of their difference,
+/// and by terms of second order. kAreaError, 1 + 2^-20 and kTiny, for underflow, leave room for those and for rounding
+/// in the bound itself. Fused operations only drop roundings. Infinities and NaN end in "uncertain", because the bound
+/// is then infinite or NaN, too.
 ///
 /// TRICOVER_PLAIN_SIGNS, a type, is for benches that ask what exactness costs: every sign is as that type rounds it.
 inline int orientFilter(const ApproxPoint& p, const ApproxPoint& q, const ApproxPoint& r) {
@@ -47,7 +53,7 @@ inline int orientFilter(const ApproxPoint& p, const ApproxPoint& q, const Approx
   const double det = left - right;
   const double eu = p.error + q.error, ew = p.error + r.error;
   const double bound =
-      5 * kUnitRoundoff * (std::abs(left) + std::abs(right)) +
+      kAreaError * (std::abs(left) + std::abs(right)) +
       (1 + 0x1p-20) * (ew * (std::abs(ux) + std::abs(uy)) + eu * (std::abs(wx) + std::abs(wy) + 2 * ew)) + kTiny;
   if (det > bound) return 1;
   if (-det > bound) return -1;
@@ -73,8 +79,10 @@ bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w)
 /// Whether p is at most `length` >= 0 away from the closed segment (v, w), in the world.
 bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length);
 
-/// The distance of p from the closed segment (v, w), in the world: right to 16 kUnitRoundoff of itself, and to the
-/// smallest double; infinity where it is above the largest. `along`: where the nearest point is, from 0 at v to 1 at w.
+/// The distance of p from the closed segment (v, w), in the world: right to kExactDistanceError of itself, and
+/// to the smallest double; infinity where it is above the largest. `along`: where the nearest point is, from 0 at v to
+/// 1 at w.
+constexpr double kExactDistanceError = 8 * kUnitRoundoff;
 struct ExactDistance {
   double distance, along;
 };

@@ -19,16 +19,25 @@ struct Gram {
     dot = std::abs(product[0] + product[1]);
   }
 
-  /// An upper bound of |singular value - 1|: the eigenvalues of M^T M are within max(|c0.c0 - 1|, |c1.c1 - 1|) +
-  /// |c0.c1| of 1, and |s - 1| <= |s^2 - 1|. 16 kUnitRoundoff cover the rounding here.
-  double defect() const { return std::max(norms[0], norms[1]) + dot + 16 * kUnitRoundoff; }
+  /// An upper bound of |s - 1| for a singular value s of a matrix that these columns are, but for an error E with |E|
+  /// <= 9U in the spectral norm (a pose's own: none; PosedPair's: see there). A singular value s' of the columns has
+  /// |s' - 1| = |s'^2 - 1| / (s' + 1), and s'^2, an eigenvalue of the Gram matrix, is within max(norms) + dot of 1:
+  ///   0.5 (norms + dot)   with 1e-6 of that for s' below 1: the whole sum stands for both, and for rounding it
+  ///   0.5 (2U + U)        what norms and dot are rounded by
+  ///   9U                  |s - s'| <= |E| (Weyl)
+  double defect() const { return std::max(norms[0], norms[1]) + dot + kDefectRounding; }
+
+  static constexpr double kMatrixError = 9 * kUnitRoundoff, kDefectRounding = 16 * kUnitRoundoff;
+  static_assert(kDefectRounding >= 0.51 * errorOf(2 + 1) + kMatrixError);
 
   Double2 norms;  ///< |c0.c0 - 1|, |c1.c1 - 1|
   double dot;     ///< |c0.c1|
 };
 
-/// The defect of every pose that checkPose lets pass is below this.
+/// The defect of every pose that checkPose lets pass is below this, by 1e-7: what is multiplied by 1 + kLargestDefect
+/// or 1 - kLargestDefect may round a million times.
 constexpr double kLargestDefect = 2.1 * kRigidTolerance;
+static_assert(kLargestDefect >= 2 * kRigidTolerance + Gram::kDefectRounding + 0.9e-7);
 
 /// checkPose for hot paths: one comparison for most poses. Written so that NaN and infinity fail.
 inline void requireRigid(const Pose& pose, const char* name) {

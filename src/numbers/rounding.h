@@ -33,6 +33,8 @@ constexpr double kUnitRoundoff = 0x1p-53;
 /// Covers what a few operations lose to underflow: 2^-1075 each, or 2^-1022 where the host flushes denormals to zero.
 constexpr double kTiny = 0x1p-1010;
 
+constexpr double kRoot2 = 1.41421357;  ///< rounded up
+
 /// At least what n roundings in a row change a number by, relatively: (1 + U)^n - 1 and 1 - (1 - U)^n are below
 /// n U / (1 - n U), which is less than (n + 2^-20) U for n < 2^16.
 constexpr double errorOf(int n) { return (n + 0x1p-20) * kUnitRoundoff; }

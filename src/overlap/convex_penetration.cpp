@@ -23,7 +23,7 @@ Corners posed(const PolygonData& polygon, const Pose& pose, const std::vector<st
   for (const std::size_t i : positions) {
     const Vec2 p = polygon.path[i] * scale;
     const auto row = [&](int r, const DoubleDouble& t) {
-      return exactProduct(m(r, 0), p.x()) + exactProduct(m(r, 1), p.y()) + t;
+      return twoProduct(m(r, 0), p.x()) + twoProduct(m(r, 1), p.y()) + t;
     };
     corners.push_back({row(0, shift.x), row(1, shift.y)});
   }
@@ -70,7 +70,7 @@ SupportGap leastSupportGap(const PolygonData& a, const Pose& pose_a, const Conve
   const double largest = std::max({a.extent, b.extent, ta.lpNorm<Eigen::Infinity>(), tb.lpNorm<Eigen::Infinity>()});
   const int exponent = largest > 0 ? std::clamp(std::ilogb(largest), -1000, 1000) : 0;
   const double scale = std::ldexp(1, -exponent);
-  const DoubleDouble2 shift{exactSum(tb.x() * scale, -ta.x() * scale), exactSum(tb.y() * scale, -ta.y() * scale)};
+  const DoubleDouble2 shift{twoSum(tb.x() * scale, -ta.x() * scale), twoSum(tb.y() * scale, -ta.y() * scale)};
   const auto counterClockwise = [](const Pose& pose, std::vector<std::size_t> corners) {
     if (pose.linear().determinant() < 0) std::reverse(corners.begin(), corners.end());
     return corners;

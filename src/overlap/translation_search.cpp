@@ -121,7 +121,7 @@ class PartingSearch {
  private:
   /// How far translations may differ from the pair's without a change, from a length in a's frame.
   double inUnits(const PosedPair& pair, double length) const {
-    return length * (1 - pair.scale_defect) * (1 - 8 * kUnitRoundoff) / space_.unit();
+    return roundedDown<2>(length * (1 - pair.scale_defect)) / space_.unit();
   }
 
   double depthOf(const PosedPair& pair, const Outcome& outcome) const {

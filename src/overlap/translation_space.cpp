@@ -37,9 +37,15 @@ TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polyg
   return result;
 }
 
-// Coordinates in a frame from S round by U in p - q, by at most 3U in R (p - q), and by U in each of the sums with the
-// shift and in a segment's ends, whose lengths are below those of the radii and of the shift between the origins, which
-// itself is rounded once. A translation is rounded to the spacing of doubles at t_b - t_a + t.
+// In units of U, r_a and r_b the radii, c the way between the origins; reach is their sum:
+//   a vertex of a     p - q 1, products 1, sum 1                           3 r_a in either coordinate
+//   one of b          the same, the sum with c 1, c itself 1               4 r_b + 2 c
+//   a segment's end   their difference 1                                   4 r_a + 5 r_b + 3 c
+// which is sqrt2 5 reach in any direction. at() rounds a translation to the spacing of doubles at t_b - t_a + t, of
+// which no component is larger than reach and shift: two sums there and two differences back, 4.
+constexpr double kVertexError = 16 * kUnitRoundoff, kShiftError = 4 * kUnitRoundoff;
+static_assert(kVertexError >= (1 + 1e-5) * kRoot2 * errorOf(5) + errorOf(4));
+
 TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
     : polygon_a_(a),
       polygon_b_(b),
@@ -51,11 +57,11 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
   const auto& ra = pose_a.matrix();
   const auto& rb = pose_b.matrix();
   for (int row = 0; row < 2; ++row) {
-    const DoubleDouble shift = exactSum(rb(row, 2), -ra(row, 2));
+    const DoubleDouble shift = twoSum(rb(row, 2), -ra(row, 2));
     shift_[row] = shift.high;
     shift_rest_[row] = shift.low;
     const auto inUnits = [&](const Eigen::Matrix3d& m, const Vec2& s) {
-      return exactProduct(m(row, 0), s.x() * inverse_unit_) + exactProduct(m(row, 1), s.y() * inverse_unit_);
+      return twoProduct(m(row, 0), s.x() * inverse_unit_) + twoProduct(m(row, 1), s.y() * inverse_unit_);
     };
     const DoubleDouble scaled{shift.high * inverse_unit_, shift.low * inverse_unit_};
     between_[row] = (inUnits(rb, b.origin) - inUnits(ra, a.origin) + scaled).high;
@@ -63,8 +69,7 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
   pose_a_.translation().setZero();
   const double radii = (a.radius * inverse_unit_ + b.radius * inverse_unit_) * (1 + kLargestDefect);
   reach_ = radii + between_.norm();
-  noise_ = 16 * kUnitRoundoff * reach_ + 4 * kUnitRoundoff * (shift_.lpNorm<1>() * inverse_unit_) +
-           0x1p-1073 * inverse_unit_;
+  noise_ = kVertexError * reach_ + kShiftError * (shift_.lpNorm<1>() * inverse_unit_) + 0x1p-1073 * inverse_unit_;
   if (!isFinite()) return;
   a_ = verticesOf(a, pose_a, Vec2::Zero(), inverse_unit_);
   b_ = verticesOf(b, pose_b, between_, inverse_unit_);
@@ -92,10 +97,11 @@ PosedPair TranslationSpace::at(Vec2& t) {
 }
 
 /// False only if the edges at the vertex certainly leave to both sides of the other's line. A direction's coordinates
-/// err by at most 6U of its 1-norm, their cross product by 15U of the two norms.
+/// err by a difference, a product and a sum, their cross product by these of both, a product and a difference: 8U.
 bool TranslationSpace::mayBound(const Vertices& polygon, std::size_t i, const Vec2& edge) {
   const Vec2 &in = polygon.incoming[i], &out = polygon.outgoing[i];
-  const double bound = 16 * kUnitRoundoff * edge.lpNorm<1>(), from = cross(edge, in), to = cross(edge, out);
+  static_assert(kVertexError >= (1 + 1e-5) * errorOf(3 + 3 + 2));
+  const double bound = kVertexError * edge.lpNorm<1>(), from = cross(edge, in), to = cross(edge, out);
   const bool passes = (from > bound * in.lpNorm<1>() && to > bound * out.lpNorm<1>()) ||
                       (-from > bound * in.lpNorm<1>() && -to > bound * out.lpNorm<1>());
   return !passes;

@@ -21,7 +21,7 @@ bool findFact(const PosedPair& pair, PairCache& cache, const Recollection& recol
   claim(cache, pair.a, pair.b);
   const auto fact = [&](bool overlapping, double clearance) {
     remember(cache, pair.a, pair.pose_a, pair.b, pair.pose_b, overlapping,
-             clearance * (1 - pair.scale_defect) * (1 - 8 * kUnitRoundoff));
+             roundedDown<2>(clearance * (1 - pair.scale_defect)));
     return overlapping;
   };
   if (cache.first_edge >= 0 && cache.second_edge >= 0) {

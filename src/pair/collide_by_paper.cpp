@@ -66,9 +66,9 @@ bool collideByPaper(const PosedPair& pair, PairCache* cache, const CollideOption
   // The mask in the cache, if any, was found outside every influence area, with the answer "free" (repair 1).
   const bool known = cache != nullptr && !cache->mask.empty();
 
-  // Second step. Grown by the margin; rounded outwards.
+  // Second step. Grown by the margin; rounded outwards, the areas by what the centroid is known to, as well.
   const ApproxPoint centroid = pair.center();
-  const double length = (pair.radiusB() + pair.reach(options.margin)) * (1 + 4 * kUnitRoundoff) + pair.slack();
+  const double length = roundedUp<1>(pair.radiusB() + pair.reach(options.margin));
   std::vector<std::size_t> held;
   std::vector<std::uint64_t> mask = influenceMask(pair, centroid, length, held);
   if (held.empty()) {

@@ -23,15 +23,18 @@ class Discs {
         columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)},
         shift_(load2(pose_b.data() + 6) - load2(pose_a.data() + 6)) {
     const Double2 apart = absolute(shift_);
-    error_ = 16 * kUnitRoundoff * (a.extent + b.extent + apart[0] + apart[1]) + kTiny;
+    error_ = kPointsError * (a.extent + b.extent + apart[0] + apart[1]) + kTiny;
   }
+
+  // What the sums of radii round by isn't counted below: kLargestDefect and kPointsError pay for it.
 
   /// The gap between the bounding discs, a lower bound of the distance, if it is above the margin; otherwise -1.
   double gap(double margin) const {
     const double square = squaredBetween(a_.origin, b_.origin);
     const double sum = (a_.radius + b_.radius) * (1 + kLargestDefect) + error_, apart = sum + margin;
-    if (!(squarable(apart) && square > apart * apart * (1 + 16 * kUnitRoundoff))) return -1;
-    return square < 0x1p1000 ? std::sqrt(square) * (1 - 4 * kUnitRoundoff) - sum * (1 + 8 * kUnitRoundoff) : margin;
+    if (!(squarable(apart) && square > roundedUp<kSquares>(apart * apart))) return -1;
+    // The root of two roundings and its own; the difference, at most what the root is.
+    return square < 0x1p1000 ? roundedDown<3>(std::sqrt(square)) - sum : margin;
   }
 
   /// How deep discs inside the two regions overlap; otherwise -1.
@@ -40,11 +43,22 @@ class Discs {
     if (!(tree_a.inner_radius > 0 && tree_b.inner_radius > 0)) return -1;  // the centre needn't be in the region
     const double square = squaredBetween(tree_a.inner_center, tree_b.inner_center);
     const double reach = (tree_a.inner_radius + tree_b.inner_radius) * (1 - kLargestDefect) - error_;
-    if (!(squarable(reach) && square * (1 + 16 * kUnitRoundoff) < reach * reach)) return -1;
-    return reach * (1 - 8 * kUnitRoundoff) - std::sqrt(square) * (1 + 8 * kUnitRoundoff);
+    if (!(squarable(reach) && roundedUp<kSquares>(square) < reach * reach)) return -1;
+    return roundedDown<2>(reach) - roundedUp<2>(std::sqrt(square));
   }
 
  private:
+  /// R_b q + (shift - R_a p), in either coordinate, with lengths p, q <= sqrt2 e of points in the bounding boxes:
+  ///   R_b q       products 1, sum 1, the last sum 1                      3 q
+  ///   R_a p       products 1, sum 1, the difference 1, the last sum 1    4 p
+  ///   shift       itself 1, the difference 1, the last sum 1             3 |t_b - t_a|_1
+  /// and sqrt2 of it in any direction: at most 8 e.
+  static constexpr double kPointsError = 16 * kUnitRoundoff;
+  static_assert(kPointsError >= (1 + 1e-5) * kRoot2 * kRoot2 * errorOf(4));
+  /// Between squares of lengths: the products and the sum of one, the product of the other and that of a length with a
+  /// last rounding by itself.
+  static constexpr int kSquares = 2 + 1 + 2;
+
   double squaredBetween(const Vec2& p, const Vec2& q) const {
     const Double2 d =
         (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));

@@ -32,13 +32,16 @@ Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double 
   const PosedPair now(first, first_pose, second, second_pose), then(first, first_then, second, second_then);
   const Change change(second, load2(&now.m00) - load2(&then.m00), load2(&now.m01) - load2(&then.m01),
                       load2(&now.tx) - load2(&then.tx));
-  const double motion = change.displacement() + 3 * (now.error + then.error);
-  return {(1 - then.scale_defect) * (1 - now.scale_defect) * (1 - 8 * kUnitRoundoff), motion};
+  // Either map is off by sqrt2 error in any direction.
+  const double motion = change.displacement() + 1.5 * (now.error + then.error);
+  constexpr int kProducts = 3;  // two differences and their product
+  return {roundedDown<kProducts + Remainder::kRoundings>((1 - then.scale_defect) * (1 - now.scale_defect)), motion};
 }
 
 Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                          const Pose& second_pose, double margin) {
-  const double needed = cache.overlapping ? 0 : margin, room = (cache.clearance - needed) * (1 - 8 * kUnitRoundoff);
+  // Rounds twice: the difference and the sum of two motions.
+  const double needed = cache.overlapping ? 0 : margin, room = roundedDown<2>(cache.clearance - needed);
   const Change first_change(first, cache.first_pose, first_pose), second_change(second, cache.second_pose, second_pose);
   const double motion =
       (first_change.any() ? first_change.displacement() : 0) + (second_change.any() ? second_change.displacement() : 0);

@@ -28,12 +28,23 @@ struct Recollection {
 
 /// How a map has changed, as p -> D p + d: at most how far that takes any point of a polygon's bounding disc: |D| r +
 /// |D S + d|, the norm of D by the eigenvalues of D^T D, which are at most the larger squared column and their product.
-/// D and d are differences of doubles, rounded by U; D S + d is by a few U of |D| |S| and of itself, and for the former
-/// r is taken larger. What underflows in the squares is put back.
+/// What underflows in the squares is put back. Rounding, in units of U:
+///   D, d               differences of doubles                                                   1
+///   D S + d            in either coordinate: D, product, two sums 4 |D| |S|_1; d 1 |d|, the last sum 1 of itself; with
+///                      |d| <= |D| |S|_1 + |D S + d|, and sqrt2 of it in any direction           7.1 |D| |S|_1, 2.9
+///   squares of D       entries 2, product 1, sum 1, of either term; two more sums               10
+///   squares of the way 2.9 twice, product 1, two sums 2                                         8.8
+///   displacement()     root of a square 5 + 1, r 1, product 1, sum 1                            9
+///   isBelow()          a square 10, square of r 2 + 1, product 1, sum 1; the length's square 1  16
+/// r is taken larger by 7.1 |S|_1.
 struct Change {
+  static constexpr double kWayError = 8 * kUnitRoundoff;
+  static constexpr int kLengthRoundings = 9, kSquareRoundings = 16;
+  static_assert(kWayError >= kRoot2 * errorOf(5));
+
   Change(const PolygonData& polygon, Double2 d0, Double2 d1, Double2 shift)
       : entries(absolute(d0) + absolute(d1) + absolute(shift)),
-        radius(polygon.radius + 64 * kUnitRoundoff * (std::abs(polygon.origin.x()) + std::abs(polygon.origin.y()))) {
+        radius(polygon.radius + kWayError * (std::abs(polygon.origin.x()) + std::abs(polygon.origin.y()))) {
     const Double2 x{d0[0], d1[0]}, y{d0[1], d1[1]}, norms = x * x + y * y, product = d0 * d1;
     square_of_turn = std::max(norms[0], norms[1]) + std::abs(product[0] + product[1]) + 0x1p-1000;
     const Double2 way = d0 * polygon.origin.x() + d1 * polygon.origin.y() + shift, squares = way * way;
@@ -46,13 +57,13 @@ struct Change {
                load2(pose.data() + 6) - load2(fact + 4)) {}
 
   double displacement() const {
-    return (std::sqrt(square_of_turn) * radius + std::sqrt(square_of_way)) * (1 + 64 * kUnitRoundoff);
+    return roundedUp<kLengthRoundings>(std::sqrt(square_of_turn) * radius + std::sqrt(square_of_way));
   }
 
   /// Whether it is certainly below `length`, without a root: (x + y)^2 <= 2 (x^2 + y^2).
   bool isBelow(double length) const {
     return squarable(length) &&
-           2 * (square_of_turn * (radius * radius) + square_of_way) * (1 + 64 * kUnitRoundoff) < length * length;
+           roundedUp<kSquareRoundings>(2 * (square_of_turn * (radius * radius) + square_of_way)) < length * length;
   }
 
   bool any() const { return entries[0] + entries[1] != 0; }
@@ -72,8 +83,11 @@ inline bool sameAs(const double (&fact)[6], const Pose& pose) {
 void store(double (&fact)[6], const Pose& pose);
 
 /// What is left, at the least, of a distance between two points of the polygons (or of the least of many) after a
-/// motion.
+/// motion. Its own product and difference round twice, and so may what the motion was summed up from, which counts only
+/// where it is less than the distance: `factor` is to be rounded down by kRoundings.
 struct Remainder {
+  static constexpr int kRoundings = 2 + 2;
+
   double of(double distance) const { return distance * factor - motion; }
 
   double factor, motion;
@@ -94,7 +108,7 @@ inline Recollection recall(PairCache& cache, const PolygonData& a, const Pose& p
   if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) return {};
   const PolygonData &first = direct ? a : b, &second = direct ? b : a;
   const Pose &first_pose = direct ? pose_a : pose_b, &second_pose = direct ? pose_b : pose_a;
-  const double room = (cache.clearance - (cache.overlapping ? 0 : margin)) * (1 - 8 * kUnitRoundoff);
+  const double room = roundedDown<1>(cache.clearance - (cache.overlapping ? 0 : margin));
   // As a rule one of them stands still.
   const Change second_change(second, cache.second_pose, second_pose);
   const bool second_moved = second_change.any(), first_moved = !sameAs(cache.first_pose, first_pose);

@@ -8,12 +8,6 @@
 
 namespace tricover::detail {
 
-double PosedPair::slack() const {
-  const ApproxPoint c = center();
-  const double apart = std::abs(c.x - a.origin.x()) + std::abs(c.y - a.origin.y());
-  return 4 * error + 8 * defect * b.radius + 64 * kUnitRoundoff * (a.radius + b.radius + apart) + kTiny;
-}
-
 namespace {
 
 /// The four ends of two edges, as the filters see them (a's start and end, then b's) and, on request, as they are.
@@ -60,7 +54,17 @@ bool meet(const EdgePair& ends) {
   return ends.between(0, 2, 3) || ends.between(1, 2, 3) || ends.between(2, 0, 1) || ends.between(3, 0, 1);
 }
 
-/// Distance from a point to a segment in plain doubles; NaN where squares leave the range of doubles.
+/// Distance D of a point from a segment in plain doubles; NaN where squares leave the range of doubles. Not
+/// nearestOnSegment(), which says nothing of how it rounds or where it overflows. With u along the segment and d from
+/// its start to the point, |d| <= |u| + D wherever rounding decides where the foot s u is; in units of U:
+///   u, d            rounded differences                                                   1 |u|, 1 |d|
+///   s |u|           d.u: 4 |d|; u.u and the quotient: (4 + 1) |u|                         9 |u| + 4 D
+///   d - s u         d 1 |d|, u and the product 2 |u|, difference 1 D                      3 |u| + 2 D
+///   hypot           an ulp                                                                2 D
+/// 12 |u| + 8 D, because a distance changes by at most what the foot moves by.
+constexpr double kSegmentDistanceError = 16 * kUnitRoundoff;
+static_assert(kSegmentDistanceError >= errorOf(9 + 3) && kSegmentDistanceError >= errorOf(4 + 2 + 2));
+
 double pointSegmentDistance(const ApproxPoint& p, const ApproxPoint& v, const ApproxPoint& w) {
   const double ux = w.x - v.x, uy = w.y - v.y, dx = p.x - v.x, dy = p.y - v.y;
   const double square = ux * ux + uy * uy, along = dx * ux + dy * uy;
@@ -69,6 +73,11 @@ double pointSegmentDistance(const ApproxPoint& p, const ApproxPoint& v, const Ap
   const double s = std::clamp(along / square, 0.0, 1.0);
   return std::hypot(dx - s * ux, dy - s * uy);
 }
+
+/// How far a mapped end of an edge is off in any direction, in PosedPair::error: so much at most a distance from it is,
+/// the other edge being known.
+constexpr double kEndError = 1.5;
+static_assert(kEndError > kRoot2 * (1 + errorOf(8)));
 
 }  // namespace
 
@@ -86,7 +95,7 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
   for (double apart : ends_apart) d = std::isnan(apart) || apart < d ? apart : d;
   const double length =
       std::max(std::hypot(e[1].x - e[0].x, e[1].y - e[0].y), std::hypot(e[3].x - e[2].x, e[3].y - e[2].y));
-  const double err = 8 * pair.error + 64 * kUnitRoundoff * (length + d) + kTiny;
+  const double err = kEndError * pair.error + kSegmentDistanceError * (length + d) + kTiny;
   if ((d + err) * (1 + pair.scale_defect) <= reach + tolerance) return true;
   if (meet(ends)) return true;
   if ((d - err) * (1 - pair.scale_defect) > reach) return false;
@@ -112,7 +121,8 @@ double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
     d = std::isnan(apart) || apart < d ? apart : d;
   const double length =
       std::abs(e[1].x - e[0].x) + std::abs(e[1].y - e[0].y) + std::abs(e[3].x - e[2].x) + std::abs(e[3].y - e[2].y);
-  const double below = d - 8 * pair.error - 64 * kUnitRoundoff * length;
+  // D is at most the length of either edge, the sum of which is rounded.
+  const double below = d - kEndError * pair.error - 2 * kSegmentDistanceError * length;
   return below > 0 ? below : 0;  // NaN is 0
 }
 

@@ -11,16 +11,30 @@
 
 namespace tricover::detail {
 
+/// Error of the mapping p -> M p + t, M = R_a^-1 R_b = d adj(R_a) R_b, t = R_a^-1 (t_b - t_a), in either coordinate.
+/// Rows and columns of a pose are unit vectors and d = 1 / det R_a is +-1, but for 1e-6, which what is rounded up below
+/// pays for; the entries of adj(R_a) are those of R_a. In units of U:
+///   det    products 1 (of |row| |column|), difference 1                                        2
+///   d      det 2, division 1                                                                   3
+///   M_ij   products and difference 2 s_ij, d and the last product (3 + 1) |M_ij|               2 s_ij + 4 |M_ij|
+///   t_i    shift 1, products 1, difference 1, d 3, product 1                                   7 |t_b - t_a|_1
+/// with s_ij the magnitudes of both products, whose squares sum to at most 2 in a row. Applied to a vertex or S, whose
+/// coordinates are at most the polygon's extent e, so that its length is at most sqrt2 e:
+///   entries of M                               2 sqrt2 sqrt2 e + 4 sqrt2 e
+///   two products, their sum, the sum with t    3 sqrt2 e
+///   t, the sum with it                         (7 + 1) |t_b - t_a|_1
+/// which is below 13.9 e + 8 |t_b - t_a|_1: the power of two above it. kTiny is for underflow. R^-1 is the true
+/// inverse, so a pose's defect from orthonormality is no error here; it enters `defect` and `scale_defect`.
+///
+/// As a matrix, M errs by the spectral norms of 3U M (d), U M (the last product, entry by entry: sqrt2) and of 2U s_ij
+/// (at most 2U * 2): see Gram::defect().
+constexpr double kMappingError = 16 * kUnitRoundoff;
+static_assert(kMappingError >= (1 + 1e-5) * errorOf(1) * (2 * kRoot2 * kRoot2 + (4 + 3) * kRoot2));
+static_assert(Gram::kMatrixError >= (1 + 1e-5) * errorOf(1) * (3 + kRoot2 + 2 * 2));
+
 /// Two polygons under their poses, seen from a's frame. The relative pose is rounded, so it serves filters and bounds
 /// only; exact stages use the two poses as given.
 struct PosedPair {
-  // Error of the mapping p -> M p + t. With d = 1 / det R_a, near +-1, the entries of adj(R_a) are those of R_a: exact.
-  // M = d adj(R_a) R_b: two products (U each, their magnitudes sum to at most 1 + 2e-6), a sum (U), the reciprocal (U)
-  // and its product (U), det's own error (3U): at most 9U an entry. t: the same 7U beside U for the rounded difference
-  // t_b - t_a, at most 11U |t_b - t_a|_1. Applying it: two products and two sums, at most 3U (|p|_1 + |t|_1). In all
-  // 14U
-  // (|p|_1 + |t_b - t_a|_1); 16U and kTiny are used, the latter for underflow. R^-1 is the true inverse, so a pose's
-  // defect from orthonormality is no error here; it enters `defect` and `scale_defect`.
   PosedPair(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_)
       : a(a_), b(b_), pose_a(pose_a_), pose_b(pose_b_) {
     const double *ra = pose_a.data(), *rb = pose_b.data();  // columns of three
@@ -35,7 +49,7 @@ struct PosedPair {
     store2(&m01, m1);
     store2(&tx, t);
     store2(&center_x, m0 * b.origin.x() + m1 * b.origin.y() + t);
-    error = 16 * kUnitRoundoff * (b.extent + apart[0] + apart[1]) + kTiny;
+    error = kMappingError * (b.extent + apart[0] + apart[1]) + kTiny;
     defect = Gram(m0, m1).defect();
     scale_defect = Gram(a0, a1).defect();
     handed = det < 0 ? -1 : 1;
@@ -55,14 +69,11 @@ struct PosedPair {
   /// b's origin in a's frame.
   ApproxPoint center() const { return {center_x, center_y, error}; }
   /// b's radius in a's frame.
-  double radiusB() const { return b.radius * (1 + defect) * (1 + 4 * kUnitRoundoff); }
+  double radiusB() const { return roundedUp<2>(b.radius * (1 + defect)); }
 
-  /// A length in a's frame that is at least the world's `length`.
+  /// A length in a's frame that is at least the world's `length`: 1 / (1 - x) <= 1 + 2 x, with x - x^2 to spare, and
+  /// scale_defect is at least 16U, so that is more than the two roundings.
   double reach(double length) const { return length * (1 + 2 * scale_defect); }
-
-  /// What a gap in a's frame between a point or disc of a and b's disc may be too large by: mapping errs by `error` in
-  /// both coordinates; sums round by a few U of the lengths involved.
-  double slack() const;
 
   const PolygonData &a, &b;
   const Pose &pose_a, &pose_b;

@@ -15,9 +15,9 @@ Vec2 quarterToA(const PosedPair& pair) {
   const auto &a = pair.pose_a.matrix(), &b = pair.pose_b.matrix();
   const Vec2 s_a = pair.a.origin / 4, s_b = pair.b.origin / 4;
   for (int axis = 0; axis < 2; ++axis) {
-    const DoubleDouble shift = exactSum(a(axis, 2) / 4, -b(axis, 2) / 4);
-    const DoubleDouble to_a = exactProduct(a(axis, 0), s_a.x()) + exactProduct(a(axis, 1), s_a.y());
-    const DoubleDouble to_b = exactProduct(b(axis, 0), s_b.x()) + exactProduct(b(axis, 1), s_b.y());
+    const DoubleDouble shift = twoSum(a(axis, 2) / 4, -b(axis, 2) / 4);
+    const DoubleDouble to_a = twoProduct(a(axis, 0), s_a.x()) + twoProduct(a(axis, 1), s_a.y());
+    const DoubleDouble to_b = twoProduct(b(axis, 0), s_b.x()) + twoProduct(b(axis, 1), s_b.y());
     result[axis] = (shift + (to_a - to_b)).high;
   }
   return result;
@@ -34,7 +34,9 @@ WorldFrame::WorldFrame(const PosedPair& pair)
       scale_b_(pair.b.unit / unit_),
       origin_a_(quarterToA(pair) / unit_ * 4),
       world_origin_(pair.pose_b * pair.b.origin) {
-  error_ = 16 * kUnitRoundoff * (scale_a_ + scale_b_ + origin_a_.lpNorm<1>());
+  constexpr double kPointError = 16 * kUnitRoundoff;
+  static_assert(kPointError >= (1 + 1e-5) * kRoot2 * errorOf(7) * (1 + errorOf(3)));
+  error_ = kPointError * (scale_a_ + scale_b_ + origin_a_.lpNorm<1>());
 }
 
 }  // namespace tricover::detail

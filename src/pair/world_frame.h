@@ -30,8 +30,11 @@ class WorldFrame {
   double unit() const { return unit_; }
   const Vec2& originOfA() const { return origin_a_; }  ///< b's is zero
 
-  /// How far a mapped vertex may be from the true one. Its coordinates in units err by U, two products and a sum by 3U,
-  /// the shift by as much as its own coordinates: 8U of everything involved; twice that, for the points of edges.
+  /// How far a mapped point of an edge may be from the true one. In either coordinate, of lengths r <= 1 unit and the
+  /// shift o between the origins, in units of U:
+  ///   a vertex      to units 1, products 1, sum 1, with the shift 1: 4 r + o; the shift itself 1
+  ///   t (w - v)     difference and product, of at most r: 2 r; the sum with an end 1 (r + o)
+  /// which is 7 r + 3 o; sqrt2 of it in any direction.
   double error() const { return error_; }
 
  private:
