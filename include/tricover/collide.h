@@ -28,13 +28,18 @@ struct CollideOptions {
 
 /// What one pair of polygons remembers between queries: facts, not state. Each stays true whatever happens in between,
 /// so a cache may be copied, shared between calls of other pairs, lost or stale: no answer changes, only its cost.
-/// Plain data; PairCache{} is empty. Not to be used by two threads at once.
+///
+/// A value to be copied and moved like any other; PairCache{} is empty. Not to be used by two threads at once. It is of
+/// no use to another process, nor to this program when it runs again: Polygon::id() starts anew, so that a cache that
+/// was written to a file would be taken for one of other polygons. Don't keep one longer than the process lives.
 struct PairCache {
   std::uint64_t first_id = 0;   ///< of the polygons the facts are about, in the kernel's own order (0: none)
   std::uint64_t second_id = 0;  ///< likewise
 
-  /// "With the polygons at these poses (columns of R, then t) the regions did (`overlapping`) or did not overlap, and
-  /// that stays so while no point is moved against the other polygon by `clearance` or more", a world length.
+  /// "With the polygons at these poses (columns of R, then t) the answer was `overlapping`, and whether the regions
+  /// overlap stays so while no point is moved against the other polygon by `clearance`, a world length, or more." A hit
+  /// by the margin or the tolerance alone is kept as overlapping, too, with a clearance of 0, by which nothing stays
+  /// so.
   double first_pose[6] = {1, 0, 0, 1, 0, 0};
   double second_pose[6] = {1, 0, 0, 1, 0, 0};  ///< see first_pose
   double clearance = 0;                        ///< see first_pose

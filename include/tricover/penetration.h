@@ -19,8 +19,8 @@ struct PenetrationOptions {
 /// The shortest translation of b that parts two overlapping regions, in the world.
 struct Penetration {
   /// The length of that translation; at its end they still touch. If not `optimal`, an upper bound of it. Infinity
-  /// where lengths overflow, or where rounding the coordinates loses the polygons' size: then translation and points
-  /// are 0, which means nothing, and the edges -1.
+  /// where lengths or translated poses overflow, or where rounding the coordinates loses the polygons' size: then
+  /// translation and points are 0, which means nothing, and the edges -1.
   double depth;
   Vec2 direction;  ///< A unit vector, from a towards where b leaves it.
   /// No shorter translation parts them, but one into a slit that is narrower than the precision of penetration().

@@ -2,9 +2,11 @@
 #include "tricover/distance.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "apart/distance_search.h"
 #include "apart/edge_distance.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -28,178 +30,6 @@ struct Pair {
   const Pose& pose_b;
 };
 
-/// The nearest pairs of edges of all that it is shown: no more are evaluated than may hold the least distance, so that
-/// this is the same whatever they are shown in.
-class Search {
- public:
-  Search(const Pair& pair, const DistanceOptions& options)
-      : edges_(pair.a, pair.pose_a, pair.b, pair.pose_b),
-        options_(options),
-        limit_(options.limit),
-        worth_(limit_),
-        reach_(limit_) {}
-
-  /// False if they share a point, which ends the search.
-  bool show(std::uint32_t i, std::uint32_t j) {
-    const EdgeDistances::Bounds bounds = edges_.bounds(i, j);
-    if (!bounds.clear && edges_.meet(i, j)) {
-      meets_ = true;
-      best_ = edges_.whereTheyMeet(edges_.view(i, j));
-      best_pair_ = {0, i, j, -1};
-      return false;
-    }
-    count(bounds, {0, i, j, -1});
-    return true;
-  }
-
-  /// The same for a pair that is likely to be the nearest and doesn't meet.
-  void showNear(std::uint32_t i, std::uint32_t j) {
-    const EdgeDistances::View& view = views_[view_count_] = edges_.view(i, j);
-    const int index = view_count_;
-    if (view_count_ < DistanceCache::kMost) ++view_count_;
-    count(edges_.bounds(view), {0, i, j, index < DistanceCache::kMost ? index : -1});
-  }
-
-  /// A length beyond which no pair holds the answer.
-  double worth() const { return worth_; }
-  /// A length beyond which no pair is listed.
-  double reach() const { return reach_; }
-
-  /// Pairs that are farther apart don't count.
-  void limitTo(double distance) {
-    limit_ = std::min(limit_, distance);
-    updateReach();
-  }
-
-  /// Lists pairs that are farther away by this, too.
-  void lookAhead(double length) {
-    lookahead_ = length;
-    updateReach();
-  }
-
-  bool meets() const { return meets_; }
-
-  /// Finds the least distance of all that was shown, infinity if that was nothing.
-  void finish() {
-    if (meets_) return;
-    if (upper_ < best_.distance) evaluate(upper_pair_);
-    for (int k = 0; k < count_ && listed_[k].low <= best_.distance; ++k) evaluate(listed_[k]);
-  }
-
-  const EdgeDistances::Nearest& nearest() const { return best_; }
-  std::uint32_t edgeA() const { return best_pair_.i; }
-  std::uint32_t edgeB() const { return best_pair_.j; }
-
-  /// What was found, as a fact about all pairs of edges: those that weren't shown are beyond reach.
-  void keep(DistanceCache& cache) const {
-    if (meets_) {
-      cache.count = 1;
-      cache.first_edge[0] = edgeA();
-      cache.second_edge[0] = edgeB();
-      cache.apart[0] = cache.apart[1] = 0;
-      return;
-    }
-    cache.count = 0;
-    for (int k = 0; k < count_ && listed_[k].low < reach_; ++k, ++cache.count) {
-      put(cache, k, listed_[k].low);
-    }
-    cache.apart[cache.count] = std::min({unlisted_, reach_, std::numeric_limits<double>::max()});
-  }
-
-  /// After the first `shown` pairs of the cache's fact were shown and found to suffice, moves the fact to these poses,
-  /// so that the next query needs fewer: worth it if some weren't among the nearest.
-  bool refresh(DistanceCache& cache, const Remainder& remainder, int shown) const {
-    if (meets_ || count_ == 0 || count_ != shown || listed_[count_ - 1].low <= upper_) return false;
-    for (int k = shown; k <= cache.count; ++k) cache.apart[k] = remainder.of(cache.apart[k]);
-    for (int k = 0; k < shown; ++k) put(cache, k, std::min(listed_[k].low, cache.apart[shown]));
-    return true;
-  }
-
- private:
-  struct Listed {
-    double low;
-    std::uint32_t i, j;
-    int view;  ///< of views_; -1 if there is none
-  };
-
-  void count(const EdgeDistances::Bounds& bounds, Listed pair) {
-    pair.low = bounds.low;
-    if (bounds.high < upper_) {
-      upper_ = bounds.high;
-      upper_pair_ = pair;
-      updateReach();
-    }
-    if (bounds.low <= reach_) list(pair);
-  }
-
-  void updateReach() {
-    worth_ = std::min(limit_, std::max((upper_ - options_.absolute_error) / (1 + options_.relative_error), 0.0));
-    reach_ = worth_ + lookahead_;
-    // The last one that is listed might as well not be.
-    if (count_ == DistanceCache::kMost) reach_ = std::max(worth_, std::min(reach_, listed_[count_ - 1].low));
-  }
-
-  void put(DistanceCache& cache, int k, double low) const {
-    cache.first_edge[k] = listed_[k].i;
-    cache.second_edge[k] = listed_[k].j;
-    cache.apart[k] = std::max(low, 0.0);
-  }
-
-  void list(const Listed& pair) {
-    for (int k = 0; k < count_; ++k)
-      if (pair.i == listed_[k].i && pair.j == listed_[k].j) return;
-    if (count_ == DistanceCache::kMost) {
-      const Listed last = listed_[count_ - 1];
-      const bool is_near = pair.low < last.low;
-      leaveOut(is_near ? last : pair);
-      if (!is_near) return;
-      --count_;
-    }
-    int k = count_++;
-    for (; k > 0 && listed_[k - 1].low > pair.low; --k) listed_[k] = listed_[k - 1];
-    listed_[k] = pair;
-    if (count_ == DistanceCache::kMost) updateReach();
-  }
-
-  /// A list that is full has room for no more: what may be the nearest is evaluated at once.
-  void leaveOut(const Listed& pair) {
-    unlisted_ = std::min(unlisted_, pair.low);
-    if (pair.low <= std::min(upper_, best_.distance)) evaluate(pair);
-  }
-
-  void evaluate(const Listed& pair) {
-    if (pair.i == best_pair_.i && pair.j == best_pair_.j) return;
-    if (pair.view >= 0)
-      evaluate(pair, views_[pair.view]);
-    else
-      evaluate(pair, edges_.view(pair.i, pair.j));
-  }
-
-  void evaluate(const Listed& pair, const EdgeDistances::View& view) {
-    if (view.feature != 0 && view.feature == best_feature_) return;
-    const EdgeDistances::Nearest found =
-        edges_.at(view, pair.i, pair.j, options_.relative_error, options_.absolute_error);
-    if (found.distance > best_.distance) return;
-    best_ = found;
-    best_pair_ = pair;
-    best_feature_ = view.feature;
-  }
-
-  const EdgeDistances edges_;
-  const DistanceOptions& options_;
-  double upper_ = kInfinity;  ///< the least distance is at most this, that of upper_pair_
-  double limit_, worth_, reach_, lookahead_ = 0;
-  double unlisted_ = kInfinity;  ///< shown, but nearer than this only if listed
-  Listed listed_[DistanceCache::kMost];
-  int count_ = 0;
-  bool meets_ = false;
-  EdgeDistances::Nearest best_{kInfinity, 0, 0};
-  Listed upper_pair_, best_pair_{0, UINT32_MAX, UINT32_MAX, -1};
-  EdgeDistances::View views_[DistanceCache::kMost + 1];  ///< the last one isn't kept
-  int view_count_ = 0;
-  std::uint64_t best_feature_ = 0;
-};
-
 /// Rounded as a posed vertex is. What could overflow on the way is made smaller first.
 Vec2 worldPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, double along) {
   const bool large = !(polygon.extent < 0x1p1000 && pose.translation().lpNorm<Eigen::Infinity>() < 0x1p1000);
@@ -214,8 +44,8 @@ DistanceResult farResult() {
   return {kInfinity, none, none, -1, -1};
 }
 
-DistanceResult resultOf(const Pair& pair, const Search& search) {
-  const EdgeDistances::Nearest& nearest = search.nearest();
+DistanceResult resultOf(const Pair& pair, const DistanceSearch& search) {
+  const EdgeDistances::Nearest& nearest = search.best();
   const std::size_t i = search.edgeA(), j = search.edgeB();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);
   return {nearest.distance, point_a, search.meets() ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b),
@@ -232,7 +62,7 @@ DistanceResult contained(const Pair& pair, const Outcome& outcome) {
 
 /// How many of the pairs that the fact lists had to be shown for the least distance, or a meeting, to be among them
 /// after a motion; -1 if it isn't certain to be.
-int recall(const DistanceCache& cache, const Remainder& remainder, Search& search) {
+int recall(const DistanceCache& cache, const Remainder& remainder, DistanceSearch& search) {
   const bool apart = remainder.of(cache.apart[0]) > 0;
   for (int k = 0; k <= cache.count; ++k) {
     if (EdgeDistances::below(remainder.of(cache.apart[k])) > search.worth()) return k;
@@ -254,7 +84,7 @@ Remainder remainderOf(const DistanceCache& cache, const Pair& pair, bool& both_m
 }
 
 /// Shows the search what it must see. False if two edges meet.
-bool descend(const PosedPair& pair, Search& search) {
+bool descend(const PosedPair& pair, DistanceSearch& search) {
   // The discs' farthest points are no nearer than any of the polygons.
   const double dx = std::abs(pair.center_x - pair.a.origin.x()), dy = std::abs(pair.center_y - pair.a.origin.y());
   constexpr int kSums = 1 + 4;  // one difference, four sums; and the scale's sum and product
@@ -274,10 +104,10 @@ bool descend(const PosedPair& pair, Search& search) {
 }
 
 DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const DistanceOptions& options) {
-  Search search(pair, options);
+  DistanceSearch search(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
   const auto answer = [&] {
     search.finish();
-    return search.nearest().distance <= options.limit ? resultOf(pair, search) : farResult();
+    return search.best().distance <= options.limit ? resultOf(pair, search) : farResult();
   };
   const auto storePoses = [&] {
     store(cache->first_pose, pair.pose_a);
@@ -319,6 +149,7 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
     }
   }
   if (cache != nullptr) {
+    assert(cache->first_id == pair.a.id && cache->second_id == pair.b.id);
     storePoses();
     search.keep(*cache);
   }

@@ -2,6 +2,7 @@
 #include "tricover/time_of_impact.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -199,6 +200,7 @@ Impact describe(const MovingPair& pair, const Motion& motion_a, double time, std
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
                           ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
                           : normalOfTouch(a, b, betweenOrigins(places_a, places_b), pair.error);
+  assert(0 <= time && time <= 1 && std::abs(normal.norm() - 1) < 0x1p-40);
   return {time, toWorld(pair, motion_a, time, 0.5 * (nearest.on_a + nearest.on_b)), normal,
           static_cast<std::ptrdiff_t>(pair.a.polygon->edgeNumber(position_a)),
           static_cast<std::ptrdiff_t>(pair.b.polygon->edgeNumber(position_b))};

@@ -2,6 +2,7 @@
 #include "tricover/contacts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "numbers/rigidity.h"
@@ -323,6 +324,7 @@ Contact ContactFinder::inWorld(const OverlapComponent& component, const Exit& ex
     return position < 0 ? position
                         : static_cast<std::ptrdiff_t>(polygon.edgeNumber(static_cast<std::size_t>(position)));
   };
+  assert(exit.depth >= 0 && std::abs(exit.normal.norm() - 1) < 0x1p-40);
   return {frame_.toWorld(middleOf(component, exit)), exit.normal, exit.depth * frame_.unit(),
           number(pair_.a, exit.edge_a), number(pair_.b, exit.edge_b)};
 }

@@ -2,6 +2,7 @@
 #include "tricover/penetration.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -93,15 +94,18 @@ bool parts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const
          !collideByHierarchy(PosedPair(a, moved_a, b, pose_b), {}, 0, Wanted::Answer).collides;
 }
 
+/// Where lengths overflow.
+Penetration noAnswer(const Vec2& direction) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {kInfinity, direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
+}
+
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                const PenetrationOptions& options) {
   const ConvexOutline outline_a = convexOutline(a), outline_b = convexOutline(b);
   const SupportGap gap = leastSupportGap(a, pose_a, outline_a, b, pose_b, outline_b);
   TranslationSpace space(a, pose_a, b, pose_b);
-  if (!space.isFinite()) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return {kInfinity, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
-  }
+  if (!space.isFinite()) return noAnswer(gap.direction);
   Penetration result{gap.depth, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
   const double unit = space.unit();
   const Vec2 known = gap.direction * (gap.depth / unit);
@@ -127,13 +131,17 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   result.translation = shortest.parting * unit;
   const Vec2 aside = shortest.parting - shortest.limit;
   const Vec2 way = aside.norm() > 0 ? Vec2(aside.normalized()) : result.direction;
-  for (double step = std::max(aside.norm(), space.noise());
-       std::isfinite(step * unit) && !parts(a, pose_a, b, pose_b, result.translation); step *= 2)
+  for (double step = std::max(aside.norm(), space.noise()); !parts(a, pose_a, b, pose_b, result.translation);
+       step *= 2) {
+    if (!std::isfinite(step * unit)) return noAnswer(result.direction);
     result.translation = (shortest.limit + step * way) * unit;
+  }
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
   result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);
   result.edge_b = nearestEdge(b, space.verticesOfB(), features.point_b);
+  assert(std::abs(result.direction.norm() - 1) < 0x1p-40);
+  assert(0 <= result.lower_bound && result.lower_bound <= result.depth);
   return result;
 }
 

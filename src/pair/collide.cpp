@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/collide.h"
 
-#include <cmath>
+#include <cassert>
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -31,6 +31,7 @@ bool findFact(const PosedPair& pair, PairCache& cache, const Recollection& recol
   // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
   const Wanted wanted = recollection.coherent ? Wanted::Clearance : Wanted::Answer;
   const Outcome outcome = collideByHierarchy(pair, options, recollection.lookahead, wanted);
+  assert(!(outcome.clearance < 0) && cache.first_id == pair.a.id && cache.second_id == pair.b.id);
   cache.first_edge = outcome.edge_a;
   cache.second_edge = outcome.edge_b;
   if (outcome.edge_a < 0 || outcome.edge_b < 0) return fact(outcome.collides, outcome.clearance);

@@ -2,6 +2,7 @@
 #include "pair/facts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "numbers/rigidity.h"
@@ -73,6 +74,7 @@ void remember(PairCache& cache, const PolygonData& first, const Pose& first_pose
   cache.clearance = clearance > 0 ? clearance : 0;
   cache.overlapping = overlapping;
   cache.uses = 0;
+  assert(cache.first_id == first.id && cache.second_id == second.id && cache.clearance >= 0);
 }
 
 }  // namespace tricover::detail

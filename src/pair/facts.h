@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -108,6 +109,7 @@ inline Recollection recall(PairCache& cache, const PolygonData& a, const Pose& p
   if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) return {};
   const PolygonData &first = direct ? a : b, &second = direct ? b : a;
   const Pose &first_pose = direct ? pose_a : pose_b, &second_pose = direct ? pose_b : pose_a;
+  assert(cache.clearance >= 0);
   const double room = roundedDown<1>(cache.clearance - (cache.overlapping ? 0 : margin));
   // As a rule one of them stands still.
   const Change second_change(second, cache.second_pose, second_pose);

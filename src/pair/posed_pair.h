@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -53,6 +54,8 @@ struct PosedPair {
     defect = Gram(m0, m1).defect();
     scale_defect = Gram(a0, a1).defect();
     handed = det < 0 ? -1 : 1;
+    // NaN of poses near the ends of the range is uncertain, no less.
+    assert(!(error < kTiny) && !(defect < 0) && scale_defect < kLargestDefect);
   }
 
   // Poses are referred to, so that a temporary one would be gone.

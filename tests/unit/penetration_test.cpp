@@ -232,6 +232,22 @@ TEST(Sizes, WhatOverflowsIsNoAnswer) {
   EXPECT_EQ(p->edge_a, -1);
 }
 
+/// No pose can take either one away: nothing is proven, so nothing is said.
+TEST(Sizes, AtTheEndOfTheRangeThereIsNoWayOut) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  const Polygon box({rectangle(-1e300, -1e301, 1e300, 1e301)});
+  for (const double x : {kMost, -kMost}) {
+    const auto p = penetration(box, at(x, x), box, at(x, x));
+    ASSERT_TRUE(p);
+    EXPECT_EQ(p->depth, std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(p->optimal);
+    EXPECT_EQ(p->lower_bound, 0);
+    EXPECT_EQ(p->translation, Vec2(0, 0));
+    EXPECT_EQ(p->edge_a, -1);
+    EXPECT_EQ(p->edge_b, -1);
+  }
+}
+
 TEST(FarAway, OnlyWhatTheirPosesShareIsLost) {
   const double far = 0x1p40;
   const auto p = penetration(cup(), at(far, -far), square(), at(far + 2.5, -far + 1.5));
