@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The API reference has every public free function and class, and each of their descriptions shows an example.
+"""The API reference has every public free function and class, and each of their descriptions shows an example; the files that our
+documents name exist.
 
 usage: tests/docs/check.py HTML   (the directory that Doxygen wrote)
 
@@ -15,10 +16,24 @@ DECLARED = re.compile(r"((?:^///[^\n]*\n)*)(?:^template[^\n]*\n)?^(?!using|exter
                       r"[A-Za-z][\w:<>,&* ]*?[ &*](\w+)\(", re.MULTILINE)
 CLASS = re.compile(r"((?:^///[^\n]*\n)+)(?:^template[^\n]*\n)?^class (?:TRICOVER\w* )?(\w+)", re.MULTILINE)
 
+INVENTED = {"app.cpp"}  # in commands that a user types
+DOCUMENTS = ("README.md", "src/README.md", "src/mainpage.md", ".github/CONTRIBUTING.md")
+NAMED = re.compile(r"(?<![\w/<>*.-])((?:[\w.]+/)*\w+\.(?:h|cpp|py|sh|cmake|md))(?![\w.-])")
+
+
+def strangers():
+    """Files that a document names, by the end of their path, and that there aren't."""
+    known = {"/" + path.relative_to(ROOT).as_posix() for folder in ("src", "include", "fcl_adapter", "tests", "bench", ".github")
+             for path in (ROOT / folder).rglob("*")} | {"/" + path.name for path in ROOT.iterdir()}
+    for document in DOCUMENTS:
+        for name in sorted(set(NAMED.findall((ROOT / document).read_text())) - INVENTED):
+            if not any(path.endswith("/" + name.removeprefix("../")) for path in known):
+                yield f"{document}: there is no {name}"
+
 
 def main() -> int:
     html = pathlib.Path(sys.argv[1])
-    wrong = []
+    wrong = list(strangers())
     for folder, namespace in ((ROOT / "include/tricover", "tricover"), (ROOT / "fcl_adapter/include/tricover_fcl", "tricover_fcl")):
         page = html / f"namespace{namespace.replace('_', '__')}.html"
         listed = page.read_text() if page.exists() else ""
@@ -38,7 +53,7 @@ def main() -> int:
             for path, comment in found:
                 if not comment:
                     wrong.append(f"{path.relative_to(ROOT)}: {namespace}::{name} has an overload without a description")
-    print("\n".join(wrong) or "every function and class is listed and shows an example")
+    print("\n".join(wrong) or "every function and class is listed and shows an example; every file that is named exists")
     return 1 if wrong else 0
 
 
