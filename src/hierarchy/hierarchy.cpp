@@ -184,6 +184,7 @@ class Builder {
       parts = divide(whole);
     }
     std::vector<FittedBox> boxes;
+    boxes.reserve(parts.size());
     for (const Part& p : parts) boxes.push_back(fit(p));
 
     Vec2 low = boxes[0].center, high = low;
@@ -258,7 +259,7 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   local.reserve(polygon.path.size());
   for (const Vec2& p : polygon.path) local.push_back(polygon.inUnits(p));
   blocks.reserve(polygon.path.size() / (kLanes / 2) + 1);
-  Builder(polygon, local, *this);
+  const Builder builder(polygon, local, *this);
   blocks.shrink_to_fit();
   assert(isTree(*this, polygon));
   findInnerDiscs(polygon, local, *this);

@@ -64,8 +64,9 @@ std::vector<Guess> search(const PolygonData& polygon, const std::vector<Vec2>& l
   const int along = local.size() < 32 ? 6 : 10, across = local.size() < 32 ? 2 : 4;
   std::vector<Guess> grid;
   for (int i = 0; i < along * across; ++i) {
-    const double u = root.along * ((2.0 * (i % along) + 1) / along - 1);
-    const double v = root.across * ((2.0 * (i / along) + 1) / across - 1);
+    const int row = i / along, column = i % along;
+    const double u = root.along * ((2.0 * column + 1) / along - 1);
+    const double v = root.across * ((2.0 * row + 1) / across - 1);
     const Guess found = guess({root.x + u * root.ux - v * root.uy, root.y + u * root.uy + v * root.ux});
     if (found.depth > 0) grid.push_back(found);
     if (found.depth > best.depth) best = found;
