@@ -4,8 +4,8 @@
 
 usage: tests/rooms.py [ROOT]
 
-Fails on an #include that leads to a later room, between two rooms that must not see each other, or from the adapter into the core's private
-headers; on a cycle between files; and on a function that one room declares and another defines.
+Fails on an #include that leads to a later room, between two rooms that must not see each other, or from the adapter
+into the core's private headers; on a cycle between files; and on a function that one room declares and another defines.
 """
 import pathlib
 import re
@@ -16,8 +16,12 @@ CORE = [["numbers"], ["polygon"], ["hierarchy"], ["pair"], ["apart", "overlap"],
 ADAPTER = [["shape"], ["shadow"], ["polygons"], ["mixed"], ["entry"]]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
-# A function's name and its closing parenthesis, with what may stand before a ';' (a declaration) or a '{' (a definition) at a namespace's level.
-FUNCTION = re.compile(r"^(?=\S)(?:[\w:&*<>,\[\] ]+[ &*>])?((?:\w+::)*~?\w+)\([^;{}]*\)(?: const| noexcept)*\s*(?:: [^;{}]*(?:\{[^{}]*\}[^;{}]*)*)?([;{])", re.M)
+# At a namespace's level: a function's name, and ';' after a declaration or '{' after a definition.
+FUNCTION = re.compile(
+    r"^(?=\S)(?:[\w:&*<>,\[\] ]+[ &*>])?((?:\w+::)*~?\w+)\([^;{}]*\)(?: const| noexcept)*\s*"
+    r"(?:: [^;{}]*(?:\{[^{}]*\}[^;{}]*)*)?([;{])", re.M)
+CLASS = re.compile(r"^(?:struct|class) (?:alignas\(\w+\) )?(\w+)[^;{]*\{(.*?)^\};", re.M | re.S)
+MEMBER = re.compile(r"^  (?:[\w:&*<>, ]+[ &*>])?(~?\w+)\([^;{}]*\)(?: const| noexcept)*;", re.M)
 
 
 def uncommented(text):
@@ -40,7 +44,7 @@ class House:
 
     def faults(self, include_directories):
         headers = [path for directory in include_directories for path in directory.rglob("*.h")]
-        public = {name for path in headers for name, end in FUNCTION.findall(uncommented(path.read_text())) if end == ";"}
+        public = {name for path in headers for name, end in FUNCTION.findall(uncommented(path.read_text()))}
         for file in self.files:
             room = self.room(file)
             if room not in self.rank:
@@ -77,15 +81,16 @@ class House:
             yield from visit(file, [])
 
     def strangers(self, public):
-        """Functions declared in a header of one room and defined in a source of another; a name that is public, too, may be another overload."""
+        """Functions that a header of one room declares and a source of another defines. A name that is public, too, may
+        be an overload of what the public header declares."""
         declared = {}
         for file, text in self.files.items():
             if file.endswith(".h"):
                 for name, end in FUNCTION.findall(text):
                     if end == ";":
                         declared.setdefault(name, set()).add(self.room(file))
-                for owner, body in re.findall(r"^(?:struct|class) (?:alignas\(\w+\) )?(\w+)[^;{]*\{(.*?)^\};", text, re.M | re.S):
-                    for name in re.findall(r"^  (?:[\w:&*<>, ]+[ &*>])?(~?\w+)\([^;{}]*\)(?: const| noexcept)*;", body, re.M):
+                for owner, body in CLASS.findall(text):
+                    for name in MEMBER.findall(body):
                         declared.setdefault(f"{owner}::{name}", set()).add(self.room(file))
         for file, text in self.files.items():
             if not file.endswith(".cpp"):
@@ -97,7 +102,7 @@ class House:
 
 
 def without_unnamed(text):
-    """Without what unnamed namespaces hold, which no header declares; clang-format names the namespaces' ends, but not theirs to us: braces are counted."""
+    """Without what unnamed namespaces hold, which no header declares."""
     result, at = "", 0
     while (start := text.find("namespace {", at)) >= 0:
         result += text[at:start]

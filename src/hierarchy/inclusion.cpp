@@ -11,6 +11,7 @@ namespace {
 bool addAlongRay(CoveringSum& sum, const Hierarchy& hierarchy) {
   const PolygonData& polygon = sum.polygon();
   const ApproxPoint& p = sum.point().approx;
+  // Beside the point's own error, of which a coordinate in units keeps a part: three roundings of what is below 2.
   const Vec2 at = polygon.inUnits({p.x, p.y}), away = at - polygon.inUnits(sum.origin());
   const double distance = away.norm(), error = p.error * polygon.inverse_unit + 0x1p-50;
   if (!(distance > 0x1p-10 && error < 0x1p-20 && polygon.fitsUnit())) return false;

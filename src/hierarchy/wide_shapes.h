@@ -6,6 +6,12 @@
 
 namespace tricover::detail::wide {
 
+/// What a ray's distance from a box may be wrong by, relative to |x| + |y| + 4 with the ray's start in the block's
+/// scale. In the terms of kGapRounding: coordinates are rounded 6 times, extents 7 times, of what is at most
+/// 6 (|x| + |y| + 2) + 7. More than twice as much is allowed for.
+constexpr double kRayRounding = 0x1p-20;
+static_assert(kRayRounding >= 2 * 7 * kFloatRoundoff && 6 * 2 + 7 * 1 <= 7 * 4);
+
 template <class Lanes>
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
   std::uint32_t stack[(kLanes - 1) * kMaxDepth + 1];
@@ -16,7 +22,7 @@ void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(v
   while (top > 0) {
     const Block& block = blocks[stack[--top]];
     const double px = (ray.x - block.origin_x) * block.inverse, py = (ray.y - block.origin_y) * block.inverse;
-    const double slack = 0x1p-20 * (magnitude(px) + magnitude(py) + 4) + ray.error * block.inverse;
+    const double slack = kRayRounding * (magnitude(px) + magnitude(py) + 4) + ray.error * block.inverse;
     const float x = static_cast<float>(px), y = static_cast<float>(py), room = static_cast<float>(slack);
     unsigned near = (1u << block.count) - 1;
     if (room < 1e30f) {
@@ -80,8 +86,8 @@ Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& ma
   return inside == (1u << kLanes) - 1 ? Meeting::Meet : Meeting::Unknown;
 }
 
-/// Rounding as in convexMeet(). With s the sum of two radii and d the distance of the centres, s - d >= (s^2 - d^2) /
-/// (2 s) where that is positive.
+/// Rounding as in convexMeet(); 1 + 2^-10 is far more than the quotient's. With s the sum of two radii and d the
+/// distance of the centres, s - d >= (s^2 - d^2) / (2 s) where that is positive.
 template <class Lanes>
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
