@@ -270,7 +270,7 @@ MUTATIONS = [
     ("src/overlap/contacts.cpp", "if (exit.edge_a < 0 || exit.edge_b < 0) completeEdges(component, exit);", "", "contacts: the edge at a vertex of the other"),
     ("src/overlap/contacts.cpp", "if (component.facing.norm() > 8 * error) {", "if (false) {", "contacts: touches along a stretch"),
     ("src/overlap/contacts.cpp", "of_a ? Vec2(end - main.point) : Vec2(main.point - end)", "Vec2(end - main.point)", "contacts: b's edges at a touch, not turned back"),
-    ("src/overlap/contacts.cpp", "if (length(k) > length(longest) + error) longest = k;", "", "contacts: the longest stretch of a touch (equivalent as far as tests see: where the stretches face each other, their sum tells the normal)"),
+    ("src/overlap/contacts.cpp", "if (length(k) > length(longest) + error) longest = k;", ";", "contacts: the longest stretch of a touch (equivalent as far as tests see: where the stretches face each other, their sum tells the normal)"),
     ("src/overlap/contacts.cpp", "if (nearest > 4 * frame_.error())\n    outwards = (out - in).normalized();\n  else if", "outwards = (out - in).normalized();\n  if", "contacts: the way out of a containment that touches"),
     ("src/overlap/contacts.cpp", "exit.normal = b_inside ? outwards : Vec2(-outwards);", "exit.normal = outwards;", "contacts: a inside of b"),
     ("src/overlap/contacts.cpp", "if (depth < exit.depth) continue;", "", "contacts: not the deepest point of what is contained"),

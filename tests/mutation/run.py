@@ -35,8 +35,9 @@ except ModuleNotFoundError:
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Neither the reference nor the workloads see the library's faults, and a fuzzer that stops by the clock finds other ones each time.
 LEFT_OUT = re.compile(r"exact_reference_test|workloads|fuzz_|fcl_alone|fcl_with_tricover")
-# Compiled once instead of in every file: what no mutation changes.
-PRECOMPILED = """cmake_language(DEFER CALL target_precompile_headers tricover PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
+# Compiled once instead of in every file: what no mutation changes. And tests reach what a shared library hides.
+CMAKE_CODE = """cmake_language(DEFER CALL set_target_properties tricover PROPERTIES CXX_VISIBILITY_PRESET default)
+cmake_language(DEFER CALL target_precompile_headers tricover PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
   <algorithm> <atomic> <cmath> <functional> <limits> <memory> <mutex> <queue> <stdexcept> <string> <vector>)
 """
 MEMORY = 6 << 30  # bytes: a mutation may allocate without end
@@ -92,6 +93,7 @@ class Worker:
         self.source, self.build = directory / "source", directory / ("build_fcl" if arguments.adapter else "build")
         self.adapter, self.scale, self.tests = arguments.adapter, arguments.scale, tests
         self.library = "tricover_fcl" if arguments.adapter else "tricover"
+        self.built = set()
 
     def prepare(self):
         listed = run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT).stdout.split("\n")
@@ -104,13 +106,15 @@ class Worker:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(content)
         self.build.mkdir(parents=True, exist_ok=True)
-        precompiled = self.build / "precompiled.cmake"
-        precompiled.write_text(PRECOMPILED)
+        code = self.build / "mutation.cmake"
+        code.write_text(CMAKE_CODE)
         configure = ["cmake", "-S", self.source, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release",
                      # Asserts stay in, and those of the standard library are turned on: they notice what is read out of bounds.
                      # -w: a mutation may leave a variable unused.
                      "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w -D_GLIBCXX_ASSERTIONS -DEIGEN_NO_DEBUG",
-                     f"-DCMAKE_PROJECT_tricover_INCLUDE={precompiled}", "-DTRICOVER_BUILD_TESTS=ON",
+                     # A mutation of the core then links the library, and not every test.
+                     f"-DBUILD_SHARED_LIBS={'OFF' if self.adapter else 'ON'}", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON",
+                     f"-DCMAKE_PROJECT_tricover_INCLUDE={code}", "-DTRICOVER_BUILD_TESTS=ON",
                      f"-DTRICOVER_BUILD_FCL={'ON' if self.adapter else 'OFF'}"]
         if shutil.which("ninja"):
             configure += ["-G", "Ninja"]
@@ -160,8 +164,12 @@ class Worker:
 
     def verdict(self, file):
         for test in [None, *self.tests.order(file)]:
-            built = self.make(test or self.library)
-            if built.returncode != 0:
+            # With a shared library a test that is built stays as it is, unless it includes the header.
+            kept = not self.adapter and test in self.built and file.endswith(".cpp")
+            built = None if kept else self.make(test or self.library)
+            if test:
+                self.built.add(test)
+            if built and built.returncode != 0:
                 if "static assertion failed" in built.stdout:
                     return "killed by static_assert"
                 error = next((line for line in built.stdout.splitlines() if "error:" in line), built.stdout[-300:])
@@ -181,6 +189,8 @@ class Worker:
             return self.verdict(file)
         finally:
             path.write_text(original)
+            if not file.endswith(".cpp"):
+                self.built.clear()
 
 
 def in_parallel(workers, work, items):

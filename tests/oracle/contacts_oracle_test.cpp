@@ -44,6 +44,7 @@ std::string wrongContacts(const Case& c, const std::vector<Contact>& found, bool
     if (!of_a && !(contact.edge_a == -1 && of_b)) return "edge_a";
     if (!of_b && !(contact.edge_b == -1 && of_a)) return "edge_b";
     if (!crossed && of_a && of_b) return "an edge of what holds the other";
+    if (crossed && found.size() == 1 && !(of_a && of_b)) return "no edge, where edges cross";
   }
   return {};
 }

@@ -70,6 +70,15 @@ TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
   EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
 }
 
+TEST(Svg, FillsByThePolygonsRule) {
+  for (const FillRule rule : {FillRule::EvenOdd, FillRule::NonZero}) {
+    SvgDrawing drawing;
+    drawing.polygon(Polygon({rectangle(0, 0, 1, 1)}, rule), Pose::Identity());
+    EXPECT_EQ(count(drawing.str(), "fill-rule=\"evenodd\""), rule == FillRule::EvenOdd ? 1 : 0);
+    EXPECT_EQ(count(drawing.str(), "fill-rule=\"nonzero\""), rule == FillRule::EvenOdd ? 0 : 1);
+  }
+}
+
 TEST(Svg, HitsHoldCollinearEdgesThatOverlap) {
   const Polygon block({rectangle(0, 0, 4, 4)}), upon({rectangle(1, 4, 2, 5)}), beside({rectangle(4, 4, 5, 5)});
   const auto hits = [&](const Polygon& b, double lift) {
