@@ -73,7 +73,7 @@ TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
 TEST(Svg, FillsByThePolygonsRule) {
   for (const FillRule rule : {FillRule::EvenOdd, FillRule::NonZero}) {
     SvgDrawing drawing;
-    drawing.polygon(Polygon({rectangle(0, 0, 1, 1)}, rule), Pose::Identity());
+    drawing.polygon(Polygon({rectangle(0, 0, 1, 1)}, rule), Pose::Identity(), "none");
     EXPECT_EQ(count(drawing.str(), "fill-rule=\"evenodd\""), rule == FillRule::EvenOdd ? 1 : 0);
     EXPECT_EQ(count(drawing.str(), "fill-rule=\"nonzero\""), rule == FillRule::EvenOdd ? 0 : 1);
   }
