@@ -36,8 +36,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Neither the reference nor the workloads see the library's faults, and a fuzzer that stops by the clock finds other ones each time.
 LEFT_OUT = re.compile(r"exact_reference_test|workloads|fuzz_|fcl_alone|fcl_with_tricover")
 # Compiled once instead of in every file: what no mutation changes. And tests reach what a shared library hides.
-CMAKE_CODE = """cmake_language(DEFER CALL set_target_properties tricover PROPERTIES CXX_VISIBILITY_PRESET default)
-cmake_language(DEFER CALL target_precompile_headers tricover PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
+CMAKE_CODE = """cmake_language(DEFER CALL target_precompile_headers tricover PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
   <algorithm> <atomic> <cmath> <functional> <limits> <memory> <mutex> <queue> <stdexcept> <string> <vector>)
 """
 MEMORY = 6 << 30  # bytes: a mutation may allocate without end
@@ -113,7 +112,8 @@ class Worker:
                      # -w: a mutation may leave a variable unused.
                      "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w -D_GLIBCXX_ASSERTIONS -DEIGEN_NO_DEBUG",
                      # A mutation of the core then links the library, and not every test.
-                     f"-DBUILD_SHARED_LIBS={'OFF' if self.adapter else 'ON'}", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON",
+                     f"-DBUILD_SHARED_LIBS={'OFF' if self.adapter else 'ON'}", "-DTRICOVER_EXPORT_KERNEL=ON",
+                     "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON",
                      f"-DCMAKE_PROJECT_tricover_INCLUDE={code}", "-DTRICOVER_BUILD_TESTS=ON",
                      f"-DTRICOVER_BUILD_FCL={'ON' if self.adapter else 'OFF'}"]
         if shutil.which("ninja"):
