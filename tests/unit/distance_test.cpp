@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -191,6 +192,17 @@ TEST(DistanceCache, SeesAJumpThroughAnEdge) {
   EXPECT_EQ(distance(a, at(0, 0), b, at(0.015, 50), cache).distance, 0);
   EXPECT_EQ(distance(a, at(0, 0), b, at(0.02, 50), cache).distance, 0);
   EXPECT_EQ(distance(a, at(0, 0), b, at(-0.02, 50), cache).distance, distance(a, at(0, 0), b, at(-0.02, 50)).distance);
+}
+
+/// More pairs of edges than it has room for are apart by less than rounding.
+TEST(DistanceCache, HoldsLengthsInOrder) {
+  Ring left(12, Vec2(0, 0)), right(12, Vec2(0x1p-60, 0));
+  left.insert(left.end(), {{-1, -1}, {-1, 1}});
+  right.insert(right.end(), {{1, -1}, {1, 1}});
+  DistanceCache cache;
+  EXPECT_GT(distance(Polygon({left}), at(0, 0), Polygon({right}), at(0, 0), cache).distance, 0);
+  EXPECT_GE(cache.apart[0], 0);
+  EXPECT_TRUE(std::is_sorted(cache.apart, cache.apart + cache.count + 1));
 }
 
 /// Facts answer queries of a slow walk (more than these: a fact that is moved to new poses counts anew), and none of
