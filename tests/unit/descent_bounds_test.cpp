@@ -9,6 +9,7 @@
 #include "exact_reference.h"
 #include "hierarchy/wide.h"
 #include "pair/collide_by_hierarchy.h"
+#include "pair/pair_descent.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -359,6 +360,17 @@ TEST(BoundingDiscs, OfTipsThatTouchOnTheLineOfCentres) {
     ASSERT_TRUE(collide(a, grown, a, grown_b));
   }
 }
+
+#ifndef NDEBUG
+/// What is rounded in a's units was proven for a b that isn't the larger.
+TEST(DescentDeathTest, APairOutOfOrderIsStopped) {
+  const Polygon small({regular(5, 1)}), large({regular(5, 100)});
+  const Pose here = Pose::Identity();
+  const PosedPair in_order(large.data(), here, small.data(), here), swapped(small.data(), here, large.data(), here);
+  EXPECT_LE(detail::mapUnits(in_order).scale, 1);
+  EXPECT_DEATH(detail::mapUnits(swapped), "unit");
+}
+#endif
 
 }  // namespace
 }  // namespace tricover::support
