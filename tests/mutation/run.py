@@ -35,7 +35,7 @@ except ModuleNotFoundError:
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Neither the reference nor the workloads see the library's faults, and a fuzzer that stops by the clock finds other ones each time.
 LEFT_OUT = re.compile(r"exact_reference_test|workloads|fuzz_|fcl_alone|fcl_with_tricover")
-# Compiled once instead of in every file: what no mutation changes. And tests reach what a shared library hides.
+# Compiled once instead of in every file: what no mutation changes.
 CMAKE_CODE = """cmake_language(DEFER CALL target_precompile_headers tricover PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
   <algorithm> <atomic> <cmath> <functional> <limits> <memory> <mutex> <queue> <stdexcept> <string> <vector>)
 """
