@@ -7,18 +7,11 @@
 #include <limits>
 #include <utility>
 
+#include "numbers/segment.h"
 #include "polygon/covering.h"
 
 namespace tricover::detail {
 namespace {
-
-double squareDistance(const Vec2& p, const Vec2& v, const Vec2& w) {
-  const double ux = w.x() - v.x(), uy = w.y() - v.y(), dx = p.x() - v.x(), dy = p.y() - v.y();
-  const double square = ux * ux + uy * uy;
-  const double s = square > 0 ? std::clamp((dx * ux + dy * uy) / square, 0.0, 1.0) : 0;
-  const double x = dx - s * ux, y = dy - s * uy;
-  return x * x + y * y;
-}
 
 /// Distance to the boundary, negative outside the region; over every `stride`-th vertex only.
 double depth(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& p, std::size_t stride) {
@@ -28,7 +21,7 @@ double depth(const PolygonData& polygon, const std::vector<Vec2>& local, const V
     const std::size_t end = polygon.edgeEnd(r);
     for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
       const Vec2 &v = local[e], &w = local[std::min(e + stride, end)];
-      square = std::min(square, squareDistance(p, v, w));
+      square = std::min(square, squaredDistanceToSegment(p, v, w));
       if ((v.y() <= p.y()) == (w.y() <= p.y())) continue;
       const double side = (w.x() - v.x()) * (p.y() - v.y()) - (w.y() - v.y()) * (p.x() - v.x());
       if (w.y() > v.y() ? side > 0 : side < 0) winding += w.y() > v.y() ? 1 : -1;
@@ -89,7 +82,7 @@ double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, 
   double square = std::numeric_limits<double>::infinity();
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
-      square = std::min(square, squareDistance(center, local[e], local[e + 1]));
+      square = std::min(square, squaredDistanceToSegment(center, local[e], local[e + 1]));
   // Distances of points below 2 units are computed with less than 32 U of error. Taking the centre back to the
   // polygon's frame rounds it, in either coordinate, by U of the product and of the sum with S, which may be far off.
   constexpr double kRoom = 0x1p-22;
