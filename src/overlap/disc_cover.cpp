@@ -21,7 +21,8 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon, const Pose& pose, con
   }
   std::vector<Disc> grid;
   for (int i = 0; i < kGrid * kGrid; ++i) {
-    const Vec2 share((i % kGrid + 0.5) / kGrid, (i / kGrid + 0.5) / kGrid);
+    const int row = i / kGrid, column = i % kGrid;
+    const Vec2 share((column + 0.5) / kGrid, (row + 0.5) / kGrid);
     const Vec2 p = low + share.cwiseProduct(high - low);
     double square = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < polygon.ringCount(); ++r)
@@ -38,8 +39,7 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon, const Pose& pose, con
     const auto held = [&](const Disc& d) { return (d.center - disc.center).norm() < 0.5 * d.radius; };
     if (std::any_of(discs.begin(), discs.end(), held)) continue;
     const Vec2 local = polygon.origin + back * ((disc.center - origin) * unit);
-    if (local.allFinite() &&
-        locateInPolygon(polygon, IncludedPoint::ofFrame(local)) == Location::Inside)
+    if (local.allFinite() && locateInPolygon(polygon, IncludedPoint::ofFrame(local)) == Location::Inside)
       discs.push_back(disc);
   }
   return discs;

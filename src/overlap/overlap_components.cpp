@@ -122,8 +122,7 @@ class Grouping {
   /// Whether a rounded point is in one side's region.
   bool holds(int side, const Vec2& p) const {
     const Vec2 local = toLocal(side, p);
-    return locateInPolygon(sides_[side].polygon, IncludedPoint::ofFrame(local)) !=
-           Location::Outside;
+    return locateInPolygon(sides_[side].polygon, IncludedPoint::ofFrame(local)) != Location::Outside;
   }
 
   void join(bool with_own_crossings) {

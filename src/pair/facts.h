@@ -13,7 +13,8 @@
 
 namespace tricover::detail {
 
-/// What is looked for pays for as many steps like the last ones: more of them cost more to find, and are seldom used up.
+/// What is looked for pays for as many steps like the last ones: more of them cost more to find, and are seldom used
+/// up.
 constexpr double kStepsAhead = 32;
 /// A motion by more than this part of a polygon's radius is a jump, a step that no clearance would pay for.
 constexpr double kCoherentPart = 0.25;
