@@ -79,10 +79,7 @@ bool merged(Line& into, const Line& line, double resolution) {
   const Line &base = longer ? line : into, &other = longer ? into : line;
   const Vec2 u = base.w - base.v;
   const double length = u.norm();
-  if (!(length > 0)) {
-    if ((other.v - base.v).norm() > resolution) return false;
-    return true;
-  }
+  if (!(length > 0)) return !((other.v - base.v).norm() > resolution);
   const Vec2 axis = u / length;
   if (std::abs(cross(axis, other.v - base.v)) > resolution || std::abs(cross(axis, other.w - base.v)) > resolution)
     return false;
