@@ -54,7 +54,7 @@ using Place = const void*;
 const tricover::PairCache* slotOf(const tricover::Polygon& a, Place place_a, const tricover::Polygon& b,
                                   Place place_b) {
   pairCache(a, place_a, b, place_b);
-  return &pairCache(a, place_a, b, place_b);
+  return pairCache(a, place_a, b, place_b);
 }
 
 TEST(Coherence, aPairHasOneSlotInEitherOrder) {
@@ -69,9 +69,9 @@ TEST(Coherence, newPlacesShareTheirPairsSlot) {
   const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1), c = randomPolygon(random, 1);
   const int places[100] = {};
   std::set<const tricover::PairCache*> slots;
-  for (const int& place : places) slots.insert(&pairCache(a, &places[0], b, &place));
+  for (const int& place : places) slots.insert(pairCache(a, &places[0], b, &place));
   EXPECT_EQ(slots.size(), 1u);
-  EXPECT_NE(*slots.begin(), &pairCache(a, &places[0], c, &places[1]));
+  EXPECT_NE(*slots.begin(), pairCache(a, &places[0], c, &places[1]));
 }
 
 TEST(Coherence, fclCallsFillThePairsSlot) {
@@ -82,7 +82,7 @@ TEST(Coherence, fclCallsFillThePairsSlot) {
     fcl::CollisionResultd result;
     fcl::collide(&object_b, &object_a, fcl::CollisionRequestd(), result);
   }
-  const tricover::PairCache& cache = pairCache(a, &object_a.getTransform(), b, &object_b.getTransform());
+  const tricover::PairCache& cache = *pairCache(a, &object_a.getTransform(), b, &object_b.getTransform());
   EXPECT_EQ((std::set<std::uint64_t>{cache.first_id, cache.second_id}), (std::set<std::uint64_t>{a.id(), b.id()}));
 }
 

@@ -269,6 +269,10 @@ TEST(Continuous, otherMotionsMarginsAndBadErrorsAreRefused) {
   };
   const Own own(placed(0, 0, 0), placed(0, 1, 0));
   EXPECT_NE(thrownBy<std::logic_error>([&] { along(kSquare, still, kSquare, own); }).find("Own"), std::string::npos);
+  const fcl::TranslationMotiond nowhere(
+      placed(0, 0, 0), placed(0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_EQ(thrownBy<std::invalid_argument>([&] { along(kSquare, still, kSquare, nowhere); }),
+            "tricover: motion_b: its shift, turn or pivot is not finite");
   const Shape<double> wide = std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{0, 0, 1});
   EXPECT_NE(thrownBy<std::logic_error>([&] { along(wide, still, kSquare, still); }).find("margin"), std::string::npos);
   for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {

@@ -18,6 +18,7 @@ namespace {
 
 using tricover::support::Random;
 using Vec3 = fcl::Vector3<double>;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The answer, which is the same in both orders and under both solvers.
 template <typename S>
@@ -212,21 +213,64 @@ TEST(MixedCollideWhere, randomTouchesOfTurnedBoxesAreHits) {
 TEST(MixedCollideWhere, posesAreChecked) {
   const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
   const fcl::Boxd box(1, 1, 1);
-  fcl::Transform3d scaled = fcl::Transform3d::Identity(), infinite = scaled;
+  fcl::Transform3d scaled = fcl::Transform3d::Identity(), infinite = scaled, nan = scaled;
   scaled.linear() *= 1.1;
   infinite.translation().z() = std::numeric_limits<double>::infinity();
+  nan.linear()(1, 2) = kNaN;
   fcl::CollisionResultd result;
-  for (const fcl::Transform3d& bad : {scaled, infinite}) {
+  for (const fcl::Transform3d& bad : {scaled, infinite, nan}) {
     const auto text = [&](const fcl::Transform3d& first, const fcl::Transform3d& second) {
       return thrownBy<std::invalid_argument>(
           [&] { fcl::collide(square.get(), first, &box, second, fcl::CollisionRequestd(), result); });
     };
     EXPECT_NE(text(bad, fcl::Transform3d::Identity()).find("pose_a"), std::string::npos);
     EXPECT_NE(text(fcl::Transform3d::Identity(), bad).find("pose_b"), std::string::npos);
+    const bool finite = bad.matrix().allFinite();
+    EXPECT_NE(text(bad, fcl::Transform3d::Identity()).find(finite ? "not rigid within 1e-6" : ") is not finite"),
+              std::string::npos)
+        << text(bad, fcl::Transform3d::Identity());
   }
   fcl::BVHModel<fcl::OBBd> empty;
   EXPECT_NE(thrownBy<std::invalid_argument>([&] { squareMeets(empty, fcl::Transform3d::Identity()); }).find("mesh"),
             std::string::npos);
+}
+
+TEST(MixedCollideWhere, geometriesThatAreNotFiniteAreRefusedByVertex) {
+  registerNarrowphase();
+  const auto refusal = [](const fcl::CollisionGeometryd& geometry) {
+    return thrownBy<std::invalid_argument>([&] { squareMeets(geometry, fcl::Transform3d::Identity()); });
+  };
+  const auto expectNamed = [&](const fcl::CollisionGeometryd& geometry, const std::string& name) {
+    EXPECT_EQ(refusal(geometry).find("tricover: " + name), 0u) << name << ": " << refusal(geometry);
+    EXPECT_NE(refusal(geometry).find("not finite"), std::string::npos) << refusal(geometry);
+  };
+  for (const double bad : {kNaN, std::numeric_limits<double>::infinity()}) {
+    expectNamed(fcl::Boxd(1, bad, 1), "fcl::Box: vertex 0: ");
+    for (const int vertex : {0, 2}) {
+      auto corners =
+          std::make_shared<std::vector<Vec3>>(std::vector<Vec3>{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}});
+      (*corners)[static_cast<std::size_t>(vertex)].y() = bad;
+      const auto faces =
+          std::make_shared<const std::vector<int>>(std::vector<int>{3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2, 3, 1, 2, 3});
+      expectNamed(fcl::Convexd(corners, 4, faces), "fcl::Convex: vertex " + std::to_string(vertex) + ": ");
+      fcl::BVHModel<fcl::AABBd> mesh;
+      mesh.beginModel();
+      mesh.addTriangle((*corners)[0], (*corners)[1], (*corners)[2]);
+      mesh.endModel();
+      expectNamed(mesh, "fcl::BVHModel: vertex " + std::to_string(vertex) + ": ");
+    }
+    fcl::Planed plane(Vec3::UnitX(), 0);
+    plane.d = bad;
+    expectNamed(plane, "fcl::Plane: ");
+    fcl::Halfspaced halfspace(Vec3::UnitX(), 0);
+    halfspace.n.y() = bad;
+    expectNamed(halfspace, "fcl::Halfspace: ");
+    expectNamed(fcl::Sphered(bad), "fcl::Sphere<double>: ");
+    expectNamed(fcl::Ellipsoidd(1, bad, 1), "fcl::Ellipsoid<double>: ");
+    expectNamed(fcl::Capsuled(1, bad), "fcl::Capsule<double>: ");
+    expectNamed(fcl::Coned(1, bad), "fcl::Cone<double>: ");
+    expectNamed(fcl::Cylinderd(bad, 1), "fcl::Cylinder<double>: ");
+  }
 }
 
 TEST(MixedCollideOctree, onlyOccupiedCellsAreThere) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distance of a polygon and FCL's own geometries: measured in the polygon's plane.
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -121,6 +122,29 @@ TEST(MixedDistanceLaws, zeroIfAndOnlyIfTheyCollideAndSwapsWithTheArguments) {
   }
   EXPECT_GT(hits, cases * 2 / 10);
   EXPECT_LT(hits, cases * 8 / 10);
+}
+
+TEST(MixedDistanceLaws, contactUpToRoundingHasNearestPointsBelowAnyLimit) {
+  registerNarrowphase();
+  // A million from the polygon's origin, rounding counts a gap of 1e-9 as contact.
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, -1, 1, 1)}));
+  const fcl::Boxd box(2e6, 2, 2);
+  const fcl::Transform3d pose = shifted<double>(1 + 1e6 + 1e-9, 0, 0);
+  for (const bool box_first : {false, true}) {
+    fcl::DistanceResultd result;
+    result.min_distance = 1e-12;  // of another pair, nearer than the gap
+    if (box_first) {
+      fcl::distance<double>(&box, pose, square.get(), fcl::Transform3d::Identity(), fcl::DistanceRequestd(), result);
+    } else {
+      fcl::distance<double>(square.get(), fcl::Transform3d::Identity(), &box, pose, fcl::DistanceRequestd(), result);
+    }
+    EXPECT_EQ(result.min_distance, 0);
+    for (const Vec3& point : result.nearest_points) {
+      EXPECT_NEAR(point.x(), 1, 2e-9);
+      EXPECT_LE(std::abs(point.y()), 1);
+      EXPECT_EQ(point.z(), 0);
+    }
+  }
 }
 
 TEST(MixedDistanceLaws, depthOfWhatIsFarInside) {

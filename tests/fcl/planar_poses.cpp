@@ -36,8 +36,9 @@ TEST(PlanarPoses, heightIsComparedExactly) {
 
 TEST(PlanarPoses, tiltIsRefusedByName) {
   const fcl::Transform3d tilted = turned(0.01, {1, 2, 0});
-  EXPECT_EQ(refusal(tilted, kIdentity).find("tricover: pose_a leaves the plane"), 0u) << refusal(tilted, kIdentity);
-  EXPECT_EQ(refusal(kIdentity, tilted).find("tricover: pose_b leaves the plane"), 0u) << refusal(kIdentity, tilted);
+  EXPECT_EQ(refusal(tilted, kIdentity).find("tricover: pose_a: it leaves the plane"), 0u) << refusal(tilted, kIdentity);
+  EXPECT_EQ(refusal(kIdentity, tilted).find("tricover: pose_b: it leaves the plane"), 0u) << refusal(kIdentity, tilted);
+  EXPECT_NE(refusal(tilted, kIdentity).find("within 1e-6"), std::string::npos) << refusal(tilted, kIdentity);
   EXPECT_NE(refusal(turned(kPi / 2, {1, 0, 0}), kIdentity), "");
   EXPECT_NE(refusal(turned(2e-6, {0, 1, 0}), kIdentity), "");
 }
@@ -74,11 +75,21 @@ TEST(PlanarPoses, whatIsNotRigidOrFiniteIsRefusedAtAnyHeight) {
   }
   for (const double z : {nan, infinity}) {
     const fcl::Transform3d nowhere = lifted(tricover::Pose::Identity(), z);
-    EXPECT_NE(refusal(nowhere, nowhere).find("z is not finite"), std::string::npos) << refusal(nowhere, nowhere);
+    EXPECT_EQ(refusal(nowhere, nowhere), "tricover: pose_a: translation(2) is not finite");
   }
-  fcl::Transform3d tilted_nan = kIdentity;
-  tilted_nan.matrix()(2, 0) = nan;
-  EXPECT_NE(refusal(tilted_nan, kIdentity), "");
+}
+
+TEST(PlanarPoses, anEntryThatIsNotFiniteIsNamed) {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      fcl::Transform3d bad = kIdentity;
+      bad.matrix()(row, column) = std::numeric_limits<double>::quiet_NaN();
+      const std::string entry = column < 3 ? "linear(" + std::to_string(row) + ", " + std::to_string(column) + ")"
+                                           : "translation(" + std::to_string(row) + ")";
+      EXPECT_EQ(refusal(bad, kIdentity), "tricover: pose_a: " + entry + " is not finite");
+      EXPECT_EQ(refusal(kIdentity, bad), "tricover: pose_b: " + entry + " is not finite");
+    }
+  }
 }
 
 }  // namespace

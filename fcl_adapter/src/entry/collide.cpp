@@ -4,14 +4,12 @@
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
-#include "entry/queries.h"
-#include "polygons/polygon_pair.h"
-#include "shape/unsupported.h"
+#include "entry/dispatch.h"
+#include "shape/errors.h"
+#include "shape/is_polygon.h"
 
-// In tables_float.cpp.
+// In float_collide.cpp.
 extern template std::size_t fcl::collide(const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
                                          const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
                                          const fcl::CollisionRequest<float>&, fcl::CollisionResult<float>&);
@@ -23,7 +21,7 @@ namespace {
 /// Before the shapes' margins are added, which would hide a negative one.
 void checkLength(double length, const char* field) {
   if (!(std::isfinite(length) && length >= 0)) {
-    throw std::invalid_argument(std::string("tricover: CollideOptions: ") + field + " must be finite and not negative");
+    refuse(field, "it must be finite and not negative");
   }
 }
 
@@ -33,7 +31,7 @@ template <typename S>
 std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  if (isPolygon(*o1) || isPolygon(*o2)) return collideGeometries(*o1, tf1, *o2, tf2, request, {}, result);
+  if (isPolygon(*o1) || isPolygon(*o2)) return collideGeometries(*o1, tf1, *o2, tf2, request, result);
   return fcl::collide(o1, tf1, o2, tf2, request, result);
 }
 
@@ -49,7 +47,8 @@ std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S
                     const fcl::CollisionGeometry<S>* o2, const fcl::Transform3<S>& tf2,
                     const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                     fcl::CollisionResult<S>& result) {
-  if (!isPolygon(*o1) && !isPolygon(*o2)) throwUnsupported("collide with tricover::CollideOptions", *o1, *o2);
+  if (!isPolygon(*o1) && !isPolygon(*o2))
+    refuseQuestion("options", "they are for pairs with a PolygonShape", "ask fcl::collide");
   checkLength(options.margin, "margin");
   checkLength(options.tolerance, "tolerance");
   return collideGeometries(*o1, tf1, *o2, tf2, request, options, result);

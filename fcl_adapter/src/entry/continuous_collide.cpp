@@ -10,11 +10,11 @@
 #include <memory>
 #include <type_traits>
 
-#include "entry/queries.h"
-#include "polygons/polygon_pair.h"
-#include "shape/unsupported.h"
+#include "entry/dispatch.h"
+#include "shape/errors.h"
+#include "shape/is_polygon.h"
 
-// In tables_float.cpp.
+// In float_advancement.cpp.
 extern template float fcl::continuousCollide(const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
                                              const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
                                              const fcl::ContinuousCollisionRequest<float>&,
@@ -41,7 +41,7 @@ std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begi
     }
     if (type == fcl::CCDM_SPLINE) return std::make_shared<fcl::SplineMotion<S>>(begin, end);
   }
-  throw UnsupportedPair("tricover: FCL has no motion for this ccd_motion_type and scalar");
+  refuseQuestion("ccd_motion_type", "FCL has no such motion of this scalar", "CCDM_TRANS works for float, too");
 }
 
 }  // namespace

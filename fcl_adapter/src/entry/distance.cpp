@@ -3,10 +3,10 @@
 
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
-#include "entry/queries.h"
-#include "polygons/polygon_pair.h"
+#include "entry/dispatch.h"
+#include "shape/is_polygon.h"
 
-// In tables_float.cpp.
+// In float_distance.cpp.
 extern template float fcl::distance(const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
                                     const fcl::CollisionGeometry<float>*, const fcl::Transform3<float>&,
                                     const fcl::DistanceRequest<float>&, fcl::DistanceResult<float>&);

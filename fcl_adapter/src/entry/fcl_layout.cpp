@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover_fcl/fcl_layout.h"
 
-#include <stdexcept>
 #include <string>
+
+#include "shape/errors.h"
 
 namespace tricover_fcl {
 namespace {
@@ -31,10 +32,10 @@ void checkFclLayout(const FclLayout& seen) {
   const FclLayout built{};
   for (const Measure& measure : kMeasures) {
     if (seen.*measure.value == built.*measure.value) continue;
-    throw std::logic_error(
-        std::string("tricover: ") + measure.what + " is " + std::to_string(seen.*measure.value) +
-        " for this program and was " + std::to_string(built.*measure.value) +
-        " when tricover was built: build both with the same FCL, and without -march=native or -mavx");
+    refuseQuestion(measure.what,
+                   "it is " + std::to_string(seen.*measure.value) + " for this program and was " +
+                       std::to_string(built.*measure.value) + " when tricover was built",
+                   "build both with the same FCL, and without -march=native or -mavx");
   }
 }
 

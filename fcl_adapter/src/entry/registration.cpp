@@ -6,10 +6,10 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 
-#include "entry/tables.h"
+#include "entry/fill_tables.h"
+#include "shape/errors.h"
 #include "tricover_fcl/polygon_shape.h"
 
 namespace tricover_fcl {
@@ -52,16 +52,22 @@ std::string unreachedEntryPoint() {
   return {};
 }
 
+template <typename S>
+void fillTables() {
+  fillCollisionTables<S>();
+  fillDistanceTables<S>();
+  fillAdvancementTables<S>();
+}
+
 bool registerOnce() {
   fillTables<float>();
   fillTables<double>();
   const std::string unreached = unreachedEntryPoint();
   if (!unreached.empty()) {
-    throw std::logic_error(
-        "tricover: " + unreached +
-        " doesn't reach tricover, because libfcl comes before it in the search order. Link "
-        "tricover::fcl before fcl (with a shared tricover, libtricover_fcl.so before libfcl.so, and nothing in "
-        "LD_PRELOAD that brings libfcl first), or link tricover statically, without hiding the executable's symbols; "
+    refuseQuestion(
+        unreached, "it doesn't reach tricover, because libfcl comes before it in the search order",
+        "link tricover::fcl before fcl (with a shared tricover, libtricover_fcl.so before libfcl.so, and nothing in "
+        "LD_PRELOAD that brings libfcl first), or link tricover statically, without hiding the executable's symbols, "
         "or call tricover_fcl::collide, distance, continuousCollide and the callbacks beside them, which work in every "
         "case");
   }

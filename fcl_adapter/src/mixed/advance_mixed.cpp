@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "mixed/mixed_pair.h"
+#include "shape/errors.h"
 #include "shape/motion_in_plane.h"
-#include "shape/unsupported.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover_fcl {
@@ -23,7 +23,8 @@ S advanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>& mo
                const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
                const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
   MixedPair<S> pair = mixedPair("conservative advancement", o1, poseAt(motion1, S(0)), o2, poseAt(motion2, S(0)));
-  if (pair.shape.options().margin > 0) throwUnsupported("conservative advancement, with a margin,", o1, o2);
+  if (pair.shape.options().margin > 0)
+    refuseQuestion("margin", "conservative advancement honours none", kSampleInstead);
   const tricover::Motion along1 = motionInPlane(motion1, pair.plane, "motion_a");
   const tricover::Motion along2 = motionInPlane(motion2, pair.plane, "motion_b");
   const tricover::Motion& of_polygon = pair.polygon_first ? along1 : along2;

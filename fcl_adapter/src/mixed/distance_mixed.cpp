@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "mixed/mixed_pair.h"
-#include "shape/unsupported.h"
+#include "shape/fcl_results.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 
@@ -22,9 +22,7 @@ struct Span {
 Eigen::Vector3d inSpace(const tricover::Vec2& p) { return {p.x(), p.y(), 0}; }
 
 /// What is told of two that meet. What isn't deeper than the outline errs is a touch, but for surfaces if depths don't
-/// matter: FCL asks collide about a negative
-/// distance, and insists on a depth
-/// that is a normal number.
+/// matter: FCL asks collide about a negative distance, and insists on a depth that is a normal number.
 template <typename S>
 void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, bool is_signed) {
   using tricover::Pose;
@@ -65,12 +63,7 @@ S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& t
   const tricover::DistanceResult found = shadow->distance(pair.polygon(), options);
   Span span{found.distance, inSpace(found.point_a), inSpace(found.point_b), found.edge_a, shadow->partOf(found.edge_b)};
   if (span.distance == 0) measureOverlap(span, pair, *shadow, request.enable_signed_distance);
-  // FCL asks collide for a contact then, and aborts where there is none.
-  const bool asks_again = request.gjk_solver_type == fcl::GST_INDEP || pair.other.getObjectType() != fcl::OT_GEOM;
-  if (span.distance < 0 && request.enable_signed_distance && asks_again && !(o1.isOccupied() && o2.isOccupied())) {
-    throwUnsupported("signed distance under GST_INDEP or to a mesh or octree, of geometries that are not occupied,", o1,
-                     o2);
-  }
+  if (span.distance < 0) requireContactsIfSigned(o1, o2, request);
 
   const Eigen::Vector3d at_a = pair.plane * span.point_a, at_b = pair.plane * span.point_b;
   if (pair.polygon_first)

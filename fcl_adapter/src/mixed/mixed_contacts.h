@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mixed/mixed_pair.h"
+#include "shape/fcl_results.h"
 
 namespace tricover_fcl {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mixed/mixed_pair.h"
 
-#include <stdexcept>
-#include <string>
-
-#include "shape/unsupported.h"
+#include "shape/errors.h"
+#include "shape/is_polygon.h"
+#include "shape/planar_pose.h"
 
 namespace tricover_fcl {
 namespace {
@@ -12,10 +11,10 @@ namespace {
 template <typename S>
 Plane checkedPose(const fcl::Transform3<S>& transform, const char* name) {
   const Plane pose(transform.matrix().template cast<double>().eval());
-  if (!pose.matrix().allFinite()) throw std::invalid_argument(std::string("tricover: ") + name + ": it must be finite");
   const Eigen::Matrix3d defect = pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity();
-  if (!(defect.cwiseAbs().maxCoeff() <= tricover::kRigidTolerance))
-    throw std::invalid_argument(std::string("tricover: ") + name + ": R is not rigid");
+  // Eigen's maxCoeff may pass over NaN.
+  if (!pose.matrix().allFinite() || !(defect.cwiseAbs().maxCoeff() <= tricover::kRigidTolerance))
+    refuseDistortion(pose.matrix(), name);
   return pose;
 }
 
@@ -34,7 +33,7 @@ MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o
                        const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2) {
   const bool polygon_first = isPolygon(o1);
   const auto& other = polygon_first ? o2 : o1;
-  if (!castsShadow(other)) throwUnsupported(operation, o1, o2);
+  if (!castsShadow(other)) refusePair(operation, o1, o2);
   const Plane pose1 = checkedPose(tf1, "pose_a"), pose2 = checkedPose(tf2, "pose_b");
   const Plane &of_polygon = polygon_first ? pose1 : pose2, &of_other = polygon_first ? pose2 : pose1;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "polygons/polygon_pair.h"
 #include "shadow/shadow.h"
-#include "shape/results.h"
+#include "shape/plane.h"
+#include "tricover_fcl/polygon_shape.h"
 
 namespace tricover_fcl {
 
@@ -20,7 +20,7 @@ struct MixedPair {
   const tricover::Polygon& polygon() const { return shape.polygon(); }
 };
 
-/// Throws UnsupportedPair, naming the operation, if the other geometry isn't one that FCL knows, and
+/// Throws std::logic_error, naming the operation, if the other geometry isn't one that FCL knows, and
 /// std::invalid_argument, naming pose_a (the first geometry's) or pose_b, for a pose that isn't rigid within
 /// tricover::kRigidTolerance or isn't finite.
 template <typename S>

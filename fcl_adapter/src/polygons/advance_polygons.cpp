@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "shape/errors.h"
 #include "shape/heights.h"
 #include "shape/motion_in_plane.h"
-#include "shape/unsupported.h"
 #include "tricover/collide.h"
 #include "tricover/time_of_impact.h"
 
@@ -48,7 +48,7 @@ S advancePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>&
   const auto& shape_a = static_cast<const PolygonShape<S>&>(o1);
   const auto& shape_b = static_cast<const PolygonShape<S>&>(o2);
   if (shape_a.options().margin > 0 || shape_b.options().margin > 0) {
-    throwUnsupported("conservative advancement, with a margin,", o1, o2);
+    refuseQuestion("margin", "conservative advancement honours none", kSampleInstead);
   }
   const MovingPolygon a = movingPolygon(motion1, "motion_a"), b = movingPolygon(motion2, "motion_b");
 

@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "polygons/pair_cache_table.h"
 #include "polygons/polygon_pair.h"
-#include "shape/results.h"
+#include "shape/fcl_results.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
@@ -75,9 +74,11 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   if (!want.contacts && !want.costs) return result.numContacts();
 
   const double margin = options.margin + (pair.shape_a.options().margin + pair.shape_b.options().margin);
-  const bool hit = pair.heightsMeet() && tricover::collide(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose,
-                                                           pairCache(pair.a(), &tf1, pair.b(), &tf2),
-                                                           {margin, options.tolerance, options.strategy});
+  const tricover::CollideOptions with_margins{margin, options.tolerance, options.strategy};
+  const auto collide = [&](auto&... cache) {
+    return tricover::collide(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., with_margins);
+  };
+  const bool hit = pair.heightsMeet() && pair.template remembering<tricover::PairCache>(tf1, tf2, collide);
   if (!hit) return result.numContacts();
 
   const std::size_t most = want.contacts ? room(request, result) : 0;

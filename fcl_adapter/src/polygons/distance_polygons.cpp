@@ -4,10 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "polygons/pair_cache_table.h"
 #include "polygons/polygon_pair.h"
-#include "shape/results.h"
-#include "shape/unsupported.h"
+#include "shape/fcl_results.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
@@ -67,15 +65,12 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   const double apart = pair.heightsMeet() ? 0 : gap(pair.heightsA(), pair.heightsB());
   if (apart >= options.limit) return result.min_distance;
 
-  const tricover::DistanceResult planar =
-      tricover::distance(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose,
-                         pairCache<tricover::DistanceCache>(pair.a(), &tf1, pair.b(), &tf2), options);
+  const auto distance = [&](auto&... cache) {
+    return tricover::distance(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., options);
+  };
+  const tricover::DistanceResult planar = pair.template remembering<tricover::DistanceCache>(tf1, tf2, distance);
   if (planar.distance == 0 && apart == 0) {
-    // FCL then asks collide for a contact and, as with its own shapes, aborts where there is none.
-    if (request.enable_signed_distance && request.gjk_solver_type == fcl::GST_INDEP &&
-        !(o1.isOccupied() && o2.isOccupied())) {
-      throwUnsupported("signed distance under GST_INDEP, of shapes that are not occupied,", o1, o2);
-    }
+    requireContactsIfSigned(o1, o2, request);
     updateOverlap(pair, request.enable_signed_distance, planar, result);
   } else if (planar.distance <= options.limit) {
     const NearestPoints<S> points(pair, planar.point_a, planar.point_b);

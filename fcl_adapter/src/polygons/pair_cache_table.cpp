@@ -25,11 +25,26 @@ using Table = std::array<Slot<Cache>, std::size_t{1} << kSlotBits>;
 template <typename Cache>
 thread_local Table<Cache>* table = nullptr;
 
+/// Plain, too: both can still be read when the owner is gone.
 template <typename Cache>
-Table<Cache>& makeTable() {
-  thread_local const auto owner = std::make_unique<Table<Cache>>();
-  table<Cache> = owner.get();
-  return *table<Cache>;
+thread_local bool ended = false;
+
+template <typename Cache>
+struct TableOwner {
+  std::unique_ptr<Table<Cache>> slots = std::make_unique<Table<Cache>>();
+
+  TableOwner() { table<Cache> = slots.get(); }
+  ~TableOwner() {
+    table<Cache> = nullptr;
+    ended<Cache> = true;
+  }
+};
+
+template <typename Cache>
+Table<Cache>* makeTable() {
+  if (ended<Cache>) return nullptr;
+  thread_local const TableOwner<Cache> owner;
+  return table<Cache>;
 }
 
 std::uint64_t mix(std::uint64_t id, const void* place) {
@@ -46,20 +61,21 @@ std::uint64_t keyOf(const tricover::Polygon& a, const void* place_a, const trico
 }  // namespace
 
 template <typename Cache>
-Cache& pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b) {
-  Table<Cache>& slots = table<Cache> != nullptr ? *table<Cache> : makeTable<Cache>();
+Cache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b) {
+  Table<Cache>* const slots = table<Cache> != nullptr ? table<Cache> : makeTable<Cache>();
+  if (slots == nullptr) return nullptr;
   const auto slot = [&](std::uint64_t key) -> Slot<Cache>& {
-    return slots[static_cast<std::size_t>(key >> (64 - kSlotBits))];
+    return (*slots)[static_cast<std::size_t>(key >> (64 - kSlotBits))];
   };
   const std::uint64_t key = keyOf(a, place_a, b, place_b);
   Slot<Cache>& own = slot(key);
-  if (own.places == key) return own.facts;
+  if (own.places == key) return &own.facts;
   own.places = key;
-  return slot(keyOf(a, nullptr, b, nullptr)).facts;
+  return &slot(keyOf(a, nullptr, b, nullptr)).facts;
 }
 
 #define TRICOVER_INSTANTIATE(Cache) \
-  template Cache& pairCache(const tricover::Polygon&, const void*, const tricover::Polygon&, const void*);
+  template Cache* pairCache(const tricover::Polygon&, const void*, const tricover::Polygon&, const void*);
 TRICOVER_INSTANTIATE(tricover::PairCache)
 TRICOVER_INSTANTIATE(tricover::DistanceCache)
 #undef TRICOVER_INSTANTIATE

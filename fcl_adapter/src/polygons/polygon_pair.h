@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <typeinfo>
-
+#include "polygons/pair_cache_table.h"
 #include "shape/heights.h"
 #include "shape/planar_pose.h"
 #include "tricover_fcl/polygon_shape.h"
 
 namespace tricover_fcl {
-
-template <typename S>
-bool isPolygon(const fcl::CollisionGeometry<S>& geometry) {
-  return typeid(geometry) == typeid(PolygonShape<S>);
-}
 
 /// Two polygons as a row gets them: `a` is its first geometry.
 template <typename S>
@@ -38,6 +32,13 @@ struct PolygonPair {
       tricover::checkPose(pose_b.pose, "pose_b");
     }
     return meet;
+  }
+
+  /// Calls ask() with the pair's cache, or without one where there is none any more.
+  template <typename Cache, typename Ask>
+  auto remembering(const fcl::Transform3<S>& tf1, const fcl::Transform3<S>& tf2, const Ask& ask) const {
+    Cache* const cache = pairCache<Cache>(a(), &tf1, b(), &tf2);
+    return cache != nullptr ? ask(*cache) : ask();
   }
 
   Heights heightsA() const { return heightsOf(shape_a.options(), pose_a); }

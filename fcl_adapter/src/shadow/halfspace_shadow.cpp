@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "shadow/shadow.h"
+#include "shape/errors.h"
 
 namespace tricover_fcl {
 namespace {
@@ -30,7 +31,9 @@ Ring clip(const Ring& ring, const Vec2& normal, double offset) {
 /// a strip (a line for a plane that stands on a flat polygon) or a half-plane. Of that a square is made around the
 /// polygon, so large that the polygon can't leave it on a shorter way than across the edge, and that what is nearest to
 /// the polygon is in it. What is parallel to the polygon, as far as rounding can tell, is met all over, or nowhere.
-std::optional<Shadow> shadowOf(const Eigen::Vector3d& normal, double offset, bool below_too, const View& view) {
+std::optional<Shadow> shadowOf(const char* name, const Eigen::Vector3d& normal, double offset, bool below_too,
+                               const View& view) {
+  if (!(normal.allFinite() && std::isfinite(offset))) refuse(name, "its normal or offset is not finite");
   // x = M p + t lies in the plane n . p = d if M^-T n . x = d + M^-T n . t.
   const Eigen::Vector3d n = view.to_polygon.linear().inverse().transpose() * normal;
   const double d = offset + n.dot(view.to_polygon.translation());
@@ -65,10 +68,10 @@ template <typename S>
 std::optional<Shadow> makeHalfspaceShadow(const fcl::CollisionGeometry<S>& plane_or_halfspace, const View& view) {
   if (plane_or_halfspace.getNodeType() == fcl::GEOM_PLANE) {
     const auto& plane = static_cast<const fcl::Plane<S>&>(plane_or_halfspace);
-    return shadowOf(plane.n.template cast<double>(), static_cast<double>(plane.d), false, view);
+    return shadowOf("fcl::Plane", plane.n.template cast<double>(), static_cast<double>(plane.d), false, view);
   }
   const auto& halfspace = static_cast<const fcl::Halfspace<S>&>(plane_or_halfspace);
-  return shadowOf(halfspace.n.template cast<double>(), static_cast<double>(halfspace.d), true, view);
+  return shadowOf("fcl::Halfspace", halfspace.n.template cast<double>(), static_cast<double>(halfspace.d), true, view);
 }
 
 template std::optional<Shadow> makeHalfspaceShadow(const fcl::CollisionGeometry<float>&, const View&);

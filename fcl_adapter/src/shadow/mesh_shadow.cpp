@@ -2,9 +2,9 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "shadow/shadow.h"
+#include "shape/errors.h"
 
 namespace tricover_fcl {
 namespace {
@@ -14,14 +14,14 @@ namespace {
 template <typename BV, typename S = typename BV::S>
 std::optional<Shadow> shadowOf(const fcl::CollisionGeometry<S>& geometry, const View& view) {
   const auto& mesh = static_cast<const fcl::BVHModel<BV>&>(geometry);
-  if (mesh.num_tris == 0) throw std::invalid_argument("tricover: mesh: a BVHModel without triangles has no surface");
+  if (mesh.num_tris == 0) refuse("fcl::BVHModel", "a mesh without triangles has no surface");
 
   double reach = 0;
   std::vector<Eigen::Vector3d> vertices(static_cast<std::size_t>(mesh.num_vertices));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Eigen::Vector3d vertex = mesh.vertices[i].template cast<double>();
     reach = std::max(reach, vertex.template lpNorm<1>());
-    vertices[i] = view.to_polygon * vertex;
+    vertices[i] = mapVertex(view.to_polygon, vertex, "fcl::BVHModel", i);
   }
   const double rounding = mappingError(view.to_polygon, reach);
   const Slab slab = grown(view.slab, rounding);

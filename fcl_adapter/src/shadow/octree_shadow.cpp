@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcl/config.h>
 
-#include <stdexcept>
-
 #include "shadow/shadow.h"
+#include "shape/errors.h"
 
 #if FCL_HAVE_OCTOMAP
 #include <fcl/geometry/octree/octree.h>
@@ -38,7 +37,7 @@ class CellCollector {
   void visit(const typename fcl::OcTree<S>::OcTreeNode* node, const fcl::AABB<S>& cell) {
     if (!tree_.isNodeOccupied(node)) return;
     const std::vector<tricover::Vec2> corners =
-        cutBox(cell.min_.template cast<double>(), cell.max_.template cast<double>(), to_polygon_, slab_);
+        cutBox(cell.min_.template cast<double>(), cell.max_.template cast<double>(), "fcl::OcTree", to_polygon_, slab_);
     if (corners.empty()) return;
     Eigen::AlignedBox2d box;
     for (const tricover::Vec2& corner : corners) box.extend(corner);
@@ -76,7 +75,7 @@ std::optional<Shadow> makeOctreeShadow(const fcl::CollisionGeometry<S>& octree, 
 #else
 template <typename S>
 std::optional<Shadow> makeOctreeShadow(const fcl::CollisionGeometry<S>&, const View&) {
-  throw std::logic_error("tricover: this FCL was built without octomap");
+  refuseQuestion("fcl::OcTree", "this FCL was built without octomap", "build FCL with it");
 }
 #endif
 

@@ -5,7 +5,11 @@
 #include <fcl/geometry/shape/ellipsoid.h>
 #include <fcl/geometry/shape/sphere.h>
 
+#include <cmath>
+#include <typeinfo>
+
 #include "shadow/shadow.h"
+#include "shape/errors.h"
 
 namespace tricover_fcl {
 namespace {
@@ -46,6 +50,8 @@ SmoothBody bodyOf(const fcl::CollisionGeometry<S>& shape) {
 template <typename S>
 std::optional<Shadow> makeSmoothShadow(const fcl::CollisionGeometry<S>& shape, const View& view) {
   const SmoothBody body = bodyOf(shape);
+  if (!(std::isfinite(body.half_height) && body.bottom.allFinite() && body.top.allFinite()))
+    refuse(className(typeid(shape)), "a radius or its length is not finite");
   const double rounding = mappingError(view.to_polygon, body.reach());
   const Slab slab = grown(view.slab, rounding);
   const Eigen::Vector3d up = view.to_polygon.linear().row(2).transpose();

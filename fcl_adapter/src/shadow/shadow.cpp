@@ -3,6 +3,8 @@
 
 #include <fcl/narrowphase/contact.h>
 
+#include <limits>
+
 #include "tricover/collide.h"
 
 namespace tricover_fcl {
@@ -16,10 +18,14 @@ bool Shadow::meets(const tricover::Polygon& polygon, double margin) const {
 
 tricover::DistanceResult Shadow::distance(const tricover::Polygon& polygon,
                                           const tricover::DistanceOptions& options) const {
+  // Regions that meet up to rounding are a little apart: a limit below that must not cost them their nearest points.
+  const bool touching = meets(polygon, 0);
+  tricover::DistanceOptions within = options;
+  if (touching) within.limit = std::numeric_limits<double>::infinity();
   tricover::DistanceResult found =
       smooth_ ? smooth_->distance(polygon)
-              : tricover::distance(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), options);
-  if (meets(polygon, 0)) found.distance = 0;
+              : tricover::distance(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), within);
+  if (touching) found.distance = 0;
   return found;
 }
 

@@ -2,6 +2,9 @@
 #include "shadow/slab_cut.h"
 
 #include <algorithm>
+#include <string>
+
+#include "shape/errors.h"
 
 namespace tricover_fcl {
 
@@ -55,13 +58,22 @@ void SlabCut::addCrossing(const Eigen::Vector3d& p, const Eigen::Vector3d& q, do
   corners_.push_back(p.head<2>() + share * (q - p).head<2>());
 }
 
-std::vector<Vec2> cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Eigen::Affine3d& to_polygon,
-                         const Slab& slab) {
+Eigen::Vector3d mapVertex(const Eigen::Affine3d& to_polygon, const Eigen::Vector3d& vertex, const char* geometry,
+                          std::size_t index) {
+  const Eigen::Vector3d mapped = to_polygon * vertex;
+  if (!mapped.allFinite()) {
+    refuse(geometry + (": vertex " + std::to_string(index)), "it is not finite, or not where the poses put it");
+  }
+  return mapped;
+}
+
+std::vector<Vec2> cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const char* geometry,
+                         const Eigen::Affine3d& to_polygon, const Slab& slab) {
   Eigen::Vector3d corners[8];
   SlabCut cut(slab);
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d corner((i & 1 ? high : low).x(), (i & 2 ? high : low).y(), (i & 4 ? high : low).z());
-    corners[i] = to_polygon * corner;
+    corners[i] = mapVertex(to_polygon, corner, geometry, static_cast<std::size_t>(i));
     cut.addVertex(corners[i]);
     for (const int axis : {1, 2, 4}) {
       if (i & axis) cut.addEdge(corners[i - axis], corners[i]);

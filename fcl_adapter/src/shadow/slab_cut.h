@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <vector>
 
 #include "tricover/polygon.h"
@@ -13,8 +14,8 @@ struct Slab {
   double low, high;
 };
 
-/// The convex hull of the points (at least one), counter-clockwise, right to 2^-50 of its size. The ring of a hull
-/// without area runs there and back; it has three vertices at least.
+/// The convex hull of the points (at least one, all finite), counter-clockwise, right to 2^-50 of its size. The ring of
+/// a hull without area runs there and back; it has three vertices at least.
 tricover::Ring convexHull(const std::vector<tricover::Vec2>& points);
 
 /// A point mapped from a geometry's frame into the polygon's is right to this share of its distances from both frames'
@@ -29,13 +30,18 @@ inline double mappingError(const Eigen::Affine3d& to_polygon, double reach) {
 
 inline Slab grown(const Slab& slab, double by) { return {slab.low - by, slab.high + by}; }
 
+/// The vertex in the polygon's frame. Throws std::invalid_argument, naming the geometry and the vertex, unless that is
+/// finite: nothing after it expects NaN.
+Eigen::Vector3d mapVertex(const Eigen::Affine3d& to_polygon, const Eigen::Vector3d& vertex, const char* geometry,
+                          std::size_t index);
+
 /// Gathers the corners of a convex polytope's part in the slab, seen along z.
 class SlabCut {
  public:
   explicit SlabCut(const Slab& slab) : slab_(slab) {}
 
   void addVertex(const Eigen::Vector3d& p) {
-    if (p.z() < slab_.low || p.z() > slab_.high) return;  // NaN stays, for Polygon to refuse
+    if (p.z() < slab_.low || p.z() > slab_.high) return;
     corners_.push_back(p.head<2>());
   }
 
@@ -55,8 +61,9 @@ class SlabCut {
   std::vector<tricover::Vec2> corners_;
 };
 
-/// Corners of the slab's part of the axis-parallel box from `low` to `high`, mapped into the polygon's frame.
-std::vector<tricover::Vec2> cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+/// Corners of the slab's part of the axis-parallel box from `low` to `high`, mapped into the polygon's frame;
+/// `geometry` names it to mapVertex().
+std::vector<tricover::Vec2> cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const char* geometry,
                                    const Eigen::Affine3d& to_polygon, const Slab& slab);
 
 }  // namespace tricover_fcl

@@ -18,7 +18,7 @@ template <typename S>
 std::optional<Shadow> shadowOf(const fcl::Box<S>& box, const View& view) {
   const Eigen::Vector3d half = 0.5 * box.side.template cast<double>();
   const double rounding = mappingError(view.to_polygon, half.lpNorm<1>());
-  return shadowOf(cutBox(-half, half, view.to_polygon, grown(view.slab, rounding)), rounding);
+  return shadowOf(cutBox(-half, half, "fcl::Box", view.to_polygon, grown(view.slab, rounding)), rounding);
 }
 
 template <typename S>
@@ -32,9 +32,9 @@ std::optional<Shadow> shadowOf(const fcl::Convex<S>& convex, const View& view) {
   const double rounding = mappingError(view.to_polygon, reach);
 
   SlabCut cut(grown(view.slab, rounding));
-  for (Eigen::Vector3d& vertex : vertices) {
-    vertex = view.to_polygon * vertex;
-    cut.addVertex(vertex);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    vertices[i] = mapVertex(view.to_polygon, vertices[i], "fcl::Convex", i);
+    cut.addVertex(vertices[i]);
   }
   // Each face is said as the number of its vertices and their indices.
   const std::vector<int>& faces = convex.getFaces();

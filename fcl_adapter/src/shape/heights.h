@@ -14,7 +14,8 @@ struct Height {
   double of_pose, of_shape;
 
   double rounded() const { return of_pose + of_shape; }
-  /// What rounding left (Knuth's two-sum): exact unless rounded() is infinite.
+  /// What rounding left, exactly, unless rounded() is infinite: Knuth's two-sum. The core has one, too, in its private
+  /// headers, which the adapter doesn't include; two lines are cheaper than to publish it.
   double rest() const {
     const double sum = rounded(), second = sum - of_pose;
     return (of_pose - (sum - second)) + (of_shape - second);

@@ -7,11 +7,10 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <typeinfo>
 
-#include "shape/unsupported.h"
+#include "shape/errors.h"
 
 namespace tricover_fcl {
 namespace {
@@ -45,9 +44,8 @@ SpatialMotion spatialMotion(const fcl::MotionBase<S>& motion, const char* name) 
       result.pivot = wide(screw.getAxisOrigin());
     }
   } else {
-    throw UnsupportedPair(std::string("tricover: conservative advancement along ") + name + " of type " +
-                          typeid(motion).name() +
-                          " is not supported; fcl::TranslationMotion, InterpMotion and ScrewMotion are");
+    refuseQuestion(name, "conservative advancement doesn't know the motion " + className(typeid(motion)),
+                   std::string("move by fcl::TranslationMotion, InterpMotion or ScrewMotion, or ") + kSampleInstead);
   }
   return result;
 }
@@ -68,6 +66,8 @@ tricover::Motion motionInPlane(const fcl::MotionBase<S>& motion, const Plane& pl
   const Eigen::Matrix3d inverse = plane.linear().inverse();
   const Vec3 shift = inverse * world.shift, turn = inverse * world.turn;
   const Vec3 pivot = inverse * (world.pivot - plane.translation());
+  if (!(shift.allFinite() && turn.allFinite() && pivot.allFinite()))
+    refuse(name, "its shift, turn or pivot is not finite");
 
   // A tilt or rise is left out that poses may have, and what S rounds the places by that FCL finds the motion from.
   const double rounding = 8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
@@ -75,8 +75,8 @@ tricover::Motion motionInPlane(const fcl::MotionBase<S>& motion, const Plane& pl
                            poseAt(motion, S(0)).translation().template cast<double>().norm() + world.pivot.norm());
   const double rise = tricover::kRigidTolerance * shift.head<2>().norm() + rounding;
   if (!(turn.head<2>().norm() <= tricover::kRigidTolerance && std::abs(shift.z()) <= rise)) {
-    throw std::invalid_argument(std::string("tricover: ") + name +
-                                " leaves the polygon's plane: it must shift within it and turn about its normal");
+    refuse(name, "it leaves the polygon's plane",
+           std::string("shift within the plane and turn about its normal, or ") + kSampleInstead);
   }
   tricover::Motion in_plane;
   in_plane.shift = shift.head<2>();

@@ -6,9 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 
 #include "tricover/pose.h"
@@ -22,16 +19,10 @@ struct PlanarPose {
   bool upside_down;  ///< local z points downwards
 };
 
-template <typename S>
-[[noreturn]] void refuseTransform(const fcl::Transform3<S>& transform, const char* name) {
-  const auto m = transform.matrix().template cast<double>().eval();
-  if (!std::isfinite(m(2, 3))) throw std::invalid_argument(std::string("tricover: ") + name + ": z is not finite");
-  std::ostringstream text;
-  text << "tricover: " << name << " leaves the plane: the third row of R is (" << m(2, 0) << ", " << m(2, 1) << ", "
-       << m(2, 2) << "), its third column (" << m(0, 2) << ", " << m(1, 2) << ", " << m(2, 2)
-       << "); both must be (0, 0, 1) or (0, 0, -1)";
-  throw std::invalid_argument(text.str());
-}
+/// They throw std::invalid_argument, naming the pose and what is wrong with it: an entry that isn't finite, otherwise
+/// that it leaves the plane, or that it isn't rigid.
+[[noreturn]] void refuseTilt(const Eigen::Matrix4d& transform, const char* name);
+[[noreturn]] void refuseDistortion(const Eigen::Matrix4d& transform, const char* name);
 
 /// Exact: the upper left 2 x 2 and the translation as they are stored. A tilt of rounding size is left out, as the
 /// kernel accepts as much in R. What is wrong within the plane is left for the kernel to refuse.
@@ -39,13 +30,13 @@ template <typename S>
 PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
   const auto& m = transform.matrix();
   const auto at = [&](int row, int column) { return static_cast<double>(m(row, column)); };
-  // Without branches, and so that NaN fails.
-  const auto within = [](double entry, double bound) { return std::abs(entry) <= bound; };
+  // Without branches (ints: compilers warn of bools that & joins), and so that NaN fails.
+  const auto within = [](double entry, double bound) -> int { return std::abs(entry) <= bound; };
   constexpr double kTilt = tricover::kRigidTolerance;
-  const bool planar = within(at(2, 0), kTilt) & within(at(2, 1), kTilt) & within(at(0, 2), kTilt) &
-                      within(at(1, 2), kTilt) & within(std::abs(at(2, 2)) - 1, kTilt) &
-                      within(at(2, 3), std::numeric_limits<double>::max());
-  if (!planar) refuseTransform(transform, name);
+  const int planar = within(at(2, 0), kTilt) & within(at(2, 1), kTilt) & within(at(0, 2), kTilt) &
+                     within(at(1, 2), kTilt) & within(std::abs(at(2, 2)) - 1, kTilt) &
+                     within(at(2, 3), std::numeric_limits<double>::max());
+  if (planar == 0) refuseTilt(transform.matrix().template cast<double>(), name);
 
   PlanarPose planar_pose{tricover::Pose(), at(2, 3), at(2, 2) < 0};
   auto& planar_matrix = planar_pose.pose.matrix();

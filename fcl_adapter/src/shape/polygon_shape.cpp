@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "shape/errors.h"
 #include "tricover/pose.h"
 
 namespace tricover_fcl {
@@ -23,7 +23,7 @@ S roundUp(double value) {
 }
 
 void check(bool valid, const char* field, const char* rule) {
-  if (!valid) throw std::invalid_argument(std::string("tricover: PolygonOptions: ") + field + " must be " + rule);
+  if (!valid) refuse(field, std::string("it must be ") + rule);
 }
 
 }  // namespace

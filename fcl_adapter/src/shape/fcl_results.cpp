@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shape/results.h"
+#include "shape/fcl_results.h"
 
 #include <limits>
 
+#include "shape/errors.h"
+
 namespace tricover_fcl {
+
+template <typename S>
+void requireContactsIfSigned(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2,
+                             const fcl::DistanceRequest<S>& request) {
+  if (!request.enable_signed_distance || (o1.isOccupied() && o2.isOccupied())) return;
+  if (request.gjk_solver_type == fcl::GST_INDEP || o1.getObjectType() != fcl::OT_GEOM ||
+      o2.getObjectType() != fcl::OT_GEOM) {
+    refuseQuestion("enable_signed_distance",
+                   "under GST_INDEP, and of meshes and octrees, FCL needs a contact, and geometries have none that are "
+                   "not occupied",
+                   "clear it, or raise cost_density to threshold_occupied");
+  }
+}
 
 template <typename S>
 void addContact(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2,
@@ -52,6 +67,8 @@ void updateDistance(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeo
 }
 
 #define TRICOVER_INSTANTIATE(S)                                                                                  \
+  template void requireContactsIfSigned(const fcl::CollisionGeometry<S>&, const fcl::CollisionGeometry<S>&,      \
+                                        const fcl::DistanceRequest<S>&);                                         \
   template void addContact(const fcl::CollisionGeometry<S>&, const fcl::CollisionGeometry<S>&,                   \
                            fcl::CollisionResult<S>&);                                                            \
   template void addContact(const fcl::CollisionGeometry<S>&, const fcl::CollisionGeometry<S>&, const Plane&,     \

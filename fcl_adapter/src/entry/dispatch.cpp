@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "entry/queries.h"
+#include "entry/dispatch.h"
 
 #include "mixed/advance_mixed.h"
 #include "mixed/collide_mixed.h"
@@ -7,8 +7,8 @@
 #include "polygons/advance_polygons.h"
 #include "polygons/collide_polygons.h"
 #include "polygons/distance_polygons.h"
-#include "polygons/polygon_pair.h"
-#include "shape/unsupported.h"
+#include "shape/errors.h"
+#include "shape/is_polygon.h"
 
 namespace tricover_fcl {
 
@@ -18,8 +18,15 @@ std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Tr
                               const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                               fcl::CollisionResult<S>& result) {
   if (isPolygon(o1) != isPolygon(o2)) return collideMixed(o1, tf1, o2, tf2, request, options, result);
-  if (!isPolygon(o1)) throwUnsupported("collide", o1, o2);
+  if (!isPolygon(o1)) refusePair("collide", o1, o2);
   return collidePolygons(o1, tf1, o2, tf2, request, options, result);
+}
+
+template <typename S>
+std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+                              const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
+                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
+  return collideGeometries(o1, tf1, o2, tf2, request, {}, result);
 }
 
 template <typename S>
@@ -27,7 +34,7 @@ S distanceOfGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform
                        const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                        const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
   if (isPolygon(o1) != isPolygon(o2)) return distanceMixed(o1, tf1, o2, tf2, request, result);
-  if (!isPolygon(o1)) throwUnsupported("distance", o1, o2);
+  if (!isPolygon(o1)) refusePair("distance", o1, o2);
   return distanceOfPolygons(o1, tf1, o2, tf2, request, result);
 }
 
@@ -36,7 +43,7 @@ S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S
                     const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
                     const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
   if (isPolygon(o1) != isPolygon(o2)) return advanceMixed(o1, motion1, o2, motion2, request, result);
-  if (!isPolygon(o1)) throwUnsupported("conservative advancement", o1, o2);
+  if (!isPolygon(o1)) refusePair("conservative advancement", o1, o2);
   return advancePolygons(o1, motion1, o2, motion2, request, result);
 }
 
@@ -45,6 +52,9 @@ S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S
                                          const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
                                          const fcl::CollisionRequest<S>&, const tricover::CollideOptions&, \
                                          fcl::CollisionResult<S>&);                                        \
+  template std::size_t collideGeometries(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
+                                         const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
+                                         const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);       \
   template S distanceOfGeometries(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,             \
                                   const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,             \
                                   const fcl::DistanceRequest<S>&, fcl::DistanceResult<S>&);                \

@@ -3,18 +3,16 @@
 
 #include <fcl/narrowphase/collision_request.h>
 #include <fcl/narrowphase/collision_result.h>
+#include <fcl/narrowphase/distance_request.h>
 #include <fcl/narrowphase/distance_result.h>
 
 #include <cstddef>
 
+#include "shape/plane.h"
 #include "tricover/polygon.h"
 
-/// How rows leave planar answers in FCL's results, by FCL's rules. `plane` maps the plane's (x, y, 0) to the world.
+/// How planar answers are written into FCL's CollisionResult and DistanceResult, by FCL's rules.
 namespace tricover_fcl {
-
-using Plane = fcl::Transform3<double>;
-
-inline Plane planeAt(double z) { return Plane(fcl::Translation3<double>(0, 0, z)); }
 
 /// What a hit of the pair would leave: contacts if both are occupied, cost sources if asked for and neither is free.
 struct Wanted {
@@ -32,6 +30,12 @@ template <typename S>
 std::size_t room(const fcl::CollisionRequest<S>& request, const fcl::CollisionResult<S>& result) {
   return request.num_max_contacts > result.numContacts() ? request.num_max_contacts - result.numContacts() : 0;
 }
+
+/// FCL's dispatcher asks collide for a contact where a signed distance is negative (under GST_INDEP, and of meshes and
+/// octrees), and aborts where there is none, as of geometries that aren't occupied: throws std::logic_error then.
+template <typename S>
+void requireContactsIfSigned(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2,
+                             const fcl::DistanceRequest<S>& request);
 
 /// A hit without details.
 template <typename S>

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <typeinfo>
+
+#include "tricover_fcl/polygon_shape.h"
+
+namespace tricover_fcl {
+
+/// By its class, because fcl::TriangleP shares the node type.
+template <typename S>
+bool isPolygon(const fcl::CollisionGeometry<S>& geometry) {
+  return typeid(geometry) == typeid(PolygonShape<S>);
+}
+
+}  // namespace tricover_fcl
