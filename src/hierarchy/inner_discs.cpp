@@ -93,13 +93,17 @@ double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, 
   return includeInCovering(polygon, IncludedPoint::ofFrame(p)).location == Location::Inside ? radius : 0;
 }
 
-/// Exactly, as far as a radius less an ulp is the radius.
-[[maybe_unused]] bool isInRegion(const PolygonData& polygon, const Vec2& center, double radius) {
-  const double within = std::nextafter(radius, 0);
+/// Exactly, as far as a radius less an ulp is the radius. Edges that are farther away by a 2^-10 need no exact number.
+[[maybe_unused]] bool isInRegion(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& center,
+                                 double radius) {
+  const double within = std::nextafter(radius, 0), near = radius / polygon.unit * (1 + 0x1p-10);
+  const Vec2 local_center = polygon.inUnits(center);
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      if (squaredDistanceToSegment(local_center, local[e], local[e + 1]) > near * near) continue;
       if (withinExact({nullptr, center}, {nullptr, polygon.path[e]}, {nullptr, polygon.path[e + 1]}, within))
         return false;
+    }
   return includeInCovering(polygon, IncludedPoint::ofFrame(center)).location == Location::Inside;
 }
 
@@ -131,7 +135,7 @@ void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, 
   std::swap(discs.radius[0], discs.radius[largest]);
   hierarchy.inner_center = polygon.origin + Vec2(discs.x[0], discs.y[0]) * polygon.unit;
   hierarchy.inner_radius = discs.radius[0] * polygon.unit;
-  assert(isInRegion(polygon, hierarchy.inner_center, hierarchy.inner_radius));
+  assert(isInRegion(polygon, local, hierarchy.inner_center, hierarchy.inner_radius));
 }
 
 }  // namespace tricover::detail
