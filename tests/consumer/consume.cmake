@@ -29,9 +29,9 @@ refuse("builds an FCL of its own \\(target fcl\\)" -DCOMPONENT=fcl -DOWN_FCL=ON)
 
 # With pkg-config.
 file(GLOB_RECURSE pc_file ${WORK}/prefix/tricover-fcl.pc)
-cmake_path(GET pc_file PARENT_PATH ENV{PKG_CONFIG_PATH})
-cmake_path(GET pc_file PARENT_PATH libraries)
-cmake_path(GET libraries PARENT_PATH libraries)
+cmake_path(GET pc_file PARENT_PATH pc_files)
+cmake_path(GET pc_files PARENT_PATH libraries)
+set(ENV{PKG_CONFIG_PATH} ${pc_files})
 set(ENV{LD_LIBRARY_PATH} ${libraries})
 foreach(program core_only registered)
   set(package tricover)
