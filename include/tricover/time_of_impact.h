@@ -14,6 +14,8 @@ namespace tricover {
 struct ImpactOptions {
   /// How much earlier than the first contact an impact may be reported. Time runs from 0 to 1.
   double time_error = 1e-6;
+  /// What is looked for: the first time at which the polygons are no farther apart than this.
+  double margin = 0;
 };
 
 /// The first contact of two motions, in the world.
@@ -28,22 +30,24 @@ struct Impact {
   std::ptrdiff_t edge_b;  ///< The edge of b that meets a's. -1 where a lies inside b at time 0.
 };
 
-/// The first contact of two moving polygons at a time from 0 to 1, both included, or nothing if there is none.
+/// The first contact of two moving polygons at a time from 0 to 1, both included, or nothing if there is none. With a
+/// margin, the first time at which they are no farther apart than that.
 ///
-/// No contact is missed, however fast and thin the polygons are. The time is 0 exactly where collide() is true of the
-/// two starts. Swapping the operands swaps the edges and turns the normal round.
+/// No contact is missed, however fast and thin the polygons are. The time is 0 exactly where collide(), with the same
+/// margin, is true of the two starts. Swapping the operands swaps the edges and turns the normal round.
 ///
 /// Coming within 1e-13 L may be reported like a contact. L is the sum of
-/// - the distance between the two starts' translations,
-/// - for either polygon |shift|, |pivot|, and (1 + |angle|) times the largest distance of its points from the pivot.
+/// - the margin and the distance between the two starts' translations,
+/// - for either polygon |shift|, |pivot|, and (1 + |angle|) times the largest distance of its points from the pivot,
+///   where |shift| and |angle| stand for the sums of all their terms' sizes.
 ///
 /// (For a polygon that doesn't turn, read origin() for the pivot.) Where L exceeds 1e307, whatever may come near may be
 /// reported.
 ///
 /// The cost grows with the number of turns that the polygons make near each other.
 ///
-/// Throws std::invalid_argument for motions that checkMotion() refuses, and for a time_error that is negative or not
-/// finite. Throws std::length_error as collide() does.
+/// Throws std::invalid_argument for motions that checkMotion() refuses, and for a time_error or a margin that is
+/// negative or not finite. Throws std::length_error as collide() does.
 ///
 /// \snippet time_of_impact.cpp time of impact
 TRICOVER_EXPORT std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b,

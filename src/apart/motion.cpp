@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "apart/cubic.h"
 #include "numbers/errors.h"
 
 namespace tricover {
@@ -33,14 +34,66 @@ Motion Motion::between(const Pose& start, const Pose& end, const Vec2& pivot) {
   return motion;
 }
 
+namespace {
+
+/// From where the pivot and the body's angle are at time 0.
+Motion splineFrom(const Vec2& position, double angle, const Vec2& pivot, const detail::Cubic<Vec2>& way,
+                  const detail::Cubic<double>& turn) {
+  Motion motion;
+  motion.pivot = pivot;
+  motion.start.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  motion.start.translation() = position - motion.start.linear() * pivot;
+  motion.shift = way.first;
+  motion.shift_2 = way.second;
+  motion.shift_3 = way.third;
+  motion.angle = turn.first;
+  motion.angle_2 = turn.second;
+  motion.angle_3 = turn.third;
+  return motion;
+}
+
+/// From the ends p, q and the rates u, v there.
+template <typename T>
+detail::Cubic<T> hermite(const T& p, const T& u, const T& q, const T& v) {
+  const T way = q - p;
+  return {u, 3 * way - 2 * u - v, u + v - 2 * way};
+}
+
+template <typename T>
+detail::Cubic<T> basisSpline(const std::array<T, 4>& p) {
+  return {(p[2] - p[0]) / 2, ((p[0] - p[1]) + (p[2] - p[1])) / 2, ((p[3] - p[0]) + 3 * (p[1] - p[2])) / 6};
+}
+template <typename T>
+T basisSplineStart(const std::array<T, 4>& p) {
+  return p[1] + ((p[0] - p[1]) + (p[2] - p[1])) / 6;
+}
+
+}  // namespace
+
+Motion Motion::spline(const SplineEnd& begin, const SplineEnd& end, const Vec2& pivot) {
+  const Motion motion = splineFrom(begin.position, begin.angle, pivot,
+                                   hermite<Vec2>(begin.position, begin.velocity, end.position, end.velocity),
+                                   hermite(begin.angle, begin.angular_velocity, end.angle, end.angular_velocity));
+  checkMotion(motion, "spline");
+  return motion;
+}
+
+Motion Motion::spline(const std::array<Vec2, 4>& positions, const std::array<double, 4>& angles, const Vec2& pivot) {
+  const Motion motion = splineFrom(basisSplineStart(positions), basisSplineStart(angles), pivot, basisSpline(positions),
+                                   basisSpline(angles));
+  checkMotion(motion, "spline");
+  return motion;
+}
+
 Pose Motion::at(double time) const {
   if (time == 0) return start;
   Pose pose = start;
-  pose.translation() += time * shift;
-  if (angle == 0) return pose;
+  pose.translation() += detail::wayOf(*this).at(time);
+  const detail::Cubic<double> turn = detail::turnOf(*this);
+  if (turn.isZero()) return pose;
   // The pivot's place is kept by what the lever from it to the frame's origin turns by: (I - turn) lever, without the
   // cancellation of 1 - cos.
-  const double turned = angle * time, sine = std::sin(turned), half = std::sin(turned / 2);
+  const double turned = turn.at(time), sine = std::sin(turned), half = std::sin(turned / 2);
   const Vec2 lever = start.linear() * pivot;
   pose.linear() = Eigen::Rotation2Dd(turned).toRotationMatrix() * start.linear();
   pose.translation() += 2 * half * half * lever + sine * Vec2(lever.y(), -lever.x());
@@ -56,6 +109,10 @@ void checkMotion(const Motion& motion, const char* name) {
   require(motion.shift.allFinite(), "shift");
   require(std::isfinite(motion.angle), "angle");
   require(motion.pivot.allFinite(), "pivot");
+  require(motion.shift_2.allFinite(), "shift_2");
+  require(motion.shift_3.allFinite(), "shift_3");
+  require(std::isfinite(motion.angle_2), "angle_2");
+  require(std::isfinite(motion.angle_3), "angle_3");
 }
 
 }  // namespace tricover

@@ -18,10 +18,13 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 
 Places Mover::places(double begin, double end) const {
   const Double2 time{begin, end};
-  const Double2 x = base.x() + drift.x() * time, y = base.y() + drift.y() * time;
+  const auto place = [&](int i) {
+    return base[i] + ((way.third[i] * time + way.second[i]) * time + way.first[i]) * time;
+  };
+  const Double2 x = place(0), y = place(1);
   const auto all = [](double value) { return value - Double2{}; };
-  if (turn == 0) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
-  const Double2 angle = turn * time;
+  if (turn.isZero()) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
+  const Double2 angle = ((turn.third * time + turn.second) * time + turn.first) * time;
   const Double2 c{std::cos(angle[0]), std::cos(angle[1])}, s{std::sin(angle[0]), std::sin(angle[1])};
   return {c * linear(0, 0) - s * linear(1, 0),
           s * linear(0, 0) + c * linear(1, 0),
@@ -44,32 +47,35 @@ MovingBox Mover::edge(const Places& p, std::size_t position) const {
 }
 
 // Error of a gap between computed points or boxes, all lengths in the pair's length; in units of U, with A = |angle|, r
-// = reach, f the shifts, levers and the difference of the starts:
-//   rotation   angle * time A, sine and cosine an ulp 2                                  A + 2
-//   M          those of two entries sqrt2 (A + 2), product 1, sum 1                      1.42 A + 4.9
-//   a point    two entries of M, product 1, two sums 2, to units 1: (2.1 A + 11) r       in either coordinate
-//   the arm    itself 4, two entries, product 1, two sums 2: (1.42 A + 12) r             the same
-//   pivots     two products, and five sums or differences at most                        7 f
-//   sqrt2 of these in any direction, of both movers together                             3 A r + 17 r + 10 f
-//   a gap      the dot products with unit axes                                           8 r + 8 f
-//   a window's end, moved by some 8 of its share, costs that of what the points travel   8 A r + 8 f
+// = reach, f the shifts, levers, the margin and the difference of the starts; |angle| and |shift| are the sums of all
+// their terms' sizes:
+//   rotation   the turn's three products and two sums 5 A, sine and cosine an ulp 2        5 A + 2
+//   M          those of two entries sqrt2 (5 A + 2), product 1, sum 1                      7.1 A + 4.9
+//   a point    two entries of M, product 1, two sums 2, to units 1: (10.1 A + 11) r        in either coordinate
+//   the arm    itself 4, two entries, product 1, two sums 2: (7.1 A + 12) r                the same
+//   pivots     five products, and six sums or differences at most                          11 f
+//   sqrt2 of these in any direction, of both movers together                               14.3 A r + 17 r + 15.6 f
+//   a gap      the dot products with unit axes                                             8 r + 8 f
+//   a window's end, moved by some 8 of its share, costs that of what the points travel, at rates of three times the
+//   terms' sizes at most                                                                   24 A r + 24 f
 constexpr double kGapError = 64 * kUnitRoundoff;
-static_assert(kGapError >= (1 + 1e-5) * (errorOf(12) * kRoot2 + errorOf(8)));       // of r
-static_assert(kGapError >= (1 + 1e-5) * (errorOf(1) * 2.1 * kRoot2 + errorOf(8)));  // of A r
-static_assert(kGapError >= (1 + 1e-5) * (errorOf(7) * kRoot2 + errorOf(8 + 8)));    // of f
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(12) * kRoot2 + errorOf(8)));         // of r
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(1) * 10.1 * kRoot2 + errorOf(24)));  // of A r
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(11) * kRoot2 + errorOf(8 + 24)));    // of f
 
 MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
-                       const Motion& motion_b) {
+                       const Motion& motion_b, double margin_) {
   // First to where neither sums nor products of what is given overflow, and what they lose to underflow is least.
   double given = 0;
   const auto include = [&](double value) { given = std::max(given, std::min(value, kLargest)); };
   const auto includeAll = [&](const PolygonData& polygon, const Motion& motion) {
-    for (const Vec2& v : {Vec2(motion.start.translation()), motion.shift, motion.pivot})
+    for (const Vec2& v : {Vec2(motion.start.translation()), motion.shift, motion.shift_2, motion.shift_3, motion.pivot})
       include(v.lpNorm<Eigen::Infinity>());
     include(polygon.extent);
   };
   includeAll(polygon_a, motion_a);
   includeAll(polygon_b, motion_b);
+  include(margin_);
   const double shrink = given > 0 ? std::ldexp(1, std::min(1000 - std::ilogb(given), 1000)) : 1;
 
   double turned = 0, others = 0;
@@ -77,50 +83,72 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
     mover.polygon = &polygon;
     mover.tree = &hierarchyOf(polygon);
     mover.linear = motion.start.linear();
-    mover.turn = motion.angle;
+    mover.turn = turnOf(motion);
     // Without a turn any pivot will do, and S is the nearest.
-    mover.pivot = motion.angle == 0 ? polygon.origin : motion.pivot;
+    mover.pivot = mover.turn.isZero() ? polygon.origin : motion.pivot;
     const Vec2 pivot = shrink * mover.pivot;
     mover.base = mover.linear * pivot;
-    mover.drift = shrink * motion.shift;
+    mover.way = shrink * wayOf(motion);
     mover.arm = mover.linear * (shrink * polygon.origin - pivot);
     mover.reach = mover.arm.lpNorm<1>() + shrink * polygon.radius * (1 + kLargestDefect);
     // Of the largest polygons the hierarchy knows nothing.
     if (polygon.radius > polygon.unit) mover.reach = std::numeric_limits<double>::infinity();
-    turned += std::abs(motion.angle) * mover.reach;
-    others += mover.reach + pivot.lpNorm<1>() + mover.drift.lpNorm<1>();
+    turned += mover.turn.size() * mover.reach;
+    others += mover.reach + pivot.lpNorm<1>() + mover.way.first.lpNorm<1>() + mover.way.second.lpNorm<1>() +
+              mover.way.third.lpNorm<1>();
   };
   describe(a, polygon_a, motion_a);
   describe(b, polygon_b, motion_b);
   const Vec2 apart = shrink * motion_b.start.translation() - shrink * motion_a.start.translation();
-  others += apart.lpNorm<1>();
+  margin = shrink * margin_;
+  others += apart.lpNorm<1>() + margin;
   b.base = apart + (b.base - a.base);
-  b.drift -= a.drift;
-  a.base = a.drift = Vec2::Zero();
+  b.way = b.way - a.way;
+  a.base = Vec2::Zero();
+  a.way = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
 
   // Then to the size of what is left, of which squares are taken.
-  const double largest = std::max(std::max(a.reach, b.reach), std::max(b.base.lpNorm<1>(), b.drift.lpNorm<1>()));
+  const double largest = std::max({a.reach, b.reach, b.base.lpNorm<1>(), b.way.first.lpNorm<1>(),
+                                   b.way.second.lpNorm<1>(), b.way.third.lpNorm<1>(), margin});
   const int exponent = std::clamp(std::ilogb(largest), -1000, 1020);
   const double inverse = std::ldexp(1, -exponent);
   length = std::ldexp(1, exponent);
   expansion = 1 / shrink;
   for (Mover* mover : {&a, &b}) {
     mover->base *= inverse;
-    mover->drift *= inverse;
+    mover->way = inverse * mover->way;
     mover->arm *= inverse;
     mover->reach *= inverse;
     mover->scale = shrink * mover->polygon->unit * inverse;
   }
-  speed = b.drift.norm();
+  margin *= inverse;
+  is_steady = a.turn.isStraight() && b.turn.isStraight() && b.way.isStraight();
+  if (is_steady) steady = ratesOf(0, 1);
   still_error = (kGapError * others + kTiny) * inverse;
   error = kGapError * turned * inverse + still_error;
 }
 
+Rates MovingPair::ratesOf(double begin, double end) const {
+  const Cubic<double> relative = b.turn - a.turn;
+  return {a.turn.mostRate(begin, end),
+          b.turn.mostRate(begin, end),
+          relative.mostRate(begin, end),
+          (relative - a.turn).mostRate(begin, end),
+          (relative + b.turn).mostRate(begin, end),
+          a.turn.mostAcceleration(begin, end),
+          b.turn.mostAcceleration(begin, end),
+          relative.mostAcceleration(begin, end),
+          b.way.mostRate(begin, end),
+          b.way.mostAcceleration(begin, end)};
+}
+
+// A way of acceleration A or less leaves the line between its ends by at most A / 8.
 bool MovingPair::discsStayApart() const {
-  const double square = b.drift.squaredNorm();
-  const double share = square > 0 ? std::clamp(-b.base.dot(b.drift) / square, 0.0, 1.0) : 0;
+  const Vec2 chord = b.way.at(1);
+  const double square = chord.squaredNorm(), sag = b.way.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
+  const double share = square > 0 ? std::clamp(-b.base.dot(chord) / square, 0.0, 1.0) : 0;
   // Rounding the share moves the point along the way, by so little that the distance differs in the second order only.
-  return (b.base + share * b.drift).norm() > a.reach + b.reach + still_error;
+  return (b.base + share * chord).norm() - sag > a.reach + b.reach + margin + still_error;
 }
 
 NearestPoints::NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "apart/cubic.h"
 #include "hierarchy/hierarchy.h"
 #include "numbers/double2.h"
 #include "polygon/polygon_data.h"
@@ -42,24 +43,43 @@ struct Mover {
 
   const PolygonData* polygon;
   const Hierarchy* tree;
-  Vec2 pivot;                 ///< in the polygon's frame
-  Eigen::Matrix2d linear;     ///< the start's
-  Vec2 base, drift;           ///< of the pivot: at time 0, and from there to time 1
-  Vec2 arm;                   ///< from the pivot to S, at time 0
-  double turn, scale, reach;  ///< radians; a unit; no point is farther from the pivot
+  Vec2 pivot;              ///< in the polygon's frame
+  Eigen::Matrix2d linear;  ///< the start's
+  Vec2 base;               ///< where the pivot is at time 0
+  Cubic<Vec2> way;         ///< of the pivot, from there
+  Vec2 arm;                ///< from the pivot to S, at time 0
+  Cubic<double> turn;      ///< radians
+  double scale, reach;     ///< a unit; no point is farther from the pivot
+};
+
+/// Upper bounds, over a window of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's
+/// turn and a" its acceleration.
+struct Rates {
+  double a, b;                  ///< |a'|, |b'|
+  double relative;              ///< |b' - a'|
+  double b_less_2a, a_less_2b;  ///< |b' - 2 a'|, |a' - 2 b'|
+  double a_2, b_2, relative_2;  ///< |a"|, |b"|, |b" - a"|
+  double speed, pull;           ///< of b's pivot, as seen from a's: velocity and acceleration
+
+  bool turns() const { return a != 0 || b != 0; }
 };
 
 /// Two moving polygons in a frame that goes with a's pivot without turning, so that only differences of positions
 /// enter, and in a length, a power of two, in which none of them is much above 1.
 struct MovingPair {
-  MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
-             const Motion& motion_b);
+  MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b, const Motion& motion_b,
+             double margin = 0);
 
-  /// Whether the discs around the pivots stay apart for all of the time.
+  /// Whether the discs around the pivots stay farther apart than the margin for all of the time.
   bool discsStayApart() const;
 
+  Rates rates(double begin, double end) const { return is_steady ? steady : ratesOf(begin, end); }
+  Rates ratesOf(double begin, double end) const;
+
   Mover a, b;
-  double speed;              ///< of b's pivot in this frame
+  bool is_steady;            ///< all velocities are constant
+  Rates steady;              ///< then, at any time
+  double margin;             ///< what is asked for is coming this near, in the pair's length
   double error;              ///< of a gap: see the constructor
   double still_error;        ///< of one between the pivots' places
   double length, expansion;  ///< two powers of two: a length of 1 is their product in the world

@@ -38,7 +38,7 @@ struct Encounter {
 class ImpactSearch {
  public:
   ImpactSearch(const MovingPair& pair, double time_error)
-      : pair_(pair), time_error_(time_error), touch_distance_(4 * pair.error) {
+      : pair_(pair), time_error_(time_error), touch_distance_(pair.margin + 4 * pair.error) {
     encounters_.reserve(128);
   }
 
@@ -164,7 +164,7 @@ class ImpactSearch {
 
 /// From the pair's frame at `time` to the world.
 Vec2 toWorld(const MovingPair& pair, const Motion& motion_a, double time, const Vec2& p) {
-  return motion_a.start * pair.a.pivot + time * motion_a.shift + p * pair.length * pair.expansion;
+  return motion_a.start * pair.a.pivot + wayOf(motion_a).at(time) + p * pair.length * pair.expansion;
 }
 
 /// From S of a to S of b.
@@ -223,14 +223,17 @@ Impact describeContainment(const MovingPair& pair, const Motion& motion_a, const
 }
 
 std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
-                                    const Motion& motion_b, double time_error) {
-  const MovingPair moving(a, motion_a, b, motion_b);
+                                    const Motion& motion_b, const ImpactOptions& options) {
+  const MovingPair moving(a, motion_a, b, motion_b, options.margin);
   if (moving.discsStayApart()) return std::nullopt;
-  ImpactSearch search(moving, time_error);
+  ImpactSearch search(moving, options.time_error);
   if (!search.start()) return std::nullopt;
   // All of a region is in the box around everything. Regions that start apart meet at their edges first.
   if (search.lowerBound() == 0) {
-    const Outcome outcome = collideByHierarchy(PosedPair(a, motion_a.start, b, motion_b.start), {}, 0, Wanted::Edges);
+    CollideOptions at_start;
+    at_start.margin = options.margin;
+    const Outcome outcome =
+        collideByHierarchy(PosedPair(a, motion_a.start, b, motion_b.start), at_start, 0, Wanted::Edges);
     if (outcome.collides) {
       return outcome.edge_a >= 0 && outcome.edge_b >= 0
                  ? describe(moving, motion_a, 0, static_cast<std::size_t>(outcome.edge_a),
@@ -250,11 +253,12 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
 std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                    const ImpactOptions& options) {
   detail::requireFiniteNotNegative(options.time_error, "time_error");
+  detail::requireFiniteNotNegative(options.margin, "margin");
   checkMotion(motion_a, "motion_a");
   checkMotion(motion_b, "motion_b");
   return detail::inKernelOrder(
       a.data(), motion_a, b.data(), motion_b,
-      [&](const auto&... operands) { return detail::impactInOrder(operands..., options.time_error); },
+      [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
       [](std::optional<Impact>& impact) {
         if (!impact) return;
         impact->normal = -impact->normal;

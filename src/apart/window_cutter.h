@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apart/moving_pair.h"
+#include "numbers/rounding.h"
 
 namespace tricover::detail {
 
@@ -17,10 +18,15 @@ struct Rest {
 /// A window of time with both movers' places at its ends.
 struct Window {
   Window(const MovingPair& pair_, double begin, double end)
-      : pair(pair_), length(end - begin), a(pair.a.places(begin, end)), b(pair.b.places(begin, end)) {}
+      : pair(pair_),
+        length(end - begin),
+        rates(pair.rates(begin, end)),
+        a(pair.a.places(begin, end)),
+        b(pair.b.places(begin, end)) {}
 
   const MovingPair& pair;
   double length;
+  Rates rates;
   Places a, b;
 };
 
@@ -56,7 +62,7 @@ class WindowCutter {
   static double share(const Side& side);
 
   const MovingBox &a_, &b_;
-  double error_;
+  double error_, margin_;
   double sag_fixed_ = 0, sag_with_a_ = 0, sag_with_b_ = 0;
   bool turns_with_a_ = false, turns_with_b_ = false;
   Side first_, last_;
@@ -75,39 +81,48 @@ inline double lengthAbove(double x, double y) {
 // gaps at both ends minus the same. `sag` is A h^2 / 2.
 //
 // With r_a, r_b the points' levers from their pivots, which turn at rates alpha and beta, D the vector from a's pivot
-// to b's and V its constant velocity: along a fixed axis of length 1,
-//   A <= alpha^2 |r_a| + beta^2 |r_b|.
-// Along an axis that turns at the rate omega, by differentiating in a frame that does,
-//   A <= |(beta - omega)^2 r_b - (alpha - omega)^2 r_a + omega^2 D| + 2 |omega| |V|, up to the signs of the whole.
-// With omega = alpha that is at most (beta - alpha)^2 |r_b| + alpha^2 |D| or, by D = (p_b - c_a) - r_b for a's pivot
-// c_a, |beta| |beta - 2 alpha| |r_b| + alpha^2 |p_b - c_a|; and likewise for omega = beta. |D| and |p_b - c_a| are
-// bounded over the window by their value at its begin and how fast they change. 2^-10 pays for rounding, for axes that
-// a pose off rigid by 1e-6 makes longer than 1, and for extents that it stretches.
+// to b's, V its velocity and W its acceleration, a dash for derivatives in time: along a fixed axis of length 1,
+//   A <= (alpha^2 + |alpha'|) |r_a| + (beta^2 + |beta'|) |r_b| + |W|.
+// In a frame around a's pivot that turns with a at the rate alpha, where r_a stands still, the acceleration of p_b is,
+// with J the quarter turn,
+//   W - 2 alpha J V - (alpha' J + alpha^2) D + ((beta' - alpha') J - (beta - alpha)^2) r_b.
+// So along an axis that turns with a,
+//   A <= (|beta' - alpha'| + (beta - alpha)^2) |r_b| + (|alpha'| + alpha^2) |D| + 2 |alpha| |V| + |W|,
+// or, by D = (p_b - c_a) - r_b for a's pivot c_a, with the first two terms replaced by
+//   (|beta'| + |beta| |beta - 2 alpha|) |r_b| + (|alpha'| + alpha^2) |p_b - c_a|;
+// and likewise for an axis that turns with b. |D| and |p_b - c_a| are bounded over the window by their value at its
+// begin and how fast they change. 2^-10 pays for rounding, for axes that a pose off rigid by 1e-6 makes longer than 1,
+// and for extents that it stretches.
 inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, const MovingBox& b)
-    : a_(a), b_(b), error_(window.pair.error) {
-  const double alpha = window.pair.a.turn, beta = window.pair.b.turn;
-  if (alpha == 0 && beta == 0) return;
-  const double speed = window.pair.speed, h = window.length, half_square = 0.5 * (1 + 0x1p-10) * h * h;
+    : a_(a), b_(b), error_(window.pair.error), margin_(window.pair.margin) {
+  const Rates& rates = window.rates;
+  const double speed = rates.speed, h = window.length, half_square = 0.5 * (1 + 0x1p-10) * h * h;
+  if (!rates.turns()) {
+    sag_fixed_ = sag_with_a_ = sag_with_b_ = half_square * rates.pull;
+    return;
+  }
+  const double alpha = rates.a, beta = rates.b;
   const Places &at_a = window.a, &at_b = window.b;
   const double extent_a = a.along + a.across, extent_b = b.along + b.across;
   const double lever_a = lengthAbove(a.x[0] - at_a.pivot_x[0], a.y[0] - at_a.pivot_y[0]) + extent_a;
   const double lever_b = lengthAbove(b.x[0] - at_b.pivot_x[0], b.y[0] - at_b.pivot_y[0]) + extent_b;
   const double apart = lengthAbove(at_b.pivot_x[0] - at_a.pivot_x[0], at_b.pivot_y[0] - at_a.pivot_y[0]) + h * speed;
-  const double b_from_a = lengthAbove(b.x[0] - at_a.pivot_x[0], b.y[0] - at_a.pivot_y[0]) + extent_b +
-                          h * (speed + std::abs(beta) * lever_b);
-  const double a_from_b = lengthAbove(a.x[0] - at_b.pivot_x[0], a.y[0] - at_b.pivot_y[0]) + extent_a +
-                          h * (speed + std::abs(alpha) * lever_a);
-  const double relative = (beta - alpha) * (beta - alpha);
-  const double with_a = std::min(relative * lever_b + alpha * alpha * apart,
-                                 std::abs(beta) * std::abs(beta - 2 * alpha) * lever_b + alpha * alpha * b_from_a);
-  const double with_b = std::min(relative * lever_a + beta * beta * apart,
-                                 std::abs(alpha) * std::abs(alpha - 2 * beta) * lever_a + beta * beta * a_from_b);
-  sag_fixed_ = half_square * (alpha * alpha * lever_a + beta * beta * lever_b);
-  sag_with_a_ = half_square * (with_a + 2 * std::abs(alpha) * speed);
-  sag_with_b_ = half_square * (with_b + 2 * std::abs(beta) * speed);
+  const double b_from_a =
+      lengthAbove(b.x[0] - at_a.pivot_x[0], b.y[0] - at_a.pivot_y[0]) + extent_b + h * (speed + beta * lever_b);
+  const double a_from_b =
+      lengthAbove(a.x[0] - at_b.pivot_x[0], a.y[0] - at_b.pivot_y[0]) + extent_a + h * (speed + alpha * lever_a);
+  const double relative = rates.relative_2 + rates.relative * rates.relative;
+  const double of_a = rates.a_2 + alpha * alpha, of_b = rates.b_2 + beta * beta;
+  const double with_a =
+      std::min(relative * lever_b + of_a * apart, (rates.b_2 + beta * rates.b_less_2a) * lever_b + of_a * b_from_a);
+  const double with_b =
+      std::min(relative * lever_a + of_b * apart, (rates.a_2 + alpha * rates.a_less_2b) * lever_a + of_b * a_from_b);
+  sag_fixed_ = half_square * (of_a * lever_a + of_b * lever_b + rates.pull);
+  sag_with_a_ = half_square * (with_a + 2 * alpha * speed + rates.pull);
+  sag_with_b_ = half_square * (with_b + 2 * beta * speed + rates.pull);
   // A box that turns while the axis stands still loses as much as its ends rise.
-  turns_with_a_ = sag_with_a_ < sag_fixed_ + 2 * std::abs(alpha) * h * extent_a;
-  turns_with_b_ = sag_with_b_ < sag_fixed_ + 2 * std::abs(beta) * h * extent_b;
+  turns_with_a_ = sag_with_a_ < sag_fixed_ + 2 * alpha * h * extent_a;
+  turns_with_b_ = sag_with_b_ < sag_fixed_ + 2 * beta * h * extent_b;
 }
 
 inline bool WindowCutter::cutByAxis(const Vec2& axis) {
@@ -128,12 +143,16 @@ inline bool WindowCutter::cutByAxesOf(const MovingBox& box, bool turns, double s
 inline bool WindowCutter::cut(Double2 nx, Double2 ny, double sag) {
   Double2 distance = nx * (b_.x - a_.x) + ny * (b_.y - a_.y);
   if (distance[0] < 0) distance = -distance;
-  const Double2 radius = absolute(nx * a_.ux + ny * a_.uy) * a_.along + absolute(nx * a_.vx + ny * a_.vy) * a_.across +
-                         absolute(nx * b_.ux + ny * b_.uy) * b_.along + absolute(nx * b_.vx + ny * b_.vy) * b_.across +
-                         error_;
-  const Double2 gap = distance - radius;
+  Double2 reach = absolute(nx * a_.ux + ny * a_.uy) * a_.along + absolute(nx * a_.vx + ny * a_.vy) * a_.across +
+                  absolute(nx * b_.ux + ny * b_.uy) * b_.along + absolute(nx * b_.vx + ny * b_.vy) * b_.across + error_;
+  if (margin_ > 0) {
+    // Gaps are as much longer than distances as the axis, by a pose off rigid, is than 1.
+    const Double2 square = nx * nx + ny * ny;
+    reach += margin_ * std::sqrt(std::max(square[0], square[1])) * (1 + 8 * kUnitRoundoff);
+  }
+  const Double2 gap = distance - reach;
   if (offer(gap[0], gap[1], sag, first_)) return true;
-  return distance[1] < 0 ? offer(-distance[1] - radius[1], -distance[0] - radius[0], sag, last_)
+  return distance[1] < 0 ? offer(-distance[1] - reach[1], -distance[0] - reach[0], sag, last_)
                          : offer(gap[1], gap[0], sag, last_);
 }
 

@@ -41,13 +41,15 @@ struct EdgeTest {
 };
 
 DescentResult descend(const PosedPair& pair, const UnitMap& map, double rounding, const CollideOptions& options,
-                      double lookahead, bool wants_clearance) {
+                      double lookahead, Wanted wanted) {
   const double unit = pair.a.inverse_unit, sum = options.margin + options.tolerance;
   // Rounded inwards, for poses that aren't quite rigid and for the few roundings here and where it is compared.
-  const double accept = sum > 0 ? sum * unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1;
+  const bool accepts = sum > 0 && wanted != Wanted::Edges;
+  const double accept = accepts ? sum * unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1;
   const double reach = pair.reach(options.margin) * unit, limit = reach + lookahead * unit;
   const EdgeTest test{pair, options};
-  return findHit(descentOf(pair, map, rounding, limit), {&test, &EdgeTest::meet, reach, accept, wants_clearance});
+  return findHit(descentOf(pair, map, rounding, limit),
+                 {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
 }
 
 }  // namespace
@@ -81,8 +83,7 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
       return outcome;
     }
   }
-  const bool wants_clearance = wanted == Wanted::Clearance;
-  const DescentResult found = descend(pair, map, rounding, options, lookahead, wants_clearance);
+  const DescentResult found = descend(pair, map, rounding, options, lookahead, wanted);
   if (found.hit) {
     outcome.collides = true;
     outcome.edge_a = found.edge_a;
@@ -90,7 +91,8 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
     return outcome;
   }
   outcome = findContainment(pair);
-  if (wants_clearance) outcome.clearance = std::min(found.clearance * pair.a.unit, std::numeric_limits<double>::max());
+  if (wanted == Wanted::Clearance)
+    outcome.clearance = std::min(found.clearance * pair.a.unit, std::numeric_limits<double>::max());
   return outcome;
 }
 

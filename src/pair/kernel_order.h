@@ -19,10 +19,25 @@ inline std::array<double, 6> numbersOf(const Pose& pose) {
   return {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
 }
 
-inline std::array<double, 11> numbersOf(const Motion& motion) {
+inline std::array<double, 17> numbersOf(const Motion& motion) {
   const auto& m = motion.start.matrix();
-  return {m(0, 0),          m(1, 0),          m(0, 1),      m(1, 1),          m(0, 2),         m(1, 2),
-          motion.shift.x(), motion.shift.y(), motion.angle, motion.pivot.x(), motion.pivot.y()};
+  return {m(0, 0),
+          m(1, 0),
+          m(0, 1),
+          m(1, 1),
+          m(0, 2),
+          m(1, 2),
+          motion.shift.x(),
+          motion.shift.y(),
+          motion.angle,
+          motion.pivot.x(),
+          motion.pivot.y(),
+          motion.shift_2.x(),
+          motion.shift_2.y(),
+          motion.shift_3.x(),
+          motion.shift_3.y(),
+          motion.angle_2,
+          motion.angle_3};
 }
 
 /// The kernel's own order of two operands, so that answers don't depend on the caller's: the smaller polygon moves. Of

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -25,7 +26,7 @@ namespace {
 /// Of positions, as a share of sizes and ways; of times, where ways are not much below the sizes.
 constexpr double kRounding = 1e-12;
 
-enum class Kind { Translation, Interpolation, Screw, ManyTurns };
+enum class Kind { Translation, Interpolation, Screw, ManyTurns, Spline };
 
 struct Flight {
   Polygon a;
@@ -47,6 +48,31 @@ Polygon anyPolygon(Random& random) {
   return Polygon({scaled(regular(24, 1), 90), scaled(regular(24, 1), 70)});  // a ring
 }
 
+/// From `start`, on the whole by `way`, any way round.
+Motion anySpline(Random& random, const Pose& start, const Vec2& way, const Polygon& polygon) {
+  const Vec2 pivot = random.coin() ? Vec2::Zero() : polygon.origin();
+  const auto velocity = [&] {
+    return random.oneIn(4) ? Vec2(Vec2::Zero()) : Vec2(way + Vec2(random.real(-300, 300), random.real(-300, 300)));
+  };
+  const auto rate = [&] { return random.oneIn(4) ? 0 : random.real(-12, 12); };
+  Motion motion;
+  if (random.coin()) {
+    const Vec2 from = start * pivot;
+    const double turn = random.oneIn(4) ? 0 : random.real(-6, 6);
+    motion = Motion::spline({from, 0, velocity(), rate()}, {from + way, turn, velocity(), rate()}, pivot);
+  } else {
+    std::array<Vec2, 4> positions;
+    std::array<double, 4> angles;
+    for (std::size_t k = 0; k < 4; ++k) {
+      positions[k] = start * pivot + 1.5 * way * random.unit() + velocity();
+      angles[k] = 2 * rate();
+    }
+    motion = Motion::spline(positions, angles, pivot);
+  }
+  if (random.coin()) motion.start.linear() = start.linear();
+  return motion;
+}
+
 /// Ways, mostly towards the middle, and turns of a size that lets about half of the pairs meet.
 Motion anyMotion(Random& random, Kind kind, const Pose& start, const Polygon& polygon) {
   const Vec2 aside(random.real(-80, 80), random.real(-80, 80));
@@ -58,6 +84,7 @@ Motion anyMotion(Random& random, Kind kind, const Pose& start, const Polygon& po
     there.translation() = start.translation() + motion.shift;
     return Motion::between(start, there, random.coin() ? Vec2::Zero() : polygon.origin());
   }
+  if (kind == Kind::Spline) return anySpline(random, start, motion.shift, polygon);
   if (random.coin()) motion.pivot = Vec2(random.real(-100, 100), random.real(-100, 100));
   motion.angle = random.real(-6, 6) * (kind == Kind::ManyTurns ? 10 : 1);
   if (random.coin()) motion.shift = Vec2::Zero();
@@ -74,7 +101,7 @@ Flight anyFlight(Random& random, Kind kind) {
   return {a, motion_a, b, motion_b};
 }
 
-bool collideAt(const Flight& f, double time, double margin = 0) {
+bool collideAt(const Flight& f, double time, double margin) {
   CollideOptions options;
   options.margin = margin;
   return collide(f.a, f.motion_a.at(time), f.b, f.motion_b.at(time), options);
@@ -84,33 +111,36 @@ bool collideAt(const Flight& f, double time, double margin = 0) {
 double sizeOf(const Flight& f) {
   const auto size = [](const Polygon& polygon, const Motion& motion) {
     const double reach = polygon.radius() + (polygon.origin() - motion.pivot).norm();
-    return (1 + std::abs(motion.angle)) * reach + motion.shift.norm() + motion.start.translation().norm();
+    const double turn = std::abs(motion.angle) + std::abs(motion.angle_2) + std::abs(motion.angle_3);
+    return (1 + turn) * reach + motion.shift.norm() + motion.shift_2.norm() + motion.shift_3.norm() +
+           motion.start.translation().norm();
   };
   return size(f.a, f.motion_a) + size(f.b, f.motion_b);
 }
 
 /// What is wrong with the answer; empty if nothing is.
-std::string wrongWith(const Flight& f, const std::optional<Impact>& impact, double time_error, Random& random) {
-  const double before = impact ? impact->time - kRounding : 1;
+std::string wrongWith(const Flight& f, const std::optional<Impact>& impact, const ImpactOptions& options,
+                      Random& random) {
+  const double before = impact ? impact->time - kRounding : 1, margin = options.margin;
   constexpr int kSamples = 400;
   for (int i = 0; i <= kSamples; ++i) {
     const double time = i == 0 ? 0 : (i - random.unit()) / kSamples;
-    if (time < before && collideAt(f, time)) return "collides before, at " + std::to_string(time);
+    if (time < before && collideAt(f, time, margin)) return "collides before, at " + std::to_string(time);
   }
-  if (!impact) return collideAt(f, 1) ? "collides at the end" : "";
+  if (!impact) return collideAt(f, 1, margin) ? "collides at the end" : "";
   for (double ahead = 1e-12; ahead < 1e-2; ahead *= 4)
-    if (impact->time - ahead > 0 && collideAt(f, impact->time - ahead)) return "collides just before";
+    if (impact->time - ahead > 0 && collideAt(f, impact->time - ahead, margin)) return "collides just before";
   if (impact->time < 0 || impact->time > 1) return "time out of range";
   for (int i = 0; i <= 50; ++i)
-    if (collideAt(f, impact->time + i * 0.02 * time_error, kRounding * sizeOf(f))) return "";
+    if (collideAt(f, impact->time + i * 0.02 * options.time_error, margin + kRounding * sizeOf(f))) return "";
   return "no collision within the time error";
 }
 
 /// Point and normal say how the edges come together: moved against each other by what is left of the gap, and a hair
 /// more, they touch.
-std::string wrongFeatures(const Flight& f, const Impact& impact, double time_error) {
+std::string wrongFeatures(const Flight& f, const Impact& impact, const ImpactOptions& options) {
   if (!(std::abs(impact.normal.norm() - 1) < 1e-12)) return "normal isn't of unit length";
-  const double near = sizeOf(f) * (time_error + 1e-7);
+  const double near = 3 * sizeOf(f) * (options.time_error + 1e-7) + options.margin;
   const auto offEdge = [&](const Polygon& polygon, const Pose& at, std::ptrdiff_t edge) {
     if (edge < 0) return 0.0;
     const auto e = static_cast<std::size_t>(edge);
@@ -133,22 +163,24 @@ TEST_P(TimeOfImpactOracle, BracketsTheFirstCollision) {
     const Flight f = anyFlight(random, GetParam());
     ImpactOptions options;
     options.time_error = random.oneIn(8) ? 0 : std::pow(10, random.real(-9, -3));
+    if (random.oneIn(3)) options.margin = random.oneIn(4) ? 1e-9 : random.real(0, 20);
     const auto impact = timeOfImpact(f.a, f.motion_a, f.b, f.motion_b, options);
     const auto swapped = timeOfImpact(f.b, f.motion_b, f.a, f.motion_a, options);
     overlaps += impact && impact->time == 0;
     impacts += impact && impact->time > 0;
-    std::string wrong = wrongWith(f, impact, options.time_error, random);
-    if (wrong.empty() && impact) wrong = wrongFeatures(f, *impact, options.time_error);
+    std::string wrong = wrongWith(f, impact, options, random);
+    if (wrong.empty() && impact) wrong = wrongFeatures(f, *impact, options);
     if (impact.has_value() != swapped.has_value())
       wrong += ", swapped: another answer";
     else if (impact && (impact->time != swapped->time || impact->normal != Vec2(-swapped->normal) ||
                         impact->edge_a != swapped->edge_b || impact->edge_b != swapped->edge_a))
       wrong += ", swapped: another impact";
-    if ((impact && impact->time == 0) != collideAt(f, 0)) wrong += ", time 0 is not collide at the start";
+    if ((impact && impact->time == 0) != collideAt(f, 0, options.margin))
+      wrong += ", time 0 is not collide at the start";
     if (wrong.empty()) continue;
     ++failures;
     ADD_FAILURE() << "case " << i << ": " << wrong << ", time " << (impact ? impact->time : -1) << ", time error "
-                  << options.time_error;
+                  << options.time_error << ", margin " << options.margin;
   }
   std::printf("%d cases, %d overlap at the start, %d impacts later\n", cases, overlaps, impacts);
   if (cases < 100) return;
@@ -158,12 +190,13 @@ TEST_P(TimeOfImpactOracle, BracketsTheFirstCollision) {
 }
 
 std::string kindName(const testing::TestParamInfo<Kind>& kind) {
-  constexpr const char* kNames[] = {"Translation", "Interpolation", "Screw", "ManyTurns"};
+  constexpr const char* kNames[] = {"Translation", "Interpolation", "Screw", "ManyTurns", "Spline"};
   return kNames[static_cast<int>(kind.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Motions, TimeOfImpactOracle,
-                         testing::Values(Kind::Translation, Kind::Interpolation, Kind::Screw, Kind::ManyTurns),
+                         testing::Values(Kind::Translation, Kind::Interpolation, Kind::Screw, Kind::ManyTurns,
+                                         Kind::Spline),
                          kindName);
 
 struct ExactVector {

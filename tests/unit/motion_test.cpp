@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -85,6 +86,52 @@ TEST(Motion, BetweenTurnsByPiRatherThanMinusPi) {
   EXPECT_EQ(Motion::between(Pose::Identity(), half).angle, kPi);
 }
 
+TEST(Motion, SplineGoesFromEndToEndAtTheGivenVelocities) {
+  Random random(11);
+  for (int i = 0; i < 500; ++i) {
+    const auto vector = [&] { return Vec2(random.real(-5, 5), random.real(-5, 5)); };
+    const SplineEnd begin{vector(), random.real(-9, 9), vector(), random.real(-9, 9)};
+    const SplineEnd end{vector(), random.real(-9, 9), vector(), random.real(-9, 9)};
+    const Vec2 pivot = vector();
+    const Motion motion = Motion::spline(begin, end, pivot);
+    constexpr double kStep = 1e-6;
+    const auto velocity = [&](double t) { return Vec2((motion.at(t + kStep) * pivot - motion.at(t) * pivot) / kStep); };
+    const auto turned = [&](double from, double to) {
+      const Eigen::Matrix2d turn = motion.at(to).linear() * motion.at(from).linear().transpose();
+      return std::atan2(turn(1, 0), turn(0, 0));
+    };
+    ASSERT_LT((motion.start * pivot - begin.position).norm(), 1e-14);
+    ASSERT_LT((motion.at(1) * pivot - end.position).norm(), 1e-13);
+    ASSERT_LT((motion.at(1).linear() - Eigen::Rotation2Dd(end.angle).toRotationMatrix()).norm(), 1e-13);
+    ASSERT_LT((velocity(0) - begin.velocity).norm(), 1e-3);
+    ASSERT_LT((velocity(1 - kStep) - end.velocity).norm(), 1e-3);
+    ASSERT_NEAR(turned(0, kStep) / kStep, begin.angular_velocity, 1e-3);
+    ASSERT_NEAR(turned(1 - kStep, 1) / kStep, end.angular_velocity, 1e-3);
+  }
+}
+
+TEST(Motion, SplineOfControlPointsIsTheUniformCubicBSpline) {
+  Random random(12);
+  for (int i = 0; i < 500; ++i) {
+    std::array<Vec2, 4> p;
+    std::array<double, 4> angle;
+    for (std::size_t k = 0; k < 4; ++k) {
+      p[k] = Vec2(random.real(-5, 5), random.real(-5, 5));
+      angle[k] = random.real(-9, 9);
+    }
+    const Motion motion = Motion::spline(p, angle);
+    for (const double t : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+      const double weights[] = {(1 - t) * (1 - t) * (1 - t) / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
+                                (-3 * t * t * t + 3 * t * t + 3 * t + 1) / 6, t * t * t / 6};
+      Vec2 position = Vec2::Zero();
+      double turn = 0;
+      for (std::size_t k = 0; k < 4; ++k) position += weights[k] * p[k], turn += weights[k] * angle[k];
+      ASSERT_LT((motion.at(t).translation() - position).norm(), 1e-14);
+      ASSERT_LT((motion.at(t).linear() - Eigen::Rotation2Dd(turn).toRotationMatrix()).norm(), 1e-13);
+    }
+  }
+}
+
 /// What refuses it says so.
 template <typename Call>
 std::string refusal(Call call) {
@@ -114,6 +161,18 @@ TEST(CheckMotion, NamesTheField) {
   motion = Motion();
   motion.pivot.x() = -kInf;
   EXPECT_NE(refusalOf(motion).find("motion_b.pivot"), std::string::npos);
+  motion = Motion();
+  motion.shift_2.x() = kInf;
+  EXPECT_NE(refusalOf(motion).find("motion_b.shift_2"), std::string::npos);
+  motion = Motion();
+  motion.shift_3.y() = kNan;
+  EXPECT_NE(refusalOf(motion).find("motion_b.shift_3"), std::string::npos);
+  motion = Motion();
+  motion.angle_2 = kNan;
+  EXPECT_NE(refusalOf(motion).find("motion_b.angle_2"), std::string::npos);
+  motion = Motion();
+  motion.angle_3 = -kInf;
+  EXPECT_NE(refusalOf(motion).find("motion_b.angle_3"), std::string::npos);
   motion = Motion();
   motion.start.linear() *= 1.1;
   EXPECT_NE(refusalOf(motion).find("motion_b.start"), std::string::npos);

@@ -31,8 +31,9 @@ Motion turning(const Pose& start, double angle, const Vec2& shift = Vec2::Zero()
 
 /// The impact is there, never later than `truth` and not too early; swapped operands say the same.
 Impact expectImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, double truth,
-                    double rounding = kRounding) {
-  const auto impact = timeOfImpact(a, motion_a, b, motion_b), swapped = timeOfImpact(b, motion_b, a, motion_a);
+                    double rounding = kRounding, const ImpactOptions& options = {}) {
+  const auto impact = timeOfImpact(a, motion_a, b, motion_b, options),
+             swapped = timeOfImpact(b, motion_b, a, motion_a, options);
   if (!impact || !swapped) {
     ADD_FAILURE() << "no impact, expected at " << truth;
     return {};
@@ -290,6 +291,71 @@ TEST(TimeOfImpact, TimeErrorIsTheCallersChoice) {
     EXPECT_FALSE(collide(square, motion.at(impact->time - 1e-12), wall, Pose::Identity()));
     EXPECT_TRUE(collide(square, motion.at(impact->time + time_error + 1e-12), wall, Pose::Identity()) ||
                 time_error > 1e-3);
+  }
+}
+
+TEST(TimeOfImpact, CubicWayMeetsTheWallWhenItsCubicDoes) {
+  const Polygon square({rectangle(0, 0, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
+  Motion motion;
+  motion.shift_3 = {16, 0};  // 16 t^3 = 2
+  expectImpact(square, motion, wall, kStill, 0.5);
+  motion.shift_3 = {0, 0};
+  motion.shift_2 = {8, 0};  // 8 t^2 = 2
+  expectImpact(square, motion, wall, kStill, 0.5);
+  motion.shift = {-4, 0};  // back first: 12 t^2 - 4 t = 2
+  motion.shift_2 = {12, 0};
+  expectImpact(square, motion, wall, kStill, (4 + std::sqrt(16.0 + 96)) / 24);
+  // There and back again: 8 t - 8 t^2 is 2 at most, at t = 1/2.
+  motion.shift = {8, 0};
+  motion.shift_2 = {-8, 0};
+  expectImpact(square, motion, wall, kStill, 0.5, 1e-5);
+  motion.shift.x() = std::nextafter(8, 0) - 1e-9;
+  expectFree(square, motion, wall, kStill);
+}
+
+TEST(TimeOfImpact, TwoOnTheSameSplineAreFreeThoughBothTurn) {
+  const Polygon left({rectangle(-2, -1, -1, 1)}), right({rectangle(1, -1, 2, 1)});
+  const Motion motion = Motion::spline({{0, 0}, 0, {50, 0}, 9}, {{10, 10}, 20, {0, 70}, -5});
+  expectFree(left, motion, right, motion);
+}
+
+TEST(TimeOfImpact, TurnsThatSpeedUp) {
+  // A rod that is upright after a quarter turn, at 4 t^3 = 1.
+  const Polygon rod({rectangle(-4, -0.001, 4, 0.001)}), post({rectangle(-0.001, 3, 0.001, 3.5)});
+  Motion motion;
+  motion.angle_3 = 2 * kPi;
+  const double early = 0.002 / 3.5 / (2 * kPi);
+  expectImpact(rod, motion, post, kStill, std::cbrt(0.25), 2 * early);
+}
+
+TEST(TimeOfImpact, MarginIsMetSoonerByAsMuch) {
+  const Polygon square({rectangle(0, 0, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
+  const Motion motion = Motion::translation(Pose::Identity(), {8, 0});
+  ImpactOptions options;
+  options.margin = 0.5;
+  const Impact impact = expectImpact(square, motion, wall, kStill, 1.5 / 8, kRounding, options);
+  EXPECT_NEAR((impact.normal - Vec2(1, 0)).norm(), 0, 1e-7);
+  EXPECT_NEAR(impact.point.x(), 2.75, 1e-5);
+  options.margin = 2;  // as near as that from the beginning
+  EXPECT_EQ(expectImpact(square, motion, wall, kStill, 0, kRounding, options).time, 0);
+  options.margin = std::nextafter(2, 0);
+  EXPECT_GT(timeOfImpact(square, motion, wall, kStill, options)->time, 0);
+  // Past a corner: a graze of the margin's disc around it.
+  const Polygon point({{{0, 0}, {0, 0}, {0, 0}}}), corner({rectangle(5, 3, 6, 4)});
+  options.margin = 3;
+  EXPECT_NEAR(timeOfImpact(point, Motion::translation(Pose::Identity(), {5, 0}), corner, kStill, options)->time, 1,
+              1e-5);
+  options.margin = 3 - 1e-9;
+  EXPECT_FALSE(timeOfImpact(point, Motion::translation(Pose::Identity(), {20, 0}), corner, kStill, options));
+}
+
+TEST(TimeOfImpact, MarginAtAnyScale) {
+  for (const double scale : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {
+    const Polygon square({scaled(rectangle(0, 0, 1, 1), scale)}), wall({scaled(rectangle(3, -10, 4, 10), scale)});
+    ImpactOptions options;
+    options.margin = 0.5 * scale;
+    expectImpact(square, Motion::translation(Pose::Identity(), Vec2(8 * scale, 0)), wall, kStill, 1.5 / 8, kRounding,
+                 options);
   }
 }
 
