@@ -54,9 +54,10 @@ struct Frame {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    const Vec2 half = 0.5 * high - 0.5 * low;
-    center = low + half;
-    if (half.maxCoeff() > 0) exponent = std::ilogb(half.maxCoeff());
+    // Halved last, because half a denormal may be 0; first, where the difference overflows.
+    const Vec2 size = high - low;
+    center = low + (size.allFinite() ? Vec2(0.5 * size) : Vec2(0.5 * high - 0.5 * low));
+    if (size.maxCoeff() > 0) exponent = std::min(std::ilogb(size.maxCoeff()) - 1, 1023);
   }
   Vec2 low, high, center;
   int exponent;

@@ -10,6 +10,7 @@
 
 #include "exact_reference.h"
 #include "families.h"
+#include "random.h"
 #include "shapes.h"
 
 namespace tricover::support {
@@ -105,6 +106,21 @@ TEST(Polygon, DiscHoldsEveryVertexAndIsTightAtEverySize) {
         EXPECT_TRUE(tight <= 0 || tight * tight <= farthest) << family.name << " seed " << seed;
       }
     }
+  }
+}
+
+TEST(Polygon, DiscHoldsEveryVertexOfAFewOfTheSmallestDoubles) {
+  constexpr double e = std::numeric_limits<double>::denorm_min();
+  Random random(3);
+  for (int i = 0; i < 2000; ++i) {
+    Ring ring;
+    for (int k = random.integer(3, 5); k > 0; --k)
+      ring.emplace_back(e * random.integer(-3, 3), e * random.integer(-3, 3));
+    const Polygon polygon({ring});
+    for (const Vec2& v : ring)
+      ASSERT_TRUE(
+          exact::within(exact::distanceSquared(v, polygon.origin(), polygon.origin()), mpq_class(polygon.radius())))
+          << "case " << i;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "random.h"
 #include "shapes.h"
 #include "tricover/collide.h"
 
@@ -357,6 +358,34 @@ TEST(TimeOfImpact, MarginAtAnyScale) {
     expectImpact(square, Motion::translation(Pose::Identity(), Vec2(8 * scale, 0)), wall, kStill, 1.5 / 8, kRounding,
                  options);
   }
+}
+
+TEST(TimeOfImpact, IsZeroWhereAFewOfTheSmallestDoublesCollide) {
+  constexpr double e = std::numeric_limits<double>::denorm_min();
+  const Polygon triangle({{{0, 0}, {e, 0}, {-e, e}}});
+  EXPECT_EQ(timeOfImpact(triangle, kStill, triangle, Motion::still(pose(0.3, 0, 0)))->time, 0);
+  Random random(4);
+  int hits = 0;
+  constexpr int kCases = 5000;
+  for (int i = 0; i < kCases; ++i) {
+    const auto polygon = [&] {
+      Ring ring;
+      for (int k = random.integer(3, 5); k > 0; --k)
+        ring.emplace_back(e * random.integer(-2, 2), e * random.integer(-2, 2));
+      return Polygon({ring});
+    };
+    const auto start = [&] {
+      return pose(random.coin() ? random.real(0, 6) : 0, e * random.integer(-4, 4), e * random.integer(-4, 4));
+    };
+    const Polygon a = polygon(), b = polygon();
+    const Motion motion_a = Motion::still(start()), motion_b = turning(start(), random.coin() ? 1 : 0, {e, -2 * e});
+    const bool collides = collide(a, motion_a.start, b, motion_b.start);
+    const auto impact = timeOfImpact(a, motion_a, b, motion_b);
+    ASSERT_EQ(impact && impact->time == 0, collides) << "case " << i;
+    hits += collides;
+  }
+  EXPECT_GT(hits, kCases / 10);
+  EXPECT_LT(hits, kCases / 2);
 }
 
 TEST(TimeOfImpact, RefusesWhatIsNoMotion) {
