@@ -14,11 +14,11 @@ namespace tricover {
 
 /// A map of square cells, each with a value, laid out like ROS's nav_msgs/OccupancyGrid.
 struct OccupancyGrid {
-  std::size_t width = 0;           ///< number of cells along x
-  std::size_t height = 0;          ///< number of cells along y
-  std::vector<std::int8_t> cells;  ///< width * height values, row by row from the lowest y, each row from the lowest x
-  double resolution = 1;           ///< side of a cell, in the polygon's units of length
-  Vec2 origin = Vec2::Zero();      ///< lower left corner of the first cell
+  std::size_t width = 0;           ///< The number of cells along x.
+  std::size_t height = 0;          ///< The number of cells along y.
+  std::vector<std::int8_t> cells;  ///< width * height values, row by row from the lowest y, each row from the lowest x.
+  double resolution = 1;           ///< The side of a cell, in the polygon's units of length.
+  Vec2 origin = Vec2::Zero();      ///< The lower left corner of the first cell, in the polygon's frame.
 };
 
 /// Whether a cell with this value belongs to the region.
@@ -34,6 +34,8 @@ using IsOccupied = std::function<bool(std::int8_t)>;
 ///
 /// Throws std::invalid_argument, naming the field, if a cell value is missing or left over, if resolution isn't
 /// positive, if a corner isn't finite, or if neighbouring corners round to the same coordinate.
+///
+/// \snippet outline.cpp outline
 TRICOVER_EXPORT std::optional<Polygon> outline(
     const OccupancyGrid& grid, const IsOccupied& is_occupied = [](std::int8_t value) { return value != 0; });
 

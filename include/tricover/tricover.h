@@ -8,6 +8,7 @@
 #include "tricover/influence.h"
 #include "tricover/locate.h"
 #include "tricover/motion.h"
+#include "tricover/outline.h"
 #include "tricover/penetration.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"

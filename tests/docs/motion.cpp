@@ -21,6 +21,11 @@ TEST(Documentation, Motion) {
   const tricover::Motion turn = tricover::Motion::between(start, end, {1, 0});
   EXPECT_TRUE(turn.at(1).isApprox(end, 1e-12));
   EXPECT_TRUE((turn.at(0.5) * tricover::Vec2(1, 0)).isApprox(tricover::Vec2(5.5, 0.5)));
+
+  // A cubic spline: from rest at the origin to (10, 0) and a quarter turn, arriving at a velocity.
+  const tricover::Motion swing =
+      tricover::Motion::spline({{0, 0}, 0, {0, 0}, 0}, {{10, 0}, 1.5707963267948966, {0, 6}, 0});
+  EXPECT_TRUE(swing.at(1).isApprox(end, 1e-12));
   //! [motion]
 }
 
