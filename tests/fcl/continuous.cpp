@@ -258,11 +258,95 @@ TEST(Continuous, motionsThatLeaveThePlaneAreRefused) {
   }
 }
 
-TEST(Continuous, otherMotionsMarginsAndBadErrorsAreRefused) {
+/// In the plane at height z, mostly towards the origin; some don't turn, some turn more than once.
+fcl::SplineMotion<double> anySpline(Random& random, double z) {
+  const double size = random.real(1, 40), spin = random.oneIn(4) ? 0 : random.real(0, 9);
+  const auto position = [&] { return fcl::Vector3d(random.real(-size, size), random.real(-size, size), z); };
+  const auto turn = [&] { return fcl::Vector3d(0, 0, 1 + random.real(-spin, spin)); };
+  return {position(), position(), position(), position(), turn(), turn(), turn(), turn()};
+}
+
+TEST(Continuous, splinesAreFollowedByTheirControlPoints) {
+  Random random(51);
+  const int cases = tricover::support::scaledCount(1500);
+  int hits = 0, at_start = 0;
+  for (int i = 0; i < cases; ++i) {
+    const auto polygon = [&] {
+      return tricover::Polygon({tricover::support::star(random, random.integer(3, 9), 0.5, 3)});
+    };
+    const double z = random.real(-5, 5);
+    const double margins[] = {random.oneIn(3) ? random.real(0, 2) : 0, random.oneIn(3) ? random.real(0, 2) : 0};
+    const Shape<double> a = std::make_shared<PolygonShaped>(polygon(), PolygonOptions{0, 0, margins[0]});
+    const Shape<double> b = std::make_shared<PolygonShaped>(polygon(), PolygonOptions{0, 0, margins[1]});
+    const fcl::SplineMotion<double> motion_a = anySpline(random, z), motion_b = anySpline(random, z);
+    constexpr double kError = 1e-6;
+    const fcl::ContinuousCollisionResultd result = along(a, motion_a, b, motion_b, kError, kSolvers[i % 2]);
+    const double time = result.time_of_contact;
+    // What a weighted sum of control points rounds by, in time.
+    constexpr double kRounding = 1e-11;
+    const auto collide = [&](double t, double more) {
+      fcl::CollisionResultd there;
+      return tricover_fcl::collide<double>(a.get(), at(motion_a, t), b.get(), at(motion_b, t), {}, {more}, there) > 0;
+    };
+    for (int k = 0; k < 200; ++k) {
+      const double t = (k + random.unit()) / 200;
+      ASSERT_FALSE(t < time - kRounding && collide(t, 0)) << "case " << i << ": " << t << " before " << time;
+    }
+    for (double ahead = 1e-10; ahead < 1e-3; ahead *= 10)
+      ASSERT_FALSE(time > ahead && collide(time - ahead, 0)) << "case " << i;
+    if (!result.is_collide) {
+      ASSERT_FALSE(collide(1, 0)) << "case " << i;
+      continue;
+    }
+    bool found = false;
+    for (int k = 0; k <= 20; ++k) found = found || collide(std::min(1.0, time + k * kError / 20), 1e-9);
+    ASSERT_TRUE(found) << "case " << i << ": nothing within the error after " << time;
+    ASSERT_TRUE(result.contact_tf1.isApprox(at(motion_a, time)) && result.contact_tf2.isApprox(at(motion_b, time)));
+    ++hits;
+    at_start += time == 0;
+  }
+  EXPECT_GT(hits - at_start, cases / 5);
+  EXPECT_LT(hits, cases * 9 / 10);
+}
+
+TEST(Continuous, marginsAreMetBeforeContact) {
+  const fcl::TranslationMotiond still(placed(0, 0, 0), placed(0, 0, 0)), right(placed(0, -10, 0), placed(0, 0, 0));
+  const auto grown = [](double margin) -> Shape<double> {
+    return std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{0, 0, margin});
+  };
+  EXPECT_NEAR(along(kSquare, right, kSquare, still).time_of_contact, 0.9, 1e-8);
+  EXPECT_NEAR(along(grown(2), right, kSquare, still).time_of_contact, 0.7, 1e-8);
+  EXPECT_NEAR(along(grown(2), right, grown(1), still).time_of_contact, 0.6, 1e-8);
+  EXPECT_EQ(along(grown(8), right, grown(1), still).time_of_contact, 0);
+  const fcl::TranslationMotiond past(placed(0, -10, 2), placed(0, 10, 2));
+  EXPECT_TRUE(along(grown(1), past, kSquare, still).is_collide);
+  EXPECT_FALSE(along(grown(1 - 1e-9), past, kSquare, still).is_collide);
+}
+
+TEST(Continuous, splinesThatLeaveThePlaneAreRefused) {
   const fcl::TranslationMotiond still(placed(0, 0, 0), placed(0, 0, 0));
-  const fcl::SplineMotion<double> spline(placed(0, 0, 0), placed(0, 1, 0));
-  EXPECT_NE(thrownBy<std::logic_error>([&] { along(kSquare, spline, kSquare, still); }).find("SplineMotion"),
+  const fcl::Vector3d here = fcl::Vector3d::Zero(), up(0, 0, 1), turn(0, 0, 2), tilt(0, 1e-3, 2);
+  const fcl::SplineMotion<double> rises(here, here, here, up, here, here, here, here);
+  const fcl::SplineMotion<double> tilts(here, here, here, here, turn, turn, tilt, tilt);
+  for (const auto* motion : {&rises, &tilts})
+    EXPECT_NE(
+        thrownBy<std::invalid_argument>([&] { along(kSquare, still, kSquare, *motion); }).find("motion_b: it leaves"),
+        std::string::npos);
+  const fcl::SplineMotion<double> nowhere(here, here, here, here, here, here, here,
+                                          fcl::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_EQ(thrownBy<std::invalid_argument>([&] { along(kSquare, nowhere, kSquare, still); }),
+            "tricover: motion_a: a control point is not finite");
+  fcl::ContinuousCollisionResultd result;
+  EXPECT_NE(thrownBy<std::logic_error>([&] {
+              tricover_fcl::continuousCollide<double>(kSquare.get(), placed(0, 0, 0), placed(0, 9, 0), kSquare.get(),
+                                                      placed(0, 5, 0), placed(0, 5, 0), requestFor(fcl::CCDM_SPLINE),
+                                                      result);
+            }).find("control points"),
             std::string::npos);
+}
+
+TEST(Continuous, otherMotionsAndBadErrorsAreRefused) {
+  const fcl::TranslationMotiond still(placed(0, 0, 0), placed(0, 0, 0));
   class Own : public fcl::TranslationMotiond {
     using fcl::TranslationMotiond::TranslationMotiond;
     bool integrate(double) const override { return true; }
@@ -273,8 +357,6 @@ TEST(Continuous, otherMotionsMarginsAndBadErrorsAreRefused) {
       placed(0, 0, 0), placed(0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()));
   EXPECT_EQ(thrownBy<std::invalid_argument>([&] { along(kSquare, still, kSquare, nowhere); }),
             "tricover: motion_b: its shift, turn or pivot is not finite");
-  const Shape<double> wide = std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{0, 0, 1});
-  EXPECT_NE(thrownBy<std::logic_error>([&] { along(wide, still, kSquare, still); }).find("margin"), std::string::npos);
   for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(along(kSquare, still, kSquare, still, bad), std::invalid_argument);
   }

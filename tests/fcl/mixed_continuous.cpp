@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Conservative advancement of a polygon and FCL's own geometries that move within the polygon's plane.
+#include <fcl/math/motion/spline_motion.h>
+#include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
 #include <cmath>
@@ -62,6 +64,50 @@ TEST_F(MixedContinuous, aTipMeetsEveryGeometryOnTime) {
       EXPECT_NEAR(found, truth, kEarliest) << type;
     }
     EXPECT_EQ(time(*tip<double>(), place(-0.001), place(5), *known.geometry, still, still), 0);
+  }
+}
+
+TEST_F(MixedContinuous, aMarginMeetsEveryGeometryBeforeTheTipDoes) {
+  PolygonOptions options = tip<double>()->options();
+  options.margin = 0.5;
+  const PolygonShaped wide(tip<double>()->polygon(), options);
+  for (const Known<double>& known : knownGeometries<double>()) {
+    SCOPED_TRACE(known.name);
+    const auto place = [&](double gap) { return shifted<double>(known.right + gap, 0, 0); };
+    const double found = time(wide, place(5), place(-1), *known.geometry, known.pose, known.pose, fcl::CCDM_TRANS);
+    EXPECT_LE(found, 4.5 / 6 + 1e-12);
+    const auto collides = [&](double at) {
+      fcl::CollisionResultd result;
+      return fcl::collide(&wide, place(5 - 6 * at), known.geometry.get(), known.pose, fcl::CollisionRequestd(),
+                          result) > 0;
+    };
+    EXPECT_FALSE(found > 0 && collides(found - kEarliest));
+    EXPECT_TRUE(collides(found + kEarliest));
+  }
+}
+
+TEST_F(MixedContinuous, aSplineCarriesATipToABox) {
+  const fcl::Boxd box(2, 2, 2);
+  const Shape<double> shape = tip<double>();
+  const Vec3 none = Vec3::Zero();
+  // From x = 5 by a cubic: the control points are evenly spaced, so the way is straight and even.
+  const auto straight = [&](double from, double step) {
+    return fcl::SplineMotion<double>({from - step, 0, 0}, {from, 0, 0}, {from + step, 0, 0}, {from + 2 * step, 0, 0},
+                                     none, none, none, none);
+  };
+  const fcl::SplineMotion<double> comes = straight(5, -8), rests = straight(0, 0);
+  fcl::ContinuousCollisionRequestd request(1000, 1e-6, fcl::CCDM_SPLINE, fcl::GST_LIBCCD,
+                                           fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+  for (const bool polygon_first : {true, false}) {
+    fcl::ContinuousCollisionResultd result;
+    const fcl::CollisionGeometryd *tip_geometry = shape.get(), *box_geometry = &box;
+    if (polygon_first)
+      fcl::continuousCollide<double>(tip_geometry, &comes, box_geometry, &rests, request, result);
+    else
+      fcl::continuousCollide<double>(box_geometry, &rests, tip_geometry, &comes, request, result);
+    EXPECT_TRUE(result.is_collide);
+    EXPECT_LE(result.time_of_contact, 0.5 + 1e-12);
+    EXPECT_GE(result.time_of_contact, 0.5 - kEarliest);
   }
 }
 

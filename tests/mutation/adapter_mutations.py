@@ -71,9 +71,15 @@ MUTATIONS = [
     ("fcl_adapter/src/mixed/collide_mixed.cpp", "pair.view.only_there = !request.enable_contact;", "pair.view.only_there = true;", "mixed: the way out of a part of a mesh"),
     ("fcl_adapter/src/mixed/collide_mixed.cpp", "pair.view.around.max().array() += margin;", "", "mixed: a view without the margin"),
     ("fcl_adapter/src/mixed/distance_mixed.cpp", "if (shadow.isSurface() || overlaps", "if (overlaps", "mixed: surfaces overlap"),
-    ("fcl_adapter/src/mixed/advance_mixed.cpp", "pair.view.around.max().array() += way;", "", "mixed: what of a plane the polygon comes to"),
+    ("fcl_adapter/src/mixed/advance_mixed.cpp", "pair.view.around.max().array() += way + margin;", "", "mixed: what of a plane the polygon comes to"),
     # Entry points.
     ("fcl_adapter/src/entry/table_rows.h", "matrix[fcl::GEOM_TRIANGLE][other] = matrix[other][fcl::GEOM_TRIANGLE] = ours;", "matrix[fcl::GEOM_TRIANGLE][other] = ours;", "tables: the column"),
     ("fcl_adapter/src/entry/collide.cpp", "checkLength(options.margin, \"margin\");", "", "options: a negative margin that a shape's makes good for"),
     ("fcl_adapter/src/entry/continuous_collide.cpp", "if (screw->getAngularVelocity() != 0) return screw;", "return screw;", "motions: a screw without a turn"),
+    # Splines and margins in motion.
+    ("fcl_adapter/src/shape/motion_in_plane.cpp", "in_plane.pivot = in_plane.start.translation();", "", "spline: pivot"),
+    ("fcl_adapter/src/shape/motion_in_plane.cpp", "(turns && tilt > tricover::kRigidTolerance) || highest", "highest", "spline: tilts"),
+    ("fcl_adapter/src/shape/motion_in_plane.cpp", " || highest - lowest > rise", "", "spline: rises"),
+    ("fcl_adapter/src/polygons/advance_polygons.cpp", "options.margin = shape_a.options().margin + shape_b.options().margin;", "options.margin = shape_a.options().margin;", "advancement: the second margin"),
+    ("fcl_adapter/src/mixed/advance_mixed.cpp", "  options.margin = margin;\n", "", "advancement of a polygon and another geometry: margin"),
 ]

@@ -16,20 +16,23 @@ namespace tricover_fcl {
 /// Two polygons: what fcl::continuousCollide answers with CCDC_CONSERVATIVE_ADVANCEMENT, here whatever the
 /// ccd_solver_type (CCDC_NAIVE would ask collide at num_max_iterations times and see nothing in between). The time is
 /// never later than the first contact and at most toc_err earlier (tricover::timeOfImpact); contact at the end counts,
-/// and so does a pass that only touches. num_max_iterations changes nothing. Of the motion types, SplineMotion and the
-/// user's own throw std::logic_error; std::invalid_argument is thrown for a motion that leaves the plane (it must keep
-/// z and turn about z), and for shapes with a margin std::logic_error.
+/// and so does a pass that only touches. Shapes with margins are in contact as soon as they are as near as the sum of
+/// those. num_max_iterations changes nothing. All of FCL's own motions are followed, a SplineMotion by its control
+/// points. A motion class of the user's own throws std::logic_error, and a motion that leaves the plane (it must keep z
+/// and turn about z) std::invalid_argument.
 ///
 /// Other geometries: as long as both motions keep the polygon's plane as it lies at time 0 (they shift within it and
 /// turn about its normal), wherever that is in space; other motions throw std::invalid_argument, and work with
 /// CCDC_NAIVE in fcl::continuousCollide. A round geometry is taken for a polygon around it, at most 1e-6 of its size
 /// outside.
 ///
-/// FCL's motions turn by quaternions, so their first and last pose are those given up to rounding. Two of them have a
+/// FCL's motions turn by quaternions, so their first and last pose are those given up to rounding. Three of them have a
 /// bug in FCL 0.7.0 that shows in fcl::continuousCollide for two transforms, but not here:
 /// - InterpMotion (CCDM_LINEAR) leaves the point that moves on a straight line uninitialised; here it is the origin.
 /// - ScrewMotion (CCDM_SCREW) without a turn goes on beyond its goal, to its own length times the way. fcl's row for
 ///   polygons takes the goal for the end, but contact_tf1 and contact_tf2, which FCL fills, don't.
+/// - SplineMotion (CCDM_SPLINE) made from two transforms is left uninitialised as a whole; here that throws
+///   std::logic_error. Make it from control points.
 ///
 /// \snippet fcl.cpp fcl continuous collide
 template <typename S>

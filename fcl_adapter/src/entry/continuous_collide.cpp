@@ -3,7 +3,6 @@
 
 #include <fcl/math/motion/interp_motion.h>
 #include <fcl/math/motion/screw_motion.h>
-#include <fcl/math/motion/spline_motion.h>
 #include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
@@ -39,8 +38,10 @@ std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begi
       if (screw->getAngularVelocity() != 0) return screw;
       return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
     }
-    if (type == fcl::CCDM_SPLINE) return std::make_shared<fcl::SplineMotion<S>>(begin, end);
   }
+  if (type == fcl::CCDM_SPLINE)
+    refuseQuestion("ccd_motion_type", "FCL leaves a SplineMotion between two transforms uninitialised",
+                   "make one of control points, and pass the motions");
   refuseQuestion("ccd_motion_type", "FCL has no such motion of this scalar", "CCDM_TRANS works for float, too");
 }
 

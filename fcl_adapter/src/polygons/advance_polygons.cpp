@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polygons/advance_polygons.h"
 
+#include <fcl/math/motion/spline_motion.h>
+
 #include <cmath>
 #include <optional>
+#include <typeinfo>
 
-#include "shape/errors.h"
 #include "shape/heights.h"
 #include "shape/motion_in_plane.h"
 #include "tricover/collide.h"
@@ -35,7 +37,8 @@ MovingPolygon movingPolygon(const fcl::MotionBase<S>& motion, const char* name) 
   const tricover::Pose& start = moving.motion.start = moving.start.pose;
   moving.motion.pivot = start.linear().inverse() * (in_plane.pivot - start.translation());
   // FCL's own, rounded in its way; but without a turn its ScrewMotion doesn't end where it should.
-  moving.end = in_plane.angle != 0 ? planarPose(poseAt(motion, S(1)), name).pose : moving.motion.at(1);
+  const bool ends_right = in_plane.angle != 0 || typeid(motion) == typeid(fcl::SplineMotion<S>);
+  moving.end = ends_right ? planarPose(poseAt(motion, S(1)), name).pose : moving.motion.at(1);
   return moving;
 }
 
@@ -47,9 +50,6 @@ S advancePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>&
                   const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
   const auto& shape_a = static_cast<const PolygonShape<S>&>(o1);
   const auto& shape_b = static_cast<const PolygonShape<S>&>(o2);
-  if (shape_a.options().margin > 0 || shape_b.options().margin > 0) {
-    refuseQuestion("margin", "conservative advancement honours none", kSampleInstead);
-  }
   const MovingPolygon a = movingPolygon(motion1, "motion_a"), b = movingPolygon(motion2, "motion_b");
 
   std::optional<double> time;
@@ -57,9 +57,10 @@ S advancePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>&
       share(heightsOf(shape_a.options(), a.start), heightsOf(shape_b.options(), b.start))) {
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
+    options.margin = shape_a.options().margin + shape_b.options().margin;
     if (const auto impact = tricover::timeOfImpact(shape_a.polygon(), a.motion, shape_b.polygon(), b.motion, options)) {
       time = impact->time;
-    } else if (tricover::collide(shape_a.polygon(), a.end, shape_b.polygon(), b.end)) {
+    } else if (tricover::collide(shape_a.polygon(), a.end, shape_b.polygon(), b.end, {options.margin})) {
       time = 1;
     }
   }

@@ -3,8 +3,10 @@
 
 #include <fcl/math/motion/interp_motion.h>
 #include <fcl/math/motion/screw_motion.h>
+#include <fcl/math/motion/spline_motion.h>
 #include <fcl/math/motion/translation_motion.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -44,10 +46,64 @@ SpatialMotion spatialMotion(const fcl::MotionBase<S>& motion, const char* name) 
       result.pivot = wide(screw.getAxisOrigin());
     }
   } else {
-    refuseQuestion(name, "conservative advancement doesn't know the motion " + className(typeid(motion)),
-                   std::string("move by fcl::TranslationMotion, InterpMotion or ScrewMotion, or ") + kSampleInstead);
+    refuseQuestion(
+        name, "conservative advancement doesn't know the motion " + className(typeid(motion)),
+        std::string("move by fcl::TranslationMotion, InterpMotion, ScrewMotion or SplineMotion, or ") + kSampleInstead);
   }
   return result;
+}
+
+[[noreturn]] void refuseDeparture(const char* name) {
+  refuse(name, "it leaves the polygon's plane",
+         std::string("shift within the plane and turn about its normal, or ") + kSampleInstead);
+}
+
+/// What a pose's own rounding may lift it by out of the plane.
+template <typename S>
+double roundingAround(const fcl::MotionBase<S>& motion, const Plane& plane, const Vec3& pivot) {
+  return 8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
+         (plane.translation().norm() + poseAt(motion, S(0)).translation().template cast<double>().norm() +
+          pivot.norm());
+}
+
+/// FCL keeps a spline's control points to itself and its heirs.
+template <typename S>
+struct ControlPoints : fcl::SplineMotion<S> {
+  static const fcl::Vector3<S> (&positions(const fcl::SplineMotion<S>& spline))[4] {
+    return spline.*(&ControlPoints::Td);
+  }
+  static const fcl::Vector3<S> (&turns(const fcl::SplineMotion<S>& spline))[4] { return spline.*(&ControlPoints::Rd); }
+};
+
+/// A uniform cubic B-spline in position and rotation vector. It turns about the plane's normal if the rotation vectors
+/// are along that, and not at all if they are all the same.
+template <typename S>
+tricover::Motion splineInPlane(const fcl::SplineMotion<S>& spline, const Plane& plane, const char* name) {
+  const auto& td = ControlPoints<S>::positions(spline);
+  const auto& rd = ControlPoints<S>::turns(spline);
+  const Eigen::Matrix3d inverse = plane.linear().inverse();
+  std::array<tricover::Vec2, 4> positions;
+  std::array<double, 4> angles;
+  bool turns = false;
+  double tilt = 0, lowest = 0, highest = 0, way = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 turn = inverse * rd[k].template cast<double>();
+    const Vec3 position = inverse * (td[k].template cast<double>() - plane.translation());
+    if (!turn.allFinite() || !position.allFinite()) refuse(name, "a control point is not finite");
+    positions[k] = position.head<2>();
+    angles[k] = turn.z();
+    turns = turns || rd[k] != rd[0];
+    tilt = std::max(tilt, turn.head<2>().norm());
+    lowest = k == 0 ? position.z() : std::min(lowest, position.z());
+    highest = k == 0 ? position.z() : std::max(highest, position.z());
+    way = std::max(way, (positions[k] - positions[0]).norm());
+  }
+  const double rise = tricover::kRigidTolerance * way + roundingAround(spline, plane, td[0].template cast<double>());
+  if ((turns && tilt > tricover::kRigidTolerance) || highest - lowest > rise) refuseDeparture(name);
+  tricover::Motion in_plane = tricover::Motion::spline(positions, angles);
+  in_plane.pivot = in_plane.start.translation();
+  in_plane.start = tricover::Pose::Identity();
+  return in_plane;
 }
 
 }  // namespace
@@ -62,6 +118,8 @@ fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time) {
 
 template <typename S>
 tricover::Motion motionInPlane(const fcl::MotionBase<S>& motion, const Plane& plane, const char* name) {
+  if (typeid(motion) == typeid(fcl::SplineMotion<S>))
+    return splineInPlane(static_cast<const fcl::SplineMotion<S>&>(motion), plane, name);
   const SpatialMotion world = spatialMotion(motion, name);
   const Eigen::Matrix3d inverse = plane.linear().inverse();
   const Vec3 shift = inverse * world.shift, turn = inverse * world.turn;
@@ -70,14 +128,8 @@ tricover::Motion motionInPlane(const fcl::MotionBase<S>& motion, const Plane& pl
     refuse(name, "its shift, turn or pivot is not finite");
 
   // A tilt or rise is left out that poses may have, and what S rounds the places by that FCL finds the motion from.
-  const double rounding = 8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
-                          (plane.translation().norm() +
-                           poseAt(motion, S(0)).translation().template cast<double>().norm() + world.pivot.norm());
-  const double rise = tricover::kRigidTolerance * shift.head<2>().norm() + rounding;
-  if (!(turn.head<2>().norm() <= tricover::kRigidTolerance && std::abs(shift.z()) <= rise)) {
-    refuse(name, "it leaves the polygon's plane",
-           std::string("shift within the plane and turn about its normal, or ") + kSampleInstead);
-  }
+  const double rise = tricover::kRigidTolerance * shift.head<2>().norm() + roundingAround(motion, plane, world.pivot);
+  if (!(turn.head<2>().norm() <= tricover::kRigidTolerance && std::abs(shift.z()) <= rise)) refuseDeparture(name);
   tricover::Motion in_plane;
   in_plane.shift = shift.head<2>();
   in_plane.angle = turn.z();
