@@ -265,7 +265,7 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
     in = inner;
     out = outer;
     const Vec2 way = outer_edge.w - outer_edge.v;
-    across = Vec2(way.y(), -way.x()).stableNormalized();
+    if (!way.isZero(0)) across = Vec2(way.y(), -way.x()).stableNormalized();
   };
   const double far = 4 * std::min(pair_.a.radius + pair_.b.radius, 0x1p1020);
   forEachPair(pair_, far, [&](double, std::size_t i, std::size_t j) {

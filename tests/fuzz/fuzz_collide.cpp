@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // collide() in every way of asking, and what must agree with it, against the exact reference; the caches have seen b
 // elsewhere.
+#include <cmath>
+#include <vector>
+
 #include "byte_reader.h"
 #include "exact_reference.h"
 #include "reproduction.h"
@@ -37,7 +40,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     expect(collide(b, pose_b, a, pose_a, cache, options), paper ? "Paper, again" : "Hierarchy, again");
   }
   if (margin != 0) return 0;
-  expect(!contacts(a, pose_a, b, pose_b).empty(), "contacts");
+  const std::vector<Contact> parts = contacts(a, pose_a, b, pose_b);
+  expect(!parts.empty(), "contacts");
+  for (const Contact& part : parts)
+    expect(part.depth >= 0 && std::abs(part.normal.norm() - 1) < 1e-9, "contacts: depth or normal");
   expect(penetration(a, pose_a, b, pose_b, {20}).has_value(), "penetration");
   expect(distance(a, pose_a, b, pose_b).distance == 0, "distance");
   DistanceCache cache;
