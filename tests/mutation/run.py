@@ -26,11 +26,8 @@ import threading
 import time
 
 sys.dont_write_bytecode = True
+import adapter_mutations
 import core_mutations
-try:
-    import adapter_mutations
-except ModuleNotFoundError:
-    adapter_mutations = argparse.Namespace(MUTATIONS=[])
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Neither the reference nor the workloads see the library's faults, and a fuzzer that stops by the clock finds other ones each time.
