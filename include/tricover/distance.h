@@ -13,16 +13,22 @@ namespace tricover {
 /// What a distance may be wrong by, and from where on it is of no interest. The default is exact.
 struct DistanceOptions {
   /// The result is at most truth * (1 + relative_error) + absolute_error. It is never below the truth but for rounding.
-  /// Whether it is 0 stays exact.
+  /// Whether it is 0 stays exact. With a margin, the truth is what is left of the distance.
   double relative_error = 0;
   double absolute_error = 0;  ///< A world length; see relative_error.
   /// A world length. A distance above it need not be found: the result is then infinity, the points NaN, the edges -1.
+  /// With a margin, it is about what is left of the distance, too.
   double limit = std::numeric_limits<double>::infinity();
+  /// A world length, at least 0 and finite. The result becomes max(0, distance - margin): that of the regions grown by
+  /// margins whose sum this is. It is 0 exactly where collide() with this margin is true. Points and edges stay those
+  /// of the regions themselves, nearest points also where they are closer than the margin.
+  double margin = 0;
 };
 
-/// A distance and where it is attained, in the world. Where the regions collide, both points are one common point.
+/// A distance and where it is attained, in the world. Where the regions collide (the margin aside), both points are one
+/// common point.
 struct DistanceResult {
-  double distance;        ///< A world length.
+  double distance;        ///< A world length, less the margin.
   Vec2 point_a;           ///< The point of a nearest to b. Rounded as the coordinates of a posed vertex are.
   Vec2 point_b;           ///< The point of b nearest to a. Rounded likewise.
   std::ptrdiff_t edge_a;  ///< The edge of a that point_a lies on. -1 where a ring of b lies inside a.
@@ -51,10 +57,11 @@ struct DistanceCache {
 
 /// The distance of the two closed regions.
 ///
-/// It is 0 exactly where collide() is true. Otherwise it is right to 1e-14 of itself, or to the smallest double where
-/// that is more, and infinity where it overflows. The order of the arguments and earlier calls change nothing.
+/// It is 0 exactly where collide() is true, with the same margin. Otherwise it is right to 1e-14 of itself and the
+/// margin together, or to the smallest double where that is more, and infinity where the distance without the margin
+/// overflows. The order of the arguments and earlier calls change nothing.
 ///
-/// Throws as collide() does, and std::invalid_argument for options that are negative or NaN.
+/// Throws as collide() does, and std::invalid_argument for options that are negative or NaN, and an infinite margin.
 ///
 /// \snippet distance.cpp distance
 TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

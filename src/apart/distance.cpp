@@ -10,6 +10,7 @@
 #include "apart/edge_distance.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/collide_by_hierarchy.h"
 #include "pair/containment.h"
 #include "pair/discs.h"
 #include "pair/edge_pairs.h"
@@ -44,11 +45,27 @@ DistanceResult farResult() {
   return {kInfinity, none, none, -1, -1};
 }
 
-DistanceResult resultOf(const Pair& pair, const DistanceSearch& search) {
+/// What is left of a distance that EdgeDistances::at() returned. Where rounding hides whether anything is, collide()
+/// tells.
+double beyond(const Pair& pair, double distance, double margin) {
+  if (margin == 0) return distance;
+  const double finite = std::min(distance, std::numeric_limits<double>::max());
+  if (EdgeDistances::below(finite) > margin) return distance - margin;
+  CollideOptions options;
+  options.margin = margin;
+  const bool within =
+      EdgeDistances::above(finite) <= margin ||
+      collideByHierarchy(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), options, 0, Wanted::Answer).collides;
+  return within ? 0 : std::max(distance - margin, std::numeric_limits<double>::denorm_min());
+}
+
+DistanceResult resultOf(const Pair& pair, const DistanceSearch& search, const DistanceOptions& options) {
   const EdgeDistances::Nearest& nearest = search.best();
+  const double distance = beyond(pair, nearest.distance, options.margin);
+  if (!(distance <= options.limit)) return farResult();
   const std::size_t i = search.edgeA(), j = search.edgeB();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);
-  return {nearest.distance, point_a, search.meets() ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b),
+  return {distance, point_a, search.meets() ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b),
           static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)), static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j))};
 }
 
@@ -107,7 +124,7 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
   DistanceSearch search(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
   const auto answer = [&] {
     search.finish();
-    return search.best().distance <= options.limit ? resultOf(pair, search) : farResult();
+    return resultOf(pair, search, options);
   };
   const auto storePoses = [&] {
     store(cache->first_pose, pair.pose_a);
@@ -163,6 +180,7 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   requireNotNegative(options.relative_error, "relative_error");
   requireNotNegative(options.absolute_error, "absolute_error");
   requireNotNegative(options.limit, "limit");
+  requireFiniteNotNegative(options.margin, "margin");
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) { return distanceInOrder({operands...}, cache, options); },

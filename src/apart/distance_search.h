@@ -15,8 +15,9 @@ namespace tricover::detail {
 /// How far a search for the least distance looks. Its lengths, from what is proven to what is wanted:
 ///
 ///   upper   the least distance is at most this, as a pair that was shown proves;
-///   limit   what is farther apart doesn't count, as the caller or the discs' sizes say;
-///   worth   <= upper less the errors that the caller allows, <= limit: beyond it no pair holds the answer;
+///   limit   what is farther apart doesn't count, as the caller (beyond the margin) or the discs' sizes say;
+///   worth   <= upper less the errors that the caller allows, <= limit: beyond it no pair holds the answer. The errors
+///           are of what is beyond the margin, and whether anything is must stay exact;
 ///   reach   >= worth, by the lookahead: beyond it no pair is listed. While the list is full no more than its last
 ///           pair, which might as well not be listed.
 ///
@@ -24,7 +25,7 @@ namespace tricover::detail {
 class SearchReach {
  public:
   explicit SearchReach(const DistanceOptions& options)
-      : options_(options), limit_(options.limit), worth_(limit_), reach_(limit_) {}
+      : options_(options), limit_(sumAbove(options.limit, options.margin)), worth_(limit_), reach_(limit_) {}
 
   double upper() const { return upper_; }
   double worth() const { return worth_; }
@@ -36,11 +37,17 @@ class SearchReach {
 
   /// After any of these; `last_listed` is infinity while the list has room.
   void update(double last_listed) {
-    worth_ = std::min(limit_, std::max((upper_ - options_.absolute_error) / (1 + options_.relative_error), 0.0));
+    const double beyond = (upper_ - options_.margin - options_.absolute_error) / (1 + options_.relative_error);
+    worth_ = std::min({limit_, upper_, sumAbove(std::max(beyond, 0.0), options_.margin)});
     reach_ = std::max(worth_, std::min(worth_ + lookahead_, last_listed));
   }
 
  private:
+  /// Without a margin nothing rounds. With one, a difference, a quotient and a sum before have, too.
+  static double sumAbove(double length, double margin) {
+    return margin == 0 ? length : roundedUp<3 + 1>(length + margin);
+  }
+
   const DistanceOptions& options_;
   double upper_ = std::numeric_limits<double>::infinity(), limit_, worth_, reach_, lookahead_ = 0;
 };
@@ -118,8 +125,7 @@ class NearestEdges {
  private:
   void evaluate(const ShownPair& pair, const EdgeDistances::View& view) {
     if (view.feature != 0 && view.feature == feature_) return;
-    const EdgeDistances::Nearest found =
-        edges.at(view, pair.i, pair.j, options_.relative_error, options_.absolute_error);
+    const EdgeDistances::Nearest found = edges.at(view, pair.i, pair.j, options_);
     if (found.distance > best_.distance) return;
     best_ = found;
     pair_ = pair;

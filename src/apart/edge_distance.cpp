@@ -156,11 +156,12 @@ std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t
   return feature;
 }
 
-EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size_t j, double relative_slack,
-                                         double absolute_slack) const {
+EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size_t j,
+                                         const DistanceOptions& options) const {
   const int nearest = v.nearest;
-  const double low = v.distance - error_, high = v.distance + error_;
-  if (high <= low * (1 + relative_slack) + absolute_slack * scale_) {
+  const double low = v.distance - error_, high = v.distance + error_, margin = options.margin * scale_;
+  if (high - margin <= (low - margin) * (1 + options.relative_error) + options.absolute_error * scale_ &&
+      (margin == 0 || low > margin)) {
     const double s = v.part[nearest], end = nearest % 2;
     return {atLeastSmallest(high * inverse_), nearest < 2 ? s : end, nearest < 2 ? end : s};
   }

@@ -8,6 +8,7 @@
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "polygon/polygon_data.h"
+#include "tricover/distance.h"
 
 namespace tricover::detail {
 
@@ -66,9 +67,9 @@ class EdgeDistances {
     double along_a, along_b;
   };
 
-  /// For edges that don't meet. Depends on nothing but them and the poses. Where `slack` suffices, a value is
-  /// returned that may be above the true one by as much (a factor beyond 1, and a length).
-  Nearest at(const View& view, std::size_t i, std::size_t j, double relative_slack, double absolute_slack) const;
+  /// For edges that don't meet. Depends on nothing but them and the poses. Of edges that are certainly farther apart
+  /// than the margin, what is beyond it may be too large by the errors that the options allow.
+  Nearest at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
 
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   Nearest whereTheyMeet(const View& view) const;

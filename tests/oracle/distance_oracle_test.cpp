@@ -103,6 +103,38 @@ Pose elsewhere(Random& random, const Case& c) {
   return result;
 }
 
+/// What a margin leaves of the distance, whatever the options allow beside that: margins around the distance and below.
+std::string wrongMargin(const Case& c, Random& random, const mpq_class& squared, DistanceOptions options,
+                        DistanceCache& cache) {
+  const double below = std::min(exact::distanceBelow(squared), nudged(kLargest, -2));
+  options.margin = random.coin() ? below * random.unit() : std::max(nudged(below, random.integer(-1, 1)), 0.0);
+  const bool within = exact::within(squared, mpq_class(options.margin));
+  const DistanceResult results[] = {distance(c.a, c.pose_a, c.b, c.pose_b, options),
+                                    distance(c.b, c.pose_b, c.a, c.pose_a, options),
+                                    distance(c.a, c.pose_a, c.b, c.pose_b, cache, options)};
+  for (const DistanceResult& r : results) {
+    if ((r.distance == 0) != within) return "margin: zero or not";
+    if (r.distance > options.limit && r.distance < kInfinity) return "margin: above the limit";
+    if (r.distance == kInfinity) {
+      if (below == nudged(kLargest, -2)) continue;
+      const mpq_class most = (mpq_class(std::min(options.limit, kLargest)) - mpq_class(options.absolute_error)) /
+                                 (1 + mpq_class(options.relative_error)) +
+                             mpq_class(options.margin);
+      if (sgn(most) > 0 && squared * (1 + mpq_class("1/10000000000000")) < most * most) return "margin: not found";
+      continue;
+    }
+    // Of the distance and the margin together.
+    const mpq_class slack = (mpq_class(below) + options.margin) / mpq_class("100000000000000") + 0x1p-1073;
+    const mpq_class result(r.distance), truth = result + mpq_class(options.margin) + slack;
+    if (squared > truth * truth && !within) return "margin: below the truth";
+    const mpq_class least =
+        (result - mpq_class(options.absolute_error) - slack) / (1 + mpq_class(options.relative_error)) +
+        mpq_class(options.margin) - slack;
+    if (!within && sgn(least) > 0 && least * least > squared) return "margin: more than the options allow";
+  }
+  return {};
+}
+
 /// What the options allow.
 std::string wrongOptions(const Case& c, Random& random, const mpq_class& squared, double cold, DistanceCache& cache) {
   DistanceOptions options;
@@ -110,6 +142,7 @@ std::string wrongOptions(const Case& c, Random& random, const mpq_class& squared
   if (random.coin()) options.relative_error = random.coin() ? 0.5 : 1e-3;
   if (random.coin()) options.absolute_error = length;
   if (random.coin()) options.limit = random.oneIn(4) ? cold : std::min(cold, kLargest) * random.real(0, 2);
+  if (random.oneIn(4)) return wrongMargin(c, random, squared, options, cache);
   const DistanceResult results[] = {distance(c.a, c.pose_a, c.b, c.pose_b, options),
                                     distance(c.b, c.pose_b, c.a, c.pose_a, options),
                                     distance(c.a, c.pose_a, c.b, c.pose_b, cache, options)};

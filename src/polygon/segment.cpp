@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/segment.h"
+
+#include "numbers/errors.h"
+
+namespace tricover {
+namespace {
+
+void requireFinite(const Vec2& p, const char* field) {
+  if (!p.allFinite()) detail::refuse(field, "a coordinate is not finite");
+}
+
+}  // namespace
+
+Polygon point(const Vec2& p) {
+  requireFinite(p, "p");
+  return Polygon({Ring{p, p, p}});
+}
+
+Polygon segment(const Vec2& p, const Vec2& q) {
+  requireFinite(p, "p");
+  requireFinite(q, "q");
+  return Polygon({Ring{p, q, q}});
+}
+
+}  // namespace tricover

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points and segments as polygons, discs and stadiums by their margins.
+#include "tricover/segment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/locate.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const Pose kHere = Pose::Identity();
+
+bool within(const Polygon& a, const Polygon& b, double margin) {
+  CollideOptions options;
+  options.margin = margin;
+  const bool answer = collide(a, kHere, b, kHere, options);
+  EXPECT_EQ(collide(b, kHere, a, kHere, options), answer);
+  return answer;
+}
+
+DistanceResult gap(const Polygon& a, const Polygon& b, double margin, double limit = kInfinity) {
+  DistanceOptions options;
+  options.margin = margin;
+  options.limit = limit;
+  const DistanceResult result = distance(a, kHere, b, kHere, options);
+  EXPECT_EQ(distance(b, kHere, a, kHere, options).distance, result.distance);
+  return result;
+}
+
+TEST(Segment, IsExactlyItsPoints) {
+  const Polygon s = segment({1, 2}, {5, 2});
+  EXPECT_EQ(locate(s, {3, 2}), Location::Boundary);
+  EXPECT_EQ(locate(s, {5, 2}), Location::Boundary);
+  EXPECT_EQ(locate(s, {nudged(5, 1), 2}), Location::Outside);
+  EXPECT_EQ(locate(s, {3, nudged(2, 1)}), Location::Outside);
+  const Polygon p = point({1, 2});
+  EXPECT_EQ(locate(p, {1, 2}), Location::Boundary);
+  EXPECT_EQ(locate(p, {1, nudged(2, 1)}), Location::Outside);
+  EXPECT_EQ(p.origin(), Vec2(1, 2));
+}
+
+TEST(Segment, OfEqualEndsIsTheirPoint) {
+  const Polygon s = segment({1, 2}, {1, 2}), p = point({1, 2});
+  EXPECT_EQ(s.rings(), p.rings());
+  EXPECT_TRUE(within(s, p, 0));
+  EXPECT_FALSE(within(s, point({1, 3}), nudged(1, -1)));
+}
+
+TEST(Segment, RefusesWhatIsNotFinite) {
+  const auto message = [](auto make) -> std::string {
+    try {
+      make();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "nothing thrown";
+  };
+  EXPECT_EQ(message([] { point({NAN, 0}); }), "tricover: p: a coordinate is not finite");
+  EXPECT_EQ(message([] { segment({0, kInfinity}, {0, 0}); }), "tricover: p: a coordinate is not finite");
+  EXPECT_EQ(message([] { segment({0, 0}, {0, -kInfinity}); }), "tricover: q: a coordinate is not finite");
+}
+
+TEST(Margin, OfPointsIsADisc) {
+  for (const double unit : {1.0, 0x1p-1000, 0x1p1000, 0x1p-1070}) {
+    const Polygon p = point(unit * Vec2(1, 1)), q = point(unit * Vec2(4, 5));
+    EXPECT_TRUE(within(p, q, 5 * unit)) << unit;
+    EXPECT_FALSE(within(p, q, nudged(5 * unit, -1))) << unit;
+    EXPECT_EQ(gap(p, q, 5 * unit).distance, 0) << unit;
+    EXPECT_GT(gap(p, q, nudged(5 * unit, -1)).distance, 0) << unit;
+    EXPECT_EQ(gap(p, q, 2 * unit).distance, 3 * unit) << unit;
+    EXPECT_EQ(gap(p, q, 7 * unit).distance, 0) << unit;
+  }
+}
+
+TEST(Margin, OfASegmentIsAStadium) {
+  const Polygon s = segment({0, 0}, {8, 0});
+  EXPECT_TRUE(within(s, point({4, 3}), 3));
+  EXPECT_FALSE(within(s, point({4, 3}), nudged(3, -1)));
+  EXPECT_TRUE(within(s, point({-3, 4}), 5));
+  EXPECT_FALSE(within(s, point({11, -4}), nudged(5, -1)));
+  EXPECT_TRUE(within(s, segment({2, -1}, {3, 1}), 0));
+  EXPECT_TRUE(within(s, segment({8, 0}, {9, 1}), 0));
+  EXPECT_FALSE(within(s, segment({2, 1}, {3, 2}), nudged(1, -1)));
+  EXPECT_TRUE(within(s, segment({2, 1}, {3, 2}), 1));
+}
+
+/// A frame whose hole has a radius of 3 around the origin.
+Polygon frame() { return Polygon({rectangle(-5, -5, 5, 5), rectangle(-3, -3, 3, 3)}); }
+
+TEST(Margin, OfAPointBesideAPolygon) {
+  const Polygon f = frame();
+  EXPECT_FALSE(within(f, point({0, 0}), nudged(3, -1)));  // in the hole
+  EXPECT_TRUE(within(f, point({0, 0}), 3));
+  EXPECT_EQ(gap(f, point({1, 0}), 0.5).distance, 1.5);
+  EXPECT_TRUE(within(f, point({4, 0.5}), 0));  // inside
+  EXPECT_EQ(gap(f, point({4, 0.5}), 1).distance, 0);
+  EXPECT_TRUE(within(f, point({5, 2}), 0));    // on an edge
+  EXPECT_TRUE(within(f, point({-5, -5}), 0));  // on a vertex
+  EXPECT_FALSE(within(f, point({nudged(5, 1), 2}), 0));
+  EXPECT_TRUE(within(f, segment({0, 0}, {4, 0}), 0));
+  EXPECT_FALSE(within(f, segment({-1, 0}, {1, 0}), nudged(2, -1)));
+  EXPECT_TRUE(within(f, segment({-1, 0}, {1, 0}), 2));
+  EXPECT_TRUE(within(f, segment({-9, -9}, {9, 9}), 0));  // longer than the polygon is large
+  EXPECT_EQ(gap(f, segment({-9, 9}, {9, 9}), 1).distance, 3);
+}
+
+TEST(Margin, OfADistanceKeepsPointsAndEdgesOfTheRegions) {
+  const Polygon square({rectangle(0, 0, 4, 4)});
+  const DistanceResult apart = gap(square, point({7, 1}), 1);
+  EXPECT_EQ(apart.distance, 2);
+  EXPECT_EQ(apart.point_a, Vec2(4, 1));
+  EXPECT_EQ(apart.point_b, Vec2(7, 1));
+  EXPECT_EQ(apart.edge_a, 1);
+  const DistanceResult within_margin = gap(square, point({7, 1}), 10);
+  EXPECT_EQ(within_margin.distance, 0);
+  EXPECT_EQ(within_margin.point_a, Vec2(4, 1));
+  EXPECT_EQ(within_margin.point_b, Vec2(7, 1));
+  const DistanceResult inside = gap(square, point({1, 2}), 10);
+  EXPECT_EQ(inside.distance, 0);
+  EXPECT_EQ(inside.point_a, inside.point_b);
+}
+
+TEST(Margin, CountsBeforeTheLimit) {
+  const Polygon square({rectangle(0, 0, 4, 4)}), away({rectangle(7, 0, 9, 4)});
+  for (const Polygon& other : {away, point({7, 1}), segment({7, 1}, {8, 3})}) {
+    EXPECT_EQ(gap(square, other, 1, 2).distance, 2);
+    EXPECT_EQ(gap(square, other, 1, nudged(2, -1)).distance, kInfinity);
+    EXPECT_EQ(gap(square, other, 3, 0).distance, 0);
+    EXPECT_EQ(gap(square, other, nudged(3, -1), 0).distance, kInfinity);
+    EXPECT_EQ(gap(square, other, 1, nudged(2, -1)).edge_a, -1);
+  }
+}
+
+TEST(Margin, OfADistanceMustBeFiniteAndNotNegative) {
+  const Polygon p = point({0, 0});
+  for (const double margin : {-1.0, kInfinity, double{NAN}}) {
+    DistanceOptions options;
+    options.margin = margin;
+    EXPECT_THROW(distance(p, kHere, p, kHere, options), std::invalid_argument) << margin;
+  }
+}
+
+TEST(Margin, MakesDiscsMeetInTime) {
+  const Polygon p = point({0, 0});
+  ImpactOptions options;
+  options.margin = 1;
+  options.time_error = 1e-12;
+  const Motion still = Motion::still(kHere);
+  Pose start = kHere;
+  start.translation() << 10, 0;
+  const auto impact = timeOfImpact(p, still, p, Motion::translation(start, {-18, 0}), options);
+  ASSERT_TRUE(impact);
+  EXPECT_NEAR(impact->time, 0.5, 1e-12);
+  EXPECT_LE(impact->time, 0.5);
+  start.translation() << 10, nudged(1, 4096);
+  EXPECT_FALSE(timeOfImpact(p, still, p, Motion::translation(start, {-18, 0}), options));
+}
+
+}  // namespace
+}  // namespace tricover::support
