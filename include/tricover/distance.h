@@ -16,8 +16,9 @@ struct DistanceOptions {
   /// Whether it is 0 stays exact. With a margin, the truth is what is left of the distance.
   double relative_error = 0;
   double absolute_error = 0;  ///< A world length; see relative_error.
-  /// A world length. A distance above it need not be found: the result is then infinity, the points NaN, the edges -1.
-  /// With a margin, it is about what is left of the distance, too.
+  /// A world length. A distance above it is not looked for: the result is then infinity, the points NaN, the edges -1.
+  /// It is never so where the truth is at most this, and no other result is above the limit, whatever the errors. With
+  /// a margin, it is about what is left of the distance, too, but for rounding their sum down.
   double limit = std::numeric_limits<double>::infinity();
   /// A world length, at least 0 and finite. The result becomes max(0, distance - margin): that of the regions grown by
   /// margins whose sum this is. It is 0 exactly where collide() with this margin is true. Points and edges stay those

@@ -8,6 +8,7 @@
 
 #include "apart/distance_search.h"
 #include "apart/edge_distance.h"
+#include "numbers/double_double.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/collide_by_hierarchy.h"
@@ -21,7 +22,7 @@ namespace tricover {
 namespace detail {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity(), kLargest = std::numeric_limits<double>::max();
 
 /// Two polygons and their poses, in the kernel's own order.
 struct Pair {
@@ -45,27 +46,38 @@ DistanceResult farResult() {
   return {kInfinity, none, none, -1, -1};
 }
 
+bool areWithin(const Pair& pair, double margin) {
+  CollideOptions options;
+  options.margin = margin;
+  return collideByHierarchy(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), options, 0, Wanted::Answer).collides;
+}
+
 /// What is left of a distance that EdgeDistances::at() returned. Where rounding hides whether anything is, collide()
 /// tells.
 double beyond(const Pair& pair, double distance, double margin) {
   if (margin == 0) return distance;
-  const double finite = std::min(distance, std::numeric_limits<double>::max());
+  const double finite = std::min(distance, kLargest);
   if (EdgeDistances::below(finite) > margin) return distance - margin;
-  CollideOptions options;
-  options.margin = margin;
-  const bool within =
-      EdgeDistances::above(finite) <= margin ||
-      collideByHierarchy(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), options, 0, Wanted::Answer).collides;
+  const bool within = EdgeDistances::above(finite) <= margin || areWithin(pair, margin);
   return within ? 0 : std::max(distance - margin, std::numeric_limits<double>::denorm_min());
+}
+
+/// What is left is above the limit, but what was found may be too large by rounding: whether the truth is within the
+/// limit and the margin together, their sum rounded down.
+bool isWithinLimit(const Pair& pair, const DistanceSearch& search, const DistanceOptions& options) {
+  if (!search.isWithinLimit() || options.limit == 0) return false;
+  const DoubleDouble sum = twoSum(std::min(options.limit, kLargest), options.margin);
+  return areWithin(pair, std::min(sum.low < 0 ? std::nextafter(sum.high, 0) : sum.high, kLargest));
 }
 
 DistanceResult resultOf(const Pair& pair, const DistanceSearch& search, const DistanceOptions& options) {
   const EdgeDistances::Nearest& nearest = search.best();
   const double distance = beyond(pair, nearest.distance, options.margin);
-  if (!(distance <= options.limit)) return farResult();
+  if (!(distance <= options.limit) && !isWithinLimit(pair, search, options)) return farResult();
   const std::size_t i = search.edgeA(), j = search.edgeB();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);
-  return {distance, point_a, search.meets() ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b),
+  return {std::min(distance, options.limit), point_a,
+          search.meets() ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b),
           static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)), static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j))};
 }
 

@@ -17,7 +17,8 @@ namespace tricover::detail {
 ///   upper   the least distance is at most this, as a pair that was shown proves;
 ///   limit   what is farther apart doesn't count, as the caller (beyond the margin) or the discs' sizes say;
 ///   worth   <= upper less the errors that the caller allows, <= limit: beyond it no pair holds the answer. The errors
-///           are of what is beyond the margin, and whether anything is must stay exact;
+///           are of what is beyond the margin, and whether anything is must stay exact. While upper is above the
+///           caller's limit, no errors are allowed: they would hide on which side of it the truth is;
 ///   reach   >= worth, by the lookahead: beyond it no pair is listed. While the list is full no more than its last
 ///           pair, which might as well not be listed.
 ///
@@ -25,9 +26,15 @@ namespace tricover::detail {
 class SearchReach {
  public:
   explicit SearchReach(const DistanceOptions& options)
-      : options_(options), limit_(sumAbove(options.limit, options.margin)), worth_(limit_), reach_(limit_) {}
+      : options_(options),
+        most_(EdgeDistances::mostWithin(sumAbove(options.limit, options.margin))),
+        limit_(most_),
+        worth_(limit_),
+        reach_(limit_) {}
 
   double upper() const { return upper_; }
+  /// What was found for a pair within the caller's limit is at most this.
+  double most() const { return most_; }
   double worth() const { return worth_; }
   double reach() const { return reach_; }
 
@@ -38,7 +45,8 @@ class SearchReach {
   /// After any of these; `last_listed` is infinity while the list has room.
   void update(double last_listed) {
     const double beyond = (upper_ - options_.margin - options_.absolute_error) / (1 + options_.relative_error);
-    worth_ = std::min({limit_, upper_, sumAbove(std::max(beyond, 0.0), options_.margin)});
+    const double less_errors = std::min(upper_, sumAbove(std::max(beyond, 0.0), options_.margin));
+    worth_ = upper_ <= most_ ? std::min(limit_, less_errors) : limit_;
     reach_ = std::max(worth_, std::min(worth_ + lookahead_, last_listed));
   }
 
@@ -49,7 +57,7 @@ class SearchReach {
   }
 
   const DistanceOptions& options_;
-  double upper_ = std::numeric_limits<double>::infinity(), limit_, worth_, reach_, lookahead_ = 0;
+  double upper_ = std::numeric_limits<double>::infinity(), most_, limit_, worth_, reach_, lookahead_ = 0;
 };
 
 /// A pair of edges that was shown to a search.
@@ -188,6 +196,8 @@ class DistanceSearch {
   }
 
   bool meets() const { return meets_; }
+  /// Within the caller's limit, but for rounding.
+  bool isWithinLimit() const { return best().distance <= reach_.most(); }
   const EdgeDistances::Nearest& best() const { return nearest_.best(); }
   std::uint32_t edgeA() const { return nearest_.pair().i; }
   std::uint32_t edgeB() const { return nearest_.pair().j; }

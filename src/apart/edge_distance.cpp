@@ -160,10 +160,11 @@ EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size
                                          const DistanceOptions& options) const {
   const int nearest = v.nearest;
   const double low = v.distance - error_, high = v.distance + error_, margin = options.margin * scale_;
+  const double rounded = atLeastSmallest(high * inverse_);
   if (high - margin <= (low - margin) * (1 + options.relative_error) + options.absolute_error * scale_ &&
-      (margin == 0 || low > margin)) {
+      (margin == 0 || low > margin) && rounded - options.margin <= options.limit) {
     const double s = v.part[nearest], end = nearest % 2;
-    return {atLeastSmallest(high * inverse_), nearest < 2 ? s : end, nearest < 2 ? end : s};
+    return {rounded, nearest < 2 ? s : end, nearest < 2 ? end : s};
   }
   Nearest best = combination(nearest, v, i, j);
   if (v.feature != 0) return best;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
@@ -25,6 +26,12 @@ class EdgeDistances {
   static double below(double distance) { return distance * (1 - 2 * kRelativeError) - 2 * kSmallest; }
   /// The other way: nothing that is farther apart than this has an at() of at most `distance`.
   static double above(double distance) { return distance * (1 + 4 * kRelativeError) + 4 * kSmallest; }
+  /// What at() says of edges that are truly no farther apart than `limit` is at most this, which rounds once, as at()
+  /// does last: so it isn't above 0 for 0.
+  static double mostWithin(double limit) {
+    const double most = limit * (1 + 1.25 * kRelativeError);
+    return most < std::numeric_limits<double>::infinity() ? most : limit;
+  }
 
   /// What doubles tell of two edges.
   struct Bounds {
@@ -68,7 +75,8 @@ class EdgeDistances {
   };
 
   /// For edges that don't meet. Depends on nothing but them and the poses. Of edges that are certainly farther apart
-  /// than the margin, what is beyond it may be too large by the errors that the options allow.
+  /// than the margin, what is beyond it may be too large by the errors that the options allow, if it isn't so above the
+  /// limit.
   Nearest at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
 
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.

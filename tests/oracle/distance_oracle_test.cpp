@@ -117,10 +117,9 @@ std::string wrongMargin(const Case& c, Random& random, const mpq_class& squared,
     if (r.distance > options.limit && r.distance < kInfinity) return "margin: above the limit";
     if (r.distance == kInfinity) {
       if (below == nudged(kLargest, -2)) continue;
-      const mpq_class most = (mpq_class(std::min(options.limit, kLargest)) - mpq_class(options.absolute_error)) /
-                                 (1 + mpq_class(options.relative_error)) +
-                             mpq_class(options.margin);
-      if (sgn(most) > 0 && squared * (1 + mpq_class("1/10000000000000")) < most * most) return "margin: not found";
+      // Rounded down to a double.
+      const mpq_class sum = mpq_class(std::min(options.limit, kLargest)) + mpq_class(options.margin);
+      if (exact::within(squared, mpq_class(sum.get_d()))) return "margin: not found";
       continue;
     }
     // Of the distance and the margin together.
@@ -135,23 +134,38 @@ std::string wrongMargin(const Case& c, Random& random, const mpq_class& squared,
   return {};
 }
 
+/// Limits around the truth, as near as an ulp.
+double limitAround(Random& random, const mpq_class& squared, double cold) {
+  switch (random.integer(0, 3)) {
+    case 0:
+      return cold;
+    case 1:
+      return exact::distanceBelow(squared);
+    case 2:
+      return nudged(std::min(exact::distanceBelow(squared), nudged(kLargest, -8)), random.integer(0, 8));
+    default:
+      return std::min(cold, kLargest) * random.real(0, 2);
+  }
+}
+
 /// What the options allow.
 std::string wrongOptions(const Case& c, Random& random, const mpq_class& squared, double cold, DistanceCache& cache) {
   DistanceOptions options;
   const double length = std::min(cold, kLargest) * random.real(0, 2);
   if (random.coin()) options.relative_error = random.coin() ? 0.5 : 1e-3;
   if (random.coin()) options.absolute_error = length;
-  if (random.coin()) options.limit = random.oneIn(4) ? cold : std::min(cold, kLargest) * random.real(0, 2);
+  if (random.coin()) options.limit = limitAround(random, squared, cold);
   if (random.oneIn(4)) return wrongMargin(c, random, squared, options, cache);
+  const bool no_errors = options.relative_error == 0 && options.absolute_error == 0;
   const DistanceResult results[] = {distance(c.a, c.pose_a, c.b, c.pose_b, options),
                                     distance(c.b, c.pose_b, c.a, c.pose_a, options),
                                     distance(c.a, c.pose_a, c.b, c.pose_b, cache, options)};
   for (const DistanceResult& r : results) {
     if (r.distance > options.limit && r.distance < kInfinity) return "above the limit";
-    if (cold < options.limit * (1 - 1e-13) && r.distance == kInfinity && cold < kInfinity) {
-      // What is allowed to be too large may end up beyond the limit.
-      if (!(cold * (1 + options.relative_error) + options.absolute_error >= options.limit * (1 - 1e-13)))
+    if (r.distance == kInfinity && cold < kInfinity) {
+      if (options.limit == kInfinity || exact::within(squared, mpq_class(options.limit)))
         return "not found within the limit";
+      if (no_errors && cold <= options.limit) return "not found at a limit of itself";
     }
     if ((r.distance == 0) != (cold == 0)) return "zero or not";
     if (r.distance == kInfinity) continue;

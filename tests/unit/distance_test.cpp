@@ -162,6 +162,37 @@ std::string refusal(const std::function<void()>& call) {
   }
 }
 
+/// What an error allows isn't taken for a distance above the limit, nor is what the last ulps add.
+TEST(Distance, LimitMeansTheTruth) {
+  const Polygon a({{{0, 2}, {-1, 1}, {2, -2}, {-2, -3}}}), b({{{1, -2}, {0, -3}, {0, 2}}});
+  DistanceOptions options;
+  options.limit = 3.6;
+  const double truth = std::sqrt(12.5);
+  for (const double error : {0.0, 0.01, 0.02, 0.1, 1.0}) {
+    options.relative_error = error;
+    const double found = distance(a, at(0, 0), b, at(-3, 7), options).distance;
+    EXPECT_GE(found, truth * (1 - 1e-15)) << error;
+    EXPECT_LE(found, 3.6) << error;
+    options.absolute_error = 4 * error;
+    EXPECT_LE(distance(a, at(0, 0), b, at(-3, 7), options).distance, 3.6) << error;
+    options.absolute_error = 0;
+  }
+  // The true distance is the root of 12.5, which isn't a double: that is found at the double above it, not below it.
+  options.relative_error = 0.1;
+  for (int steps = -4; steps <= 4; ++steps) {
+    options.limit = nudged(truth, steps);
+    CollideOptions within;
+    within.margin = options.limit;
+    const double found = distance(a, at(0, 0), b, at(-3, 7), options).distance;
+    if (collide(a, at(0, 0), b, at(-3, 7), within)) {
+      EXPECT_LE(found, options.limit) << steps;
+    }
+    if (steps < -1) {
+      EXPECT_EQ(found, kInfinity) << steps;
+    }
+  }
+}
+
 TEST(Distance, RefusesAndNamesTheField) {
   const Polygon a = square(1);
   const auto refused = [&](const DistanceOptions& options) {
