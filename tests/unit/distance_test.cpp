@@ -225,6 +225,17 @@ TEST(DistanceCache, SeesAJumpThroughAnEdge) {
   EXPECT_EQ(distance(a, at(0, 0), b, at(-0.02, 50), cache).distance, distance(a, at(0, 0), b, at(-0.02, 50)).distance);
 }
 
+/// The same, answered by the fact: a flat sliver beside a long edge moves by less than the fact looks ahead.
+TEST(DistanceCache, AFactThatListsTheEdgeSeesWhoIsBehindIt) {
+  const Polygon a = square(100), b({rectangle(0, -5, 0.01, 5)});
+  DistanceCache cache;
+  for (const double y : {40, 41, 42, 43})
+    EXPECT_NEAR(distance(a, at(0, 0), b, at(-0.21, y), cache).distance, 0.2, 1e-13);
+  const std::uint32_t uses = cache.uses;
+  EXPECT_EQ(distance(a, at(0, 0), b, at(0.2, 43), cache).distance, 0);
+  EXPECT_GT(cache.uses, uses) << "not answered by the fact";
+}
+
 /// More pairs of edges than it has room for are apart by less than rounding.
 TEST(DistanceCache, HoldsLengthsInOrder) {
   Ring left(12, Vec2(0, 0)), right(12, Vec2(0x1p-60, 0));

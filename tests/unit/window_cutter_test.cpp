@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apart/cubic.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -45,6 +46,17 @@ bool cut(WindowCutter& cutter, int way, const Vec2& axis) {
   if (way == 1) return cutter.cutByAxesOfB();
   if (way == 2) return cutter.cutByNormals();
   return cutter.cutByAxis(axis);
+}
+
+/// A way that starts and ends at rest moves between, by up to 3/2: its rate isn't the larger of those at the ends.
+TEST(Cubic, BoundsTheRateWithinAWindow) {
+  const Cubic<double> way{0, 3, -2};
+  EXPECT_EQ(way.rateAt(0), 0);
+  EXPECT_EQ(way.rateAt(1), 0);
+  EXPECT_EQ(way.rateAt(0.5), 1.5);
+  EXPECT_GE(way.mostRate(0, 1), 1.5);
+  EXPECT_GE(way.mostRate(0.25, 0.75), 1.5);
+  EXPECT_LE(way.mostRate(0.5 - 1e-3, 0.5 + 1e-3), 1.5 + 1e-5);
 }
 
 /// A vertex of one is put on an edge or a vertex of the other at some time of a window.
