@@ -120,15 +120,27 @@ bool descend(const PosedPair& pair, DistanceSearch& search) {
   search.limitTo(
       roundedUp<kSums + 2>((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect)));
   const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
-  forNearPairs(
-      pair, limit(),
-      [&](double, std::size_t i, std::size_t j) {
-        return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
-      },
-      [&](double length) {
-        search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
-        return limit();
-      });
+  // More pairs than there are edges are seldom shown, unless many are equally near: then it pays to settle those, and
+  // to begin again without them. As patience is doubled, all beginnings together cost no more than the last.
+  std::size_t patience = pair.a.path.size() + pair.b.path.size(), shown = 0;
+  SettledBoxes settled;
+  bool begins_again;
+  do {
+    begins_again = false;
+    forNearPairs(
+        pair, limit(), settled.pairs(),
+        [&](double, std::size_t i, std::size_t j) {
+          if (!search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))) return -1.0;
+          if (++shown <= patience) return limit();
+          patience *= 2;
+          begins_again = search.settle(settled);
+          return begins_again ? -1 : limit();
+        },
+        [&](double length) {
+          search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
+          return limit();
+        });
+  } while (begins_again);
   return !search.meets();
 }
 

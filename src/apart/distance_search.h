@@ -5,8 +5,10 @@
 #include <cassert>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "apart/edge_distance.h"
+#include "apart/settled_boxes.h"
 #include "pair/facts.h"
 #include "tricover/distance.h"
 
@@ -195,6 +197,18 @@ class DistanceSearch {
     for (int k = 0; k < listed_.count() && listed_[k].low <= best().distance; ++k) nearest_.evaluate(listed_[k]);
   }
 
+  /// Settles what the nearest pair so far tells of others, which won't be shown any more. False if it tells nothing
+  /// new.
+  bool settle(SettledBoxes& settled) {
+    if (upper_pair_.i == settled_.i && upper_pair_.j == settled_.j) return false;
+    settled_ = upper_pair_;
+    SettledBoxes next(nearest_.edges, settled_.i, settled_.j);
+    if (!next.any()) return false;
+    settled = std::move(next);
+    unlisted_ = std::min(unlisted_, settled_.low);
+    return true;
+  }
+
   bool meets() const { return meets_; }
   /// Within the caller's limit, but for rounding.
   bool isWithinLimit() const { return best().distance <= reach_.most(); }
@@ -263,7 +277,8 @@ class DistanceSearch {
   NearestPairs listed_;
   NearestEdges nearest_;
   double unlisted_ = std::numeric_limits<double>::infinity();  ///< shown, but nearer than this only if listed
-  ShownPair upper_pair_{};                                     ///< which proves SearchReach::upper()
+  ShownPair upper_pair_{0, UINT32_MAX, UINT32_MAX, -1};        ///< which proves SearchReach::upper()
+  ShownPair settled_ = upper_pair_;                            ///< which settled others last
   bool meets_ = false;
 };
 

@@ -19,6 +19,9 @@ class EdgeDistances {
  public:
   EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
 
+  const PolygonData& a() const { return a_; }
+  const PolygonData& b() const { return b_; }
+
   /// What at() may be wrong by, beside the smallest double.
   static constexpr double kRelativeError = 0x1p-48;
   /// A lower bound of the distance, too, made one of what at() returns: the smallest double is for at()'s rounding and
@@ -79,6 +82,27 @@ class EdgeDistances {
   /// limit.
   Nearest at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
 
+  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled; and whether
+  /// another vertex is certainly farther back along it than p, or farther on than q: by so much that at() finds
+  /// whatever is between such vertices no nearer than p and q.
+  Double2 between(std::size_t p, std::size_t q) const {
+    return mapped(scaled_b_, b_.path[q]) + shift_ - mapped(scaled_a_, a_.path[p]);
+  }
+  bool isBehindOfA(Double2 way, std::size_t p, std::size_t v) const {
+    const Double2 products = way * (mapped(scaled_a_, a_.path[v]) - mapped(scaled_a_, a_.path[p]));
+    return products[0] + products[1] < -2 * unsure_;
+  }
+  bool isBehindOfB(Double2 way, std::size_t q, std::size_t w) const {
+    const Double2 products = way * (mapped(scaled_b_, b_.path[w]) - mapped(scaled_b_, b_.path[q]));
+    return products[0] + products[1] > 2 * unsure_;
+  }
+  double squareBetween(std::size_t p, std::size_t q) const {
+    const Double2 way = between(p, q), squares = way * way;
+    return squares[0] + squares[1];
+  }
+  /// Whether at() needs no exact numbers for a distance of that square.
+  bool isPlain(double square) const { return square > 0x1p-80 * size_ * size_; }
+
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   Nearest whereTheyMeet(const View& view) const;
 
@@ -90,10 +114,11 @@ class EdgeDistances {
     Double2 a1, a2, b1, b2;
   };
   Ends ends(std::size_t i, std::size_t j) const {
-    const auto map = [](const Double2(&columns)[2], const Vec2& p) { return columns[0] * p.x() + columns[1] * p.y(); };
     const Vec2 *a = a_.path.data() + i, *b = b_.path.data() + j;
-    return {map(scaled_a_, a[0]), map(scaled_a_, a[1]), map(scaled_b_, b[0]) + shift_, map(scaled_b_, b[1]) + shift_};
+    return {mapped(scaled_a_, a[0]), mapped(scaled_a_, a[1]), mapped(scaled_b_, b[0]) + shift_,
+            mapped(scaled_b_, b[1]) + shift_};
   }
+  static Double2 mapped(const Double2 (&columns)[2], const Vec2& p) { return columns[0] * p.x() + columns[1] * p.y(); }
 
   /// The points w1 and w2 beside the edge from the origin to u. The members are as in View; `along` times the edge's
   /// length.

@@ -50,6 +50,11 @@ struct DescentResult {
 /// The first pair of edges that makes a hit, deepest box first.
 DescentResult findHit(const Descent& descent, const HitTest& test);
 
+/// Boxes that need not be met with each other: bit per lane of each block of a's hierarchy and of b's. Null: none.
+struct SettledPairs {
+  const std::uint8_t *a = nullptr, *b = nullptr;
+};
+
 /// Lengths in a's units. Both return the limit beyond which no more pairs need to be shown; negative ends the visit.
 struct PairVisitor {
   void* context;
@@ -57,6 +62,7 @@ struct PairVisitor {
   double (*visit)(void* context, double gap, std::uint32_t edge_a, std::uint32_t edge_b);
   /// Null, or told a length that some pair's distance is proven not to be above.
   double (*narrow)(void* context, double length);
+  SettledPairs settled = {};  ///< aren't shown
 };
 
 /// Shows every pair of edges that may be within the limit, near ones roughly first.

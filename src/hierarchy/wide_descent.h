@@ -121,6 +121,14 @@ struct ShowPairs {
   template <class Lanes>
   [[gnu::always_inline]] static void leaveOut(Lanes, const Step&) {}
 
+  /// A block's settled lanes, and one box by its index.
+  [[gnu::always_inline]] static unsigned settledLanes(const std::uint8_t* settled, std::uint32_t block) {
+    return settled != nullptr ? settled[block] : 0;
+  }
+  [[gnu::always_inline]] static bool isSettled(const std::uint8_t* settled, std::uint32_t index) {
+    return settled != nullptr && index != kRoot && (settled[index / kLanes] >> index % kLanes & 1) != 0;
+  }
+
   /// What it proves, rounded downwards (as the threshold is upwards), to be compared with a limit that has been lowered
   /// since.
   [[gnu::always_inline]] static float keptGap(const Step& step, float gap) {
@@ -163,7 +171,12 @@ bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other
   const Step step = stepOf(in_a, goal.limit / in_a, query.slack * Goal::kSlacks, query.cap);
   const Lanes found = gaps<Goal::kNarrows>(boxesOf<Lanes>(block), query);
   Lanes left_out = Lanes::all(1e30f);
-  const unsigned near = entered(goal, block, step, found, left_out);
+  unsigned near = entered(goal, block, step, found, left_out);
+  if constexpr (Goal::kNarrows) {
+    const SettledPairs& settled = goal.visitor.settled;
+    if (goal.isSettled(into_a ? settled.b : settled.a, into_a ? visit_b : visit_a))
+      near &= ~goal.settledLanes(into_a ? settled.a : settled.b, index);
+  }
   goal.leaveOut(left_out, step);
   float gap[kLanes];
   found.store(gap);
@@ -298,7 +311,10 @@ bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits&
   Step step = t.step;
   float gap[kLanes][kLanes];
   LanePair shown;
+  unsigned settled_a = 0, settled_b = 0;
   if constexpr (Goal::kNarrows) {
+    settled_a = goal.settledLanes(goal.visitor.settled.a, item_a.child);
+    settled_b = goal.settledLanes(goal.visitor.settled.b, item_b.child);
     narrowFirst(a, b, boxes, t, near_b, gap, goal);
     step = stepOf(a.scale, goal.limit * a.inverse, step.slack, step.cap);
     // Of edges, the nearest: it may spare the others.
@@ -313,6 +329,7 @@ bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits&
     const Query query = movedBox(t, j);
     if constexpr (!Goal::kNarrows) gaps<false>(boxes, query).store(gap[j]);
     unsigned near = entered(goal, a, step, Lanes::load(gap[j]), left_out);
+    if (Goal::kNarrows && (settled_b >> j & 1) != 0) near &= ~settled_a;
     if (goal.mayAccept() && (b.spanned >> j & 1) != 0 &&
         goal.accepts(step, near & a.spanned, gap[j], a.across, query.across))
       return true;

@@ -26,21 +26,23 @@ struct PairCall {
 template <typename Visit>
 void forEachPair(const PosedPair& pair, double limit, Visit visit) {
   PairCall<Visit> call{visit, pair.a.unit, pair.a.inverse_unit};
-  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr});
+  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr, {}});
 }
 
 /// The same for who looks for the nearest: narrow(length) is told of lengths that some pair is proven to be within, and
-/// returns the new limit, too.
+/// returns the new limit, too. Settled boxes aren't shown.
 template <typename Visit, typename Narrow>
-void forNearPairs(const PosedPair& pair, double limit, Visit visit, Narrow narrow) {
+void forNearPairs(const PosedPair& pair, double limit, const SettledPairs& settled, Visit visit, Narrow narrow) {
   struct Call : PairCall<Visit> {
     Narrow& narrow;
   } call{{visit, pair.a.unit, pair.a.inverse_unit}, narrow};
   showEdgePairs(pair, limit,
-                {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit, [](void* context, double length) {
+                {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit,
+                 [](void* context, double length) {
                    const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
                    return c.narrow(length * c.unit) * c.inverse_unit;
-                 }});
+                 },
+                 settled});
 }
 
 }  // namespace tricover::detail

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The inputs whose costs exploded, small enough for exact rationals: what makes them cheap must not change an answer.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <string>
+
+#include "exact_reference.h"
+#include "growth_inputs.h"
+#include "tricover/collide.h"
+#include "tricover/distance.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover::support {
+namespace {
+
+class Growth : public testing::TestWithParam<growth::Kind> {};
+
+TEST_P(Growth, AnswersStayExact) {
+  const Pose still = Pose::Identity();
+  for (const std::size_t n : {5u, 12u, 40u}) {
+    const growth::Input in = GetParam().make(n);
+    const auto squared = [&](const Pose& pose) { return exact::distanceSquared(in.a, still, in.b, pose); };
+    for (const double time : {0.0, 0.25, 0.75}) {
+      const Pose pose = in.motion.at(time);
+      const mpq_class truth = squared(pose);
+      EXPECT_EQ(collide(in.a, still, in.b, pose), sgn(truth) == 0) << n << ", " << time;
+      EXPECT_EQ(collide(in.b, pose, in.a, still), sgn(truth) == 0) << n << ", " << time;
+      const double found = distance(in.a, still, in.b, pose).distance, below = exact::distanceBelow(truth);
+      EXPECT_NEAR(found, below, 1e-14 * below) << n << ", " << time;
+      EXPECT_EQ(distance(in.b, pose, in.a, still).distance, found) << n << ", " << time;
+      DistanceCache cache;
+      distance(in.a, still, in.b, in.motion.at(0.3), cache);
+      EXPECT_EQ(distance(in.a, still, in.b, pose, cache).distance, found) << n << ", " << time;
+    }
+  }
+}
+
+/// Never late: free at some times before. Hardly early: near each other.
+TEST_P(Growth, ImpactsAreNeverLate) {
+  for (const std::size_t n : {5u, 12u, 40u}) {
+    const growth::Input in = GetParam().make(n);
+    const auto collides = [&](double time) { return exact::collide(in.a, Pose::Identity(), in.b, in.motion.at(time)); };
+    const auto impact = timeOfImpact(in.a, Motion::still(Pose::Identity()), in.b, in.motion);
+    const double until = impact ? impact->time : 1;
+    for (const double share : {0.0, 0.3, 0.7, 0.99}) {
+      if (until == 0) break;
+      EXPECT_FALSE(collides(share * until)) << n << ", " << share;
+    }
+    if (!impact) continue;
+    // No faster than 5 in a unit of time, and at most 1e-6 early.
+    const Pose pose = in.motion.at(impact->time);
+    EXPECT_TRUE(exact::within(exact::distanceSquared(in.a, Pose::Identity(), in.b, pose), 5e-6)) << n;
+  }
+}
+
+std::string kindName(const testing::TestParamInfo<growth::Kind>& kind) {
+  std::string name = kind.param.name;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Growth, testing::ValuesIn(growth::allKinds()), kindName);
+
+}  // namespace
+}  // namespace tricover::support

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What settled boxes promise of the pairs of edges that they leave out, and how few they leave.
+#include "apart/settled_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <vector>
+
+#include "exact_reference.h"
+#include "growth_inputs.h"
+#include "pair/edge_pairs.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/distance.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::EdgeDistances;
+using detail::PolygonData;
+using detail::SettledBoxes;
+
+/// Which positions are of edges in settled lanes.
+std::vector<bool> settledEdges(const PolygonData& polygon, const std::uint8_t* lanes) {
+  std::vector<bool> settled(polygon.path.size(), false);
+  const std::vector<detail::Block>& blocks = detail::hierarchyOf(polygon).blocks;
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    for (unsigned i = 0; blocks[k].leaf && i < blocks[k].count; ++i)
+      settled[blocks[k].child[i]] = (lanes[k] >> i & 1) != 0;
+  return settled;
+}
+
+/// Few coordinates, so that corners are given again and edges share them.
+Polygon polygonOnGrid(Random& random) {
+  Ring ring;
+  const int n = random.integer(3, 30);
+  for (int i = 0; i < n; ++i) {
+    const bool again = i > 0 && random.oneIn(3);
+    ring.push_back(again ? ring[static_cast<std::size_t>(random.integer(0, i - 1))]
+                         : Vec2(random.integer(0, 4), random.integer(0, 4)));
+  }
+  return Polygon({ring});
+}
+
+TEST(SettledBoxes, LeaveOutNothingNearer) {
+  int settled_pairs = 0, others = 0, equally_near = 0;
+  for (int i = 0; i < scaledCount(400); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon p = polygonOnGrid(random), q = polygonOnGrid(random);
+    const PolygonData &a = p.data(), &b = q.data();
+    const Pose pose_a = randomPose(random, 1), pose_b = pose_a * pose(0, 5, random.integer(-4, 4));
+    const EdgeDistances edges(a, pose_a, b, pose_b);
+    const auto at = [&](std::size_t s, std::size_t t) { return edges.at(edges.view(s, t), s, t, {}).distance; };
+    const auto s = static_cast<std::size_t>(random.integer(0, static_cast<int>(a.path.size()) - 2));
+    const auto t = static_cast<std::size_t>(random.integer(0, static_cast<int>(b.path.size()) - 2));
+    const SettledBoxes boxes(edges, s, t);
+    if (!boxes.any()) continue;
+    const std::vector<bool> of_a = settledEdges(a, boxes.pairs().a), of_b = settledEdges(b, boxes.pairs().b);
+    EXPECT_TRUE(of_a[s] && of_b[t]);
+    const double known = at(s, t);
+    for (std::size_t v = 0; v < of_a.size(); ++v)
+      for (std::size_t w = 0; w < of_b.size(); ++w) {
+        if (!of_a[v] || !of_b[w]) {
+          ++others;
+          continue;
+        }
+        ++settled_pairs;
+        equally_near += at(v, w) == known;
+        ASSERT_GE(at(v, w), known) << i;
+      }
+  }
+  std::printf("%d pairs settled, %d of them equally near, %d not\n", settled_pairs, equally_near, others);
+  EXPECT_GE(settled_pairs, 0.05 * (settled_pairs + others));
+  EXPECT_GE(others, 0.05 * (settled_pairs + others));
+  EXPECT_GE(equally_near, 0.05 * settled_pairs);
+}
+
+/// Of a box that holds one vertex beside or before p nothing is said, by however little.
+TEST(SettledBoxes, AskForCertainty) {
+  const Pose still = Pose::Identity();
+  const Polygon b({{{1, 0}, {2, 1}, {2, -1}}});
+  for (const double x : {-1.0, -1e-9, -1e-18, 0.0, 1e-18, 0.5}) {
+    const Polygon a({{{0, 0}, {-1, 1}, {x, 2}, {-1, 2}}});
+    const SettledBoxes boxes(EdgeDistances(a.data(), still, b.data(), still), 0, 0);
+    ASSERT_TRUE(boxes.any()) << x;
+    const bool certain = x < -1e-15;
+    const std::vector<bool> expected = {true, certain, certain, true, false};
+    EXPECT_EQ(settledEdges(a.data(), boxes.pairs().a), expected) << x;
+  }
+  // Nor where the pair itself has its nearest point between two vertices.
+  const Polygon beside({{{1, 0}, {1, 1}, {2, 1}}}), flat({{{0, -1}, {0, 1}, {-1, 0}}});
+  EXPECT_FALSE(SettledBoxes(EdgeDistances(flat.data(), still, beside.data(), still), 0, 0).any());
+}
+
+std::size_t countShown(const growth::Input& input, const SettledBoxes& settled) {
+  const Pose still = Pose::Identity();
+  std::size_t shown = 0;
+  const detail::PosedPair pair(input.a.data(), still, input.b.data(), input.motion.start);
+  detail::forNearPairs(
+      pair, 1 + 1e-12, settled.pairs(),
+      [&](double, std::size_t, std::size_t) {
+        ++shown;
+        return 1 + 1e-12;
+      },
+      [](double) { return 1 + 1e-12; });
+  return shown;
+}
+
+TEST(SettledBoxes, LeaveFewOfManyThatAreEquallyNear) {
+  constexpr std::size_t kEdges = 100;
+  for (const auto make : {growth::repeatedCorners, growth::equalPoints, growth::fans}) {
+    const growth::Input input = make(kEdges);
+    const EdgeDistances edges(input.a.data(), Pose::Identity(), input.b.data(), input.motion.start);
+    EXPECT_GE(countShown(input, {}), kEdges * kEdges / 2);
+    EXPECT_LE(countShown(input, SettledBoxes(edges, 0, 0)), 8u);
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
