@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/unit_map.h"
 
@@ -77,12 +79,14 @@ enum class Meeting { Apart, Meet, Unknown };
 /// Two small convex polygons by separating axes. `map` goes from b's units to a's and puts b's S within 4 of a's.
 Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding);
 
-/// A ray in a hierarchy's units: every point known to within `error`, for as far as the hierarchy reaches.
+/// A ray in a hierarchy's units: every point known to within `error`.
 struct Ray {
   double x, y, dx, dy, error;
+  double length = std::numeric_limits<double>::infinity();  ///< where it ends
 };
 
-/// Calls visit(context, edge's position) for every edge that the ray may meet, until it returns false.
+/// Calls visit(context, edge's position) for every edge that the ray may meet, until it returns false. It may shorten
+/// the ray.
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context);
 
 /// For tests: true forbids AVX2 for the whole process.

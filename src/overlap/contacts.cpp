@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <unordered_set>
+#include <utility>
 
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
@@ -25,10 +27,25 @@ struct Exit {
   bool from_a = true;  ///< a's face, and a point of b is the deepest behind it; or the other way round
 };
 
+double turnOf(const Vec2& d) { return std::atan2(d.y(), d.x()); }
+
+/// How far the one of some directions, sorted by turnOf(), that leads farthest along the normal does so; at least 0.
+double mostAlong(const std::vector<Vec2>& directions, const Vec2& normal) {
+  if (directions.empty()) return 0;
+  const auto isBefore = [](const Vec2& d, double turn) { return turnOf(d) < turn; };
+  const auto next = std::lower_bound(directions.begin(), directions.end(), turnOf(normal), isBefore);
+  const Vec2& after = next == directions.end() ? directions.front() : *next;
+  const Vec2& before = next == directions.begin() ? directions.back() : *(next - 1);
+  return std::max({0.0, before.dot(normal), after.dot(normal)});
+}
+
 class ContactFinder {
  public:
   explicit ContactFinder(const PosedPair& pair)
-      : pair_(pair), frame_(pair), crossings_(findCrossings(pair, frame_)), towards_b_(-frame_.originOfA()) {}
+      : pair_(pair),
+        frame_(pair),
+        crossings_(findCrossings(pair, frame_, Stars::Thinned)),
+        towards_b_(-frame_.originOfA()) {}
 
   /// In the pair's order.
   std::vector<Contact> contacts() const {
@@ -175,6 +192,7 @@ class ContactFinder {
   }
 
   Exit ofTouch(const OverlapComponent& component) const;
+  PolygonData ringsOf(const OverlapComponent& component, bool of_b) const;
   Exit byNearestEdge(const OverlapComponent& component) const;
   Vec2 middleOf(const OverlapComponent& component, const Exit& exit) const;
   Contact inWorld(const OverlapComponent& component, const Exit& exit) const;
@@ -227,13 +245,13 @@ Exit ContactFinder::ofTouch(const OverlapComponent& component) const {
       }
     }
   }
+  std::sort(directions.begin(), directions.end(), [](const Vec2& d, const Vec2& e) { return turnOf(d) < turnOf(e); });
   constexpr double kSameAngle = 1e-9;
   best.normal = towards_b_.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(towards_b_.stableNormalized());
   double least = std::numeric_limits<double>::infinity();
   for (const Vec2& direction : directions) {
     for (const Vec2& normal : {Vec2(direction.y(), -direction.x()), Vec2(-direction.y(), direction.x())}) {
-      double most = 0;
-      for (const Vec2& d : directions) most = std::max(most, d.dot(normal));
+      const double most = mostAlong(directions, normal);
       const bool better = normal.dot(towards_b_) > best.normal.dot(towards_b_);
       if (most > least + kSameAngle || (most >= least - kSameAngle && !better)) continue;
       least = most;
@@ -243,17 +261,36 @@ Exit ContactFinder::ofTouch(const OverlapComponent& component) const {
   return best;
 }
 
+/// The rings that a containment is made of, as a polygon of their own.
+PolygonData ContactFinder::ringsOf(const OverlapComponent& component, bool of_b) const {
+  const PolygonData& polygon = of_b ? pair_.b : pair_.a;
+  std::vector<Ring> rings;
+  std::size_t last = polygon.ringCount();
+  for (const BoundaryPoint& point : component.points) {
+    const std::ptrdiff_t edge = of_b ? point.b : point.a;
+    if (edge < 0) continue;
+    const std::size_t ring = ringOf(polygon, static_cast<std::size_t>(edge));
+    if (ring != last) rings.push_back(polygon.rings[ring]);
+    last = ring;
+  }
+  return PolygonData(std::move(rings), polygon.fill);
+}
+
 /// In a containment: past the nearest of the outer polygon's edges.
 Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
   const auto leftmost =
       std::min_element(component.points.begin(), component.points.end(),
                        [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.at.x() < q.at.x(); });
   const bool b_inside = leftmost->b >= 0;
+  // Only what is inside is searched from, so that many parts don't cost their number squared.
+  const PolygonData inside = ringsOf(component, b_inside), &outside = b_inside ? pair_.a : pair_.b;
+  const Pose &pose_inside = b_inside ? pair_.pose_b : pair_.pose_a,
+             &pose_outside = b_inside ? pair_.pose_a : pair_.pose_b;
   // Edges of the component's own rings are no way out of it.
-  std::vector<char> of_a(pair_.a.path.size(), false), of_b(pair_.b.path.size(), false);
+  std::unordered_set<std::size_t> own;
   for (const BoundaryPoint& point : component.points) {
-    if (point.a >= 0) of_a[static_cast<std::size_t>(point.a)] = true;
-    if (point.b >= 0) of_b[static_cast<std::size_t>(point.b)] = true;
+    const std::ptrdiff_t edge = b_inside ? point.a : point.b;
+    if (edge >= 0) own.insert(static_cast<std::size_t>(edge));
   }
   double nearest = std::numeric_limits<double>::infinity();
   Vec2 in = leftmost->at, out = in;
@@ -267,16 +304,25 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
     const Vec2 way = outer_edge.w - outer_edge.v;
     if (!way.isZero(0)) across = Vec2(way.y(), -way.x()).stableNormalized();
   };
+  const auto tryEdges = [&](std::size_t i, std::size_t o) {
+    const Vec2 &v = inside.path[i], &w = inside.path[i + 1];
+    const WorldFrame::Ends inner = b_inside ? WorldFrame::Ends{frame_.fromB(v), frame_.fromB(w)}
+                                            : WorldFrame::Ends{frame_.fromA(v), frame_.fromA(w)},
+                           outer = b_inside ? frame_.edgeEndsOfA(o) : frame_.edgeEndsOfB(o);
+    for (const Vec2& p : {inner.v, inner.w}) tryPoints(p, nearestOnSegment(p, outer.v, outer.w), outer);
+    for (const Vec2& q : {outer.v, outer.w}) tryPoints(nearestOnSegment(q, inner.v, inner.w), q, outer);
+  };
   const double far = 4 * std::min(pair_.a.radius + pair_.b.radius, 0x1p1020);
-  forEachPair(pair_, far, [&](double, std::size_t i, std::size_t j) {
-    if (of_a[i] != b_inside && of_b[j] == b_inside) {
-      const WorldFrame::Ends a = frame_.edgeEndsOfA(i), b = frame_.edgeEndsOfB(j);
-      const WorldFrame::Ends &inner = b_inside ? b : a, &outer = b_inside ? a : b;
-      for (const Vec2& p : {inner.v, inner.w}) tryPoints(p, nearestOnSegment(p, outer.v, outer.w), outer);
-      for (const Vec2& q : {outer.v, outer.w}) tryPoints(nearestOnSegment(q, inner.v, inner.w), q, outer);
-    }
-    return std::min(far, pair_.reach((nearest + frame_.error()) * frame_.unit()));
-  });
+  const auto search = [&](const PosedPair& pair, bool inside_first) {
+    forEachPair(pair, far, [&](double, std::size_t i, std::size_t j) {
+      if (own.count(inside_first ? j : i) == 0) inside_first ? tryEdges(i, j) : tryEdges(j, i);
+      return std::min(far, pair.reach((nearest + frame_.error()) * frame_.unit()));
+    });
+  };
+  if (inside.unit > outside.unit)
+    search(PosedPair(inside, pose_inside, outside, pose_outside), true);
+  else
+    search(PosedPair(outside, pose_outside, inside, pose_inside), false);
   Exit exit;
   Vec2 outwards = across;
   if (nearest > 4 * frame_.error())

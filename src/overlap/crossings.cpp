@@ -2,10 +2,12 @@
 #include "overlap/crossings.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
+#include "overlap/vertex_stars.h"
 #include "pair/edge_pairs.h"
 #include "pair/kernel_order.h"
 #include "tricover/contacts.h"
@@ -17,7 +19,7 @@ namespace {
 std::vector<Crossing> crossingsInWorld(const PosedPair& pair) {
   const WorldFrame frame(pair);
   std::vector<Crossing> result;
-  for (const EdgeCrossing& crossing : findCrossings(pair, frame)) {
+  for (const EdgeCrossing& crossing : findCrossings(pair, frame, Stars::Whole)) {
     const auto first = static_cast<std::ptrdiff_t>(pair.a.edgeNumber(crossing.edge_a));
     const auto second = static_cast<std::ptrdiff_t>(pair.b.edgeNumber(crossing.edge_b));
     result.push_back({first, second, frame.toWorld(crossing.point)});
@@ -52,13 +54,17 @@ Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, doubl
   return span;
 }
 
-std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame) {
+std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Stars stars) {
   std::vector<EdgeCrossing> result;
+  const std::size_t many = 4 * (pair.a.path.size() + pair.b.path.size());
+  std::optional<VertexStars> known;
   forEachPair(pair, 0, [&](double, std::size_t i, std::size_t j) {
+    if (known && known->isKnown(i, j)) return 0.0;
     if (edgesMeet(pair, i, j)) {
       const WorldFrame::Ends edge_a = frame.edgeEndsOfA(i), edge_b = frame.edgeEndsOfB(j);
       const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());
       result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
+      if (stars == Stars::Thinned && !known && result.size() > many) known.emplace(pair);
     }
     return 0.0;
   });

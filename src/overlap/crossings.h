@@ -26,7 +26,8 @@ struct EdgeCrossing {
 /// Where `edge` is no farther than `error` from `other`, which it meets, but for rounding.
 Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, double error);
 
-/// All of them: exactly those that share a point.
-std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame);
+/// All that share a point, exactly; or without those that are known by others, where many edges end in one point.
+enum class Stars { Whole, Thinned };
+std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Stars stars);
 
 }  // namespace tricover::detail

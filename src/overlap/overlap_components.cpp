@@ -10,16 +10,13 @@
 #include <limits>
 
 #include "hierarchy/inclusion.h"
+#include "numbers/predicates.h"
 #include "numbers/segment.h"
+#include "overlap/boundary_ray.h"
 #include "pair/edge_pairs.h"
 
 namespace tricover::detail {
 namespace {
-
-std::size_t ringOf(const PolygonData& polygon, std::size_t edge) {
-  const auto& begin = polygon.ring_begin;
-  return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
-}
 
 /// Disjoint sets of nodes.
 class Sets {
@@ -158,10 +155,43 @@ class Grouping {
     Side& own = sides_[side];
     const Pose identity = Pose::Identity();
     const PosedPair with_itself(own.polygon, identity, own.polygon, identity);
+    addRepeatedVertices(side);
     forEachPair(with_itself, 0, [&](double, std::size_t e, std::size_t f) {
-      if (e < f && own.after(e) != f && own.after(f) != e && edgesMeet(with_itself, e, f)) addOwnCrossing(side, e, f);
+      if (e < f && own.after(e) != f && own.after(f) != e && !meetAtVertex(own.polygon.path, e, f) &&
+          edgesMeet(with_itself, e, f))
+        addOwnCrossing(side, e, f);
       return 0.0;
     });
+  }
+
+  /// Whether two edges of a polygon have an end in common and nothing else.
+  static bool meetAtVertex(const std::vector<Vec2>& path, std::size_t e, std::size_t f) {
+    for (const std::size_t i : {e, e + 1})
+      for (const std::size_t j : {f, f + 1})
+        if (path[i] == path[j]) return orientation(path[i], path[2 * e + 1 - i], path[2 * f + 1 - j]) != 0;
+    return false;
+  }
+
+  /// A node for each point that several vertices are at: however many edges end there, it takes no pairs of them.
+  void addRepeatedVertices(int side) {
+    Side& own = sides_[side];
+    const std::vector<Vec2>& path = own.polygon.path;
+    std::vector<std::size_t> order;
+    for (std::size_t r = 0; r < own.polygon.ringCount(); ++r)
+      for (std::size_t v = own.polygon.edgeBegin(r); v < own.polygon.edgeEnd(r); ++v) order.push_back(v);
+    std::sort(order.begin(), order.end(), [&](std::size_t v, std::size_t w) {
+      return path[v].x() != path[w].x() ? path[v].x() < path[w].x() : path[v].y() < path[w].y();
+    });
+    for (std::size_t k = 0, next = 0; k < order.size(); k = next) {
+      while (next < order.size() && path[order[next]] == path[order[k]]) ++next;
+      if (next - k < 2) continue;
+      const std::size_t node = addNode(false);
+      for (std::size_t i = k; i < next; ++i) {
+        own.rings[ringOf(own.polygon, order[i])].meets_own = true;
+        own.stops.push_back({order[i], {0, 0}, node, {true, 0}, false});
+        own.stops.push_back({edgeBefore(own.polygon, order[i]), {1, 1}, node, {true, 0}, false});
+      }
+    }
   }
 
   /// Two nodes, where they cover each other: what is between needn't be in the overlap.
@@ -288,23 +318,37 @@ class Grouping {
   }
 
   void joinHoles() {
-    std::vector<std::ptrdiff_t> leftmost(sets_.size(), -1);
+    struct Leftmost {
+      std::ptrdiff_t point = -1;
+      Vec2 at;
+    };
+    std::vector<Leftmost> leftmost(sets_.size());
     for (std::size_t k = 0; k < points_.size(); ++k) {
-      std::ptrdiff_t& best = leftmost[sets_.find(points_[k].node)];
-      if (best < 0 || points_[k].point.at.x() < points_[static_cast<std::size_t>(best)].point.at.x())
-        best = static_cast<std::ptrdiff_t>(k);
+      Leftmost& best = leftmost[sets_.find(points_[k].node)];
+      const Vec2 at = leftEnd(points_[k]);
+      if (best.point < 0 || at.x() < best.at.x()) best = {static_cast<std::ptrdiff_t>(k), at};
     }
-    for (const std::ptrdiff_t k : leftmost) {
-      if (k < 0) continue;
-      const NodePoint& point = points_[static_cast<std::size_t>(k)];
-      if (!overlapsLeftOf(point)) continue;
-      const std::ptrdiff_t node = leftOf(point.point.at);
+    for (const Leftmost& best : leftmost) {
+      if (best.point < 0) continue;
+      const NodePoint& point = points_[static_cast<std::size_t>(best.point)];
+      if (!overlapsLeftOf(point, best.at)) continue;
+      const std::ptrdiff_t node = leftOf(best.at);
       if (node >= 0) sets_.join(point.node, static_cast<std::size_t>(node));
     }
   }
 
+  /// Of a common stretch of two edges the end on the left, beyond which they needn't be both.
+  Vec2 leftEnd(const NodePoint& point) const {
+    if (point.node >= crossings_.size()) return point.point.at;
+    const EdgeCrossing& crossing = crossings_[point.node];
+    if (crossing.direction != 0) return crossing.point;
+    const Vec2 low = frame_.edgeOfA(crossing.edge_a, crossing.on_a.low),
+               high = frame_.edgeOfA(crossing.edge_a, crossing.on_a.high);
+    return low.x() < high.x() ? low : high;
+  }
+
   /// Whether what is next to the leftmost point of a boundary, outside of it, is in the overlap.
-  bool overlapsLeftOf(const NodePoint& point) const {
+  bool overlapsLeftOf(const NodePoint& point, const Vec2& at) const {
     const BoundaryPoint& p = point.point;
     // Where edges cross, a corner of the overlap is less than a half turn: here to the right.
     if (p.a >= 0 && p.b >= 0 && crossings_[point.node].direction != 0) return false;
@@ -319,46 +363,40 @@ class Grouping {
       if (ring.left.known && !ring.meets_own && turn != 0)
         return own.isInside(turn > 0 ? ring.left.number : ring.left.number - 1);
     }
-    const Vec2 beside = p.at - Vec2(4 * frame_.error(), 0);
+    const Vec2 beside = at - Vec2(4 * frame_.error(), 0);
     return holds(0, beside) && holds(1, beside);
   }
 
   /// The node of the boundary that is next to the left; -1 if none is found.
-  std::ptrdiff_t leftOf(const Vec2& p) {
-    Hits hits{*this, 0, p.y(), p.x() - 4 * frame_.error(), -std::numeric_limits<double>::infinity(), -1};
-    for (; hits.side < 2; ++hits.side) {
-      const PolygonData& polygon = sides_[hits.side].polygon;
-      const Vec2 at = polygon.inUnits(toLocal(hits.side, p));
-      const Eigen::Matrix2d linear = (hits.side == 0 ? pair_.pose_a : pair_.pose_b).linear();
-      const Vec2 direction = (linear.inverse() * Vec2(-1, 0)).normalized();
-      const double error = 4 * frame_.error() * frame_.unit() * polygon.inverse_unit + 0x1p-40 * (at.norm() + 4);
-      visitEdgesOnRay(hierarchyOf(polygon), {at.x(), at.y(), direction.x(), direction.y(), error}, &Hits::visit, &hits);
+  std::ptrdiff_t leftOf(const Vec2& p) const {
+    // Farther and farther, so that it costs what is near.
+    for (double length = 0x1p-12;; length = length < 0x1p12 ? 8 * length : std::numeric_limits<double>::infinity()) {
+      Hit hit{-std::numeric_limits<double>::infinity(), -1};
+      const double right = p.x() - 4 * frame_.error();
+      for (const int side : {0, 1})
+        forEachEdgeOnRay(pair_, frame_, side, p, Vec2(-1, 0), length, [&](std::size_t edge) {
+          addHit(side, edge, p.y(), right, hit);
+          return std::min(length, p.x() - hit.x);
+        });
+      if (!(p.x() - hit.x > length)) return hit.node;
     }
-    return hits.node;
   }
 
-  struct Hits {
-    static bool visit(void* hits, std::uint32_t edge) {
-      static_cast<Hits*>(hits)->add(edge);
-      return true;
-    }
-    void add(std::size_t edge) {
-      const auto [v, w] = grouping.ends(side, edge);
-      if (y < std::min(v.y(), w.y()) || y > std::max(v.y(), w.y())) return;
-      const double t = v.y() != w.y() ? (y - v.y()) / (w.y() - v.y()) : v.x() < w.x() ? 1 : 0;
-      const double at = v.x() + t * (w.x() - v.x());
-      if (at > right || at < x) return;
-      const std::ptrdiff_t found = grouping.nodeAt(side, edge, t);
-      if (at == x && found < 0) return;
-      x = at;
-      node = found;
-    }
-
-    Grouping& grouping;
-    int side;
-    double y, right, x;
+  struct Hit {
+    double x;
     std::ptrdiff_t node;
   };
+
+  void addHit(int side, std::size_t edge, double y, double right, Hit& hit) const {
+    const auto [v, w] = ends(side, edge);
+    if (y < std::min(v.y(), w.y()) || y > std::max(v.y(), w.y())) return;
+    const double t = v.y() != w.y() ? (y - v.y()) / (w.y() - v.y()) : v.x() < w.x() ? 1 : 0;
+    const double x = v.x() + t * (w.x() - v.x());
+    if (x > right || x < hit.x) return;
+    const std::ptrdiff_t node = nodeAt(side, edge, t);
+    if (x == hit.x && node < 0) return;
+    hit = {x, node};
+  }
 
   /// A node that the point t of an edge is joined to; -1 if it isn't in the other region.
   std::ptrdiff_t nodeAt(int side, std::size_t edge, double t) const {
@@ -422,6 +460,11 @@ class Grouping {
 };
 
 }  // namespace
+
+std::size_t ringOf(const PolygonData& polygon, std::size_t edge) {
+  const auto& begin = polygon.ring_begin;
+  return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
+}
 
 std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge) {
   const std::size_t ring = ringOf(polygon, edge);

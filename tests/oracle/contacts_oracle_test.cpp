@@ -111,8 +111,21 @@ Ring rectilinear(Random& random, int corners) {
   return ring;
 }
 
+/// A ring without area: there and back along the grid, or one point.
+Ring withoutArea(Random& random) {
+  const Vec2 p(random.integer(0, kCells), random.integer(0, kCells));
+  Vec2 q = p;
+  (random.coin() ? q.x() : q.y()) = random.integer(0, kCells);
+  if (random.oneIn(4)) return {p, q, p, Vec2(p.x(), random.integer(0, kCells))};
+  return random.coin() ? Ring{p, q, q} : Ring{p, q, p};
+}
+
 Polygon anyRectilinear(Random& random) {
   std::vector<Ring> rings;
+  // Beside others, or alone.
+  if (random.oneIn(3))
+    for (int i = random.integer(1, 3); i > 0; --i) rings.push_back(withoutArea(random));
+  if (!rings.empty() && random.oneIn(4)) return Polygon(rings);
   for (int i = random.integer(1, 4); i > 0; --i) {
     const int x = random.integer(0, kCells - 1), y = random.integer(0, kCells - 1);
     rings.push_back(random.oneIn(3) ? rectilinear(random, random.integer(2, 4))

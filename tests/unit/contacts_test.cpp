@@ -225,6 +225,12 @@ TEST(Contacts, OfAPegInAHoleThatFitsIsOne) {
   EXPECT_EQ(found[0].depth, 0);
 }
 
+/// They were joined across the gap, because only the middle of a common stretch was known, not its end.
+TEST(Contacts, OfRingsWithoutAreaOnOneEdgeAreSeparate) {
+  EXPECT_EQ(ask({rectangle(-3, -3, 3, 3)}, {{{1, -3}, {2, -3}, {2, -3}}, {{-2, -3}, {-1, -3}, {-1, -3}}}).size(), 2u);
+  EXPECT_EQ(ask({{{3, 2}, {3, 3}, {1, 3}}}, {{{-3, 1}, {1, 3}, {1, 2}}, {{2, 3}, {3, 3}, {3, 3}}}).size(), 2u);
+}
+
 TEST(Contacts, OfIdenticalPolygonsAreWhatMovesThemApart) {
   const auto found = ask({rectangle(0, 0, 4, 2)}, {rectangle(0, 0, 4, 2)});
   ASSERT_EQ(found.size(), 1u);
@@ -313,6 +319,35 @@ TEST(Contacts, CopeWithThousandsOfThem) {
   constexpr int kTeeth = 3000;
   const Polygon above({rectangle(-10, 4.5, 10000, 9)}), teeth({comb(kTeeth, 3, 1, 5)});
   EXPECT_EQ(ask(above, kHere, teeth, kHere).size(), static_cast<std::size_t>(kTeeth));
+}
+
+/// Holes in a row are found by rays along it: each to the next one only.
+TEST(Contacts, OfARowOfHolesAreOne) {
+  std::vector<Ring> rings = {rectangle(-1, -1, 2001, 2)};
+  for (int i = 0; i < 1000; ++i) rings.push_back(rectangle(2 * i, 0, 2 * i + 1, 1));
+  EXPECT_EQ(ask(rings, {rectangle(-0.5, -0.5, 2000.5, 1.5)}).size(), 1u);
+}
+
+/// So many edges end in one point that their pairs are left to few: one contact, whose normal parts them.
+TEST(Contacts, OfFansThatTouchInOnePointAreOne) {
+  constexpr int kSpikes = 60;
+  const auto fan = [](double sign) {
+    Ring ring;
+    for (int i = 0; i < kSpikes; ++i)
+      ring.insert(ring.end(), {{0, 0}, {sign * (10 + i), 2.0 * i - kSpikes}, {sign * (10 + i), 2.0 * i + 1 - kSpikes}});
+    return ring;
+  };
+  const auto found = ask({fan(-1)}, {fan(1)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {0, 0}, found[0].normal, 0);
+  EXPECT_FALSE(
+      collide(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), Pose(kHere * Eigen::Translation2d(found[0].normal))));
+  // Turned into each other the spikes cross beside it, too.
+  const auto crossed = ask(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), pose(2, 0, 0));
+  ASSERT_EQ(crossed.size(), 1u);
+  EXPECT_GT(crossed[0].depth, 0);
+  EXPECT_EQ(crossings(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), kHere).size(),
+            static_cast<std::size_t>(4 * kSpikes * kSpikes));
 }
 
 TEST(Contacts, NameEdgesOfSmallConvexAndOfDeepPairs) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hierarchy/wide.h"
+#include "pair/world_frame.h"
+
+namespace tricover::detail {
+
+/// Calls visit(edge), a position, for every edge of one polygon (side 0: a's, 1: b's) that the way from `from` along
+/// the unit vector `direction` may come within a few of the frame's errors of. visit returns how long the way still is;
+/// all are in the WorldFrame.
+template <typename Visit>
+void forEachEdgeOnRay(const PosedPair& pair, const WorldFrame& frame, int side, const Vec2& from, const Vec2& direction,
+                      double length, Visit visit) {
+  const PolygonData& polygon = side == 0 ? pair.a : pair.b;
+  const Vec2 at = polygon.inUnits(side == 0 ? frame.toA(from) : frame.toB(from));
+  const Eigen::Matrix2d linear = (side == 0 ? pair.pose_a : pair.pose_b).linear();
+  const Vec2 along = (linear.inverse() * direction).normalized();
+  const double scale = frame.unit() * polygon.inverse_unit;
+  const double error = 4 * frame.error() * scale + 0x1p-40 * (at.norm() + 4);
+  struct Context {
+    double inUnits(double world) const { return world * scale * (1 + 0x1p-10) + error; }
+
+    Visit& visit;
+    Ray ray;
+    double scale, error;
+  } context{visit, {at.x(), at.y(), along.x(), along.y(), error}, scale, error};
+  context.ray.length = context.inUnits(length);
+  const auto call = [](void* c, std::uint32_t edge) {
+    auto& seen = *static_cast<Context*>(c);
+    seen.ray.length = seen.inUnits(seen.visit(std::size_t{edge}));
+    return true;
+  };
+  visitEdgesOnRay(hierarchyOf(polygon), context.ray, call, &context);
+}
+
+}  // namespace tricover::detail
