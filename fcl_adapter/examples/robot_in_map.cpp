@@ -1,21 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ship that isn't convex sails a route on a map with holes; FCL's broadphase says where it runs aground and where it
-// rams a ship at anchor. `robot_in_map [picture.svg]`
+// A robot that isn't convex drives a route on a map with holes; FCL's broadphase says where it hits what.
+//   robot_in_map [picture.svg]                          a ship on the Baltic, among others at anchor
+//   robot_in_map picture.svg map.yaml x y x y [x y ..]  a map of ROS's map_server, and a route in its world
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
+#include <tricover/outline.h>
 #include <tricover/svg.h>
 #include <tricover_fcl/tricover_fcl.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "baltic.h"
+#include "map_server.h"
 #include "picture.h"
 
 namespace {
+
+struct Obstacle {
+  std::shared_ptr<tricover_fcl::PolygonShaped> shape;
+  tricover::Pose pose;
+  std::size_t kind;  // of World::kinds
+};
+
+struct World {
+  tricover::Polygon robot;
+  std::vector<tricover::Vec2> route;
+  double step;                       // from position to position, in units of length
+  std::array<const char*, 2> kinds;  // what is said of a position that hits such an obstacle: the first, if both
+  std::vector<Obstacle> obstacles;
+};
 
 tricover::Pose planarPose(double x, double y, double angle) {
   tricover::Pose pose = tricover::Pose::Identity();
@@ -24,69 +50,135 @@ tricover::Pose planarPose(double x, double y, double angle) {
   return pose;
 }
 
-void place(fcl::CollisionObjectd& object, double x, double y, double angle) {
-  object.setRotation(Eigen::AngleAxisd(angle, fcl::Vector3d::UnitZ()).toRotationMatrix());
-  object.setTranslation(fcl::Vector3d(x, y, 0));
+World atSea() {
+  World world{baltic::ship(),
+              {{330, 660}, {40, 300}, {140, 60}, {-10, -300}, {-270, -520}, {-300, -400}, {-430, -120}},
+              10,
+              {"aground", "in another ship"},
+              {}};
+  world.obstacles.push_back(
+      {std::make_shared<tricover_fcl::PolygonShaped>(baltic::land()), tricover::Pose::Identity(), 0});
+  // What is derived from a polygon is shared by all objects that use its shape.
+  const auto hull = std::make_shared<tricover_fcl::PolygonShaped>(baltic::ship());
+  for (const baltic::Berth& berth : baltic::anchored()) {
+    world.obstacles.push_back({hull, planarPose(berth.x, berth.y, berth.angle), 1});
+  }
+  return world;
+}
+
+/// What is occupied and what is unknown are two polygons in the grid's own frame; the map's origin is their pose.
+World mapped(const std::string& yaml, std::vector<tricover::Vec2> route) {
+  const map_server::Map map = map_server::read(yaml);
+  const tricover::Polygon forklift(
+      {{{-0.5, -0.3}, {0.6, -0.3}, {0.6, -0.2}, {0, -0.2}, {0, 0.2}, {0.6, 0.2}, {0.6, 0.3}, {-0.5, 0.3}}});  // in
+                                                                                                              // metres
+  World world{forklift, std::move(route), 0.2, {"in a wall", "in unknown ground"}, {}};
+  const std::array<std::int8_t, 2> values = {map_server::kOccupied, map_server::kUnknown};
+  for (std::size_t kind = 0; kind < values.size(); ++kind) {
+    const std::int8_t wanted = values[kind];
+    const auto region = tricover::outline(map.grid, [wanted](std::int8_t value) { return value == wanted; });
+    if (region) world.obstacles.push_back({std::make_shared<tricover_fcl::PolygonShaped>(*region), map.pose, kind});
+  }
+  return world;
+}
+
+void place(fcl::CollisionObjectd& object, const tricover::Pose& pose) {
+  fcl::Transform3d transform = fcl::Transform3d::Identity();
+  transform.linear().topLeftCorner<2, 2>() = pose.linear();
+  transform.translation().head<2>() = pose.translation();
+  object.setTransform(transform);
   object.computeAABB();
 }
 
-int sail(const char* picture) {
-  tricover_fcl::registerNarrowphase();
-
-  // What is derived from a polygon is shared by all objects that use its shape.
-  const auto hull = std::make_shared<tricover_fcl::PolygonShaped>(baltic::ship());
-  fcl::CollisionObjectd coast(std::make_shared<tricover_fcl::PolygonShaped>(baltic::land()));
-  std::vector<std::unique_ptr<fcl::CollisionObjectd>> anchored;
-  fcl::DynamicAABBTreeCollisionManagerd manager;
-  manager.registerObject(&coast);
-  tricover::SvgDrawing drawing;
-  drawing.polygon(baltic::land(), tricover::Pose::Identity(), "#e7e5e4");
-  for (const baltic::Berth& berth : baltic::anchored()) {
-    anchored.push_back(std::make_unique<fcl::CollisionObjectd>(hull));
-    place(*anchored.back(), berth.x, berth.y, berth.angle);
-    manager.registerObject(anchored.back().get());
-    drawing.polygon(baltic::ship(), planarPose(berth.x, berth.y, berth.angle), "#a8a29e");
+/// The world's obstacles in FCL's broadphase, which is asked about the robot pose by pose.
+class Map {
+ public:
+  explicit Map(const World& world) : robot_(std::make_shared<tricover_fcl::PolygonShaped>(world.robot)) {
+    robot_.setUserData(nullptr);  // FCL leaves it uninitialised
+    for (const Obstacle& obstacle : world.obstacles) {
+      objects_.push_back(std::make_unique<fcl::CollisionObjectd>(obstacle.shape));
+      objects_.back()->setUserData(const_cast<Obstacle*>(&obstacle));
+      place(*objects_.back(), obstacle.pose);
+      manager_.registerObject(objects_.back().get());
+    }
+    manager_.setup();
   }
-  manager.setup();
 
-  const std::vector<tricover::Vec2> route = {{330, 660},   {40, 300},    {140, 60},   {-10, -300},
-                                             {-270, -520}, {-300, -400}, {-430, -120}};
-  fcl::CollisionObjectd ship(hull);
-  int positions = 0, aground = 0, rammed = 0;
-  for (std::size_t leg = 0; leg + 1 < route.size(); ++leg) {
-    const tricover::Vec2 way = route[leg + 1] - route[leg];
-    const double angle = std::atan2(way.y(), way.x());
-    const int steps = static_cast<int>(way.norm() / 10);
+  /// The least kind of what the robot hits there.
+  std::optional<std::size_t> hit(const tricover::Pose& pose) {
+    place(robot_, pose);
+    std::optional<std::size_t> least;
+    manager_.collide(&robot_, &least, [](fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
+      fcl::CollisionResultd result;
+      if (fcl::collide(a, b, fcl::CollisionRequestd(), result) == 0) return false;
+      const void* obstacle = a->getUserData() != nullptr ? a->getUserData() : b->getUserData();  // in either order
+      const std::size_t kind = static_cast<const Obstacle*>(obstacle)->kind;
+      auto& found = *static_cast<std::optional<std::size_t>*>(data);
+      if (!found || kind < *found) found = kind;
+      return kind == 0;  // there is none below: done
+    });
+    return least;
+  }
+
+ private:
+  fcl::CollisionObjectd robot_;
+  std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
+  fcl::DynamicAABBTreeCollisionManagerd manager_;
+};
+
+void drive(const World& world, const char* picture) {
+  tricover::SvgDrawing drawing;
+  const std::array<const char*, 2> colours = {"#e7e5e4", "#a8a29e"};
+  for (const Obstacle& obstacle : world.obstacles) {
+    drawing.polygon(obstacle.shape->polygon(), obstacle.pose, colours[obstacle.kind]);
+  }
+  Map map(world);
+  std::size_t positions = 0;
+  std::array<std::size_t, 2> hits = {};
+  for (std::size_t leg = 0; leg + 1 < world.route.size(); ++leg) {
+    const tricover::Vec2 from = world.route[leg], way = world.route[leg + 1] - from;
+    const int steps = static_cast<int>(way.norm() / world.step);
     for (int step = 0; step < steps; ++step) {
-      const tricover::Vec2 at = route[leg] + way * step / steps;
-      place(ship, at.x(), at.y(), angle);
-      fcl::DefaultCollisionData<double> data;
-      data.request.num_max_contacts = 1 + anchored.size();
-      data.request.enable_contact = true;
-      manager.collide(&ship, &data, fcl::DefaultCollisionFunction);
-      bool on_coast = false;
-      for (std::size_t i = 0; i < data.result.numContacts(); ++i) {
-        const fcl::Contactd& contact = data.result.getContact(i);
-        if (contact.o1 == coast.collisionGeometry().get() || contact.o2 == coast.collisionGeometry().get())
-          on_coast = true;
-      }
-      const bool hit = data.result.isCollision();
+      const tricover::Vec2 at = from + way * step / steps;
+      const tricover::Pose pose = planarPose(at.x(), at.y(), std::atan2(way.y(), way.x()));
+      const std::optional<std::size_t> kind = map.hit(pose);
       positions += 1;
-      aground += on_coast;
-      rammed += hit && !on_coast;
-      drawing.polygon(baltic::ship(), planarPose(at.x(), at.y(), angle), hit ? "#dc2626" : "#16a34a");
+      if (kind) hits[*kind] += 1;
+      drawing.polygon(world.robot, pose, kind ? "#dc2626" : "#16a34a");
     }
   }
-  std::cout << positions << " positions: " << aground << " aground, " << rammed << " in another ship\n";
+  std::cout << positions << " positions: " << hits[0] << ' ' << world.kinds[0] << ", " << hits[1] << ' '
+            << world.kinds[1] << "\n";
   savePicture(drawing, picture);
-  return 0;
+}
+
+double finite(const std::string& text) {
+  std::istringstream in(text);
+  double number = 0;
+  if (!(in >> number) || in.get() != EOF || !std::isfinite(number)) {
+    throw std::runtime_error("route: '" + text + "' is not a number");
+  }
+  return number;
+}
+
+std::vector<tricover::Vec2> routeFrom(const std::vector<std::string>& numbers) {
+  if (numbers.size() < 4 || numbers.size() % 2 != 0) {
+    throw std::runtime_error("route: it must be x y of two points or more");
+  }
+  std::vector<tricover::Vec2> route;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) route.emplace_back(finite(numbers[i]), finite(numbers[i + 1]));
+  return route;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return sail(argc > 1 ? argv[1] : "robot_in_map.svg");
+    tricover_fcl::registerNarrowphase();
+    const bool is_mapped = argc > 2;
+    drive(is_mapped ? mapped(argv[2], routeFrom({argv + 3, argv + argc})) : atSea(),
+          argc > 1 ? argv[1] : "robot_in_map.svg");
+    return 0;
   } catch (const std::exception& error) {
     std::cerr << "error: " << error.what() << "\n";
     return 1;

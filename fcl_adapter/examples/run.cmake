@@ -1,14 +1,16 @@
 # Runs an example, PROGRAM, and checks that it succeeds, prints what matches EXPECTED, and draws where it was told to
-# (PICTURE), if it draws at all. Where ERROR is set, it must fail instead, and say on cerr what matches that.
+# (PICTURE), if it draws at all. Where ERROR is set, it must fail instead, and say on cerr what matches that. ARGUMENTS
+# follow PICTURE on its command line.
+separate_arguments(ARGUMENTS UNIX_COMMAND "${ARGUMENTS}")
 if(DEFINED ERROR)
-  execute_process(COMMAND ${PROGRAM} ${PICTURE} RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE error)
+  execute_process(COMMAND ${PROGRAM} ${PICTURE} ${ARGUMENTS} RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE error)
   if(NOT result EQUAL 1 OR NOT error MATCHES "${ERROR}")
     message(FATAL_ERROR "${PROGRAM} ended with ${result} and said\n${error}\ninstead of ${ERROR}")
   endif()
   return()
 endif()
 file(REMOVE ${PICTURE})
-execute_process(COMMAND ${PROGRAM} ${PICTURE} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${PROGRAM} ${PICTURE} ${ARGUMENTS} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 message(STATUS "${output}")
 if(NOT output MATCHES "${EXPECTED}")
   message(FATAL_ERROR "${PROGRAM} printed\n${output}\ninstead of ${EXPECTED}")
