@@ -39,6 +39,12 @@ double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, 
   return table().inner_depth(a, b, map, rounding);
 }
 
+DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test) {
+  return table().find_edge_near(hierarchy, place, limit, test);
+}
+
+double depthInDiscs(const InnerDiscs& discs, const Place& place) { return table().depth_in_discs(discs, place); }
+
 void usePortableLanes(bool portable) {
   chosen.store(portable ? &kPortableTable : fastest(), std::memory_order_relaxed);
 }

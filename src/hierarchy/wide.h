@@ -30,8 +30,9 @@ struct Descent {
   const PolygonData &polygon_a, &polygon_b;
   const Hierarchy &a, &b;
   UnitMap to_a;
-  double rounding;  ///< of a gap in a block's scale, relative to the coordinates it is computed from
-  double limit;     ///< boxes beyond aren't entered
+  double rounding;      ///< of a gap in a block's scale, relative to the coordinates it is computed from
+  double limit;         ///< boxes beyond aren't entered
+  bool spines = false;  ///< whether a polygon that is a single edge is taken for that, PolygonData::spine, alone
 };
 
 /// Which edges make a hit. Lengths are in a's units.
@@ -56,6 +57,27 @@ DescentResult findHit(const Descent& descent, const HitTest& test);
 struct SettledPairs {
   const std::uint8_t *a = nullptr, *b = nullptr;
 };
+
+/// A point in a hierarchy's units, known to within `error` in any direction.
+struct Place {
+  double x, y, error;
+};
+
+/// Which edge near a point makes a hit. Lengths are in the hierarchy's units.
+struct NearEdgeTest {
+  const void* context;
+  bool (*meet)(const void* context, std::size_t edge);
+  double reach;   ///< edges beyond can't make a hit
+  double accept;  ///< an edge that is proven to be no farther away is a hit without being asked; negative: never
+};
+
+/// The first edge found that makes a hit. Without one, `clearance` is a lower bound of the distance from the point to
+/// any edge, at most the limit.
+DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test);
+
+/// How deep, in units, a point is at least in one of the discs: negative where it may be beside all, by no less than
+/// what it may be away from the nearest.
+double depthInDiscs(const InnerDiscs& discs, const Place& place);
 
 /// Lengths in a's units. Both return the limit beyond which no more pairs need to be shown; negative ends the visit.
 struct PairVisitor {

@@ -17,6 +17,7 @@
 #endif
 
 #include "hierarchy/wide_descent.h"
+#include "hierarchy/wide_point.h"
 #include "hierarchy/wide_shapes.h"
 
 namespace tricover::detail {
@@ -57,9 +58,10 @@ struct Avx2Lanes {
 }  // namespace
 }  // namespace wide
 
-const WideTable kAvx2Table = {&wide::findHit<wide::Avx2Lanes>, &wide::showPairs<wide::Avx2Lanes>,
+const WideTable kAvx2Table = {&wide::findHit<wide::Avx2Lanes>,         &wide::showPairs<wide::Avx2Lanes>,
                               &wide::visitEdgesOnRay<wide::Avx2Lanes>, &wide::convexMeet<wide::Avx2Lanes>,
-                              &wide::innerDepth<wide::Avx2Lanes>};
+                              &wide::innerDepth<wide::Avx2Lanes>,      &wide::findEdgeNear<wide::Avx2Lanes>,
+                              &wide::depthInDiscs<wide::Avx2Lanes>};
 
 }  // namespace tricover::detail
 

@@ -360,11 +360,14 @@ template <class Lanes, class Goal>
   visits.a[0] = visits.b[0] = kRoot;
   visits.gap[0] = -1e30f;
   visits.top = 1;
+  const std::size_t spine_a = d.spines ? d.polygon_a.spine : PolygonData::kNoSpine;
+  const std::size_t spine_b = d.spines ? d.polygon_b.spine : PolygonData::kNoSpine;
+  assert(spine_a == PolygonData::kNoSpine || spine_b == PolygonData::kNoSpine);
   while (visits.top > 0) {
     --visits.top;
     if (Goal::kNarrows && visits.gap[visits.top] > goal.limit) continue;
     const std::uint32_t visit_a = visits.a[visits.top], visit_b = visits.b[visits.top];
-    const Item a = itemAt(d.a, visit_a), b = itemAt(d.b, visit_b);
+    const Item a = itemAt(d.a, visit_a, spine_a), b = itemAt(d.b, visit_b, spine_b);
     // Beyond this ratio of sizes floats couldn't tell the smaller one's boxes apart in the larger one's frame.
     constexpr double kAlike = 32;
     const double size_a = a.along + a.across, size_b = (b.along + b.across) * d.to_a.scale;

@@ -24,10 +24,20 @@ struct Item {
 
 constexpr std::uint32_t kRoot = 0xffffffff;
 
-[[gnu::always_inline]] inline Item itemAt(const Hierarchy& hierarchy, std::uint32_t index) {
+/// `spine` is the edge that the whole hierarchy is to be taken for, if it is one (PolygonData::spine).
+[[gnu::always_inline]] inline Item itemAt(const Hierarchy& hierarchy, std::uint32_t index, std::size_t spine) {
   if (index == kRoot) {
     const Box& box = hierarchy.root;
-    return {box.x, box.y, box.ux, box.uy, box.along, box.across, 0, false, hierarchy.root_spanned};
+    const bool leaf = spine != PolygonData::kNoSpine;
+    return {box.x,
+            box.y,
+            box.ux,
+            box.uy,
+            box.along,
+            box.across,
+            leaf ? static_cast<std::uint32_t>(spine) : 0,
+            leaf,
+            hierarchy.root_spanned};
   }
   const Block& block = hierarchy.blocks[index / kLanes];
   const unsigned lane = index % kLanes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wide functions for every target, in vectors of four floats.
 #include "hierarchy/wide_descent.h"
+#include "hierarchy/wide_point.h"
 #include "hierarchy/wide_shapes.h"
 #include "hierarchy/wide_table.h"
 
@@ -75,8 +76,9 @@ struct PortableLanes {
 }  // namespace
 }  // namespace wide
 
-const WideTable kPortableTable = {&wide::findHit<wide::PortableLanes>, &wide::showPairs<wide::PortableLanes>,
+const WideTable kPortableTable = {&wide::findHit<wide::PortableLanes>,         &wide::showPairs<wide::PortableLanes>,
                                   &wide::visitEdgesOnRay<wide::PortableLanes>, &wide::convexMeet<wide::PortableLanes>,
-                                  &wide::innerDepth<wide::PortableLanes>};
+                                  &wide::innerDepth<wide::PortableLanes>,      &wide::findEdgeNear<wide::PortableLanes>,
+                                  &wide::depthInDiscs<wide::PortableLanes>};
 
 }  // namespace tricover::detail

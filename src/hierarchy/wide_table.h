@@ -12,6 +12,8 @@ struct WideTable {
   decltype(&visitEdgesOnRay) visit_edges_on_ray;
   decltype(&convexMeet) convex_meet;
   decltype(&innerDepth) inner_depth;
+  decltype(&findEdgeNear) find_edge_near;
+  decltype(&depthInDiscs) depth_in_discs;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

@@ -50,7 +50,7 @@ bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData&
   const double gap = discs.gap(options.margin);
   if (gap >= 0) return fact(false, gap);
   if (by_paper) return collideByPaper(PosedPair(a, pose_a, b, pose_b), cache, options);
-  const double depth = discs.depth();
+  const double depth = discs.depth(options.margin);
   if (depth >= 0) return fact(true, depth);
   const PosedPair pair(a, pose_a, b, pose_b);
   return cache != nullptr ? findFact(pair, *cache, recollection, options)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pair/collide_spine.h"
 #include "pair/containment.h"
 #include "pair/pair_descent.h"
 
@@ -48,13 +49,15 @@ DescentResult descend(const PosedPair& pair, const UnitMap& map, double rounding
   const double accept = accepts ? sum * unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1;
   const double reach = pair.reach(options.margin) * unit, limit = reach + lookahead * unit;
   const EdgeTest test{pair, options};
-  return findHit(descentOf(pair, map, rounding, limit),
+  return findHit(descentOf(pair, map, rounding, limit, /*spines*/ true),
                  {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
 }
 
 }  // namespace
 
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
+  if (pair.a.hasSpine() && pair.b.hasSpine()) return collideSpines(pair, options);
+  if (pair.b.isPoint()) return collidePoint(pair, options, lookahead, wanted);
   const Hierarchy &a = hierarchyOf(pair.a), &b = hierarchyOf(pair.b);
   const UnitMap map = mapUnits(pair);
   const double rounding = gapRounding(pair);

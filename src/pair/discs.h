@@ -37,17 +37,35 @@ class Discs {
     return square < 0x1p1000 ? roundedDown<3>(std::sqrt(square)) - sum : margin;
   }
 
-  /// How deep discs inside the two regions overlap; otherwise -1.
-  double depth() const {
-    const Hierarchy &tree_a = hierarchyOf(a_), &tree_b = hierarchyOf(b_);
-    if (!(tree_a.inner_radius > 0 && tree_b.inner_radius > 0)) return -1;  // the centre needn't be in the region
-    const double square = squaredBetween(tree_a.inner_center, tree_b.inner_center);
-    const double reach = (tree_a.inner_radius + tree_b.inner_radius) * (1 - kLargestDefect) - error_;
-    if (!(squarable(reach) && roundedUp<kSquares>(square) < reach * reach)) return -1;
-    return roundedDown<2>(reach) - roundedUp<2>(std::sqrt(square));
+  /// How deep discs inside the two regions overlap, 0 if they are within the margin at least; otherwise -1.
+  double depth(double margin) const {
+    const InnerDisc disc_a(a_), disc_b(b_);
+    if (!(disc_a.radius >= 0 && disc_b.radius >= 0)) return -1;
+    const double square = squaredBetween(disc_a.center, disc_b.center);
+    const double reach = (disc_a.radius + disc_b.radius) * (1 - kLargestDefect) - error_, within = reach + margin;
+    if (!(squarable(within) && roundedUp<kSquares>(square) < within * within)) return -1;
+    return std::max(roundedDown<2>(reach) - roundedUp<2>(std::sqrt(square)), 0.0);
   }
 
  private:
+  /// The largest disc known to be inside of a region. A point or segment has one of radius 0 around S, which is on it
+  /// but for 2U: kPointsError is twice what it must be.
+  struct InnerDisc {
+    explicit InnerDisc(const PolygonData& polygon) {
+      if (polygon.hasSpine()) {
+        center = polygon.origin;
+        radius = 0;
+      } else {
+        const Hierarchy& tree = hierarchyOf(polygon);
+        center = tree.inner_center;
+        radius = tree.inner_radius > 0 ? tree.inner_radius : -1;  // the centre needn't be in the region
+      }
+    }
+
+    Vec2 center;
+    double radius;  ///< negative if there is none
+  };
+
   /// R_b q + (shift - R_a p), in either coordinate, with lengths p, q <= sqrt2 e of points in the bounding boxes:
   ///   R_b q       products 1, sum 1, the last sum 1                      3 q
   ///   R_a p       products 1, sum 1, the difference 1, the last sum 1    4 p

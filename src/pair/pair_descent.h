@@ -45,8 +45,9 @@ inline UnitMap mapUnits(const PosedPair& pair) {
 inline double gapRounding(const PosedPair& pair) { return kGapRounding + 8 * pair.defect; }
 
 /// A descent of the pair's hierarchies, which are built if need be. The limit is in a's units.
-inline Descent descentOf(const PosedPair& pair, const UnitMap& to_a, double rounding, double limit) {
-  return {pair.a, pair.b, hierarchyOf(pair.a), hierarchyOf(pair.b), to_a, rounding, limit};
+inline Descent descentOf(const PosedPair& pair, const UnitMap& to_a, double rounding, double limit,
+                         bool spines = false) {
+  return {pair.a, pair.b, hierarchyOf(pair.a), hierarchyOf(pair.b), to_a, rounding, limit, spines};
 }
 
 }  // namespace tricover::detail

@@ -58,6 +58,9 @@ struct PolygonData {
   /// Throws std::out_of_range for what is no edge's number.
   std::size_t checkedEdgePosition(std::size_t number) const;
 
+  bool hasSpine() const { return spine != kNoSpine; }
+  bool isPoint() const { return is_point; }
+
   /// False for the largest of polygons: no power of two is above their radius.
   bool fitsUnit() const { return radius <= unit; }
 
@@ -76,6 +79,11 @@ struct PolygonData {
   std::vector<Vec2> path;
   std::vector<std::size_t> ring_begin;
   std::vector<Ring> rings;
+  /// The position of the edge that is all of the polygon, a segment or a point: what a margin makes a stadium or a disc
+  /// of. S is on it but for rounding, and on a point exactly.
+  static constexpr std::size_t kNoSpine = static_cast<std::size_t>(-1);
+  std::size_t spine;
+  bool is_point;                           ///< whether the spine has no length
   mutable std::atomic<unsigned> scans{0};  ///< points located edge by edge so far
   Derived derived;                         ///< the hierarchy's place
 };

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pair/collide_by_hierarchy.h"
+
+namespace tricover::detail {
+
+/// collideByHierarchy() for a point b, by a's tree alone; or for two segments or points, by no tree.
+Outcome collidePoint(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted);
+Outcome collideSpines(const PosedPair& pair, const CollideOptions& options);
+
+}  // namespace tricover::detail
