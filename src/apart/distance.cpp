@@ -120,6 +120,8 @@ bool descend(const PosedPair& pair, DistanceSearch& search) {
   search.limitTo(
       roundedUp<kSums + 2>((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect)));
   const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
+  if (pair.a.hasSpine() && pair.b.hasSpine())
+    return search.show(static_cast<std::uint32_t>(pair.a.spine), static_cast<std::uint32_t>(pair.b.spine));
   // More pairs than there are edges are seldom shown, unless many are equally near: then it pays to settle those, and
   // to begin again without them. As patience is doubled, all beginnings together cost no more than the last.
   std::size_t patience = pair.a.path.size() + pair.b.path.size(), shown = 0;

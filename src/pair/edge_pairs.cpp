@@ -6,7 +6,8 @@
 namespace tricover::detail {
 
 void showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visitor) {
-  showPairs(descentOf(pair, mapUnits(pair), gapRounding(pair), limit * pair.a.inverse_unit), visitor);
+  showPairs(descentOf(pair, mapUnits(pair), gapRounding(pair), limit * pair.a.inverse_unit, visitor.narrow != nullptr),
+            visitor);
 }
 
 }  // namespace tricover::detail

@@ -30,7 +30,8 @@ void forEachPair(const PosedPair& pair, double limit, Visit visit) {
 }
 
 /// The same for who looks for the nearest: narrow(length) is told of lengths that some pair is proven to be within, and
-/// returns the new limit, too. Settled boxes aren't shown.
+/// returns the new limit, too. Settled boxes aren't shown, and of a point or segment only the one edge that is all of
+/// it.
 template <typename Visit, typename Narrow>
 void forNearPairs(const PosedPair& pair, double limit, const SettledPairs& settled, Visit visit, Narrow narrow) {
   struct Call : PairCall<Visit> {
