@@ -2,8 +2,10 @@
 #include "pair/containment.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "hierarchy/hierarchy.h"
+#include "pair/ring_starts.h"
 
 namespace tricover::detail {
 namespace {
@@ -21,29 +23,60 @@ bool outsideRoot(const PolygonData& polygon, const ApproxPoint& p) {
          std::abs(d.y() * box.ux - d.x() * box.uy) > box.across + error;
 }
 
-/// The position of the first edge of a ring of b that starts in a; -1 if there is none.
-std::ptrdiff_t ringOfBInside(const PosedPair& pair) {
-  for (std::size_t r = 0; r < pair.b.ringCount(); ++r) {
-    const std::size_t first = pair.b.edgeBegin(r);
-    const Vec2& p = pair.b.path[first];
-    if (outsideRoot(pair.a, pair.fromB(p))) continue;
-    if (locate(pair, p) != Location::Outside) return static_cast<std::ptrdiff_t>(first);
+/// A disc around b in a's frame, rounded outwards.
+struct Disc {
+  explicit Disc(const PosedPair& pair)
+      : x(pair.center_x), y(pair.center_y), radius((pair.radiusB() + 4 * pair.error) * (1 + 16 * kUnitRoundoff)) {}
+
+  bool holds(const Vec2& p) const {
+    const double dx = p.x() - x, dy = p.y() - y;
+    return !(squarable(radius) && dx * dx + dy * dy > radius * radius);
   }
+
+  /// A coordinate of what it holds is no farther from its centre's.
+  double reach() const { return radius + 4 * kUnitRoundoff * (std::abs(x) + radius); }
+
+  double x, y, radius;
+};
+
+/// The position of the first edge of the first ring that starts inside; -1 if there is none. `disc()` is around all
+/// that may be inside; what isNear(p) leaves is located.
+template <typename MakeDisc, typename IsNear, typename IsInside>
+std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isNear, IsInside isInside) {
+  std::size_t located = 0;
+  const auto starts_inside = [&](std::size_t ring) {
+    const Vec2& p = polygon.path[polygon.edgeBegin(ring)];
+    return isNear(p) && (++located, isInside(p));
+  };
+  const auto position = [&](std::size_t ring) { return static_cast<std::ptrdiff_t>(polygon.edgeBegin(ring)); };
+  if (const RingStarts* starts = ringStarts(polygon)) {
+    const Disc around = disc();
+    for (const std::uint32_t ring : starts->between(around.x - around.reach(), around.x + around.reach()))
+      if (starts_inside(ring)) return position(ring);
+    return -1;
+  }
+  for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
+    if (starts_inside(ring)) return position(ring);
+  countRings(polygon, polygon.ringCount(), located);
   return -1;
 }
 
-/// The same for a ring of a in b. Most starts are outside of b's disc, which is known in a's frame.
+/// Of b in a.
+std::ptrdiff_t ringOfBInside(const PosedPair& pair) {
+  return firstInside(
+      pair.b, [&] { return Disc(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a)); },
+      [&](const Vec2& p) { return !outsideRoot(pair.a, pair.fromB(p)); },
+      [&](const Vec2& p) { return locate(pair, p) != Location::Outside; });
+}
+
+/// Of a in b. Most starts are outside of b's disc, which is known in a's frame.
 std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
-  const double radius = (pair.radiusB() + 4 * pair.error) * (1 + 16 * kUnitRoundoff);
-  for (std::size_t r = 0; r < pair.a.ringCount(); ++r) {
-    const std::size_t first = pair.a.edgeBegin(r);
-    const Vec2& p = pair.a.path[first];
-    const double dx = p.x() - pair.center_x, dy = p.y() - pair.center_y;
-    if (squarable(radius) && dx * dx + dy * dy > radius * radius) continue;
-    if (locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside)
-      return static_cast<std::ptrdiff_t>(first);
-  }
-  return -1;
+  const Disc disc(pair);
+  return firstInside(
+      pair.a, [&] { return disc; }, [&](const Vec2& p) { return disc.holds(p); },
+      [&](const Vec2& p) {
+        return locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside;
+      });
 }
 
 }  // namespace

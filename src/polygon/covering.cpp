@@ -8,10 +8,20 @@ namespace tricover::detail {
 CoveringSum::CoveringSum(const PolygonData& polygon, const IncludedPoint& point)
     : polygon_(polygon), point_(point), s_(polygon.origin) {
   const ApproxPoint& p = point.approx;
-  const bool off_origin = std::abs(p.x - s_.x()) > p.error || std::abs(p.y - s_.y()) > p.error;  // false for NaN
+  const auto isOff = [&](const Vec2& v, double by) {  // false for NaN
+    return std::abs(p.x - v.x()) > p.error + by || std::abs(p.y - v.y()) > p.error + by;
+  };
+  // So near S, a ray away from it has no certain direction: the covering is taken from elsewhere, if it can be.
+  const double near = 0x1p-9 * polygon.unit;
+  if (isOff(s_, near)) return;
+  for (const std::size_t position : {std::size_t{0}, polygon.path.size() / 2})
+    if (isOff(polygon.path[position], near)) {
+      s_ = polygon.path[position];
+      return;
+    }
   // Every triangle would have the point as its corner: take the covering from a vertex. If that is the point, too, it
   // is found on that vertex's edge.
-  if (!off_origin && (point.pose == nullptr || between(s_, s_))) s_ = polygon.path.front();
+  if (!isOff(s_, 0) && (point.pose == nullptr || between(s_, s_))) s_ = polygon.path.front();
 }
 
 inline int CoveringSum::sign(const Vec2& v, const Vec2& w) const {

@@ -83,9 +83,11 @@ struct PolygonData {
   /// of. S is on it but for rounding, and on a point exactly.
   static constexpr std::size_t kNoSpine = static_cast<std::size_t>(-1);
   std::size_t spine;
-  bool is_point;                           ///< whether the spine has no length
-  mutable std::atomic<unsigned> scans{0};  ///< points located edge by edge so far
-  Derived derived;                         ///< the hierarchy's place
+  bool is_point;                                    ///< whether the spine has no length
+  mutable std::atomic<unsigned> scans{0};           ///< points located edge by edge so far
+  Derived derived;                                  ///< the hierarchy's place
+  mutable std::atomic<std::size_t> rings_asked{0};  ///< what looking at all rings' starts has cost so far
+  Derived starts;                                   ///< the place of the starts that need be asked for
 };
 
 }  // namespace tricover::detail

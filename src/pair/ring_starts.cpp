@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair/ring_starts.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+
+#include "pair/edge_pairs.h"
+#include "pair/posed_pair.h"
+
+namespace tricover::detail {
+namespace {
+
+/// Rings that are connected, each group by its first.
+class Groups {
+ public:
+  explicit Groups(std::size_t rings) : parent_(rings), count_(rings) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+  std::uint32_t first(std::uint32_t ring) {
+    while (parent_[ring] != ring) ring = parent_[ring] = parent_[parent_[ring]];
+    return ring;
+  }
+  void join(std::uint32_t r, std::uint32_t s) {
+    parent_[std::max(r, s)] = std::min(r, s);
+    --count_;
+  }
+  std::size_t count() const { return count_; }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::size_t count_;
+};
+
+}  // namespace
+
+RingStarts::RingStarts(const PolygonData& polygon) {
+  std::vector<std::uint32_t> ring_of(polygon.path.size());
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) ring_of[e] = static_cast<std::uint32_t>(r);
+  Groups groups(polygon.ringCount());
+  // Of a mesh's edges each meets some thirty others. Where there are more, what has been found will do.
+  constexpr std::size_t kPairsPerEdge = 64;
+  std::size_t pairs_left = kPairsPerEdge * polygon.path.size();
+  const Pose still = Pose::Identity();
+  const PosedPair itself(polygon, still, polygon, still);
+  forEachPair(itself, 0, [&](double, std::size_t i, std::size_t j) {
+    const std::uint32_t r = groups.first(ring_of[i]), s = groups.first(ring_of[j]);
+    if (r != s && edgesMeet(itself, i, j)) groups.join(r, s);
+    return --pairs_left == 0 || groups.count() == 1 ? -1 : 0;
+  });
+  by_x_.reserve(groups.count());
+  for (std::uint32_t r = 0; r < polygon.ringCount(); ++r)
+    if (groups.first(r) == r) by_x_.push_back({polygon.path[polygon.edgeBegin(r)].x(), r});
+  std::sort(by_x_.begin(), by_x_.end(), [](const Start& p, const Start& q) { return p.x < q.x; });
+}
+
+std::vector<std::uint32_t> RingStarts::between(double low, double high) const {
+  const auto begin = std::partition_point(by_x_.begin(), by_x_.end(), [&](const Start& s) { return s.x < low; });
+  const auto end = std::partition_point(begin, by_x_.end(), [&](const Start& s) { return !(s.x > high); });
+  std::vector<std::uint32_t> rings;
+  for (auto it = begin; it != end; ++it) rings.push_back(it->ring);
+  std::sort(rings.begin(), rings.end());
+  return rings;
+}
+
+const RingStarts* ringStarts(const PolygonData& polygon) {
+  // In the cost of looking at a ring: an edge's part in finding the starts.
+  constexpr std::size_t kPerEdge = 32;
+  if (const void* ready = polygon.starts.ifBuilt()) return static_cast<const RingStarts*>(ready);
+  if (polygon.rings_asked.load(std::memory_order_relaxed) < kPerEdge * polygon.path.size()) return nullptr;
+  return static_cast<const RingStarts*>(
+      polygon.starts.built([&] { return std::make_shared<const RingStarts>(polygon); }));
+}
+
+void countRings(const PolygonData& polygon, std::size_t rings, std::size_t located) {
+  constexpr std::size_t kPerLocation = 1000, kFewRings = 4;
+  if (polygon.ringCount() <= kFewRings || hierarchyIfBuilt(polygon) == nullptr) return;
+  polygon.rings_asked.fetch_add(rings + kPerLocation * located, std::memory_order_relaxed);
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "polygon/polygon_data.h"
+
+namespace tricover::detail {
+
+/// The starts by which containment is asked for. Rings whose edges meet are connected, and what doesn't cross another
+/// polygon's edges is, where it is connected, either in that region or not: so one start serves for all of them, that
+/// of the first.
+class RingStarts {
+ public:
+  /// Exact as far as it goes: where edges of very many rings meet, some are left unconnected.
+  explicit RingStarts(const PolygonData& polygon);
+
+  std::size_t count() const { return by_x_.size(); }
+
+  /// Those with x in [low, high], as numbers of rings, in order; NaN stands for no bound.
+  std::vector<std::uint32_t> between(double low, double high) const;
+
+ private:
+  struct Start {
+    double x;
+    std::uint32_t ring;
+  };
+  std::vector<Start> by_x_;
+};
+
+/// Null where every ring is to be asked: of few rings, and until that has cost about as much as finding them does.
+/// Which ring is the first to be in a region doesn't depend on it.
+const RingStarts* ringStarts(const PolygonData& polygon);
+
+/// Tells what asking every ring has cost: so many rings, of which so many were located.
+void countRings(const PolygonData& polygon, std::size_t rings, std::size_t located);
+
+}  // namespace tricover::detail

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which rings are connected, against exact rationals; and that answers don't depend on whether that is known.
+#include "pair/ring_starts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "exact_reference.h"
+#include "hierarchy/hierarchy.h"
+#include "pair/containment.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/locate.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Each group of rings whose edges meet, by its first.
+std::vector<std::uint32_t> firstRings(const Polygon& polygon) {
+  std::vector<std::uint32_t> ring_of, group(polygon.rings().size());
+  std::iota(group.begin(), group.end(), 0u);
+  for (std::uint32_t r = 0; r < group.size(); ++r) ring_of.insert(ring_of.end(), polygon.rings()[r].size(), r);
+  const Pose still = Pose::Identity();
+  for (const auto& [i, j] : exact::meetingEdges(polygon, still, polygon, still)) {
+    const std::uint32_t g = group[ring_of[static_cast<std::size_t>(i)]],
+                        h = group[ring_of[static_cast<std::size_t>(j)]];
+    for (std::uint32_t& other : group) other = other == std::max(g, h) ? std::min(g, h) : other;
+  }
+  std::vector<std::uint32_t> firsts;
+  for (std::uint32_t r = 0; r < group.size(); ++r)
+    if (group[r] == r) firsts.push_back(r);
+  return firsts;
+}
+
+/// Triangles on a small grid: they overlap, touch at corners or along edges, hold each other, or are apart.
+Polygon triangles(Random& random) {
+  std::vector<Ring> rings;
+  const int n = random.integer(2, 25), size = random.integer(2, 12);
+  for (int i = 0; i < n; ++i) {
+    const Vec2 at(random.integer(0, 2 * size), random.integer(0, 2 * size));
+    const double reach = random.oneIn(8) ? 20 : 1;
+    rings.push_back({at, at + Vec2(reach, random.integer(0, 1)), at + Vec2(random.integer(0, 1), reach)});
+  }
+  return Polygon(rings, random.coin() ? FillRule::NonZero : FillRule::EvenOdd);
+}
+
+TEST(RingStarts, AreOneAComponent) {
+  int rings = 0, starts = 0;
+  for (int i = 0; i < scaledCount(300); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon polygon = triangles(random);
+    const std::vector<std::uint32_t> truth = firstRings(polygon);
+    EXPECT_EQ(detail::RingStarts(polygon.data()).between(-kInfinity, kInfinity), truth) << i;
+    rings += static_cast<int>(polygon.rings().size());
+    starts += static_cast<int>(truth.size());
+  }
+  EXPECT_GE(starts, 0.2 * rings);
+  EXPECT_LE(starts, 0.8 * rings);
+}
+
+TEST(RingStarts, AreFoundByPlace) {
+  std::vector<Ring> rings;
+  for (int i = 0; i < 20; ++i) rings.push_back(rectangle(7 * i % 20, 0, 7 * i % 20 + 0.5, 1));
+  const Polygon polygon(rings);
+  const detail::RingStarts starts(polygon.data());
+  EXPECT_EQ(starts.count(), 20u);
+  // At 14, 0, 7 and 1; bounds are included.
+  EXPECT_EQ(starts.between(14, 14), (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(starts.between(-1, 1), (std::vector<std::uint32_t>{0, 3}));
+  EXPECT_TRUE(starts.between(1.25, 1.75).empty());
+  EXPECT_TRUE(starts.between(2, 1).empty());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(starts.between(nan, nan).size(), 20u);
+}
+
+/// Asked until the starts are known, and after.
+TEST(RingStarts, ChangeNoAnswer) {
+  int cases = 0, hits = 0, known = 0;
+  for (int i = 0; i < scaledCount(60); ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 5000);
+    const Polygon a = triangles(random), b = triangles(random);
+    std::vector<Pose> poses;
+    std::vector<detail::Outcome> first;
+    for (int k = 0; k < 30; ++k)
+      poses.push_back(pose(random.real(0, 6), random.real(-1, 1) * 30, random.real(-1, 1) * 30));
+    const auto ask = [&](const Pose& at) {
+      // Only where no edges meet is there anything to find.
+      if (!exact::meetingEdges(a, Pose::Identity(), b, at).empty()) return detail::Outcome();
+      const Pose still = Pose::Identity();
+      return detail::findContainment(detail::PosedPair(a.data(), still, b.data(), at));
+    };
+    for (const Polygon* polygon : {&a, &b}) detail::hierarchyOf(polygon->data());
+    for (const Pose& at : poses) first.push_back(ask(at));
+    for (const Polygon* polygon : {&a, &b}) detail::countRings(polygon->data(), 1000 * polygon->data().path.size(), 0);
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      const detail::Outcome again = ask(poses[k]);
+      ++cases;
+      hits += again.collides;
+      EXPECT_EQ(again.collides, first[k].collides);
+      EXPECT_EQ(again.edge_a, first[k].edge_a);
+      EXPECT_EQ(again.edge_b, first[k].edge_b);
+    }
+    known += detail::ringStarts(a.data()) != nullptr;
+  }
+  std::printf("%d questions, %d containments, the starts known of %d\n", cases, hits, known);
+  EXPECT_GE(hits, 0.01 * cases);
+  EXPECT_LE(hits, 0.9 * cases);
+  EXPECT_GE(known, scaledCount(60) / 2);
+}
+
+/// Where edges of all rings meet all others', finding the components ends early, with more starts than need be.
+TEST(RingStarts, OfVeryManyCrossings) {
+  std::vector<Ring> rings;
+  for (int i = 0; i < 400; ++i) {
+    rings.push_back({Vec2(0, i), Vec2(400, i), Vec2(400, i + 0.5)});
+    rings.push_back({Vec2(i, -1), Vec2(i, 401), Vec2(i + 0.5, 401)});
+  }
+  const detail::RingStarts starts(Polygon(rings).data());
+  EXPECT_GE(starts.count(), 1u);
+  EXPECT_EQ(starts.between(-kInfinity, kInfinity).front(), 0u);
+}
+
+/// A point near S is located by the edges along a ray, too, which goes from elsewhere then.
+TEST(Locate, NearTheOriginOfTheCovering) {
+  for (int i = 0; i < scaledCount(200); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon polygon({star(random, 40, 0.5, 2), regular(random.integer(3, 9), random.coin() ? 0.001 : 0.4)});
+    for (int k = 0; k < 20; ++k) {
+      const double size = std::pow(10, random.integer(-18, -2));
+      const Vec2 p = polygon.origin() + size * Vec2(random.integer(-1, 1), random.real(-1, 1));
+      EXPECT_EQ(locate(polygon, p), exact::locate(polygon, p)) << i << ", " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
