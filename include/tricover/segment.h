@@ -7,7 +7,7 @@
 namespace tricover {
 
 /// The polygon that is this point and nothing else: one ring of three equal vertices. With a margin of r it is an exact
-/// closed disc of radius r, in every query that takes a margin.
+/// closed disc of radius r, in every query that takes a margin. Distances and impacts name its edge 0.
 ///
 /// Throws std::invalid_argument for a coordinate that is not finite.
 ///
@@ -15,8 +15,8 @@ namespace tricover {
 TRICOVER_EXPORT Polygon point(const Vec2& p);
 
 /// The polygon that is the closed segment from p to q (their frame is the polygon's) and nothing else: one ring of p,
-/// q and q once more. With a margin of r it is an exact stadium: every point within r of the segment. Of equal p and q it
-/// is their point.
+/// q and q once more. With a margin of r it is an exact stadium: every point within r of the segment. Distances and
+/// impacts name its edge 0, from p to q. Of equal p and q it is their point.
 ///
 /// Throws std::invalid_argument for a coordinate that is not finite.
 ///

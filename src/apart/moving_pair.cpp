@@ -83,7 +83,9 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
     mover.polygon = &polygon;
     mover.tree = &hierarchyOf(polygon);
     mover.linear = motion.start.linear();
-    mover.turn = turnOf(motion);
+    // A point stays where it is if it turns about itself.
+    const bool turns = !(polygon.isPoint() && motion.pivot == polygon.origin);
+    mover.turn = turns ? turnOf(motion) : Cubic<double>{0, 0, 0};
     // Without a turn any pivot will do, and S is the nearest.
     mover.pivot = mover.turn.isZero() ? polygon.origin : motion.pivot;
     const Vec2 pivot = shrink * mover.pivot;

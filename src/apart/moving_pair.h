@@ -88,7 +88,8 @@ struct MovingPair {
 inline Node Mover::node(std::uint32_t index) const {
   if (index == kRootNode) {
     const Box& root = tree->root;
-    return {root.x, root.y, root.ux, root.uy, root.along, root.across, 0, false};
+    const std::uint32_t child = polygon->hasSpine() ? static_cast<std::uint32_t>(polygon->spine) : 0;
+    return {root.x, root.y, root.ux, root.uy, root.along, root.across, child, polygon->hasSpine()};
   }
   const Block& block = tree->blocks[index / kLanes];
   const unsigned lane = index % kLanes;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apart/moving_pair.h"
+#include "apart/point_impact.h"
 #include "apart/window_cutter.h"
 #include "numbers/errors.h"
 #include "pair/collide_by_hierarchy.h"
@@ -226,21 +227,29 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
                                     const Motion& motion_b, const ImpactOptions& options) {
   const MovingPair moving(a, motion_a, b, motion_b, options.margin);
   if (moving.discsStayApart()) return std::nullopt;
-  ImpactSearch search(moving, options.time_error);
-  if (!search.start()) return std::nullopt;
   // All of a region is in the box around everything. Regions that start apart meet at their edges first.
-  if (search.lowerBound() == 0) {
+  const auto atStart = [&]() -> std::optional<Impact> {
     CollideOptions at_start;
     at_start.margin = options.margin;
     const Outcome outcome =
         collideByHierarchy(PosedPair(a, motion_a.start, b, motion_b.start), at_start, 0, Wanted::Edges);
-    if (outcome.collides) {
-      return outcome.edge_a >= 0 && outcome.edge_b >= 0
-                 ? describe(moving, motion_a, 0, static_cast<std::size_t>(outcome.edge_a),
-                            static_cast<std::size_t>(outcome.edge_b))
-                 : describeContainment(moving, motion_a, motion_b, outcome);
-    }
+    if (!outcome.collides) return std::nullopt;
+    return outcome.edge_a >= 0 && outcome.edge_b >= 0
+               ? describe(moving, motion_a, 0, static_cast<std::size_t>(outcome.edge_a),
+                          static_cast<std::size_t>(outcome.edge_b))
+               : describeContainment(moving, motion_a, motion_b, outcome);
+  };
+  if (isPointCast(moving)) {
+    if (const auto impact = atStart()) return impact;
+    const auto found = findPointImpact(moving, options.time_error);
+    if (!found) return std::nullopt;
+    const double later = std::max(found->time, std::numeric_limits<double>::denorm_min());
+    return describe(moving, motion_a, later, found->edge, b.spine);
   }
+  ImpactSearch search(moving, options.time_error);
+  if (!search.start()) return std::nullopt;
+  if (search.lowerBound() == 0)
+    if (const auto impact = atStart()) return impact;
   if (!search.run()) return std::nullopt;
   // Apart at time 0, though it may be by less than rounding.
   const double time = std::max(search.time, std::numeric_limits<double>::denorm_min());

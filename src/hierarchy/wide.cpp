@@ -43,6 +43,10 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
   return table().find_edge_near(hierarchy, place, limit, test);
 }
 
+void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context) {
+  table().visit_edges_on_way(hierarchy, way, visit, context);
+}
+
 double depthInDiscs(const InnerDiscs& discs, const Place& place) { return table().depth_in_discs(discs, place); }
 
 void usePortableLanes(bool portable) {

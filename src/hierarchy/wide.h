@@ -75,6 +75,16 @@ struct NearEdgeTest {
 /// any edge, at most the limit.
 DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test);
 
+/// A point that moves from `start` by (dx, dy), in a hierarchy's units.
+struct Way {
+  Place start;
+  double dx, dy, reach;
+};
+
+/// Calls visit(context, edge's position) for every edge that the moving point may come within `reach` of, the first
+/// roughly first. It returns the share of the way, at most 1, beyond which no more edges need to be shown.
+void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context);
+
 /// How deep, in units, a point is at least in one of the discs: negative where it may be beside all, by no less than
 /// what it may be away from the nearest.
 double depthInDiscs(const InnerDiscs& discs, const Place& place);

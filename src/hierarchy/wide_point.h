@@ -86,6 +86,70 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
   return result;
 }
 
+/// The shares of a way at which it enters the boxes grown by `reach` (their corners, too), from 0 on; above 1e29 where
+/// it doesn't. A way along a side is divided by nearly 0: then either both ends of the slab are beyond, or neither.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes boxEntries(const Block& block, float x, float y, float dx, float dy, float reach) {
+  const Lanes ux = Lanes::load(block.ux), uy = Lanes::load(block.uy);
+  const Lanes ex = Lanes::load(block.x) - x, ey = Lanes::load(block.y) - y;
+  const Lanes along = Lanes::load(block.along) + reach, across = Lanes::load(block.across) + reach;
+  const Lanes along_at = ex * ux + ey * uy, across_at = ey * ux - ex * uy;
+  const Lanes along_by = ux * dx + uy * dy + 1e-30f, across_by = ux * dy - uy * dx + 1e-30f;
+  const Lanes s = (along_at - along) / along_by, t = (along_at + along) / along_by;
+  const Lanes v = (across_at - across) / across_by, w = (across_at + across) / across_by;
+  const Lanes entry = larger(larger(smaller(s, t), smaller(v, w)), Lanes::all(0));
+  const Lanes exit = smaller(larger(s, t), larger(v, w));
+  // Where it leaves before it enters, the difference is positive, and so is far too much of it.
+  return entry + larger(entry - exit, Lanes::all(0)) * 1e38f;
+}
+
+template <class Lanes>
+void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context) {
+  std::uint32_t stack[(kLanes - 1) * kMaxDepth + 1];
+  float entries[(kLanes - 1) * kMaxDepth + 1];
+  int top = 0;
+  stack[top] = 0;
+  entries[top++] = 0;
+  double first = 1;
+  while (top > 0) {
+    if (entries[--top] > first) continue;
+    const Block& block = hierarchy.blocks[stack[top]];
+    const PlaceInBlock p = placeIn(block, way.start);
+    const double dx = way.dx * block.inverse, dy = way.dy * block.inverse;
+    const double reach = way.reach * block.inverse + p.slack + 2 * kGapRounding * (magnitude(dx) + magnitude(dy));
+    unsigned near = (1u << block.count) - 1;
+    float entry[kLanes] = {};
+    if (reach < 1e15) {
+      const Lanes found = boxEntries<Lanes>(block, p.x, p.y, static_cast<float>(dx), static_cast<float>(dy),
+                                            static_cast<float>(reach) * (1 + 0x1p-20f));
+      near &= ~above(found, Lanes::all(static_cast<float>(first)));
+      found.store(entry);
+    }
+    int nearest = top;
+    float least = 1e38f;
+    for (; near != 0; near &= near - 1) {
+      const int i = __builtin_ctz(near);
+      if (block.leaf) {
+        if (!(entry[i] > first)) first = visit(context, block.child[i]);
+        continue;
+      }
+      if (entry[i] < least) {
+        least = entry[i];
+        nearest = top;
+      }
+      stack[top] = block.child[i];
+      entries[top++] = entry[i];
+    }
+    if (nearest >= top) continue;
+    const std::uint32_t last = stack[top - 1];
+    const float last_entry = entries[top - 1];
+    stack[top - 1] = stack[nearest];
+    entries[top - 1] = entries[nearest];
+    stack[nearest] = last;
+    entries[nearest] = last_entry;
+  }
+}
+
 /// Rounding as in boxDistances(); the radii, below 2, are floats.
 template <class Lanes>
 double depthInDiscs(const InnerDiscs& discs, const Place& place) {

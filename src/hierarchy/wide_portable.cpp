@@ -76,9 +76,10 @@ struct PortableLanes {
 }  // namespace
 }  // namespace wide
 
-const WideTable kPortableTable = {&wide::findHit<wide::PortableLanes>,         &wide::showPairs<wide::PortableLanes>,
-                                  &wide::visitEdgesOnRay<wide::PortableLanes>, &wide::convexMeet<wide::PortableLanes>,
-                                  &wide::innerDepth<wide::PortableLanes>,      &wide::findEdgeNear<wide::PortableLanes>,
-                                  &wide::depthInDiscs<wide::PortableLanes>};
+const WideTable kPortableTable = {
+    &wide::findHit<wide::PortableLanes>,         &wide::showPairs<wide::PortableLanes>,
+    &wide::visitEdgesOnRay<wide::PortableLanes>, &wide::convexMeet<wide::PortableLanes>,
+    &wide::innerDepth<wide::PortableLanes>,      &wide::findEdgeNear<wide::PortableLanes>,
+    &wide::depthInDiscs<wide::PortableLanes>,    &wide::visitEdgesOnWay<wide::PortableLanes>};
 
 }  // namespace tricover::detail

@@ -14,6 +14,7 @@ struct WideTable {
   decltype(&innerDepth) inner_depth;
   decltype(&findEdgeNear) find_edge_near;
   decltype(&depthInDiscs) depth_in_discs;
+  decltype(&visitEdgesOnWay) visit_edges_on_way;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

@@ -97,8 +97,11 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
       std::max(std::hypot(e[1].x - e[0].x, e[1].y - e[0].y), std::hypot(e[3].x - e[2].x, e[3].y - e[2].y));
   const double err = kEndError * pair.error + kSegmentDistanceError * (length + d) + kTiny;
   if ((d + err) * (1 + pair.scale_defect) <= reach + tolerance) return true;
+  const bool apart = (d - err) * (1 - pair.scale_defect) > reach;
+  // A point crosses nothing: the lower bound holds.
+  if (apart && (pair.a.path[i] == pair.a.path[i + 1] || pair.b.path[j] == pair.b.path[j + 1])) return false;
   if (meet(ends)) return true;
-  if ((d - err) * (1 - pair.scale_defect) > reach) return false;
+  if (apart) return false;
   return ends.within(0, 2, 3, reach) || ends.within(1, 2, 3, reach) || ends.within(2, 0, 1, reach) ||
          ends.within(3, 0, 1, reach);
 }

@@ -17,6 +17,7 @@
 #include "shapes.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
+#include "tricover/segment.h"
 #include "tricover/time_of_impact.h"
 #include "workloads.h"
 
@@ -91,8 +92,17 @@ Motion anyMotion(Random& random, Kind kind, const Pose& start, const Polygon& po
   return motion;
 }
 
+/// A point or a segment, with its frame's origin on it or not.
+Polygon anySpine(Random& random) {
+  const Vec2 p = random.coin() ? Vec2(Vec2::Zero()) : Vec2(random.real(-40, 40), random.real(-40, 40));
+  if (!random.oneIn(3)) return point(p);
+  return segment(p, p + Vec2(random.real(-60, 60), random.real(-60, 60)));
+}
+
 Flight anyFlight(Random& random, Kind kind) {
   Polygon a = anyPolygon(random), b = anyPolygon(random);
+  if (random.oneIn(3)) b = anySpine(random);
+  if (random.oneIn(6)) a = anySpine(random);
   Pose start_a = randomPose(random, 20), start_b = randomPose(random, 200);
   if (random.oneIn(5)) start_a = mirrored(start_a);
   if (random.oneIn(5)) start_b = distorted(random, start_b);
@@ -163,7 +173,9 @@ TEST_P(TimeOfImpactOracle, BracketsTheFirstCollision) {
     const Flight f = anyFlight(random, GetParam());
     ImpactOptions options;
     options.time_error = random.oneIn(8) ? 0 : std::pow(10, random.real(-9, -3));
-    if (random.oneIn(3)) options.margin = random.oneIn(4) ? 1e-9 : random.real(0, 20);
+    const bool has_disc = std::min(f.a.vertexCount(), f.b.vertexCount()) == 3;
+    if (has_disc ? !random.oneIn(4) : random.oneIn(3))
+      options.margin = random.oneIn(4) ? 1e-9 : random.real(0, has_disc ? 60 : 20);
     const auto impact = timeOfImpact(f.a, f.motion_a, f.b, f.motion_b, options);
     const auto swapped = timeOfImpact(f.b, f.motion_b, f.a, f.motion_a, options);
     overlaps += impact && impact->time == 0;

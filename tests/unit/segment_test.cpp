@@ -123,6 +123,7 @@ TEST(Margin, OfADistanceKeepsPointsAndEdgesOfTheRegions) {
   EXPECT_EQ(apart.point_a, Vec2(4, 1));
   EXPECT_EQ(apart.point_b, Vec2(7, 1));
   EXPECT_EQ(apart.edge_a, 1);
+  EXPECT_EQ(apart.edge_b, 0);
   const DistanceResult within_margin = gap(square, point({7, 1}), 10);
   EXPECT_EQ(within_margin.distance, 0);
   EXPECT_EQ(within_margin.point_a, Vec2(4, 1));
@@ -164,6 +165,8 @@ TEST(Margin, MakesDiscsMeetInTime) {
   ASSERT_TRUE(impact);
   EXPECT_NEAR(impact->time, 0.5, 1e-12);
   EXPECT_LE(impact->time, 0.5);
+  EXPECT_EQ(impact->edge_a, 0);
+  EXPECT_EQ(impact->edge_b, 0);
   start.translation() << 10, nudged(1, 4096);
   EXPECT_FALSE(timeOfImpact(p, still, p, Motion::translation(start, {-18, 0}), options));
 }
