@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "apart/convex_nearest.h"
 #include "apart/distance_search.h"
 #include "apart/edge_distance.h"
 #include "numbers/double_double.h"
@@ -184,6 +185,7 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
     cache->second_id = pair.b.id;
   }
   const PosedPair posed(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  if (showNearestOfConvex(posed, search)) return answer();
   if (descend(posed, search)) {
     const Outcome outcome = findContainment(posed);
     if (outcome.collides) {

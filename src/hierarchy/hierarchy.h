@@ -45,6 +45,8 @@ struct SmallConvex {
   static constexpr int kMost = 2 * kLanes;
   float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost];
   int lanes;  ///< kLanes or kMost
+  int count;  ///< of vertices
+  float shortest;  ///< edge
 };
 
 /// The influence hierarchy of a polygon: a tree of boxes over chains of edges; a box grown by n is its chain's

@@ -49,6 +49,19 @@ void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)
 
 double depthInDiscs(const InnerDiscs& discs, const Place& place) { return table().depth_in_discs(discs, place); }
 
+ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
+  return table().convex_gap(a, b, map);
+}
+
+ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
+  return table().nearest_vertices(a, b, map);
+}
+
+ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
+                              double depth) {
+  return table().convex_supports(a, b, map, x, y, depth);
+}
+
 void usePortableLanes(bool portable) {
   chosen.store(portable ? &kPortableTable : fastest(), std::memory_order_relaxed);
 }

@@ -111,6 +111,35 @@ enum class Meeting { Apart, Meet, Unknown };
 /// Two small convex polygons by separating axes. `map` goes from b's units to a's and puts b's S within 4 of a's.
 Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding);
 
+/// Which edge of two small convex polygons has all of the other farthest beyond it, and how far, in a's units. It is a
+/// guess as good as floats.
+struct ConvexGap {
+  float gap;
+  int edge;
+  bool of_a;
+};
+ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& map);
+
+/// The vertices that are nearest to each other, as floats see it.
+struct ConvexVertices {
+  int a, b;
+};
+ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const UnitMap& map);
+
+/// A bit for each vertex whose depth along an axis, below the foremost vertex of its own polygon, is at most `depth`
+/// (a, b), or a quarter of that (foremost_a, foremost_b). The axis is a unit vector of a's frame and leads from a to b;
+/// lengths are in a's units, each depth right to kSupportError.
+struct ConvexSupports {
+  unsigned a, b, foremost_a, foremost_b;
+};
+ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
+                              double depth);
+
+/// A coordinate is below 1 and rounded once, the axis twice, then come products, a sum, the scale and the difference;
+/// for two vertices, and twice as much. A pose's defect changes the axis in b's frame by 2e-6 at most.
+constexpr double kSupportError = 0x1p-17;
+static_assert(kSupportError >= 2 * 2 * 8 * kFloatRoundoff + 2e-6);
+
 /// A ray in a hierarchy's units: every point known to within `error`.
 struct Ray {
   double x, y, dx, dy, error;

@@ -61,7 +61,9 @@ struct Avx2Lanes {
 const WideTable kAvx2Table = {&wide::findHit<wide::Avx2Lanes>,         &wide::showPairs<wide::Avx2Lanes>,
                               &wide::visitEdgesOnRay<wide::Avx2Lanes>, &wide::convexMeet<wide::Avx2Lanes>,
                               &wide::innerDepth<wide::Avx2Lanes>,      &wide::findEdgeNear<wide::Avx2Lanes>,
-                              &wide::depthInDiscs<wide::Avx2Lanes>,    &wide::visitEdgesOnWay<wide::Avx2Lanes>};
+                              &wide::depthInDiscs<wide::Avx2Lanes>,    &wide::visitEdgesOnWay<wide::Avx2Lanes>,
+                              &wide::convexGap<wide::Avx2Lanes>,       &wide::nearestVertices<wide::Avx2Lanes>,
+                              &wide::convexSupports<wide::Avx2Lanes>};
 
 }  // namespace tricover::detail
 

@@ -80,6 +80,8 @@ const WideTable kPortableTable = {
     &wide::findHit<wide::PortableLanes>,         &wide::showPairs<wide::PortableLanes>,
     &wide::visitEdgesOnRay<wide::PortableLanes>, &wide::convexMeet<wide::PortableLanes>,
     &wide::innerDepth<wide::PortableLanes>,      &wide::findEdgeNear<wide::PortableLanes>,
-    &wide::depthInDiscs<wide::PortableLanes>,    &wide::visitEdgesOnWay<wide::PortableLanes>};
+    &wide::depthInDiscs<wide::PortableLanes>,    &wide::visitEdgesOnWay<wide::PortableLanes>,
+    &wide::convexGap<wide::PortableLanes>,       &wide::nearestVertices<wide::PortableLanes>,
+    &wide::convexSupports<wide::PortableLanes>};
 
 }  // namespace tricover::detail

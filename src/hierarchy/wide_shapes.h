@@ -55,6 +55,19 @@ template <class Lanes>
   return least - d;
 }
 
+/// b's vertices in a's units.
+template <class Lanes>
+[[gnu::always_inline]] inline void mapVertices(const SmallConvex& b, const UnitMap& map, float* x, float* y) {
+  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
+  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    const Lanes bx = Lanes::load(b.x + i) * scale, by = Lanes::load(b.y + i) * scale;
+    (bx * r00 + by * r01 + tx).store(x + i);
+    (bx * r10 + by * r11 + ty).store(y + i);
+  }
+}
+
 static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
 
 /// Convex polygons are apart if and only if some edge of either has all of the other beyond it. Rounding: points,
@@ -67,11 +80,7 @@ Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& ma
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
   const float slack = static_cast<float>(8 * rounding + map.error);
   float x[SmallConvex::kMost], y[SmallConvex::kMost];
-  for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bx = Lanes::load(b.x + i) * scale, by = Lanes::load(b.y + i) * scale;
-    (bx * r00 + by * r01 + tx).store(x + i);
-    (bx * r10 + by * r11 + ty).store(y + i);
-  }
+  mapVertices<Lanes>(b, map, x, y);
   unsigned inside = (1u << kLanes) - 1;
   for (int i = 0; i < a.lanes; i += kLanes) {
     const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
@@ -115,6 +124,102 @@ double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, 
   for (int i = 0; i < kLanes; ++i) deepest = values[i] > deepest ? values[i] : deepest;
   if (!(deepest > slack)) return 0;
   return (deepest - slack) / (2.0 * (static_cast<double>(a.radius[0]) + radius[0]) * (1 + 0x1p-10));
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline float largest(Lanes values) {
+  float v[kLanes];
+  values.store(v);
+  for (int step = kLanes / 2; step > 0; step /= 2)
+    for (int i = 0; i < step; ++i) v[i] = v[i] > v[i + step] ? v[i] : v[i + step];
+  return v[0];
+}
+
+/// Bits of the values, of whole lanes, that are at least `least`.
+template <class Lanes>
+[[gnu::always_inline]] inline unsigned atLeast(const float* values, int lanes, float least) {
+  unsigned bits = 0;
+  for (int i = 0; i < lanes; i += kLanes)
+    bits |= (~above(Lanes::all(least), Lanes::load(values + i)) & ((1u << kLanes) - 1)) << i;
+  return bits;
+}
+
+template <class Lanes>
+ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
+  float x[SmallConvex::kMost], y[SmallConvex::kMost], of_a[SmallConvex::kMost], of_b[SmallConvex::kMost];
+  mapVertices<Lanes>(b, map, x, y);
+  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
+  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  Lanes most = Lanes::all(-1e30f);
+  for (int i = 0; i < a.lanes; i += kLanes) {
+    const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
+    out.store(of_a + i);
+    most = larger(most, out);
+  }
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
+    const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
+    const Lanes d = Lanes::load(b.d + i) * scale + nx * tx + ny * ty;
+    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.lanes);
+    out.store(of_b + i);
+    most = larger(most, out);
+  }
+  const float gap = largest(most);
+  const unsigned edges_a = atLeast<Lanes>(of_a, a.lanes, gap), edges_b = atLeast<Lanes>(of_b, b.lanes, gap);
+  return {gap, __builtin_ctz(edges_a != 0 ? edges_a : edges_b | 1u << (SmallConvex::kMost - 1)), edges_a != 0};
+}
+
+template <class Lanes>
+ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
+  float x[SmallConvex::kMost], y[SmallConvex::kMost];
+  mapVertices<Lanes>(b, map, x, y);
+  float nearest = 1e30f;
+  ConvexVertices found{0, 0};
+  for (int i = 0; i < a.lanes; i += kLanes) {
+    const Lanes ax = Lanes::load(a.x + i), ay = Lanes::load(a.y + i);
+    Lanes best = Lanes::all(-1e30f);
+    for (int j = 0; j < b.count; ++j) {
+      const Lanes dx = ax - x[j], dy = ay - y[j];
+      best = larger(best, Lanes::all(0) - (dx * dx + dy * dy));
+    }
+    const float square = -largest(best);
+    if (!(square < nearest)) continue;
+    nearest = square;
+    float squares[kLanes];
+    best.store(squares);
+    found.a = i + __builtin_ctz(atLeast<Lanes>(squares, kLanes, -square) | 1u << (kLanes - 1));
+    float least = 1e30f;
+    for (int j = 0; j < b.count; ++j) {
+      const float dx = a.x[found.a] - x[j], dy = a.y[found.a] - y[j], other = dx * dx + dy * dy;
+      if (other < least) least = other, found.b = j;
+    }
+  }
+  return found;
+}
+
+template <class Lanes>
+ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
+                              double depth) {
+  float along[SmallConvex::kMost];
+  const float reach = static_cast<float>(depth);
+  const auto foremost = [&](const SmallConvex& polygon, float nx, float ny, unsigned& near, unsigned& best) {
+    Lanes most = Lanes::all(-1e30f);
+    for (int i = 0; i < polygon.lanes; i += kLanes) {
+      const Lanes at = Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
+      at.store(along + i);
+      most = larger(most, at);
+    }
+    const float end = largest(most);
+    const unsigned vertices = (1u << polygon.count) - 1;  // the padding repeats the last one
+    near = atLeast<Lanes>(along, polygon.lanes, end - reach) & vertices;
+    best = atLeast<Lanes>(along, polygon.lanes, end - 0.25f * reach) & vertices;
+  };
+  ConvexSupports found;
+  foremost(a, static_cast<float>(x), static_cast<float>(y), found.a, found.foremost_a);
+  const double bx = (map.r00 * x + map.r10 * y) * -map.scale, by = (map.r01 * x + map.r11 * y) * -map.scale;
+  foremost(b, static_cast<float>(bx), static_cast<float>(by), found.b, found.foremost_b);
+  return found;
 }
 
 }  // namespace tricover::detail::wide

@@ -15,6 +15,9 @@ struct WideTable {
   decltype(&findEdgeNear) find_edge_near;
   decltype(&depthInDiscs) depth_in_discs;
   decltype(&visitEdgesOnWay) visit_edges_on_way;
+  decltype(&convexGap) convex_gap;
+  decltype(&nearestVertices) nearest_vertices;
+  decltype(&convexSupports) convex_supports;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

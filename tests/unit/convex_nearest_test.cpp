@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The short way to the distance of small convex polygons: the same bits as all pairs of edges give, on all lanes.
+#include "apart/convex_nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact_reference.h"
+#include "hierarchy/wide.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+
+namespace tricover::support {
+namespace {
+
+using namespace detail;
+
+/// Vertices on a circle or an ellipse at random angles: sharp corners, short edges, up to 16 of them.
+Polygon convexPolygon(Random& random, double size) {
+  const int n = random.integer(3, 16);
+  std::vector<double> angles;
+  for (int i = 0; i < n; ++i) angles.push_back(2 * 3.14159265358979 * (i + random.real(0, 0.9)) / n);
+  const double flat = random.oneIn(3) ? random.real(0.01, 1) : 1;
+  const Vec2 center = random.oneIn(4) ? Vec2(3 * size, -2 * size) : Vec2(0, 0);
+  Ring ring;
+  for (const double angle : angles) ring.push_back(center + size * Vec2(std::cos(angle), flat * std::sin(angle)));
+  if (random.coin()) std::reverse(ring.begin(), ring.end());
+  return Polygon({ring});
+}
+
+/// Two of them that are apart by anything from far to a last bit, sides that face each other included.
+Case convexPair(Random& random) {
+  const double size = std::pow(10, random.real(-3, 3));
+  Case c{convexPolygon(random, size), Pose::Identity(), convexPolygon(random, size * random.real(0.1, 1)),
+         Pose::Identity()};
+  if (random.oneIn(4)) c.b = c.a;
+  c.pose_a = randomPose(random, size);
+  c.pose_b = randomPose(random, size);
+  if (random.oneIn(3)) c.pose_b.linear() = c.pose_a.linear();
+  if (random.oneIn(4)) c.pose_b = mirrored(c.pose_b);
+  const double angle = random.oneIn(4) ? 0 : random.real(-4, 4);
+  const Vec2 away(std::cos(angle), std::sin(angle));
+  double near = 0, far = 64 * size;  // collides at near, or never
+  for (int i = random.integer(0, 50); i > 0; --i) {
+    const double middle = 0.5 * (near + far);
+    c.pose_b.translation() = c.pose_a.translation() + middle * away;
+    (collide(c.a, c.pose_a, c.b, c.pose_b) ? near : far) = middle;
+  }
+  c.pose_b.translation() = c.pose_a.translation() + far * away;
+  return c;
+}
+
+TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
+  int shown = 0, near = 0, of_one_shape = 0;
+  const int count = scaledCount(20000);
+  for (int i = 0; i < count; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 77);
+    const Case c = convexPair(random);
+    const bool ordered = c.a.radius() >= c.b.radius();
+    const PosedPair pair = ordered ? PosedPair(c.a.data(), c.pose_a, c.b.data(), c.pose_b)
+                                   : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);
+    const DistanceOptions options;
+    DistanceSearch few(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
+    const bool found = showNearestOfConvex(pair, few);
+    {
+      usePortableLanes(true);
+      DistanceSearch portable(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
+      ASSERT_EQ(showNearestOfConvex(pair, portable), found) << reproduction(c);
+      usePortableLanes(false);
+      portable.finish();
+      few.finish();
+      ASSERT_EQ(portable.best().distance, few.best().distance) << reproduction(c);
+      ASSERT_EQ(portable.edgeA(), few.edgeA()) << reproduction(c);
+    }
+    if (!found) continue;
+    ASSERT_FALSE(collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    DistanceSearch all(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
+    for (std::uint32_t k = 0; k + 1 < pair.a.path.size(); ++k)
+      for (std::uint32_t l = 0; l + 1 < pair.b.path.size(); ++l) ASSERT_TRUE(all.show(k, l)) << reproduction(c);
+    all.finish();
+    ASSERT_EQ(few.best().distance, all.best().distance) << reproduction(c);
+    ++shown;
+    near += all.best().distance < 1e-3 * pair.b.radius;
+    of_one_shape += c.a.id() == c.b.id();
+  }
+  EXPECT_GT(shown, 0.7 * count);
+  EXPECT_LT(shown, count) << "some are too near to tell";
+  EXPECT_GT(near, 0.05 * count);
+  EXPECT_GT(of_one_shape, 0.1 * count);
+}
+
+TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
+  const Polygon square({rectangle(0, 0, 1, 1)}), many({regular(17, 1)}), notched({{{0, 0}, {2, 0}, {1, 0.5}, {0, 2}}});
+  const auto shows = [](const Polygon& a, const Polygon& b, const Vec2& shift) {
+    const Pose at_a = Pose::Identity(), at_b = pose(0, shift.x(), shift.y());
+    const PosedPair pair(a.data(), at_a, b.data(), at_b);
+    const DistanceOptions options;
+    DistanceSearch search(a.data(), at_a, b.data(), at_b, options);
+    return showNearestOfConvex(pair, search);
+  };
+  EXPECT_TRUE(shows(square, square, {3, 0.25}));
+  EXPECT_TRUE(shows(square, square, {3, 0})) << "sides that face each other";
+  EXPECT_TRUE(shows(square, square, {3, 3})) << "corners";
+  EXPECT_FALSE(shows(square, square, {1, 0})) << "a touch";
+  EXPECT_FALSE(shows(square, square, {0.5, 0.25}));
+  EXPECT_FALSE(shows(many, square, {3, 0.25}));
+  EXPECT_FALSE(shows(notched, square, {3, 0.25}));
+  EXPECT_FALSE(shows(square, square, {1e15, 0})) << "floats don't see it";
+}
+
+}  // namespace
+}  // namespace tricover::support
