@@ -45,12 +45,14 @@ class ConvexNearest {
   ConvexNearest(const PosedPair& pair, const SmallConvex& a, const SmallConvex& b)
       : pair_(pair), map_(mapUnits(pair)), a_(a), b_(b) {}
 
-  bool find() {
+  Meeting find() {
     const double far = std::abs(map_.tx) + std::abs(map_.ty);
     if (!(map_.error < kSupportError && map_.scale >= kLeastScale && far < kFar && squarable(pair_.b.unit)))
-      return false;
+      return Meeting::Unknown;
     const ConvexGap gap = convexGap(a_, b_, map_);
-    return gap.gap > 0 && (gap.of_a ? fromEdgeOfA(gap.edge) : fromEdgeOfB(gap.edge)) && distance_ > 0;
+    if (gap.gap < -8 * gapRounding(pair_) - map_.error && far < 4) return Meeting::Meet;  // as convexMeet() says
+    const bool proven = gap.gap > 0 && (gap.of_a ? fromEdgeOfA(gap.edge) : fromEdgeOfB(gap.edge)) && distance_ > 0;
+    return proven ? Meeting::Apart : Meeting::Unknown;
   }
 
   void show(DistanceSearch& search) const {
@@ -147,13 +149,13 @@ class ConvexNearest {
 
 }  // namespace
 
-bool showNearestOfConvex(const PosedPair& pair, DistanceSearch& search) {
+Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search) {
   const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
-  if (a == nullptr || b == nullptr) return false;
+  if (a == nullptr || b == nullptr) return Meeting::Unknown;
   ConvexNearest nearest(pair, *a, *b);
-  if (!nearest.find()) return false;
-  nearest.show(search);
-  return true;
+  const Meeting meeting = nearest.find();
+  if (meeting == Meeting::Apart) nearest.show(search);
+  return meeting;
 }
 
 }  // namespace tricover::detail

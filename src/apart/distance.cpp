@@ -147,6 +147,24 @@ bool descend(const PosedPair& pair, DistanceSearch& search) {
   return !search.meets();
 }
 
+/// Shows the search where the regions meet, which is known to be so, as collide() finds it: the deepest boxes first.
+Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
+  const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
+  if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
+    search.show(static_cast<std::uint32_t>(outcome.edge_a), static_cast<std::uint32_t>(outcome.edge_b));
+  return outcome;
+}
+
+/// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
+/// `alone` says that no fact is wanted, so that pairs beyond the nearest may stay unseen.
+Outcome findNearest(const PosedPair& pair, DistanceSearch& search, bool alone) {
+  if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth() > 0) return findMeeting(pair, search);
+  const Meeting convex = alone ? showNearestOfConvex(pair, search) : Meeting::Unknown;
+  if (convex == Meeting::Apart) return {};
+  if (convex == Meeting::Meet) return findMeeting(pair, search);
+  return descend(pair, search) ? findContainment(pair) : Outcome();
+}
+
 DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const DistanceOptions& options) {
   DistanceSearch search(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
   const auto answer = [&] {
@@ -185,13 +203,10 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
     cache->second_id = pair.b.id;
   }
   const PosedPair posed(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  if (showNearestOfConvex(posed, search)) return answer();
-  if (descend(posed, search)) {
-    const Outcome outcome = findContainment(posed);
-    if (outcome.collides) {
-      if (cache != nullptr) cache->count = 0, cache->apart[0] = 0;
-      return contained(pair, outcome);
-    }
+  const Outcome outcome = findNearest(posed, search, cache == nullptr);
+  if (outcome.collides && !search.meets()) {
+    if (cache != nullptr) cache->count = 0, cache->apart[0] = 0;
+    return contained(pair, outcome);
   }
   if (cache != nullptr) {
     assert(cache->first_id == pair.a.id && cache->second_id == pair.b.id);

@@ -45,18 +45,18 @@ Case convexPair(Random& random) {
   if (random.oneIn(4)) c.pose_b = mirrored(c.pose_b);
   const double angle = random.oneIn(4) ? 0 : random.real(-4, 4);
   const Vec2 away(std::cos(angle), std::sin(angle));
-  double near = 0, far = 64 * size;  // collides at near, or never
+  double near = 0, far = 64 * size;  // collides at near, or never again on the way
   for (int i = random.integer(0, 50); i > 0; --i) {
     const double middle = 0.5 * (near + far);
     c.pose_b.translation() = c.pose_a.translation() + middle * away;
     (collide(c.a, c.pose_a, c.b, c.pose_b) ? near : far) = middle;
   }
-  c.pose_b.translation() = c.pose_a.translation() + far * away;
+  c.pose_b.translation() = c.pose_a.translation() + (random.oneIn(8) ? near : far) * away;
   return c;
 }
 
 TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
-  int shown = 0, near = 0, of_one_shape = 0;
+  int shown = 0, meeting = 0, near = 0, of_one_shape = 0;
   const int count = scaledCount(20000);
   for (int i = 0; i < count; ++i) {
     Random random(static_cast<std::uint64_t>(i) + 77);
@@ -66,7 +66,7 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
                                    : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);
     const DistanceOptions options;
     DistanceSearch few(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-    const bool found = showNearestOfConvex(pair, few);
+    const Meeting found = showNearestOfConvex(pair, few);
     {
       usePortableLanes(true);
       DistanceSearch portable(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
@@ -77,8 +77,10 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
       ASSERT_EQ(portable.best().distance, few.best().distance) << reproduction(c);
       ASSERT_EQ(portable.edgeA(), few.edgeA()) << reproduction(c);
     }
-    if (!found) continue;
-    ASSERT_FALSE(collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    if (found == Meeting::Unknown) continue;
+    ASSERT_EQ(found == Meeting::Meet, collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    meeting += found == Meeting::Meet;
+    if (found == Meeting::Meet) continue;
     DistanceSearch all(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
     for (std::uint32_t k = 0; k + 1 < pair.a.path.size(); ++k)
       for (std::uint32_t l = 0; l + 1 < pair.b.path.size(); ++l) ASSERT_TRUE(all.show(k, l)) << reproduction(c);
@@ -88,8 +90,9 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
     near += all.best().distance < 1e-3 * pair.b.radius;
     of_one_shape += c.a.id() == c.b.id();
   }
-  EXPECT_GT(shown, 0.7 * count);
-  EXPECT_LT(shown, count) << "some are too near to tell";
+  EXPECT_GT(shown, 0.5 * count);
+  EXPECT_GT(meeting, 0.02 * count);
+  EXPECT_LT(shown + meeting, count) << "some are too near to tell";
   EXPECT_GT(near, 0.05 * count);
   EXPECT_GT(of_one_shape, 0.1 * count);
 }
@@ -103,14 +106,15 @@ TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
     DistanceSearch search(a.data(), at_a, b.data(), at_b, options);
     return showNearestOfConvex(pair, search);
   };
-  EXPECT_TRUE(shows(square, square, {3, 0.25}));
-  EXPECT_TRUE(shows(square, square, {3, 0})) << "sides that face each other";
-  EXPECT_TRUE(shows(square, square, {3, 3})) << "corners";
-  EXPECT_FALSE(shows(square, square, {1, 0})) << "a touch";
-  EXPECT_FALSE(shows(square, square, {0.5, 0.25}));
-  EXPECT_FALSE(shows(many, square, {3, 0.25}));
-  EXPECT_FALSE(shows(notched, square, {3, 0.25}));
-  EXPECT_FALSE(shows(square, square, {1e15, 0})) << "floats don't see it";
+  constexpr Meeting kApart = Meeting::Apart, kUnknown = Meeting::Unknown;
+  EXPECT_EQ(shows(square, square, {3, 0.25}), kApart);
+  EXPECT_EQ(shows(square, square, {3, 0}), kApart) << "sides that face each other";
+  EXPECT_EQ(shows(square, square, {3, 3}), kApart) << "corners";
+  EXPECT_EQ(shows(square, square, {1, 0}), kUnknown) << "a touch";
+  EXPECT_EQ(shows(square, square, {0.5, 0.25}), Meeting::Meet);
+  EXPECT_EQ(shows(many, square, {3, 0.25}), kUnknown);
+  EXPECT_EQ(shows(notched, square, {3, 0.25}), kUnknown);
+  EXPECT_EQ(shows(square, square, {1e15, 0}), kUnknown) << "floats don't see it";
 }
 
 }  // namespace
