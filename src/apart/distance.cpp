@@ -158,7 +158,7 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
 /// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
 /// `alone` says that no fact is wanted, so that pairs beyond the nearest may stay unseen.
 Outcome findNearest(const PosedPair& pair, DistanceSearch& search, bool alone) {
-  if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth() > 0) return findMeeting(pair, search);
+  if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0) return findMeeting(pair, search);
   const Meeting convex = alone ? showNearestOfConvex(pair, search) : Meeting::Unknown;
   if (convex == Meeting::Apart) return {};
   if (convex == Meeting::Meet) return findMeeting(pair, search);
