@@ -32,7 +32,7 @@ std::string refusal(const std::function<void()>& call) {
 bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::vector<Pose> badPoses() {
-  std::vector<Pose> poses(9, Pose::Identity());
+  std::vector<Pose> poses(11, Pose::Identity());
   poses[0].linear() *= 1.001;
   poses[1].linear()(0, 1) = 1e-3;
   poses[2].linear()(0, 0) = kNaN;
@@ -42,6 +42,8 @@ std::vector<Pose> badPoses() {
   poses[6].linear().setZero();
   poses[7].linear() *= 1 + 2e-6;
   poses[8].linear() << 1, 1, 0, 0;
+  poses[9].linear()(0, 0) = 2;
+  poses[10].linear()(1, 1) = 2;
   return poses;
 }
 
