@@ -123,6 +123,12 @@ EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
     return side.square[0] <= side.square[1] ? k : k + 1;
   };
   const int at_a = put(beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1), 0);
+  if (b_.isPoint()) {
+    v.nearest = 0;
+    v.distance = std::sqrt(v.square[0]);
+    v.feature = featureOf(v, i, j);
+    return v;
+  }
   const int at_b = put(beside(e.b2 - e.b1, e.a1 - e.b1, e.a2 - e.b1), 2);
   v.nearest = v.square[at_a] <= v.square[at_b] ? at_a : at_b;
   v.distance = std::sqrt(v.square[v.nearest]);
@@ -142,7 +148,7 @@ double EdgeDistances::mostSquare(const View& v) const {
 std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t j) const {
   const double most = mostSquare(v);
   std::uint64_t feature = 0;
-  for (int k = 0; k < kCombinations; ++k) {
+  for (int k = 0; k < combinations(); ++k) {
     if (v.square[k] > most) continue;
     const int place = placeOf(v, k);
     if (place == kUncertain) return 0;
@@ -169,7 +175,7 @@ EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size
   Nearest best = combination(nearest, v, i, j);
   if (v.feature != 0) return best;
   const double most = mostSquare(v);
-  for (int k = 0; k < kCombinations; ++k) {
+  for (int k = 0; k < combinations(); ++k) {
     if (k == nearest || v.square[k] > most) continue;
     const Nearest other = combination(k, v, i, j);
     if (other.distance < best.distance) best = other;

@@ -44,6 +44,10 @@ class EdgeDistances {
   Bounds bounds(std::size_t i, std::size_t j) const {
     const Ends e = ends(i, j);
     const Beside of_a = beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1);
+    if (b_.isPoint()) {  // which crosses nothing
+      const double distance = std::sqrt(of_a.square[0]);
+      return boundsOf(distance, distance > error_);
+    }
     const Beside of_b = beside(e.b2 - e.b1, e.a1 - e.b1, e.a2 - e.b1);
     const Double2 least = of_a.square < of_b.square ? of_a.square : of_b.square;
     return boundsOf(std::sqrt(least[0] < least[1] ? least[0] : least[1]), isClear(of_a) || isClear(of_b));
@@ -53,6 +57,8 @@ class EdgeDistances {
   bool meet(std::size_t i, std::size_t j) const;
 
   static constexpr int kCombinations = 4;
+  /// One does for a point b.
+  int combinations() const { return b_.isPoint() ? 1 : kCombinations; }
 
   /// The same, and more, of each end of one edge against the other edge, first b's ends, then a's.
   struct View {

@@ -43,6 +43,11 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
   return table().find_edge_near(hierarchy, place, limit, test);
 }
 
+void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
+                   const PairVisitor& visitor) {
+  table().show_edges_near(hierarchy, place, limit, edge_b, visitor);
+}
+
 void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context) {
   table().visit_edges_on_way(hierarchy, way, visit, context);
 }

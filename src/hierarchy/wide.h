@@ -102,6 +102,10 @@ struct PairVisitor {
 /// Shows every pair of edges that may be within the limit, near ones roughly first.
 void showPairs(const Descent& descent, const PairVisitor& visitor);
 
+/// The same for the edges near a point, each together with b's edge at this position.
+void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
+                   const PairVisitor& visitor);
+
 /// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
 /// as for convexMeet().
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding);

@@ -63,7 +63,7 @@ const WideTable kAvx2Table = {&wide::findHit<wide::Avx2Lanes>,         &wide::sh
                               &wide::innerDepth<wide::Avx2Lanes>,      &wide::findEdgeNear<wide::Avx2Lanes>,
                               &wide::depthInDiscs<wide::Avx2Lanes>,    &wide::visitEdgesOnWay<wide::Avx2Lanes>,
                               &wide::convexGap<wide::Avx2Lanes>,       &wide::nearestVertices<wide::Avx2Lanes>,
-                              &wide::convexSupports<wide::Avx2Lanes>};
+                              &wide::convexSupports<wide::Avx2Lanes>,  &wide::showEdgesNear<wide::Avx2Lanes>};
 
 }  // namespace tricover::detail
 

@@ -32,32 +32,38 @@ template <class Lanes>
   return root(along * along + across * across);
 }
 
-/// The nearest first: the least distance goes on top.
-[[gnu::always_inline]] inline void pushNearestLast(const Block& block, unsigned near, const float* distance,
-                                                   std::uint32_t* stack, int& top) {
-  int nearest = top;
-  float least = 1e38f;
-  for (; near != 0; near &= near - 1) {
-    const int i = __builtin_ctz(near);
-    if (distance[i] < least) {
-      least = distance[i];
-      nearest = top;
-    }
-    stack[top++] = block.child[i];
+/// The blocks that are left to look at, the nearest on top.
+struct NearBlocks {
+  std::uint32_t block[(kLanes - 1) * kMaxDepth + 1];
+  float distance[(kLanes - 1) * kMaxDepth + 1];
+  int top;
+
+  [[gnu::always_inline]] void push(std::uint32_t index, float at) {
+    block[top] = index;
+    distance[top++] = at;
   }
-  const std::uint32_t last = stack[top - 1];
-  stack[top - 1] = stack[nearest];
-  stack[nearest] = last;
-}
+  /// Puts the nearest of those from `first` on on top.
+  [[gnu::always_inline]] void raiseNearest(int first) {
+    if (first >= top) return;
+    int nearest = first;
+    for (int i = first + 1; i < top; ++i) nearest = distance[i] < distance[nearest] ? i : nearest;
+    const std::uint32_t last = block[top - 1];
+    const float last_distance = distance[top - 1];
+    block[top - 1] = block[nearest];
+    distance[top - 1] = distance[nearest];
+    block[nearest] = last;
+    distance[nearest] = last_distance;
+  }
+};
 
 template <class Lanes>
 DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test) {
-  std::uint32_t stack[(kLanes - 1) * kMaxDepth + 1];
-  int top = 0;
-  stack[top++] = 0;
+  NearBlocks blocks;
+  blocks.top = 0;
+  blocks.push(0, 0);
   DescentResult result{false, limit > 0 ? limit : 0, -1, -1};
-  while (top > 0) {
-    const Block& block = hierarchy.blocks[stack[--top]];
+  while (blocks.top > 0) {
+    const Block& block = hierarchy.blocks[blocks.block[--blocks.top]];
     const PlaceInBlock p = placeIn(block, place);
     // Rounded upwards, as in stepOf().
     const float threshold = static_cast<float>(limit * block.inverse + p.slack) * (1 + 0x1p-20f);
@@ -69,7 +75,9 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
     float distance[kLanes];
     found.store(distance);
     if (!block.leaf) {
-      pushNearestLast(block, near, distance, stack, top);
+      const int first = blocks.top;
+      for (; near != 0; near &= near - 1) blocks.push(block.child[__builtin_ctz(near)], distance[__builtin_ctz(near)]);
+      blocks.raiseNearest(first);
       continue;
     }
     for (; near != 0; near &= near - 1) {
@@ -84,6 +92,53 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
     }
   }
   return result;
+}
+
+template <class Lanes>
+void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
+                   const PairVisitor& visitor) {
+  NearBlocks blocks;
+  blocks.top = 0;
+  blocks.push(0, 0);
+  while (blocks.top > 0) {
+    if (blocks.distance[--blocks.top] > limit) continue;
+    const Block& block = hierarchy.blocks[blocks.block[blocks.top]];
+    const PlaceInBlock p = placeIn(block, place);
+    const bool known = p.slack < 1e15f;
+    float distance[kLanes];
+    boxDistances<Lanes>(block, p).store(distance);
+    float nearest = 1e30f;
+    for (int i = 0; i < block.count; ++i) {
+      const float upper = (block.spanned >> i & 1) != 0 ? distance[i] + 2 * block.across[i] : 1e30f;
+      nearest = upper < nearest ? upper : nearest;
+    }
+    if (known && nearest < 1e29f) {
+      const double upper = (static_cast<double>(nearest) + p.slack) * block.scale * (1 + 0x1p-20);
+      if (upper < limit) limit = visitor.narrow(visitor.context, upper);
+    }
+    const auto lowerBound = [&](int i) {
+      return known ? (static_cast<double>(distance[i]) - p.slack) * block.scale : 0;
+    };
+    unsigned near = 0;
+    for (int i = 0; i < block.count; ++i) near |= (lowerBound(i) <= limit ? 1u : 0u) << i;
+    const int first = blocks.top;
+    while (near != 0) {
+      int next = __builtin_ctz(near);
+      if (block.leaf)
+        for (unsigned left = near & (near - 1); left != 0; left &= left - 1)
+          next = distance[__builtin_ctz(left)] < distance[next] ? __builtin_ctz(left) : next;
+      near &= ~(1u << next);
+      const double low = lowerBound(next);
+      if (!block.leaf) {
+        blocks.push(block.child[next], static_cast<float>(low) * (1 - 0x1p-20f));
+        continue;
+      }
+      if (low > limit) break;
+      limit = visitor.visit(visitor.context, low > 0 ? low : 0, block.child[next], edge_b);
+      if (limit < 0) return;
+    }
+    blocks.raiseNearest(first);
+  }
 }
 
 /// The shares of a way at which it enters the boxes grown by `reach` (their corners, too), from 0 on; above 1e29 where
@@ -105,15 +160,13 @@ template <class Lanes>
 
 template <class Lanes>
 void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context) {
-  std::uint32_t stack[(kLanes - 1) * kMaxDepth + 1];
-  float entries[(kLanes - 1) * kMaxDepth + 1];
-  int top = 0;
-  stack[top] = 0;
-  entries[top++] = 0;
-  double first = 1;
-  while (top > 0) {
-    if (entries[--top] > first) continue;
-    const Block& block = hierarchy.blocks[stack[top]];
+  NearBlocks blocks;
+  blocks.top = 0;
+  blocks.push(0, 0);
+  double end = 1;
+  while (blocks.top > 0) {
+    if (blocks.distance[--blocks.top] > end) continue;
+    const Block& block = hierarchy.blocks[blocks.block[blocks.top]];
     const PlaceInBlock p = placeIn(block, way.start);
     const double dx = way.dx * block.inverse, dy = way.dy * block.inverse;
     const double reach = way.reach * block.inverse + p.slack + 2 * kGapRounding * (magnitude(dx) + magnitude(dy));
@@ -122,31 +175,18 @@ void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)
     if (reach < 1e15) {
       const Lanes found = boxEntries<Lanes>(block, p.x, p.y, static_cast<float>(dx), static_cast<float>(dy),
                                             static_cast<float>(reach) * (1 + 0x1p-20f));
-      near &= ~above(found, Lanes::all(static_cast<float>(first)));
+      near &= ~above(found, Lanes::all(static_cast<float>(end)));
       found.store(entry);
     }
-    int nearest = top;
-    float least = 1e38f;
+    const int first = blocks.top;
     for (; near != 0; near &= near - 1) {
       const int i = __builtin_ctz(near);
-      if (block.leaf) {
-        if (!(entry[i] > first)) first = visit(context, block.child[i]);
-        continue;
-      }
-      if (entry[i] < least) {
-        least = entry[i];
-        nearest = top;
-      }
-      stack[top] = block.child[i];
-      entries[top++] = entry[i];
+      if (!block.leaf)
+        blocks.push(block.child[i], entry[i]);
+      else if (!(entry[i] > end))
+        end = visit(context, block.child[i]);
     }
-    if (nearest >= top) continue;
-    const std::uint32_t last = stack[top - 1];
-    const float last_entry = entries[top - 1];
-    stack[top - 1] = stack[nearest];
-    entries[top - 1] = entries[nearest];
-    stack[nearest] = last;
-    entries[nearest] = last_entry;
+    blocks.raiseNearest(first);
   }
 }
 

@@ -82,6 +82,6 @@ const WideTable kPortableTable = {
     &wide::innerDepth<wide::PortableLanes>,      &wide::findEdgeNear<wide::PortableLanes>,
     &wide::depthInDiscs<wide::PortableLanes>,    &wide::visitEdgesOnWay<wide::PortableLanes>,
     &wide::convexGap<wide::PortableLanes>,       &wide::nearestVertices<wide::PortableLanes>,
-    &wide::convexSupports<wide::PortableLanes>};
+    &wide::convexSupports<wide::PortableLanes>,  &wide::showEdgesNear<wide::PortableLanes>};
 
 }  // namespace tricover::detail

@@ -18,6 +18,7 @@ struct WideTable {
   decltype(&convexGap) convex_gap;
   decltype(&nearestVertices) nearest_vertices;
   decltype(&convexSupports) convex_supports;
+  decltype(&showEdgesNear) show_edges_near;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.
