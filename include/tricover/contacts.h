@@ -26,14 +26,17 @@ struct Crossing {
 TRICOVER_EXPORT std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b,
                                                 const Pose& pose_b);
 
-/// One connected part of the regions' overlap, in the world. Coordinates are rounded, by a few ulps of the polygons'
-/// sizes.
+/// One connected part of the regions' overlap, in the world. Coordinates are rounded: they are off by at most 128 units
+/// of roundoff (2^-53) of the polygons' own coordinates and the poses' translations, added up, and by 2^-1048.
 struct Contact {
-  /// The middle of this part of the overlap, on the line along the normal through its deepest point.
+  /// A point of this part of the overlap, but for rounding: its middle, on the line along the normal through its
+  /// deepest point, or, where that is outside, in a notch or a hole, another one.
   Vec2 point;
-  /// A unit vector. Moving b along it by `depth` clears this part of the overlap. For two convex polygons it is the
-  /// shortest way apart. Otherwise it takes the edges around this part past each other, or, where one polygon lies
-  /// within the other, past the nearest edge.
+  /// A unit vector. For two convex polygons moving b along it by `depth` is the shortest way apart, and so it is
+  /// wherever the overlap is a single part: they are penetration()'s, unless that exhausts its budget. Of several parts
+  /// it takes the edges around this one past each other, or, where one polygon lies within the other, past the nearest
+  /// edge: good for a response that is repeated, not for one step. Where they only touch, moving b along it by a little
+  /// parts them, unless they are wedged or touch at several parts.
   Vec2 normal;
   double depth;           ///< At least 0. It is 0 where they only touch.
   std::ptrdiff_t edge_a;  ///< The edge of a that parts last. -1 where this part lies inside a, away from its edges.
@@ -42,6 +45,10 @@ struct Contact {
 
 /// One contact for each connected part of the overlap, the deepest first, at most `most`. Empty exactly where collide()
 /// is false.
+///
+/// Cost of a convex pair: 5 us for 8 vertices each, 25 us for 64. Of others, with one part, that of a penetration()
+/// more: 15 and 30 us where they overlap by little, 30 and 350 us where by a third of their size; for 1024 vertices up
+/// to 0.2 s. It grows with the number of parts, and with that of pairs of edges that meet.
 ///
 /// Throws as collide() does.
 ///

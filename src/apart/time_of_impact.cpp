@@ -165,7 +165,12 @@ class ImpactSearch {
 
 /// From the pair's frame at `time` to the world.
 Vec2 toWorld(const MovingPair& pair, const Motion& motion_a, double time, const Vec2& p) {
-  return motion_a.start * pair.a.pivot + wayOf(motion_a).at(time) + p * pair.length * pair.expansion;
+  const Vec2 pivot = motion_a.start * pair.a.pivot, way = wayOf(motion_a).at(time);
+  const Vec2 world = pivot + way + p * pair.length * pair.expansion;
+  if (world.allFinite()) return world;
+  // Infinite only if the sum is, and not because its parts are.
+  const Vec2 quarter = motion_a.start.linear() * (pair.a.pivot / 4) + motion_a.start.translation() / 4 + way / 4;
+  return (quarter + p * (pair.length / 4) * pair.expansion) * 4;
 }
 
 /// From S of a to S of b.

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "tricover/pose.h"
+#include "polygon/polygon_data.h"
 
 namespace tricover::detail {
 
@@ -13,5 +13,15 @@ struct BoundaryPoint {
   Vec2 at;
   std::ptrdiff_t a, a_before, b, b_before;
 };
+
+/// The ring that an edge belongs to.
+std::size_t ringOf(const PolygonData& polygon, std::size_t edge);
+
+/// The next edge of a ring, all around, and the one before; positions in the path.
+std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
+std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);
+
+/// A vertex of one side (0: a, 1: b), and the edges there beyond repetitions of it.
+BoundaryPoint vertexPoint(const PolygonData& polygon, int side, std::size_t v, const Vec2& at);
 
 }  // namespace tricover::detail

@@ -4,10 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hierarchy/inclusion.h"
 #include "hierarchy/wide.h"
 #include "pair/world_frame.h"
 
 namespace tricover::detail {
+
+/// Whether a rounded point of the WorldFrame is in one side's region (0: a's, 1: b's).
+inline bool holds(const PosedPair& pair, const WorldFrame& frame, int side, const Vec2& p) {
+  const Vec2 local = side == 0 ? frame.toA(p) : frame.toB(p);
+  return locateInPolygon(side == 0 ? pair.a : pair.b, IncludedPoint::ofFrame(local)) != Location::Outside;
+}
 
 /// Calls visit(edge), a position, for every edge of one polygon (side 0: a's, 1: b's) that the way from `from` along
 /// the unit vector `direction` may come within a few of the frame's errors of. visit returns how long the way still is;

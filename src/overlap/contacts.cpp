@@ -9,8 +9,12 @@
 
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
+#include "overlap/contact_point.h"
 #include "overlap/hull_faces.h"
 #include "overlap/overlap_components.h"
+#include "overlap/penetration.h"
+#include "overlap/touch_normal.h"
+#include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
 #include "pair/kernel_order.h"
 #include "polygon/convexity.h"
@@ -27,16 +31,12 @@ struct Exit {
   bool from_a = true;  ///< a's face, and a point of b is the deepest behind it; or the other way round
 };
 
-double turnOf(const Vec2& d) { return std::atan2(d.y(), d.x()); }
+constexpr double kTurn = 2 * 3.14159265358979323846;
 
-/// How far the one of some directions, sorted by turnOf(), that leads farthest along the normal does so; at least 0.
-double mostAlong(const std::vector<Vec2>& directions, const Vec2& normal) {
-  if (directions.empty()) return 0;
-  const auto isBefore = [](const Vec2& d, double turn) { return turnOf(d) < turn; };
-  const auto next = std::lower_bound(directions.begin(), directions.end(), turnOf(normal), isBefore);
-  const Vec2& after = next == directions.end() ? directions.front() : *next;
-  const Vec2& before = next == directions.begin() ? directions.back() : *(next - 1);
-  return std::max({0.0, before.dot(normal), after.dot(normal)});
+/// Of a containment it is a vertex of what is inside.
+const BoundaryPoint& leftmostOf(const OverlapComponent& component) {
+  return *std::min_element(component.points.begin(), component.points.end(),
+                           [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.at.x() < q.at.x(); });
 }
 
 class ContactFinder {
@@ -54,9 +54,11 @@ class ContactFinder {
         !components.empty() && convexityOf(pair_.a).direction != 0 && convexityOf(pair_.b).direction != 0;
     std::vector<Contact> result;
     for (const OverlapComponent& component : components) {
-      Exit exit = convex ? byFacesOfBoth(component) : exitOf(component);
+      Exit exit = convex                   ? byFacesOfBoth(component)
+                  : components.size() == 1 ? exitOfOnly(component)
+                                           : exitOf(component);
       if (!component.inner || !(exit.depth > 0)) exit.depth = 0;
-      result.push_back(inWorld(component, exit));
+      result.push_back(inWorld(exit, pointOf(component, exit, convex)));
     }
     return result;
   }
@@ -69,6 +71,28 @@ class ContactFinder {
     // All of it may be one rounded point.
     return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
   }
+
+  /// Whether b, led along the normal by a little more than the depth, leaves a.
+  bool parts(const Exit& exit) const {
+    const double more = 64 * frame_.error() + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
+    Pose moved = pair_.pose_b;
+    moved.translation() += (exit.depth + more) * frame_.unit() * exit.normal;
+    return !collideByHierarchy(PosedPair(pair_.a, pair_.pose_a, pair_.b, moved), {}, 0, Wanted::Answer).collides;
+  }
+
+  /// The same for directions near the normal: it doesn't just slide along a wall.
+  bool partsFreely(const Exit& exit) const {
+    const Vec2 aside = 0x1p-10 * Vec2(-exit.normal.y(), exit.normal.x());
+    const auto turned = [&](const Vec2& by) {
+      Exit result = exit;
+      result.normal += by;
+      return result;
+    };
+    return parts(exit) && parts(turned(aside)) && parts(turned(-aside));
+  }
+
+  Exit exitOfOnly(const OverlapComponent& component) const;
+  Exit freed(const Exit& exit) const;
 
   /// Of ways that are equally deep but for rounding, the one that leads b's origin away from a's.
   void consider(const Exit& exit, Exit& best) const {
@@ -109,24 +133,42 @@ class ContactFinder {
     return flatter(p.b, p.b_before, normal, [this](std::size_t j) { return frame_.edgeEndsOfB(j); });
   }
 
-  BoundaryPoint vertexOfA(std::size_t v) const {
-    return {frame_.fromA(pair_.a.path[v]), static_cast<std::ptrdiff_t>(v),
-            static_cast<std::ptrdiff_t>(edgeBefore(pair_.a, v)), -1, -1};
-  }
-  BoundaryPoint vertexOfB(std::size_t v) const {
-    return {frame_.fromB(pair_.b.path[v]), -1, -1, static_cast<std::ptrdiff_t>(v),
-            static_cast<std::ptrdiff_t>(edgeBefore(pair_.b, v))};
+  /// The edge between two corners of a convex polygon; of several, which straight vertices divide, that nearest to p.
+  std::ptrdiff_t edgeOfFace(bool of_a, const BoundaryPoint& from, const BoundaryPoint& to, const Vec2& p) const {
+    const std::ptrdiff_t common = of_a ? commonOfA(from, to) : commonOfB(from, to);
+    if (common >= 0) return common;
+    const PolygonData& polygon = of_a ? pair_.a : pair_.b;
+    const auto endsOf = [&](std::size_t e) { return of_a ? frame_.edgeEndsOfA(e) : frame_.edgeEndsOfB(e); };
+    const std::ptrdiff_t first = of_a ? from.a : from.b, last = of_a ? to.a : to.b;
+    const WorldFrame::Ends ahead = endsOf(static_cast<std::size_t>(first));
+    const bool forward = (ahead.w - ahead.v).dot(to.at - from.at) > 0;
+    // In the ring's direction from one corner's own edge to the other's.
+    const auto end = static_cast<std::size_t>(forward ? last : first);
+    std::ptrdiff_t nearest = forward ? first : last;
+    double least = std::numeric_limits<double>::infinity();
+    for (auto e = static_cast<std::size_t>(nearest); e != end; e = edgeAfter(polygon, e)) {
+      const auto [v, w] = endsOf(e);
+      const double square = squaredDistanceToSegment(p, v, w);
+      if (square < least) nearest = static_cast<std::ptrdiff_t>(e);
+      least = std::min(square, least);
+    }
+    return nearest;
   }
 
-  /// All of the polygons.
+  BoundaryPoint vertexOfA(std::size_t v) const { return vertexPoint(pair_.a, 0, v, frame_.fromA(pair_.a.path[v])); }
+  BoundaryPoint vertexOfB(std::size_t v) const { return vertexPoint(pair_.b, 1, v, frame_.fromB(pair_.b.path[v])); }
+
+  /// All of a convex polygon.
   Hull hullOfA() const {
     std::vector<BoundaryPoint> points;
-    for (std::size_t v = 0; v + 1 < pair_.a.path.size(); ++v) points.push_back(vertexOfA(v));
+    for (std::size_t v = 0; v + 1 < pair_.a.path.size(); ++v)
+      if (pair_.a.path[v] != pair_.a.path[v + 1]) points.push_back(vertexOfA(v));
     return hullOf(std::move(points));
   }
   Hull hullOfB() const {
     std::vector<BoundaryPoint> points;
-    for (std::size_t v = 0; v + 1 < pair_.b.path.size(); ++v) points.push_back(vertexOfB(v));
+    for (std::size_t v = 0; v + 1 < pair_.b.path.size(); ++v)
+      if (pair_.b.path[v] != pair_.b.path[v + 1]) points.push_back(vertexOfB(v));
     return hullOf(std::move(points));
   }
 
@@ -134,11 +176,11 @@ class ContactFinder {
   Exit byFacesOfBoth(const OverlapComponent& component) const {
     Exit best;
     const Hull a = hullOfA(), b = hullOfB();
-    forEachFace(a, b, [&](auto& from, auto&, const Vec2& normal, double depth, auto& deepest) {
-      consider({normal, depth, flatterOfA(from, normal), flatterOfB(deepest, normal), true}, best);
+    forEachFace(a, b, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
+      consider({normal, depth, edgeOfFace(true, from, to, deepest.at), flatterOfB(deepest, normal), true}, best);
     });
-    forEachFace(b, a, [&](auto& from, auto&, const Vec2& normal, double depth, auto& deepest) {
-      consider({-normal, depth, flatterOfA(deepest, normal), flatterOfB(from, normal), false}, best);
+    forEachFace(b, a, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
+      consider({-normal, depth, flatterOfA(deepest, normal), edgeOfFace(false, from, to, deepest.at), false}, best);
     });
     if (component.crossings.empty()) (component.points.front().a < 0 ? best.edge_a : best.edge_b) = -1;
     return best;
@@ -194,8 +236,9 @@ class ContactFinder {
   Exit ofTouch(const OverlapComponent& component) const;
   PolygonData ringsOf(const OverlapComponent& component, bool of_b) const;
   Exit byNearestEdge(const OverlapComponent& component) const;
-  Vec2 middleOf(const OverlapComponent& component, const Exit& exit) const;
-  Contact inWorld(const OverlapComponent& component, const Exit& exit) const;
+  Vec2 pointOf(const OverlapComponent& component, const Exit& exit, bool convex) const;
+  Vec2 pointOfTouch(const OverlapComponent& component, const Vec2& middle) const;
+  Contact inWorld(const Exit& exit, const Vec2& point) const;
 
   const PosedPair& pair_;
   WorldFrame frame_;
@@ -203,62 +246,10 @@ class ContactFinder {
   Vec2 towards_b_;
 };
 
-/// Where edges touch along a stretch, across these; where there is but a point, of the normals of its edges the one
-/// that both polygons' edges keep to their sides of best.
 Exit ContactFinder::ofTouch(const OverlapComponent& component) const {
-  const double error = frame_.error();
-  const auto length = [&](std::size_t k) {
-    const EdgeCrossing& c = crossings_[k];
-    const WorldFrame::Ends edge = frame_.edgeEndsOfA(c.edge_a);
-    return (edge.w - edge.v).norm() * (c.on_a.high - c.on_a.low);
-  };
-  std::size_t longest = component.crossings.front();
-  for (const std::size_t k : component.crossings)
-    if (length(k) > length(longest) + error) longest = k;
-  const EdgeCrossing& main = crossings_[longest];
-  Exit best;
-  best.depth = 0;
-  best.edge_a = static_cast<std::ptrdiff_t>(main.edge_a);
-  best.edge_b = static_cast<std::ptrdiff_t>(main.edge_b);
-  if (component.facing.norm() > 8 * error) {
-    best.normal = component.facing.normalized();
-    return best;
-  }
-
-  std::vector<std::size_t> edges_a, edges_b;
-  for (const std::size_t k : component.crossings) {
-    if ((crossings_[k].point - main.point).norm() > 8 * error) continue;
-    edges_a.push_back(crossings_[k].edge_a);
-    edges_b.push_back(crossings_[k].edge_b);
-  }
-  // Where the edges lead from the point: a's on, b's turned back, so that none should go along the normal.
-  std::vector<Vec2> directions;
-  for (const bool of_a : {true, false}) {
-    std::vector<std::size_t>& edges = of_a ? edges_a : edges_b;
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    for (const std::size_t edge : edges) {
-      const WorldFrame::Ends ends = of_a ? frame_.edgeEndsOfA(edge) : frame_.edgeEndsOfB(edge);
-      for (const Vec2& end : {ends.v, ends.w}) {
-        const Vec2 way = of_a ? Vec2(end - main.point) : Vec2(main.point - end);
-        if (way.norm() > 8 * error) directions.push_back(way.normalized());
-      }
-    }
-  }
-  std::sort(directions.begin(), directions.end(), [](const Vec2& d, const Vec2& e) { return turnOf(d) < turnOf(e); });
-  constexpr double kSameAngle = 1e-9;
-  best.normal = towards_b_.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(towards_b_.stableNormalized());
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec2& direction : directions) {
-    for (const Vec2& normal : {Vec2(direction.y(), -direction.x()), Vec2(-direction.y(), direction.x())}) {
-      const double most = mostAlong(directions, normal);
-      const bool better = normal.dot(towards_b_) > best.normal.dot(towards_b_);
-      if (most > least + kSameAngle || (most >= least - kSameAngle && !better)) continue;
-      least = most;
-      best.normal = normal;
-    }
-  }
-  return best;
+  const EdgeCrossing& main = crossings_[longestStretch(frame_, crossings_, component)];
+  return {touchNormal(frame_, crossings_, component, main, towards_b_), 0, static_cast<std::ptrdiff_t>(main.edge_a),
+          static_cast<std::ptrdiff_t>(main.edge_b), true};
 }
 
 /// The rings that a containment is made of, as a polygon of their own.
@@ -278,10 +269,8 @@ PolygonData ContactFinder::ringsOf(const OverlapComponent& component, bool of_b)
 
 /// In a containment: past the nearest of the outer polygon's edges.
 Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
-  const auto leftmost =
-      std::min_element(component.points.begin(), component.points.end(),
-                       [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.at.x() < q.at.x(); });
-  const bool b_inside = leftmost->b >= 0;
+  const BoundaryPoint& leftmost = leftmostOf(component);
+  const bool b_inside = leftmost.b >= 0;
   // Only what is inside is searched from, so that many parts don't cost their number squared.
   const PolygonData inside = ringsOf(component, b_inside), &outside = b_inside ? pair_.a : pair_.b;
   const Pose &pose_inside = b_inside ? pair_.pose_b : pair_.pose_a,
@@ -293,7 +282,7 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
     if (edge >= 0) own.insert(static_cast<std::size_t>(edge));
   }
   double nearest = std::numeric_limits<double>::infinity();
-  Vec2 in = leftmost->at, out = in;
+  Vec2 in = leftmost.at, out = in;
   Vec2 across = Vec2::UnitX();
   const auto tryPoints = [&](const Vec2& inner, const Vec2& outer, const WorldFrame::Ends& outer_edge) {
     const double distance = (outer - inner).norm();
@@ -342,12 +331,65 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
   return exit;
 }
 
-/// The middle of the overlap along the normal through the deepest point, or through the middle of those.
-Vec2 ContactFinder::middleOf(const OverlapComponent& component, const Exit& exit) const {
+/// The only part of the overlap: the shortest way out of it parts the regions.
+Exit ContactFinder::exitOfOnly(const OverlapComponent& component) const {
+  Exit exit = exitOf(component);
+  if (!component.inner) return partsFreely(exit) ? exit : freed(exit);
+  const Penetration p = penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, {});
+  if (!p.optimal) return exit;
+  const double depth = p.depth / frame_.unit(), radius = std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
+  const bool agrees = std::abs(depth - exit.depth) <= 1e-12 * radius + 64 * frame_.error();
+  const bool alike = agrees && exit.normal.dot(p.direction) >= 1 - 0x1p-20;
+  if (agrees && !alike && partsFreely(exit)) return exit;
+  // What agrees with it to its precision is known better.
+  if (!alike) exit = {p.direction, depth, -1, -1, true};
+  // Of the edges at a vertex that parts last either will do.
+  const auto partsLast = [&](const WorldFrame::Ends& edge, const Vec2& point) {
+    const Vec2 at = frame_.fromWorld(point);
+    return (nearestOnSegment(at, edge.v, edge.w) - at).norm() <= 64 * frame_.error();
+  };
+  const auto positionOf = [](const PolygonData& polygon, std::ptrdiff_t number) {
+    return static_cast<std::ptrdiff_t>(polygon.edgePosition(static_cast<std::size_t>(number)));
+  };
+  if (exit.edge_a < 0 || !partsLast(frame_.edgeEndsOfA(static_cast<std::size_t>(exit.edge_a)), p.point_a))
+    exit.edge_a = positionOf(pair_.a, p.edge_a);
+  if (exit.edge_b < 0 || !partsLast(frame_.edgeEndsOfB(static_cast<std::size_t>(exit.edge_b)), p.point_b))
+    exit.edge_b = positionOf(pair_.b, p.edge_b);
+  if (component.crossings.empty()) (leftmostOf(component).b >= 0 ? exit.edge_a : exit.edge_b) = -1;
+  return depth > 64 * frame_.error() || partsFreely(exit) ? exit : freed(exit);
+}
+
+/// A touch whose normal leads into or along a wall: the middle of the widest range of directions that part them, if
+/// there is one.
+Exit ContactFinder::freed(const Exit& exit) const {
+  constexpr int kDirections = 64;
+  const auto at = [&](double k) {
+    Exit result = exit;
+    result.normal = Vec2(std::cos(k * kTurn / kDirections), std::sin(k * kTurn / kDirections));
+    return result;
+  };
+  int free_for = 0, longest = 0, end = 0;
+  for (int k = 0; k < 2 * kDirections && longest < kDirections; ++k) {
+    free_for = parts(at(k)) ? free_for + 1 : 0;
+    if (free_for <= longest) continue;
+    longest = free_for;
+    end = k;
+  }
+  return longest > 0 ? at(end - 0.5 * (longest - 1)) : exit;
+}
+
+/// The middle of the overlap along the normal through the deepest point, or through the middle of those, where that is
+/// in it.
+Vec2 ContactFinder::pointOf(const OverlapComponent& component, const Exit& exit, bool convex) const {
   // Heights above the end where the deepest points are, towards the other.
   const Vec2 up = exit.from_a ? exit.normal : Vec2(-exit.normal), side(-up.y(), up.x());
   double lowest = std::numeric_limits<double>::infinity(), first = lowest, last = -lowest;
-  for (const BoundaryPoint& point : component.points) lowest = std::min(lowest, up.dot(point.at));
+  Vec2 deepest = component.points.front().at;
+  for (const BoundaryPoint& point : component.points) {
+    const double height = up.dot(point.at);
+    if (height < lowest) deepest = point.at;
+    lowest = std::min(lowest, height);
+  }
   for (const BoundaryPoint& point : component.points) {
     if (up.dot(point.at) > lowest + 4 * frame_.error()) continue;
     first = std::min(first, side.dot(point.at));
@@ -362,17 +404,29 @@ Vec2 ContactFinder::middleOf(const OverlapComponent& component, const Exit& exit
     if ((from > 0 && to > 0) || (from < 0 && to < 0)) continue;
     highest = std::max(highest, up.dot(from != to ? Vec2(p + from / (from - to) * (q - p)) : p));
   }
-  return (0.5 * lowest + 0.5 * highest) * up + across * side;
+  const Vec2 middle = (0.5 * lowest + 0.5 * highest) * up + across * side;
+  if (convex) return middle;
+  return component.inner ? pointOfPart(pair_, frame_, deepest, up, middle) : pointOfTouch(component, middle);
 }
 
-Contact ContactFinder::inWorld(const OverlapComponent& component, const Exit& exit) const {
+/// The middle, if it is on a common stretch of two edges; otherwise that of the longest one.
+Vec2 ContactFinder::pointOfTouch(const OverlapComponent& component, const Vec2& middle) const {
+  for (const std::size_t k : component.crossings) {
+    const EdgeCrossing& c = crossings_[k];
+    const Vec2 from = frame_.edgeOfA(c.edge_a, c.on_a.low), to = frame_.edgeOfA(c.edge_a, c.on_a.high);
+    if ((nearestOnSegment(middle, from, to) - middle).norm() <= 4 * frame_.error()) return middle;
+  }
+  return crossings_[longestStretch(frame_, crossings_, component)].point;
+}
+
+Contact ContactFinder::inWorld(const Exit& exit, const Vec2& point) const {
   const auto number = [](const PolygonData& polygon, std::ptrdiff_t position) {
     return position < 0 ? position
                         : static_cast<std::ptrdiff_t>(polygon.edgeNumber(static_cast<std::size_t>(position)));
   };
   assert(exit.depth >= 0 && std::abs(exit.normal.norm() - 1) < 0x1p-40);
-  return {frame_.toWorld(middleOf(component, exit)), exit.normal, exit.depth * frame_.unit(),
-          number(pair_.a, exit.edge_a), number(pair_.b, exit.edge_b)};
+  return {frame_.toWorld(point), exit.normal, exit.depth * frame_.unit(), number(pair_.a, exit.edge_a),
+          number(pair_.b, exit.edge_b)};
 }
 
 std::vector<Contact> deepestContacts(const PosedPair& pair, std::size_t most) {

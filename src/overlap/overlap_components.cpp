@@ -105,7 +105,6 @@ class Grouping {
     return side == 0 ? frame_.fromA(local) : frame_.fromB(local);
   }
   Ends ends(int side, std::size_t e) const { return side == 0 ? frame_.edgeEndsOfA(e) : frame_.edgeEndsOfB(e); }
-  Vec2 toLocal(int side, const Vec2& p) const { return side == 0 ? frame_.toA(p) : frame_.toB(p); }
 
   /// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.
   Inclusion includeVertex(int side, std::size_t v) const {
@@ -116,11 +115,7 @@ class Grouping {
     return {found.location, found.winding * pair.handed};
   }
 
-  /// Whether a rounded point is in one side's region.
-  bool holds(int side, const Vec2& p) const {
-    const Vec2 local = toLocal(side, p);
-    return locateInPolygon(sides_[side].polygon, IncludedPoint::ofFrame(local)) != Location::Outside;
-  }
+  bool holds(int side, const Vec2& p) const { return detail::holds(pair_, frame_, side, p); }
 
   void join(bool with_own_crossings) {
     sets_ = Sets();
@@ -242,11 +237,20 @@ class Grouping {
     for (std::size_t v = own.polygon.edgeBegin(r); v < own.polygon.edgeEnd(r); ++v) addVertex(side, v, node);
   }
 
+  /// Of a repeated vertex the last one stands for all.
   void addVertex(int side, std::size_t v, std::size_t node) {
-    const auto edge = static_cast<std::ptrdiff_t>(v),
-               other = static_cast<std::ptrdiff_t>(edgeBefore(sides_[side].polygon, v));
-    points_.push_back({node, side == 0 ? BoundaryPoint{vertex(0, v), edge, other, -1, -1}
-                                       : BoundaryPoint{vertex(1, v), -1, -1, edge, other}});
+    const PolygonData& polygon = sides_[side].polygon;
+    if (polygon.path[v] == polygon.path[v + 1] && !isPoint(polygon, v)) return;
+    points_.push_back({node, vertexPoint(polygon, side, v, vertex(side, v))});
+  }
+
+  /// Whether v begins a ring that is one point.
+  static bool isPoint(const PolygonData& polygon, std::size_t v) {
+    const std::size_t ring = ringOf(polygon, v);
+    if (v != polygon.edgeBegin(ring)) return false;
+    const auto begin = polygon.path.begin() + static_cast<std::ptrdiff_t>(v);
+    return std::all_of(begin, polygon.path.begin() + static_cast<std::ptrdiff_t>(polygon.edgeEnd(ring)),
+                       [&](const Vec2& p) { return p == *begin; });
   }
 
   void joinArcs(int side, std::size_t begin, std::size_t end) {
@@ -460,21 +464,6 @@ class Grouping {
 };
 
 }  // namespace
-
-std::size_t ringOf(const PolygonData& polygon, std::size_t edge) {
-  const auto& begin = polygon.ring_begin;
-  return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
-}
-
-std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge) {
-  const std::size_t ring = ringOf(polygon, edge);
-  return edge + 1 == polygon.edgeEnd(ring) ? polygon.edgeBegin(ring) : edge + 1;
-}
-
-std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge) {
-  const std::size_t ring = ringOf(polygon, edge);
-  return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
-}
 
 std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
                                              const std::vector<EdgeCrossing>& crossings) {

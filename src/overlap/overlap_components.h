@@ -10,13 +10,6 @@
 
 namespace tricover::detail {
 
-/// The ring that an edge belongs to.
-std::size_t ringOf(const PolygonData& polygon, std::size_t edge);
-
-/// The next edge of a ring, all around, and the one before; positions in the path.
-std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
-std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);
-
 /// A connected part of the overlap.
 struct OverlapComponent {
   std::vector<BoundaryPoint> points;   ///< crossings, and vertices inside the other region

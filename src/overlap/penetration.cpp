@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tricover/penetration.h"
+#include "overlap/penetration.h"
 
 #include <algorithm>
 #include <cassert>
@@ -100,6 +100,8 @@ Penetration noAnswer(const Vec2& direction) {
   return {kInfinity, direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
 }
 
+}  // namespace
+
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                const PenetrationOptions& options) {
   const ConvexOutline outline_a = convexOutline(a), outline_b = convexOutline(b);
@@ -145,14 +147,6 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   return result;
 }
 
-void swapOperands(Penetration& p) {
-  p.direction = -p.direction;
-  p.translation = -p.translation;
-  std::swap(p.point_a, p.point_b);
-  std::swap(p.edge_a, p.edge_b);
-}
-
-}  // namespace
 }  // namespace detail
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
@@ -160,7 +154,13 @@ std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, con
   if (!collide(a, pose_a, b, pose_b)) return std::nullopt;
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return detail::penetrationInOrder(operands..., options); }, detail::swapOperands);
+      [&](const auto&... operands) { return detail::penetrationInOrder(operands..., options); },
+      [](Penetration& p) {
+        p.direction = -p.direction;
+        p.translation = -p.translation;
+        std::swap(p.point_a, p.point_b);
+        std::swap(p.edge_a, p.edge_b);
+      });
 }
 
 }  // namespace tricover

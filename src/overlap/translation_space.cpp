@@ -53,7 +53,7 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
       pose_b_(pose_b),
       unit_(std::max(a.unit, b.unit)),
       inverse_unit_(std::min(a.inverse_unit, b.inverse_unit)),
-      origin_(pose_a * a.origin) {
+      quarter_origin_(pose_a.linear() * (a.origin / 4) + pose_a.translation() / 4) {
   const auto& ra = pose_a.matrix();
   const auto& rb = pose_b.matrix();
   for (int row = 0; row < 2; ++row) {

@@ -56,7 +56,8 @@ class TranslationSpace {
   /// Vertices, by position, in the world from a's origin S, in units; b's where it is.
   const std::vector<Vec2>& verticesOfA() const { return a_.at; }
   const std::vector<Vec2>& verticesOfB() const { return b_.at; }
-  Vec2 inWorld(const Vec2& p) const { return origin_ + p * unit_; }
+  /// Infinite where it is beyond the largest double, and only there.
+  Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
 
  private:
   struct Vertices {
@@ -88,7 +89,7 @@ class TranslationSpace {
   Pose pose_a_, pose_b_;     ///< less a's translation
   Vec2 shift_, shift_rest_;  ///< t_b - t_a, as a rounded part and the rest
   double unit_, inverse_unit_, noise_, reach_;
-  Vec2 origin_;
+  Vec2 quarter_origin_;  ///< of a's S in the world
   Vec2 between_;  ///< b's S, as vertices
   Vertices a_, b_;
   std::vector<Disc> discs_a_, discs_b_;

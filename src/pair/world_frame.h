@@ -25,7 +25,9 @@ class WorldFrame {
   /// Back into a polygon's own frame.
   Vec2 toA(const Vec2& p) const { return pair_.a.origin + linear_a_.inverse() * ((p - origin_a_) * unit_); }
   Vec2 toB(const Vec2& p) const { return pair_.b.origin + linear_b_.inverse() * (p * unit_); }
-  Vec2 toWorld(const Vec2& p) const { return world_origin_ + p * unit_; }
+  /// Infinite where it is beyond the largest double, and only there.
+  Vec2 toWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
+  Vec2 fromWorld(const Vec2& p) const { return (p / 4 - quarter_origin_) / unit_ * 4; }
 
   double unit() const { return unit_; }
   const Vec2& originOfA() const { return origin_a_; }  ///< b's is zero
@@ -45,7 +47,8 @@ class WorldFrame {
   const PosedPair& pair_;
   Eigen::Matrix2d linear_a_, linear_b_;
   double unit_, scale_a_, scale_b_, error_;
-  Vec2 origin_a_, world_origin_;
+  Vec2 origin_a_;
+  Vec2 quarter_origin_;  ///< of b's S in the world
 };
 
 }  // namespace tricover::detail

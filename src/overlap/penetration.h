@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "polygon/polygon_data.h"
+#include "tricover/penetration.h"
+
+namespace tricover::detail {
+
+/// penetration() of operands that are known to overlap, in the kernel's order.
+Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                               const PenetrationOptions& options);
+
+}  // namespace tricover::detail
