@@ -377,7 +377,7 @@ MUTATIONS = [
     ("src/apart/time_of_impact.cpp", "if (!(NearestPoints(a, b, 1, pair_.error).distance > touch_distance_)) touch(encounter.end, position_a, position_b);", "", "impact: touches at a window's end (equivalent: speed only)"),
     ("src/apart/time_of_impact.cpp", "if (search.lowerBound() == 0)", "if (false)", "impact: starts that collide"),
     ("src/apart/time_of_impact.cpp", "std::max(search.time, std::numeric_limits<double>::denorm_min())", "search.time", "impact: time 0 of starts that are apart"),
-    ("src/apart/time_of_impact.cpp", "wayOf(motion_a).at(time) + p", "wayOf(motion_a).at(1) + p", "impact: the point at the end of a's way"),
+    ("src/apart/time_of_impact.cpp", "way = wayOf(motion_a).at(time);", "way = wayOf(motion_a).at(1);", "impact: the point at the end of a's way"),
     # Distance: the cache's bookkeeping and what the options allow.
     ("src/apart/distance_search.h", "(upper_ - options_.margin - options_.absolute_error) / (1 + options_.relative_error)", "upper_ / (2 + options_.relative_error)", "distance: pairs given up too early"),
     ("src/apart/distance_search.h", "if (!(bounds.low <= reach())) return;", "if (!(bounds.high <= reach())) return;", "distance: pairs listed by their upper bounds"),
