@@ -18,13 +18,17 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 
 Places Mover::places(double begin, double end) const {
   const Double2 time{begin, end};
-  const auto place = [&](int i) {
-    return base[i] + ((way.third[i] * time + way.second[i]) * time + way.first[i]) * time;
-  };
-  const Double2 x = place(0), y = place(1);
+  Double2 x = base.x() + way.first.x() * time, y = base.y() + way.first.y() * time, angle = turn.first * time;
+  if (!is_straight) {
+    const auto place = [&](int i) {
+      return base[i] + ((way.third[i] * time + way.second[i]) * time + way.first[i]) * time;
+    };
+    x = place(0);
+    y = place(1);
+    angle = ((turn.third * time + turn.second) * time + turn.first) * time;
+  }
   const auto all = [](double value) { return value - Double2{}; };
-  if (turn.isZero()) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
-  const Double2 angle = ((turn.third * time + turn.second) * time + turn.first) * time;
+  if (!turns) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
   const Double2 c{std::cos(angle[0]), std::cos(angle[1])}, s{std::sin(angle[0]), std::sin(angle[1])};
   return {c * linear(0, 0) - s * linear(1, 0),
           s * linear(0, 0) + c * linear(1, 0),
@@ -86,6 +90,7 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
     // A point stays where it is if it turns about itself.
     const bool turns = !(polygon.isPoint() && motion.pivot == polygon.origin);
     mover.turn = turns ? turnOf(motion) : Cubic<double>{0, 0, 0};
+    mover.turns = !mover.turn.isZero();
     // Without a turn any pivot will do, and S is the nearest.
     mover.pivot = mover.turn.isZero() ? polygon.origin : motion.pivot;
     const Vec2 pivot = shrink * mover.pivot;
@@ -119,6 +124,7 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
   for (Mover* mover : {&a, &b}) {
     mover->base *= inverse;
     mover->way = inverse * mover->way;
+    mover->is_straight = mover->way.isStraight() && mover->turn.isStraight();
     mover->arm *= inverse;
     mover->reach *= inverse;
     mover->scale = shrink * mover->polygon->unit * inverse;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "apart/cubic.h"
 #include "hierarchy/hierarchy.h"
@@ -29,6 +30,8 @@ struct Node {
   double x, y, ux, uy, along, across;  ///< in units
   std::uint32_t child;                 ///< the block below; of an edge, its position in the path
   bool edge;
+  /// No point of its chain is nearer to the pivot or farther from it, in units; only TightNodes know.
+  double near = 0, far = std::numeric_limits<double>::infinity();
 };
 
 /// The node that is around everything; all others are block * kLanes + lane.
@@ -43,13 +46,14 @@ struct Mover {
 
   const PolygonData* polygon;
   const Hierarchy* tree;
-  Vec2 pivot;              ///< in the polygon's frame
-  Eigen::Matrix2d linear;  ///< the start's
-  Vec2 base;               ///< where the pivot is at time 0
-  Cubic<Vec2> way;         ///< of the pivot, from there
-  Vec2 arm;                ///< from the pivot to S, at time 0
-  Cubic<double> turn;      ///< radians
-  double scale, reach;     ///< a unit; no point is farther from the pivot
+  Vec2 pivot;               ///< in the polygon's frame
+  Eigen::Matrix2d linear;   ///< the start's
+  Vec2 base;                ///< where the pivot is at time 0
+  Cubic<Vec2> way;          ///< of the pivot, from there
+  Vec2 arm;                 ///< from the pivot to S, at time 0
+  Cubic<double> turn;       ///< radians
+  double scale, reach;      ///< a unit; no point is farther from the pivot
+  bool turns, is_straight;  ///< whether it turns at all; whether neither turn nor way is bent
 };
 
 /// Upper bounds, over a window of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's

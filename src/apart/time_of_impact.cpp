@@ -5,11 +5,13 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "apart/moving_pair.h"
 #include "apart/point_impact.h"
+#include "apart/tight_nodes.h"
 #include "apart/window_cutter.h"
 #include "numbers/errors.h"
 #include "pair/collide_by_hierarchy.h"
@@ -46,8 +48,7 @@ class ImpactSearch {
   /// Whether the boxes around everything may meet at a time in [0, 1].
   bool start() {
     const Window window(pair_, 0, 1);
-    const Node root_a = pair_.a.node(kRootNode), root_b = pair_.b.node(kRootNode);
-    offer(window, pair_.a.box(window.a, root_a), pair_.b.box(window.b, root_b), {0, 1, kRootNode, kRootNode, 0});
+    offer(window, sideA(window, kRootNode), sideB(window, kRootNode), {0, 1, kRootNode, kRootNode, 0});
     return !encounters_.empty();
   }
   double lowerBound() const { return encounters_.front().begin; }
@@ -59,6 +60,7 @@ class ImpactSearch {
       Encounter encounter = encounters_.back();
       encounters_.pop_back();
       encounter.end = std::min(encounter.end, upper_bound_);
+      if (++divided_ == kFloatsAlone) fitTightly();
       divide(encounter);
     }
     time = encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
@@ -69,6 +71,27 @@ class ImpactSearch {
   std::size_t edge_a = 0, edge_b = 0;  ///< positions of those that touch at the upper bound
 
  private:
+  /// A node of either mover, and where it is in a window.
+  struct Side {
+    Node node;
+    MovingBox box;
+  };
+  Side sideA(const Window& window, std::uint32_t index) {
+    const Node node = tight_a_ ? tight_a_->node(index) : pair_.a.node(index);
+    return {node, pair_.a.box(window.a, node)};
+  }
+  Side sideB(const Window& window, std::uint32_t index) {
+    const Node node = tight_b_ ? tight_b_->node(index) : pair_.b.node(index);
+    return {node, pair_.b.box(window.b, node)};
+  }
+
+  /// As a rule an impact is found by then; if not, gaps may be narrower than the floats' boxes are wide.
+  static constexpr int kFloatsAlone = 256;
+  void fitTightly() {
+    tight_a_.emplace(pair_.a);
+    tight_b_.emplace(pair_.b);
+  }
+
   void push(const Encounter& encounter) {
     if (encounter.begin > upper_bound_) return;
     encounters_.push_back(encounter);
@@ -82,41 +105,43 @@ class ImpactSearch {
     return encounter;
   }
 
-  void offer(const Window& window, const MovingBox& a, const MovingBox& b, const Encounter& encounter) {
-    WindowCutter cutter(window, a, b);
+  void offer(const Window& window, const Side& a, const Side& b, const Encounter& encounter) {
+    WindowCutter cutter(window, a.box, b.box);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
+    if (tight_a_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
     const Rest rest = cutter.rest();
     if (rest.low <= rest.high) push(cut(encounter, rest));
   }
 
   void divide(const Encounter& encounter) {
-    const Node node_a = pair_.a.node(encounter.a), node_b = pair_.b.node(encounter.b);
     const Window window(pair_, encounter.begin, encounter.end);
-    if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
-    const MovingBox a = pair_.a.box(window.a, node_a), b = pair_.b.box(window.b, node_b);
-    const double size_a = a.along + a.across, size_b = b.along + b.across;
+    const Side a = sideA(window, encounter.a), b = sideB(window, encounter.b);
+    if (a.node.edge && b.node.edge) return divideEdges(window, encounter, a.node.child, b.node.child);
+    const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
     // Smaller boxes don't help where ways bend by more than the boxes' size.
-    if (WindowCutter(window, a, b).bend() > size_a + size_b) return halve(encounter, node_a, node_b);
+    if (WindowCutter(window, a.box, b.box).bend() > size_a + size_b) return halve(encounter);
     Encounter part = encounter;
     ++part.depth;
-    const bool divides_a = !node_a.edge && (node_b.edge || size_a >= size_b);
-    const Mover& mover = divides_a ? pair_.a : pair_.b;
-    const std::uint32_t block = divides_a ? node_a.child : node_b.child;
-    for (std::uint32_t lane = 0; lane < mover.tree->blocks[block].count; ++lane) {
+    const bool divides_a = !a.node.edge && (b.node.edge || size_a >= size_b);
+    const std::uint32_t block = divides_a ? a.node.child : b.node.child;
+    const std::uint32_t count = (divides_a ? pair_.a : pair_.b).tree->blocks[block].count;
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
       const std::uint32_t index = block * kLanes + lane;
       (divides_a ? part.a : part.b) = index;
-      const MovingBox box = mover.box(divides_a ? window.a : window.b, mover.node(index));
-      offer(window, divides_a ? box : a, divides_a ? b : box, part);
+      if (divides_a)
+        offer(window, sideA(window, index), b, part);
+      else
+        offer(window, a, sideB(window, index), part);
     }
   }
 
-  void halve(const Encounter& encounter, const Node& a, const Node& b) {
+  void halve(const Encounter& encounter) {
     const double middle = 0.5 * (encounter.begin + encounter.end);
     for (const bool later : {false, true}) {
       Encounter part = encounter;
       (later ? part.begin : part.end) = middle;
       const Window window(pair_, part.begin, part.end);
-      offer(window, pair_.a.box(window.a, a), pair_.b.box(window.b, b), part);
+      offer(window, sideA(window, part.a), sideB(window, part.b), part);
     }
   }
 
@@ -161,6 +186,8 @@ class ImpactSearch {
   double time_error_, touch_distance_;
   double upper_bound_ = kInfinity;
   std::vector<Encounter> encounters_;
+  int divided_ = 0;
+  std::optional<TightNodes> tight_a_, tight_b_;
 };
 
 /// From the pair's frame at `time` to the world.

@@ -17,16 +17,18 @@ struct Rest {
 
 /// A window of time with both movers' places at its ends.
 struct Window {
+  Window(const Window&) = delete;
   Window(const MovingPair& pair_, double begin, double end)
       : pair(pair_),
         length(end - begin),
-        rates(pair.rates(begin, end)),
+        rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
         a(pair.a.places(begin, end)),
         b(pair.b.places(begin, end)) {}
 
   const MovingPair& pair;
   double length;
-  Rates rates;
+  Rates own_rates;  ///< where the pair's aren't steady
+  const Rates& rates;
   Places a, b;
 };
 

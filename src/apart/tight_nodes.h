@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "apart/moving_pair.h"
+#include "apart/window_cutter.h"
+
+namespace tricover::detail {
+
+/// The nodes of a mover as doubles fit them, where floats are too wide for narrow gaps: boxes that lie along their
+/// chains to the last digits, and how far the chains are from the pivot. Each is fitted when it is first asked for; all
+/// of them together cost O(n log n).
+class TightNodes {
+ public:
+  explicit TightNodes(const Mover& mover);
+
+  /// Of several rings, the node as it is in the tree.
+  Node node(std::uint32_t index);
+
+ private:
+  Node fit(std::uint32_t index) const;
+
+  const Mover& mover_;
+  std::vector<std::uint32_t> slots_;  ///< of blocks' lanes and the root, one more than where in nodes_; 0: not yet
+  std::vector<Node> nodes_;
+};
+
+/// Whether one of two boxes is certainly farther from the other mover's pivot than that one's chain ever is, or nearer:
+/// where a polygon turns about its middle, nothing but this tells that its outline stays in place.
+bool partedByPivots(const Window& window, const Node& node_a, const MovingBox& a, const Node& node_b,
+                    const MovingBox& b);
+
+}  // namespace tricover::detail
