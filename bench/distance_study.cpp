@@ -100,7 +100,7 @@ class Methods {
 }  // namespace
 
 std::vector<Cell> distanceCells(bool full) {
-  const std::vector<std::string> names = {"circular", "linear", "gap 0.01", "near", "far"};
+  const std::vector<std::string> names = {"circular", "linear", "gap 0.01", "near", "far", "overlap"};
   std::vector<std::pair<std::size_t, std::size_t>> sizes = {{8, 8}, {64, 64}, {1024, 1024}, {512, 16}};
   if (full) sizes.insert(sizes.end(), {{16, 16}, {32, 32}, {128, 128}, {256, 256}, {512, 512}, {1024, 8}, {8, 1024}});
   std::vector<Cell> cells;
@@ -116,9 +116,9 @@ std::vector<Result> measureDistances(const Cell& cell, const Settings& settings)
   std::vector<Result> results;
   for (const std::string& name : cell.workloads) {
     const bool coherent = isCoherent(name);
-    std::vector<Pose> poses = coherent         ? posesOf(name, fixed, moving)
-                              : name == "near" ? separatedPoses(fixed, moving, 1.03, 1.5)
-                                               : separatedPoses(fixed, moving, 2, 4);
+    std::vector<Pose> poses = coherent || name == "overlap" ? posesOf(name, fixed, moving)
+                              : name == "near"              ? separatedPoses(fixed, moving, 1.03, 1.5)
+                                                            : separatedPoses(fixed, moving, 2, 4);
     if (poses.size() > kLongest) poses.resize(kLongest);
     const Workload workload{
         "distance", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};

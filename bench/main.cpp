@@ -7,12 +7,16 @@
 #include <string>
 
 #include "countries.h"
+#include "disc_study.h"
 #include "distance_study.h"
 #include "impact_study.h"
 #include "measure.h"
 #include "pictures.h"
 #include "plot_data.h"
 #include "report.h"
+#include "round_fleet.h"
+#include "round_study.h"
+#include "spline_study.h"
 #include "study.h"
 #include "targets.h"
 #include "tricover_fcl/tricover_fcl.h"
@@ -41,6 +45,39 @@ bool oursAgree(const std::vector<Result>& results) {
   return agree;
 }
 
+/// All tables and CSV files; returns all results.
+std::vector<Result> writeReport(const Measured& measured, const std::vector<Result>& drives,
+                                const std::vector<Result>& splines, const Settings& settings,
+                                const std::string& directory) {
+  const std::vector<Target> targets = judge(measured);
+  const std::string main_job = "# One country among all the others\n\n" + table(drives);
+  const std::string how = "\n# How it was measured\n\n" + conditions(settings);
+  const std::string summary = "# Targets\n\n" + targetsTable(targets) + "\n";
+  std::fputs((summary + main_job + how).c_str(), stdout);
+  writeFile(directory + "/targets.md", summary);
+  writeFile(directory + "/targets.csv", targetsCsv(targets));
+  writeFile(directory + "/conditions.md", how);
+  writeFile(directory + "/round.md", "# Polygons and round shapes\n\n" + table(measured.rounds) +
+                                         "\n# Polygons and discs, without FCL\n\n" + table(measured.discs) +
+                                         "\n# A fleet of round robots\n\n" + table({measured.round_fleet}));
+  writeFile(directory + "/splines.md", "# Splines\n\n" + table(splines));
+  writeFile(directory + "/tables.md",
+            summary + main_job + "\n# 2000 moving outlines\n\n" + table({measured.crowd.result}) +
+                "\n# Every kind, vertices fixed x moving\n\n" + table(measured.study) + "\n# Distances\n\n" +
+                table(measured.distances) + "\n# Times of impact\n\n" + table(measured.impacts) + how);
+  writePlotData(measured.study, directory);
+
+  std::vector<Result> all = drives;
+  all.push_back(measured.crowd.result);
+  all.push_back(measured.round_fleet);
+  for (const auto* results :
+       {&measured.study, &measured.distances, &measured.impacts, &measured.rounds, &measured.discs, &splines}) {
+    all.insert(all.end(), results->begin(), results->end());
+  }
+  writeFile(directory + "/results.csv", csv(all));
+  return all;
+}
+
 int run(const std::string& data, const std::string& directory, bool full) {
   tricover_fcl::registerNarrowphase();
   std::ifstream in(data);
@@ -53,9 +90,10 @@ int run(const std::string& data, const std::string& directory, bool full) {
   if (full) movers.insert(movers.end(), {"Indonesia", "Chile", "Australia"});
   const std::vector<Cell> cells = studyCells(full);
   const std::vector<Cell> distance_cells = distanceCells(full), impact_cells = impactCells(full);
-  const std::size_t total = 2 * movers.size() + 2 + cells.size() + distance_cells.size() + impact_cells.size();
+  const std::size_t total = 2 * movers.size() + 5 + cells.size() + distance_cells.size() + impact_cells.size();
   std::size_t done = 0;
-  std::vector<Result> drives, study, distances, impacts;
+  Measured measured;
+  std::vector<Result> drives;
   for (const std::string& mover : movers) {
     for (const char* trajectory : {"circular", "linear"}) {
       showProgress(done++, total, mover + ", " + trajectory);
@@ -63,9 +101,16 @@ int run(const std::string& data, const std::string& directory, bool full) {
     }
   }
   showProgress(done++, total, "moving outlines");
-  const CrowdResult crowd = measureCrowd(settings);
+  measured.crowd = measureCrowd(settings);
   showProgress(done++, total, "memory and building");
-  const std::vector<Footprint> footprints = measureFootprints(settings);
+  measured.footprints = measureFootprints(settings);
+  showProgress(done++, total, "round shapes");
+  measured.rounds = measureRounds(settings);
+  showProgress(done++, total, "discs");
+  measured.discs = measureDiscs(settings);
+  measured.round_fleet = measureRoundFleet(settings);
+  showProgress(done++, total, "splines");
+  const std::vector<Result> splines = measureSplines(settings);
   const auto measureAll = [&](const char* what, const std::vector<Cell>& some, auto measureOne,
                               std::vector<Result>& to) {
     for (const Cell& cell : some) {
@@ -75,29 +120,11 @@ int run(const std::string& data, const std::string& directory, bool full) {
       for (Result& result : measureOne(cell, settings)) to.push_back(std::move(result));
     }
   };
-  measureAll("", cells, measureCell, study);
-  measureAll("distance, ", distance_cells, measureDistances, distances);
-  measureAll("time of impact, ", impact_cells, measureImpacts, impacts);
+  measureAll("", cells, measureCell, measured.study);
+  measureAll("distance, ", distance_cells, measureDistances, measured.distances);
+  measureAll("time of impact, ", impact_cells, measureImpacts, measured.impacts);
   showProgress(total, total, "done");
-
-  const std::vector<Target> targets = judge(study, distances, impacts, crowd, footprints);
-  const std::string main_job = "# One country among all the others\n\n" + table(drives);
-  const std::string how = "\n# How it was measured\n\n" + conditions(settings);
-  const std::string summary = "# Targets\n\n" + targetsTable(targets) + "\n";
-  std::fputs((summary + main_job + how).c_str(), stdout);
-  writeFile(directory + "/targets.md", summary);
-  writeFile(directory + "/targets.csv", targetsCsv(targets));
-  writeFile(directory + "/conditions.md", how);
-  writeFile(directory + "/tables.md", summary + main_job + "\n# 2000 moving outlines\n\n" + table({crowd.result}) +
-                                          "\n# Every kind, vertices fixed x moving\n\n" + table(study) +
-                                          "\n# Distances\n\n" + table(distances) + "\n# Times of impact\n\n" +
-                                          table(impacts) + how);
-  writePlotData(study, directory);
-
-  std::vector<Result> all = std::move(drives);
-  all.push_back(crowd.result);
-  for (const auto& results : {study, distances, impacts}) all.insert(all.end(), results.begin(), results.end());
-  writeFile(directory + "/results.csv", csv(all));
+  const std::vector<Result> all = writeReport(measured, drives, splines, settings, directory);
   return oursAgree(all) ? 0 : 1;
 }
 

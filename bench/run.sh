@@ -18,18 +18,20 @@ step "configuring"
 quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_BENCH=ON \
   -DTRICOVER_WERROR=ON
 step "building (FCL's headers take their time)"
-quietly cmake --build "$build" --target bench_main bench_tradeoff bench_modelled bench_pages
+quietly cmake --build "$build" --target bench_main bench_tradeoff bench_modelled bench_growth bench_pages
 step ""
 "$build/bench/bench_main" bench/data/countries_110m.txt "$report" "$@"
 step "counting wrong answers around contact and at the extremes"
 "$build/bench/bench_tradeoff" bench/data/countries_110m.txt "$report" "$@"
 "$build/bench/bench_modelled" "$report"
+step "asking what is hard"
+"$build/bench/bench_growth" "$report"
 step ""
 for plots in plots tradeoff; do LC_ALL=C.UTF-8 gnuplot -e "report='$report'" "bench/$plots.gp"; done
 "$build/bench/bench_pages" bench/pages.html "$report"
 if [ "${1-}" = --full ]; then
   mkdir -p bench/results
-  cp "$report"/{targets,results,tradeoff,extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg} bench/results/
+  cp "$report"/{targets,results,growth,tradeoff,extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg} bench/results/
 fi
 echo
 echo "$report/index.html shows it all; the tables, CSV files and pictures are beside it"

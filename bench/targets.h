@@ -20,10 +20,15 @@ struct Target {
   bool met;
 };
 
-/// `results` are the study's.
-std::vector<Target> judge(const std::vector<Result>& results, const std::vector<Result>& distances,
-                          const std::vector<Result>& impacts, const CrowdResult& crowd,
-                          const std::vector<Footprint>& footprints);
+/// All that is judged.
+struct Measured {
+  std::vector<Result> study, distances, impacts, rounds, discs;
+  CrowdResult crowd;
+  Result round_fleet;
+  std::vector<Footprint> footprints;
+};
+
+std::vector<Target> judge(const Measured& measured);
 
 /// As a Markdown table with a column "met", and one line a target.
 std::string targetsTable(const std::vector<Target>& targets);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The packaged libfcl has its asserts on. These definitions, compiled with our flags, come before libfcl's when the
 // program is linked, so that the rivals run without them: all that is a template on their ways, from the call down.
+#include <fcl/math/motion/interp_motion.h>
+#include <fcl/math/motion/spline_motion.h>
+#include <fcl/narrowphase/detail/convexity_based_algorithm/epa.h>
 #include <fcl/narrowphase/detail/convexity_based_algorithm/gjk.h>
 #include <fcl/narrowphase/detail/convexity_based_algorithm/gjk_libccd.h>
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_box.h>
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_sphere.h>
 #include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
 #include <fcl/narrowphase/detail/traversal/collision_node.h>
 #include <fcl/narrowphase/detail/traversal/distance/mesh_conservative_advancement_traversal_node.h>
@@ -25,6 +30,31 @@ template bool detail::GJKCollide<double>(void*, ccd_support_fn, ccd_center_fn, v
                                          unsigned int, double, Vector3d*, double*, Vector3d*);
 template bool detail::GJKDistance<double>(void*, ccd_support_fn, void*, ccd_support_fn, unsigned int, double, double*,
                                           Vector3d*, Vector3d*);
+
+// round shapes and boxes
+#define TRICOVER_INSTANTIATE(Shape) \
+  template class Shape<double>;     \
+  template class detail::GJKInitializer<double, Shape<double>>;
+TRICOVER_INSTANTIATE(Box)
+TRICOVER_INSTANTIATE(Capsule)
+TRICOVER_INSTANTIATE(Cone)
+TRICOVER_INSTANTIATE(Cylinder)
+TRICOVER_INSTANTIATE(Ellipsoid)
+TRICOVER_INSTANTIATE(Sphere)
+#undef TRICOVER_INSTANTIATE
+template struct detail::EPA<double>;
+template bool detail::sphereSphereIntersect(const Sphere<double>&, const Transform3<double>&, const Sphere<double>&,
+                                            const Transform3<double>&, std::vector<ContactPoint<double>>*);
+template bool detail::sphereSphereDistance(const Sphere<double>&, const Transform3<double>&, const Sphere<double>&,
+                                           const Transform3<double>&, double*, Vector3<double>*, Vector3<double>*);
+template bool detail::sphereBoxIntersect(const Sphere<double>&, const Transform3<double>&, const Box<double>&,
+                                         const Transform3<double>&, std::vector<ContactPoint<double>>*);
+template bool detail::sphereBoxDistance(const Sphere<double>&, const Transform3<double>&, const Box<double>&,
+                                        const Transform3<double>&, double*, Vector3<double>*, Vector3<double>*);
+
+// motions
+template class InterpMotion<double>;
+template class SplineMotion<double>;
 
 // BVH
 template class OBB<double>;

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "round_study.h"
+
+#include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/cone.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/ellipsoid.h>
+#include <fcl/geometry/shape/sphere.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "prism.h"
+#include "random.h"
+#include "rivals/fcl_pair.h"
+#include "tricover/segment.h"
+#include "tricover_fcl/tricover_fcl.h"
+#include "workloads.h"
+
+namespace tricover::bench {
+namespace {
+
+/// Answers of FCL's solvers and ours: lengths of things a hundred units long. FCL's advancement of two shapes stops
+/// where its next step is below 1e-4 of the motion, which is early where it comes slowly.
+constexpr Agreement kDistances = {0, {1e-6, 1e-6}, {1e-4, 1e-4}};
+constexpr Agreement kTimes = {1, {2 * kShapeTimeError, 2 * kShapeTimeError}, {1e-2, 2 * kShapeTimeError}};
+
+/// Half the height of polygons: all that is round lies between, so that FCL's answers in space are the plane's.
+constexpr double kUp = 60;
+
+/// One body in several forms: ours, and what FCL has for it.
+struct Form {
+  std::string name;
+  Geometry geometry;
+};
+struct Body {
+  std::string name;
+  std::size_t vertices;
+  double radius;
+  Geometry ours;
+  std::vector<Form> theirs;
+  fcl::Matrix3d tilt = fcl::Matrix3d::Identity();
+};
+
+Geometry shape(const Polygon& polygon, double up, double margin = 0) {
+  return std::make_shared<tricover_fcl::PolygonShaped>(polygon, tricover_fcl::PolygonOptions{-up, up, margin});
+}
+
+Body polygonBody(std::size_t vertices) {
+  const Polygon polygon = vertices == 4 ? Polygon({{{-50, -30}, {50, -30}, {50, 30}, {-50, 30}}})
+                                        : workloads::makePolygon(workloads::Kind::Convex, vertices, 1);
+  Body body{"polygon", vertices, polygon.radius(), shape(polygon, kUp), {}};
+  if (vertices == 4) body.theirs.push_back({"FCL Box", std::make_shared<fcl::Boxd>(100, 60, 2 * kUp)});
+  body.theirs.push_back({"FCL Convex", support::makePrism(polygon.rings().front(), kUp)});
+  return body;
+}
+
+Body discBody(double radius) {
+  return {"disc",
+          1,
+          radius,
+          shape(point({0, 0}), radius, radius),
+          {{"FCL Sphere", std::make_shared<fcl::Sphered>(radius)}}};
+}
+
+/// One of FCL's geometries, which is the same in ours and in FCL's pairs.
+Body fclBody(const std::string& name, double radius, const Geometry& geometry, const fcl::Matrix3d& tilt) {
+  return {name, 1, radius, geometry, {{"", geometry}}, tilt};
+}
+
+std::vector<Body> roundBodies() {
+  const auto about = [](const fcl::Vector3d& axis, double angle) {
+    return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+  };
+  const fcl::Matrix3d upright = fcl::Matrix3d::Identity(), lying = about({0, 1, 0}, static_cast<double>(EIGEN_PI) / 2),
+                      tilted = about({1, 2, 0}, 0.7);
+  return {discBody(20),
+          fclBody("sphere", 20, std::make_shared<fcl::Sphered>(20), upright),
+          fclBody("cylinder", 20, std::make_shared<fcl::Cylinderd>(20, 40), upright),
+          fclBody("capsule", 35, std::make_shared<fcl::Capsuled>(15, 40), lying),
+          fclBody("tilted cylinder", 25, std::make_shared<fcl::Cylinderd>(15, 40), tilted),
+          fclBody("tilted cone", 25, std::make_shared<fcl::Coned>(20, 40), tilted),
+          fclBody("tilted ellipsoid", 25, std::make_shared<fcl::Ellipsoidd>(25, 15, 10), tilted)};
+}
+
+constexpr std::size_t kPositions = 250;
+
+/// Where the round body is, its centre `low` .. `high` times the sum of both radii from the fixed one's.
+std::vector<fcl::Transform3d> randomPoses(double reach, const fcl::Matrix3d& tilt, double low, double high) {
+  support::Random random(11);
+  std::vector<fcl::Transform3d> poses;
+  for (std::size_t i = 0; i < kPositions; ++i) {
+    const double direction = random.real(-3.15, 3.15), away = reach * random.real(low, high);
+    fcl::Transform3d pose = fcl::Transform3d::Identity();
+    pose.linear() = Eigen::AngleAxisd(random.real(-3.15, 3.15), fcl::Vector3d::UnitZ()).toRotationMatrix() * tilt;
+    pose.translation() = fcl::Vector3d(away * std::cos(direction), away * std::sin(direction), 0);
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+/// From there inwards or past; where `turning`, the fixed body turns on its place meanwhile.
+Motions randomMotions(double reach, const fcl::Matrix3d& tilt, bool turning) {
+  support::Random random(12);
+  Motions motions;
+  for (const fcl::Transform3d& start : randomPoses(reach, tilt, 1.03, 1.5)) {
+    const double aside = random.real(-1.2, 1.2), length = reach * random.real(0.5, 2);
+    const fcl::Vector3d inwards = -start.translation().normalized();
+    const fcl::Vector3d way = Eigen::AngleAxisd(aside, fcl::Vector3d::UnitZ()) * inwards * length;
+    const fcl::Matrix3d turn =
+        Eigen::AngleAxisd(turning ? random.real(-2.6, 2.6) : 0, fcl::Vector3d::UnitZ()).toRotationMatrix();
+    motions.fixed.emplace_back(fcl::Matrix3d::Identity(), fcl::Vector3d::Zero(), turn, fcl::Vector3d::Zero(),
+                               fcl::Vector3d::Zero());
+    motions.moving.emplace_back(start.linear(), start.translation(), start.linear(),
+                                fcl::Vector3d(start.translation() + way), fcl::Vector3d::Zero());
+  }
+  return motions;
+}
+
+/// Ours and FCL's solvers, each in both orders. `Query` is one of rivals/fcl_pair.h.
+template <class Query, class Inputs>
+auto contenders(const Body& fixed, const Body& moving, const std::shared_ptr<const Inputs>& inputs) {
+  constexpr bool kIsBoolean = std::is_same_v<Query, PairCollide>;
+  std::vector<std::conditional_t<kIsBoolean, Contender, ValueContender>> all;
+  const auto add = [&](const std::string& name, Role role, const Geometry& a, const Geometry& b,
+                       fcl::GJKSolverType solver) {
+    for (const bool swapped : {false, true}) {
+      auto query = std::make_shared<Query>(a, b, inputs, solver, swapped);
+      const std::string full_name = swapped ? name + ", swapped" : name;
+      if constexpr (kIsBoolean) {
+        all.push_back(contender(full_name, role, false, query, kPositions));
+      } else {
+        all.push_back(valueContender(full_name, role, false, query, kPositions));
+      }
+    }
+  };
+  add("via FCL", Role::Ours, fixed.ours, moving.ours, fcl::GST_LIBCCD);
+  // FCL has no conservative advancement of ellipsoids: it prints a warning and answers "free".
+  const bool is_ellipsoid = moving.ours->getNodeType() == fcl::GEOM_ELLIPSOID;
+  if (std::is_same_v<Query, PairAdvance> && is_ellipsoid) return all;
+  for (const Form& form : fixed.theirs) {
+    const Geometry& other = moving.theirs.front().geometry;
+    add(form.name + " (libccd)", Role::Rival, form.geometry, other, fcl::GST_LIBCCD);
+    add(form.name + " (indep)", Role::Rival, form.geometry, other, fcl::GST_INDEP);
+  }
+  return all;
+}
+
+void measurePair(const Body& fixed, const Body& moving, const Settings& settings, std::vector<Result>& results) {
+  const double reach = fixed.radius + moving.radius;
+  const auto workload = [&](const char* query) {
+    return Workload{"round", moving.name, query, fixed.vertices, moving.vertices, kPositions, 1};
+  };
+  const auto poses = [&](double low, double high) {
+    return std::make_shared<const Poses>(randomPoses(reach, moving.tilt, low, high));
+  };
+  const auto motions = [&](bool turning) {
+    return std::make_shared<const Motions>(randomMotions(reach, moving.tilt, turning));
+  };
+  results.push_back(measure(workload("collide"), contenders<PairCollide>(fixed, moving, poses(0.4, 1.2)), settings));
+  results.push_back(
+      measure(workload("distance"), contenders<PairDistance>(fixed, moving, poses(1.03, 2)), kDistances, settings));
+  results.push_back(
+      measure(workload("sliding"), contenders<PairAdvance>(fixed, moving, motions(false)), kTimes, settings));
+  results.push_back(
+      measure(workload("turning"), contenders<PairAdvance>(fixed, moving, motions(true)), kTimes, settings));
+}
+
+}  // namespace
+
+std::vector<Result> measureRounds(const Settings& settings) {
+  std::vector<Result> results;
+  std::vector<Body> fixed_bodies;
+  for (const std::size_t vertices : {4, 8, 64}) fixed_bodies.push_back(polygonBody(vertices));
+  for (const Body& moving : roundBodies()) {
+    for (const Body& fixed : fixed_bodies) measurePair(fixed, moving, settings, results);
+    if (moving.name == "disc") measurePair(discBody(30), moving, settings, results);
+  }
+  return results;
+}
+
+}  // namespace tricover::bench
