@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "exact_reference.h"
 #include "families.h"
@@ -93,7 +94,7 @@ std::string familyName(const testing::TestParamInfo<Family>& family) { return fa
 
 INSTANTIATE_TEST_SUITE_P(Families, ContactsOracle, testing::ValuesIn(families()), familyName);
 
-constexpr int kCells = 12;
+constexpr int kCells = 12, kFine = 2 * kCells + 1;
 
 /// A ring whose edges run along the axes from grid point to grid point, crossing and covering each other at will.
 Ring rectilinear(Random& random, int corners) {
@@ -155,12 +156,29 @@ struct Components {
   std::size_t all = 0;
   std::size_t with_cells = 0;  ///< with an area
   std::size_t entering = 0;  ///< with those, and those where an edge that has no area beside it enters the other region
+  std::vector<std::size_t> part = std::vector<std::size_t>(kFine * kFine);  ///< of the grid twice as fine; 0 is none
+
+  /// The component that a point of the grid's plane is in; 0 if it is in none. The point is rounded.
+  std::size_t partAt(const Vec2& point) const {
+    for (const double y : {point.y(), point.y() - 1e-9, point.y() + 1e-9})
+      for (const double x : {point.x(), point.x() - 1e-9, point.x() + 1e-9})
+        if (const std::size_t found = part[static_cast<std::size_t>(fine(y) * kFine + fine(x))]) return found;
+    return 0;
+  }
+
+ private:
+  /// Grid lines are even, what is between them odd.
+  static int fine(double coordinate) {
+    const double line = std::round(coordinate);
+    const double index = std::abs(coordinate - line) < 1e-10 ? 2 * line : 2 * std::floor(coordinate) + 1;
+    return std::clamp(static_cast<int>(index), 0, kFine - 1);
+  }
 };
 
 /// The components of the overlap by flooding the grid's points, sides and cells, which are the points of a grid twice
 /// as fine.
 Components countByFlooding(const Polygon& a, const Polygon& b) {
-  constexpr int n = 2 * kCells + 1;
+  constexpr int n = kFine;
   enum Wet : char { None, Touching, Entering };
   std::vector<char> wet(n * n);
   const auto at = [&](int x, int y) -> char& { return wet[static_cast<std::size_t>(y * n + x)]; };
@@ -181,6 +199,7 @@ Components countByFlooding(const Polygon& a, const Polygon& b) {
         has_cells = has_cells || (i % 2 == 1 && j % 2 == 1);
         enters = enters || at(i, j) == Entering;
         at(i, j) = None;
+        count.part[static_cast<std::size_t>(j * n + i)] = count.all + 1;
         front.emplace_back(i, j);
       };
       take(x, y);
@@ -215,9 +234,13 @@ TEST(ContactsOracleGrid, AreAsManyAsTheOverlapHasComponents) {
     const std::vector<Contact> found = contacts(a, both, b, both);
     const auto deep = static_cast<std::size_t>(
         std::count_if(found.begin(), found.end(), [](const Contact& contact) { return contact.depth > 0; }));
-    if ((found.size() != count.all || deep < count.with_cells || deep > count.entering) && ++wrong <= 3)
+    std::set<std::size_t> parts;
+    for (const Contact& contact : found) parts.insert(count.partAt(both.inverse() * contact.point));
+    const bool apart = parts.size() == found.size() && parts.count(0) == 0;
+    if ((found.size() != count.all || deep < count.with_cells || deep > count.entering || !apart) && ++wrong <= 3)
       ADD_FAILURE() << "seed " << i << ": " << found.size() << " contacts, " << deep << " of them deep, not "
-                    << count.all << " and " << count.with_cells << " to " << count.entering << "\n"
+                    << count.all << " and " << count.with_cells << " to " << count.entering << ", their points in "
+                    << parts.size() << " parts" << (parts.count(0) ? ", some outside" : "") << "\n"
                     << reproduction({a, both, b, both});
   }
   std::printf("%d cases, %d with several components, %d with some that only touch, %d with none, %d wrong\n", cases,

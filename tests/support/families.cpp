@@ -99,6 +99,7 @@ const std::vector<Family>& families() {
       {"overlapping_even_odd", seeded<overlappingRingsEvenOdd>},
       {"overlapping_non_zero", seeded<overlappingRingsNonZero>},
       {"small_grid", seeded<smallGrid>},
+      {"flat_rings", seeded<flatRings>},
   };
   return all;
 }

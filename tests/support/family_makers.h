@@ -35,6 +35,7 @@ Case ringDirections(Random& random);
 Case overlappingRingsEvenOdd(Random& random);
 Case overlappingRingsNonZero(Random& random);
 Case smallGrid(Random& random);
+Case flatRings(Random& random);
 Case anyPair(Random& random);
 
 /// Moves b along `motion` to the two adjacent positions between which the exact answer changes, then up to `most_ulps`

@@ -156,6 +156,36 @@ Case smallGrid(Random& random) {
   return {polygon(), gridPose(), polygon(), gridPose()};
 }
 
+Case flatRings(Random& random) {
+  const auto gridPoint = [&] { return Vec2(random.integer(-3, 3), random.integer(-3, 3)); };
+  // A point, a segment there and back, or a bent way there and back, whose parts may lie on other rings' edges.
+  const auto flatRing = [&]() -> Ring {
+    const Vec2 p = gridPoint(), q = gridPoint(), r = gridPoint();
+    switch (random.integer(0, 3)) {
+      case 0:
+        return {p, p, p};
+      case 1:
+        return {p, q, q};
+      case 2:
+        return {p, q, p};
+      default:
+        return {p, q, r, q};
+    }
+  };
+  const auto polygon = [&](int most) {
+    std::vector<Ring> rings;
+    if (random.coin())
+      rings.push_back(random.coin() ? rectangle(-3, -3, 3, 3) : Ring{gridPoint(), gridPoint(), gridPoint()});
+    for (int i = random.integer(1, most); i > 0; --i) rings.push_back(flatRing());
+    return Polygon(redirected(random, rings), random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+  };
+  const Pose pose_a = anyPose(random);
+  Pose pose_b = pose_a;
+  if (random.oneIn(3)) pose_b.translation() += pose_a.linear() * Vec2(random.integer(-5, 5), random.integer(-5, 5));
+  const Polygon a = polygon(2);
+  return {a, pose_a, polygon(3), pose_b};
+}
+
 Case anyPair(Random& random) {
   return {Polygon({anyRing(random)}), randomPose(random, 2), Polygon({anyRing(random)}), randomPose(random, 2)};
 }
