@@ -148,7 +148,7 @@ struct Tallies {
 };
 
 // What is no law, kept from growing. Beyond the end of the shortest way into a notch or a hole they may meet again, if
-// it has room only aside; and a wedged touch has no way out. Of several parts each contact knows the edges around its
+// it has room only aside; and a wedged touch, as of two segments that cross, has no way out. Of several parts each contact knows the edges around its
 // own: those named are then not always those that part last.
 TEST(ContactLaws, HoldInAllFamilies) {
   Tallies tallies;
@@ -161,8 +161,8 @@ TEST(ContactLaws, HoldInAllFamilies) {
   }
   tallies.print();
   tallies.convex.expectAtMost(0, 0);
-  tallies.touches.expectAtMost(0.002, 0.002);
-  tallies.others.expectAtMost(0.04, 0.01);
+  tallies.touches.expectAtMost(0.02, 0.002);
+  tallies.others.expectAtMost(0.04, 0.02);
 }
 
 TEST(ContactLaws, HoldOfStars) {
