@@ -138,14 +138,16 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
 
 Rates MovingPair::ratesOf(double begin, double end) const {
   const Cubic<double> relative = b.turn - a.turn;
-  return {a.turn.mostRate(begin, end),
-          b.turn.mostRate(begin, end),
-          relative.mostRate(begin, end),
-          (relative - a.turn).mostRate(begin, end),
-          (relative + b.turn).mostRate(begin, end),
-          a.turn.mostAcceleration(begin, end),
-          b.turn.mostAcceleration(begin, end),
-          relative.mostAcceleration(begin, end),
+  const double rate_a = a.turn.mostRate(begin, end), rate_b = b.turn.mostRate(begin, end);
+  const double of_a = a.turn.mostAcceleration(begin, end), of_b = b.turn.mostAcceleration(begin, end);
+  const double between = relative.mostRate(begin, end);
+  return {rate_a,
+          rate_b,
+          of_a + rate_a * rate_a,
+          of_b + rate_b * rate_b,
+          relative.mostAcceleration(begin, end) + between * between,
+          of_a + rate_a * (relative + b.turn).mostRate(begin, end),
+          of_b + rate_b * (relative - a.turn).mostRate(begin, end),
           b.way.mostRate(begin, end),
           b.way.mostAcceleration(begin, end)};
 }

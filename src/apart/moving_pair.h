@@ -57,13 +57,13 @@ struct Mover {
 };
 
 /// Upper bounds, over a window of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's
-/// turn and a" its acceleration.
+/// turn and a" its acceleration; and what WindowCutter makes of them.
 struct Rates {
-  double a, b;                  ///< |a'|, |b'|
-  double relative;              ///< |b' - a'|
-  double b_less_2a, a_less_2b;  ///< |b' - 2 a'|, |a' - 2 b'|
-  double a_2, b_2, relative_2;  ///< |a"|, |b"|, |b" - a"|
-  double speed, pull;           ///< of b's pivot, as seen from a's: velocity and acceleration
+  double a, b;              ///< |a'|, |b'|
+  double bend_a, bend_b;    ///< |a"| + a'^2, |b"| + b'^2
+  double relative_bend;     ///< |b" - a"| + (b' - a')^2
+  double mixed_a, mixed_b;  ///< |a"| + |a'| |a' - 2 b'|, |b"| + |b'| |b' - 2 a'|
+  double speed, pull;       ///< of b's pivot, as seen from a's: velocity and acceleration
 
   bool turns() const { return a != 0 || b != 0; }
 };

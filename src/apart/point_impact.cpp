@@ -86,9 +86,8 @@ class PointCast {
     if (!rates.turns()) return (1 + 0x1p-10) * rates.pull * inverse_;
     const double lever = pair_.b.arm.norm(), h = end - begin;
     const double apart = (pair_.b.base + pair_.b.way.at(begin)).norm() + h * rates.speed;
-    const double of_a = rates.a_2 + rates.a * rates.a;
-    const double turning = std::min((rates.relative_2 + rates.relative * rates.relative) * lever + of_a * apart,
-                                    (rates.b_2 + rates.b * rates.b_less_2a) * lever + of_a * (apart + lever));
+    const double turning = std::min(rates.relative_bend * lever + rates.bend_a * apart,
+                                    rates.mixed_b * lever + rates.bend_a * (apart + lever));
     return (1 + 0x1p-10) * (turning + 2 * rates.a * rates.speed + rates.pull) * inverse_;
   }
 

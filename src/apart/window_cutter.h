@@ -113,12 +113,11 @@ inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, cons
       lengthAbove(b.x[0] - at_a.pivot_x[0], b.y[0] - at_a.pivot_y[0]) + extent_b + h * (speed + beta * lever_b);
   const double a_from_b =
       lengthAbove(a.x[0] - at_b.pivot_x[0], a.y[0] - at_b.pivot_y[0]) + extent_a + h * (speed + alpha * lever_a);
-  const double relative = rates.relative_2 + rates.relative * rates.relative;
-  const double of_a = rates.a_2 + alpha * alpha, of_b = rates.b_2 + beta * beta;
+  const double of_a = rates.bend_a, of_b = rates.bend_b;
   const double with_a =
-      std::min(relative * lever_b + of_a * apart, (rates.b_2 + beta * rates.b_less_2a) * lever_b + of_a * b_from_a);
+      std::min(rates.relative_bend * lever_b + of_a * apart, rates.mixed_b * lever_b + of_a * b_from_a);
   const double with_b =
-      std::min(relative * lever_a + of_b * apart, (rates.a_2 + alpha * rates.a_less_2b) * lever_a + of_b * a_from_b);
+      std::min(rates.relative_bend * lever_a + of_b * apart, rates.mixed_a * lever_a + of_b * a_from_b);
   sag_fixed_ = half_square * (of_a * lever_a + of_b * lever_b + rates.pull);
   sag_with_a_ = half_square * (with_a + 2 * alpha * speed + rates.pull);
   sag_with_b_ = half_square * (with_b + 2 * beta * speed + rates.pull);
