@@ -9,6 +9,7 @@
 #include "apart/convex_nearest.h"
 #include "apart/distance_search.h"
 #include "apart/edge_distance.h"
+#include "apart/point_distance.h"
 #include "numbers/double_double.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -165,7 +166,19 @@ Outcome findNearest(const PosedPair& pair, DistanceSearch& search, bool alone) {
   return descend(pair, search) ? findContainment(pair) : Outcome();
 }
 
+/// Where `distance` is certain, see plainDistance().
+DistanceResult resultOfPoints(const Pair& pair, double distance, const DistanceOptions& options) {
+  const std::size_t i = pair.a.spine, j = pair.b.spine;
+  return {beyond(pair, distance, options.margin), worldPoint(pair.a, pair.pose_a, i, 0),
+          worldPoint(pair.b, pair.pose_b, j, 0), static_cast<std::ptrdiff_t>(i), static_cast<std::ptrdiff_t>(j)};
+}
+
 DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const DistanceOptions& options) {
+  if (pair.a.isPoint() && pair.b.isPoint()) {
+    const double distance = plainDistance(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    const DistanceResult result = resultOfPoints(pair, distance, options);
+    if (distance > 0 && result.distance <= options.limit) return result;
+  }
   DistanceSearch search(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
   const auto answer = [&] {
     search.finish();

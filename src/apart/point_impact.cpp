@@ -70,11 +70,12 @@ class PointCast {
         mirror_(pair.a.linear.determinant() < 0 ? -1 : 1),
         error_(pair.error * inverse_) {}
 
-  /// b's point at a time.
+  /// b's point at a time: from a's pivot, turned back, and then from S.
   Vec2 at(double time) const {
-    const Places a = pair_.a.places(time, time), b = pair_.b.places(time, time);
-    const double x = (b.x[0] - a.x[0]) * inverse_, y = (b.y[0] - a.y[0]) * inverse_;
-    return mirror_ * Vec2(a.m11[0] * x - a.m01[0] * y, a.m00[0] * y - a.m10[0] * x);
+    const Vec2 arm = turned(pair_.b.arm, pair_.b.turn, time, 1);
+    const Vec2 p = turned(pair_.b.base + pair_.b.way.at(time) + arm, pair_.a.turn, time, -1) - pair_.a.arm;
+    const Eigen::Matrix2d& m = pair_.a.linear;
+    return mirror_ * inverse_ * Vec2(m(1, 1) * p.x() - m(0, 1) * p.y(), m(0, 0) * p.y() - m(1, 0) * p.x());
   }
 
   /// An upper bound of the acceleration in a's turning frame over a window: see WindowCutter. With D from pivot to
@@ -128,6 +129,12 @@ class PointCast {
   double error() const { return error_; }
 
  private:
+  static Vec2 turned(const Vec2& p, const Cubic<double>& turn, double time, double sign) {
+    if (turn.isZero()) return p;
+    const double angle = turn.at(time), c = std::cos(angle), s = sign * std::sin(angle);
+    return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
+  }
+
   const MovingPair& pair_;
   const PolygonData& a_;
   double inverse_, mirror_, error_;
