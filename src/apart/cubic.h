@@ -10,14 +10,16 @@ namespace tricover::detail {
 
 inline double lengthOf(double x) { return std::abs(x); }
 inline double lengthOf(const Vec2& x) { return x.norm(); }
+inline bool isNull(double x) { return x == 0; }
+inline bool isNull(const Vec2& x) { return x.x() == 0 && x.y() == 0; }
 
 /// A cubic c_1 t + c_2 t^2 + c_3 t^3 over time 0 to 1: a number or a vector.
 template <typename T>
 struct Cubic {
   T first, second, third;
 
-  bool isStraight() const { return lengthOf(second) == 0 && lengthOf(third) == 0; }
-  bool isZero() const { return lengthOf(first) == 0 && isStraight(); }
+  bool isStraight() const { return isNull(second) && isNull(third); }
+  bool isZero() const { return isNull(first) && isStraight(); }
 
   T at(double t) const { return ((third * t + second) * t + first) * t; }
   T rateAt(double t) const { return first + t * (2 * second + 3 * t * third); }
@@ -26,11 +28,13 @@ struct Cubic {
   /// An upper bound, but for rounding, of |rate| over a window: the rate is a quadratic, which leaves the line between
   /// its values at the ends by at most |3 c_3| h^2 / 4, h the window's length.
   double mostRate(double begin, double end) const {
+    if (isStraight()) return lengthOf(first);
     const double h = end - begin;
     return std::max(lengthOf(rateAt(begin)), lengthOf(rateAt(end))) + 0.75 * h * h * lengthOf(third);
   }
   /// The same of the acceleration, which is linear.
   double mostAcceleration(double begin, double end) const {
+    if (isStraight()) return 0;
     return std::max(lengthOf(accelerationAt(begin)), lengthOf(accelerationAt(end)));
   }
 

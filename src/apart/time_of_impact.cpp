@@ -48,7 +48,7 @@ class ImpactSearch {
   /// Whether the boxes around everything may meet at a time in [0, 1].
   bool start() {
     const Window window(pair_, 0, 1);
-    offer(window, sideA(window, kRootNode), sideB(window, kRootNode), {0, 1, kRootNode, kRootNode, 0});
+    offer(window, sideA(window, nodeA(kRootNode)), sideB(window, nodeB(kRootNode)), {0, 1, kRootNode, kRootNode, 0});
     return !encounters_.empty();
   }
   double lowerBound() const { return encounters_.front().begin; }
@@ -76,14 +76,10 @@ class ImpactSearch {
     Node node;
     MovingBox box;
   };
-  Side sideA(const Window& window, std::uint32_t index) {
-    const Node node = tight_a_ ? tight_a_->node(index) : pair_.a.node(index);
-    return {node, pair_.a.box(window.a, node)};
-  }
-  Side sideB(const Window& window, std::uint32_t index) {
-    const Node node = tight_b_ ? tight_b_->node(index) : pair_.b.node(index);
-    return {node, pair_.b.box(window.b, node)};
-  }
+  Node nodeA(std::uint32_t index) { return tight_a_ ? tight_a_->node(index) : pair_.a.node(index); }
+  Node nodeB(std::uint32_t index) { return tight_b_ ? tight_b_->node(index) : pair_.b.node(index); }
+  Side sideA(const Window& window, const Node& node) const { return {node, pair_.a.box(window.a, node)}; }
+  Side sideB(const Window& window, const Node& node) const { return {node, pair_.b.box(window.b, node)}; }
 
   /// As a rule an impact is found by then; if not, gaps may be narrower than the floats' boxes are wide.
   static constexpr int kFloatsAlone = 256;
@@ -115,8 +111,9 @@ class ImpactSearch {
 
   void divide(const Encounter& encounter) {
     const Window window(pair_, encounter.begin, encounter.end);
-    const Side a = sideA(window, encounter.a), b = sideB(window, encounter.b);
-    if (a.node.edge && b.node.edge) return divideEdges(window, encounter, a.node.child, b.node.child);
+    const Node node_a = nodeA(encounter.a), node_b = nodeB(encounter.b);
+    if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
+    const Side a = sideA(window, node_a), b = sideB(window, node_b);
     const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
     // Smaller boxes don't help where ways bend by more than the boxes' size.
     if (WindowCutter(window, a.box, b.box).bend() > size_a + size_b) return halve(encounter);
@@ -129,9 +126,9 @@ class ImpactSearch {
       const std::uint32_t index = block * kLanes + lane;
       (divides_a ? part.a : part.b) = index;
       if (divides_a)
-        offer(window, sideA(window, index), b, part);
+        offer(window, sideA(window, nodeA(index)), b, part);
       else
-        offer(window, a, sideB(window, index), part);
+        offer(window, a, sideB(window, nodeB(index)), part);
     }
   }
 
@@ -141,7 +138,7 @@ class ImpactSearch {
       Encounter part = encounter;
       (later ? part.begin : part.end) = middle;
       const Window window(pair_, part.begin, part.end);
-      offer(window, sideA(window, part.a), sideB(window, part.b), part);
+      offer(window, sideA(window, nodeA(part.a)), sideB(window, nodeB(part.b)), part);
     }
   }
 
