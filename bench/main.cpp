@@ -57,9 +57,9 @@ std::vector<Result> writeReport(const Measured& measured, const std::vector<Resu
   writeFile(directory + "/targets.md", summary);
   writeFile(directory + "/targets.csv", targetsCsv(targets));
   writeFile(directory + "/conditions.md", how);
-  writeFile(directory + "/round.md", "# Polygons and round shapes\n\n" + table(measured.rounds) +
-                                         "\n# Polygons and discs, without FCL\n\n" + table(measured.discs) +
-                                         "\n# A fleet of round robots\n\n" + table({measured.round_fleet}));
+  writeFile(directory + "/round.md", "# Polygons and round shapes\n\n" + table(measured.rounds));
+  writeFile(directory + "/discs.md",
+            "# Discs\n\n" + table(measured.discs) + "\n# A fleet of round robots\n\n" + table({measured.round_fleet}));
   writeFile(directory + "/splines.md", "# Splines\n\n" + table(splines));
   writeFile(directory + "/tables.md",
             summary + main_job + "\n# 2000 moving outlines\n\n" + table({measured.crowd.result}) +

@@ -67,11 +67,12 @@ const char* const kConditions =
   decides them; each prism is an object of its own, and further pairs with a country that is hit already are skipped.
 - Moving outlines: a query is a frame. All objects are moved, the manager is updated and finds the pairs, fcl::collide
   (cold: the core) decides them.
-- Round shapes: unmodified fcl::collide, fcl::distance and fcl::continuousCollide, all between a polygon's prism (ours;
-  FCL's Convex; with 4 vertices, a rectangle, also FCL's Box) and one and the same round body, which lies between the
-  prism's ends; "swapped": it comes first. disc: PolygonShape(point, margin), beside FCL's Sphere in FCL's pairs; 1 x 1
-  are two discs. libccd and indep are FCL's solvers. FCL's advancement of two shapes stops at 1e-4 of the motion; ours is
-  asked for the same. collide: about half of the poses; distance: apart; sliding and turning: as below.
+- Round shapes: unmodified fcl::collide, fcl::distance and fcl::continuousCollide, all between a polygon's prism and one
+  and the same round body, which lies between the prism's ends; "swapped": it comes first. "FCL" has a Convex for the
+  polygon; "FCL Box" is another form of 4 vertices, a rectangle. disc: PolygonShape(point, margin), in FCL's pairs a
+  Sphere; 1 x 1 are two discs. libccd and indep are FCL's solvers. FCL's advancement of two shapes stops at 1e-4 of the
+  motion; ours is asked for the same. FCL has none for ellipsoids. collide: about half of the poses collide; distance:
+  apart; sliding and turning: as above, but that the polygon turns.
 - Polygons and discs, without FCL: the core's polygon against point() with a margin, and against an 8-gon in its circle.
 - Splines: two robots of 1 m on cubic Hermite splines in a field of 10 m, as fcl::SplineMotion, by fcl::collide of two
   ContinuousCollisionObjects; "15 samples" is CCDC_NAIVE, the others are CCDC_CONSERVATIVE_ADVANCEMENT. Late means later

@@ -32,7 +32,7 @@ constexpr Agreement kTimes = {1, {2 * kShapeTimeError, 2 * kShapeTimeError}, {1e
 /// Half the height of polygons: all that is round lies between, so that FCL's answers in space are the plane's.
 constexpr double kUp = 60;
 
-/// One body in several forms: ours, and what FCL has for it.
+/// One body in several forms: ours, and what FCL has for it: "FCL" is a Convex for a polygon, a Sphere for a disc.
 struct Form {
   std::string name;
   Geometry geometry;
@@ -55,16 +55,12 @@ Body polygonBody(std::size_t vertices) {
                                         : workloads::makePolygon(workloads::Kind::Convex, vertices, 1);
   Body body{"polygon", vertices, polygon.radius(), shape(polygon, kUp), {}};
   if (vertices == 4) body.theirs.push_back({"FCL Box", std::make_shared<fcl::Boxd>(100, 60, 2 * kUp)});
-  body.theirs.push_back({"FCL Convex", support::makePrism(polygon.rings().front(), kUp)});
+  body.theirs.push_back({"FCL", support::makePrism(polygon.rings().front(), kUp)});
   return body;
 }
 
 Body discBody(double radius) {
-  return {"disc",
-          1,
-          radius,
-          shape(point({0, 0}), radius, radius),
-          {{"FCL Sphere", std::make_shared<fcl::Sphered>(radius)}}};
+  return {"disc", 1, radius, shape(point({0, 0}), radius, radius), {{"FCL", std::make_shared<fcl::Sphered>(radius)}}};
 }
 
 /// One of FCL's geometries, which is the same in ours and in FCL's pairs.
