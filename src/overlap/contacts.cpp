@@ -28,7 +28,8 @@ struct Exit {
   Vec2 normal = Vec2::UnitX();
   double depth = std::numeric_limits<double>::infinity();
   std::ptrdiff_t edge_a = -1, edge_b = -1;
-  bool from_a = true;  ///< a's face, and a point of b is the deepest behind it; or the other way round
+  bool from_a = true;      ///< a's face, and a point of b is the deepest behind it; or the other way round
+  bool separates = false;  ///< see TouchNormal
 };
 
 constexpr double kTurn = 2 * 3.14159265358979323846;
@@ -248,8 +249,10 @@ class ContactFinder {
 
 Exit ContactFinder::ofTouch(const OverlapComponent& component) const {
   const EdgeCrossing& main = crossings_[longestStretch(frame_, crossings_, component)];
-  return {touchNormal(frame_, crossings_, component, main, towards_b_), 0, static_cast<std::ptrdiff_t>(main.edge_a),
-          static_cast<std::ptrdiff_t>(main.edge_b), true};
+  const TouchNormal touch = touchNormal(frame_, crossings_, component, main, towards_b_);
+  Exit exit{touch.normal, 0, static_cast<std::ptrdiff_t>(main.edge_a), static_cast<std::ptrdiff_t>(main.edge_b), true};
+  exit.separates = touch.separates;
+  return exit;
 }
 
 /// The rings that a containment is made of, as a polygon of their own.
@@ -334,7 +337,7 @@ Exit ContactFinder::byNearestEdge(const OverlapComponent& component) const {
 /// The only part of the overlap: the shortest way out of it parts the regions.
 Exit ContactFinder::exitOfOnly(const OverlapComponent& component) const {
   Exit exit = exitOf(component);
-  if (!component.inner) return partsFreely(exit) ? exit : freed(exit);
+  if (!component.inner) return exit.separates || partsFreely(exit) ? exit : freed(exit);
   const Penetration p = penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, {});
   if (!p.optimal) return exit;
   const double depth = p.depth / frame_.unit(), radius = std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();

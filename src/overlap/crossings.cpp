@@ -58,16 +58,26 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
   std::vector<EdgeCrossing> result;
   const std::size_t many = 4 * (pair.a.path.size() + pair.b.path.size());
   std::optional<VertexStars> known;
-  forEachPair(pair, 0, [&](double, std::size_t i, std::size_t j) {
+  const auto visit = [&](double, std::size_t i, std::size_t j) {
     if (known && known->isKnown(i, j)) return 0.0;
     if (edgesMeet(pair, i, j)) {
       const WorldFrame::Ends edge_a = frame.edgeEndsOfA(i), edge_b = frame.edgeEndsOfB(j);
       const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());
       result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
-      if (stars == Stars::Thinned && !known && result.size() > many) known.emplace(pair);
     }
-    return 0.0;
-  });
+    return stars == Stars::Thinned && !known && result.size() > many ? -1.0 : 0.0;
+  };
+  forEachPair(pair, 0, visit);
+  if (stars == Stars::Whole || result.size() <= many) return result;
+  // So many that edges may end in one point: once more, without most pairs of those.
+  known.emplace(pair);
+  const auto [u, v] = known->largest(result);
+  result.clear();
+  if (u < 0)
+    forEachPair(pair, 0, visit);
+  else
+    forEachPair(pair, 0, visit,
+                StarBoxes(pair, frame, static_cast<std::size_t>(u), static_cast<std::size_t>(v), *known).pairs());
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include "numbers/predicates.h"
 #include "numbers/segment.h"
 #include "overlap/boundary_ray.h"
+#include "overlap/vertex_stars.h"
 #include "pair/edge_pairs.h"
 
 namespace tricover::detail {
@@ -150,13 +151,17 @@ class Grouping {
     Side& own = sides_[side];
     const Pose identity = Pose::Identity();
     const PosedPair with_itself(own.polygon, identity, own.polygon, identity);
-    addRepeatedVertices(side);
-    forEachPair(with_itself, 0, [&](double, std::size_t e, std::size_t f) {
+    const std::ptrdiff_t star = addRepeatedVertices(side);
+    const auto visit = [&](double, std::size_t e, std::size_t f) {
       if (e < f && own.after(e) != f && own.after(f) != e && !meetAtVertex(own.polygon.path, e, f) &&
           edgesMeet(with_itself, e, f))
         addOwnCrossing(side, e, f);
       return 0.0;
-    });
+    };
+    if (star < 0)
+      forEachPair(with_itself, 0, visit);
+    else
+      forEachPair(with_itself, 0, visit, StarBoxes(own.polygon, static_cast<std::size_t>(star)).pairs());
   }
 
   /// Whether two edges of a polygon have an end in common and nothing else.
@@ -168,7 +173,11 @@ class Grouping {
   }
 
   /// A node for each point that several vertices are at: however many edges end there, it takes no pairs of them.
-  void addRepeatedVertices(int side) {
+  /// One of the vertices where many are, or -1.
+  std::ptrdiff_t addRepeatedVertices(int side) {
+    constexpr std::size_t kMany = 32;
+    std::ptrdiff_t star = -1;
+    std::size_t most = kMany;
     Side& own = sides_[side];
     const std::vector<Vec2>& path = own.polygon.path;
     std::vector<std::size_t> order;
@@ -180,6 +189,8 @@ class Grouping {
     for (std::size_t k = 0, next = 0; k < order.size(); k = next) {
       while (next < order.size() && path[order[next]] == path[order[k]]) ++next;
       if (next - k < 2) continue;
+      if (next - k > most) star = static_cast<std::ptrdiff_t>(order[k]);
+      most = std::max(most, next - k);
       const std::size_t node = addNode(false);
       for (std::size_t i = k; i < next; ++i) {
         own.rings[ringOf(own.polygon, order[i])].meets_own = true;
@@ -187,6 +198,7 @@ class Grouping {
         own.stops.push_back({edgeBefore(own.polygon, order[i]), {1, 1}, node, {true, 0}, false});
       }
     }
+    return star;
   }
 
   /// Two nodes, where they cover each other: what is between needn't be in the overlap.

@@ -63,9 +63,9 @@ std::size_t longestStretch(const WorldFrame& frame, const std::vector<EdgeCrossi
   return longest;
 }
 
-Vec2 touchNormal(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings, const OverlapComponent& component,
-                 const EdgeCrossing& main, const Vec2& towards_b) {
-  if (component.facing.norm() > 8 * frame.error()) return component.facing.normalized();
+TouchNormal touchNormal(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
+                        const OverlapComponent& component, const EdgeCrossing& main, const Vec2& towards_b) {
+  if (component.facing.norm() > 8 * frame.error()) return {component.facing.normalized(), false};
   const std::vector<Vec2> directions = directionsFrom(frame, crossings, component, main);
   constexpr double kSameAngle = 1e-9;
   Vec2 best = towards_b.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(towards_b.stableNormalized());
@@ -79,7 +79,12 @@ Vec2 touchNormal(const WorldFrame& frame, const std::vector<EdgeCrossing>& cross
       best = normal;
     }
   }
-  return best;
+  const bool one_point = std::all_of(component.crossings.begin(), component.crossings.end(), [&](std::size_t k) {
+    return (crossings[k].point - main.point).norm() <= 8 * frame.error();
+  });
+  // Of few edges a query of the kernel tells for certain, of many it costs too much.
+  constexpr std::size_t kMany = 256;
+  return {best, one_point && least <= kSameAngle && component.crossings.size() > kMany};
 }
 
 }  // namespace tricover::detail

@@ -90,7 +90,7 @@ class TranslationSpace {
   Vec2 shift_, shift_rest_;  ///< t_b - t_a, as a rounded part and the rest
   double unit_, inverse_unit_, noise_, reach_;
   Vec2 quarter_origin_;  ///< of a's S in the world
-  Vec2 between_;  ///< b's S, as vertices
+  Vec2 between_;         ///< b's S, as vertices
   Vertices a_, b_;
   std::vector<Disc> discs_a_, discs_b_;
 };

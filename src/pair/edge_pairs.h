@@ -23,10 +23,11 @@ struct PairCall {
 };
 
 /// showEdgePairs() for a callable visit(gap, edge_a, edge_b), which returns the new limit; all lengths in a's frame.
+/// Settled boxes aren't shown with each other.
 template <typename Visit>
-void forEachPair(const PosedPair& pair, double limit, Visit visit) {
+void forEachPair(const PosedPair& pair, double limit, Visit visit, const SettledPairs& settled = {}) {
   PairCall<Visit> call{visit, pair.a.unit, pair.a.inverse_unit};
-  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr, {}});
+  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr, settled});
 }
 
 /// The same for who looks for the nearest: narrow(length) is told of lengths that some pair is proven to be within, and

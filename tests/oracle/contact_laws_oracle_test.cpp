@@ -148,8 +148,8 @@ struct Tallies {
 };
 
 // What is no law, kept from growing. Beyond the end of the shortest way into a notch or a hole they may meet again, if
-// it has room only aside; and a wedged touch, as of two segments that cross, has no way out. Of several parts each contact knows the edges around its
-// own: those named are then not always those that part last.
+// it has room only aside; and a wedged touch, as of two segments that cross, has no way out. Of several parts each
+// contact knows the edges around its own: those named are then not always those that part last.
 TEST(ContactLaws, HoldInAllFamilies) {
   Tallies tallies;
   for (const Family& family : families()) {
@@ -176,7 +176,7 @@ TEST(ContactLaws, HoldOfStars) {
   }
   tallies.print();
   tallies.convex.expectAtMost(0, 0);
-  tallies.others.expectAtMost(0.001, 0.01);
+  tallies.others.expectAtMost(0.001, 0.02);
 }
 
 /// A ring around the origin's upper half: the origin itself, or an edge through it, and corners above, from right to
