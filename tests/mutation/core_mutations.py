@@ -180,7 +180,7 @@ MUTATIONS = [
     ("src/pair/ring_starts.cpp", "std::sort(rings.begin(), rings.end());", "", "starts: in the order of places"),
     ("src/pair/ring_starts.cpp", "return !(s.x > high);", "return s.x < high;", "starts: the bound left out"),
     ("src/polygon/covering.cpp", "if (isOff(s_, near)) return;", "return;", "the point at or near S"),
-    ("src/polygon/covering.cpp", "if (isOff(polygon.path[position], near)) {", "if (true) {", "a covering from the point itself"),
+    ("src/polygon/covering.cpp", "if (isOff(polygon.path[position], near)) {", "if (true) {", "a covering from near the point (equivalent: speed only, for signs are exact)"),
     ("src/pair/containment.cpp", "if (outcome.edge_b < 0 && !pair.b.hasSpine()) outcome.edge_a = ringOfAInside(pair);", "", "repair 2: a in b forgotten"),
     ("src/pair/containment.cpp", "const double error = 2 * p.error * polygon.inverse_unit + 0x1p-40;", "const double error = 0;", "containment: error outside of the box"),
     ("src/pair/containment.cpp", "(pair.radiusB() + 4 * pair.error) * (1 + 16 * kUnitRoundoff)", "pair.radiusB()", "containment: error outside of the disc"),

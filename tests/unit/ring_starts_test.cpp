@@ -47,7 +47,8 @@ Polygon triangles(Random& random) {
   std::vector<Ring> rings;
   const int n = random.integer(2, 25), size = random.integer(2, 12);
   for (int i = 0; i < n; ++i) {
-    const Vec2 at(random.integer(0, 2 * size), random.integer(0, 2 * size));
+    const double hardly_apart = random.oneIn(3) ? 1e-9 : 0;
+    const Vec2 at(random.integer(0, 2 * size) + hardly_apart, random.integer(0, 2 * size));
     const double reach = random.oneIn(8) ? 20 : 1;
     rings.push_back({at, at + Vec2(reach, random.integer(0, 1)), at + Vec2(random.integer(0, 1), reach)});
   }
@@ -118,6 +119,24 @@ TEST(RingStarts, ChangeNoAnswer) {
   EXPECT_GE(known, scaledCount(60) / 2);
 }
 
+/// Each of many islands in turn at the end of a bar that holds no other, asked both ways.
+TEST(RingStarts, AreFoundAtTheEndOfWhatHoldsThem) {
+  std::vector<Ring> rings;
+  for (int i = 0; i < 30; ++i) rings.push_back(rectangle(2 * i, 0, 2 * i + 0.1, 0.1));
+  const Polygon islands(rings), bar({rectangle(0, 0, 1.9, 0.3)});
+  detail::hierarchyOf(islands.data());
+  detail::countRings(islands.data(), 1000 * islands.data().path.size(), 0);
+  ASSERT_NE(detail::ringStarts(islands.data()), nullptr);
+  const Pose still = Pose::Identity();
+  for (int i = 0; i < 30; ++i)
+    for (const double x : {2 * i - 0.05, 2 * i - 1.75}) {
+      const Pose at = pose(0, x, -0.1);
+      const auto start = static_cast<std::ptrdiff_t>(5 * i);  // four edges and the closing vertex
+      EXPECT_EQ(detail::findContainment(detail::PosedPair(islands.data(), still, bar.data(), at)).edge_a, start);
+      EXPECT_EQ(detail::findContainment(detail::PosedPair(bar.data(), at, islands.data(), still)).edge_b, start);
+    }
+}
+
 /// Where edges of all rings meet all others', finding the components ends early, with more starts than need be.
 TEST(RingStarts, OfVeryManyCrossings) {
   std::vector<Ring> rings;
@@ -128,6 +147,13 @@ TEST(RingStarts, OfVeryManyCrossings) {
   const detail::RingStarts starts(Polygon(rings).data());
   EXPECT_GE(starts.count(), 1u);
   EXPECT_EQ(starts.between(-kInfinity, kInfinity).front(), 0u);
+}
+
+/// S itself, where the vertices that the covering might be taken from are near S, too.
+TEST(Locate, AtTheOriginOfTheCoveringBetweenVertices) {
+  const Polygon waist({{{1e-3, 0}, {3, 3}, {0, 3}, {-3, 3}, {-1e-3, 0}, {-3, -3}, {0, -3}, {3, -3}}});
+  EXPECT_EQ(locate(waist, waist.origin()), Location::Inside);
+  EXPECT_EQ(exact::locate(waist, waist.origin()), Location::Inside);
 }
 
 /// A point near S is located by the edges along a ray, too, which goes from elsewhere then.
