@@ -26,6 +26,9 @@ constexpr std::size_t kFewPairs = 64 * 64;
 /// The circle's first tenth, which begins at the smallest gap.
 constexpr std::size_t kLongest = 9000;
 
+/// Of overlapping poses: meshes and triangles take long there.
+constexpr std::size_t kOverlaps = 100;
+
 class Core {
  public:
   Core(Polygon fixed, Polygon moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
@@ -119,7 +122,8 @@ std::vector<Result> measureDistances(const Cell& cell, const Settings& settings)
     std::vector<Pose> poses = coherent || name == "overlap" ? posesOf(name, fixed, moving)
                               : name == "near"              ? separatedPoses(fixed, moving, 1.03, 1.5)
                                                             : separatedPoses(fixed, moving, 2, 4);
-    if (poses.size() > kLongest) poses.resize(kLongest);
+    const std::size_t most = name == "overlap" ? kOverlaps : kLongest;
+    if (poses.size() > most) poses.resize(most);
     const Workload workload{
         "distance", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};
     results.push_back(measure(workload, methods.on(poses, coherent), kAgreement, settings));
