@@ -278,7 +278,7 @@ MUTATIONS = [
     ("src/overlap/contacts.cpp", "if (square < least) nearest = static_cast<std::ptrdiff_t>(e);", "", "contacts: edges of a face that straight vertices divide"),
     ("src/overlap/contact_point.cpp", "if (isCommon(wanted) &&", "if (", "contact points: in the line of sight, but outside"),
     ("src/overlap/contact_point.cpp", "return chord < 0x1p1000 && isCommon(middle) ? middle : deepest;", "return middle;", "contact points: middles of chords outside"),
-    ("src/overlap/contact_point.cpp", "if (at > error) length = std::min(length, at);", "length = std::min(length, at);", "contact points: a chord ends where it begins (equivalent as far as tests see: the deepest point is one, too)"),
+    ("src/overlap/contact_point.cpp", "if (at > error) length = std::min(length, at);", "length = std::min(length, at);", "contact points: a chord ends where it begins"),
     ("src/overlap/boundary_point.cpp", "while (!hasLength(before)) before = edgeBefore(polygon, before);", "", "boundary points: edges without length before a vertex"),
     ("src/overlap/translation_space.h", "return (quarter_origin_ + p * (unit_ / 4)) * 4;", "return quarter_origin_ * 4 + p * unit_;", "penetration: points that overflow on their way"),
     ("src/pair/world_frame.h", "return (quarter_origin_ + p * (unit_ / 4)) * 4;", "return quarter_origin_ * 4 + p * unit_;", "contacts: points that overflow on their way"),
