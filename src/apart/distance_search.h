@@ -226,9 +226,11 @@ class DistanceSearch {
       return;
     }
     cache.count = 0;
-    for (int k = 0; k < listed_.count() && listed_[k].low < reach(); ++k, ++cache.count) put(cache, k, listed_[k].low);
+    // Settled pairs aren't listed, though they may be as near as the nearest.
+    const double known = std::min(unlisted_, reach());
+    for (int k = 0; k < listed_.count() && listed_[k].low < known; ++k, ++cache.count) put(cache, k, listed_[k].low);
     // What is left out may have a bound below 0.
-    cache.apart[cache.count] = std::max(std::min({unlisted_, reach(), std::numeric_limits<double>::max()}), 0.0);
+    cache.apart[cache.count] = std::max(std::min(known, std::numeric_limits<double>::max()), 0.0);
     assert(std::is_sorted(cache.apart, cache.apart + cache.count + 1) && cache.apart[0] >= 0);
   }
 
