@@ -64,9 +64,10 @@ struct PolygonData {
   /// False for the largest of polygons: no power of two is above their radius.
   bool fitsUnit() const { return radius <= unit; }
 
-  /// A point of the polygon's frame from S, in units. Rounded by U.
+  /// A point of the polygon's frame from S, in units. Rounded by U. Quarters don't overflow, nor does what is between
+  /// them in units.
   Vec2 inUnits(const Vec2& p) const {
-    return extent < 0x1p1000 ? Vec2((p - origin) * inverse_unit) : Vec2(p * inverse_unit - origin * inverse_unit);
+    return extent < 0x1p1000 ? Vec2((p - origin) * inverse_unit) : Vec2((0.25 * p - 0.25 * origin) * inverse_unit * 4);
   }
 
   std::uint64_t id;
