@@ -6,12 +6,13 @@
 #include <iostream>
 
 int main() {
-  tricover_fcl::registerNarrowphase();  // once
+  tricover_fcl::registerNarrowphase();  // once: checks that FCL's functions reach tricover
 
   const tricover::Polygon room({{{0, 0}, {9, 0}, {9, 7}, {0, 7}}, {{1, 1}, {8, 1}, {8, 6}, {1, 6}}});  // ring in ring
   const tricover::Polygon robot({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}});                   // an L
-  fcl::CollisionObjectd walls(std::make_shared<tricover_fcl::PolygonShaped>(room));
-  fcl::CollisionObjectd driven(std::make_shared<tricover_fcl::PolygonShaped>(robot));
+  const auto planar = tricover_fcl::PolygonOptions::atAllHeights();  // z doesn't matter
+  fcl::CollisionObjectd walls(std::make_shared<tricover_fcl::PolygonShaped>(room, planar));
+  fcl::CollisionObjectd driven(std::make_shared<tricover_fcl::PolygonShaped>(robot, planar));
 
   fcl::DynamicAABBTreeCollisionManagerd manager;
   manager.registerObject(&walls);

@@ -2,6 +2,7 @@
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <fcl/math/motion/spline_motion.h>
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -45,6 +46,9 @@ TEST(Documentation, PolygonShape) {
   const tricover_fcl::PolygonShaped box(square, options);
   EXPECT_FALSE(box.isFlat());
   EXPECT_EQ(box.polygon().id(), square.id());  // shares the polygon and what is derived from it
+
+  const tricover_fcl::PolygonShaped planar(square, tricover_fcl::PolygonOptions::atAllHeights());  // z doesn't matter
+  EXPECT_TRUE(planar.isAtAllHeights());
   //! [shape]
 }
 
@@ -141,6 +145,24 @@ TEST(Documentation, FclContinuousCollide) {
   EXPECT_LE(time, 0.5);  // never later than the first contact
   EXPECT_GE(time, 0.5 - request.toc_err);
   //! [fcl continuous collide]
+}
+
+TEST(Documentation, FclCollideOfMovingObjects) {
+  //! [fcl collide of moving objects]
+  const auto square =
+      std::make_shared<tricover_fcl::PolygonShaped>(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));
+  const fcl::Vector3d zero = fcl::Vector3d::Zero(), step(10, 0, 0);  // of evenly spaced control points: straight on
+  fcl::ContinuousCollisionObjectd still(
+      square, std::make_shared<fcl::SplineMotion<double>>(zero, zero, zero, zero, zero, zero, zero, zero));
+  fcl::ContinuousCollisionObjectd comes(
+      square, std::make_shared<fcl::SplineMotion<double>>(-2 * step, -step, zero, step, zero, zero, zero, zero));
+  fcl::DefaultContinuousCollisionData<double> data;
+  data.request.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
+  tricover_fcl::defaultContinuousCollisionFunction<double>(&still, &comes, &data);
+  EXPECT_NEAR(data.result.time_of_contact, 0.6, data.request.toc_err);
+  fcl::ContinuousCollisionResultd result;
+  EXPECT_EQ(tricover_fcl::collide(&still, &comes, data.request, result), data.result.time_of_contact);
+  //! [fcl collide of moving objects]
 }
 
 }  // namespace

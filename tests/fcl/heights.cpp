@@ -166,6 +166,64 @@ TEST(Heights, broadphaseFindsWhatTouches) {
   EXPECT_LT(hits, pairs * 9 / 10);
 }
 
+TEST(Heights, allOfThemMeetWhateverZ) {
+  const auto planar = [](double margin = 0) {
+    return std::make_shared<PolygonShaped>(kSquare, PolygonOptions::atAllHeights(margin));
+  };
+  const Shape<double> a = planar(), b = planar(0.5), flat = shapeOf(kSquare);
+  fcl::Transform3d upside_down(fcl::AngleAxis<double>(kPi, fcl::Vector3d::UnitX()));
+  for (const double z : {0.0, 1e-9, -7.0, 1e300}) {
+    EXPECT_TRUE(collide(a, at(z), a, at(0, 1)));
+    EXPECT_FALSE(collide(a, at(z), a, at(0, 1.25)));
+    EXPECT_TRUE(collide(a, at(z), b, at(0, 1.25)));
+    EXPECT_TRUE(collide(a, at(z), flat, at(-z, 1)));
+    EXPECT_TRUE(collide(a, at(z), prism(1, 2), at(-z, 1)));
+    upside_down.translation().z() = z;
+    EXPECT_TRUE(collide(a, upside_down, a, at(0)));
+    fcl::DistanceResultd result;
+    EXPECT_EQ(fcl::distance<double>(a.get(), at(z), flat.get(), at(3, 4), fcl::DistanceRequestd(), result), 3);
+    EXPECT_EQ(result.nearest_points[0].z(), 3);
+    EXPECT_EQ(result.nearest_points[1].z(), 3);
+  }
+  fcl::CollisionRequestd request(1, true, 1, true);
+  fcl::CollisionResultd result;
+  ASSERT_EQ(fcl::collide<double>(a.get(), at(2), a.get(), at(4, 0.5), request, result), 1u);
+  EXPECT_EQ(result.getContact(0).pos.z(), 3);
+  std::vector<fcl::CostSourced> costs;
+  result.getCostSources(costs);
+  ASSERT_EQ(costs.size(), 1u);
+  EXPECT_TRUE(costs[0].aabb_min.allFinite() && costs[0].aabb_max.allFinite());
+}
+
+TEST(Heights, allOfThemAreFiniteForAManager) {
+  // Some turned, some not, at slightly different z.
+  Random random(33);
+  int hits = 0, pairs = 0;
+  std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
+  fcl::DynamicAABBTreeCollisionManagerd manager;
+  for (int i = 0; i < 60; ++i) {
+    tricover::Pose pose = tricover::support::randomPose(random, 5);
+    if (random.coin()) pose.linear().setIdentity();
+    const auto shape = std::make_shared<PolygonShaped>(randomPolygon(random, 1), PolygonOptions::atAllHeights(0.1));
+    objects.push_back(std::make_unique<fcl::CollisionObjectd>(shape, lifted(pose, random.real(-0.5, 0.5))));
+    ASSERT_LT(shape->aabb_radius, 2);
+    manager.registerObject(objects.back().get());
+  }
+  manager.setup();
+  fcl::DefaultCollisionData<double> data;
+  data.request.num_max_contacts = 10000;
+  manager.collide(&data, fcl::DefaultCollisionFunction<double>);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j, ++pairs) {
+      fcl::CollisionResultd result;
+      hits += static_cast<int>(fcl::collide(objects[i].get(), objects[j].get(), fcl::CollisionRequestd(), result));
+    }
+  }
+  EXPECT_EQ(data.result.numContacts(), static_cast<std::size_t>(hits));
+  EXPECT_GT(hits, pairs / 50);
+  EXPECT_LT(hits, pairs / 2);
+}
+
 TEST(Heights, badIntervalsAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const auto refusal = [](double low, double high) {

@@ -149,17 +149,31 @@ TEST(Margin, depthsAreThoseOfThePolygons) {
   }
 }
 
-TEST(Margin, isNoPartOfDistances) {
+TEST(Margin, distancesAreThoseOfTheGrownPolygons) {
   const Shape<double> a = withMargin(kSquare, 1), b = withMargin(kSquare, 2);
   for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
     fcl::DistanceRequestd request;
     request.gjk_solver_type = solver;
     request.enable_signed_distance = true;
     fcl::DistanceResultd apart, overlap;
-    EXPECT_EQ(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(), lifted(tricover::support::pose(0, 1.5, 0)),
+    EXPECT_EQ(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(), lifted(tricover::support::pose(0, 5, 0)),
                             request, apart),
+              1);
+    EXPECT_EQ(apart.nearest_points[0].x(), 2);
+    EXPECT_EQ(apart.nearest_points[1].x(), 3);
+    // Where only margins meet it is 0, as the depth of a contact is, and the point is common to the grown polygons.
+    for (const double x : {4.0, 2.5}) {
+      fcl::DistanceResultd margins_meet;
+      EXPECT_EQ(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(), lifted(tricover::support::pose(0, x, 0)),
+                              request, margins_meet),
+                0);
+      EXPECT_NEAR(margins_meet.nearest_points[0].x(), 1 + (x - 1) / 3, 1e-15);
+      EXPECT_EQ(margins_meet.nearest_points[0], margins_meet.nearest_points[1]);
+    }
+    fcl::DistanceResultd nearer(0.5);
+    EXPECT_EQ(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(), lifted(tricover::support::pose(0, 5, 0)),
+                            request, nearer),
               0.5);
-    EXPECT_EQ(apart.min_distance, 0.5);
     EXPECT_NEAR(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(),
                               lifted(tricover::support::pose(0, 0.75, 0)), request, overlap),
                 -0.25, 1e-12);

@@ -34,13 +34,17 @@ namespace tricover_fcl {
 /// the geometry is cut by them and seen along z. What touches is always a hit. A false alarm is possible
 /// - for box, convex, plane, halfspace, triangles and octree cells, where they come within 1e-13 of their size and
 ///   distance: the relative pose is rounded, and its rounding counts as contact;
-/// - for sphere, ellipsoid, capsule, cone and cylinder, where they come within 1e-9 of the geometry's size, and 1e-6
-///   where its surface only grazes the polygon's plane.
-/// Meshes are surfaces without an inside and cost a pass over their triangles; of octrees the occupied cells count.
-/// Contacts are as above, in the polygon's plane, `depth` right to 1e-6 of a round geometry's size (of two ways that
-/// differ by less than 1e-3 of it, the longer may be taken); b1 or b2 of a mesh is its triangle and of an octree its
-/// cell, otherwise NONE. A plane or halfspace parallel to the polygon is left along its own normal. CollideOptions:
-/// margin counts, tolerance and strategy change nothing.
+/// - for ellipsoid, cone, and what of capsules and cylinders leans, where they come within 1e-9 of the geometry's size,
+///   and 1e-6 where its surface only grazes the polygon's plane.
+/// Spheres, cylinders upright on the polygon, and capsules that stand or lie on it (to 1e-10 of their size) or whose
+/// axis is within the prism's heights are discs and stadiums: exact ones, if the polygon lies level in the world and
+/// its heights hold the geometry's centre or axis; otherwise the section's radius is rounded up, and the relative pose
+/// as above. A sphere is one whatever the rounding of its pose's rotation. Meshes are surfaces without an inside and
+/// cost a pass over their triangles; of octrees the occupied cells count. Contacts are as above, in the polygon's
+/// plane, `depth` right to 1e-6 of a round geometry's size (of two ways that differ by less than 1e-3 of it, the longer
+/// may be taken); b1 or b2 of a mesh is its triangle and of an octree its cell, otherwise NONE. A plane or halfspace
+/// parallel to the polygon is left along its own normal. CollideOptions: margin counts, tolerance and strategy change
+/// nothing.
 ///
 /// \snippet fcl.cpp fcl collide
 template <typename S>

@@ -3,6 +3,7 @@
 
 #include <fcl/math/motion/motion_base.h>
 #include <fcl/narrowphase/collision_object.h>
+#include <fcl/narrowphase/continuous_collision_object.h>
 #include <fcl/narrowphase/continuous_collision_request.h>
 #include <fcl/narrowphase/continuous_collision_result.h>
 
@@ -18,13 +19,24 @@ namespace tricover_fcl {
 /// never later than the first contact and at most toc_err earlier (tricover::timeOfImpact); contact at the end counts,
 /// and so does a pass that only touches. Shapes with margins are in contact as soon as they are as near as the sum of
 /// those. num_max_iterations changes nothing. All of FCL's own motions are followed, a SplineMotion by its control
-/// points. A motion class of the user's own throws std::logic_error, and a motion that leaves the plane (it must keep z
-/// and turn about z) std::invalid_argument.
+/// points. A motion that leaves the plane (it must keep z and turn about z) throws std::invalid_argument.
+///
+/// A motion class of the user's own is followed by its poses and its computeMotionBound for FCL's
+/// BVMotionBoundVisitor: that, asked after integrate(t), must be no less than the speed, in the visitor's direction, of
+/// any point of the geometry from t to 1. A bound of 0 at the start means that it stands still, and nothing more is
+/// asked. The promises above hold as far as the bound does, but for 1e-13 of size and distance, within which it counts
+/// as contact. The better the bound, the fewer poses are asked for: passing by at a distance d takes about way / d of
+/// them. A bound that isn't finite throws std::logic_error, and so does a motion that hands itself to the visitor,
+/// because FCL's visitors know FCL's motions alone and say 0 of others.
 ///
 /// Other geometries: as long as both motions keep the polygon's plane as it lies at time 0 (they shift within it and
 /// turn about its normal), wherever that is in space; other motions throw std::invalid_argument, and work with
-/// CCDC_NAIVE in fcl::continuousCollide. A round geometry is taken for a polygon around it, at most 1e-6 of its size
-/// outside.
+/// CCDC_NAIVE in fcl::continuousCollide. A plane or halfspace needs a motion of FCL's, or one that stands still. A
+/// round geometry is taken for a polygon around it, at most 1e-6 of its size outside.
+///
+/// fcl::continuousCollide throws std::logic_error for a polygon where CCDC_RAY_SHOOTING or CCDC_POLYNOMIAL_SOLVER is
+/// asked for, which know none. (Its float version is compiled into users' code, out of reach: it prints, or says
+/// "free".)
 ///
 /// FCL's motions turn by quaternions, so their first and last pose are those given up to rounding. Three of them have a
 /// bug in FCL 0.7.0 that shows in fcl::continuousCollide for two transforms, but not here:
@@ -56,5 +68,17 @@ TRICOVER_EXPORT S continuousCollide(const fcl::CollisionObject<S>* o1, const fcl
                                     const fcl::CollisionObject<S>* o2, const fcl::Transform3<S>& tf2_end,
                                     const fcl::ContinuousCollisionRequest<S>& request,
                                     fcl::ContinuousCollisionResult<S>& result);
+
+/// fcl::collide of two objects with motions.
+/// \snippet fcl.cpp fcl collide of moving objects
+template <typename S>
+TRICOVER_EXPORT S collide(const fcl::ContinuousCollisionObject<S>* o1, const fcl::ContinuousCollisionObject<S>* o2,
+                          const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result);
+
+/// fcl::DefaultContinuousCollisionFunction on top of it: `data` is an fcl::DefaultContinuousCollisionData<S>.
+/// \snippet fcl.cpp fcl collide of moving objects
+template <typename S>
+TRICOVER_EXPORT bool defaultContinuousCollisionFunction(fcl::ContinuousCollisionObject<S>* o1,
+                                                        fcl::ContinuousCollisionObject<S>* o2, void* data);
 
 }  // namespace tricover_fcl

@@ -3,6 +3,8 @@
 
 #include <fcl/geometry/shape/shape_base.h>
 
+#include <limits>
+
 #include "tricover/export.h"
 #include "tricover/polygon.h"
 
@@ -14,15 +16,26 @@ struct PolygonOptions {
   /// that turns the shape upside down turns the interval, too.
   double z_low = 0;
   double z_high = 0;  ///< see z_low
-  /// Safety distance >= 0 in the plane, honoured by collide: two shapes collide if and only if their heights overlap
-  /// and their polygons come as close as the sum of their margins (rounded to a double) or closer. Distances and depths
-  /// are those of the polygons themselves.
+  /// Safety distance >= 0 in the plane: two shapes collide if and only if their heights overlap and their polygons come
+  /// as close as the sum of their margins (rounded to a double) or closer. Distances are those of the polygons grown by
+  /// their margins, depths those of the polygons themselves.
   double margin = 0;
+
+  /// The options of a shape at all heights, for scenes in which z means nothing: z_low and z_high are -infinity and
+  /// infinity. Flat shapes whose z differ by a rounding never touch; such shapes don't ask. An infinite box is more
+  /// than FCL's managers bear, so a manager sees the shape as high and as deep as it is wide: keep z about the same
+  /// there.
+  ///
+  /// \snippet fcl.cpp shape
+  static PolygonOptions atAllHeights(double margin = 0) {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), margin};
+  }
 };
 
 /// A tricover polygon as an FCL geometry: a flat shape in the plane z = 0 of its own frame, the polygon's coordinates
-/// being its local x and y, or a prism over it. Needs registerNarrowphase() once. Its coordinates stay doubles for
-/// S = float, too; a float pose converts exactly, so both scalars get the same exact answers.
+/// being its local x and y, or a prism over it. The first one makes FCL know the class, as registerNarrowphase() does,
+/// which also checks that FCL's functions reach it. Its coordinates stay doubles for S = float, too; a float pose
+/// converts exactly, so both scalars get the same exact answers.
 ///
 /// The boxes that the broadphase sees are fixed at construction and hold every posed point, and what its margin adds,
 /// whatever the pose:
@@ -38,14 +51,16 @@ struct PolygonOptions {
 template <typename S>
 class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
-  /// Throws std::invalid_argument, naming the field, for an interval that isn't finite or runs downwards, and a margin
-  /// that is negative or not finite.
+  /// Throws std::invalid_argument, naming the field, for an interval that isn't finite (except that of atAllHeights())
+  /// or runs downwards, and a margin that is negative or not finite.
   explicit PolygonShape(tricover::Polygon polygon, const PolygonOptions& options = {});
 
   const tricover::Polygon& polygon() const { return polygon_; }  ///< as it was given
   const PolygonOptions& options() const { return options_; }     ///< as they were given
   /// Whether the shape lies in its own plane z = 0.
   bool isFlat() const { return is_flat_; }
+  /// Whether it is at all heights.
+  bool isAtAllHeights() const { return options_.z_high == std::numeric_limits<double>::infinity(); }
 
   /// FCL has no free node type; this one is empty in all of its tables, also for its own TriangleP.
   fcl::NODE_TYPE getNodeType() const override;

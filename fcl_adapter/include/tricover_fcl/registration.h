@@ -9,13 +9,16 @@ namespace tricover_fcl {
 namespace detail {
 /// What the library does of it.
 TRICOVER_EXPORT void registerNarrowphase();
+/// What every PolygonShape does first: FCL's function tables get our rows, once. From any thread.
+TRICOVER_EXPORT void fillTables();
 }  // namespace detail
 
 /// Makes fcl::collide, fcl::distance and fcl::continuousCollide answer for PolygonShape: geometries and
-/// CollisionObjects, float and double, both GJK solver types, both orders, and so every broadphase manager. Call it
-/// once before the first query, from any thread; more calls cost nothing. It asks FCL's public entry points about known
-/// polygons and throws std::logic_error, which says how to link, if they don't reach tricover. (tricover_fcl::collide,
-/// distance and continuousCollide work regardless.)
+/// CollisionObjects, float and double, both GJK solver types, both orders, and so every broadphase manager. The first
+/// PolygonShape does so by itself; what this adds is a check. It asks FCL's public entry points about known polygons
+/// and throws std::logic_error, which says how to link, if they don't reach tricover: they would say "free" then.
+/// (tricover_fcl::collide, distance and continuousCollide work regardless.) Call it once, from any thread; more calls
+/// cost nothing.
 ///
 /// Polygons meet polygons in the world's plane, and every other geometry that FCL knows (box, sphere, ellipsoid,
 /// capsule, cone, cylinder, convex, plane, halfspace, meshes of all bounding volumes, octrees) in the polygon's own

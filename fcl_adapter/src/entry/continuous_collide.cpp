@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover_fcl/continuous_collide.h"
 
+#include <fcl/broadphase/default_broadphase_callbacks.h>
 #include <fcl/math/motion/interp_motion.h>
 #include <fcl/math/motion/screw_motion.h>
 #include <fcl/math/motion/translation_motion.h>
@@ -80,6 +81,21 @@ S continuousCollide(const fcl::CollisionObject<S>* o1, const fcl::Transform3<S>&
                                          o2->collisionGeometry().get(), o2->getTransform(), tf2_end, request, result);
 }
 
+template <typename S>
+S collide(const fcl::ContinuousCollisionObject<S>* o1, const fcl::ContinuousCollisionObject<S>* o2,
+          const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
+  return tricover_fcl::continuousCollide<S>(o1->collisionGeometry().get(), o1->getMotion(),
+                                            o2->collisionGeometry().get(), o2->getMotion(), request, result);
+}
+
+template <typename S>
+bool defaultContinuousCollisionFunction(fcl::ContinuousCollisionObject<S>* o1, fcl::ContinuousCollisionObject<S>* o2,
+                                        void* data) {
+  auto& query = *static_cast<fcl::DefaultContinuousCollisionData<S>*>(data);
+  if (!query.done) tricover_fcl::collide(o1, o2, query.request, query.result);
+  return query.done;
+}
+
 #define TRICOVER_INSTANTIATE(S)                                                                                        \
   template S continuousCollide(const fcl::CollisionGeometry<S>*, const fcl::MotionBase<S>*,                            \
                                const fcl::CollisionGeometry<S>*, const fcl::MotionBase<S>*,                            \
@@ -89,7 +105,11 @@ S continuousCollide(const fcl::CollisionObject<S>* o1, const fcl::Transform3<S>&
                                const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);         \
   template S continuousCollide(const fcl::CollisionObject<S>*, const fcl::Transform3<S>&,                              \
                                const fcl::CollisionObject<S>*, const fcl::Transform3<S>&,                              \
-                               const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);
+                               const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);         \
+  template S collide(const fcl::ContinuousCollisionObject<S>*, const fcl::ContinuousCollisionObject<S>*,               \
+                     const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);                   \
+  template bool defaultContinuousCollisionFunction(fcl::ContinuousCollisionObject<S>*,                                 \
+                                                   fcl::ContinuousCollisionObject<S>*, void*);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)
 #undef TRICOVER_INSTANTIATE

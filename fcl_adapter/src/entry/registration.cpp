@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover_fcl/registration.h"
 
+#include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "entry/fill_tables.h"
@@ -14,6 +16,19 @@
 
 namespace tricover_fcl {
 namespace {
+
+/// Whether fcl::continuousCollide of two motions throws, as it does if it is ours. (What this calls is linked, too, and
+/// serves the calls from within libfcl.)
+bool refuses(const PolygonShaped& shape, const fcl::ContinuousCollisionRequest<double>& request) {
+  const fcl::TranslationMotion<double> still(fcl::Transform3<double>::Identity(), fcl::Transform3<double>::Identity());
+  fcl::ContinuousCollisionResult<double> result;
+  try {
+    fcl::continuousCollide<double>(&shape, &still, &shape, &still, request, result);
+  } catch (const std::logic_error&) {
+    return true;
+  }
+  return false;
+}
 
 /// The name of a public entry point that doesn't reach our rows, or an empty string. Stops at the first, because FCL
 /// prints a warning for each.
@@ -48,20 +63,27 @@ std::string unreachedEntryPoint() {
     const double time =
         fcl::continuousCollide(square.get(), here, beyond, square.get(), beside, beside, continuous_request, passing);
     if (!passing.is_collide || !(time > 0.25 && time < 0.3)) return "fcl::continuousCollide";  // 2 / 7
+    continuous_request.ccd_solver_type = fcl::CCDC_RAY_SHOOTING;
+    if (!refuses(*square, continuous_request)) return "fcl::continuousCollide";
   }
   return {};
 }
 
 template <typename S>
-void fillTables() {
+void fillTablesFor() {
   fillCollisionTables<S>();
   fillDistanceTables<S>();
   fillAdvancementTables<S>();
 }
 
+bool fillOnce() {
+  fillTablesFor<float>();
+  fillTablesFor<double>();
+  return true;
+}
+
 bool registerOnce() {
-  fillTables<float>();
-  fillTables<double>();
+  detail::fillTables();
   const std::string unreached = unreachedEntryPoint();
   if (!unreached.empty()) {
     refuseQuestion(
@@ -75,6 +97,11 @@ bool registerOnce() {
 }
 
 }  // namespace
+
+void detail::fillTables() {
+  static const bool filled = fillOnce();  // by one thread, the others wait
+  static_cast<void>(filled);
+}
 
 void detail::registerNarrowphase() {
   static const bool registered = registerOnce();  // by one thread, the others wait; tried again if it throws

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mixed/advance_mixed.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mixed/mixed_pair.h"
+#include "shadow/stadium.h"
+#include "shape/course.h"
+#include "shape/errors.h"
+#include "shape/fcl_results.h"
 #include "shape/motion_in_plane.h"
-#include "tricover/time_of_impact.h"
 
 namespace tricover_fcl {
 namespace {
@@ -17,6 +21,89 @@ double reach(const tricover::Motion& motion, const tricover::Vec2& center, doubl
          std::min(turn, 2.0) * ((center - motion.pivot).norm() + radius);
 }
 
+/// The course of what lies in the pair's plane, by a motion of FCL's; otherwise by its own, with a box around it in the
+/// frame that moves.
+template <typename S>
+Course courseOf(const fcl::MotionBase<S>& motion, const MixedPair<S>& pair, const Eigen::AlignedBox2d& around,
+                const char* name) {
+  Course course{motionInPlane(motion, pair.plane, name), {}, {}};
+  if (course.known) return course;
+  const Plane body = Plane(poseAt(motion, S(0)).matrix().template cast<double>().eval()).inverse() * pair.plane;
+  Eigen::AlignedBox3d box;
+  for (const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
+                            Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight}) {
+    const tricover::Vec2 at = around.corner(corner);
+    box.extend(body * Eigen::Vector3d(at.x(), at.y(), 0));
+  }
+  return ownCourse(motion, box, pair.plane, body, name);
+}
+
+/// How far the course takes anything in the box.
+double reach(const Course& course, const Eigen::AlignedBox2d& box) {
+  return course.known ? reach(*course.known, box.center(), box.diagonal().norm() / 2) : course.speed(0);
+}
+
+void widen(Eigen::AlignedBox2d& box, double by) {
+  box.min().array() -= by;
+  box.max().array() += by;
+}
+
+/// What of the other geometry lies in the plane at time 0: a polygon, where it lies, and a margin around it.
+struct Footprint {
+  tricover::Polygon polygon;
+  tricover::Pose pose = tricover::Pose::Identity();
+  double margin = 0;
+  std::optional<Shadow> shadow = {};  ///< to make the polygon finer
+
+  Eigen::AlignedBox2d box() const {
+    Eigen::AlignedBox2d around;
+    for (const tricover::Ring& ring : polygon.rings()) {
+      for (const tricover::Vec2& vertex : ring) around.extend(pose * vertex);
+    }
+    widen(around, margin);
+    return around;
+  }
+};
+
+template <typename S>
+std::optional<Footprint> footprintOf(const MixedPair<S>& pair) {
+  const Eigen::Vector3d center = pair.view.to_polygon.translation(), axis = pair.view.to_polygon.linear().col(2);
+  const double rounding = mappingError(pair.view.to_polygon, 0);
+  if (const auto stadium = stadiumOf(pair.other, center, axis, pair.view.slab, rounding, rounding)) {
+    if (!stadium->in_slab) return std::nullopt;
+    return Footprint{stadium->segment(), stadium->pose(), stadium->radius};
+  }
+  const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
+  if (!shadow) return std::nullopt;
+  return Footprint{shadow->outline(), tricover::Pose::Identity(), 0, shadow};
+}
+
+/// The course of what lies at `pose` where the course begins.
+Course carried(const Course& course, const tricover::Pose& pose) {
+  if (course.known) {
+    tricover::Motion motion = *course.known;
+    motion.start = motion.start * pose;
+    motion.pivot = pose.inverse() * motion.pivot;
+    return {motion, {}, {}};
+  }
+  return {{}, [course, pose](double time) { return course.pose(time) * pose; }, course.speed};
+}
+
+/// A polygon around a smooth body is made finer where it is met, until that is no matter of its corners: no contact is
+/// later than that with a polygon around.
+template <typename S>
+std::optional<double> firstContact(const tricover::Polygon& polygon, const Course& course, Footprint& footprint,
+                                   const Course& course_of_footprint, const tricover::ImpactOptions& options) {
+  for (;;) {
+    const auto contact = firstContact<S>(polygon, course, footprint.polygon, course_of_footprint, options);
+    if (!contact) return std::nullopt;
+    const bool meet_at_once =
+        contact->time == 0 && footprint.shadow && footprint.shadow->meets(polygon, options.margin);
+    if (meet_at_once || !footprint.shadow || !footprint.shadow->refine(contact->edge_b)) return contact->time;
+    footprint.polygon = footprint.shadow->outline();
+  }
+}
+
 }  // namespace
 
 template <typename S>
@@ -24,36 +111,38 @@ S advanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>& mo
                const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
                const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
   MixedPair<S> pair = mixedPair("conservative advancement", o1, poseAt(motion1, S(0)), o2, poseAt(motion2, S(0)));
-  const tricover::Motion along1 = motionInPlane(motion1, pair.plane, "motion_a");
-  const tricover::Motion along2 = motionInPlane(motion2, pair.plane, "motion_b");
-  const tricover::Motion& of_polygon = pair.polygon_first ? along1 : along2;
-  const tricover::Motion& of_other = pair.polygon_first ? along2 : along1;
+  const bool first = pair.polygon_first;
+  const fcl::MotionBase<S>& motion_of_other = first ? motion2 : motion1;
+  const char* const name_of_other = first ? "motion_b" : "motion_a";
+  const Course of_polygon =
+      courseOf(first ? motion1 : motion2, pair, pair.view.around, first ? "motion_a" : "motion_b");
 
   // Both stay in the plane, so the shadow of the start moves with its geometry. It must hold what of an unbounded one
   // the polygon comes to.
-  const tricover::Vec2 center = pair.view.around.center();
-  const double radius = pair.view.around.diagonal().norm() / 2;
-  const double own_way = reach(of_polygon, center, radius);
-  const double way = own_way + reach(of_other, center, radius + own_way);
+  std::optional<Course> of_other;
   const double margin = pair.shape.options().margin;
-  pair.view.around.min().array() -= way + margin;
-  pair.view.around.max().array() += way + margin;
-  const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
-
-  result.is_collide = false;
-  result.time_of_contact = S(1);
-  if (!shadow || !o1.isOccupied() || !o2.isOccupied()) return result.time_of_contact;
-  tricover::ImpactOptions options;
-  options.time_error = static_cast<double>(request.toc_err);
-  options.margin = margin;
-  if (const auto impact = tricover::timeOfImpact(pair.polygon(), of_polygon, shadow->outline(), of_other, options)) {
-    result.is_collide = true;
-    result.time_of_contact = static_cast<S>(impact->time);
-    // Rounded to S it mustn't be later.
-    if (static_cast<double>(result.time_of_contact) > impact->time)
-      result.time_of_contact = std::nextafter(result.time_of_contact, S(0));
+  const fcl::NODE_TYPE type = pair.other.getNodeType();
+  if (type == fcl::GEOM_PLANE || type == fcl::GEOM_HALFSPACE) {
+    of_other = courseOf(motion_of_other, pair, pair.view.around, name_of_other);
+    if (!of_other->known) {
+      refuseQuestion(name_of_other, "what has no end has no bound of its speed, unless one of FCL's motions moves it",
+                     "make it an fcl::Box");
+    }
+    widen(pair.view.around, reach(of_polygon, pair.view.around) + margin);
+    widen(pair.view.around, reach(*of_other, pair.view.around));
   }
-  return result.time_of_contact;
+  std::optional<Footprint> footprint = footprintOf(pair);
+  if (!of_other)
+    of_other = courseOf(motion_of_other, pair, footprint ? footprint->box() : pair.view.around, name_of_other);
+
+  std::optional<double> time;
+  if (footprint && o1.isOccupied() && o2.isOccupied()) {
+    tricover::ImpactOptions options;
+    options.time_error = static_cast<double>(request.toc_err);
+    options.margin = (margin + footprint->margin) * (1 + (margin > 0 ? 0x1p-52 : 0));
+    time = firstContact<S>(pair.polygon(), of_polygon, *footprint, carried(*of_other, footprint->pose), options);
+  }
+  return reportImpact(time, result);
 }
 
 template float advanceMixed(const fcl::CollisionGeometry<float>&, const fcl::MotionBase<float>&,

@@ -2,6 +2,7 @@
 #include "mixed/collide_mixed.h"
 
 #include "mixed/mixed_contacts.h"
+#include "mixed/stadium_pair.h"
 
 namespace tricover_fcl {
 namespace {
@@ -14,7 +15,7 @@ Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
     for (const tricover::Vec2& vertex : ring) box.extend(vertex);
   }
   box = box.intersection(pair.view.around);
-  const double half_height = pair.view.slab.high / 2 - pair.view.slab.low / 2;
+  const double half_height = pair.view.slab.halfHeight();
   Eigen::AlignedBox3d world;
   for (const double x : {box.min().x(), box.max().x()}) {
     for (const double y : {box.min().y(), box.max().y()}) {
@@ -26,6 +27,16 @@ Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
   return world;
 }
 
+template <typename S>
+bool meets(const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl::Transform3<S>* tf2,
+           const tricover::CollideOptions& options) {
+  tricover::CollideOptions grown;
+  grown.margin = pair.grown(options.margin + pair.shape.options().margin);
+  return pair.template remembering<tricover::PairCache>(tf1, tf2, [&](auto&... cache) {
+    return tricover::collide(pair.polygon(), pair.pose, pair.segment, pair.pose_of_segment, cache..., grown);
+  });
+}
+
 }  // namespace
 
 template <typename S>
@@ -34,26 +45,38 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
                          const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                          fcl::CollisionResult<S>& result) {
   if (request.isSatisfied(result)) return result.numContacts();
+  const Wanted of_hit = wanted(o1, o2, request);
+  std::optional<StadiumPair<S>> round;
+  const StadiumCase of_round = stadiumPair(o1, tf1, o2, tf2, round);
+  const bool is_round = of_round != StadiumCase::None;
+  if (is_round) {
+    if (!(of_hit.contacts || of_hit.costs) || !round || !meets(*round, &tf1, &tf2, options))
+      return result.numContacts();
+    if (!request.enable_contact && !of_hit.costs) {
+      if (room(request, result) > 0) addContact(o1, o2, result);
+      return result.numContacts();
+    }
+  }
+
   MixedPair<S> pair = mixedPair("collide", o1, tf1, o2, tf2);
   const double margin = options.margin + pair.shape.options().margin;
-  const Wanted of_hit = wanted(o1, o2, request);
   if (!of_hit.contacts && !of_hit.costs) return result.numContacts();
 
   pair.view.only_there = !request.enable_contact;  // the way out of a mesh depends on all of it
   pair.view.around.min().array() -= margin;
   pair.view.around.max().array() += margin;
   const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
-  if (!shadow || !shadow->meets(pair.polygon(), margin)) return result.numContacts();
+  if (!is_round && !(shadow && shadow->meets(pair.polygon(), margin))) return result.numContacts();
 
   const std::size_t most = of_hit.contacts ? room(request, result) : 0;
-  if (most > 0 && !request.enable_contact) {
+  if (most > 0 && (!request.enable_contact || !shadow)) {
     addContact(o1, o2, result);
   } else if (most > 0) {
     for (const MixedContact& found : contactsOf(pair, *shadow, most)) {
       addContact(o1, o2, found.plane, found.contact, result);
     }
   }
-  if (of_hit.costs) addCost(o1, o2, overlap(pair, *shadow), request, result);
+  if (of_hit.costs && shadow) addCost(o1, o2, overlap(pair, *shadow), request, result);
   return result.numContacts();
 }
 

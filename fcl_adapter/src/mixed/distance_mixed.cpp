@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mixed/distance_mixed.h"
 
+#include <fcl/narrowphase/contact.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "mixed/mixed_pair.h"
+#include "mixed/stadium_pair.h"
 #include "shape/fcl_results.h"
+#include "shape/nearest_points.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 
@@ -30,8 +35,8 @@ void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, 
   if (const auto& lift = shadow.lift()) {
     if (!(lift->depth > touch)) return;
     span.distance = is_signed ? -lift->depth : -1;
-    span.point_a = inSpace(pair.polygon().origin());
-    span.point_b = span.point_a - lift->depth * lift->normal;
+    span.point_a = span.point_b = inSpace(pair.polygon().origin());
+    if (std::isfinite(lift->depth)) span.point_b = span.point_a - lift->depth * lift->normal;
   } else if (is_signed) {
     const auto whole = shadow.penetration(pair.polygon());
     if (!whole || !(whole->depth > touch)) return;
@@ -42,8 +47,48 @@ void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, 
       const auto deepest = tricover::contacts(pair.polygon(), Pose::Identity(), region, Pose::Identity(), 1);
       return !deepest.empty() && deepest.front().depth > touch;
     };
-    if (shadow.isSurface() || overlaps(shadow.core()) || overlaps(shadow.outlineIn(pair.polygon()))) span.distance = -1;
+    if ((shadow.isSurface() && shadow.meets(pair.polygon(), 0)) || overlaps(shadow.core()) ||
+        overlaps(shadow.outlineIn(pair.polygon())))
+      span.distance = -1;
   }
+}
+
+/// The options with what FCL asks for; nothing above the distance that the result already holds is of interest.
+template <typename S>
+tricover::DistanceOptions optionsOf(const fcl::DistanceRequest<S>& request, const fcl::DistanceResult<S>& result,
+                                    double margin) {
+  tricover::DistanceOptions options;
+  options.relative_error = static_cast<double>(request.rel_err);
+  options.absolute_error = static_cast<double>(request.abs_err);
+  options.limit = static_cast<double>(result.min_distance);
+  options.margin = margin;
+  return options;
+}
+
+/// Of a disc or stadium, but for depths: false if these are asked for, and the two meet.
+template <typename S>
+bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl::Transform3<S>* tf2,
+              const fcl::DistanceRequest<S>& request, const fcl::DistanceResult<S>& result) {
+  const double margin = pair.shape.options().margin;
+  const tricover::DistanceOptions options = optionsOf(request, result, pair.grown(margin));
+  tricover::DistanceResult found = pair.template remembering<tricover::DistanceCache>(tf1, tf2, [&](auto&... cache) {
+    return tricover::distance(pair.polygon(), pair.pose, pair.segment, pair.pose_of_segment, cache..., options);
+  });
+  span = {found.distance, {}, {}, found.edge_a, fcl::Contact<S>::NONE};
+  if (found.distance == 0) {
+    // A touch is right to the error of a distance; margins don't overlap.
+    tricover::CollideOptions deeper;
+    deeper.margin = pair.radius * (1 - 1e-13) - static_cast<double>(std::numeric_limits<S>::min());
+    if (deeper.margin >= 0 &&
+        tricover::collide(pair.polygon(), pair.pose, pair.segment, pair.pose_of_segment, deeper)) {
+      if (request.enable_signed_distance) return false;
+      span.distance = -1;
+    }
+  }
+  if (found.distance <= options.limit) moveByMargins(found, margin, pair.radius);
+  span.point_a = inSpace(found.point_a);
+  span.point_b = inSpace(found.point_b);
+  return true;
 }
 
 }  // namespace
@@ -52,25 +97,31 @@ template <typename S>
 S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,
                 const fcl::Transform3<S>& tf2, const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
   if (request.isSatisfied(result)) return result.min_distance;
+  const auto report = [&](const Span& span, const Plane& plane, bool polygon_first) {
+    const Eigen::Vector3d at_a = plane * span.point_a, at_b = plane * span.point_b;
+    if (polygon_first)
+      updateDistance(o1, o2, span.distance, at_a, at_b, span.edge_a, span.part_b, result);
+    else
+      updateDistance(o1, o2, span.distance, at_b, at_a, span.part_b, span.edge_a, result);
+    return result.min_distance;
+  };
+  Span span;
+  std::optional<StadiumPair<S>> round;
+  if (stadiumPair(o1, tf1, o2, tf2, round) == StadiumCase::OutOfSlab) return result.min_distance;
+  if (round && measured(span, *round, &tf1, &tf2, request, result))
+    return report(span, round->plane, round->polygon_first);
+
   const MixedPair<S> pair = mixedPair("distance", o1, tf1, o2, tf2);
   const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
   if (!shadow) return result.min_distance;  // nothing in the polygon's plane to be near to
 
-  tricover::DistanceOptions options;
-  options.relative_error = static_cast<double>(request.rel_err);
-  options.absolute_error = static_cast<double>(request.abs_err);
-  options.limit = static_cast<double>(result.min_distance);
-  const tricover::DistanceResult found = shadow->distance(pair.polygon(), options);
-  Span span{found.distance, inSpace(found.point_a), inSpace(found.point_b), found.edge_a, shadow->partOf(found.edge_b)};
+  const double margin = pair.shape.options().margin;
+  tricover::DistanceResult found = shadow->distance(pair.polygon(), optionsOf(request, result, margin));
+  if (margin > 0 && std::isfinite(found.distance)) moveByMargins(found, margin, 0);
+  span = {found.distance, inSpace(found.point_a), inSpace(found.point_b), found.edge_a, shadow->partOf(found.edge_b)};
   if (span.distance == 0) measureOverlap(span, pair, *shadow, request.enable_signed_distance);
   if (span.distance < 0) requireContactsIfSigned(o1, o2, request);
-
-  const Eigen::Vector3d at_a = pair.plane * span.point_a, at_b = pair.plane * span.point_b;
-  if (pair.polygon_first)
-    updateDistance(o1, o2, span.distance, at_a, at_b, span.edge_a, span.part_b, result);
-  else
-    updateDistance(o1, o2, span.distance, at_b, at_a, span.part_b, span.edge_a, result);
-  return result.min_distance;
+  return report(span, pair.plane, pair.polygon_first);
 }
 
 template float distanceMixed(const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,

@@ -8,16 +8,6 @@
 namespace tricover_fcl {
 namespace {
 
-template <typename S>
-Plane checkedPose(const fcl::Transform3<S>& transform, const char* name) {
-  const Plane pose(transform.matrix().template cast<double>().eval());
-  const Eigen::Matrix3d defect = pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity();
-  // Eigen's maxCoeff may pass over NaN.
-  if (!pose.matrix().allFinite() || !(defect.cwiseAbs().maxCoeff() <= tricover::kRigidTolerance))
-    refuseDistortion(pose.matrix(), name);
-  return pose;
-}
-
 Eigen::AlignedBox2d boundingBox(const tricover::Polygon& polygon) {
   Eigen::AlignedBox2d box;
   for (const tricover::Ring& ring : polygon.rings()) {
@@ -27,6 +17,16 @@ Eigen::AlignedBox2d boundingBox(const tricover::Polygon& polygon) {
 }
 
 }  // namespace
+
+template <typename S>
+Plane checkedPose(const fcl::Transform3<S>& transform, const char* name) {
+  const Plane pose(transform.matrix().template cast<double>().eval());
+  const Eigen::Matrix3d defect = pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity();
+  // Eigen's maxCoeff may pass over NaN.
+  if (!pose.matrix().allFinite() || !(defect.cwiseAbs().maxCoeff() <= tricover::kRigidTolerance))
+    refuseDistortion(pose.matrix(), name);
+  return pose;
+}
 
 template <typename S>
 MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
@@ -47,10 +47,12 @@ MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o
   return {shape,
           other,
           polygon_first,
-          of_polygon * planeAt(slab.low / 2 + slab.high / 2),
+          of_polygon * planeAt(slab.middle()),
           {to_polygon, slab, boundingBox(shape.polygon()), false}};
 }
 
+template Plane checkedPose(const fcl::Transform3<float>&, const char*);
+template Plane checkedPose(const fcl::Transform3<double>&, const char*);
 template MixedPair<float> mixedPair(const char*, const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
                                     const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&);
 template MixedPair<double> mixedPair(const char*, const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,

@@ -1,44 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polygons/advance_polygons.h"
 
-#include <fcl/math/motion/spline_motion.h>
-
-#include <cmath>
 #include <optional>
-#include <typeinfo>
 
+#include "shape/course.h"
+#include "shape/fcl_results.h"
 #include "shape/heights.h"
 #include "shape/motion_in_plane.h"
 #include "tricover/collide.h"
-#include "tricover/time_of_impact.h"
 
 namespace tricover_fcl {
 namespace {
 
-/// Not above `time`.
-template <typename S>
-S roundDown(double time) {
-  const S rounded = static_cast<S>(time);
-  return static_cast<double>(rounded) <= time ? rounded : std::nextafter(rounded, S(0));
-}
-
 /// Its heights are those of `start`: it keeps them.
 struct MovingPolygon {
   PlanarPose start;
-  tricover::Motion motion;
-  tricover::Pose end;
+  Course course;
+  tricover::Pose end;  ///< of a course that is known
 };
 
+/// Whether the pivot goes straight on at one speed, and nothing turns.
+bool onlyShifts(const tricover::Motion& motion) {
+  return motion.angle == 0 && motion.angle_2 == 0 && motion.angle_3 == 0 && motion.shift_2.isZero(0) &&
+         motion.shift_3.isZero(0);
+}
+
 template <typename S>
-MovingPolygon movingPolygon(const fcl::MotionBase<S>& motion, const char* name) {
+MovingPolygon movingPolygon(const PolygonShape<S>& shape, const fcl::MotionBase<S>& motion, const char* name) {
   const fcl::Transform3<S> begin = poseAt(motion, S(0));
-  const tricover::Motion in_plane = motionInPlane(motion, planeAt(static_cast<double>(begin.translation().z())), name);
-  MovingPolygon moving{planarPose(begin, name), in_plane, {}};
-  const tricover::Pose& start = moving.motion.start = moving.start.pose;
-  moving.motion.pivot = start.linear().inverse() * (in_plane.pivot - start.translation());
+  const Plane plane = planeAt(static_cast<double>(begin.translation().z()));
+  const std::optional<tricover::Motion> in_plane = motionInPlane(motion, plane, name);  // says best what is wrong
+  MovingPolygon moving{planarPose(begin, name), {in_plane, {}, {}}, {}};
+  if (!moving.course.known) {
+    const Eigen::AlignedBox3d box(shape.aabb_local.min_.template cast<double>(),
+                                  shape.aabb_local.max_.template cast<double>());
+    moving.course = ownCourse(motion, box, plane, Plane::Identity(), name);
+    if (moving.course.known) moving.end = moving.course.known->start;
+    return moving;
+  }
+  tricover::Motion& known = *moving.course.known;
+  const tricover::Pose& start = known.start = moving.start.pose;
+  known.pivot = start.linear().inverse() * (known.pivot - start.translation());
   // FCL's own, rounded in its way; but without a turn its ScrewMotion doesn't end where it should.
-  const bool ends_right = in_plane.angle != 0 || typeid(motion) == typeid(fcl::SplineMotion<S>);
-  moving.end = ends_right ? planarPose(poseAt(motion, S(1)), name).pose : moving.motion.at(1);
+  moving.end = onlyShifts(known) ? known.at(1) : planarPose(poseAt(motion, S(1)), name).pose;
   return moving;
 }
 
@@ -50,7 +54,7 @@ S advancePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>&
                   const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
   const auto& shape_a = static_cast<const PolygonShape<S>&>(o1);
   const auto& shape_b = static_cast<const PolygonShape<S>&>(o2);
-  const MovingPolygon a = movingPolygon(motion1, "motion_a"), b = movingPolygon(motion2, "motion_b");
+  const MovingPolygon a = movingPolygon(shape_a, motion1, "motion_a"), b = movingPolygon(shape_b, motion2, "motion_b");
 
   std::optional<double> time;
   if (o1.isOccupied() && o2.isOccupied() &&
@@ -58,15 +62,13 @@ S advancePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>&
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
     options.margin = shape_a.options().margin + shape_b.options().margin;
-    if (const auto impact = tricover::timeOfImpact(shape_a.polygon(), a.motion, shape_b.polygon(), b.motion, options)) {
-      time = impact->time;
-    } else if (tricover::collide(shape_a.polygon(), a.end, shape_b.polygon(), b.end, {options.margin})) {
+    const auto contact = firstContact<S>(shape_a.polygon(), a.course, shape_b.polygon(), b.course, options);
+    if (contact) time = contact->time;
+    if (!time && a.course.known && b.course.known &&
+        tricover::collide(shape_a.polygon(), a.end, shape_b.polygon(), b.end, {options.margin}))
       time = 1;
-    }
   }
-  result.is_collide = time.has_value();
-  result.time_of_contact = roundDown<S>(time.value_or(1));
-  return result.time_of_contact;
+  return reportImpact(time, result);
 }
 
 #define TRICOVER_INSTANTIATE(S)                                                           \

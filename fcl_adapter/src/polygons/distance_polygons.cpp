@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "polygons/polygon_pair.h"
+#include "shape/crossing.h"
 #include "shape/fcl_results.h"
+#include "shape/nearest_points.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
@@ -42,6 +44,11 @@ void updateOverlap(const PolygonPair<S>& pair, bool is_signed, const tricover::D
     const auto penetration = tricover::penetration(a, pair.pose_a.pose, b, pair.pose_b.pose);
     if (penetration && isDepth(penetration->depth)) return report(-penetration->depth, *penetration);
   } else {
+    // Edges that cross and rings that lie inside without meeting an edge go on overlapping when moved a little.
+    // Contacts are needed of the others only, which mostly touch.
+    const bool holds_ring = common.edge_a < 0 || common.edge_b < 0;
+    if (holds_ring || crossDeeply(a, pair.pose_a.pose, common.edge_a, b, pair.pose_b.pose, common.edge_b, 0))
+      return report(-1, common);
     const auto deepest = tricover::contacts(a, pair.pose_a.pose, b, pair.pose_b.pose, 1);
     if (!deepest.empty() && isDepth(deepest.front().depth)) return report(-1, common);
   }
@@ -62,13 +69,15 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   options.relative_error = static_cast<double>(request.rel_err);
   options.absolute_error = static_cast<double>(request.abs_err);
   options.limit = static_cast<double>(result.min_distance);
+  options.margin = pair.shape_a.options().margin + pair.shape_b.options().margin;
   const double apart = pair.heightsMeet() ? 0 : gap(pair.heightsA(), pair.heightsB());
   if (apart >= options.limit) return result.min_distance;
 
   const auto distance = [&](auto&... cache) {
     return tricover::distance(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., options);
   };
-  const tricover::DistanceResult planar = pair.template remembering<tricover::DistanceCache>(tf1, tf2, distance);
+  tricover::DistanceResult planar = pair.template remembering<tricover::DistanceCache>(tf1, tf2, distance);
+  if (options.margin > 0) moveByMargins(planar, pair.shape_a.options().margin, pair.shape_b.options().margin);
   if (planar.distance == 0 && apart == 0) {
     requireContactsIfSigned(o1, o2, request);
     updateOverlap(pair, request.enable_signed_distance, planar, result);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shadow/shadow.h"
 #include "shape/errors.h"
@@ -30,7 +31,8 @@ Ring clip(const Ring& ring, const Vec2& normal, double offset) {
 /// The plane normal . x = offset of the geometry's frame, or the half-space below it. Seen along z over the slab it is
 /// a strip (a line for a plane that stands on a flat polygon) or a half-plane. Of that a square is made around the
 /// polygon, so large that the polygon can't leave it on a shorter way than across the edge, and that what is nearest to
-/// the polygon is in it. What is parallel to the polygon, as far as rounding can tell, is met all over, or nowhere.
+/// the polygon is in it. What is parallel to the polygon, as far as rounding can tell, is met all over, or nowhere. So
+/// is what doesn't stand upright by a polygon at all heights, and no way parts these.
 std::optional<Shadow> shadowOf(const char* name, const Eigen::Vector3d& normal, double offset, bool below_too,
                                const View& view) {
   if (!(normal.allFinite() && std::isfinite(offset))) refuse(name, "its normal or offset is not finite");
@@ -39,15 +41,18 @@ std::optional<Shadow> shadowOf(const char* name, const Eigen::Vector3d& normal, 
   const double d = offset + n.dot(view.to_polygon.translation());
   const Vec2 center = view.around.center();
   const double radius = view.around.diagonal().stableNorm() / 2, steepness = n.head<2>().stableNorm();
-  const bool parallel = steepness <= kMappingError;
+  const bool everywhere = view.slab.isAll() && std::abs(n.z()) > kMappingError;
+  const Slab slab = view.slab.isAll() ? Slab{0, 0} : view.slab;
+  const bool parallel = steepness <= kMappingError || everywhere;
   const Vec2 across = parallel ? Vec2(Vec2::Zero()) : Vec2(n.head<2>());
-  const double at_low = d - n.z() * view.slab.low - across.dot(center);
-  const double at_high = d - n.z() * view.slab.high - across.dot(center);
-  const double first = std::min(at_low, at_high), last = std::max(at_low, at_high);
+  const double at_low = d - n.z() * slab.low - across.dot(center);
+  const double at_high = d - n.z() * slab.high - across.dot(center);
+  const double all = everywhere ? std::numeric_limits<double>::infinity() : 0;
+  const double first = std::min(at_low, at_high) - all, last = std::max(at_low, at_high) + all;
 
   const double side = 4 * radius + (parallel ? 0 : 2 * std::max(std::abs(first), std::abs(last)) / steepness);
-  const double rounding = mappingError(view.to_polygon, std::abs(offset) + center.stableNorm() + side +
-                                                            std::abs(view.slab.low) + std::abs(view.slab.high));
+  const double rounding = mappingError(
+      view.to_polygon, std::abs(offset) + center.stableNorm() + side + std::abs(slab.low) + std::abs(slab.high));
   Ring ring = {{-side, -side}, {side, -side}, {side, side}, {-side, side}};
   ring = clip(ring, across, last + rounding);
   if (!below_too) ring = clip(ring, -across, rounding - first);

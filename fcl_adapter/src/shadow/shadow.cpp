@@ -19,19 +19,21 @@ bool Shadow::meets(const tricover::Polygon& polygon, double margin) const {
 tricover::DistanceResult Shadow::distance(const tricover::Polygon& polygon,
                                           const tricover::DistanceOptions& options) const {
   // Regions that meet up to rounding are a little apart: a limit below that must not cost them their nearest points.
-  const bool touching = meets(polygon, 0);
+  if (smooth_) return smooth_->distance(polygon, options.margin);
+  const bool touching = meets(polygon, options.margin);
   tricover::DistanceOptions within = options;
   if (touching) within.limit = std::numeric_limits<double>::infinity();
   tricover::DistanceResult found =
-      smooth_ ? smooth_->distance(polygon)
-              : tricover::distance(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), within);
+      tricover::distance(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), within);
   if (touching) found.distance = 0;
   return found;
 }
 
 double Shadow::outlineError() const { return smooth_ ? smooth_->outlineError(kOutlineError) : rounding_; }
 
-tricover::Polygon Shadow::outline() const { return smooth_ ? smooth_->outline({kOutlineError}) : *region_; }
+tricover::Polygon Shadow::outline() const { return smooth_ ? smooth_->outline() : *region_; }
+
+bool Shadow::refine(std::ptrdiff_t edge) { return smooth_ && smooth_->refine(edge, kOutlineError); }
 
 tricover::Polygon Shadow::outlineIn(const tricover::Polygon& polygon) const {
   return smooth_ ? smooth_->outline({kOutlineError, &polygon, kFarOutlineError}) : *region_;

@@ -46,14 +46,17 @@ class Shadow {
   /// Whether the polygon and the shadow come as close as `margin`; never false where they do.
   bool meets(const tricover::Polygon& polygon, double margin) const;
 
-  /// Of the polygon (a) and the shadow (b): 0 exactly where meets(polygon, 0), otherwise as `options` allow, and for
-  /// smooth bodies SmoothShadow::kError of the body's reach above the truth.
+  /// Of the polygon (a) and the shadow (b): 0 exactly where meets(polygon, options.margin), otherwise as `options`
+  /// allow, and for smooth bodies SmoothShadow::kError of the body's reach above the truth.
   tricover::DistanceResult distance(const tricover::Polygon& polygon, const tricover::DistanceOptions& options) const;
 
-  /// The shadow itself, or, of a smooth body, a polygon around it within kOutlineError of the body's reach.
+  /// The shadow itself, or, of a smooth body, a rough polygon around it.
   tricover::Polygon outline() const;
+  /// Makes that finer at one of its edges, to kOutlineError of the body's reach; false if it is so fine.
+  bool refine(std::ptrdiff_t edge);
   static constexpr double kOutlineError = 1e-6;
-  /// The same where it meets `polygon`, and elsewhere within kFarOutlineError, which saves nearly all of its vertices.
+  /// The shadow itself, or a polygon around it within kOutlineError where it meets `polygon`, and elsewhere within
+  /// kFarOutlineError, which saves nearly all of its vertices.
   tricover::Polygon outlineIn(const tricover::Polygon& polygon) const;
   static constexpr double kFarOutlineError = 1e-3;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -9,9 +10,14 @@
 
 namespace tricover_fcl {
 
-/// The heights between which a polygon reaches, in its own frame. A flat polygon has {0, 0}.
+/// The heights between which a polygon reaches, in its own frame. A flat polygon has {0, 0}, one at all heights
+/// {-infinity, infinity}.
 struct Slab {
   double low, high;
+
+  bool isAll() const { return std::isinf(high); }
+  double middle() const { return isAll() ? 0 : low / 2 + high / 2; }
+  double halfHeight() const { return isAll() ? 0 : high / 2 - low / 2; }
 };
 
 /// The convex hull of the points (at least one, all finite), counter-clockwise, right to 2^-50 of its size. The ring of

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <limits>
 
 #include "shadow/smooth_shadow.h"
+#include "tricover/segment.h"
 
 namespace tricover_fcl {
 namespace {
@@ -9,35 +11,118 @@ namespace {
 using tricover::DistanceResult;
 using tricover::Polygon;
 using tricover::Pose;
+using tricover::Vec2;
 
-DistanceResult distanceBelow(double limit, const Polygon& a, const Polygon& b) {
-  tricover::DistanceOptions options;
-  options.limit = limit;
-  return tricover::distance(a, Pose::Identity(), b, Pose::Identity(), options);
+constexpr int kOneByOne = 40;
+
+Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
+  const Vec2 along = w - v;
+  const double square = along.squaredNorm();
+  return square > 0 ? Vec2(v + std::clamp(along.dot(p - v) / square, 0.0, 1.0) * along) : v;
+}
+
+DistanceResult distanceTo(const Polygon& polygon, const Vec2& point) {
+  // Never destroyed: destructors of static objects may still ask.
+  static const Polygon& origin = *new Polygon(tricover::point(Vec2::Zero()));
+  Pose there = Pose::Identity();
+  there.translation() = point;
+  return tricover::distance(polygon, Pose::Identity(), origin, there);
 }
 
 }  // namespace
 
-DistanceResult SmoothShadow::distance(const Polygon& polygon) const {
-  DistanceResult best = distanceBelow(std::numeric_limits<double>::infinity(), polygon, inscribed());
-  for (std::size_t i = 0; i < tangents_.size(); ++i) {
-    improve(best, polygon, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), 0);
+/// The distance is between `lower` and nearest.distance.
+struct SmoothShadow::Approach {
+  double lower;
+  DistanceResult nearest;
+};
+
+/// Of a point p: its nearest point q in the polygon within C, and the chord that q is on.
+SmoothShadow::Nearest SmoothShadow::nearestWithin(const Tangents& tangents, const Vec2& p) {
+  Nearest nearest{tangents[0].point, 0};
+  for (std::size_t k = 0; k < tangents.size(); ++k) {
+    const Vec2 on_chord = nearestOnSegment(p, tangents[k].point, tangents[(k + 1) % tangents.size()].point);
+    if (k == 0 || (p - on_chord).squaredNorm() < (p - nearest.point).squaredNorm()) nearest = {on_chord, k};
   }
-  return best;
+  return nearest;
 }
 
-void SmoothShadow::improve(DistanceResult& best, const Polygon& polygon, const Cap& cap, int depth) const {
-  if (cap.height <= finest_ || cap.width <= finest_ || depth == kDeepest) return;
-  const double of_interest = best.distance - finest_;
-  if (!(of_interest > 0) ||
-      distanceBelow(of_interest, polygon, triangle(cap.first.point, cap.tip, cap.second.point)).distance >= of_interest)
-    return;
-  const Tangent middle = tangent(chordNormal(cap));
-  const DistanceResult inner =
-      distanceBelow(best.distance, polygon, triangle(cap.first.point, middle.point, cap.second.point));
-  if (inner.distance < best.distance) best = inner;
-  improve(best, polygon, this->cap(cap.first, middle), depth + 1);
-  improve(best, polygon, this->cap(middle, cap.second), depth + 1);
+/// Adds the two tangents between which a point p outside of C is nearest to it. The tangent across q p, or, if there is
+/// one, that across the chord that q is on, bounds most of what is between the two.
+Vec2 SmoothShadow::closeIn(Tangents& tangents, const Vec2& p, double enough) const {
+  Tangents near = tangents;
+  for (int i = 0;; ++i) {
+    const auto [q, chord] = nearestWithin(near, p);
+    double lower = 0;
+    for (const Tangent& tangent : near) lower = std::max(lower, tangent.normal.dot(p - tangent.point));
+    const Tangent &first = near[chord], &second = near[(chord + 1) % near.size()];
+    if ((p - q).stableNorm() - lower > finest_ / 4 && i < kOneByOne &&
+        (insert(near, tangent((p - q).stableNormalized(), enough)) ||
+         insert(near, tangent(chordNormal(cap(first, second)), enough))))
+      continue;
+    for (const Tangent& tangent : {first, second}) insert(tangents, tangent);
+    return q;
+  }
+}
+
+/// The distance to the polygon around C, which tangents make, is a lower bound. Where that is met, the polygon within C
+/// is asked. Otherwise the tangent across the way between the two touches C at a point: its distance is an upper bound,
+/// and its nearest point has a nearest one in C.
+SmoothShadow::Approach SmoothShadow::approach(const Polygon& polygon, double margin, bool only_whether) const {
+  const double enough = finest_ / 16;
+  const Vec2 side = Vec2::UnitX();
+  const Vec2 center = tangent(side, enough).point / 2 + tangent(-side, enough).point / 2;
+  Approach found{0, distanceTo(polygon, center)};
+  DistanceResult& nearest = found.nearest;
+  found.lower = nearest.distance - 2 * body_.reach() * (1 + 1e-6) - finest_;  // a body isn't larger, nor its shadow
+  double slack = 0;
+  const auto isDecided = [&] {
+    return nearest.distance == 0 || nearest.distance - found.lower <= finest_ + 2 * slack ||
+           (only_whether && (nearest.distance <= margin || found.lower > margin));
+  };
+  const auto improve = [&](const DistanceResult& shown) {
+    if (shown.distance < nearest.distance) nearest = {shown.distance, shown.point_a, shown.point_b, shown.edge_a, -1};
+  };
+  if (isDecided()) return found;
+
+  const Vec2 towards = (nearest.point_a - center).stableNormalized(), aside(-towards.y(), towards.x());
+  Tangents tangents;
+  for (const Vec2& normal : {towards, aside, Vec2(-towards), Vec2(-aside)}) tangents.push_back(tangent(normal, enough));
+  for (int i = 0;; ++i) {
+    const DistanceResult outer = tricover::distance(polygon, Pose::Identity(), around(tangents), Pose::Identity());
+    for (const Tangent& tangent : tangents) slack = std::max(slack, tangent.slack);
+    found.lower = std::max(found.lower, outer.distance - 2 * slack - finest_ / 8);
+    if (isDecided()) return found;
+
+    const std::size_t before = tangents.size();
+    const Vec2& p = outer.point_a;
+    if (outer.distance == 0) {
+      improve(tricover::distance(polygon, Pose::Identity(), within(tangents), Pose::Identity()));
+      if (isDecided()) return found;
+    } else {
+      const Tangent across = tangent((p - outer.point_b).stableNormalized(), enough);
+      insert(tangents, across);
+      improve(distanceTo(polygon, across.point));
+      if (isDecided()) return found;
+    }
+    const Vec2 q = closeIn(tangents, p, enough);
+    improve({(p - q).stableNorm(), p, q, outer.edge_a, -1});
+    if (isDecided()) return found;
+    // A polygon that fits around C closely is near it everywhere.
+    if ((i >= kOneByOne || tangents.size() == before) && !refineAll(tangents, finest_, enough)) return found;
+  }
+}
+
+bool SmoothShadow::meets(const Polygon& polygon, double margin) const {
+  return !(approach(polygon, margin, true).lower > margin);
+}
+
+DistanceResult SmoothShadow::distance(const Polygon& polygon, double margin) const {
+  const Approach found = approach(polygon, margin, false);
+  DistanceResult nearest = found.nearest;
+  nearest.distance =
+      found.lower > margin ? std::max(nearest.distance - margin, std::numeric_limits<double>::denorm_min()) : 0;
+  return nearest;
 }
 
 }  // namespace tricover_fcl

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tricover/collide.h"
 
@@ -18,22 +19,26 @@ constexpr int kFirstTangents = 16;
 constexpr int kMostSteps = 150;  // a third of them bisections: as many as a double has bits
 Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
 
-bool collide(const Polygon& a, const Polygon& b, double margin) {
+bool meetsTriangle(const Polygon& polygon, const Ring& triangle, double margin) {
   tricover::CollideOptions options;
   options.margin = margin;
-  return tricover::collide(a, Pose::Identity(), b, Pose::Identity(), options);
+  return tricover::collide(polygon, Pose::Identity(), Polygon({triangle}), Pose::Identity(), options);
 }
+
+bool turnsLeft(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x() > 0; }
 
 }  // namespace
 
 Eigen::Vector3d SmoothBody::support(const Eigen::Vector3d& direction) const {
   const auto ofEllipsoid = [&](double z, const Eigen::Vector3d& radii) {
     const Eigen::Vector3d scaled = radii.cwiseProduct(direction);
-    const double norm = scaled.stableNorm();
+    const double square = scaled.squaredNorm();
+    const double norm = square > 1e-290 && square < 1e290 ? std::sqrt(square) : scaled.stableNorm();
     Eigen::Vector3d point = norm > 0 ? radii.cwiseProduct(scaled / norm).eval() : Eigen::Vector3d::Zero().eval();
     point.z() += z;
     return point;
   };
+  if (bottom == top) return ofEllipsoid(direction.z() > 0 ? half_height : -half_height, top);
   const Eigen::Vector3d low = ofEllipsoid(-half_height, bottom), high = ofEllipsoid(half_height, top);
   return direction.dot(high) > direction.dot(low) ? high : low;
 }
@@ -47,11 +52,21 @@ SmoothShadow::SmoothShadow(const SmoothBody& body, const Eigen::Affine3d& to_pol
       to_polygon_(to_polygon),
       slab_(slab),
       rounding_(rounding),
-      finest_(std::max(kError * body.reach() / 4, 4 * rounding)) {
+      finest_(std::max(kError * body.reach() / 4, 4 * rounding)) {}
+
+SmoothShadow::Tangents SmoothShadow::tangents() const {
+  if (!tangents_.empty()) return tangents_;
+  Tangents found;
   for (int i = 0; i < kFirstTangents; ++i) {
     const double angle = 2 * M_PI * i / kFirstTangents;
-    tangents_.push_back(tangent({std::cos(angle), std::sin(angle)}));
+    found.push_back(tangent({std::cos(angle), std::sin(angle)}));
   }
+  return found;
+}
+
+void SmoothShadow::addTangent(const Vec2& normal) {
+  tangents_ = tangents();
+  insert(tangents_, tangent(normal));
 }
 
 /// C's reach along the normal n is the largest n . p over the body's points p with a height in the slab. By Lagrange's
@@ -61,7 +76,7 @@ SmoothShadow::SmoothShadow(const SmoothBody& body, const Eigen::Affine3d& to_pol
 /// slope and falls while the maximum's point is beyond z: the search is for the slope whose point is at z, by regula
 /// falsi (Illinois), every third step a bisection, because a body's flat parts make the point jump. The point in the
 /// slab is where the connection of the last two points passes z. A value errs by what the points do, over c.
-SmoothShadow::Tangent SmoothShadow::tangent(const Vec2& normal) const {
+SmoothShadow::Tangent SmoothShadow::tangent(const Vec2& normal, double enough) const {
   const Eigen::Vector3d middle = support({normal.x(), normal.y(), 0});
   if (middle.z() >= slab_.low && middle.z() <= slab_.high) return {normal, middle.head<2>(), 2 * rounding_};
 
@@ -94,7 +109,7 @@ SmoothShadow::Tangent SmoothShadow::tangent(const Vec2& normal) const {
     (is_beyond ? beyond : within) = end(slope, p);
     if (is_beyond == was_beyond) (is_beyond ? within : beyond).weight /= 2;
     was_beyond = is_beyond;
-    if (reach - normal.dot(touched()) <= 8 * rounding_) break;
+    if (reach - normal.dot(touched()) <= std::max(8 * rounding_, enough)) break;
   }
   const Vec2 point = touched();
   return {normal, point, std::max(reach - normal.dot(point), 0.0) + rounding_};
@@ -114,34 +129,64 @@ SmoothShadow::Cap SmoothShadow::cap(const Tangent& first, const Tangent& second)
   return cap;
 }
 
-Polygon SmoothShadow::inscribed() const {
+Polygon SmoothShadow::around(const Tangents& tangents) const {
   Ring ring;
-  for (const Tangent& tangent : tangents_) ring.push_back(tangent.point);
-  return Polygon({ring}, tricover::FillRule::NonZero);
+  for (std::size_t i = 0; i < tangents.size(); ++i)
+    ring.push_back(cap(tangents[i], tangents[(i + 1) % tangents.size()]).tip);
+  return Polygon({std::move(ring)}, tricover::FillRule::NonZero);
 }
 
-bool SmoothShadow::meets(const Polygon& polygon, double margin) const {
-  if (collide(polygon, inscribed(), margin)) return true;
-  for (std::size_t i = 0; i < tangents_.size(); ++i) {
-    if (meets(polygon, margin, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), 0)) return true;
+Polygon SmoothShadow::within(const Tangents& tangents) {
+  Ring ring;
+  for (const Tangent& tangent : tangents) ring.push_back(tangent.point);
+  return Polygon({std::move(ring)}, tricover::FillRule::NonZero);
+}
+
+Polygon SmoothShadow::inscribed() const { return within(tangents()); }
+
+bool SmoothShadow::insert(Tangents& tangents, const Tangent& tangent) {
+  for (std::size_t i = 0; i < tangents.size(); ++i) {
+    const Vec2 &before = tangents[i].normal, &after = tangents[(i + 1) % tangents.size()].normal;
+    if (turnsLeft(before, tangent.normal) && turnsLeft(tangent.normal, after)) {
+      tangents.insert(tangents.begin() + static_cast<std::ptrdiff_t>(i) + 1, tangent);
+      return true;
+    }
   }
   return false;
 }
 
-bool SmoothShadow::meets(const Polygon& polygon, double margin, const Cap& cap, int depth) const {
-  if (!collide(polygon, triangle(cap.first.point, cap.tip, cap.second.point), margin + cap.slack)) return false;
-  if (cap.height <= finest_ || cap.width <= finest_ || depth == kDeepest) return true;
-  const Tangent middle = tangent(chordNormal(cap));
-  return collide(polygon, triangle(cap.first.point, middle.point, cap.second.point), margin) ||
-         meets(polygon, margin, this->cap(cap.first, middle), depth + 1) ||
-         meets(polygon, margin, this->cap(middle, cap.second), depth + 1);
+bool SmoothShadow::refineAll(Tangents& tangents, double height, double enough) const {
+  Tangents refined;
+  for (std::size_t i = 0; i < tangents.size(); ++i) {
+    refined.push_back(tangents[i]);
+    const Cap coarse = cap(tangents[i], tangents[(i + 1) % tangents.size()]);
+    if (coarse.width > finest_ && coarse.height > height) refined.push_back(tangent(chordNormal(coarse), enough));
+  }
+  if (refined.size() == tangents.size()) return false;
+  tangents = std::move(refined);
+  return true;
+}
+
+bool SmoothShadow::refine(std::ptrdiff_t edge, double error) {
+  tangents_ = tangents();
+  if (edge < 0) return refineAll(tangents_, outlineError(error));
+  bool refined = false;
+  // From the tip of one cap to that of the next.
+  const auto at = [&](std::size_t i) -> const Tangent& { return tangents_[i % tangents_.size()]; };
+  const auto first = static_cast<std::size_t>(edge);
+  const Cap caps[] = {cap(at(first), at(first + 1)), cap(at(first + 1), at(first + 2))};
+  for (const Cap& coarse : caps) {
+    if (coarse.width > finest_ && coarse.height > outlineError(error))
+      refined = insert(tangents_, tangent(chordNormal(coarse))) || refined;
+  }
+  return refined;
 }
 
 Polygon SmoothShadow::outline(const Fineness& fineness) const {
+  const Tangents first = tangents();
   Ring ring;
-  for (std::size_t i = 0; i < tangents_.size(); ++i) {
-    addOutline(ring, cap(tangents_[i], tangents_[(i + 1) % tangents_.size()]), fineness, 0);
-  }
+  for (std::size_t i = 0; i < first.size(); ++i)
+    addOutline(ring, cap(first[i], first[(i + 1) % first.size()]), fineness, 0);
   return Polygon({ring}, tricover::FillRule::NonZero);
 }
 
@@ -149,7 +194,7 @@ void SmoothShadow::addOutline(Ring& ring, const Cap& cap, const Fineness& finene
   const auto isFine = [&] {
     if (cap.width <= finest_ || depth == kDeepest || cap.height <= outlineError(fineness.error)) return true;
     return fineness.polygon != nullptr && cap.height <= outlineError(fineness.elsewhere) &&
-           !collide(*fineness.polygon, triangle(cap.first.point, cap.tip, cap.second.point), cap.slack);
+           !meetsTriangle(*fineness.polygon, {cap.first.point, cap.tip, cap.second.point}, cap.slack);
   };
   if (isFine()) {
     ring.push_back(cap.tip);
@@ -158,16 +203,6 @@ void SmoothShadow::addOutline(Ring& ring, const Cap& cap, const Fineness& finene
   const Tangent middle = tangent(chordNormal(cap));
   addOutline(ring, this->cap(cap.first, middle), fineness, depth + 1);
   addOutline(ring, this->cap(middle, cap.second), fineness, depth + 1);
-}
-
-void SmoothShadow::addTangent(const Vec2& normal) {
-  const auto leftTurn = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x() > 0; };
-  for (std::size_t i = 0; i < tangents_.size(); ++i) {
-    if (leftTurn(tangents_[i].normal, normal) && leftTurn(normal, tangents_[(i + 1) % tangents_.size()].normal)) {
-      tangents_.insert(tangents_.begin() + static_cast<std::ptrdiff_t>(i) + 1, tangent(normal));
-      return;
-    }
-  }
 }
 
 }  // namespace tricover_fcl

@@ -25,8 +25,8 @@ struct SmoothBody {
 };
 
 /// What of a smooth body lies in the slab, seen along z: a convex region C, known by its tangents. The part of C beyond
-/// a chord between the points of two tangents lies in the cap: the triangle between chord and tangents. Queries split
-/// the caps they depend on until these are less than kError of the body's reach high.
+/// a chord between the points of two tangents lies in the cap: the triangle between chord and tangents. Tangents are
+/// added where a query depends on them, until what it may be wrong by is less than kError of the body's reach.
 class SmoothShadow {
  public:
   static constexpr double kError = 1e-9;
@@ -38,8 +38,9 @@ class SmoothShadow {
   /// as close as margin + kError.
   bool meets(const tricover::Polygon& polygon, double margin) const;
 
-  /// Of the polygon (a) and C (b), at most kError above the truth.
-  tricover::DistanceResult distance(const tricover::Polygon& polygon) const;
+  /// Of the polygon (a) and C (b), at most kError above the truth and never below it, less the margin: 0 exactly where
+  /// meets() is true.
+  tricover::DistanceResult distance(const tricover::Polygon& polygon, double margin) const;
 
   /// A polygon within C, roughly.
   tricover::Polygon inscribed() const;
@@ -53,8 +54,13 @@ class SmoothShadow {
   };
   /// A polygon around C.
   tricover::Polygon outline(const Fineness& fineness) const;
+  /// The one that the tangents make, as they are.
+  tricover::Polygon outline() const { return around(tangents()); }
   /// From now on all outlines touch C in that direction.
   void addTangent(const tricover::Vec2& normal);
+  /// Adds tangents at both ends of that edge of outline(), or everywhere if it is -1, where that isn't as fine as
+  /// `error`; false if it is.
+  bool refine(std::ptrdiff_t edge, double error);
   /// As a length, and not less than rounding allows.
   double outlineError(double error) const { return std::max(error * body_.reach(), finest_); }
 
@@ -64,6 +70,7 @@ class SmoothShadow {
     tricover::Vec2 normal, point;
     double slack;
   };
+  using Tangents = std::vector<Tangent>;  ///< all around, counter-clockwise, none 180 degrees from the next
   struct Cap {
     Tangent first, second;
     tricover::Vec2 tip;
@@ -75,21 +82,34 @@ class SmoothShadow {
   Eigen::Vector3d support(const Eigen::Vector3d& direction) const {
     return to_polygon_ * body_.support(to_polygon_.linear().transpose() * direction);
   }
-  Tangent tangent(const tricover::Vec2& normal) const;
+  /// The slack is less than `enough`, or as rounding leaves it.
+  Tangent tangent(const tricover::Vec2& normal, double enough = 0) const;
   static tricover::Vec2 chordNormal(const Cap& cap);
-  static tricover::Polygon triangle(const tricover::Vec2& p, const tricover::Vec2& q, const tricover::Vec2& r) {
-    return tricover::Polygon({{p, q, r}});
-  }
   Cap cap(const Tangent& first, const Tangent& second) const;
-  bool meets(const tricover::Polygon& polygon, double margin, const Cap& cap, int depth) const;
-  void improve(tricover::DistanceResult& best, const tricover::Polygon& polygon, const Cap& cap, int depth) const;
+  tricover::Polygon around(const Tangents& tangents) const;
+  static tricover::Polygon within(const Tangents& tangents);
+  /// Whether there was none with that normal.
+  static bool insert(Tangents& tangents, const Tangent& tangent);
+  /// Halves all caps that are higher than `height`; false if there are none.
+  bool refineAll(Tangents& tangents, double height, double enough = 0) const;
+  /// Of outlines; queries don't need them.
+  Tangents tangents() const;
+
+  struct Nearest {
+    tricover::Vec2 point;
+    std::size_t chord;
+  };
+  static Nearest nearestWithin(const Tangents& tangents, const tricover::Vec2& p);
+  tricover::Vec2 closeIn(Tangents& tangents, const tricover::Vec2& p, double enough) const;
+  struct Approach;
+  Approach approach(const tricover::Polygon& polygon, double margin, bool only_whether) const;
   void addOutline(tricover::Ring& ring, const Cap& cap, const Fineness& fineness, int depth) const;
 
   SmoothBody body_;
   Eigen::Affine3d to_polygon_;
   Slab slab_;
   double rounding_, finest_;
-  std::vector<Tangent> tangents_;  ///< all around, counter-clockwise
+  Tangents tangents_;  ///< of outlines, once some were added
 };
 
 }  // namespace tricover_fcl

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "shape/errors.h"
+#include "shape/motion_in_plane.h"
 
 namespace tricover_fcl {
 
@@ -66,6 +67,13 @@ void updateDistance(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeo
   result.b2 = edge2;
 }
 
+template <typename S>
+S reportImpact(std::optional<double> time, fcl::ContinuousCollisionResult<S>& result) {
+  result.is_collide = time.has_value();
+  result.time_of_contact = roundDown<S>(time.value_or(1));
+  return result.time_of_contact;
+}
+
 #define TRICOVER_INSTANTIATE(S)                                                                                  \
   template void requireContactsIfSigned(const fcl::CollisionGeometry<S>&, const fcl::CollisionGeometry<S>&,      \
                                         const fcl::DistanceRequest<S>&);                                         \
@@ -77,7 +85,8 @@ void updateDistance(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeo
                         const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);                              \
   template void updateDistance(const fcl::CollisionGeometry<S>&, const fcl::CollisionGeometry<S>&, double,       \
                                const fcl::Vector3<double>&, const fcl::Vector3<double>&, std::ptrdiff_t,         \
-                               std::ptrdiff_t, fcl::DistanceResult<S>&);
+                               std::ptrdiff_t, fcl::DistanceResult<S>&);                                         \
+  template S reportImpact(std::optional<double>, fcl::ContinuousCollisionResult<S>&);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)
 #undef TRICOVER_INSTANTIATE

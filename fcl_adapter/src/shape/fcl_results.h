@@ -3,15 +3,17 @@
 
 #include <fcl/narrowphase/collision_request.h>
 #include <fcl/narrowphase/collision_result.h>
+#include <fcl/narrowphase/continuous_collision_result.h>
 #include <fcl/narrowphase/distance_request.h>
 #include <fcl/narrowphase/distance_result.h>
 
 #include <cstddef>
+#include <optional>
 
 #include "shape/plane.h"
 #include "tricover/polygon.h"
 
-/// How planar answers are written into FCL's CollisionResult and DistanceResult, by FCL's rules.
+/// How planar answers are written into FCL's results, by FCL's rules.
 namespace tricover_fcl {
 
 /// What a hit of the pair would leave: contacts if both are occupied, cost sources if asked for and neither is free.
@@ -66,5 +68,9 @@ template <typename S>
 void updateDistance(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2, double distance,
                     const fcl::Vector3<double>& point1, const fcl::Vector3<double>& point2, std::ptrdiff_t edge1,
                     std::ptrdiff_t edge2, fcl::DistanceResult<S>& result);
+
+/// The first contact, or none. Rounded to S it is no later.
+template <typename S>
+S reportImpact(std::optional<double> time, fcl::ContinuousCollisionResult<S>& result);
 
 }  // namespace tricover_fcl

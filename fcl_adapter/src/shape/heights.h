@@ -53,13 +53,16 @@ inline bool share(const Heights& a, const Heights& b) { return !isBelow(a.high, 
 /// How far apart they are: 0 if and only if they share one.
 inline double gap(const Heights& a, const Heights& b) { return std::max(gap(a.high, b.low), gap(b.high, a.low)); }
 
-/// What heights that meet share, rounded.
+/// What heights that meet share, rounded; if that is all of them, those of the poses.
 struct SharedHeights {
   double low, high;
   double middle() const { return low / 2 + high / 2; }
 };
 
 inline SharedHeights sharedHeights(const Heights& a, const Heights& b) {
+  if (std::isinf(a.high.of_shape) && std::isinf(b.high.of_shape)) {
+    return {std::min(a.low.of_pose, b.low.of_pose), std::max(a.low.of_pose, b.low.of_pose)};
+  }
   return {std::max(a.low.rounded(), b.low.rounded()), std::min(a.high.rounded(), b.high.rounded())};
 }
 

@@ -13,6 +13,7 @@
 #include <typeinfo>
 
 #include "shape/errors.h"
+#include "shape/planar_pose.h"
 
 namespace tricover_fcl {
 namespace {
@@ -24,8 +25,9 @@ struct SpatialMotion {
   Vec3 shift = Vec3::Zero(), turn = Vec3::Zero(), pivot = Vec3::Zero();
 };
 
+/// Nothing for a class that isn't FCL's.
 template <typename S>
-SpatialMotion spatialMotion(const fcl::MotionBase<S>& motion, const char* name) {
+std::optional<SpatialMotion> spatialMotion(const fcl::MotionBase<S>& motion) {
   const auto wide = [](const fcl::Vector3<S>& v) { return Vec3(v.template cast<double>()); };
   SpatialMotion result;
   if (typeid(motion) == typeid(fcl::TranslationMotion<S>)) {
@@ -46,9 +48,7 @@ SpatialMotion spatialMotion(const fcl::MotionBase<S>& motion, const char* name) 
       result.pivot = wide(screw.getAxisOrigin());
     }
   } else {
-    refuseQuestion(
-        name, "conservative advancement doesn't know the motion " + className(typeid(motion)),
-        std::string("move by fcl::TranslationMotion, InterpMotion, ScrewMotion or SplineMotion, or ") + kSampleInstead);
+    return std::nullopt;
   }
   return result;
 }
@@ -117,10 +117,33 @@ fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time) {
 }
 
 template <typename S>
-tricover::Motion motionInPlane(const fcl::MotionBase<S>& motion, const Plane& plane, const char* name) {
+tricover::Pose poseInPlane(const fcl::Transform3<S>& pose, const fcl::Transform3<S>& begin, const Plane& plane,
+                           const Plane& body, const char* name) {
+  const Eigen::Matrix3d inverse = plane.linear().inverse();
+  const auto seen = [&](const fcl::Transform3<S>& place) {
+    const Plane in_space = Plane(place.matrix().template cast<double>().eval()) * body;
+    Plane there = Plane::Identity();
+    there.linear() = inverse * in_space.linear();
+    there.translation() = inverse * (in_space.translation() - plane.translation());
+    return there;
+  };
+  const Plane now = seen(pose);
+  const PlanarPose planar = planarPose<double>(now, name);
+  const double rise =
+      tricover::kRigidTolerance * (now.translation() - seen(begin).translation()).template head<2>().norm() +
+      8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
+          (plane.translation().norm() + pose.translation().template cast<double>().norm());
+  if (!(std::abs(planar.z) <= rise)) refuseDeparture(name);
+  return planar.pose;
+}
+
+template <typename S>
+std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>& motion, const Plane& plane, const char* name) {
   if (typeid(motion) == typeid(fcl::SplineMotion<S>))
     return splineInPlane(static_cast<const fcl::SplineMotion<S>&>(motion), plane, name);
-  const SpatialMotion world = spatialMotion(motion, name);
+  const std::optional<SpatialMotion> found = spatialMotion(motion);
+  if (!found) return std::nullopt;
+  const SpatialMotion& world = *found;
   const Eigen::Matrix3d inverse = plane.linear().inverse();
   const Vec3 shift = inverse * world.shift, turn = inverse * world.turn;
   const Vec3 pivot = inverse * (world.pivot - plane.translation());
@@ -140,7 +163,11 @@ tricover::Motion motionInPlane(const fcl::MotionBase<S>& motion, const Plane& pl
 
 template fcl::Transform3<float> poseAt(const fcl::MotionBase<float>&, float);
 template fcl::Transform3<double> poseAt(const fcl::MotionBase<double>&, double);
-template tricover::Motion motionInPlane(const fcl::MotionBase<float>&, const Plane&, const char*);
-template tricover::Motion motionInPlane(const fcl::MotionBase<double>&, const Plane&, const char*);
+template tricover::Pose poseInPlane(const fcl::Transform3<float>&, const fcl::Transform3<float>&, const Plane&,
+                                    const Plane&, const char*);
+template tricover::Pose poseInPlane(const fcl::Transform3<double>&, const fcl::Transform3<double>&, const Plane&,
+                                    const Plane&, const char*);
+template std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<float>&, const Plane&, const char*);
+template std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<double>&, const Plane&, const char*);
 
 }  // namespace tricover_fcl

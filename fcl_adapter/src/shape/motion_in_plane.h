@@ -3,6 +3,9 @@
 
 #include <fcl/math/motion/motion_base.h>
 
+#include <cmath>
+#include <optional>
+
 #include "shape/plane.h"
 #include "tricover/motion.h"
 
@@ -12,14 +15,27 @@ namespace tricover_fcl {
 constexpr const char* kSampleInstead =
     "use fcl::continuousCollide with CCDC_NAIVE, which asks collide at several times";
 
+/// The largest S that isn't above `time`, which is in [0, 1].
+template <typename S>
+S roundDown(double time) {
+  const S rounded = static_cast<S>(time);
+  return static_cast<double>(rounded) <= time ? rounded : std::nextafter(rounded, S(0));
+}
+
 /// The pose at `time` as FCL rounds it.
 template <typename S>
 fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time);
 
-/// What the motion does to things in `plane`, in its coordinates: from where they are at time 0, so it starts with the
-/// identity. For FCL's TranslationMotion, InterpMotion, ScrewMotion and SplineMotion; these types exactly. Throws std::logic_error
-/// for others, and std::invalid_argument if it leaves the plane or isn't finite, both naming the motion.
+/// The pose of a motion that began at `begin`, in `plane`; `body` maps what lies in the plane at time 0 to the frame
+/// that moves. Throws std::invalid_argument, naming the motion, if it leaves the plane or isn't finite.
 template <typename S>
-tricover::Motion motionInPlane(const fcl::MotionBase<S>& motion, const Plane& plane, const char* name);
+tricover::Pose poseInPlane(const fcl::Transform3<S>& pose, const fcl::Transform3<S>& begin, const Plane& plane,
+                           const Plane& body, const char* name);
+
+/// What the motion does to things in `plane`, in its coordinates: from where they are at time 0, so it starts with the
+/// identity. For FCL's TranslationMotion, InterpMotion, ScrewMotion and SplineMotion; these types exactly, nothing for
+/// others. Throws std::invalid_argument, naming the motion, if it leaves the plane or isn't finite.
+template <typename S>
+std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>& motion, const Plane& plane, const char* name);
 
 }  // namespace tricover_fcl

@@ -9,6 +9,7 @@
 
 #include "shape/errors.h"
 #include "tricover/pose.h"
+#include "tricover_fcl/registration.h"
 
 namespace tricover_fcl {
 namespace {
@@ -31,11 +32,14 @@ void check(bool valid, const char* field, const char* rule) {
 template <typename S>
 PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& options)
     : polygon_(std::move(polygon)), options_(options), is_flat_(options.z_low == 0 && options.z_high == 0) {
-  check(std::isfinite(options.z_low), "z_low", "finite");
-  check(std::isfinite(options.z_high) && options.z_high >= options.z_low, "z_high", "finite and not below z_low");
+  detail::fillTables();
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (options.z_low != -infinity || options.z_high != infinity) {
+    check(std::isfinite(options.z_low), "z_low", "finite");
+    check(std::isfinite(options.z_high) && options.z_high >= options.z_low, "z_high", "finite and not below z_low");
+  }
   check(std::isfinite(options.margin) && options.margin >= 0, "margin", "finite and not negative");
 
-  const double infinity = std::numeric_limits<double>::infinity();
   tricover::Vec2 low(infinity, infinity), high(-infinity, -infinity);
   double reach = 0;
   for (const tricover::Ring& ring : polygon_.rings()) {
@@ -51,16 +55,14 @@ PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& o
   const double pad = 2 * static_cast<double>(Eigen::NumTraits<S>::dummy_precision()) * reach;
   const double margin = options.margin * (1 + 0x1p-50);  // pays for rounding where two margins are added
   const double grown = pad + margin;
-  this->aabb_local.min_ = {-roundUp<S>(grown - low.x()), -roundUp<S>(grown - low.y()),
-                           -roundUp<S>(pad - options.z_low)};
-  this->aabb_local.max_ = {roundUp<S>(high.x() + grown), roundUp<S>(high.y() + grown),
-                           roundUp<S>(options.z_high + pad)};
-
-  this->aabb_center.setZero();
   // |R|_2 <= 1 + kRigidTolerance if no entry of R^T R - I exceeds it; the rest pays for hypot's rounding.
   const double planar = reach * (1 + 2 * tricover::kRigidTolerance) + margin;
-  const double height = std::max(std::abs(options.z_low), std::abs(options.z_high));
-  this->aabb_radius = roundUp<S>(std::hypot(planar, height));
+  const double z_low = isAtAllHeights() ? -planar : options.z_low, z_high = isAtAllHeights() ? planar : options.z_high;
+  this->aabb_local.min_ = {-roundUp<S>(grown - low.x()), -roundUp<S>(grown - low.y()), -roundUp<S>(pad - z_low)};
+  this->aabb_local.max_ = {roundUp<S>(high.x() + grown), roundUp<S>(high.y() + grown), roundUp<S>(z_high + pad)};
+  this->aabb_center.setZero();
+  this->aabb_radius =
+      roundUp<S>(std::hypot(planar, isAtAllHeights() ? 0 : std::max(std::abs(z_low), std::abs(z_high))));
 }
 
 template <typename S>

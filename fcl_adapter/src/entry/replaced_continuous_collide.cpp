@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fcl/geometry/collision_geometry.h>
+#include <fcl/math/motion/motion_base.h>
+#include <fcl/narrowphase/continuous_collision_request.h>
+#include <fcl/narrowphase/continuous_collision_result.h>
+
+// fcl::continuousCollide chooses between its solvers, two of which say "free" of whatever they don't know. It is
+// replaced for double, as replaced_collide.cpp replaces what is behind fcl::collide, but by a specialisation. That has
+// to be declared before FCL's header says that the template is instantiated elsewhere.
+namespace fcl {
+
+template <typename S>
+FCL_EXPORT S continuousCollide(const CollisionGeometry<S>*, const MotionBase<S>*, const CollisionGeometry<S>*,
+                               const MotionBase<S>*, const ContinuousCollisionRequest<S>&,
+                               ContinuousCollisionResult<S>&);
+template <>
+FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const MotionBase<double>*,
+                                    const CollisionGeometry<double>*, const MotionBase<double>*,
+                                    const ContinuousCollisionRequest<double>&, ContinuousCollisionResult<double>&);
+
+}  // namespace fcl
+
+#include <fcl/narrowphase/continuous_collision.h>
+
+#include <iostream>
+
+#include "shape/errors.h"
+#include "shape/is_polygon.h"
+
+namespace tricover_fcl {
+namespace {
+
+void requireSolver(fcl::CCDSolverType solver) {
+  if (solver != fcl::CCDC_RAY_SHOOTING && solver != fcl::CCDC_POLYNOMIAL_SOLVER) return;
+  refuseQuestion("ccd_solver_type", "FCL's ray shooting and polynomial solver know no polygons, and would say \"free\"",
+                 "ask for CCDC_CONSERVATIVE_ADVANCEMENT");
+}
+
+}  // namespace
+}  // namespace tricover_fcl
+
+namespace fcl {
+
+// In replaced_advancement.cpp, with FCL's tables.
+namespace detail {
+
+#define TRICOVER_ELSEWHERE(Solver)                                                                   \
+  extern template double continuousCollideConservativeAdvancement(                                   \
+      const CollisionGeometry<double>*, const MotionBase<double>*, const CollisionGeometry<double>*, \
+      const MotionBase<double>*, const Solver*, const ContinuousCollisionRequest<double>&,           \
+      ContinuousCollisionResult<double>&);
+TRICOVER_ELSEWHERE(GJKSolver_libccd<double>)
+TRICOVER_ELSEWHERE(GJKSolver_indep<double>)
+#undef TRICOVER_ELSEWHERE
+
+}  // namespace detail
+
+/// As FCL's own, in all but polygons.
+template <>
+double continuousCollide(const CollisionGeometry<double>* o1, const MotionBase<double>* motion1,
+                         const CollisionGeometry<double>* o2, const MotionBase<double>* motion2,
+                         const ContinuousCollisionRequest<double>& request, ContinuousCollisionResult<double>& result) {
+  if (tricover_fcl::isPolygon(*o1) || tricover_fcl::isPolygon(*o2))
+    tricover_fcl::requireSolver(request.ccd_solver_type);
+  const auto both = [&](OBJECT_TYPE type) {
+    return o1->getObjectType() == type && o2->getObjectType() == type && request.ccd_motion_type == CCDM_TRANS;
+  };
+  switch (request.ccd_solver_type) {
+    case CCDC_NAIVE:
+      return continuousCollideNaive(o1, motion1, o2, motion2, request, result);
+    case CCDC_CONSERVATIVE_ADVANCEMENT:
+      return continuousCollideConservativeAdvancement(o1, motion1, o2, motion2, request, result);
+    case CCDC_RAY_SHOOTING:
+      if (!both(OT_GEOM)) std::cerr << "Warning! Invalid continuous collision setting\n";
+      break;
+    case CCDC_POLYNOMIAL_SOLVER:
+      if (both(OT_BVH)) {
+        return continuousCollideBVHPolynomial(o1, static_cast<const TranslationMotion<double>*>(motion1), o2,
+                                              static_cast<const TranslationMotion<double>*>(motion2), request, result);
+      }
+      std::cerr << "Warning! Invalid continuous collision checking\n";
+      break;
+    default:
+      std::cerr << "Warning! Invalid continuous collision setting\n";
+  }
+  return -1;
+}
+
+}  // namespace fcl

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fcl/math/motion/motion_base.h>
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <optional>
+
+#include "shape/plane.h"
+#include "tricover/motion.h"
+#include "tricover/polygon.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover_fcl {
+
+/// How a body moves in the plane.
+struct Course {
+  /// All of it, where that is known. Otherwise the two functions are there, which ask the motion.
+  std::optional<tricover::Motion> known;
+  std::function<tricover::Pose(double time)> pose;
+  std::function<double(double time)> speed;  ///< bounds that of every point of the body from `time` to 1
+};
+
+/// The course of a motion whose class FCL doesn't have, by the poses it gives and by its computeMotionBound. It is
+/// known, at rest, where the bound at time 0 is 0. `box` holds the body in the frame that moves; `plane` and `body` are
+/// those of poseInPlane(), which says what the functions throw. So does a bound that is no number: std::logic_error,
+/// naming the motion.
+template <typename S>
+Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox3d& box, const Plane& plane,
+                 const Plane& body, const char* name);
+
+struct FirstContact {
+  double time;
+  std::ptrdiff_t edge_b;  ///< the edge of b that meets a, or -1
+};
+
+/// The first contact, as tricover::timeOfImpact means it, by that where both courses are known. Otherwise by
+/// conservative advancement: while the two are d apart and neither point is faster than v against the other, there is
+/// no contact within d / v. Steps go on until they reach a contact or the end, however many that takes; coming within
+/// 1e-13 of size and distance, and 1e-15 of the distance from the world's origin (for float: 1e-6), is taken for
+/// contact.
+template <typename S>
+std::optional<FirstContact> firstContact(const tricover::Polygon& a, const Course& course_a, const tricover::Polygon& b,
+                                         const Course& course_b, const tricover::ImpactOptions& options);
+
+}  // namespace tricover_fcl

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A polygon against spheres, capsules and cylinders that are discs or stadiums in its plane: exact ones.
+#include <cmath>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "mixed_scene.h"
+#include "reproduction.h"
+#include "test_scale.h"
+#include "tricover/distance.h"
+#include "tricover/segment.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+using tricover::Polygon;
+using tricover::Pose;
+using tricover::support::Random;
+using Vec3 = fcl::Vector3<double>;
+
+bool hits(const fcl::CollisionGeometryd& a, const fcl::Transform3d& tf_a, const fcl::CollisionGeometryd& b,
+          const fcl::Transform3d& tf_b, bool enable_contact = false) {
+  fcl::CollisionRequestd request;
+  request.enable_contact = enable_contact;
+  fcl::CollisionResultd result, swapped;
+  const bool hit = fcl::collide(&a, tf_a, &b, tf_b, request, result) > 0;
+  request.gjk_solver_type = fcl::GST_INDEP;
+  EXPECT_EQ(fcl::collide(&b, tf_b, &a, tf_a, request, swapped) > 0, hit);
+  return hit;
+}
+
+double distance(const fcl::CollisionGeometryd& a, const fcl::Transform3d& tf_a, const fcl::CollisionGeometryd& b,
+                const fcl::Transform3d& tf_b) {
+  fcl::DistanceResultd result;
+  return fcl::distance(&a, tf_a, &b, tf_b, fcl::DistanceRequestd(), result);
+}
+
+/// An axis in the plane, which is that of a lying capsule.
+fcl::Transform3d lying(const tricover::Vec2& axis, const Vec3& at) {
+  fcl::Transform3d pose = fcl::Transform3d::Identity();
+  pose.linear() << -axis.y(), 0, axis.x(), axis.x(), 0, axis.y(), 0, 1, 0;
+  pose.translation() = at;
+  return pose;
+}
+
+TEST(MixedRound, isExactOnEveryFamily) {
+  Random random(81);
+  int cases = 0, found = 0;
+  for (const tricover::support::Family& family : tricover::support::families()) {
+    SCOPED_TRACE(family.name);
+    for (int i = 0; i < tricover::support::scaledCount(30); ++i) {
+      const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));
+      const tricover::Vec2 center = c.pose_b * c.b.origin();
+      if (!(center.norm() < 1e300)) continue;
+      Pose place = Pose::Identity();
+      place.translation() = center;
+      const double angle = random.real(-3, 3), size = random.coin() ? 0 : (c.pose_b.linear() * c.b.edgeStart(0)).norm();
+      const tricover::Vec2 axis(std::cos(angle), std::sin(angle));
+      place.linear() << axis.x(), -axis.y(), axis.y(), axis.x();
+      const Polygon segment = size == 0 ? tricover::point({0, 0}) : tricover::segment({-size / 2, 0}, {size / 2, 0});
+      const mpq_class square = tricover::exact::distanceSquared(c.a, c.pose_a, segment, place);
+      const double gap = tricover::exact::distanceBelow(square);
+      if (!(gap > 1e-300 && gap < 1e300 && size < 1e300)) continue;
+      // The prism's heights hold the axis.
+      const PolygonShaped shape(c.a, random.coin() ? PolygonOptions{-1, 2} : PolygonOptions::atAllHeights());
+      const fcl::Transform3d pose = lifted(c.pose_a, 5);
+      const Vec3 at(center.x(), center.y(), 5.5);
+      for (const int steps : {-1, 0, 1}) {
+        const double radius = tricover::support::nudged(gap, steps);
+        const bool expected = tricover::exact::within(square, radius);
+        if (size == 0) {
+          const fcl::Transform3d there = placed<double>(at, fcl::Matrix3d::Identity());
+          ASSERT_EQ(hits(shape, pose, fcl::Sphered(radius), there), expected) << reproduction(c);
+          ASSERT_EQ(hits(shape, pose, fcl::Cylinderd(radius, 1), there), expected) << reproduction(c);
+          ASSERT_EQ(hits(shape, pose, fcl::Capsuled(radius, 0), there), expected) << reproduction(c);
+          ASSERT_EQ(distance(shape, pose, fcl::Sphered(radius), there) <= 0, expected) << reproduction(c);
+        } else {
+          ASSERT_EQ(hits(shape, pose, fcl::Capsuled(radius, size), lying(axis, at)), expected) << reproduction(c);
+          ASSERT_EQ(distance(shape, pose, fcl::Capsuled(radius, size), lying(axis, at)) <= 0, expected)
+              << reproduction(c);
+        }
+        ++cases;
+        found += expected;
+      }
+    }
+  }
+  EXPECT_GT(found, cases / 5);
+  EXPECT_LT(found, cases * 4 / 5);
+}
+
+struct Scene {
+  std::shared_ptr<fcl::CollisionGeometryd> geometry;
+  fcl::Transform3d pose;
+  Polygon segment = tricover::point({0, 0});  ///< what it leaves in the plane, in the world, and how far around
+  double radius = 0;                          ///< negative: it doesn't reach the heights
+};
+
+/// A sphere, capsule or cylinder near heights from `low` to `high`, whose section is known.
+Scene anyRound(Random& random, double low, double high) {
+  const double r = random.real(0.2, 2), length = random.real(0.1, 3), z = random.real(low - 3, high + 3);
+  const Vec3 at(random.real(-4, 4), random.real(-4, 4), z);
+  const double angle = random.real(-3, 3);
+  const tricover::Vec2 center = at.head<2>(), axis(std::cos(angle), std::sin(angle));
+  const auto section = [&](double rise) {
+    const double outside = std::max({low - z - rise, z - rise - high, 0.0});
+    return outside < r ? std::sqrt(r * r - outside * outside) : -1;
+  };
+  const fcl::Transform3d standing = placed<double>(at, turned(angle, Vec3::UnitZ()));
+  switch (random.integer(0, 3)) {
+    case 0:
+      return {std::make_shared<fcl::Sphered>(r), placed<double>(at, turned(angle, {1, 2, 3})), tricover::point(center),
+              section(0)};
+    case 1:
+      return {std::make_shared<fcl::Cylinderd>(r, length), standing, tricover::point(center),
+              low - z <= length / 2 && z - high <= length / 2 ? r : -1};
+    case 2:
+      return {std::make_shared<fcl::Capsuled>(r, length), standing, tricover::point(center), section(length / 2)};
+    default:
+      return {std::make_shared<fcl::Capsuled>(r, length), lying(axis, at),
+              tricover::segment(center - length / 2 * axis, center + length / 2 * axis), section(0)};
+  }
+}
+
+TEST(MixedRound, sectionsDistancesAndNearestPoints) {
+  Random random(82);
+  const int cases = tricover::support::scaledCount(2000);
+  int found = 0, apart = 0, away = 0;
+  for (int i = 0; i < cases; ++i) {
+    const double low = random.coin() ? 0 : random.real(-2, 0), high = low == 0 ? 0 : random.real(0, 2),
+                 margin = random.coin() ? 0 : random.real(0, 1);
+    const PolygonShaped shape(randomPolygon(random, 2), PolygonOptions{low, high, margin});
+    const Scene scene = anyRound(random, low, high);
+    const Pose pose = tricover::support::randomPose(random, 2);
+    const Pose identity = Pose::Identity();
+    const double gap = tricover::distance(shape.polygon(), pose, scene.segment, identity).distance;
+    const double left = gap - scene.radius - margin;
+    // As it is, and with all of it carried elsewhere in space.
+    const Vec3 elsewhere(random.real(-9, 9), random.real(-9, 9), random.real(-9, 9));
+    const fcl::Transform3d carried = placed<double>(elsewhere, turned(random.real(0, 6), elsewhere));
+    for (const fcl::Transform3d& by : {fcl::Transform3d(fcl::Transform3d::Identity()), carried}) {
+      const fcl::Transform3d there = by * lifted(pose), other = by * scene.pose;
+      if (scene.radius < 0) {
+        ASSERT_FALSE(hits(shape, there, *scene.geometry, other)) << i;
+        ASSERT_EQ(distance(shape, there, *scene.geometry, other), std::numeric_limits<double>::max()) << i;
+        ++away;
+        continue;
+      }
+      if (std::abs(left) < 1e-10) continue;
+      ASSERT_EQ(hits(shape, there, *scene.geometry, other), left < 0) << i << ": " << left;
+      ASSERT_EQ(hits(shape, there, *scene.geometry, other, true), left < 0) << i << ": " << left;
+      fcl::DistanceResultd result;
+      const double measured =
+          fcl::distance<double>(&shape, there, scene.geometry.get(), other, fcl::DistanceRequestd(), result);
+      ASSERT_NEAR(measured, left > 0 ? left : gap < scene.radius ? -1 : 0, 1e-11) << i;
+      const fcl::Transform3d back = by.inverse();
+      const Vec3 on_shape = back * result.nearest_points[0], on_other = back * result.nearest_points[1];
+      ASSERT_NEAR((on_shape - on_other).norm(), std::max(left, 0.0), 1e-11) << i;
+      const auto off = [&](const Polygon& polygon, const Pose& where, const Vec3& point) {
+        return tricover::distance(polygon, where, tricover::point(point.head<2>()), identity).distance;
+      };
+      ASSERT_LE(off(shape.polygon(), pose, on_shape), margin + 1e-11) << i;
+      ASSERT_LE(off(scene.segment, identity, on_other), scene.radius + 1e-11) << i;
+      ASSERT_NEAR(on_shape.z(), low / 2 + high / 2, 1e-11);
+      found += left < 0;
+      apart += left > 0;
+    }
+  }
+  EXPECT_GT(found, cases / 4);
+  EXPECT_GT(apart, cases / 4);
+  EXPECT_GT(away, cases / 20);
+}
+
+TEST(MixedRound, motionsMeetDiscsOnTime) {
+  // A corner goes straight to a stadium's end, and past it by less than its radius.
+  const PolygonShaped square(Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  const fcl::Capsuled capsule(0.5, 2);
+  const fcl::Transform3d still = lying({1, 0}, {0, 0, 0.3});
+  const double section = 0.4;
+  fcl::ContinuousCollisionRequestd request(10, 1e-9, fcl::CCDM_TRANS, fcl::GST_LIBCCD,
+                                           fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+  for (const double aside : {0.0, 0.3999, 0.4, 0.4001}) {
+    const auto place = [&](double x) { return shifted<double>(x, aside, 0); };
+    const bool meets = aside <= section;
+    const double truth = meets ? (10 - 1 - std::sqrt(section * section - aside * aside)) / 10 : 1;
+    fcl::ContinuousCollisionResultd result, swapped;
+    tricover_fcl::continuousCollide<double>(&square, place(10), place(0), &capsule, still, still, request, result);
+    tricover_fcl::continuousCollide<double>(&capsule, still, still, &square, place(10), place(0), request, swapped);
+    EXPECT_EQ(result.is_collide, meets) << aside;
+    EXPECT_NEAR(result.time_of_contact, truth, 1e-6) << aside;  // a grazing root of 1e-12 is 1e-6
+    EXPECT_LE(result.time_of_contact, truth + 1e-12) << aside;
+    EXPECT_EQ(swapped.time_of_contact, result.time_of_contact) << aside;
+  }
+}
+
+TEST(MixedRound, whatLeansIsNoDisc) {
+  // A cylinder that leans by more than rounding has the section of one that leans.
+  const PolygonShaped square(Polygon({tricover::support::rectangle(0, -1, 1, 1)}));
+  const fcl::Cylinderd cylinder(1, 10);
+  const double lean = 0.1, reach = 1 / std::cos(lean);
+  const auto at = [&](double x, double by) { return placed<double>({x, 0, 0}, turned(by, Vec3::UnitY())); };
+  const fcl::Transform3d here = fcl::Transform3d::Identity();
+  EXPECT_TRUE(hits(square, here, cylinder, at(-1, 0)));
+  EXPECT_FALSE(hits(square, here, cylinder, at(-1 - 1e-8, 0)));
+  EXPECT_TRUE(hits(square, here, cylinder, at(-reach, lean)));
+  EXPECT_FALSE(hits(square, here, cylinder, at(-reach - 1e-6, lean)));
+  EXPECT_TRUE(hits(square, here, cylinder, at(-1, 1e-13)));
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test
