@@ -39,7 +39,7 @@ bool CoveringSum::add(std::size_t edge) {
   const int d_v = sign(s_, v), d_w = sign(s_, w);
   const bool counter_clockwise = d_v >= 0 && d_w <= 0, clockwise = d_v <= 0 && d_w >= 0;
   if (!counter_clockwise && !clockwise) return true;
-  const int g = orientation(s_, v, w);
+  const int g = v == s_ || w == s_ ? 0 : orientation(s_, v, w);
   // No part of the sum, but its points are boundary points (repair 5).
   if (g == 0) return on_boundary_ = sign(v, w) == 0 && between(v, w), !on_boundary_;
   if (!(g > 0 ? counter_clockwise : clockwise)) return true;
