@@ -74,7 +74,9 @@ bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* 
   tricover::DistanceResult found = pair.template remembering<tricover::DistanceCache>(tf1, tf2, [&](auto&... cache) {
     return tricover::distance(pair.polygon(), pair.pose, pair.segment, pair.pose_of_segment, cache..., options);
   });
-  span = {found.distance, {}, {}, found.edge_a, fcl::Contact<S>::NONE};
+  span.distance = found.distance;
+  span.edge_a = found.edge_a;
+  span.part_b = fcl::Contact<S>::NONE;
   if (found.distance == 0) {
     // A touch is right to the error of a distance; margins don't overlap.
     tricover::CollideOptions deeper;
