@@ -14,6 +14,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECLARED = re.compile(r"((?:^///[^\n]*\n)*)(?:^template[^\n]*\n)?^(?!using|extern|template|struct|enum|namespace|static_assert)"
                       r"[A-Za-z][\w:<>,&* ]*?[ &*](\w+)\(", re.MULTILINE)
+DETAIL = re.compile(r"^namespace detail \{.*?^\}  // namespace detail$", re.MULTILINE | re.DOTALL)  # no part of the interface
 CLASS = re.compile(r"((?:^///[^\n]*\n)+)(?:^template[^\n]*\n)?^class (?:TRICOVER\w* )?(\w+)", re.MULTILINE)
 
 INVENTED = {"app.cpp"}  # in commands that a user types
@@ -39,7 +40,7 @@ def main() -> int:
         listed = page.read_text() if page.exists() else ""
         descriptions = {}
         for header in sorted(folder.glob("*.h")):
-            text = header.read_text()
+            text = DETAIL.sub("", header.read_text())
             for comment, name in DECLARED.findall(text) + CLASS.findall(text):
                 descriptions.setdefault(name, []).append((header, comment))
         if not descriptions:
