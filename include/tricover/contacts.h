@@ -33,10 +33,11 @@ struct Contact {
   /// deepest point, or, where that is outside, in a notch or a hole, another one.
   Vec2 point;
   /// A unit vector. For two convex polygons moving b along it by `depth` is the shortest way apart, and so it is
-  /// wherever the overlap is a single part: they are penetration()'s, unless that exhausts its budget. Of several parts
-  /// it takes the edges around this one past each other, or, where one polygon lies within the other, past the nearest
-  /// edge: good for a response that is repeated, not for one step. Where they only touch, moving b along it by a little
-  /// parts them, unless they are wedged or touch at several parts.
+  /// wherever the overlap is a single part: they are penetration()'s, unless that exhausts its budget, which here is at
+  /// most 2^22 translations divided by the number of vertices (less than the default from 210 on, and none beyond
+  /// 4096). Of several parts it takes the edges around this one past each other, or, where one polygon lies within the
+  /// other, past the nearest edge: good for a response that is repeated, not for one step. Where they only touch,
+  /// moving b along it by a little parts them, unless they are wedged or touch at several parts.
   Vec2 normal;
   double depth;           ///< At least 0. It is 0 where they only touch.
   std::ptrdiff_t edge_a;  ///< The edge of a that parts last. -1 where this part lies inside a, away from its edges.
