@@ -63,9 +63,12 @@ class ConvexNearest {
   }
 
  private:
-  Point ofA(int i) const { return {pair_.a.path[i].x(), pair_.a.path[i].y()}; }
+  Point ofA(int i) const {
+    const Vec2& p = pair_.a.path[static_cast<std::size_t>(i)];
+    return {p.x(), p.y()};
+  }
   Point ofB(int j) const {
-    const ApproxPoint p = pair_.fromB(pair_.b.path[j]);
+    const ApproxPoint p = pair_.fromB(pair_.b.path[static_cast<std::size_t>(j)]);
     return {p.x, p.y};
   }
   void support(double nx, double ny) { supports_ = convexSupports(a_, b_, map_, nx, ny, kDepth * map_.scale); }
