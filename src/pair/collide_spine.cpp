@@ -17,7 +17,9 @@ double distanceFromRoot(const Box& root, const Place& place) {
   const double dx = place.x - root.x, dy = place.y - root.y;
   const double along = std::max(std::abs(dx * root.ux + dy * root.uy) - root.along, 0.0);
   const double across = std::max(std::abs(dy * root.ux - dx * root.uy) - root.across, 0.0);
-  return std::sqrt(along * along + across * across) - (std::abs(dx) + std::abs(dy) + 4) * kGapRounding - place.error;
+  const double squares = along * along + across * across;
+  const double apart = squares < 1e300 ? std::sqrt(squares) : std::max(along, across);  // squares may overflow
+  return apart - (std::abs(dx) + std::abs(dy) + 4) * kGapRounding - place.error;
 }
 
 struct PointTest {

@@ -84,6 +84,20 @@ TEST(Margin, OfPointsIsADisc) {
   }
 }
 
+// Its unit is so small that squares of a distance in it overflow.
+TEST(Margin, OfAPointBesideAPolygonWithoutExtent) {
+  const Ring ring{{-4, -4}, {-4, -4}, {-4, -4}};
+  const Polygon rings({ring, ring}), p = point({-2, -2});
+  CollideOptions options;
+  for (const double margin : {4.0, 1e300}) {
+    options.margin = margin;
+    EXPECT_TRUE(collide(rings, kHere, p, kHere, options)) << margin;
+  }
+  options.margin = 2;
+  EXPECT_FALSE(collide(rings, kHere, p, kHere, options));
+  EXPECT_EQ(gap(rings, p, 2, 0).distance, gap(point({-4, -4}), p, 2, 0).distance);
+}
+
 TEST(Margin, OfASegmentIsAStadium) {
   const Polygon s = segment({0, 0}, {8, 0});
   EXPECT_TRUE(within(s, point({4, 3}), 3));
