@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -173,14 +172,6 @@ int run(const std::string& directory) {
 }  // namespace tricover::bench
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s <existing report directory>\n", argv[0]);
-    return 2;
-  }
-  try {
-    return tricover::bench::run(argv[1]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+  using namespace tricover::bench;
+  return runProgram(argv[0], "<existing report directory>", argc == 2, [&] { return run(argv[1]); });
 }

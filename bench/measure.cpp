@@ -7,12 +7,12 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <iterator>
 #include <map>
 #include <string>
 
 #include "numbers/predicates.h"
+#include "report.h"
 
 namespace tricover::bench {
 namespace {
@@ -176,20 +176,13 @@ Result measure(const Workload& workload, const std::vector<ValueContender>& cont
 
 int runStudy(int argc, char** argv, int (*run)(const std::string& data, const std::string& directory, bool full)) {
   const bool full = argc == 4 && std::string(argv[3]) == "--full";
-  if (argc != 3 && !full) {
-    std::fprintf(stderr, "usage: %s <countries file> <existing report directory> [--full]\n", argv[0]);
-    return 2;
-  }
-  std::string interleave = "--benchmark_enable_random_interleaving=true";
-  char* benchmark_arguments[] = {argv[0], interleave.data(), nullptr};
-  int benchmark_count = 2;
-  benchmark::Initialize(&benchmark_count, benchmark_arguments);
-  try {
+  return runProgram(argv[0], "<countries file> <existing report directory> [--full]", argc == 3 || full, [&] {
+    std::string interleave = "--benchmark_enable_random_interleaving=true";
+    char* benchmark_arguments[] = {argv[0], interleave.data(), nullptr};
+    int benchmark_count = 2;
+    benchmark::Initialize(&benchmark_count, benchmark_arguments);
     return run(argv[1], argv[2], full);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+  });
 }
 
 }  // namespace tricover::bench

@@ -2,8 +2,6 @@
 // Fills pages.html with what is in the report directory: a line `@picture <file>` with an SVG, a line `@tables <file>`
 // with a Markdown file, `@details <file> <title>` with one that is folded away. What isn't there is said to be missing.
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -161,14 +159,6 @@ int run(const std::string& page, const std::string& directory) {
 }  // namespace tricover::bench
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: %s <page to fill> <report directory>\n", argv[0]);
-    return 2;
-  }
-  try {
-    return tricover::bench::run(argv[1], argv[2]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+  using namespace tricover::bench;
+  return runProgram(argv[0], "<page to fill> <report directory>", argc == 3, [&] { return run(argv[1], argv[2]); });
 }

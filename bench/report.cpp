@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -126,8 +127,9 @@ std::string table(const std::vector<Result>& results) {
   for (const Result& result : results) {
     const Workload& workload = result.workload;
     const std::string name = workload.scene + ", " + workload.name;
-    lines.push_back({name, vertices(workload), std::to_string(result.collisions) + " of " +
-                     std::to_string(workload.positions), std::to_string(result.exact_calls)});
+    lines.push_back({name, vertices(workload),
+                     std::to_string(result.collisions) + " of " + std::to_string(workload.positions),
+                     std::to_string(result.exact_calls)});
     lines.back().resize(heads.size(), "");
     for (const Timing& timing : result.timings) {
       const auto column = std::find(heads.begin() + 4, heads.end(), timing.name) - heads.begin();
@@ -135,8 +137,8 @@ std::string table(const std::vector<Result>& results) {
       if (timing.false_alarms + timing.misses == 0) continue;
       const auto [low, high] = faults(workload);
       disagreements += "- " + name + ", " + vertices(workload) + ": " + timing.name + ": " +
-                       std::to_string(timing.false_alarms) + " " + low + " and " + std::to_string(timing.misses) +
-                       " " + high + " in " + std::to_string(timing.checked) + " queries\n";
+                       std::to_string(timing.false_alarms) + " " + low + " and " + std::to_string(timing.misses) + " " +
+                       high + " in " + std::to_string(timing.checked) + " queries\n";
     }
   }
   if (disagreements.empty()) disagreements = "- none\n";
@@ -151,8 +153,8 @@ std::string csv(const std::vector<Result>& results) {
   for (const Result& result : results) {
     const Workload& w = result.workload;
     for (const Timing& t : result.timings) {
-      out << w.job << ',' << w.scene << ',' << w.name << ',' << w.vertices_fixed << ',' << w.vertices_moving
-          << ',' << w.positions << ',' << result.collisions << ',' << result.exact_calls << ',' << t.name << ','
+      out << w.job << ',' << w.scene << ',' << w.name << ',' << w.vertices_fixed << ',' << w.vertices_moving << ','
+          << w.positions << ',' << result.collisions << ',' << result.exact_calls << ',' << t.name << ','
           << rounded(t.ns, 2) << ',' << t.checked << ',' << t.false_alarms << ',' << t.misses << '\n';
     }
   }
@@ -174,6 +176,19 @@ std::string conditions(const Settings& settings) {
       << settings.seconds_per_repetition << " s.\n"
       << kConditions;
   return out.str();
+}
+
+int runProgram(const char* program, const char* usage, bool fits, const std::function<int()>& run) {
+  if (!fits) {
+    std::fprintf(stderr, "usage: %s %s\n", program, usage);
+    return 2;
+  }
+  try {
+    return run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
 }
 
 void writeFile(const std::string& path, const std::string& content) {

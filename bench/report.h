@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ std::string csv(const std::vector<Result>& results);
 
 /// What must be known to read the times: machine, compiler, flags, how the rivals are set up.
 std::string conditions(const Settings& settings);
+
+/// What main() does: 2 and the usage where the arguments don't fit, 1 and what was thrown, or what `run` returns.
+int runProgram(const char* program, const char* usage, bool fits, const std::function<int()>& run);
 
 /// Throws std::runtime_error, naming the file, unless all of it is written.
 void writeFile(const std::string& path, const std::string& content);

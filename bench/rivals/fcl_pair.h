@@ -39,56 +39,46 @@ double answered(Ask ask) {
   }
 }
 
+template <typename Request, typename Result>
 class ObjectPair {
  public:
-  ObjectPair(const Geometry& fixed, const Geometry& moving, std::shared_ptr<const Poses> poses, bool swapped)
-      : poses_(std::move(poses)), fixed_(fixed), moving_(moving), swapped_(swapped) {}
+  ObjectPair(const Geometry& fixed, const Geometry& moving, std::shared_ptr<const Poses> poses,
+             fcl::GJKSolverType solver, bool swapped)
+      : poses_(std::move(poses)), fixed_(fixed), moving_(moving), swapped_(swapped) {
+    request_.gjk_solver_type = solver;
+  }
 
  protected:
-  void place(std::size_t i) { moving_.setTransform((*poses_)[i]); }
-  const fcl::CollisionObjectd* first() const { return swapped_ ? &moving_ : &fixed_; }
-  const fcl::CollisionObjectd* second() const { return swapped_ ? &fixed_ : &moving_; }
+  /// What `query` answers with the moving body at the i-th pose.
+  template <typename Query>
+  auto ask(std::size_t i, const Query& query) {
+    moving_.setTransform((*poses_)[i]);
+    result_.clear();
+    return query(swapped_ ? &moving_ : &fixed_, swapped_ ? &fixed_ : &moving_, request_, result_);
+  }
 
  private:
   std::shared_ptr<const Poses> poses_;
   fcl::CollisionObjectd fixed_, moving_;
   bool swapped_;
+  Request request_;
+  Result result_;
 };
 
-class PairCollide : ObjectPair {
+class PairCollide : ObjectPair<fcl::CollisionRequestd, fcl::CollisionResultd> {
  public:
-  PairCollide(const Geometry& fixed, const Geometry& moving, std::shared_ptr<const Poses> poses,
-              fcl::GJKSolverType solver, bool swapped)
-      : ObjectPair(fixed, moving, std::move(poses), swapped) {
-    request_.gjk_solver_type = solver;
-  }
+  using ObjectPair::ObjectPair;
   bool collide(std::size_t i) {
-    place(i);
-    result_.clear();
-    return fcl::collide(first(), second(), request_, result_) > 0;
+    return ask(i, [](auto&&... query) { return fcl::collide(query...) > 0; });
   }
-
- private:
-  fcl::CollisionRequestd request_;
-  fcl::CollisionResultd result_;
 };
 
-class PairDistance : ObjectPair {
+class PairDistance : ObjectPair<fcl::DistanceRequestd, fcl::DistanceResultd> {
  public:
-  PairDistance(const Geometry& fixed, const Geometry& moving, std::shared_ptr<const Poses> poses,
-               fcl::GJKSolverType solver, bool swapped)
-      : ObjectPair(fixed, moving, std::move(poses), swapped) {
-    request_.gjk_solver_type = solver;
-  }
+  using ObjectPair::ObjectPair;
   double value(std::size_t i) {
-    place(i);
-    result_.clear();
-    return answered([&] { return std::max(fcl::distance(first(), second(), request_, result_), 0.0); });
+    return ask(i, [](auto&&... query) { return answered([&] { return std::max(fcl::distance(query...), 0.0); }); });
   }
-
- private:
-  fcl::DistanceRequestd request_;
-  fcl::DistanceResultd result_;
 };
 
 /// By conservative advancement; infinity where there is no contact.
