@@ -40,7 +40,9 @@ Vec2 pointOfPart(const PosedPair& pair, const WorldFrame& frame, const Vec2& dee
   const Vec2 way = wanted - deepest;
   const double length = way.norm();
   if (!(length > error)) return wanted;
-  if (isCommon(wanted) && !(wayToNextEdge(pair, frame, deepest, way / length, length) < length - error)) return wanted;
+  // `wanted` itself may be on an edge of another part.
+  if (isCommon(deepest + 0.5 * way) && !(wayToNextEdge(pair, frame, deepest, way / length, length) < length - error))
+    return wanted;
   const double chord = wayToNextEdge(pair, frame, deepest, up, 0x1p1000);
   const Vec2 middle = deepest + 0.5 * chord * up;
   return chord < 0x1p1000 && isCommon(middle) ? middle : deepest;

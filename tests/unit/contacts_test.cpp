@@ -231,6 +231,14 @@ TEST(Contacts, OfRingsWithoutAreaOnOneEdgeAreSeparate) {
   EXPECT_EQ(ask({{{3, 2}, {3, 3}, {1, 3}}}, {{{-3, 1}, {1, 3}, {1, 2}}, {{2, 3}, {3, 3}, {3, 3}}}).size(), 2u);
 }
 
+TEST(Contacts, HaveTheirPointsOnTheirOwnPart) {
+  // A bent line, whose middle is on the side of a square that is a part of its own.
+  const auto found = ask({rectangle(-9, -9, 5, 9)}, {{{0, 0}, {0, 4}, {4, 4}, {0, 4}}, rectangle(1, 1, 3, 3)});
+  ASSERT_EQ(found.size(), 2u);
+  expectContact(found[0], {0, 0}, {1, 0}, 5);
+  expectContact(found[1], {2, 2}, {1, 0}, 4);
+}
+
 TEST(Contacts, OfIdenticalPolygonsAreWhatMovesThemApart) {
   const auto found = ask({rectangle(0, 0, 4, 2)}, {rectangle(0, 0, 4, 2)});
   ASSERT_EQ(found.size(), 1u);
