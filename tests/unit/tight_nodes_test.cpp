@@ -62,7 +62,7 @@ Polygon outline(Random& random) {
 
 TEST(TightNodes, HoldTheirChainsClosely) {
   int fitted = 0, nodes = 0;
-  for (int i = 0; i < scaledCount(60); ++i) {
+  for (int i = 0; i < scaledCount(240); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon a = outline(random), b = outline(random);
     const MovingPair pair(a.data(), randomMotion(random), b.data(), randomMotion(random));
