@@ -355,7 +355,7 @@ class Grouping {
 
   /// Of a common stretch of two edges the end on the left, beyond which they needn't be both.
   Vec2 leftEnd(const NodePoint& point) const {
-    if (point.node >= crossings_.size()) return point.point.at;
+    if (point.point.a < 0 || point.point.b < 0) return point.point.at;  // a vertex, whatever its node
     const EdgeCrossing& crossing = crossings_[point.node];
     if (crossing.direction != 0) return crossing.point;
     const Vec2 low = frame_.edgeOfA(crossing.edge_a, crossing.on_a.low),

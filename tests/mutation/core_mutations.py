@@ -276,6 +276,7 @@ MUTATIONS = [
     ("src/overlap/contacts.cpp", "(nearestOnSegment(middle, from, to) - middle).norm() <= 4 * frame_.error()", "(nearestOnSegment(middle, from, to) - middle).norm() >= 0", "contacts: the point of a touch between its places"),
     ("src/overlap/contacts.cpp", "return component.inner ? pointOfPart(", "return false ? pointOfPart(", "contacts: points of deep parts sought as of touches"),
     ("src/overlap/contacts.cpp", "if (square < least) nearest = static_cast<std::ptrdiff_t>(e);", "", "contacts: edges of a face that straight vertices divide"),
+    ("src/overlap/overlap_components.cpp", "if (point.point.a < 0 || point.point.b < 0) return point.point.at;", "if (point.node >= crossings_.size()) return point.point.at;", "components: a vertex inside taken for the crossing before it"),
     ("src/overlap/contact_point.cpp", "if (isCommon(deepest + 0.5 * way) &&", "if (", "contact points: in the line of sight, but outside"),
     ("src/overlap/contact_point.cpp", "isCommon(deepest + 0.5 * way)", "isCommon(wanted)", "contact points: on the edge of another part"),
     ("src/overlap/contact_point.cpp", "return chord < 0x1p1000 && isCommon(middle) ? middle : deepest;", "return middle;", "contact points: middles of chords outside"),

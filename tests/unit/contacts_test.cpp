@@ -231,6 +231,12 @@ TEST(Contacts, OfRingsWithoutAreaOnOneEdgeAreSeparate) {
   EXPECT_EQ(ask({{{3, 2}, {3, 3}, {1, 3}}}, {{{-3, 1}, {1, 3}, {1, 2}}, {{2, 3}, {3, 3}, {3, 3}}}).size(), 2u);
 }
 
+TEST(Contacts, OfALineThatEndsInsideAreSeparateFromWhatIsBesideItsCrossing) {
+  const Ring corner = {{1, 0}, {8, 0}, {8, 6}, {12, 6}, {12, 7}, {1, 7}};
+  const Ring hook = {{0, 7}, {5, 7}, {5, 9}, {0, 9}, {0, 10}, {1, 10}, {1, 3}, {0, 3}};
+  EXPECT_EQ(ask({corner}, {{{8, 6}, {8, 6}, {5, 6}}, hook}).size(), 2u);
+}
+
 TEST(Contacts, HaveTheirPointsOnTheirOwnPart) {
   // A bent line, whose middle is on the side of a square that is a part of its own.
   const auto found = ask({rectangle(-9, -9, 5, 9)}, {{{0, 0}, {0, 4}, {4, 4}, {0, 4}}, rectangle(1, 1, 3, 3)});
