@@ -234,7 +234,7 @@ TEST(Contacts, OfRingsWithoutAreaOnOneEdgeAreSeparate) {
 TEST(Contacts, OfALineThatEndsInsideAreSeparateFromWhatIsBesideItsCrossing) {
   const Ring corner = {{1, 0}, {8, 0}, {8, 6}, {12, 6}, {12, 7}, {1, 7}};
   const Ring hook = {{0, 7}, {5, 7}, {5, 9}, {0, 9}, {0, 10}, {1, 10}, {1, 3}, {0, 3}};
-  EXPECT_EQ(ask({corner}, {{{8, 6}, {8, 6}, {5, 6}}, hook}).size(), 2u);
+  EXPECT_EQ(ask({corner}, {hook, {{8, 6}, {8, 6}, {5, 6}}}).size(), 2u);
 }
 
 TEST(Contacts, HaveTheirPointsOnTheirOwnPart) {
