@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apart/convex_nearest.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hierarchy/wide.h"
@@ -25,129 +26,91 @@ static_assert(kDepth * kLeastScale / 4 >= 2 * kSupportError);
 // d is at least kClear of the coordinates: EdgeDistances is right to 2^-48. And the edges at one vertex, which hold one
 // and the same nearest point, are certain to be seen so, if products of lengths are above what it is unsure of.
 constexpr double kInside = 0x1p-9, kClear = 0x1p-18, kClearProduct = 0x1p-30;
-/// In b's units: those nearer may meet for all that floats know, unless a single vertex is foremost.
-constexpr double kCertainlyApart = 0x1p-7;
-
 /// In a's units: beyond it, an axis as floats have it leads past the features.
 constexpr double kFar = 0x1p14;
 
-struct Point {
-  double x, y;
-};
-
 unsigned bit(int i) { return 1u << i; }
-bool isSingle(unsigned bits) { return (bits & (bits - 1)) == 0; }
 /// Those of n edges that start or end at vertices.
 unsigned edgesAt(unsigned vertices, int n) { return vertices | vertices >> 1 | (vertices & 1) << (n - 1); }
 
 class ConvexNearest {
  public:
-  ConvexNearest(const PosedPair& pair, const SmallConvex& a, const SmallConvex& b)
-      : pair_(pair), map_(mapUnits(pair)), a_(a), b_(b) {}
+  ConvexNearest(const PosedPair& pair, const SmallConvex& a, const SmallConvex& b, DistanceSearch& search)
+      : pair_(pair), map_(mapUnits(pair)), a_(a), b_(b), edges_(search.edges()), search_(search) {}
 
   Meeting find() {
     const double far = std::abs(map_.tx) + std::abs(map_.ty);
-    if (!(map_.error < kSupportError && map_.scale >= kLeastScale && far < kFar && squarable(pair_.b.unit)))
+    if (!(map_.error < kSupportError && map_.scale >= kLeastScale && far < kFar && edges_.isUnscaled()))
       return Meeting::Unknown;
     const ConvexGap gap = convexGap(a_, b_, map_);
     if (gap.gap < -8 * gapRounding(pair_) - map_.error && far < 4) return Meeting::Meet;  // as convexMeet() says
-    const bool proven = gap.gap > 0 && (gap.of_a ? fromEdgeOfA(gap.edge) : fromEdgeOfB(gap.edge)) && distance_ > 0;
-    return proven ? Meeting::Apart : Meeting::Unknown;
-  }
-
-  void show(DistanceSearch& search) const {
-    if (single_) return search.showNear(static_cast<std::uint32_t>(edge_a_), static_cast<std::uint32_t>(edge_b_));
-    for (unsigned i = edgesAt(supports_.a, a_.count); i != 0; i &= i - 1)
-      for (unsigned j = edgesAt(supports_.b, b_.count); j != 0; j &= j - 1)
-        search.showNear(static_cast<std::uint32_t>(__builtin_ctz(i)), static_cast<std::uint32_t>(__builtin_ctz(j)));
+    return gap.gap > 0 && besideEdge(gap.of_a, gap.edge, gap.vertex) ? Meeting::Apart : Meeting::Unknown;
   }
 
  private:
-  Point ofA(int i) const {
-    const Vec2& p = pair_.a.path[static_cast<std::size_t>(i)];
-    return {p.x(), p.y()};
-  }
-  Point ofB(int j) const {
-    const ApproxPoint p = pair_.fromB(pair_.b.path[static_cast<std::size_t>(j)]);
-    return {p.x, p.y};
-  }
   void support(double nx, double ny) { supports_ = convexSupports(a_, b_, map_, nx, ny, kDepth * map_.scale); }
-  double unitOfB() const { return pair_.b.unit; }
 
-  /// Where q lies beside the edge from p1 to p2: `distance_` from it, on the side that n leads to.
-  enum class Place { Start, Inside, End };
-  Place beside(Point p1, Point p2, Point q, double nx, double ny) {
-    const double wx = q.x - p1.x, wy = q.y - p1.y, ux = p2.x - p1.x, uy = p2.y - p1.y;
-    const double length = std::sqrt(ux * ux + uy * uy), part = (wx * ux + wy * uy) / length;
-    distance_ = wx * nx + wy * ny;
-    const double inside = kInside * (distance_ + unitOfB());
-    return part < inside ? Place::Start : part > length - inside ? Place::End : Place::Inside;
-  }
-
-  bool fromEdgeOfA(int e) {
-    const int next = e + 1 == a_.count ? 0 : e + 1;
-    const Point p1 = ofA(e), p2 = ofA(next);
-    double nx = p2.y - p1.y, ny = p1.x - p2.x;
-    const double factor = (nx * a_.nx[e] + ny * a_.ny[e] > 0 ? 1 : -1) / std::sqrt(nx * nx + ny * ny);
-    nx *= factor, ny *= factor;
-    support(nx, ny);
-    if ((supports_.foremost_a & bit(e)) == 0 || (supports_.foremost_a & bit(next)) == 0) return false;
-    const int q = __builtin_ctz(supports_.foremost_b);
-    const Place place = beside(p1, p2, ofB(q), nx, ny);
-    if (place != Place::Inside) return fromVertices(place == Place::Start ? e : next, q);
-    return accept(e, q, supports_.a == (bit(e) | bit(next)) && isSingle(supports_.b));
-  }
-
-  bool fromEdgeOfB(int e) {
-    const int next = e + 1 == b_.count ? 0 : e + 1;
-    const Point p1 = ofB(e), p2 = ofB(next);
-    double nx = p2.y - p1.y, ny = p1.x - p2.x;
-    const double outx = map_.r00 * b_.nx[e] + map_.r01 * b_.ny[e], outy = map_.r10 * b_.nx[e] + map_.r11 * b_.ny[e];
-    const double factor = (nx * outx + ny * outy > 0 ? -1 : 1) / std::sqrt(nx * nx + ny * ny);
-    nx *= factor, ny *= factor;
-    support(nx, ny);
-    if ((supports_.foremost_b & bit(e)) == 0 || (supports_.foremost_b & bit(next)) == 0) return false;
-    const int q = __builtin_ctz(supports_.foremost_a);
-    const Place place = beside(p1, p2, ofA(q), -nx, -ny);
-    if (place != Place::Inside) return fromVertices(q, place == Place::Start ? e : next);
-    return accept(q, e, supports_.b == (bit(e) | bit(next)) && isSingle(supports_.a));
-  }
-
-  bool fromVertices(int v, int w) {
-    if (!between(v, w)) {
-      const ConvexVertices nearest = nearestVertices(a_, b_, map_);
-      if (!between(v = nearest.a, w = nearest.b)) return false;
+  /// Whether a vertex and an edge of the other, or one of its ends, are the nearest features.
+  bool besideEdge(bool of_a, int e, int vertex) {
+    const SmallConvex& polygon = of_a ? a_ : b_;
+    const int next = e + 1 == polygon.count ? 0 : e + 1, i = of_a ? e : vertex, j = of_a ? vertex : e;
+    const EdgeDistances::View view = edges_.startBeside(of_a, position(i), position(j));
+    const double along = view.along[view.nearest], square = view.length_square[view.nearest / 2];
+    const double inside = kInside * (view.distance + pair_.b.unit) * std::sqrt(square);
+    if (!(along >= inside && along <= square - inside)) {
+      const int end = along < inside ? e : next;
+      return of_a ? areNearest(end, vertex) || lookForVertices() : areNearest(vertex, end) || lookForVertices();
     }
-    return accept(v, w, supports_.a == bit(v) && supports_.b == bit(w));
+    const double nx = polygon.nx[e], ny = polygon.ny[e];
+    if (of_a)
+      support(nx, ny);
+    else
+      support(-(map_.r00 * nx + map_.r01 * ny), -(map_.r10 * nx + map_.r11 * ny));
+    const unsigned ends = bit(e) | bit(next);
+    return show(view, i, j, of_a ? ends : bit(i), of_a ? bit(j) : ends);
   }
 
-  bool between(int v, int w) {
-    const Point p = ofA(v), q = ofB(w);
-    const double dx = q.x - p.x, dy = q.y - p.y;
-    distance_ = std::sqrt(dx * dx + dy * dy);
-    if (!(distance_ > 0)) return false;
-    support(dx / distance_, dy / distance_);
-    return (supports_.foremost_a & bit(v)) != 0 && (supports_.foremost_b & bit(w)) != 0;
+  bool lookForVertices() {
+    const ConvexVertices nearest = nearestVertices(a_, b_, map_);
+    return areNearest(nearest.a, nearest.b);
   }
 
-  bool accept(int edge_a, int edge_b, bool single) {
-    const Eigen::Vector2d apart = pair_.pose_b.translation() - pair_.pose_a.translation();
-    const double size = pair_.a.extent + pair_.b.extent + std::abs(apart.x()) + std::abs(apart.y());
-    const double shortest = std::min(a_.shortest * pair_.a.unit, b_.shortest * pair_.b.unit);
-    edge_a_ = edge_a;
-    edge_b_ = edge_b;
-    single_ = single && distance_ > kClear * size && distance_ * shortest > kClearProduct * size * size &&
-              shortest * shortest > kClearProduct * size * size;
-    return single_ || distance_ > kCertainlyApart * unitOfB();
+  bool areNearest(int v, int w) {
+    const Double2 way = edges_.between(position(v), position(w)), squares = way * way;
+    const double distance = std::sqrt(squares[0] + squares[1]), inverse = 1 / distance;
+    const Double2 x = load2(pair_.pose_a.data()) * way, y = load2(pair_.pose_a.data() + 3) * way;
+    support((x[0] + x[1]) * inverse, (y[0] + y[1]) * inverse);
+    return show(EdgeDistances::startAndStart(distance), v, w, bit(v), bit(w));
   }
+
+  /// Whether these vertices are foremost, as the features of the edges i and j are that the view shows.
+  bool show(const EdgeDistances::View& view, int i, int j, unsigned of_a, unsigned of_b) {
+    if ((supports_.foremost_a & of_a) != of_a || (supports_.foremost_b & of_b) != of_b) return false;
+    if (!(supports_.gap > kSupportError + map_.error)) return false;
+    if (supports_.a == of_a && supports_.b == of_b && isClear(view.distance)) {
+      search_.setNearest(position(i), position(j), view);
+      return true;
+    }
+    for (unsigned v = edgesAt(supports_.a, a_.count); v != 0; v &= v - 1)
+      for (unsigned w = edgesAt(supports_.b, b_.count); w != 0; w &= w - 1)
+        search_.showNear(position(__builtin_ctz(v)), position(__builtin_ctz(w)));
+    return true;
+  }
+
+  bool isClear(double distance) const {
+    const double size = edges_.size(), shortest = std::min(a_.shortest * pair_.a.unit, b_.shortest * pair_.b.unit);
+    const double product = kClearProduct * size * size;
+    return distance > kClear * size && distance * shortest > product && shortest * shortest > product;
+  }
+
+  static std::uint32_t position(int i) { return static_cast<std::uint32_t>(i); }
 
   const PosedPair& pair_;
   const UnitMap map_;
   const SmallConvex &a_, &b_;
+  const EdgeDistances& edges_;
+  DistanceSearch& search_;
   ConvexSupports supports_{};
-  double distance_ = 0;
-  int edge_a_ = 0, edge_b_ = 0;
-  bool single_ = false;
 };
 
 }  // namespace
@@ -155,10 +118,7 @@ class ConvexNearest {
 Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search) {
   const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
   if (a == nullptr || b == nullptr) return Meeting::Unknown;
-  ConvexNearest nearest(pair, *a, *b);
-  const Meeting meeting = nearest.find();
-  if (meeting == Meeting::Apart) nearest.show(search);
-  return meeting;
+  return ConvexNearest(pair, *a, *b, search).find();
 }
 
 }  // namespace tricover::detail

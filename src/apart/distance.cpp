@@ -159,10 +159,10 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
 /// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
 /// `alone` says that no fact is wanted, so that pairs beyond the nearest may stay unseen.
 Outcome findNearest(const PosedPair& pair, DistanceSearch& search, bool alone) {
-  if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0) return findMeeting(pair, search);
   const Meeting convex = alone ? showNearestOfConvex(pair, search) : Meeting::Unknown;
   if (convex == Meeting::Apart) return {};
-  if (convex == Meeting::Meet) return findMeeting(pair, search);
+  if (convex == Meeting::Meet || Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0)
+    return findMeeting(pair, search);
   return descend(pair, search) ? findContainment(pair) : Outcome();
 }
 

@@ -122,6 +122,11 @@ class NearestEdges {
       evaluate(pair, edges.view(pair.i, pair.j));
   }
 
+  void setNearest(std::uint32_t i, std::uint32_t j, const EdgeDistances::View& view) {
+    best_ = edges.at(view, i, j, options_);
+    pair_ = {0, i, j, -1};
+  }
+
   void setMeeting(std::uint32_t i, std::uint32_t j) {
     best_ = edges.whereTheyMeet(edges.view(i, j));
     pair_ = {0, i, j, -1};
@@ -176,6 +181,12 @@ class DistanceSearch {
     const EdgeDistances::View& view = nearest_.view(i, j, index);
     count(nearest_.edges.bounds(view), {0, i, j, index});
   }
+
+  /// Instead of showing any: these are proven to be the nearest, which this view of them shows.
+  void setNearest(std::uint32_t i, std::uint32_t j, const EdgeDistances::View& view) {
+    nearest_.setNearest(i, j, view);
+  }
+  const EdgeDistances& edges() const { return nearest_.edges; }
 
   double worth() const { return reach_.worth(); }
   double reach() const { return reach_.reach(); }

@@ -43,6 +43,9 @@ double cross(const Twofold2& u, const Twofold2& w) {
   return difference.high[0] + (difference.low[0] + (rest[0] - rest[1]));
 }
 
+/// View::feature of what is found once.
+constexpr std::uint64_t kSingleFeature = 1;
+
 double dot(Double2 u, Double2 w) {
   const Double2 products = u * w;
   return products[0] + products[1];
@@ -136,6 +139,31 @@ EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
   return v;
 }
 
+EdgeDistances::View EdgeDistances::startBeside(bool edge_of_a, std::size_t i, std::size_t j) const {
+  const Ends e = ends(i, j);
+  const Beside side =
+      edge_of_a ? beside(e.a2 - e.a1, e.b1 - e.a1, e.b1 - e.a1) : beside(e.b2 - e.b1, e.a1 - e.b1, e.a1 - e.b1);
+  View v;
+  const int k = v.nearest = edge_of_a ? 0 : 2;
+  v.part[k] = side.part[0];
+  v.along[k] = side.along[0];
+  v.length_square[k / 2] = side.length_square;
+  v.distance = std::sqrt(side.square[0]);
+  v.feature = kSingleFeature;
+  return v;
+}
+
+EdgeDistances::View EdgeDistances::startAndStart(double distance) {
+  View v;
+  v.nearest = 0;
+  v.part[0] = 0;
+  v.along[0] = -std::numeric_limits<double>::infinity();
+  v.length_square[0] = 0;
+  v.distance = distance;
+  v.feature = kSingleFeature;
+  return v;
+}
+
 bool EdgeDistances::meet(std::size_t i, std::size_t j) const {
   return edgesMeet(PosedPair(a_, pose_a_, b_, pose_b_), i, j);
 }
@@ -205,14 +233,15 @@ EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
 //   U d            by its last sum,
 // which is 400 U^2 M + U d, below 2U d where d >= kLeastShare M. A point taken for one beside an end of the edge rather
 // than beyond it, or the converse, is so by an angle below 16U: in the distance the square of that. |w| alone errs by
-// as little as that. Where |w| <= 2 d, a u will do whose coordinates err by 3U |u| (difference, product, sum):
-//   2 (sqrt2 3 + 1 + 1) U d   u, w's own rounding and the products, of |u| |w|
+// as little as that. Where |w| <= r d, r = kSteepest, a u will do whose coordinates err by 3U |u| (difference, product,
+// sum):
+//   r (sqrt2 3 + 1 + 1) U d   u, w's own rounding and the products, of |u| |w|
 //   U d                       their difference
-// which is 13.5U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
-// the quotient (U) add 7.3U: in all below 21U, and kRelativeError is 32U.
-constexpr double kLeastShare = 0x1p-44;
+// which is 22.9U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
+// the quotient (U) add 7.3U: in all below 31U, and kRelativeError is 32U.
+constexpr double kLeastShare = 0x1p-44, kSteepest = 3.5;
 static_assert(kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoundoff * kUnitRoundoff);
-static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (2 * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
+static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
 static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
 
 // Vectors go from a to b whatever k is, so that two vertices are found just as far apart from either's edges.
@@ -246,7 +275,7 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
     const Double2 difference = v2 - v1, u = columns[0] * difference[0] + columns[1] * difference[1];
     const Double2 products = u * swapped(w.high);
     const double d = std::abs(products[0] - products[1]) / norm(u);
-    if (dot(w.high, w.high) <= 4 * d * d) return answer(d, view.part[k]);
+    if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return answer(d, view.part[k]);
   }
   const Twofold2 u = mappedDifference(columns, v1, v2);
   const double square = dot(u.high, u.high);

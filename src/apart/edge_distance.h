@@ -75,6 +75,11 @@ class EdgeDistances {
     double length_square[2];       ///< the edge's
   };
   View view(std::size_t i, std::size_t j) const;
+  /// A view that knows but one combination, for who has proven that at() needs no other: the start of b's edge j beside
+  /// a's edge i, or the start of a's beside b's.
+  View startBeside(bool edge_of_a, std::size_t i, std::size_t j) const;
+  /// The same for the starts of both edges, this far apart, scaled: where each edge's nearest point is its start.
+  static View startAndStart(double distance);
   Bounds bounds(const View& view) const { return boundsOf(view.distance, false); }
 
   /// Where two edges are nearest: an end of one, and a part of the other from its start (0) to its end (1).
@@ -102,6 +107,9 @@ class EdgeDistances {
     const Double2 products = way * (mapped(scaled_b_, b_.path[w]) - mapped(scaled_b_, b_.path[q]));
     return products[0] + products[1] > 2 * unsure_;
   }
+  /// No more than lengths in the world: neither large nor tiny.
+  bool isUnscaled() const { return scale_ == 1; }
+  double size() const { return size_; }
   double squareBetween(std::size_t p, std::size_t q) const {
     const Double2 way = between(p, q), squares = way * way;
     return squares[0] + squares[1];

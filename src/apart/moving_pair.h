@@ -7,6 +7,7 @@
 
 #include "apart/cubic.h"
 #include "hierarchy/hierarchy.h"
+#include "hierarchy/wide_gaps.h"
 #include "numbers/double2.h"
 #include "polygon/polygon_data.h"
 #include "tricover/motion.h"
@@ -35,7 +36,7 @@ struct Node {
 };
 
 /// The node that is around everything; all others are block * kLanes + lane.
-constexpr std::uint32_t kRootNode = 0xffffffff;
+constexpr std::uint32_t kRootNode = wide::kRoot;
 
 /// A polygon that moves, in the pair's frame.
 struct Mover {
@@ -90,22 +91,8 @@ struct MovingPair {
 };
 
 inline Node Mover::node(std::uint32_t index) const {
-  if (index == kRootNode) {
-    const Box& root = tree->root;
-    const std::uint32_t child = polygon->hasSpine() ? static_cast<std::uint32_t>(polygon->spine) : 0;
-    return {root.x, root.y, root.ux, root.uy, root.along, root.across, child, polygon->hasSpine()};
-  }
-  const Block& block = tree->blocks[index / kLanes];
-  const unsigned lane = index % kLanes;
-  const double block_scale = block.scale;
-  return {block.origin_x + block.x[lane] * block_scale,
-          block.origin_y + block.y[lane] * block_scale,
-          block.ux[lane],
-          block.uy[lane],
-          block.along[lane] * block_scale,
-          block.across[lane] * block_scale,
-          block.child[lane],
-          block.leaf};
+  const wide::Item item = wide::itemAt(*tree, index, polygon->spine);
+  return {item.x, item.y, item.ux, item.uy, item.along, item.across, item.child, item.leaf};
 }
 
 inline MovingBox Mover::box(const Places& p, const Node& node) const {

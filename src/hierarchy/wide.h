@@ -115,11 +115,11 @@ enum class Meeting { Apart, Meet, Unknown };
 /// Two small convex polygons by separating axes. `map` goes from b's units to a's and puts b's S within 4 of a's.
 Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding);
 
-/// Which edge of two small convex polygons has all of the other farthest beyond it, and how far, in a's units. It is a
-/// guess as good as floats.
+/// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
+/// vertex of the other is nearest to its line. It is a guess as good as floats.
 struct ConvexGap {
   float gap;
-  int edge;
+  int edge, vertex;
   bool of_a;
 };
 ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& map);
@@ -132,9 +132,11 @@ ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const
 
 /// A bit for each vertex whose depth along an axis, below the foremost vertex of its own polygon, is at most `depth`
 /// (a, b), or a quarter of that (foremost_a, foremost_b). The axis is a unit vector of a's frame and leads from a to b;
-/// lengths are in a's units, each depth right to kSupportError.
+/// lengths are in a's units, each depth right to kSupportError. The gap between the two foremost ends, negative if they
+/// overlap, is right to that and the map's error.
 struct ConvexSupports {
   unsigned a, b, foremost_a, foremost_b;
+  double gap;
 };
 ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
                               double depth);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wide functions in vectors of eight floats, for processors that have AVX2. Only what stands between push and pop
 // may use it: what is included before them (Eigen, the standard library) is compiled as everywhere else, so that no
-// inline function that other files share needs such a processor. Whatever wide_descent.h and wide_shapes.h include is
-// therefore included before them, too.
+// inline function that other files share needs such a processor. Whatever wide_functions.h includes is therefore
+// included before it, too.
 #include <cassert>
 
 #include "hierarchy/wide_table.h"
@@ -16,9 +16,7 @@
 #pragma GCC target("avx2")
 #endif
 
-#include "hierarchy/wide_descent.h"
-#include "hierarchy/wide_point.h"
-#include "hierarchy/wide_shapes.h"
+#include "hierarchy/wide_functions.h"
 
 namespace tricover::detail {
 namespace wide {
@@ -58,12 +56,7 @@ struct Avx2Lanes {
 }  // namespace
 }  // namespace wide
 
-const WideTable kAvx2Table = {&wide::findHit<wide::Avx2Lanes>,         &wide::showPairs<wide::Avx2Lanes>,
-                              &wide::visitEdgesOnRay<wide::Avx2Lanes>, &wide::convexMeet<wide::Avx2Lanes>,
-                              &wide::innerDepth<wide::Avx2Lanes>,      &wide::findEdgeNear<wide::Avx2Lanes>,
-                              &wide::depthInDiscs<wide::Avx2Lanes>,    &wide::visitEdgesOnWay<wide::Avx2Lanes>,
-                              &wide::convexGap<wide::Avx2Lanes>,       &wide::nearestVertices<wide::Avx2Lanes>,
-                              &wide::convexSupports<wide::Avx2Lanes>,  &wide::showEdgesNear<wide::Avx2Lanes>};
+constexpr WideTable kAvx2Table = wide::tableOf<wide::Avx2Lanes>();
 
 }  // namespace tricover::detail
 

@@ -15,6 +15,15 @@ namespace tricover::detail::wide {
 
 [[gnu::always_inline]] inline double magnitude(double x) { return __builtin_fabs(x); }
 
+template <class Lanes>
+[[gnu::always_inline]] inline float largest(Lanes values) {
+  float v[kLanes];
+  values.store(v);
+  for (int step = kLanes / 2; step > 0; step /= 2)
+    for (int i = 0; i < step; ++i) v[i] = v[i] > v[i + step] ? v[i] : v[i + step];
+  return v[0];
+}
+
 /// A box of one hierarchy, in its units.
 struct Item {
   double x, y, ux, uy, along, across;

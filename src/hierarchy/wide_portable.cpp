@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wide functions for every target, in vectors of four floats.
-#include "hierarchy/wide_descent.h"
-#include "hierarchy/wide_point.h"
-#include "hierarchy/wide_shapes.h"
-#include "hierarchy/wide_table.h"
+#include "hierarchy/wide_functions.h"
 
 namespace tricover::detail {
 namespace wide {
@@ -76,12 +73,6 @@ struct PortableLanes {
 }  // namespace
 }  // namespace wide
 
-const WideTable kPortableTable = {
-    &wide::findHit<wide::PortableLanes>,         &wide::showPairs<wide::PortableLanes>,
-    &wide::visitEdgesOnRay<wide::PortableLanes>, &wide::convexMeet<wide::PortableLanes>,
-    &wide::innerDepth<wide::PortableLanes>,      &wide::findEdgeNear<wide::PortableLanes>,
-    &wide::depthInDiscs<wide::PortableLanes>,    &wide::visitEdgesOnWay<wide::PortableLanes>,
-    &wide::convexGap<wide::PortableLanes>,       &wide::nearestVertices<wide::PortableLanes>,
-    &wide::convexSupports<wide::PortableLanes>,  &wide::showEdgesNear<wide::PortableLanes>};
+constexpr WideTable kPortableTable = wide::tableOf<wide::PortableLanes>();
 
 }  // namespace tricover::detail

@@ -119,20 +119,9 @@ double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, 
     const Lanes dx = ax - x[j], dy = ay - y[j], sum = a_radius + radius[j];
     most = larger(most, sum * absolute(sum) - (dx * dx + dy * dy));
   }
-  float values[kLanes], deepest = 0;
-  most.store(values);
-  for (int i = 0; i < kLanes; ++i) deepest = values[i] > deepest ? values[i] : deepest;
+  const float deepest = largest(most);
   if (!(deepest > slack)) return 0;
   return (deepest - slack) / (2.0 * (static_cast<double>(a.radius[0]) + radius[0]) * (1 + 0x1p-10));
-}
-
-template <class Lanes>
-[[gnu::always_inline]] inline float largest(Lanes values) {
-  float v[kLanes];
-  values.store(v);
-  for (int step = kLanes / 2; step > 0; step /= 2)
-    for (int i = 0; i < step; ++i) v[i] = v[i] > v[i + step] ? v[i] : v[i + step];
-  return v[0];
 }
 
 /// Bits of the values, of whole lanes, that are at least `least`.
@@ -142,6 +131,19 @@ template <class Lanes>
   for (int i = 0; i < lanes; i += kLanes)
     bits |= (~above(Lanes::all(least), Lanes::load(values + i)) & ((1u << kLanes) - 1)) << i;
   return bits;
+}
+
+/// The first vertex that is farthest back along an axis.
+template <class Lanes>
+[[gnu::always_inline]] inline int farthestBack(const float* x, const float* y, int lanes, float nx, float ny) {
+  float back[SmallConvex::kMost];
+  Lanes most = Lanes::all(-1e30f);
+  for (int i = 0; i < lanes; i += kLanes) {
+    const Lanes at = Lanes::load(x + i) * -nx + Lanes::load(y + i) * -ny;
+    at.store(back + i);
+    most = larger(most, at);
+  }
+  return __builtin_ctz(atLeast<Lanes>(back, lanes, largest(most)) | 1u << (SmallConvex::kMost - 1));
 }
 
 template <class Lanes>
@@ -166,8 +168,14 @@ ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& m
     most = larger(most, out);
   }
   const float gap = largest(most);
-  const unsigned edges_a = atLeast<Lanes>(of_a, a.lanes, gap), edges_b = atLeast<Lanes>(of_b, b.lanes, gap);
-  return {gap, __builtin_ctz(edges_a != 0 ? edges_a : edges_b | 1u << (SmallConvex::kMost - 1)), edges_a != 0};
+  const unsigned edges_a = atLeast<Lanes>(of_a, a.lanes, gap);
+  if (edges_a != 0) {
+    const int e = __builtin_ctz(edges_a);
+    return {gap, e, farthestBack<Lanes>(x, y, b.lanes, a.nx[e], a.ny[e]), true};
+  }
+  const int e = __builtin_ctz(atLeast<Lanes>(of_b, b.lanes, gap) | 1u << (SmallConvex::kMost - 1));
+  const float nx = b.nx[e] * r00 + b.ny[e] * r01, ny = b.nx[e] * r10 + b.ny[e] * r11;
+  return {gap, e, farthestBack<Lanes>(a.x, a.y, a.lanes, nx, ny), false};
 }
 
 template <class Lanes>
@@ -198,27 +206,35 @@ ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const
   return found;
 }
 
+/// The vertices whose depth below the foremost one along an axis is at most `reach` and a quarter of that; returns how
+/// far the foremost one is.
+template <class Lanes>
+[[gnu::always_inline]] inline float foremost(const SmallConvex& polygon, float nx, float ny, float reach,
+                                             unsigned& near, unsigned& best) {
+  float along[SmallConvex::kMost];
+  Lanes most = Lanes::all(-1e30f);
+  for (int i = 0; i < polygon.lanes; i += kLanes) {
+    const Lanes at = Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
+    at.store(along + i);
+    most = larger(most, at);
+  }
+  const float end = largest(most);
+  const unsigned vertices = (1u << polygon.count) - 1;  // the padding repeats the last one
+  near = atLeast<Lanes>(along, polygon.lanes, end - reach) & vertices;
+  best = atLeast<Lanes>(along, polygon.lanes, end - 0.25f * reach) & vertices;
+  return end;
+}
+
 template <class Lanes>
 ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
                               double depth) {
-  float along[SmallConvex::kMost];
-  const float reach = static_cast<float>(depth);
-  const auto foremost = [&](const SmallConvex& polygon, float nx, float ny, unsigned& near, unsigned& best) {
-    Lanes most = Lanes::all(-1e30f);
-    for (int i = 0; i < polygon.lanes; i += kLanes) {
-      const Lanes at = Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
-      at.store(along + i);
-      most = larger(most, at);
-    }
-    const float end = largest(most);
-    const unsigned vertices = (1u << polygon.count) - 1;  // the padding repeats the last one
-    near = atLeast<Lanes>(along, polygon.lanes, end - reach) & vertices;
-    best = atLeast<Lanes>(along, polygon.lanes, end - 0.25f * reach) & vertices;
-  };
+  const float nx = static_cast<float>(x), ny = static_cast<float>(y), reach = static_cast<float>(depth);
+  const double bx = (map.r00 * nx + map.r10 * ny) * -map.scale, by = (map.r01 * nx + map.r11 * ny) * -map.scale;
   ConvexSupports found;
-  foremost(a, static_cast<float>(x), static_cast<float>(y), found.a, found.foremost_a);
-  const double bx = (map.r00 * x + map.r10 * y) * -map.scale, by = (map.r01 * x + map.r11 * y) * -map.scale;
-  foremost(b, static_cast<float>(bx), static_cast<float>(by), found.b, found.foremost_b);
+  const float end_a = foremost<Lanes>(a, nx, ny, reach, found.a, found.foremost_a);
+  const float end_b =
+      foremost<Lanes>(b, static_cast<float>(bx), static_cast<float>(by), reach, found.b, found.foremost_b);
+  found.gap = (map.tx * nx + map.ty * ny) - end_a - end_b;
   return found;
 }
 

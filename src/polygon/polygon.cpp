@@ -139,6 +139,7 @@ PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_)
 }
 
 std::size_t PolygonData::edgeNumber(std::size_t position) const {
+  if (ringCount() == 1) return position;
   const auto next = std::upper_bound(ring_begin.begin(), ring_begin.end(), position);
   return position - static_cast<std::size_t>(next - ring_begin.begin() - 1);
 }

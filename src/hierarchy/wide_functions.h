@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All that is a template over the lanes, for an instruction set to instantiate.
+#pragma once
+
+#include "hierarchy/wide_descent.h"
+#include "hierarchy/wide_point.h"
+#include "hierarchy/wide_shapes.h"
+#include "hierarchy/wide_table.h"
+
+namespace tricover::detail::wide {
+
+template <class Lanes>
+constexpr WideTable tableOf() {
+  return {&findHit<Lanes>,    &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>, &convexMeet<Lanes>,
+          &innerDepth<Lanes>, &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
+          &convexGap<Lanes>,  &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>};
+}
+
+}  // namespace tricover::detail::wide
