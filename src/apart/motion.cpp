@@ -6,6 +6,7 @@
 
 #include "apart/cubic.h"
 #include "numbers/errors.h"
+#include "numbers/rigidity.h"
 
 namespace tricover {
 
@@ -101,10 +102,9 @@ Pose Motion::at(double time) const {
 }
 
 void checkMotion(const Motion& motion, const char* name) {
-  const std::string prefix(name);
-  checkPose(motion.start, (prefix + ".start").c_str());
+  if (!detail::isPlainlyRigid(motion.start)) checkPose(motion.start, (std::string(name) + ".start").c_str());
   const auto require = [&](bool finite, const char* field) {
-    if (!finite) detail::refuse(prefix + "." + field, "it is not finite");
+    if (!finite) detail::refuse(std::string(name) + "." + field, "it is not finite");
   };
   require(motion.shift.allFinite(), "shift");
   require(std::isfinite(motion.angle), "angle");

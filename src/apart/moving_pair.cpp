@@ -29,7 +29,11 @@ Places Mover::places(double begin, double end) const {
   }
   const auto all = [](double value) { return value - Double2{}; };
   if (!turns) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
-  const Double2 c{std::cos(angle[0]), std::cos(angle[1])}, s{std::sin(angle[0]), std::sin(angle[1])};
+  Double2 c = std::cos(angle[0]) - Double2{}, s = std::sin(angle[0]) - Double2{};
+  if (begin != end) {
+    c[1] = std::cos(angle[1]);
+    s[1] = std::sin(angle[1]);
+  }
   return {c * linear(0, 0) - s * linear(1, 0),
           s * linear(0, 0) + c * linear(1, 0),
           c * linear(0, 1) - s * linear(1, 1),

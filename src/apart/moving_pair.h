@@ -24,6 +24,13 @@ struct MovingBox {
 /// Where a mover's hierarchy is at both ends of a window: p -> scale M p + (x, y); and its pivot.
 struct Places {
   Double2 m00, m10, m01, m11, x, y, pivot_x, pivot_y;
+
+  /// From its begin to another's end.
+  Places to(const Places& other) const {
+    const auto ends = [](Double2 from, Double2 until) { return Double2{from[0], until[1]}; };
+    return {ends(m00, other.m00), ends(m10, other.m10), ends(m01, other.m01),         ends(m11, other.m11),
+            ends(x, other.x),     ends(y, other.y),     ends(pivot_x, other.pivot_x), ends(pivot_y, other.pivot_y)};
+  }
 };
 
 /// One box of a hierarchy or, where that is a single edge, the edge.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "apart/convex_impact.h"
 #include "apart/moving_pair.h"
 #include "apart/point_impact.h"
 #include "apart/tight_nodes.h"
@@ -45,10 +46,11 @@ class ImpactSearch {
     encounters_.reserve(128);
   }
 
-  /// Whether the boxes around everything may meet at a time in [0, 1].
-  bool start() {
-    const Window window(pair_, 0, 1);
-    offer(window, sideA(window, nodeA(kRootNode)), sideB(window, nodeB(kRootNode)), {0, 1, kRootNode, kRootNode, 0});
+  /// Whether the boxes around everything may meet at a time in [begin, 1].
+  bool start(double begin) {
+    const Window window(pair_, begin, 1);
+    const Encounter all{begin, 1, kRootNode, kRootNode, 0};
+    offer(window, sideA(window, nodeA(kRootNode)), sideB(window, nodeB(kRootNode)), all);
     return !encounters_.empty();
   }
   double lowerBound() const { return encounters_.front().begin; }
@@ -275,8 +277,16 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
     const double later = std::max(found->time, std::numeric_limits<double>::denorm_min());
     return describe(moving, motion_a, later, found->edge, b.spine);
   }
+  double begin = 0;
+  if (isSmallConvexPair(moving)) {
+    const ConvexImpact found = findConvexImpact(moving, options.time_error);
+    if (found.verdict == ConvexImpact::Verdict::Never) return std::nullopt;
+    if (found.verdict == ConvexImpact::Verdict::Touch)
+      return describe(moving, motion_a, found.time, found.edge_a, found.edge_b);
+    begin = found.time;
+  }
   ImpactSearch search(moving, options.time_error);
-  if (!search.start()) return std::nullopt;
+  if (!search.start(begin)) return std::nullopt;
   if (search.lowerBound() == 0)
     if (const auto impact = atStart()) return impact;
   if (!search.run()) return std::nullopt;

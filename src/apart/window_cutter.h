@@ -24,6 +24,13 @@ struct Window {
         rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
         a(pair.a.places(begin, end)),
         b(pair.b.places(begin, end)) {}
+  /// The places at the begin are known, in either lane.
+  Window(const MovingPair& pair_, double begin, double end, const Places& a_at_begin, const Places& b_at_begin)
+      : pair(pair_),
+        length(end - begin),
+        rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
+        a(a_at_begin.to(pair.a.places(end, end))),
+        b(b_at_begin.to(pair.b.places(end, end))) {}
 
   const MovingPair& pair;
   double length;
@@ -46,6 +53,15 @@ class WindowCutter {
   /// By the normals of two edges.
   bool cutByNormals() { return cut(a_.vx, a_.vy, sag_with_a_) || cut(b_.vx, b_.vy, sag_with_b_); }
 
+  /// An axis over the window, turning as cutByAxis() has it.
+  struct Axis {
+    Double2 x, y;
+    double sag;
+  };
+  Axis turning(const Vec2& axis) const;
+  /// By the gap, at both ends of the window, of anything within the boxes: computed, error and margin still in it.
+  bool cutByGap(const Axis& axis, Double2 gap);
+
   /// What no axis has cut off; nothing, low > high, is possible, too.
   Rest rest() const { return {share(first_), 1 - share(last_), first_.from / (first_.from - first_.to)}; }
 
@@ -60,6 +76,7 @@ class WindowCutter {
 
   bool cutByAxesOf(const MovingBox& box, bool turns, double sag);
   bool cut(Double2 nx, Double2 ny, double sag);
+  Double2 allowance(Double2 nx, Double2 ny) const;
   bool offer(double from, double to, double sag, Side& side) const;
   static double share(const Side& side);
 
@@ -126,13 +143,17 @@ inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, cons
   turns_with_b_ = sag_with_b_ < sag_fixed_ + 2 * beta * h * extent_b;
 }
 
-inline bool WindowCutter::cutByAxis(const Vec2& axis) {
-  if (sag_fixed_ <= std::min(sag_with_a_, sag_with_b_))
-    return cut(axis.x() - Double2{}, axis.y() - Double2{}, sag_fixed_);
+inline WindowCutter::Axis WindowCutter::turning(const Vec2& axis) const {
+  if (sag_fixed_ <= std::min(sag_with_a_, sag_with_b_)) return {axis.x() - Double2{}, axis.y() - Double2{}, sag_fixed_};
   const bool with_a = sag_with_a_ <= sag_with_b_;
   const MovingBox& box = with_a ? a_ : b_;
   const double u = axis.x() * box.ux[0] + axis.y() * box.uy[0], v = axis.x() * box.vx[0] + axis.y() * box.vy[0];
-  return cut(u * box.ux + v * box.vx, u * box.uy + v * box.vy, with_a ? sag_with_a_ : sag_with_b_);
+  return {u * box.ux + v * box.vx, u * box.uy + v * box.vy, with_a ? sag_with_a_ : sag_with_b_};
+}
+
+inline bool WindowCutter::cutByAxis(const Vec2& axis) {
+  const Axis n = turning(axis);
+  return cut(n.x, n.y, n.sag);
 }
 
 inline bool WindowCutter::cutByAxesOf(const MovingBox& box, bool turns, double sag) {
@@ -141,16 +162,24 @@ inline bool WindowCutter::cutByAxesOf(const MovingBox& box, bool turns, double s
   return cut(middle(box.ux), middle(box.uy), sag) || cut(middle(box.vx), middle(box.vy), sag);
 }
 
+/// What a gap must exceed. Gaps are as much longer than distances as the axis, by a pose off rigid, is than 1.
+inline Double2 WindowCutter::allowance(Double2 nx, Double2 ny) const {
+  if (!(margin_ > 0)) return error_ - Double2{};
+  const Double2 square = nx * nx + ny * ny;
+  return margin_ * std::sqrt(std::max(square[0], square[1])) * (1 + 8 * kUnitRoundoff) + error_ - Double2{};
+}
+
+inline bool WindowCutter::cutByGap(const Axis& axis, Double2 gap) {
+  gap -= allowance(axis.x, axis.y);
+  return offer(gap[0], gap[1], axis.sag, first_) || offer(gap[1], gap[0], axis.sag, last_);
+}
+
 inline bool WindowCutter::cut(Double2 nx, Double2 ny, double sag) {
   Double2 distance = nx * (b_.x - a_.x) + ny * (b_.y - a_.y);
   if (distance[0] < 0) distance = -distance;
   Double2 reach = absolute(nx * a_.ux + ny * a_.uy) * a_.along + absolute(nx * a_.vx + ny * a_.vy) * a_.across +
-                  absolute(nx * b_.ux + ny * b_.uy) * b_.along + absolute(nx * b_.vx + ny * b_.vy) * b_.across + error_;
-  if (margin_ > 0) {
-    // Gaps are as much longer than distances as the axis, by a pose off rigid, is than 1.
-    const Double2 square = nx * nx + ny * ny;
-    reach += margin_ * std::sqrt(std::max(square[0], square[1])) * (1 + 8 * kUnitRoundoff);
-  }
+                  absolute(nx * b_.ux + ny * b_.uy) * b_.along + absolute(nx * b_.vx + ny * b_.vy) * b_.across +
+                  allowance(nx, ny);
   const Double2 gap = distance - reach;
   if (offer(gap[0], gap[1], sag, first_)) return true;
   return distance[1] < 0 ? offer(-distance[1] - reach[1], -distance[0] - reach[0], sag, last_)

@@ -19,6 +19,7 @@ inline void store2(double* p, Double2 v) {
   *reinterpret_cast<Loose*>(p) = v;
 }
 inline Double2 swapped(Double2 v) { return Double2{v[1], v[0]}; }
+inline Double2 larger(Double2 v, Double2 w) { return v > w ? v : w; }
 inline Double2 absolute(Double2 v) { return (Double2)((Bits2)v & INT64_MAX); }
 
 }  // namespace tricover::detail

@@ -39,12 +39,17 @@ struct Gram {
 constexpr double kLargestDefect = 2.1 * kRigidTolerance;
 static_assert(kLargestDefect >= 2 * kRigidTolerance + Gram::kDefectRounding + 0.9e-7);
 
-/// checkPose for hot paths: one comparison for most poses. Written so that NaN and infinity fail.
-inline void requireRigid(const Pose& pose, const char* name) {
+/// Whether checkPose lets a pose pass, by one comparison: most that it does. Written so that NaN and infinity fail.
+inline bool isPlainlyRigid(const Pose& pose) {
   const double* m = pose.data();  // columns of three
   const Gram gram(load2(m), load2(m + 3));
   const Double2 shift = load2(m + 6), finite = shift - shift;
-  if (!(gram.norms[0] + gram.norms[1] + gram.dot + (finite[0] + finite[1]) <= kRigidTolerance)) checkPose(pose, name);
+  return gram.norms[0] + gram.norms[1] + gram.dot + (finite[0] + finite[1]) <= kRigidTolerance;
+}
+
+/// checkPose for hot paths.
+inline void requireRigid(const Pose& pose, const char* name) {
+  if (!isPlainlyRigid(pose)) checkPose(pose, name);
 }
 
 }  // namespace tricover::detail

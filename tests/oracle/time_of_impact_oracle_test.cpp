@@ -39,6 +39,10 @@ struct Flight {
 /// About 50 units in radius.
 Polygon anyPolygon(Random& random) {
   const auto& kinds = workloads::allKinds();
+  // Few vertices and convex: these go another way.
+  if (random.oneIn(3))
+    return workloads::makePolygon(random.coin() ? workloads::Kind::Convex : workloads::Kind::Slim,
+                                  static_cast<std::size_t>(2 * random.integer(4, 8)), random.bits());
   const int choice = random.integer(0, static_cast<int>(kinds.size()) + 2);
   if (choice < static_cast<int>(kinds.size()))
     return workloads::makePolygon(kinds[static_cast<std::size_t>(choice)],

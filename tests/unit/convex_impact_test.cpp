@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The short way to the time of impact of small convex polygons, against the search through hierarchies, which takes
+// the same polygons with each vertex repeated.
+#include "apart/convex_impact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/distance.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover::support {
+namespace {
+
+using namespace detail;
+
+/// Vertices on a circle or an ellipse at random angles: sharp corners, short edges, up to 16 of them.
+Ring convexRing(Random& random, double size) {
+  const int n = random.integer(3, 16);
+  const double flat = random.oneIn(3) ? std::pow(10, random.real(-4, 0)) : 1;
+  const Vec2 center = random.oneIn(4) ? Vec2(3 * size, -2 * size) : Vec2(0, 0);
+  Ring ring;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * 3.14159265358979 * (i + random.real(0, 0.9)) / n;
+    ring.push_back(center + size * Vec2(std::cos(angle), flat * std::sin(angle)));
+  }
+  if (random.coin()) std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+Polygon repeated(const Ring& ring) {
+  Ring result;
+  for (const Vec2& p : ring) result.insert(result.end(), 6, p);
+  return Polygon({result});
+}
+
+Motion anyMotion(Random& random, const Polygon& polygon, double size) {
+  Motion motion;
+  motion.start = randomPose(random, 2 * size);
+  if (random.oneIn(4)) return motion;
+  const auto shift = [&] { return Vec2(4 * size * Vec2(random.real(-1, 1), random.real(-1, 1))); };
+  motion.shift = shift();
+  if (random.oneIn(4)) return motion;
+  motion.pivot = random.coin() ? polygon.origin() : shift();
+  motion.angle = random.real(-1, 1) * (random.oneIn(3) ? 30 : 3);
+  if (random.oneIn(3)) {
+    motion.shift_2 = shift();
+    motion.shift_3 = shift();
+    motion.angle_2 = random.real(-3, 3);
+    motion.angle_3 = random.real(-3, 3);
+  }
+  return motion;
+}
+
+TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
+  int small = 0, answered = 0, hits = 0, misses = 0, at_start = 0;
+  const int count = scaledCount(20000);
+  for (int i = 0; i < count; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const double size = std::pow(10, random.real(-3, 3));
+    const Ring ring_a = convexRing(random, size), ring_b = convexRing(random, size * random.real(0.05, 1));
+    const Polygon a({ring_a}), b({ring_b});
+    const Motion motion_a = anyMotion(random, a, size), motion_b = anyMotion(random, b, size);
+    ImpactOptions options;
+    options.time_error = std::pow(10, random.integer(-12, -1));
+    options.margin = random.oneIn(3) ? size * random.real(0, 0.5) : 0;
+    const std::optional<Impact> impact = timeOfImpact(a, motion_a, b, motion_b, options);
+    const std::optional<Impact> truth = timeOfImpact(repeated(ring_a), motion_a, repeated(ring_b), motion_b, options);
+    ASSERT_EQ(impact.has_value(), truth.has_value()) << i;
+    const bool swaps = b.radius() > a.radius();
+    const MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
+                                  : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
+    if (isSmallConvexPair(pair)) {
+      ++small;
+      const ConvexImpact found = findConvexImpact(pair, options.time_error);
+      answered += found.verdict != ConvexImpact::Verdict::Unknown || found.time == 0;
+      if (truth) {
+        EXPECT_LE(found.time, truth->time + options.time_error + 1e-12) << i;
+        EXPECT_NE(found.verdict, ConvexImpact::Verdict::Never) << i;
+      }
+    }
+    if (!impact) {
+      ++misses;
+      continue;
+    }
+    ++hits;
+    at_start += impact->time == 0;
+    EXPECT_EQ(impact->time == 0, truth->time == 0) << i;
+    EXPECT_NEAR(impact->time, truth->time, options.time_error + 1e-12) << i;
+    // Where it says, the edges are about as far apart as they should be.
+    if (options.time_error > 1e-9 || impact->time == 0) continue;
+    const DistanceResult apart = distance(a, motion_a.at(impact->time), b, motion_b.at(impact->time));
+    EXPECT_NEAR(apart.distance, options.margin, size * (100 * options.time_error + 1e-12)) << i;
+    EXPECT_NEAR(((apart.point_a + apart.point_b) / 2 - impact->point).dot(impact->normal), 0,
+                size * (100 * options.time_error + 1e-9))
+        << i;
+  }
+  std::printf("%d pairs, %d of them small, %d answered, %d hits, %d of them at the start, %d misses\n", count, small,
+              answered, hits, at_start, misses);
+  EXPECT_GE(small, 0.9 * count);
+  EXPECT_GE(answered, 0.97 * small);
+  EXPECT_GE(hits, 0.2 * count);
+  EXPECT_GE(hits - at_start, 0.1 * count);
+  EXPECT_GE(misses, 0.2 * count);
+}
+
+}  // namespace
+}  // namespace tricover::support
