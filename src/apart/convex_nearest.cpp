@@ -38,28 +38,47 @@ class ConvexNearest {
   ConvexNearest(const PosedPair& pair, const SmallConvex& a, const SmallConvex& b, DistanceSearch& search)
       : pair_(pair), map_(mapUnits(pair)), a_(a), b_(b), edges_(search.edges()), search_(search) {}
 
-  Meeting find() {
+  Meeting find(ConvexFeatures& features) {
     const double far = std::abs(map_.tx) + std::abs(map_.ty);
     if (!(map_.error < kSupportError && map_.scale >= kLeastScale && far < kFar && edges_.isUnscaled()))
       return Meeting::Unknown;
+    if (proves(features)) return Meeting::Apart;
     const ConvexGap gap = convexGap(a_, b_, map_);
     if (gap.gap < -8 * gapRounding(pair_) - map_.error && far < 4) return Meeting::Meet;  // as convexMeet() says
-    return gap.gap > 0 && besideEdge(gap.of_a, gap.edge, gap.vertex) ? Meeting::Apart : Meeting::Unknown;
+    if (!(gap.gap > 0)) return Meeting::Unknown;
+    const int i = gap.of_a ? gap.edge : gap.vertex, j = gap.of_a ? gap.vertex : gap.edge;
+    if (!besideEdge(gap.of_a, i, j)) {
+      const ConvexVertices nearest = nearestVertices(a_, b_, map_);
+      if (!areNearest(nearest.a, nearest.b)) return Meeting::Unknown;
+    }
+    features = found_;
+    return Meeting::Apart;
   }
 
  private:
   void support(double nx, double ny) { supports_ = convexSupports(a_, b_, map_, nx, ny, kDepth * map_.scale); }
 
-  /// Whether a vertex and an edge of the other, or one of its ends, are the nearest features.
-  bool besideEdge(bool of_a, int e, int vertex) {
+  bool proves(ConvexFeatures& features) {
+    if (features.kind == ConvexFeatures::kNone) return false;
+    const int i = static_cast<int>(features.edge_a), j = static_cast<int>(features.edge_b);
+    const bool proven = features.kind == ConvexFeatures::kVertices
+                            ? areNearest(i, j)
+                            : besideEdge(features.kind == ConvexFeatures::kEdgeOfA, i, j);
+    features = found_;
+    features.proven = proven;
+    return proven;
+  }
+
+  /// Whether the edge i or j and the start of the other, or an end of that edge, are the nearest features.
+  bool besideEdge(bool of_a, int i, int j) {
     const SmallConvex& polygon = of_a ? a_ : b_;
-    const int next = e + 1 == polygon.count ? 0 : e + 1, i = of_a ? e : vertex, j = of_a ? vertex : e;
+    const int e = of_a ? i : j, next = e + 1 == polygon.count ? 0 : e + 1;
     const EdgeDistances::View view = edges_.startBeside(of_a, position(i), position(j));
     const double along = view.along[view.nearest], square = view.length_square[view.nearest / 2];
     const double inside = kInside * (view.distance + pair_.b.unit) * std::sqrt(square);
     if (!(along >= inside && along <= square - inside)) {
       const int end = along < inside ? e : next;
-      return of_a ? areNearest(end, vertex) || lookForVertices() : areNearest(vertex, end) || lookForVertices();
+      return of_a ? areNearest(end, j) : areNearest(i, end);
     }
     const double nx = polygon.nx[e], ny = polygon.ny[e];
     if (of_a)
@@ -67,12 +86,8 @@ class ConvexNearest {
     else
       support(-(map_.r00 * nx + map_.r01 * ny), -(map_.r10 * nx + map_.r11 * ny));
     const unsigned ends = bit(e) | bit(next);
-    return show(view, i, j, of_a ? ends : bit(i), of_a ? bit(j) : ends);
-  }
-
-  bool lookForVertices() {
-    const ConvexVertices nearest = nearestVertices(a_, b_, map_);
-    return areNearest(nearest.a, nearest.b);
+    return of_a ? show(view, {ConvexFeatures::kEdgeOfA, position(i), position(j)}, ends, bit(j))
+                : show(view, {ConvexFeatures::kEdgeOfB, position(i), position(j)}, bit(i), ends);
   }
 
   bool areNearest(int v, int w) {
@@ -80,15 +95,17 @@ class ConvexNearest {
     const double distance = std::sqrt(squares[0] + squares[1]), inverse = 1 / distance;
     const Double2 x = load2(pair_.pose_a.data()) * way, y = load2(pair_.pose_a.data() + 3) * way;
     support((x[0] + x[1]) * inverse, (y[0] + y[1]) * inverse);
-    return show(EdgeDistances::startAndStart(distance), v, w, bit(v), bit(w));
+    return show(EdgeDistances::startAndStart(distance), {ConvexFeatures::kVertices, position(v), position(w)}, bit(v),
+                bit(w));
   }
 
-  /// Whether these vertices are foremost, as the features of the edges i and j are that the view shows.
-  bool show(const EdgeDistances::View& view, int i, int j, unsigned of_a, unsigned of_b) {
+  /// Whether these vertices, which the features that the view shows consist of, are foremost.
+  bool show(const EdgeDistances::View& view, const ConvexFeatures& features, unsigned of_a, unsigned of_b) {
     if ((supports_.foremost_a & of_a) != of_a || (supports_.foremost_b & of_b) != of_b) return false;
     if (!(supports_.gap > kSupportError + map_.error)) return false;
+    found_ = features;
     if (supports_.a == of_a && supports_.b == of_b && isClear(view.distance)) {
-      search_.setNearest(position(i), position(j), view);
+      search_.setNearest(features.edge_a, features.edge_b, view);
       return true;
     }
     for (unsigned v = edgesAt(supports_.a, a_.count); v != 0; v &= v - 1)
@@ -111,14 +128,15 @@ class ConvexNearest {
   const EdgeDistances& edges_;
   DistanceSearch& search_;
   ConvexSupports supports_{};
+  ConvexFeatures found_;
 };
 
 }  // namespace
 
-Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search) {
+Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features) {
   const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
   if (a == nullptr || b == nullptr) return Meeting::Unknown;
-  return ConvexNearest(pair, *a, *b, search).find();
+  return ConvexNearest(pair, *a, *b, search).find(features);
 }
 
 }  // namespace tricover::detail

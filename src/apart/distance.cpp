@@ -152,15 +152,15 @@ bool descend(const PosedPair& pair, DistanceSearch& search) {
 Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
   const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
   if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
-    search.show(static_cast<std::uint32_t>(outcome.edge_a), static_cast<std::uint32_t>(outcome.edge_b));
+    search.setMeeting(static_cast<std::uint32_t>(outcome.edge_a), static_cast<std::uint32_t>(outcome.edge_b));
   return outcome;
 }
 
 /// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
-/// `alone` says that no fact is wanted, so that pairs beyond the nearest may stay unseen.
-Outcome findNearest(const PosedPair& pair, DistanceSearch& search, bool alone) {
-  const Meeting convex = alone ? showNearestOfConvex(pair, search) : Meeting::Unknown;
+Outcome findNearest(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features) {
+  const Meeting convex = showNearestOfConvex(pair, search, features);
   if (convex == Meeting::Apart) return {};
+  features.kind = ConvexFeatures::kNone;
   if (convex == Meeting::Meet || Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0)
     return findMeeting(pair, search);
   return descend(pair, search) ? findContainment(pair) : Outcome();
@@ -173,6 +173,106 @@ DistanceResult resultOfPoints(const Pair& pair, double distance, const DistanceO
           worldPoint(pair.b, pair.pose_b, j, 0), static_cast<std::ptrdiff_t>(i), static_cast<std::ptrdiff_t>(j)};
 }
 
+/// DistanceCache::hint: a kind of features of two small convex polygons, or a pair of edges that may be near.
+constexpr std::uint8_t kNoHint = ConvexFeatures::kNone, kNearEdges = ConvexFeatures::kVertices + 1;
+/// DistanceCache::answered: facts pay if they answer two queries. Those that didn't look ahead aren't judged.
+constexpr std::uint8_t kPaying = 2, kUnjudged = 255;
+/// DistanceCache::resting after facts have failed for the first, second, third time in a row, and from then on.
+constexpr std::uint8_t kRests[] = {0, 3, 15, 63}, kMostFailed = 3;
+
+bool knowsFacts(const DistanceCache& cache) { return cache.count > 0 || cache.apart[0] > 0; }
+
+void storePoses(DistanceCache& cache, const Pair& pair) {
+  store(cache.first_pose, pair.pose_a);
+  store(cache.second_pose, pair.pose_b);
+  cache.uses = 0;
+}
+
+/// Keeps no facts, but where it was nearest.
+void storeHint(DistanceCache& cache, std::uint8_t hint, std::uint32_t edge_a, std::uint32_t edge_b) {
+  cache.count = 0;
+  cache.apart[0] = 0;
+  cache.hint = hint;
+  cache.first_edge[0] = edge_a;
+  cache.second_edge[0] = edge_b;
+}
+
+/// After facts that didn't answer: whether to find new ones.
+void judgeFacts(DistanceCache& cache, bool jumped) {
+  if (!jumped && cache.answered == kUnjudged) return;
+  cache.failed = !jumped && cache.answered >= kPaying ? 0 : std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
+  cache.resting = kRests[cache.failed];
+}
+
+/// After features were tried: one failure is nothing, they change now and then.
+void judgeHint(DistanceCache& cache, bool proven) {
+  cache.resting = kRests[cache.failed];
+  cache.failed = proven ? 0 : std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
+}
+
+/// Whether the cache's facts answer; `outcome` is then where a ring lies inside the other region. If they don't, tells
+/// the search how far to look ahead.
+bool answersByFacts(const Pair& pair, DistanceCache& cache, DistanceSearch& search, Outcome& outcome) {
+  bool both_moved;
+  Remainder remainder = remainderOf(cache, pair, both_moved);
+  search.lookAhead(kInfinity);
+  int shown = recall(cache, remainder, search);
+  if (shown < 0 && both_moved) {
+    remainder =
+        remainderOfRelativeMotion(cache.first_pose, cache.second_pose, pair.a, pair.pose_a, pair.b, pair.pose_b);
+    shown = recall(cache, remainder, search);
+  }
+  if (shown < 0) {
+    const bool jumped = !(remainder.motion <= kCoherentPart * pair.b.radius);
+    judgeFacts(cache, jumped);
+    const double ahead = kStepsAhead * remainder.motion / (cache.uses + 1.0);
+    search.lookAhead(jumped || cache.resting > 0 ? 0 : std::min(ahead, pair.b.radius));
+    return false;
+  }
+  ++cache.uses;
+  if (cache.answered < kPaying) ++cache.answered;
+  if (!search.meets() && !(remainder.of(cache.apart[0]) > 0))
+    outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
+  if (!outcome.collides && search.refresh(cache, remainder, shown)) storePoses(cache, pair);
+  return true;
+}
+
+/// By the cache, or so that the cache can tell the next time.
+Outcome findCoherently(const Pair& pair, DistanceCache& cache, DistanceSearch& search) {
+  if (cache.first_id != pair.a.id || cache.second_id != pair.b.id) {
+    cache = DistanceCache();
+    cache.first_id = pair.a.id;
+    cache.second_id = pair.b.id;
+  }
+  Outcome outcome;
+  ConvexFeatures features;
+  if (knowsFacts(cache)) {
+    if (answersByFacts(pair, cache, search, outcome)) return outcome;
+  } else if (cache.resting > 0) {
+    --cache.resting;
+    if (cache.hint == kNearEdges && !search.show(cache.first_edge[0], cache.second_edge[0])) return outcome;
+  } else if (cache.hint != kNoHint && cache.hint != kNearEdges) {
+    features = {static_cast<ConvexFeatures::Kind>(cache.hint), cache.first_edge[0], cache.second_edge[0]};
+  }
+  const bool looks_ahead = search.looksAhead(), tries = features.kind != ConvexFeatures::kNone;
+  outcome = findNearest(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search, features);
+  if (features.kind != ConvexFeatures::kNone) {
+    if (tries) judgeHint(cache, features.proven);
+    storeHint(cache, features.kind, features.edge_a, features.edge_b);
+  } else if (outcome.collides && !search.meets()) {
+    storeHint(cache, kNoHint, 0, 0);
+  } else if (cache.resting > 0) {
+    const ShownPair& upper = search.upperPair();
+    storeHint(cache, search.hasUpper() ? kNearEdges : kNoHint, upper.i, upper.j);
+  } else {
+    storePoses(cache, pair);
+    cache.hint = kNoHint;
+    cache.answered = looks_ahead ? 0 : kUnjudged;
+    search.keep(cache);
+  }
+  return outcome;
+}
+
 DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const DistanceOptions& options) {
   if (pair.a.isPoint() && pair.b.isPoint()) {
     const double distance = plainDistance(pair.a, pair.pose_a, pair.b, pair.pose_b);
@@ -180,53 +280,16 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
     if (distance > 0 && result.distance <= options.limit) return result;
   }
   DistanceSearch search(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-  const auto answer = [&] {
-    search.finish();
-    return resultOf(pair, search, options);
-  };
-  const auto storePoses = [&] {
-    store(cache->first_pose, pair.pose_a);
-    store(cache->second_pose, pair.pose_b);
-    cache->uses = 0;
-  };
-  if (cache != nullptr && cache->first_id == pair.a.id && cache->second_id == pair.b.id) {
-    bool both_moved;
-    Remainder remainder = remainderOf(*cache, pair, both_moved);
-    search.lookAhead(kInfinity);
-    int shown = recall(*cache, remainder, search);
-    if (shown < 0 && both_moved) {
-      remainder =
-          remainderOfRelativeMotion(cache->first_pose, cache->second_pose, pair.a, pair.pose_a, pair.b, pair.pose_b);
-      shown = recall(*cache, remainder, search);
-    }
-    if (shown >= 0) {
-      ++cache->uses;
-      if (!search.meets() && !(remainder.of(cache->apart[0]) > 0)) {
-        const Outcome outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
-        if (outcome.collides) return contained(pair, outcome);
-      }
-      if (search.refresh(*cache, remainder, shown)) storePoses();
-      return answer();
-    }
-    const double ahead = kStepsAhead * remainder.motion / (cache->uses + 1.0);
-    search.lookAhead(remainder.motion <= kCoherentPart * pair.b.radius ? std::min(ahead, pair.b.radius) : 0);
-  } else if (cache != nullptr) {
-    *cache = DistanceCache();
-    cache->first_id = pair.a.id;
-    cache->second_id = pair.b.id;
-  }
-  const PosedPair posed(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  const Outcome outcome = findNearest(posed, search, cache == nullptr);
-  if (outcome.collides && !search.meets()) {
-    if (cache != nullptr) cache->count = 0, cache->apart[0] = 0;
-    return contained(pair, outcome);
-  }
+  Outcome outcome;
   if (cache != nullptr) {
-    assert(cache->first_id == pair.a.id && cache->second_id == pair.b.id);
-    storePoses();
-    search.keep(*cache);
+    outcome = findCoherently(pair, *cache, search);
+  } else {
+    ConvexFeatures features;
+    outcome = findNearest(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search, features);
   }
-  return answer();
+  if (outcome.collides && !search.meets()) return contained(pair, outcome);
+  search.finish();
+  return resultOf(pair, search, options);
 }
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

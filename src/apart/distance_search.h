@@ -39,6 +39,7 @@ class SearchReach {
   double most() const { return most_; }
   double worth() const { return worth_; }
   double reach() const { return reach_; }
+  bool looksAhead() const { return lookahead_ > 0; }
 
   void setUpper(double distance) { upper_ = distance; }
   void limitTo(double distance) { limit_ = std::min(limit_, distance); }
@@ -167,8 +168,7 @@ class DistanceSearch {
   bool show(std::uint32_t i, std::uint32_t j) {
     const EdgeDistances::Bounds bounds = nearest_.edges.bounds(i, j);
     if (!bounds.clear && nearest_.edges.meet(i, j)) {
-      meets_ = true;
-      nearest_.setMeeting(i, j);
+      setMeeting(i, j);
       return false;
     }
     count(bounds, {0, i, j, -1});
@@ -182,6 +182,12 @@ class DistanceSearch {
     count(nearest_.edges.bounds(view), {0, i, j, index});
   }
 
+  /// Instead of showing these, which are known to share a point.
+  void setMeeting(std::uint32_t i, std::uint32_t j) {
+    meets_ = true;
+    nearest_.setMeeting(i, j);
+  }
+
   /// Instead of showing any: these are proven to be the nearest, which this view of them shows.
   void setNearest(std::uint32_t i, std::uint32_t j, const EdgeDistances::View& view) {
     nearest_.setNearest(i, j, view);
@@ -190,6 +196,7 @@ class DistanceSearch {
 
   double worth() const { return reach_.worth(); }
   double reach() const { return reach_.reach(); }
+  bool looksAhead() const { return reach_.looksAhead(); }
 
   void limitTo(double distance) {
     reach_.limitTo(distance);
@@ -224,6 +231,9 @@ class DistanceSearch {
   /// Within the caller's limit, but for rounding.
   bool isWithinLimit() const { return best().distance <= reach_.most(); }
   const EdgeDistances::Nearest& best() const { return nearest_.best(); }
+  /// A pair that was shown and proves how near they are at most, unless they meet.
+  bool hasUpper() const { return !meets_ && upper_pair_.i != UINT32_MAX; }
+  const ShownPair& upperPair() const { return upper_pair_; }
   std::uint32_t edgeA() const { return nearest_.pair().i; }
   std::uint32_t edgeB() const { return nearest_.pair().j; }
 

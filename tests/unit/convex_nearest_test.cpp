@@ -56,7 +56,7 @@ Case convexPair(Random& random) {
 }
 
 TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
-  int shown = 0, meeting = 0, near = 0, of_one_shape = 0;
+  int shown = 0, meeting = 0, near = 0, of_one_shape = 0, proven = 0, proven_by_chance = 0;
   const int count = scaledCount(20000);
   for (int i = 0; i < count; ++i) {
     Random random(static_cast<std::uint64_t>(i) + 77);
@@ -66,11 +66,12 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
                                    : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);
     const DistanceOptions options;
     DistanceSearch few(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-    const Meeting found = showNearestOfConvex(pair, few);
+    ConvexFeatures features, none;
+    const Meeting found = showNearestOfConvex(pair, few, features);
     {
       usePortableLanes(true);
       DistanceSearch portable(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-      ASSERT_EQ(showNearestOfConvex(pair, portable), found) << reproduction(c);
+      ASSERT_EQ(showNearestOfConvex(pair, portable, none), found) << reproduction(c);
       usePortableLanes(false);
       portable.finish();
       few.finish();
@@ -86,11 +87,30 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
       for (std::uint32_t l = 0; l + 1 < pair.b.path.size(); ++l) ASSERT_TRUE(all.show(k, l)) << reproduction(c);
     all.finish();
     ASSERT_EQ(few.best().distance, all.best().distance) << reproduction(c);
+    // Features to try first: those that were found, and some near them.
+    const auto beside = [&](std::uint32_t edge, const PolygonData& polygon) {
+      return (edge + static_cast<std::uint32_t>(random.integer(0, 2))) %
+             static_cast<std::uint32_t>(polygon.path.size() - 1);
+    };
+    const auto kind = static_cast<ConvexFeatures::Kind>(random.integer(1, 3));
+    for (ConvexFeatures tried :
+         {features, ConvexFeatures{kind, beside(features.edge_a, pair.a), beside(features.edge_b, pair.b)}}) {
+      const bool is_known =
+          tried.kind == features.kind && tried.edge_a == features.edge_a && tried.edge_b == features.edge_b;
+      DistanceSearch hinted(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
+      ASSERT_EQ(showNearestOfConvex(pair, hinted, tried), Meeting::Apart) << reproduction(c);
+      hinted.finish();
+      ASSERT_EQ(hinted.best().distance, all.best().distance) << reproduction(c);
+      (is_known ? proven : proven_by_chance) += tried.proven;
+    }
     ++shown;
     near += all.best().distance < 1e-3 * pair.b.radius;
     of_one_shape += c.a.id() == c.b.id();
   }
   EXPECT_GT(shown, 0.5 * count);
+  EXPECT_GE(proven, shown);
+  EXPECT_GT(proven_by_chance, 0.01 * count);
+  EXPECT_LT(proven_by_chance, 0.5 * count);
   EXPECT_GT(meeting, 0.02 * count);
   EXPECT_LT(shown + meeting, count) << "some are too near to tell";
   EXPECT_GT(near, 0.05 * count);
@@ -104,7 +124,8 @@ TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
     const PosedPair pair(a.data(), at_a, b.data(), at_b);
     const DistanceOptions options;
     DistanceSearch search(a.data(), at_a, b.data(), at_b, options);
-    return showNearestOfConvex(pair, search);
+    ConvexFeatures features;
+    return showNearestOfConvex(pair, search, features);
   };
   constexpr Meeting kApart = Meeting::Apart, kUnknown = Meeting::Unknown;
   EXPECT_EQ(shows(square, square, {3, 0.25}), kApart);

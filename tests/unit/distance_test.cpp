@@ -266,5 +266,25 @@ TEST(DistanceCache, KeepsFactsOfOnePair) {
   EXPECT_EQ(cache.second_id, c.id());
 }
 
+/// Facts that answer nothing are given up for a while, and found again when they would last.
+TEST(DistanceCache, RestsWhileFactsWouldNotLast) {
+  const Polygon a({scaled(regular(40, 1), 3), regular(5, 1)}), b({regular(30, 1)});
+  DistanceCache cache;
+  const auto asks = [&](double angle) {
+    const Pose pose_b = pose(angle, 6 * std::cos(angle), 6 * std::sin(angle));
+    EXPECT_EQ(distance(a, at(0, 0), b, pose_b, cache).distance, distance(a, at(0, 0), b, pose_b).distance);
+  };
+  int rests = 0;
+  for (int i = 0; i < 100; ++i) {
+    asks(2.4 * i);
+    rests += cache.resting > 0;
+  }
+  EXPECT_GT(rests, 80) << "jumps";
+  for (int i = 0; i < 100; ++i) asks(1e-5 * i);
+  const std::uint32_t uses = cache.uses;
+  asks(1.0001e-3);
+  EXPECT_GT(cache.uses, uses) << "not answered by a fact";
+}
+
 }  // namespace
 }  // namespace tricover::support
