@@ -89,7 +89,19 @@ TEST(SettledBoxes, AskForCertainty) {
     const bool certain = x < -1e-15;
     const std::vector<bool> expected = {true, certain, certain, true, false};
     EXPECT_EQ(settledEdges(a.data(), boxes.pairs().a), expected) << x;
+    // The same of b, turned by half.
+    Pose turned = still;
+    turned.linear() *= -1;
+    const SettledBoxes of_b(EdgeDistances(b.data(), turned, a.data(), turned), 0, 0);
+    ASSERT_TRUE(of_b.any()) << x;
+    EXPECT_EQ(settledEdges(a.data(), of_b.pairs().b), expected) << x;
   }
+  // Whichever ends of the two edges are nearest.
+  const Polygon front({{{0, 0}, {-1, 1}, {-1, 2}}}), back({{{-1, 1}, {0, 0}, {-1, 2}}});
+  const Polygon b_back({{{2, 1}, {1, 0}, {2, -1}}});
+  for (const Polygon* p : {&front, &back})
+    for (const Polygon* q : {&b, &b_back})
+      EXPECT_TRUE(SettledBoxes(EdgeDistances(p->data(), still, q->data(), still), 0, 0).any());
   // Nor where the pair itself has its nearest point between two vertices.
   const Polygon beside({{{1, 0}, {1, 1}, {2, 1}}}), flat({{{0, -1}, {0, 1}, {-1, 0}}});
   EXPECT_FALSE(SettledBoxes(EdgeDistances(flat.data(), still, beside.data(), still), 0, 0).any());

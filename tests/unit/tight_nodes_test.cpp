@@ -104,7 +104,8 @@ TEST(TightNodes, PivotsPartWhatIsApart) {
   for (int i = 0; i < scaledCount(300); ++i) {
     Random random(static_cast<std::uint64_t>(i) + 1000);
     const bool is_hole = random.coin();  // something that turns in it, or around
-    const Polygon a(is_hole ? Polygon({regular(60, 2.2), regular(60, 2.05)}) : outline(random)), b = outline(random);
+    const Polygon a(is_hole ? Polygon({regular(60, 2.2), regular(60, 2.05)}) : outline(random)),
+        b = is_hole && random.coin() ? Polygon({regular(60, random.real(1.95, 2.05))}) : outline(random);
     Motion motion_a = randomMotion(random), motion_b = randomMotion(random);
     if (is_hole) {
       motion_a.start = pose(random.real(0, 6), random.real(-0.1, 0.1), 0);
