@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "apart/convex_nearest.h"
 #include "apart/distance_search.h"
@@ -273,12 +274,33 @@ Outcome findCoherently(const Pair& pair, DistanceCache& cache, DistanceSearch& s
   return outcome;
 }
 
+/// Of a point b and a polygon, where plain doubles do.
+std::optional<DistanceResult> distanceFromPoint(const Pair& pair, const DistanceOptions& options) {
+  const NearestEdge nearest = nearestEdge(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  if (!(nearest.distance > 0)) return std::nullopt;
+  if (nearest.may_be_inside) {
+    const Outcome outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
+    if (outcome.collides) return contained(pair, outcome);
+  }
+  const double distance = beyond(pair, nearest.distance, options.margin);
+  if (!(distance <= options.limit)) {
+    if (nearest.distance > SearchReach(options).most()) return farResult();
+    return std::nullopt;
+  }
+  return DistanceResult{distance, worldPoint(pair.a, pair.pose_a, nearest.edge, nearest.along),
+                        worldPoint(pair.b, pair.pose_b, pair.b.spine, 0),
+                        static_cast<std::ptrdiff_t>(pair.a.edgeNumber(nearest.edge)),
+                        static_cast<std::ptrdiff_t>(pair.b.spine)};
+}
+
 DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const DistanceOptions& options) {
   if (pair.a.isPoint() && pair.b.isPoint()) {
     const double distance = plainDistance(pair.a, pair.pose_a, pair.b, pair.pose_b);
     const DistanceResult result = resultOfPoints(pair, distance, options);
     if (distance > 0 && result.distance <= options.limit) return result;
   }
+  if (pair.b.isPoint() && !pair.a.hasSpine())
+    if (const auto result = distanceFromPoint(pair, options)) return *result;
   DistanceSearch search(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
   Outcome outcome;
   if (cache != nullptr) {

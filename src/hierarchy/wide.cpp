@@ -43,6 +43,10 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
   return table().find_edge_near(hierarchy, place, limit, test);
 }
 
+int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest]) {
+  return table().find_nearest_edges(hierarchy, place, edges);
+}
+
 void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
                    const PairVisitor& visitor) {
   table().show_edges_near(hierarchy, place, limit, edge_b, visitor);

@@ -75,6 +75,10 @@ struct NearEdgeTest {
 /// any edge, at most the limit.
 DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test);
 
+/// The edges that may be the nearest to a point, as floats see it; how many, 0 if that isn't known or there are more.
+constexpr int kMostNearest = 8;
+int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest]);
+
 /// A point that moves from `start` by (dx, dy), in a hierarchy's units.
 struct Way {
   Place start;

@@ -95,6 +95,58 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
 }
 
 template <class Lanes>
+int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest]) {
+  NearBlocks blocks;
+  blocks.top = 0;
+  blocks.push(0, 0);
+  double upper = 1e30, low[kMostNearest];
+  int found = 0;
+  const auto keepNear = [&] {
+    int kept = 0;
+    for (int i = 0; i < found; ++i) {
+      if (low[i] > upper) continue;
+      low[kept] = low[i];
+      edges[kept++] = edges[i];
+    }
+    found = kept;
+  };
+  while (blocks.top > 0) {
+    if (blocks.distance[--blocks.top] > upper) continue;
+    const Block& block = hierarchy.blocks[blocks.block[blocks.top]];
+    const PlaceInBlock p = placeIn(block, place);
+    if (!(p.slack < 1e12f)) return 0;  // squares overflow
+    const Lanes gaps = boxDistances<Lanes>(block, p);
+    float distance[kLanes], farthest[kLanes];
+    gaps.store(distance);
+    (gaps + Lanes::load(block.across) * 2.0f).store(farthest);
+    float nearest = 1e30f;
+    for (int i = 0; i < kLanes; ++i)
+      nearest = (block.spanned >> i & 1) != 0 && farthest[i] < nearest ? farthest[i] : nearest;
+    const double least = (static_cast<double>(nearest) + p.slack) * block.scale * (1 + 0x1p-20);
+    if (least < upper) upper = least;
+    // Rounded upwards, as in stepOf().
+    const float threshold = static_cast<float>(upper * block.inverse + p.slack) * (1 + 0x1p-20f);
+    unsigned near = ((1u << block.count) - 1) & ~above(gaps, Lanes::all(threshold));
+    const int first = blocks.top;
+    for (; near != 0; near &= near - 1) {
+      const int i = __builtin_ctz(near);
+      const double lower = (static_cast<double>(distance[i]) - p.slack) * block.scale;
+      if (!block.leaf) {
+        blocks.push(block.child[i], static_cast<float>(lower) * (1 - 0x1p-20f));
+        continue;
+      }
+      if (found == kMostNearest) keepNear();
+      if (found == kMostNearest) return 0;
+      low[found] = lower;
+      edges[found++] = block.child[i];
+    }
+    blocks.raiseNearest(first);
+  }
+  keepNear();
+  return found;
+}
+
+template <class Lanes>
 void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
                    const PairVisitor& visitor) {
   NearBlocks blocks;
@@ -104,7 +156,7 @@ void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit,
     if (blocks.distance[--blocks.top] > limit) continue;
     const Block& block = hierarchy.blocks[blocks.block[blocks.top]];
     const PlaceInBlock p = placeIn(block, place);
-    const bool known = p.slack < 1e15f;
+    const bool known = p.slack < 1e12f;  // squares don't overflow
     float distance[kLanes];
     boxDistances<Lanes>(block, p).store(distance);
     float nearest = 1e30f;
@@ -194,7 +246,7 @@ void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)
 template <class Lanes>
 double depthInDiscs(const InnerDiscs& discs, const Place& place) {
   const double slack = kGapRounding * (magnitude(place.x) + magnitude(place.y) + 4) + place.error;
-  if (!(slack < 1)) return -1e30;
+  if (!(slack < 1)) return -__builtin_inf();
   const Lanes dx = Lanes::load(discs.x) - static_cast<float>(place.x),
               dy = Lanes::load(discs.y) - static_cast<float>(place.y);
   float depth[kLanes];

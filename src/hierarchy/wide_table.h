@@ -19,6 +19,7 @@ struct WideTable {
   decltype(&nearestVertices) nearest_vertices;
   decltype(&convexSupports) convex_supports;
   decltype(&showEdgesNear) show_edges_near;
+  decltype(&findNearestEdges) find_nearest_edges;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

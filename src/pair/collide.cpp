@@ -7,6 +7,7 @@
 #include "numbers/rigidity.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/collide_by_paper.h"
+#include "pair/collide_spine.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
@@ -57,12 +58,26 @@ bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData&
                           : collideByHierarchy(pair, options, 0, Wanted::Answer).collides;
 }
 
+/// Whether one is a point, and the other has so few edges that they are asked sooner than a fact.
+bool isQuickPoint(const PolygonData& a, const PolygonData& b) {
+  constexpr std::size_t kFew = kLanes * kLanes + 1;
+  return (a.isPoint() && b.path.size() <= kFew) || (b.isPoint() && a.path.size() <= kFew);
+}
+
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache* cache,
              const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
   requireRigid(pose_a, "pose_a");
   requireRigid(pose_b, "pose_b");
+  if (isQuickPoint(a.data(), b.data()) && options.strategy == Strategy::Hierarchy) {
+    return inKernelOrder(
+        a.data(), pose_a, b.data(), pose_b,
+        [&](const PolygonData& p, const Pose& pose_p, const PolygonData& q, const Pose& pose_q) {
+          return q.isPoint() ? pointMeets(p, pose_p, q, pose_q, options) : pointMeets(q, pose_q, p, pose_p, options);
+        },
+        [](bool) {});
+  }
   Recollection recollection{};
   if (cache != nullptr && options.strategy == Strategy::Hierarchy) {
     recollection = recall(*cache, a.data(), pose_a, b.data(), pose_b, options.margin);

@@ -3,24 +3,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "pair/containment.h"
 #include "pair/pair_descent.h"
+#include "pair/point_place.h"
 
 namespace tricover::detail {
 namespace {
-
-/// A lower bound, in units, of the distance of a place from the box around everything; not positive where it may be
-/// inside. The box's axis is of unit length as far as floats are: kGapRounding is far more than doubles add to that.
-double distanceFromRoot(const Box& root, const Place& place) {
-  const double dx = place.x - root.x, dy = place.y - root.y;
-  const double along = std::max(std::abs(dx * root.ux + dy * root.uy) - root.along, 0.0);
-  const double across = std::max(std::abs(dy * root.ux - dx * root.uy) - root.across, 0.0);
-  const double squares = along * along + across * across;
-  const double apart = squares < 1e300 ? std::sqrt(squares) : std::max(along, across);  // squares may overflow
-  return apart - (std::abs(dx) + std::abs(dy) + 4) * kGapRounding - place.error;
-}
 
 struct PointTest {
   static bool meet(const void* context, std::size_t edge) {
@@ -31,6 +20,26 @@ struct PointTest {
   const PosedPair& pair;
   const CollideOptions& options;
 };
+
+/// The same where no relative pose is known yet: most points never need one.
+struct BarePointTest {
+  static bool meet(const void* context, std::size_t edge) {
+    const BarePointTest& test = *static_cast<const BarePointTest*>(context);
+    return edgesWithin(PosedPair(test.a, test.pose_a, test.b, test.pose_b), edge, test.b.spine, test.options.margin,
+                       test.options.tolerance);
+  }
+
+  const PolygonData& a;
+  const Pose& pose_a;
+  const PolygonData& b;
+  const Pose& pose_b;
+  const CollideOptions& options;
+};
+
+/// In units, and rounded inwards: what is proven to be no farther away than this is a hit.
+double acceptedWithin(const CollideOptions& options, double scale_defect, const PolygonData& a) {
+  return (options.margin + options.tolerance) * ((1 - 2 * scale_defect) * (1 - 0x1p-20) * a.inverse_unit);
+}
 
 std::ptrdiff_t position(std::size_t edge) { return static_cast<std::ptrdiff_t>(edge); }
 
@@ -52,9 +61,7 @@ Outcome collidePoint(const PosedPair& pair, const CollideOptions& options, doubl
   const Place place{map.tx, map.ty, map.error};
   const double unit = pair.a.unit, inverse_unit = pair.a.inverse_unit;
   const double reach = pair.reach(options.margin) * inverse_unit, limit = reach + lookahead * inverse_unit;
-  // Rounded inwards, as reach is outwards.
-  const double within = (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) * inverse_unit;
-  const double accept = (options.margin + options.tolerance) * within;
+  const double accept = acceptedWithin(options, pair.scale_defect, pair.a);
   Outcome outcome;
   const double outside = distanceFromRoot(tree.root, place);
   if (outside > limit) {
@@ -80,6 +87,36 @@ Outcome collidePoint(const PosedPair& pair, const CollideOptions& options, doubl
   if (!(outside > 0)) outcome = findContainment(pair);
   if (wanted == Wanted::Clearance) outcome.clearance = found.clearance * unit;
   return outcome;
+}
+
+bool pointMeets(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                const CollideOptions& options) {
+  assert(b.isPoint());
+  const PointPlace seen(a, pose_a, b, pose_b);
+  // Squares round as those of Discs, and sums of lengths by what kLargestDefect and the error have to spare.
+  const Double2 squares = seen.way * seen.way;
+  const double square = squares[0] + squares[1];
+  const double apart = a.radius * (1 + kLargestDefect) + seen.error + options.margin;
+  if (squarable(apart) && square > roundedUp<Discs::kSquares>(apart * apart)) return false;
+  const BarePointTest test{a, pose_a, b, pose_b, options};
+  if (a.hasSpine()) {
+    // S is on it but for what the error has to spare.
+    const double within = options.margin - seen.error;
+    return (squarable(within) && roundedUp<Discs::kSquares>(square) < within * within) ||
+           BarePointTest::meet(&test, a.spine);
+  }
+  const Hierarchy& tree = hierarchyOf(a);
+  const double reach = options.margin * (1 + 2 * seen.defect) * a.inverse_unit;
+  const double outside = distanceFromRoot(tree.root, seen.place);
+  if (outside > reach) return false;
+  const double accept = acceptedWithin(options, seen.defect, a);
+  const bool may_be_inside = !(outside > 0);
+  if (may_be_inside) {
+    const double depth = depthInDiscs(tree.inner_discs, seen.place);
+    if (depth > 0 || -depth < accept) return true;
+  }
+  if (findEdgeNear(tree, seen.place, reach, {&test, &BarePointTest::meet, reach, accept}).hit) return true;
+  return may_be_inside && findContainment(PosedPair(a, pose_a, b, pose_b)).collides;
 }
 
 }  // namespace tricover::detail

@@ -47,6 +47,17 @@ class Discs {
     return std::max(roundedDown<2>(reach) - roundedUp<2>(std::sqrt(square)), 0.0);
   }
 
+  /// R_b q + (shift - R_a p), in either coordinate, with lengths p, q <= sqrt2 e of points in the bounding boxes:
+  ///   R_b q       products 1, sum 1, the last sum 1                      3 q
+  ///   R_a p       products 1, sum 1, the difference 1, the last sum 1    4 p
+  ///   shift       itself 1, the difference 1, the last sum 1             3 |t_b - t_a|_1
+  /// and sqrt2 of it in any direction: at most 8 e.
+  static constexpr double kPointsError = 16 * kUnitRoundoff;
+  static_assert(kPointsError >= (1 + 1e-5) * kRoot2 * kRoot2 * errorOf(4));
+  /// Between squares of lengths: the products and the sum of one, the product of the other and that of a length with a
+  /// last rounding by itself.
+  static constexpr int kSquares = 2 + 1 + 2;
+
  private:
   /// The largest disc known to be inside of a region. A point or segment has one of radius 0 around S, which is on it
   /// but for 2U: kPointsError is twice what it must be.
@@ -65,17 +76,6 @@ class Discs {
     Vec2 center;
     double radius;  ///< negative if there is none
   };
-
-  /// R_b q + (shift - R_a p), in either coordinate, with lengths p, q <= sqrt2 e of points in the bounding boxes:
-  ///   R_b q       products 1, sum 1, the last sum 1                      3 q
-  ///   R_a p       products 1, sum 1, the difference 1, the last sum 1    4 p
-  ///   shift       itself 1, the difference 1, the last sum 1             3 |t_b - t_a|_1
-  /// and sqrt2 of it in any direction: at most 8 e.
-  static constexpr double kPointsError = 16 * kUnitRoundoff;
-  static_assert(kPointsError >= (1 + 1e-5) * kRoot2 * kRoot2 * errorOf(4));
-  /// Between squares of lengths: the products and the sum of one, the product of the other and that of a length with a
-  /// last rounding by itself.
-  static constexpr int kSquares = 2 + 1 + 2;
 
   double squaredBetween(const Vec2& p, const Vec2& q) const {
     const Double2 d =

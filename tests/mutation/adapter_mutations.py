@@ -101,7 +101,7 @@ MUTATIONS = [
     ("fcl_adapter/src/shadow/stadium.cpp", "if (slope * (half_length + radius) > Stadium::kError * (radius + half_length)) return std::nullopt;", "", "cylinder: leans"),
     ("fcl_adapter/src/shadow/stadium.cpp", "place.outside(rise) == 0, place", "true, place", "cylinder: beyond the heights"),
     ("fcl_adapter/src/shadow/stadium.cpp", "if (slot.half_length != half_length) slot", "slot", "segments: one for each query (equivalent but for time)"),
-    ("fcl_adapter/src/mixed/stadium_pair.cpp", "if (planar.upside_down) setting.slab = {-options.z_high, -options.z_low};", "", "stadium: a prism upside down"),
+    ("fcl_adapter/src/mixed/stadium_pair.cpp", "planar.upside_down ? Slab{-z_high, -z_low} : Slab{z_low, z_high}", "Slab{z_low, z_high}", "stadium: a prism upside down"),
     ("fcl_adapter/src/mixed/stadium_pair.h", "more == 0 ? radius : (radius + more)", "true ? radius : (radius + more)", "stadium: margins"),
     ("fcl_adapter/src/shape/nearest_points.h", "found.point_b -= margin_b * towards;", "", "distance: a nearest point within the margin"),
     ("fcl_adapter/src/shape/crossing.h", "return separates(p, q, r, s) && separates(r, s, p, q);", "return separates(p, q, r, s);", "distance: edges that touch cross"),

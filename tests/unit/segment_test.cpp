@@ -130,6 +130,22 @@ TEST(Margin, OfAPointBesideAPolygon) {
   EXPECT_EQ(gap(f, segment({-9, 9}, {9, 9}), 1).distance, 3);
 }
 
+/// Squares of the place in the polygon's units would overflow a float's range, or its place a double's.
+TEST(Margin, OfAPointFarFromATinyPolygon) {
+  for (const double tiny : {1e-16, 1e-18, 1e-19, 1e-20, 1e-21, 1e-23, 1e-40, 1e-300}) {
+    const Polygon a({{{-tiny, -tiny}, {tiny, -tiny}, {tiny, tiny}, {-tiny, tiny}, {0, tiny / 2}}});
+    for (const double turn : {0.0, 0.3}) {
+      Pose pose = Pose::Identity();
+      pose.linear() = Eigen::Rotation2Dd(turn).toRotationMatrix();
+      EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity()).distance, 5, 1e-14) << tiny;
+      EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity(), {0, 0, 100, 1}).distance, 4, 1e-14) << tiny;
+    }
+  }
+  const Polygon a({{{-1e-300, 0}, {1e-300, 0}, {0, 1e-300}}});
+  EXPECT_FALSE(within(a, point({1e300, 0}), 1e-200));
+  EXPECT_TRUE(within(a, point({1e300, 0}), 1e301));
+}
+
 TEST(Margin, OfADistanceKeepsPointsAndEdgesOfTheRegions) {
   const Polygon square({rectangle(0, 0, 4, 4)});
   const DistanceResult apart = gap(square, point({7, 1}), 1);

@@ -33,7 +33,7 @@ bool meets(const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl:
   tricover::CollideOptions grown;
   grown.margin = pair.grown(options.margin + pair.shape.options().margin);
   return pair.template remembering<tricover::PairCache>(tf1, tf2, [&](auto&... cache) {
-    return tricover::collide(pair.polygon(), pair.pose, pair.segment, pair.pose_of_segment, cache..., grown);
+    return tricover::collide(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, cache..., grown);
   });
 }
 
@@ -46,11 +46,11 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
                          fcl::CollisionResult<S>& result) {
   if (request.isSatisfied(result)) return result.numContacts();
   const Wanted of_hit = wanted(o1, o2, request);
-  std::optional<StadiumPair<S>> round;
-  const StadiumCase of_round = stadiumPair(o1, tf1, o2, tf2, round);
-  const bool is_round = of_round != StadiumCase::None;
+  const StadiumPair<S> round(o1, tf1, o2, tf2);
+  const bool is_round = round.found != StadiumCase::None;
   if (is_round) {
-    if (!(of_hit.contacts || of_hit.costs) || !round || !meets(*round, &tf1, &tf2, options))
+    if (!(of_hit.contacts || of_hit.costs) || round.found == StadiumCase::OutOfSlab ||
+        !meets(round, &tf1, &tf2, options))
       return result.numContacts();
     if (!request.enable_contact && !of_hit.costs) {
       if (room(request, result) > 0) addContact(o1, o2, result);

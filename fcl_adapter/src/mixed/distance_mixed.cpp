@@ -17,7 +17,7 @@
 namespace tricover_fcl {
 namespace {
 
-/// In the polygon's frame, `a` on the polygon.
+/// `a` is on the polygon.
 struct Span {
   double distance;
   Eigen::Vector3d point_a, point_b;
@@ -26,8 +26,9 @@ struct Span {
 
 Eigen::Vector3d inSpace(const tricover::Vec2& p) { return {p.x(), p.y(), 0}; }
 
-/// What is told of two that meet. What isn't deeper than the outline errs is a touch, but for surfaces if depths don't
-/// matter: FCL asks collide about a negative distance, and insists on a depth that is a normal number.
+/// What is told of two that meet, in the polygon's frame. What isn't deeper than the outline errs is a touch, but for
+/// surfaces if depths don't matter: FCL asks collide about a negative distance, and insists on a depth that is a normal
+/// number.
 template <typename S>
 void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, bool is_signed) {
   using tricover::Pose;
@@ -65,14 +66,14 @@ tricover::DistanceOptions optionsOf(const fcl::DistanceRequest<S>& request, cons
   return options;
 }
 
-/// Of a disc or stadium, but for depths: false if these are asked for, and the two meet.
+/// Of a disc or stadium, in the world, but for depths: false if these are asked for, and the two meet.
 template <typename S>
 bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl::Transform3<S>* tf2,
               const fcl::DistanceRequest<S>& request, const fcl::DistanceResult<S>& result) {
   const double margin = pair.shape.options().margin;
   const tricover::DistanceOptions options = optionsOf(request, result, pair.grown(margin));
   tricover::DistanceResult found = pair.template remembering<tricover::DistanceCache>(tf1, tf2, [&](auto&... cache) {
-    return tricover::distance(pair.polygon(), pair.pose, pair.segment, pair.pose_of_segment, cache..., options);
+    return tricover::distance(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, cache..., options);
   });
   span.distance = found.distance;
   span.edge_a = found.edge_a;
@@ -82,14 +83,14 @@ bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* 
     tricover::CollideOptions deeper;
     deeper.margin = pair.radius * (1 - 1e-13) - static_cast<double>(std::numeric_limits<S>::min());
     if (deeper.margin >= 0 &&
-        tricover::collide(pair.polygon(), pair.pose, pair.segment, pair.pose_of_segment, deeper)) {
+        tricover::collide(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, deeper)) {
       if (request.enable_signed_distance) return false;
       span.distance = -1;
     }
   }
   if (found.distance <= options.limit) moveByMargins(found, margin, pair.radius);
-  span.point_a = inSpace(found.point_a);
-  span.point_b = inSpace(found.point_b);
+  span.point_a = pair.inWorld(found.point_a);
+  span.point_b = pair.inWorld(found.point_b);
   return true;
 }
 
@@ -99,19 +100,18 @@ template <typename S>
 S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,
                 const fcl::Transform3<S>& tf2, const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
   if (request.isSatisfied(result)) return result.min_distance;
-  const auto report = [&](const Span& span, const Plane& plane, bool polygon_first) {
-    const Eigen::Vector3d at_a = plane * span.point_a, at_b = plane * span.point_b;
+  Span span;
+  const auto report = [&](bool polygon_first) {
     if (polygon_first)
-      updateDistance(o1, o2, span.distance, at_a, at_b, span.edge_a, span.part_b, result);
+      updateDistance(o1, o2, span.distance, span.point_a, span.point_b, span.edge_a, span.part_b, result);
     else
-      updateDistance(o1, o2, span.distance, at_b, at_a, span.part_b, span.edge_a, result);
+      updateDistance(o1, o2, span.distance, span.point_b, span.point_a, span.part_b, span.edge_a, result);
     return result.min_distance;
   };
-  Span span;
-  std::optional<StadiumPair<S>> round;
-  if (stadiumPair(o1, tf1, o2, tf2, round) == StadiumCase::OutOfSlab) return result.min_distance;
-  if (round && measured(span, *round, &tf1, &tf2, request, result))
-    return report(span, round->plane, round->polygon_first);
+  const StadiumPair<S> round(o1, tf1, o2, tf2);
+  if (round.found == StadiumCase::OutOfSlab) return result.min_distance;
+  if (round.found == StadiumCase::Pair && measured(span, round, &tf1, &tf2, request, result))
+    return report(round.polygon_first);
 
   const MixedPair<S> pair = mixedPair("distance", o1, tf1, o2, tf2);
   const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
@@ -123,7 +123,9 @@ S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& t
   span = {found.distance, inSpace(found.point_a), inSpace(found.point_b), found.edge_a, shadow->partOf(found.edge_b)};
   if (span.distance == 0) measureOverlap(span, pair, *shadow, request.enable_signed_distance);
   if (span.distance < 0) requireContactsIfSigned(o1, o2, request);
-  return report(span, pair.plane, pair.polygon_first);
+  span.point_a = pair.plane * span.point_a;
+  span.point_b = pair.plane * span.point_b;
+  return report(pair.polygon_first);
 }
 
 template float distanceMixed(const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,

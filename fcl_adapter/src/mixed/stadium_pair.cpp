@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mixed/mixed_pair.h"
-#include "shadow/stadium.h"
 #include "shape/is_polygon.h"
 #include "shape/planar_pose.h"
 
@@ -21,73 +20,90 @@ bool isUpright(const fcl::Transform3<S>& pose) {
   return m(2, 0) == 0 && m(2, 1) == 0 && m(0, 2) == 0 && m(1, 2) == 0 && std::abs(m(2, 2)) == 1;
 }
 
-/// Where both are: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.
-struct Setting {
-  Plane plane = Plane::Identity();
-  Pose pose = Pose::Identity();
-  Slab slab;
-  Vec3 center, axis;
-  double rounding, rounding_z;
-};
+/// checkedPose() and tricover::checkPose() for most poses, of which a sum tells that they are rigid and finite. Written
+/// so that NaN and infinity fail.
+template <typename S>
+void requireRigid(const fcl::Transform3<S>& transform, const char* name) {
+  const auto& m = transform.matrix();
+  const auto dot = [&](int i, int j) {
+    const auto product = [&](int row) { return static_cast<double>(m(row, i)) * static_cast<double>(m(row, j)); };
+    return product(0) + product(1) + product(2);
+  };
+  const auto shift = static_cast<double>(m(0, 3)) + static_cast<double>(m(1, 3)) + static_cast<double>(m(2, 3));
+  const double defect = std::abs(dot(0, 0) - 1) + std::abs(dot(1, 1) - 1) + std::abs(dot(2, 2) - 1) +
+                        std::abs(dot(0, 1)) + std::abs(dot(0, 2)) + std::abs(dot(1, 2)) + (shift - shift);
+  if (!(defect <= tricover::kRigidTolerance)) checkedPose(transform, name);
+}
+void requireRigid(const Pose& pose, const char* name) {
+  const auto& m = pose.matrix();
+  const auto dot = [&](int i, int j) { return m(0, i) * m(0, j) + m(1, i) * m(1, j); };
+  const double shift = m(0, 2) + m(1, 2);
+  const double defect = std::abs(dot(0, 0) - 1) + std::abs(dot(1, 1) - 1) + std::abs(dot(0, 1)) + (shift - shift);
+  if (!(defect <= tricover::kRigidTolerance)) tricover::checkPose(pose, name);
+}
 
 template <typename S>
-Setting settingOf(const PolygonOptions& options, const fcl::Transform3<S>& of_polygon, const Plane& of_other,
-                  const char* name) {
-  Setting setting;
-  setting.slab = {options.z_low, options.z_high};
-  if (isUpright(of_polygon)) {
-    const PlanarPose planar = planarPose(of_polygon, name);
-    setting.pose = planar.pose;
-    if (planar.upside_down) setting.slab = {-options.z_high, -options.z_low};
-    setting.plane.translation().z() = planar.z + setting.slab.middle();
-    setting.center = of_other.translation();
-    setting.center.z() -= planar.z;
-    setting.axis = of_other.linear().col(2);
-    setting.rounding = 0;
-    setting.rounding_z = 0x1p-50 * (std::abs(planar.z) + std::abs(of_other.translation().z()));
-  } else {
-    const Plane from = checkedPose(of_polygon, name);
-    const Eigen::Matrix3d inverse = from.linear().inverse();
-    setting.plane = from * planeAt(setting.slab.middle());
-    setting.center = inverse * (of_other.translation() - from.translation());
-    setting.axis = inverse * of_other.linear().col(2);
-    setting.rounding = setting.rounding_z = kMappingError * setting.center.stableNorm() + 0x1p-1066;
-  }
-  return setting;
+Vec3 column(const fcl::Transform3<S>& transform, int i) {
+  return transform.matrix().col(i).template head<3>().template cast<double>();
+}
+
+bool isRound(fcl::NODE_TYPE type) {
+  return type == fcl::GEOM_SPHERE || type == fcl::GEOM_CYLINDER || type == fcl::GEOM_CAPSULE;
 }
 
 }  // namespace
 
+/// Where both are: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.
 template <typename S>
-StadiumCase stadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
-                        const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                        std::optional<StadiumPair<S>>& pair) {
-  const bool polygon_first = isPolygon(o1);
-  const fcl::CollisionGeometry<S>& other = polygon_first ? o2 : o1;
-  const fcl::NODE_TYPE type = other.getNodeType();
-  if (type != fcl::GEOM_SPHERE && type != fcl::GEOM_CYLINDER && type != fcl::GEOM_CAPSULE) return StadiumCase::None;
-
-  const auto& shape = static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2);
-  const Plane of_other = checkedPose(polygon_first ? tf2 : tf1, polygon_first ? "pose_b" : "pose_a");
-  const Setting setting =
-      settingOf(shape.options(), polygon_first ? tf1 : tf2, of_other, polygon_first ? "pose_a" : "pose_b");
-  const std::optional<Stadium> stadium =
-      stadiumOf(other, setting.center, setting.axis, setting.slab, setting.rounding, setting.rounding_z);
-  if (!stadium) return StadiumCase::None;
-  tricover::checkPose(setting.pose, polygon_first ? "pose_a" : "pose_b");
-  if (!stadium->in_slab) return StadiumCase::OutOfSlab;
-
-  pair.emplace(StadiumPair<S>{shape, polygon_first, setting.plane, setting.pose, stadium->pose(), stadium->segment(),
-                              stadium->radius});
-  return StadiumCase::Pair;
+Slab StadiumPair<S>::place(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_other, Vec3& center,
+                           Vec3& axis, double& rounding, double& rounding_z) {
+  const char* const name = polygon_first ? "pose_a" : "pose_b";
+  const double z_low = shape.options().z_low, z_high = shape.options().z_high;
+  center = column(of_other, 3);
+  axis = column(of_other, 2);
+  is_level_ = isUpright(of_polygon);
+  if (is_level_) {
+    const PlanarPose planar = planarPose(of_polygon, name);
+    pose = planar.pose;
+    const Slab slab = planar.upside_down ? Slab{-z_high, -z_low} : Slab{z_low, z_high};
+    height_ = planar.z + slab.middle();
+    rounding = 0;
+    rounding_z = 0x1p-50 * (std::abs(planar.z) + std::abs(center.z()));
+    center.z() -= planar.z;
+    return slab;
+  }
+  const Slab slab{z_low, z_high};
+  const Plane from = checkedPose(of_polygon, name);
+  const Eigen::Matrix3d inverse = from.linear().inverse();
+  plane_ = from * planeAt(slab.middle());
+  pose = Pose::Identity();
+  center = inverse * (center - from.translation());
+  axis = inverse * axis;
+  rounding = rounding_z = kMappingError * center.stableNorm() + 0x1p-1066;
+  return slab;
 }
 
-#define TRICOVER_INSTANTIATE(S)                                                                 \
-  template StadiumCase stadiumPair(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&, \
-                                   const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&, \
-                                   std::optional<StadiumPair<S>>&);
-TRICOVER_INSTANTIATE(float)
-TRICOVER_INSTANTIATE(double)
-#undef TRICOVER_INSTANTIATE
+template <typename S>
+StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+                            const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2)
+    : polygon_first(isPolygon(o1)), shape(static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2)) {
+  const fcl::CollisionGeometry<S>& other = polygon_first ? o2 : o1;
+  if (!isRound(other.getNodeType())) return;
+  const fcl::Transform3<S>& of_other = polygon_first ? tf2 : tf1;
+  requireRigid(of_other, polygon_first ? "pose_b" : "pose_a");
+  Vec3 center, axis;
+  double rounding, rounding_z;
+  const Slab slab = place(polygon_first ? tf1 : tf2, of_other, center, axis, rounding, rounding_z);
+  const std::optional<Stadium> stadium = stadiumOf(other, center, axis, slab, rounding, rounding_z);
+  if (!stadium) return;
+  requireRigid(pose, polygon_first ? "pose_a" : "pose_b");
+  found = stadium->in_slab ? StadiumCase::Pair : StadiumCase::OutOfSlab;
+  pose_of_segment = stadium->pose();
+  radius = stadium->radius;
+  if (stadium->half_length != 0) segment_ = stadium->segment();
+}
+
+template class StadiumPair<float>;
+template class StadiumPair<double>;
 
 }  // namespace tricover_fcl

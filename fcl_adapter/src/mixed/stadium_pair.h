@@ -6,43 +6,63 @@
 #include <optional>
 
 #include "polygons/pair_cache_table.h"
+#include "shadow/stadium.h"
 #include "shape/plane.h"
 #include "tricover_fcl/polygon_shape.h"
 
 namespace tricover_fcl {
 
+/// What becomes of a question about a polygon and another geometry: that is no stadium in the polygon's plane, or it
+/// doesn't reach the polygon's heights.
+enum class StadiumCase { None, OutOfSlab, Pair };
+
 /// A polygon and a geometry that is a disc or a stadium in the polygon's plane, as a segment with a radius: so the
 /// kernel answers, exactly, without an outline.
 template <typename S>
-struct StadiumPair {
-  const PolygonShape<S>& shape;
-  bool polygon_first;
-  Plane plane;  ///< maps the plane in which both poses are to the world, at the middle of the polygon's heights
-  tricover::Pose pose, pose_of_segment;
-  tricover::Polygon segment;
-  double radius;
+class StadiumPair {
+ public:
+  /// Throws as mixedPair() does.
+  StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,
+              const fcl::Transform3<S>& tf2);
 
   const tricover::Polygon& polygon() const { return shape.polygon(); }
+  const tricover::Polygon& segment() const { return segment_ ? *segment_ : Stadium::point(); }
 
   /// `more` is a length added to the radius, upwards.
   double grown(double more) const { return more == 0 ? radius : (radius + more) * (1 + 0x1p-52); }
 
-  /// Calls ask() with what this thread remembers of the pair at those places, the row's, or without it.
+  /// From the plane in which both poses are to the world, at the middle of the polygon's heights.
+  Eigen::Vector3d inWorld(const tricover::Vec2& p) const {
+    return is_level_ ? Eigen::Vector3d(p.x(), p.y(), height_)
+                     : Eigen::Vector3d(plane_ * Eigen::Vector3d(p.x(), p.y(), 0));
+  }
+
+  /// Calls ask() with what this thread remembers of the pair at those places, the row's, or without it: a disc beside
+  /// few edges is sooner asked for than a fact.
   template <typename Cache, typename Ask>
   auto remembering(const void* place1, const void* place2, const Ask& ask) const {
-    Cache* const cache =
-        pairCache<Cache>(polygon_first ? polygon() : segment, place1, polygon_first ? segment : polygon(), place2);
+    constexpr std::size_t kFew = 64;
+    if (!segment_ && polygon().vertexCount() <= kFew) return ask();
+    const tricover::Polygon &first = polygon_first ? polygon() : segment(),
+                            &second = polygon_first ? segment() : polygon();
+    Cache* const cache = pairCache<Cache>(first, place1, second, place2);
     return cache != nullptr ? ask(*cache) : ask();
   }
+
+  const bool polygon_first;
+  const PolygonShape<S>& shape;
+  StadiumCase found = StadiumCase::None;  ///< what follows is there for a pair alone
+  tricover::Pose pose, pose_of_segment;
+  double radius = 0;
+
+ private:
+  Slab place(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_other, Eigen::Vector3d& center,
+             Eigen::Vector3d& axis, double& rounding, double& rounding_z);
+
+  std::optional<tricover::Polygon> segment_;  ///< none for a disc
+  bool is_level_ = true;
+  double height_ = 0;  ///< of the plane, if it is level
+  Plane plane_;        ///< otherwise
 };
-
-/// What becomes of the question: the other geometry is no stadium there, or it doesn't reach the polygon's heights.
-enum class StadiumCase { None, OutOfSlab, Pair };
-
-/// Fills `pair` in the last case. Throws as mixedPair() does.
-template <typename S>
-StadiumCase stadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
-                        const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                        std::optional<StadiumPair<S>>& pair);
 
 }  // namespace tricover_fcl

@@ -53,6 +53,10 @@ double section(double radius, double height) {
 /// Around all balls of that radius with centres on the axis, as far as half_length from the geometry's own.
 std::optional<Stadium> ofBalls(double radius, double half_length, const Place& place) {
   const Vec3 &center = place.center, &axis = place.axis;
+  if (half_length == 0) {
+    const double least = place.outside(0);
+    return Stadium{least <= radius, center.head<2>(), Vec2::UnitX(), 0, section(radius, least) + place.rounding};
+  }
   const double rise = half_length * std::abs(axis.z()), slope = axis.head<2>().norm(), run = half_length * slope;
   const double finest = Stadium::kError * (radius + half_length);
   const double least = place.outside(rise);
@@ -90,10 +94,14 @@ Pose Stadium::pose() const {
   return at;
 }
 
-Polygon Stadium::segment() const {
+const Polygon& Stadium::point() {
   // Never destroyed: destructors of static objects may still ask.
   static const Polygon& point = *new Polygon(tricover::point(Vec2::Zero()));
-  if (half_length == 0) return point;
+  return point;
+}
+
+Polygon Stadium::segment() const {
+  if (half_length == 0) return point();
   const auto make = [this] { return tricover::segment({-half_length, 0}, {half_length, 0}); };
   if (segments_ended) return make();
   thread_local Segments segments;

@@ -7,10 +7,11 @@
 
 namespace tricover_fcl {
 
-/// By its class, because fcl::TriangleP shares the node type.
+/// By its class, because fcl::TriangleP shares the node type. That is asked first: classes that differ are compared by
+/// their names.
 template <typename S>
 bool isPolygon(const fcl::CollisionGeometry<S>& geometry) {
-  return typeid(geometry) == typeid(PolygonShape<S>);
+  return geometry.getNodeType() == fcl::GEOM_TRIANGLE && typeid(geometry) == typeid(PolygonShape<S>);
 }
 
 }  // namespace tricover_fcl

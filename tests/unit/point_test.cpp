@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A point beside a polygon, by the ways that are for points alone: alike bit by bit for every instruction set, and what
+// they say is so on exact rationals.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "apart/point_distance.h"
+#include "exact_reference.h"
+#include "families.h"
+#include "hierarchy/wide.h"
+#include "pair/collide_spine.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::NearestEdge;
+using detail::Outcome;
+using detail::PosedPair;
+
+struct PortableLanes {
+  PortableLanes() { detail::usePortableLanes(true); }
+  ~PortableLanes() { detail::usePortableLanes(false); }
+};
+
+/// A family's polygon and a point on it, just beside it, or anywhere around.
+Case besidePoint(Random& random, const Case& c) {
+  const Polygon& polygon = random.coin() ? c.a : c.b;
+  const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  const Vec2 on_edge = 0.5 * polygon.edgeStart(edge) + 0.5 * polygon.edgeEnd(edge);
+  const double size = std::min(polygon.radius(), 1e300);
+  const Vec2 around = on_edge + size * Vec2(random.real(-2, 2), random.real(-2, 2));
+  const int place = random.integer(0, 3);
+  const Vec2 p = place == 0 ? polygon.edgeStart(edge) : place == 1 ? nudged(random, on_edge, 2) : around;
+  const Pose& pose = random.coin() ? c.pose_a : c.pose_b;
+  return {polygon, c.pose_a, point(p.allFinite() ? p : on_edge), random.oneIn(4) ? pose : c.pose_a};
+}
+
+/// What plain doubles say of the nearest edge: within the error that is documented, and where it says. `squared` is
+/// the distance's of the regions.
+std::string wrongEdge(const Case& c, const NearestEdge& nearest, const mpq_class& squared) {
+  const mpq_class error = mpq_class(nearest.distance) * 0x1p-48, d(nearest.distance);
+  if (!nearest.may_be_inside && sgn(squared) == 0) return "outside";
+  const auto edge = c.a.data().edgeNumber(nearest.edge);
+  const Polygon alone = segment(c.a.edgeStart(edge), c.a.edgeEnd(edge));
+  const mpq_class of_edge = exact::distanceSquared(alone, c.pose_a, c.b, c.pose_b);
+  if (of_edge < (d - error) * (d - error) || of_edge > (d + error) * (d + error)) return "distance";
+  if (sgn(squared) != 0 && squared < (d - error) * (d - error)) return "another edge is nearer";
+  return {};
+}
+
+class Points : public testing::TestWithParam<Family> {};
+
+TEST_P(Points, AreAsFarAsTheNearestEdge) {
+  int asked = 0, plain = 0, hits = 0;
+  for (int i = 0; i < scaledCount(150); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 47000000;
+    Random random(~seed);
+    const Case c = besidePoint(random, GetParam().make(seed));
+    const detail::PolygonData &a = c.a.data(), &b = c.b.data();
+    if (a.hasSpine() || a.isPoint()) continue;
+    ++asked;
+    const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
+    const NearestEdge nearest = nearestEdge(a, c.pose_a, b, c.pose_b);
+    if (nearest.distance > 0) {
+      ++plain;
+      ASSERT_EQ(wrongEdge(c, nearest, squared), "") << reproduction(c);
+    }
+    const double below = std::min(exact::distanceBelow(squared), 1e308);
+    const double margin = random.coin() ? below * random.real(0, 2) : random.coin() ? below : 0;
+    if (!std::isfinite(margin)) continue;
+    CollideOptions options;
+    options.margin = margin;
+    const bool truth = exact::within(squared, mpq_class(margin));
+    hits += truth;
+    ASSERT_EQ(pointMeets(a, c.pose_a, b, c.pose_b, options), truth) << margin << "\n" << reproduction(c);
+    const PosedPair pair(a, c.pose_a, b, c.pose_b);
+    const Outcome outcome = collideByHierarchy(pair, options, 0.1 * below, detail::Wanted::Clearance);
+    ASSERT_EQ(outcome.collides, truth) << margin << "\n" << reproduction(c);
+    const PortableLanes portable;
+    const NearestEdge alike = nearestEdge(a, c.pose_a, b, c.pose_b);
+    ASSERT_EQ(alike.distance, nearest.distance) << reproduction(c);
+    ASSERT_EQ(alike.edge, nearest.edge) << reproduction(c);
+    ASSERT_EQ(alike.along, nearest.along) << reproduction(c);
+    ASSERT_EQ(pointMeets(a, c.pose_a, b, c.pose_b, options), truth) << reproduction(c);
+  }
+  std::printf("%-22s %4d asked, %4d by plain doubles, %4d hits\n", GetParam().name, asked, plain, hits);
+  if (asked < 100) return;
+  EXPECT_GE(hits, 0.2 * asked);
+  EXPECT_LE(hits, 0.95 * asked);
+}
+
+/// Most distances of things that aren't far from the origin, or large beside their distance, are found so.
+TEST(Point, IsMostlyPlain) {
+  Random random(5);
+  int plain = 0;
+  constexpr int kAsked = 400;
+  for (int i = 0; i < kAsked; ++i) {
+    const Polygon a({regular(random.integer(3, 100), 50)});
+    Pose pose = Pose::Identity();
+    pose.linear() = Eigen::Rotation2Dd(random.real(-3, 3)).toRotationMatrix();
+    pose.translation() = Eigen::Rotation2Dd(random.real(-3, 3)) * Vec2(random.real(75, 200), 0);
+    const NearestEdge nearest = nearestEdge(a.data(), Pose::Identity(), point({0, 0}).data(), pose);
+    plain += nearest.distance > 0;
+    EXPECT_FALSE(nearest.distance > 0 && nearest.may_be_inside);
+  }
+  EXPECT_GE(plain, 0.9 * kAsked);
+  // Nearly touching is no matter for plain doubles.
+  const Polygon square({rectangle(-1, -1, 1, 1)});
+  EXPECT_LT(nearestEdge(square.data(), Pose::Identity(), point({1 + 1e-12, 0}).data(), Pose::Identity()).distance, 0);
+}
+
+std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Families, Points, testing::ValuesIn(families()), familyName);
+
+}  // namespace
+}  // namespace tricover::support
