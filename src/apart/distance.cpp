@@ -170,8 +170,8 @@ Outcome findNearest(const PosedPair& pair, DistanceSearch& search, ConvexFeature
 /// Where `distance` is certain, see plainDistance().
 DistanceResult resultOfPoints(const Pair& pair, double distance, const DistanceOptions& options) {
   const std::size_t i = pair.a.spine, j = pair.b.spine;
-  return {beyond(pair, distance, options.margin), worldPoint(pair.a, pair.pose_a, i, 0),
-          worldPoint(pair.b, pair.pose_b, j, 0), static_cast<std::ptrdiff_t>(i), static_cast<std::ptrdiff_t>(j)};
+  return {beyond(pair, distance, options.margin), posed(pair.pose_a, pair.a.origin), posed(pair.pose_b, pair.b.origin),
+          static_cast<std::ptrdiff_t>(i), static_cast<std::ptrdiff_t>(j)};
 }
 
 /// DistanceCache::hint: a kind of features of two small convex polygons, or a pair of edges that may be near.
@@ -287,8 +287,7 @@ std::optional<DistanceResult> distanceFromPoint(const Pair& pair, const Distance
     if (nearest.distance > SearchReach(options).most()) return farResult();
     return std::nullopt;
   }
-  return DistanceResult{distance, worldPoint(pair.a, pair.pose_a, nearest.edge, nearest.along),
-                        worldPoint(pair.b, pair.pose_b, pair.b.spine, 0),
+  return DistanceResult{distance, nearest.point_a, nearest.point_b,
                         static_cast<std::ptrdiff_t>(pair.a.edgeNumber(nearest.edge)),
                         static_cast<std::ptrdiff_t>(pair.b.spine)};
 }

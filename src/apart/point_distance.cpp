@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apart/point_distance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -17,8 +18,8 @@ Double2 mapped(const Pose& pose, const Vec2& p) { return load2(pose.data()) * p.
 
 double sum(Double2 v) { return v[0] + v[1]; }
 
-/// Whether neither squares of such lengths overflow nor those of lengths 2^-100 times as large lose digits.
-bool isPlain(double length) { return length > 0x1p-300 && length < 0x1p300; }
+/// Whether neither fourth powers of such lengths overflow nor those of lengths 2^-100 times as large lose digits.
+bool isPlain(double length) { return length > 0x1p-100 && length < 0x1p200; }
 
 }  // namespace
 
@@ -46,8 +47,9 @@ double plainDistance(const PolygonData& a, const Pose& pose_a, const PolygonData
 //   e               in any direction
 //   u               difference 1, products sqrt2, sum 1: turns w by                           3.42 |w|
 //   u x w           products |u| |w|, their difference |u| d                                  |w| + d
-//   |u|, quotient   squares, sum and root 2, 1                                                3 d
+//   its square over that of u, 2 + 2, which the last root halves, and its own 1                3 d
 // add up to 3.42 |v| + 2.42 |q| + 7.42 |w| + 4 d: below 32 d, kRelativeError, by the condition below. That condition
+// holds for the nearest edge found with the longest w, so that no other one can be nearer by more than that. It also
 // bounds the angles by which w and u are wrong by 40U: where the foot is taken to be inside the edge, or beyond its
 // end, wrongly, the square of that is lost.
 NearestEdge nearestEdge(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
@@ -55,7 +57,7 @@ NearestEdge nearestEdge(const PolygonData& a, const Pose& pose_a, const PolygonD
   static_assert(EdgeDistances::kRelativeError >= (1 + 1e-5) * (kMost * kUnitRoundoff + errorOf(4)));
   static_assert(kOfA * kUnitRoundoff >= (1 + 1e-5) * (errorOf(2) + kRoot2 * errorOf(1)) &&
                 kOfWay * kUnitRoundoff >= (1 + 1e-5) * (errorOf(3 + 2 + 1) + kRoot2 * errorOf(1)));
-  NearestEdge best{-1, 0, 0, true};
+  NearestEdge best{-1, 0, Vec2::Zero(), Vec2::Zero(), true};
   const PointPlace seen(a, pose_a, b, pose_b);
   const Hierarchy& tree = hierarchyOf(a);
   std::uint32_t edges[kMostNearest];
@@ -63,26 +65,31 @@ NearestEdge nearestEdge(const PolygonData& a, const Pose& pose_a, const PolygonD
   const Twofold<Double2> shift = twoSum(load2(pose_b.data() + 6), -load2(pose_a.data() + 6));
   const Double2 q = mapped(pose_b, b.origin) + shift.high;
   const double extents = kOfA * a.extent + kOfB * b.extent;
-  double least = std::numeric_limits<double>::infinity();
-  bool certain = count > 0 && isPlain(extents + sum(absolute(shift.high)));
+  if (!isPlain(extents + sum(absolute(shift.high)))) return best;
+  double least = std::numeric_limits<double>::infinity(), longest = 0, part = 0;
   for (int i = 0; i < count; ++i) {
     const Vec2 &v1 = a.path[edges[i]], &v2 = a.path[edges[i] + 1];
     const Double2 u = mapped(pose_a, v2 - v1), w1 = (q - mapped(pose_a, v1)) + shift.low;
     const Double2 w2 = (q - mapped(pose_a, v2)) + shift.low;
-    const double square = sum(u * u), along = sum(u * w1), part = along / square;
-    const Double2 w = part > 0.5 ? w2 : w1;
-    const bool inside = along > 0 && along < square;
-    const Double2 products = u * swapped(w);
-    const double distance = inside ? std::abs(products[0] - products[1]) / std::sqrt(square) : std::sqrt(sum(w * w));
-    // An edge too short for its square to have all digits is as good as its start, but isn't told apart from it here.
-    certain = certain && (square > 0x1p-800 || square == 0) && extents + kOfWay * sum(absolute(w)) < kMost * distance;
-    if (!(distance < least)) continue;
-    least = distance;
+    const double square = sum(u * u), along = sum(u * w1);
+    // One too short for its square to have all digits is as good as its start, but isn't told apart from it here.
+    if (!(square > 0x1p-400 || square == 0)) return best;
+    const bool inside = along > 0 && along<square, beyond = 2 * along> square;
+    const Double2 w = beyond ? w2 : w1, products = u * swapped(w);
+    const double area = products[0] - products[1], found = inside ? area * area / square : sum(w * w);
+    longest = std::max(longest, sum(absolute(w)));
+    if (!(found < least)) continue;
+    least = found;
     best.edge = edges[i];
-    best.along = inside ? part : part > 0.5 ? 1 : 0;
+    part = inside ? along / square : beyond ? 1 : 0;
   }
-  if (!certain) return best;
-  best.distance = least;
+  const double distance = std::sqrt(least);
+  if (!(count > 0 && extents + kOfWay * longest < kMost * distance)) return best;
+  const Vec2 &v1 = a.path[best.edge], &v2 = a.path[best.edge + 1];
+  const Vec2 nearest = part == 0 ? v1 : part == 1 ? v2 : Vec2(v1 + part * (v2 - v1));
+  best.point_a = posed(pose_a, nearest);
+  best.point_b = posed(pose_b, b.origin);
+  best.distance = distance;
   best.may_be_inside = !(distanceFromRoot(tree.root, seen.place) > 0);
   return best;
 }

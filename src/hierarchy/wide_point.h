@@ -120,8 +120,11 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
     gaps.store(distance);
     (gaps + Lanes::load(block.across) * 2.0f).store(farthest);
     float nearest = 1e30f;
-    for (int i = 0; i < kLanes; ++i)
-      nearest = (block.spanned >> i & 1) != 0 && farthest[i] < nearest ? farthest[i] : nearest;
+    if (block.leaf)  // lanes beyond the count are infinitely far
+      for (int i = 0; i < kLanes; ++i) nearest = farthest[i] < nearest ? farthest[i] : nearest;
+    else
+      for (int i = 0; i < kLanes; ++i)
+        nearest = (block.spanned >> i & 1) != 0 && farthest[i] < nearest ? farthest[i] : nearest;
     const double least = (static_cast<double>(nearest) + p.slack) * block.scale * (1 + 0x1p-20);
     if (least < upper) upper = least;
     // Rounded upwards, as in stepOf().

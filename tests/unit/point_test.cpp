@@ -89,7 +89,7 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     const NearestEdge alike = nearestEdge(a, c.pose_a, b, c.pose_b);
     ASSERT_EQ(alike.distance, nearest.distance) << reproduction(c);
     ASSERT_EQ(alike.edge, nearest.edge) << reproduction(c);
-    ASSERT_EQ(alike.along, nearest.along) << reproduction(c);
+    ASSERT_EQ(alike.point_a, nearest.point_a) << reproduction(c);
     ASSERT_EQ(pointMeets(a, c.pose_a, b, c.pose_b, options), truth) << reproduction(c);
   }
   std::printf("%-22s %4d asked, %4d by plain doubles, %4d hits\n", GetParam().name, asked, plain, hits);
