@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -13,69 +14,143 @@
 namespace tricover::detail {
 namespace {
 
-/// Distance to the boundary, negative outside the region; over every `stride`-th vertex only.
-double depth(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& p, std::size_t stride) {
-  double square = std::numeric_limits<double>::infinity();
-  int winding = 0;
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
-    const std::size_t end = polygon.edgeEnd(r);
-    for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
-      const Vec2 &v = local[e], &w = local[std::min(e + stride, end)];
-      square = std::min(square, squaredDistanceToSegment(p, v, w));
-      if ((v.y() <= p.y()) == (w.y() <= p.y())) continue;
-      const double side = (w.x() - v.x()) * (p.y() - v.y()) - (w.y() - v.y()) * (p.x() - v.x());
-      if (w.y() > v.y() ? side > 0 : side < 0) winding += w.y() > v.y() ? 1 : -1;
+/// Numbers of points that are asked about together (GCC's and Clang's vectors, see Double2), and truths, -1 or 0.
+typedef float Floats __attribute__((vector_size(16)));
+typedef std::int32_t Truths __attribute__((vector_size(16)));
+constexpr int kProbes = 4;
+
+struct Probes {
+  Floats x, y;
+  Floats depth;  ///< distance to the boundary, negative outside the region
+};
+
+/// Edges in floats; of a large polygon those between every `stride`-th vertex only.
+class ThinnedOutline {
+ public:
+  ThinnedOutline(const PolygonData& polygon, const std::vector<Vec2>& local) : fill_(polygon.fill) {
+    constexpr std::size_t kSearched = 128;
+    const std::size_t stride = local.size() / kSearched + 1;
+    edges_.reserve(local.size() / stride + polygon.ringCount());
+    for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
+      const std::size_t end = polygon.edgeEnd(r);
+      for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
+        const Vec2 &v = local[e], &w = local[std::min(e + stride, end)], along = w - v;
+        const double square = along.squaredNorm();
+        const auto narrow = [](double value) { return static_cast<float>(value); };
+        edges_.push_back({narrow(v.x()), narrow(v.y()), narrow(w.y()), narrow(along.x()), narrow(along.y()),
+                          square > 1e-20 ? narrow(1 / square) : 0});
+      }
     }
   }
-  const bool inside = polygon.fill == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
-  return inside ? std::sqrt(square) : -std::sqrt(square);
-}
+
+  void measure(Probes& probes) const {
+    const Floats zero{}, one = zero + 1;
+    Floats square = zero + 1e30f;
+    Truths winding{};
+    for (const Edge& e : edges_) {
+      const Floats x = probes.x - e.x, y = probes.y - e.y;
+      Floats part = (x * e.along_x + y * e.along_y) * e.inverse_square;
+      part = part > zero ? part : zero;
+      part = part < one ? part : one;
+      const Floats dx = x - part * e.along_x, dy = y - part * e.along_y, distance = dx * dx + dy * dy;
+      square = distance < square ? distance : square;
+      const Floats side = e.along_x * y - e.along_y * x;
+      const Truths after_start = y >= zero, after_end = probes.y >= zero + e.end_y;
+      winding -= (after_start & ~after_end & (side > zero)) - (~after_start & after_end & (side < zero));
+    }
+    for (int i = 0; i < kProbes; ++i) {
+      const bool inside = fill_ == FillRule::EvenOdd ? winding[i] % 2 != 0 : winding[i] != 0;
+      probes.depth[i] = inside ? std::sqrt(square[i]) : -std::sqrt(square[i]);
+    }
+  }
+
+ private:
+  struct Edge {
+    float x, y, end_y, along_x, along_y, inverse_square;
+  };
+  std::vector<Edge> edges_;
+  FillRule fill_;
+};
 
 /// A disc that may be in the region.
 struct Guess {
-  Vec2 center;
-  double depth;
+  float x, y, depth;
 };
 
-/// Up to kLanes large discs, the first one the largest. A search on a thinned outline, in rounded numbers: what it
-/// finds has to be proven.
-std::vector<Guess> search(const PolygonData& polygon, const std::vector<Vec2>& local, const Box& root) {
-  constexpr std::size_t kSearched = 128;
-  const std::size_t stride = local.size() / kSearched + 1;
-  const auto guess = [&](const Vec2& p) { return Guess{p, depth(polygon, local, p, stride)}; };
+/// Up to kLanes large discs, the first one the largest. A search in floats: what it finds has to be proven.
+class DiscSearch {
+ public:
+  DiscSearch(const PolygonData& polygon, const std::vector<Vec2>& local, const Box& root)
+      : outline_(polygon, local), root_(root), few_(local.size() < 32) {
+    climb();
+    lookAround();
+    choose();
+  }
 
-  // The largest, uphill from near S (but not where symmetry would need the exact stage).
-  Guess best = guess(Vec2(0x1.8p-11, 0x1.2p-12));
-  for (double step = 0.4; step > 0.02; step *= best.depth > 0 ? 0.5 : 0.7) {
-    const Vec2 from = best.center;
-    for (const Vec2& way : {Vec2(step, 0), Vec2(-step, 0), Vec2(0, step), Vec2(0, -step)}) {
-      const Guess other = guess(from + way);
-      if (other.depth > best.depth) best = other;
+  const Guess* begin() const { return chosen_; }
+  const Guess* end() const { return chosen_ + count_; }
+
+ private:
+  static constexpr int kMostPlaces = 40;
+
+  /// The largest, uphill from near S (but not where symmetry would need the exact stage).
+  void climb() {
+    constexpr Floats kWayX{1, -1, 0, 0}, kWayY{0, 0, 1, -1};
+    best_ = {0x1.8p-11f, 0x1.2p-12f, -1e30f};
+    for (float step = 0.4f; step > 0.02f; step *= best_.depth > 0 ? 0.5f : 0.7f) {
+      Probes probes{best_.x + step * kWayX, best_.y + step * kWayY, {}};
+      outline_.measure(probes);
+      for (int i = 0; i < kProbes; ++i) keepBetter({probes.x[i], probes.y[i], probes.depth[i]});
     }
   }
-  // The others, from a grid over the box around everything: each time the largest whose centre no disc holds yet.
-  const int along = local.size() < 32 ? 6 : 10, across = local.size() < 32 ? 2 : 4;
-  std::vector<Guess> grid;
-  for (int i = 0; i < along * across; ++i) {
-    const int row = i / along, column = i % along;
-    const double u = root.along * ((2.0 * column + 1) / along - 1);
-    const double v = root.across * ((2.0 * row + 1) / across - 1);
-    const Guess found = guess({root.x + u * root.ux - v * root.uy, root.y + u * root.uy + v * root.ux});
-    if (found.depth > 0) grid.push_back(found);
-    if (found.depth > best.depth) best = found;
+
+  /// The others, from a grid over the box around everything.
+  void lookAround() {
+    const int along = few_ ? 6 : 10, across = few_ ? 2 : 4;
+    for (int k = 0; k < along * across; k += kProbes) {
+      Probes probes;
+      for (int i = 0; i < kProbes; ++i) {
+        const int row = (k + i) / along, column = (k + i) % along;
+        const double u = root_.along * ((2.0 * column + 1) / along - 1);
+        const double v = root_.across * ((2.0 * row + 1) / across - 1);
+        probes.x[i] = static_cast<float>(root_.x + u * root_.ux - v * root_.uy);
+        probes.y[i] = static_cast<float>(root_.y + u * root_.uy + v * root_.ux);
+      }
+      outline_.measure(probes);
+      for (int i = 0; i < kProbes; ++i) {
+        const Guess found{probes.x[i], probes.y[i], probes.depth[i]};
+        if (found.depth > 0) places_[place_count_++] = found;
+        keepBetter(found);
+      }
+    }
   }
-  std::vector<Guess> chosen;
-  for (Guess next = best; next.depth > 0 && chosen.size() < kLanes;) {
-    chosen.push_back(next);
-    const auto held = [&](const Guess& g) { return (g.center - next.center).norm() < next.depth; };
-    grid.erase(std::remove_if(grid.begin(), grid.end(), held), grid.end());
-    const auto largest =
-        std::max_element(grid.begin(), grid.end(), [](const Guess& p, const Guess& q) { return p.depth < q.depth; });
-    if (largest == grid.end()) break;
-    next = *largest;
+  static_assert(6 * 2 % kProbes == 0 && 10 * 4 % kProbes == 0 && kMostPlaces == 10 * 4);
+
+  /// Each time the largest whose centre no disc holds yet.
+  void choose() {
+    for (Guess next = best_; next.depth > 0 && count_ < kLanes;) {
+      chosen_[count_++] = next;
+      const auto held = [&](const Guess& g) {
+        const float dx = g.x - next.x, dy = g.y - next.y;
+        return dx * dx + dy * dy < next.depth * next.depth;
+      };
+      place_count_ = static_cast<int>(std::remove_if(places_, places_ + place_count_, held) - places_);
+      if (place_count_ == 0) break;
+      next = *std::max_element(places_, places_ + place_count_,
+                               [](const Guess& p, const Guess& q) { return p.depth < q.depth; });
+    }
   }
-  return chosen;
-}
+
+  void keepBetter(const Guess& guess) {
+    if (guess.depth > best_.depth) best_ = guess;
+  }
+
+  const ThinnedOutline outline_;
+  const Box& root_;
+  bool few_;
+  Guess best_{}, places_[kMostPlaces], chosen_[kLanes];
+  int place_count_ = 0, count_ = 0;
+};
 
 /// The radius, in units, of a disc around `center` (also in units) that lies in the region; 0 if that can't be shown.
 double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& center) {
@@ -117,10 +192,10 @@ void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, 
   hierarchy.inner_center = polygon.origin;
   hierarchy.inner_radius = 0;
   int largest = 0;
-  for (const Guess& guess : search(polygon, local, hierarchy.root)) {
+  for (const Guess& guess : DiscSearch(polygon, local, hierarchy.root)) {
     const int k = discs.count;
-    discs.x[k] = static_cast<float>(guess.center.x());
-    discs.y[k] = static_cast<float>(guess.center.y());
+    discs.x[k] = guess.x;
+    discs.y[k] = guess.y;
     const double radius = provenRadius(polygon, local, Vec2(discs.x[k], discs.y[k]));
     if (!(radius > 0)) continue;
     discs.radius[k] = static_cast<float>(radius * (1 - 0x1p-22));
