@@ -38,13 +38,17 @@ class ConvexNearest {
   ConvexNearest(const PosedPair& pair, const SmallConvex& a, const SmallConvex& b, DistanceSearch& search)
       : pair_(pair), map_(mapUnits(pair)), a_(a), b_(b), edges_(search.edges()), search_(search) {}
 
-  Meeting find(ConvexFeatures& features) {
+  Meeting find(ConvexFeatures& features, Outcome& inside) {
     const double far = std::abs(map_.tx) + std::abs(map_.ty);
     if (!(map_.error < kSupportError && map_.scale >= kLeastScale && far < kFar && edges_.isUnscaled()))
       return Meeting::Unknown;
     if (proves(features)) return Meeting::Apart;
+    if (innerDiscsMeet() && findsMeeting(inside)) return Meeting::Meet;
     const ConvexGap gap = convexGap(a_, b_, map_);
-    if (gap.gap < -8 * gapRounding(pair_) - map_.error && far < 4) return Meeting::Meet;  // as convexMeet() says
+    if (gap.gap < -8 * gapRounding(pair_) - map_.error && far < 4) {  // as convexMeet() says
+      findsMeeting(inside);
+      return Meeting::Meet;
+    }
     if (!(gap.gap > 0)) return Meeting::Unknown;
     const int i = gap.of_a ? gap.edge : gap.vertex, j = gap.of_a ? gap.vertex : gap.edge;
     if (!besideEdge(gap.of_a, i, j)) {
@@ -57,6 +61,26 @@ class ConvexNearest {
 
  private:
   void support(double nx, double ny) { supports_ = convexSupports(a_, b_, map_, nx, ny, kDepth * map_.scale); }
+
+  /// Roughly.
+  bool innerDiscsMeet() const {
+    const double reach =
+        hierarchyOf(pair_.a).inner_discs.radius[0] + hierarchyOf(pair_.b).inner_discs.radius[0] * map_.scale;
+    return reach > 0 && map_.tx * map_.tx + map_.ty * map_.ty < reach * reach;
+  }
+
+  bool findsMeeting(Outcome& inside) {
+    const ConvexCrossing crossing = convexCrossing(a_, b_, map_, gapRounding(pair_));
+    if (crossing.edge_a >= 0 && crossing.edge_b >= 0) {
+      const std::uint32_t i = position(crossing.edge_a), j = position(crossing.edge_b);
+      if (!edgesMeet(pair_, i, j)) return false;
+      search_.setMeeting(i, j);
+      return true;
+    }
+    inside.edge_a = crossing.edge_a;
+    inside.edge_b = crossing.edge_b;
+    return inside.collides = crossing.edge_a >= 0 || crossing.edge_b >= 0;
+  }
 
   bool proves(ConvexFeatures& features) {
     if (features.kind == ConvexFeatures::kNone) return false;
@@ -133,10 +157,10 @@ class ConvexNearest {
 
 }  // namespace
 
-Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features) {
+Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features, Outcome& inside) {
   const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
   if (a == nullptr || b == nullptr) return Meeting::Unknown;
-  return ConvexNearest(pair, *a, *b, search).find(features);
+  return ConvexNearest(pair, *a, *b, search).find(features, inside);
 }
 
 }  // namespace tricover::detail

@@ -5,6 +5,7 @@
 
 #include "apart/distance_search.h"
 #include "hierarchy/wide.h"
+#include "pair/outcome.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
@@ -20,6 +21,7 @@ struct ConvexFeatures {
 /// For two small convex polygons, by separating axes. Where they are clearly apart, shows the search the pairs of edges
 /// that can hold the least distance, one as a rule. Otherwise it has shown nothing. The features that were the nearest
 /// at other poses are tried first, and become those of now.
-Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features);
+/// Where they meet, shows the search where, or tells by `inside` which one lies in the other, if that is easily seen.
+Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features, Outcome& inside);
 
 }  // namespace tricover::detail

@@ -159,8 +159,9 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
 
 /// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
 Outcome findNearest(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features) {
-  const Meeting convex = showNearestOfConvex(pair, search, features);
-  if (convex == Meeting::Apart) return {};
+  Outcome outcome;
+  const Meeting convex = showNearestOfConvex(pair, search, features, outcome);
+  if (convex == Meeting::Apart || search.meets() || outcome.collides) return outcome;
   features.kind = ConvexFeatures::kNone;
   if (convex == Meeting::Meet || Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0)
     return findMeeting(pair, search);

@@ -16,15 +16,6 @@ using Twofold2 = Twofold<Double2>;
 
 Double2 both(double x) { return Double2{x, x}; }
 
-/// Adds a matrix times p to `sum`.
-void addProduct(Twofold2& sum, const Double2 (&columns)[2], Double2 p) {
-  for (int i = 0; i < 2; ++i) {
-    const Twofold2 term = twoProduct(columns[i], both(p[i])), added = twoSum(sum.high, term.high);
-    sum.high = added.high;
-    sum.low += added.low + term.low;
-  }
-}
-
 Twofold2 normalised(const Twofold2& sum) { return twoSum(sum.high, sum.low); }
 
 /// A matrix times (q - p).
@@ -223,8 +214,8 @@ EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
 }
 
 // Let w go from an end of an edge to the point, and u along the edge; M is the size.
-//   w: each of the nine partial sums is at most M and rounds by U M, which is kept in the low parts, whose own ten sums
-//   and products round by U of at most 9U M: below 100 U^2 M in either coordinate.
+//   w: each of the four products and four sums is at most M and rounds by U M, which is kept in the low parts, as is
+//   what t was rounded by; their own eight sums round by U of at most 9U M: below 100 U^2 M in either coordinate.
 //   u: from the exact difference in the polygon's frame, by the same count of U |u|: below 32 U^2 |u|.
 // The distance d = |u x w| / |u|, where |w| <= 3 M, then errs by
 //   256 U^2 M      by w, sqrt2 100 in any direction,
@@ -253,10 +244,13 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   const Double2(&columns)[2] = end_of_b ? columns_a_ : columns_b_;
   /// From the posed vertex of a at one position to that of b at another.
   const auto between = [&](std::size_t at_a, std::size_t at_b) {
-    Twofold2 w{shift_, shift_rest_};
-    addProduct(w, columns_b_, point(b_, at_b) * scale_);
-    addProduct(w, columns_a_, -(point(a_, at_a) * scale_));
-    return normalised(w);
+    const Double2 q = point(b_, at_b) * scale_, p = point(a_, at_a) * scale_;
+    const Twofold2 b0 = twoProduct(columns_b_[0], both(q[0])), b1 = twoProduct(columns_b_[1], both(q[1]));
+    const Twofold2 a0 = twoProduct(columns_a_[0], both(p[0])), a1 = twoProduct(columns_a_[1], both(p[1]));
+    const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);
+    const Twofold2 of_both = twoSum(of_b.high, -of_a.high), w = twoSum(shift_, of_both.high);
+    const Double2 rests = (b0.low + b1.low) - (a0.low + a1.low), sums = (of_b.low - of_a.low) + (of_both.low + w.low);
+    return normalised({w.high, rests + (sums + shift_rest_)});
   };
   const auto from = [&](std::size_t v) { return end_of_b ? between(edge + v, j + end) : between(i + end, edge + v); };
   const double where = static_cast<double>(end);

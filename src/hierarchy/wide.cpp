@@ -71,6 +71,10 @@ ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const 
   return table().convex_supports(a, b, map, x, y, depth);
 }
 
+ConvexCrossing convexCrossing(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
+  return table().convex_crossing(a, b, map, rounding);
+}
+
 void usePortableLanes(bool portable) {
   chosen.store(portable ? &kPortableTable : fastest(), std::memory_order_relaxed);
 }

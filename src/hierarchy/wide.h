@@ -145,6 +145,13 @@ struct ConvexSupports {
 ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
                               double depth);
 
+/// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone (the other -1) of the
+/// polygon that is proven to lie inside the other; or none. `map` as for convexMeet().
+struct ConvexCrossing {
+  int edge_a, edge_b;
+};
+ConvexCrossing convexCrossing(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding);
+
 /// A coordinate is below 1 and rounded once, the axis twice, then come products, a sum, the scale and the difference;
 /// for two vertices, and twice as much. A pose's defect changes the axis in b's frame by 2e-6 at most.
 constexpr double kSupportError = 0x1p-17;

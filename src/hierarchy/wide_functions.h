@@ -11,10 +11,10 @@ namespace tricover::detail::wide {
 
 template <class Lanes>
 constexpr WideTable tableOf() {
-  return {&findHit<Lanes>,         &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>, &convexMeet<Lanes>,
-          &innerDepth<Lanes>,      &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
-          &convexGap<Lanes>,       &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
-          &findNearestEdges<Lanes>};
+  return {&findHit<Lanes>,          &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>, &convexMeet<Lanes>,
+          &innerDepth<Lanes>,       &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
+          &convexGap<Lanes>,        &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
+          &findNearestEdges<Lanes>, &convexCrossing<Lanes>};
 }
 
 }  // namespace tricover::detail::wide

@@ -47,11 +47,13 @@ void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(v
   }
 }
 
-/// By how much the vertex of q that is farthest back is beyond each edge of eight; at most that, over all q.
+/// By how much the vertex of q that is farthest back is beyond each edge of eight; at most that, over all q, whose
+/// count is even: whole lanes.
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes beyond(Lanes nx, Lanes ny, Lanes d, const float* qx, const float* qy, int count) {
-  Lanes least = nx * qx[0] + ny * qy[0];
-  for (int j = 1; j < count; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
+  Lanes least = smaller(nx * qx[0] + ny * qy[0], nx * qx[1] + ny * qy[1]);
+  for (int j = 2; j < count; j += 2)
+    least = smaller(least, smaller(nx * qx[j] + ny * qy[j], nx * qx[j + 1] + ny * qy[j + 1]));
   return least - d;
 }
 
@@ -211,17 +213,17 @@ ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const
 template <class Lanes>
 [[gnu::always_inline]] inline float foremost(const SmallConvex& polygon, float nx, float ny, float reach,
                                              unsigned& near, unsigned& best) {
-  float along[SmallConvex::kMost];
-  Lanes most = Lanes::all(-1e30f);
-  for (int i = 0; i < polygon.lanes; i += kLanes) {
-    const Lanes at = Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
-    at.store(along + i);
-    most = larger(most, at);
-  }
-  const float end = largest(most);
-  const unsigned vertices = (1u << polygon.count) - 1;  // the padding repeats the last one
-  near = atLeast<Lanes>(along, polygon.lanes, end - reach) & vertices;
-  best = atLeast<Lanes>(along, polygon.lanes, end - 0.25f * reach) & vertices;
+  const bool more = polygon.lanes > kLanes;
+  const int second = more ? kLanes : 0;
+  const Lanes at = Lanes::load(polygon.x) * nx + Lanes::load(polygon.y) * ny;
+  const Lanes then = Lanes::load(polygon.x + second) * nx + Lanes::load(polygon.y + second) * ny;
+  const float end = largest(larger(at, then));
+  const auto from = [&](float least) {
+    const Lanes limit = Lanes::all(least);
+    return ~(above(limit, at) | above(limit, then) << second) & ((1u << polygon.count) - 1);
+  };
+  near = from(end - reach);
+  best = from(end - 0.25f * reach);
   return end;
 }
 
@@ -236,6 +238,75 @@ ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const 
       foremost<Lanes>(b, static_cast<float>(bx), static_cast<float>(by), reach, found.b, found.foremost_b);
   found.gap = (map.tx * nx + map.ty * ny) - end_a - end_b;
   return found;
+}
+
+/// One convex polygon's vertices against another's half planes, in one frame.
+struct HalfPlanes {
+  const float *nx, *ny, *d;
+  int count;
+};
+struct Vertices {
+  const float *x, *y;
+  int lanes, count;
+};
+
+/// The edge that leads out of the half planes, and the one of those that it leaves through; `vertex` is -1 where no
+/// vertex is inside, and `plane` is where all are, by more than `slack`.
+struct WayOut {
+  int plane, vertex;
+};
+
+template <class Lanes>
+[[gnu::always_inline]] inline WayOut wayOut(const HalfPlanes& planes, const Vertices& vertices, float slack) {
+  unsigned in = 0, deep = 0;
+  for (int i = 0; i < vertices.lanes; i += kLanes) {
+    const Lanes x = Lanes::load(vertices.x + i), y = Lanes::load(vertices.y + i);
+    Lanes out = x * planes.nx[0] + y * planes.ny[0] - planes.d[0];
+    for (int k = 1; k < planes.count; ++k) out = larger(out, x * planes.nx[k] + y * planes.ny[k] - planes.d[k]);
+    in |= above(Lanes::all(0), out) << i;
+    deep |= above(Lanes::all(-slack), out) << i;
+  }
+  const unsigned all = (1u << vertices.count) - 1;
+  in &= all;
+  if ((deep & all) == all) return {-1, 0};
+  const unsigned next = in >> 1 | (in & 1) << (vertices.count - 1), leaving = in & ~next;
+  if (leaving == 0) return {-1, -1};
+  const int from = __builtin_ctz(leaving), to = from + 1 == vertices.count ? 0 : from + 1;
+  // Outside of the plane by `to`, inside by `from`: the larger the one by the other, the sooner the edge leaves.
+  int plane = 0;
+  float most = -1e30f;
+  for (int k = 0; k < planes.count; ++k) {
+    const float at = planes.nx[k] * vertices.x[from] + planes.ny[k] * vertices.y[from] - planes.d[k];
+    const float then = planes.nx[k] * vertices.x[to] + planes.ny[k] * vertices.y[to] - planes.d[k];
+    const float share = then / -at;
+    if (share > most) most = share, plane = k;
+  }
+  return {plane, from};
+}
+
+/// Rounding as in convexMeet().
+template <class Lanes>
+ConvexCrossing convexCrossing(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
+  float x[SmallConvex::kMost], y[SmallConvex::kMost];
+  mapVertices<Lanes>(b, map, x, y);
+  const float slack = static_cast<float>(8 * rounding + map.error);
+  const WayOut of_b = wayOut<Lanes>({a.nx, a.ny, a.d, a.count}, {x, y, b.lanes, b.count}, slack);
+  if (of_b.plane >= 0) return {of_b.plane, of_b.vertex};
+  if (of_b.vertex >= 0) return {-1, 0};
+  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
+  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  float nx[SmallConvex::kMost], ny[SmallConvex::kMost], d[SmallConvex::kMost];
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
+    const Lanes anx = bnx * r00 + bny * r01, any = bnx * r10 + bny * r11;
+    anx.store(nx + i);
+    any.store(ny + i);
+    (Lanes::load(b.d + i) * scale + anx * tx + any * ty).store(d + i);
+  }
+  const WayOut of_a = wayOut<Lanes>({nx, ny, d, b.count}, {a.x, a.y, a.lanes, a.count}, slack);
+  if (of_a.plane >= 0) return {of_a.vertex, of_a.plane};
+  return of_a.vertex >= 0 ? ConvexCrossing{0, -1} : ConvexCrossing{-1, -1};
 }
 
 }  // namespace tricover::detail::wide

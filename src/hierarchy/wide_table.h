@@ -20,6 +20,7 @@ struct WideTable {
   decltype(&convexSupports) convex_supports;
   decltype(&showEdgesNear) show_edges_near;
   decltype(&findNearestEdges) find_nearest_edges;
+  decltype(&convexCrossing) convex_crossing;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

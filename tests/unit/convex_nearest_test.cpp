@@ -55,8 +55,16 @@ Case convexPair(Random& random) {
   return c;
 }
 
+int edgesThatMeet(const PosedPair& pair) {
+  int count = 0;
+  for (std::size_t k = 0; k + 1 < pair.a.path.size(); ++k)
+    for (std::size_t l = 0; l + 1 < pair.b.path.size(); ++l) count += edgesMeet(pair, k, l);
+  return count;
+}
+
 TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
   int shown = 0, meeting = 0, near = 0, of_one_shape = 0, proven = 0, proven_by_chance = 0;
+  int crossing_found = 0, containment_found = 0;
   const int count = scaledCount(20000);
   for (int i = 0; i < count; ++i) {
     Random random(static_cast<std::uint64_t>(i) + 77);
@@ -67,11 +75,12 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
     const DistanceOptions options;
     DistanceSearch few(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
     ConvexFeatures features, none;
-    const Meeting found = showNearestOfConvex(pair, few, features);
+    Outcome inside;
+    const Meeting found = showNearestOfConvex(pair, few, features, inside);
     {
       usePortableLanes(true);
       DistanceSearch portable(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-      ASSERT_EQ(showNearestOfConvex(pair, portable, none), found) << reproduction(c);
+      ASSERT_EQ(showNearestOfConvex(pair, portable, none, inside), found) << reproduction(c);
       usePortableLanes(false);
       portable.finish();
       few.finish();
@@ -80,8 +89,14 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
     }
     if (found == Meeting::Unknown) continue;
     ASSERT_EQ(found == Meeting::Meet, collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
-    meeting += found == Meeting::Meet;
-    if (found == Meeting::Meet) continue;
+    if (found == Meeting::Meet) {
+      ++meeting;
+      const bool cross = edgesThatMeet(pair) > 0;
+      ASSERT_FALSE(cross && inside.collides) << reproduction(c);
+      ASSERT_TRUE(!few.meets() || edgesMeet(pair, few.edgeA(), few.edgeB())) << reproduction(c);
+      (cross ? crossing_found : containment_found) += few.meets() || inside.collides;
+      continue;
+    }
     DistanceSearch all(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
     for (std::uint32_t k = 0; k + 1 < pair.a.path.size(); ++k)
       for (std::uint32_t l = 0; l + 1 < pair.b.path.size(); ++l) ASSERT_TRUE(all.show(k, l)) << reproduction(c);
@@ -98,7 +113,7 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
       const bool is_known =
           tried.kind == features.kind && tried.edge_a == features.edge_a && tried.edge_b == features.edge_b;
       DistanceSearch hinted(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-      ASSERT_EQ(showNearestOfConvex(pair, hinted, tried), Meeting::Apart) << reproduction(c);
+      ASSERT_EQ(showNearestOfConvex(pair, hinted, tried, inside), Meeting::Apart) << reproduction(c);
       hinted.finish();
       ASSERT_EQ(hinted.best().distance, all.best().distance) << reproduction(c);
       (is_known ? proven : proven_by_chance) += tried.proven;
@@ -112,6 +127,9 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
   EXPECT_GT(proven_by_chance, 0.01 * count);
   EXPECT_LT(proven_by_chance, 0.5 * count);
   EXPECT_GT(meeting, 0.02 * count);
+  EXPECT_GT(crossing_found + containment_found, 0.9 * meeting);
+  EXPECT_GT(crossing_found, 0.2 * meeting);
+  EXPECT_GT(containment_found, 0);
   EXPECT_LT(shown + meeting, count) << "some are too near to tell";
   EXPECT_GT(near, 0.05 * count);
   EXPECT_GT(of_one_shape, 0.1 * count);
@@ -125,7 +143,8 @@ TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
     const DistanceOptions options;
     DistanceSearch search(a.data(), at_a, b.data(), at_b, options);
     ConvexFeatures features;
-    return showNearestOfConvex(pair, search, features);
+    Outcome inside;
+    return showNearestOfConvex(pair, search, features, inside);
   };
   constexpr Meeting kApart = Meeting::Apart, kUnknown = Meeting::Unknown;
   EXPECT_EQ(shows(square, square, {3, 0.25}), kApart);
