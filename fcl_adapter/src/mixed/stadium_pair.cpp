@@ -13,11 +13,13 @@ namespace {
 using Vec3 = Eigen::Vector3d;
 using tricover::Pose;
 
-/// Whether it turns about z alone, or upside down, to the last bit: then the plane's coordinates can be the world's.
+/// Whether it turns about z alone, or upside down, to the last bit, and lifts by what is finite: then the plane's
+/// coordinates can be the world's.
 template <typename S>
 bool isUpright(const fcl::Transform3<S>& pose) {
   const auto& m = pose.matrix();
-  return m(2, 0) == 0 && m(2, 1) == 0 && m(0, 2) == 0 && m(1, 2) == 0 && std::abs(m(2, 2)) == 1;
+  return m(2, 0) == 0 && m(2, 1) == 0 && m(0, 2) == 0 && m(1, 2) == 0 && std::abs(m(2, 2)) == 1 &&
+         std::isfinite(m(2, 3));
 }
 
 /// checkedPose() and tricover::checkPose() for most poses, of which a sum tells that they are rigid and finite. Written
@@ -53,34 +55,29 @@ bool isRound(fcl::NODE_TYPE type) {
 
 }  // namespace
 
-/// Where both are: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.
 template <typename S>
-Slab StadiumPair<S>::place(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_other, Vec3& center,
-                           Vec3& axis, double& rounding, double& rounding_z) {
-  const char* const name = polygon_first ? "pose_a" : "pose_b";
+typename StadiumPair<S>::Other StadiumPair<S>::place(const fcl::Transform3<S>& of_polygon,
+                                                     const fcl::Transform3<S>& of_other) {
   const double z_low = shape.options().z_low, z_high = shape.options().z_high;
-  center = column(of_other, 3);
-  axis = column(of_other, 2);
+  Other other{{z_low, z_high}, column(of_other, 3), column(of_other, 2), 0, 0};
   is_level_ = isUpright(of_polygon);
   if (is_level_) {
-    const PlanarPose planar = planarPose(of_polygon, name);
+    const PlanarPose planar = planarPart(of_polygon);
     pose = planar.pose;
-    const Slab slab = planar.upside_down ? Slab{-z_high, -z_low} : Slab{z_low, z_high};
-    height_ = planar.z + slab.middle();
-    rounding = 0;
-    rounding_z = 0x1p-50 * (std::abs(planar.z) + std::abs(center.z()));
-    center.z() -= planar.z;
-    return slab;
+    if (planar.upside_down) other.slab = {-z_high, -z_low};
+    height_ = planar.z + other.slab.middle();
+    other.rounding_z = 0x1p-50 * (std::abs(planar.z) + std::abs(other.center.z()));
+    other.center.z() -= planar.z;
+  } else {
+    const Plane from = checkedPose(of_polygon, polygon_first ? "pose_a" : "pose_b");
+    const Eigen::Matrix3d inverse = from.linear().inverse();
+    plane_ = from * planeAt(other.slab.middle());
+    pose = Pose::Identity();
+    other.center = inverse * (other.center - from.translation());
+    other.axis = inverse * other.axis;
+    other.rounding = other.rounding_z = kMappingError * other.center.stableNorm() + 0x1p-1066;
   }
-  const Slab slab{z_low, z_high};
-  const Plane from = checkedPose(of_polygon, name);
-  const Eigen::Matrix3d inverse = from.linear().inverse();
-  plane_ = from * planeAt(slab.middle());
-  pose = Pose::Identity();
-  center = inverse * (center - from.translation());
-  axis = inverse * axis;
-  rounding = rounding_z = kMappingError * center.stableNorm() + 0x1p-1066;
-  return slab;
+  return other;
 }
 
 template <typename S>
@@ -91,10 +88,9 @@ StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   if (!isRound(other.getNodeType())) return;
   const fcl::Transform3<S>& of_other = polygon_first ? tf2 : tf1;
   requireRigid(of_other, polygon_first ? "pose_b" : "pose_a");
-  Vec3 center, axis;
-  double rounding, rounding_z;
-  const Slab slab = place(polygon_first ? tf1 : tf2, of_other, center, axis, rounding, rounding_z);
-  const std::optional<Stadium> stadium = stadiumOf(other, center, axis, slab, rounding, rounding_z);
+  const Other seen = place(polygon_first ? tf1 : tf2, of_other);
+  const std::optional<Stadium> stadium =
+      stadiumOf(other, seen.center, seen.axis, seen.slab, seen.rounding, seen.rounding_z);
   if (!stadium) return;
   requireRigid(pose, polygon_first ? "pose_a" : "pose_b");
   found = stadium->in_slab ? StadiumCase::Pair : StadiumCase::OutOfSlab;

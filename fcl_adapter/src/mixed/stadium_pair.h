@@ -41,8 +41,7 @@ class StadiumPair {
   /// few edges is sooner asked for than a fact.
   template <typename Cache, typename Ask>
   auto remembering(const void* place1, const void* place2, const Ask& ask) const {
-    constexpr std::size_t kFew = 64;
-    if (!segment_ && polygon().vertexCount() <= kFew) return ask();
+    if (!segment_ && hasFewEdges(polygon())) return ask();
     const tricover::Polygon &first = polygon_first ? polygon() : segment(),
                             &second = polygon_first ? segment() : polygon();
     Cache* const cache = pairCache<Cache>(first, place1, second, place2);
@@ -56,8 +55,13 @@ class StadiumPair {
   double radius = 0;
 
  private:
-  Slab place(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_other, Eigen::Vector3d& center,
-             Eigen::Vector3d& axis, double& rounding, double& rounding_z);
+  /// Where the other one is: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.
+  struct Other {
+    Slab slab;  ///< the polygon's
+    Eigen::Vector3d center, axis;
+    double rounding, rounding_z;  ///< as stadiumOf() has them
+  };
+  Other place(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_other);
 
   std::optional<tricover::Polygon> segment_;  ///< none for a disc
   bool is_level_ = true;

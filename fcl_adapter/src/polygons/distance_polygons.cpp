@@ -18,9 +18,10 @@ namespace {
 /// Planar points of a and b, each at a height of its own shape: as near to each other as the heights allow.
 template <typename S>
 struct NearestPoints {
-  NearestPoints(const PolygonPair<S>& pair, const tricover::Vec2& point_a, const tricover::Vec2& point_b) {
+  NearestPoints(const PolygonPair<S>& pair, bool heights_meet, const tricover::Vec2& point_a,
+                const tricover::Vec2& point_b) {
     const Heights a = pair.heightsA(), b = pair.heightsB();
-    const bool a_below = isBelow(a.high, b.low), a_above = isBelow(b.high, a.low);
+    const bool a_below = !heights_meet && isBelow(a.high, b.low), a_above = !heights_meet && !a_below;
     const double middle = sharedHeights(a, b).middle();
     on_a << point_a, a_below ? a.high.rounded() : a_above ? a.low.rounded() : middle;
     on_b << point_b, a_below ? b.low.rounded() : a_above ? b.high.rounded() : middle;
@@ -35,7 +36,7 @@ void updateOverlap(const PolygonPair<S>& pair, bool is_signed, const tricover::D
                    fcl::DistanceResult<S>& result) {
   const tricover::Polygon &a = pair.a(), &b = pair.b();
   const auto report = [&](double distance, const auto& from) {
-    const NearestPoints<S> points(pair, from.point_a, from.point_b);
+    const NearestPoints<S> points(pair, true, from.point_a, from.point_b);
     updateDistance(pair.shape_a, pair.shape_b, distance, points.on_a, points.on_b, from.edge_a, from.edge_b, result);
   };
   // FCL takes a depth below the smallest normal number for none, and asserts that there is one.
@@ -82,9 +83,9 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
     requireContactsIfSigned(o1, o2, request);
     updateOverlap(pair, request.enable_signed_distance, planar, result);
   } else if (planar.distance <= options.limit) {
-    const NearestPoints<S> points(pair, planar.point_a, planar.point_b);
-    updateDistance(o1, o2, std::hypot(planar.distance, apart), points.on_a, points.on_b, planar.edge_a, planar.edge_b,
-                   result);
+    const NearestPoints<S> points(pair, apart == 0, planar.point_a, planar.point_b);
+    const double distance_in_space = apart == 0 ? planar.distance : std::hypot(planar.distance, apart);
+    updateDistance(o1, o2, distance_in_space, points.on_a, points.on_b, planar.edge_a, planar.edge_b, result);
   }
   return result.min_distance;
 }

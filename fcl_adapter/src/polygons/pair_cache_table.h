@@ -17,4 +17,7 @@ namespace tricover_fcl {
 template <typename Cache = tricover::PairCache>
 Cache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b);
 
+/// Whether a disc beside the polygon is sooner asked for than its cache is found.
+inline bool hasFewEdges(const tricover::Polygon& polygon) { return polygon.vertexCount() <= 64; }
+
 }  // namespace tricover_fcl

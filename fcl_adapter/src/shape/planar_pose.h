@@ -24,8 +24,30 @@ struct PlanarPose {
 [[noreturn]] void refuseTilt(const Eigen::Matrix4d& transform, const char* name);
 [[noreturn]] void refuseDistortion(const Eigen::Matrix4d& transform, const char* name);
 
-/// Exact: the upper left 2 x 2 and the translation as they are stored. A tilt of rounding size is left out, as the
-/// kernel accepts as much in R. What is wrong within the plane is left for the kernel to refuse.
+/// Exact: the upper left 2 x 2 and the translation as they are stored.
+template <typename S>
+PlanarPose planarPart(const fcl::Transform3<S>& transform) {
+  const auto& m = transform.matrix();
+  PlanarPose planar_pose{tricover::Pose(), static_cast<double>(m(2, 3)), m(2, 2) < 0};
+  auto& planar_matrix = planar_pose.pose.matrix();
+  // Column by column, as the kernel reads them: it would have to wait for entries written one by one.
+  const auto copyColumn = [&](int to, int from) {
+    if constexpr (std::is_same_v<S, double>) {
+      std::memcpy(&planar_matrix(0, to), &m(0, from), 2 * sizeof(double));
+    } else {
+      planar_matrix(0, to) = static_cast<double>(m(0, from));
+      planar_matrix(1, to) = static_cast<double>(m(1, from));
+    }
+  };
+  copyColumn(0, 0);
+  copyColumn(1, 1);
+  copyColumn(2, 3);
+  planar_matrix.row(2) << 0, 0, 1;
+  return planar_pose;
+}
+
+/// The same of a pose that keeps the plane. A tilt of rounding size is left out, as the kernel accepts as much in R.
+/// What is wrong within the plane is left for the kernel to refuse.
 template <typename S>
 PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
   const auto& m = transform.matrix();
@@ -37,23 +59,7 @@ PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
                      within(at(1, 2), kTilt) & within(std::abs(at(2, 2)) - 1, kTilt) &
                      within(at(2, 3), std::numeric_limits<double>::max());
   if (planar == 0) refuseTilt(transform.matrix().template cast<double>(), name);
-
-  PlanarPose planar_pose{tricover::Pose(), at(2, 3), at(2, 2) < 0};
-  auto& planar_matrix = planar_pose.pose.matrix();
-  // Column by column, as the kernel reads them: it would have to wait for entries written one by one.
-  const auto copyColumn = [&](int to, int from) {
-    if constexpr (std::is_same_v<S, double>) {
-      std::memcpy(&planar_matrix(0, to), &m(0, from), 2 * sizeof(double));
-    } else {
-      planar_matrix(0, to) = at(0, from);
-      planar_matrix(1, to) = at(1, from);
-    }
-  };
-  copyColumn(0, 0);
-  copyColumn(1, 1);
-  copyColumn(2, 3);
-  planar_matrix.row(2) << 0, 0, 1;
-  return planar_pose;
+  return planarPart(transform);
 }
 
 }  // namespace tricover_fcl
