@@ -48,7 +48,7 @@ struct Contact {
 /// is false.
 ///
 /// Cost of a convex pair: 5 us for 8 vertices each, 25 us for 64. Of others, with one part, that of a penetration()
-/// more: 15 and 30 us where they overlap by little, 30 and 350 us where by a third of their size; for 1024 vertices up
+/// more: 15 and 30 us where they overlap by little, 30 and 250 us where by a third of their size; for 1024 vertices up
 /// to 0.2 s. It grows with the number of parts, and with that of pairs of edges that meet.
 ///
 /// Throws as collide() does.

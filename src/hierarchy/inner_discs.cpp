@@ -152,22 +152,6 @@ class DiscSearch {
   int place_count_ = 0, count_ = 0;
 };
 
-/// The radius, in units, of a disc around `center` (also in units) that lies in the region; 0 if that can't be shown.
-double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& center) {
-  double square = std::numeric_limits<double>::infinity();
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
-      square = std::min(square, squaredDistanceToSegment(center, local[e], local[e + 1]));
-  // Distances of points below 2 units are computed with less than 32 U of error. Taking the centre back to the
-  // polygon's frame rounds it, in either coordinate, by U of the product and of the sum with S, which may be far off.
-  constexpr double kRoom = 0x1p-22;
-  static_assert(32 * kUnitRoundoff <= kRoom);
-  const double radius = std::sqrt(square) - kRoom - 4 * kUnitRoundoff * (polygon.extent / polygon.unit);
-  const Vec2 p = polygon.origin + center * polygon.unit;
-  if (!(radius > 0) || !std::isfinite(radius * polygon.unit) || !p.allFinite()) return 0;
-  return includeInCovering(polygon, IncludedPoint::ofFrame(p)).location == Location::Inside ? radius : 0;
-}
-
 /// Exactly, as far as a radius less an ulp is the radius. Edges that are farther away by a 2^-10 need no exact number.
 [[maybe_unused]] bool isInRegion(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& center,
                                  double radius) {
@@ -183,6 +167,38 @@ double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, 
 }
 
 }  // namespace
+
+std::vector<double> thinnedDepths(const PolygonData& polygon, const std::vector<Vec2>& local,
+                                  const std::vector<Vec2>& points) {
+  const ThinnedOutline outline(polygon, local);
+  std::vector<double> depths;
+  while (depths.size() < points.size()) {
+    const std::size_t first = depths.size(), count = std::min<std::size_t>(kProbes, points.size() - first);
+    Probes probes{};
+    for (std::size_t i = 0; i < count; ++i) {
+      probes.x[i] = static_cast<float>(points[first + i].x());
+      probes.y[i] = static_cast<float>(points[first + i].y());
+    }
+    outline.measure(probes);
+    for (std::size_t i = 0; i < count; ++i) depths.push_back(probes.depth[i]);
+  }
+  return depths;
+}
+
+double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& center) {
+  double square = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
+      square = std::min(square, squaredDistanceToSegment(center, local[e], local[e + 1]));
+  // Distances of points below 2 units are computed with less than 32 U of error. Taking the centre back to the
+  // polygon's frame rounds it, in either coordinate, by U of the product and of the sum with S, which may be far off.
+  constexpr double kRoom = 0x1p-22;
+  static_assert(32 * kUnitRoundoff <= kRoom);
+  const double radius = std::sqrt(square) - kRoom - 4 * kUnitRoundoff * (polygon.extent / polygon.unit);
+  const Vec2 p = polygon.origin + center * polygon.unit;
+  if (!(radius > 0) || !std::isfinite(radius * polygon.unit) || !p.allFinite()) return 0;
+  return includeInCovering(polygon, IncludedPoint::ofFrame(p)).location == Location::Inside ? radius : 0;
+}
 
 void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, Hierarchy& hierarchy) {
   InnerDiscs& discs = hierarchy.inner_discs;

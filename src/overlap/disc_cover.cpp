@@ -3,46 +3,88 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
-#include "hierarchy/inclusion.h"
-#include "numbers/segment.h"
+#include "hierarchy/inner_discs.h"
 
 namespace tricover::detail {
+namespace {
 
-std::vector<Disc> coverByDiscs(const PolygonData& polygon, const Pose& pose, const std::vector<Vec2>& vertices,
-                               const Vec2& origin, double unit, double noise) {
+std::vector<Disc> coverByDiscs(const PolygonData& polygon) {
   constexpr int kGrid = 20;
-  constexpr std::size_t kMost = 96;
-  Vec2 low = vertices[0], high = low;
-  for (const Vec2& p : vertices) {
+  constexpr std::size_t kMost = 64;
+  std::vector<Vec2> local;
+  local.reserve(polygon.path.size());
+  for (const Vec2& p : polygon.path) local.push_back(polygon.inUnits(p));
+  Vec2 low = local[0], high = low;
+  for (const Vec2& p : local) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
+  std::vector<Vec2> centers;
+  for (int row = 0; row < kGrid; ++row)
+    for (int column = 0; column < kGrid; ++column)
+      centers.push_back(low + Vec2((column + 0.5) / kGrid, (row + 0.5) / kGrid).cwiseProduct(high - low));
+  const std::vector<double> depths = thinnedDepths(polygon, local, centers);
   std::vector<Disc> grid;
-  for (int i = 0; i < kGrid * kGrid; ++i) {
-    const int row = i / kGrid, column = i % kGrid;
-    const Vec2 share((column + 0.5) / kGrid, (row + 0.5) / kGrid);
-    const Vec2 p = low + share.cwiseProduct(high - low);
-    double square = std::numeric_limits<double>::infinity();
-    for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-      for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
-        square = std::min(square, squaredDistanceToSegment(p, vertices[e], vertices[e + 1]));
-    // The boundary and, below, the way back to the polygon's frame are wrong by a few `noise`.
-    grid.push_back({p, std::sqrt(square) - 16 * noise});
-  }
+  for (std::size_t i = 0; i < centers.size(); ++i)
+    if (depths[i] > 0) grid.push_back({centers[i], depths[i]});
   std::sort(grid.begin(), grid.end(), [](const Disc& c, const Disc& d) { return c.radius > d.radius; });
-  const Eigen::Matrix2d back = pose.linear().inverse();
   std::vector<Disc> discs;
   for (const Disc& disc : grid) {
-    if (discs.size() == kMost || !(disc.radius > 0)) break;
+    if (discs.size() == kMost) break;
     const auto held = [&](const Disc& d) { return (d.center - disc.center).norm() < 0.5 * d.radius; };
     if (std::any_of(discs.begin(), discs.end(), held)) continue;
-    const Vec2 local = polygon.origin + back * ((disc.center - origin) * unit);
-    if (local.allFinite() && locateInPolygon(polygon, IncludedPoint::ofFrame(local)) == Location::Inside)
-      discs.push_back(disc);
+    const double radius = provenRadius(polygon, local, disc.center);
+    if (radius > 0) discs.push_back({disc.center, radius});
   }
   return discs;
+}
+
+}  // namespace
+
+const std::vector<Disc>& discCoverOf(const PolygonData& polygon) {
+  const void* cover = polygon.cover.ifBuilt();
+  if (cover == nullptr)
+    cover = polygon.cover.built([&] { return std::make_shared<const std::vector<Disc>>(coverByDiscs(polygon)); });
+  return *static_cast<const std::vector<Disc>*>(cover);
+}
+
+DiscSums::DiscSums(const std::vector<Disc>& a, const std::vector<Disc>& b, double error, std::size_t most) {
+  // Small ones of both hold less than either with a large one.
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size() && (i + 1) * (j + 1) <= most; ++j)
+      add(a[i].center.x() - b[j].center.x(), a[i].center.y() - b[j].center.y(), a[i].radius + b[j].radius - error);
+}
+
+void DiscSums::add(double x, double y, double radius) {
+  x_.push_back(x);
+  y_.push_back(y);
+  radius_.push_back(radius);
+  largest_ = std::max(largest_, radius);
+}
+
+bool DiscSums::hold(const Vec2& t, double radius) const {
+  if (largest_ <= radius) return false;
+  std::int64_t holding = 0;  // as wide as a double, so that it is counted in lanes
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const double dx = x_[k] - t.x(), dy = y_[k] - t.y(), room = radius_[k] - radius;
+    holding += dx * dx + dy * dy < room * std::abs(room);
+  }
+  return holding > 0;
+}
+
+DiscSums DiscSums::near(const Vec2& t, double radius) const {
+  DiscSums result;
+  result.x_.reserve(x_.size());
+  result.y_.reserve(x_.size());
+  result.radius_.reserve(x_.size());
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const double dx = x_[k] - t.x(), dy = y_[k] - t.y(), within = radius_[k] + 0.5 * radius;
+    if (dx * dx + dy * dy < within * std::abs(within)) result.add(x_[k], y_[k], radius_[k]);
+  }
+  return result;
 }
 
 }  // namespace tricover::detail

@@ -11,16 +11,19 @@
 // slivers without end. So a free slit narrower than twice that may be missed, and nothing else.
 //
 // Cost: a query of the kernel a cell, and one a sample. The cells are those of the disc of radius depth, as fine as the
-// overlap is intricate there. Measured (processor time, median) on the paper's polygons of size 100, overlapping by
-// 0.5 / by 30 on the mean: contour of 64 vertices 16 / 270 us, with hole 14 / 320 us, starred 40 / 400 us; of 256
-// vertices 55 us / 6 ms, 40 us / 1.4 ms, 90 us / 2.2 ms. Deep pairs of 1024 vertices: 40 to 200 ms. Worst case:
-// outlines that are nearly parallel by more than the resolution over a long way, as combs turned by 1e-9 against each
-// other are, need cells as small as their gaps are narrow; only the budget ends that.
+// overlap is intricate there; in a long search those that a disc of a and one of b overlap on take no query. Measured
+// (processor time, median) on the paper's polygons of size 100, overlapping by 0.5 / by 30 on the mean: contour of 64
+// vertices 25 / 250 us, with hole 23 / 170 us, starred 45 us / 1 ms; of 256 vertices 75 us / 2.2 ms, 50 us / 0.7 ms,
+// 125 us / 6 ms. Worst case: outlines that are nearly parallel by more than the resolution over a long way, as combs
+// turned by 1e-9 against each other are, need cells as small as their gaps are narrow; only the budget ends that.
 #include "overlap/translation_search.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "numbers/segment.h"
@@ -33,8 +36,8 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kRoot2 = 1.4142135623730951;
 /// Cells with no more segments than this are decided; others are split.
 constexpr std::size_t kMostSegments = 8;
-/// A search of more queries than this is worth covering both regions by discs.
-constexpr std::size_t kLong = 1500;
+/// A search of more queries than this begins again with both regions covered by discs.
+constexpr std::size_t kLong = 24;
 /// How far beyond a cell's circumcircle its segments are gathered, so that samples around a point of it are understood.
 constexpr double kSurroundings = 1.25;
 
@@ -42,14 +45,15 @@ struct Cell {
   double least;  ///< distance of 0
   Vec2 center;
   double half;
+  std::shared_ptr<const DiscSums> sums;  ///< that may hold parts of it
 };
 struct Farther {
   bool operator()(const Cell& c, const Cell& d) const { return c.least > d.least; }
 };
 
-Cell makeCell(const Vec2& center, double half) {
+Cell makeCell(const Vec2& center, double half, std::shared_ptr<const DiscSums> sums) {
   return {std::hypot(std::max(std::abs(center.x()) - half, 0.0), std::max(std::abs(center.y()) - half, 0.0)), center,
-          half};
+          half, std::move(sums)};
 }
 
 /// Where a free face of the lines' arrangement may be nearest to 0.
@@ -100,16 +104,30 @@ class PartingSearch {
 
   ShortestParting run() {
     std::priority_queue<Cell, std::vector<Cell>, Farther> cells;
-    cells.push(makeCell(Vec2::Zero(), upper_ * (1 + 0x1p-20)));
+    auto sums = std::make_shared<const DiscSums>();
+    const auto begin = [&] {
+      cells = {};
+      cells.push(makeCell(Vec2::Zero(), upper_ * (1 + 0x1p-20), sums));
+    };
+    begin();
+    bool covered = false;
     while (!cells.empty() && cells.top().least < upper_) {
+      if (queries_ > kLong && !covered) {
+        covered = true;
+        sums = std::make_shared<const DiscSums>(space_.discSums());
+        coarse_ = upper_ / 8;
+        begin();
+      }
       const Cell cell = cells.top();
-      found_.lower_bound = cell.least;
+      found_.lower_bound = std::max(found_.lower_bound, cell.least);
       if (queries_ >= budget_) return found_;
       cells.pop();
       if (decide(cell)) continue;
-      const double half = cell.half / 2;
+      const double half = cell.half / 2, radius = cell.half * kRoot2;
+      const auto near =
+          cell.sums->areMany() ? std::make_shared<const DiscSums>(cell.sums->near(cell.center, radius)) : cell.sums;
       for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)})
-        cells.push(makeCell(cell.center + way, half));
+        cells.push(makeCell(cell.center + way, half, near));
     }
     found_.lower_bound = std::max(0.0, upper_ - resolution_ - error_);
     return found_;
@@ -143,14 +161,12 @@ class PartingSearch {
 
   /// Whether nothing shorter than the best is left to be found in the cell.
   bool decide(const Cell& cell) {
-    if (++queries_ > kLong && !covered_) {
-      covered_ = true;
-      space_.coverByDiscs();
-    }
+    ++queries_;
     Vec2 t = cell.center;
     const PosedPair pair = space_.at(t);
     const double radius = (cell.half * kRoot2 + (t - cell.center).norm()) * (1 + 0x1p-40);
-    if (space_.overlapsAround(t, radius)) return true;
+    if (cell.sums->hold(t, radius)) return true;
+    if (cell.half > coarse_) return false;
     const Outcome outcome = collideByHierarchy(pair, {}, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
     if (outcome.collides) {
       if (depthOf(pair, outcome) >= radius) return true;
@@ -272,7 +288,8 @@ class PartingSearch {
   ShortestParting found_;
   double upper_, error_ = 0;
   std::size_t queries_ = 0;
-  bool covered_ = false;
+  /// In a long search cells larger than this are divided without a query.
+  double coarse_ = std::numeric_limits<double>::infinity();
   std::vector<Line> lines_;
   std::vector<PossibleLimit> limits_;
   std::vector<double> rays_;

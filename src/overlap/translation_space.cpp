@@ -75,18 +75,17 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
   b_ = verticesOf(b, pose_b, between_, inverse_unit_);
 }
 
-void TranslationSpace::coverByDiscs() {
-  discs_a_ = detail::coverByDiscs(polygon_a_, pose_a_, a_.at, Vec2::Zero(), unit_, noise_);
-  discs_b_ = detail::coverByDiscs(polygon_b_, pose_b_, b_.at, between_, unit_, noise_);
-}
-
-bool TranslationSpace::overlapsAround(const Vec2& t, double radius) const {
-  for (const Disc& p : discs_a_)
-    for (const Disc& q : discs_b_) {
-      const double reach = p.radius + q.radius - radius - 4 * noise_;
-      if (reach > 0 && (p.center - q.center - t).squaredNorm() < reach * reach) return true;
-    }
-  return false;
+DiscSums TranslationSpace::discSums() const {
+  const auto posed = [&](const PolygonData& polygon, const Pose& pose, const Vec2& origin) {
+    const double scale = polygon.unit * inverse_unit_;
+    std::vector<Disc> discs = discCoverOf(polygon);
+    for (Disc& disc : discs)
+      disc = {origin + pose.linear() * (disc.center * scale), disc.radius * scale * (1 - kLargestDefect)};
+    return discs;
+  };
+  // A centre is no less precise than a vertex, and so is t; the fourth is for the roundings where they are compared.
+  return DiscSums(posed(polygon_a_, pose_a_, Vec2::Zero()), posed(polygon_b_, pose_b_, between_), 4 * noise_,
+                  polygon_a_.path.size() + polygon_b_.path.size());
 }
 
 PosedPair TranslationSpace::at(Vec2& t) {

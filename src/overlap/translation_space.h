@@ -40,11 +40,8 @@ class TranslationSpace {
     });
   }
 
-  /// Prepares overlapsAround(): worth its while in a long search.
-  void coverByDiscs();
-
-  /// Whether discs in the regions overlap at t and at every translation within `radius` of it.
-  bool overlapsAround(const Vec2& t, double radius) const;
+  /// Translations at which discs in the regions overlap: worth their while in a long search.
+  DiscSums discSums() const;
 
   double unit() const { return unit_; }
   bool isFinite() const { return noise_ < 1; }
@@ -92,7 +89,6 @@ class TranslationSpace {
   Vec2 quarter_origin_;  ///< of a's S in the world
   Vec2 between_;         ///< b's S, as vertices
   Vertices a_, b_;
-  std::vector<Disc> discs_a_, discs_b_;
 };
 
 }  // namespace tricover::detail

@@ -89,6 +89,7 @@ struct PolygonData {
   Derived derived;                                  ///< the hierarchy's place
   mutable std::atomic<std::size_t> rings_asked{0};  ///< what looking at all rings' starts has cost so far
   Derived starts;                                   ///< the place of the starts that need be asked for
+  Derived cover;                                    ///< the place of the discs that a search for a way apart asks first
 };
 
 }  // namespace tricover::detail
