@@ -135,6 +135,34 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
   EXPECT_GT(of_one_shape, 0.1 * count);
 }
 
+/// Doubles see what floats don't: on which side of a corner an edge leads out, and a corner that is hardly outside.
+TEST(ConvexNearest, ProvesWhereTheyMeet) {
+  const Polygon square({rectangle(-1, -1, 1, 1)});
+  int found = 0;
+  Random random(5);
+  const auto check = [&](Ring ring) {  // as it is in the world
+    const Pose at_a = Pose::Identity(), at_b = randomPose(random, 1);
+    for (Vec2& p : ring) p = at_b.inverse() * p;
+    const Polygon b({ring});
+    const PosedPair pair(square.data(), at_a, b.data(), at_b);
+    const DistanceOptions options;
+    DistanceSearch search(square.data(), at_a, b.data(), at_b, options);
+    ConvexFeatures features;
+    Outcome inside;
+    showNearestOfConvex(pair, search, features, inside);
+    found += search.meets();
+    EXPECT_TRUE(!search.meets() || edgesMeet(pair, search.edgeA(), search.edgeB()))
+        << reproduction({square, at_a, b, at_b});
+    EXPECT_FALSE(inside.collides && edgesThatMeet(pair) > 0) << reproduction({square, at_a, b, at_b});
+  };
+  for (int i = 0; i < 200; ++i) {
+    const double beside = random.coin() ? 1e-9 : -1e-9;
+    check({{0, 0}, {1.25, 1.25 + beside}, {-0.5, 1.25}});
+    check({{-0.5, -0.5}, {1 + 1e-9, -0.5}, {random.real(-0.5, 0.5), 0.5}});
+  }
+  EXPECT_GT(found, 50);
+}
+
 TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
   const Polygon square({rectangle(0, 0, 1, 1)}), many({regular(17, 1)}), notched({{{0, 0}, {2, 0}, {1, 0.5}, {0, 2}}});
   const auto shows = [](const Polygon& a, const Polygon& b, const Vec2& shift) {
