@@ -36,28 +36,62 @@ struct Gap {
   std::size_t edge = 0, corner = 0;
 };
 
-/// The least gap over the edges of one of them, both counter-clockwise. While the normal turns, the other's farthest
-/// corner goes around at most once.
-Gap leastGap(const Corners& of, const Corners& other) {
+// A product of a normal n, known to within U, with a difference d of corners, in plain doubles. M is at least their
+// coordinates, so those of d are below 2 M; in units of U M |n|_1:
+//   corners, rounded to their high parts, 1 each; their difference 2      4
+//   n                                                                     2
+//   two products, their sum                                               2 * 2
+// Divided by the length of n that is at most 10 sqrt2 U M. The length (of n 1, of hypot 2) and the quotient add 4 U of
+// the depth, which is at most 2 sqrt2 M: twice the bound below.
+constexpr double kPlainError = 16 * kUnitRoundoff;
+static_assert(kPlainError >= (1 + 1e-5) * errorOf(4 + 2 + 2 * 2));
+static_assert(2 * kPlainError >= (1 + 1e-5) * kRoot2 * errorOf(10 + 4 * 2));
+
+double plainDot(const DoubleDouble2& normal, const DoubleDouble2& p, const DoubleDouble2& q) {
+  return normal.x.high * (p.x.high - q.x.high) + normal.y.high * (p.y.high - q.y.high);
+}
+
+/// The least gap over the edges of one of them, both counter-clockwise, no coordinate larger than `largest`. While the
+/// normal turns, the other's farthest corner goes around at most once. Double doubles only where plain ones are unsure.
+Gap leastGap(const Corners& of, const Corners& other, double largest) {
   Gap least;
   const std::size_t n = of.size(), m = other.size();
   if (n < 2) return least;
-  std::size_t farthest = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const DoubleDouble2 edge = of[(k + 1) % n] - of[k], normal{edge.y, -edge.x};
+  const double error = kPlainError * largest;
+  const auto normalOf = [&](std::size_t k) {
+    const DoubleDouble2 edge = of[k + 1 < n ? k + 1 : 0] - of[k];
+    return DoubleDouble2{edge.y, -edge.x};
+  };
+  const auto isFarther = [&](std::size_t j, std::size_t i, const DoubleDouble2& normal) {
+    const double plain = plainDot(normal, other[j], other[i]);
+    if (std::abs(plain) > error * (std::abs(normal.x.high) + std::abs(normal.y.high))) return plain < 0;
+    return dot(normal, other[j] - other[i]).high < 0;
+  };
+  std::vector<std::size_t> farthest(n);
+  std::vector<double> depths(n);
+  double enough = std::numeric_limits<double>::infinity();  // the least depth isn't more
+  for (std::size_t k = 0, at = 0; k < n; ++k) {
+    const DoubleDouble2 normal = normalOf(k);
     // A segment's normals are opposite: on the way from one to the other a step may be no descent.
     if (k == 0 || n == 2)
       for (std::size_t j = 0; j < m; ++j)
-        if (dot(normal, other[j] - other[farthest]).high < 0) farthest = j;
+        if (isFarther(j, at, normal)) at = j;
     for (std::size_t steps = 0; steps < m; ++steps) {
-      const std::size_t next = (farthest + 1) % m;
-      if (!(dot(normal, other[next] - other[farthest]).high < 0)) break;
-      farthest = next;
+      const std::size_t next = at + 1 < m ? at + 1 : 0;
+      if (!isFarther(next, at, normal)) break;
+      at = next;
     }
+    farthest[k] = at;
+    depths[k] = plainDot(normal, of[k], other[at]) / std::hypot(normal.x.high, normal.y.high);
+    enough = std::min(enough, depths[k] + 2 * error);
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (depths[k] - 2 * error > enough) continue;
+    const DoubleDouble2 normal = normalOf(k);
     const double length = std::hypot(normal.x.high, normal.y.high);
-    const double depth = std::max(0.0, dot(normal, of[k] - other[farthest]).high / length);
+    const double depth = std::max(0.0, dot(normal, of[k] - other[farthest[k]]).high / length);
     if (!(depth < least.depth)) continue;
-    least = {depth, Vec2(normal.x.high, normal.y.high) / length, k, farthest};
+    least = {depth, Vec2(normal.x.high, normal.y.high) / length, k, farthest[k]};
   }
   return least;
 }
@@ -78,7 +112,10 @@ SupportGap leastSupportGap(const PolygonData& a, const Pose& pose_a, const Conve
   const std::vector<std::size_t> at_a = counterClockwise(pose_a, outline_a.corners),
                                  at_b = counterClockwise(pose_b, outline_b.corners);
   const Corners corners_a = posed(a, pose_a, at_a, {}, scale), corners_b = posed(b, pose_b, at_b, shift, scale);
-  const Gap of_a = leastGap(corners_a, corners_b), of_b = leastGap(corners_b, corners_a);
+  double most = 0;
+  for (const Corners* corners : {&corners_a, &corners_b})
+    for (const DoubleDouble2& p : *corners) most = std::max({most, std::abs(p.x.high), std::abs(p.y.high)});
+  const Gap of_a = leastGap(corners_a, corners_b, most), of_b = leastGap(corners_b, corners_a, most);
   const bool edge_of_a = of_a.depth <= of_b.depth;
   const Gap& least = edge_of_a ? of_a : of_b;
   const bool points = corners_a.size() < 2 && corners_b.size() < 2;  // which any translation parts
