@@ -243,7 +243,7 @@ ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const 
 /// One convex polygon's vertices against another's half planes, in one frame.
 struct HalfPlanes {
   const float *nx, *ny, *d;
-  int count;
+  int lanes, count;
 };
 struct Vertices {
   const float *x, *y;
@@ -273,14 +273,16 @@ template <class Lanes>
   if (leaving == 0) return {-1, -1};
   const int from = __builtin_ctz(leaving), to = from + 1 == vertices.count ? 0 : from + 1;
   // Outside of the plane by `to`, inside by `from`: the larger the one by the other, the sooner the edge leaves.
-  int plane = 0;
-  float most = -1e30f;
-  for (int k = 0; k < planes.count; ++k) {
-    const float at = planes.nx[k] * vertices.x[from] + planes.ny[k] * vertices.y[from] - planes.d[k];
-    const float then = planes.nx[k] * vertices.x[to] + planes.ny[k] * vertices.y[to] - planes.d[k];
-    const float share = then / -at;
-    if (share > most) most = share, plane = k;
+  float shares[SmallConvex::kMost];
+  Lanes most = Lanes::all(-1e30f);
+  for (int i = 0; i < planes.lanes; i += kLanes) {
+    const Lanes nx = Lanes::load(planes.nx + i), ny = Lanes::load(planes.ny + i), d = Lanes::load(planes.d + i);
+    const Lanes at = d - (nx * vertices.x[from] + ny * vertices.y[from]);
+    const Lanes share = (nx * vertices.x[to] + ny * vertices.y[to] - d) / at;
+    share.store(shares + i);
+    most = larger(most, share);
   }
+  const int plane = __builtin_ctz(atLeast<Lanes>(shares, planes.lanes, largest(most)) | 1u << (planes.count - 1));
   return {plane, from};
 }
 
@@ -290,7 +292,7 @@ ConvexCrossing convexCrossing(const SmallConvex& a, const SmallConvex& b, const 
   float x[SmallConvex::kMost], y[SmallConvex::kMost];
   mapVertices<Lanes>(b, map, x, y);
   const float slack = static_cast<float>(8 * rounding + map.error);
-  const WayOut of_b = wayOut<Lanes>({a.nx, a.ny, a.d, a.count}, {x, y, b.lanes, b.count}, slack);
+  const WayOut of_b = wayOut<Lanes>({a.nx, a.ny, a.d, a.lanes, a.count}, {x, y, b.lanes, b.count}, slack);
   if (of_b.plane >= 0) return {of_b.plane, of_b.vertex};
   if (of_b.vertex >= 0) return {-1, 0};
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
@@ -304,7 +306,7 @@ ConvexCrossing convexCrossing(const SmallConvex& a, const SmallConvex& b, const 
     any.store(ny + i);
     (Lanes::load(b.d + i) * scale + anx * tx + any * ty).store(d + i);
   }
-  const WayOut of_a = wayOut<Lanes>({nx, ny, d, b.count}, {a.x, a.y, a.lanes, a.count}, slack);
+  const WayOut of_a = wayOut<Lanes>({nx, ny, d, b.lanes, b.count}, {a.x, a.y, a.lanes, a.count}, slack);
   if (of_a.plane >= 0) return {of_a.vertex, of_a.plane};
   return of_a.vertex >= 0 ? ConvexCrossing{0, -1} : ConvexCrossing{-1, -1};
 }

@@ -443,7 +443,7 @@ MUTATIONS = [
     ("src/apart/convex_nearest.cpp", "if (!edgesMeet(pair_, i, j)) return false;", "", "convex crossing: a guess taken for proven"),
     ("src/apart/convex_nearest.cpp", "if (innerDiscsMeet() && findsMeeting(inside)) return Meeting::Meet;", "", "convex crossing: axes first (equivalent: speed only)"),
     ("src/hierarchy/wide_shapes.h", "if ((deep & all) == all) return {-1, 0};", "if (in == all) return {-1, 0};", "convex crossing: inside without slack"),
-    ("src/hierarchy/wide_shapes.h", "if (share > most) most = share, plane = k;", "if (share < most) most = share, plane = k;", "convex crossing: the plane that an edge leaves last"),
+    ("src/hierarchy/wide_shapes.h", "most = larger(most, share);", "most = smaller(most, share);", "convex crossing: the plane that an edge leaves last"),
     ("src/apart/edge_distance.cpp", "v.along[0] = -std::numeric_limits<double>::infinity();", "v.along[0] = std::numeric_limits<double>::infinity();", "edge distance: the start of an edge taken for its end (equivalent: the part is 0)"),
     ("src/apart/edge_distance.h", "of_a.square < of_b.square ? of_a.square : of_b.square", "of_a.square", "edge distance: b's edge against a's ends"),
     ("src/apart/edge_distance.h", "(s.area[0] < -unsure_ && s.area[1] < -unsure_)", "(s.area[0] < -unsure_ || s.area[1] < -unsure_)", "edge distance: crossing edges taken as clear"),
