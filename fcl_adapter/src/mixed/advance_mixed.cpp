@@ -71,7 +71,9 @@ std::optional<Footprint> footprintOf(const MixedPair<S>& pair) {
   const double rounding = mappingError(pair.view.to_polygon, 0);
   if (const auto stadium = stadiumOf(pair.other, center, axis, pair.view.slab, rounding, rounding)) {
     if (!stadium->in_slab) return std::nullopt;
-    return Footprint{stadium->segment(), stadium->pose(), stadium->radius};
+    Footprint footprint{stadium->segment(), {}, stadium->radius};
+    stadium->setPose(footprint.pose);
+    return footprint;
   }
   const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
   if (!shadow) return std::nullopt;

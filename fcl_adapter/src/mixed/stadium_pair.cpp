@@ -62,12 +62,12 @@ typename StadiumPair<S>::Other StadiumPair<S>::place(const fcl::Transform3<S>& o
   Other other{{z_low, z_high}, column(of_other, 3), column(of_other, 2), 0, 0};
   is_level_ = isUpright(of_polygon);
   if (is_level_) {
-    const PlanarPose planar = planarPart(of_polygon);
-    pose = planar.pose;
-    if (planar.upside_down) other.slab = {-z_high, -z_low};
-    height_ = planar.z + other.slab.middle();
-    other.rounding_z = 0x1p-50 * (std::abs(planar.z) + std::abs(other.center.z()));
-    other.center.z() -= planar.z;
+    const auto z = static_cast<double>(of_polygon.matrix()(2, 3));
+    setPlanarPart(pose, of_polygon);
+    if (of_polygon.matrix()(2, 2) < 0) other.slab = {-z_high, -z_low};
+    height_ = z + other.slab.middle();
+    other.rounding_z = 0x1p-50 * (std::abs(z) + std::abs(other.center.z()));
+    other.center.z() -= z;
   } else {
     const Plane from = checkedPose(of_polygon, polygon_first ? "pose_a" : "pose_b");
     const Eigen::Matrix3d inverse = from.linear().inverse();
@@ -94,7 +94,7 @@ StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   if (!stadium) return;
   requireRigid(pose, polygon_first ? "pose_a" : "pose_b");
   found = stadium->in_slab ? StadiumCase::Pair : StadiumCase::OutOfSlab;
-  pose_of_segment = stadium->pose();
+  stadium->setPose(pose_of_segment);
   radius = stadium->radius;
   if (stadium->half_length != 0) segment_ = stadium->segment();
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "shape/errors.h"
+#include "shape/planar_pose.h"
 #include "tricover/segment.h"
 
 namespace tricover_fcl {
@@ -87,11 +88,9 @@ std::optional<Stadium> ofCylinder(double radius, double half_length, const Place
 
 }  // namespace
 
-Pose Stadium::pose() const {
-  Pose at = Pose::Identity();
-  at.linear() << direction.x(), -direction.y(), direction.y(), direction.x();
-  at.translation() = center;
-  return at;
+void Stadium::setPose(Pose& pose) const {
+  const Vec2 across(-direction.y(), direction.x());
+  setColumns(pose, direction.data(), across.data(), center.data());
 }
 
 const Polygon& Stadium::point() {

@@ -23,7 +23,7 @@ struct Stadium {
   /// their lengths: a polygon costs more to make than to ask, and facts are about polygons that stay.
   tricover::Polygon segment() const;
   static const tricover::Polygon& point();  ///< the segment of all discs
-  tricover::Pose pose() const;
+  void setPose(tricover::Pose& pose) const;
 
   /// Of the error documented for round geometries, by how much of its reach a shadow may be taken for a stadium around
   /// it: a tilt, or a height, by a rounding.

@@ -24,29 +24,28 @@ struct PlanarPose {
 [[noreturn]] void refuseTilt(const Eigen::Matrix4d& transform, const char* name);
 [[noreturn]] void refuseDistortion(const Eigen::Matrix4d& transform, const char* name);
 
-/// Exact: the upper left 2 x 2 and the translation as they are stored.
-template <typename S>
-PlanarPose planarPart(const fcl::Transform3<S>& transform) {
-  const auto& m = transform.matrix();
-  PlanarPose planar_pose{tricover::Pose(), static_cast<double>(m(2, 3)), m(2, 2) < 0};
-  auto& planar_matrix = planar_pose.pose.matrix();
-  // Column by column, as the kernel reads them: it would have to wait for entries written one by one.
-  const auto copyColumn = [&](int to, int from) {
-    if constexpr (std::is_same_v<S, double>) {
-      std::memcpy(&planar_matrix(0, to), &m(0, from), 2 * sizeof(double));
-    } else {
-      planar_matrix(0, to) = static_cast<double>(m(0, from));
-      planar_matrix(1, to) = static_cast<double>(m(1, from));
-    }
-  };
-  copyColumn(0, 0);
-  copyColumn(1, 1);
-  copyColumn(2, 3);
-  planar_matrix.row(2) << 0, 0, 1;
-  return planar_pose;
+/// Column by column, and in place, as the kernel reads them: it would have to wait for entries written one by one.
+inline void setColumns(tricover::Pose& pose, const double* x, const double* y, const double* translation) {
+  auto& m = pose.matrix();
+  std::memcpy(&m(0, 0), x, 2 * sizeof(double));
+  std::memcpy(&m(0, 1), y, 2 * sizeof(double));
+  std::memcpy(&m(0, 2), translation, 2 * sizeof(double));
+  m.row(2) << 0, 0, 1;
 }
 
-/// The same of a pose that keeps the plane. A tilt of rounding size is left out, as the kernel accepts as much in R.
+/// Exact: the upper left 2 x 2 and the translation as they are stored.
+template <typename S>
+void setPlanarPart(tricover::Pose& pose, const fcl::Transform3<S>& transform) {
+  const auto& m = transform.matrix();
+  if constexpr (std::is_same_v<S, double>) {
+    setColumns(pose, &m(0, 0), &m(0, 1), &m(0, 3));
+  } else {
+    const Eigen::Matrix<double, 2, 4> wide = m.template topRows<2>().template cast<double>();
+    setColumns(pose, &wide(0, 0), &wide(0, 1), &wide(0, 3));
+  }
+}
+
+/// That of a pose that keeps the plane. A tilt of rounding size is left out, as the kernel accepts as much in R.
 /// What is wrong within the plane is left for the kernel to refuse.
 template <typename S>
 PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
@@ -59,7 +58,9 @@ PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
                      within(at(1, 2), kTilt) & within(std::abs(at(2, 2)) - 1, kTilt) &
                      within(at(2, 3), std::numeric_limits<double>::max());
   if (planar == 0) refuseTilt(transform.matrix().template cast<double>(), name);
-  return planarPart(transform);
+  PlanarPose planar_pose{tricover::Pose(), at(2, 3), at(2, 2) < 0};
+  setPlanarPart(planar_pose.pose, transform);
+  return planar_pose;
 }
 
 }  // namespace tricover_fcl
