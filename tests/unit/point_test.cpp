@@ -102,8 +102,8 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
 TEST(Point, IsMostlyPlain) {
   Random random(5);
   int plain = 0;
-  constexpr int kAsked = 400;
-  for (int i = 0; i < kAsked; ++i) {
+  const int asked = scaledCount(400);
+  for (int i = 0; i < asked; ++i) {
     const Polygon a({regular(random.integer(3, 100), 50)});
     Pose pose = Pose::Identity();
     pose.linear() = Eigen::Rotation2Dd(random.real(-3, 3)).toRotationMatrix();
@@ -112,7 +112,7 @@ TEST(Point, IsMostlyPlain) {
     plain += nearest.distance > 0;
     EXPECT_FALSE(nearest.distance > 0 && nearest.may_be_inside);
   }
-  EXPECT_GE(plain, 0.9 * kAsked);
+  EXPECT_GE(plain, 0.9 * asked);
   // Nearly touching is no matter for plain doubles.
   const Polygon square({rectangle(-1, -1, 1, 1)});
   EXPECT_LT(nearestEdge(square.data(), Pose::Identity(), point({1 + 1e-12, 0}).data(), Pose::Identity()).distance, 0);
