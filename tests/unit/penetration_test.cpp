@@ -107,6 +107,20 @@ TEST(Convex, AShallowOneIsExact) {
   EXPECT_EQ(p->direction, Vec2(1, 0));
 }
 
+TEST(Convex, OfEdgesWhoseGapsPlainDoublesCannotTellApartTheLeastCounts) {
+  // A wall that bends by little at each of its corners, and a tip beneath its middle edge.
+  const double bend = 0x1p-52, below = 0x1p-39;
+  Ring wall = {{92, -1}, {108, -1}};
+  for (int k = 8; k >= -8; --k) wall.emplace_back(100 + k, -k * k * bend);
+  const Polygon a({wall}), b({{{100.5, -below}, {101.5, 3}, {99.5, 3}}});
+  for (int k = 0; k < 60; ++k) {
+    const Pose both = pose(0.1 * k, 0, 0);
+    const auto p = penetration(a, both, b, both);
+    ASSERT_TRUE(p && p->optimal);
+    EXPECT_NEAR(p->depth / (below - 0.5 * bend), 1, 4e-15) << k;
+  }
+}
+
 TEST(NotConvex, OutOfACup) {
   expectPenetration(cup(), kIdentity, square(), at(2.5, 1.5), {0.5, {0, 1}});    // off its floor
   expectPenetration(cup(), kIdentity, square(), at(0.5, 3), {1.5, kAnyWay});     // across the wall, as far as inwards
