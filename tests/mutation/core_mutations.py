@@ -544,7 +544,7 @@ MUTATIONS = [
     ("src/apart/convex_impact.cpp", "if (!apart && end - time <= time_error_) {", "if (!apart) {", "convex impact: as early as the window is long"),
     ("src/apart/convex_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(4 * pair.error)", "convex impact: touches without the margin"),
     ("src/apart/convex_impact.cpp", "if (time == 0) break;", "", "convex impact: near at the start taken for a touch"),
-    ("src/apart/convex_impact.cpp", "stale = !(gap_ >= 0.5 * points.distance);", "stale = false;", "convex impact: features never guessed again (equivalent: speed only)"),
+    ("src/apart/convex_impact.cpp", "stale = !(gap_ >= 0.5 * points.distance);", "stale = false;", "convex impact: features never guessed again"),
     ("src/apart/convex_impact.cpp", "keepsLengths(mover);", "true;", "convex impact: a pose that doesn't keep lengths (equivalent: axes part less, never more)"),
     ("src/apart/window_cutter.h", "gap -= allowance(axis.x, axis.y);", "", "window: error and margin of a gap"),
     ("src/apart/window_cutter.h", "offer(gap[1], gap[0], axis.sag, last_);", "offer(gap[1], gap[0], 0, last_);", "window: sag of a gap, seen from the end"),
