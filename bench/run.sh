@@ -31,7 +31,7 @@ for plots in plots tradeoff; do LC_ALL=C.UTF-8 gnuplot -e "report='$report'" "be
 "$build/bench/bench_pages" bench/pages.html "$report"
 if [ "${1-}" = --full ]; then
   mkdir -p bench/results
-  cp "$report"/{targets,results,growth,tradeoff,extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg} bench/results/
+  cp "$report"/{targets,results,growth,tradeoff,values,extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg} bench/results/
 fi
 echo
 echo "$report/index.html shows it all; the tables, CSV files and pictures are beside it"

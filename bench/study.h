@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "measure.h"
+#include "poses.h"
 #include "workloads.h"
 
 /// The cells of the study: kinds, vertices of both polygons, workloads.
@@ -27,11 +28,6 @@ std::pair<Polygon, Polygon> polygonsOf(const Cell& cell);
 /// Table 2's trajectories, "gap 0.1" and "gap 0.01" on the circle, "contact", "near", "overlap".
 const std::vector<std::string>& workloadNames();
 bool isCoherent(const std::string& workload);
-std::vector<Pose> posesOf(const std::string& workload, const Polygon& fixed, const Polygon& moving);
-
-/// Random poses whose regions are apart: those of "contact", moved outwards to `low` .. `high` times the distance of
-/// the origins. Apart from 1.03 on.
-std::vector<Pose> separatedPoses(const Polygon& fixed, const Polygon& moving, double low, double high);
 
 /// Times a cell. The paper's Algorithm 3 is timed on the diagonal's two trajectories of Table 2.
 std::vector<Result> measureCell(const Cell& cell, const Settings& settings);

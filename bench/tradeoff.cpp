@@ -10,6 +10,7 @@
 #include "measure.h"
 #include "report.h"
 #include "tradeoff_report.h"
+#include "value_tradeoff.h"
 
 namespace tricover::bench {
 namespace {
@@ -99,8 +100,9 @@ int run(const std::string& data, const std::string& directory, bool full) {
   writeFile(directory + "/tradeoff.csv", tradeoffCsv(scores));
   writeTradeoffData(scores, directory);
 
-  const bool kept = keepsItsWord(scores), stable = runExtremes(directory, full);
-  return kept && stable ? 0 : 1;
+  const bool kept = keepsItsWord(scores), stable = runExtremes(directory, full),
+             right = runValueTradeoff(directory, full);
+  return kept && stable && right ? 0 : 1;
 }
 
 }  // namespace
