@@ -186,6 +186,15 @@ TEST(Contacts, WhereAVertexThatLeansTouchesAnEdge) {
 }
 
 /// Both ways out of a corner are as long; b's origin is above a's rather than beside it.
+TEST(Contacts, AtAVertexThatIsRepeatedNameTheFlatterEdge) {
+  const Ring box = rectangle(0, 0, 4, 4), leaning{{1, 3.6}, {3, 3.5}, {3, 3.5}, {3, 6}, {1, 6}};
+  const std::vector<Contact> found = ask({box}, {leaning});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].normal, Vec2(0, 1));
+  EXPECT_EQ(found[0].edge_a, 2);
+  EXPECT_EQ(found[0].edge_b, 0);
+}
+
 TEST(Contacts, OfEquallyDeepWaysTakeTheOneAwayFromTheOther) {
   const auto found = ask({rectangle(-2, -4, 2, 4)}, {rectangle(1.5, 3.5, 4, 6)});
   ASSERT_EQ(found.size(), 1u);
