@@ -1,4 +1,4 @@
-# Draws tradeoff.svg, accuracy.svg and extremes.svg from the .dat files of these names in the directory `report`.
+# Draws tradeoff.svg, values.svg, accuracy.svg and extremes.svg from the .dat files of these names in the directory `report`.
 array family[14] = ["bounding discs", "influence areas", "tricover, tolerance", "tricover, plain float", \
   "tricover, plain double", "tricover, exact", "FCL MPR (libccd)", "FCL GJK (libccd)", "FCL GJK (indep)", "FCL BVH", \
   "GEOS", "Boost.Geometry", "Box2D overlap", "Box2D manifold"]
@@ -59,6 +59,48 @@ unset title; unset border; unset tics; unset grid; unset xlabel; unset ylabel
 unset logscale; set xrange [0:1]; set yrange [0:1]
 set key center center horizontal maxcols 7 maxrows 2 Left reverse samplen 2 width 1
 plot for [f = 1:14] 2 with linespoints pt shape[f] ps size[f] lw 1.6 lc rgb color[f] title family[f]
+unset multiplot
+
+# values.svg: time against the worst error of values.
+reset
+set encoding utf8
+set border lc rgb "#6b7280"
+set terminal svg size 1500,980 font "sans-serif,13" background "white"
+set output report."/values.svg"
+array who[12] = ["tricover", "deepest of contacts()", "collide() at samples", "FCL GJK (libccd)", "FCL GJK (indep)", \
+  "FCL BVH (RSS)", "FCL advancement (RSS)", "FCL EPA (indep)", "FCL MPR (libccd)", "GEOS", "Boost.Geometry", \
+  "Box2D (float)"]
+array paint[12] = ["#1d4ed8", "#38bdf8", "#818cf8", "#f97316", "#a855f7", "#374151", "#374151", "#a855f7", "#dc2626", \
+  "#0f9d58", "#14b8a6", "#ca8a04"]
+array mark[12] = [7, 6, 12, 9, 11, 13, 13, 11, 5, 15, 14, 1]
+array panel[8] = ["distance | convex, 8 vertices, gaps of 1e-13 to 1e-1 of the size", "distance | convex, 8 vertices, far apart", \
+  "time of impact | convex, 8 vertices, turning", "penetration | convex, 8 vertices", \
+  "distance | irregular, 32 vertices, gaps of 1e-13 to 1e-1 of the size", "distance | irregular, 32 vertices, far apart", \
+  "time of impact | irregular, 32 vertices, turning", "penetration | irregular, 32 vertices"]
+least = 1e-16  # where no error is drawn
+in(k, f) = int(system(sprintf("grep -cF '# %s | %s' '%s/values.dat' || true", panel[k], who[f], report)))
+set logscale xy
+set grid xtics ytics lt 1 lc rgb "#e5e7eb" lw 1
+set tics nomirror
+unset key
+set multiplot layout 2,4 margins 0.06,0.99,0.2,0.91 spacing 0.03,0.12 \
+  title "Queries answered by numbers: time against the worst error" font ",17"
+set yrange [least / 3:3]
+set ytics ("none" least, "10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6, "10^{-3}" 1e-3, "1" 1)
+set xlabel "ns per query"
+do for [k = 1:8] {
+  set title panel[k] noenhanced offset 0,-0.6 font ",11"
+  set ylabel k % 4 == 1 ? "worst error: relative, or in time" : ""
+  shown = ""
+  do for [f = 1:12] { if (in(k, f)) { shown = shown." ".f } }
+  plot for [f in shown] report."/values.dat" index panel[k]." | ".who[int(f)] \
+    using 1:($2 > least ? $2 : least) with linespoints pt mark[int(f)] ps 0.9 lw 1.2 lc rgb paint[int(f)]
+}
+set margins at screen 0.05, screen 0.99, screen 0.01, screen 0.12
+unset title; unset border; unset tics; unset grid; unset xlabel; unset ylabel
+unset logscale; set xrange [0:1]; set yrange [0:1]
+set key center center horizontal maxcols 6 maxrows 2 Left reverse samplen 2 width 1
+plot for [f = 1:12] 2 with linespoints pt mark[f] ps 0.9 lw 1.6 lc rgb paint[f] title who[f]
 unset multiplot
 
 # accuracy.svg and extremes.svg: shares of wrong answers as colours.

@@ -5,29 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <memory>
 #include <sstream>
-#include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "exact_penetration.h"
-#include "exact_reference.h"
-#include "poses.h"
-#include "random.h"
 #include "report.h"
-#include "rivals/boost_geometry.h"
-#include "rivals/box2d.h"
-#include "rivals/convex_pieces.h"
-#include "rivals/fcl_advancement.h"
-#include "rivals/fcl_distance.h"
-#include "rivals/geos.h"
-#include "tradeoff_fcl.h"
-#include "tricover/collide.h"
-#include "tricover/contacts.h"
-#include "tricover/distance.h"
-#include "tricover/penetration.h"
-#include "tricover/time_of_impact.h"
+#include "value_problems.h"
 
 namespace tricover::bench {
 namespace {
@@ -36,33 +20,13 @@ using workloads::Kind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// One setting of one way of answering, and what it promises: how far it may be off, relative to the truth or, of
-/// times, in time. Rivals promise nothing.
-struct Method {
-  ValueContender contender;
-  double promise = kInfinity;
-};
-
-/// Queries of one kind about one pair of polygons.
-struct Problem {
-  std::string query, group;
-  const Scene* scene;
-  std::size_t positions;
-  Values truth;
-  std::vector<Method> methods;
-  /// Whether a value is not just inexact but wrong.
-  bool (*is_wrong)(double value, double truth, double size);
-};
-
 struct Row {
-  std::string query, group, method;
+  std::string query, group, family, method;
   std::size_t asked;
   double ns, worst_relative, worst_of_size;
   std::size_t wrong;
   bool keeps_promise;
 };
-
-std::string exponential(int decade) { return "1e-" + std::to_string(decade); }
 
 /// How far off, relative to the truth; 1 where one of both is nothing.
 double relativeError(double value, double truth) {
@@ -86,7 +50,15 @@ std::vector<Row> scored(const Problem& problem, const Settings& settings) {
   std::vector<Row> rows;
   for (std::size_t m = 0; m < problem.methods.size(); ++m) {
     const Method& method = problem.methods[m];
-    Row row{problem.query, problem.group, method.contender.name, problem.positions, result.timings[m + 1].ns, 0, 0, 0,
+    Row row{problem.query,
+            problem.group,
+            method.family,
+            method.name(),
+            problem.positions,
+            result.timings[m + 1].ns,
+            0,
+            0,
+            0,
             true};
     Values values;
     method.contender.walk(Sampling{}, values);
@@ -104,258 +76,6 @@ std::vector<Row> scored(const Problem& problem, const Settings& settings) {
     rows.push_back(row);
   }
   return rows;
-}
-
-/// Wraps `make(i)`, which answers the query with that number.
-template <class Answer>
-Method ours(std::string name, double promise, std::size_t positions, Answer answer) {
-  return {{std::move(name), Role::Rival, false,
-           [=](const Sampling& sampling, Values& values) {
-             forEachSample(sampling, positions, [&](std::size_t i) { values.push_back(answer(i)); });
-           }},
-          promise};
-}
-
-template <class Rival>
-Method rival(std::string name, std::shared_ptr<Rival> method, const std::vector<Pose>& poses) {
-  method->prepare(poses);
-  return {valueContender(std::move(name), Role::Rival, false, std::move(method), poses.size())};
-}
-
-bool isConvexPair(const Scene& scene) { return isConvex(scene.fixed) && isConvex(scene.moving); }
-bool isForBox2d(const Scene& scene) { return box2dTakes(scene.fixed) && box2dTakes(scene.moving); }
-
-/// FCL's GJK with its tolerance, as fcl::distance calls it.
-class LibccdDistance : public ConvexPair {
- public:
-  LibccdDistance(const Scene& scene, double tolerance) : ConvexPair(scene) { solver_.distance_tolerance = tolerance; }
-  double value(std::size_t i) {
-    double distance = 0;
-    const bool apart = solver_.shapeDistance(*fixed_, fixed_transform_, *moving_, transforms_[i], &distance);
-    return apart ? std::max(distance, 0.0) : 0;
-  }
-
- private:
-  fcl::detail::GJKSolver_libccdd solver_;
-};
-
-class IndepDistance : public ConvexPair {
- public:
-  IndepDistance(const Scene& scene, double tolerance) : ConvexPair(scene) { solver_.gjk_tolerance = tolerance; }
-  double value(std::size_t i) {
-    double distance = 0;
-    const bool apart = solver_.shapeDistance(*fixed_, fixed_transform_, *moving_, transforms_[i], &distance);
-    return apart ? std::max(distance, 0.0) : 0;
-  }
-
- private:
-  fcl::detail::GJKSolver_indepd solver_;
-};
-
-Problem distanceProblem(const Scene& scene, std::string group, const std::vector<Pose>& poses, Values truth) {
-  Problem problem{"distance", std::move(group), &scene, poses.size(), std::move(truth), {}, {}};
-  problem.is_wrong = [](double value, double truth_, double size) { return value == 0 && truth_ > 1e-13 * size; };
-  const auto add = [&](const std::string& name, double promise, const DistanceOptions& options) {
-    problem.methods.push_back(ours(name, promise, poses.size(), [=, &scene](std::size_t i) {
-      return distance(scene.fixed, scene.fixed_pose, scene.moving, poses[i], options).distance;
-    }));
-  };
-  for (const int decade : {1, 2, 3, 4, 6, 9}) {
-    DistanceOptions options;
-    options.relative_error = std::pow(10, -decade);
-    add("tricover, relative_error " + exponential(decade), options.relative_error, options);
-  }
-  add("tricover, exact", 1e-12, {});
-  if (isConvexPair(scene)) {
-    for (const int decade : {2, 4, 6, 8, 10}) {
-      const double tolerance = std::pow(10, -decade);
-      problem.methods.push_back(
-          rival("FCL GJK (libccd) " + exponential(decade), std::make_shared<LibccdDistance>(scene, tolerance), poses));
-      problem.methods.push_back(
-          rival("FCL GJK (indep) " + exponential(decade), std::make_shared<IndepDistance>(scene, tolerance), poses));
-    }
-  }
-  problem.methods.push_back(rival("FCL BVH (RSS)", std::make_shared<FclRssDistance>(scene.fixed, scene.moving), poses));
-  problem.methods.push_back(rival("GEOS", std::make_shared<GeosDistance>(scene.fixed, scene.moving, true), poses));
-  problem.methods.push_back(rival("Boost.Geometry", std::make_shared<BoostGeometry>(scene.fixed, scene.moving), poses));
-  if (isForBox2d(scene))
-    problem.methods.push_back(
-        rival("Box2D (float)", std::make_shared<Box2dDistance>(scene.fixed, scene.moving, false), poses));
-  return problem;
-}
-
-/// Around contact: what the placements know. Far away: from exact arithmetic.
-std::vector<Problem> distanceProblems(const Scene& scene, bool full) {
-  std::vector<Pose> near, far = separatedPoses(scene.fixed, scene.moving, 2, 4);
-  Values near_truth, far_truth;
-  for (const Placement& placement : scene.placements) {
-    if (placement.collides || placement.gap < 1e-13 * scene.size) continue;
-    near.push_back(placement.pose);
-    near_truth.push_back(placement.gap);
-  }
-  far.resize(std::min<std::size_t>(far.size(), full ? 200 : 50));
-  for (const Pose& pose : far)
-    far_truth.push_back(
-        exact::distanceBelow(exact::distanceSquared(scene.fixed, scene.fixed_pose, scene.moving, pose)));
-  return {distanceProblem(scene, scene.name + ", gaps of 1e-13 to 1e-1 of the size", near, near_truth),
-          distanceProblem(scene, scene.name + ", far apart", far, far_truth)};
-}
-
-/// Collisions asked at so many equal steps, which is what FCL calls naive.
-class Sampled {
- public:
-  Sampled(const Scene& scene, const std::vector<Motion>& motions, int samples)
-      : scene_(scene), motions_(motions), samples_(samples) {}
-  double operator()(std::size_t i) const {
-    for (int k = 0; k <= samples_; ++k) {
-      const double time = static_cast<double>(k) / samples_;
-      if (collide(scene_.fixed, scene_.fixed_pose, scene_.moving, motions_[i].at(time))) return time;
-    }
-    return kNever;
-  }
-
- private:
-  const Scene& scene_;
-  std::vector<Motion> motions_;
-  int samples_;
-};
-
-std::vector<Motion> motionsOf(const Scene& scene, bool turning, std::size_t count) {
-  support::Random random(turning ? 6 : 5);
-  std::vector<Motion> motions;
-  for (const Pose& start : separatedPoses(scene.fixed, scene.moving, 1.03, 1.5)) {
-    if (motions.size() == count) break;
-    Motion motion;
-    motion.start = start;
-    const Vec2 inwards = (scene.fixed.origin() - start * scene.moving.origin()).normalized();
-    motion.shift = scene.size / 2 * random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1.2, 1.2)) * inwards);
-    motion.pivot = scene.moving.origin();
-    if (turning) motion.angle = random.real(-2.6, 2.6);
-    motions.push_back(motion);
-  }
-  return motions;
-}
-
-/// The first contact to 1e-12, by the finest of our own settings; exact collisions confirm it: none at many times
-/// before, and one right after (or none at all).
-double confirmedImpact(const Scene& scene, const Motion& motion) {
-  constexpr int kSamples = 64;
-  constexpr double kAfter = 1e-9;
-  ImpactOptions options;
-  options.time_error = 1e-13;
-  const auto impact = timeOfImpact(scene.fixed, Motion::still(scene.fixed_pose), scene.moving, motion, options);
-  const auto collides = [&](double time) {
-    return exact::collide(scene.fixed, scene.fixed_pose, scene.moving, motion.at(time));
-  };
-  const double end = impact ? impact->time : 1;
-  for (int k = 0; k < kSamples; ++k)
-    if (collides(std::max(end * k / kSamples - kAfter, 0.0)))
-      throw std::logic_error("tradeoff: an impact is late: " + scene.name);
-  // A graze may be over by then: contact is asked for at several times after.
-  bool confirmed = !impact;
-  for (double after = 1e-13; after < 1e-6 && !confirmed; after *= 10)
-    confirmed = collides(std::min(impact->time + after, 1.0));
-  return !impact ? kNever : confirmed ? impact->time : std::numeric_limits<double>::quiet_NaN();
-}
-
-Problem impactProblem(const Scene& scene, bool turning, bool full) {
-  std::vector<Motion> motions;
-  Values truth;
-  for (const Motion& motion : motionsOf(scene, turning, full ? 200 : 60)) {
-    const double time = confirmedImpact(scene, motion);
-    if (std::isnan(time)) continue;  // a graze
-    motions.push_back(motion);
-    truth.push_back(time);
-  }
-  Problem problem{
-      "time of impact", scene.name + (turning ? ", turning" : ", sliding"), &scene, motions.size(), truth, {}, {}};
-  problem.is_wrong = [](double value, double truth_, double) { return value > truth_ + 1e-9; };
-  const Motion still = Motion::still(scene.fixed_pose);
-  for (const int decade : {1, 2, 3, 4, 6, 9, 12}) {
-    ImpactOptions options;
-    options.time_error = std::pow(10, -decade);
-    problem.methods.push_back(ours(
-        "tricover, time_error " + exponential(decade), options.time_error, motions.size(), [=, &scene](std::size_t i) {
-          const auto impact = timeOfImpact(scene.fixed, still, scene.moving, motions[i], options);
-          return impact ? impact->time : kNever;
-        }));
-  }
-  for (const int samples : {10, 100, 1000, 10000})
-    if (full || samples <= 1000)
-      problem.methods.push_back(ours("collide() at " + std::to_string(samples) + " samples", kInfinity, motions.size(),
-                                     Sampled(scene, motions, samples)));
-  const auto prepared = [&](const char* name, auto method) {
-    method->prepare(motions);
-    problem.methods.push_back({valueContender(name, Role::Rival, false, method, motions.size())});
-  };
-  const std::vector<Triangle> fixed = triangulate(scene.fixed), moving = triangulate(scene.moving);
-  prepared("FCL advancement (RSS)",
-           std::make_shared<FclAdvancement>(makeFlatMesh<fcl::RSSd>(fixed), makeFlatMesh<fcl::RSSd>(moving)));
-  if (isForBox2d(scene)) prepared("Box2D (float)", std::make_shared<Box2dImpact>(scene.fixed, scene.moving));
-  return problem;
-}
-
-/// FCL's depth of two convex prisms, so high that they part sideways: by EPA or MPR.
-template <class Solver>
-class FclDepth : public FclPieces {
- public:
-  using FclPieces::FclPieces;
-  double value(std::size_t i) {
-    double deepest = 0;
-    anyPair(i, [&](const Prism& a, const Prism& b) {
-      std::vector<fcl::ContactPointd> contacts;
-      if (solver_.shapeIntersect(a, identity_, b, transforms_[i], &contacts))
-        for (const fcl::ContactPointd& contact : contacts) deepest = std::max(deepest, contact.penetration_depth);
-      return false;
-    });
-    return deepest;
-  }
-
- private:
-  Solver solver_;
-};
-
-Problem penetrationProblem(const Scene& scene, bool full) {
-  std::vector<Pose> poses;
-  Values truth;
-  const bool convex = isConvexPair(scene);
-  for (const Pose& pose : posesOf("overlap", scene.fixed, scene.moving)) {
-    if (poses.size() == (full ? 100u : 30u)) break;
-    const auto best = penetration(scene.fixed, scene.fixed_pose, scene.moving, pose);
-    if (!best || !best->optimal) continue;
-    poses.push_back(pose);
-    truth.push_back(
-        convex ? std::sqrt(exact::convexPenetrationSquared(scene.fixed, scene.fixed_pose, scene.moving, pose).get_d())
-               : best->depth);
-  }
-  Problem problem{"penetration", scene.name, &scene, poses.size(), truth, {}, {}};
-  problem.is_wrong = [](double value, double truth_, double size) { return value < truth_ - 1e-9 * size; };
-  for (const std::size_t budget : {0, 10, 100, 1000, 20000}) {
-    if (convex && budget != 20000) continue;
-    const bool best = budget == 20000;
-    problem.methods.push_back(ours("tricover, budget " + std::to_string(budget), best ? 1e-11 : kInfinity, poses.size(),
-                                   [=, &scene](std::size_t i) {
-                                     PenetrationOptions options;
-                                     options.budget = budget;
-                                     const auto found =
-                                         penetration(scene.fixed, scene.fixed_pose, scene.moving, poses[i], options);
-                                     return found ? found->depth : 0;
-                                   }));
-  }
-  problem.methods.push_back(
-      ours("tricover, deepest of contacts()", kInfinity, poses.size(), [=, &scene](std::size_t i) {
-        const auto all = contacts(scene.fixed, scene.fixed_pose, scene.moving, poses[i], 1);
-        return all.empty() ? 0 : all.front().depth;
-      }));
-  if (convex) {
-    problem.methods.push_back(
-        rival("FCL EPA (indep)", std::make_shared<FclDepth<fcl::detail::GJKSolver_indepd>>(scene.fixed, scene.moving),
-              poses));
-    problem.methods.push_back(
-        rival("FCL MPR (libccd)", std::make_shared<FclDepth<fcl::detail::GJKSolver_libccdd>>(scene.fixed, scene.moving),
-              poses));
-  }
-  return problem;
 }
 
 const char* const kHow =
@@ -411,6 +131,20 @@ std::string csvOf(const std::vector<Row>& rows) {
   return out.str();
 }
 
+/// One gnuplot block a query, group and family, named so: time and worst error.
+std::string dataOf(const std::vector<Row>& rows) {
+  std::string text, name;
+  for (const Row& row : rows) {
+    const std::string block = row.query + " | " + row.group + " | " + row.family;
+    if (block != name) text += (text.empty() ? "" : "\n\n") + ("# " + block + "\n");
+    name = block;
+    const bool of_time = row.query == "time of impact";
+    text +=
+        formatted("%.2f", row.ns) + " " + formatted("%.3e", of_time ? row.worst_of_size : row.worst_relative) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 bool runValueTradeoff(const std::string& directory, bool full) {
@@ -423,15 +157,9 @@ bool runValueTradeoff(const std::string& directory, bool full) {
     scenes.back().placements = placementsAroundContact(scenes.back(), full ? 16 : 6, 1, 4);
   }
   const Settings settings = full ? Settings{5, 0.02} : Settings{3, 0.002};
-  std::vector<Problem> problems;
-  for (const Scene& scene : scenes)
-    for (Problem& problem : distanceProblems(scene, full)) problems.push_back(std::move(problem));
-  for (const Scene& scene : scenes)
-    for (const bool turning : {false, true}) problems.push_back(impactProblem(scene, turning, full));
-  for (const Scene& scene : scenes) problems.push_back(penetrationProblem(scene, full));
   std::vector<Row> rows;
   bool kept = true;
-  for (const Problem& problem : problems)
+  for (const Problem& problem : valueProblems(scenes, full))
     for (Row& row : scored(problem, settings)) {
       if (!row.keeps_promise)
         std::fprintf(stderr, "error: %s is off by more than it allows: %s\n", row.method.c_str(), row.group.c_str());
@@ -440,6 +168,11 @@ bool runValueTradeoff(const std::string& directory, bool full) {
     }
   writeFile(directory + "/values.md", tables(rows) + "\n# How it was measured\n\n" + kHow);
   writeFile(directory + "/values.csv", csvOf(rows));
+  // Blocks of a family must be together.
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) {
+    return std::tie(p.query, p.group, p.family) < std::tie(q.query, q.group, q.family);
+  });
+  writeFile(directory + "/values.dat", dataOf(rows));
   return kept;
 }
 

@@ -6,8 +6,8 @@
 namespace tricover::bench {
 
 /// Time against error of distances, times of impact and penetrations, ours at all settings and the rivals' at theirs,
-/// against truths that exact arithmetic gave or confirmed. Writes `<directory>/values.md` and values.csv. False if one
-/// of ours is off by more than its setting allows.
+/// against truths that exact arithmetic gave or confirmed. Writes `<directory>/values.md`, values.csv and values.dat,
+/// which tradeoff.gp draws. False if one of ours is off by more than its setting allows.
 bool runValueTradeoff(const std::string& directory, bool full);
 
 }  // namespace tricover::bench
