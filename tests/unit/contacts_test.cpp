@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "shapes.h"
 #include "tricover/collide.h"
@@ -263,6 +264,34 @@ TEST(Contacts, OfIdenticalPolygonsAreWhatMovesThemApart) {
   const auto bent = ask({corner}, {corner});
   ASSERT_EQ(bent.size(), 1u);
   EXPECT_GT(bent[0].depth, 1);
+}
+
+/// Which way round rings run says nothing.
+TEST(Contacts, OfRingsThatRunClockwiseAreTheSame) {
+  const Ring box = rectangle(0, 0, 2, 2), corner{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const Ring beside = rectangle(1, 1, 2, 4);
+  for (const auto& [first, second] :
+       {std::pair(box, box), std::pair(corner, beside), std::pair(box, rectangle(2, 1, 5, 3))}) {
+    const std::vector<Contact> expected = ask({first}, {second});
+    ASSERT_EQ(expected.size(), 1u);
+    for (const int reversed : {1, 2, 3}) {
+      Ring a = first, b = second;
+      if (reversed & 1) std::reverse(a.begin(), a.end());
+      if (reversed & 2) std::reverse(b.begin(), b.end());
+      const std::vector<Contact> found = ask({a}, {b});
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].depth, expected[0].depth);
+      EXPECT_EQ(found[0].normal, expected[0].normal);
+    }
+  }
+}
+
+/// Parts that hang together at a vertex of theirs, all of it within the other or across its border.
+TEST(Contacts, OfPartsThatShareAVertexAreOne) {
+  const std::vector<Ring> pinched = {{{0, 0}, {1, 2}, {-1, 2}}, {{0, 0}, {-1.5, -2}, {0.5, -2}}};
+  EXPECT_EQ(ask(pinched, {rectangle(-3, -3, 3, 3)}).size(), 1u);
+  EXPECT_EQ(ask(pinched, {rectangle(-3, -1, 3, 1)}).size(), 1u);
+  EXPECT_EQ(ask({{{0, 0.25}, {1, 2}, {-1, 2}}, pinched[1]}, {rectangle(-3, -1, 3, 1)}).size(), 2u);
 }
 
 TEST(Contacts, OfABowTie) {
