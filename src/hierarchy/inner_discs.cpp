@@ -97,11 +97,13 @@ class DiscSearch {
   void climb() {
     constexpr Floats kWayX{1, -1, 0, 0}, kWayY{0, 0, 1, -1};
     best_ = {0x1.8p-11f, 0x1.2p-12f, -1e30f};
-    for (float step = 0.4f; step > 0.02f; step *= best_.depth > 0 ? 0.5f : 0.7f) {
+    const auto tryAround = [&](float step) {
       Probes probes{best_.x + step * kWayX, best_.y + step * kWayY, {}};
       outline_.measure(probes);
       for (int i = 0; i < kProbes; ++i) keepBetter({probes.x[i], probes.y[i], probes.depth[i]});
-    }
+    };
+    tryAround(0);
+    for (float step = 0.4f; step > 0.02f; step *= best_.depth > 0 ? 0.5f : 0.7f) tryAround(step);
   }
 
   /// The others, from a grid over the box around everything.
