@@ -34,8 +34,8 @@ std::string exponential(int decade) { return "1e-" + std::to_string(decade); }
 
 /// `answer(i)` is the value of the query with that number.
 template <class Answer>
-Method asking(const std::string& family, const std::string& setting, double promise, std::size_t positions,
-              Answer answer) {
+ValueMethod asking(const std::string& family, const std::string& setting, double promise, std::size_t positions,
+                   Answer answer) {
   return {family,
           setting,
           {family + setting, Role::Rival, false,
@@ -46,8 +46,8 @@ Method asking(const std::string& family, const std::string& setting, double prom
 }
 
 template <class Rival, class Prepared>
-Method rival(const std::string& family, const std::string& setting, std::shared_ptr<Rival> method,
-             const Prepared& prepared) {
+ValueMethod rival(const std::string& family, const std::string& setting, std::shared_ptr<Rival> method,
+                  const Prepared& prepared) {
   method->prepare(prepared);
   return {family, setting, valueContender(family + setting, Role::Rival, false, std::move(method), prepared.size())};
 }
@@ -82,8 +82,8 @@ class IndepDistance : public ConvexPair {
   fcl::detail::GJKSolver_indepd solver_;
 };
 
-Problem distanceProblem(const Scene& scene, std::string group, const std::vector<Pose>& poses, Values truth) {
-  Problem problem{"distance", std::move(group), &scene, poses.size(), std::move(truth), {}, {}};
+ValueProblem distanceProblem(const Scene& scene, std::string group, const std::vector<Pose>& poses, Values truth) {
+  ValueProblem problem{"distance", std::move(group), &scene, poses.size(), std::move(truth), {}, {}};
   problem.is_wrong = [](double value, double truth_, double size) { return value == 0 && truth_ > 1e-13 * size; };
   const auto add = [&](const std::string& name, double promise, const DistanceOptions& options) {
     problem.methods.push_back(asking("tricover", name, promise, poses.size(), [=, &scene](std::size_t i) {
@@ -117,7 +117,7 @@ Problem distanceProblem(const Scene& scene, std::string group, const std::vector
 }
 
 /// Around contact: what the placements know. Far away: from exact arithmetic.
-std::vector<Problem> distanceProblems(const Scene& scene, bool full) {
+std::vector<ValueProblem> distanceProblems(const Scene& scene, bool full) {
   std::vector<Pose> near, far = separatedPoses(scene.fixed, scene.moving, 2, 4);
   Values near_truth, far_truth;
   for (const Placement& placement : scene.placements) {
@@ -190,7 +190,7 @@ double confirmedImpact(const Scene& scene, const Motion& motion) {
   return !impact ? kNever : confirmed ? impact->time : std::numeric_limits<double>::quiet_NaN();
 }
 
-Problem impactProblem(const Scene& scene, bool turning, bool full) {
+ValueProblem impactProblem(const Scene& scene, bool turning, bool full) {
   std::vector<Motion> motions;
   Values truth;
   for (const Motion& motion : motionsOf(scene, turning, full ? 200 : 60)) {
@@ -199,7 +199,7 @@ Problem impactProblem(const Scene& scene, bool turning, bool full) {
     motions.push_back(motion);
     truth.push_back(time);
   }
-  Problem problem{
+  ValueProblem problem{
       "time of impact", scene.name + (turning ? ", turning" : ", sliding"), &scene, motions.size(), truth, {}, {}};
   problem.is_wrong = [](double value, double truth_, double) { return value > truth_ + 1e-9; };
   const Motion still = Motion::still(scene.fixed_pose);
@@ -247,7 +247,7 @@ class FclDepth : public FclPieces {
   Solver solver_;
 };
 
-Problem penetrationProblem(const Scene& scene, bool full) {
+ValueProblem penetrationProblem(const Scene& scene, bool full) {
   std::vector<Pose> poses;
   Values truth;
   const bool convex = isConvexPair(scene);
@@ -260,7 +260,7 @@ Problem penetrationProblem(const Scene& scene, bool full) {
         convex ? std::sqrt(exact::convexPenetrationSquared(scene.fixed, scene.fixed_pose, scene.moving, pose).get_d())
                : best->depth);
   }
-  Problem problem{"penetration", scene.name, &scene, poses.size(), truth, {}, {}};
+  ValueProblem problem{"penetration", scene.name, &scene, poses.size(), truth, {}, {}};
   problem.is_wrong = [](double value, double truth_, double size) { return value < truth_ - 1e-9 * size; };
   for (const std::size_t budget : {0, 10, 100, 1000, 20000}) {
     if (convex && budget != 20000) continue;
@@ -291,10 +291,10 @@ Problem penetrationProblem(const Scene& scene, bool full) {
 
 }  // namespace
 
-std::vector<Problem> valueProblems(const std::vector<Scene>& scenes, bool full) {
-  std::vector<Problem> problems;
+std::vector<ValueProblem> valueProblems(const std::vector<Scene>& scenes, bool full) {
+  std::vector<ValueProblem> problems;
   for (const Scene& scene : scenes)
-    for (Problem& problem : distanceProblems(scene, full)) problems.push_back(std::move(problem));
+    for (ValueProblem& problem : distanceProblems(scene, full)) problems.push_back(std::move(problem));
   for (const Scene& scene : scenes)
     for (const bool turning : {false, true}) problems.push_back(impactProblem(scene, turning, full));
   for (const Scene& scene : scenes) problems.push_back(penetrationProblem(scene, full));

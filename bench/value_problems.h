@@ -12,7 +12,7 @@ namespace tricover::bench {
 
 /// One setting of one way of answering, and what it promises: how far it may be off, relative to the truth or, of
 /// times, in time. Rivals promise nothing.
-struct Method {
+struct ValueMethod {
   std::string family, setting;
   ValueContender contender;
   double promise = std::numeric_limits<double>::infinity();
@@ -21,18 +21,18 @@ struct Method {
 };
 
 /// Queries of one kind about one pair of polygons.
-struct Problem {
+struct ValueProblem {
   std::string query, group;
   const Scene* scene;
   std::size_t positions;
   Values truth;
-  std::vector<Method> methods;
+  std::vector<ValueMethod> methods;
   /// Whether a value is not just inexact but wrong.
   bool (*is_wrong)(double value, double truth, double size);
 };
 
 /// Distances, times of impact and penetrations of the scenes, which must outlive them. Throws std::logic_error if a
 /// time of impact is late.
-std::vector<Problem> valueProblems(const std::vector<Scene>& scenes, bool full);
+std::vector<ValueProblem> valueProblems(const std::vector<Scene>& scenes, bool full);
 
 }  // namespace tricover::bench

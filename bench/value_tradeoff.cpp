@@ -35,12 +35,12 @@ double relativeError(double value, double truth) {
   return std::min(std::abs(value - truth) / truth, 1.0);
 }
 
-std::vector<Row> scored(const Problem& problem, const Settings& settings) {
+std::vector<Row> scored(const ValueProblem& problem, const Settings& settings) {
   std::vector<ValueContender> contenders = {
       {"truth", Role::Floor, false, [&](const Sampling& sampling, Values& values) {
          forEachSample(sampling, problem.positions, [&](std::size_t i) { values.push_back(problem.truth[i]); });
        }}};
-  for (const Method& method : problem.methods) contenders.push_back(method.contender);
+  for (const ValueMethod& method : problem.methods) contenders.push_back(method.contender);
   const Scene& scene = *problem.scene;
   const Workload workload{
       "values", scene.group, scene.name, scene.fixed.vertexCount(), scene.moving.vertexCount(), problem.positions, 1};
@@ -49,7 +49,7 @@ std::vector<Row> scored(const Problem& problem, const Settings& settings) {
   const bool of_time = problem.query == "time of impact";
   std::vector<Row> rows;
   for (std::size_t m = 0; m < problem.methods.size(); ++m) {
-    const Method& method = problem.methods[m];
+    const ValueMethod& method = problem.methods[m];
     Row row{problem.query,
             problem.group,
             method.family,
@@ -159,7 +159,7 @@ bool runValueTradeoff(const std::string& directory, bool full) {
   const Settings settings = full ? Settings{5, 0.02} : Settings{3, 0.002};
   std::vector<Row> rows;
   bool kept = true;
-  for (const Problem& problem : valueProblems(scenes, full))
+  for (const ValueProblem& problem : valueProblems(scenes, full))
     for (Row& row : scored(problem, settings)) {
       if (!row.keeps_promise)
         std::fprintf(stderr, "error: %s is off by more than it allows: %s\n", row.method.c_str(), row.group.c_str());
