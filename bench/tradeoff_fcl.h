@@ -16,9 +16,9 @@ namespace tricover::bench {
 class ConvexPair {
  public:
   /// Prisms of unequal heights, which suit MPR, and as high in proportion at every scale.
-  explicit ConvexPair(const Scene& scene)
-      : fixed_(makePrism(scene.fixed.rings()[0], kHeight * scene.size)),
-        moving_(makePrism(scene.moving.rings()[0], 2 * kHeight * scene.size)),
+  explicit ConvexPair(const Scene& scene, double height = kHeight)
+      : fixed_(makePrism(scene.fixed.rings()[0], height * scene.size)),
+        moving_(makePrism(scene.moving.rings()[0], 2 * height * scene.size)),
         fixed_transform_(toTransform(scene.fixed_pose)) {}
 
   void prepare(const std::vector<Pose>& poses) { transforms_ = toTransforms(poses); }

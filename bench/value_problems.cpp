@@ -229,17 +229,14 @@ ValueProblem impactProblem(const Scene& scene, bool turning, bool full) {
 
 /// FCL's depth of two convex prisms, so high that they part sideways: by EPA or MPR.
 template <class Solver>
-class FclDepth : public FclPieces {
+class FclDepth : public ConvexPair {
  public:
-  using FclPieces::FclPieces;
+  explicit FclDepth(const Scene& scene) : ConvexPair(scene, 4) {}
   double value(std::size_t i) {
+    std::vector<fcl::ContactPointd> contacts;
+    if (!solver_.shapeIntersect(*fixed_, fixed_transform_, *moving_, transforms_[i], &contacts)) return 0;
     double deepest = 0;
-    anyPair(i, [&](const Prism& a, const Prism& b) {
-      std::vector<fcl::ContactPointd> contacts;
-      if (solver_.shapeIntersect(a, identity_, b, transforms_[i], &contacts))
-        for (const fcl::ContactPointd& contact : contacts) deepest = std::max(deepest, contact.penetration_depth);
-      return false;
-    });
+    for (const fcl::ContactPointd& contact : contacts) deepest = std::max(deepest, contact.penetration_depth);
     return deepest;
   }
 
@@ -280,11 +277,9 @@ ValueProblem penetrationProblem(const Scene& scene, bool full) {
   }));
   if (convex) {
     problem.methods.push_back(
-        rival("FCL EPA (indep)", "",
-              std::make_shared<FclDepth<fcl::detail::GJKSolver_indepd>>(scene.fixed, scene.moving), poses));
+        rival("FCL EPA (indep)", "", std::make_shared<FclDepth<fcl::detail::GJKSolver_indepd>>(scene), poses));
     problem.methods.push_back(
-        rival("FCL MPR (libccd)", "",
-              std::make_shared<FclDepth<fcl::detail::GJKSolver_libccdd>>(scene.fixed, scene.moving), poses));
+        rival("FCL MPR (libccd)", "", std::make_shared<FclDepth<fcl::detail::GJKSolver_libccdd>>(scene), poses));
   }
   return problem;
 }
