@@ -86,6 +86,7 @@ unset key
 set multiplot layout 2,4 margins 0.06,0.99,0.2,0.91 spacing 0.03,0.12 \
   title "Queries answered by numbers: time against the worst error" font ",17"
 set yrange [least / 3:3]
+set format x "10^{%L}"
 set ytics ("none" least, "10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6, "10^{-3}" 1e-3, "1" 1)
 set xlabel "ns per query"
 do for [k = 1:8] {

@@ -402,6 +402,24 @@ TEST(Contacts, OfFansThatTouchInOnePointAreOne) {
             static_cast<std::size_t>(4 * kSpikes * kSpikes));
 }
 
+/// Many spikes of either at one point, and one edge of each along the other's.
+TEST(Contacts, OfFansWithACommonEdgeAreInItsMiddle) {
+  Ring left, right;
+  for (int k = 0; k < 40; ++k) {
+    const double angle = k * 0.07;
+    left.insert(left.end(), {Vec2(0, 0), Vec2(-std::sin(angle), std::cos(angle)),
+                             Vec2(-std::sin(angle + 0.03), std::cos(angle + 0.03))});
+    right.insert(right.end(), {Vec2(0, 0), Vec2(std::sin(angle), std::cos(angle)),
+                               Vec2(std::sin(angle + 0.02), std::cos(angle + 0.02))});
+  }
+  for (const double turn : {0.0, 1.0, 3.0}) {
+    const Pose at = pose(turn, 0, 0);
+    const std::vector<Contact> found = ask(Polygon({left}), at, Polygon({right}), at);
+    ASSERT_EQ(found.size(), 1u) << turn;
+    EXPECT_LE((found[0].point - at * Vec2(0, 0.5)).norm(), 1e-12) << turn;
+  }
+}
+
 TEST(Contacts, NameEdgesOfSmallConvexAndOfDeepPairs) {
   for (const int n : {4, 8, 16, 200}) {
     const Polygon a({regular(n, 1)}), b({regular(n, 0.9)});

@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <vector>
 
+#include "random.h"
 #include "shapes.h"
 #include "tricover/collide.h"
 
@@ -331,6 +333,29 @@ TEST(Arguments, PosesAreChecked) {
   tilted.linear() *= 2;
   EXPECT_THROW(penetration(square(), tilted, square(), kIdentity), std::invalid_argument);
   EXPECT_THROW(penetration(square(), kIdentity, square(), tilted), std::invalid_argument);
+}
+
+/// The named ones, as where it suffices.
+TEST(Budget, WhereItRunsOutThePointsAreOnTheEdges) {
+  int unproven = 0;
+  for (int i = 0; i < 40; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon a({star(random, 30, 0.4, 1)}), b({star(random, 20, 0.4, 1)});
+    const Pose at = pose(random.real(0, 6), random.real(-0.5, 0.5), random.real(-0.5, 0.5));
+    PenetrationOptions options;
+    options.budget = static_cast<std::size_t>(random.integer(1, 60));
+    const auto found = penetration(a, Pose::Identity(), b, at, options);
+    if (!found || found->optimal) continue;
+    ++unproven;
+    const auto fromEdge = [](const Polygon& polygon, const Pose& of, std::ptrdiff_t edge, const Vec2& p) {
+      const auto e = static_cast<std::size_t>(edge);
+      const Vec2 v = of * polygon.edgeStart(e), w = of * polygon.edgeEnd(e), u = w - v;
+      return (v + std::clamp((p - v).dot(u) / u.squaredNorm(), 0.0, 1.0) * u - p).norm();
+    };
+    EXPECT_LE(fromEdge(a, Pose::Identity(), found->edge_a, found->point_a), 1e-12) << i;
+    EXPECT_LE(fromEdge(b, at, found->edge_b, found->point_b), 1e-12) << i;
+  }
+  EXPECT_GE(unproven, 10);
 }
 
 }  // namespace

@@ -409,5 +409,21 @@ TEST(TimeOfImpact, RefusesWhatIsNoMotion) {
     EXPECT_NE(refusal(kStill, kStill, time_error).find("tricover: time_error: "), std::string::npos);
 }
 
+/// Boxes alone could tell that they are within the margin, but an impact names its edges.
+TEST(TimeOfImpact, WithinTheMarginAtTheStartNamesEdges) {
+  const Polygon a({regular(64, 10)}), b({regular(60, 5)});
+  Pose start = Pose::Identity();
+  start.translation() << 15.5, 0;
+  ImpactOptions options;
+  for (const double margin : {0.75, 3.0}) {
+    options.margin = margin;
+    const auto impact = timeOfImpact(a, Motion::still(Pose::Identity()), b, Motion::still(start), options);
+    ASSERT_TRUE(impact);
+    EXPECT_EQ(impact->time, 0);
+    EXPECT_GE(impact->edge_a, 0);
+    EXPECT_GE(impact->edge_b, 0);
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support
