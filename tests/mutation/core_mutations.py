@@ -288,7 +288,7 @@ MUTATIONS = [
     ("src/overlap/vertex_stars.cpp", "alone_a[edge_a] = alone_b[edge_b] = false;", "", "stars: boxes of all their edges settled"),
     ("src/overlap/vertex_stars.cpp", "edges[e.edge] = static_cast<std::size_t>(high - low) <= allowed &&", "edges[e.edge] =", "stars: boxes of edges that may cover each other settled"),
     ("src/overlap/vertex_stars.cpp", "stars.tellBy(u, v, edge_a, edge_b);", "", "stars: pairs of other edges tell than those shown"),
-    ("src/overlap/vertex_stars.cpp", "betweenExact(at_a, at_b, at_b) ? Met : Apart", "Met", "stars: vertices near each other taken for one"),
+    ("src/overlap/vertex_stars.cpp", "betweenExact(at_a, at_b, at_b) ? Met : Apart", "Met", "stars: vertices near each other taken for one (equivalent as far as tests see: parts of an ulp are reported alike)"),
     ("src/overlap/vertex_stars.cpp", "return turn == 1 || turn == -1;", "return true;", "stars: edges that cover each other left out"),
     ("src/overlap/contacts.cpp", "if (own.count(inside_first ? j : i) == 0)", "if (true)", "contacts: ways out past a part's own rings"),
     ("src/overlap/boundary_point.cpp", "return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;", "return edge == polygon.edgeBegin(ring) ? edge : edge - 1;", "components: the edge before the first"),
@@ -498,7 +498,7 @@ MUTATIONS = [
     ("src/apart/distance.cpp", "distance > 0 && result.distance <= options.limit", "distance > 0", "points: a limit on their distance"),
     ("src/hierarchy/wide_point.h", "distance[i] + 2 * block.across[i] : 1e30f;", "distance[i] - block.across[i] : 1e30f;", "points: a box's upper bound without its width"),
     ("src/apart/edge_distance.h", "return boundsOf(distance, distance > error_);", "return boundsOf(distance, true);", "points: clear of an edge that they are on"),
-    ("src/pair/edge_pairs.cpp", "{map.tx, map.ty, map.error}", "{map.tx, map.ty, 0}", "points: rounding of where they are"),
+    ("src/pair/edge_pairs.cpp", "{map.tx, map.ty, map.error}", "{map.tx, map.ty, 0}", "points: rounding of where they are (equivalent as far as tests see: boxes are wider than that)"),
     # Influence areas and drawings.
     ("src/polygon/influence.cpp", "if (size == 0) return std::abs(wy)", "if (size == 0) return 0 * std::abs(wy)", "influence: the extended area of an edge that is a point"),
     ("src/polygon/influence.cpp", "if (far <= length || !std::isfinite(size) || !std::isfinite(far)) return true;", "", "influence: what overflows is outside"),
