@@ -90,8 +90,10 @@ Gap leastGap(const Corners& of, const Corners& other, double largest) {
     const DoubleDouble2 normal = normalOf(k);
     const double length = std::hypot(normal.x.high, normal.y.high);
     const double depth = std::max(0.0, dot(normal, of[k] - other[farthest[k]]).high / length);
-    if (!(depth < least.depth)) continue;
-    least = {depth, Vec2(normal.x.high, normal.y.high) / length, k, farthest[k]};
+    if (!(depth < least.depth && length > 0)) continue;
+    // Of short edges among huge ones the normal may be one of the smallest doubles, and its length hardly known.
+    const double larger = std::max(std::abs(normal.x.high), std::abs(normal.y.high));
+    least = {depth, Vec2(normal.x.high / larger, normal.y.high / larger).normalized(), k, farthest[k]};
   }
   return least;
 }

@@ -74,10 +74,10 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
                           ? featuresOf(space, parted, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
                           : featuresOf(space, parted, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
   const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
-  features.direction = way.normalized();
+  features.direction = way.stableNormalized();
   // Over a short way the segment's normal is known better than the way's direction.
   if (along.norm() > 0 && least <= 64 * noise && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
-    features.direction = Vec2(along.y(), -along.x()).normalized();
+    features.direction = Vec2(along.y(), -along.x()).stableNormalized();
     if (features.direction.dot(way) < 0) features.direction = -features.direction;
   }
   return features;
@@ -132,7 +132,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   // At the limit they may still touch, and a pose's translation is rounded.
   result.translation = shortest.parting * unit;
   const Vec2 aside = shortest.parting - shortest.limit;
-  const Vec2 way = aside.norm() > 0 ? Vec2(aside.normalized()) : result.direction;
+  const Vec2 way = !aside.isZero(0) ? Vec2(aside.stableNormalized()) : result.direction;
   for (double step = std::max(aside.norm(), space.noise()); !parts(a, pose_a, b, pose_b, result.translation);
        step *= 2) {
     if (!std::isfinite(step * unit)) return noAnswer(result.direction);

@@ -317,7 +317,8 @@ MUTATIONS = [
     ("src/overlap/hull_faces.h", "if (height(next) > height(deepest)) break;", "break;", "faces: the deepest doesn't follow"),
     # Penetration of convex polygons.
     ("src/overlap/convex_penetration.cpp", "if (k == 0 || n == 2)", "if (k == 0)", "convex penetration: a segment's second normal"),
-    ("src/overlap/convex_penetration.cpp", "if (!(depth < least.depth)) continue;", "if (depth < least.depth && k > 0) continue;", "convex penetration: not the least gap"),
+    ("src/overlap/convex_penetration.cpp", "normal.y.high / larger).normalized()", "normal.y.high / larger) / length * larger", "convex penetration: directions of the smallest normals"),
+    ("src/overlap/convex_penetration.cpp", "if (!(depth < least.depth && length > 0)) continue;", "if (depth < least.depth && k > 0) continue;", "convex penetration: not the least gap"),
     ("src/overlap/convex_penetration.cpp", "pose.linear().determinant() < 0", "false", "convex penetration: mirrored poses"),
     ("src/overlap/convex_penetration.cpp", "dot(normal, of[k] - other[farthest[k]]).high / length", "plainDot(normal, of[k], other[farthest[k]]) / length", "convex penetration: plain doubles"),
     ("src/overlap/convex_penetration.cpp", "if (depths[k] - 2 * error > enough) continue;", "if (depths[k] > enough) continue;", "convex penetration: what plain doubles leave open (equivalent: enough has room for it)"),

@@ -264,6 +264,25 @@ TEST(Sizes, AtTheEndOfTheRangeThereIsNoWayOut) {
   }
 }
 
+/// Scaled by the largest coordinate, some of the hull's edges are as long as the smallest doubles.
+TEST(Sizes, OfHugeAndTinyEdgesTheDirectionIsAUnitVector) {
+  const Polygon a(
+      {{{-3, 0x1.38d352e5096afp+498}, {1, -3}, {0, 3}}, {{-4, -2}, {1, -3}, {2, 0}, {3, 0x1p-1073}, {0, -2}, {1, 1}}},
+      FillRule::NonZero);
+  const Polygon b({{{0, 1}, {0, 1}, {-2, -0x1.0000000000001p+1}},
+                   {{-0x1.ffffffffffffep-1, -1}, {0x1.7e43c8800759cp+996, 1}, {0x1.fffffffffffffp-1, -1}},
+                   {{-0x1.0000000000002p+1, -2}, {1, 1}, {-2, 1}}},
+                  FillRule::NonZero);
+  Pose pose_a = Pose::Identity(), pose_b = Pose::Identity();
+  pose_a.matrix().topRows<2>() << 0x1.e0261549b2ae3p-1, 0x1.6388ca40133abp-2, 2, -0x1.6388ca40133abp-2,
+      0x1.e0261549b2ae3p-1, -1;
+  pose_b.matrix().topRows<2>() << 0x1.c0bb3ab786c7ep-2, 0x1.cc38c348d1356p-1, 0, -0x1.cc38c348d1356p-1,
+      0x1.c0bb3ab786c7ep-2, 0;
+  const auto found = penetration(a, pose_a, b, pose_b, {20});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->direction.norm(), 1, 1e-15);
+}
+
 TEST(FarAway, OnlyWhatTheirPosesShareIsLost) {
   const double far = 0x1p40;
   const auto p = penetration(cup(), at(far, -far), square(), at(far + 2.5, -far + 1.5));
