@@ -236,7 +236,7 @@ class FclDepth : public ConvexPair {
     std::vector<fcl::ContactPointd> contacts;
     if (!solver_.shapeIntersect(*fixed_, fixed_transform_, *moving_, transforms_[i], &contacts)) return 0;
     double deepest = 0;
-    for (const fcl::ContactPointd& contact : contacts) deepest = std::max(deepest, contact.penetration_depth);
+    for (const fcl::ContactPointd& contact : contacts) deepest = std::max(deepest, std::abs(contact.penetration_depth));
     return deepest;
   }
 

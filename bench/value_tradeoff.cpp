@@ -87,6 +87,7 @@ const char* const kHow =
   than the truth by more than 1e-9, or a contact missed. FCL's advancement stops at 1e-5 whatever it is asked for.
 - penetration: of convex pairs the truth is exact arithmetic's least gap between supports, of others the depth that was
   proven least. Wrong: less than that by more than 1e-9 of the size, so that moving by it doesn't part the polygons.
+  FCL's prisms are so high that they part sideways. EPA's depths have the wrong sign, which isn't counted.
 )";
 
 std::string formatted(const char* format, double value) {
