@@ -178,6 +178,12 @@ std::string conditions(const Settings& settings) {
   return out.str();
 }
 
+std::string formatted(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
 int runProgram(const char* program, const char* usage, bool fits, const std::function<int()>& run) {
   if (!fits) {
     std::fprintf(stderr, "usage: %s %s\n", program, usage);

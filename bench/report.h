@@ -18,6 +18,9 @@ std::string markdown(const TextTable& table);
 /// Three digits, or all before the point.
 std::string shortNumber(double value);
 
+/// By printf's format for one number.
+std::string formatted(const char* format, double value);
+
 /// A Markdown table, one row a workload, one column a method; and who answered wrongly how often.
 std::string table(const std::vector<Result>& results);
 

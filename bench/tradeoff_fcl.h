@@ -2,8 +2,10 @@
 #pragma once
 
 #include <fcl/narrowphase/detail/convexity_based_algorithm/gjk.h>
+#include <fcl/narrowphase/detail/gjk_solver_indep.h>
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -45,19 +47,27 @@ class LibccdMpr : public ConvexPair {
   fcl::detail::GJKSolver_libccdd solver_;
 };
 
-/// GST_LIBCCD in fcl::distance: FCL's own GJK on libccd's types.
-class LibccdGjk : public ConvexPair {
+/// What fcl::distance asks a solver, whose tolerance is that member.
+template <class Solver, double Solver::*Tolerance>
+class SolverDistance : public ConvexPair {
  public:
-  LibccdGjk(const Scene& scene, double tolerance) : ConvexPair(scene) { solver_.distance_tolerance = tolerance; }
-  bool collide(std::size_t i) {
+  SolverDistance(const Scene& scene, double tolerance) : ConvexPair(scene) { solver_.*Tolerance = tolerance; }
+  /// 0 where they are said to meet.
+  double value(std::size_t i) {
     double distance = 0;
     const bool apart = solver_.shapeDistance(*fixed_, fixed_transform_, *moving_, transforms_[i], &distance);
-    return !apart || distance <= 0;
+    return apart ? std::max(distance, 0.0) : 0;
   }
+  bool collide(std::size_t i) { return value(i) <= 0; }
 
  private:
-  fcl::detail::GJKSolver_libccdd solver_;
+  Solver solver_;
 };
+
+/// GST_LIBCCD: FCL's own GJK on libccd's types.
+using LibccdGjk = SolverDistance<fcl::detail::GJKSolver_libccdd, &fcl::detail::GJKSolver_libccdd::distance_tolerance>;
+/// GST_INDEP.
+using IndepDistance = SolverDistance<fcl::detail::GJKSolver_indepd, &fcl::detail::GJKSolver_indepd::gjk_tolerance>;
 
 /// GST_INDEP in fcl::collide, without the EPA for a depth that nobody asks for.
 class IndepGjk : public ConvexPair {

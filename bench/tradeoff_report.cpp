@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <sstream>
 
@@ -11,12 +10,6 @@
 
 namespace tricover::bench {
 namespace {
-
-std::string formatted(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::vector<std::string> groupsOf(const std::vector<Score>& scores) {
   std::vector<std::string> groups;

@@ -55,33 +55,6 @@ ValueMethod rival(const std::string& family, const std::string& setting, std::sh
 bool isConvexPair(const Scene& scene) { return isConvex(scene.fixed) && isConvex(scene.moving); }
 bool isForBox2d(const Scene& scene) { return box2dTakes(scene.fixed) && box2dTakes(scene.moving); }
 
-/// FCL's GJK with its tolerance, as fcl::distance calls it.
-class LibccdDistance : public ConvexPair {
- public:
-  LibccdDistance(const Scene& scene, double tolerance) : ConvexPair(scene) { solver_.distance_tolerance = tolerance; }
-  double value(std::size_t i) {
-    double distance = 0;
-    const bool apart = solver_.shapeDistance(*fixed_, fixed_transform_, *moving_, transforms_[i], &distance);
-    return apart ? std::max(distance, 0.0) : 0;
-  }
-
- private:
-  fcl::detail::GJKSolver_libccdd solver_;
-};
-
-class IndepDistance : public ConvexPair {
- public:
-  IndepDistance(const Scene& scene, double tolerance) : ConvexPair(scene) { solver_.gjk_tolerance = tolerance; }
-  double value(std::size_t i) {
-    double distance = 0;
-    const bool apart = solver_.shapeDistance(*fixed_, fixed_transform_, *moving_, transforms_[i], &distance);
-    return apart ? std::max(distance, 0.0) : 0;
-  }
-
- private:
-  fcl::detail::GJKSolver_indepd solver_;
-};
-
 ValueProblem distanceProblem(const Scene& scene, std::string group, const std::vector<Pose>& poses, Values truth) {
   ValueProblem problem{"distance", std::move(group), &scene, poses.size(), std::move(truth), {}, {}};
   problem.is_wrong = [](double value, double truth_, double size) { return value == 0 && truth_ > 1e-13 * size; };
@@ -100,7 +73,7 @@ ValueProblem distanceProblem(const Scene& scene, std::string group, const std::v
     for (const int decade : {2, 4, 6, 8, 10}) {
       const double tolerance = std::pow(10, -decade);
       problem.methods.push_back(
-          rival("FCL GJK (libccd)", exponential(decade), std::make_shared<LibccdDistance>(scene, tolerance), poses));
+          rival("FCL GJK (libccd)", exponential(decade), std::make_shared<LibccdGjk>(scene, tolerance), poses));
       problem.methods.push_back(
           rival("FCL GJK (indep)", exponential(decade), std::make_shared<IndepDistance>(scene, tolerance), poses));
     }

@@ -90,12 +90,6 @@ const char* const kHow =
   FCL's prisms are so high that they part sideways. EPA's depths have the wrong sign, which isn't counted.
 )";
 
-std::string formatted(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 std::string tables(const std::vector<Row>& rows) {
   std::string text, query, group;
   TextTable lines;

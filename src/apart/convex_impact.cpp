@@ -6,14 +6,9 @@
 
 #include "apart/window_cutter.h"
 #include "hierarchy/wide.h"
-#include "numbers/rigidity.h"
 
 namespace tricover::detail {
 namespace {
-
-/// Axes turn with the polygons. Off rigid by more than rotations that were made of doubles, they wouldn't part what
-/// touches to its precision.
-constexpr double kMostDefect = 0x1p-47;
 
 /// As a rule a few are enough.
 constexpr int kMostSteps = 64;
@@ -29,7 +24,6 @@ class Body {
     }
   }
 
-  const Mover& mover() const { return mover_; }
   const SmallConvex& convex() const { return convex_; }
 
   /// The farthest that it reaches along an axis from S, at both ends of a window.
@@ -178,16 +172,12 @@ class ConvexAdvancement {
   double gap_ = 0;                       ///< along the last axis, at the window's begin
 };
 
-bool keepsLengths(const Mover& mover) {
-  const double* m = mover.linear.data();
-  return Gram(load2(m), load2(m + 2)).defect() <= kMostDefect;
-}
-
 }  // namespace
 
 bool isSmallConvexPair(const MovingPair& pair) {
+  // Axes turn with the polygons: off rigid, they wouldn't part what touches to its precision. Squares don't overflow.
   const auto fits = [](const Mover& mover) {
-    return mover.tree->small_convex && mover.scale > 0x1p-200 && keepsLengths(mover);  // squares don't overflow
+    return mover.tree->small_convex && mover.scale > 0x1p-200 && mover.keepsLengths();
   };
   return fits(pair.a) && fits(pair.b) && pair.error < 1;
 }

@@ -44,6 +44,11 @@ Places Mover::places(double begin, double end) const {
           y};
 }
 
+bool Mover::keepsLengths() const {
+  constexpr double kMostDefect = 0x1p-47;
+  return Gram(load2(linear.data()), load2(linear.data() + 2)).defect() <= kMostDefect;
+}
+
 MovingBox Mover::edge(const Places& p, std::size_t position) const {
   const Vec2 v = scale * polygon->inUnits(polygon->path[position]);
   const Vec2 w = scale * polygon->inUnits(polygon->path[position + 1]);

@@ -51,6 +51,9 @@ struct Mover {
   Node node(std::uint32_t index) const;
   MovingBox box(const Places& places, const Node& node) const;
   MovingBox edge(const Places& places, std::size_t position) const;
+  /// Whether its pose does: off rigid by no more than rotations that were made of doubles, which is less than what
+  /// MovingPair::error allows for.
+  bool keepsLengths() const;
 
   const PolygonData* polygon;
   const Hierarchy* tree;

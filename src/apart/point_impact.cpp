@@ -7,17 +7,12 @@
 #include <limits>
 
 #include "hierarchy/wide.h"
-#include "numbers/rigidity.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Beyond this, a's frame doesn't keep lengths: more than rotations that were made of doubles, and less than what
-/// MovingPair::error allows for.
-constexpr double kMostDefect = 0x1p-47;
 
 /// Where a moving point comes within `reach` of an edge, as a share of its way; infinity if it doesn't. Each root is
 /// that of a way moved aside by a few roundings of the coordinates, however flat it is.
@@ -143,10 +138,9 @@ class PointCast {
 }  // namespace
 
 bool isPointCast(const MovingPair& pair) {
-  const Eigen::Matrix2d& m = pair.a.linear;
   return pair.b.polygon->isPoint() && pair.a.polygon->fitsUnit() &&
          (pair.a.polygon->isPoint() || pair.a.scale > 0x1p-200) &&  // squares don't overflow
-         Gram(load2(m.data()), load2(m.data() + 2)).defect() <= kMostDefect && pair.error < 1;
+         pair.a.keepsLengths() && pair.error < 1;
 }
 
 // Over a window of length h a way of acceleration A leaves its chord by at most A h^2 / 8, its share of time being that
