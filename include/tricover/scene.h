@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "tricover/collide.h"
+#include "tricover/distance.h"
+#include "tricover/export.h"
+#include "tricover/polygon.h"
+#include "tricover/pose.h"
+#include "tricover/ray.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover {
+
+/// How many things at once: calls task(i) for every i in [0, count), in any order and on any threads, and returns when
+/// all are done. An exception of a task is to be thrown on. Empty: one after the other.
+/// \snippet scene.cpp parallel
+using Parallel = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+
+/// A handle of a Scene. It names a body until that is removed, and may name another one later.
+using BodyHandle = std::uint32_t;
+
+/// All bits of a mask.
+constexpr std::uint32_t kEveryCategory = ~std::uint32_t{0};
+
+/// What a body is beside its polygon.
+struct BodyOptions {
+  /// A world length, at least 0. Every query is about the body grown by it: margins of two bodies, and of a body and a
+  /// query, add up (rounded to the nearest double).
+  double margin = 0;
+  std::uint32_t category = 1;  ///< Bits: what the body is.
+  std::uint32_t mask =
+      kEveryCategory;  ///< Bits: what it meets. Two bodies meet if each has a category of the other's mask.
+};
+
+/// Two bodies, the lower handle first.
+struct BodyPair {
+  BodyHandle first;   ///< The lower handle.
+  BodyHandle second;  ///< The higher handle.
+  friend bool operator==(const BodyPair& p, const BodyPair& q) { return p.first == q.first && p.second == q.second; }
+  friend bool operator!=(const BodyPair& p, const BodyPair& q) { return !(p == q); }
+  friend bool operator<(const BodyPair& p, const BodyPair& q) {
+    return p.first != q.first ? p.first < q.first : p.second < q.second;
+  }
+};
+
+/// A polygon's distance from a body.
+struct BodyDistance {
+  BodyHandle body;
+  DistanceResult result;  ///< a is the polygon that was asked for, b the body.
+};
+
+/// A moving polygon's impact on a body.
+struct BodyImpact {
+  BodyHandle body;
+  Impact impact;  ///< a is the polygon that was asked for, b the body.
+};
+
+/// How a body moves from time 0 to 1.
+struct BodyMotion {
+  BodyHandle body;
+  Motion motion;
+};
+
+/// The impact of two bodies.
+struct PairImpact {
+  BodyPair pair;
+  Impact impact;  ///< a is pair.first, b is pair.second.
+};
+
+/// Where a ray meets a body.
+struct BodyRayHit {
+  BodyHandle body;
+  RayHit hit;
+};
+
+/// What a SceneCache remembers between queries: facts, as in a PairCache, with the same rules. SceneCache{} is empty.
+struct SceneCache {
+  std::uint64_t scene = 0;                 ///< The state of which scene the fact is about; 0: none.
+  std::uint64_t polygon = 0;               ///< Polygon::id() of the polygon that was asked for.
+  double pose[6] = {1, 0, 0, 1, 0, 0};     ///< Its pose then: the columns of R, and t.
+  double clearance = 0;                    ///< While no point of it moves by as much, it meets none of the bodies.
+  std::uint32_t body = ~std::uint32_t{0};  ///< The body that was hit last: tried first.
+  std::uint32_t uses = 0;                  ///< Queries answered since.
+};
+
+/// Many polygons under poses of their own, and what collides among them.
+///
+/// Every answer is the exact one of collide(), distance(), timeOfImpact() and castRay() for the bodies concerned, and
+/// depends neither on what was asked before nor on the order in which bodies came nor on threads. Const functions may
+/// be called by any number of threads at once while no other function runs.
+///
+/// It extends the paper's coherence to many moving objects. Each body counts how far its points have moved in all; two
+/// bodies that were c apart need not be looked at before both counts together have grown by c. So collisions() costs
+/// the bodies that moved and the pairs whose facts ran out.
+///
+/// Memory: about 600 bytes a body and 100 a pair of bodies whose surroundings overlap, beside the polygons, which are
+/// shared.
+///
+/// \snippet scene.cpp scene
+class TRICOVER_EXPORT Scene {
+ public:
+  using Body = BodyHandle;
+
+  Scene();
+  ~Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+
+  /// Throws std::invalid_argument as collide() does for the pose and the margin, std::length_error for more than 2^28
+  /// bodies and as collide() does. A throw changes nothing, here as in what follows.
+  Body add(const Polygon& polygon, const Pose& pose, const BodyOptions& options = {});
+  void remove(Body body);                  ///< Throws std::out_of_range for a handle that names nothing.
+  void move(Body body, const Pose& pose);  ///< Throws as add() and remove() do.
+
+  std::size_t size() const;                 ///< How many bodies there are.
+  bool contains(Body body) const;           ///< Whether the handle names one.
+  const Polygon& polygon(Body body) const;  ///< Throws as remove() does, like the next two.
+  const Pose& pose(Body body) const;
+  const BodyOptions& options(Body body) const;
+
+  /// The pairs that collide now, sorted. The reference is good until the next call of a function that isn't const.
+  const std::vector<BodyPair>& collisions();
+  /// Of the last two calls of collisions(): the pairs that collide since, sorted.
+  const std::vector<BodyPair>& began() const;
+  /// The pairs that don't any more, sorted; also those whose bodies were removed.
+  const std::vector<BodyPair>& ended() const;
+
+  // The bodies that a polygon meets. `mask`: bodies of these categories alone.
+
+  /// Whether there is one. Throws as tricover::collide() does.
+  bool collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
+                std::uint32_t mask = kEveryCategory) const;
+  /// The same, using and renewing the facts in `cache`.
+  bool collides(const Polygon& polygon, const Pose& pose, SceneCache& cache, const CollideOptions& options = {},
+                std::uint32_t mask = kEveryCategory) const;
+  /// For many poses at once: answers[i] is what collides() says of poses[i]. The same answers whatever runs it.
+  void collides(const Polygon& polygon, const Pose* poses, std::size_t count, bool* answers,
+                const Parallel& parallel = {}, const CollideOptions& options = {},
+                std::uint32_t mask = kEveryCategory) const;
+  /// All of them, sorted.
+  std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
+                              std::uint32_t mask = kEveryCategory) const;
+  /// The nearest one, of several at the same distance the one of the lowest handle; none if there is no body within
+  /// options.limit. Throws as tricover::distance() does.
+  std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options = {},
+                                      std::uint32_t mask = kEveryCategory) const;
+  /// The first one that a moving polygon meets, the bodies being at rest; of several at the same time the one of the
+  /// lowest handle. Throws as timeOfImpact() does.
+  std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options = {},
+                                        std::uint32_t mask = kEveryCategory) const;
+  /// All pairs that meet while these bodies move and the others rest, each at its first time: earliest first, then by
+  /// handles. Throws as timeOfImpact() and remove() do, and std::invalid_argument for a body that is named twice.
+  std::vector<PairImpact> impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options = {},
+                                  const Parallel& parallel = {}) const;
+  /// The first one on the way from `from` to `to`, as tricover::castRay(); of several at the same fraction the one of
+  /// the lowest handle. A body with a margin is met within 1e-13 of the coordinates, as timeOfImpact() meets it; its
+  /// edge is the one that the margin is around.
+  std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, std::uint32_t mask = kEveryCategory) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tricover
