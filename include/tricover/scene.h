@@ -80,14 +80,20 @@ struct BodyRayHit {
   RayHit hit;
 };
 
+namespace detail {
+struct SceneState;
+}
+
 /// What a SceneCache remembers between queries: facts, as in a PairCache, with the same rules. SceneCache{} is empty.
 struct SceneCache {
-  std::uint64_t scene = 0;                 ///< The state of which scene the fact is about; 0: none.
-  std::uint64_t polygon = 0;               ///< Polygon::id() of the polygon that was asked for.
-  double pose[6] = {1, 0, 0, 1, 0, 0};     ///< Its pose then: the columns of R, and t.
-  double clearance = 0;                    ///< While no point of it moves by as much, it meets none of the bodies.
-  std::uint32_t body = ~std::uint32_t{0};  ///< The body that was hit last: tried first.
-  std::uint32_t uses = 0;                  ///< Queries answered since.
+  std::uint64_t scene = 0;              ///< Of which scene the fact is. 0: none.
+  std::uint64_t version = 0;            ///< Of which of its states: any change of a body ends it.
+  std::uint64_t polygon = 0;            ///< Polygon::id() of the polygon that was asked for.
+  double pose[6] = {1, 0, 0, 1, 0, 0};  ///< Its pose then: the columns of R, and t.
+  double clearance = 0;  ///< It was so far, at the least, from all bodies of `mask`, grown by their margins.
+  BodyHandle body = ~BodyHandle{0};  ///< The body that was hit last: tried first.
+  std::uint32_t mask = 0;            ///< See clearance.
+  std::uint32_t uses = 0;            ///< Queries answered since.
 };
 
 /// Many polygons under poses of their own, and what collides among them.
@@ -165,8 +171,7 @@ class TRICOVER_EXPORT Scene {
   std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, std::uint32_t mask = kEveryCategory) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<detail::SceneState> impl_;
 };
 
 }  // namespace tricover

@@ -12,6 +12,8 @@
 #include "tricover/penetration.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
+#include "tricover/ray.h"
+#include "tricover/scene.h"
 #include "tricover/segment.h"
 #include "tricover/svg.h"
 #include "tricover/time_of_impact.h"

@@ -10,6 +10,7 @@
 #include "apart/convex_nearest.h"
 #include "apart/distance_search.h"
 #include "apart/edge_distance.h"
+#include "apart/options.h"
 #include "apart/point_distance.h"
 #include "numbers/double_double.h"
 #include "numbers/errors.h"
@@ -318,10 +319,7 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
                         DistanceCache* cache, const DistanceOptions& options) {
   requireRigid(pose_a, "pose_a");
   requireRigid(pose_b, "pose_b");
-  requireNotNegative(options.relative_error, "relative_error");
-  requireNotNegative(options.absolute_error, "absolute_error");
-  requireNotNegative(options.limit, "limit");
-  requireFiniteNotNegative(options.margin, "margin");
+  checkOptions(options);
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) { return distanceInOrder({operands...}, cache, options); },

@@ -11,10 +11,10 @@
 
 #include "apart/convex_impact.h"
 #include "apart/moving_pair.h"
+#include "apart/options.h"
 #include "apart/point_impact.h"
 #include "apart/tight_nodes.h"
 #include "apart/window_cutter.h"
-#include "numbers/errors.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
 
@@ -300,8 +300,7 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
 
 std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                    const ImpactOptions& options) {
-  detail::requireFiniteNotNegative(options.time_error, "time_error");
-  detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::checkOptions(options);
   checkMotion(motion_a, "motion_a");
   checkMotion(motion_b, "motion_b");
   return detail::inKernelOrder(

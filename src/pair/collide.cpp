@@ -11,51 +11,52 @@
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
+#include "pair/pair_fact.h"
 
 namespace tricover {
 namespace detail {
 namespace {
 
-/// Finds the answer and keeps why it is certain.
-bool findFact(const PosedPair& pair, PairCache& cache, const Recollection& recollection,
-              const CollideOptions& options) {
-  claim(cache, pair.a, pair.b);
-  const auto fact = [&](bool overlapping, double clearance) {
-    remember(cache, pair.a, pair.pose_a, pair.b, pair.pose_b, overlapping,
-             roundedDown<2>(clearance * (1 - pair.scale_defect)));
-    return overlapping;
+/// What the hierarchy finds, or the edges that answered last.
+PairFact findCloseFact(const PosedPair& pair, const CollideOptions& options, const FactWish& wish) {
+  const auto fact = [&](bool collides, double clearance, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
+    return PairFact{collides, roundedDown<2>(clearance * (1 - pair.scale_defect)), edge_a, edge_b};
   };
-  if (cache.first_edge >= 0 && cache.second_edge >= 0) {
-    const auto i = static_cast<std::size_t>(cache.first_edge), j = static_cast<std::size_t>(cache.second_edge);
-    if (edgesWithin(pair, i, j, options.margin, options.tolerance)) return fact(true, crossingDepth(pair, i, j));
+  const auto hit = [&](std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
+    const auto i = static_cast<std::size_t>(edge_a), j = static_cast<std::size_t>(edge_b);
+    return fact(true, crossingDepth(pair, i, j), edge_a, edge_b);
+  };
+  if (wish.edge_a >= 0 && wish.edge_b >= 0) {
+    const auto i = static_cast<std::size_t>(wish.edge_a), j = static_cast<std::size_t>(wish.edge_b);
+    if (edgesWithin(pair, i, j, options.margin, options.tolerance)) return hit(wish.edge_a, wish.edge_b);
   }
-  // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
-  const Wanted wanted = recollection.coherent ? Wanted::Clearance : Wanted::Answer;
-  const Outcome outcome = collideByHierarchy(pair, options, recollection.lookahead, wanted);
-  assert(!(outcome.clearance < 0) && cache.first_id == pair.a.id && cache.second_id == pair.b.id);
-  cache.first_edge = outcome.edge_a;
-  cache.second_edge = outcome.edge_b;
-  if (outcome.edge_a < 0 || outcome.edge_b < 0) return fact(outcome.collides, outcome.clearance);
-  const auto i = static_cast<std::size_t>(outcome.edge_a), j = static_cast<std::size_t>(outcome.edge_b);
-  return fact(true, crossingDepth(pair, i, j));
+  const Wanted wanted = wish.wants_clearance ? Wanted::Clearance : Wanted::Answer;
+  const Outcome outcome = collideByHierarchy(pair, options, wish.lookahead, wanted);
+  assert(!(outcome.clearance < 0));
+  if (outcome.edge_a >= 0 && outcome.edge_b >= 0) return hit(outcome.edge_a, outcome.edge_b);
+  return fact(outcome.collides, outcome.clearance, outcome.edge_a, outcome.edge_b);
 }
 
 bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                     PairCache* cache, const Recollection& recollection, const CollideOptions& options) {
-  const Discs discs(a, pose_a, b, pose_b);
   const bool by_paper = options.strategy == Strategy::Paper;
-  const auto fact = [&](bool overlapping, double clearance) {
-    if (cache != nullptr && !by_paper) remember(*cache, a, pose_a, b, pose_b, overlapping, clearance);
-    return overlapping;
-  };
-  const double gap = discs.gap(options.margin);
-  if (gap >= 0) return fact(false, gap);
+  if (cache != nullptr && !by_paper) {
+    claim(*cache, a, b);
+    // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
+    const PairFact fact =
+        findFact(a, pose_a, b, pose_b, options,
+                 {recollection.lookahead, recollection.coherent, static_cast<std::ptrdiff_t>(cache->first_edge),
+                  static_cast<std::ptrdiff_t>(cache->second_edge)});
+    cache->first_edge = fact.edge_a;
+    cache->second_edge = fact.edge_b;
+    remember(*cache, a, pose_a, b, pose_b, fact.collides, fact.clearance);
+    return fact.collides;
+  }
+  const Discs discs(a, pose_a, b, pose_b);
+  if (discs.gap(options.margin) >= 0) return false;
   if (by_paper) return collideByPaper(PosedPair(a, pose_a, b, pose_b), cache, options);
-  const double depth = discs.depth(options.margin);
-  if (depth >= 0) return fact(true, depth);
-  const PosedPair pair(a, pose_a, b, pose_b);
-  return cache != nullptr ? findFact(pair, *cache, recollection, options)
-                          : collideByHierarchy(pair, options, 0, Wanted::Answer).collides;
+  return discs.depth(options.margin) >= 0 ||
+         collideByHierarchy(PosedPair(a, pose_a, b, pose_b), options, 0, Wanted::Answer).collides;
 }
 
 /// Whether one is a point, and the other has so few edges that they are asked sooner than a fact.
@@ -64,31 +65,56 @@ bool isQuickPoint(const PolygonData& a, const PolygonData& b) {
   return (a.isPoint() && b.path.size() <= kFew) || (b.isPoint() && a.path.size() <= kFew);
 }
 
-bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache* cache,
-             const CollideOptions& options) {
+bool pointCollides(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                   const CollideOptions& options) {
+  return inKernelOrder(
+      a, pose_a, b, pose_b,
+      [&](const PolygonData& p, const Pose& pose_p, const PolygonData& q, const Pose& pose_q) {
+        return q.isPoint() ? pointMeets(p, pose_p, q, pose_q, options) : pointMeets(q, pose_q, p, pose_p, options);
+      },
+      [](bool) {});
+}
+
+bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,
+             PairCache* cache, const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
   requireRigid(pose_a, "pose_a");
   requireRigid(pose_b, "pose_b");
-  if (isQuickPoint(a.data(), b.data()) && options.strategy == Strategy::Hierarchy) {
-    return inKernelOrder(
-        a.data(), pose_a, b.data(), pose_b,
-        [&](const PolygonData& p, const Pose& pose_p, const PolygonData& q, const Pose& pose_q) {
-          return q.isPoint() ? pointMeets(p, pose_p, q, pose_q, options) : pointMeets(q, pose_q, p, pose_p, options);
-        },
-        [](bool) {});
-  }
+  const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
+  if (cache == nullptr && options.strategy == Strategy::Hierarchy) return collideChecked(a, pose_a, b, pose_b, options);
+  if (isQuickPoint(a, b) && options.strategy == Strategy::Hierarchy)
+    return pointCollides(a, pose_a, b, pose_b, options);
   Recollection recollection{};
-  if (cache != nullptr && options.strategy == Strategy::Hierarchy) {
-    recollection = recall(*cache, a.data(), pose_a, b.data(), pose_b, options.margin);
+  if (options.strategy == Strategy::Hierarchy) {
+    recollection = recall(*cache, a, pose_a, b, pose_b, options.margin);
     if (recollection.certain) return recollection.collides;
   }
   return inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
+      a, pose_a, b, pose_b,
       [&](const auto&... operands) { return collideInOrder(operands..., cache, recollection, options); }, [](bool) {});
 }
 
 }  // namespace
+
+PairFact findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                  const CollideOptions& options, const FactWish& wish) {
+  const Discs discs(a, pose_a, b, pose_b);
+  const double gap = discs.gap(options.margin);
+  if (gap >= 0) return {false, gap, wish.edge_a, wish.edge_b};
+  const double depth = discs.depth(options.margin);
+  if (depth >= 0) return {true, depth, wish.edge_a, wish.edge_b};
+  return findCloseFact(PosedPair(a, pose_a, b, pose_b), options, wish);
+}
+
+bool collideChecked(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                    const CollideOptions& options) {
+  if (isQuickPoint(a, b)) return pointCollides(a, pose_a, b, pose_b, options);
+  return inKernelOrder(
+      a, pose_a, b, pose_b, [&](const auto&... operands) { return collideInOrder(operands..., nullptr, {}, options); },
+      [](bool) {});
+}
+
 }  // namespace detail
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

@@ -219,9 +219,8 @@ MUTATIONS = [
     ("src/pair/discs.h", "(disc_a.radius + disc_b.radius) * (1 - kLargestDefect) - error_", "(disc_a.radius + disc_b.radius) - error_", "largest inner discs: defect of their radii (equivalent as far as tests see: the search stops short of the largest disc)"),
     ("src/pair/discs.h", "(disc_a.radius + disc_b.radius) * (1 - kLargestDefect) - error_", "(disc_a.radius + disc_b.radius) * (1 - kLargestDefect)", "largest inner discs: error of their centres (equivalent as far as tests see: the search stops short of the largest disc)"),
     ("src/pair/discs.h", "return std::max(roundedDown<2>(reach) - roundedUp<2>(std::sqrt(square)), 0.0);", "return reach;", "largest inner discs: depth too large"),
-    ("src/pair/collide.cpp", "if (cache != nullptr && !by_paper) remember", "if (cache != nullptr) remember", "paper: remembers facts (equivalent: they are true)"),
     ("src/pair/collide.cpp", "roundedDown<2>(clearance * (1 - pair.scale_defect))", "clearance", "facts: a's frame taken for the world (equivalent as far as tests see: the slack of the boxes is more)"),
-    ("src/pair/collide.cpp", "if (edgesWithin(pair, i, j, options.margin, options.tolerance)) return fact", "return fact", "last edges: not asked"),
+    ("src/pair/collide.cpp", "if (edgesWithin(pair, i, j, options.margin, options.tolerance)) return hit", "return hit", "last edges: not asked"),
     ("src/polygon/polygon.cpp", "square = std::max(square,", "square = std::min(square + 1e-3,", "bounding radius too small"),
     # Distance.
     ("src/apart/edge_distance.cpp", "error_ = kDistanceError * size_;", "error_ = 0;", "distance: no error of rounded distances"),

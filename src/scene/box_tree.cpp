@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/box_tree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace tricover::detail {
+namespace {
+
+Bounds unite(const Bounds& p, const Bounds& q) {
+  return {std::min(p.min_x, q.min_x), std::min(p.min_y, q.min_y), std::max(p.max_x, q.max_x),
+          std::max(p.max_y, q.max_y)};
+}
+
+/// Half the perimeter: what a box costs, because that many other boxes it will meet (Goldsmith and Salmon 1987).
+/// Clamped, so that no difference of two is NaN.
+double cost(const Bounds& b) { return std::min((b.max_x - b.min_x) + (b.max_y - b.min_y), 1e300); }
+
+}  // namespace
+
+Bounds BoxTree::Node::all() const {
+  Bounds bounds = at(0);
+  for (unsigned i = 1; i < count; ++i) bounds = unite(bounds, at(i));
+  return bounds;
+}
+
+std::uint32_t BoxTree::newNode(bool leaf) {
+  const std::uint32_t index = free_.back();  // reserveFor() saw to it
+  free_.pop_back();
+  Node& node = nodes_[index];
+  node.parent = kNone;
+  node.lane = 0;
+  node.count = 0;
+  node.leaf = leaf;
+  for (unsigned i = 0; i < kLanes; ++i) node.set(i, {kInfinity, kInfinity, -kInfinity, -kInfinity});
+  return index;
+}
+
+void BoxTree::freeNode(std::uint32_t index) { free_.push_back(index); }
+
+void BoxTree::put(std::uint32_t index, unsigned lane, const Entry& entry) {
+  Node& node = nodes_[index];
+  node.set(lane, entry.bounds);
+  node.child[lane] = entry.child;
+  if (node.leaf) {
+    places_[entry.child] = index * kLanes + lane;
+  } else {
+    nodes_[entry.child].parent = index;
+    nodes_[entry.child].lane = lane;
+  }
+}
+
+/// The leaf whose boxes grow least; all above it have grown.
+std::uint32_t BoxTree::leafFor(const Bounds& bounds) {
+  std::uint32_t index = root_;
+  while (!nodes_[index].leaf) {
+    Node& node = nodes_[index];
+    unsigned best = 0;
+    double least = kInfinity, size = kInfinity;
+    for (unsigned i = 0; i < node.count; ++i) {
+      const double now = cost(node.at(i)), growth = cost(unite(node.at(i), bounds)) - now;
+      if (growth > least || (growth == least && now >= size)) continue;
+      best = i;
+      least = growth;
+      size = now;
+    }
+    node.set(best, unite(node.at(best), bounds));
+    index = node.child[best];
+  }
+  return index;
+}
+
+void BoxTree::addTo(std::uint32_t index, const Entry& entry) {
+  Node& node = nodes_[index];
+  if (node.count == kLanes) return split(index, entry);
+  put(index, node.count, entry);
+  ++node.count;
+}
+
+/// Nine boxes become two nodes: in the order along x or y and at the place where the two boxes around them cost least.
+void BoxTree::split(std::uint32_t index, const Entry& entry) {
+  constexpr int kAll = kLanes + 1, kFewest = 3;
+  Entry entries[kAll], best[kAll];
+  for (unsigned i = 0; i < kLanes; ++i) entries[i] = {nodes_[index].at(i), nodes_[index].child[i]};
+  entries[kLanes] = entry;
+  double least = kInfinity;
+  int count = kAll / 2;
+  for (const bool along_x : {true, false}) {
+    const auto middle = [&](const Entry& e) {  // infinite boxes' are 0
+      const double low = along_x ? e.bounds.min_x : e.bounds.min_y, high = along_x ? e.bounds.max_x : e.bounds.max_y;
+      const double sum = 0.5 * low + 0.5 * high;
+      return sum == sum ? sum : 0.0;
+    };
+    std::sort(entries, entries + kAll, [&](const Entry& p, const Entry& q) { return middle(p) < middle(q); });
+    Bounds from_end[kAll];
+    from_end[kAll - 1] = entries[kAll - 1].bounds;
+    for (int i = kAll - 1; i-- > 0;) from_end[i] = unite(entries[i].bounds, from_end[i + 1]);
+    Bounds from_start = entries[0].bounds;
+    for (int i = 1; i < kAll; ++i) {
+      const double sum = cost(from_start) + cost(from_end[i]);
+      if (i >= kFewest && i <= kAll - kFewest && sum < least) {
+        least = sum;
+        count = i;
+        std::copy(entries, entries + kAll, best);
+      }
+      from_start = unite(from_start, entries[i].bounds);
+    }
+  }
+  const std::uint32_t other = newNode(nodes_[index].leaf);
+  Node &first = nodes_[index], &second = nodes_[other];
+  for (unsigned i = 0; i < kLanes; ++i) first.set(i, {kInfinity, kInfinity, -kInfinity, -kInfinity});
+  first.count = static_cast<std::uint8_t>(count);
+  second.count = static_cast<std::uint8_t>(kAll - count);
+  for (int i = 0; i < count; ++i) put(index, static_cast<unsigned>(i), best[i]);
+  for (int i = count; i < kAll; ++i) put(other, static_cast<unsigned>(i - count), best[i]);
+  if (index == root_) {
+    root_ = newNode(false);
+    nodes_[root_].count = 2;
+    put(root_, 0, {first.all(), index});
+    put(root_, 1, {second.all(), other});
+  } else {
+    nodes_[first.parent].set(first.lane, first.all());
+    addTo(first.parent, {second.all(), other});
+  }
+}
+
+/// The boxes around a node, up to the root, after what it holds has become less.
+void BoxTree::tighten(std::uint32_t index) {
+  while (index != root_) {
+    const Node& node = nodes_[index];
+    const Bounds all = node.all(), was = nodes_[node.parent].at(node.lane);
+    if (all.contains(was)) return;
+    nodes_[node.parent].set(node.lane, all);
+    index = node.parent;
+  }
+}
+
+void BoxTree::takeFrom(std::uint32_t index, unsigned lane) {
+  Node& node = nodes_[index];
+  const unsigned last = node.count - 1u;
+  if (lane != last) put(index, lane, {node.at(last), node.child[last]});
+  node.set(last, {kInfinity, kInfinity, -kInfinity, -kInfinity});
+  --node.count;
+  if (index == root_) {
+    if (!node.leaf && node.count == 1) {
+      root_ = node.child[0];
+      nodes_[root_].parent = kNone;
+      freeNode(index);
+    }
+    return;
+  }
+  if (node.count >= kLeast) return tighten(index);
+  // What is left goes to a sibling, whose box grows least.
+  const Entry left{node.at(0), node.child[0]};
+  const std::uint32_t parent = node.parent, own = node.lane;
+  Node& above = nodes_[parent];
+  unsigned best = own == 0 ? 1 : 0;
+  double least = kInfinity;
+  for (unsigned i = 0; i < above.count; ++i) {
+    if (i == own) continue;
+    const double growth = cost(unite(above.at(i), left.bounds)) - cost(above.at(i));
+    if (growth >= least) continue;
+    best = i;
+    least = growth;
+  }
+  above.set(best, unite(above.at(best), left.bounds));
+  const std::uint32_t sibling = above.child[best];
+  freeNode(index);
+  takeFrom(parent, own);
+  addTo(sibling, left);
+}
+
+/// Memory for what an insertion may need at most, so that nothing throws half-way: a new node a level.
+void BoxTree::reserveFor(std::uint32_t item) {
+  constexpr std::size_t kLevels = 32;
+  if (free_.size() < kLevels) {
+    const std::size_t before = nodes_.size(), more = std::max(kLevels, before / 2);
+    free_.reserve(before + more);
+    nodes_.resize(before + more);
+    for (std::size_t i = before + more; i-- > before;) free_.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (item >= places_.size())
+    places_.resize(std::max<std::size_t>(item + std::size_t{1}, places_.size() * 3 / 2), kNone);
+}
+
+void BoxTree::insert(std::uint32_t item, const Bounds& bounds) {
+  reserveFor(item);
+  if (root_ == kNone) root_ = newNode(true);
+  addTo(leafFor(bounds), {bounds, item});
+}
+
+void BoxTree::remove(std::uint32_t item) {
+  const std::uint32_t place = places_[item];
+  places_[item] = kNone;
+  takeFrom(place / kLanes, place % kLanes);
+}
+
+void BoxTree::move(std::uint32_t item, const Bounds& bounds) {
+  const std::uint32_t index = places_[item] / kLanes, lane = places_[item] % kLanes;
+  Node& node = nodes_[index];
+  if (index == root_ || nodes_[node.parent].at(node.lane).contains(bounds)) {
+    node.set(lane, bounds);
+    return;
+  }
+  reserveFor(item);
+  takeFrom(index, lane);
+  addTo(leafFor(bounds), {bounds, item});
+}
+
+}  // namespace tricover::detail

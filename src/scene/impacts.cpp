@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Moving polygons and the bodies of a scene.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <string>
+
+#include "apart/cubic.h"
+#include "apart/options.h"
+#include "numbers/errors.h"
+#include "numbers/rigidity.h"
+#include "scene/in_parallel.h"
+#include "scene/scene_state.h"
+
+namespace tricover {
+
+using detail::Bounds;
+using detail::SceneState;
+
+namespace {
+
+/// A window is about as long as the polygon is wide, so that the boxes of a sweep are about twice that.
+constexpr double kMostWindows = 64;
+
+/// A moving polygon, enclosed window by window.
+class Sweep {
+ public:
+  Sweep(const Polygon& polygon, const Motion& motion, double margin)
+      : polygon_(polygon.data()),
+        motion_(motion),
+        margin_(margin),
+        way_(detail::wayOf(motion)),
+        turn_(detail::turnOf(motion)) {
+    const Vec2 arm = polygon_.origin - motion.pivot;
+    reach_ = (std::hypot(arm.x(), arm.y()) + polygon_.radius) * (1 + 2 * detail::kLargestDefect);
+    // Sums of coordinates, because squares may leave the range of doubles.
+    path_ = (way_.first.cwiseAbs() + way_.second.cwiseAbs() + way_.third.cwiseAbs()).sum();
+    // timeOfImpact() may report what comes as near as 1e-13 of this: twice as much, for what rounds here.
+    length_ = motion.start.translation().cwiseAbs().sum() + motion.pivot.cwiseAbs().sum() + path_ +
+              (1 + turn_.size()) * reach_;
+  }
+
+  /// How many windows tell where it is when.
+  double windows() const {
+    const double wide = 2 * reach_ + margin_, way = path_ + turn_.size() * reach_;
+    return way < kMostWindows * wide ? std::max(1.0, std::ceil(way / wide)) : kMostWindows;
+  }
+
+  /// A box around all that is within the margin of it at some time from `begin` to `end`.
+  Bounds between(double begin, double end) const {
+    const double half = 0.5 * (end - begin), middle = begin + half;
+    // No point leaves its place at the middle by more, against the pivot; nor is any farther from the pivot.
+    const double turned = turn_.mostRate(begin, end) * half * reach_, spared = margin_ + 2e-13 * length_;
+    // A cubic leaves its chord by at most its acceleration times h^2 / 8, h the window's length.
+    const Vec2 bend =
+        0.5 * half * half * way_.accelerationAt(begin).cwiseAbs().cwiseMax(way_.accelerationAt(end).cwiseAbs());
+    const Vec2 first = way_.at(begin), last = way_.at(end), now = way_.at(middle);
+    Vec2 low = first.cwiseMin(last) - bend, high = first.cwiseMax(last) + bend;
+    Bounds bounds;
+    if (turned < reach_) {
+      bounds = detail::boundsOf(polygon_, motion_.at(middle), spared + turned);
+      low -= now;
+      high -= now;
+    } else {
+      const Vec2 pivot = motion_.start * motion_.pivot;
+      const double r = reach_ + spared;
+      bounds = {pivot.x() - r, pivot.y() - r, pivot.x() + r, pivot.y() + r};
+    }
+    bounds = {bounds.min_x + low.x(), bounds.min_y + low.y(), bounds.max_x + high.x(), bounds.max_y + high.y()};
+    // Negated for NaN.
+    if (!(bounds.min_x <= bounds.max_x && bounds.min_y <= bounds.max_y)) {
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      bounds = {-kInfinity, -kInfinity, kInfinity, kInfinity};
+    }
+    return bounds;
+  }
+
+ private:
+  const detail::PolygonData& polygon_;
+  const Motion& motion_;
+  double margin_, reach_, path_, length_;
+  detail::Cubic<Vec2> way_;
+  detail::Cubic<double> turn_;
+};
+
+ImpactOptions withMargin(ImpactOptions options, double margin) {
+  options.margin = detail::withMargin({options.margin}, margin).margin;
+  return options;
+}
+
+}  // namespace
+
+std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options,
+                                             std::uint32_t mask) const {
+  detail::checkOptions(options);
+  checkMotion(motion);
+  const SceneState& state = *impl_;
+  const Sweep sweep(polygon, motion, options.margin);
+  std::optional<BodyImpact> best;
+  std::vector<Body> asked, near, now;  // in any window so far, in this one, in this one for the first time
+  const double windows = sweep.windows();
+  for (double w = 0; w < windows; ++w) {
+    // What is met in no earlier window isn't hit before this one begins, nor reported much earlier.
+    if (best && best->impact.time < w / windows - options.time_error) break;
+    near.clear();
+    state.tree.visit(sweep.between(w / windows, (w + 1) / windows), [&](Body body) {
+      if ((state.bodies[body].options.category & mask) != 0) near.push_back(body);
+      return true;
+    });
+    std::sort(near.begin(), near.end());
+    now.clear();
+    std::set_difference(near.begin(), near.end(), asked.begin(), asked.end(), std::back_inserter(now));
+    for (const Body body : now) {
+      const auto& other = state.bodies[body];
+      const auto impact = timeOfImpact(polygon, motion, other.polygon, Motion::still(other.pose),
+                                       withMargin(options, other.options.margin));
+      if (impact &&
+          (!best || impact->time < best->impact.time || (impact->time == best->impact.time && body < best->body)))
+        best = BodyImpact{body, *impact};
+    }
+    const auto known = static_cast<std::ptrdiff_t>(asked.size());
+    asked.insert(asked.end(), now.begin(), now.end());
+    std::inplace_merge(asked.begin(), asked.begin() + known, asked.end());
+  }
+  return best;
+}
+
+namespace {
+
+/// The pairs of bodies that may meet while some of them move, sorted.
+std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<BodyMotion>& motions,
+                                const std::vector<std::uint32_t>& motion_of, double margin) {
+  std::vector<Sweep> sweeps;
+  double windows = 1;
+  for (const BodyMotion& moving : motions) {
+    const auto& body = state.bodies[moving.body];
+    // The query's own margin is counted once a pair: half of it for either one.
+    sweeps.emplace_back(body.polygon, moving.motion, body.options.margin + 0.5 * margin);
+    windows = std::max(windows, sweeps.back().windows());
+  }
+  std::vector<BodyPair> pairs;
+  const auto add = [&](BodyHandle p, BodyHandle q) {
+    if (state.mayMeet(state.bodies[p], state.bodies[q])) pairs.push_back({std::min(p, q), std::max(p, q)});
+  };
+  for (double w = 0; w < windows; ++w) {
+    detail::BoxTree moving;
+    for (std::uint32_t i = 0; i < motions.size(); ++i) {
+      const BodyHandle body = motions[i].body;
+      Bounds bounds = sweeps[i].between(w / windows, (w + 1) / windows);
+      moving.visit(bounds, [&](std::uint32_t other) {
+        add(body, motions[other].body);
+        return true;
+      });
+      moving.insert(i, bounds);
+      // Bodies at rest have their own margins alone around them.
+      const double rest = 0.5 * margin * (1 + 0x1p-40);
+      bounds = {bounds.min_x - rest, bounds.min_y - rest, bounds.max_x + rest, bounds.max_y + rest};
+      state.tree.visit(bounds, [&](BodyHandle other) {
+        if (motion_of[other] == motions.size()) add(body, other);
+        return true;
+      });
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<PairImpact> Scene::impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options,
+                                       const Parallel& parallel) const {
+  detail::checkOptions(options);
+  const SceneState& state = *impl_;
+  const auto at_rest = static_cast<std::uint32_t>(motions.size());
+  std::vector<std::uint32_t> motion_of(state.bodies.size(), at_rest);
+  for (std::uint32_t i = 0; i < motions.size(); ++i) {
+    state.at(motions[i].body);
+    const std::string name = "motions[" + std::to_string(i) + "]";
+    checkMotion(motions[i].motion, name.c_str());
+    if (motion_of[motions[i].body] != at_rest) detail::refuse(name, "its body has a motion already");
+    motion_of[motions[i].body] = i;
+  }
+  const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, options.margin);
+  std::vector<std::optional<Impact>> found(pairs.size());
+  const auto motionOf = [&](Body body) {
+    return motion_of[body] != at_rest ? motions[motion_of[body]].motion : Motion::still(state.bodies[body].pose);
+  };
+  detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
+    const auto &p = state.bodies[pairs[i].first], &q = state.bodies[pairs[i].second];
+    found[i] = timeOfImpact(p.polygon, motionOf(pairs[i].first), q.polygon, motionOf(pairs[i].second),
+                            withMargin(withMargin(options, p.options.margin), q.options.margin));
+  });
+  std::vector<PairImpact> impacts;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (found[i]) impacts.push_back({pairs[i], *found[i]});
+  std::stable_sort(impacts.begin(), impacts.end(),
+                   [](const PairImpact& p, const PairImpact& q) { return p.impact.time < q.impact.time; });
+  return impacts;
+}
+
+}  // namespace tricover

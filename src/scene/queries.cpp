@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One polygon against the bodies of a scene.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "apart/options.h"
+#include "numbers/errors.h"
+#include "numbers/rigidity.h"
+#include "pair/facts.h"
+#include "pair/kernel_order.h"
+#include "pair/pair_fact.h"
+#include "scene/scene_state.h"
+
+namespace tricover {
+
+using detail::SceneState;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void check(const Pose& pose, const CollideOptions& options) {
+  detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::requireFiniteNotNegative(options.tolerance, "tolerance");
+  detail::requireRigid(pose, "pose");
+}
+
+bool meets(const SceneState::BodyState& body, const Polygon& polygon, const Pose& pose, const CollideOptions& options) {
+  return detail::collideChecked(polygon.data(), pose, body.polygon.data(), body.pose,
+                                detail::withMargin(options, body.options.margin));
+}
+
+/// A lower bound of the distance between points of two boxes; never NaN.
+double gapBetween(const detail::Bounds& p, const detail::Bounds& q) {
+  const double x = std::max({0.0, p.min_x - q.max_x, q.min_x - p.max_x});
+  const double y = std::max({0.0, p.min_y - q.max_y, q.min_y - p.max_y});
+  return std::max({x, y, detail::normBelow(x, y)}) * (1 - 4 * detail::kUnitRoundoff);
+}
+
+}  // namespace
+
+bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
+                     std::uint32_t mask) const {
+  check(pose, options);
+  const SceneState& state = *impl_;
+  return !state.tree.visit(detail::boundsOf(polygon.data(), pose, options.margin), [&](Body body) {
+    const auto& other = state.bodies[body];
+    return (other.options.category & mask) == 0 || !meets(other, polygon, pose, options);
+  });
+}
+
+bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& cache, const CollideOptions& options,
+                     std::uint32_t mask) const {
+  check(pose, options);
+  const SceneState& state = *impl_;
+  const detail::PolygonData& data = polygon.data();
+  const bool known = cache.scene == state.id && cache.version == state.version && cache.polygon == data.id &&
+                     (mask & ~cache.mask) == 0;
+  double lookahead = 0;
+  bool coherent = false;
+  if (known) {
+    const detail::Change change(data, cache.pose, pose);
+    const double room = detail::roundedDown<1>(cache.clearance - options.margin);
+    const double motion = change.any() ? change.displacement() : 0;
+    if (motion < room) {
+      ++cache.uses;
+      return false;
+    }
+    coherent = motion <= detail::kCoherentPart * data.radius;
+    if (coherent) lookahead = detail::kStepsAhead * motion / (cache.uses + 1.0);
+  }
+  const auto facing = [&](Body body) {
+    const auto& other = state.bodies[body];
+    return (other.options.category & mask) != 0 && meets(other, polygon, pose, options);
+  };
+  if (contains(cache.body) && facing(cache.body)) {
+    cache.clearance = 0;
+    return true;
+  }
+  cache = {state.id, state.version, data.id, {}, 0, cache.body, mask, 0};
+  detail::store(cache.pose, pose);
+  double clearance = lookahead;  // beyond all margins
+  const bool free = state.tree.visit(detail::boundsOf(data, pose, options.margin + lookahead), [&](Body body) {
+    const auto& other = state.bodies[body];
+    if ((other.options.category & mask) == 0) return true;
+    const CollideOptions sum = detail::withMargin(options, other.options.margin);
+    const detail::PairFact fact = detail::inKernelOrder(
+        data, pose, other.polygon.data(), other.pose,
+        [&](const auto&... operands) {
+          return detail::findFact(operands..., sum, {lookahead, coherent});
+        },
+        [](const detail::PairFact&) {});
+    if (fact.collides) cache.body = body;
+    clearance = std::min(clearance, detail::roundedDown<1>(fact.clearance - sum.margin));
+    return !fact.collides;
+  });
+  cache.clearance = free ? detail::roundedDown<1>(options.margin + std::max(clearance, 0.0)) : 0;
+  return !free;
+}
+
+std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
+                                          std::uint32_t mask) const {
+  check(pose, options);
+  const SceneState& state = *impl_;
+  std::vector<Body> found;
+  state.tree.visit(detail::boundsOf(polygon.data(), pose, options.margin), [&](Body body) {
+    const auto& other = state.bodies[body];
+    if ((other.options.category & mask) != 0 && meets(other, polygon, pose, options)) found.push_back(body);
+    return true;
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options,
+                                           std::uint32_t mask) const {
+  detail::checkOptions(options);
+  detail::requireRigid(pose, "pose");
+  const SceneState& state = *impl_;
+  const detail::Bounds bounds = detail::boundsOf(polygon.data(), pose, 0);
+  std::optional<BodyDistance> best;
+  DistanceOptions limited = options;
+  // Boxes hold the bodies' margins, and a result is what the query's own leaves of a distance.
+  const auto bound = [&](const detail::Bounds& box) {
+    return std::max(0.0, detail::roundedDown<1>(gapBetween(bounds, box) - options.margin));
+  };
+  state.tree.visitInOrder(options.limit, bound, [&](Body body) {
+    const auto& other = state.bodies[body];
+    if ((other.options.category & mask) == 0) return limited.limit;
+    limited.margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());
+    const DistanceResult result = distance(polygon, pose, other.polygon, other.pose, limited);
+    if (!(result.distance <= limited.limit) || result.distance == kInfinity) return limited.limit;
+    if (!best || result.distance < best->result.distance ||
+        (result.distance == best->result.distance && body < best->body))
+      best = BodyDistance{body, result};
+    limited.limit = std::min(limited.limit, best->result.distance);
+    return limited.limit;
+  });
+  return best;
+}
+
+}  // namespace tricover

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Kinetic facts: see SceneState.
+#include "scene/scene_state.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "numbers/errors.h"
+#include "numbers/rounding.h"
+#include "pair/facts.h"
+#include "pair/kernel_order.h"
+#include "pair/pair_fact.h"
+
+namespace tricover::detail {
+namespace {
+
+/// A box looks ahead for so many moves: each box that is left costs a search of the tree, and a wider one meets more.
+constexpr double kBoxSteps = 12;
+/// What the last move counts for in their average.
+constexpr double kOfAverage = 0.25;
+/// A count beyond so many times a body's size begins anew, so that what is added to it isn't lost to rounding.
+constexpr double kLongWay = 0x1p20;
+
+double sizeOf(const SceneState::BodyState& body) { return body.polygon.data().radius + body.options.margin; }
+
+}  // namespace
+
+void SceneState::listFresh(Body body) {
+  if (!bodies[body].fresh) fresh.push_back(body);
+  bodies[body].fresh = true;
+}
+
+void SceneState::listDue(Body body) {
+  if (!bodies[body].listed) due.push_back(body);
+  bodies[body].listed = true;
+}
+
+void SceneState::listPair(std::uint32_t pair) {
+  if (pairs[pair].listed) return;
+  listed_pairs.push_back(pair);
+  pairs[pair].listed = true;
+}
+
+const SceneState::BodyState& SceneState::at(Body body) const {
+  if (body < bodies.size() && bodies[body].used) return bodies[body];
+  throw std::out_of_range(refusal("body", "the scene has none of the handle " + std::to_string(body)));
+}
+
+SceneState::BodyState& SceneState::at(Body body) { return const_cast<BodyState&>(std::as_const(*this).at(body)); }
+
+/// Puts a box around a body, for a good many moves like the last ones.
+void SceneState::renewBox(Body body) {
+  BodyState& state = bodies[body];
+  const double grow = std::min(kBoxSteps * state.step, kCoherentPart * sizeOf(state));
+  tree.move(body, boundsOf(state.polygon.data(), state.pose, state.options.margin + grow));
+  state.box_until = roundedDown<1>(state.moved + grow);
+  listFresh(body);
+}
+
+void SceneState::moveBody(Body body, const Pose& pose) {
+  BodyState& state = bodies[body];
+  const double *was = state.pose.data(), *now = pose.data();
+  const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
+                      load2(now + 6) - load2(was + 6));
+  if (!change.any()) return;
+  ++version;
+  const double step = change.displacement(), size = sizeOf(state);
+  state.pose = pose;
+  state.moved = roundedUp<1>(state.moved + step);
+  const bool coherent = step <= kCoherentPart * size;
+  state.step = coherent ? state.step + kOfAverage * (step - state.step) : 0;
+  if (!coherent || !(state.moved <= kLongWay * size)) {
+    state.moved = 0;
+    state.box_until = state.due = -1;
+    for (Link& link : state.links) link.due = -1;
+  }
+  if (state.moved < state.due) return;
+  listDue(body);
+  if (!(state.moved <= state.box_until)) renewBox(body);
+}
+
+/// The pairs of a body whose box is new.
+void SceneState::findPairs(Body body) {
+  const auto linked = [&](Body p, Body q) {
+    const auto &links_p = bodies[p].links, &links_q = bodies[q].links;
+    const bool first = links_p.size() <= links_q.size();
+    const auto& links = first ? links_p : links_q;
+    return std::any_of(links.begin(), links.end(), [&](const Link& link) { return link.other == (first ? q : p); });
+  };
+  tree.visit(tree.boundsOf(body), [&](Body other) {
+    if (other == body || !mayMeet(bodies[body], bodies[other]) || linked(body, other)) return true;
+    const Body first = std::min(body, other), second = std::max(body, other);
+    if (free_pairs.empty()) {
+      pairs.emplace_back();
+      free_pairs.push_back(static_cast<std::uint32_t>(pairs.size() - 1));
+    }
+    const std::uint32_t pair = free_pairs.back();
+    // What may throw comes first.
+    listed_pairs.reserve(listed_pairs.size() + 1);
+    for (const Body end : {first, second}) {
+      auto& links = bodies[end].links;
+      if (links.size() == links.capacity()) links.reserve(2 * links.size() + 4);
+    }
+    free_pairs.pop_back();
+    pairs[pair] = {{first, second},
+                   {static_cast<std::uint32_t>(bodies[first].links.size()),
+                    static_cast<std::uint32_t>(bodies[second].links.size())},
+                   {-1, -1},
+                   /*used*/ true,
+                   /*listed*/ false,
+                   /*collides*/ false,
+                   /*reported*/ false};
+    bodies[first].links.push_back({-1, pair, second});
+    bodies[second].links.push_back({-1, pair, first});
+    listPair(pair);
+    return true;
+  });
+}
+
+/// Forgets a pair.
+void SceneState::unlink(std::uint32_t index) {
+  Pair& pair = pairs[index];
+  if (pair.reported) lost.push_back({pair.body[0], pair.body[1]});
+  for (const int end : {0, 1}) {
+    auto& links = bodies[pair.body[end]].links;
+    Link& place = links[pair.link[end]];
+    assert(place.pair == index);
+    place = links.back();
+    links.pop_back();
+    if (pair.link[end] < links.size()) {
+      Pair& moved = pairs[place.pair];
+      moved.link[moved.body[0] == pair.body[end] ? 0 : 1] = pair.link[end];
+    }
+  }
+  pair.used = pair.reported = pair.collides = false;
+  free_pairs.push_back(index);
+}
+
+/// A pair's fact holds while the two bodies together move by less than `room`: shared as they have been moving.
+void SceneState::schedule(std::uint32_t index, double room) {
+  const Pair& pair = pairs[index];
+  BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
+  const double pace = p.step + q.step, part = pace > 0 ? p.step / pace : 0.5;
+  // Rounded down, so that the shares' sum isn't above the room: product, difference from 1, sum.
+  const double share_p = roundedDown<3>(room * part), share_q = roundedDown<3>(room * (1 - part));
+  const double until_p = roundedDown<1>(p.moved + share_p), until_q = roundedDown<1>(q.moved + share_q);
+  p.links[pair.link[0]].due = until_p;
+  q.links[pair.link[1]].due = until_q;
+  p.due = std::min(p.due, until_p);
+  q.due = std::min(q.due, until_q);
+}
+
+void SceneState::look(std::uint32_t index) {
+  Pair& pair = pairs[index];
+  const BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
+  if (!tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return unlink(index);
+  const double pace = p.step + q.step;
+  const CollideOptions options = withMargin({}, p.options.margin, q.options.margin);
+  PairFact fact = inKernelOrder(
+      p.polygon.data(), p.pose, q.polygon.data(), q.pose,
+      [&](const auto&... operands) {
+        return findFact(operands..., options, {kStepsAhead * pace, pace > 0, pair.edge[0], pair.edge[1]});
+      },
+      [](const PairFact&) {});
+  pair.edge[0] = fact.edge_a;
+  pair.edge[1] = fact.edge_b;
+  if (fact.collides != pair.collides) changed.push_back(index);
+  pair.collides = fact.collides;
+  const double room = fact.collides ? fact.clearance : roundedDown<1>(fact.clearance - options.margin);
+  schedule(index, std::max(room, 0.0));
+}
+
+/// Brings all facts and `collisions` up to now.
+void SceneState::updateCollisions() {
+  for (const Body body : fresh)
+    if (bodies[body].used) findPairs(body);
+  for (const Body body : due) {
+    const BodyState& state = bodies[body];
+    if (!state.used) continue;
+    for (const Link& link : state.links)
+      if (!(state.moved < link.due)) listPair(link.pair);
+  }
+  while (!listed_pairs.empty()) {
+    const std::uint32_t pair = listed_pairs.back();
+    if (pairs[pair].used) {
+      changed.reserve(changed.size() + 1);
+      look(pair);
+    }
+    pairs[pair].listed = false;
+    listed_pairs.pop_back();
+  }
+  for (const Body body : due) {
+    BodyState& state = bodies[body];
+    state.listed = false;
+    state.due = state.box_until;
+    for (const Link& link : state.links) state.due = std::min(state.due, link.due);
+  }
+  due.clear();
+  for (const Body body : fresh) bodies[body].fresh = false;
+  fresh.clear();
+  report();
+}
+
+/// What has changed since the last report.
+void SceneState::report() {
+  began.clear();
+  ended.swap(lost);
+  lost.clear();
+  for (const std::uint32_t index : changed) {
+    const Pair& pair = pairs[index];
+    if (!pair.used || pair.collides == pair.reported) continue;
+    (pair.collides ? began : ended).push_back({pair.body[0], pair.body[1]});
+    pairs[index].reported = pair.collides;
+  }
+  changed.clear();
+  free_bodies.insert(free_bodies.end(), mourned.begin(), mourned.end());
+  mourned.clear();
+  if (began.empty() && ended.empty()) return;
+  std::sort(began.begin(), began.end());
+  std::sort(ended.begin(), ended.end());
+  std::vector<BodyPair> left, now;
+  std::set_difference(collisions.begin(), collisions.end(), ended.begin(), ended.end(), std::back_inserter(left));
+  std::merge(left.begin(), left.end(), began.begin(), began.end(), std::back_inserter(now));
+  collisions.swap(now);
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "polygon/polygon_data.h"
+#include "scene/box_tree.h"
+#include "tricover/scene.h"
+
+namespace tricover::detail {
+
+/// What a Scene holds: the bodies, a tree of boxes around them, and kinetic facts about pairs of them.
+///
+/// A body counts how far any of its points has moved at the most, `moved`, which never decreases. Its box in the tree
+/// holds it until that reaches `box_until`. Two bodies whose boxes meet, and that may meet, are a pair, unless one of
+/// them is `fresh`: its box is new, and its pairs are to be found. A pair's fact (PairFact) with a clearance c holds
+/// while the two counts together grow by less than c, so while neither passes its share of that: its links' `due`.
+/// A body's own `due` is the first of all these. So what isn't due is as it was, and collisions() looks at the rest.
+struct SceneState {
+  using Body = BodyHandle;
+
+  static constexpr std::uint32_t kMostBodies = std::uint32_t{1} << 28;
+
+  /// A pair, as one of its bodies sees it.
+  struct Link {
+    double due;  ///< of this body's count
+    std::uint32_t pair;
+    Body other;
+  };
+
+  struct BodyState {
+    Polygon polygon;
+    Pose pose;
+    BodyOptions options;
+    double moved, due, box_until;
+    double step;              ///< how far it goes at a move, as a moving average
+    std::vector<Link> links;  ///< its pairs
+    bool used;                ///< false: the handle is free
+    bool fresh;               ///< in the list of these
+    bool listed;              ///< in the list of these
+  };
+
+  struct Pair {
+    Body body[2];             ///< the lower handle first
+    std::uint32_t link[2];    ///< its place among either one's links
+    std::ptrdiff_t edge[2];   ///< that made the last hit, in the kernel's order; -1: none
+    bool used;                ///< false: the place is free
+    bool listed;              ///< to be looked at
+    bool collides, reported;  ///< by its fact; by `collisions`
+  };
+
+  const BodyState& at(Body body) const;  ///< throws std::out_of_range
+  BodyState& at(Body body);
+  bool mayMeet(const BodyState& p, const BodyState& q) const {
+    return (p.options.category & q.options.mask) != 0 && (q.options.category & p.options.mask) != 0;
+  }
+
+  // Kinetic facts: collisions.cpp.
+  void moveBody(Body body, const Pose& pose);
+  void renewBox(Body body);
+  void listFresh(Body body);
+  void listDue(Body body);
+  void unlink(std::uint32_t pair);
+  void findPairs(Body body);
+  void listPair(std::uint32_t pair);
+  void look(std::uint32_t pair);
+  void schedule(std::uint32_t pair, double room);
+  void updateCollisions();
+  void report();
+
+  std::uint64_t id;           ///< of this scene; see SceneCache
+  std::uint64_t version = 0;  ///< counts changes
+  std::vector<BodyState> bodies;
+  std::vector<Body> free_bodies;
+  std::vector<Body> mourned;  ///< removed, but their pairs haven't been reported as ended
+  std::size_t count = 0;
+  BoxTree tree;
+  std::vector<Pair> pairs;
+  std::vector<std::uint32_t> free_pairs;
+  std::vector<Body> fresh, due;             ///< bodies; see above
+  std::vector<std::uint32_t> listed_pairs;  ///< to be looked at
+  std::vector<std::uint32_t> changed;       ///< pairs whose `collides` may differ from what was reported
+  std::vector<BodyPair> lost;               ///< reported pairs that are no pairs any more
+  std::vector<BodyPair> collisions, began, ended;
+};
+
+/// Margins together, as Scene has them: their sum, rounded, and at most the largest double.
+inline CollideOptions withMargin(CollideOptions options, double margin, double other = 0) {
+  options.margin = std::min(options.margin + margin + other, std::numeric_limits<double>::max());
+  return options;
+}
+
+}  // namespace tricover::detail

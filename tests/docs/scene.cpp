@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace {
+
+TEST(Documentation, Scene) {
+  //! [scene]
+  const tricover::Polygon robot({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}), rack({{{0, 0}, {9, 0}, {9, 1}, {0, 1}}});
+  const auto at = [](double x, double y) {
+    tricover::Pose pose = tricover::Pose::Identity();
+    pose.translation() << x, y;
+    return pose;
+  };
+  tricover::Scene scene;
+  const tricover::Scene::Body first = scene.add(robot, at(0, 0)), second = scene.add(robot, at(5, 0));
+  scene.add(rack, at(0, 3));
+
+  // One against many.
+  EXPECT_FALSE(scene.collides(robot, at(2.5, -3)));
+  EXPECT_EQ(scene.nearest(robot, at(2.5, -3))->result.distance, 1.118033988749895);
+
+  // Many against many, frame by frame.
+  EXPECT_TRUE(scene.collisions().empty());
+  scene.move(second, at(2, 0));
+  EXPECT_EQ(scene.collisions().size(), 1u);  // they touch
+  EXPECT_EQ(scene.began().front(), (tricover::BodyPair{first, second}));
+
+  // When will whom meet?
+  const auto impacts = scene.impacts({{first, tricover::Motion::translation(at(0, 0), {0, 4})}});
+  EXPECT_EQ(impacts.size(), 2u);
+  EXPECT_EQ(impacts[0].impact.time, 0);  // the other robot, at once
+  EXPECT_NEAR(impacts[1].impact.time, 0.5, 1e-6);
+  //! [scene]
+}
+
+TEST(Documentation, Parallel) {
+  //! [parallel]
+  // Two threads. With oneTBB: [](auto n, const auto& task) { tbb::parallel_for(std::size_t{0}, n, task); }
+  const tricover::Parallel parallel = [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    const auto half = [&](std::size_t first) {
+      for (std::size_t i = first; i < count; i += 2) task(i);
+    };
+    std::thread other([&] { half(1); });
+    half(0);
+    other.join();
+  };
+  const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  tricover::Scene scene;
+  scene.add(square, tricover::Pose::Identity());
+  std::vector<tricover::Pose> poses(1000, tricover::Pose::Identity());
+  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].translation().x() = 0.01 * static_cast<double>(i);
+  const auto answers = std::make_unique<bool[]>(poses.size());
+  scene.collides(square, poses.data(), poses.size(), answers.get(), parallel);
+  EXPECT_TRUE(answers[100]);  // at x = 1
+  EXPECT_FALSE(answers[101]);
+  //! [parallel]
+}
+
+}  // namespace
