@@ -5,6 +5,7 @@
 #include <fcl/math/motion/spline_motion.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -49,7 +50,26 @@ TEST(Documentation, PolygonShape) {
 
   const tricover_fcl::PolygonShaped planar(square, tricover_fcl::PolygonOptions::atAllHeights());  // z doesn't matter
   EXPECT_TRUE(planar.isAtAllHeights());
+
+  const fcl::AABBd around = box.boxAt(fcl::Transform3d(fcl::Translation3d(10, 0, 0)));
+  EXPECT_NEAR(around.min_.x(), 9.75, 1e-6);
+  EXPECT_NEAR(around.max_.z(), 2, 1e-6);
   //! [shape]
+}
+
+TEST(Documentation, PolygonObject) {
+  //! [object]
+  const auto bar = std::make_shared<tricover_fcl::PolygonShaped>(tricover::Polygon({{{0, 0}, {9, 0}, {9, 1}, {0, 1}}}));
+  tricover_fcl::PolygonObjectd upright(bar);
+  upright.setRotation(Eigen::AngleAxisd(std::acos(0.0), fcl::Vector3d::UnitZ()).toRotationMatrix());
+  upright.computeAABB();
+  EXPECT_NEAR(upright.getAABB().width(), 1, 1e-12);  // an fcl::CollisionObject's box is 18 wide
+
+  fcl::DynamicAABBTreeCollisionManagerd manager;
+  manager.registerObject(&upright);
+  manager.setup();
+  //! [object]
+  EXPECT_EQ(manager.size(), 1u);
 }
 
 TEST(Documentation, FclCollide) {

@@ -60,23 +60,27 @@ TEST(PolygonShape, computingTheBoxAgainChangesNothing) {
 
 template <typename S>
 void expectBoxesToOverlapWherePolygonsMeet() {
-  int hits = 0, parted = 0, cases = 0;
+  int hits = 0, parted = 0, parted_tightly = 0, cases = 0;
   for (const tricover::support::Family& family : tricover::support::families()) {
     SCOPED_TRACE(family.name);
     for (int i = 0; i < tricover::support::scaledCount(300); ++i) {
       const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));
       const fcl::Transform3<S> tf_a = lifted<S>(c.pose_a), tf_b = lifted<S>(c.pose_b);
       if (!tf_a.matrix().allFinite() || !tf_b.matrix().allFinite()) continue;  // beyond float
-      const bool overlap = boxOf<S>(shapeOf<S>(c.a), c.pose_a).overlap(boxOf<S>(shapeOf<S>(c.b), c.pose_b));
+      const Shape<S> a = shapeOf<S>(c.a), b = shapeOf<S>(c.b);
+      const bool overlap = boxOf<S>(a, c.pose_a).overlap(boxOf<S>(b, c.pose_b));
+      const bool tightly = a->boxAt(tf_a).overlap(b->boxAt(tf_b));
       const bool hit = tricover::exact::collide(c.a, flat(tf_a), c.b, flat(tf_b));
-      EXPECT_TRUE(overlap || !hit) << "case " << i;
+      EXPECT_TRUE((overlap && tightly) || !hit) << "case " << i;
       ++cases;
       hits += hit;
       parted += !overlap;
+      parted_tightly += !tightly;
     }
   }
   EXPECT_GT(hits, cases / 5);
   EXPECT_GT(parted, 0);
+  EXPECT_GT(parted_tightly, parted);
 }
 
 TEST(PolygonShape, boxesOverlapWherePolygonsMeet) { expectBoxesToOverlapWherePolygonsMeet<double>(); }
@@ -110,6 +114,7 @@ TEST(PolygonShape, farOffTheBoxesStillTouch) {
         tricover::support::pose(random.coin() ? 0 : random.real(0, 6), place + random.integer(-1, 1) * ulp, place);
     const bool hit = tricover::exact::collide(a, pose_a, b, pose_b);
     EXPECT_TRUE(!hit || boxOf(shapeOf(a), pose_a).overlap(boxOf(shapeOf(b), pose_b)));
+    EXPECT_TRUE(!hit || shapeOf(a)->boxAt(lifted(pose_a)).overlap(shapeOf(b)->boxAt(lifted(pose_b))));
     hits += hit;
   }
   EXPECT_GT(hits, kCases * 3 / 10);

@@ -20,6 +20,12 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/polygon_shape.cpp", "const double grown = pad + margin;", "const double grown = margin;", "box: without what FCL drops of a tiny rotation"),
     ("fcl_adapter/src/shape/polygon_shape.cpp", "std::hypot(planar, isAtAllHeights() ? 0 : std::max(std::abs(z_low), std::abs(z_high)))", "planar", "radius: without the height"),
     ("fcl_adapter/src/shape/polygon_shape.cpp", "if (static_cast<double>(rounded) >= bound) return rounded;", "return rounded;", "box: rounded to float inwards"),
+    ("fcl_adapter/src/shape/polygon_shape.cpp", "heights.extend(z * z_high);", "", "tight box: the upper height"),
+    ("fcl_adapter/src/shape/polygon_shape.cpp", "if (axis < 2 || x != 0 || y != 0) {", "if (axis < 2) {", "tight box: a tilted shape's points"),
+    ("fcl_adapter/src/shape/polygon_shape.cpp", "axis < 2 ? 0 : std::copysign(1, z)", "z", "tight box: a tilt that pairs of polygons leave out"),
+    ("fcl_adapter/src/shape/polygon_shape.cpp", "level && axis < 2 ? 1 : std::min(1.0, std::hypot(x, y))", "0", "tight box: without the margin"),
+    ("fcl_adapter/src/shape/polygon_shape.cpp", "margin + 0x1p-47 * reach + 0x1p-48 * std::abs(t) + 0x1p-1072", "margin", "tight box: without rounding"),
+    ("fcl_adapter/include/tricover_fcl/polygon_object.h", "this->aabb = shape().boxAt(this->t);", "fcl::CollisionObject<S>::computeAABB();", "object: FCL's box"),
     # Answers in FCL's results.
     ("fcl_adapter/src/shape/fcl_results.cpp", "if (rounded == 0 && distance > 0) rounded = std::numeric_limits<S>::denorm_min();", "", "distance: one too small for float becomes a touch"),
     ("fcl_adapter/src/shape/fcl_results.cpp", "if (!(rounded < result.min_distance)) return;", "", "distance: a larger one replaces a smaller one"),
@@ -47,8 +53,8 @@ MUTATIONS = [
     ("fcl_adapter/src/polygons/advance_polygons.cpp", "time = 1;", "", "advancement: contact at the end"),
     # Shadows.
     ("fcl_adapter/src/shadow/slab_cut.cpp", "if (!mapped.allFinite()) {", "if (false) {", "shadow: NaN vertices"),
-    ("fcl_adapter/src/shadow/slab_cut.cpp", "return u.x() * v.y() - u.y() * v.x() > 0;", "return u.x() * v.y() - u.y() * v.x() < 0;", "hull: turns"),
-    ("fcl_adapter/src/shadow/slab_cut.cpp", "addHalf(seen.rbegin(), seen.rend());", "", "hull: the upper half"),
+    ("fcl_adapter/src/shape/convex_hull.cpp", "return u.x() * v.y() - u.y() * v.x() > 0;", "return u.x() * v.y() - u.y() * v.x() < 0;", "hull: turns"),
+    ("fcl_adapter/src/shape/convex_hull.cpp", "addHalf(seen.rbegin(), seen.rend());", "", "hull: the upper half"),
     ("fcl_adapter/src/shadow/slab_cut.h", "if (slab_.high > slab_.low) addCrossing(p, q, slab_.high);", "", "cut: the upper plane"),
     ("fcl_adapter/src/shadow/slab_cut.h", "return {slab.low - by, slab.high + by};", "return slab;", "cut: rounding at the slab"),
     ("fcl_adapter/src/shadow/solid_shadow.cpp", "i + 1 < next ? i + 1 : face + 1", "i + 1 < next ? i + 1 : i", "convex: the edge that closes a face"),

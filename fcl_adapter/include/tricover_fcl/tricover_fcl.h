@@ -5,6 +5,7 @@
 #include "tricover_fcl/continuous_collide.h"
 #include "tricover_fcl/distance.h"
 #include "tricover_fcl/fcl_layout.h"
+#include "tricover_fcl/polygon_object.h"
 #include "tricover_fcl/polygon_shape.h"
 #include "tricover_fcl/registration.h"
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "shadow/shadow.h"
+#include "shape/convex_hull.h"
 #include "shape/errors.h"
 
 namespace tricover_fcl {

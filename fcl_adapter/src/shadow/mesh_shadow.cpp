@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shadow/shadow.h"
+#include "shape/convex_hull.h"
 #include "shape/errors.h"
 
 namespace tricover_fcl {

@@ -2,6 +2,7 @@
 #include <fcl/config.h>
 
 #include "shadow/shadow.h"
+#include "shape/convex_hull.h"
 #include "shape/errors.h"
 
 #if FCL_HAVE_OCTOMAP

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tricover/polygon.h"
+#include "tricover/pose.h"
 
 namespace tricover_fcl {
 
@@ -19,10 +19,6 @@ struct Slab {
   double middle() const { return isAll() ? 0 : low / 2 + high / 2; }
   double halfHeight() const { return isAll() ? 0 : high / 2 - low / 2; }
 };
-
-/// The convex hull of the points (at least one, all finite), counter-clockwise, right to 2^-50 of its size. The ring of
-/// a hull without area runs there and back; it has three vertices at least.
-tricover::Ring convexHull(const std::vector<tricover::Vec2>& points);
 
 /// A point mapped from a geometry's frame into the polygon's is right to this share of its distances from both frames'
 /// origins: a matrix inverse, a product and a mapping, less than 2^-49 each. Shadows are those of geometries grown by

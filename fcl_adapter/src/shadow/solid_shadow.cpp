@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "shadow/shadow.h"
+#include "shape/convex_hull.h"
 
 namespace tricover_fcl {
 namespace {

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes that are tight however the shape is turned: they hold it, exactly, and nothing to speak of beside it.
+#include "tricover_fcl/polygon_object.h"
+
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "scene.h"
+#include "test_scale.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+using tricover::support::Random;
+
+template <typename S>
+std::shared_ptr<PolygonShape<S>> shapeWith(const tricover::Polygon& polygon, const PolygonOptions& options) {
+  return std::make_shared<PolygonShape<S>>(polygon, options);
+}
+
+/// Where the polygon's vertices reach along a world axis, exactly, without its margin.
+template <typename S>
+std::pair<mpq_class, mpq_class> reach(const PolygonShape<S>& shape, const fcl::Transform3<S>& pose, int axis) {
+  const auto at = [&](int column) { return mpq_class(static_cast<double>(pose.matrix()(axis, column))); };
+  std::pair<mpq_class, mpq_class> range;
+  bool first = true;
+  for (const tricover::Ring& ring : shape.polygon().rings()) {
+    for (const tricover::Vec2& vertex : ring) {
+      for (const double z : {shape.options().z_low, shape.options().z_high}) {
+        const mpq_class place = at(0) * vertex.x() + at(1) * vertex.y() + at(2) * z + at(3);
+        range.first = first ? place : std::min(range.first, place);
+        range.second = first ? place : std::max(range.second, place);
+        first = false;
+      }
+    }
+  }
+  return range;
+}
+
+/// The box is outside of `reach` by the margin, and by no more than rounding.
+template <typename S>
+void expectTight(const PolygonShape<S>& shape, const fcl::Transform3<S>& pose, const fcl::AABB<S>& box, double slack) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double margin =
+        shape.options().margin * pose.linear().row(axis).template head<2>().template cast<double>().norm();
+    const auto [low, high] = reach(shape, pose, axis);
+    const mpq_class below = low - mpq_class(static_cast<double>(box.min_[axis])) - margin;
+    const mpq_class above = mpq_class(static_cast<double>(box.max_[axis])) - high - margin;
+    EXPECT_GE(below, 0) << axis;
+    EXPECT_GE(above, 0) << axis;
+    EXPECT_LE(below.get_d(), slack) << axis;
+    EXPECT_LE(above.get_d(), slack) << axis;
+  }
+}
+
+template <typename S>
+void expectTightBoxes(double precision) {
+  Random random(41);
+  for (int i = 0; i < tricover::support::scaledCount(400); ++i) {
+    const double size = std::ldexp(1, random.integer(-20, 20));
+    const tricover::Vec2 off =
+        random.coin() ? tricover::Vec2(0, 0) : tricover::Vec2(random.real(-50, 50) * size, random.real(-50, 50) * size);
+    const tricover::Polygon polygon({tricover::support::star(random, random.integer(3, 40), 0.3 * size, size, off)});
+    PolygonOptions options;
+    if (random.coin()) options.z_low = random.real(-2, 0) * size, options.z_high = random.real(0, 3) * size;
+    if (random.coin()) options.margin = random.real(0, 1) * size;
+    const auto shape = shapeWith<S>(polygon, options);
+
+    // In the plane, upside down or mirrored; and now and then anyhow.
+    fcl::Transform3<S> pose = lifted<S>(tricover::support::randomPose(random, 100 * size), random.real(-9, 9) * size);
+    if (random.coin()) pose.linear() = pose.linear() * fcl::Vector3<S>(1, -1, -1).asDiagonal();
+    if (random.oneIn(4)) {
+      pose.linear() = Eigen::AngleAxis<S>(static_cast<S>(random.real(0, 3)),
+                                          fcl::Vector3<S>(1, static_cast<S>(random.real(-1, 1)), 0).normalized())
+                          .toRotationMatrix();
+    }
+    PolygonObject<S> object(shape, pose);
+    // A pose may stretch the margin by 1e-6 of it.
+    expectTight(*shape, pose, object.getAABB(), precision * 200 * size + 4e-6 * options.margin);
+
+    object.setTranslation(fcl::Vector3<S>(7, 8, 9));
+    object.computeAABB();
+    expectTight(*shape, object.getTransform(), object.getAABB(), precision * (200 * size + 9) + 4e-6 * options.margin);
+  }
+}
+
+TEST(PolygonObject, boxesHoldTheShapeAndLittleElse) { expectTightBoxes<double>(1e-13); }
+
+TEST(PolygonObject, floatBoxesHoldTheShapeAndLittleElse) { expectTightBoxes<float>(3e-7); }
+
+TEST(PolygonObject, atAllHeightsTheBoxIsAsHighAsWide) {
+  const auto shape =
+      shapeWith<double>(tricover::Polygon({tricover::support::rectangle(0, 0, 4, 3)}), PolygonOptions::atAllHeights(1));
+  const PolygonObjectd object(shape, lifted(tricover::support::pose(0, 1, 2), 7));
+  const fcl::AABB<double>& box = object.getAABB();
+  EXPECT_NEAR(box.min_.z(), 7 - 6, 1e-4);  // the farthest vertex and the margin
+  EXPECT_NEAR(box.max_.z(), 7 + 6, 1e-4);
+  EXPECT_NEAR(box.max_.x(), 6, 1e-5);
+}
+
+TEST(PolygonObject, aTiltThatPairsLeaveOutIsInTheBoxBothWays) {
+  // Within the tolerance: two polygons meet as if there were none, and other geometries meet the tilted one.
+  fcl::Transform3d pose = fcl::Transform3d::Identity();
+  pose.linear()(0, 2) = 9e-7;
+  pose.linear()(2, 0) = -9e-7;
+  const auto shape = shapeWith<double>(tricover::Polygon({tricover::support::rectangle(1, 0, 2, 1)}), {1000, 2000, 0});
+  const PolygonObjectd object(shape, pose);
+  const fcl::AABB<double>& box = object.getAABB();
+  EXPECT_LE(box.min_.x(), 1);
+  EXPECT_GE(box.max_.x(), 2 + 1800e-6);
+  EXPECT_LE(box.min_.z(), 1000 - 1.8e-6);
+  EXPECT_GE(box.max_.z(), 2000);
+}
+
+TEST(PolygonObject, extremeSizesGiveUsableBoxes) {
+  for (const double size : {5e-324, 1e-300, 1e300, 1e308}) {
+    const auto shape = shapeOf(tricover::Polygon({tricover::support::rectangle(-size, -size, size, size)}));
+    const PolygonObjectd object(shape, lifted(tricover::support::pose(0.5, 1, 2)));
+    EXPECT_FALSE(object.getAABB().min_.hasNaN() || object.getAABB().max_.hasNaN());
+    EXPECT_TRUE(object.getAABB().contain(fcl::Vector3d(1, 2, 0)));
+    EXPECT_LE(object.getAABB().width() / 4, size + 1e-14);
+  }
+}
+
+TEST(PolygonObject, fclsOwnBoxIsRightToo) {
+  Random random(42);
+  PolygonObjectd object(shapeOf(randomPolygon(random, 2)), lifted(tricover::support::pose(0.7, 3, 4)));
+  const fcl::AABB<double> tight = object.getAABB();
+  fcl::CollisionObjectd& plain = object;
+  plain.computeAABB();
+  EXPECT_TRUE(plain.getAABB().contain(tight));
+  EXPECT_GT(plain.getAABB().volume(), tight.volume());
+  object.computeAABB();
+  EXPECT_TRUE(object.getAABB().equal(tight));
+}
+
+TEST(PolygonObject, needsAShape) {
+  const std::string text = thrownBy<std::invalid_argument>([] { PolygonObjectd object(nullptr); });
+  EXPECT_NE(text.find("shape"), std::string::npos);
+}
+
+struct Asked {
+  std::size_t pairs = 0;
+  std::set<std::pair<std::ptrdiff_t, std::ptrdiff_t>> hits;
+  const char* first = nullptr;  ///< objects' user data count from here
+};
+
+bool ask(fcl::CollisionObjectd* o1, fcl::CollisionObjectd* o2, void* data) {
+  auto& asked = *static_cast<Asked*>(data);
+  const auto number = [&](const fcl::CollisionObjectd* object) {
+    return static_cast<const char*>(object->getUserData()) - asked.first;
+  };
+  ++asked.pairs;
+  fcl::CollisionResultd result;
+  if (tricover_fcl::collide(o1, o2, fcl::CollisionRequestd(), result) > 0) {
+    asked.hits.insert(std::minmax(number(o1), number(o2)));
+  }
+  return false;
+}
+
+/// What a manager asks, and finds, of a layout of outlines that were authored off their origin.
+template <typename Object>
+Asked askedOf(double off) {
+  Random random(43);
+  std::vector<std::shared_ptr<Object>> objects;
+  fcl::DynamicAABBTreeCollisionManagerd manager;
+  std::vector<char> numbers(300);
+  for (char& number : numbers) {
+    const tricover::Vec2 place(random.real(-30, 30), random.real(-30, 30)), origin(off, off);
+    const tricover::Polygon polygon({tricover::support::star(random, 12, 0.5, 2, origin)});
+    tricover::Pose pose = tricover::support::pose(random.real(0, 6), 0, 0);
+    pose.translation() = place - pose.linear() * origin;
+    objects.push_back(std::make_shared<Object>(shapeOf(polygon), lifted(pose)));
+    objects.back()->setUserData(&number);
+    manager.registerObject(objects.back().get());
+  }
+  manager.setup();
+  Asked asked;
+  asked.first = numbers.data();
+  manager.collide(&asked, ask);
+  return asked;
+}
+
+TEST(PolygonObject, managersAskAboutFewerPairsAndFindTheSame) {
+  for (const double off : {0.0, 5.0}) {
+    const Asked wide = askedOf<fcl::CollisionObjectd>(off), tight = askedOf<PolygonObjectd>(off);
+    EXPECT_EQ(tight.hits, wide.hits);
+    EXPECT_GT(tight.hits.size(), 100u);
+    EXPECT_LT(tight.pairs * (off > 0 ? 8 : 1), wide.pairs * 3 / 4) << off;
+    RecordProperty(off > 0 ? "off_the_origin" : "around_it",
+                   std::to_string(wide.pairs) + " " + std::to_string(tight.pairs));
+  }
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test
