@@ -11,13 +11,16 @@ namespace tricover {
 
 /// Where a ray first meets a polygon's region, in the world.
 struct RayHit {
-  double fraction;  ///< Of the way from `from` to `to`, from 0 to 1: right to 1e-14.
-  Vec2 point;       ///< from + fraction (to - from), rounded.
-  /// A unit vector at right angles to the edge, against the ray. Along an edge, and where the ray starts inside the
-  /// region, against the ray's direction.
+  /// Of the way from `from` to `to`, from 0 to 1: right to 1e-14. On a ray that leads far beyond the polygon it is such
+  /// that the point is right to 1e-13 of the polygon's diameter and its distance from `from` together.
+  double fraction;
+  Vec2 point;  ///< from + fraction (to - from), rounded.
+  /// A unit vector at right angles to the edge, against the ray. Where the ray runs along the edge or starts in the
+  /// region, and at an edge without length, the ray's direction turned round; of a ray of length 0 the zero vector.
   Vec2 normal;
-  std::ptrdiff_t
-      edge;  ///< The edge that is hit, of several the one of the lowest number. -1 where the ray starts inside.
+  /// The first edge on the way, of several that are met at the same point the one of the lowest number: exact. -1 where
+  /// the ray starts in the region, its boundary included.
+  std::ptrdiff_t edge;
 };
 
 /// The first point of a polygon's region on the closed segment from `from` to `to`, points of the world; or nothing.

@@ -42,6 +42,34 @@ ExactVector difference(const PosedPoint& p, const PosedPoint& q) {
 Number cross(const ExactVector& u, const ExactVector& w) { return u.x * w.y - u.y * w.x; }
 Number dot(const ExactVector& u, const ExactVector& w) { return u.x * w.x + u.y * w.y; }
 
+/// A fraction of a ray; the denominator is positive.
+struct Ratio {
+  Number numerator, denominator;
+};
+
+Ratio positive(const Number& numerator, const Number& denominator) {
+  const Number sign(denominator.sign());
+  return {numerator * sign, denominator * sign};
+}
+
+int compare(const Ratio& p, const Ratio& q) {
+  return (p.numerator * q.denominator - q.numerator * p.denominator).sign();
+}
+
+/// With d along the ray and u along the edge, from + s d is on the edge's line where s |d u| = |(v - from) u|. On one
+/// line the edge's nearer end is met first.
+Ratio fractionOf(const PosedSegment& ray, const PosedSegment& edge) {
+  const ExactVector d = difference(ray.end, ray.start), u = difference(edge.end, edge.start);
+  const ExactVector to_start = difference(edge.start, ray.start);
+  const Number slant = cross(d, u);
+  if (slant.sign() != 0) return positive(cross(to_start, u), slant);
+  const ExactVector to_end = difference(edge.end, ray.start);
+  const bool along_x = d.x.sign() != 0;
+  const Ratio start = positive(along_x ? to_start.x : to_start.y, along_x ? d.x : d.y);
+  const Ratio end = positive(along_x ? to_end.x : to_end.y, along_x ? d.x : d.y);
+  return compare(start, end) <= 0 ? start : end;
+}
+
 double rootOf(const Dyadic::Scaled& square) { return std::ldexp(std::sqrt(square.mantissa), square.exponent / 2); }
 
 }  // namespace
@@ -84,6 +112,21 @@ ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const Pose
   const Dyadic::Scaled area = cross(u, from_v).scaled(), square = dot(u, u).scaled(), part = along.scaled();
   return {std::ldexp(std::abs(area.mantissa) / std::sqrt(square.mantissa), area.exponent - square.exponent / 2),
           std::min(std::ldexp(part.mantissa / square.mantissa, part.exponent - square.exponent), 1.0)};
+}
+
+// Both mantissas are right to 2U, and their quotient rounds once more.
+static_assert(kExactFractionError >= errorOf(2 + 2 + 1));
+double fractionExact(const PosedSegment& ray, const PosedSegment& edge) {
+  ++exact_calls;
+  const Ratio ratio = fractionOf(ray, edge);
+  if (ratio.numerator.sign() == 0) return 0;
+  const Dyadic::Scaled part = ratio.numerator.scaled(), whole = ratio.denominator.scaled();
+  return std::ldexp(part.mantissa / whole.mantissa, part.exponent - whole.exponent);
+}
+
+int compareFractionsExact(const PosedSegment& ray, const PosedSegment& first, const PosedSegment& second) {
+  ++exact_calls;
+  return compare(fractionOf(ray, first), fractionOf(ray, second));
 }
 
 std::uint64_t exactCalls() { return exact_calls; }

@@ -22,11 +22,16 @@ struct ApproxPoint {
 
 constexpr int kUncertain = 2;
 
-/// See orientFilter(). The bound's own roundings: two sums, two products, three more sums.
+/// See approxArea(). The bound's own roundings: two sums, two products, three more sums.
 constexpr double kAreaError = 5 * kUnitRoundoff;
 static_assert(kAreaError >= errorOf(2 + 1 + 1) * (1 + errorOf(7)));
 
-/// The sign of the signed area |p q r|: 1 counter-clockwise, -1 clockwise, kUncertain where rounding could matter.
+/// A signed area as doubles see it, and by how much it may be wrong at most.
+struct ApproxArea {
+  double area, bound;
+};
+
+/// The signed area |p q r|, twice that of the triangle.
 ///
 /// Bound. Write u = q - p, w = r - p, ^ for the computed values, e_u = e_p + e_q, e_w = e_p + e_r, and P = |^u_x ^w_y|
 /// +
@@ -36,8 +41,20 @@ static_assert(kAreaError >= errorOf(2 + 1 + 1) * (1 + errorOf(7)));
 ///   U P                                   the products' own rounding,
 ///   U P                                   that of their difference,
 /// and by terms of second order. kAreaError, 1 + 2^-20 and kTiny, for underflow, leave room for those and for rounding
-/// in the bound itself. Fused operations only drop roundings. Infinities and NaN end in "uncertain", because the bound
-/// is then infinite or NaN, too.
+/// in the bound itself. Fused operations only drop roundings. Infinities and NaN end in a bound that is infinite or
+/// NaN, too.
+inline ApproxArea approxArea(const ApproxPoint& p, const ApproxPoint& q, const ApproxPoint& r) {
+  const double ux = q.x - p.x, uy = q.y - p.y, wx = r.x - p.x, wy = r.y - p.y;
+  const double left = ux * wy, right = uy * wx;
+  const double det = left - right;
+  const double eu = p.error + q.error, ew = p.error + r.error;
+  const double bound =
+      kAreaError * (std::abs(left) + std::abs(right)) +
+      (1 + 0x1p-20) * (ew * (std::abs(ux) + std::abs(uy)) + eu * (std::abs(wx) + std::abs(wy) + 2 * ew)) + kTiny;
+  return {det, bound};
+}
+
+/// The sign of the signed area |p q r|: 1 counter-clockwise, -1 clockwise, kUncertain where rounding could matter.
 ///
 /// TRICOVER_PLAIN_SIGNS, a type, is for benches that ask what exactness costs: every sign is as that type rounds it.
 inline int orientFilter(const ApproxPoint& p, const ApproxPoint& q, const ApproxPoint& r) {
@@ -48,13 +65,7 @@ inline int orientFilter(const ApproxPoint& p, const ApproxPoint& q, const Approx
                     (static_cast<Real>(q.y) - py) * (static_cast<Real>(r.x) - px);
   return (sign > 0) - (sign < 0);
 #else
-  const double ux = q.x - p.x, uy = q.y - p.y, wx = r.x - p.x, wy = r.y - p.y;
-  const double left = ux * wy, right = uy * wx;
-  const double det = left - right;
-  const double eu = p.error + q.error, ew = p.error + r.error;
-  const double bound =
-      kAreaError * (std::abs(left) + std::abs(right)) +
-      (1 + 0x1p-20) * (ew * (std::abs(ux) + std::abs(uy)) + eu * (std::abs(wx) + std::abs(wy) + 2 * ew)) + kTiny;
+  const auto [det, bound] = approxArea(p, q, r);
   if (det > bound) return 1;
   if (-det > bound) return -1;
   return kUncertain;
@@ -87,6 +98,19 @@ struct ExactDistance {
   double distance, along;
 };
 ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w);
+
+/// A segment or a ray between two points.
+struct PosedSegment {
+  PosedPoint start, end;
+};
+
+/// Where a ray first meets an edge, from 0 at its start to 1 at its end. The two share a point, and the ray's start is
+/// not on the edge. Right to kExactFractionError of itself.
+constexpr double kExactFractionError = 8 * kUnitRoundoff;
+double fractionExact(const PosedSegment& ray, const PosedSegment& edge);
+
+/// The sign of one such fraction minus another edge's.
+int compareFractionsExact(const PosedSegment& ray, const PosedSegment& first, const PosedSegment& second);
 
 /// How often this thread has called an exact predicate: lets tests and benches tell the filter's share.
 std::uint64_t exactCalls();

@@ -5,16 +5,17 @@
 #include <limits>
 
 #include "hierarchy/inclusion.h"
+#include "pair/four_ends.h"
 
 namespace tricover::detail {
 
 namespace {
 
-/// The four ends of two edges, as the filters see them (a's start and end, then b's) and, on request, as they are.
-struct EdgePair {
+/// a's edge at position i and b's at j.
+struct EdgePair : FourEnds<EdgePair> {
   EdgePair(const PosedPair& pair_, std::size_t i_, std::size_t j_)
-      : approx{PosedPair::fromA(pair_.a.path[i_]), PosedPair::fromA(pair_.a.path[i_ + 1]),
-               pair_.fromB(pair_.b.path[j_]), pair_.fromB(pair_.b.path[j_ + 1])},
+      : FourEnds{{PosedPair::fromA(pair_.a.path[i_]), PosedPair::fromA(pair_.a.path[i_ + 1]),
+                  pair_.fromB(pair_.b.path[j_]), pair_.fromB(pair_.b.path[j_ + 1])}},
         pair(pair_),
         i(i_),
         j(j_) {}
@@ -23,36 +24,12 @@ struct EdgePair {
     const auto end = static_cast<std::size_t>(p);
     return p < 2 ? PosedPoint{&pair.pose_a, pair.a.path[i + end]} : PosedPoint{&pair.pose_b, pair.b.path[j + end - 2]};
   }
-  int filter(int p, int q, int r) const { return orientFilter(approx[p], approx[q], approx[r]); }
-  int resolve(int sign, int p, int q, int r) const {
-    return sign != kUncertain ? sign : pair.handed * orientExact(exact(p), exact(q), exact(r));
-  }
-  bool between(int p, int v, int w) const { return betweenExact(exact(p), exact(v), exact(w)); }
+  int handed() const { return pair.handed; }
   bool within(int p, int v, int w, double reach) const { return withinExact(exact(p), exact(v), exact(w), reach); }
 
-  ApproxPoint approx[4];
   const PosedPair& pair;
   std::size_t i, j;
 };
-
-bool sameSide(int s, int t) { return s == t && (s == 1 || s == -1); }
-
-bool meet(const EdgePair& ends) {
-  int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3);
-  if (sameSide(p, q)) return false;
-  int v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
-  if (sameSide(v, w)) return false;
-  p = ends.resolve(p, 0, 1, 2);
-  q = ends.resolve(q, 0, 1, 3);
-  if (sameSide(p, q)) return false;
-  v = ends.resolve(v, 2, 3, 0);
-  w = ends.resolve(w, 2, 3, 1);
-  if (sameSide(v, w)) return false;
-  if (p != 0 || q != 0 || v != 0 || w != 0) return true;
-  // Collinear, or a single point on the other's line (repair 6): they meet where an end of one lies between the
-  // other's.
-  return ends.between(0, 2, 3) || ends.between(1, 2, 3) || ends.between(2, 0, 1) || ends.between(3, 0, 1);
-}
 
 /// Distance D of a point from a segment in plain doubles; NaN where squares leave the range of doubles. Not
 /// nearestOnSegment(), which says nothing of how it rounds or where it overflows. With u along the segment and d from
@@ -81,11 +58,11 @@ static_assert(kEndError > kRoot2 * (1 + errorOf(8)));
 
 }  // namespace
 
-bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j) { return meet(EdgePair(pair, i, j)); }
+bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j) { return EdgePair(pair, i, j).meet(); }
 
 bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance) {
   const EdgePair ends(pair, i, j);
-  if (reach == 0 && tolerance == 0) return meet(ends);
+  if (reach == 0 && tolerance == 0) return ends.meet();
   // The rounded distance d between an end and the other edge. An upper bound always holds; as a lower bound it holds
   // unless the edges cross, so that is asked first. NaN decides nothing.
   const ApproxPoint* e = ends.approx;
@@ -100,7 +77,7 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
   const bool apart = (d - err) * (1 - pair.scale_defect) > reach;
   // A point crosses nothing: the lower bound holds.
   if (apart && (pair.a.path[i] == pair.a.path[i + 1] || pair.b.path[j] == pair.b.path[j + 1])) return false;
-  if (meet(ends)) return true;
+  if (ends.meet()) return true;
   if (apart) return false;
   return ends.within(0, 2, 3, reach) || ends.within(1, 2, 3, reach) || ends.within(2, 0, 1, reach) ||
          ends.within(3, 0, 1, reach);

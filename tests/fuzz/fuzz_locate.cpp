@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// locate(), cold and along a walk with a cache, against the exact reference.
+// locate(), cold and along a walk with a cache, and castRay(), against the exact reference.
 #include "byte_reader.h"
 #include "exact_reference.h"
 #include "reproduction.h"
 #include "tricover/locate.h"
+#include "tricover/ray.h"
+#include "tricover/segment.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tricover;
@@ -15,6 +17,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Location truth = exact::locate(polygon, point);
     if (locate(polygon, point) != truth) fuzz::fail("cold", support::reproduction(polygon, point));
     if (locate(polygon, point, cache) != truth) fuzz::fail("cached", support::reproduction(polygon, point));
+  }
+  const Pose pose = bytes.pose();
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 from = bytes.point(), to = bytes.point();
+    const auto truth = exact::castRay(polygon, pose, from, to);
+    const auto hit = castRay(polygon, pose, from, to);
+    const bool right = hit.has_value() == truth.has_value() &&
+                       (!hit || (hit->edge == truth->edge && abs(truth->fraction - hit->fraction) <= 1e-14));
+    if (!right) fuzz::fail("ray", support::reproduction({polygon, pose, segment(from, to), Pose::Identity()}));
   }
   return 0;
 }

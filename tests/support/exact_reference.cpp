@@ -195,6 +195,19 @@ Fraction squaredDistance(const Point& p, const Point& v, const Point& w) {
   return {cross * cross, length_squared};
 }
 
+/// Where the way from p along d first meets an edge, which it does: where both lines meet, by Cramer's rule; along a
+/// line at the end that is least far along.
+Fraction fractionOfWay(const Point& p, const Point& d, const Edge& e) {
+  const mpz_class ux = e.w->x - e.v->x, uy = e.w->y - e.v->y, vx = e.v->x - p.x, vy = e.v->y - p.y;
+  const mpz_class determinant = ux * d.y - uy * d.x;
+  if (determinant != 0) {
+    const mpz_class part = ux * vy - uy * vx;
+    return determinant > 0 ? Fraction{part, determinant} : Fraction{-part, -determinant};
+  }
+  const mpz_class to_v = vx * d.x + vy * d.y, to_w = to_v + ux * d.x + uy * d.y;
+  return {to_v < to_w ? to_v : to_w, d.x * d.x + d.y * d.y};
+}
+
 mpq_class inWorldUnits(const Fraction& fraction, long exponent) {
   mpq_class result(fraction.numerator, fraction.denominator);
   result.canonicalize();
@@ -249,6 +262,25 @@ mpq_class distanceSquared(const Vec2& point, const Vec2& v, const Vec2& w) {
   const Shape grid = gridded(points, FillRule::EvenOdd, exponent);
   const std::vector<Point>& p = grid.rings[0];
   return inWorldUnits(squaredDistance(p[0], p[1], p[2]), exponent);
+}
+
+std::optional<FirstHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to) {
+  const Pair pair = griddedPair(polygon, pose, Polygon({{from, to, to}}), Pose::Identity());
+  const std::vector<Edge> all = edges(pair.a);
+  const Point &start = pair.b.rings[0][0], &end = pair.b.rings[0][1], way = {end.x - start.x, end.y - start.y};
+  if (locate(pair.a, all, start) != Location::Outside) return FirstHit{0, -1};
+  const Edge ray = edge(start, end);
+  std::optional<Fraction> least;
+  std::ptrdiff_t first = -1;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!edgesMeet(ray, all[i])) continue;
+    const Fraction fraction = fractionOfWay(start, way, all[i]);
+    if (least && !(fraction < *least)) continue;
+    least = fraction;
+    first = static_cast<std::ptrdiff_t>(i);
+  }
+  if (!least) return std::nullopt;
+  return FirstHit{inWorldUnits(*least, 0), first};
 }
 
 bool within(const mpq_class& distance_squared, const mpq_class& length) { return distance_squared <= length * length; }

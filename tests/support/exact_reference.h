@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,14 @@ mpq_class distanceSquared(const Polygon& a, const Pose& pose_a, const Polygon& b
 
 /// The squared distance from `point` to the segment v w.
 mpq_class distanceSquared(const Vec2& point, const Vec2& v, const Vec2& w);
+
+/// The first point of the posed region on the way from `from` to `to`: the fraction of the way, and of the edges there
+/// the lowest one; 0 and -1 where the way starts in the region.
+struct FirstHit {
+  mpq_class fraction;
+  std::ptrdiff_t edge;
+};
+std::optional<FirstHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to);
 
 /// Whether the square root of `distance_squared` is at most `length` >= 0.
 bool within(const mpq_class& distance_squared, const mpq_class& length);

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair/cast_ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hierarchy/inclusion.h"
+#include "hierarchy/wide.h"
+#include "numbers/errors.h"
+#include "numbers/rigidity.h"
+#include "pair/four_ends.h"
+#include "pair/point_place.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+/// In either coordinate R^-1 (p - t) errs as the shift of a relative pose does (kMappingError): by 7U |p - t|_1.
+constexpr double kPointError = 8 * kUnitRoundoff;
+static_assert(kPointError >= (1 + 1e-5) * errorOf(7));
+
+/// From the world to the frame of a polygon under a pose.
+struct IntoFrame {
+  explicit IntoFrame(const Pose& pose_)
+      : pose(pose_), identity(pose_.matrix() == Pose::Identity().matrix()), determinant(pose_.linear().determinant()) {}
+
+  ApproxPoint operator()(const Vec2& p) const {
+    if (identity) return {p.x(), p.y(), 0};
+    const auto& m = pose.matrix();
+    const double x = p.x() - m(0, 2), y = p.y() - m(1, 2), d = 1 / determinant;
+    return {(m(1, 1) * x - m(0, 1) * y) * d, (m(0, 0) * y - m(1, 0) * x) * d,
+            kPointError * (std::abs(x) + std::abs(y)) + kTiny};
+  }
+  int handed() const { return determinant < 0 ? -1 : 1; }
+
+  const Pose& pose;
+  bool identity;
+  double determinant;
+};
+
+/// From v to w and of length 1; zero if they are equal.
+Vec2 unitVector(const Vec2& v, const Vec2& w) {
+  Vec2 u = w - v;
+  if (!u.allFinite()) u = 0.25 * w - 0.25 * v;
+  const double largest = u.lpNorm<Eigen::Infinity>();
+  return largest > 0 ? Vec2(u / largest).normalized() : Vec2(Vec2::Zero());
+}
+
+/// Seen from its nearer end, so that both ends are exact.
+Vec2 pointAt(const Vec2& from, const Vec2& to, double fraction) {
+  const Vec2 way = to - from;
+  if (!way.allFinite()) return (1 - fraction) * from + fraction * to;
+  return fraction < 0.5 ? Vec2(from + fraction * way) : Vec2(to - (1 - fraction) * way);
+}
+
+/// A fraction errs by at most this times RayCast::share_; further apart, two are in the order of the true ones.
+constexpr double kFractionError = 1e-14, kFractionsApart = 4 * kFractionError;
+
+class RayCast {
+ public:
+  RayCast(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to, double limit)
+      : polygon_(polygon),
+        into_frame_(pose),
+        exact_{{nullptr, from}, {nullptr, to}},
+        from_(into_frame_(from)),
+        to_(into_frame_(to)),
+        limit_(limit) {}
+
+  std::optional<RayHit> first() {
+    const bool in_units = bringToUnits();
+    if (in_units && passesBy()) return std::nullopt;
+    if (startsInside(in_units)) return RayHit{0, from(), -unitVector(from(), to()), -1};
+    if (from() == to()) return std::nullopt;
+    if (in_units) {
+      const auto visit = [](void* cast, std::uint32_t edge) { return static_cast<RayCast*>(cast)->take(edge), true; };
+      visitEdgesOnRay(hierarchyOf(polygon_), ray_, visit, this);
+    } else {
+      for (std::size_t r = 0; r < polygon_.ringCount(); ++r)
+        for (std::size_t e = polygon_.edgeBegin(r); e < polygon_.edgeEnd(r); ++e) take(e);
+    }
+    if (!found_ || fraction_ > limit_) return std::nullopt;
+    return RayHit{fraction_, pointAt(from(), to(), fraction_), normal(),
+                  static_cast<std::ptrdiff_t>(polygon_.edgeNumber(edge_))};
+  }
+
+ private:
+  /// The ray and an edge.
+  struct Ends : FourEnds<Ends> {
+    Ends(const RayCast& cast_, std::size_t edge_)
+        : FourEnds{{cast_.from_, cast_.to_, cast_.vertex(edge_), cast_.vertex(edge_ + 1)}}, cast(cast_), edge(edge_) {}
+
+    PosedPoint exact(int p) const {
+      if (p < 2) return p == 0 ? cast.exact_.start : cast.exact_.end;
+      return {&cast.into_frame_.pose, cast.polygon_.path[edge + static_cast<std::size_t>(p - 2)]};
+    }
+    int handed() const { return cast.into_frame_.handed(); }
+
+    const RayCast& cast;
+    std::size_t edge;
+  };
+
+  ApproxPoint vertex(std::size_t position) const {
+    return {polygon_.path[position].x(), polygon_.path[position].y(), 0};
+  }
+  PosedSegment segment(std::size_t edge) const {
+    return {{&into_frame_.pose, polygon_.path[edge]}, {&into_frame_.pose, polygon_.path[edge + 1]}};
+  }
+  const Vec2& from() const { return exact_.start.local; }
+  const Vec2& to() const { return exact_.end.local; }
+
+  /// The ray as the hierarchy sees it. False where doubles don't know it that well, and of points and segments, which
+  /// need no hierarchy.
+  ///
+  /// Error. With F and T the ray's ends, e_F and e_T what they err by, P = F + s (T - F) errs by (1 - s) e_F + s e_T.
+  /// Where P is in the polygon, s |T - F| <= |F| + 1: so s is below the share 2 (|F| + 4) / |T - F|, since the ends err
+  /// by little. A far end is so no reason for a large error. Beside that a few dozen U of coordinates below |F| + 4.
+  bool bringToUnits() {
+    const Vec2 at = polygon_.inUnits({from_.x, from_.y}), way(to_.x - from_.x, to_.y - from_.y);
+    const double square = way.squaredNorm(), away = at.lpNorm<1>() + 4;
+    const double length = square > 0x1p-960 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(way.x(), way.y());
+    length_ = std::min(length * polygon_.inverse_unit, 1e300);
+    share_ = length_ > 2 * away ? 2 * away / length_ : 1;
+    constexpr double kAnyDirection = 1.5;
+    start_error_ = kAnyDirection * from_.error * polygon_.inverse_unit + 0x1p-46 * away;
+    ray_ = {at.x(), at.y(), 1, 0, start_error_ + kAnyDirection * share_ * to_.error * polygon_.inverse_unit};
+    if (length > 0x1p-1000) {
+      ray_.dx = way.x() / length;
+      ray_.dy = way.y() / length;
+    } else {
+      ray_.error += length_;  // without a direction
+    }
+    shorten(limit_);
+    return !polygon_.hasSpine() && polygon_.fitsUnit() && ray_.error < 0x1p-4 && length < kInfinity;
+  }
+
+  /// Beyond this fraction nothing needs to be seen. The hierarchy allows for the ray's error.
+  void shorten(double fraction) { ray_.length = std::min(fraction + kFractionsApart * share_, 1.0) * length_; }
+
+  /// Whether the ray is beside the bounding disc.
+  bool passesBy() const {
+    const double room = polygon_.radius * polygon_.inverse_unit + ray_.error;
+    const double beside = std::abs(ray_.x * ray_.dy - ray_.y * ray_.dx), ahead = -(ray_.x * ray_.dx + ray_.y * ray_.dy);
+    return beside > room || ahead < -room || ahead > ray_.length + room;
+  }
+
+  bool startsInside(bool in_units) const {
+    if (in_units) {
+      const Hierarchy& tree = hierarchyOf(polygon_);
+      const Place place{ray_.x, ray_.y, start_error_};
+      if (distanceFromRoot(tree.root, place) > 0) return false;
+      if (depthInDiscs(tree.inner_discs, place) > 0) return true;
+    }
+    const IncludedPoint start{&into_frame_.pose, from_, exact_.start, into_frame_.handed()};
+    return locateInPolygon(polygon_, start) != Location::Outside;
+  }
+
+  void take(std::size_t edge) {
+    const Ends ends(*this, edge);
+    if (!ends.meet()) return;
+    const double fraction = fractionOf(ends);
+    if (found_ && !isBefore(edge, fraction)) return;
+    found_ = true;
+    edge_ = edge;
+    fraction_ = fraction;
+    shorten(std::min(fraction, limit_));
+  }
+
+  /// With A and B the areas that the edge spans with the ray's ends, the fraction is f = A / (A - B). Where they err by
+  /// a and b it errs by ((1 - f) a + f b) / (A - B), and rounds twice; f is at most the share.
+  double fractionOf(const Ends& ends) const {
+    constexpr double kAreasError = 80 * kUnitRoundoff;
+    static_assert(kFractionError >= kAreasError + 3 * kUnitRoundoff && kFractionError >= kExactFractionError);
+    const auto& [from, to, v, w] = ends.approx;
+    const ApproxArea a = approxArea(v, w, from), b = approxArea(v, w, to);
+    const double whole = a.area - b.area, fraction = std::clamp(a.area / whole, 0.0, 1.0);
+    const double error = (1 - fraction) * a.bound + fraction * b.bound, enough = kAreasError * share_ * std::abs(whole);
+    if (error < enough && enough < kInfinity) return fraction;
+    return std::min(fractionExact(exact_, segment(ends.edge)), 1.0);
+  }
+
+  /// By the true fractions, so that the first edge is what it is in whatever order edges come.
+  bool isBefore(std::size_t edge, double fraction) const {
+    if (std::abs(fraction - fraction_) > kFractionsApart * share_) return fraction < fraction_;
+    const int order = compareFractionsExact(exact_, segment(edge), segment(edge_));
+    return order != 0 ? order < 0 : edge < edge_;
+  }
+
+  /// Of the edge that is hit. The start is on its line only where the ray runs along it or it has no length.
+  Vec2 normal() const {
+    const Ends ends(*this, edge_);
+    const int side = ends.handed() * ends.resolve(ends.filter(2, 3, 0), 2, 3, 0);
+    if (side == 0) return -unitVector(from(), to());
+    const Vec2 along = into_frame_.pose.linear() * unitVector(polygon_.path[edge_], polygon_.path[edge_ + 1]);
+    return side * Vec2(-along.y(), along.x()).normalized();
+  }
+
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  const PolygonData& polygon_;
+  const IntoFrame into_frame_;
+  const PosedSegment exact_;  ///< in the world
+  const ApproxPoint from_, to_;
+  const double limit_;
+  Ray ray_;
+  double length_, start_error_;  ///< in units
+  double share_;                 ///< no fraction of a hit is above
+  bool found_ = false;
+  std::size_t edge_ = 0;  ///< the first so far
+  double fraction_ = 0;
+};
+
+void requireFinite(const Vec2& point, const char* field) {
+  if (!point.allFinite()) refuse(field, "a coordinate is not finite");
+}
+
+}  // namespace
+
+std::optional<RayHit> castRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
+                              double limit) {
+  return RayCast(polygon, pose, from, to, limit).first();
+}
+
+}  // namespace detail
+
+std::optional<RayHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to) {
+  detail::requireRigid(pose, "pose");
+  detail::requireFinite(from, "from");
+  detail::requireFinite(to, "to");
+  return detail::castRay(polygon.data(), pose, from, to, 1);
+}
+
+}  // namespace tricover

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "polygon/polygon_data.h"
+#include "tricover/pose.h"
+#include "tricover/ray.h"
+
+namespace tricover::detail {
+
+/// tricover::castRay() for operands that have been checked. Nothing where the hit's fraction is above `limit`, which
+/// spares time; up to the limit the answer doesn't depend on it.
+std::optional<RayHit> castRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
+                              double limit);
+
+}  // namespace tricover::detail

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/ray.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(Documentation, Ray) {
+  //! [ray]
+  const tricover::Polygon wall({{{0, 0}, {4, 0}, {4, 1}, {0, 1}}});
+  tricover::Pose pose = tricover::Pose::Identity();
+  pose.translation() << 10, 0;
+  const std::optional<tricover::RayHit> hit = tricover::castRay(wall, pose, {6, 0.5}, {14, 0.5});
+  EXPECT_EQ(hit->fraction, 0.5);
+  EXPECT_EQ(hit->point, tricover::Vec2(10, 0.5));
+  EXPECT_EQ(hit->normal, tricover::Vec2(-1, 0));
+  EXPECT_EQ(hit->edge, 3);
+  EXPECT_TRUE(tricover::castRay(wall, pose, {6, 1}, {14, 1}));  // along the upper edge
+  EXPECT_FALSE(tricover::castRay(wall, pose, {6, 0.5}, {9, 0.5}));
+  EXPECT_EQ(tricover::castRay(wall, pose, {12, 0.5}, {20, 9})->fraction, 0);  // starts inside
+  //! [ray]
+}
+
+}  // namespace

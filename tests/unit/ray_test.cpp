@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// castRay()'s laws; the truth about degenerate rays is tests/oracle's.
+#include "tricover/ray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "hierarchy/hierarchy.h"
+#include "numbers/predicates.h"
+#include "pair/cast_ray.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+/// A wall from x = 2 to 3 with a hole in it, and a post that stands in the hole.
+Polygon wall() {
+  return Polygon({rectangle(2, -4, 3, 4), rectangle(2.25, -1, 2.75, 1), rectangle(2.4, -0.1, 2.6, 0.1)});
+}
+
+RayHit cast(const Polygon& polygon, const Vec2& from, const Vec2& to) {
+  const auto hit = castRay(polygon, Pose::Identity(), from, to);
+  return hit ? *hit : RayHit{-1, Vec2::Zero(), Vec2::Zero(), -2};
+}
+
+TEST(Ray, NamesPointNormalAndEdge) {
+  const RayHit hit = cast(wall(), {0, 0.5}, {4, 0.5});
+  EXPECT_EQ(hit.fraction, 0.5);
+  EXPECT_EQ(hit.point, Vec2(2, 0.5));
+  EXPECT_EQ(hit.normal, Vec2(-1, 0));
+  EXPECT_EQ(hit.edge, 3);
+  const RayHit back = cast(wall(), {7, 0.5}, {-1, 0.5});
+  EXPECT_EQ(back.point, Vec2(3, 0.5));
+  EXPECT_EQ(back.normal, Vec2(1, 0));
+  EXPECT_EQ(back.edge, 1);
+  const RayHit in_hole = cast(wall(), {2.3, 0}, {5, 0});
+  EXPECT_EQ(in_hole.edge, 11);  // the post's
+  EXPECT_NEAR(in_hole.point.x(), 2.4, 1e-15);
+  EXPECT_EQ(in_hole.point.y(), 0);
+}
+
+TEST(Ray, StartsInTheRegion) {
+  for (const Vec2& from : {Vec2(2.1, 0), Vec2(2, 0), Vec2(2, 4), Vec2(2.25, 0.5), Vec2(2.5, 0)}) {
+    const RayHit hit = cast(wall(), from, from + Vec2(3, 4));
+    EXPECT_EQ(hit.fraction, 0);
+    EXPECT_EQ(hit.point, from);
+    EXPECT_EQ(hit.edge, -1);
+    EXPECT_NEAR((hit.normal - Vec2(-0.6, -0.8)).norm(), 0, 1e-15);
+  }
+  EXPECT_EQ(cast(wall(), {2.3, 0}, {2.35, 0}).edge, -2);  // in the hole
+}
+
+/// Of edges that are met at one point the lowest number counts, however they turn and lie.
+TEST(Ray, GrazesVerticesAndRunsAlongEdges) {
+  EXPECT_EQ(cast(wall(), {0, 4}, {5, 4}).edge, 2);
+  EXPECT_EQ(cast(wall(), {0, 4}, {5, 4}).normal, Vec2(-1, 0));  // along edge 2
+  EXPECT_EQ(cast(wall(), {0, -4}, {5, -4}).edge, 0);
+  EXPECT_EQ(cast(wall(), {1, 3}, {3, 5}).edge, 2);  // a corner
+  EXPECT_EQ(cast(wall(), {1, 3}, {3, 5}).fraction, 0.5);
+  EXPECT_EQ(cast(wall(), {1, 3}, {2, 4}).fraction, 1);
+  EXPECT_EQ(cast(wall(), {1, 3}, {2, std::nextafter(4.0, 5.0)}).edge, -2);
+  const Polygon twice({rectangle(0, 0, 1, 1), rectangle(0, 0, 1, 1)}, FillRule::NonZero);
+  EXPECT_EQ(cast(twice, {-1, 0.3}, {2, 0.7}).edge, 3);
+  const Ring bow_tie = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};  // edges 0 and 2 cross at (0.5, 0.5)
+  EXPECT_EQ(cast(Polygon({bow_tie}), {0.5, 2}, {0.5, 0}).edge, 0);
+  EXPECT_EQ(cast(Polygon({reversed(bow_tie)}), {0.5, 2}, {0.5, 0}).edge, 0);
+}
+
+TEST(Ray, OfLengthZeroIsAPoint) {
+  const RayHit hit = cast(wall(), {2.1, 0}, {2.1, 0});
+  EXPECT_EQ(hit.fraction, 0);
+  EXPECT_EQ(hit.normal, Vec2::Zero());
+  EXPECT_EQ(cast(wall(), {2.3, 0}, {2.3, 0}).edge, -2);
+}
+
+TEST(Ray, MeetsPointsAndSegments) {
+  EXPECT_EQ(cast(point({1, 1}), {0, 0}, {4, 4}).fraction, 0.25);
+  EXPECT_EQ(cast(point({1, 1}), {0, 0}, {4, 4}).edge, 0);
+  EXPECT_NEAR(cast(point({1, 1}), {0, 0}, {4, 4}).normal.x(), -std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(cast(point({1, 1}), {0, 0}, {4, std::nextafter(4.0, 5.0)}).edge, -2);
+  EXPECT_EQ(cast(segment({1, -1}, {1, 1}), {0, 0}, {4, 0}).normal, Vec2(-1, 0));
+  EXPECT_EQ(cast(segment({1, 0}, {3, 0}), {5, 0}, {1, 0}).fraction, 0.5);
+}
+
+TEST(Ray, NormalsFaceTheRayUnderMirroredPoses) {
+  Random random(1);
+  int hits = 0;
+  for (int i = 0; i < scaledCount(2000); ++i) {
+    const Polygon polygon({star(random, random.integer(3, 30), 0.5, 1)});
+    Pose placed = randomPose(random, 1);
+    if (random.coin()) placed = mirrored(placed);
+    const Vec2 from(random.real(-4, 4), random.real(-4, 4)), to(random.real(-4, 4), random.real(-4, 4));
+    const auto hit = castRay(polygon, placed, from, to);
+    if (!hit || hit->edge < 0) continue;
+    ++hits;
+    const auto edge = static_cast<std::size_t>(hit->edge);
+    const Vec2 v = placed * polygon.edgeStart(edge), w = placed * polygon.edgeEnd(edge);
+    EXPECT_LT(hit->normal.dot(to - from), 0);
+    EXPECT_GT(hit->normal.dot(from - v), 0);
+    EXPECT_NEAR(hit->normal.dot((w - v).normalized()), 0, 1e-14);
+    EXPECT_NEAR(hit->normal.dot(hit->point - v), 0, 1e-13);
+  }
+  EXPECT_GT(hits, scaledCount(2000) / 10);
+}
+
+/// Up to the limit the answer doesn't depend on it.
+TEST(Ray, LimitLeavesOutWhatIsBeyondAndNothingElse) {
+  Random random(2);
+  int hits = 0;
+  for (int i = 0; i < scaledCount(2000); ++i) {
+    const Polygon polygon({star(random, random.integer(3, 200), 0.2, 1)});
+    const Pose placed = randomPose(random, 1);
+    const Vec2 from(random.real(-3, 3), random.real(-3, 3)), to(random.real(-3, 3), random.real(-3, 3));
+    const auto all = castRay(polygon, placed, from, to);
+    const auto limited = [&](double limit) { return detail::castRay(polygon.data(), placed, from, to, limit); };
+    if (!all || all->edge < 0) {
+      EXPECT_EQ(limited(0.5).has_value(), all.has_value());
+      continue;
+    }
+    ++hits;
+    EXPECT_FALSE(limited(std::nextafter(all->fraction, 0.0)));
+    for (const double limit : {all->fraction, all->fraction * (1 + 1e-14), 2.0}) {
+      const auto same = limited(limit);
+      ASSERT_TRUE(same);
+      EXPECT_EQ(same->edge, all->edge);
+      EXPECT_EQ(same->fraction, all->fraction);
+      EXPECT_EQ(same->point, all->point);
+    }
+  }
+  EXPECT_GT(hits, scaledCount(2000) / 10);
+}
+
+/// Neither a far end nor a polygon that is far from its frame's origin costs exact arithmetic.
+TEST(Ray, FiltersDecideOrdinaryRays) {
+  Random random(3);
+  std::uint64_t exact_calls = 0;
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double offset = random.coin() ? 0 : 5e5;
+    const Polygon polygon({shifted(star(random, 20, 0.5, 1), {offset, offset})});
+    const Vec2 from = Vec2(offset, offset) + Vec2(random.real(-3, 3), random.real(-3, 3));
+    const double angle = random.real(0, 2 * M_PI), length = random.coin() ? 10 : 1e30;
+    detail::hierarchyOf(polygon.data());  // whose asserts ask exact questions
+    const std::uint64_t before = detail::exactCalls();
+    const auto hit = castRay(polygon, Pose::Identity(), from, from + length * Vec2(std::cos(angle), std::sin(angle)));
+    exact_calls += detail::exactCalls() - before;
+    hits += hit && hit->edge >= 0;
+  }
+  EXPECT_GT(hits, 100);
+  EXPECT_LE(exact_calls, 100u);  // where the ray all but runs along an edge
+}
+
+TEST(Ray, EndsMayBeAsFarApartAsDoublesGo) {
+  const Polygon square({rectangle(-1, -1, 1, 1)});
+  const RayHit hit = cast(square, {-kLargest, 0.5}, {kLargest, 0.5});
+  EXPECT_EQ(hit.edge, 3);
+  EXPECT_NEAR(hit.fraction, 0.5, 1e-14);
+  EXPECT_EQ(hit.point.y(), 0.5);
+  EXPECT_TRUE(hit.point.allFinite());
+  EXPECT_EQ(hit.normal, Vec2(-1, 0));
+  const RayHit from_above = cast(square, {0.25, 4}, {0.25, -kLargest});
+  EXPECT_NEAR(from_above.point.y(), 1, 1e-14);
+  EXPECT_EQ(from_above.edge, 2);
+}
+
+TEST(Ray, RefusesWhatIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Pose sheared = Pose::Identity();
+  sheared.linear() << 1, 1, 0, 1;
+  const auto refusal = [&](const Pose& pose, const Vec2& from, const Vec2& to) -> std::string {
+    try {
+      castRay(wall(), pose, from, to);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_NE(refusal(Pose::Identity(), {nan, 0}, {0, 0}).find("from"), std::string::npos);
+  EXPECT_NE(refusal(Pose::Identity(), {0, 0}, {0, HUGE_VAL}).find("to: "), std::string::npos);
+  EXPECT_NE(refusal(sheared, {0, 0}, {1, 0}).find("pose"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tricover::support
