@@ -37,7 +37,7 @@ Scene::Body Scene::add(const Polygon& polygon, const Pose& pose, const BodyOptio
   const detail::Bounds bounds = detail::boundsOf(polygon.data(), pose, options.margin);
   // What may throw comes first. Lists have room for every body, so that none does later.
   if (anew) {
-    impl.bodies.reserve(body + std::size_t{1});
+    detail::makeRoom(impl.bodies, 1);
     const std::size_t room = impl.bodies.capacity();
     for (auto* list : {&impl.fresh, &impl.due, &impl.free_bodies, &impl.mourned}) list->reserve(room);
   }
@@ -61,8 +61,8 @@ Scene::Body Scene::add(const Polygon& polygon, const Pose& pose, const BodyOptio
 void Scene::remove(Body body) {
   detail::SceneState& impl = *impl_;
   detail::SceneState::BodyState& state = impl.at(body);
-  impl.lost.reserve(impl.lost.size() + state.links.size());
-  impl.free_pairs.reserve(impl.free_pairs.size() + state.links.size());
+  detail::makeRoom(impl.lost, state.links.size());
+  detail::makeRoom(impl.free_pairs, state.links.size());
   const std::size_t before = impl.lost.size();
   while (!state.links.empty()) impl.unlink(state.links.back().pair);
   impl.tree.remove(body);

@@ -19,7 +19,9 @@ namespace tricover::detail {
 namespace {
 
 /// A box looks ahead for so many moves: each box that is left costs a search of the tree, and a wider one meets more.
-constexpr double kBoxSteps = 12;
+constexpr double kBoxSteps = 16;
+/// And a pair's fact: fewer than a PairCache's (kStepsAhead), because most pairs of a crowd that come near soon part.
+constexpr double kPairSteps = 4;
 /// What the last move counts for in their average.
 constexpr double kOfAverage = 0.25;
 /// A count beyond so many times a body's size begins anew, so that what is added to it isn't lost to rounding.
@@ -100,10 +102,9 @@ void SceneState::findPairs(Body body) {
     }
     const std::uint32_t pair = free_pairs.back();
     // What may throw comes first.
-    listed_pairs.reserve(listed_pairs.size() + 1);
+    makeRoom(listed_pairs, 1);
     for (const Body end : {first, second}) {
-      auto& links = bodies[end].links;
-      if (links.size() == links.capacity()) links.reserve(2 * links.size() + 4);
+      makeRoom(bodies[end].links, 1);
     }
     free_pairs.pop_back();
     pairs[pair] = {{first, second},
@@ -163,7 +164,7 @@ void SceneState::look(std::uint32_t index) {
   PairFact fact = inKernelOrder(
       p.polygon.data(), p.pose, q.polygon.data(), q.pose,
       [&](const auto&... operands) {
-        return findFact(operands..., options, {kStepsAhead * pace, pace > 0, pair.edge[0], pair.edge[1]});
+        return findFact(operands..., options, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
       },
       [](const PairFact&) {});
   pair.edge[0] = fact.edge_a;
@@ -187,7 +188,7 @@ void SceneState::updateCollisions() {
   while (!listed_pairs.empty()) {
     const std::uint32_t pair = listed_pairs.back();
     if (pairs[pair].used) {
-      changed.reserve(changed.size() + 1);
+      makeRoom(changed, 1);
       look(pair);
     }
     pairs[pair].listed = false;

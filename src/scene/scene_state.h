@@ -88,6 +88,12 @@ struct SceneState {
   std::vector<BodyPair> collisions, began, ended;
 };
 
+/// Room for `more` things, so that adding them won't throw. Grows as push_back does.
+template <typename T>
+void makeRoom(std::vector<T>& list, std::size_t more) {
+  if (list.capacity() - list.size() < more) list.reserve(list.size() + std::max(more, list.size()));
+}
+
 /// Margins together, as Scene has them: their sum, rounded, and at most the largest double.
 inline CollideOptions withMargin(CollideOptions options, double margin, double other = 0) {
   options.margin = std::min(options.margin + margin + other, std::numeric_limits<double>::max());
