@@ -13,7 +13,7 @@ import sys
 
 # First to last; rooms that share a line don't see each other.
 CORE = [["numbers"], ["polygon"], ["hierarchy"], ["pair"], ["apart", "overlap"], ["scene"], ["drawing"]]
-ADAPTER = [["shape"], ["shadow"], ["polygons"], ["mixed"], ["entry"]]
+ADAPTER = [["shape"], ["shadow"], ["polygons"], ["mixed"], ["broadphase", "entry"]]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 # At a namespace's level: a function's name, and ';' after a declaration or '{' after a definition.

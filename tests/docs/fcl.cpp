@@ -72,6 +72,26 @@ TEST(Documentation, PolygonObject) {
   EXPECT_EQ(manager.size(), 1u);
 }
 
+TEST(Documentation, SceneManager) {
+  //! [scene manager]
+  const auto bar = std::make_shared<tricover_fcl::PolygonShaped>(tricover::Polygon({{{0, 0}, {9, 0}, {9, 1}, {0, 1}}}));
+  fcl::CollisionObjectd lying(bar), beside(bar, Eigen::Matrix3d::Identity(), fcl::Vector3d(0, 2, 0));
+  fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(1), Eigen::Matrix3d::Identity(), fcl::Vector3d(0, 9, 0));
+  tricover_fcl::SceneManagerd manager;  // in place of any of FCL's managers
+  manager.registerObjects({&lying, &beside, &ball});
+  manager.setup();
+  fcl::DefaultCollisionData<double> data;
+  manager.collide(&data, fcl::DefaultCollisionFunction<double>);
+  EXPECT_FALSE(data.result.isCollision());
+
+  beside.setTranslation(fcl::Vector3d(0, 1, 0));
+  beside.computeAABB();
+  manager.update(&beside);
+  manager.collide(&data, fcl::DefaultCollisionFunction<double>);
+  EXPECT_TRUE(data.result.isCollision());
+  //! [scene manager]
+}
+
 TEST(Documentation, FclCollide) {
   //! [fcl collide]
   const tricover_fcl::PolygonShaped square(tricover::Polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}));

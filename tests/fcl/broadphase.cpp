@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every broadphase manager with FCL's own callback finds the pairs that brute force finds.
+// Every broadphase manager, FCL's and ours, with FCL's own callback finds the pairs that brute force finds.
 #include <fcl/broadphase/broadphase_SSaP.h>
 #include <fcl/broadphase/broadphase_SaP.h>
 #include <fcl/broadphase/broadphase_bruteforce.h>
@@ -70,6 +70,7 @@ std::vector<Manager> managers() {
   // Its cells' bounds lie off the origin: an object that is one point for it, on such a bound, gets no cell.
   all.push_back({"SpatialHashing", std::make_unique<fcl::SpatialHashingCollisionManager<double>>(
                                        4, fcl::Vector3d(-41, -41, -1), fcl::Vector3d(41, 41, 1))});
+  all.push_back({"Scene", std::make_unique<SceneManagerd>()});
   return all;
 }
 

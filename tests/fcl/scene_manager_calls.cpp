@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SceneManager where FCL's managers stop, crash or lose objects: callbacks that end queries, objects that come twice or
+// not at all, boxes without bounds, poses that no query takes.
+#include <functional>
+#include <limits>
+
+#include "mixed_scene.h"
+#include "seen_pairs.h"
+#include "tricover_fcl/scene_manager.h"
+
+namespace tricover_fcl::test {
+namespace {
+
+bool count(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data) {
+  ++*static_cast<int*>(data);
+  return false;
+}
+
+bool countAndStop(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data) {
+  ++*static_cast<int*>(data);
+  return true;
+}
+
+bool countOnly(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data, double&) {
+  ++*static_cast<int*>(data);
+  return false;
+}
+
+bool countDistanceAndStop(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data, double&) {
+  ++*static_cast<int*>(data);
+  return true;
+}
+
+int calls(const std::function<void(void*)>& query) {
+  int number = 0;
+  query(&number);
+  return number;
+}
+
+/// Squares of 1, two by two in touch, and a halfspace that is everywhere.
+Objects<double> fourSquaresAndAHalfspace() {
+  Objects<double> objects;
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  for (const double x : {0.0, 1.0, 5.0, 6.0})
+    objects.push_back(std::make_unique<fcl::CollisionObjectd>(square, shifted<double>(x, 0, 0)));
+  objects.push_back(
+      std::make_unique<fcl::CollisionObjectd>(std::make_shared<fcl::Halfspaced>(fcl::Vector3d(1, 0, 0), -100)));
+  return objects;
+}
+
+TEST(SceneManager, callbacksEndQueries) {
+  const Objects<double> objects = fourSquaresAndAHalfspace();
+  SceneManagerd manager, partner;
+  manager.registerObjects(pointers(objects));
+  partner.registerObjects(pointers(objects));
+  fcl::CollisionObjectd& query = *objects[0];
+  const fcl::CollisionObjectd wide(shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 9, 1)})));
+  fcl::CollisionObjectd given = wide;
+  EXPECT_EQ(calls([&](void* data) { manager.collide(data, count); }), 2 + 4);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(data, countAndStop); }), 1);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(&query, data, count); }), 1 + 1);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(&query, data, countAndStop); }), 1);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(&given, data, count); }), 5);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(&given, data, countAndStop); }), 1);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(&partner, data, countAndStop); }), 1);
+  // A callback that reports no distance is shown all.
+  EXPECT_EQ(calls([&](void* data) { manager.distance(data, countOnly); }), 10);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(&query, data, countOnly); }), 4);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(&given, data, countOnly); }), 5);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(&partner, data, countOnly); }), 20);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(data, countDistanceAndStop); }), 1);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(&given, data, countDistanceAndStop); }), 1);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(&partner, data, countDistanceAndStop); }), 1);
+}
+
+TEST(SceneManager, objectsComeOnceAndGoAtAnyTime) {
+  Objects<double> objects = fourSquaresAndAHalfspace();
+  SceneManagerd manager;
+  EXPECT_TRUE(manager.empty());
+  EXPECT_EQ(calls([&](void* data) { manager.collide(data, count); }), 0);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(objects[0].get(), data, count); }), 0);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(data, countOnly); }), 0);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(objects[0].get(), data, countOnly); }), 0);
+  manager.update();
+  manager.update(objects[0].get());
+  manager.unregisterObject(objects[0].get());
+
+  manager.registerObjects(pointers(objects));
+  manager.registerObjects(pointers(objects));
+  EXPECT_EQ(manager.size(), 5u);
+  std::vector<fcl::CollisionObjectd*> held{nullptr};
+  manager.getObjects(held);
+  EXPECT_EQ(held, pointers(objects));
+
+  fcl::CollisionObjectd* const gone = objects[1].get();
+  objects.erase(objects.begin() + 1);
+  manager.unregisterObject(gone);  // which isn't looked at
+  manager.unregisterObject(gone);
+  EXPECT_EQ(manager.size(), 4u);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(data, count); }), 1 + 3);
+  manager.clear();
+  EXPECT_TRUE(manager.empty());
+  EXPECT_EQ(calls([&](void* data) { manager.collide(data, count); }), 0);
+  manager.registerObject(objects[0].get());
+  EXPECT_EQ(manager.size(), 1u);
+}
+
+TEST(SceneManager, namesWhatIsMissing) {
+  SceneManagerd manager;
+  fcl::CollisionObjectd bare(nullptr);
+  int number = 0;
+  const auto expectRefused = [](const char* field, const auto& query) {
+    EXPECT_NE(thrownBy<std::invalid_argument>(query).find(field), std::string::npos);
+  };
+  expectRefused("object", [&] { manager.registerObject(nullptr); });
+  expectRefused("object", [&] { manager.registerObject(&bare); });
+  expectRefused("object", [&] { manager.collide(static_cast<fcl::CollisionObjectd*>(nullptr), &number, count); });
+  expectRefused("object", [&] { manager.distance(&bare, &number, countOnly); });
+  expectRefused("manager", [&] { manager.collide(static_cast<SceneManagerd*>(nullptr), &number, count); });
+  expectRefused("manager", [&] { manager.distance(static_cast<SceneManagerd*>(nullptr), &number, countOnly); });
+  EXPECT_TRUE(manager.empty());
+}
+
+TEST(SceneManager, whatNoQueryTakesIsShownSoThatItIsRefused) {
+  Objects<double> objects = fourSquaresAndAHalfspace();
+  objects.pop_back();
+  SceneManagerd manager;
+  manager.registerObjects(pointers(objects));
+  const auto ask = [&] {
+    Seen<double> seen;
+    manager.collide(&seen, see<double>);
+  };
+  EXPECT_NO_THROW(ask());
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), 2.0}) {
+    fcl::Transform3d pose = shifted<double>(300, 0, 0);
+    pose.linear() *= wrong;
+    objects[2]->setTransform(pose);
+    objects[2]->computeAABB();
+    manager.update();
+    EXPECT_THROW(ask(), std::invalid_argument);
+  }
+  // One that leaves the plane is shown where its box is met.
+  objects[2]->setTransform(placed<double>({300, 0, 0}, turned(1, {1, 0, 0})));
+  objects[2]->computeAABB();
+  manager.update();
+  EXPECT_NO_THROW(ask());
+  objects[2]->setTranslation({0.5, 0, 0});
+  objects[2]->computeAABB();
+  manager.update();
+  EXPECT_THROW(ask(), std::invalid_argument);
+  fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted<double>(0.7, 0.2, 0.4));
+  Seen<double> seen;
+  manager.collide(&ball, &seen, see<double>);  // it meets the tilted one
+  EXPECT_EQ(seen.shown.size(), 1u);
+
+  objects[2]->setTransform(shifted<double>(0.5, 0, 0));
+  manager.update(objects[2].get());
+  EXPECT_NO_THROW(ask());
+}
+
+TEST(SceneManager, hugeAndTinyBoxes) {
+  // Where FCL's trees crash.
+  for (const double size : {1e-300, 1e300}) {
+    const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, size, size)}));
+    fcl::CollisionObjectd p(square), q(square, shifted<double>(size, 0, 0)), r(square, shifted<double>(3 * size, 0, 0));
+    fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(size));
+    SceneManagerd manager;
+    manager.registerObjects({&p, &q, &r});
+    EXPECT_EQ(calls([&](void* data) { manager.collide(data, count); }), 1);
+    EXPECT_GE(calls([&](void* data) { manager.collide(&ball, data, count); }), 2);
+  }
+}
+
+TEST(SceneManager, aTiltWithinTheToleranceMovesHighPrisms) {
+  // To the ball the prism leans; to polygons it doesn't.
+  fcl::Transform3d pose = fcl::Transform3d::Identity();
+  pose.linear() = turned(9e-7, fcl::Vector3d::UnitY());
+  const auto tower = std::make_shared<PolygonShaped>(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}),
+                                                     PolygonOptions{0, 1e6, 0});
+  fcl::CollisionObjectd prism(tower, pose);
+  fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted<double>(1.5, 0.5, 9e5));
+  fcl::CollisionObjectd flat(shapeOf(tricover::Polygon({tricover::support::rectangle(1.2, 0, 2, 1)})),
+                             shifted<double>(0, 0, 9e5));
+  SceneManagerd manager;
+  manager.registerObjects({&prism, &ball, &flat});
+  Seen<double> seen;
+  manager.collide(&seen, see<double>);
+  EXPECT_TRUE(hit(prism, ball));
+  EXPECT_FALSE(hit(prism, flat));
+  EXPECT_EQ(seen.hits, hitsOf<double>({&prism, &ball, &flat}, {&prism, &ball, &flat}));
+}
+
+}  // namespace
+}  // namespace tricover_fcl::test
