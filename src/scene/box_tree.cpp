@@ -33,7 +33,7 @@ std::uint32_t BoxTree::newNode(bool leaf) {
   node.lane = 0;
   node.count = 0;
   node.leaf = leaf;
-  for (unsigned i = 0; i < kLanes; ++i) node.set(i, {kInfinity, kInfinity, -kInfinity, -kInfinity});
+  for (unsigned i = 0; i < kLanes; ++i) node.set(i, kNothing);
   return index;
 }
 
@@ -109,7 +109,7 @@ void BoxTree::split(std::uint32_t index, const Entry& entry) {
   }
   const std::uint32_t other = newNode(nodes_[index].leaf);
   Node &first = nodes_[index], &second = nodes_[other];
-  for (unsigned i = 0; i < kLanes; ++i) first.set(i, {kInfinity, kInfinity, -kInfinity, -kInfinity});
+  for (unsigned i = 0; i < kLanes; ++i) first.set(i, kNothing);
   first.count = static_cast<std::uint8_t>(count);
   second.count = static_cast<std::uint8_t>(kAll - count);
   for (int i = 0; i < count; ++i) put(index, static_cast<unsigned>(i), best[i]);
@@ -140,7 +140,7 @@ void BoxTree::takeFrom(std::uint32_t index, unsigned lane) {
   Node& node = nodes_[index];
   const unsigned last = node.count - 1u;
   if (lane != last) put(index, lane, {node.at(last), node.child[last]});
-  node.set(last, {kInfinity, kInfinity, -kInfinity, -kInfinity});
+  node.set(last, kNothing);
   --node.count;
   if (index == root_) {
     if (!node.leaf && node.count == 1) {

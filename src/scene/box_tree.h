@@ -51,6 +51,8 @@ class BoxTree {
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  static constexpr Bounds kNothing = {kNaN, kNaN, kNaN, kNaN};  ///< meets nothing, not even what is infinite
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr int kLeast = 2;  ///< boxes a node, but for the root
   /// A node has two children at least, so that a tree of 2^28 items has fewer than 32 levels.
@@ -63,7 +65,7 @@ class BoxTree {
     std::uint8_t count;
     bool leaf;
 
-    /// Bit per lane. Lanes beyond the count hold boxes that meet nothing.
+    /// Bit per lane. Lanes beyond the count hold kNothing.
     unsigned meeting(const Bounds& bounds) const;
     Bounds at(unsigned i) const { return {min_x[i], min_y[i], max_x[i], max_y[i]}; }
     void set(unsigned i, const Bounds& bounds) {

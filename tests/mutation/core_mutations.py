@@ -32,6 +32,8 @@ MUTATIONS = [
     ("src/pair/kernel_order.h", "std::signbit(x) && !std::signbit(y)", "false", "order: the two zeros are one"),
     ("src/pair/kernel_order.h", "a.radius != b.radius ? a.radius > b.radius : a.id < b.id", "a.id < b.id", "order: by age"),
     ("src/pair/kernel_order.h", "  swapOperands(result);\n", "", "order: results aren't swapped back"),
+    # Scenes.
+    ("src/scene/box_tree.h", "{kNaN, kNaN, kNaN, kNaN}", "{kInfinity, kInfinity, -kInfinity, -kInfinity}", "scene: boxes without ends meet lanes that aren't used"),
     # Rays.
     ("src/pair/cast_ray.cpp", "if (identity) return {p.x(), p.y(), 0};", "return {p.x(), p.y(), 0};", "ray: the pose forgotten"),
     ("src/pair/cast_ray.cpp", "kPointError * (std::abs(x) + std::abs(y)) + kTiny", "0", "ray: no error of its ends"),

@@ -326,6 +326,22 @@ TEST(Scene, AnswersManyPosesAtOnce) {
   EXPECT_LT(hits, 1900);
 }
 
+/// What overflows has boxes without ends: they meet every body, and nothing else.
+TEST(Scene, MeetsWhatOverflows) {
+  const Polygon spike({{{-1, -1}, {1, -1}, {0, 1e308}}});
+  Pose turned = pose(0, 5, 0);
+  turned.linear() << 0, 1, 1, 0;
+  Scene scene;
+  const Scene::Body a = scene.add(kSquare, pose(0, 5, 0)), b = scene.add(kSquare, pose(0, 9, 9));
+  EXPECT_EQ(scene.colliding(spike, turned), (std::vector<Scene::Body>{a}));
+  const Scene::Body c = scene.add(spike, turned);
+  EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{a, c}}));
+  scene.remove(a);
+  EXPECT_TRUE(scene.colliding(spike, pose(0, -5, 0)).empty());
+  EXPECT_TRUE(scene.collisions().empty());
+  EXPECT_EQ(scene.colliding(kSquare, pose(0, 8, 8)), (std::vector<Scene::Body>{b}));
+}
+
 /// Many bodies come, go and return: what a handle left behind must not be another body's.
 TEST(Scene, GivesHandlesAgain) {
   Scene scene;

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes of every family against loops over the functions of pairs, which have oracles of their own: bodies that move
+// by a few ulps, a little or far, come into contact exactly, come and go; with margins, categories and a cache that
+// lives through all of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/distance.h"
+#include "tricover/scene.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr int kScenes = 4;
+constexpr int kFrames = 120;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+/// What a body may be: a case's polygon at the pose where it meets the case's other one.
+struct Part {
+  Polygon polygon;
+  Pose pose;
+};
+
+class SceneWalk {
+ public:
+  SceneWalk(const Family& family, std::uint64_t seed, std::size_t bodies) : random_(seed), most_(bodies) {
+    for (std::uint64_t i = 0; i < 3; ++i) {
+      const Case c = family.make(seed * 3 + i);
+      parts_.push_back({c.a, c.pose_a});
+      parts_.push_back({c.b, c.pose_b});
+    }
+    while (bodies_.size() < most_ * 2 / 3) add();
+  }
+
+  void frame() {
+    for (const Scene::Body body : bodies_)
+      if (!random_.oneIn(3)) move(body);
+    if (random_.oneIn(6) && bodies_.size() > most_ / 3) remove();
+    if (random_.oneIn(6) && bodies_.size() < most_) add();
+    if (random_.oneIn(3)) return;  // nobody asks
+    collisions();
+    switch (random_.integer(0, 2)) {
+      case 0:
+        return collides();
+      case 1:
+        return nearest();
+      default:
+        return impacts();
+    }
+  }
+
+  std::string wrong;  ///< the first thing that was; empty if there is none
+  int asked = 0, hits = 0, began = 0, ended = 0;
+  int free = 0, inside = 0;  ///< of queries
+  int impacts_found = 0;
+
+ private:
+  const Part& anyPart() { return parts_[index(parts_.size())]; }
+  std::size_t index(std::size_t count) {
+    return static_cast<std::size_t>(random_.integer(0, static_cast<int>(count) - 1));
+  }
+
+  /// A length that matters to a polygon: of its size, or far less.
+  double length(const Polygon& polygon) {
+    return std::min(polygon.radius(), 1e305) * std::pow(10, random_.integer(-12, 0)) * random_.unit();
+  }
+
+  void add() {
+    const Part& part = anyPart();
+    BodyOptions options;
+    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    options.category = options.margin > 0 ? 2 : 1;
+    if (random_.oneIn(6)) options.mask = random_.coin() ? 1 : 2;
+    bodies_.push_back(scene_.add(part.polygon, part.pose, options));
+  }
+
+  void remove() {
+    const auto at = bodies_.begin() + static_cast<std::ptrdiff_t>(index(bodies_.size()));
+    scene_.remove(*at);
+    bodies_.erase(at);
+  }
+
+  /// Beyond others.
+  Pose away(Pose pose) {
+    const double angle = random_.real(0, 2 * M_PI),
+                 way = 3 * random_.unit() * std::min(anyPart().polygon.radius(), 1e305);
+    const Vec2 moved = pose.translation() + way * Vec2(std::cos(angle), std::sin(angle));
+    if (moved.allFinite()) pose.translation() = moved;
+    return pose;
+  }
+
+  /// A pose near another one.
+  Pose near(const Polygon& polygon, Pose pose) {
+    const int kind = random_.integer(0, 3);
+    const double step = length(polygon);
+    Vec2 moved = kind == 0 ? nudged(random_, pose.translation(), 2)
+                           : Vec2(pose.translation() + step * Vec2(random_.real(-1, 1), random_.real(-1, 1)));
+    if (kind == 1) pose.linear() = Eigen::Rotation2Dd(random_.real(-0.1, 0.1)).toRotationMatrix() * pose.linear();
+    if (moved.allFinite()) pose.translation() = moved;
+    return pose.linear().isUnitary(1e-7) ? pose : scenePose(polygon);  // rotated often, it is none any more
+  }
+  Pose scenePose(const Polygon& polygon) {
+    for (const Part& part : parts_)
+      if (part.polygon.id() == polygon.id()) return part.pose;
+    return anyPart().pose;
+  }
+
+  void move(Scene::Body body) {
+    const Polygon& polygon = scene_.polygon(body);
+    if (random_.oneIn(20)) return scene_.move(body, away(anyPart().pose));
+    if (random_.oneIn(8)) return scene_.move(body, scenePose(polygon));
+    scene_.move(body, near(polygon, scene_.pose(body)));
+  }
+
+  void expect(bool right, const std::string& what) {
+    ++asked;
+    if (right || !wrong.empty()) return;
+    wrong = what;
+    for (const Scene::Body p : bodies_) wrong += "\nbody " + std::to_string(p) + "\n" + described(p);
+  }
+  std::string described(Scene::Body body) const {
+    const Part part{scene_.polygon(body), scene_.pose(body)};
+    return "margin " + hex(scene_.options(body).margin) + "\n" +
+           reproduction({part.polygon, part.pose, part.polygon, part.pose});
+  }
+
+  static double sum(double p, double q) { return std::min(p + q, kLargest); }
+  double marginOf(Scene::Body body) const { return scene_.options(body).margin; }
+
+  bool mayMeet(Scene::Body p, Scene::Body q) const {
+    const BodyOptions &of_p = scene_.options(p), &of_q = scene_.options(q);
+    return (of_p.category & of_q.mask) != 0 && (of_q.category & of_p.mask) != 0;
+  }
+
+  std::vector<BodyPair> pairs() const {
+    std::vector<BodyPair> result;
+    for (const Scene::Body p : bodies_)
+      for (const Scene::Body q : bodies_)
+        if (p < q && mayMeet(p, q)) result.push_back({p, q});
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void collisions() {
+    std::vector<BodyPair> now, news, gone;
+    for (const BodyPair& pair : pairs()) {
+      CollideOptions options;
+      options.margin = sum(marginOf(pair.first), marginOf(pair.second));
+      if (collide(scene_.polygon(pair.first), scene_.pose(pair.first), scene_.polygon(pair.second),
+                  scene_.pose(pair.second), options))
+        now.push_back(pair);
+    }
+    std::set_difference(now.begin(), now.end(), before_.begin(), before_.end(), std::back_inserter(news));
+    std::set_difference(before_.begin(), before_.end(), now.begin(), now.end(), std::back_inserter(gone));
+    expect(scene_.collisions() == now, "collisions");
+    expect(scene_.began() == news, "began");
+    expect(scene_.ended() == gone, "ended");
+    before_ = now;
+    hits += static_cast<int>(now.size());
+    began += static_cast<int>(news.size());
+    ended += static_cast<int>(gone.size());
+  }
+
+  std::uint32_t anyMask() {
+    return random_.oneIn(4) ? static_cast<std::uint32_t>(random_.integer(1, 2)) : kEveryCategory;
+  }
+
+  void collides() {
+    const Part& part = anyPart();
+    const Pose start = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
+    const std::uint32_t mask = anyMask();
+    CollideOptions options;
+    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    Pose at = start;
+    for (int step = 0; step < 6; ++step) {
+      std::vector<Scene::Body> expected;
+      for (const Scene::Body body : bodies_) {
+        CollideOptions both = options;
+        both.margin = sum(options.margin, marginOf(body));
+        if ((scene_.options(body).category & mask) != 0 &&
+            collide(part.polygon, at, scene_.polygon(body), scene_.pose(body), both))
+          expected.push_back(body);
+      }
+      std::sort(expected.begin(), expected.end());
+      bool answers[2];
+      const Pose poses[2] = {at, start};
+      scene_.collides(part.polygon, poses, 2, answers, {}, options, mask);
+      expect(scene_.colliding(part.polygon, at, options, mask) == expected, "colliding");
+      expect(scene_.collides(part.polygon, at, options, mask) == !expected.empty(), "collides");
+      expect(scene_.collides(part.polygon, at, cache_, options, mask) == !expected.empty(), "collides, cached");
+      expect(answers[0] == !expected.empty(), "collides, many poses");
+      ++(expected.empty() ? free : inside);
+      at = near(part.polygon, at);
+      if (random_.oneIn(3)) options.margin *= random_.unit();
+    }
+  }
+
+  void nearest() {
+    const Part& part = anyPart();
+    const Pose at = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
+    const std::uint32_t mask = anyMask();
+    DistanceOptions options;
+    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    if (random_.oneIn(3)) options.limit = length(part.polygon);
+    double least = kInfinity;
+    Scene::Body first = 0;
+    std::vector<Scene::Body> sorted = bodies_;
+    std::sort(sorted.begin(), sorted.end());
+    for (const Scene::Body body : sorted) {
+      if ((scene_.options(body).category & mask) == 0) continue;
+      DistanceOptions both = options;
+      both.margin = sum(options.margin, marginOf(body));
+      const double apart = distance(part.polygon, at, scene_.polygon(body), scene_.pose(body), both).distance;
+      if (!(apart < least)) continue;
+      least = apart;
+      first = body;
+    }
+    const auto found = scene_.nearest(part.polygon, at, options, mask);
+    expect(found.has_value() == (least < kInfinity), "nearest: whether there is one");
+    if (found) expect(found->body == first && found->result.distance == least, "nearest");
+  }
+
+  Motion anyMotion(const Polygon& polygon, const Pose& start) {
+    Motion motion = Motion::still(start);
+    const double way = 4 * length(polygon);
+    motion.pivot = polygon.origin();
+    motion.shift = way * Vec2(random_.real(-1, 1), random_.real(-1, 1));
+    if (random_.coin()) motion.angle = random_.real(-2, 2);
+    if (random_.oneIn(3)) motion.shift_2 = -motion.shift;
+    return motion;
+  }
+
+  /// Margins are added in the order of the scene: the query's, then the bodies'.
+  void impacts() {
+    ImpactOptions options;
+    options.time_error = 1e-3;
+    const Part& part = anyPart();
+    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    const Motion motion = anyMotion(part.polygon, near(part.polygon, part.pose));
+    const auto impact = scene_.firstImpact(part.polygon, motion, options);
+    double first = kInfinity;
+    Scene::Body hit = 0;
+    for (const Scene::Body body : bodies_) {
+      ImpactOptions both = options;
+      both.margin = sum(options.margin, marginOf(body));
+      const auto found =
+          timeOfImpact(part.polygon, motion, scene_.polygon(body), Motion::still(scene_.pose(body)), both);
+      if (!found || found->time > first || (found->time == first && body > hit)) continue;
+      first = found->time;
+      hit = body;
+    }
+    expect(impact.has_value() == (first < kInfinity), "firstImpact: whether there is one");
+    if (impact) expect(impact->impact.time == first && impact->body == hit, "firstImpact");
+    if (random_.coin()) allImpacts(options);
+  }
+
+  void allImpacts(const ImpactOptions& options) {
+    std::vector<BodyMotion> motions;
+    for (const Scene::Body body : bodies_)
+      if (random_.oneIn(3)) motions.push_back({body, anyMotion(scene_.polygon(body), scene_.pose(body))});
+    const auto motionOf = [&](Scene::Body body) {
+      const auto at = std::find_if(motions.begin(), motions.end(), [&](const BodyMotion& m) { return m.body == body; });
+      return at != motions.end() ? &*at : nullptr;
+    };
+    std::vector<std::pair<double, BodyPair>> expected, found;
+    for (const BodyPair& pair : pairs()) {
+      const BodyMotion *p = motionOf(pair.first), *q = motionOf(pair.second);
+      if (p == nullptr && q == nullptr) continue;
+      ImpactOptions both = options;
+      both.margin = sum(sum(options.margin, marginOf(pair.first)), marginOf(pair.second));
+      const auto impact = timeOfImpact(
+          scene_.polygon(pair.first), p != nullptr ? p->motion : Motion::still(scene_.pose(pair.first)),
+          scene_.polygon(pair.second), q != nullptr ? q->motion : Motion::still(scene_.pose(pair.second)), both);
+      if (impact) expected.push_back({impact->time, pair});
+    }
+    std::sort(expected.begin(), expected.end());
+    for (const PairImpact& impact : scene_.impacts(motions, options))
+      found.push_back({impact.impact.time, impact.pair});
+    expect(found == expected, "impacts");
+    impacts_found += static_cast<int>(found.size());
+  }
+
+  Random random_;
+  std::size_t most_;
+  std::vector<Part> parts_;
+  Scene scene_;
+  std::vector<Scene::Body> bodies_;
+  std::vector<BodyPair> before_;
+  SceneCache cache_;
+};
+
+class SceneOracle : public testing::TestWithParam<Family> {};
+
+TEST_P(SceneOracle, SaysWhatAllPairsSay) {
+  int asked = 0, hits = 0, began = 0, ended = 0, free = 0, inside = 0, impacts = 0;
+  for (int i = 0; i < kScenes; ++i) {
+    // The first one is large: its tree of boxes has several levels.
+    SceneWalk walk(GetParam(), static_cast<std::uint64_t>(i) + 100, i == 0 ? 60 : 12);
+    const int frames = scaledCount(i == 0 ? kFrames / 8 : kFrames);
+    for (int frame = 0; frame < frames && walk.wrong.empty(); ++frame) walk.frame();
+    EXPECT_EQ(walk.wrong, "") << "scene " << i;
+    asked += walk.asked, hits += walk.hits, began += walk.began, ended += walk.ended;
+    free += walk.free, inside += walk.inside, impacts += walk.impacts_found;
+  }
+  std::printf("%-22s %6d answers %6d collisions %5d began %5d ended %5d free %5d inside %4d impacts\n", GetParam().name,
+              asked, hits, began, ended, free, inside, impacts);
+  if (asked < 1000) return;
+  for (const int count : {hits, began, ended, free, inside, impacts}) EXPECT_GE(count, 10);
+}
+
+std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Families, SceneOracle, testing::ValuesIn(families()), familyName);
+
+}  // namespace
+}  // namespace tricover::support
