@@ -42,13 +42,13 @@ Footprint footprintOfPolygon(const PolygonShape<S>& shape, const fcl::Transform3
   const double reach = static_cast<double>(shape.aabb_radius);  // at least the radius and the largest height
   // Two polygons leave out a tilt within the tolerance. To other geometries it moves the heights sideways, and the
   // polygon's points up and down.
-  const double aside = r.topRightCorner<2, 1>().norm();
+  const double aside = r.topRightCorner<2, 1>().lpNorm<1>();
   Footprint print{Region{shape.polygon(), pose.pose, options.margin}, -kInfinity, kInfinity};
   if (aside > 0) print.region->margin += 2 * aside * reach;
   if (!std::isfinite(print.region->margin)) print.region.reset();
   if (!shape.isAtAllHeights()) {
     // The rest pays for rounding: of the sums, and where a box that only touches was rounded.
-    const double rise = 2 * r.bottomLeftCorner<1, 2>().norm() + std::abs(std::abs(r(2, 2)) - 1);
+    const double rise = 2 * r.bottomLeftCorner<1, 2>().lpNorm<1>() + std::abs(std::abs(r(2, 2)) - 1);
     const double slack = (rise + 0x1p-48) * reach + 0x1p-48 * std::abs(pose.z);
     print.z_low = pose.z + (pose.upside_down ? -options.z_high : options.z_low) - slack;
     print.z_high = pose.z + (pose.upside_down ? -options.z_low : options.z_high) + slack;

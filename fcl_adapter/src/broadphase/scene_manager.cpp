@@ -35,16 +35,9 @@ template <typename S>
 struct SceneManager<S>::Impl {
   struct Entry {
     Object* object;
-    fcl::Transform3<S> pose;  ///< as it was seen last, like its box
-    fcl::AABB<S> box;
     double z_low, z_high;
     std::uint32_t category;
     std::optional<BodyHandle> body;  ///< none: it takes part in all pairs
-
-    bool isWhereItWas() const {
-      const fcl::AABB<S>& now = object->getAABB();
-      return pose.matrix() == object->getTransform().matrix() && box.min_ == now.min_ && box.max_ == now.max_;
-    }
   };
   /// What is asked about: a given object, or one of ours.
   struct Query {
@@ -83,7 +76,7 @@ void SceneManager<S>::Impl::add(Object* object) {
   if (!object->collisionGeometry()) refuse("object", "it has no geometry");
   if (!places.emplace(object, entries.size()).second) return;
   const std::uint32_t category = std::uint32_t{1} << (registered++ % kCategories);
-  entries.push_back({object, object->getTransform(), object->getAABB(), 0, 0, category, std::nullopt});
+  entries.push_back({object, 0, 0, category, std::nullopt});
   ++anywhere;
   place(entries.back(), footprintOf(*object, nullptr));
 }
@@ -106,10 +99,7 @@ void SceneManager<S>::Impl::remove(const Object* object) {
 
 template <typename S>
 void SceneManager<S>::Impl::refresh(Entry& entry) {
-  if (entry.isWhereItWas()) return;
   place(entry, footprintOf(*entry.object, entry.body ? &scene.polygon(*entry.body) : nullptr));
-  entry.pose = entry.object->getTransform();
-  entry.box = entry.object->getAABB();
 }
 
 /// Where the footprint is. The same polygon is moved, because facts about it last.

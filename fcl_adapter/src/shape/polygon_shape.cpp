@@ -18,28 +18,23 @@
 namespace tricover_fcl {
 namespace {
 
+/// The least S that isn't below.
+template <typename S>
+S notBelow(double value) {
+  const S rounded = static_cast<S>(value);
+  if (static_cast<double>(rounded) >= value) return rounded;
+  return std::nextafter(rounded, std::numeric_limits<S>::infinity());
+}
+
 /// An S above what `value` was rounded from by one operation.
 template <typename S>
 S roundUp(double value) {
-  const double bound = std::nextafter(value, std::numeric_limits<double>::infinity());
-  const S rounded = static_cast<S>(bound);
-  if (static_cast<double>(rounded) >= bound) return rounded;
-  return std::nextafter(rounded, std::numeric_limits<S>::infinity());
+  return notBelow<S>(std::nextafter(value, std::numeric_limits<double>::infinity()));
 }
 
 void check(bool valid, const char* field, const char* rule) {
   if (!valid) refuse(field, std::string("it must be ") + rule);
 }
-
-/// Of numbers.
-struct Range {
-  double low, high;
-
-  void extend(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
 
 }  // namespace
 
@@ -96,40 +91,42 @@ fcl::AABB<S> PolygonShape<S>::boxAt(const fcl::Transform3<S>& pose) const {
     for (const tricover::Ring& ring : polygon_.rings()) vertices.insert(vertices.end(), ring.begin(), ring.end());
     hull_->corners = convexHull(vertices);
   });
-  const auto at = [&](int row, int column) { return static_cast<double>(pose.matrix()(row, column)); };
+  // Along all axes at once; the fourth is nothing.
+  const Eigen::Matrix4d m = pose.matrix().template cast<double>();
+  const Eigen::Array4d x = m.col(0), y = m.col(1), z = m.col(2), t = m.col(3);
+  Eigen::Array4d low = Eigen::Array4d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const tricover::Vec2& corner : hull_->corners) {
+    const Eigen::Array4d at = x * corner.x() + y * corner.y();
+    low = low.min(at);
+    high = high.max(at);
+  }
   const double reach = static_cast<double>(this->aabb_radius);
   const double z_low = isAtAllHeights() ? -reach : options_.z_low, z_high = isAtAllHeights() ? reach : options_.z_high;
-  // Pairs of polygons leave out a tilt within the tolerance, other pairs don't: the box is around both readings.
-  const bool level = std::abs(std::abs(at(2, 2)) - 1) <= tricover::kRigidTolerance;
-
+  Eigen::Array4d below = (z * z_low).min(z * z_high), above = (z * z_low).max(z * z_high);
+  // Pairs of polygons leave out a tilt within the tolerance, other pairs don't: the box is around both readings. A
+  // level shape's margin is a length of the world's plane, another one's of its own.
+  Eigen::Array4d margin = (x * x + y * y).sqrt();
+  if (std::abs(std::abs(z[2]) - 1) <= tricover::kRigidTolerance) {
+    low[2] = std::min(low[2], 0.0);
+    high[2] = std::max(high[2], 0.0);
+    const Eigen::Array4d upright(0, 0, std::copysign(1, z[2]), 0);
+    below = below.min(upright * z_low).min(upright * z_high);
+    above = above.max(upright * z_low).max(upright * z_high);
+    margin[0] = margin[1] = 1;
+  }
+  // (1 + 2 kRigidTolerance) pays for a pose that stretches and for rounding where two margins are added. With U = 2^-53
+  // and all of the shape within `reach`: the hull errs by 2^-50 of its size, 16 U reach; products and sums in the plane
+  // by 5 U reach; the product with z by 2 U reach; four more sums by U (3 reach + |t|) each. In all less than
+  // 2^-47 reach + 2^-48 |t|, and of products that underflow 2^-1075 each.
+  const Eigen::Array4d pad = margin * (options_.margin * (1 + 2 * tricover::kRigidTolerance)) + 0x1p-47 * reach +
+                             0x1p-48 * t.abs() + 0x1p-1072;
   fcl::AABB<S> box;
   for (int axis = 0; axis < 3; ++axis) {
-    const double x = at(axis, 0), y = at(axis, 1), z = at(axis, 2), t = at(axis, 3);
-    Range plane{0, 0};
-    if (axis < 2 || x != 0 || y != 0) {
-      if (axis < 2 || !level)
-        plane = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-      for (const tricover::Vec2& corner : hull_->corners) plane.extend(x * corner.x() + y * corner.y());
-    }
-    Range heights{z * z_low, z * z_low};
-    heights.extend(z * z_high);
-    if (level) {
-      const double upright = axis < 2 ? 0 : std::copysign(1, z);
-      heights.extend(upright * z_low);
-      heights.extend(upright * z_high);
-    }
-    // Of a level shape it is a length of the world's plane, otherwise of its own, whose part along the axis counts. The
-    // rest pays for a pose that stretches and for rounding where two margins are added.
-    const double margin = options_.margin * (1 + 2 * tricover::kRigidTolerance) *
-                          (level && axis < 2 ? 1 : std::min(1.0, std::hypot(x, y)));
-    // With U = 2^-53 and all of the shape within `reach`: the hull errs by 2^-50 of its size, 16 U reach; products and
-    // sums in the plane by 5 U reach; the product with z by 2 U reach; three more sums by U (3 reach + |t|) each. In
-    // all less than 2^-47 reach + 2^-48 |t|, and of products that underflow 2^-1075 each.
-    const double pad = margin + 0x1p-47 * reach + 0x1p-48 * std::abs(t) + 0x1p-1072;
-    const double below = (plane.low + heights.low) + t, above = (plane.high + heights.high) + t;
-    const bool known = std::isfinite(pad);
-    box.min_[axis] = known ? -roundUp<S>(pad - below) : -std::numeric_limits<S>::infinity();
-    box.max_[axis] = known ? roundUp<S>(above + pad) : std::numeric_limits<S>::infinity();
+    const bool known = std::isfinite(pad[axis]) && low[axis] <= high[axis];
+    const double down = pad[axis] - (low[axis] + below[axis] + t[axis]),
+                 up = high[axis] + above[axis] + t[axis] + pad[axis];
+    box.min_[axis] = known ? -notBelow<S>(down) : -std::numeric_limits<S>::infinity();
+    box.max_[axis] = known ? notBelow<S>(up) : std::numeric_limits<S>::infinity();
   }
   return box;
 }
