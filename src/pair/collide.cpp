@@ -82,11 +82,10 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   requireRigid(pose_a, "pose_a");
   requireRigid(pose_b, "pose_b");
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
-  if (cache == nullptr && options.strategy == Strategy::Hierarchy) return collideChecked(a, pose_a, b, pose_b, options);
   if (isQuickPoint(a, b) && options.strategy == Strategy::Hierarchy)
     return pointCollides(a, pose_a, b, pose_b, options);
   Recollection recollection{};
-  if (options.strategy == Strategy::Hierarchy) {
+  if (cache != nullptr && options.strategy == Strategy::Hierarchy) {
     recollection = recall(*cache, a, pose_a, b, pose_b, options.margin);
     if (recollection.certain) return recollection.collides;
   }
@@ -107,11 +106,14 @@ PairFact findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b
   return findCloseFact(PosedPair(a, pose_a, b, pose_b), options, wish);
 }
 
-bool collideChecked(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                    const CollideOptions& options) {
+bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                  const CollideOptions& options) {
   if (isQuickPoint(a, b)) return pointCollides(a, pose_a, b, pose_b, options);
   return inKernelOrder(
-      a, pose_a, b, pose_b, [&](const auto&... operands) { return collideInOrder(operands..., nullptr, {}, options); },
+      a, pose_a, b, pose_b,
+      [&](const auto&... operands) {
+        return collideByHierarchy(PosedPair(operands...), options, 0, Wanted::Answer).collides;
+      },
       [](bool) {});
 }
 

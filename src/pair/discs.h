@@ -58,7 +58,6 @@ class Discs {
   /// last rounding by itself.
   static constexpr int kSquares = 2 + 1 + 2;
 
- private:
   /// The largest disc known to be inside of a region. A point or segment has one of radius 0 around S, which is on it
   /// but for 2U: kPointsError is twice what it must be.
   struct InnerDisc {
@@ -77,6 +76,7 @@ class Discs {
     double radius;  ///< negative if there is none
   };
 
+ private:
   double squaredBetween(const Vec2& p, const Vec2& q) const {
     const Double2 d =
         (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));

@@ -28,8 +28,8 @@ struct FactWish {
 PairFact findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                   const CollideOptions& options, const FactWish& wish);
 
-/// collide() of arguments that have been checked, in any order.
-bool collideChecked(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                    const CollideOptions& options);
+/// collide() of arguments that have been checked, in any order, by what comes after discs have been asked.
+bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                  const CollideOptions& options);
 
 }  // namespace tricover::detail

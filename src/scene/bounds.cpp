@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/bounds.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "hierarchy/hierarchy.h"
+#include "numbers/double2.h"
 #include "numbers/rounding.h"
 
 namespace tricover::detail {
@@ -28,38 +28,33 @@ static_assert(kBoundsError >= (1 + 1e-5) * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 
 /// Extents of a float box: its axis is of unit length but for floats' roundings (Box), and they are summed up here.
 constexpr double kExtentsGrowth = 1 + 0x1p-20;
 
-/// One coordinate of a posed polygon's boxes: the row (r0, r1) of R, and t.
-void enclose(const PolygonData& polygon, double r0, double r1, double t, double reach, double& low, double& high) {
-  const Block& block = hierarchyOf(polygon).blocks.front();
-  const double unit = polygon.unit, scale = unit * block.scale;
-  const double x = polygon.origin.x() + unit * block.origin_x, y = polygon.origin.y() + unit * block.origin_y;
-  const double middle = r0 * x + r1 * y + t;
-  double least = kInfinity, most = -kInfinity;
-  for (int i = 0; i < block.count; ++i) {
-    const double ux = block.ux[i], uy = block.uy[i];
-    const double at = r0 * block.x[i] + r1 * block.y[i];
-    const double half = std::abs(r0 * ux + r1 * uy) * block.along[i] + std::abs(r1 * ux - r0 * uy) * block.across[i];
-    least = std::min(least, at - half * kExtentsGrowth);
-    most = std::max(most, at + half * kExtentsGrowth);
-  }
-  const double error = kBoundsError * (polygon.extent + std::abs(t) + reach) + kTiny;
-  low = middle + scale * least - (reach + error);
-  high = middle + scale * most + (reach + error);
-  // What overflows, and where the hierarchy knows nothing. Negated for NaN.
-  constexpr double kLargest = std::numeric_limits<double>::max();
-  if (!(low >= -kLargest && high <= kLargest) || !polygon.fitsUnit()) {
-    low = -kInfinity;
-    high = kInfinity;
-  }
-}
-
 }  // namespace
 
 Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
-  const auto& m = pose.matrix();
-  Bounds bounds;
-  enclose(polygon, m(0, 0), m(0, 1), m(0, 2), reach, bounds.min_x, bounds.max_x);
-  enclose(polygon, m(1, 0), m(1, 1), m(1, 2), reach, bounds.min_y, bounds.max_y);
+  const Block& block = hierarchyOf(polygon).blocks.front();
+  const double unit = polygon.unit, scale = unit * block.scale;
+  const double x = polygon.origin.x() + unit * block.origin_x, y = polygon.origin.y() + unit * block.origin_y;
+  const double* m = pose.data();  // columns of three
+  const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
+  Double2 least = kInfinity - Double2{}, most = -least;
+  for (int i = 0; i < block.count; ++i) {
+    const double ux = block.ux[i], uy = block.uy[i];
+    const Double2 at = r0 * double{block.x[i]} + r1 * double{block.y[i]};
+    const Double2 half =
+        (absolute(r0 * ux + r1 * uy) * double{block.along[i]} + absolute(r1 * ux - r0 * uy) * double{block.across[i]}) *
+        kExtentsGrowth;
+    const Double2 low = at - half;
+    least = least < low ? least : low;
+    most = larger(most, at + half);
+  }
+  const Double2 middle = r0 * x + r1 * y + t;
+  const Double2 grow = kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
+  const Double2 low = middle + scale * least - grow, high = middle + scale * most + grow;
+  Bounds bounds{low[0], low[1], high[0], high[1]};
+  // What overflows, and where the hierarchy knows nothing. Negated for NaN.
+  const auto finite = [](double value) { return std::abs(value) <= std::numeric_limits<double>::max(); };
+  if (!polygon.fitsUnit() || !finite(low[0]) || !finite(high[0])) bounds.min_x = -kInfinity, bounds.max_x = kInfinity;
+  if (!polygon.fitsUnit() || !finite(low[1]) || !finite(high[1])) bounds.min_y = -kInfinity, bounds.max_y = kInfinity;
   return bounds;
 }
 

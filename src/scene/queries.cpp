@@ -27,10 +27,25 @@ void check(const Pose& pose, const CollideOptions& options) {
   detail::requireRigid(pose, "pose");
 }
 
-bool meets(const SceneState::BodyState& body, const Polygon& polygon, const Pose& pose, const CollideOptions& options) {
-  return detail::collideChecked(polygon.data(), pose, body.polygon.data(), body.pose,
-                                detail::withMargin(options, body.options.margin));
-}
+/// A posed polygon that bodies are asked about.
+class Asked {
+ public:
+  Asked(const detail::PolygonData& polygon, const Pose& pose, const CollideOptions& options)
+      : polygon_(polygon), pose_(pose), options_(options), discs_(polygon, pose) {}
+
+  bool meets(const SceneState::BodyState& body) const {
+    const CollideOptions sum = detail::withMargin(options_, body.options.margin);
+    if (detail::areApart(discs_, body.discs, sum.margin)) return false;
+    return detail::areWithin(discs_, body.discs, sum.margin) ||
+           detail::collideClose(polygon_, pose_, body.polygon.data(), body.pose, sum);
+  }
+
+ private:
+  const detail::PolygonData& polygon_;
+  const Pose& pose_;
+  const CollideOptions& options_;
+  const detail::WorldDiscs discs_;
+};
 
 /// A lower bound of the distance between points of two boxes; never NaN.
 double gapBetween(const detail::Bounds& p, const detail::Bounds& q) {
@@ -45,9 +60,10 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOpti
                      std::uint32_t mask) const {
   check(pose, options);
   const SceneState& state = *impl_;
+  const Asked asked(polygon.data(), pose, options);
   return !state.tree.visit(detail::boundsOf(polygon.data(), pose, options.margin), [&](Body body) {
     const auto& other = state.bodies[body];
-    return (other.options.category & mask) == 0 || !meets(other, polygon, pose, options);
+    return (other.options.category & mask) == 0 || !asked.meets(other);
   });
 }
 
@@ -71,11 +87,10 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& cache
     coherent = motion <= detail::kCoherentPart * data.radius;
     if (coherent) lookahead = detail::kStepsAhead * motion / (cache.uses + 1.0);
   }
-  const auto facing = [&](Body body) {
-    const auto& other = state.bodies[body];
-    return (other.options.category & mask) != 0 && meets(other, polygon, pose, options);
+  const auto meets = [&](const SceneState::BodyState& other) {
+    return (other.options.category & mask) != 0 && Asked(data, pose, options).meets(other);
   };
-  if (contains(cache.body) && facing(cache.body)) {
+  if (contains(cache.body) && meets(state.bodies[cache.body])) {
     cache.clearance = 0;
     return true;
   }
@@ -104,10 +119,11 @@ std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& po
                                           std::uint32_t mask) const {
   check(pose, options);
   const SceneState& state = *impl_;
+  const Asked asked(polygon.data(), pose, options);
   std::vector<Body> found;
   state.tree.visit(detail::boundsOf(polygon.data(), pose, options.margin), [&](Body body) {
     const auto& other = state.bodies[body];
-    if ((other.options.category & mask) != 0 && meets(other, polygon, pose, options)) found.push_back(body);
+    if ((other.options.category & mask) != 0 && asked.meets(other)) found.push_back(body);
     return true;
   });
   std::sort(found.begin(), found.end());

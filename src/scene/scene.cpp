@@ -44,7 +44,8 @@ Scene::Body Scene::add(const Polygon& polygon, const Pose& pose, const BodyOptio
   impl.tree.insert(body, bounds);
   // Lists may still hold a removed body of that handle.
   const bool fresh = !anew && impl.bodies[body].fresh, listed = !anew && impl.bodies[body].listed;
-  detail::SceneState::BodyState state{polygon, pose, options, 0, 0, 0, 0, {}, true, fresh, listed};
+  detail::SceneState::BodyState state{polygon, pose,  options, detail::WorldDiscs(polygon.data(), pose), 0, 0, 0, 0, {},
+                                      true,    fresh, listed};
   if (anew) {
     impl.bodies.push_back(std::move(state));
   } else {

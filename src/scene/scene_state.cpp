@@ -72,6 +72,7 @@ void SceneState::moveBody(Body body, const Pose& pose) {
   ++version;
   const double step = change.displacement(), size = sizeOf(state);
   state.pose = pose;
+  state.discs = WorldDiscs(state.polygon.data(), pose);
   state.moved = roundedUp<1>(state.moved + step);
   const bool coherent = step <= kCoherentPart * size;
   state.step = coherent ? state.step + kOfAverage * (step - state.step) : 0;

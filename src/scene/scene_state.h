@@ -9,6 +9,7 @@
 
 #include "polygon/polygon_data.h"
 #include "scene/box_tree.h"
+#include "scene/world_discs.h"
 #include "tricover/scene.h"
 
 namespace tricover::detail {
@@ -36,6 +37,7 @@ struct SceneState {
     Polygon polygon;
     Pose pose;
     BodyOptions options;
+    WorldDiscs discs;
     double moved, due, box_until;
     double step;              ///< how far it goes at a move, as a moving average
     std::vector<Link> links;  ///< its pairs

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+
+#include "hierarchy/hierarchy.h"
+#include "numbers/double2.h"
+#include "numbers/rigidity.h"
+#include "pair/discs.h"
+#include "polygon/polygon_data.h"
+#include "tricover/pose.h"
+
+namespace tricover::detail {
+
+/// A posed polygon's bounding disc, grown, and a disc inside of it, shrunk by what rounding may do to them in the
+/// world: what Discs asks of a pair, ready for many others.
+struct WorldDiscs {
+  WorldDiscs(const PolygonData& polygon, const Pose& pose) {
+    const double* m = pose.data();  // columns of three
+    const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6), away = absolute(t);
+    const double error = Discs::kPointsError * (polygon.extent + away[0] + away[1]) + kTiny;
+    const Discs::InnerDisc disc(polygon);
+    center = r0 * polygon.origin.x() + r1 * polygon.origin.y() + t;
+    radius = polygon.radius * (1 + kLargestDefect) + error;
+    inner = r0 * disc.center.x() + r1 * disc.center.y() + t;
+    inner_radius =
+        disc.radius >= 0 ? disc.radius * (1 - kLargestDefect) - error : -std::numeric_limits<double>::infinity();
+  }
+
+  /// Discs::kSquares, the difference of the centres, and the two sums of what is above.
+  static constexpr int kSquares = Discs::kSquares + 2 + 2 * 2;
+
+  Double2 center, inner;
+  double radius;
+  double inner_radius;  ///< -infinity if no such disc is known
+};
+
+inline double squaredLength(Double2 d) {
+  const Double2 squares = d * d;
+  return squares[0] + squares[1];
+}
+
+/// Whether two polygons are certainly farther apart than the margin.
+inline bool areApart(const WorldDiscs& a, const WorldDiscs& b, double margin) {
+  const double reach = a.radius + b.radius + margin;
+  return squarable(reach) && squaredLength(b.center - a.center) > roundedUp<WorldDiscs::kSquares>(reach * reach);
+}
+
+/// Whether they certainly are no farther apart than that.
+inline bool areWithin(const WorldDiscs& a, const WorldDiscs& b, double margin) {
+  const double within = a.inner_radius + b.inner_radius + margin;
+  return squarable(within) && roundedUp<WorldDiscs::kSquares>(squaredLength(b.inner - a.inner)) < within * within;
+}
+
+}  // namespace tricover::detail
