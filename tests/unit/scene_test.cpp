@@ -103,6 +103,31 @@ TEST(Scene, RefusesDeadHandlesAndBadNumbersAndStaysAsItWas) {
   }
 }
 
+TEST(Scene, CastsRaysAtWhatIsFirst) {
+  Scene scene;
+  BodyOptions round;
+  round.margin = 0.5;
+  round.category = 2;
+  const Scene::Body far = scene.add(kSquare, pose(0, 9, 0)), near = scene.add(kSquare, pose(0, 5, 0)),
+                    disc = scene.add(point({0, 0}), pose(0, 2, 0), round);
+  const auto hit = scene.castRay({0, 0}, {10, 0});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->body, disc);
+  EXPECT_NEAR(hit->hit.fraction, 0.15, 1e-13);
+  EXPECT_NEAR((hit->hit.normal - Vec2(-1, 0)).norm(), 0, 1e-13);
+  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, 1)->body, near);
+  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, 1)->hit.fraction, 0.4);
+  EXPECT_EQ(scene.castRay({10, 2}, {10, 1})->body, far);  // a vertex
+  EXPECT_FALSE(scene.castRay({10, 2}, {nudged(10, 1), 1}));
+  EXPECT_EQ(scene.castRay({2, 0.25}, {2, 9})->hit.fraction, 0);
+  EXPECT_EQ(scene.castRay({2, 0.25}, {2, 9})->hit.edge, -1);
+  EXPECT_FALSE(scene.castRay({0, 9}, {9, 9}));
+  // Of two at the same place, the one that came first.
+  scene.add(kSquare, pose(0, 5, 0));
+  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, 1)->body, near);
+  EXPECT_THROW(scene.castRay({0, 0}, {std::numeric_limits<double>::infinity(), 0}), std::invalid_argument);
+}
+
 TEST(Scene, OfNothing) {
   Scene scene;
   EXPECT_TRUE(scene.collisions().empty());
@@ -110,6 +135,7 @@ TEST(Scene, OfNothing) {
   EXPECT_FALSE(scene.nearest(kSquare, pose(0, 0, 0)));
   EXPECT_FALSE(scene.firstImpact(kSquare, Motion()));
   EXPECT_TRUE(scene.impacts({}).empty());
+  EXPECT_FALSE(scene.castRay({0, 0}, {1, 0}));
   const Scene::Body a = scene.add(kSquare, pose(0, 0, 0));
   scene.remove(a);
   EXPECT_TRUE(scene.collisions().empty());
@@ -249,6 +275,18 @@ TEST(Scene, AnswersWhatLoopsOverTheBodiesAnswer) {
       const auto impact = crowd.scene.firstImpact(polygon, motion);
       ASSERT_EQ(impact ? impact->impact.time : std::numeric_limits<double>::infinity(), first);
       if (impact && first > 0) ++impacts;
+
+      const Vec2 from = at.translation(), to = from + motion.shift;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Scene::Body body : crowd.bodies)
+        if (const auto hit = castRay(crowd.scene.polygon(body), crowd.scene.pose(body), from, to);
+            hit && crowd.scene.options(body).category == 3)
+          nearest = std::min(nearest, hit->fraction);
+      const auto hit = crowd.scene.castRay(from, to, 2);
+      if (hit && crowd.scene.options(hit->body).margin == 0) {
+        ASSERT_EQ(hit->hit.fraction, nearest);
+      }
+      ASSERT_LE(hit ? hit->hit.fraction : 2, nearest);
     }
   }
   EXPECT_GT(hits, 5);
