@@ -1,11 +1,8 @@
-# SOURCE is README's first block of C++, to the letter, below the licence's line.
+# SOURCE is a block of C++ in README, to the letter, below the licence's line.
 file(READ ${README} text)
-string(FIND "${text}" "```cpp\n" start)
-math(EXPR start "${start} + 7")
-string(SUBSTRING "${text}" ${start} -1 text)
-string(FIND "${text}" "```" length)
-string(SUBSTRING "${text}" 0 ${length} text)
 file(READ ${SOURCE} source)
-if(NOT source STREQUAL "// SPDX-License-Identifier: BSD-3-Clause\n${text}")
-  message(FATAL_ERROR "${SOURCE} is not the README's first example")
+string(REPLACE "// SPDX-License-Identifier: BSD-3-Clause\n" "" program "${source}")
+string(FIND "${text}" "```cpp\n${program}```" place)
+if(program STREQUAL source OR place EQUAL -1)
+  message(FATAL_ERROR "${SOURCE} is no example of the README's")
 endif()

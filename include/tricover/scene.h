@@ -106,8 +106,8 @@ struct SceneCache {
 /// bodies that were c apart need not be looked at before both counts together have grown by c. So collisions() costs
 /// the bodies that moved and the pairs whose facts ran out.
 ///
-/// Memory: about 600 bytes a body and 100 a pair of bodies whose surroundings overlap, beside the polygons, which are
-/// shared.
+/// Memory: about 300 bytes a body and 100 a pair of bodies whose surroundings meet, and up to twice that where lists
+/// have just grown, beside the polygons, which are shared.
 ///
 /// \snippet scene.cpp scene
 class TRICOVER_EXPORT Scene {
