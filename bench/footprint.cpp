@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "footprint.h"
 
-#include <malloc.h>
-
 #include "hierarchy/hierarchy.h"
 #include "tricover/collide.h"
 #include "tricover/locate.h"
@@ -12,11 +10,6 @@ namespace tricover::bench {
 namespace {
 
 using Shapes = std::vector<std::vector<Ring>>;
-
-std::size_t heapBytes() {
-  const struct mallinfo2 info = mallinfo2();
-  return info.uordblks + info.hblkhd;
-}
 
 /// Apart, near each other and meeting; with and without coherence; and an inclusion.
 void askEverything(const Polygon& polygon, const Polygon& other) {

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "growth_inputs.h"
+#include "measure.h"
 #include "report.h"
 #include "tricover/tricover.h"
 
@@ -23,12 +23,6 @@ constexpr double kSecondsPerRow = 1.5;
 
 /// A query is asked until this much time has passed, at least once, and the fastest counts.
 constexpr double kSecondsPerSize = 0.02;
-
-double threadSeconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Growth {
   std::string input, query;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unistd.h>
-
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
@@ -9,6 +7,7 @@
 #include "countries.h"
 #include "disc_study.h"
 #include "distance_study.h"
+#include "drive_study.h"
 #include "impact_study.h"
 #include "measure.h"
 #include "pictures.h"
@@ -24,26 +23,6 @@
 
 namespace tricover::bench {
 namespace {
-
-void showProgress(std::size_t done, std::size_t total, const std::string& title) {
-  if (!isatty(STDERR_FILENO)) return;
-  std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total, title.c_str());
-  if (done == total) std::fprintf(stderr, "\n");
-}
-
-/// Whether every method of ours gave the reference's answer every time.
-bool oursAgree(const std::vector<Result>& results) {
-  bool agree = true;
-  for (const Result& result : results) {
-    for (const Timing& timing : result.timings) {
-      if (timing.role != Role::Ours || timing.false_alarms + timing.misses == 0) continue;
-      std::fprintf(stderr, "error: %s disagrees with tricover cold on %s, %s\n", timing.name.c_str(),
-                   result.workload.scene.c_str(), result.workload.name.c_str());
-      agree = false;
-    }
-  }
-  return agree;
-}
 
 /// All tables and CSV files; returns all results.
 std::vector<Result> writeReport(const Measured& measured, const std::vector<Result>& drives,
@@ -61,14 +40,12 @@ std::vector<Result> writeReport(const Measured& measured, const std::vector<Resu
   writeFile(directory + "/discs.md",
             "# Discs\n\n" + table(measured.discs) + "\n# A fleet of round robots\n\n" + table({measured.round_fleet}));
   writeFile(directory + "/splines.md", "# Splines\n\n" + table(splines));
-  writeFile(directory + "/tables.md",
-            summary + main_job + "\n# 2000 moving outlines\n\n" + table({measured.crowd.result}) +
-                "\n# Every kind, vertices fixed x moving\n\n" + table(measured.study) + "\n# Distances\n\n" +
-                table(measured.distances) + "\n# Times of impact\n\n" + table(measured.impacts) + how);
+  writeFile(directory + "/tables.md", summary + main_job + "\n# Every kind, vertices fixed x moving\n\n" +
+                                          table(measured.study) + "\n# Distances\n\n" + table(measured.distances) +
+                                          "\n# Times of impact\n\n" + table(measured.impacts) + how);
   writePlotData(measured.study, directory);
 
   std::vector<Result> all = drives;
-  all.push_back(measured.crowd.result);
   all.push_back(measured.round_fleet);
   for (const auto* results :
        {&measured.study, &measured.distances, &measured.impacts, &measured.rounds, &measured.discs, &splines}) {
@@ -90,7 +67,7 @@ int run(const std::string& data, const std::string& directory, bool full) {
   if (full) movers.insert(movers.end(), {"Indonesia", "Chile", "Australia"});
   const std::vector<Cell> cells = studyCells(full);
   const std::vector<Cell> distance_cells = distanceCells(full), impact_cells = impactCells(full);
-  const std::size_t total = 2 * movers.size() + 5 + cells.size() + distance_cells.size() + impact_cells.size();
+  const std::size_t total = 2 * movers.size() + 4 + cells.size() + distance_cells.size() + impact_cells.size();
   std::size_t done = 0;
   Measured measured;
   std::vector<Result> drives;
@@ -100,8 +77,6 @@ int run(const std::string& data, const std::string& directory, bool full) {
       drives.push_back(measureDrive(countries, mover, trajectory, settings));
     }
   }
-  showProgress(done++, total, "moving outlines");
-  measured.crowd = measureCrowd(settings);
   showProgress(done++, total, "memory and building");
   measured.footprints = measureFootprints(settings);
   showProgress(done++, total, "round shapes");

@@ -2,6 +2,7 @@
 #include "measure.h"
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +18,12 @@
 namespace tricover::bench {
 namespace {
 
+double medianOf(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
 /// Keeps each repetition's CPU seconds per iteration, by benchmark name; of manual times, those.
 class Collector : public benchmark::BenchmarkReporter {
  public:
@@ -29,12 +36,7 @@ class Collector : public benchmark::BenchmarkReporter {
       seconds_[run.run_name.function_name].push_back(seconds / static_cast<double>(run.iterations));
     }
   }
-  double median(const std::string& name) {
-    std::vector<double>& seconds = seconds_.at(name);
-    std::sort(seconds.begin(), seconds.end());
-    const std::size_t n = seconds.size();
-    return n % 2 ? seconds[n / 2] : (seconds[n / 2 - 1] + seconds[n / 2]) / 2;
-  }
+  double median(const std::string& name) { return medianOf(seconds_.at(name)); }
 
  private:
   bool manual_;
@@ -118,6 +120,35 @@ Answers askReference(const ContenderFor<Answers>& reference, std::uint64_t& exac
 }
 
 }  // namespace
+
+double threadSeconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double wallSeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<double> secondsInTurn(const std::vector<std::function<void()>>& tasks, int rounds, double (*clock)()) {
+  std::vector<std::vector<double>> seconds(tasks.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const double start = clock();
+      tasks[i]();
+      seconds[i].push_back(clock() - start);
+    }
+  }
+  std::vector<double> medians;
+  for (const std::vector<double>& some : seconds) medians.push_back(medianOf(some));
+  return medians;
+}
+
+std::size_t heapBytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
 
 double measureBuild(const std::string& name, std::size_t things, const std::function<void()>& make,
                     const std::function<void(std::size_t thing)>& build, const Settings& settings) {

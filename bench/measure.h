@@ -114,6 +114,16 @@ struct Settings {
   double seconds_per_repetition = 0.002;  ///< about; a walk that would take longer is sampled
 };
 
+/// CPU time of this thread, and wall time.
+double threadSeconds();
+double wallSeconds();
+
+/// Median seconds of each task by that clock, all of them run in turn, `rounds` times.
+std::vector<double> secondsInTurn(const std::vector<std::function<void()>>& tasks, int rounds, double (*clock)());
+
+/// The heap in use.
+std::size_t heapBytes();
+
 /// Median CPU seconds of `build`, which does its work once for each of the things that `make` has made, per thing.
 double measureBuild(const std::string& name, std::size_t things, const std::function<void()>& make,
                     const std::function<void(std::size_t thing)>& build, const Settings& settings);

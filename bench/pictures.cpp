@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "drive_study.h"
 #include "report.h"
 #include "tricover/collide.h"
 #include "tricover/svg.h"

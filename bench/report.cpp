@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -66,8 +68,6 @@ const char* const kConditions =
 - Countries: a query is one position of the moving country against all others. cold and cached have no broadphase and
   ask about every country. For the others DynamicAABBTreeCollisionManager finds the pairs and unmodified fcl::collide
   decides them; each prism is an object of its own, and further pairs with a country that is hit already are skipped.
-- Moving outlines: a query is a frame. All objects are moved, the manager is updated and finds the pairs, fcl::collide
-  (cold: the core) decides them.
 - Round shapes: unmodified fcl::collide, fcl::distance and fcl::continuousCollide, all between a polygon's prism and one
   and the same round body, which lies between the prism's ends; "swapped": it comes first. "FCL" has a Convex for the
   polygon; "FCL Box" is another form of 4 vertices, a rectangle. disc: PolygonShape(point, margin), in FCL's pairs a
@@ -146,6 +146,25 @@ std::string table(const std::vector<Result>& results) {
          disagreements;
 }
 
+void showProgress(std::size_t done, std::size_t total, const std::string& title) {
+  if (!isatty(STDERR_FILENO)) return;
+  std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total, title.c_str());
+  if (done == total) std::fprintf(stderr, "\n");
+}
+
+bool oursAgree(const std::vector<Result>& results) {
+  bool agree = true;
+  for (const Result& result : results) {
+    for (const Timing& timing : result.timings) {
+      if (timing.role != Role::Ours || timing.false_alarms + timing.misses == 0) continue;
+      std::fprintf(stderr, "error: %s disagrees with tricover cold on %s, %s\n", timing.name.c_str(),
+                   result.workload.scene.c_str(), result.workload.name.c_str());
+      agree = false;
+    }
+  }
+  return agree;
+}
+
 std::string csv(const std::vector<Result>& results) {
   std::ostringstream out;
   out << "job,scene,workload,vertices_fixed,vertices_moving,queries,collisions,exact_calls,method,ns_per_query,"
@@ -161,7 +180,7 @@ std::string csv(const std::vector<Result>& results) {
   return out.str();
 }
 
-std::string conditions(const Settings& settings) {
+std::string machine(const Settings& settings) {
   std::string cpu = "unknown processor";
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
@@ -173,10 +192,11 @@ std::string conditions(const Settings& settings) {
       << "- Compiler: " << TRICOVER_BENCH_COMPILER << ", flags" << TRICOVER_BENCH_FLAGS << ".\n"
       << "- Rivals: " << TRICOVER_BENCH_RIVALS << ", as Debian packages them.\n"
       << "- Times: CPU time per query, the median of " << settings.repetitions << " repetitions of about "
-      << settings.seconds_per_repetition << " s.\n"
-      << kConditions;
+      << settings.seconds_per_repetition << " s.\n";
   return out.str();
 }
+
+std::string conditions(const Settings& settings) { return machine(settings) + kConditions; }
 
 std::string formatted(const char* format, double value) {
   char text[32];

@@ -27,7 +27,14 @@ std::string table(const std::vector<Result>& results);
 /// One line a workload and method.
 std::string csv(const std::vector<Result>& results);
 
-/// What must be known to read the times: machine, compiler, flags, how the rivals are set up.
+/// Whether every method of ours gave the reference's answer every time; says on stderr which didn't.
+bool oursAgree(const std::vector<Result>& results);
+
+/// One line on a terminal, none elsewhere.
+void showProgress(std::size_t done, std::size_t total, const std::string& title);
+
+/// What must be known to read the times: machine, compiler, flags; and how the rivals are set up.
+std::string machine(const Settings& settings);
 std::string conditions(const Settings& settings);
 
 /// What main() does: 2 and the usage where the arguments don't fit, 1 and what was thrown, or what `run` returns.

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian, as root or with sudo), builds, and times tricover beside what people use. Prints the
-# targets' table; build/report/ gets all tables, CSV and SVG. --full: every kind on the whole grid, for about an hour,
+# targets' tables; build/report/ gets all tables, CSV and SVG. --full: every kind on the whole grid, for about an hour,
 # and bench/results/ keeps the figures.
 set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgeos++-dev libbox2d-dev \
-  libboost-dev libgmp-dev libbenchmark-dev gnuplot-nox ninja-build
+  libboost-dev libtbb-dev libgmp-dev libbenchmark-dev gnuplot-nox ninja-build
 
 # Ninja compiles across targets: the tables of FCL's functions, two minutes each, beside all the rest.
 build=build/bench-ninja
@@ -18,9 +18,11 @@ step "configuring"
 quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_BENCH=ON \
   -DTRICOVER_WERROR=ON
 step "building (FCL's headers take their time)"
-quietly cmake --build "$build" --target bench_main bench_tradeoff bench_modelled bench_growth bench_pages
+quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff bench_modelled bench_growth bench_pages
 step ""
 "$build/bench/bench_main" bench/data/countries_110m.txt "$report" "$@"
+step "scenes"
+"$build/bench/bench_scenes" bench/data/countries_110m.txt "$report" "$@"
 step "counting wrong answers around contact and at the extremes"
 "$build/bench/bench_tradeoff" bench/data/countries_110m.txt "$report" "$@"
 "$build/bench/bench_modelled" "$report"
@@ -31,7 +33,7 @@ for plots in plots tradeoff; do LC_ALL=C.UTF-8 gnuplot -e "report='$report'" "be
 "$build/bench/bench_pages" bench/pages.html "$report"
 if [ "${1-}" = --full ]; then
   mkdir -p bench/results
-  cp "$report"/{targets,results,growth,tradeoff,values,extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg} bench/results/
+  cp "$report"/{targets,results,scene_targets,scenes,growth,tradeoff,values,extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg} bench/results/
 fi
 echo
 echo "$report/index.html shows it all; the tables, CSV files and pictures are beside it"

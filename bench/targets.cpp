@@ -5,47 +5,11 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <sstream>
 
-#include "report.h"
 #include "study.h"
 
 namespace tricover::bench {
 namespace {
-
-/// A figure and the cell that it is from.
-struct Figure {
-  double value;
-  std::string cell;
-};
-
-/// What is wanted of all figures: each at least (or at most) `every`, and the median at least `median`.
-struct Wanted {
-  bool at_least;
-  double every;
-  double median = 0;
-  std::string unit = "x";
-};
-
-std::string cellName(const Result& result) {
-  const Workload& w = result.workload;
-  return w.scene + " " + std::to_string(w.vertices_fixed) + " x " + std::to_string(w.vertices_moving) + ", " + w.name;
-}
-
-std::optional<double> nsOf(const Result& result, const std::string& method) {
-  for (const Timing& timing : result.timings) {
-    if (timing.name == method) return timing.ns;
-  }
-  return {};
-}
-
-std::optional<double> fastest(const Result& result, Role role) {
-  std::optional<double> ns;
-  for (const Timing& timing : result.timings) {
-    if (timing.role == role && (!ns || timing.ns < *ns)) ns = timing.ns;
-  }
-  return ns;
-}
 
 /// tricover's core as the workload has it used: with a PairCache where there is coherence.
 std::optional<double> core(const Result& result) {
@@ -67,18 +31,6 @@ std::vector<Figure> ratios(const std::vector<Result>& results, const Filter& hol
     figures.push_back({*numerator / *denominator, cellName(result)});
   }
   return figures;
-}
-
-Target judged(std::string subject, std::string compared, std::vector<Figure> figures, const Wanted& wanted) {
-  std::sort(figures.begin(), figures.end(), [](const Figure& p, const Figure& q) { return p.value < q.value; });
-  const Figure& worst = wanted.at_least ? figures.front() : figures.back();
-  const std::size_t n = figures.size();
-  const double median = (figures[(n - 1) / 2].value + figures[n / 2].value) / 2;
-  std::string text = (wanted.at_least ? ">= " : "<= ") + shortNumber(wanted.every) + " " + wanted.unit;
-  if (wanted.median > 0) text += ", median >= " + shortNumber(wanted.median) + " " + wanted.unit;
-  const bool met =
-      (wanted.at_least ? worst.value >= wanted.every : worst.value <= wanted.every) && median >= wanted.median;
-  return {std::move(subject), std::move(compared), text, wanted.unit, worst.value, median, worst.cell, met};
 }
 
 Filter named(std::vector<std::string> names) {
@@ -113,7 +65,6 @@ class Judge {
   }
 
   void collisions(const std::vector<Result>& results);
-  void crowd(const CrowdResult& crowd);
   void distancesAndImpacts(const std::vector<Result>& distances, const std::vector<Result>& impacts);
   void rounds(const std::vector<Result>& rounds, const std::vector<Result>& discs, const Result& fleet);
 
@@ -150,15 +101,6 @@ void Judge::collisions(const std::vector<Result>& results) {
   add("any cell, any workload", kCoreText, ratios(results, kAny, bestRival, core), {true, 1});
   add("price of exactness, contact", "core / plain double signs",
       ratios(results, named({"contact"}), core, [](const Result& r) { return nsOf(r, "plain signs"); }), {false, 1.2});
-}
-
-void Judge::crowd(const CrowdResult& crowd) {
-  const Result& scene = crowd.result;
-  const double bvh = *nsOf(scene, "FCL BVH"), shapes = *nsOf(scene, "via FCL"), alone = *nsOf(scene, "manager alone");
-  const std::string percent = shortNumber(100 * crowd.colliding) + " % of 2000 colliding";
-  add("2000 moving outlines, whole frames", "BVH meshes / via FCL", {{bvh / shapes, percent}}, {true, 10});
-  add("2000 moving outlines, less the manager alone", "BVH meshes / via FCL",
-      {{(bvh - alone) / (shapes - alone), percent}}, {true, 10});
 }
 
 void Judge::distancesAndImpacts(const std::vector<Result>& distances, const std::vector<Result>& impacts) {
@@ -201,32 +143,12 @@ void Judge::rounds(const std::vector<Result>& rounds, const std::vector<Result>&
 std::vector<Target> judge(const Measured& measured) {
   Judge judge;
   judge.collisions(measured.study);
-  judge.crowd(measured.crowd);
   judge.distancesAndImpacts(measured.distances, measured.impacts);
   judge.rounds(measured.rounds, measured.discs, measured.round_fleet);
   judge.add("memory of all that is derived", "per edge", perEdge(measured.footprints, &Footprint::bytes),
             {false, 160, 0, "bytes"});
   judge.add("building it", "per edge", perEdge(measured.footprints, &Footprint::ns), {false, 400, 0, "ns"});
   return judge.targets;
-}
-
-std::string targetsTable(const std::vector<Target>& targets) {
-  TextTable table = {{"target", "compared", "wanted", "worst", "median", "worst cell", "met"}};
-  for (const Target& t : targets) {
-    table.push_back({t.subject, t.compared, t.wanted, shortNumber(t.worst) + " " + t.unit,
-                     shortNumber(t.median) + " " + t.unit, t.worst_cell, t.met ? "yes" : "**no**"});
-  }
-  return markdown(table);
-}
-
-std::string targetsCsv(const std::vector<Target>& targets) {
-  std::ostringstream out;
-  out << "target,compared,wanted,unit,worst,median,worst_cell,met\n";
-  for (const Target& t : targets) {
-    out << '"' << t.subject << "\",\"" << t.compared << "\",\"" << t.wanted << "\"," << t.unit << ',' << t.worst << ','
-        << t.median << ",\"" << t.worst_cell << "\"," << (t.met ? "yes" : "no") << '\n';
-  }
-  return out.str();
 }
 
 }  // namespace tricover::bench

@@ -22,7 +22,6 @@ class BoostGeometry {
 
  private:
   struct Shapes;
-  void move(std::size_t i);
 
   bool fixed_is_still_;
   std::unique_ptr<Shapes> shapes_;  ///< keeps Boost's templates in one file

@@ -8,19 +8,23 @@
 #include "convex_pieces.h"
 
 namespace tricover::bench {
-namespace {
 
-b2Vec2 scaled(const Vec2& v) {
-  return {kBox2dScale * static_cast<float>(v.x()), kBox2dScale * static_cast<float>(v.y())};
+b2Vec2 box2dVector(const Vec2& v, float scale) {
+  return {scale * static_cast<float>(v.x()), scale * static_cast<float>(v.y())};
 }
 
-b2PolygonShape box2dShape(const Polygon& polygon) {
+b2Transform box2dTransform(const Pose& pose, float scale) {
+  const double angle = std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
+  return {box2dVector(pose.translation(), scale), b2Rot(static_cast<float>(angle))};
+}
+
+b2PolygonShape box2dShape(const Polygon& polygon, float scale) {
   const Ring& ring = polygon.rings()[0];
   if (polygon.rings().size() > 1 || ring.size() > b2_maxPolygonVertices) {
     throw std::invalid_argument("polygon: Box2D takes one ring of at most 8 vertices");
   }
   b2Vec2 vertices[b2_maxPolygonVertices];
-  for (std::size_t i = 0; i < ring.size(); ++i) vertices[i] = scaled(ring[i]);
+  for (std::size_t i = 0; i < ring.size(); ++i) vertices[i] = box2dVector(ring[i], scale);
   b2PolygonShape shape;
   shape.Set(vertices, static_cast<int>(ring.size()));
   // It takes the convex hull, and joins vertices that are close.
@@ -29,8 +33,6 @@ b2PolygonShape box2dShape(const Polygon& polygon) {
   }
   return shape;
 }
-
-}  // namespace
 
 bool box2dTakes(const Polygon& polygon) {
   return polygon.rings().size() == 1 && polygon.vertexCount() <= b2_maxPolygonVertices && isConvex(polygon);
@@ -43,10 +45,7 @@ Box2dPair::Box2dPair(const Polygon& fixed, const Polygon& moving)
 
 void Box2dPair::prepare(const std::vector<Pose>& poses) {
   transforms_.clear();
-  for (const Pose& pose : poses) {
-    const double angle = std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
-    transforms_.emplace_back(scaled(pose.translation()), b2Rot(static_cast<float>(angle)));
-  }
+  for (const Pose& pose : poses) transforms_.push_back(box2dTransform(pose));
 }
 
 Box2dImpact::Box2dImpact(const Polygon& fixed, const Polygon& moving) : Box2dPair(fixed, moving) {
@@ -62,9 +61,9 @@ void Box2dImpact::prepare(const std::vector<Motion>& motions) {
     const Vec2 from = motion.start * motion.pivot;
     const double angle = std::atan2(motion.start.linear()(1, 0), motion.start.linear()(0, 0));
     b2Sweep sweep{};
-    sweep.localCenter = scaled(motion.pivot);
-    sweep.c0 = scaled(from);
-    sweep.c = scaled(from + motion.shift);
+    sweep.localCenter = box2dVector(motion.pivot);
+    sweep.c0 = box2dVector(from);
+    sweep.c = box2dVector(from + motion.shift);
     sweep.a0 = static_cast<float>(angle);
     sweep.a = static_cast<float>(angle + motion.angle);
     sweeps_.push_back(sweep);

@@ -20,10 +20,17 @@ constexpr float kBox2dScale = 64;
 /// Whether it is convex and has at most b2_maxPolygonVertices = 8 vertices.
 bool box2dTakes(const Polygon& polygon);
 
+/// In Box2D's units, by default those above.
+b2Vec2 box2dVector(const Vec2& v, float scale = kBox2dScale);
+b2Transform box2dTransform(const Pose& pose, float scale = kBox2dScale);
+
+/// Throws std::invalid_argument for a polygon that Box2D can't hold as it is.
+b2PolygonShape box2dShape(const Polygon& polygon, float scale = kBox2dScale);
+
 /// What all of Box2D's calls need: convex polygons of at most b2_maxPolygonVertices = 8 vertices.
 class Box2dPair {
  public:
-  /// Throws std::invalid_argument for a polygon that Box2D can't hold as it is.
+  /// Throws as box2dShape() does.
   Box2dPair(const Polygon& fixed, const Polygon& moving);
 
   void prepare(const std::vector<Pose>& poses);

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frames.h"
+
+#include <fcl/narrowphase/collision.h>
+
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "crowd.h"
+#include "rivals/box2d.h"
+#include "rivals/box2d_scene.h"
+#include "rivals/fcl_geometry.h"
+#include "rivals/fcl_manager.h"
+#include "tricover/collide.h"
+#include "tricover/scene.h"
+#include "tricover_fcl/tricover_fcl.h"
+
+namespace tricover::bench {
+namespace {
+
+constexpr std::size_t kObjects = 2000, kFrames = 50;
+
+using SharedCrowd = std::shared_ptr<const Crowd>;
+
+/// Walks forth and back in turn, so that no walk begins with a leap.
+class FrameWalk {
+ public:
+  template <class Visit>
+  void operator()(std::size_t frames, Visit visit) {
+    for (std::size_t k = 0; k < frames; ++k) visit(backwards_ ? frames - 1 - k : k);
+    backwards_ = !backwards_;
+  }
+
+ private:
+  bool backwards_ = false;
+};
+
+std::uint32_t hitCode(std::size_t frame, std::size_t i, std::size_t j) {
+  if (i > j) std::swap(i, j);
+  return static_cast<std::uint32_t>((frame * kObjects + i) * kObjects + j);
+}
+
+class SceneFrames {
+ public:
+  explicit SceneFrames(SharedCrowd crowd) : crowd_(std::move(crowd)) {
+    for (std::size_t i = 0; i < kObjects; ++i) scene_.add(crowd_->shapeOf(i), crowd_->poses[0][i]);
+  }
+  void walk(Hits& hits) {
+    walk_(kFrames, [&](std::size_t frame) {
+      const std::vector<Pose>& poses = crowd_->poses[frame];
+      for (std::size_t i = 0; i < kObjects; ++i) scene_.move(static_cast<Scene::Body>(i), poses[i]);
+      for (const BodyPair& pair : scene_.collisions()) hits.push_back(hitCode(frame, pair.first, pair.second));
+    });
+  }
+
+ private:
+  SharedCrowd crowd_;
+  Scene scene_;
+  FrameWalk walk_;
+};
+
+/// The name of ours: FCL's interface over a Scene.
+const char* const kSceneManager = "SceneManager";
+
+/// `Object` has a computeAABB() of its own.
+template <class Object>
+class FclFrames {
+ public:
+  template <class MakeGeometry>
+  FclFrames(SharedCrowd crowd, const std::string& manager, MakeGeometry make)
+      : crowd_(std::move(crowd)), objects_(kObjects) {
+    for (const std::vector<Pose>& poses : crowd_->poses) transforms_.push_back(toTransforms(poses));
+    std::vector<decltype(make(crowd_->shapes.front()))> geometries;
+    double size = 0;
+    for (const Polygon& shape : crowd_->shapes) {
+      geometries.push_back(make(shape));
+      size = std::max(size, 2 * geometries.back()->aabb_radius);
+    }
+    fcl::AABBd bounds;
+    std::vector<fcl::CollisionObjectd*> all;
+    for (std::size_t i = 0; i < kObjects; ++i) {
+      objects_[i] = std::make_unique<Object>(geometries[i % geometries.size()]);
+      objects_[i]->setUserData(&objects_[i]);
+      place(i, 0);
+      bounds += objects_[i]->getAABB();
+      all.push_back(objects_[i].get());
+    }
+    if (manager == kSceneManager) {
+      manager_ = std::make_unique<tricover_fcl::SceneManagerd>();
+    } else {
+      manager_ = makeFclManager(manager, bounds.min_, bounds.max_, size);
+    }
+    manager_->registerObjects(all);
+    manager_->setup();
+  }
+
+  /// `ask(frames, i, j)` decides a pair of objects.
+  template <bool ask(FclFrames&, std::size_t, std::size_t)>
+  void walk(Hits& hits) {
+    hits_ = &hits;
+    walk_(kFrames, [&](std::size_t frame) {
+      frame_ = frame;
+      for (std::size_t i = 0; i < kObjects; ++i) place(i, frame);
+      manager_->update();
+      manager_->collide(this, meet<ask>);
+    });
+  }
+
+  static bool askNothing(FclFrames&, std::size_t, std::size_t) { return false; }
+
+  static bool askCore(FclFrames& frames, std::size_t i, std::size_t j) {
+    const Crowd& crowd = *frames.crowd_;
+    const std::vector<Pose>& poses = crowd.poses[frames.frame_];
+    return tricover::collide(crowd.shapeOf(i), poses[i], crowd.shapeOf(j), poses[j]);
+  }
+
+  static bool askFcl(FclFrames& frames, std::size_t i, std::size_t j) {
+    static const fcl::CollisionRequestd request;
+    frames.result_.clear();
+    return fcl::collide(frames.objects_[i].get(), frames.objects_[j].get(), request, frames.result_) > 0;
+  }
+
+ private:
+  void place(std::size_t i, std::size_t frame) {
+    objects_[i]->setTransform(transforms_[frame][i]);
+    objects_[i]->computeAABB();
+  }
+
+  template <bool ask(FclFrames&, std::size_t, std::size_t)>
+  static bool meet(fcl::CollisionObjectd* o1, fcl::CollisionObjectd* o2, void* data) {
+    auto& frames = *static_cast<FclFrames*>(data);
+    const auto index = [&](const fcl::CollisionObjectd* object) {
+      return static_cast<std::size_t>(static_cast<const std::unique_ptr<Object>*>(object->getUserData()) -
+                                      frames.objects_.data());
+    };
+    const std::size_t i = index(o1), j = index(o2);
+    if (ask(frames, i, j)) frames.hits_->push_back(hitCode(frames.frame_, i, j));
+    return false;
+  }
+
+  SharedCrowd crowd_;
+  std::vector<std::vector<fcl::Transform3d>> transforms_;
+  std::vector<std::unique_ptr<Object>> objects_;
+  FclManager manager_;
+  fcl::CollisionResultd result_;
+  FrameWalk walk_;
+  std::size_t frame_ = 0;
+  Hits* hits_ = nullptr;
+};
+
+class Box2dFrames {
+ public:
+  Box2dFrames(const Crowd& crowd, float scale) : bodies_(crowd.shapes, crowd.poses[0], scale) {
+    for (const std::vector<Pose>& poses : crowd.poses) transforms_.push_back(bodies_.transforms(poses));
+  }
+  void walk(Hits& hits) {
+    walk_(kFrames, [&](std::size_t frame) {
+      for (std::size_t i = 0; i < kObjects; ++i) bodies_.move(i, transforms_[frame][i]);
+      bodies_.forEachTouching([&](std::uint32_t i, std::uint32_t j) { hits.push_back(hitCode(frame, i, j)); });
+    });
+  }
+
+ private:
+  Box2dCrowd bodies_;
+  std::vector<std::vector<b2Transform>> transforms_;
+  FrameWalk walk_;
+};
+
+/// All frames are walked, as coherent ones are.
+template <class Walk>
+Contender framesContender(const std::string& name, Role role, Walk walk) {
+  return {name, role, true, [=](const Sampling&, Hits& hits) { walk(hits); }};
+}
+
+using Objects = FclFrames<fcl::CollisionObjectd>;
+using TightObjects = FclFrames<tricover_fcl::PolygonObjectd>;
+
+template <class Frames>
+Contender fclContender(const std::string& name, Role role, std::shared_ptr<Frames> frames) {
+  return framesContender(name, role, [=](Hits& hits) { frames->template walk<Frames::askFcl>(hits); });
+}
+
+template <class Frames>
+Contender ownContender(const std::string& name, Role role, std::shared_ptr<Frames> frames) {
+  return framesContender(name, role, [=](Hits& hits) { frames->walk(hits); });
+}
+
+/// Of the objects in all frames, those with a partner.
+double collidingShare(const Contender& contender) {
+  Hits hits;
+  contender.walk(Sampling{}, hits);
+  std::set<std::size_t> colliding;  // frame * kObjects + object
+  for (const std::uint32_t hit : hits) {
+    const std::size_t frame_and_i = hit / kObjects;
+    colliding.insert({frame_and_i, frame_and_i / kObjects * kObjects + hit % kObjects});
+  }
+  return static_cast<double>(colliding.size()) / (kObjects * kFrames);
+}
+
+/// Box2D is asked at several scales: where its skin of 0.02 is small to the bodies, so is what it grows their boxes by.
+void addBox2d(const Crowd& crowd, bool full, std::vector<Contender>& contenders) {
+  const auto add = [&](const std::string& name, float scale) {
+    contenders.push_back(ownContender(name, Role::Box2d, std::make_shared<Box2dFrames>(crowd, scale)));
+  };
+  add("Box2D", 1);
+  if (!full) return;
+  add("Box2D, x 64", kBox2dScale);
+  add("Box2D, x 0.1", 0.1F);
+  add("Box2D, x 0.01", 0.01F);
+}
+
+FramesResult measureKind(workloads::Kind kind, std::size_t vertices, double spacing, const Settings& settings,
+                         bool full) {
+  const auto crowd = std::make_shared<const Crowd>(makeCrowd(kind, vertices, spacing, kObjects, kFrames));
+  const auto shape = [](const Polygon& polygon) { return std::make_shared<tricover_fcl::PolygonShaped>(polygon); };
+  const auto mesh = [](const Polygon& polygon) { return makeFlatMesh(triangulate(polygon)); };
+  const std::string best = fclManagers().front();
+  const auto shapes = std::make_shared<Objects>(crowd, best, shape);
+  std::vector<Contender> contenders = {
+      framesContender("cold", Role::Ours, [=](Hits& hits) { shapes->walk<Objects::askCore>(hits); }),
+      ownContender("scene", Role::Ours, std::make_shared<SceneFrames>(crowd)),
+      fclContender("SceneManager", Role::Ours, std::make_shared<TightObjects>(crowd, kSceneManager, shape)),
+      fclContender("via FCL", Role::Ours, shapes),
+      fclContender("tight boxes", Role::Ours, std::make_shared<TightObjects>(crowd, best, shape)),
+      fclContender("FCL BVH", Role::Rival, std::make_shared<Objects>(crowd, best, mesh)),
+      framesContender("manager alone", Role::Floor, [=](Hits& hits) { shapes->walk<Objects::askNothing>(hits); })};
+  for (const std::string& manager : fclManagers()) {
+    if (!full || manager == best) continue;
+    contenders.push_back(
+        fclContender("via FCL, " + manager, Role::Ours, std::make_shared<Objects>(crowd, manager, shape)));
+  }
+  const bool box2d = kind == workloads::Kind::Convex;
+  if (box2d) addBox2d(*crowd, full, contenders);
+  const Workload workload{"frames", name(kind), "2000 moving", vertices, vertices, kFrames, kObjects * kObjects};
+  return {measure(workload, contenders, settings), collidingShare(contenders.front())};
+}
+
+}  // namespace
+
+std::vector<FramesResult> measureFrames(const Settings& settings, bool full) {
+  return {measureKind(workloads::Kind::Contour, 64, kContourSpacing, settings, full),
+          measureKind(workloads::Kind::Convex, 8, kConvexSpacing, settings, full)};
+}
+
+}  // namespace tricover::bench

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "placed.h"
+
+namespace tricover::bench {
+
+/// Parts of a dozen kinds, each of `least` to `most` vertices but at least its kind's 5 to 8, laid by bottom-left fill
+/// into a strip about as long as it is high: the largest first, each of some turns as far left as it goes, then as low.
+/// No two of them collide. Equal arguments give equal layouts wherever <cmath> agrees.
+Placement makeLayout(std::size_t parts, int least, int most, std::uint64_t seed);
+
+enum class Placing {
+  Free,    ///< Close to the part's own place, and free.
+  Local,   ///< Around its own place, by a tenth of its size and a few degrees.
+  Uniform  ///< Anywhere in the layout, turned anyhow.
+};
+
+/// Poses for a part that was taken out of the layout, of which `others` is the rest.
+std::vector<Pose> placings(const Placed& part, const Placement& others, Placing placing, std::size_t count,
+                           std::uint64_t seed);
+
+}  // namespace tricover::bench

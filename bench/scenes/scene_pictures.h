@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "countries.h"
+
+namespace tricover::bench {
+
+/// Writes crowd.svg (a frame of moving outlines), layout.svg (a part among the others, placed anew) and rays.svg (rays
+/// from a robot in the map of countries, and in the warehouse). Colours are the scene's answers.
+void drawScenes(const Countries& countries, const std::string& directory);
+
+}  // namespace tricover::bench
