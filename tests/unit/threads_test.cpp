@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/locate.h"
+#include "tricover/scene.h"
 
 namespace tricover::support {
 namespace {
@@ -81,6 +84,86 @@ TEST(Threads, ShareFreshPolygons) {
   EXPECT_EQ(wrong, 0);
   EXPECT_GE(hits, 0.2 * queries);
   EXPECT_LE(hits, 0.8 * queries);
+}
+
+/// The same bodies for the same seed, of polygons that nobody has asked anything yet.
+Scene makeScene(std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  for (int i = 0; i < 30; ++i) {
+    BodyOptions options;
+    options.margin = random.oneIn(3) ? random.real(0, 0.2) : 0;
+    scene.add(Polygon({star(random, random.integer(3, 40), 0.5, 2)}), randomPose(random, 12), options);
+  }
+  return scene;
+}
+
+struct SceneAnswers {
+  std::vector<bool> collides;
+  std::vector<std::vector<Scene::Body>> colliding;
+  std::vector<double> distances, times;
+  std::vector<Scene::Body> nearest;
+
+  bool operator==(const SceneAnswers& other) const {
+    return collides == other.collides && colliding == other.colliding && distances == other.distances &&
+           times == other.times && nearest == other.nearest;
+  }
+};
+
+SceneAnswers ask(const Scene& scene, const Polygon& robot, std::uint64_t seed, const Parallel& parallel) {
+  Random random(seed);
+  SceneAnswers answers;
+  SceneCache cache;
+  std::vector<Pose> poses;
+  for (int i = 0; i < 1200; ++i) poses.push_back(randomPose(random, 14));
+  const auto many = std::make_unique<bool[]>(poses.size());
+  scene.collides(robot, poses.data(), poses.size(), many.get(), parallel);
+  answers.collides.assign(many.get(), many.get() + poses.size());
+  std::vector<BodyMotion> motions;
+  for (std::size_t i = 0; i < 20; ++i) {
+    const Pose& at = poses[i];
+    answers.collides.push_back(scene.collides(robot, at, cache));
+    answers.colliding.push_back(scene.colliding(robot, at));
+    const auto nearest = scene.nearest(robot, at);
+    answers.nearest.push_back(nearest->body);
+    answers.distances.push_back(nearest->result.distance);
+    Motion motion = Motion::still(at);
+    motion.shift = Vec2(random.real(-9, 9), random.real(-9, 9));
+    const auto impact = scene.firstImpact(robot, motion);
+    answers.times.push_back(impact ? impact->impact.time : 2);
+    motion.start = scene.pose(static_cast<Scene::Body>(i));
+    motions.push_back({static_cast<Scene::Body>(i), motion});
+  }
+  for (const PairImpact& impact : scene.impacts(motions, {}, parallel)) answers.times.push_back(impact.impact.time);
+  return answers;
+}
+
+TEST(Threads, AskOneScene) {
+  const Parallel by_threads = [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    std::atomic<std::size_t> next{0};
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 3; ++t)
+      threads.emplace_back([&] {
+        for (std::size_t i = next++; i < count; i = next++) task(i);
+      });
+    for (std::thread& thread : threads) thread.join();
+  };
+  for (std::uint64_t round = 0; round < static_cast<std::uint64_t>(scaledCount(10)); ++round) {
+    const auto robot = [] { return Polygon({rectangle(-1, -0.5, 1, 0.5)}); };
+    const SceneAnswers expected = ask(makeScene(round), robot(), round, {});
+    EXPECT_NE(std::count(expected.collides.begin(), expected.collides.end(), true), 0);
+    EXPECT_NE(std::count(expected.collides.begin(), expected.collides.end(), false), 0);
+    EXPECT_GT(expected.times.size(), 20u);
+    const Scene scene = makeScene(round);
+    const Polygon shared = robot();
+    std::atomic<int> wrong{0};
+    std::vector<std::thread> threads;
+    for (int t = 0; t < kThreads / 2; ++t)
+      threads.emplace_back(
+          [&, t] { wrong += !(ask(scene, shared, round, t % 2 == 0 ? by_threads : Parallel()) == expected); });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, 0);
+  }
 }
 
 TEST(Threads, IdsStayUniqueAndTheLastCopyMayDieAnywhere) {
