@@ -143,10 +143,11 @@ std::vector<Result> measureMaps(const Countries& countries, const Settings& sett
   constexpr std::size_t kPoses = 10000;
   const Polygon robot = forkLift();
   std::vector<Result> results;
-  for (const auto& [name, bodies] : allMaps(countries)) {
+  for (const NamedMap& map : allMaps(countries)) {
+    const Placement& bodies = map.bodies;
     const Askers askers({{bodies, robot}}, full);
     const auto measureOn = [&](const char* way, std::vector<Pose> poses, bool coherent) {
-      const Workload workload{"map", name, way, vertexCount(bodies), robot.vertexCount(), 0, 0};
+      const Workload workload{"map", map.name, way, vertexCount(bodies), robot.vertexCount(), 0, 0};
       results.push_back(askers.measureOn(workload, {std::move(poses)}, coherent, settings));
     };
     measureOn("random poses", randomPoses(bodies, kPoses, 3), false);
