@@ -17,7 +17,7 @@ namespace {
 
 using support::Random;
 
-/// Robots of about a metre that drive cubic splines of some metres, as fleet planners schedule them.
+/// Robots of about a metre, each on one cubic spline of some 20 m, as fleet planners schedule them.
 struct Fleet {
   Polygon robot;
   std::vector<Motion> motions;
@@ -27,14 +27,14 @@ struct Fleet {
 Fleet makeFleet(std::size_t robots, std::size_t obstacles) {
   Fleet fleet{Polygon({{{-0.6, -0.3}, {0.5, -0.3}, {0.6, -0.2}, {0.6, 0.2}, {0.5, 0.3}, {-0.6, 0.3}}}), {}, {}};
   Random random(31);
-  const double side = 4 * std::sqrt(static_cast<double>(robots));
+  const double side = 8 * std::sqrt(static_cast<double>(robots));
   const auto anywhere = [&] { return Vec2(random.real(0, side), random.real(0, side)); };
   const auto shift = [&](double most) { return Vec2(random.real(-most, most), random.real(-most, most)); };
   for (std::size_t i = 0; i < robots; ++i) {
-    const Vec2 from = anywhere(), to = from + shift(5);
+    const Vec2 from = anywhere(), to = from + shift(15);
     const double turn = random.real(-3.15, 3.15);
-    fleet.motions.push_back(Motion::spline({from, turn, shift(8), random.real(-3, 3)},
-                                           {to, turn + random.real(-1.5, 1.5), shift(8), random.real(-3, 3)}));
+    fleet.motions.push_back(Motion::spline({from, turn, shift(20), random.real(-3, 3)},
+                                           {to, turn + random.real(-1.5, 1.5), shift(20), random.real(-3, 3)}));
   }
   for (std::size_t i = 0; i < obstacles; ++i) {
     std::vector<Ring> rings = workloads::makePolygon(workloads::Kind::Contour, 32, i % 20 + 1).rings();

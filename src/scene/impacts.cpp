@@ -23,6 +23,8 @@ namespace {
 
 /// A window is about as long as the polygon is wide, so that the boxes of a sweep are about twice that.
 constexpr double kMostWindows = 64;
+/// Of pairs that both move: what they save grows slower than what they cost.
+constexpr double kMostPairWindows = 16;
 
 /// A moving polygon, enclosed window by window.
 class Sweep {
@@ -49,17 +51,24 @@ class Sweep {
   }
 
   /// A box around all that is within the margin of it at some time from `begin` to `end`.
-  Bounds between(double begin, double end) const {
+  Bounds between(double begin, double end) const { return around(begin, end, false); }
+
+  /// The same, by the disc around the pivot: wider, and sooner there.
+  Bounds discBetween(double begin, double end) const { return around(begin, end, true); }
+
+ private:
+  Bounds around(double begin, double end, bool by_disc) const {
     const double half = 0.5 * (end - begin), middle = begin + half;
     // No point leaves its place at the middle by more, against the pivot; nor is any farther from the pivot.
     const double turned = turn_.mostRate(begin, end) * half * reach_, spared = margin_ + 2e-13 * length_;
     // A cubic leaves its chord by at most its acceleration times h^2 / 8, h the window's length.
     const Vec2 bend =
         0.5 * half * half * way_.accelerationAt(begin).cwiseAbs().cwiseMax(way_.accelerationAt(end).cwiseAbs());
-    const Vec2 first = way_.at(begin), last = way_.at(end), now = way_.at(middle);
+    const Vec2 first = way_.at(begin), last = way_.at(end);
     Vec2 low = first.cwiseMin(last) - bend, high = first.cwiseMax(last) + bend;
     Bounds bounds;
-    if (turned < reach_) {
+    if (!by_disc && turned < reach_) {
+      const Vec2 now = way_.at(middle);
       bounds = detail::boundsOf(polygon_, motion_.at(middle), spared + turned);
       low -= now;
       high -= now;
@@ -77,7 +86,6 @@ class Sweep {
     return bounds;
   }
 
- private:
   const detail::PolygonData& polygon_;
   const Motion& motion_;
   double margin_, reach_, path_, length_;
@@ -129,42 +137,84 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motio
 
 namespace {
 
+/// Boxes around moving bodies: of each body one a window, and one around all of these.
+class SweptBoxes {
+ public:
+  SweptBoxes(const std::vector<Sweep>& sweeps) {
+    double most = 1;
+    for (const Sweep& sweep : sweeps) most = std::max(most, sweep.windows());
+    windows_ = static_cast<std::size_t>(std::min(most, kMostPairWindows));
+    boxes_.reserve(windows_ * sweeps.size());
+    all_.reserve(sweeps.size());
+    const double count = static_cast<double>(windows_);
+    for (const Sweep& sweep : sweeps) {
+      Bounds all{kInfinity, kInfinity, -kInfinity, -kInfinity};
+      for (double w = 0; w < count; ++w) {
+        const Bounds box = sweep.discBetween(w / count, (w + 1) / count);
+        boxes_.push_back(box);
+        all = {std::min(all.min_x, box.min_x), std::min(all.min_y, box.min_y), std::max(all.max_x, box.max_x),
+               std::max(all.max_y, box.max_y)};
+      }
+      all_.push_back(all);
+    }
+  }
+
+  const Bounds& all(std::size_t i) const { return all_[i]; }
+
+  /// Whether two of them are near each other at the same time.
+  bool meetInWindow(std::size_t i, std::size_t j) const {
+    const Bounds *p = &boxes_[i * windows_], *q = &boxes_[j * windows_];
+    for (std::size_t w = 0; w < windows_; ++w)
+      if (p[w].meets(q[w])) return true;
+    return false;
+  }
+
+  /// Whether one of them comes near what rests in a box.
+  bool meets(std::size_t i, const Bounds& rest) const {
+    const Bounds* p = &boxes_[i * windows_];
+    return std::any_of(p, p + windows_, [&](const Bounds& box) { return box.meets(rest); });
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::size_t windows_;
+  std::vector<Bounds> boxes_, all_;
+};
+
 /// The pairs of bodies that may meet while some of them move, sorted.
 std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<BodyMotion>& motions,
                                 const std::vector<std::uint32_t>& motion_of, double margin) {
   std::vector<Sweep> sweeps;
-  double windows = 1;
   for (const BodyMotion& moving : motions) {
     const auto& body = state.bodies[moving.body];
     // The query's own margin is counted once a pair: half of it for either one.
     sweeps.emplace_back(body.polygon, moving.motion, body.options.margin + 0.5 * margin);
-    windows = std::max(windows, sweeps.back().windows());
   }
+  const SweptBoxes boxes(sweeps);
   std::vector<BodyPair> pairs;
   const auto add = [&](BodyHandle p, BodyHandle q) {
     if (state.mayMeet(state.bodies[p], state.bodies[q])) pairs.push_back({std::min(p, q), std::max(p, q)});
   };
-  for (double w = 0; w < windows; ++w) {
-    detail::BoxTree moving;
-    for (std::uint32_t i = 0; i < motions.size(); ++i) {
-      const BodyHandle body = motions[i].body;
-      Bounds bounds = sweeps[i].between(w / windows, (w + 1) / windows);
-      moving.visit(bounds, [&](std::uint32_t other) {
-        add(body, motions[other].body);
-        return true;
-      });
-      moving.insert(i, bounds);
-      // Bodies at rest have their own margins alone around them.
-      const double rest = 0.5 * margin * (1 + 0x1p-40);
-      bounds = {bounds.min_x - rest, bounds.min_y - rest, bounds.max_x + rest, bounds.max_y + rest};
-      state.tree.visit(bounds, [&](BodyHandle other) {
-        if (motion_of[other] == motions.size()) add(body, other);
-        return true;
-      });
-    }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  // Bodies at rest have their own margins alone around them.
+  const double rest = 0.5 * margin * (1 + 0x1p-40);
+  detail::BoxTree moving;
+  for (std::uint32_t i = 0; i < motions.size(); ++i) {
+    const BodyHandle body = motions[i].body;
+    const Bounds& all = boxes.all(i);
+    moving.visit(all, [&](std::uint32_t j) {
+      if (boxes.meetInWindow(i, j)) add(body, motions[j].body);
+      return true;
+    });
+    moving.insert(i, all);
+    const auto grown = [&](const Bounds& b) {
+      return Bounds{b.min_x - rest, b.min_y - rest, b.max_x + rest, b.max_y + rest};
+    };
+    state.tree.visit(grown(all), [&](BodyHandle other) {
+      if (motion_of[other] == motions.size() && boxes.meets(i, grown(state.tree.boundsOf(other)))) add(body, other);
+      return true;
+    });
   }
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
