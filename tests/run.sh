@@ -6,7 +6,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake pkg-config libeigen3-dev libfcl-dev libccd-dev libgtest-dev libgmp-dev \
-  libompl-dev doxygen python3
+  libompl-dev libtbb-dev libopenmpi-dev openmpi-bin doxygen python3
 
 # Ninja compiles across targets and ccache across runs; neither is needed.
 generator=make
