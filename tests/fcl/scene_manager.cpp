@@ -274,23 +274,30 @@ TEST(SceneManager, distancesOfOtherGeometriesAsByBruteForce) { expectDistancesAs
 
 TEST(SceneManager, floatDistancesAsByBruteForce) { expectDistancesAsByBruteForce<float>(true, 1e-6); }
 
+struct CountedDistance : fcl::DefaultDistanceData<double> {
+  int calls = 0;
+};
+
+bool countDistance(fcl::CollisionObjectd* o1, fcl::CollisionObjectd* o2, void* data, double& least) {
+  auto& counted = *static_cast<CountedDistance*>(data);
+  ++counted.calls;
+  return defaultDistanceFunction<double>(o1, o2, static_cast<fcl::DefaultDistanceData<double>*>(&counted), least);
+}
+
 TEST(SceneManager, distanceShowsTheNearestFirst) {
   Random random(54);
   const Objects<double> objects = sparseObjects<double>(random, 6, 3, true, 0);
   SceneManagerd manager;
   manager.registerObjects(pointers(objects));
-  struct Data : fcl::DefaultDistanceData<double> {
-    int calls = 0;
-  } data;
   fcl::CollisionObjectd query(shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)})),
                               shifted<double>(7, 30, 0));
-  manager.distance(&query, &data, [](fcl::CollisionObjectd* o1, fcl::CollisionObjectd* o2, void* d, double& least) {
-    auto& own = *static_cast<Data*>(d);
-    ++own.calls;
-    return defaultDistanceFunction<double>(o1, o2, static_cast<fcl::DefaultDistanceData<double>*>(&own), least);
-  });
-  EXPECT_LE(data.calls, 6);  // of 36; what lies at other heights is nearer in the plane than in space
-  EXPECT_EQ(data.result.min_distance, leastDistance(pointers(objects), {&query}));
+  CountedDistance of_query, of_all;
+  manager.distance(&query, &of_query, countDistance);
+  EXPECT_LE(of_query.calls, 6);  // of 36; what lies at other heights is nearer in the plane than in space
+  EXPECT_EQ(of_query.result.min_distance, leastDistance(pointers(objects), {&query}));
+  manager.distance(&of_all, countDistance);
+  EXPECT_LE(of_all.calls, 18);  // of 630
+  EXPECT_EQ(of_all.result.min_distance, leastDistance(pointers(objects), pointers(objects)));
 }
 
 TEST(SceneManager, threadsMayAskAtOnce) {

@@ -177,12 +177,18 @@ TEST(SceneManager, aTiltWithinTheToleranceMovesHighPrisms) {
   pose.linear() = turned(9e-7, fcl::Vector3d::UnitY());
   const auto tower = std::make_shared<PolygonShaped>(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}),
                                                      PolygonOptions{0, 1e6, 0});
-  fcl::CollisionObjectd prism(tower, pose);
+  fcl::CollisionObjectd prism(tower);
   fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted<double>(1.5, 0.5, 9e5));
   fcl::CollisionObjectd flat(shapeOf(tricover::Polygon({tricover::support::rectangle(1.2, 0, 2, 1)})),
                              shifted<double>(0, 0, 9e5));
   SceneManagerd manager;
   manager.registerObjects({&prism, &ball, &flat});
+  Seen<double> upright;
+  manager.collide(&upright, see<double>);
+  EXPECT_EQ(upright.shown.size(), 1u);  // the ball and the flat one
+  prism.setTransform(pose);
+  prism.computeAABB();
+  manager.update();
   Seen<double> seen;
   manager.collide(&seen, see<double>);
   EXPECT_TRUE(hit(prism, ball));

@@ -9,11 +9,15 @@
 
 namespace tricover_fcl {
 
-/// A posed polygon and all that is within `margin` of it.
+/// A posed polygon and all that is within `margin` of it. A polygon that is there already is not copied: threads that
+/// count a polygon's copies wait for each other.
 struct Region {
-  tricover::Polygon polygon;
+  const tricover::Polygon* known;
+  std::optional<tricover::Polygon> made;  ///< in place of `known`
   tricover::Pose pose;
   double margin;
+
+  const tricover::Polygon& polygon() const { return made ? *made : *known; }
 };
 
 /// Where an object is: seen along z, and between which heights. It holds all that a query may find of it.

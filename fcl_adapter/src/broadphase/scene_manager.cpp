@@ -107,11 +107,11 @@ template <typename S>
 void SceneManager<S>::Impl::place(Entry& entry, const Footprint& print) {
   const std::optional<BodyHandle> old = entry.body;
   if (print.region) {
-    const auto& [polygon, pose, margin] = *print.region;
-    if (old && scene.polygon(*old).id() == polygon.id() && scene.options(*old).margin == margin) {
-      scene.move(*old, pose);
+    const Region& region = *print.region;
+    if (old && scene.polygon(*old).id() == region.polygon().id() && scene.options(*old).margin == region.margin) {
+      scene.move(*old, region.pose);
     } else {
-      entry.body = scene.add(polygon, pose, {margin, entry.category});
+      entry.body = scene.add(region.polygon(), region.pose, {region.margin, entry.category});
       if (place_of_body.size() <= *entry.body) place_of_body.resize(*entry.body + std::size_t{1});
       place_of_body[*entry.body] = places.at(entry.object);
     }
@@ -137,7 +137,8 @@ template <typename S>
 typename SceneManager<S>::Impl::Query SceneManager<S>::Impl::queryFor(const Entry& entry) const {
   Footprint print{std::nullopt, entry.z_low, entry.z_high};
   if (entry.body)
-    print.region = Region{scene.polygon(*entry.body), scene.pose(*entry.body), scene.options(*entry.body).margin};
+    print.region =
+        Region{&scene.polygon(*entry.body), std::nullopt, scene.pose(*entry.body), scene.options(*entry.body).margin};
   return {std::move(print), &entry};
 }
 
@@ -146,7 +147,7 @@ template <typename S>
 std::vector<BodyHandle> SceneManager<S>::Impl::near(const Region& region, double distance, double tolerance) const {
   const double reach = std::min(distance + region.margin, std::numeric_limits<double>::max());
   const std::shared_lock<std::shared_mutex> lock(mutex);
-  return scene.colliding(region.polygon, region.pose, {reach, tolerance});
+  return scene.colliding(region.polygon(), region.pose, {reach, tolerance});
 }
 
 /// Calls show(entry) for all that may collide with what is asked about, until it returns true. Returns whether it did.
@@ -162,7 +163,7 @@ bool SceneManager<S>::Impl::showMeeting(const Query& query, const Show& show) co
   if (query.self == nullptr) {
     const std::shared_lock<std::shared_mutex> lock(mutex);
     tricover::SceneCache hit;
-    if (scene.collides(region->polygon, region->pose, hit, {region->margin})) first = hit.body;
+    if (scene.collides(region->polygon(), region->pose, hit, {region->margin})) first = hit.body;
   }
   if (first && shows(entryOf(*first))) return true;
   if (first || query.self != nullptr) {
@@ -194,7 +195,7 @@ bool SceneManager<S>::Impl::showNear(const Query& query, const S& least, const S
     tricover::DistanceOptions options;
     options.margin = region->margin;
     std::shared_lock<std::shared_mutex> lock(mutex);
-    const auto nearest = scene.nearest(region->polygon, region->pose, options,
+    const auto nearest = scene.nearest(region->polygon(), region->pose, options,
                                        query.self != nullptr ? ~query.self->category : tricover::kEveryCategory);
     lock.unlock();
     if (nearest) first = nearest->body;
