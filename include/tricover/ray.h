@@ -12,7 +12,8 @@ namespace tricover {
 /// Where a ray first meets a polygon's region, in the world.
 struct RayHit {
   /// Of the way from `from` to `to`, from 0 to 1: right to 1e-14. On a ray that leads far beyond the polygon it is such
-  /// that the point is right to 1e-13 of the polygon's diameter and its distance from `from` together.
+  /// that the point is right to 1e-13 of the polygon's diameter and its distance from `from` together, unless it is
+  /// below 1e-300.
   double fraction;
   Vec2 point;  ///< from + fraction (to - from), rounded.
   /// A unit vector at right angles to the edge, against the ray. Where the ray runs along the edge or starts in the

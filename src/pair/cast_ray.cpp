@@ -119,8 +119,8 @@ class RayCast {
     const Vec2 at = polygon_.inUnits({from_.x, from_.y}), way(to_.x - from_.x, to_.y - from_.y);
     const double square = way.squaredNorm(), away = at.lpNorm<1>() + 4;
     const double length = square > 0x1p-960 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(way.x(), way.y());
-    length_ = std::min(length * polygon_.inverse_unit, 1e300);
-    share_ = length_ > 2 * away ? 2 * away / length_ : 1;
+    length_ = length * polygon_.inverse_unit;  // may overflow: nothing is left out by it then
+    share_ = std::clamp(2 * away * polygon_.unit / length, kLeastShare, 1.0);
     constexpr double kAnyDirection = 1.5;
     start_error_ = kAnyDirection * from_.error * polygon_.inverse_unit + 0x1p-46 * away;
     ray_ = {at.x(), at.y(), 1, 0, start_error_ + kAnyDirection * share_ * to_.error * polygon_.inverse_unit};
@@ -131,7 +131,8 @@ class RayCast {
       ray_.error += length_;  // without a direction
     }
     shorten(limit_);
-    return !polygon_.hasSpine() && polygon_.fitsUnit() && ray_.error < 0x1p-4 && length < kInfinity;
+    known_ = polygon_.fitsUnit() && ray_.error < 0x1p-4 && length < kInfinity;
+    return known_ && !polygon_.hasSpine();
   }
 
   /// Beyond this fraction nothing needs to be seen. The hierarchy allows for the ray's error.
@@ -175,13 +176,13 @@ class RayCast {
     const ApproxArea a = approxArea(v, w, from), b = approxArea(v, w, to);
     const double whole = a.area - b.area, fraction = std::clamp(a.area / whole, 0.0, 1.0);
     const double error = (1 - fraction) * a.bound + fraction * b.bound, enough = kAreasError * share_ * std::abs(whole);
-    if (error < enough && enough < kInfinity) return fraction;
+    if (known_ && error < enough && enough < kInfinity) return fraction;
     return std::min(fractionExact(exact_, segment(ends.edge)), 1.0);
   }
 
   /// By the true fractions, so that the first edge is what it is in whatever order edges come.
   bool isBefore(std::size_t edge, double fraction) const {
-    if (std::abs(fraction - fraction_) > kFractionsApart * share_) return fraction < fraction_;
+    if (std::abs(fraction - fraction_) > kFractionsApart * (known_ ? share_ : 1)) return fraction < fraction_;
     const int order = compareFractionsExact(exact_, segment(edge), segment(edge_));
     return order != 0 ? order < 0 : edge < edge_;
   }
@@ -195,6 +196,7 @@ class RayCast {
     return side * Vec2(-along.y(), along.x()).normalized();
   }
 
+  static constexpr double kLeastShare = 1e-300;  ///< far above what underflow takes from fractions
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const PolygonData& polygon_;
@@ -204,7 +206,8 @@ class RayCast {
   const double limit_;
   Ray ray_;
   double length_, start_error_;  ///< in units
-  double share_;                 ///< no fraction of a hit is above
+  double share_;                 ///< no fraction of a hit is above, if known
+  bool known_;                   ///< whether doubles know where the ray passes the polygon
   bool found_ = false;
   std::size_t edge_ = 0;  ///< the first so far
   double fraction_ = 0;

@@ -33,16 +33,27 @@ struct Interval {
 };
 
 /// A lower bound of the fractions at which a ray may hit what is in a box, infinity if it can't. An interval's ends are
-/// differences and quotients of `way`, which is rounded itself; a hit's fraction may be below the true one by 1e-14.
+/// differences and quotients of `way`, which is rounded itself, and may underflow; a hit's fraction may be below the
+/// true one by 1e-14.
 double entryInto(const Bounds& box, const Vec2& from, const Vec2& way) {
   const Interval x(from.x(), way.x(), box.min_x, box.max_x), y(from.y(), way.y(), box.min_y, box.max_y);
   const double begin = std::max({x.begin, y.begin, 0.0}), end = std::min(x.end, y.end);
-  if (begin * (1 - 0x1p-40) > end * (1 + 0x1p-40)) return kInfinity;
+  if (begin * (1 - 0x1p-40) > end * (1 + 0x1p-40) + detail::kTiny) return kInfinity;
   return begin >= 0 ? begin * (1 - 0x1p-40) - 1e-13 : 0;  // 0 for NaN: infinity / infinity
 }
 
 /// A body that is grown by a margin, by the impact of a point that moves along the ray.
 std::optional<RayHit> castRound(const SceneState::BodyState& body, const Vec2& from, const Vec2& to) {
+  if (!(to - from).allFinite()) {  // no motion is as long: in two halves
+    const Vec2 middle = 0.5 * from + 0.5 * to;
+    std::optional<RayHit> hit = castRound(body, from, middle);
+    if (hit) {
+      hit->fraction *= 0.5;
+    } else if ((hit = castRound(body, middle, to))) {
+      hit->fraction = 0.5 + 0.5 * hit->fraction;
+    }
+    return hit;
+  }
   const auto impact = timeOfImpact(point(from), Motion::translation(Pose::Identity(), to - from), body.polygon,
                                    Motion::still(body.pose), {0, body.options.margin});
   if (!impact) return std::nullopt;

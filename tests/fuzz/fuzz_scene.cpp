@@ -9,6 +9,7 @@
 #include "byte_reader.h"
 #include "exact_reference.h"
 #include "reproduction.h"
+#include "tricover/ray.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"
 
@@ -121,6 +122,7 @@ class Player {
     const auto nearest = scene_.nearest(polygon, pose, {0, 0, 1e300, options.margin});
     const bool meets = nearest && nearest->result.distance == 0;
     expect(meets != expected.empty() && (!meets || nearest->body == expected[0]), "nearest");
+    castRay(bytes_.point(), bytes_.point());
   }
 
   [[noreturn]] void fail(const char* what, const Polygon& polygon, const Pose& pose, double margin) const {
@@ -129,6 +131,19 @@ class Player {
       text += "body " + std::to_string(body) + ", margin " + support::hex(scene_.options(body).margin) + "\n" +
               support::reproduction({polygon, pose, scene_.polygon(body), scene_.pose(body)});
     fuzz::fail(what, text);
+  }
+
+  void castRay(const Vec2& from, const Vec2& to) {
+    mpq_class least = 2;
+    for (const Scene::Body body : bodies_) {
+      if (scene_.options(body).margin != 0) return;  // not met exactly
+      const auto hit = exact::castRay(scene_.polygon(body), scene_.pose(body), from, to);
+      if (hit && hit->fraction < least) least = hit->fraction;
+    }
+    const auto hit = scene_.castRay(from, to);
+    if (hit.has_value() != (least <= 1) || (hit && abs(mpq_class(hit->hit.fraction) - least) > 1e-14))
+      fuzz::fail("castRay", support::hex(from.x()) + ", " + support::hex(from.y()) + " to " + support::hex(to.x()) +
+                                ", " + support::hex(to.y()));
   }
 
   fuzz::ByteReader bytes_;

@@ -35,6 +35,10 @@ MUTATIONS = [
     # Scenes.
     ("src/scene/box_tree.h", "{kNaN, kNaN, kNaN, kNaN}", "{kInfinity, kInfinity, -kInfinity, -kInfinity}", "scene: boxes without ends meet lanes that aren't used"),
     # Rays.
+    ("src/pair/cast_ray.cpp", "std::clamp(2 * away * polygon_.unit / length, kLeastShare, 1.0)", "std::clamp(away * polygon_.unit / length, 0.0, 0.1)", "ray: its share too small"),
+    ("src/scene/rays.cpp", "begin * (1 - 0x1p-40) - 1e-13 : 0;", "begin : 0;", "scene: a ray enters boxes too late"),
+    ("src/scene/rays.cpp", "(hit->fraction == best->hit.fraction && body < best->body)", "false", "scene: a ray meets any of two bodies at once"),
+    ("src/scene/rays.cpp", "if (!(to - from).allFinite()) {", "if (false) {", "scene: a ray too long for a motion"),
     ("src/pair/cast_ray.cpp", "if (identity) return {p.x(), p.y(), 0};", "return {p.x(), p.y(), 0};", "ray: the pose forgotten"),
     ("src/pair/cast_ray.cpp", "kPointError * (std::abs(x) + std::abs(y)) + kTiny", "0", "ray: no error of its ends"),
     ("src/pair/cast_ray.cpp", "return determinant < 0 ? -1 : 1;", "return 1;", "ray: mirrored poses"),
@@ -42,7 +46,7 @@ MUTATIONS = [
     ("src/pair/cast_ray.cpp", "if (!found_ || fraction_ > limit_) return std::nullopt;", "if (!found_) return std::nullopt;", "ray: beyond the limit"),
     ("src/pair/cast_ray.cpp", "return order != 0 ? order < 0 : edge < edge_;", "return fraction < fraction_;", "ray: the first edge by rounded fractions"),
     ("src/pair/cast_ray.cpp", "return order != 0 ? order < 0 : edge < edge_;", "return order < 0;", "ray: any of the edges at one point"),
-    ("src/pair/cast_ray.cpp", "if (error < enough && enough < kInfinity) return fraction;", "return fraction;", "ray: fractions rounded as they come"),
+    ("src/pair/cast_ray.cpp", "if (known_ && error < enough && enough < kInfinity) return fraction;", "return fraction;", "ray: fractions rounded as they come"),
     ("src/pair/cast_ray.cpp", "shorten(std::min(fraction, limit_));", "shorten(0.5 * fraction);", "ray: shortened by too much"),
     ("src/pair/cast_ray.cpp", "if (side == 0) return -unitVector(from(), to());", "", "ray: the normal along an edge"),
     ("src/pair/cast_ray.cpp", "const int side = ends.handed() * ends.resolve", "const int side = ends.resolve", "ray: normals of mirrored polygons"),

@@ -19,6 +19,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
+#include "tricover/ray.h"
 #include "tricover/scene.h"
 #include "tricover/time_of_impact.h"
 
@@ -54,11 +55,14 @@ class SceneWalk {
     if (random_.oneIn(6) && bodies_.size() < most_) add();
     if (random_.oneIn(3)) return;  // nobody asks
     collisions();
-    switch (random_.integer(0, 2)) {
+    switch (random_.integer(0, 3)) {
       case 0:
         return collides();
       case 1:
         return nearest();
+      case 2:
+        for (int i = 0; i < 4; ++i) ray();
+        return;
       default:
         return impacts();
     }
@@ -66,8 +70,8 @@ class SceneWalk {
 
   std::string wrong;  ///< the first thing that was; empty if there is none
   int asked = 0, hits = 0, began = 0, ended = 0;
-  int free = 0, inside = 0;  ///< of queries
-  int impacts_found = 0;
+  int free = 0, inside = 0;         ///< of queries
+  int impacts_found = 0, rays = 0;  ///< hits
 
  private:
   const Part& anyPart() { return parts_[index(parts_.size())]; }
@@ -235,6 +239,39 @@ class SceneWalk {
     if (found) expect(found->body == first && found->result.distance == least, "nearest");
   }
 
+  /// Margins aren't met exactly: see Scene::castRay().
+  void ray() {
+    const Scene::Body p = bodies_[index(bodies_.size())], q = bodies_[index(bodies_.size())];
+    const Vec2 from = pointOf(p), to = random_.coin() ? pointOf(q) : Vec2(from + 2 * (pointOf(q) - from));
+    if (!from.allFinite() || !to.allFinite()) return;
+    std::optional<BodyRayHit> expected;
+    std::vector<Scene::Body> sorted = bodies_;
+    std::sort(sorted.begin(), sorted.end());
+    for (const Scene::Body body : sorted) {
+      if (marginOf(body) > 0) continue;
+      const auto hit = castRay(scene_.polygon(body), scene_.pose(body), from, to);
+      if (hit && (!expected || hit->fraction < expected->hit.fraction)) expected = BodyRayHit{body, *hit};
+    }
+    const auto hit = scene_.castRay(from, to, 1);
+    expect(hit.has_value() == expected.has_value(), "castRay: whether there is one");
+    if (!hit || !expected) return;
+    expect(hit->body == expected->body && hit->hit.edge == expected->hit.edge &&
+               hit->hit.fraction == expected->hit.fraction && hit->hit.point == expected->hit.point &&
+               hit->hit.normal == expected->hit.normal,
+           "castRay from " + text(from) + " to " + text(to) + ": " + text(*hit) + ", truth " + text(*expected));
+    if (hit->hit.edge >= 0) ++rays;
+  }
+  static std::string text(const Vec2& p) { return "(" + hex(p.x()) + ", " + hex(p.y()) + ")"; }
+  static std::string text(const BodyRayHit& hit) {
+    return "body " + std::to_string(hit.body) + " at " + hex(hit.hit.fraction) + ", edge " +
+           std::to_string(hit.hit.edge);
+  }
+  Vec2 pointOf(Scene::Body body) {
+    const Polygon& polygon = scene_.polygon(body);
+    const Vec2 v = polygon.edgeStart(index(polygon.vertexCount())), s = polygon.origin();
+    return scene_.pose(body) * (s + random_.integer(0, 8) / 4.0 * (v - s));
+  }
+
   Motion anyMotion(const Polygon& polygon, const Pose& start) {
     Motion motion = Motion::still(start);
     const double way = 4 * length(polygon);
@@ -307,7 +344,7 @@ class SceneWalk {
 class SceneOracle : public testing::TestWithParam<Family> {};
 
 TEST_P(SceneOracle, SaysWhatAllPairsSay) {
-  int asked = 0, hits = 0, began = 0, ended = 0, free = 0, inside = 0, impacts = 0;
+  int asked = 0, hits = 0, began = 0, ended = 0, free = 0, inside = 0, impacts = 0, rays = 0;
   for (int i = 0; i < kScenes; ++i) {
     // The first one is large: its tree of boxes has several levels.
     SceneWalk walk(GetParam(), static_cast<std::uint64_t>(i) + 100, i == 0 ? 60 : 12);
@@ -315,12 +352,12 @@ TEST_P(SceneOracle, SaysWhatAllPairsSay) {
     for (int frame = 0; frame < frames && walk.wrong.empty(); ++frame) walk.frame();
     EXPECT_EQ(walk.wrong, "") << "scene " << i;
     asked += walk.asked, hits += walk.hits, began += walk.began, ended += walk.ended;
-    free += walk.free, inside += walk.inside, impacts += walk.impacts_found;
+    free += walk.free, inside += walk.inside, impacts += walk.impacts_found, rays += walk.rays;
   }
-  std::printf("%-22s %6d answers %6d collisions %5d began %5d ended %5d free %5d inside %4d impacts\n", GetParam().name,
-              asked, hits, began, ended, free, inside, impacts);
+  std::printf("%-22s %6d answers %6d collisions %5d began %5d ended %5d free %5d inside %4d impacts %4d rays\n",
+              GetParam().name, asked, hits, began, ended, free, inside, impacts, rays);
   if (asked < 1000) return;
-  for (const int count : {hits, began, ended, free, inside, impacts}) EXPECT_GE(count, 10);
+  for (const int count : {hits, began, ended, free, inside, impacts, rays}) EXPECT_GE(count, 10);
 }
 
 std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }

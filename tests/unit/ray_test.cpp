@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "exact_reference.h"
 #include "hierarchy/hierarchy.h"
 #include "numbers/predicates.h"
 #include "pair/cast_ray.h"
@@ -169,6 +170,28 @@ TEST(Ray, EndsMayBeAsFarApartAsDoublesGo) {
   const RayHit from_above = cast(square, {0.25, 4}, {0.25, -kLargest});
   EXPECT_NEAR(from_above.point.y(), 1, 1e-14);
   EXPECT_EQ(from_above.edge, 2);
+}
+
+/// A short way of a ray so long that its length, in a polygon's units, leaves the range of doubles; and one whose
+/// length does by itself.
+TEST(Ray, FindsTheFirstEdgeOnRaysOfAnyLength) {
+  const Ring teeth = comb(5, 2, 1, 3);
+  const Polygon tiny({scaled(teeth, 1e-150)}), huge({scaled(teeth, 1e307)});
+  const auto first = [](const Polygon& polygon, const Vec2& from, const Vec2& to) {
+    const RayHit hit = cast(polygon, from, to);
+    const auto truth = exact::castRay(polygon, Pose::Identity(), from, to);
+    EXPECT_EQ(hit.edge, truth ? truth->edge : -2);
+    const double fraction = truth ? truth->fraction.get_d() : -1;
+    EXPECT_LE(std::abs(hit.fraction - fraction), 1e-14 * std::abs(fraction));
+    return hit.edge >= 0;
+  };
+  int hits = 0;
+  for (int i = -8; i <= 48; ++i) {
+    const double y = i / 8.0, rise = 1e150 * (i % 5);
+    hits += first(tiny, {-1e-149, y * 1e-150}, {1e152, rise}) + first(tiny, {3e-149, y * 1e-150}, {-1e155, -rise});
+    hits += first(huge, {-1.2e308, y * 1e307}, {1.7e308, y * 1e307});
+  }
+  EXPECT_GT(hits, 60);
 }
 
 TEST(Ray, RefusesWhatIsNotFinite) {

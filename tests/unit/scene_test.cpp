@@ -122,6 +122,10 @@ TEST(Scene, CastsRaysAtWhatIsFirst) {
   EXPECT_EQ(scene.castRay({2, 0.25}, {2, 9})->hit.fraction, 0);
   EXPECT_EQ(scene.castRay({2, 0.25}, {2, 9})->hit.edge, -1);
   EXPECT_FALSE(scene.castRay({0, 9}, {9, 9}));
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  EXPECT_EQ(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, 1)->body, far);
+  EXPECT_EQ(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, 2)->body, disc);
+  EXPECT_NEAR(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, 2)->hit.fraction, 0.5, 1e-9);
   // Of two at the same place, the one that came first.
   scene.add(kSquare, pose(0, 5, 0));
   EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, 1)->body, near);
