@@ -43,7 +43,8 @@ Footprint footprintOfPolygon(const PolygonShape<S>& shape, const fcl::Transform3
   // Two polygons leave out a tilt within the tolerance. To other geometries it moves the heights sideways, and the
   // polygon's points up and down.
   const double aside = r.topRightCorner<2, 1>().lpNorm<1>();
-  Footprint print{Region{&shape.polygon(), std::nullopt, pose.pose, options.margin}, -kInfinity, kInfinity};
+  Footprint print = kAnywhere;
+  print.region.emplace(&shape.polygon(), pose.pose, options.margin);
   if (aside > 0) print.region->margin += 2 * aside * reach;
   if (!std::isfinite(print.region->margin)) print.region.reset();
   if (!shape.isAtAllHeights()) {
@@ -81,7 +82,7 @@ Footprint footprintOfBox(const fcl::CollisionObject<S>& object, const tricover::
                     (halfOf(*last).array() <= need.array() + 4 * pad).all();
   tricover::Pose pose = tricover::Pose::Identity();
   pose.translation() = center.head<2>();
-  Footprint print{Region{last, std::nullopt, pose, 0}, low.z() - pad, high.z() + pad};
+  Footprint print{Region(last, pose, 0), low.z() - pad, high.z() + pad};
   if (!fits) print.region->made = rectangle(need.array() + 2 * pad);
   return print;
 }

@@ -12,6 +12,9 @@ namespace tricover_fcl {
 /// A posed polygon and all that is within `margin` of it. A polygon that is there already is not copied: threads that
 /// count a polygon's copies wait for each other.
 struct Region {
+  Region(const tricover::Polygon* known_, const tricover::Pose& pose_, double margin_)
+      : known(known_), pose(pose_), margin(margin_) {}
+
   const tricover::Polygon* known;
   std::optional<tricover::Polygon> made;  ///< in place of `known`
   tricover::Pose pose;

@@ -137,8 +137,7 @@ template <typename S>
 typename SceneManager<S>::Impl::Query SceneManager<S>::Impl::queryFor(const Entry& entry) const {
   Footprint print{std::nullopt, entry.z_low, entry.z_high};
   if (entry.body)
-    print.region =
-        Region{&scene.polygon(*entry.body), std::nullopt, scene.pose(*entry.body), scene.options(*entry.body).margin};
+    print.region.emplace(&scene.polygon(*entry.body), scene.pose(*entry.body), scene.options(*entry.body).margin);
   return {std::move(print), &entry};
 }
 
