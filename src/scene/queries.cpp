@@ -35,8 +35,9 @@ class Asked {
 
   bool meets(const SceneState::BodyState& body) const {
     const CollideOptions sum = detail::withMargin(options_, body.options.margin);
-    if (detail::areApart(discs_, body.discs, sum.margin)) return false;
-    return detail::areWithin(discs_, body.discs, sum.margin) ||
+    const detail::WorldDiscs discs = body.discs ? *body.discs : detail::WorldDiscs(body.polygon.data(), body.pose);
+    if (detail::areApart(discs_, discs, sum.margin)) return false;
+    return detail::areWithin(discs_, discs, sum.margin) ||
            detail::collideClose(polygon_, pose_, body.polygon.data(), body.pose, sum);
   }
 

@@ -18,10 +18,11 @@
 namespace tricover::detail {
 namespace {
 
-/// A box looks ahead for so many moves: each box that is left costs a search of the tree, and a wider one meets more.
+/// A box looks ahead for so many moves, and by its body's size at the most: each box that is left costs a search of the
+/// tree, and a wider one meets more.
 constexpr double kBoxSteps = 16;
 /// And a pair's fact: fewer than a PairCache's (kStepsAhead), because most pairs of a crowd that come near soon part.
-constexpr double kPairSteps = 4;
+constexpr double kPairSteps = 1;
 /// What the last move counts for in their average.
 constexpr double kOfAverage = 0.25;
 /// A count beyond so many times a body's size begins anew, so that what is added to it isn't lost to rounding.
@@ -57,7 +58,7 @@ SceneState::BodyState& SceneState::at(Body body) { return const_cast<BodyState&>
 /// Puts a box around a body, for a good many moves like the last ones.
 void SceneState::renewBox(Body body) {
   BodyState& state = bodies[body];
-  const double grow = std::min(kBoxSteps * state.step, kCoherentPart * sizeOf(state));
+  const double grow = std::min(kBoxSteps * state.step, sizeOf(state));
   tree.move(body, boundsOf(state.polygon.data(), state.pose, state.options.margin + grow));
   state.box_until = roundedDown<1>(state.moved + grow);
   listFresh(body);
@@ -72,7 +73,7 @@ void SceneState::moveBody(Body body, const Pose& pose) {
   ++version;
   const double step = change.displacement(), size = sizeOf(state);
   state.pose = pose;
-  state.discs = WorldDiscs(state.polygon.data(), pose);
+  state.discs.reset();
   state.moved = roundedUp<1>(state.moved + step);
   const bool coherent = step <= kCoherentPart * size;
   state.step = coherent ? state.step + kOfAverage * (step - state.step) : 0;

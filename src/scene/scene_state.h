@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "polygon/polygon_data.h"
@@ -37,7 +38,7 @@ struct SceneState {
     Polygon polygon;
     Pose pose;
     BodyOptions options;
-    WorldDiscs discs;
+    std::optional<WorldDiscs> discs;  ///< of a body that hasn't moved since it came
     double moved, due, box_until;
     double step;              ///< how far it goes at a move, as a moving average
     std::vector<Link> links;  ///< its pairs
