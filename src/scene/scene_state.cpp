@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -77,7 +78,7 @@ void SceneState::moveBody(Body body, const Pose& pose) {
   state.moved = roundedUp<1>(state.moved + step);
   const bool coherent = step <= kCoherentPart * size;
   state.step = coherent ? state.step + kOfAverage * (step - state.step) : 0;
-  if (!coherent || !(state.moved <= kLongWay * size)) {
+  if (!coherent || !(state.moved <= std::min(kLongWay * size, std::numeric_limits<double>::max()))) {
     state.moved = 0;
     state.box_until = state.due = -1;
     for (Link& link : state.links) link.due = -1;
@@ -105,9 +106,7 @@ void SceneState::findPairs(Body body) {
     const std::uint32_t pair = free_pairs.back();
     // What may throw comes first.
     makeRoom(listed_pairs, 1);
-    for (const Body end : {first, second}) {
-      makeRoom(bodies[end].links, 1);
-    }
+    for (const Body end : {first, second}) makeRoom(bodies[end].links, 1);
     free_pairs.pop_back();
     pairs[pair] = {{first, second},
                    {static_cast<std::uint32_t>(bodies[first].links.size()),
