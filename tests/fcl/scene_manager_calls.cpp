@@ -158,6 +158,25 @@ TEST(SceneManager, whatNoQueryTakesIsShownSoThatItIsRefused) {
   EXPECT_NO_THROW(ask());
 }
 
+TEST(SceneManager, boxesFollowWhatTurns) {
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(1, -0.5, 2, 0.5)}));
+  fcl::CollisionObjectd bar(std::make_shared<fcl::Boxd>(1, 4, 1)), wall(square);
+  SceneManagerd manager;
+  manager.registerObjects({&bar, &wall});
+  const auto shownAt = [&](double angle) {
+    bar.setTransform(placed<double>({0, 0, 0}, turned(angle, fcl::Vector3d::UnitZ())));
+    bar.computeAABB();
+    manager.update();
+    Seen<double> seen;
+    manager.collide(&seen, see<double>);
+    EXPECT_EQ(seen.hits, hitsOf<double>({&bar}, {&wall}));
+    return seen.calls;
+  };
+  EXPECT_EQ(shownAt(0), 0u);
+  EXPECT_EQ(shownAt(1.5), 1u);
+  EXPECT_EQ(shownAt(0), 0u);
+}
+
 TEST(SceneManager, hugeAndTinyBoxes) {
   // Where FCL's trees crash.
   for (const double size : {1e-300, 1e300}) {
