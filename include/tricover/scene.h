@@ -43,8 +43,11 @@ struct BodyOptions {
 struct BodyPair {
   BodyHandle first;   ///< The lower handle.
   BodyHandle second;  ///< The higher handle.
+  /// Whether they are of the same bodies.
   friend bool operator==(const BodyPair& p, const BodyPair& q) { return p.first == q.first && p.second == q.second; }
+  /// Whether they are of other bodies.
   friend bool operator!=(const BodyPair& p, const BodyPair& q) { return !(p == q); }
+  /// By the first body, then by the second.
   friend bool operator<(const BodyPair& p, const BodyPair& q) {
     return p.first != q.first ? p.first < q.first : p.second < q.second;
   }
@@ -52,32 +55,32 @@ struct BodyPair {
 
 /// A polygon's distance from a body.
 struct BodyDistance {
-  BodyHandle body;
+  BodyHandle body;        ///< Which one.
   DistanceResult result;  ///< a is the polygon that was asked for, b the body.
 };
 
 /// A moving polygon's impact on a body.
 struct BodyImpact {
-  BodyHandle body;
-  Impact impact;  ///< a is the polygon that was asked for, b the body.
+  BodyHandle body;  ///< Which one.
+  Impact impact;    ///< a is the polygon that was asked for, b the body.
 };
 
 /// How a body moves from time 0 to 1.
 struct BodyMotion {
-  BodyHandle body;
-  Motion motion;
+  BodyHandle body;  ///< Which one.
+  Motion motion;    ///< In place of its pose.
 };
 
 /// The impact of two bodies.
 struct PairImpact {
-  BodyPair pair;
+  BodyPair pair;  ///< Which ones.
   Impact impact;  ///< a is pair.first, b is pair.second.
 };
 
 /// Where a ray meets a body.
 struct BodyRayHit {
-  BodyHandle body;
-  RayHit hit;
+  BodyHandle body;  ///< Which one.
+  RayHit hit;       ///< Where, as castRay() says it.
 };
 
 namespace detail {
@@ -112,12 +115,12 @@ struct SceneCache {
 /// \snippet scene.cpp scene
 class TRICOVER_EXPORT Scene {
  public:
-  using Body = BodyHandle;
+  using Body = BodyHandle;  ///< A handle.
 
   Scene();
   ~Scene();
-  Scene(Scene&&) noexcept;
-  Scene& operator=(Scene&&) noexcept;
+  Scene(Scene&&) noexcept;             ///< The other one is good for nothing but to be destroyed or assigned to.
+  Scene& operator=(Scene&&) noexcept;  ///< See there.
 
   /// Throws std::invalid_argument as collide() does for the pose and the margin, std::length_error for more than 2^28
   /// bodies and as collide() does. A throw changes nothing, here as in what follows.
@@ -125,11 +128,11 @@ class TRICOVER_EXPORT Scene {
   void remove(Body body);                  ///< Throws std::out_of_range for a handle that names nothing.
   void move(Body body, const Pose& pose);  ///< Throws as add() and remove() do.
 
-  std::size_t size() const;                 ///< How many bodies there are.
-  bool contains(Body body) const;           ///< Whether the handle names one.
-  const Polygon& polygon(Body body) const;  ///< Throws as remove() does, like the next two.
-  const Pose& pose(Body body) const;
-  const BodyOptions& options(Body body) const;
+  std::size_t size() const;                     ///< How many bodies there are.
+  bool contains(Body body) const;               ///< Whether the handle names one.
+  const Polygon& polygon(Body body) const;      ///< Throws as remove() does, like the next two.
+  const Pose& pose(Body body) const;            ///< Where it is.
+  const BodyOptions& options(Body body) const;  ///< As they were given.
 
   /// The pairs that collide now, sorted. The reference is good until the next call of a function that isn't const.
   const std::vector<BodyPair>& collisions();

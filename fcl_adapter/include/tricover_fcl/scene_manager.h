@@ -50,23 +50,29 @@ class TRICOVER_EXPORT SceneManager final : public fcl::BroadPhaseCollisionManage
   SceneManager();
   ~SceneManager() override;
 
-  void registerObject(Object* object) override;
-  void unregisterObject(Object* object) override;
+  void registerObject(Object* object) override;               ///< It takes part from now on.
+  void unregisterObject(Object* object) override;             ///< It doesn't any more.
   void setup() override;                                      ///< Does nothing: all is ready.
-  void update() override;                                     ///< Of all objects.
-  void update(Object* object) override;                       ///< Of one.
-  void update(const std::vector<Object*>& objects) override;  ///< Of these.
-  void clear() override;
+  void update() override;                                     ///< Looks where all objects are.
+  void update(Object* object) override;                       ///< Looks where one is.
+  void update(const std::vector<Object*>& objects) override;  ///< Looks where these are.
+  void clear() override;                                      ///< Unregisters all.
 
-  void getObjects(std::vector<Object*>& objects) const override;
-  bool empty() const override;
-  std::size_t size() const override;
+  void getObjects(std::vector<Object*>& objects) const override;  ///< All that are registered, and nothing else.
+  bool empty() const override;                                    ///< Whether none is registered.
+  std::size_t size() const override;                              ///< How many are.
 
+  /// Shows the pairs of its objects that may collide, until the callback returns true.
   void collide(void* data, Collision callback) const override;
+  /// Shows its objects that may collide with the given one.
   void collide(Object* object, void* data, Collision callback) const override;
+  /// Shows the pairs of one of its objects and one of the other manager's that may collide.
   void collide(Manager* other, void* data, Collision callback) const override;
+  /// Shows the pairs of its objects that may be nearer than what the callback has reported, until that returns true.
   void distance(void* data, Distance callback) const override;
+  /// Shows its objects that may be nearer to the given one.
   void distance(Object* object, void* data, Distance callback) const override;
+  /// Shows the pairs of one of its objects and one of the other manager's that may be nearer.
   void distance(Manager* other, void* data, Distance callback) const override;
 
  private:
