@@ -205,10 +205,10 @@ void addBox2d(const Crowd& crowd, bool full, std::vector<Contender>& contenders)
     contenders.push_back(ownContender(name, Role::Box2d, std::make_shared<Box2dFrames>(crowd, scale)));
   };
   add("Box2D", 1);
+  add("Box2D, x 0.01", 0.01F);
   if (!full) return;
   add("Box2D, x 64", kBox2dScale);
   add("Box2D, x 0.1", 0.1F);
-  add("Box2D, x 0.01", 0.01F);
 }
 
 FramesResult measureKind(workloads::Kind kind, std::size_t vertices, double spacing, const Settings& settings,

@@ -33,15 +33,47 @@ class Asked {
   Asked(const detail::PolygonData& polygon, const Pose& pose, const CollideOptions& options)
       : polygon_(polygon), pose_(pose), options_(options), discs_(polygon, pose) {}
 
-  bool meets(const SceneState::BodyState& body) const {
-    const CollideOptions sum = detail::withMargin(options_, body.options.margin);
+  /// What discs know, and how far the bounding ones are from each other's centres: the less, the likelier they meet.
+  struct Glance {
+    enum { Apart, Near, Meets } answer;
+    double rank;
+  };
+  Glance glance(const SceneState::BodyState& body) const {
     const detail::WorldDiscs discs = body.discs ? *body.discs : detail::WorldDiscs(body.polygon.data(), body.pose);
-    if (detail::areApart(discs_, discs, sum.margin)) return false;
-    return detail::areWithin(discs_, discs, sum.margin) ||
-           detail::collideClose(polygon_, pose_, body.polygon.data(), body.pose, sum);
+    const double margin = sumWith(body).margin;
+    if (detail::areApart(discs_, discs, margin)) return {Glance::Apart, 0};
+    if (detail::areWithin(discs_, discs, margin)) return {Glance::Meets, 0};
+    const double reach = discs_.radius + discs.radius;
+    return {Glance::Near, detail::squaredLength(discs.center - discs_.center) / (reach * reach)};
+  }
+
+  /// The truth, where discs don't know it.
+  bool meetsClose(const SceneState::BodyState& body) const {
+    return detail::collideClose(polygon_, pose_, body.polygon.data(), body.pose, sumWith(body));
+  }
+
+  bool meets(const SceneState::BodyState& body) const {
+    const auto answer = glance(body).answer;
+    return answer == Glance::Near ? meetsClose(body) : answer == Glance::Meets;
+  }
+
+  detail::Bounds bounds() const { return detail::boundsOf(polygon_, pose_, options_.margin); }
+
+  /// Wider, and sooner there: around the bounding disc. In units of U, of the centre and the reach: either side's sum
+  /// and difference, and the margin's sum with a body's.
+  detail::Bounds discBounds() const {
+    const double x = discs_.center[0], y = discs_.center[1], reach = discs_.radius + options_.margin;
+    const double wide = reach + 8 * detail::kUnitRoundoff * (std::abs(x) + std::abs(y) + reach);
+    const detail::Bounds box{x - wide, y - wide, x + wide, y + wide};
+    // Negated for NaN.
+    return !(wide < kInfinity && std::abs(x) < kInfinity && std::abs(y) < kInfinity) ? bounds() : box;
   }
 
  private:
+  CollideOptions sumWith(const SceneState::BodyState& body) const {
+    return detail::withMargin(options_, body.options.margin);
+  }
+
   const detail::PolygonData& polygon_;
   const Pose& pose_;
   const CollideOptions& options_;
@@ -62,9 +94,28 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOpti
   check(pose, options);
   const SceneState& state = *impl_;
   const Asked asked(polygon.data(), pose, options);
-  return !state.tree.visit(detail::boundsOf(polygon.data(), pose, options.margin), [&](Body body) {
+  // All discs first: one that is met spares all that is near. What is near waits in order.
+  constexpr int kMost = 16;
+  struct Waiting {
+    double rank;
+    Body body;
+  } near[kMost];
+  int count = 0;
+  const bool free = state.tree.visit(asked.discBounds(), [&](Body body) {
     const auto& other = state.bodies[body];
-    return (other.options.category & mask) == 0 || !asked.meets(other);
+    if ((other.options.category & mask) == 0) return true;
+    const Asked::Glance glance = asked.glance(other);
+    if (glance.answer != Asked::Glance::Near) return glance.answer == Asked::Glance::Apart;
+    if (count == kMost) return !asked.meetsClose(other);
+    int place = count++;
+    for (; place > 0 && glance.rank < near[place - 1].rank; --place) near[place] = near[place - 1];
+    near[place] = {glance.rank, body};
+    return true;
+  });
+  if (!free || count == 0) return !free;
+  const detail::Bounds bounds = asked.bounds();
+  return std::any_of(near, near + count, [&](const Waiting& some) {
+    return state.tree.boundsOf(some.body).meets(bounds) && asked.meetsClose(state.bodies[some.body]);
   });
 }
 

@@ -132,6 +132,23 @@ TEST(Scene, CastsRaysAtWhatIsFirst) {
   EXPECT_THROW(scene.castRay({0, 0}, {std::numeric_limits<double>::infinity(), 0}), std::invalid_argument);
 }
 
+/// Frames within frames, 1 apart and 0.5 wide: discs tell of all of them that they may meet what is inside.
+TEST(Scene, AsksMoreBodiesThanAreKeptInOrder) {
+  Scene scene;
+  for (int i = 1; i <= 40; ++i) {
+    const double r = i + 0.5;
+    scene.add(Polygon({rectangle(-r, -r, r, r), rectangle(-i, -i, i, i)}), pose(0, 0, 0));
+  }
+  const Polygon dot({rectangle(-0.125, -0.125, 0.125, 0.125)});
+  for (int i = 1; i <= 40; ++i) {
+    EXPECT_TRUE(scene.collides(dot, pose(0, i + 0.25, 0))) << i;
+    EXPECT_TRUE(scene.collides(dot, pose(0, 0, -(i + 0.625)))) << i;  // touches
+    EXPECT_FALSE(scene.collides(dot, pose(0, i + 0.75, i / 2.0))) << i;
+  }
+  for (Scene::Body body = 0; body < 40; ++body) scene.remove(body);
+  EXPECT_FALSE(scene.collides(dot, pose(0, 1.25, 0)));
+}
+
 TEST(Scene, OfNothing) {
   Scene scene;
   EXPECT_TRUE(scene.collisions().empty());
