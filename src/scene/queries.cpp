@@ -27,6 +27,9 @@ void check(const Pose& pose, const CollideOptions& options) {
   detail::requireRigid(pose, "pose");
 }
 
+/// A SceneCache's clearance looks ahead for so many steps: fewer than a PairCache's, because all bodies within are asked.
+constexpr double kCacheSteps = 8;
+
 /// A posed polygon that bodies are asked about.
 class Asked {
  public:
@@ -137,7 +140,7 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& cache
       return false;
     }
     coherent = motion <= detail::kCoherentPart * data.radius;
-    if (coherent) lookahead = detail::kStepsAhead * motion / (cache.uses + 1.0);
+    if (coherent) lookahead = kCacheSteps * motion / (cache.uses + 1.0);
   }
   const auto meets = [&](const SceneState::BodyState& other) {
     return (other.options.category & mask) != 0 && Asked(data, pose, options).meets(other);
