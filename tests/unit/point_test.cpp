@@ -99,6 +99,23 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
 }
 
 /// Most distances of things that aren't far from the origin, or large beside their distance, are found so.
+/// A margin makes a hit last, but not the overlap that the fact is about.
+TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
+  Ring ring;  // a bar of more edges than are asked at once
+  for (int i = 0; i < 40; ++i) ring.push_back({i - 20.0, -4});
+  for (int i = 0; i < 40; ++i) ring.push_back({20.0 - i, 4});
+  const Polygon bar({ring}), dot = point({0, 0});
+  PairCache cache;
+  CollideOptions options;
+  options.margin = 5;
+  // Beside the largest disc inside, in another one.
+  const Pose beside = pose(0, 15, 0);
+  EXPECT_TRUE(collide(bar, pose(0, 0, 0), dot, beside, cache, options));
+  EXPECT_GT(cache.clearance, 1);
+  EXPECT_LE(cache.clearance, 4);
+  EXPECT_FALSE(collide(bar, pose(0, 0, 0), dot, pose(0, 15, 6), cache));
+}
+
 TEST(Point, IsMostlyPlain) {
   Random random(5);
   int plain = 0;
