@@ -181,74 +181,37 @@ class SweptBoxes {
   std::vector<Bounds> boxes_, all_;
 };
 
-/// Boxes of a sweep in windows of halving lengths, each made when it is first asked for. Window 1 is all of the time,
-/// the halves of window w are 2 w and 2 w + 1.
-class Windows {
- public:
-  explicit Windows(const Sweep& sweep) : sweep_(sweep), bounds_(2, sweep.between(0, 1)), known_(2, true) {}
-
-  const Bounds& at(std::uint32_t window, double begin, double end) {
-    if (window >= bounds_.size()) {
-      bounds_.resize(2 * window);
-      known_.resize(2 * window);
-    }
-    if (!known_[window]) bounds_[window] = sweep_.between(begin, end);
-    known_[window] = true;
-    return bounds_[window];
-  }
-
- private:
-  Sweep sweep_;
-  std::vector<Bounds> bounds_;
-  std::vector<char> known_;
-};
-
-/// Whether two boxes may meet in a window or some part of it. `at(window, begin, end)` makes them.
-template <typename BoxesMeet>
-bool meetWithin(const BoxesMeet& boxesMeet, std::uint32_t window, double begin, double end) {
-  constexpr std::uint32_t kFinest = 32;
-  if (!boxesMeet(window, begin, end)) return false;
-  if (window >= kFinest) return true;
-  const double middle = 0.5 * (begin + end);
-  return meetWithin(boxesMeet, 2 * window, begin, middle) || meetWithin(boxesMeet, 2 * window + 1, middle, end);
-}
-
 /// The pairs of bodies that may meet while some of them move, sorted.
 std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<BodyMotion>& motions,
                                 const std::vector<std::uint32_t>& motion_of, double margin) {
-  std::vector<Windows> windows;
+  std::vector<Sweep> sweeps;
   for (const BodyMotion& moving : motions) {
     const auto& body = state.bodies[moving.body];
     // The query's own margin is counted once a pair: half of it for either one.
-    windows.emplace_back(Sweep(body.polygon, moving.motion, body.options.margin + 0.5 * margin));
+    sweeps.emplace_back(body.polygon, moving.motion, body.options.margin + 0.5 * margin);
   }
+  const SweptBoxes boxes(sweeps);
   std::vector<BodyPair> pairs;
+  const auto mayMeet = [&](BodyHandle p, BodyHandle q) { return state.mayMeet(state.bodies[p], state.bodies[q]); };
   const auto add = [&](BodyHandle p, BodyHandle q) { pairs.push_back({std::min(p, q), std::max(p, q)}); };
   // Bodies at rest have their own margins alone around them.
   const double rest = 0.5 * margin * (1 + 0x1p-40);
-  const auto grown = [&](const Bounds& b) {
-    return Bounds{b.min_x - rest, b.min_y - rest, b.max_x + rest, b.max_y + rest};
-  };
   detail::BoxTree moving;
   for (std::uint32_t i = 0; i < motions.size(); ++i) {
     const BodyHandle body = motions[i].body;
-    const Bounds whole = windows[i].at(1, 0, 1);
-    moving.visit(whole, [&](std::uint32_t j) {
-      const auto boxesMeet = [&](std::uint32_t window, double begin, double end) {
-        return windows[i].at(window, begin, end).meets(windows[j].at(window, begin, end));
-      };
-      if (state.mayMeet(state.bodies[body], state.bodies[motions[j].body]) && meetWithin(boxesMeet, 1, 0, 1))
-        add(body, motions[j].body);
+    const Bounds& all = boxes.all(i);
+    moving.visit(all, [&](std::uint32_t j) {
+      const BodyHandle other = motions[j].body;
+      if (mayMeet(body, other) && boxes.meetInWindow(i, j)) add(body, other);
       return true;
     });
-    moving.insert(i, whole);
-    state.tree.visit(grown(whole), [&](BodyHandle other) {
-      if (motion_of[other] < motions.size() || !state.mayMeet(state.bodies[body], state.bodies[other])) return true;
-      const Bounds at_rest = grown(state.tree.boundsOf(other));
-      const auto boxesMeet = [&](std::uint32_t window, double begin, double end) {
-        return windows[i].at(window, begin, end).meets(at_rest);
-      };
-      if (meetWithin(boxesMeet, 1, 0, 1)) add(body, other);
+    moving.insert(i, all);
+    const auto grown = [&](const Bounds& b) {
+      return Bounds{b.min_x - rest, b.min_y - rest, b.max_x + rest, b.max_y + rest};
+    };
+    state.tree.visit(grown(all), [&](BodyHandle other) {
+      const bool rests = motion_of[other] == motions.size();
+      if (rests && mayMeet(body, other) && boxes.meets(i, grown(state.tree.boundsOf(other)))) add(body, other);
       return true;
     });
   }
