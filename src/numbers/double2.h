@@ -20,6 +20,15 @@ inline void store2(double* p, Double2 v) {
 }
 inline Double2 swapped(Double2 v) { return Double2{v[1], v[0]}; }
 inline Double2 larger(Double2 v, Double2 w) { return v > w ? v : w; }
+inline Double2 smaller(Double2 v, Double2 w) { return v < w ? v : w; }
 inline Double2 absolute(Double2 v) { return (Double2)((Bits2)v & INT64_MAX); }
+/// Bit per lane of a comparison.
+inline unsigned bitsOf(Bits2 lanes) {
+#ifdef __SSE2__
+  return static_cast<unsigned>(__builtin_ia32_movmskpd((Double2)lanes));
+#else
+  return (lanes[0] != 0 ? 1u : 0u) | (lanes[1] != 0 ? 2u : 0u);
+#endif
+}
 
 }  // namespace tricover::detail
