@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::size_t kShapes = 50;
 constexpr double kOrbit = 480;
-/// However many there are, so that all neighbours meet alike.
-constexpr std::size_t kRow = 50;
 
 /// Irrational steps spread phases and speeds without a random generator.
 double spread(std::size_t i, double step) { return std::fmod(static_cast<double>(i) * step, 1); }
@@ -23,7 +21,7 @@ std::vector<Pose> crowdPoses(double spacing, std::size_t objects, std::size_t fr
   for (std::size_t i = 0; i < objects; ++i) {
     const double speed = 0.5 + spread(i, 0.7548776662466927);
     const double angle = turn * (spread(i, 0.6180339887498949) + speed * static_cast<double>(frame) / 1000);
-    const Vec2 home(spacing * static_cast<double>(i % kRow), spacing * static_cast<double>(i / kRow));
+    const Vec2 home(spacing * static_cast<double>(i % kCrowdRow), spacing * static_cast<double>(i / kCrowdRow));
     poses.push_back(poseAt(home + kOrbit * Vec2(std::cos(angle), std::sin(angle)), angle * (i % 2 != 0 ? 1.7 : -1.3)));
   }
   return poses;

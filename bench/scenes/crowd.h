@@ -19,8 +19,10 @@ struct Crowd {
   std::size_t frames() const { return poses.size(); }
 };
 
-/// Homes in rows of 50 with this much between them, orbits that reach the neighbours: chosen so that about 5 % of the
-/// outlines collide. The density is the same for any number of them.
+/// Homes in rows, however many there are, so that all neighbours meet alike; with this much between them, orbits that
+/// reach the neighbours: chosen so that about 5 % of the outlines collide. The density is the same for any number of
+/// them.
+constexpr std::size_t kCrowdRow = 50;
 constexpr double kContourSpacing = 405;
 constexpr double kConvexSpacing = 475;
 

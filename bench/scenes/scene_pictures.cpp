@@ -17,13 +17,14 @@ namespace {
 const std::string kFree = "#86d3a0", kHit = "#f8b4b4", kStill = "#f1f3f5", kTouched = "#fdf0d5";
 
 std::string crowdPicture() {
-  const Crowd crowd = makeCrowd(workloads::Kind::Contour, 64, kContourSpacing, 300, 1);
+  const Crowd crowd = makeCrowd(workloads::Kind::Contour, 64, kContourSpacing, 2000, 1);
   Scene scene;
   for (std::size_t i = 0; i < crowd.size(); ++i) scene.add(crowd.shapeOf(i), crowd.poses[0][i]);
   std::set<Scene::Body> colliding;
   for (const BodyPair& pair : scene.collisions()) colliding.insert({pair.first, pair.second});
   SvgDrawing drawing(1500);
   for (std::size_t i = 0; i < crowd.size(); ++i) {
+    if (i % kCrowdRow >= 14 || i / kCrowdRow >= 7) continue;  // a corner of them all, to be seen
     const bool hit = colliding.count(static_cast<Scene::Body>(i)) > 0;
     drawing.polygon(crowd.shapeOf(i), crowd.poses[0][i], hit ? kHit : kFree);
   }
@@ -55,7 +56,7 @@ void drawRays(const Placement& map, const Vec2& aside, std::uint64_t seed, SvgDr
   for (const Placed& placed : map) scene.add(placed.polygon, placed.pose);
   std::set<Scene::Body> seen;
   std::vector<std::pair<Vec2, Vec2>> lines;
-  const std::vector<Ray> rays = raysAround(map, robot, 1, 400, seed);
+  const std::vector<Ray> rays = raysAround(map, robot, 1, 300, seed);
   for (const auto& [from, to] : rays) {
     const auto hit = scene.castRay(from, to);
     if (hit) seen.insert(hit->body);
@@ -64,7 +65,9 @@ void drawRays(const Placement& map, const Vec2& aside, std::uint64_t seed, SvgDr
   for (std::size_t i = 0; i < map.size(); ++i) {
     drawing.polygon(map[i].polygon, moved * map[i].pose, seen.count(static_cast<Scene::Body>(i)) ? kTouched : kStill);
   }
-  for (const auto& [from, to] : lines) drawing.polyline({moved * from, moved * to}, "#dc2626");
+  for (std::size_t i = 0; i < lines.size(); i += 4) {
+    drawing.polyline({moved * lines[i].first, moved * lines[i].second}, "#dc2626");
+  }
   const Vec2 centre = robot.origin();
   drawing.polygon(robot, moved * poseAt(rays[0].first - centre, 0), kFree);
 }
@@ -72,7 +75,7 @@ void drawRays(const Placement& map, const Vec2& aside, std::uint64_t seed, SvgDr
 std::string raysPicture(const Countries& countries) {
   SvgDrawing drawing(1500);
   drawRays(countriesMap(countries, 100), {0, 0}, 5, drawing);
-  drawRays(warehouseMap(200), {1150, 0}, 6, drawing);
+  drawRays(warehouseMap(200), {1350, 0}, 6, drawing);
   return drawing.str();
 }
 
