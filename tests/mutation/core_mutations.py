@@ -35,7 +35,7 @@ MUTATIONS = [
     # Scenes.
     ("src/scene/box_tree.h", "{kNaN, kNaN, kNaN, kNaN}", "{kInfinity, kInfinity, -kInfinity, -kInfinity}", "scene: boxes without ends meet lanes that aren't used"),
     # Rays.
-    ("src/pair/cast_ray.cpp", "std::clamp(2 * away * polygon_.unit / length, kLeastShare, 1.0)", "std::clamp(away * polygon_.unit / length, 0.0, 0.1)", "ray: its share too small"),
+    ("src/pair/cast_ray.cpp", "std::clamp(2 * away * polygon_.unit / length, kLeastShare, 1.0)", "1.0", "ray: fractions of long rays as those of short ones"),
     ("src/scene/bounds.cpp", "absolute(r1 * ux - r0 * uy) * double{block.across[i]}", "0 * absolute(r1 * ux - r0 * uy) * double{block.across[i]}", "scene: boxes have no width across"),
     ("src/scene/bounds.cpp", "(kTiny + reach)", "(kTiny)", "scene: boxes without the margin"),
     ("src/scene/bounds.cpp", "if (!polygon.fitsUnit() || !finite(low[0]) || !finite(high[0]))", "if (false)", "scene: boxes that overflow"),
@@ -74,14 +74,14 @@ MUTATIONS = [
     ("src/pair/cast_ray.cpp", "return determinant < 0 ? -1 : 1;", "return 1;", "ray: mirrored poses"),
     ("src/pair/cast_ray.cpp", "const double room = polygon_.radius * polygon_.inverse_unit + ray_.error;", "const double room = 0.9 * polygon_.radius * polygon_.inverse_unit;", "ray: beside a smaller disc"),
     ("src/pair/cast_ray.cpp", "if (!found_ || fraction_ > limit_) return std::nullopt;", "if (!found_) return std::nullopt;", "ray: beyond the limit"),
-    ("src/pair/cast_ray.cpp", "return order != 0 ? order < 0 : edge < edge_;", "return fraction < fraction_;", "ray: the first edge by rounded fractions"),
+    ("src/pair/cast_ray.cpp", "return order != 0 ? order < 0 : edge < edge_;", "return order == 2 || fraction < fraction_;", "ray: the first edge by rounded fractions"),
     ("src/pair/cast_ray.cpp", "return order != 0 ? order < 0 : edge < edge_;", "return order < 0;", "ray: any of the edges at one point"),
-    ("src/pair/cast_ray.cpp", "if (known_ && error < enough && enough < kInfinity) return fraction;", "return fraction;", "ray: fractions rounded as they come"),
+    ("src/pair/cast_ray.cpp", "if (known_ && error < enough && enough < kInfinity) return fraction;", "if (error < enough || enough < kInfinity) return fraction;", "ray: fractions rounded as they come"),
     ("src/pair/cast_ray.cpp", "shorten(std::min(fraction, limit_));", "shorten(0.5 * fraction);", "ray: shortened by too much"),
     ("src/pair/cast_ray.cpp", "if (side == 0) return -unitVector(from(), to());", "", "ray: the normal along an edge"),
     ("src/pair/cast_ray.cpp", "const int side = ends.handed() * ends.resolve", "const int side = ends.resolve", "ray: normals of mirrored polygons"),
     ("src/pair/cast_ray.cpp", "if (depthInDiscs(tree.inner_discs, place) > 0) return true;", "if (depthInDiscs(tree.inner_discs, place) > -0.1) return true;", "ray: starts near a disc"),
-    ("src/numbers/predicates.cpp", "return compare(start, end) <= 0 ? start : end;", "return start;", "ray: along an edge, its farther end"),
+    ("src/numbers/predicates.cpp", "return compare(start, end) <= 0 ? start : end;", "return compare(start, end) > 0 ? start : end;", "ray: along an edge, its farther end"),
     # Exact stage.
     ("src/numbers/predicates.cpp", "return u.x * w.y - u.y * w.x;", "return u.x * w.y + u.y * w.x;", "exact: cross product"),
     ("src/numbers/predicates.cpp", "return u.x * w.x + u.y * w.y;", "return u.x * w.x - u.y * w.y;", "exact: dot product"),
