@@ -437,5 +437,48 @@ TEST(Contacts, NameEdgesOfSmallConvexAndOfDeepPairs) {
   }
 }
 
+/// Islands inside of islands, the larger polygon's inside of the smaller's: each leaves where it is nearest to the
+/// edge.
+TEST(Contacts, OfIslandsOfTheLargerPolygonInsideOfTheOthers) {
+  const Polygon a({rectangle(-1, -1, 1, 1), rectangle(99, -1, 101, 1), rectangle(300, 0, 301, 1)});
+  const Polygon b({rectangle(-5, -6, 1.5, 7), rectangle(94, -1.25, 106, 9)});
+  for (const bool swapped : {false, true}) {
+    const auto found =
+        swapped ? contacts(b, pose(0, 0, 0), a, pose(0, 0, 0)) : contacts(a, pose(0, 0, 0), b, pose(0, 0, 0));
+    ASSERT_EQ(found.size(), 2u);
+    const double sign = swapped ? -1 : 1;
+    EXPECT_EQ(found[0].depth, 2.5);
+    EXPECT_EQ(found[0].normal, Vec2(-sign, 0));
+    EXPECT_EQ(found[1].depth, 2.25);
+    EXPECT_EQ(found[1].normal, Vec2(0, sign));
+  }
+}
+
+/// The overlap is a triangle whose tip isn't above the middle of its base: the point is above the tip.
+TEST(Contacts, AreBesideTheDeepestPointWhicheverPolygonHasIt) {
+  const Ring floor = rectangle(-10, -5, 10, 0);
+  for (const double size : {1.0, 20.0}) {  // the smaller polygon's and the larger one's
+    const Ring tip = {{0, -1}, {0 + 2 * size, -1 + 2 * size}, {-6 * size, -1 + 2 * size}};
+    const auto found = ask({tip}, {floor});
+    ASSERT_EQ(found.size(), 1u);
+    expectContact(found[0], {0, -0.5}, {0, -1}, 1);
+    const auto other = ask({floor}, {tip});
+    ASSERT_EQ(other.size(), 1u);
+    expectContact(other[0], {0, -0.5}, {0, 1}, 1);
+  }
+}
+
+/// Straight vertices divide the floor; the edge is the one below the point, on either side of the tip's.
+TEST(Contacts, NameTheEdgeOfADividedFaceThatIsNearest) {
+  const Ring floor = {{-10, -5}, {10, -5}, {10, 0}, {3, 0}, {-1, 0}, {-10, 0}};
+  for (const double x : {0.0, -5.0}) {
+    const auto found = ask({shifted({{0, -1}, {2, 1}, {-6, 1}}, {x, 0})}, {floor});
+    ASSERT_EQ(found.size(), 1u);
+    expectContact(found[0], {x, -0.5}, {0, -1}, 1);
+    EXPECT_TRUE(found[0].edge_a == 0 || found[0].edge_a == 2) << found[0].edge_a;
+    EXPECT_EQ(found[0].edge_b, x == 0 ? 3 : 4);
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support
