@@ -417,5 +417,66 @@ TEST(Scene, GivesHandlesAgain) {
   }
 }
 
+/// What is left of a node of the tree moves to another one, and is found there.
+TEST(Scene, FindsWhoIsLeft) {
+  Random random(14);
+  Scene scene;
+  std::vector<std::pair<Scene::Body, Pose>> left;
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 20; ++k) {
+      const Pose at = pose(0, 3 * i + random.real(0, 0.9), 3 * k + random.real(0, 0.9));
+      left.push_back({scene.add(kSquare, at), at});
+    }
+  const Polygon dot = point({0, 0});
+  while (left.size() > 1) {
+    const auto gone = left.begin() + random.integer(0, static_cast<int>(left.size()) - 1);
+    scene.remove(gone->first);
+    left.erase(gone);
+    if (left.size() % 10 != 0) continue;
+    for (const auto& [body, at] : left)
+      ASSERT_EQ(scene.colliding(dot, at), std::vector<Scene::Body>{body}) << left.size();
+  }
+  EXPECT_EQ(scene.size(), 1u);
+}
+
+TEST(Scene, OfAPolygonThatIsTooLargeForItsBoxes) {
+  const Polygon huge({rectangle(-1.7e308, -1.7e308, 1.7e308, 1.7e308)}),
+      far({rectangle(1.6e308, 1.6e308, 1.65e308, 1.65e308)});
+  Scene scene;
+  scene.add(huge, pose(0, 0, 0));
+  scene.add(far, pose(0, 0, 0));
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  EXPECT_TRUE(scene.collides(far, pose(0, 0, 0)));
+  EXPECT_EQ(scene.colliding(kSquare, pose(0, -1e308, 1e308)).size(), 1u);
+}
+
+/// Up and back again: where it begins and ends says nothing of where it was.
+TEST(Scene, FollowsWaysThatBend) {
+  const Polygon beam({rectangle(-20, -1, 20, 1)});
+  Scene scene;
+  const Scene::Body post = scene.add(Polygon({rectangle(-1, 2.5, 1, 4)}), pose(0, 0, 0)),
+                    moving = scene.add(beam, pose(0, 0, -50));
+  Motion motion = Motion::translation(pose(0, 0, 0), {0, 8});
+  motion.shift_2 = {0, -8};
+  const double time = 0.25;  // 8 t - 8 t^2 = 1.5
+  const auto first = scene.firstImpact(beam, motion);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->body, post);
+  EXPECT_NEAR(first->impact.time, time, 1e-5);
+  const auto all = scene.impacts({{moving, motion}});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_NEAR(all[0].impact.time, time, 1e-5);
+}
+
+/// The first body to be near is not the first to be hit.
+TEST(Scene, LooksOnAfterAnImpactThatIsLater) {
+  Scene scene;
+  scene.add(Polygon({{{-5, -4}, {100, -4}, {100, 9}, {95, 9}, {95, -3}, {-5, -3}}}), pose(0, 0, 0));
+  const Scene::Body first = scene.add(kSquare, pose(0, 50, 0));
+  const auto impact = scene.firstImpact(kSquare, Motion::translation(pose(0, 0, 0), {98, 0}));
+  ASSERT_TRUE(impact);
+  EXPECT_EQ(impact->body, first);
+}
+
 }  // namespace
 }  // namespace tricover::support
