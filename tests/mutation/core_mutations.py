@@ -252,7 +252,7 @@ MUTATIONS = [
     ("src/pair/facts.h", "2 * (square_of_turn * (radius * radius) + square_of_way)", "(square_of_turn * (radius * radius) + square_of_way)", "facts: (x + y)^2 taken for x^2 + y^2"),
     ("src/pair/facts.h", "first_moved ? !second_moved && Change", "first_moved ? Change", "facts: both moved taken for one"),
     ("src/pair/facts.h", "first_moved = !sameAs(cache.first_pose, first_pose)", "first_moved = false", "facts: first polygon's motion"),
-    ("src/pair/facts.h", "(cache.clearance - (cache.overlapping ? 0 : margin))", "cache.clearance", "facts: margin ignored at a glance"),
+    ("src/pair/facts.h", "(cache.clearance - (cache.overlapping ? 0 : margin))", "(cache.clearance)", "facts: margin ignored at a glance"),
     ("src/pair/facts.h", "if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) return {};", "", "facts: another pair's"),
     ("src/pair/facts.h", "first_pose = direct ? pose_a : pose_b, &second_pose = direct ? pose_b : pose_a;", "first_pose = pose_a, &second_pose = pose_b;", "facts: poses in another order"),
     ("src/pair/facts.h", "return {true, cache.overlapping, true, 0};", "return {true, false, true, 0};", "facts: overlap answered as free"),

@@ -478,5 +478,25 @@ TEST(Scene, LooksOnAfterAnImpactThatIsLater) {
   EXPECT_EQ(impact->body, first);
 }
 
+/// A cache's fact is about one state of the scene, and about the bodies that were asked for.
+TEST(Scene, HasCachesWhoseFactsEnd) {
+  Scene scene;
+  const Scene::Body body = scene.add(kSquare, pose(0, 20, 0));
+  SceneCache cache;
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0), cache));
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.1, 0), cache));
+  ASSERT_GT(cache.clearance, 0.5);
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
+  EXPECT_EQ(cache.uses, 1u);
+  scene.move(body, pose(0, 1, 0));
+  EXPECT_TRUE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
+
+  cache = SceneCache();
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0), cache, {}, 2));
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.1, 0), cache, {}, 2));
+  ASSERT_GT(cache.clearance, 0.5);
+  EXPECT_TRUE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
+}
+
 }  // namespace
 }  // namespace tricover::support
