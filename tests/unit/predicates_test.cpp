@@ -17,6 +17,7 @@
 #include "hierarchy/hierarchy.h"
 #include "numbers/dyadic.h"
 #include "pair/posed_pair.h"
+#include "test_scale.h"
 #include "tricover/collide.h"
 
 namespace tricover::detail {
@@ -337,7 +338,7 @@ void expectHolds(const Block& block, unsigned lane, const PolygonData& polygon, 
 TEST(Hierarchy, EveryBoxHoldsItsChainAndEveryEdgeHasOneLeaf) {
   Random random(7);
   std::size_t deepest = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < support::scaledCount(300); ++i) {
     const double scale = i % 4 == 0 ? 1e-290 : i % 4 == 1 ? 1e290 : i % 4 == 2 ? 1e-13 : 1;
     const Vec2 offset = i % 3 == 0 ? Vec2(3 * scale, -1e4 * scale) : Vec2(0, 0);
     std::vector<Ring> rings(1 + random() % (i % 7 == 0 ? 90 : 9));
