@@ -498,5 +498,64 @@ TEST(Scene, HasCachesWhoseFactsEnd) {
   EXPECT_TRUE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
 }
 
+/// Two that approach, one faster than its share of the gap lets it: in every frame the answer is collide()'s.
+void expectEveryFrameOfTwo(Scene& scene, const Vec2& step_p, const Vec2& step_q, int frames) {
+  const double margin = scene.options(0).margin + scene.options(1).margin;
+  CollideOptions options;
+  options.margin = margin;
+  int hits = 0;
+  EXPECT_TRUE(scene.collisions().empty());
+  for (int frame = 0; frame < frames; ++frame) {
+    for (const Scene::Body body : {0u, 1u}) {
+      Pose next = scene.pose(body);
+      next.translation() += body == 0 ? step_p : step_q;
+      scene.move(body, next);
+    }
+    const bool hit = collide(scene.polygon(0), scene.pose(0), scene.polygon(1), scene.pose(1), options);
+    ASSERT_EQ(!scene.collisions().empty(), hit) << "frame " << frame;
+    hits += hit;
+  }
+  EXPECT_GT(hits, 0);
+  EXPECT_LT(hits, frames);
+}
+
+TEST(Scene, SharesTheGapOfTwo) {
+  const Polygon disc({regular(64, 1)});
+  for (const bool first_is_fast : {false, true}) {
+    Scene scene;
+    scene.add(disc, pose(0, 0, 0));
+    scene.add(disc, pose(0, 1.8, 1.8));  // their boxes meet, at rest
+    const Vec2 slow(0.02, 0.02), fast(0.05, 0.05);
+    expectEveryFrameOfTwo(scene, first_is_fast ? fast : slow, first_is_fast ? Vec2(-slow) : Vec2(-fast), 7);
+  }
+}
+
+TEST(Scene, SharesWhatMarginsLeaveOfTheGap) {
+  Scene scene;
+  BodyOptions round;
+  round.margin = 0.5;
+  scene.add(Polygon({regular(64, 1)}), pose(0, 0, 0), round);
+  scene.add(Polygon({regular(64, 1)}), pose(0, 3.2, 0), round);
+  expectEveryFrameOfTwo(scene, {0.05, 0}, {-0.05, 0}, 4);
+}
+
+/// What a body has moved in all, and the square of each step, is more than the largest double.
+TEST(Scene, FollowsHugeBodies) {
+  Scene scene;
+  scene.add(Polygon({rectangle(-1e307, -1e307, 1e307, 1e307)}), pose(0, -8e307, 0));
+  const Scene::Body there = scene.add(Polygon({rectangle(-1e306, -1e306, 1e306, 1e306)}), pose(0, -7e307, 0));
+  int hits = 0;
+  for (int frame = 0; frame < 150; ++frame) {
+    const int way = frame < 100 ? frame % 50 : frame - 100;
+    const double x = (frame / 50 % 2 == 0 ? -8e307 + 3e306 * way : 7e307 - 3e306 * way);
+    scene.move(0, pose(0, x, 0));
+    const bool hit = collide(scene.polygon(0), scene.pose(0), scene.polygon(there), scene.pose(there));
+    ASSERT_EQ(!scene.collisions().empty(), hit) << "frame " << frame;
+    hits += hit;
+  }
+  EXPECT_GT(hits, 3);
+  EXPECT_LT(hits, 100);
+}
+
 }  // namespace
 }  // namespace tricover::support
