@@ -220,6 +220,21 @@ TEST(Continuous, collideAtTheBeginIsTimeZero) {
   EXPECT_LT(hits, count * 8 / 10);
 }
 
+/// FCL makes a motion from two poses without setting its reference point: whatever was in that memory must not count.
+TEST(Continuous, slidesWithoutAReferencePoint) {
+  using Interpolation = fcl::InterpMotion<double>;
+  const fcl::TranslationMotiond still(placed(0, 0, 0), placed(0, 0, 0));
+  for (const double rest : {0.0, 1e20, 1e300}) {
+    alignas(Interpolation) unsigned char memory[sizeof(Interpolation)];
+    for (std::size_t i = 0; i < sizeof memory / sizeof rest; ++i) reinterpret_cast<volatile double*>(memory)[i] = rest;
+    auto* motion = new (memory) Interpolation(placed(0, -10, 0), placed(0, 10, 0));
+    const auto result = along(kSquare, *motion, kSquare, still, 1e-9);
+    EXPECT_TRUE(result.is_collide);
+    EXPECT_NEAR(result.time_of_contact, 0.45, 2e-9) << rest;
+    motion->~Interpolation();
+  }
+}
+
 TEST(Continuous, needsHeightsAndOccupancy) {
   const Shape<double> prism = std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{-1, 1});
   const auto through = [&](double z, const Shape<double>& b) {

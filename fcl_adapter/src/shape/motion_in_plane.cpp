@@ -25,6 +25,26 @@ struct SpatialMotion {
   Vec3 shift = Vec3::Zero(), turn = Vec3::Zero(), pivot = Vec3::Zero();
 };
 
+/// FCL's constructor from two poses leaves the reference point uninitialised, and velocities and poses with it: what
+/// doesn't turn needs none.
+template <typename S>
+struct Ends : fcl::InterpMotion<S> {
+  static const fcl::Transform3<S>& begin(const fcl::InterpMotion<S>& motion) { return motion.*(&Ends::tf1); }
+  static fcl::Vector3<S> shift(const fcl::InterpMotion<S>& motion) {
+    return (motion.*(&Ends::tf2)).translation() - begin(motion).translation();
+  }
+  /// Whether it slides, and what is in its reference point's place spoils where it begins.
+  static bool areAlone(const fcl::InterpMotion<S>& motion) {
+    if (motion.getAngularVelocity() != 0) return false;
+    fcl::Transform3<S> pose;
+    motion.integrate(0);
+    motion.getCurrentTransform(pose);
+    const fcl::Vector3<S>& at = begin(motion).translation();
+    const S size = at.cwiseAbs().sum() + shift(motion).cwiseAbs().sum();
+    return !((pose.translation() - at).cwiseAbs().sum() <= 64 * std::numeric_limits<S>::epsilon() * size);
+  }
+};
+
 /// Nothing for a class that isn't FCL's.
 template <typename S>
 std::optional<SpatialMotion> spatialMotion(const fcl::MotionBase<S>& motion) {
@@ -34,9 +54,13 @@ std::optional<SpatialMotion> spatialMotion(const fcl::MotionBase<S>& motion) {
     result.shift = wide(static_cast<const fcl::TranslationMotion<S>&>(motion).getVelocity());
   } else if (typeid(motion) == typeid(fcl::InterpMotion<S>)) {
     const auto& interpolation = static_cast<const fcl::InterpMotion<S>&>(motion);
-    result.shift = wide(interpolation.getLinearVelocity());
-    result.turn = static_cast<double>(interpolation.getAngularVelocity()) * wide(interpolation.getAngularAxis());
-    result.pivot = poseAt(motion, S(0)).template cast<double>() * wide(interpolation.getReferencePoint());
+    if (Ends<S>::areAlone(interpolation)) {
+      result.shift = wide(Ends<S>::shift(interpolation));
+    } else {
+      result.shift = wide(interpolation.getLinearVelocity());
+      result.turn = static_cast<double>(interpolation.getAngularVelocity()) * wide(interpolation.getAngularAxis());
+      result.pivot = poseAt(motion, S(0)).template cast<double>() * wide(interpolation.getReferencePoint());
+    }
   } else if (typeid(motion) == typeid(fcl::ScrewMotion<S>)) {
     const auto& screw = static_cast<const fcl::ScrewMotion<S>&>(motion);
     const auto angle = static_cast<double>(screw.getAngularVelocity());
@@ -111,6 +135,14 @@ tricover::Motion splineInPlane(const fcl::SplineMotion<S>& spline, const Plane& 
 template <typename S>
 fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time) {
   fcl::Transform3<S> pose;
+  if (typeid(motion) == typeid(fcl::InterpMotion<S>)) {
+    const auto& interpolation = static_cast<const fcl::InterpMotion<S>&>(motion);
+    if (Ends<S>::areAlone(interpolation)) {
+      pose = Ends<S>::begin(interpolation);
+      pose.translation() += time * Ends<S>::shift(interpolation);
+      return pose;
+    }
+  }
   motion.integrate(time);
   motion.getCurrentTransform(pose);
   return pose;
