@@ -59,7 +59,7 @@ MUTATIONS = [
     ("src/scene/queries.cpp", "cache.version == state.version", "true", "scene cache: of another state"),
     ("src/scene/queries.cpp", "(mask & ~cache.mask) == 0", "true", "scene cache: of fewer bodies"),
     ("src/scene/queries.cpp", "(result.distance == best->result.distance && body < best->body)", "false", "scene: any of several nearest"),
-    ("src/scene/impacts.cpp", "spared + turned)", "spared)", "sweep: turns don't count"),
+    ("src/scene/impacts.cpp", "spared() + turned)", "spared())", "sweep: turns don't count"),
     ("src/scene/impacts.cpp", "way_.accelerationAt(begin).cwiseAbs().cwiseMax(way_.accelerationAt(end).cwiseAbs())", "Vec2::Zero().eval()", "sweep: ways don't bend"),
     ("src/scene/impacts.cpp", "if (best && best->impact.time < w / windows - options.time_error) break;", "if (best) break;", "first impact: of the first window"),
     ("src/scene/impacts.cpp", "for (std::size_t w = 0; w < windows_; ++w)", "for (std::size_t w = 0; w < windows_ / 2; ++w)", "impacts: in the first half alone"),
