@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -177,6 +178,18 @@ TEST(Scene, MeetsWhatOverflows) {
   EXPECT_TRUE(scene.colliding(spike, pose(0, -5, 0)).empty());
   EXPECT_TRUE(scene.collisions().empty());
   EXPECT_EQ(scene.colliding(kSquare, pose(0, 8, 8)), (std::vector<Scene::Body>{b}));
+}
+
+/// On its way into the world a coordinate overflows that comes back: its box must not stay at infinity.
+TEST(Scene, MeetsWhatComesBackFromBeyondTheLargestDouble) {
+  const Polygon corner({rectangle(1.69e308, 1.69e308, 1.7e308, 1.7e308)}),
+      here({rectangle(0.6e308, -1e307, 0.8e308, 1e307)});
+  Scene scene;
+  const Scene::Body right = scene.add(corner, pose(-M_PI / 4, -1.7e308, 0));
+  EXPECT_EQ(scene.colliding(here, pose(0, 0, 0)), std::vector<Scene::Body>{right});
+  scene.remove(right);
+  const Scene::Body up = scene.add(corner, pose(M_PI / 4, 0, -1.7e308));
+  EXPECT_EQ(scene.colliding(here, pose(M_PI / 2, 0, 0)), std::vector<Scene::Body>{up});
 }
 
 /// Many bodies come, go and return: what a handle left behind must not be another body's.
