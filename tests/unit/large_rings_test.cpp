@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rings of 100,000 vertices (fewer where the tests are scaled): linear memory, and no recursion that grows with them (the queries run on a small stack).
+// Rings of 100,000 vertices (fewer where the tests are scaled): linear memory, and no recursion that grows with them
+// (the queries run on a small stack).
 #include <gtest/gtest.h>
 #include <pthread.h>
 
