@@ -180,19 +180,14 @@ class SceneWalk {
     ended += static_cast<int>(gone.size());
   }
 
-  struct Question {
-    const Part& part;
-    Pose start;
-    std::uint32_t mask;
-  };
-  Question anyQuestion() {
-    const Part& part = anyPart();
-    const Pose start = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
-    return {part, start, random_.oneIn(4) ? static_cast<std::uint32_t>(random_.integer(1, 2)) : kEveryCategory};
+  std::uint32_t anyMask() {
+    return random_.oneIn(4) ? static_cast<std::uint32_t>(random_.integer(1, 2)) : kEveryCategory;
   }
 
   void collides() {
-    const auto [part, start, mask] = anyQuestion();
+    const Part& part = anyPart();
+    const Pose start = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
+    const std::uint32_t mask = anyMask();
     CollideOptions options;
     if (random_.oneIn(3)) options.margin = length(part.polygon);
     Pose at = start;
@@ -220,7 +215,9 @@ class SceneWalk {
   }
 
   void nearest() {
-    const auto [part, at, mask] = anyQuestion();
+    const Part& part = anyPart();
+    const Pose at = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
+    const std::uint32_t mask = anyMask();
     DistanceOptions options;
     if (random_.oneIn(3)) options.margin = length(part.polygon);
     if (random_.oneIn(3)) options.limit = length(part.polygon);

@@ -14,6 +14,7 @@
 #include "shapes.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
+#include "tricover/distance.h"
 
 namespace tricover::support {
 namespace {
@@ -161,6 +162,27 @@ TEST(ConvexNearest, ProvesWhereTheyMeet) {
     check({{-0.5, -0.5}, {1 + 1e-9, -0.5}, {random.real(-0.5, 0.5), 0.5}});
   }
   EXPECT_GT(found, 50);
+}
+
+/// Features that are still foremost, but for a little: the nearest point of a is on an edge that ends at one of them,
+/// and begins too far back to be one.
+TEST(ConvexNearest, LooksAtEdgesBeforeAndBehindAVertex) {
+  const Ring below = {{-1, -1}, {1, -1}, {1, -0.006}, {0, 0}, {-1, -0.5}};
+  const Ring above = {{0, 0.0008}, {0.05, 0.0001}, {1.2, 1}, {-1, 1}};
+  for (const double side : {1.0, -1.0}) {
+    Ring rings[] = {below, above};
+    for (Ring& ring : rings)
+      for (Vec2& p : ring) p.x() *= side;
+    const Polygon a({rings[0]}), b({rings[1]});
+    const Pose still = Pose::Identity();
+    Pose turned = pose(0.3 * side, 0, 0);  // so that two vertices are the nearest
+    turned.translation() = above[0] - turned * above[0];
+    DistanceCache cache;
+    EXPECT_NEAR(distance(a, still, b, turned, cache).distance, 0.0008, 1e-12);
+    const double d = distance(a, still, b, still, cache).distance;
+    EXPECT_NEAR(d, 0.0001 + 0.05 * 0.006, 1e-7);
+    EXPECT_EQ(d, distance(a, still, b, still).distance);
+  }
 }
 
 TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
