@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "polygon/polygon_data.h"
 #include "tricover/pose.h"
 
@@ -17,6 +19,11 @@ struct Bounds {
     return min_x <= other.min_x && other.max_x <= max_x && min_y <= other.min_y && other.max_y <= max_y;
   }
 };
+
+inline Bounds unite(const Bounds& p, const Bounds& q) {
+  return {std::min(p.min_x, q.min_x), std::min(p.min_y, q.min_y), std::max(p.max_x, q.max_x),
+          std::max(p.max_y, q.max_y)};
+}
 
 /// A box around all points that are within `reach` of the posed polygon, rounded outwards. It never holds NaN. Builds
 /// the hierarchy.

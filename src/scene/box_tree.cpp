@@ -8,11 +8,6 @@
 namespace tricover::detail {
 namespace {
 
-Bounds unite(const Bounds& p, const Bounds& q) {
-  return {std::min(p.min_x, q.min_x), std::min(p.min_y, q.min_y), std::max(p.max_x, q.max_x),
-          std::max(p.max_y, q.max_y)};
-}
-
 /// Half the perimeter: what a box costs, because that many other boxes it will meet (Goldsmith and Salmon 1987).
 /// Clamped, so that no difference of two is NaN.
 double cost(const Bounds& b) { return std::min((b.max_x - b.min_x) + (b.max_y - b.min_y), 1e300); }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "apart/cubic.h"
 #include "apart/options.h"
@@ -20,6 +21,8 @@ using detail::Bounds;
 using detail::SceneState;
 
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A window is about as long as the polygon is wide, so that the boxes of a sweep are about twice that.
 constexpr double kMostWindows = 64;
@@ -51,38 +54,36 @@ class Sweep {
   }
 
   /// A box around all that is within the margin of it at some time from `begin` to `end`.
-  Bounds between(double begin, double end) const { return around(begin, end, false); }
-
-  /// The same, by the disc around the pivot: wider, and sooner there.
-  Bounds discBetween(double begin, double end) const { return around(begin, end, true); }
-
- private:
-  Bounds around(double begin, double end, bool by_disc) const {
+  Bounds between(double begin, double end) const {
     const double half = 0.5 * (end - begin), middle = begin + half;
     // No point leaves its place at the middle by more, against the pivot; nor is any farther from the pivot.
-    const double turned = turn_.mostRate(begin, end) * half * reach_, spared = margin_ + 2e-13 * length_;
+    const double turned = turn_.mostRate(begin, end) * half * reach_;
+    if (!(turned < reach_)) return discBetween(begin, end);
+    return swept(detail::boundsOf(polygon_, motion_.at(middle), spared() + turned), way_.at(middle), begin, end);
+  }
+
+  /// The same, by the disc around the pivot: wider, and sooner there.
+  Bounds discBetween(double begin, double end) const {
+    const Vec2 pivot = motion_.start * motion_.pivot;
+    const double r = reach_ + spared();
+    return swept({pivot.x() - r, pivot.y() - r, pivot.x() + r, pivot.y() + r}, Vec2::Zero(), begin, end);
+  }
+
+ private:
+  double spared() const { return margin_ + 2e-13 * length_; }
+
+  /// What a box sweeps that is carried along the way; it is given as it is where the way has come to `now`.
+  Bounds swept(const Bounds& box, const Vec2& now, double begin, double end) const {
     // A cubic leaves its chord by at most its acceleration times h^2 / 8, h the window's length.
+    const double half = 0.5 * (end - begin);
     const Vec2 bend =
         0.5 * half * half * way_.accelerationAt(begin).cwiseAbs().cwiseMax(way_.accelerationAt(end).cwiseAbs());
     const Vec2 first = way_.at(begin), last = way_.at(end);
-    Vec2 low = first.cwiseMin(last) - bend, high = first.cwiseMax(last) + bend;
-    Bounds bounds;
-    if (!by_disc && turned < reach_) {
-      const Vec2 now = way_.at(middle);
-      bounds = detail::boundsOf(polygon_, motion_.at(middle), spared + turned);
-      low -= now;
-      high -= now;
-    } else {
-      const Vec2 pivot = motion_.start * motion_.pivot;
-      const double r = reach_ + spared;
-      bounds = {pivot.x() - r, pivot.y() - r, pivot.x() + r, pivot.y() + r};
-    }
-    bounds = {bounds.min_x + low.x(), bounds.min_y + low.y(), bounds.max_x + high.x(), bounds.max_y + high.y()};
+    const Vec2 low = first.cwiseMin(last) - bend - now, high = first.cwiseMax(last) + bend - now;
+    const Bounds bounds{box.min_x + low.x(), box.min_y + low.y(), box.max_x + high.x(), box.max_y + high.y()};
     // Negated for NaN.
-    if (!(bounds.min_x <= bounds.max_x && bounds.min_y <= bounds.max_y)) {
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      bounds = {-kInfinity, -kInfinity, kInfinity, kInfinity};
-    }
+    if (!(bounds.min_x <= bounds.max_x && bounds.min_y <= bounds.max_y))
+      return {-kInfinity, -kInfinity, kInfinity, kInfinity};
     return bounds;
   }
 
@@ -124,8 +125,7 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motio
       const auto& other = state.bodies[body];
       const auto impact = timeOfImpact(polygon, motion, other.polygon, Motion::still(other.pose),
                                        withMargin(options, other.options.margin));
-      if (impact &&
-          (!best || impact->time < best->impact.time || (impact->time == best->impact.time && body < best->body)))
+      if (impact && (!best || std::pair(impact->time, body) < std::pair(best->impact.time, best->body)))
         best = BodyImpact{body, *impact};
     }
     const auto known = static_cast<std::ptrdiff_t>(asked.size());
@@ -152,8 +152,7 @@ class SweptBoxes {
       for (double w = 0; w < count; ++w) {
         const Bounds box = sweep.discBetween(w / count, (w + 1) / count);
         boxes_.push_back(box);
-        all = {std::min(all.min_x, box.min_x), std::min(all.min_y, box.min_y), std::max(all.max_x, box.max_x),
-               std::max(all.max_y, box.max_y)};
+        all = unite(all, box);
       }
       all_.push_back(all);
     }
@@ -176,7 +175,6 @@ class SweptBoxes {
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::size_t windows_;
   std::vector<Bounds> boxes_, all_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "apart/options.h"
 #include "numbers/errors.h"
@@ -27,7 +28,8 @@ void check(const Pose& pose, const CollideOptions& options) {
   detail::requireRigid(pose, "pose");
 }
 
-/// A SceneCache's clearance looks ahead for so many steps: fewer than a PairCache's, because all bodies within are asked.
+/// A SceneCache's clearance looks ahead for so many steps: fewer than a PairCache's, because all bodies within are
+/// asked.
 constexpr double kCacheSteps = 8;
 
 /// A posed polygon that bodies are asked about.
@@ -203,8 +205,7 @@ std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& p
     limited.margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());
     const DistanceResult result = distance(polygon, pose, other.polygon, other.pose, limited);
     if (!(result.distance <= limited.limit) || result.distance == kInfinity) return limited.limit;
-    if (!best || result.distance < best->result.distance ||
-        (result.distance == best->result.distance && body < best->body))
+    if (!best || std::pair(result.distance, body) < std::pair(best->result.distance, best->body))
       best = BodyDistance{body, result};
     limited.limit = std::min(limited.limit, best->result.distance);
     return limited.limit;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A ray against the bodies of a scene.
+#include <utility>
+
 #include "numbers/errors.h"
 #include "pair/cast_ray.h"
 #include "scene/scene_state.h"
@@ -44,8 +46,7 @@ std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, std::
     if ((other.options.category & mask) == 0) return limit;
     const auto hit = other.options.margin > 0 ? castRound(other, from, to)
                                               : detail::castRay(other.polygon.data(), other.pose, from, to, limit);
-    if (hit &&
-        (!best || hit->fraction < best->hit.fraction || (hit->fraction == best->hit.fraction && body < best->body))) {
+    if (hit && (!best || std::pair(hit->fraction, body) < std::pair(best->hit.fraction, best->body))) {
       best = BodyRayHit{body, *hit};
       limit = hit->fraction;
     }

@@ -62,7 +62,7 @@ struct SceneState {
     return (p.options.category & q.options.mask) != 0 && (q.options.category & p.options.mask) != 0;
   }
 
-  // Kinetic facts: collisions.cpp.
+  // Kinetic facts.
   void moveBody(Body body, const Pose& pose);
   void renewBox(Body body);
   void listFresh(Body body);

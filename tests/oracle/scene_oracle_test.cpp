@@ -180,14 +180,19 @@ class SceneWalk {
     ended += static_cast<int>(gone.size());
   }
 
-  std::uint32_t anyMask() {
-    return random_.oneIn(4) ? static_cast<std::uint32_t>(random_.integer(1, 2)) : kEveryCategory;
+  struct Question {
+    const Part& part;
+    Pose start;
+    std::uint32_t mask;
+  };
+  Question anyQuestion() {
+    const Part& part = anyPart();
+    const Pose start = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
+    return {part, start, random_.oneIn(4) ? static_cast<std::uint32_t>(random_.integer(1, 2)) : kEveryCategory};
   }
 
   void collides() {
-    const Part& part = anyPart();
-    const Pose start = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
-    const std::uint32_t mask = anyMask();
+    const auto [part, start, mask] = anyQuestion();
     CollideOptions options;
     if (random_.oneIn(3)) options.margin = length(part.polygon);
     Pose at = start;
@@ -215,9 +220,7 @@ class SceneWalk {
   }
 
   void nearest() {
-    const Part& part = anyPart();
-    const Pose at = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
-    const std::uint32_t mask = anyMask();
+    const auto [part, at, mask] = anyQuestion();
     DistanceOptions options;
     if (random_.oneIn(3)) options.margin = length(part.polygon);
     if (random_.oneIn(3)) options.limit = length(part.polygon);

@@ -480,5 +480,20 @@ TEST(Contacts, NameTheEdgeOfADividedFaceThatIsNearest) {
   }
 }
 
+/// Hooks through lids: a leg's side leads out, and what is deepest behind it is the hook's own tip.
+TEST(Contacts, WhereTheDeepestIsTheOthersVertexNameTheEdgeThatIsCrossed) {
+  const Ring hooks = {{10.5, 20}, {-0.5, 20}, {-0.5, -80}, {-2, -80}, {-2, -90}, {0.5, -90},
+                      {0.5, 10},  {9.5, 10},  {9.5, -80},  {8, -80},  {8, -90},  {10.5, -90}};
+  const Ring lid = {{-1, 0}, {1, 0}, {4, -100}, {-4, -100}};
+  const auto found = ask({hooks}, {lid, shifted(lid, {10, 0})});
+  ASSERT_EQ(found.size(), 2u);
+  for (const Contact& contact : found) {
+    EXPECT_EQ(contact.depth, 2.5);
+    EXPECT_EQ(contact.normal, Vec2(1, 0));
+    EXPECT_EQ(contact.edge_a, contact.point.x() < 5 ? 5 : 11);
+    EXPECT_EQ(contact.edge_b, contact.point.x() < 5 ? 0 : 4);
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support

@@ -264,6 +264,17 @@ TEST(Sizes, AtTheEndOfTheRangeThereIsNoWayOut) {
   }
 }
 
+/// Half of a, its middle, too, is beyond the largest double; where they overlap isn't.
+TEST(Sizes, PointsAreFiniteWhereDoublesReach) {
+  const Polygon a({rectangle(0.1e308, -1e307, 1.7e308, 1e307)}), b({rectangle(1.05e308, -1e306, 1.15e308, 1e306)});
+  const auto p = penetration(a, at(1e308, 0), b, kIdentity);
+  ASSERT_TRUE(p);
+  EXPECT_TRUE(p->optimal);
+  EXPECT_NEAR(p->depth, 0.05e308, 1e294);
+  EXPECT_NEAR(p->point_a.x(), 1.1e308, 1e294);
+  EXPECT_NEAR(p->point_b.x(), 1.15e308, 1e294);
+}
+
 /// Scaled by the largest coordinate, some of the hull's edges are as long as the smallest doubles.
 TEST(Sizes, OfHugeAndTinyEdgesTheDirectionIsAUnitVector) {
   const Polygon a(

@@ -13,6 +13,7 @@
 #include "families.h"
 #include "hierarchy/wide.h"
 #include "pair/collide_spine.h"
+#include "pair/point_place.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -183,6 +184,33 @@ TEST(Point, IsMostlyPlain) {
   // Nearly touching is no matter for plain doubles.
   const Polygon square({rectangle(-1, -1, 1, 1)});
   EXPECT_LT(nearestEdge(square.data(), Pose::Identity(), point({1 + 1e-12, 0}).data(), Pose::Identity()).distance, 0);
+}
+
+/// A box's axis is a pair of floats, longer or shorter than 1 by some 1e-8: a distance may be off by that share of it.
+TEST(Point, IsNoFartherFromTheRootThanFromWhatItHolds) {
+  Random random(6);
+  int tight = 0, longer = 0;
+  const int asked = scaledCount(1000);
+  for (int i = 0; i < asked; ++i) {
+    const double angle = random.real(-3, 3), far = std::ldexp(1.0, random.integer(0, 60));
+    const auto ux = static_cast<float>(std::cos(angle)), uy = static_cast<float>(std::sin(angle));
+    const detail::Box root{0.25f, -0.5f, ux, uy, 0.75f, 0.125f};
+    const detail::Place place{random.real(-far, far), random.real(-far, far), 0};
+    // Lengths along the axis are those of the plane times its own.
+    const mpq_class dx = mpq_class(place.x) - root.x, dy = mpq_class(place.y) - root.y, x(ux), y(uy);
+    const mpq_class along = abs(mpq_class(dx * x + dy * y)) - root.along;
+    const mpq_class across = abs(mpq_class(dy * x - dx * y)) - root.across;
+    const mpq_class a = sgn(along) > 0 ? along : mpq_class(0), b = sgn(across) > 0 ? across : mpq_class(0);
+    const mpq_class axis = x * x + y * y, squared = (a * a + b * b) / axis;
+    const double bound = distanceFromRoot(root, place);
+    if (bound > 0) {
+      ASSERT_LE(mpq_class(bound) * bound, squared) << angle << " " << far;
+    }
+    tight += bound > 0 && mpq_class(bound) * bound > 0.99 * squared;
+    longer += axis > 1 && bound > 0;
+  }
+  EXPECT_GE(tight, 0.7 * asked);
+  EXPECT_GE(longer, 0.3 * asked);
 }
 
 std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two polygons under their poses as filters and answers see them, against exact rationals.
+#include "pair/posed_pair.h"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "pair/world_frame.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::PosedPair;
+using detail::WorldFrame;
+
+struct ExactVector {
+  mpq_class x, y;
+  mpq_class square() const { return x * x + y * y; }
+};
+
+ExactVector turned(const Pose& pose, const Vec2& v) {
+  const auto& m = pose.matrix();
+  return {mpq_class(m(0, 0)) * v.x() + mpq_class(m(0, 1)) * v.y(),
+          mpq_class(m(1, 0)) * v.x() + mpq_class(m(1, 1)) * v.y()};
+}
+
+ExactVector posed(const Pose& pose, const Vec2& p) {
+  const ExactVector v = turned(pose, p);
+  return {v.x + pose.translation().x(), v.y + pose.translation().y()};
+}
+
+/// Through the pose's exact inverse.
+ExactVector turnedBack(const Pose& pose, const ExactVector& v) {
+  const auto& m = pose.matrix();
+  const mpq_class det = mpq_class(m(0, 0)) * m(1, 1) - mpq_class(m(0, 1)) * m(1, 0);
+  return {(m(1, 1) * v.x - m(0, 1) * v.y) / det, (m(0, 0) * v.y - m(1, 0) * v.x) / det};
+}
+
+TEST(PosedPair, DefectsHoldForPosesThatAreRigidOnlyAsFarAsIsAllowed) {
+  Random random(11);
+  const Polygon square({rectangle(-1, -1, 1, 1)});
+  int large = 0;
+  const int asked = scaledCount(500);
+  for (int i = 0; i < asked; ++i) {
+    const Pose pose_a = i % 2 ? throughFloat(randomPose(random, 3)) : distorted(random, randomPose(random, 3));
+    const Pose pose_b =
+        i % 3 ? distorted(random, randomPose(random, 3)) : mirrored(throughFloat(randomPose(random, 3)));
+    const PosedPair pair(square.data(), pose_a, square.data(), pose_b);
+    const Vec2 v(random.real(-1, 1), random.real(-1, 1));
+    const mpq_class length = mpq_class(v.x()) * v.x() + mpq_class(v.y()) * v.y();
+    const auto holds = [&](double defect, const mpq_class& mapped) {
+      const mpq_class low = 1 - mpq_class(defect), high = 1 + mpq_class(defect);
+      return low * low * length <= mapped && mapped <= high * high * length;
+    };
+    ASSERT_TRUE(holds(pair.scale_defect, turned(pose_a, v).square())) << i;
+    ASSERT_TRUE(holds(pair.defect, turnedBack(pose_a, turned(pose_b, v)).square())) << i;
+    large += !holds(0.1 * pair.defect, turnedBack(pose_a, turned(pose_b, v)).square());
+  }
+  EXPECT_GE(large, 0.5 * asked) << "a defect says something of the pose";
+}
+
+/// What is authored far from its origin and posed back near the world's: all of a pose but some bits cancels.
+TEST(WorldFrame, MapsWithinItsErrorWhereOriginsCancel) {
+  Random random(12);
+  int cancelled = 0;
+  const int asked = scaledCount(500);
+  for (int i = 0; i < asked; ++i) {
+    const double far = std::ldexp(1.0, random.integer(0, 40));
+    const Vec2 center_a(random.real(-far, far), random.real(-far, far)), center_b = Vec2(random.real(-1, 1), 0.5);
+    const Polygon a({shifted(rectangle(-1, -1, 1, 1), center_a)}), b({shifted(rectangle(-2, -1, 2, 1), center_b)});
+    Pose pose_a = randomPose(random, 1);
+    pose_a.translation() -= pose_a.linear() * center_a;
+    const Pose pose_b = randomPose(random, 1);
+    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+    const WorldFrame frame(pair);
+    const ExactVector origin = posed(pose_b, pair.b.origin);
+    for (const Vec2& v : pair.a.path) {
+      const ExactVector truth = posed(pose_a, v);
+      const Vec2 mapped = frame.fromA(v);
+      const mpq_class unit(frame.unit());
+      const ExactVector wrong{(truth.x - origin.x) / unit - mapped.x(), (truth.y - origin.y) / unit - mapped.y()};
+      ASSERT_LE(wrong.square(), mpq_class(frame.error()) * frame.error()) << i;
+    }
+    cancelled += frame.error() * frame.unit() < 1e-2 * far * 0x1p-52;
+  }
+  EXPECT_GE(cancelled, 0.5 * asked) << "of doubles, an ulp of where they cancel would be lost";
+}
+
+TEST(WorldFrame, IsInfiniteOnlyBeyondTheLargestDouble) {
+  const Polygon a({rectangle(-1e307, -1e307, 1e307, 1e307)}), b({rectangle(4e307, -1e307, 1.4e308, 1e307)});
+  const Pose here = Pose::Identity(), right = pose(0, 1.1e308, 0);
+  const PosedPair pair(a.data(), here, b.data(), right);
+  const WorldFrame frame(pair);
+  const Vec2 left = frame.toWorld(frame.fromB({4e307, 1e307}));  // b's S is at 2e308
+  EXPECT_NEAR(left.x(), 1.5e308, 1e295);
+  EXPECT_NEAR(left.y(), 1e307, 1e295);
+  EXPECT_EQ(frame.toWorld(frame.fromB({1.4e308, 1e307})).x(), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace tricover::support
