@@ -81,6 +81,7 @@ const std::vector<Row>& allRows() {
       {"islands inside a polygon", growth::islandsOnPlate, "contacts, most = 1", 1000, askOneContact},
       {"islands upon themselves, shifted", growth::islandsOnIslands, "contacts", 1000, askContacts},
       {"islands upon themselves, shifted", growth::islandsOnIslands, "penetration", 100, askPenetration},
+      {"a row of islands upon itself, shifted", growth::islandsInRow, "contacts", 1000, askContacts},
       {"a nearest corner, n times", growth::repeatedCorners, "distance", 1000, askDistance},
       {"a nearest corner, n times", growth::repeatedCorners, "distance, cached", 1000, askDistanceCached, kSteps},
       {"n equal points", growth::equalPoints, "distance", 1000, askDistance},

@@ -6,6 +6,16 @@
 namespace tricover::detail {
 namespace {
 
+/// What the ray leads away from. Many rings may stand in rows with S among them, where each ring's ray away from S
+/// would meet all those behind it: theirs lead out aslant.
+Vec2 behindRay(const PolygonData& polygon, const Vec2& p) {
+  constexpr std::size_t kManyRings = 16;
+  if (polygon.ringCount() < kManyRings) return polygon.origin;
+  const Vec2 away = polygon.inUnits(p), way = away + 0.31 * Vec2(-away.y(), away.x());
+  const Vec2 behind = p - way * (polygon.unit / way.norm());
+  return behind.allFinite() ? behind : polygon.origin;
+}
+
 /// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). False if rounding
 /// hides where that ray goes.
 bool addAlongRay(CoveringSum& sum, const Hierarchy& hierarchy) {
@@ -26,9 +36,10 @@ bool addAlongRay(CoveringSum& sum, const Hierarchy& hierarchy) {
 
 Inclusion includeInPolygon(const PolygonData& polygon, const IncludedPoint& point) {
   if (outsideBoundingDisc(polygon, point.approx)) return {Location::Outside, 0};
-  CoveringSum sum(polygon, point);
   const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
-  if (hierarchy == nullptr || !addAlongRay(sum, *hierarchy)) sum.addAll();
+  if (hierarchy == nullptr) return includeInCovering(polygon, point);
+  CoveringSum sum(polygon, point, behindRay(polygon, {point.approx.x, point.approx.y}));
+  if (!addAlongRay(sum, *hierarchy)) sum.addAll();
   return sum.result();
 }
 

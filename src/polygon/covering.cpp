@@ -5,13 +5,13 @@
 
 namespace tricover::detail {
 
-CoveringSum::CoveringSum(const PolygonData& polygon, const IncludedPoint& point)
-    : polygon_(polygon), point_(point), s_(polygon.origin) {
+CoveringSum::CoveringSum(const PolygonData& polygon, const IncludedPoint& point, const Vec2& origin)
+    : polygon_(polygon), point_(point), s_(origin) {
   const ApproxPoint& p = point.approx;
   const auto isOff = [&](const Vec2& v, double by) {  // false for NaN
     return std::abs(p.x - v.x()) > p.error + by || std::abs(p.y - v.y()) > p.error + by;
   };
-  // So near S, a ray away from it has no certain direction: the covering is taken from elsewhere, if it can be.
+  // So near s, a ray away from it has no certain direction: the covering is taken from elsewhere, if it can be.
   const double near = 0x1p-9 * polygon.unit;
   if (isOff(s_, near)) return;
   for (const std::size_t position : {std::size_t{0}, polygon.path.size() / 2})

@@ -39,7 +39,9 @@ inline bool outsideBoundingDisc(const PolygonData& polygon, const ApproxPoint& p
 /// half (the neighbouring triangle counts the other half).
 class CoveringSum {
  public:
-  CoveringSum(const PolygonData& polygon, const IncludedPoint& point);
+  CoveringSum(const PolygonData& polygon, const IncludedPoint& point) : CoveringSum(polygon, point, polygon.origin) {}
+  /// From `origin`, unless the point is near it.
+  CoveringSum(const PolygonData& polygon, const IncludedPoint& point, const Vec2& origin);
 
   /// Takes the triangle of the edge at this position. False if the point is on the edge: nothing else matters then.
   bool add(std::size_t edge);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "exact_reference.h"
 #include "families.h"
@@ -96,6 +98,36 @@ TEST_P(LocateOracle, AgreesWithExactRationals) {
 std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Families, LocateOracle, testing::ValuesIn(families()), familyName);
+
+/// Squares in rows, with S among them and as large as doubles go, so many that rays are led past them.
+TEST(LocateOracleRows, AgreesWithExactRationals) {
+  Tally tally;
+  PointCache old;
+  for (int i = 0; i < scaledCount(120); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const int columns = random.integer(4, 20), rows = random.integer(1, 3), slope = random.integer(-1, 1);
+    const double side = random.coin() ? 2 : random.real(0.5, 1.5);
+    std::vector<Ring> rings;
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+        const double x = 2 * column - columns, y = 2 * row + slope * x;
+        rings.push_back(rectangle(x, y, x + side, y + side));
+      }
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    const double size = random.oneIn(3) ? kLargest / (2 * columns + 32) : random.oneIn(4) ? 1e-300 : 1;
+    const double shift = random.coin() && size > 1 ? kLargest - (slope == 0 ? 8 : columns + 8) * size : 0;
+    for (Ring& ring : rings) ring = shifted(scaled(std::move(ring), size), {0, shift});
+    const Polygon polygon(redirected(random, rings), random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+    PointCache cache;
+    // After the first few the hierarchy is there.
+    for (int k = 0; k < 3 * kPointsEach; ++k) {
+      const Vec2 point = degeneratePoint(random, polygon);
+      if (point.allFinite()) check(polygon, point, cache, old, tally);
+    }
+  }
+  EXPECT_EQ(tally.disagreements, 0);
+  for (const int count : tally.by_location) EXPECT_GE(count, 0.05 * tally.points);
+}
 
 /// Steps from an ulp to the whole size, so that zones are kept, left and left far behind; two points share a cache.
 TEST(PointCacheWalk, EveryCachedAnswerIsTheColdOne) {

@@ -91,6 +91,12 @@ Input islandsOnIslands(std::size_t n) {
   return {Polygon(islands(n)), Polygon(islands(n)), Motion::still(shiftedBy({0.25, 0.25}))};
 }
 
+Input islandsInRow(std::size_t n) {
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i < n; ++i) rings.push_back(square(2.0 * static_cast<double>(i) * Vec2(1, 1), 1));
+  return {Polygon(rings), Polygon(rings), Motion::still(shiftedBy({0.25, 0.25}))};
+}
+
 Input repeatedCorners(std::size_t k) {
   Ring left(k, Vec2(0, 0)), right(k, Vec2(0, 0));
   left.insert(left.end(), {Vec2(-2, 1), Vec2(-2, -1)});
@@ -156,6 +162,7 @@ const std::vector<Kind>& allKinds() {
   static const std::vector<Kind> kinds = {
       {"islands on a plate", islandsOnPlate},
       {"islands on islands", islandsOnIslands},
+      {"islands in a row", islandsInRow},
       {"repeated corners", repeatedCorners},
       {"equal points", equalPoints},
       {"fans", fans},

@@ -21,6 +21,8 @@ struct Input {
 Input islandsOnPlate(std::size_t n);
 /// The same islands, and themselves shifted by a quarter of an island.
 Input islandsOnIslands(std::size_t n);
+/// A diagonal row of them upon itself, likewise shifted.
+Input islandsInRow(std::size_t n);
 
 /// Two triangles that point at each other, 1 apart, with the nearest corner of either given k times.
 Input repeatedCorners(std::size_t k);
