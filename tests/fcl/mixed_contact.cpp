@@ -157,5 +157,35 @@ TEST_F(MixedContact, marginsCount) {
   }
 }
 
+/// Of a mesh alone what is beside the polygon need be looked at, unless the way out of it is asked for.
+TEST_F(MixedContact, ofAMeshSeesWhatIsThere) {
+  PolygonOptions options;
+  options.margin = 0.5;
+  const PolygonShaped wide(square_.polygon(), options);
+  const auto cube = boxMesh<fcl::OBBRSSd>({1, 1, 1});
+  for (const tricover::Vec2& way : {tricover::Vec2(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+    const auto hits = [&](double apart) {
+      const fcl::Transform3d at = shifted<double>(apart * way.x(), apart * way.y(), 0);
+      fcl::CollisionResultd result;
+      return fcl::collide(&wide, here_, cube.get(), at, fcl::CollisionRequestd(), result) > 0;
+    };
+    EXPECT_TRUE(hits(2.5 - 1e-8)) << way.transpose();
+    EXPECT_FALSE(hits(2.5 + 1e-8)) << way.transpose();
+  }
+
+  // Two sheets in the plane: from the right one the way to the left is shorter, but there is the other one.
+  auto sheets = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  sheets->beginModel();
+  for (const auto& [low, high] : {std::pair(0.5, 1.5), std::pair(-2.5, -1.2)}) {
+    const Vec3 corners[] = {{low, -9, 0}, {high, -9, 0}, {high, 9, 0}, {low, 9, 0}};
+    sheets->addTriangle(corners[0], corners[1], corners[2]);
+    sheets->addTriangle(corners[0], corners[2], corners[3]);
+  }
+  sheets->endModel();
+  const auto found = contacts(*sheets, here_, square_, here_, 1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].penetration_depth, 2.5, 1e-9);
+}
+
 }  // namespace
 }  // namespace tricover_fcl::test

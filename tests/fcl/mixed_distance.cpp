@@ -124,6 +124,45 @@ TEST(MixedDistanceLaws, zeroIfAndOnlyIfTheyCollideAndSwapsWithTheArguments) {
   EXPECT_LT(hits, cases * 8 / 10);
 }
 
+/// What both are away from the origin is taken off before anything is rounded.
+TEST(MixedDistanceLaws, isFarAwayWhatItIsHere) {
+  registerNarrowphase();
+  Random random(75);
+  const Vec3 far(std::ldexp(1, 33), -std::ldexp(3, 32), 0);
+  const fcl::Boxd box(1, 2, 3);
+  const auto bar = shapeOf<double>(tricover::Polygon({tricover::support::rectangle(-2, -0.5, 2, 0.5)}));
+  const auto onGrid = [&] { return std::ldexp(random.integer(-(1 << 20), 1 << 20), -18); };
+  int apart = 0;
+  const int asked = tricover::support::scaledCount(200);
+  for (int i = 0; i < asked; ++i) {
+    const fcl::Matrix3<double> turn = turned(random.real(-3, 3), Vec3::UnitZ()),
+                               turn_of_box = turned(random.real(-3, 3), Vec3(1, 2, 3));
+    const Vec3 at(onGrid(), onGrid(), 0), at_of_box(onGrid(), onGrid(), 0);
+    const auto here = ask<double>(fcl::GST_LIBCCD, false, *bar, placed<double>(at, turn), box,
+                                  placed<double>(at_of_box, turn_of_box));
+    const auto there = ask<double>(fcl::GST_LIBCCD, false, *bar, placed<double>(at + far, turn), box,
+                                   placed<double>(at_of_box + far, turn_of_box));
+    EXPECT_NEAR(there.min_distance, here.min_distance, 1e-13);
+    apart += here.min_distance > 0;
+  }
+  EXPECT_GT(apart, asked / 2);
+  EXPECT_LT(apart, asked);
+}
+
+/// A surface has no inside to be deep in: where it is met it is overlapped, if only touched.
+TEST(MixedDistanceLaws, ofATouchedSurfaceIsThatOfAnOverlap) {
+  registerNarrowphase();
+  const auto square = shapeOf<double>(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const auto mesh = boxMesh<fcl::OBBRSSd>({1, 1, 1});
+  const fcl::Transform3d here = fcl::Transform3d::Identity();
+  const auto at = [&](double x) {
+    return ask<double>(fcl::GST_LIBCCD, false, *square, here, *mesh, shifted<double>(x, 0, 0)).min_distance;
+  };
+  EXPECT_EQ(at(1.5), -1);
+  EXPECT_EQ(at(2), -1);
+  EXPECT_NEAR(at(2 + 1e-6), 1e-6, 1e-13);
+}
+
 TEST(MixedDistanceLaws, contactUpToRoundingHasNearestPointsBelowAnyLimit) {
   registerNarrowphase();
   // A million from the polygon's origin, rounding counts a gap of 1e-9 as contact.

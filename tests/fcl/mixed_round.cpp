@@ -192,6 +192,25 @@ TEST(MixedRound, motionsMeetDiscsOnTime) {
   }
 }
 
+TEST(MixedRound, whatTurnsDoesSoAboutItsOwnPivot) {
+  // A stadium turns by a quarter about its middle, far from every origin, until its tip meets a wall.
+  const PolygonShaped wall(Polygon({tricover::support::rectangle(0, -3, 1, 3)}));
+  const fcl::Capsuled capsule(0.5, 2);
+  const Vec3 middle(5, 7, 0);
+  const fcl::Transform3d place = shifted<double>(middle.x() + 1.3, middle.y(), 0);
+  fcl::ContinuousCollisionRequestd request(10, 1e-9, fcl::CCDM_SCREW, fcl::GST_LIBCCD,
+                                           fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+  const double truth = std::asin(1.3 - 0.5) / (M_PI / 2);
+  fcl::ContinuousCollisionResultd result, swapped;
+  const fcl::Transform3d begin = lying({0, 1}, middle), end = lying({1, 0}, middle);
+  tricover_fcl::continuousCollide<double>(&wall, place, place, &capsule, begin, end, request, result);
+  tricover_fcl::continuousCollide<double>(&capsule, begin, end, &wall, place, place, request, swapped);
+  EXPECT_TRUE(result.is_collide);
+  EXPECT_NEAR(result.time_of_contact, truth, 1e-8);
+  EXPECT_LE(result.time_of_contact, truth + 1e-12);
+  EXPECT_EQ(swapped.time_of_contact, result.time_of_contact);
+}
+
 TEST(MixedRound, whatLeansIsNoDisc) {
   // A cylinder that leans by more than rounding has the section of one that leans.
   const PolygonShaped square(Polygon({tricover::support::rectangle(0, -1, 1, 1)}));
