@@ -150,6 +150,26 @@ TEST(MixedCollideWhere, planesInOrParallelToThePolygon) {
   }
 }
 
+TEST(MixedCollideWhere, atAllHeightsWhatLeansIsMetAnywhere) {
+  registerNarrowphase();
+  const PolygonShaped square(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}),
+                             PolygonOptions::atAllHeights());
+  const auto meets = [&](const fcl::CollisionGeometryd& other, double x) {
+    fcl::CollisionResultd result;
+    const fcl::Transform3d here = fcl::Transform3d::Identity();
+    return fcl::collide(&square, shifted<double>(x, 0, 0), &other, here, fcl::CollisionRequestd(), result) > 0;
+  };
+  for (const double lean : {-1.0, -1e-3, 1e-3, 1.0}) {
+    for (const double x : {-1e6, 0.0, 1e6}) {
+      EXPECT_TRUE(meets(fcl::Halfspaced(1, 0, lean, 0), x)) << lean << " " << x;
+      EXPECT_TRUE(meets(fcl::Planed(1, 0, lean, 0), x)) << lean << " " << x;
+    }
+  }
+  EXPECT_TRUE(meets(fcl::Halfspaced(1, 0, 0, 0), 0.5));
+  EXPECT_FALSE(meets(fcl::Halfspaced(1, 0, 0, 0), 2));
+  EXPECT_FALSE(meets(fcl::Planed(1, 0, 0, 0), 2));
+}
+
 TEST(MixedCollideWhere, touchingCountsAndRoundingNeverPartsWhatTouches) {
   const fcl::Transform3d here = fcl::Transform3d::Identity();
   for (const double size : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {

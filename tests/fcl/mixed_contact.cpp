@@ -114,6 +114,16 @@ TEST_F(MixedContact, ofAPlaneParallelToThePolygonIsAlongItsNormal) {
   EXPECT_LT((swapped[0].normal - Vec3::UnitZ()).norm(), 1e-12);
 }
 
+TEST_F(MixedContact, ofAPlaneIsLeftOnTheShorterWay) {
+  const PolygonShaped prism(square_.polygon(), PolygonOptions{-1, 3});
+  for (const double z : {-0.75, 2.5}) {
+    const auto found = contacts(prism, here_, fcl::Planed(0, 0, 1, z), here_, 1);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_LT((found[0].normal - (z > 0 ? 1 : -1) * Vec3::UnitZ()).norm(), 1e-12);
+    EXPECT_NEAR(found[0].penetration_depth, z > 0 ? 0.5 : 0.25, 1e-12);
+  }
+}
+
 TEST_F(MixedContact, touchingHasOneWithoutDepth) {
   const fcl::Boxd box(2, 2, 2);
   const auto found = contacts(square_, here_, box, shifted<double>(2, 0, 0), 10);

@@ -70,7 +70,9 @@ TYPED_TEST(MixedDistance, ofAnOverlapIsMinusOneOrTheDepth) {
     const double depth = 1e-3;
     const fcl::Transform3<S> pose = shifted<S>(known.right - depth, 0, 0);
     for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
-      EXPECT_EQ(ask<S>(solver, false, *tip<S>(), pose, *known.geometry, known.pose).min_distance, S(-1));
+      const auto meeting = ask<S>(solver, false, *tip<S>(), pose, *known.geometry, known.pose);
+      EXPECT_EQ(meeting.min_distance, S(-1));
+      EXPECT_LT((meeting.nearest_points[0] - meeting.nearest_points[1]).norm(), 5e-6);
       EXPECT_EQ(ask<S>(solver, false, *known.geometry, known.pose, *tip<S>(), pose).min_distance, S(-1));
       EXPECT_NEAR(ask<S>(solver, true, *tip<S>(), pose, *known.geometry, known.pose).min_distance, -depth, 5e-6);
       EXPECT_NEAR(ask<S>(solver, true, *known.geometry, known.pose, *tip<S>(), pose).min_distance, -depth, 5e-6);

@@ -211,6 +211,18 @@ TEST(MixedRound, whatTurnsDoesSoAboutItsOwnPivot) {
   EXPECT_EQ(swapped.time_of_contact, result.time_of_contact);
 }
 
+TEST(MixedRound, prismsUpsideDownReachTheOtherWay) {
+  const PolygonShaped prism(Polygon({tricover::support::rectangle(-1, -1, 1, 1)}), PolygonOptions{-1, 3});
+  fcl::Transform3d upside_down = fcl::Transform3d::Identity();
+  upside_down.linear().diagonal() << 1, -1, -1;
+  const fcl::Sphered sphere(0.5);
+  const auto at = [](double z) { return shifted<double>(0, 0, z); };
+  EXPECT_TRUE(hits(prism, fcl::Transform3d::Identity(), sphere, at(3.25)));
+  EXPECT_FALSE(hits(prism, fcl::Transform3d::Identity(), sphere, at(-3.25)));
+  EXPECT_FALSE(hits(prism, upside_down, sphere, at(3.25)));
+  EXPECT_TRUE(hits(prism, upside_down, sphere, at(-3.25)));
+}
+
 TEST(MixedRound, whatLeansIsNoDisc) {
   // A cylinder that leans by more than rounding has the section of one that leans.
   const PolygonShaped square(Polygon({tricover::support::rectangle(0, -1, 1, 1)}));
