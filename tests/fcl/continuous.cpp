@@ -343,7 +343,10 @@ TEST(Continuous, splinesThatLeaveThePlaneAreRefused) {
   const fcl::Vector3d here = fcl::Vector3d::Zero(), up(0, 0, 1), turn(0, 0, 2), tilt(0, 1e-3, 2);
   const fcl::SplineMotion<double> rises(here, here, here, up, here, here, here, here);
   const fcl::SplineMotion<double> tilts(here, here, here, here, turn, turn, tilt, tilt);
-  for (const auto* motion : {&rises, &tilts})
+  // It begins and ends upright.
+  const fcl::Vector3d out(0, -5e-3, 2), in(0, 1e-3, 2);
+  const fcl::SplineMotion<double> rolls(here, here, here, here, out, in, in, out);
+  for (const auto* motion : {&rises, &tilts, &rolls})
     EXPECT_NE(
         thrownBy<std::invalid_argument>([&] { along(kSquare, still, kSquare, *motion); }).find("motion_b: it leaves"),
         std::string::npos);

@@ -144,7 +144,7 @@ TEST(Distance, signedIsMinusTheShortestWayOut) {
 
 TEST(Distance, resultKeepsTheLeast) {
   const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
-  const Shape<double> other = shapeOf(square->polygon());
+  const Shape<double> other = shapeOf(tricover::Polygon({{{1, 1}, {0, 1}, {0, 0}, {1, 0}}}));  // other numbers of edges
   for (const fcl::GJKSolverType solver : kSolvers) {
     fcl::DistanceResultd result;
     const auto ask = [&](const Shape<double>& b, double x) {
@@ -152,9 +152,11 @@ TEST(Distance, resultKeepsTheLeast) {
                            lifted(tricover::support::pose(0, x, 0)), requestFor(solver), result);
     };
     EXPECT_EQ(ask(square, 4), 3);
+    const auto edge = result.b2;
     EXPECT_EQ(ask(other, 9), 3);
     EXPECT_EQ(ask(other, 4), 3);  // no nearer
     EXPECT_EQ(result.o2, square.get());
+    EXPECT_EQ(result.b2, edge);
     EXPECT_EQ(ask(other, 3), 2);
     EXPECT_EQ(result.o2, other.get());
     EXPECT_EQ(result.nearest_points[1].x(), 3);

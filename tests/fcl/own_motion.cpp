@@ -242,6 +242,42 @@ TEST(OwnMotions, standingStillIsOneCollide) {
   }
 }
 
+/// Straight on. Its bound is its speed in the direction that it is asked about: nothing is to spare.
+class Straight : public OwnMotion<double> {
+ public:
+  Straight(const tricover::Pose& start, const tricover::Vec2& shift)
+      : OwnMotion(0), inner_(lifted(start), lifted(tricover::Pose(Eigen::Translation2d(shift) * start))) {}
+  double computeMotionBound(const fcl::BVMotionBoundVisitor<double>& visitor) const override {
+    return visitor.visit(inner_);
+  }
+  bool integrate(double time) const override { return inner_.integrate(time); }
+  void getCurrentTransform(fcl::Transform3d& pose) const override { inner_.getCurrentTransform(pose); }
+
+ private:
+  fcl::TranslationMotion<double> inner_;
+};
+
+TEST(OwnMotions, tightBoundsAreNotPassed) {
+  const auto wall = shapeOf(tricover::Polygon({tricover::support::rectangle(8.5, -9, 9, 9)}));
+  const auto time = [&](const fcl::MotionBase<double>& motion, const fcl::MotionBase<double>& of_wall) {
+    fcl::ContinuousCollisionResultd result;
+    return fcl::continuousCollide<double>(kSquare.get(), &motion, wall.get(), &of_wall, advancing(1e-7), result);
+  };
+  // Also between the directions that bounds are asked for.
+  for (const double heading : {0.0, M_PI / 16, M_PI / 8, 1.0, 3.0}) {
+    const tricover::Pose start = tricover::support::pose(heading, 0, 0);
+    const double contact = time(Straight(start, start * tricover::Vec2(16, 0)), StaticMotion(lifted(start)));
+    EXPECT_LE(contact, 0.5 + 1e-12) << heading;
+    EXPECT_NEAR(contact, 0.5, 2e-7) << heading;
+  }
+  // 10 t^3, beside a wall that slides along itself.
+  const fcl::Vector3d here = fcl::Vector3d::Zero();
+  const fcl::SplineMotion<double> faster(here, here, here, fcl::Vector3d(60, 0, 0), here, here, here, here);
+  const double contact = time(faster, Straight(tricover::Pose::Identity(), {0, 1e-3}));
+  EXPECT_LE(contact, std::cbrt(0.8) + 1e-12);
+  EXPECT_NEAR(contact, std::cbrt(0.8), 2e-7);
+}
+
 /// Hands itself to FCL's visitor, which says 0.
 class Visiting : public SwingMotion<double> {
  public:
