@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -38,6 +39,11 @@ class TranslationSpace {
       const bool goes_on = (gap > 0 || meet(i, j)) && show(i, j, t, radius, visit);
       return goes_on ? limit : -1;
     });
+  }
+
+  /// The corners of the parallelogram of those translations that let two edges, by position, meet.
+  std::array<Vec2, 4> meetings(std::size_t i, std::size_t j) const {
+    return {a_.at[i] - b_.at[j], a_.at[i + 1] - b_.at[j], a_.at[i + 1] - b_.at[j + 1], a_.at[i] - b_.at[j + 1]};
   }
 
   /// Translations at which discs in the regions overlap: worth their while in a long search.

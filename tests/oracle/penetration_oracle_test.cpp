@@ -3,8 +3,11 @@
 // swapping the operands mirrors the result.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include "exact_penetration.h"
 #include "exact_reference.h"
@@ -188,6 +191,52 @@ TEST(PenetrationOracle, ManyVerticesDeepInEachOther) {
     EXPECT_LE(p->depth, q->depth);
     EXPECT_GE(p->lower_bound, q->lower_bound);
     for (int round = 0; round < 20; ++round) ASSERT_EQ(brokenPromise(random, c, *p), "") << reproduction(c);
+  }
+}
+
+/// Squares of size 1 in a grid of pitch 2, some left out: translations overlap on whole cells of that grid, each by as
+/// many pairs of squares as are that far from each other. The nearest cell that none is on is known.
+TEST(PenetrationOracle, OfRepeatedPartsLeadsToTheNearestCellThatIsFree) {
+  int overlapping = 0, far = 0;
+  for (int i = 0; i < scaledCount(40); ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 1);
+    const int n = random.integer(4, 12), cells = 2 * n + 1;
+    const double share = random.real(0.3, 1);
+    std::vector<std::pair<int, int>> places[2];
+    std::vector<Ring> rings[2];
+    for (const int side : {0, 1})
+      for (int k = 0; k < n * n; ++k) {
+        if (k > 0 && random.unit() > share) continue;
+        const int x = k % n, y = k / n;
+        places[side].emplace_back(x, y);
+        rings[side].push_back(rectangle(2 * x, 2 * y, 2 * x + 1, 2 * y + 1));
+      }
+    std::vector<char> taken(static_cast<std::size_t>(cells * cells));
+    for (const auto& [x, y] : places[0])
+      for (const auto& [u, v] : places[1]) taken[static_cast<std::size_t>((y - v + n) * cells + x - u + n)] = true;
+    const Vec2 shift(random.real(-1, 1), random.real(-1, 1));
+    double truth = 4 * n;
+    for (int x = -n; x <= n; ++x)
+      for (int y = -n; y <= n; ++y)
+        if (!taken[static_cast<std::size_t>((y + n) * cells + x + n)])
+          truth = std::min(truth, length((shift - 2 * Vec2(x, y)).cwiseAbs().cwiseMax(1) - Vec2(1, 1)));
+    const Pose frame = random.coin() ? Pose::Identity() : pose(random.real(0, 6.3), 5, -7);
+    const Case c{Polygon(rings[0]), frame, Polygon(rings[1]), moved(frame, frame.linear() * shift)};
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(p.has_value(), truth > 0) << i;
+    if (!p) continue;
+    ++overlapping;
+    far += truth > 4;
+    EXPECT_TRUE(p->optimal) << i;
+    EXPECT_NEAR(p->depth, truth, 1e-11 * n) << i;
+    EXPECT_EQ(swappedDiffers(c, *p), "") << i;
+    Random ways(0);
+    EXPECT_EQ(brokenPromise(ways, c, *p), "") << i;
+  }
+  std::printf("%d overlap, %d by many squares\n", overlapping, far);
+  if (scaledCount(40) == 40) {
+    EXPECT_GE(overlapping, 20);
+    EXPECT_GE(far, 10);
   }
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tricover/polygon.h"
+
+namespace tricover::detail {
+
+/// What is left of a square once parallelograms have been taken away: convex parts.
+class Uncovered {
+ public:
+  /// What is nowhere wider than `thin` doesn't count as left, nor what is within half of that of a parallelogram.
+  Uncovered(const Vec2& center, double half, double thin);
+
+  bool isEmpty() const { return parts_.empty(); }
+  double area() const { return area_; }
+  /// Inside one of the parts.
+  Vec2 point() const;
+
+  /// The one with these corners, in order.
+  void takeAway(const std::array<Vec2, 4>& corners);
+
+ private:
+  using Part = std::vector<Vec2>;
+
+  void keep(Part part);
+
+  std::vector<Part> parts_;
+  double thin_, area_ = 0;
+};
+
+}  // namespace tricover::detail
