@@ -25,7 +25,7 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon) {
   std::vector<Vec2> centers;
   for (int row = 0; row < kGrid; ++row)
     for (int column = 0; column < kGrid; ++column)
-      centers.push_back(low + Vec2((column + 0.5) / kGrid, (row + 0.5) / kGrid).cwiseProduct(high - low));
+      centers.emplace_back(low + Vec2((column + 0.5) / kGrid, (row + 0.5) / kGrid).cwiseProduct(high - low));
   const std::vector<double> depths = thinnedDepths(polygon, local, centers);
   std::vector<Disc> grid;
   for (std::size_t i = 0; i < centers.size(); ++i)

@@ -140,7 +140,7 @@ namespace {
 /// Boxes around moving bodies: of each body one a window, and one around all of these.
 class SweptBoxes {
  public:
-  SweptBoxes(const std::vector<Sweep>& sweeps) {
+  explicit SweptBoxes(const std::vector<Sweep>& sweeps) {
     double most = 1;
     for (const Sweep& sweep : sweeps) most = std::max(most, sweep.windows());
     windows_ = static_cast<std::size_t>(std::min(most, kMostPairWindows));

@@ -67,11 +67,11 @@ struct SceneState {
   void renewBox(Body body);
   void listFresh(Body body);
   void listDue(Body body);
-  void unlink(std::uint32_t pair);
+  void unlink(std::uint32_t index);
   void findPairs(Body body);
   void listPair(std::uint32_t pair);
-  void look(std::uint32_t pair);
-  void schedule(std::uint32_t pair, double room);
+  void look(std::uint32_t index);
+  void schedule(std::uint32_t index, double room);
   void updateCollisions();
   void report();
 
