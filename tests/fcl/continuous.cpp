@@ -224,13 +224,15 @@ TEST(Continuous, collideAtTheBeginIsTimeZero) {
 TEST(Continuous, slidesWithoutAReferencePoint) {
   using Interpolation = fcl::InterpMotion<double>;
   const fcl::TranslationMotiond still(placed(0, 0, 0), placed(0, 0, 0));
-  for (const double rest : {0.0, 1e20, 1e300}) {
+  for (const double rest : {0.0, 1e20, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
     alignas(Interpolation) unsigned char memory[sizeof(Interpolation)];
     for (std::size_t i = 0; i < sizeof memory / sizeof rest; ++i) reinterpret_cast<volatile double*>(memory)[i] = rest;
     auto* motion = new (memory) Interpolation(placed(0, -10, 0), placed(0, 10, 0));
     const auto result = along(kSquare, *motion, kSquare, still, 1e-9);
     EXPECT_TRUE(result.is_collide);
     EXPECT_NEAR(result.time_of_contact, 0.45, 2e-9) << rest;
+    EXPECT_NEAR(result.contact_tf1.translation().x(), -1, 4e-8) << rest;
+    EXPECT_TRUE(result.contact_tf2.isApprox(placed(0, 0, 0))) << rest;
     motion->~Interpolation();
   }
 }

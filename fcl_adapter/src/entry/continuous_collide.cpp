@@ -13,6 +13,7 @@
 #include "entry/dispatch.h"
 #include "shape/errors.h"
 #include "shape/is_polygon.h"
+#include "shape/motion_in_plane.h"
 
 // In float_advancement.cpp.
 extern template float fcl::continuousCollide(const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
@@ -55,10 +56,8 @@ S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S
   if (!isPolygon(*o1) && !isPolygon(*o2)) return fcl::continuousCollide(o1, motion1, o2, motion2, request, result);
   const S time = advanceGeometries(*o1, *motion1, *o2, *motion2, request, result);
   if (result.is_collide) {
-    motion1->integrate(time);
-    motion2->integrate(time);
-    motion1->getCurrentTransform(result.contact_tf1);
-    motion2->getCurrentTransform(result.contact_tf2);
+    result.contact_tf1 = poseAt(*motion1, time);
+    result.contact_tf2 = poseAt(*motion2, time);
   }
   return time;
 }

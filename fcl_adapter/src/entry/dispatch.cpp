@@ -11,31 +11,38 @@
 #include "shape/is_polygon.h"
 
 namespace tricover_fcl {
+namespace {
+
+const tricover::CollideOptions kNoOptions;
+
+}  // namespace
 
 template <typename S>
 std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                               const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                               fcl::CollisionResult<S>& result) {
-  if (isPolygon(o1) != isPolygon(o2)) return collideMixed(o1, tf1, o2, tf2, request, options, result);
-  if (!isPolygon(o1)) refusePair("collide", o1, o2);
-  return collidePolygons(o1, tf1, o2, tf2, request, options, result);
+  const bool first = isPolygon(o1), second = isPolygon(o2);
+  if (first && second) return collidePolygons(o1, tf1, o2, tf2, request, options, result);
+  if (!first && !second) refusePair("collide", o1, o2);
+  return collideMixed(o1, tf1, o2, tf2, request, options, result);
 }
 
 template <typename S>
 std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                               const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  return collideGeometries(o1, tf1, o2, tf2, request, {}, result);
+  return collideGeometries(o1, tf1, o2, tf2, request, kNoOptions, result);
 }
 
 template <typename S>
 S distanceOfGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                        const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                        const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
-  if (isPolygon(o1) != isPolygon(o2)) return distanceMixed(o1, tf1, o2, tf2, request, result);
-  if (!isPolygon(o1)) refusePair("distance", o1, o2);
-  return distanceOfPolygons(o1, tf1, o2, tf2, request, result);
+  const bool first = isPolygon(o1), second = isPolygon(o2);
+  if (first && second) return distanceOfPolygons(o1, tf1, o2, tf2, request, result);
+  if (!first && !second) refusePair("distance", o1, o2);
+  return distanceMixed(o1, tf1, o2, tf2, request, result);
 }
 
 template <typename S>

@@ -26,6 +26,7 @@ FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const Moti
 
 #include "shape/errors.h"
 #include "shape/is_polygon.h"
+#include "shape/motion_in_plane.h"
 
 namespace tricover_fcl {
 namespace {
@@ -60,16 +61,22 @@ template <>
 double continuousCollide(const CollisionGeometry<double>* o1, const MotionBase<double>* motion1,
                          const CollisionGeometry<double>* o2, const MotionBase<double>* motion2,
                          const ContinuousCollisionRequest<double>& request, ContinuousCollisionResult<double>& result) {
-  if (tricover_fcl::isPolygon(*o1) || tricover_fcl::isPolygon(*o2))
-    tricover_fcl::requireSolver(request.ccd_solver_type);
+  const bool has_polygon = tricover_fcl::isPolygon(*o1) || tricover_fcl::isPolygon(*o2);
+  if (has_polygon) tricover_fcl::requireSolver(request.ccd_solver_type);
   const auto both = [&](OBJECT_TYPE type) {
     return o1->getObjectType() == type && o2->getObjectType() == type && request.ccd_motion_type == CCDM_TRANS;
   };
   switch (request.ccd_solver_type) {
     case CCDC_NAIVE:
       return continuousCollideNaive(o1, motion1, o2, motion2, request, result);
-    case CCDC_CONSERVATIVE_ADVANCEMENT:
-      return continuousCollideConservativeAdvancement(o1, motion1, o2, motion2, request, result);
+    case CCDC_CONSERVATIVE_ADVANCEMENT: {
+      const double time = continuousCollideConservativeAdvancement(o1, motion1, o2, motion2, request, result);
+      if (has_polygon && result.is_collide) {
+        result.contact_tf1 = tricover_fcl::poseAt(*motion1, time);
+        result.contact_tf2 = tricover_fcl::poseAt(*motion2, time);
+      }
+      return time;
+    }
     case CCDC_RAY_SHOOTING:
       if (!both(OT_GEOM)) std::cerr << "Warning! Invalid continuous collision setting\n";
       break;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mixed/stadium_pair.h"
 
+#include <fcl/geometry/shape/sphere.h>
+
 #include <cmath>
+#include <limits>
 
 #include "mixed/mixed_pair.h"
 #include "shape/is_polygon.h"
@@ -81,14 +84,38 @@ typename StadiumPair<S>::Other StadiumPair<S>::place(const fcl::Transform3<S>& o
 }
 
 template <typename S>
+bool StadiumPair<S>::placeBall(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_ball,
+                               double of_radius) {
+  if (!(isUpright(of_polygon) && of_radius >= 0 && of_radius <= std::numeric_limits<double>::max())) return false;
+  const PolygonOptions& options = shape.options();
+  const bool upside_down = of_polygon.matrix()(2, 2) < 0;
+  const Slab slab = upside_down ? Slab{-options.z_high, -options.z_low} : Slab{options.z_low, options.z_high};
+  const auto z = static_cast<double>(of_polygon.matrix()(2, 3)), rise = static_cast<double>(of_ball.matrix()(2, 3)) - z;
+  if (!(rise >= slab.low && rise <= slab.high)) return false;
+  found = StadiumCase::Pair;
+  setPlanarPart(pose, of_polygon);
+  requireRigid(pose, polygon_first ? "pose_a" : "pose_b");
+  height_ = z + slab.middle();
+  radius = of_radius;
+  constexpr double kX[] = {1, 0}, kY[] = {0, 1};
+  const double center[] = {static_cast<double>(of_ball.matrix()(0, 3)), static_cast<double>(of_ball.matrix()(1, 3))};
+  setColumns(pose_of_segment, kX, kY, center);
+  return true;
+}
+
+template <typename S>
 StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2)
     : polygon_first(isPolygon(o1)), shape(static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2)) {
   const fcl::CollisionGeometry<S>& other = polygon_first ? o2 : o1;
-  if (!isRound(other.getNodeType())) return;
-  const fcl::Transform3<S>& of_other = polygon_first ? tf2 : tf1;
+  const fcl::NODE_TYPE type = other.getNodeType();
+  if (!isRound(type)) return;
+  const fcl::Transform3<S>&of_polygon = polygon_first ? tf1 : tf2, &of_other = polygon_first ? tf2 : tf1;
   requireRigid(of_other, polygon_first ? "pose_b" : "pose_a");
-  const Other seen = place(polygon_first ? tf1 : tf2, of_other);
+  if (type == fcl::GEOM_SPHERE &&
+      placeBall(of_polygon, of_other, static_cast<double>(static_cast<const fcl::Sphere<S>&>(other).radius)))
+    return;
+  const Other seen = place(of_polygon, of_other);
   const std::optional<Stadium> stadium =
       stadiumOf(other, seen.center, seen.axis, seen.slab, seen.rounding, seen.rounding_z);
   if (!stadium) return;

@@ -61,6 +61,9 @@ class StadiumPair {
     Eigen::Vector3d center, axis;
     double rounding, rounding_z;  ///< as stadiumOf() has them
   };
+  /// Of a ball whose centre is between the heights of a polygon that lies level, if it is: all of place() and
+  /// stadiumOf() that it needs.
+  bool placeBall(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_ball, double of_radius);
   Other place(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_other);
 
   std::optional<tricover::Polygon> segment_;  ///< none for a disc

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polygons/collide_polygons.h"
 
+#include <optional>
 #include <vector>
 
+#include "polygons/disc_pair.h"
 #include "polygons/polygon_pair.h"
 #include "shape/fcl_results.h"
 #include "tricover/contacts.h"
@@ -69,11 +71,19 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
                             const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                             fcl::CollisionResult<S>& result) {
   if (request.isSatisfied(result)) return result.numContacts();
-  const PolygonPair<S> pair(o1, tf1, o2, tf2);
+  const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
   const Wanted want = wanted(o1, o2, request);
-  if (!want.contacts && !want.costs) return result.numContacts();
+  const double margin = options.margin + (shape_a.options().margin + shape_b.options().margin);
+  if (DiscPair<S>::areDiscs(shape_a, shape_b) && options.tolerance == 0 && !want.costs) {
+    const std::optional<bool> hit = DiscPair<S>(shape_a, tf1, shape_b, tf2).areWithin(margin);
+    if (hit && !(*hit && want.contacts && request.enable_contact)) {
+      if (*hit && want.contacts && room(request, result) > 0) addContact(o1, o2, result);
+      return result.numContacts();
+    }
+  }
 
-  const double margin = options.margin + (pair.shape_a.options().margin + pair.shape_b.options().margin);
+  const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2);
+  if (!want.contacts && !want.costs) return result.numContacts();
   const tricover::CollideOptions with_margins{margin, options.tolerance, options.strategy};
   const auto collide = [&](auto&... cache) {
     return tricover::collide(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., with_margins);

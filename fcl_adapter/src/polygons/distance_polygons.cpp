@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "polygons/disc_pair.h"
 #include "polygons/polygon_pair.h"
 #include "shape/crossing.h"
 #include "shape/fcl_results.h"
@@ -21,10 +22,16 @@ struct NearestPoints {
   NearestPoints(const PolygonPair<S>& pair, bool heights_meet, const tricover::Vec2& point_a,
                 const tricover::Vec2& point_b) {
     const Heights a = pair.heightsA(), b = pair.heightsB();
-    const bool a_below = !heights_meet && isBelow(a.high, b.low), a_above = !heights_meet && !a_below;
-    const double middle = sharedHeights(a, b).middle();
-    on_a << point_a, a_below ? a.high.rounded() : a_above ? a.low.rounded() : middle;
-    on_b << point_b, a_below ? b.low.rounded() : a_above ? b.high.rounded() : middle;
+    double z_a, z_b;
+    if (heights_meet) {
+      z_a = z_b = sharedHeights(a, b).middle();
+    } else {
+      const bool below = isBelow(a.high, b.low);
+      z_a = (below ? a.high : a.low).rounded();
+      z_b = (below ? b.low : b.high).rounded();
+    }
+    on_a = {point_a.x(), point_a.y(), z_a};
+    on_b = {point_b.x(), point_b.y(), z_b};
   }
 
   fcl::Vector3<double> on_a, on_b;
@@ -56,6 +63,25 @@ void updateOverlap(const PolygonPair<S>& pair, bool is_signed, const tricover::D
   report(0, common);
 }
 
+/// Of two discs, if these are plainly apart: where they aren't, more is to be told.
+template <typename S>
+bool updateApart(const PolygonShape<S>& a, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b,
+                 const fcl::Transform3<S>& tf2, const tricover::DistanceOptions& options,
+                 fcl::DistanceResult<S>& result) {
+  if (!(options.relative_error >= 0 && options.absolute_error >= 0 && options.limit > 0)) return false;
+  const DiscPair<S> pair(a, tf1, b, tf2);
+  const std::optional<double> distance = pair.distanceBeyond(options.margin);
+  if (!distance) return false;
+  const tricover::Vec2 towards = pair.between / *distance;
+  const auto nearest = [&, z = pair.middleHeight()](const fcl::Transform3<S>& pose, double way) {
+    const auto center = [&](int axis) { return static_cast<double>(pose.matrix()(axis, 3)); };
+    return fcl::Vector3<double>(center(0) + way * towards.x(), center(1) + way * towards.y(), z);
+  };
+  updateDistance(a, b, *distance - options.margin, nearest(tf1, a.options().margin), nearest(tf2, -b.options().margin),
+                 0, 0, result);
+  return true;
+}
+
 }  // namespace
 
 template <typename S>
@@ -63,14 +89,17 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
                      const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                      const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
   if (request.isSatisfied(result)) return result.min_distance;
-  const PolygonPair<S> pair(o1, tf1, o2, tf2);
+  const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
 
   // Nothing above the distance that the result already holds is of interest, and no pair is nearer than its heights.
   tricover::DistanceOptions options;
   options.relative_error = static_cast<double>(request.rel_err);
   options.absolute_error = static_cast<double>(request.abs_err);
   options.limit = static_cast<double>(result.min_distance);
-  options.margin = pair.shape_a.options().margin + pair.shape_b.options().margin;
+  options.margin = shape_a.options().margin + shape_b.options().margin;
+  if (DiscPair<S>::areDiscs(shape_a, shape_b) && updateApart(shape_a, tf1, shape_b, tf2, options, result))
+    return result.min_distance;
+  const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2);
   const double apart = pair.heightsMeet() ? 0 : gap(pair.heightsA(), pair.heightsB());
   if (apart >= options.limit) return result.min_distance;
 
@@ -78,7 +107,7 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
     return tricover::distance(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., options);
   };
   tricover::DistanceResult planar = pair.template remembering<tricover::DistanceCache>(tf1, tf2, distance);
-  if (options.margin > 0) moveByMargins(planar, pair.shape_a.options().margin, pair.shape_b.options().margin);
+  if (options.margin > 0) moveByMargins(planar, shape_a.options().margin, shape_b.options().margin);
   if (planar.distance == 0 && apart == 0) {
     requireContactsIfSigned(o1, o2, request);
     updateOverlap(pair, request.enable_signed_distance, planar, result);

@@ -21,12 +21,9 @@ struct PolygonPair {
   const PolygonShape<S>&shape_a, &shape_b;
   PlanarPose pose_a, pose_b;
 
-  PolygonPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,
+  PolygonPair(const PolygonShape<S>& a, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b,
               const fcl::Transform3<S>& tf2)
-      : shape_a(static_cast<const PolygonShape<S>&>(o1)),
-        shape_b(static_cast<const PolygonShape<S>&>(o2)),
-        pose_a(planarPose(tf1, "pose_a")),
-        pose_b(planarPose(tf2, "pose_b")) {}
+      : shape_a(a), shape_b(b), pose_a(planarPose(tf1, "pose_a")), pose_b(planarPose(tf2, "pose_b")) {}
 
   const tricover::Polygon& a() const { return shape_a.polygon(); }
   const tricover::Polygon& b() const { return shape_b.polygon(); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "shadow/smooth_shadow.h"
@@ -14,6 +15,7 @@ using tricover::Pose;
 using tricover::Vec2;
 
 constexpr int kOneByOne = 40;
+constexpr std::size_t kFewVertices = 256;  // asked one by one sooner than a polygon of tangents is made
 
 Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
   const Vec2 along = w - v;
@@ -30,6 +32,21 @@ DistanceResult distanceTo(const Polygon& polygon, const Vec2& point) {
 }
 
 }  // namespace
+
+/// A lower bound of the distance from the polygon to all that isn't beyond the line through `point` across `normal`.
+/// Differences round by U, products and their sum by 2U, the normal's length by 2U; nothing is known of what overflows.
+double distanceBeyond(const Polygon& polygon, const Vec2& point, const Vec2& normal) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
+  for (const tricover::Ring& ring : polygon.rings()) {
+    for (const Vec2& vertex : ring) {
+      const Vec2 way = vertex - point;
+      const double ahead = normal.dot(way) - 0x1p-50 * way.lpNorm<1>();
+      least = std::min(least, std::isnan(ahead) ? -kInfinity : ahead);
+    }
+  }
+  return least;
+}
 
 /// The distance is between `lower` and nearest.distance.
 struct SmoothShadow::Approach {
@@ -65,6 +82,16 @@ Vec2 SmoothShadow::closeIn(Tangents& tangents, const Vec2& p, double enough) con
   }
 }
 
+/// Whether p is certainly to the left of all ways from one tangent's point to the next one's: then these go round it.
+bool SmoothShadow::goRound(const Tangents& tangents, const Vec2& p) {
+  for (std::size_t k = 0; k < tangents.size(); ++k) {
+    const Vec2 way = tangents[(k + 1) % tangents.size()].point - tangents[k].point, to_p = p - tangents[k].point;
+    const double left = way.x() * to_p.y(), right = way.y() * to_p.x();
+    if (!(left - right > 1e-12 * (std::abs(left) + std::abs(right)))) return false;
+  }
+  return true;
+}
+
 /// The distance to the polygon around C, which tangents make, is a lower bound. Where that is met, the polygon within C
 /// is asked. Otherwise the tangent across the way between the two touches C at a point: its distance is an upper bound,
 /// and its nearest point has a nearest one in C.
@@ -88,6 +115,13 @@ SmoothShadow::Approach SmoothShadow::approach(const Polygon& polygon, double mar
   const Vec2 towards = (nearest.point_a - center).stableNormalized(), aside(-towards.y(), towards.x());
   Tangents tangents;
   for (const Vec2& normal : {towards, aside, Vec2(-towards), Vec2(-aside)}) tangents.push_back(tangent(normal, enough));
+  if (polygon.vertexCount() <= kFewVertices) {
+    const Tangent& facing = tangents.front();
+    found.lower = std::max(found.lower, distanceBeyond(polygon, facing.point, towards) - facing.slack - finest_ / 8);
+    const Vec2 p = nearest.point_a, q = goRound(tangents, p) ? p : facing.point;
+    improve({(p - q).stableNorm(), p, q, nearest.edge_a, -1});
+    if (isDecided()) return found;
+  }
   for (int i = 0;; ++i) {
     const DistanceResult outer = tricover::distance(polygon, Pose::Identity(), around(tangents), Pose::Identity());
     for (const Tangent& tangent : tangents) slack = std::max(slack, tangent.slack);

@@ -100,6 +100,7 @@ class SmoothShadow {
     std::size_t chord;
   };
   static Nearest nearestWithin(const Tangents& tangents, const tricover::Vec2& p);
+  static bool goRound(const Tangents& tangents, const tricover::Vec2& p);
   tricover::Vec2 closeIn(Tangents& tangents, const tricover::Vec2& p, double enough) const;
   struct Approach;
   Approach approach(const tricover::Polygon& polygon, double margin, bool only_whether) const;

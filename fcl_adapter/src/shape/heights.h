@@ -42,9 +42,12 @@ struct Heights {
   Height low, high;
 };
 
+inline Heights heightsOf(const PolygonOptions& shape, double z, bool upside_down) {
+  if (upside_down) return {{z, -shape.z_high}, {z, -shape.z_low}};
+  return {{z, shape.z_low}, {z, shape.z_high}};
+}
 inline Heights heightsOf(const PolygonOptions& shape, const PlanarPose& pose) {
-  if (pose.upside_down) return {{pose.z, -shape.z_high}, {pose.z, -shape.z_low}};
-  return {{pose.z, shape.z_low}, {pose.z, shape.z_high}};
+  return heightsOf(shape, pose.z, pose.upside_down);
 }
 
 /// Exact, touching counts.

@@ -7,11 +7,12 @@
 
 namespace tricover_fcl {
 
-/// By its class, because fcl::TriangleP shares the node type. That is asked first: classes that differ are compared by
-/// their names.
+/// By its class, because fcl::TriangleP shares the node type. Most often one class has one description; where shared
+/// libraries have their own, names are compared, which takes longer and is left out for other node types.
 template <typename S>
 bool isPolygon(const fcl::CollisionGeometry<S>& geometry) {
-  return geometry.getNodeType() == fcl::GEOM_TRIANGLE && typeid(geometry) == typeid(PolygonShape<S>);
+  const std::type_info &type = typeid(geometry), &ours = typeid(PolygonShape<S>);
+  return &type == &ours || (geometry.getNodeType() == fcl::GEOM_TRIANGLE && type == ours);
 }
 
 }  // namespace tricover_fcl

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <type_traits>
 
 #include "tricover/pose.h"
@@ -45,20 +44,46 @@ void setPlanarPart(tricover::Pose& pose, const fcl::Transform3<S>& transform) {
   }
 }
 
+/// The sum of what planarPose() compares with the tolerance one by one, so that it is at least each of them, also as
+/// rounded; NaN if the height isn't finite.
+template <typename S>
+double tiltOf(const fcl::Transform3<S>& transform) {
+  const auto& m = transform.matrix();
+  const auto size = [&](int row, int column) { return std::abs(static_cast<double>(m(row, column))); };
+  return ((size(2, 0) + size(2, 1)) + (size(0, 2) + size(1, 2))) +
+         (std::abs(size(2, 2) - 1) + static_cast<double>(m(2, 3) - m(2, 3)));
+}
+
+/// Whether planarPose() and tricover::checkPose() let a pose pass, by one comparison: most that they do.
+template <typename S>
+bool isPlainlyPlanar(const fcl::Transform3<S>& transform) {
+  const auto& m = transform.matrix();
+  const auto at = [&](int row, int column) { return static_cast<double>(m(row, column)); };
+  const auto dot = [&](int i, int j) { return at(0, i) * at(0, j) + at(1, i) * at(1, j); };
+  const double shift = at(0, 3) + at(1, 3);
+  const double defect = (std::abs(dot(0, 0) - 1) + std::abs(dot(1, 1) - 1)) + (std::abs(dot(0, 1)) + (shift - shift));
+  return tiltOf(transform) + defect <= tricover::kRigidTolerance;
+}
+
+/// planarPose()'s conditions, one by one.
+template <typename S>
+void requirePlanar(const fcl::Transform3<S>& transform, const char* name) {
+  const auto& m = transform.matrix();
+  const auto within = [&](int row, int column) {
+    return std::abs(static_cast<double>(m(row, column))) <= tricover::kRigidTolerance;
+  };
+  const bool upright = std::abs(std::abs(static_cast<double>(m(2, 2))) - 1) <= tricover::kRigidTolerance;
+  if (!(within(2, 0) && within(2, 1) && within(0, 2) && within(1, 2) && upright && std::isfinite(m(2, 3))))
+    refuseTilt(m.template cast<double>(), name);
+}
+
 /// That of a pose that keeps the plane. A tilt of rounding size is left out, as the kernel accepts as much in R.
 /// What is wrong within the plane is left for the kernel to refuse.
 template <typename S>
 PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
   const auto& m = transform.matrix();
-  const auto at = [&](int row, int column) { return static_cast<double>(m(row, column)); };
-  // Without branches (ints: compilers warn of bools that & joins), and so that NaN fails.
-  const auto within = [](double entry, double bound) -> int { return std::abs(entry) <= bound; };
-  constexpr double kTilt = tricover::kRigidTolerance;
-  const int planar = within(at(2, 0), kTilt) & within(at(2, 1), kTilt) & within(at(0, 2), kTilt) &
-                     within(at(1, 2), kTilt) & within(std::abs(at(2, 2)) - 1, kTilt) &
-                     within(at(2, 3), std::numeric_limits<double>::max());
-  if (planar == 0) refuseTilt(transform.matrix().template cast<double>(), name);
-  PlanarPose planar_pose{tricover::Pose(), at(2, 3), at(2, 2) < 0};
+  if (!(tiltOf(transform) <= tricover::kRigidTolerance)) requirePlanar(transform, name);
+  PlanarPose planar_pose{tricover::Pose(), static_cast<double>(m(2, 3)), m(2, 2) < 0};
   setPlanarPart(planar_pose.pose, transform);
   return planar_pose;
 }

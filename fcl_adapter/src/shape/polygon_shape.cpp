@@ -32,6 +32,11 @@ S roundUp(double value) {
   return notBelow<S>(std::nextafter(value, std::numeric_limits<double>::infinity()));
 }
 
+bool isPointAtOrigin(const tricover::Polygon& polygon) {
+  const tricover::Ring& ring = polygon.rings().front();
+  return polygon.vertexCount() == 3 && ring[0].isZero(0) && ring[1].isZero(0) && ring[2].isZero(0);
+}
+
 void check(bool valid, const char* field, const char* rule) {
   if (!valid) refuse(field, std::string("it must be ") + rule);
 }
@@ -50,6 +55,7 @@ PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& o
     : polygon_(std::move(polygon)),
       options_(options),
       is_flat_(options.z_low == 0 && options.z_high == 0),
+      is_disc_(isPointAtOrigin(polygon_)),
       hull_(std::make_shared<Hull>()) {
   detail::fillTables();
   const double infinity = std::numeric_limits<double>::infinity();
