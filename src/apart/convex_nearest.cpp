@@ -23,7 +23,7 @@ static_assert(kDepth * kLeastScale / 4 >= 2 * kSupportError);
 // Where no other vertices are within `depth`, what leads away from the features falls behind by depth / 2 or more on a
 // way of 2 units, and a point that is kInside (d + a unit of b) from an edge's ends must go that far along others to
 // be beside it. So any other two edges are farther apart by a share of 2^-25 d at least, which no rounding hides where
-// d is at least kClear of the coordinates: EdgeDistances is right to 2^-48. And the edges at one vertex, which hold one
+// d is at least kClear of the coordinates: EdgeDistances is right to 2^-47. And the edges at one vertex, which hold one
 // and the same nearest point, are certain to be seen so, if products of lengths are above what it is unsure of.
 constexpr double kInside = 0x1p-9, kClear = 0x1p-18, kClearProduct = 0x1p-30;
 /// In a's units: beyond it, an axis as floats have it leads past the features.
@@ -33,33 +33,37 @@ unsigned bit(int i) { return 1u << i; }
 /// Those of n edges that start or end at vertices.
 unsigned edgesAt(unsigned vertices, int n) { return vertices | vertices >> 1 | (vertices & 1) << (n - 1); }
 
-class ConvexNearest {
+class ConvexSearch {
  public:
-  ConvexNearest(const PosedPair& pair, const SmallConvex& a, const SmallConvex& b, DistanceSearch& search)
-      : pair_(pair), map_(mapUnits(pair)), a_(a), b_(b), edges_(search.edges()), search_(search) {}
+  ConvexSearch(const PosedPair& pair, const EdgeDistances& edges, const SmallConvex& a, const SmallConvex& b,
+               const DistanceOptions& options)
+      : pair_(pair), map_(mapUnits(pair)), a_(a), b_(b), edges_(edges), options_(options) {}
 
-  Meeting find(ConvexFeatures& features, Outcome& inside) {
+  ConvexNearest find(const ConvexFeatures& tried) {
     const double far = std::abs(map_.tx) + std::abs(map_.ty);
-    if (!(map_.error < kSupportError && map_.scale >= kLeastScale && far < kFar && edges_.isUnscaled()))
-      return Meeting::Unknown;
-    if (proves(features)) return Meeting::Apart;
-    if (innerDiscsMeet() && findsMeeting(inside)) return Meeting::Meet;
-    const ConvexGap gap = convexGap(a_, b_, map_);
-    if (gap.gap < -8 * gapRounding(pair_) - map_.error && far < 4) {  // as convexMeet() says
-      findsMeeting(inside);
-      return Meeting::Meet;
+    if (!(map_.error < kSupportError && map_.scale >= kLeastScale && far < kFar && edges_.isUnscaled())) return found_;
+    if (proves(tried)) {
+      found_.is_proven = true;
+    } else if (!(innerDiscsMeet() && meet())) {
+      findByAxes(far);
     }
-    if (!(gap.gap > 0)) return Meeting::Unknown;
-    const int i = gap.of_a ? gap.edge : gap.vertex, j = gap.of_a ? gap.vertex : gap.edge;
-    if (!besideEdge(gap.of_a, i, j)) {
-      const ConvexVertices nearest = nearestVertices(a_, b_, map_);
-      if (!areNearest(nearest.a, nearest.b)) return Meeting::Unknown;
-    }
-    features = found_;
-    return Meeting::Apart;
+    return found_;
   }
 
  private:
+  void findByAxes(double far) {
+    const ConvexGap gap = convexGap(a_, b_, map_);
+    if (gap.gap < -8 * gapRounding(pair_) - map_.error && far < 4) {  // as convexMeet() says
+      if (!meet()) found_.meeting = Meeting::Meet;
+      return;
+    }
+    if (!(gap.gap > 0)) return;
+    const int i = gap.of_a ? gap.edge : gap.vertex, j = gap.of_a ? gap.vertex : gap.edge;
+    if (besideEdge(gap.of_a, i, j)) return;
+    const ConvexVertices nearest = nearestVertices(a_, b_, map_);
+    areNearest(nearest.a, nearest.b);
+  }
+
   void support(double nx, double ny) { supports_ = convexSupports(a_, b_, map_, nx, ny, kDepth * map_.scale); }
 
   /// Roughly.
@@ -69,39 +73,59 @@ class ConvexNearest {
     return reach > 0 && map_.tx * map_.tx + map_.ty * map_.ty < reach * reach;
   }
 
-  bool findsMeeting(Outcome& inside) {
+  /// Whether they are seen to.
+  bool meet() {
     const ConvexCrossing crossing = convexCrossing(a_, b_, map_, gapRounding(pair_));
     if (crossing.edge_a >= 0 && crossing.edge_b >= 0) {
       const std::uint32_t i = position(crossing.edge_a), j = position(crossing.edge_b);
+      if (cross(i, j)) return true;
       if (!edgesMeet(pair_, i, j)) return false;
-      search_.setMeeting(i, j);
+      cross(i, j, edges_.whereTheyMeet(edges_.view(i, j)));
       return true;
     }
-    inside.edge_a = crossing.edge_a;
-    inside.edge_b = crossing.edge_b;
-    return inside.collides = crossing.edge_a >= 0 || crossing.edge_b >= 0;
+    found_.inner_a = crossing.edge_a;
+    found_.inner_b = crossing.edge_b;
+    if (crossing.edge_a < 0 && crossing.edge_b < 0) return false;
+    found_.meeting = Meeting::Meet;
+    return true;
   }
 
-  bool proves(ConvexFeatures& features) {
-    if (features.kind == ConvexFeatures::kNone) return false;
+  bool cross(std::uint32_t i, std::uint32_t j) {
+    const auto point = edges_.crossing(i, j);
+    if (point) cross(i, j, *point);
+    return point.has_value();
+  }
+
+  void cross(std::uint32_t i, std::uint32_t j, const EdgeDistances::Nearest& point) {
+    found_.meeting = Meeting::Meet;
+    found_.features = {ConvexFeatures::kCrossing, i, j};
+    found_.is_unique = true;
+    found_.nearest = point;
+  }
+
+  bool proves(const ConvexFeatures& features) {
     const int i = static_cast<int>(features.edge_a), j = static_cast<int>(features.edge_b);
-    const bool proven = features.kind == ConvexFeatures::kVertices
-                            ? areNearest(i, j)
-                            : besideEdge(features.kind == ConvexFeatures::kEdgeOfA, i, j);
-    features = found_;
-    features.proven = proven;
-    return proven;
+    switch (features.kind) {
+      case ConvexFeatures::kEdgeOfA:
+      case ConvexFeatures::kEdgeOfB:
+        return besideEdge(features.kind == ConvexFeatures::kEdgeOfA, i, j);
+      case ConvexFeatures::kVertices:
+        return areNearest(i, j);
+      case ConvexFeatures::kCrossing:
+        return cross(features.edge_a, features.edge_b);
+      default:
+        return false;
+    }
   }
 
   /// Whether the edge i or j and the start of the other, or an end of that edge, are the nearest features.
   bool besideEdge(bool of_a, int i, int j) {
     const SmallConvex& polygon = of_a ? a_ : b_;
-    const int e = of_a ? i : j, next = e + 1 == polygon.count ? 0 : e + 1;
-    const EdgeDistances::View view = edges_.startBeside(of_a, position(i), position(j));
-    const double along = view.along[view.nearest], square = view.length_square[view.nearest / 2];
-    const double inside = kInside * (view.distance + pair_.b.unit) * std::sqrt(square);
-    if (!(along >= inside && along <= square - inside)) {
-      const int end = along < inside ? e : next;
+    const int e = of_a ? i : j, v = of_a ? j : i, next = e + 1 == polygon.count ? 0 : e + 1;
+    const EdgeDistances::Foot foot = edges_.foot(of_a, position(e), position(v));
+    const double inside = kInside * (foot.distance + pair_.b.unit) * foot.length;
+    if (!(foot.inside >= inside)) {
+      const int end = foot.at_end ? next : e;
       return of_a ? areNearest(end, j) : areNearest(i, end);
     }
     const double nx = polygon.nx[e], ny = polygon.ny[e];
@@ -110,32 +134,44 @@ class ConvexNearest {
     else
       support(-(map_.r00 * nx + map_.r01 * ny), -(map_.r10 * nx + map_.r11 * ny));
     const unsigned ends = bit(e) | bit(next);
-    return of_a ? show(view, {ConvexFeatures::kEdgeOfA, position(i), position(j)}, ends, bit(j))
-                : show(view, {ConvexFeatures::kEdgeOfB, position(i), position(j)}, bit(i), ends);
+    if (!areForemost(of_a ? ends : bit(i), of_a ? bit(j) : ends)) return false;
+    found_.features = {of_a ? ConvexFeatures::kEdgeOfA : ConvexFeatures::kEdgeOfB, position(i), position(j)};
+    if (isUnique(of_a ? ends : bit(i), of_a ? bit(j) : ends, foot.distance))
+      found_.nearest =
+          foot.is_plain
+              ? EdgeDistances::Nearest{foot.distance, of_a ? foot.part() : 0, of_a ? 0 : foot.part()}
+              : edges_.at(edges_.startBeside(of_a, position(i), position(j)), position(i), position(j), options_);
+    return true;
   }
 
   bool areNearest(int v, int w) {
-    const Double2 way = edges_.between(position(v), position(w)), squares = way * way;
-    const double distance = std::sqrt(squares[0] + squares[1]), inverse = 1 / distance;
+    const EdgeDistances::Foot foot = edges_.startToStart(position(v), position(w));
+    const double inverse = 1 / foot.distance;
+    const Double2 way = edges_.way(position(v), position(w));
     const Double2 x = load2(pair_.pose_a.data()) * way, y = load2(pair_.pose_a.data() + 3) * way;
     support((x[0] + x[1]) * inverse, (y[0] + y[1]) * inverse);
-    return show(EdgeDistances::startAndStart(distance), {ConvexFeatures::kVertices, position(v), position(w)}, bit(v),
-                bit(w));
+    if (!areForemost(bit(v), bit(w))) return false;
+    found_.features = {ConvexFeatures::kVertices, position(v), position(w)};
+    if (isUnique(bit(v), bit(w), foot.distance))
+      found_.nearest = foot.is_plain
+                           ? EdgeDistances::Nearest{foot.distance, 0, 0}
+                           : edges_.at(EdgeDistances::startAndStart(foot.distance), position(v), position(w), options_);
+    return true;
   }
 
-  /// Whether these vertices, which the features that the view shows consist of, are foremost.
-  bool show(const EdgeDistances::View& view, const ConvexFeatures& features, unsigned of_a, unsigned of_b) {
+  /// Whether these vertices, which features consist of, are and the polygons are apart.
+  bool areForemost(unsigned of_a, unsigned of_b) {
     if ((supports_.foremost_a & of_a) != of_a || (supports_.foremost_b & of_b) != of_b) return false;
     if (!(supports_.gap > kSupportError + map_.error)) return false;
-    found_ = features;
-    if (supports_.a == of_a && supports_.b == of_b && isClear(view.distance)) {
-      search_.setNearest(features.edge_a, features.edge_b, view);
-      return true;
-    }
-    for (unsigned v = edgesAt(supports_.a, a_.count); v != 0; v &= v - 1)
-      for (unsigned w = edgesAt(supports_.b, b_.count); w != 0; w &= w - 1)
-        search_.showNear(position(__builtin_ctz(v)), position(__builtin_ctz(w)));
+    found_.meeting = Meeting::Apart;
     return true;
+  }
+
+  bool isUnique(unsigned of_a, unsigned of_b, double distance) {
+    found_.is_unique = supports_.a == of_a && supports_.b == of_b && isClear(distance);
+    found_.edges_a = edgesAt(supports_.a, a_.count);
+    found_.edges_b = edgesAt(supports_.b, b_.count);
+    return found_.is_unique;
   }
 
   bool isClear(double distance) const {
@@ -150,17 +186,16 @@ class ConvexNearest {
   const UnitMap map_;
   const SmallConvex &a_, &b_;
   const EdgeDistances& edges_;
-  DistanceSearch& search_;
+  const DistanceOptions& options_;
   ConvexSupports supports_{};
-  ConvexFeatures found_;
+  ConvexNearest found_;
 };
 
 }  // namespace
 
-Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features, Outcome& inside) {
-  const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
-  if (a == nullptr || b == nullptr) return Meeting::Unknown;
-  return ConvexNearest(pair, *a, *b, search).find(features, inside);
+ConvexNearest nearestOfConvex(const PosedPair& pair, const EdgeDistances& edges, const SmallConvex& a,
+                              const SmallConvex& b, const ConvexFeatures& tried, const DistanceOptions& options) {
+  return ConvexSearch(pair, edges, a, b, options).find(tried);
 }
 
 }  // namespace tricover::detail

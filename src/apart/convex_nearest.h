@@ -3,25 +3,33 @@
 
 #include <cstdint>
 
-#include "apart/distance_search.h"
+#include "apart/edge_distance.h"
 #include "hierarchy/wide.h"
-#include "pair/outcome.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
 
-/// The nearest features of two convex polygons, by an edge of each that has the feature or starts with it.
+/// The nearest features of two convex polygons, by an edge of each that has the feature or starts with it; or edges
+/// that cross.
 struct ConvexFeatures {
-  enum Kind : std::uint8_t { kNone, kEdgeOfA, kEdgeOfB, kVertices };
-  Kind kind = kNone;  ///< whose edge a vertex of the other is beside
+  enum Kind : std::uint8_t { kNone, kEdgeOfA, kEdgeOfB, kVertices, kCrossing };
+  Kind kind = kNone;  ///< of the first two: whose edge a vertex of the other is beside
   std::uint32_t edge_a = 0, edge_b = 0;
-  bool proven = false;  ///< whether they are the nearest once more
 };
 
-/// For two small convex polygons, by separating axes. Where they are clearly apart, shows the search the pairs of edges
-/// that can hold the least distance, one as a rule. Otherwise it has shown nothing. The features that were the nearest
-/// at other poses are tried first, and become those of now.
-/// Where they meet, shows the search where, or tells by `inside` which one lies in the other, if that is easily seen.
-Meeting showNearestOfConvex(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features, Outcome& inside);
+/// What separating axes tell of two small convex polygons.
+struct ConvexNearest {
+  Meeting meeting = Meeting::Unknown;
+  ConvexFeatures features;            ///< the nearest; or edges that cross, none where one polygon lies in the other
+  bool is_proven = false;             ///< whether those to be tried first were right
+  bool is_unique = false;             ///< whether only those features can be the nearest, or cross
+  EdgeDistances::Nearest nearest{};   ///< where they are, if so
+  unsigned edges_a = 0, edges_b = 0;  ///< otherwise: bit per edge that can hold the least distance
+  int inner_a = -1, inner_b = -1;     ///< an edge of the polygon that lies in the other one
+};
+
+/// Unknown where they aren't clearly apart, nor clearly meet. Features of other poses are tried first.
+ConvexNearest nearestOfConvex(const PosedPair& pair, const EdgeDistances& edges, const SmallConvex& a,
+                              const SmallConvex& b, const ConvexFeatures& tried, const DistanceOptions& options);
 
 }  // namespace tricover::detail

@@ -36,13 +36,20 @@ struct Pair {
   const Pose& pose_b;
 };
 
+Double2 onEdge(Double2 v, Double2 w, double along) { return along == 0 ? v : along == 1 ? w : v + along * (w - v); }
+
 /// Rounded as a posed vertex is. What could overflow on the way is made smaller first.
 Vec2 worldPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, double along) {
-  const bool large = !(polygon.extent < 0x1p1000 && pose.translation().lpNorm<Eigen::Infinity>() < 0x1p1000);
-  const double scale = large ? 0x1p-4 : 1;
-  const Vec2 v = polygon.path[edge] * scale, w = polygon.path[edge + 1] * scale;
-  const Vec2 local = along == 0 ? v : along == 1 ? w : Vec2(v + along * (w - v));
-  return (pose.linear() * local + pose.translation() * scale) / scale;
+  const Double2 v = load2(polygon.path[edge].data()), w = load2(polygon.path[edge + 1].data());
+  const Double2 shift = absolute(load2(pose.data() + 6));
+  Vec2 point;
+  store2(point.data(), onEdge(v, w, along));
+  if (polygon.extent < 0x1p1000 && shift[0] + shift[1] < 0x1p1000) return posed(pose, point);
+  constexpr double kScale = 0x1p-4;
+  Pose smaller = pose;
+  smaller.translation() *= kScale;
+  store2(point.data(), onEdge(v * kScale, w * kScale, along));
+  return posed(smaller, point) / kScale;
 }
 
 DistanceResult farResult() {
@@ -68,21 +75,25 @@ double beyond(const Pair& pair, double distance, double margin) {
 
 /// What is left is above the limit, but what was found may be too large by rounding: whether the truth is within the
 /// limit and the margin together, their sum rounded down.
-bool isWithinLimit(const Pair& pair, const DistanceSearch& search, const DistanceOptions& options) {
-  if (!search.isWithinLimit() || options.limit == 0) return false;
+bool isWithinLimit(const Pair& pair, double found, const DistanceOptions& options) {
+  if (!(found <= SearchReach(options).most()) || options.limit == 0) return false;
   const DoubleDouble sum = twoSum(std::min(options.limit, kLargest), options.margin);
   return areWithin(pair, std::min(sum.low < 0 ? std::nextafter(sum.high, 0) : sum.high, kLargest));
 }
 
-DistanceResult resultOf(const Pair& pair, const DistanceSearch& search, const DistanceOptions& options) {
-  const EdgeDistances::Nearest& nearest = search.best();
+/// Of edges i and j, at their nearest or common point.
+DistanceResult resultOf(const Pair& pair, const EdgeDistances::Nearest& nearest, bool meets, std::size_t i,
+                        std::size_t j, const DistanceOptions& options) {
   const double distance = beyond(pair, nearest.distance, options.margin);
-  if (!(distance <= options.limit) && !isWithinLimit(pair, search, options)) return farResult();
-  const std::size_t i = search.edgeA(), j = search.edgeB();
+  if (!(distance <= options.limit) && !isWithinLimit(pair, nearest.distance, options)) return farResult();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);
   return {std::min(distance, options.limit), point_a,
-          search.meets() ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b),
+          meets ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b),
           static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)), static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j))};
+}
+
+DistanceResult resultOf(const Pair& pair, const DistanceSearch& search, const DistanceOptions& options) {
+  return resultOf(pair, search.best(), search.meets(), search.edgeA(), search.edgeB(), options);
 }
 
 DistanceResult contained(const Pair& pair, const Outcome& outcome) {
@@ -159,13 +170,8 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
 }
 
 /// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
-Outcome findNearest(const PosedPair& pair, DistanceSearch& search, ConvexFeatures& features) {
-  Outcome outcome;
-  const Meeting convex = showNearestOfConvex(pair, search, features, outcome);
-  if (convex == Meeting::Apart || search.meets() || outcome.collides) return outcome;
-  features.kind = ConvexFeatures::kNone;
-  if (convex == Meeting::Meet || Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0)
-    return findMeeting(pair, search);
+Outcome findNearest(const PosedPair& pair, DistanceSearch& search) {
+  if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0) return findMeeting(pair, search);
   return descend(pair, search) ? findContainment(pair) : Outcome();
 }
 
@@ -177,7 +183,7 @@ DistanceResult resultOfPoints(const Pair& pair, double distance, const DistanceO
 }
 
 /// DistanceCache::hint: a kind of features of two small convex polygons, or a pair of edges that may be near.
-constexpr std::uint8_t kNoHint = ConvexFeatures::kNone, kNearEdges = ConvexFeatures::kVertices + 1;
+constexpr std::uint8_t kNoHint = ConvexFeatures::kNone, kNearEdges = ConvexFeatures::kCrossing + 1;
 /// DistanceCache::answered: facts pay if they answer two queries. Those that didn't look ahead aren't judged.
 constexpr std::uint8_t kPaying = 2, kUnjudged = 255;
 /// DistanceCache::resting after facts have failed for the first, second, third time in a row, and from then on.
@@ -242,27 +248,16 @@ bool answersByFacts(const Pair& pair, DistanceCache& cache, DistanceSearch& sear
 
 /// By the cache, or so that the cache can tell the next time.
 Outcome findCoherently(const Pair& pair, DistanceCache& cache, DistanceSearch& search) {
-  if (cache.first_id != pair.a.id || cache.second_id != pair.b.id) {
-    cache = DistanceCache();
-    cache.first_id = pair.a.id;
-    cache.second_id = pair.b.id;
-  }
   Outcome outcome;
-  ConvexFeatures features;
   if (knowsFacts(cache)) {
     if (answersByFacts(pair, cache, search, outcome)) return outcome;
   } else if (cache.resting > 0) {
     --cache.resting;
     if (cache.hint == kNearEdges && !search.show(cache.first_edge[0], cache.second_edge[0])) return outcome;
-  } else if (cache.hint != kNoHint && cache.hint != kNearEdges) {
-    features = {static_cast<ConvexFeatures::Kind>(cache.hint), cache.first_edge[0], cache.second_edge[0]};
   }
-  const bool looks_ahead = search.looksAhead(), tries = features.kind != ConvexFeatures::kNone;
-  outcome = findNearest(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search, features);
-  if (features.kind != ConvexFeatures::kNone) {
-    if (tries) judgeHint(cache, features.proven);
-    storeHint(cache, features.kind, features.edge_a, features.edge_b);
-  } else if (outcome.collides && !search.meets()) {
+  const bool looks_ahead = search.looksAhead();
+  outcome = findNearest(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search);
+  if (outcome.collides && !search.meets()) {
     storeHint(cache, kNoHint, 0, 0);
   } else if (cache.resting > 0) {
     const ShownPair& upper = search.upperPair();
@@ -274,6 +269,48 @@ Outcome findCoherently(const Pair& pair, DistanceCache& cache, DistanceSearch& s
     search.keep(cache);
   }
   return outcome;
+}
+
+/// The features that the cache knows, unless they rest.
+ConvexFeatures hinted(DistanceCache& cache) {
+  if (cache.hint == kNoHint || cache.hint >= kNearEdges) return {};
+  if (cache.resting > 0) {
+    --cache.resting;
+    return {};
+  }
+  return {static_cast<ConvexFeatures::Kind>(cache.hint), cache.first_edge[0], cache.second_edge[0]};
+}
+
+/// Of two small convex polygons, where they are clearly apart, or clearly meet.
+std::optional<DistanceResult> distanceOfConvex(const Pair& pair, const EdgeDistances& edges, DistanceCache* cache,
+                                               const DistanceOptions& options) {
+  if (pair.a.hasSpine() || pair.b.hasSpine()) return std::nullopt;
+  const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
+  if (a == nullptr || b == nullptr) return std::nullopt;
+  const ConvexFeatures tried = cache != nullptr ? hinted(*cache) : ConvexFeatures();
+  const PosedPair posed(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  const ConvexNearest found = nearestOfConvex(posed, edges, *a, *b, tried, options);
+  const bool is_inside = found.inner_a >= 0 || found.inner_b >= 0;
+  if (!found.is_unique && !is_inside && found.meeting != Meeting::Apart) return std::nullopt;
+  if (cache != nullptr) {
+    if (tried.kind != ConvexFeatures::kNone) judgeHint(*cache, found.is_proven);
+    storeHint(*cache, found.features.kind, found.features.edge_a, found.features.edge_b);
+  }
+  if (is_inside) {
+    Outcome outcome;
+    outcome.edge_a = found.inner_a;
+    outcome.edge_b = found.inner_b;
+    return contained(pair, outcome);
+  }
+  if (found.is_unique)
+    return resultOf(pair, found.nearest, found.meeting == Meeting::Meet, found.features.edge_a, found.features.edge_b,
+                    options);
+  DistanceSearch search(edges, options);
+  for (unsigned v = found.edges_a; v != 0; v &= v - 1)
+    for (unsigned w = found.edges_b; w != 0; w &= w - 1)
+      search.showNear(static_cast<std::uint32_t>(__builtin_ctz(v)), static_cast<std::uint32_t>(__builtin_ctz(w)));
+  search.finish();
+  return resultOf(pair, search, options);
 }
 
 /// Of a point b and a polygon, where plain doubles do.
@@ -302,14 +339,16 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
   }
   if (pair.b.isPoint() && !pair.a.hasSpine())
     if (const auto result = distanceFromPoint(pair, options)) return *result;
-  DistanceSearch search(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-  Outcome outcome;
-  if (cache != nullptr) {
-    outcome = findCoherently(pair, *cache, search);
-  } else {
-    ConvexFeatures features;
-    outcome = findNearest(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search, features);
+  if (cache != nullptr && (cache->first_id != pair.a.id || cache->second_id != pair.b.id)) {
+    *cache = DistanceCache();
+    cache->first_id = pair.a.id;
+    cache->second_id = pair.b.id;
   }
+  const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  if (const auto result = distanceOfConvex(pair, edges, cache, options)) return *result;
+  DistanceSearch search(edges, options);
+  const Outcome outcome = cache != nullptr ? findCoherently(pair, *cache, search)
+                                           : findNearest(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search);
   if (outcome.collides && !search.meets()) return contained(pair, outcome);
   search.finish();
   return resultOf(pair, search, options);

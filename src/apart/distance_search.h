@@ -104,9 +104,7 @@ class NearestPairs {
 /// Evaluates pairs, and keeps the nearest.
 class NearestEdges {
  public:
-  NearestEdges(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-               const DistanceOptions& options)
-      : edges(a, pose_a, b, pose_b), options_(options) {}
+  NearestEdges(const EdgeDistances& edges_, const DistanceOptions& options) : edges(edges_), options_(options) {}
 
   /// The doubles' view of a pair that is likely to be evaluated; its index, -1 if there is no room to keep it.
   const EdgeDistances::View& view(std::uint32_t i, std::uint32_t j, int& index) {
@@ -123,11 +121,6 @@ class NearestEdges {
       evaluate(pair, edges.view(pair.i, pair.j));
   }
 
-  void setNearest(std::uint32_t i, std::uint32_t j, const EdgeDistances::View& view) {
-    best_ = edges.at(view, i, j, options_);
-    pair_ = {0, i, j, -1};
-  }
-
   void setMeeting(std::uint32_t i, std::uint32_t j) {
     best_ = edges.whereTheyMeet(edges.view(i, j));
     pair_ = {0, i, j, -1};
@@ -136,7 +129,7 @@ class NearestEdges {
   const EdgeDistances::Nearest& best() const { return best_; }
   const ShownPair& pair() const { return pair_; }
 
-  const EdgeDistances edges;
+  const EdgeDistances& edges;
 
  private:
   void evaluate(const ShownPair& pair, const EdgeDistances::View& view) {
@@ -160,9 +153,8 @@ class NearestEdges {
 /// this is the same in whatever order they are shown.
 class DistanceSearch {
  public:
-  DistanceSearch(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                 const DistanceOptions& options)
-      : reach_(options), nearest_(a, pose_a, b, pose_b, options) {}
+  DistanceSearch(const EdgeDistances& edges, const DistanceOptions& options)
+      : reach_(options), nearest_(edges, options) {}
 
   /// False if they share a point, which ends the search.
   bool show(std::uint32_t i, std::uint32_t j) {
@@ -187,12 +179,6 @@ class DistanceSearch {
     meets_ = true;
     nearest_.setMeeting(i, j);
   }
-
-  /// Instead of showing any: these are proven to be the nearest, which this view of them shows.
-  void setNearest(std::uint32_t i, std::uint32_t j, const EdgeDistances::View& view) {
-    nearest_.setNearest(i, j, view);
-  }
-  const EdgeDistances& edges() const { return nearest_.edges; }
 
   double worth() const { return reach_.worth(); }
   double reach() const { return reach_.reach(); }
@@ -228,8 +214,6 @@ class DistanceSearch {
   }
 
   bool meets() const { return meets_; }
-  /// Within the caller's limit, but for rounding.
-  bool isWithinLimit() const { return best().distance <= reach_.most(); }
   const EdgeDistances::Nearest& best() const { return nearest_.best(); }
   /// A pair that was shown and proves how near they are at most, unless they meet.
   bool hasUpper() const { return !meets_ && upper_pair_.i != UINT32_MAX; }

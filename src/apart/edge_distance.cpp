@@ -67,10 +67,11 @@ static_assert(kDistanceError >= (1 + 1e-5) * (errorOf(3) * kRoot2 + 2 * errorOf(
 //   u, w       sqrt2 (8 |w| + 4 |u|)                                   sqrt2 16 M^2
 //   products and their sum, 2 |u| |w|                                  4 M^2
 // in all below 27 M^2. The square of u is off by 2 sqrt2 8 |u| + 2 |u|^2, 53.3 M^2, and the sum with unsure_ by 5 M^2:
-// where an end is beyond it, 86 M^2.
-constexpr double kProductError = 128 * kUnitRoundoff;
+// where an end is beyond it, 86 M^2. foot() errs by less, its u leading along a difference of vertices. So it agrees
+// with what is certain here, twice that.
+constexpr double kProductError = 256 * kUnitRoundoff;
 static_assert(kProductError >=
-              (1 + 1e-5) * (errorOf(16) * kRoot2 + errorOf(4) + errorOf(32) * kRoot2 + errorOf(8 + 5)));
+              2 * (1 + 1e-5) * (errorOf(16) * kRoot2 + errorOf(4) + errorOf(32) * kRoot2 + errorOf(8 + 5)));
 
 EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
     : a_(a),
@@ -99,6 +100,7 @@ EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const Pol
   shift_rest_ = shift.low;
   error_ = kDistanceError * size_;
   unsure_ = kProductError * size_ * size_;
+  least_plain_ = scale_ == 1 ? 0x1p-400 : std::numeric_limits<double>::infinity();
   for (int i = 0; i < 2; ++i) {
     scaled_a_[i] = columns_a_[i] * scale_;
     scaled_b_[i] = columns_b_[i] * scale_;
@@ -202,6 +204,17 @@ EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size
   return best;
 }
 
+std::optional<EdgeDistances::Nearest> EdgeDistances::crossing(std::size_t i, std::size_t j) const {
+  const Ends e = ends(i, j);
+  const Double2 u = e.a2 - e.a1, v = e.b2 - e.b1;
+  const auto area = [](Double2 p, Double2 q) { return p[0] * q[1] - p[1] * q[0]; };
+  const double b1 = area(u, e.b1 - e.a1), b2 = area(u, e.b2 - e.a1);
+  const double a1 = area(v, e.a1 - e.b1), a2 = area(v, e.a2 - e.b1);
+  const auto areApart = [this](double p, double q) { return std::min(p, q) < -unsure_ && std::max(p, q) > unsure_; };
+  if (!areApart(a1, a2) || !areApart(b1, b2)) return std::nullopt;
+  return Nearest{0, a1 / (a1 - a2), b1 / (b1 - b2)};
+}
+
 // Where an end of one is on the other but for rounding, that is the point. Otherwise they cross, and so clearly that
 // the areas tell where.
 EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
@@ -228,9 +241,9 @@ EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
 // sum):
 //   r (sqrt2 3 + 1 + 1) U d   u, w's own rounding and the products, of |u| |w|
 //   U d                       their difference
-// which is 22.9U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
-// the quotient (U) add 7.3U: in all below 31U, and kRelativeError is 32U.
-constexpr double kLeastShare = 0x1p-44, kSteepest = 3.5;
+// which is 54.1U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
+// the quotient (U) add 7.3U: in all below 62U, and kRelativeError is 64U.
+constexpr double kLeastShare = 0x1p-44, kSteepest = 8.5;
 static_assert(kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoundoff * kUnitRoundoff);
 static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
 static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
@@ -254,6 +267,8 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   };
   const auto from = [&](std::size_t v) { return end_of_b ? between(edge + v, j + end) : between(i + end, edge + v); };
   const double where = static_cast<double>(end);
+  if (const Foot f = foot(end_of_b, edge, end_of_b ? j + end : i + end); f.is_plain)
+    return {f.distance, end_of_b ? f.part() : where, end_of_b ? where : f.part()};
   const auto answer = [&](double d, double part) -> Nearest {
     // Written so that NaN fails.
     if (!(d >= kLeastShare * size_)) return exactCombination(k, i, j);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
@@ -23,7 +25,7 @@ class EdgeDistances {
   const PolygonData& b() const { return b_; }
 
   /// What at() may be wrong by, beside the smallest double.
-  static constexpr double kRelativeError = 0x1p-48;
+  static constexpr double kRelativeError = 0x1p-47;
   /// A lower bound of the distance, too, made one of what at() returns: the smallest double is for at()'s rounding and
   /// for that of this product.
   static double below(double distance) { return distance * (1 - 2 * kRelativeError) - 2 * kSmallest; }
@@ -56,6 +58,12 @@ class EdgeDistances {
   /// Whether two edges share a point. Exact.
   bool meet(std::size_t i, std::size_t j) const;
 
+  /// Where two edges are nearest: an end of one, and a part of the other from its start (0) to its end (1).
+  struct Nearest {
+    double distance;
+    double along_a, along_b;
+  };
+
   static constexpr int kCombinations = 4;
   /// One does for a point b.
   int combinations() const { return b_.isPoint() ? 1 : kCombinations; }
@@ -75,6 +83,49 @@ class EdgeDistances {
     double length_square[2];       ///< the edge's
   };
   View view(std::size_t i, std::size_t j) const;
+  /// A vertex of one polygon beside an edge of the other, as plain doubles see it, scaled.
+  struct Foot {
+    double distance;
+    double inside;          ///< how far inside of the edge's nearer end, times the edge's length
+    double square, length;  ///< the edge's
+    bool at_end;            ///< whether that end is its end rather than its start
+    bool is_plain;          ///< whether at() takes that distance for its own
+    /// From the edge's start (0) to its end (1).
+    double part() const {
+      const double from_end = inside > 0 ? inside / square : 0;
+      return at_end ? 1 - from_end : from_end;
+    }
+  };
+  Foot foot(bool edge_of_a, std::size_t edge, std::size_t vertex) const {
+    const std::vector<Vec2>& path = (edge_of_a ? a_ : b_).path;
+    const Double2 u = mapped(edge_of_a ? scaled_a_ : scaled_b_, path[edge + 1] - path[edge]), squares = u * u;
+    const auto wayFrom = [&](std::size_t end) { return edge_of_a ? way(end, vertex) : way(vertex, end); };
+    const auto along = [&](Double2 w) {
+      const Double2 products = u * w;
+      return edge_of_a ? products[0] + products[1] : -(products[0] + products[1]);
+    };
+    const double square = squares[0] + squares[1], length = std::sqrt(square);
+    std::size_t end = edge;
+    Double2 w = wayFrom(end);
+    double inside = along(w);
+    const bool at_end = 2 * inside > square;
+    if (at_end) {
+      w = wayFrom(++end);
+      inside = -along(w);
+    }
+    const Double2 areas = u * swapped(w), away = w * w;
+    const double w_square = away[0] + away[1];
+    const bool is_inside = inside > 0 && square > 0x1p-900;
+    const double distance = is_inside ? std::abs(areas[0] - areas[1]) / length : std::sqrt(w_square);
+    const bool is_plain = isPlain(edge_of_a ? end : vertex, edge_of_a ? vertex : end, w_square, distance);
+    return {distance, is_inside ? inside : 0, square, length, at_end, is_plain};
+  }
+  /// The same of two vertices, where either is nearer to the other than the rest of its edges is.
+  Foot startToStart(std::size_t p, std::size_t q) const {
+    const Double2 w = way(p, q), squares = w * w;
+    const double square = squares[0] + squares[1], distance = std::sqrt(square);
+    return {distance, 0, 0, 0, false, isPlain(p, q, square, distance)};
+  }
   /// A view that knows but one combination, for who has proven that at() needs no other: the start of b's edge j beside
   /// a's edge i, or the start of a's beside b's.
   View startBeside(bool edge_of_a, std::size_t i, std::size_t j) const;
@@ -82,18 +133,14 @@ class EdgeDistances {
   static View startAndStart(double distance);
   Bounds bounds(const View& view) const { return boundsOf(view.distance, false); }
 
-  /// Where two edges are nearest: an end of one, and a part of the other from its start (0) to its end (1).
-  struct Nearest {
-    double distance;
-    double along_a, along_b;
-  };
-
   /// For edges that don't meet. Depends on nothing but them and the poses. Of edges that are certainly farther apart
   /// than the margin, what is beyond it may be too large by the errors that the options allow, if it isn't so above the
   /// limit.
   Nearest at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
 
-  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled; and whether
+  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled.
+  Double2 way(std::size_t p, std::size_t q) const { return between(p, q) + shift_rest_; }
+  /// The same as if t were a double; and whether
   /// another vertex is certainly farther back along it than p, or farther on than q: by so much that at() finds
   /// whatever is between such vertices no nearer than p and q.
   Double2 between(std::size_t p, std::size_t q) const {
@@ -117,6 +164,8 @@ class EdgeDistances {
   /// Whether at() needs no exact numbers for a distance of that square.
   bool isPlain(double square) const { return square > 0x1p-80 * size_ * size_; }
 
+  /// The same, and whether they do at all, where plain doubles tell that they cross.
+  std::optional<Nearest> crossing(std::size_t i, std::size_t j) const;
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   Nearest whereTheyMeet(const View& view) const;
 
@@ -170,6 +219,29 @@ class EdgeDistances {
     return at < -unsure_ ? -1 : at > length + unsure_ ? 1 : at > unsure_ && at < length - unsure_ ? 0 : kUncertain;
   }
 
+  // Whether foot() is right to kRelativeError. Let x be the way, from v of a to w of b, that a distance d was computed
+  // from; in units of U, rows of R being unit vectors but for 1e-6:
+  //   R v, R w    products sqrt2 in any direction, sum 1                   2.42 |v| + 2.42 |w|
+  //   R w + t     the sum, which is at most |x| + |v|                      |v| + |x|
+  //   x           the difference 1, the sum with the rest of t 1           2 |x|
+  // which is 3.42 |v| + 2.42 |w| + 3 |x|. Where x itself is nearest, its length adds 2 d: squares and sum, halved, and
+  // the root. Beside an edge u, |u x x| / |u| adds
+  //   u           difference 1, products sqrt2, sum 1: turns x by          3.42 |x|
+  //   u x x       products 1, difference 1                                 |x| + d
+  //   / |u|       squares and sum, halved, root and quotient               3 d
+  // By Cauchy, the square of 3.42 |v| + 2.42 |w| + 7.42 |x| is at most
+  //   (3.42^2 + 2.42^2 + 7.42^2 / 4) (|v|^2 + |w|^2 + 4 |x|^2), below 31.4 kPlainShare d^2, the square of 58 d:
+  // in all 62 d, and kRelativeError is 64U. As it bounds the angles by which x and u are wrong, too, a vertex taken for
+  // one beside an end of the edge rather than beyond it, or the converse, is so by an angle below 128U: in the distance
+  // the square of that.
+  static constexpr double kPlainShare = 107;
+  static_assert(kPlainShare * (3.42 * 3.42 + 2.42 * 2.42 + 7.42 * 7.42 / 4) < 58 * 58 &&
+                kRelativeError >= (1 + 1e-5) * errorOf(58 + 4));
+  bool isPlain(std::size_t p, std::size_t q, double way_square, double distance) const {
+    const Double2 v = load2(a_.path[p].data()), w = load2(b_.path[q].data()), squares = v * v + w * w;
+    return distance > least_plain_ && squares[0] + squares[1] + 4 * way_square <= kPlainShare * (distance * distance);
+  }
+
   Nearest combination(int k, const View& view, std::size_t i, std::size_t j) const;
   Nearest exactCombination(int k, std::size_t i, std::size_t j) const;
   std::uint64_t featureOf(const View& view, std::size_t i, std::size_t j) const;
@@ -184,6 +256,7 @@ class EdgeDistances {
   double size_;                 ///< |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q; scaled
   double error_;                ///< of a rounded distance, scaled
   double unsure_;               ///< of areas, and of lengths times lengths
+  double least_plain_;          ///< what is nearer, or scaled, isn't left to plain doubles: squares might underflow
 };
 
 }  // namespace tricover::detail

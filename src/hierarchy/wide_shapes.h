@@ -51,9 +51,9 @@ void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(v
 /// count is even: whole lanes.
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes beyond(Lanes nx, Lanes ny, Lanes d, const float* qx, const float* qy, int count) {
-  Lanes least = smaller(nx * qx[0] + ny * qy[0], nx * qx[1] + ny * qy[1]);
-  for (int j = 2; j < count; j += 2)
-    least = smaller(least, smaller(nx * qx[j] + ny * qy[j], nx * qx[j + 1] + ny * qy[j + 1]));
+  Lanes least = nx * qx[0] + ny * qy[0];
+  for (int j = 1; j < kLanes; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
+  for (int j = kLanes; j < count; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
   return least - d;
 }
 
@@ -63,10 +63,11 @@ template <class Lanes>
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
-  for (int i = 0; i < b.lanes; i += kLanes) {
+  for (int i = 0;;) {
     const Lanes bx = Lanes::load(b.x + i) * scale, by = Lanes::load(b.y + i) * scale;
     (bx * r00 + by * r01 + tx).store(x + i);
     (bx * r10 + by * r11 + ty).store(y + i);
+    if ((i += kLanes) >= b.lanes) break;
   }
 }
 
@@ -126,58 +127,65 @@ double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, 
   return (deepest - slack) / (2.0 * (static_cast<double>(a.radius[0]) + radius[0]) * (1 + 0x1p-10));
 }
 
-/// Bits of the values, of whole lanes, that are at least `least`.
+/// Of eight or sixteen edges or vertices; where there are eight, the second ones are less than any.
 template <class Lanes>
-[[gnu::always_inline]] inline unsigned atLeast(const float* values, int lanes, float least) {
-  unsigned bits = 0;
-  for (int i = 0; i < lanes; i += kLanes)
-    bits |= (~above(Lanes::all(least), Lanes::load(values + i)) & ((1u << kLanes) - 1)) << i;
-  return bits;
+struct Values {
+  Lanes first, second;
+};
+
+/// Of those from 0 and, if there are more, from kLanes on.
+template <class Lanes, class Value>
+[[gnu::always_inline]] inline Values<Lanes> valuesOf(int lanes, Value value) {
+  return {value(0), lanes > kLanes ? value(kLanes) : Lanes::all(-1e30f)};
+}
+
+/// The first of the largest.
+struct Largest {
+  float value;
+  int index;
+};
+template <class Lanes>
+[[gnu::always_inline]] inline Largest largestOf(const Values<Lanes>& values) {
+  const float most = largest(larger(values.first, values.second));
+  const Lanes limit = Lanes::all(most);
+  const unsigned below = above(limit, values.first) | above(limit, values.second) << kLanes;
+  return {most, __builtin_ctz(~below | 1u << (SmallConvex::kMost - 1))};
 }
 
 /// The first vertex that is farthest back along an axis.
 template <class Lanes>
 [[gnu::always_inline]] inline int farthestBack(const float* x, const float* y, int lanes, float nx, float ny) {
-  float back[SmallConvex::kMost];
-  Lanes most = Lanes::all(-1e30f);
-  for (int i = 0; i < lanes; i += kLanes) {
-    const Lanes at = Lanes::load(x + i) * -nx + Lanes::load(y + i) * -ny;
-    at.store(back + i);
-    most = larger(most, at);
-  }
-  return __builtin_ctz(atLeast<Lanes>(back, lanes, largest(most)) | 1u << (SmallConvex::kMost - 1));
+  return largestOf<Lanes>(
+             valuesOf<Lanes>(
+                 lanes, [&](int i) __attribute__((
+                            always_inline)) { return Lanes::load(x + i) * -nx + Lanes::load(y + i) * -ny; }))
+      .index;
 }
 
 template <class Lanes>
 ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
-  float x[SmallConvex::kMost], y[SmallConvex::kMost], of_a[SmallConvex::kMost], of_b[SmallConvex::kMost];
+  float x[SmallConvex::kMost], y[SmallConvex::kMost];
   mapVertices<Lanes>(b, map, x, y);
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
-  Lanes most = Lanes::all(-1e30f);
-  for (int i = 0; i < a.lanes; i += kLanes) {
-    const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
-    out.store(of_a + i);
-    most = larger(most, out);
+  const Largest of_a = largestOf<Lanes>(valuesOf<Lanes>(
+      a.lanes, [&](int i) __attribute__((always_inline)) {
+        return beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
+      }));
+  const Largest of_b = largestOf<Lanes>(valuesOf<Lanes>(
+      b.lanes, [&](int i) __attribute__((always_inline)) {
+        const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
+        const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
+        return beyond(nx, ny, Lanes::load(b.d + i) * scale + nx * tx + ny * ty, a.x, a.y, a.lanes);
+      }));
+  if (of_a.value >= of_b.value) {
+    const int e = of_a.index;
+    return {of_a.value, e, farthestBack<Lanes>(x, y, b.lanes, a.nx[e], a.ny[e]), true};
   }
-  for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
-    const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
-    const Lanes d = Lanes::load(b.d + i) * scale + nx * tx + ny * ty;
-    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.lanes);
-    out.store(of_b + i);
-    most = larger(most, out);
-  }
-  const float gap = largest(most);
-  const unsigned edges_a = atLeast<Lanes>(of_a, a.lanes, gap);
-  if (edges_a != 0) {
-    const int e = __builtin_ctz(edges_a);
-    return {gap, e, farthestBack<Lanes>(x, y, b.lanes, a.nx[e], a.ny[e]), true};
-  }
-  const int e = __builtin_ctz(atLeast<Lanes>(of_b, b.lanes, gap) | 1u << (SmallConvex::kMost - 1));
+  const int e = of_b.index;
   const float nx = b.nx[e] * r00 + b.ny[e] * r01, ny = b.nx[e] * r10 + b.ny[e] * r11;
-  return {gap, e, farthestBack<Lanes>(a.x, a.y, a.lanes, nx, ny), false};
+  return {of_b.value, e, farthestBack<Lanes>(a.x, a.y, a.lanes, nx, ny), false};
 }
 
 template <class Lanes>
@@ -196,9 +204,7 @@ ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const
     const float square = -largest(best);
     if (!(square < nearest)) continue;
     nearest = square;
-    float squares[kLanes];
-    best.store(squares);
-    found.a = i + __builtin_ctz(atLeast<Lanes>(squares, kLanes, -square) | 1u << (kLanes - 1));
+    found.a = i + __builtin_ctz(~above(Lanes::all(-square), best) | 1u << (kLanes - 1));
     float least = 1e30f;
     for (int j = 0; j < b.count; ++j) {
       const float dx = a.x[found.a] - x[j], dy = a.y[found.a] - y[j], other = dx * dx + dy * dy;
@@ -273,16 +279,13 @@ template <class Lanes>
   if (leaving == 0) return {-1, -1};
   const int from = __builtin_ctz(leaving), to = from + 1 == vertices.count ? 0 : from + 1;
   // Outside of the plane by `to`, inside by `from`: the larger the one by the other, the sooner the edge leaves.
-  float shares[SmallConvex::kMost];
-  Lanes most = Lanes::all(-1e30f);
-  for (int i = 0; i < planes.lanes; i += kLanes) {
-    const Lanes nx = Lanes::load(planes.nx + i), ny = Lanes::load(planes.ny + i), d = Lanes::load(planes.d + i);
-    const Lanes at = d - (nx * vertices.x[from] + ny * vertices.y[from]);
-    const Lanes share = (nx * vertices.x[to] + ny * vertices.y[to] - d) / at;
-    share.store(shares + i);
-    most = larger(most, share);
-  }
-  const int plane = __builtin_ctz(atLeast<Lanes>(shares, planes.lanes, largest(most)) | 1u << (planes.count - 1));
+  const Largest way_out = largestOf<Lanes>(valuesOf<Lanes>(
+      planes.lanes, [&](int i) __attribute__((always_inline)) {
+        const Lanes nx = Lanes::load(planes.nx + i), ny = Lanes::load(planes.ny + i), d = Lanes::load(planes.d + i);
+        const Lanes at = d - (nx * vertices.x[from] + ny * vertices.y[from]);
+        return (nx * vertices.x[to] + ny * vertices.y[to] - d) / at;
+      }));
+  const int plane = way_out.index < planes.count ? way_out.index : planes.count - 1;
   return {plane, from};
 }
 

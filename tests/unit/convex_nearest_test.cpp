@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apart/distance_search.h"
 #include "exact_reference.h"
 #include "hierarchy/wide.h"
 #include "random.h"
@@ -63,8 +64,30 @@ int edgesThatMeet(const PosedPair& pair) {
   return count;
 }
 
+/// As distance() asks; Unknown unless both are small and convex.
+ConvexNearest nearestOf(const PosedPair& pair, const ConvexFeatures& tried = {}) {
+  const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
+  if (a == nullptr || b == nullptr) return {};
+  return nearestOfConvex(pair, EdgeDistances(pair.a, pair.pose_a, pair.b, pair.pose_b), *a, *b, tried, {});
+}
+
+double leastDistance(const PosedPair& pair, const ConvexNearest& found) {
+  if (found.is_unique) return found.nearest.distance;
+  const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  const DistanceOptions options;
+  DistanceSearch search(edges, options);
+  for (std::uint32_t k = 0; k < 16; ++k)
+    for (std::uint32_t l = 0; l < 16; ++l)
+      if ((found.edges_a >> k & 1) != 0 && (found.edges_b >> l & 1) != 0) search.showNear(k, l);
+  search.finish();
+  return search.best().distance;
+}
+
+bool crosses(const ConvexNearest& found) { return found.features.kind == ConvexFeatures::kCrossing; }
+bool isInside(const ConvexNearest& found) { return found.inner_a >= 0 || found.inner_b >= 0; }
+
 TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
-  int shown = 0, meeting = 0, near = 0, of_one_shape = 0, proven = 0, proven_by_chance = 0;
+  int shown = 0, unique = 0, meeting = 0, near = 0, of_one_shape = 0, proven = 0, proven_by_chance = 0;
   int crossing_found = 0, containment_found = 0;
   const int count = scaledCount(20000);
   for (int i = 0; i < count; ++i) {
@@ -73,57 +96,59 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
     const bool ordered = c.a.radius() >= c.b.radius();
     const PosedPair pair = ordered ? PosedPair(c.a.data(), c.pose_a, c.b.data(), c.pose_b)
                                    : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);
-    const DistanceOptions options;
-    DistanceSearch few(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-    ConvexFeatures features, none;
-    Outcome inside;
-    const Meeting found = showNearestOfConvex(pair, few, features, inside);
+    const ConvexNearest found = nearestOf(pair);
     {
       usePortableLanes(true);
-      DistanceSearch portable(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-      ASSERT_EQ(showNearestOfConvex(pair, portable, none, inside), found) << reproduction(c);
+      const ConvexNearest portable = nearestOf(pair);
       usePortableLanes(false);
-      portable.finish();
-      few.finish();
-      ASSERT_EQ(portable.best().distance, few.best().distance) << reproduction(c);
-      ASSERT_EQ(portable.edgeA(), few.edgeA()) << reproduction(c);
+      ASSERT_EQ(portable.meeting, found.meeting) << reproduction(c);
+      ASSERT_EQ(portable.features.kind, found.features.kind) << reproduction(c);
+      ASSERT_EQ(portable.features.edge_a, found.features.edge_a) << reproduction(c);
+      ASSERT_EQ(portable.is_unique, found.is_unique) << reproduction(c);
+      ASSERT_EQ(leastDistance(pair, portable), leastDistance(pair, found)) << reproduction(c);
     }
-    if (found == Meeting::Unknown) continue;
-    ASSERT_EQ(found == Meeting::Meet, collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
-    if (found == Meeting::Meet) {
+    if (found.meeting == Meeting::Unknown) continue;
+    ASSERT_EQ(found.meeting == Meeting::Meet, collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    if (found.meeting == Meeting::Meet) {
       ++meeting;
       const bool cross = edgesThatMeet(pair) > 0;
-      ASSERT_FALSE(cross && inside.collides) << reproduction(c);
-      ASSERT_TRUE(!few.meets() || edgesMeet(pair, few.edgeA(), few.edgeB())) << reproduction(c);
-      (cross ? crossing_found : containment_found) += few.meets() || inside.collides;
+      ASSERT_FALSE(cross && isInside(found)) << reproduction(c);
+      ASSERT_TRUE(!crosses(found) || edgesMeet(pair, found.features.edge_a, found.features.edge_b)) << reproduction(c);
+      (cross ? crossing_found : containment_found) += crosses(found) || isInside(found);
+      ASSERT_TRUE(!crosses(found) || nearestOf(pair, found.features).meeting == Meeting::Meet) << reproduction(c);
       continue;
     }
-    DistanceSearch all(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
+    const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    const DistanceOptions options;
+    DistanceSearch all(edges, options);
     for (std::uint32_t k = 0; k + 1 < pair.a.path.size(); ++k)
       for (std::uint32_t l = 0; l + 1 < pair.b.path.size(); ++l) ASSERT_TRUE(all.show(k, l)) << reproduction(c);
     all.finish();
-    ASSERT_EQ(few.best().distance, all.best().distance) << reproduction(c);
+    ASSERT_EQ(leastDistance(pair, found), all.best().distance) << reproduction(c);
     // Features to try first: those that were found, and some near them.
     const auto beside = [&](std::uint32_t edge, const PolygonData& polygon) {
       return (edge + static_cast<std::uint32_t>(random.integer(0, 2))) %
              static_cast<std::uint32_t>(polygon.path.size() - 1);
     };
     const auto kind = static_cast<ConvexFeatures::Kind>(random.integer(1, 3));
-    for (ConvexFeatures tried :
+    const ConvexFeatures& features = found.features;
+    for (const ConvexFeatures& tried :
          {features, ConvexFeatures{kind, beside(features.edge_a, pair.a), beside(features.edge_b, pair.b)}}) {
       const bool is_known =
           tried.kind == features.kind && tried.edge_a == features.edge_a && tried.edge_b == features.edge_b;
-      DistanceSearch hinted(pair.a, pair.pose_a, pair.b, pair.pose_b, options);
-      ASSERT_EQ(showNearestOfConvex(pair, hinted, tried, inside), Meeting::Apart) << reproduction(c);
-      hinted.finish();
-      ASSERT_EQ(hinted.best().distance, all.best().distance) << reproduction(c);
-      (is_known ? proven : proven_by_chance) += tried.proven;
+      const ConvexNearest hinted = nearestOf(pair, tried);
+      ASSERT_EQ(hinted.meeting, Meeting::Apart) << reproduction(c);
+      ASSERT_EQ(leastDistance(pair, hinted), all.best().distance) << reproduction(c);
+      (is_known ? proven : proven_by_chance) += hinted.is_proven;
     }
+    unique += found.is_unique;
     ++shown;
     near += all.best().distance < 1e-3 * pair.b.radius;
     of_one_shape += c.a.id() == c.b.id();
   }
   EXPECT_GT(shown, 0.5 * count);
+  EXPECT_GT(unique, 0.5 * shown);
+  EXPECT_LT(unique, 0.99 * shown);
   EXPECT_GE(proven, shown);
   EXPECT_GT(proven_by_chance, 0.01 * count);
   EXPECT_LT(proven_by_chance, 0.5 * count);
@@ -146,15 +171,11 @@ TEST(ConvexNearest, ProvesWhereTheyMeet) {
     for (Vec2& p : ring) p = at_b.inverse() * p;
     const Polygon b({ring});
     const PosedPair pair(square.data(), at_a, b.data(), at_b);
-    const DistanceOptions options;
-    DistanceSearch search(square.data(), at_a, b.data(), at_b, options);
-    ConvexFeatures features;
-    Outcome inside;
-    showNearestOfConvex(pair, search, features, inside);
-    found += search.meets();
-    EXPECT_TRUE(!search.meets() || edgesMeet(pair, search.edgeA(), search.edgeB()))
+    const ConvexNearest nearest = nearestOf(pair);
+    found += crosses(nearest);
+    EXPECT_TRUE(!crosses(nearest) || edgesMeet(pair, nearest.features.edge_a, nearest.features.edge_b))
         << reproduction({square, at_a, b, at_b});
-    EXPECT_FALSE(inside.collides && edgesThatMeet(pair) > 0) << reproduction({square, at_a, b, at_b});
+    EXPECT_FALSE(isInside(nearest) && edgesThatMeet(pair) > 0) << reproduction({square, at_a, b, at_b});
   };
   for (int i = 0; i < 200; ++i) {
     const double beside = random.coin() ? 1e-9 : -1e-9;
@@ -189,12 +210,7 @@ TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
   const Polygon square({rectangle(0, 0, 1, 1)}), many({regular(17, 1)}), notched({{{0, 0}, {2, 0}, {1, 0.5}, {0, 2}}});
   const auto shows = [](const Polygon& a, const Polygon& b, const Vec2& shift) {
     const Pose at_a = Pose::Identity(), at_b = pose(0, shift.x(), shift.y());
-    const PosedPair pair(a.data(), at_a, b.data(), at_b);
-    const DistanceOptions options;
-    DistanceSearch search(a.data(), at_a, b.data(), at_b, options);
-    ConvexFeatures features;
-    Outcome inside;
-    return showNearestOfConvex(pair, search, features, inside);
+    return nearestOf(PosedPair(a.data(), at_a, b.data(), at_b)).meeting;
   };
   constexpr Meeting kApart = Meeting::Apart, kUnknown = Meeting::Unknown;
   EXPECT_EQ(shows(square, square, {3, 0.25}), kApart);
