@@ -31,14 +31,6 @@ struct Kind {
   void (*step)(Random& random, Walker& walker, int i);
 };
 
-Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-void turn(Pose& pose, double angle) {
-  const Vec2 position = pose.translation();
-  pose = support::pose(std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)) + angle, 0, 0);
-  pose.translation() = position;
-}
-
 /// Slowly across a, into and out of its hole, and past it.
 void slow(Random& random, Walker& w, int i) {
   const double t = i * 0.02 + random.unit() * 1e-3;

@@ -49,6 +49,8 @@ Ring wedge(Random& random, const Vec2& direction, double length) {
   return {{0, 0}, along - random.real(0.1, 0.9) * across, along + random.real(0.1, 0.9) * across};
 }
 
+Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
 Ring reversed(Ring ring) {
   std::reverse(ring.begin(), ring.end());
   return ring;
@@ -91,6 +93,12 @@ Pose pose(double angle, double x, double y) {
   result.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
   result.translation() = Vec2(x, y);
   return result;
+}
+
+void turn(Pose& pose, double angle) {
+  const Vec2 position = pose.translation();
+  pose = support::pose(std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)) + angle, 0, 0);
+  pose.translation() = position;
 }
 
 Pose mirrored(Pose pose) {

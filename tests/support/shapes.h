@@ -24,6 +24,7 @@ Ring comb(int teeth, double pitch, double width, double height);
 /// A narrow triangle with its apex at the origin and the rest of it around `direction`.
 Ring wedge(Random& random, const Vec2& direction, double length);
 
+Vec2 direction(double angle);
 Ring reversed(Ring ring);
 Ring scaled(Ring ring, double factor);
 Ring shifted(Ring ring, const Vec2& by);
@@ -35,6 +36,8 @@ Ring withRepeatedAndMidpoints(Random& random, const Ring& ring);
 std::vector<Ring> redirected(Random& random, std::vector<Ring> rings);
 
 Pose pose(double angle, double x, double y);
+/// On the spot. What the rotation missed of one, or mirrored, is gone.
+void turn(Pose& pose, double angle);
 Pose mirrored(Pose pose);
 /// Rounded through float, so that R misses orthonormality by about 1e-7.
 Pose throughFloat(const Pose& pose);

@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 #include "random.h"
+#include "refusal.h"
 #include "shapes.h"
 #include "tricover/collide.h"
 
@@ -150,15 +149,6 @@ TEST(Distance, LimitAndAllowedErrors) {
     EXPECT_LE(near, exact + 0.5);
     EXPECT_EQ(loose == 0, exact == 0);
     EXPECT_EQ(near == 0, exact == 0);
-  }
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-    return {};
-  } catch (const std::invalid_argument& error) {
-    return error.what();
   }
 }
 

@@ -11,6 +11,7 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "random.h"
+#include "refusal.h"
 #include "shapes.h"
 
 namespace tricover::support {
@@ -21,12 +22,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The text of the std::invalid_argument that these rings cause; empty if they are taken.
 std::string refusal(const std::vector<Ring>& rings) {
-  try {
-    const Polygon polygon(rings);
-    return {};
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
+  return support::refusal([&] { const Polygon polygon(rings); });
 }
 
 bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

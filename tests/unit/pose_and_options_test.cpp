@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "refusal.h"
 #include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
@@ -19,15 +19,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-    return {};
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
 
 bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

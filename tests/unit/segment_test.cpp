@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "refusal.h"
 #include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
@@ -59,17 +60,9 @@ TEST(Segment, OfEqualEndsIsTheirPoint) {
 }
 
 TEST(Segment, RefusesWhatIsNotFinite) {
-  const auto message = [](auto make) -> std::string {
-    try {
-      make();
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "nothing thrown";
-  };
-  EXPECT_EQ(message([] { point({NAN, 0}); }), "tricover: p: a coordinate is not finite");
-  EXPECT_EQ(message([] { segment({0, kInfinity}, {0, 0}); }), "tricover: p: a coordinate is not finite");
-  EXPECT_EQ(message([] { segment({0, 0}, {0, -kInfinity}); }), "tricover: q: a coordinate is not finite");
+  EXPECT_EQ(refusal([] { point({NAN, 0}); }), "tricover: p: a coordinate is not finite");
+  EXPECT_EQ(refusal([] { segment({0, kInfinity}, {0, 0}); }), "tricover: p: a coordinate is not finite");
+  EXPECT_EQ(refusal([] { segment({0, 0}, {0, -kInfinity}); }), "tricover: q: a coordinate is not finite");
 }
 
 TEST(Margin, OfPointsIsADisc) {
