@@ -268,7 +268,7 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {
   return *static_cast<const Hierarchy*>(
-      polygon.derived.built([&] { return std::make_shared<const Hierarchy>(polygon); }));
+      polygon.derived.built([&] { return std::make_unique<const Hierarchy>(polygon); }));
 }
 
 }  // namespace tricover::detail

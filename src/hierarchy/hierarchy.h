@@ -44,15 +44,15 @@ struct InnerDiscs {
 struct SmallConvex {
   static constexpr int kMost = 2 * kLanes;
   float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost];
-  int lanes;  ///< kLanes or kMost
-  int count;  ///< of vertices
+  int lanes;       ///< kLanes or kMost
+  int count;       ///< of vertices
   float shortest;  ///< edge
 };
 
 /// The influence hierarchy of a polygon: a tree of boxes over chains of edges; a box grown by n is its chain's
 /// influence area of length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is
 /// the first.
-struct Hierarchy {
+struct Hierarchy : Derived::Thing {
   explicit Hierarchy(const PolygonData& polygon);
 
   std::vector<Block> blocks;

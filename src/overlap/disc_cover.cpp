@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "hierarchy/inner_discs.h"
 
@@ -42,13 +43,17 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon) {
   return discs;
 }
 
+struct DiscCover : Derived::Thing {
+  explicit DiscCover(const PolygonData& polygon) : discs(coverByDiscs(polygon)) {}
+  const std::vector<Disc> discs;
+};
+
 }  // namespace
 
 const std::vector<Disc>& discCoverOf(const PolygonData& polygon) {
-  const void* cover = polygon.cover.ifBuilt();
-  if (cover == nullptr)
-    cover = polygon.cover.built([&] { return std::make_shared<const std::vector<Disc>>(coverByDiscs(polygon)); });
-  return *static_cast<const std::vector<Disc>*>(cover);
+  const Derived::Thing* cover = polygon.cover.ifBuilt();
+  if (cover == nullptr) cover = polygon.cover.built([&] { return std::make_unique<const DiscCover>(polygon); });
+  return static_cast<const DiscCover*>(cover)->discs;
 }
 
 DiscSums::DiscSums(const std::vector<Disc>& a, const std::vector<Disc>& b, double error, std::size_t most) {

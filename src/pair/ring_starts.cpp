@@ -66,10 +66,10 @@ std::vector<std::uint32_t> RingStarts::between(double low, double high) const {
 const RingStarts* ringStarts(const PolygonData& polygon) {
   // In the cost of looking at a ring: an edge's part in finding the starts.
   constexpr std::size_t kPerEdge = 32;
-  if (const void* ready = polygon.starts.ifBuilt()) return static_cast<const RingStarts*>(ready);
+  if (const Derived::Thing* ready = polygon.starts.ifBuilt()) return static_cast<const RingStarts*>(ready);
   if (polygon.rings_asked.load(std::memory_order_relaxed) < kPerEdge * polygon.path.size()) return nullptr;
   return static_cast<const RingStarts*>(
-      polygon.starts.built([&] { return std::make_shared<const RingStarts>(polygon); }));
+      polygon.starts.built([&] { return std::make_unique<const RingStarts>(polygon); }));
 }
 
 void countRings(const PolygonData& polygon, std::size_t rings, std::size_t located) {

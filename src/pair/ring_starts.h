@@ -11,7 +11,7 @@ namespace tricover::detail {
 /// The starts by which containment is asked for. Rings whose edges meet are connected, and what doesn't cross another
 /// polygon's edges is, where it is connected, either in that region or not: so one start serves for all of them, that
 /// of the first.
-class RingStarts {
+class RingStarts : public Derived::Thing {
  public:
   /// Exact as far as it goes: where edges of very many rings meet, some are left unconnected.
   explicit RingStarts(const PolygonData& polygon);

@@ -4,10 +4,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <vector>
 
+#include "polygon/derived.h"
 #include "tricover/polygon.h"
 
 namespace tricover::detail {
@@ -17,30 +16,6 @@ constexpr std::size_t kMostPositions = std::size_t{1} << 29;
 
 /// Throws std::invalid_argument for a path that is longer.
 void requireCapacity(std::size_t positions);
-
-/// A place for what others derive from a polygon: built at the first call, by whichever thread comes first, and
-/// immutable from then on. Only who puts it there knows its type.
-class Derived {
- public:
-  /// Null until it has been built.
-  const void* ifBuilt() const { return ready_.load(std::memory_order_acquire); }
-
-  /// What `build` returns, a shared pointer, unless another thread was first.
-  template <typename Build>
-  const void* built(Build build) const {
-    const std::lock_guard<std::mutex> lock(building_);
-    if (!kept_) {
-      kept_ = build();
-      ready_.store(kept_.get(), std::memory_order_release);
-    }
-    return kept_.get();
-  }
-
- private:
-  mutable std::mutex building_;
-  mutable std::shared_ptr<const void> kept_;
-  mutable std::atomic<const void*> ready_{nullptr};
-};
 
 /// What all copies of a polygon share. Rings lie one after another in `path`, each closed by a copy of its first
 /// vertex, so that the edge at position e joins path[e] and path[e + 1]; ring r takes positions [ring_begin[r],

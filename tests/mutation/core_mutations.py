@@ -135,6 +135,8 @@ MUTATIONS = [
     ("src/polygon/covering.h", "winding % 2 != 0 : winding != 0", "winding == 1 : winding == 1", "repair 4: winding +1 only"),
     ("src/polygon/covering.h", "winding % 2 != 0 : winding != 0", "winding % 2 != 0 : winding % 2 != 0", "fill rule ignored"),
     ("src/polygon/covering.cpp", "s_ = polygon.path.front();", ";", "the point at S"),
+    ("src/polygon/derived.cpp", "is_building_ = ifBuilt() == nullptr;", "is_building_ = true;", "derived: built by every thread"),
+    ("src/polygon/derived.cpp", "turns().ended.wait(lock, [&] { return !is_building_; });", "", "derived: others don't wait for it"),
     ("src/polygon/covering.h", "polygon.radius + 2 * p.error", "polygon.radius", "disc: error of the point"),
     ("src/hierarchy/locate.cpp", "same_zone = same_zone && bits == cache.signs[word];", "", "Algorithm 2: mask not compared"),
     ("src/hierarchy/locate.cpp", "same_zone = same_zone && sign != 0;", "", "Algorithm 2: zones on a line trusted"),

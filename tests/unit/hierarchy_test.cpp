@@ -5,8 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "exact_reference.h"
 #include "polygon/polygon_data.h"
@@ -19,6 +24,7 @@ namespace tricover::support {
 namespace {
 
 using detail::Block;
+using detail::Derived;
 using detail::Hierarchy;
 using detail::kLanes;
 using detail::PolygonData;
@@ -140,6 +146,33 @@ TEST(InnerDiscs, OfATriangleFarAway) {
     ASSERT_GT(hierarchy.inner_radius, 0);
     expectInside(triangle, hierarchy.inner_center, hierarchy.inner_radius);
   }
+}
+
+struct Number : Derived::Thing {
+  explicit Number(int n) : number(n) {}
+  const int number;
+};
+
+/// And one that couldn't be built is built by whoever comes next.
+TEST(DerivedThings, AreBuiltOnceForAllThreads) {
+  const Derived place;
+  EXPECT_EQ(place.ifBuilt(), nullptr);
+  const auto refuse = []() -> std::unique_ptr<const Number> { throw std::length_error("too large"); };
+  EXPECT_THROW(place.built(refuse), std::length_error);
+  EXPECT_EQ(place.ifBuilt(), nullptr);
+  std::atomic<int> built{0};
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      const Derived::Thing* thing = place.built([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return std::make_unique<const Number>(++built);
+      });
+      EXPECT_EQ(static_cast<const Number*>(thing)->number, 1);
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(built, 1);
+  EXPECT_EQ(place.built(refuse), place.ifBuilt());
 }
 
 }  // namespace
