@@ -37,7 +37,7 @@ class ConvexSearch {
  public:
   ConvexSearch(const PosedPair& pair, const EdgeDistances& edges, const SmallConvex& a, const SmallConvex& b,
                const DistanceOptions& options)
-      : pair_(pair), map_(mapUnits(pair)), a_(a), b_(b), edges_(edges), options_(options) {}
+      : map_(mapUnits(pair)), rounding_(gapRounding(pair)), a_(a), b_(b), edges_(edges), options_(options) {}
 
   ConvexNearest find(const ConvexFeatures& tried) {
     const double far = std::abs(map_.tx) + std::abs(map_.ty);
@@ -53,7 +53,7 @@ class ConvexSearch {
  private:
   void findByAxes(double far) {
     const ConvexGap gap = convexGap(a_, b_, map_);
-    if (gap.gap < -8 * gapRounding(pair_) - map_.error && far < 4) {  // as convexMeet() says
+    if (gap.gap < -8 * rounding_ - map_.error && far < 4) {  // as convexMeet() says
       if (!meet()) found_.meeting = Meeting::Meet;
       return;
     }
@@ -69,17 +69,17 @@ class ConvexSearch {
   /// Roughly.
   bool innerDiscsMeet() const {
     const double reach =
-        hierarchyOf(pair_.a).inner_discs.radius[0] + hierarchyOf(pair_.b).inner_discs.radius[0] * map_.scale;
+        hierarchyOf(edges_.a()).inner_discs.radius[0] + hierarchyOf(edges_.b()).inner_discs.radius[0] * map_.scale;
     return reach > 0 && map_.tx * map_.tx + map_.ty * map_.ty < reach * reach;
   }
 
   /// Whether they are seen to.
   bool meet() {
-    const ConvexCrossing crossing = convexCrossing(a_, b_, map_, gapRounding(pair_));
+    const ConvexCrossing crossing = convexCrossing(a_, b_, map_, rounding_);
     if (crossing.edge_a >= 0 && crossing.edge_b >= 0) {
       const std::uint32_t i = position(crossing.edge_a), j = position(crossing.edge_b);
       if (cross(i, j)) return true;
-      if (!edgesMeet(pair_, i, j)) return false;
+      if (!edges_.meet(i, j)) return false;
       cross(i, j, edges_.whereTheyMeet(edges_.view(i, j)));
       return true;
     }
@@ -123,10 +123,11 @@ class ConvexSearch {
     const SmallConvex& polygon = of_a ? a_ : b_;
     const int e = of_a ? i : j, v = of_a ? j : i, next = e + 1 == polygon.count ? 0 : e + 1;
     const EdgeDistances::Foot foot = edges_.foot(of_a, position(e), position(v));
-    const double inside = kInside * (foot.distance + pair_.b.unit) * foot.length;
+    const double inside = kInside * (foot.distance + edges_.b().unit) * foot.length;
     if (!(foot.inside >= inside)) {
       const int end = foot.at_end ? next : e;
-      return of_a ? areNearest(end, j) : areNearest(i, end);
+      const int of_a_end = of_a ? end : i, of_b_end = of_a ? j : end;
+      return foot.inside > 0 ? areNearest(of_a_end, of_b_end) : areNearest(of_a_end, of_b_end, foot);
     }
     const double nx = polygon.nx[e], ny = polygon.ny[e];
     if (of_a)
@@ -144,11 +145,11 @@ class ConvexSearch {
     return true;
   }
 
-  bool areNearest(int v, int w) {
-    const EdgeDistances::Foot foot = edges_.startToStart(position(v), position(w));
+  bool areNearest(int v, int w) { return areNearest(v, w, edges_.startToStart(position(v), position(w))); }
+
+  bool areNearest(int v, int w, const EdgeDistances::Foot& foot) {
     const double inverse = 1 / foot.distance;
-    const Double2 way = edges_.way(position(v), position(w));
-    const Double2 x = load2(pair_.pose_a.data()) * way, y = load2(pair_.pose_a.data() + 3) * way;
+    const Double2 x = load2(edges_.poseA().data()) * foot.way, y = load2(edges_.poseA().data() + 3) * foot.way;
     support((x[0] + x[1]) * inverse, (y[0] + y[1]) * inverse);
     if (!areForemost(bit(v), bit(w))) return false;
     found_.features = {ConvexFeatures::kVertices, position(v), position(w)};
@@ -169,21 +170,24 @@ class ConvexSearch {
 
   bool isUnique(unsigned of_a, unsigned of_b, double distance) {
     found_.is_unique = supports_.a == of_a && supports_.b == of_b && isClear(distance);
-    found_.edges_a = edgesAt(supports_.a, a_.count);
-    found_.edges_b = edgesAt(supports_.b, b_.count);
+    if (!found_.is_unique) {
+      found_.edges_a = edgesAt(supports_.a, a_.count);
+      found_.edges_b = edgesAt(supports_.b, b_.count);
+    }
     return found_.is_unique;
   }
 
   bool isClear(double distance) const {
-    const double size = edges_.size(), shortest = std::min(a_.shortest * pair_.a.unit, b_.shortest * pair_.b.unit);
+    const double size = edges_.size(),
+                 shortest = std::min(a_.shortest * edges_.a().unit, b_.shortest * edges_.b().unit);
     const double product = kClearProduct * size * size;
     return distance > kClear * size && distance * shortest > product && shortest * shortest > product;
   }
 
   static std::uint32_t position(int i) { return static_cast<std::uint32_t>(i); }
 
-  const PosedPair& pair_;
   const UnitMap map_;
+  const double rounding_;
   const SmallConvex &a_, &b_;
   const EdgeDistances& edges_;
   const DistanceOptions& options_;
@@ -193,8 +197,9 @@ class ConvexSearch {
 
 }  // namespace
 
-ConvexNearest nearestOfConvex(const PosedPair& pair, const EdgeDistances& edges, const SmallConvex& a,
-                              const SmallConvex& b, const ConvexFeatures& tried, const DistanceOptions& options) {
+ConvexNearest nearestOfConvex(const EdgeDistances& edges, const SmallConvex& a, const SmallConvex& b,
+                              const ConvexFeatures& tried, const DistanceOptions& options) {
+  const PosedPair pair(edges.a(), edges.poseA(), edges.b(), edges.poseB());
   return ConvexSearch(pair, edges, a, b, options).find(tried);
 }
 

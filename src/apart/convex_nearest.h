@@ -5,7 +5,6 @@
 
 #include "apart/edge_distance.h"
 #include "hierarchy/wide.h"
-#include "pair/posed_pair.h"
 
 namespace tricover::detail {
 
@@ -29,7 +28,7 @@ struct ConvexNearest {
 };
 
 /// Unknown where they aren't clearly apart, nor clearly meet. Features of other poses are tried first.
-ConvexNearest nearestOfConvex(const PosedPair& pair, const EdgeDistances& edges, const SmallConvex& a,
-                              const SmallConvex& b, const ConvexFeatures& tried, const DistanceOptions& options);
+ConvexNearest nearestOfConvex(const EdgeDistances& edges, const SmallConvex& a, const SmallConvex& b,
+                              const ConvexFeatures& tried, const DistanceOptions& options);
 
 }  // namespace tricover::detail

@@ -288,8 +288,7 @@ std::optional<DistanceResult> distanceOfConvex(const Pair& pair, const EdgeDista
   const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
   if (a == nullptr || b == nullptr) return std::nullopt;
   const ConvexFeatures tried = cache != nullptr ? hinted(*cache) : ConvexFeatures();
-  const PosedPair posed(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  const ConvexNearest found = nearestOfConvex(posed, edges, *a, *b, tried, options);
+  const ConvexNearest found = nearestOfConvex(edges, *a, *b, tried, options);
   const bool is_inside = found.inner_a >= 0 || found.inner_b >= 0;
   if (!found.is_unique && !is_inside && found.meeting != Meeting::Apart) return std::nullopt;
   if (cache != nullptr) {

@@ -23,6 +23,8 @@ class EdgeDistances {
 
   const PolygonData& a() const { return a_; }
   const PolygonData& b() const { return b_; }
+  const Pose& poseA() const { return pose_a_; }
+  const Pose& poseB() const { return pose_b_; }
 
   /// What at() may be wrong by, beside the smallest double.
   static constexpr double kRelativeError = 0x1p-47;
@@ -88,6 +90,7 @@ class EdgeDistances {
     double distance;
     double inside;          ///< how far inside of the edge's nearer end, times the edge's length
     double square, length;  ///< the edge's
+    Double2 way;            ///< between that end and the vertex, from a to b
     bool at_end;            ///< whether that end is its end rather than its start
     bool is_plain;          ///< whether at() takes that distance for its own
     /// From the edge's start (0) to its end (1).
@@ -118,13 +121,13 @@ class EdgeDistances {
     const bool is_inside = inside > 0 && square > 0x1p-900;
     const double distance = is_inside ? std::abs(areas[0] - areas[1]) / length : std::sqrt(w_square);
     const bool is_plain = isPlain(edge_of_a ? end : vertex, edge_of_a ? vertex : end, w_square, distance);
-    return {distance, is_inside ? inside : 0, square, length, at_end, is_plain};
+    return {distance, is_inside ? inside : 0, square, length, w, at_end, is_plain};
   }
   /// The same of two vertices, where either is nearer to the other than the rest of its edges is.
   Foot startToStart(std::size_t p, std::size_t q) const {
     const Double2 w = way(p, q), squares = w * w;
     const double square = squares[0] + squares[1], distance = std::sqrt(square);
-    return {distance, 0, 0, 0, false, isPlain(p, q, square, distance)};
+    return {distance, 0, 0, 0, w, false, isPlain(p, q, square, distance)};
   }
   /// A view that knows but one combination, for who has proven that at() needs no other: the start of b's edge j beside
   /// a's edge i, or the start of a's beside b's.

@@ -219,14 +219,16 @@ ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const
 template <class Lanes>
 [[gnu::always_inline]] inline float foremost(const SmallConvex& polygon, float nx, float ny, float reach,
                                              unsigned& near, unsigned& best) {
-  const bool more = polygon.lanes > kLanes;
-  const int second = more ? kLanes : 0;
-  const Lanes at = Lanes::load(polygon.x) * nx + Lanes::load(polygon.y) * ny;
-  const Lanes then = Lanes::load(polygon.x + second) * nx + Lanes::load(polygon.y + second) * ny;
-  const float end = largest(larger(at, then));
+  const Values<Lanes> at = valuesOf<Lanes>(
+      polygon.lanes, [&](int i) __attribute__((always_inline)) {
+        return Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
+      });
+  const float end = largest(larger(at.first, at.second));
   const auto from = [&](float least) {
     const Lanes limit = Lanes::all(least);
-    return ~(above(limit, at) | above(limit, then) << second) & ((1u << polygon.count) - 1);
+    unsigned below = above(limit, at.first);
+    if (polygon.lanes > kLanes) below |= above(limit, at.second) << kLanes;
+    return ~below & ((1u << polygon.count) - 1);
   };
   near = from(end - reach);
   best = from(end - 0.25f * reach);

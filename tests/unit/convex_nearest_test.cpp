@@ -10,6 +10,7 @@
 #include "apart/distance_search.h"
 #include "exact_reference.h"
 #include "hierarchy/wide.h"
+#include "pair/posed_pair.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -68,7 +69,7 @@ int edgesThatMeet(const PosedPair& pair) {
 ConvexNearest nearestOf(const PosedPair& pair, const ConvexFeatures& tried = {}) {
   const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
   if (a == nullptr || b == nullptr) return {};
-  return nearestOfConvex(pair, EdgeDistances(pair.a, pair.pose_a, pair.b, pair.pose_b), *a, *b, tried, {});
+  return nearestOfConvex(EdgeDistances(pair.a, pair.pose_a, pair.b, pair.pose_b), *a, *b, tried, {});
 }
 
 double leastDistance(const PosedPair& pair, const ConvexNearest& found) {
