@@ -67,12 +67,10 @@ bool isQuickPoint(const PolygonData& a, const PolygonData& b) {
 
 bool pointCollides(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                    const CollideOptions& options) {
+  if (!a.isPoint()) return pointMeets(a, pose_a, b, pose_b, options);
+  if (!b.isPoint()) return pointMeets(b, pose_b, a, pose_a, options);
   return inKernelOrder(
-      a, pose_a, b, pose_b,
-      [&](const PolygonData& p, const Pose& pose_p, const PolygonData& q, const Pose& pose_q) {
-        return q.isPoint() ? pointMeets(p, pose_p, q, pose_q, options) : pointMeets(q, pose_q, p, pose_p, options);
-      },
-      [](bool) {});
+      a, pose_a, b, pose_b, [&](const auto&... operands) { return pointMeets(operands..., options); }, [](bool) {});
 }
 
 bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,

@@ -92,19 +92,12 @@ Outcome collidePoint(const PosedPair& pair, const CollideOptions& options, doubl
 bool pointMeets(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                 const CollideOptions& options) {
   assert(b.isPoint());
-  const PointPlace seen(a, pose_a, b, pose_b);
-  // Squares round as those of Discs, and sums of lengths by what kLargestDefect and the error have to spare.
-  const Double2 squares = seen.way * seen.way;
-  const double square = squares[0] + squares[1];
-  const double apart = a.radius * (1 + kLargestDefect) + seen.error + options.margin;
-  if (squarable(apart) && square > roundedUp<Discs::kSquares>(apart * apart)) return false;
+  const Discs discs(a, pose_a, b, pose_b);
+  if (discs.gap(options.margin) >= 0) return false;
+  if (discs.depth(options.margin) >= 0) return true;
   const BarePointTest test{a, pose_a, b, pose_b, options};
-  if (a.hasSpine()) {
-    // S is on it but for what the error has to spare.
-    const double within = options.margin - seen.error;
-    return (squarable(within) && roundedUp<Discs::kSquares>(square) < within * within) ||
-           BarePointTest::meet(&test, a.spine);
-  }
+  if (a.hasSpine()) return BarePointTest::meet(&test, a.spine);
+  const PointPlace seen(a, pose_a, b, pose_b);
   const Hierarchy& tree = hierarchyOf(a);
   const double reach = options.margin * (1 + 2 * seen.defect) * a.inverse_unit;
   const double outside = distanceFromRoot(tree.root, seen.place);

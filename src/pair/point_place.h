@@ -12,14 +12,14 @@
 
 namespace tricover::detail {
 
-/// Where a point b is, seen from a, without a relative pose: all that discs ask of most pairs.
+/// Where a point b is, seen from a, without a relative pose.
 struct PointPlace {
   PointPlace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
     const Double2 a0 = load2(pose_a.data()), a1 = load2(pose_a.data() + 3);
     const Double2 b0 = load2(pose_b.data()), b1 = load2(pose_b.data() + 3);
     const Double2 shift = load2(pose_b.data() + 6) - load2(pose_a.data() + 6), apart = absolute(shift);
-    way = (b0 * b.origin.x() + b1 * b.origin.y()) + (shift - (a0 * a.origin.x() + a1 * a.origin.y()));
-    error = Discs::kPointsError * (a.extent + b.extent + apart[0] + apart[1]) + kTiny;
+    const Double2 way = (b0 * b.origin.x() + b1 * b.origin.y()) + (shift - (a0 * a.origin.x() + a1 * a.origin.y()));
+    const double error = Discs::kPointsError * (a.extent + b.extent + apart[0] + apart[1]) + kTiny;
     defect = Gram(a0, a1).defect();
     const Double2 x = a0 * way, y = a1 * way, away = absolute(way);
     // R^T stands for R^-1: their difference is R^T R - I, at most the defect less 16U, times R^-1. Two products and
@@ -29,8 +29,6 @@ struct PointPlace {
              a.fitsUnit() ? in_frame * a.inverse_unit : std::numeric_limits<double>::infinity()};
   }
 
-  Double2 way;    ///< from a's S to the point, in the world, right to within `error`
-  double error;   ///< in any direction
   double defect;  ///< PosedPair::scale_defect
   Place place;    ///< in a's hierarchy
 };
