@@ -26,7 +26,7 @@ bool isPlain(double length) { return length > 0x1p-100 && length < 0x1p200; }
 // With M = |p|_1 + |q|_1 + |t|_1, t = t_b - t_a, rows of R being unit vectors but for 1e-6, in units of U:
 //   R q + t - R p   products 1, sum 1, two more sums 2; t itself 1, two sums 2    4 M in either coordinate
 //   the square      twice sqrt2 4 M |w|, products and sum 2                       halved by the root, and its own 1
-// which is 5.7 M + 2 d: below 32 d, kRelativeError, where M <= 5 d.
+// which is 5.7 M + 2 d: below 32 d, half of kRelativeError, where M <= 5 d.
 double plainDistance(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
   static_assert(EdgeDistances::kRelativeError >= (1 + 1e-5) * (5 * errorOf(4) * kRoot2 + errorOf(2)));
   const Double2 shift = load2(pose_b.data() + 6) - load2(pose_a.data() + 6), apart = absolute(shift);
@@ -48,10 +48,10 @@ double plainDistance(const PolygonData& a, const Pose& pose_a, const PolygonData
 //   u               difference 1, products sqrt2, sum 1: turns w by                           3.42 |w|
 //   u x w           products |u| |w|, their difference |u| d                                  |w| + d
 //   its square over that of u, 2 + 2, which the last root halves, and its own 1                3 d
-// add up to 3.42 |v| + 2.42 |q| + 7.42 |w| + 4 d: below 32 d, kRelativeError, by the condition below. That condition
-// holds for the nearest edge found with the longest w, so that no other one can be nearer by more than that. It also
-// bounds the angles by which w and u are wrong by 40U: where the foot is taken to be inside the edge, or beyond its
-// end, wrongly, the square of that is lost.
+// add up to 3.42 |v| + 2.42 |q| + 7.42 |w| + 4 d: below 32 d, half of kRelativeError, by the condition below. That
+// condition holds for the nearest edge found with the longest w, so that no other one can be nearer by more than that.
+// It also bounds the angles by which w and u are wrong by 40U: where the foot is taken to be inside the edge, or beyond
+// its end, wrongly, the square of that is lost.
 NearestEdge nearestEdge(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b) {
   constexpr double kOfA = 3.5, kOfB = 2.5, kOfWay = 7.5, kMost = 27;
   static_assert(EdgeDistances::kRelativeError >= (1 + 1e-5) * (kMost * kUnitRoundoff + errorOf(4)));

@@ -89,7 +89,7 @@ bool isInside(const ConvexNearest& found) { return found.inner_a >= 0 || found.i
 
 TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
   int shown = 0, unique = 0, meeting = 0, near = 0, of_one_shape = 0, proven = 0, proven_by_chance = 0;
-  int crossing_found = 0, containment_found = 0;
+  int crossing_found = 0, crossing_proven = 0, containment_found = 0;
   const int count = scaledCount(20000);
   for (int i = 0; i < count; ++i) {
     Random random(static_cast<std::uint64_t>(i) + 77);
@@ -116,7 +116,10 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
       ASSERT_FALSE(cross && isInside(found)) << reproduction(c);
       ASSERT_TRUE(!crosses(found) || edgesMeet(pair, found.features.edge_a, found.features.edge_b)) << reproduction(c);
       (cross ? crossing_found : containment_found) += crosses(found) || isInside(found);
-      ASSERT_TRUE(!crosses(found) || nearestOf(pair, found.features).meeting == Meeting::Meet) << reproduction(c);
+      if (!crosses(found)) continue;
+      const ConvexNearest again = nearestOf(pair, found.features);
+      ASSERT_EQ(again.meeting, Meeting::Meet) << reproduction(c);
+      crossing_proven += again.is_proven;
       continue;
     }
     const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
@@ -156,10 +159,34 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
   EXPECT_GT(meeting, 0.02 * count);
   EXPECT_GT(crossing_found + containment_found, 0.9 * meeting);
   EXPECT_GT(crossing_found, 0.2 * meeting);
+  EXPECT_GT(crossing_proven, 0.5 * crossing_found);
   EXPECT_GT(containment_found, 0);
   EXPECT_LT(shown + meeting, count) << "some are too near to tell";
   EXPECT_GT(near, 0.05 * count);
   EXPECT_GT(of_one_shape, 0.1 * count);
+}
+
+/// Corners on edges but for the last bits: where plain doubles say that edges cross, they do.
+TEST(ConvexNearest, SeesCrossingsThatAreCertain) {
+  Random random(9);
+  int seen = 0, meeting = 0;
+  const int count = scaledCount(2000);
+  for (int i = 0; i < count; ++i) {
+    const Pose at_a = randomPose(random, 1), at_b = randomPose(random, 1);
+    const double x = random.real(-1, 1), beyond = random.coin() ? 0.1 : std::ldexp(1.0, -random.integer(40, 53));
+    const Vec2 tip = at_b.inverse() * (at_a * Vec2(x, random.coin() ? beyond : -beyond));
+    const Vec2 from = at_b.inverse() * (at_a * Vec2(x + 0.5, -1));
+    const Polygon a({{{-1, 0}, {1, 0}, {0, 5}}}), b({{from, tip, from + Vec2(0.1, 0.1)}});
+    const PosedPair pair(a.data(), at_a, b.data(), at_b);
+    const bool meets = edgesMeet(pair, 0, 0);
+    const auto point = EdgeDistances(a.data(), at_a, b.data(), at_b).crossing(0, 0);
+    ASSERT_TRUE(!point || meets) << reproduction({a, at_a, b, at_b});
+    seen += point.has_value();
+    meeting += meets;
+  }
+  EXPECT_GT(seen, 0.1 * count);
+  EXPECT_GT(meeting, seen);
+  EXPECT_LT(meeting, 0.9 * count);
 }
 
 /// Doubles see what floats don't: on which side of a corner an edge leads out, and a corner that is hardly outside.
