@@ -19,6 +19,7 @@ std::vector<Point> convexHull(std::vector<Point> points, At at, TurnsLeft turnsL
     return s.x() != t.x() ? s.x() < t.x() : s.y() < t.y();
   });
   std::vector<Point> hull;
+  hull.reserve(points.size() + 1);
   const auto add = [&](const Point& p, std::size_t floor) {
     while (hull.size() > floor && !turnsLeft(at(hull[hull.size() - 2]), at(hull.back()), at(p))) hull.pop_back();
     hull.push_back(p);

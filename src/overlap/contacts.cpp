@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "hierarchy/hierarchy.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
 #include "overlap/contact_point.h"
@@ -40,6 +41,11 @@ const BoundaryPoint& leftmostOf(const OverlapComponent& component) {
                            [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.at.x() < q.at.x(); });
 }
 
+bool isConvex(const PolygonData& polygon) {
+  const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
+  return (hierarchy != nullptr && hierarchy->small_convex) || convexityOf(polygon).direction != 0;
+}
+
 class ContactFinder {
  public:
   explicit ContactFinder(const PosedPair& pair)
@@ -51,8 +57,7 @@ class ContactFinder {
   /// In the pair's order.
   std::vector<Contact> contacts() const {
     const std::vector<OverlapComponent> components = findComponents(pair_, frame_, crossings_);
-    const bool convex =
-        !components.empty() && convexityOf(pair_.a).direction != 0 && convexityOf(pair_.b).direction != 0;
+    const bool convex = !components.empty() && isConvex(pair_.a) && isConvex(pair_.b);
     std::vector<Contact> result;
     for (const OverlapComponent& component : components) {
       Exit exit = convex                   ? byFacesOfBoth(component)
@@ -95,12 +100,14 @@ class ContactFinder {
   Exit exitOfOnly(const OverlapComponent& component) const;
   Exit freed(const Exit& exit) const;
 
-  /// Of ways that are equally deep but for rounding, the one that leads b's origin away from a's.
-  void consider(const Exit& exit, Exit& best) const {
+  /// Of ways that are equally deep but for rounding, the one that leads b's origin away from a's. Whether it is the
+  /// best so far.
+  bool consider(const Exit& exit, Exit& best) const {
     const double error = 4 * frame_.error();
-    if (exit.depth < best.depth - error ||
-        (exit.depth <= best.depth + error && exit.normal.dot(towards_b_) > best.normal.dot(towards_b_)))
-      best = exit;
+    const bool better = exit.depth < best.depth - error ||
+                        (exit.depth <= best.depth + error && exit.normal.dot(towards_b_) > best.normal.dot(towards_b_));
+    if (better) best = exit;
+    return better;
   }
 
   /// The edge of one polygon that both points are on; -1 if there is none.
@@ -162,12 +169,14 @@ class ContactFinder {
   /// All of a convex polygon.
   Hull hullOfA() const {
     std::vector<BoundaryPoint> points;
+    points.reserve(pair_.a.path.size());
     for (std::size_t v = 0; v + 1 < pair_.a.path.size(); ++v)
       if (pair_.a.path[v] != pair_.a.path[v + 1]) points.push_back(vertexOfA(v));
     return hullOf(std::move(points));
   }
   Hull hullOfB() const {
     std::vector<BoundaryPoint> points;
+    points.reserve(pair_.b.path.size());
     for (std::size_t v = 0; v + 1 < pair_.b.path.size(); ++v)
       if (pair_.b.path[v] != pair_.b.path[v + 1]) points.push_back(vertexOfB(v));
     return hullOf(std::move(points));
@@ -176,13 +185,23 @@ class ContactFinder {
   /// Two convex regions: the separating axes' least depth, which no translation that parts them is shorter than.
   Exit byFacesOfBoth(const OverlapComponent& component) const {
     Exit best;
+    const BoundaryPoint *from = nullptr, *to = nullptr, *deepest = nullptr;
+    const auto tryFaceOf = [&](bool of_a) {
+      return [&, of_a](const BoundaryPoint& p, const BoundaryPoint& q, const Vec2& normal, double depth,
+                       const BoundaryPoint& behind) {
+        if (!consider({of_a ? normal : Vec2(-normal), depth, -1, -1, of_a}, best)) return;
+        from = &p;
+        to = &q;
+        deepest = &behind;
+      };
+    };
     const Hull a = hullOfA(), b = hullOfB();
-    forEachFace(a, b, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
-      consider({normal, depth, edgeOfFace(true, from, to, deepest.at), flatterOfB(deepest, normal), true}, best);
-    });
-    forEachFace(b, a, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
-      consider({-normal, depth, flatterOfA(deepest, normal), edgeOfFace(false, from, to, deepest.at), false}, best);
-    });
+    forEachFace(a, b, tryFaceOf(true));
+    forEachFace(b, a, tryFaceOf(false));
+    if (deepest != nullptr) {
+      best.edge_a = best.from_a ? edgeOfFace(true, *from, *to, deepest->at) : flatterOfA(*deepest, best.normal);
+      best.edge_b = best.from_a ? flatterOfB(*deepest, best.normal) : edgeOfFace(false, *from, *to, deepest->at);
+    }
     if (component.crossings.empty()) (component.points.front().a < 0 ? best.edge_a : best.edge_b) = -1;
     return best;
   }

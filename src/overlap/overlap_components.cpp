@@ -123,8 +123,10 @@ class Grouping {
     present_.clear();
     points_.clear();
     inner_.clear();
+    points_.reserve(crossings_.size());
     for (Side& side : sides_) {
       side.stops.clear();
+      side.stops.reserve(crossings_.size());
       side.rings.assign(side.polygon.ringCount(), {});
     }
     for (const EdgeCrossing& c : crossings_) {

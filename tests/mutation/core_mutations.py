@@ -352,7 +352,7 @@ MUTATIONS = [
     ("src/overlap/contacts.cpp", "if (component.crossings.empty()) return byNearestEdge(component);", "", "contacts: containments"),
     ("src/overlap/contacts.cpp", "if (!component.inner) return ofTouch(component);", "", "contacts: touches by faces"),
     ("src/overlap/contacts.cpp", "return slope(f) < slope(e) ? f : e;", "return e;", "contacts: of a vertex' edges the steeper one"),
-    ("src/overlap/contacts.cpp", "consider({-normal, depth, flatterOfA(deepest, normal), edgeOfFace(false, from, to, deepest.at), false}, best);", "", "contacts: faces of b, convex"),
+    ("src/overlap/contacts.cpp", "forEachFace(b, a, tryFaceOf(false));", "", "contacts: faces of b, convex"),
     ("src/overlap/contacts.cpp", "(component.points.front().a < 0 ? best.edge_a : best.edge_b) = -1;", ";", "contacts: edges of the outer one in a containment, convex"),
     ("src/overlap/contacts.cpp", "consider({-normal, depth, flatterOfA(deepest, normal), edge, false}, edge >= 0 ? best : bridging);", "", "contacts: faces of b"),
     ("src/overlap/contacts.cpp", "if (exit.edge_a < 0 || exit.edge_b < 0) completeEdges(component, exit);", "", "contacts: the edge at a vertex of the other"),
@@ -594,7 +594,7 @@ MUTATIONS = [
     ("src/apart/edge_distance.cpp", "if (v.distance <= 2 * error_) {", "if (v.distance < 2 * error_ - 2 * error_) {", "distance: where they meet, two points"),
     ("src/overlap/touch_normal.cpp", "    edges_b.push_back(crossings[k].edge_b);\n", "", "contacts: b's edges at a touch"),
     ("src/overlap/touch_normal.cpp", "      best = normal;\n    }", "    }", "contacts: a touch's best normal"),
-    ("src/overlap/contacts.cpp", "exit.normal.dot(towards_b_) > best.normal.dot(towards_b_)))\n      best", "exit.normal.dot(towards_b_) < best.normal.dot(towards_b_)))\n      best", "contacts: of equally deep ways the one back"),
+    ("src/overlap/contacts.cpp", "exit.normal.dot(towards_b_) > best.normal.dot(towards_b_));\n    if (better)", "exit.normal.dot(towards_b_) < best.normal.dot(towards_b_));\n    if (better)", "contacts: of equally deep ways the one back"),
     # Cubic ways, and margins of impacts.
     ("src/apart/cubic.h", "((third * t + second) * t + first) * t", "((third * t + second) * t + first)", "cubic: value"),
     ("src/apart/cubic.h", "first + t * (2 * second + 3 * t * third)", "first + t * (second + 3 * t * third)", "cubic: rate"),
