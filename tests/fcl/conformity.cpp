@@ -166,6 +166,11 @@ TEST_F(Conformity, collision) {
     const fcl::CollisionResultd result = collide(pair, 1.5, {1, false, 1, true});
     return contacts(result) + ", " + std::to_string(result.numCostSources());
   });
+  same("the other one free, enable_cost: contacts, sources", "0, 0", [](const Pair& pair) {
+    pair.b->cost_density = 0;
+    const fcl::CollisionResultd result = collide(pair, 1.5, {1, false, 1, true});
+    return contacts(result) + ", " + std::to_string(result.numCostSources());
+  });
   same("gjk_solver_type = GST_INDEP: depth", "0.5", [](const Pair& pair) {
     return text(collide(pair, 1.5, {1, true, 1, false, true, fcl::GST_INDEP}).getContact(0).penetration_depth);
   });

@@ -170,6 +170,18 @@ TEST(MixedCollideWhere, atAllHeightsWhatLeansIsMetAnywhere) {
   EXPECT_FALSE(meets(fcl::Planed(1, 0, 0, 0), 2));
 }
 
+/// The edge from below the plane to its right is the last one of either face that has it.
+TEST(MixedCollideWhere, edgesThatCloseFacesAreCut) {
+  using Corners = std::vector<Vec3>;
+  const auto corners = std::make_shared<const Corners>(Corners{{0, 0, -1}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1}});
+  const auto faces =
+      std::make_shared<const std::vector<int>>(std::vector<int>{3, 1, 2, 0, 3, 0, 3, 1, 3, 0, 2, 3, 3, 1, 3, 2});
+  const fcl::Convexd pyramid(corners, 4, faces);
+  EXPECT_TRUE(
+      squareMeets(pyramid, shifted<double>(-1.5 + 1e-9, 0, 0)));  // its corner is at x = 0.5, the square's at -1
+  EXPECT_FALSE(squareMeets(pyramid, shifted<double>(-1.5 - 1e-9, 0, 0)));
+}
+
 TEST(MixedCollideWhere, touchingCountsAndRoundingNeverPartsWhatTouches) {
   const fcl::Transform3d here = fcl::Transform3d::Identity();
   for (const double size : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {

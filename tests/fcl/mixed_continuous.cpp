@@ -126,6 +126,19 @@ TEST_F(MixedContinuous, aRodTurnsIntoASphere) {
   }
 }
 
+/// A round outline is made finer wherever it is met.
+TEST_F(MixedContinuous, aSpheroidIsRoundAllAround) {
+  const auto tip_shape = tip<double>();
+  const fcl::Ellipsoidd spheroid(1, 1, 2);
+  for (int i = 0; i < 12; ++i) {
+    const fcl::Transform3d pose = placed<double>({0, 0, 0}, turned(0.37 * i, Vec3::UnitZ()));
+    const double found =
+        time(*tip_shape, shifted<double>(5, 0, 0), shifted<double>(0, 0, 0), spheroid, pose, pose, fcl::CCDM_TRANS);
+    EXPECT_NEAR(found, 0.8, kEarliest) << i;
+    EXPECT_LE(found, 0.8 + 1e-12) << i;
+  }
+}
+
 TEST_F(MixedContinuous, nothingTunnels) {
   const PolygonShaped bullet(tricover::Polygon({tricover::support::rectangle(0, 0, 1e-3, 1e-3)}));
   const fcl::Boxd wall(1e-3, 10, 10);
