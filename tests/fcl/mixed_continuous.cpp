@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "mixed_scene.h"
+#include "tricover/segment.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -128,12 +129,13 @@ TEST_F(MixedContinuous, aRodTurnsIntoASphere) {
 
 /// A round outline is made finer wherever it is met.
 TEST_F(MixedContinuous, aSpheroidIsRoundAllAround) {
-  const auto tip_shape = tip<double>();
+  const PolygonShaped dot(tricover::point({0, 0}));
   const fcl::Ellipsoidd spheroid(1, 1, 2);
+  const fcl::Transform3d here = fcl::Transform3d::Identity();
   for (int i = 0; i < 12; ++i) {
-    const fcl::Transform3d pose = placed<double>({0, 0, 0}, turned(0.37 * i, Vec3::UnitZ()));
-    const double found =
-        time(*tip_shape, shifted<double>(5, 0, 0), shifted<double>(0, 0, 0), spheroid, pose, pose, fcl::CCDM_TRANS);
+    const double angle = 0.37 * i;
+    const double found = time(dot, shifted<double>(5 * std::cos(angle), 5 * std::sin(angle), 0), here, spheroid, here,
+                              here, fcl::CCDM_TRANS);
     EXPECT_NEAR(found, 0.8, kEarliest) << i;
     EXPECT_LE(found, 0.8 + 1e-12) << i;
   }
