@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "scene.h"
 #include "test_scale.h"
@@ -144,6 +145,34 @@ TEST(Continuous, turnsCount) {
                                     placed(0, 0, 8), requestFor(type), ours);
     EXPECT_EQ(ours.is_collide, type != fcl::CCDM_TRANS);  // which drops the turn, as FCL's does
     EXPECT_NEAR(ours.time_of_contact, type != fcl::CCDM_TRANS ? truth : 1, 2e-9);
+  }
+}
+
+/// Leaves memory behind, of the size of FCL's motions, that is full of this number.
+void leaveBehind(double rest) {
+  std::vector<std::vector<double>> blocks;
+  for (std::size_t more = 0; more < 16; ++more)
+    for (int i = 0; i < 8; ++i) blocks.emplace_back(sizeof(fcl::InterpMotion<double>) / sizeof rest + more, rest);
+}
+
+TEST(Continuous, fclsTurnsBetweenTwoPosesAreAboutTheOrigin) {
+  const Shape<double> rod = shapeOf(tricover::Polygon({tricover::support::rectangle(0, -0.1, 10, 0.1)}));
+  const fcl::Transform3d begin = placed(0, 0, 0), end = placed(2, 1, 0), there = placed(0, 0, 8);
+  const fcl::CollisionObjectd object(rod, begin), post(kSquare, there);
+  const fcl::ContinuousCollisionRequestd request = requestFor(fcl::CCDM_LINEAR);
+  fcl::ContinuousCollisionResultd expected;
+  tricover_fcl::continuousCollide(rod.get(), begin, end, kSquare.get(), there, there, request, expected);
+  ASSERT_TRUE(expected.is_collide);
+  for (const double rest : {7.5, 1e20, std::numeric_limits<double>::quiet_NaN()}) {
+    fcl::ContinuousCollisionResultd geometries, objects;
+    leaveBehind(rest);
+    fcl::continuousCollide(rod.get(), begin, end, kSquare.get(), there, there, request, geometries);
+    leaveBehind(rest);
+    fcl::continuousCollide(&object, end, &post, there, request, objects);
+    for (const auto* result : {&geometries, &objects}) {
+      EXPECT_EQ(result->time_of_contact, expected.time_of_contact) << rest;
+      EXPECT_TRUE(result->contact_tf1.isApprox(expected.contact_tf1)) << rest;
+    }
   }
 }
 

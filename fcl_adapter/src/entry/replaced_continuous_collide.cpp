@@ -18,11 +18,22 @@ FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const Moti
                                     const CollisionGeometry<double>*, const MotionBase<double>*,
                                     const ContinuousCollisionRequest<double>&, ContinuousCollisionResult<double>&);
 
+template <typename S>
+FCL_EXPORT S continuousCollide(const CollisionGeometry<S>*, const Transform3<S>&, const Transform3<S>&,
+                               const CollisionGeometry<S>*, const Transform3<S>&, const Transform3<S>&,
+                               const ContinuousCollisionRequest<S>&, ContinuousCollisionResult<S>&);
+template <>
+FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const Transform3<double>&,
+                                    const Transform3<double>&, const CollisionGeometry<double>*,
+                                    const Transform3<double>&, const Transform3<double>&,
+                                    const ContinuousCollisionRequest<double>&, ContinuousCollisionResult<double>&);
+
 }  // namespace fcl
 
 #include <fcl/narrowphase/continuous_collision.h>
 
 #include <iostream>
+#include <memory>
 
 #include "shape/errors.h"
 #include "shape/is_polygon.h"
@@ -30,6 +41,10 @@ FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const Moti
 
 namespace tricover_fcl {
 namespace {
+
+bool oneIsPolygon(const fcl::CollisionGeometry<double>& o1, const fcl::CollisionGeometry<double>& o2) {
+  return isPolygon(o1) || isPolygon(o2);
+}
 
 void requireSolver(fcl::CCDSolverType solver) {
   if (solver != fcl::CCDC_RAY_SHOOTING && solver != fcl::CCDC_POLYNOMIAL_SOLVER) return;
@@ -56,12 +71,42 @@ TRICOVER_ELSEWHERE(GJKSolver_indep<double>)
 
 }  // namespace detail
 
+/// As FCL's own, but that of polygons a CCDM_LINEAR motion has a reference point, the origin: FCL leaves it
+/// uninitialised, and turns about whatever is there.
+template <>
+double continuousCollide(const CollisionGeometry<double>* o1, const Transform3<double>& tf1_beg,
+                         const Transform3<double>& tf1_end, const CollisionGeometry<double>* o2,
+                         const Transform3<double>& tf2_beg, const Transform3<double>& tf2_end,
+                         const ContinuousCollisionRequest<double>& request, ContinuousCollisionResult<double>& result) {
+  const bool has_polygon = tricover_fcl::oneIsPolygon(*o1, *o2);
+  // Made shared, because libfcl's own delete frees what a program in C++17 gets from another new.
+  const auto between = [&](const Transform3<double>& begin,
+                           const Transform3<double>& end) -> std::shared_ptr<MotionBase<double>> {
+    switch (request.ccd_motion_type) {
+      case CCDM_TRANS:
+        return std::make_shared<TranslationMotion<double>>(begin, end);
+      case CCDM_LINEAR:
+        if (!has_polygon) return std::make_shared<InterpMotion<double>>(begin, end);
+        return std::make_shared<InterpMotion<double>>(begin.linear(), begin.translation(), end.linear(),
+                                                      end.translation(), Vector3<double>::Zero());
+      case CCDM_SCREW:
+        return std::make_shared<ScrewMotion<double>>(begin, end);
+      case CCDM_SPLINE:
+        return std::make_shared<SplineMotion<double>>(begin, end);
+      default:
+        return nullptr;
+    }
+  };
+  const auto motion1 = between(tf1_beg, tf1_end), motion2 = between(tf2_beg, tf2_end);
+  return continuousCollide<double>(o1, motion1.get(), o2, motion2.get(), request, result);
+}
+
 /// As FCL's own, in all but polygons.
 template <>
 double continuousCollide(const CollisionGeometry<double>* o1, const MotionBase<double>* motion1,
                          const CollisionGeometry<double>* o2, const MotionBase<double>* motion2,
                          const ContinuousCollisionRequest<double>& request, ContinuousCollisionResult<double>& result) {
-  const bool has_polygon = tricover_fcl::isPolygon(*o1) || tricover_fcl::isPolygon(*o2);
+  const bool has_polygon = tricover_fcl::oneIsPolygon(*o1, *o2);
   if (has_polygon) tricover_fcl::requireSolver(request.ccd_solver_type);
   const auto both = [&](OBJECT_TYPE type) {
     return o1->getObjectType() == type && o2->getObjectType() == type && request.ccd_motion_type == CCDM_TRANS;
