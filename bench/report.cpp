@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -173,7 +174,7 @@ std::string csv(const std::vector<Result>& results) {
     const Workload& w = result.workload;
     for (const Timing& t : result.timings) {
       out << w.job << ',' << w.scene << ',' << w.name << ',' << w.vertices_fixed << ',' << w.vertices_moving << ','
-          << w.positions << ',' << result.collisions << ',' << result.exact_calls << ',' << t.name << ','
+          << w.positions << ',' << result.collisions << ',' << result.exact_calls << ',' << std::quoted(t.name) << ','
           << rounded(t.ns, 2) << ',' << t.checked << ',' << t.false_alarms << ',' << t.misses << '\n';
     }
   }
