@@ -93,7 +93,7 @@ MUTATIONS = [
     ("fcl_adapter/src/entry/table_rows.h", "matrix[fcl::GEOM_TRIANGLE][other] = matrix[other][fcl::GEOM_TRIANGLE] = ours;", "matrix[fcl::GEOM_TRIANGLE][other] = ours;", "tables: the column"),
     ("fcl_adapter/src/entry/collide.cpp", "checkLength(options.margin, \"margin\");", "", "options: a negative margin that a shape's makes good for"),
     ("fcl_adapter/src/entry/continuous_collide.cpp", "if (screw->getAngularVelocity() != 0) return screw;", "return screw;", "motions: a screw without a turn"),
-    ("fcl_adapter/src/entry/replaced_continuous_collide.cpp", "if (!has_polygon) return", "if (true) return", "motions: turns about memory that FCL leaves uninitialised"),
+    ("fcl_adapter/src/entry/replaced_continuous_collide.cpp", "end.translation(), Vector3<double>::Zero()", "end.translation(), Vector3<double>::Ones()", "motions: turns about memory that FCL leaves uninitialised"),
     # Splines and margins in motion.
     ("fcl_adapter/src/shape/motion_in_plane.cpp", "in_plane.pivot = in_plane.start.translation();", "", "spline: pivot"),
     ("fcl_adapter/src/shape/motion_in_plane.cpp", "(turns && tilt > tricover::kRigidTolerance) || highest", "highest", "spline: tilts"),
@@ -109,7 +109,7 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/course.cpp", "if (speed(0) == 0) return {Motion::still(pose(0)), {}, {}};", "", "own motion: standing still isn't noticed"),
     ("fcl_adapter/src/shape/motion_in_plane.cpp", "if (!(std::abs(planar.z) <= rise)) refuseDeparture(name);", "", "own motion: rises"),
     ("fcl_adapter/src/mixed/advance_mixed.cpp", "motion.pivot = pose.inverse() * motion.pivot;", "", "advancement of a stadium: its pivot"),
-    ("fcl_adapter/src/entry/replaced_continuous_collide.cpp", "return isPolygon(o1) || isPolygon(o2);", "return false;", "ray shooting: says free of polygons"),
+    ("fcl_adapter/src/entry/replaced_continuous_collide.cpp", "tricover_fcl::isPolygon(*o1) || tricover_fcl::isPolygon(*o2)", "false", "ray shooting: says free of polygons"),
     # Discs and stadiums, margins of distances, all heights.
     ("fcl_adapter/src/shadow/stadium.cpp", "std::sqrt((radius - height) * (radius + height)) * (1 + 0x1p-50)", "radius", "ball: its section"),
     ("fcl_adapter/src/shadow/stadium.cpp", "if (!in_slab && !lies) return std::nullopt;", "", "capsule: leans"),

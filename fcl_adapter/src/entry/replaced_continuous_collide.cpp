@@ -42,10 +42,6 @@ FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const Tran
 namespace tricover_fcl {
 namespace {
 
-bool oneIsPolygon(const fcl::CollisionGeometry<double>& o1, const fcl::CollisionGeometry<double>& o2) {
-  return isPolygon(o1) || isPolygon(o2);
-}
-
 void requireSolver(fcl::CCDSolverType solver) {
   if (solver != fcl::CCDC_RAY_SHOOTING && solver != fcl::CCDC_POLYNOMIAL_SOLVER) return;
   refuseQuestion("ccd_solver_type", "FCL's ray shooting and polynomial solver know no polygons, and would say \"free\"",
@@ -71,14 +67,13 @@ TRICOVER_ELSEWHERE(GJKSolver_indep<double>)
 
 }  // namespace detail
 
-/// As FCL's own, but that of polygons a CCDM_LINEAR motion has a reference point, the origin: FCL leaves it
-/// uninitialised, and turns about whatever is there.
+/// As FCL's own, but that a CCDM_LINEAR motion has a reference point, the origin: FCL leaves it uninitialised, and
+/// turns about whatever is there.
 template <>
 double continuousCollide(const CollisionGeometry<double>* o1, const Transform3<double>& tf1_beg,
                          const Transform3<double>& tf1_end, const CollisionGeometry<double>* o2,
                          const Transform3<double>& tf2_beg, const Transform3<double>& tf2_end,
                          const ContinuousCollisionRequest<double>& request, ContinuousCollisionResult<double>& result) {
-  const bool has_polygon = tricover_fcl::oneIsPolygon(*o1, *o2);
   // Made shared, because libfcl's own delete frees what a program in C++17 gets from another new.
   const auto between = [&](const Transform3<double>& begin,
                            const Transform3<double>& end) -> std::shared_ptr<MotionBase<double>> {
@@ -86,7 +81,6 @@ double continuousCollide(const CollisionGeometry<double>* o1, const Transform3<d
       case CCDM_TRANS:
         return std::make_shared<TranslationMotion<double>>(begin, end);
       case CCDM_LINEAR:
-        if (!has_polygon) return std::make_shared<InterpMotion<double>>(begin, end);
         return std::make_shared<InterpMotion<double>>(begin.linear(), begin.translation(), end.linear(),
                                                       end.translation(), Vector3<double>::Zero());
       case CCDM_SCREW:
@@ -106,7 +100,7 @@ template <>
 double continuousCollide(const CollisionGeometry<double>* o1, const MotionBase<double>* motion1,
                          const CollisionGeometry<double>* o2, const MotionBase<double>* motion2,
                          const ContinuousCollisionRequest<double>& request, ContinuousCollisionResult<double>& result) {
-  const bool has_polygon = tricover_fcl::oneIsPolygon(*o1, *o2);
+  const bool has_polygon = tricover_fcl::isPolygon(*o1) || tricover_fcl::isPolygon(*o2);
   if (has_polygon) tricover_fcl::requireSolver(request.ccd_solver_type);
   const auto both = [&](OBJECT_TYPE type) {
     return o1->getObjectType() == type && o2->getObjectType() == type && request.ccd_motion_type == CCDM_TRANS;
@@ -117,8 +111,8 @@ double continuousCollide(const CollisionGeometry<double>* o1, const MotionBase<d
     case CCDC_CONSERVATIVE_ADVANCEMENT: {
       const double time = continuousCollideConservativeAdvancement(o1, motion1, o2, motion2, request, result);
       if (has_polygon && result.is_collide) {
-        result.contact_tf1 = tricover_fcl::poseAt(*motion1, time);
-        result.contact_tf2 = tricover_fcl::poseAt(*motion2, time);
+        if (tricover_fcl::isSpoiled(*motion1)) result.contact_tf1 = tricover_fcl::poseAt(*motion1, time);
+        if (tricover_fcl::isSpoiled(*motion2)) result.contact_tf2 = tricover_fcl::poseAt(*motion2, time);
       }
       return time;
     }

@@ -36,11 +36,13 @@ struct Ends : fcl::InterpMotion<S> {
   /// Whether it slides, and what is in its reference point's place spoils where it begins.
   static bool areAlone(const fcl::InterpMotion<S>& motion) {
     if (motion.getAngularVelocity() != 0) return false;
+    const fcl::Vector3<S>& at = begin(motion).translation();
+    const S size = at.cwiseAbs().sum() + shift(motion).cwiseAbs().sum();
+    // Nothing is lost by a point that is about as near.
+    if (motion.getReferencePoint().cwiseAbs().sum() <= 8 * size) return false;
     fcl::Transform3<S> pose;
     motion.integrate(0);
     motion.getCurrentTransform(pose);
-    const fcl::Vector3<S>& at = begin(motion).translation();
-    const S size = at.cwiseAbs().sum() + shift(motion).cwiseAbs().sum();
     return !((pose.translation() - at).cwiseAbs().sum() <= 64 * std::numeric_limits<S>::epsilon() * size);
   }
 };
@@ -133,15 +135,19 @@ tricover::Motion splineInPlane(const fcl::SplineMotion<S>& spline, const Plane& 
 }  // namespace
 
 template <typename S>
+bool isSpoiled(const fcl::MotionBase<S>& motion) {
+  return typeid(motion) == typeid(fcl::InterpMotion<S>) &&
+         Ends<S>::areAlone(static_cast<const fcl::InterpMotion<S>&>(motion));
+}
+
+template <typename S>
 fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time) {
   fcl::Transform3<S> pose;
-  if (typeid(motion) == typeid(fcl::InterpMotion<S>)) {
+  if (isSpoiled(motion)) {
     const auto& interpolation = static_cast<const fcl::InterpMotion<S>&>(motion);
-    if (Ends<S>::areAlone(interpolation)) {
-      pose = Ends<S>::begin(interpolation);
-      pose.translation() += time * Ends<S>::shift(interpolation);
-      return pose;
-    }
+    pose = Ends<S>::begin(interpolation);
+    pose.translation() += time * Ends<S>::shift(interpolation);
+    return pose;
   }
   motion.integrate(time);
   motion.getCurrentTransform(pose);
@@ -193,6 +199,8 @@ std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>& motion, 
   return in_plane;
 }
 
+template bool isSpoiled(const fcl::MotionBase<float>&);
+template bool isSpoiled(const fcl::MotionBase<double>&);
 template fcl::Transform3<float> poseAt(const fcl::MotionBase<float>&, float);
 template fcl::Transform3<double> poseAt(const fcl::MotionBase<double>&, double);
 template tricover::Pose poseInPlane(const fcl::Transform3<float>&, const fcl::Transform3<float>&, const Plane&,

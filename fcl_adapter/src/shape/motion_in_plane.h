@@ -22,6 +22,10 @@ S roundDown(double time) {
   return static_cast<double>(rounded) <= time ? rounded : std::nextafter(rounded, S(0));
 }
 
+/// Whether a motion's own poses are made of uninitialised memory: see Ends.
+template <typename S>
+bool isSpoiled(const fcl::MotionBase<S>& motion);
+
 /// The pose at `time` as FCL rounds it.
 template <typename S>
 fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time);
