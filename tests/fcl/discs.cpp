@@ -110,6 +110,22 @@ TEST(Discs, areExact) {
   expectExact<float>(2);
 }
 
+/// Centres as far apart as the hypotenuses of Pythagorean triangles are long, whose squares no double holds.
+TEST(Discs, thatTouchAreNotApartByARoundedRoot) {
+  Random random(3);
+  int rounded = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double m = random.integer(1 << 24, 1 << 25), n = random.integer(1, 1 << 24);
+    const double x = m * m - n * n, y = 2 * m * n, apart = m * m + n * n;
+    const Shape<double> a = disc(apart - 1), b = disc(1);
+    const fcl::Transform3d here = fcl::Transform3d::Identity(), there = lifted(tricover::support::pose(0, x, y));
+    ASSERT_EQ(collide(a, here, b, there), 1u) << i;
+    ASSERT_EQ(distanceOf(a, here, b, there).min_distance, 0) << i;
+    rounded += std::sqrt(x * x + y * y) > apart;
+  }
+  EXPECT_GT(rounded, 3);
+}
+
 TEST(Discs, arePointsAtTheOrigin) {
   EXPECT_TRUE(disc(1)->isDisc());
   EXPECT_TRUE(disc(0, {-0.0, 0.0})->isDisc());
