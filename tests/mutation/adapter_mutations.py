@@ -116,7 +116,7 @@ MUTATIONS = [
     ("fcl_adapter/src/shadow/stadium.cpp", "if (slope * (half_length + radius) > Stadium::kError * (radius + half_length)) return std::nullopt;", "", "cylinder: leans"),
     ("fcl_adapter/src/shadow/stadium.cpp", "place.outside(rise) == 0, place", "true, place", "cylinder: beyond the heights"),
     ("fcl_adapter/src/shadow/stadium.cpp", "if (slot.half_length != half_length) slot", "slot", "segments: one for each query (equivalent but for time)"),
-    ("fcl_adapter/src/mixed/stadium_pair.cpp", "if (of_polygon.matrix()(2, 2) < 0) other.slab = {-z_high, -z_low};", "", "stadium: a prism upside down"),
+    ("fcl_adapter/src/mixed/stadium_pair.cpp", "return {-shape.z_high, -shape.z_low};", "return {shape.z_low, shape.z_high};", "stadium: a prism upside down"),
     ("fcl_adapter/src/mixed/stadium_pair.cpp", "rise >= slab.low && rise <= slab.high", "rise <= slab.high", "ball: a section below the heights"),
     ("fcl_adapter/src/mixed/stadium_pair.h", "more == 0 ? radius : (radius + more)", "true ? radius : (radius + more)", "stadium: margins"),
     ("fcl_adapter/src/shape/nearest_points.h", "found.point_b -= margin_b * towards;", "", "distance: a nearest point within the margin"),

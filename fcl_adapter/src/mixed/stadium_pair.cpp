@@ -52,6 +52,13 @@ Vec3 column(const fcl::Transform3<S>& transform, int i) {
   return transform.matrix().col(i).template head<3>().template cast<double>();
 }
 
+/// The heights of a shape whose pose is upright.
+template <typename S>
+Slab slabOf(const PolygonOptions& shape, const fcl::Transform3<S>& pose) {
+  if (pose.matrix()(2, 2) < 0) return {-shape.z_high, -shape.z_low};
+  return {shape.z_low, shape.z_high};
+}
+
 bool isRound(fcl::NODE_TYPE type) {
   return type == fcl::GEOM_SPHERE || type == fcl::GEOM_CYLINDER || type == fcl::GEOM_CAPSULE;
 }
@@ -61,13 +68,13 @@ bool isRound(fcl::NODE_TYPE type) {
 template <typename S>
 typename StadiumPair<S>::Other StadiumPair<S>::place(const fcl::Transform3<S>& of_polygon,
                                                      const fcl::Transform3<S>& of_other) {
-  const double z_low = shape.options().z_low, z_high = shape.options().z_high;
-  Other other{{z_low, z_high}, column(of_other, 3), column(of_other, 2), 0, 0};
+  const PolygonOptions& options = shape.options();
+  Other other{{options.z_low, options.z_high}, column(of_other, 3), column(of_other, 2), 0, 0};
   is_level_ = isUpright(of_polygon);
   if (is_level_) {
     const auto z = static_cast<double>(of_polygon.matrix()(2, 3));
     setPlanarPart(pose, of_polygon);
-    if (of_polygon.matrix()(2, 2) < 0) other.slab = {-z_high, -z_low};
+    other.slab = slabOf(options, of_polygon);
     height_ = z + other.slab.middle();
     other.rounding_z = 0x1p-50 * (std::abs(z) + std::abs(other.center.z()));
     other.center.z() -= z;
@@ -87,9 +94,7 @@ template <typename S>
 bool StadiumPair<S>::placeBall(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_ball,
                                double of_radius) {
   if (!(isUpright(of_polygon) && of_radius >= 0 && of_radius <= std::numeric_limits<double>::max())) return false;
-  const PolygonOptions& options = shape.options();
-  const bool upside_down = of_polygon.matrix()(2, 2) < 0;
-  const Slab slab = upside_down ? Slab{-options.z_high, -options.z_low} : Slab{options.z_low, options.z_high};
+  const Slab slab = slabOf(shape.options(), of_polygon);
   const auto z = static_cast<double>(of_polygon.matrix()(2, 3)), rise = static_cast<double>(of_ball.matrix()(2, 3)) - z;
   if (!(rise >= slab.low && rise <= slab.high)) return false;
   found = StadiumCase::Pair;

@@ -31,8 +31,6 @@ DistanceResult distanceTo(const Polygon& polygon, const Vec2& point) {
   return tricover::distance(polygon, Pose::Identity(), origin, there);
 }
 
-}  // namespace
-
 /// A lower bound of the distance from the polygon to all that isn't beyond the line through `point` across `normal`.
 /// Differences round by U, products and their sum by 2U, the normal's length by 2U; nothing is known of what overflows.
 double distanceBeyond(const Polygon& polygon, const Vec2& point, const Vec2& normal) {
@@ -47,6 +45,8 @@ double distanceBeyond(const Polygon& polygon, const Vec2& point, const Vec2& nor
   }
   return least;
 }
+
+}  // namespace
 
 /// The distance is between `lower` and nearest.distance.
 struct SmoothShadow::Approach {
