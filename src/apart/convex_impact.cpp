@@ -24,7 +24,7 @@ class Body {
     }
   }
 
-  const SmallConvex& convex() const { return convex_; }
+  const SmallRing& convex() const { return convex_; }
 
   /// The farthest that it reaches along an axis from S, at both ends of a window.
   Double2 reach(const Places& p, Double2 nx, Double2 ny) const {
@@ -63,8 +63,8 @@ class Body {
 
  private:
   const Mover& mover_;
-  const SmallConvex& convex_;
-  double x_[SmallConvex::kMost], y_[SmallConvex::kMost];
+  const SmallRing& convex_;
+  double x_[SmallRing::kMost], y_[SmallRing::kMost];
 };
 
 class ConvexAdvancement {

@@ -35,7 +35,7 @@ unsigned edgesAt(unsigned vertices, int n) { return vertices | vertices >> 1 | (
 
 class ConvexSearch {
  public:
-  ConvexSearch(const PosedPair& pair, const EdgeDistances& edges, const SmallConvex& a, const SmallConvex& b,
+  ConvexSearch(const PosedPair& pair, const EdgeDistances& edges, const SmallRing& a, const SmallRing& b,
                const DistanceOptions& options)
       : map_(mapUnits(pair)), rounding_(gapRounding(pair)), a_(a), b_(b), edges_(edges), options_(options) {}
 
@@ -120,7 +120,7 @@ class ConvexSearch {
 
   /// Whether the edge i or j and the start of the other, or an end of that edge, are the nearest features.
   bool besideEdge(bool of_a, int i, int j) {
-    const SmallConvex& polygon = of_a ? a_ : b_;
+    const SmallRing& polygon = of_a ? a_ : b_;
     const int e = of_a ? i : j, v = of_a ? j : i, next = e + 1 == polygon.count ? 0 : e + 1;
     const EdgeDistances::Foot foot = edges_.foot(of_a, position(e), position(v));
     const double inside = kInside * (foot.distance + edges_.b().unit) * foot.length;
@@ -188,7 +188,7 @@ class ConvexSearch {
 
   const UnitMap map_;
   const double rounding_;
-  const SmallConvex &a_, &b_;
+  const SmallRing &a_, &b_;
   const EdgeDistances& edges_;
   const DistanceOptions& options_;
   ConvexSupports supports_{};
@@ -197,7 +197,7 @@ class ConvexSearch {
 
 }  // namespace
 
-ConvexNearest nearestOfConvex(const EdgeDistances& edges, const SmallConvex& a, const SmallConvex& b,
+ConvexNearest nearestOfConvex(const EdgeDistances& edges, const SmallRing& a, const SmallRing& b,
                               const ConvexFeatures& tried, const DistanceOptions& options) {
   const PosedPair pair(edges.a(), edges.poseA(), edges.b(), edges.poseB());
   return ConvexSearch(pair, edges, a, b, options).find(tried);

@@ -28,7 +28,7 @@ struct ConvexNearest {
 };
 
 /// Unknown where they aren't clearly apart, nor clearly meet. Features of other poses are tried first.
-ConvexNearest nearestOfConvex(const EdgeDistances& edges, const SmallConvex& a, const SmallConvex& b,
+ConvexNearest nearestOfConvex(const EdgeDistances& edges, const SmallRing& a, const SmallRing& b,
                               const ConvexFeatures& tried, const DistanceOptions& options);
 
 }  // namespace tricover::detail

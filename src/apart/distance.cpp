@@ -285,7 +285,7 @@ ConvexFeatures hinted(DistanceCache& cache) {
 std::optional<DistanceResult> distanceOfConvex(const Pair& pair, const EdgeDistances& edges, DistanceCache* cache,
                                                const DistanceOptions& options) {
   if (pair.a.hasSpine() || pair.b.hasSpine()) return std::nullopt;
-  const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
+  const SmallRing *a = hierarchyOf(pair.a).small_convex, *b = hierarchyOf(pair.b).small_convex;
   if (a == nullptr || b == nullptr) return std::nullopt;
   const ConvexFeatures tried = cache != nullptr ? hinted(*cache) : ConvexFeatures();
   const ConvexNearest found = nearestOfConvex(edges, *a, *b, tried, options);

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "hierarchy/inner_discs.h"
-#include "hierarchy/small_convex.h"
+#include "hierarchy/small_ring.h"
 #include "numbers/rounding.h"
 
 namespace tricover::detail {
@@ -263,7 +263,8 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   blocks.shrink_to_fit();
   assert(isTree(*this, polygon));
   findInnerDiscs(polygon, local, *this);
-  small_convex = makeSmallConvex(polygon, local);
+  small_ring = makeSmallRing(polygon, local);
+  small_convex = small_ring && small_ring->convex ? small_ring.get() : nullptr;
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {

@@ -39,14 +39,17 @@ struct InnerDiscs {
   int count;
 };
 
-/// A convex polygon of few vertices as half planes, for convexMeet(): in units, vertices and edges padded to whole
-/// lanes by repeating the last one. A point p is beyond an edge by nx p.x + ny p.y - d.
-struct SmallConvex {
+/// A single ring of few vertices, in units, padded to whole lanes by repeating the last vertex and the last edge. A
+/// point p is beyond an edge's line by nx p.x + ny p.y - d: of a convex polygon outside, of another one to its right.
+struct SmallRing {
   static constexpr int kMost = 2 * kLanes;
   float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost];
-  int lanes;       ///< kLanes or kMost
-  int count;       ///< of vertices
-  float shortest;  ///< edge
+  float low_x, low_y, high_x, high_y;  ///< of the vertices
+  float shortest;                      ///< edge
+  int lanes;                           ///< kLanes or kMost
+  int count;                           ///< of vertices
+  FillRule fill;
+  bool convex;
 };
 
 /// The influence hierarchy of a polygon: a tree of boxes over chains of edges; a box grown by n is its chain's
@@ -63,7 +66,8 @@ struct Hierarchy : Derived::Thing {
   Vec2 inner_center;       ///< the first of them once more, in the polygon's frame
   double inner_radius;     ///< 0 if there is none
 
-  std::unique_ptr<const SmallConvex> small_convex;  ///< null unless the polygon is one
+  std::unique_ptr<const SmallRing> small_ring;  ///< null unless the polygon is one
+  const SmallRing* small_convex;                ///< the same if it is convex, otherwise null
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

@@ -31,8 +31,12 @@ void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(v
   table().visit_edges_on_ray(hierarchy, ray, visit, context);
 }
 
-Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
+Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
   return table().convex_meet(a, b, map, rounding);
+}
+
+Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
+  return table().rings_meet(a, b, map, rounding);
 }
 
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
@@ -58,20 +62,20 @@ void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)
 
 double depthInDiscs(const InnerDiscs& discs, const Place& place) { return table().depth_in_discs(discs, place); }
 
-ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
+ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
   return table().convex_gap(a, b, map);
 }
 
-ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
+ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
   return table().nearest_vertices(a, b, map);
 }
 
-ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
+ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const UnitMap& map, double x, double y,
                               double depth) {
   return table().convex_supports(a, b, map, x, y, depth);
 }
 
-ConvexCrossing convexCrossing(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
+ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
   return table().convex_crossing(a, b, map, rounding);
 }
 

@@ -117,7 +117,10 @@ double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, 
 enum class Meeting { Apart, Meet, Unknown };
 
 /// Two small convex polygons by separating axes. `map` goes from b's units to a's and puts b's S within 4 of a's.
-Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding);
+Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
+
+/// Two small rings by all of their edges, where floats are certain. `map` as for convexMeet().
+Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
 
 /// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
 /// vertex of the other is nearest to its line. It is a guess as good as floats.
@@ -126,13 +129,13 @@ struct ConvexGap {
   int edge, vertex;
   bool of_a;
 };
-ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& map);
+ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map);
 
 /// The vertices that are nearest to each other, as floats see it.
 struct ConvexVertices {
   int a, b;
 };
-ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const UnitMap& map);
+ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const UnitMap& map);
 
 /// A bit for each vertex whose depth along an axis, below the foremost vertex of its own polygon, is at most `depth`
 /// (a, b), or a quarter of that (foremost_a, foremost_b). The axis is a unit vector of a's frame and leads from a to b;
@@ -142,7 +145,7 @@ struct ConvexSupports {
   unsigned a, b, foremost_a, foremost_b;
   double gap;
 };
-ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
+ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const UnitMap& map, double x, double y,
                               double depth);
 
 /// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone (the other -1) of the
@@ -150,7 +153,7 @@ ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const 
 struct ConvexCrossing {
   int edge_a, edge_b;
 };
-ConvexCrossing convexCrossing(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding);
+ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
 
 /// A coordinate is below 1 and rounded once, the axis twice, then come products, a sum, the scale and the difference;
 /// for two vertices, and twice as much. A pose's defect changes the axis in b's frame by 2e-6 at most.

@@ -4,6 +4,7 @@
 
 #include "hierarchy/wide_descent.h"
 #include "hierarchy/wide_point.h"
+#include "hierarchy/wide_rings.h"
 #include "hierarchy/wide_shapes.h"
 #include "hierarchy/wide_table.h"
 
@@ -14,7 +15,7 @@ constexpr WideTable tableOf() {
   return {&findHit<Lanes>,          &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>, &convexMeet<Lanes>,
           &innerDepth<Lanes>,       &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
           &convexGap<Lanes>,        &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
-          &findNearestEdges<Lanes>, &convexCrossing<Lanes>};
+          &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>};
 }
 
 }  // namespace tricover::detail::wide

@@ -59,7 +59,7 @@ template <class Lanes>
 
 /// b's vertices in a's units.
 template <class Lanes>
-[[gnu::always_inline]] inline void mapVertices(const SmallConvex& b, const UnitMap& map, float* x, float* y) {
+[[gnu::always_inline]] inline void mapVertices(const SmallRing& b, const UnitMap& map, float* x, float* y) {
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
@@ -71,18 +71,35 @@ template <class Lanes>
   }
 }
 
+/// b's half planes in a's units.
+template <class Lanes>
+[[gnu::always_inline]] inline void mapHalfPlanes(const SmallRing& b, const UnitMap& map, float* nx, float* ny,
+                                                 float* d) {
+  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
+  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  for (int i = 0;;) {
+    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
+    const Lanes anx = bnx * r00 + bny * r01, any = bnx * r10 + bny * r11;
+    anx.store(nx + i);
+    any.store(ny + i);
+    (Lanes::load(b.d + i) * scale + anx * tx + any * ty).store(d + i);
+    if ((i += kLanes) >= b.lanes) break;
+  }
+}
+
 static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
 
 /// Convex polygons are apart if and only if some edge of either has all of the other beyond it. Rounding: points,
 /// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24; 8 times a
 /// gap's rounding is more.
 template <class Lanes>
-Meeting convexMeet(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
+Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
   const float slack = static_cast<float>(8 * rounding + map.error);
-  float x[SmallConvex::kMost], y[SmallConvex::kMost];
+  float x[SmallRing::kMost], y[SmallRing::kMost];
   mapVertices<Lanes>(b, map, x, y);
   unsigned inside = (1u << kLanes) - 1;
   for (int i = 0; i < a.lanes; i += kLanes) {
@@ -149,7 +166,7 @@ template <class Lanes>
   const float most = largest(larger(values.first, values.second));
   const Lanes limit = Lanes::all(most);
   const unsigned below = above(limit, values.first) | above(limit, values.second) << kLanes;
-  return {most, __builtin_ctz(~below | 1u << (SmallConvex::kMost - 1))};
+  return {most, __builtin_ctz(~below | 1u << (SmallRing::kMost - 1))};
 }
 
 /// The first vertex that is farthest back along an axis.
@@ -163,8 +180,8 @@ template <class Lanes>
 }
 
 template <class Lanes>
-ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
-  float x[SmallConvex::kMost], y[SmallConvex::kMost];
+ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
+  float x[SmallRing::kMost], y[SmallRing::kMost];
   mapVertices<Lanes>(b, map, x, y);
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
@@ -189,8 +206,8 @@ ConvexGap convexGap(const SmallConvex& a, const SmallConvex& b, const UnitMap& m
 }
 
 template <class Lanes>
-ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const UnitMap& map) {
-  float x[SmallConvex::kMost], y[SmallConvex::kMost];
+ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
+  float x[SmallRing::kMost], y[SmallRing::kMost];
   mapVertices<Lanes>(b, map, x, y);
   float nearest = 1e30f;
   ConvexVertices found{0, 0};
@@ -217,8 +234,8 @@ ConvexVertices nearestVertices(const SmallConvex& a, const SmallConvex& b, const
 /// The vertices whose depth below the foremost one along an axis is at most `reach` and a quarter of that; returns how
 /// far the foremost one is.
 template <class Lanes>
-[[gnu::always_inline]] inline float foremost(const SmallConvex& polygon, float nx, float ny, float reach,
-                                             unsigned& near, unsigned& best) {
+[[gnu::always_inline]] inline float foremost(const SmallRing& polygon, float nx, float ny, float reach, unsigned& near,
+                                             unsigned& best) {
   const Values<Lanes> at = valuesOf<Lanes>(
       polygon.lanes, [&](int i) __attribute__((always_inline)) {
         return Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
@@ -236,7 +253,7 @@ template <class Lanes>
 }
 
 template <class Lanes>
-ConvexSupports convexSupports(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double x, double y,
+ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const UnitMap& map, double x, double y,
                               double depth) {
   const float nx = static_cast<float>(x), ny = static_cast<float>(y), reach = static_cast<float>(depth);
   const double bx = (map.r00 * nx + map.r10 * ny) * -map.scale, by = (map.r01 * nx + map.r11 * ny) * -map.scale;
@@ -293,24 +310,15 @@ template <class Lanes>
 
 /// Rounding as in convexMeet().
 template <class Lanes>
-ConvexCrossing convexCrossing(const SmallConvex& a, const SmallConvex& b, const UnitMap& map, double rounding) {
-  float x[SmallConvex::kMost], y[SmallConvex::kMost];
+ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
+  float x[SmallRing::kMost], y[SmallRing::kMost];
   mapVertices<Lanes>(b, map, x, y);
   const float slack = static_cast<float>(8 * rounding + map.error);
   const WayOut of_b = wayOut<Lanes>({a.nx, a.ny, a.d, a.lanes, a.count}, {x, y, b.lanes, b.count}, slack);
   if (of_b.plane >= 0) return {of_b.plane, of_b.vertex};
   if (of_b.vertex >= 0) return {-1, 0};
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
-  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
-  float nx[SmallConvex::kMost], ny[SmallConvex::kMost], d[SmallConvex::kMost];
-  for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
-    const Lanes anx = bnx * r00 + bny * r01, any = bnx * r10 + bny * r11;
-    anx.store(nx + i);
-    any.store(ny + i);
-    (Lanes::load(b.d + i) * scale + anx * tx + any * ty).store(d + i);
-  }
+  float nx[SmallRing::kMost], ny[SmallRing::kMost], d[SmallRing::kMost];
+  mapHalfPlanes<Lanes>(b, map, nx, ny, d);
   const WayOut of_a = wayOut<Lanes>({nx, ny, d, b.lanes, b.count}, {a.x, a.y, a.lanes, a.count}, slack);
   if (of_a.plane >= 0) return {of_a.vertex, of_a.plane};
   return of_a.vertex >= 0 ? ConvexCrossing{0, -1} : ConvexCrossing{-1, -1};

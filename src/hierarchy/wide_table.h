@@ -21,6 +21,7 @@ struct WideTable {
   decltype(&showEdgesNear) show_edges_near;
   decltype(&findNearestEdges) find_nearest_edges;
   decltype(&convexCrossing) convex_crossing;
+  decltype(&ringsMeet) rings_meet;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

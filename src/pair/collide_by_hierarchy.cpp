@@ -62,19 +62,20 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
   const UnitMap map = mapUnits(pair);
   const double rounding = gapRounding(pair);
   Outcome outcome;
+  const bool near = std::abs(map.tx) + std::abs(map.ty) < 4;  // false for NaN
+  if (a.small_ring && b.small_ring && near && wanted == Wanted::Answer && options.margin == 0) {
+    const auto meet = a.small_convex && b.small_convex ? &convexMeet : &ringsMeet;
+    const Meeting meeting = meet(*a.small_ring, *b.small_ring, map, rounding);
+    if (meeting != Meeting::Unknown) {
+      outcome.collides = meeting == Meeting::Meet;
+      return outcome;
+    }
+  }
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const double gap = rootGap(a.root, b.root, map, rounding);
   if (gap * pair.a.unit > pair.reach(options.margin) + lookahead) {
     outcome.clearance = gap * pair.a.unit;
     return outcome;
-  }
-  const bool near = std::abs(map.tx) + std::abs(map.ty) < 4;  // false for NaN
-  if (a.small_convex && b.small_convex && near && wanted == Wanted::Answer && options.margin == 0) {
-    const Meeting meeting = convexMeet(*a.small_convex, *b.small_convex, map, rounding);
-    if (meeting != Meeting::Unknown) {
-      outcome.collides = meeting == Meeting::Meet;
-      return outcome;
-    }
   }
   // Inner discs hardly meet unless the boxes are deep in each other.
   const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * map.scale);

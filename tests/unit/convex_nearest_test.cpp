@@ -67,7 +67,7 @@ int edgesThatMeet(const PosedPair& pair) {
 
 /// As distance() asks; Unknown unless both are small and convex.
 ConvexNearest nearestOf(const PosedPair& pair, const ConvexFeatures& tried = {}) {
-  const SmallConvex *a = hierarchyOf(pair.a).small_convex.get(), *b = hierarchyOf(pair.b).small_convex.get();
+  const SmallRing *a = hierarchyOf(pair.a).small_convex, *b = hierarchyOf(pair.b).small_convex;
   if (a == nullptr || b == nullptr) return {};
   return nearestOfConvex(EdgeDistances(pair.a, pair.pose_a, pair.b, pair.pose_b), *a, *b, tried, {});
 }

@@ -10,6 +10,7 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "pair/collide_by_hierarchy.h"
+#include "pair/pair_descent.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -171,10 +172,53 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
   EXPECT_LT(unknown, cases / 100);
 }
 
+/// Two rings of few vertices are asked by all of their edges: never wrong, and seldom at a loss.
+TEST(RingsMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
+  Random random(14);
+  int apart = 0, crossing = 0, inside = 0, unknown = 0;
+  const int cases = scaledCount(3000);
+  for (int i = 0; i < cases; ++i) {
+    const auto ring = [&](double size) {
+      const int n = random.integer(3, 16);
+      Ring vertices = star(random, n, 0.3 * size, size);
+      if (i % 4 == 0)  // crosses itself, winds around some places more than once
+        for (Vec2& p : vertices) p = size * Vec2(random.real(-1, 1), random.real(-1, 1));
+      if (random.coin()) vertices = reversed(vertices);
+      return Polygon({vertices}, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+    };
+    const double size = i % 3 == 0 ? 0.1 : 1, angle = random.real(0, 6.28), away = random.real(0, 1 + size);
+    const Pose pose_a = pose(random.real(0, 6.28), 1, 2);
+    const Case c{ring(1), random.coin() ? pose_a : mirrored(pose_a), ring(size),
+                 pose(random.real(0, 6.28), 1 + away * std::cos(angle), 2 + away * std::sin(angle))};
+    const PosedPair pair = largerFirst(c);
+    const auto &of_a = hierarchyOf(pair.a).small_ring, &of_b = hierarchyOf(pair.b).small_ring;
+    ASSERT_TRUE(of_a && of_b);
+    const auto answer = [&] { return ringsMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair)); };
+    const detail::Meeting meeting = answer();
+    {
+      const PortableLanes portable;
+      ASSERT_EQ(answer(), meeting);
+    }
+    if (meeting == detail::Meeting::Unknown) {
+      ++unknown;
+      continue;
+    }
+    const bool truth = exact::collide(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(meeting == detail::Meeting::Meet, truth) << reproduction(c);
+    const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
+    ++(!truth ? apart : outcome.edge_a >= 0 && outcome.edge_b >= 0 ? crossing : inside);
+  }
+  EXPECT_GT(apart, cases / 10);
+  EXPECT_GT(crossing, cases / 10);
+  EXPECT_GT(inside, cases / 50);
+  EXPECT_LT(unknown, cases / 100);
+}
+
 TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   const auto isSmallConvex = [](const Ring& ring) {
     return hierarchyOf(Polygon({ring}).data()).small_convex != nullptr;
   };
+  const auto isSmallRing = [](const Polygon& polygon) { return hierarchyOf(polygon.data()).small_ring != nullptr; };
   EXPECT_TRUE(isSmallConvex(regular(3, 1)));
   EXPECT_TRUE(isSmallConvex(regular(16, 1e200)));
   EXPECT_TRUE(isSmallConvex(reversed(regular(8, 1e-200))));
@@ -187,7 +231,11 @@ TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {2, 0}, {2, 2}})) << "a straight vertex: the general way's";
   EXPECT_FALSE(isSmallConvex({{2, 2}, {0, 0}, {1, 0}, {2, 0}}));
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}})) << "an edge too short to have a direction";
-  EXPECT_EQ(hierarchyOf(Polygon({regular(4, 1), regular(4, 0.5)}).data()).small_convex, nullptr);
+  EXPECT_FALSE(isSmallRing(Polygon({{{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}}})));
+  EXPECT_TRUE(isSmallRing(Polygon({pentagram})));
+  EXPECT_TRUE(isSmallRing(Polygon({{{0, 0}, {1, 0}, {2, 0}, {2, 2}}})));
+  EXPECT_FALSE(isSmallRing(Polygon({regular(17, 1)})));
+  EXPECT_FALSE(isSmallRing(Polygon({regular(4, 1), regular(4, 0.5)})));
 }
 
 /// Along the ray or edge by edge.
