@@ -10,6 +10,7 @@
 #include "measure.h"
 #include "report.h"
 #include "tradeoff_report.h"
+#include "value_extremes.h"
 #include "value_tradeoff.h"
 
 namespace tricover::bench {
@@ -101,8 +102,8 @@ int run(const std::string& data, const std::string& directory, bool full) {
   writeTradeoffData(scores, directory);
 
   const bool kept = keepsItsWord(scores), stable = runExtremes(directory, full),
-             right = runValueTradeoff(directory, full);
-  return kept && stable && right ? 0 : 1;
+             right = runValueTradeoff(directory, full), right_anywhere = runValueExtremes(directory, full);
+  return kept && stable && right && right_anywhere ? 0 : 1;
 }
 
 }  // namespace

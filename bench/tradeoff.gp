@@ -1,4 +1,4 @@
-# Draws tradeoff.svg, values.svg, accuracy.svg and extremes.svg from the .dat files of these names in the directory `report`.
+# Draws tradeoff.svg, values.svg, accuracy.svg, extremes.svg and value_extremes.svg from the .dat files of these names in the directory `report`.
 array family[14] = ["bounding discs", "influence areas", "tricover, tolerance", "tricover, plain float", \
   "tricover, plain double", "tricover, exact", "FCL MPR (libccd)", "FCL GJK (libccd)", "FCL GJK (indep)", "FCL BVH", \
   "GEOS", "Boost.Geometry", "Box2D overlap", "Box2D manifold"]
@@ -133,5 +133,43 @@ do for [sweep = 0:3] {
   set title word("'vertices moved by' 'poses moved by' 'scaled by' 'slivers, squeezed to'", sweep + 1) font ",14"
   plot report."/extremes.dat" index sweep using 1:2:5:xtic(4):ytic(bold(strcol(3))) with image pixels, \
     '' index sweep using 1:2:(percent($5)):(ink($5)) with labels font ",8" tc rgb variable
+}
+unset multiplot
+
+# value_extremes.svg: worst errors as colours; one row a query.
+set terminal svg size 1500,1130 font "sans-serif,11" background "white"
+set output report."/value_extremes.svg"
+set palette defined (0 "#dcfce7", 0.25 "#bbf7d0", 0.5 "#fef3c7", 0.8 "#fdba74", 1 "#ef4444")
+set cbrange [-16:0]
+array query[4] = ["distance", "time of impact", "contacts", "penetration"]
+array rows[4] = [9, 5, 4, 4]
+array off[4] = ["relative to the truth", "part of the motion", "relative to the size", "relative to the truth"]
+label(power, faults) = sprintf("%d", floor(power + 0.5)).(faults > 0 ? " !" : "")
+set multiplot title "Worst errors at the extremes, as powers of ten (-16 is best); !: wrong answers, exceptions, crashes" font ",16"
+top = 0.925
+do for [q = 1:4] {
+  bottom = top - 0.0292 * rows[q]
+  do for [sweep = 0:3] {
+    set lmargin at screen 0.115 + 0.2225 * sweep
+    set rmargin at screen 0.325 + 0.2225 * sweep
+    set tmargin at screen top
+    set bmargin at screen bottom
+    set yrange [rows[q] - 0.5:-0.5]
+    set title query[q].", ".word("'vertices moved by' 'poses moved by' 'scaled by' 'slivers, squeezed to'", sweep + 1) \
+      offset 0,-0.6 font ",12"
+    set format y sweep == 0 ? "%h" : ""
+    set ytics noenhanced
+    block = query[q]." ".sweep
+    if (sweep == 0) {
+      plot report."/value_extremes.dat" index block using 1:2:5:xtic(4):ytic(3) with image pixels, \
+        '' index block using 1:2:(label($5, $6)):(ink($5 > -1 ? 1 : 0)) with labels font ",9" tc rgb variable
+    } else {
+      set ytics ("" 0)
+      plot report."/value_extremes.dat" index block using 1:2:5:xtic(4) with image pixels, \
+        '' index block using 1:2:(label($5, $6)):(ink($5 > -1 ? 1 : 0)) with labels font ",9" tc rgb variable
+      set ytics autofreq
+    }
+  }
+  top = bottom - 0.082
 }
 unset multiplot

@@ -75,25 +75,6 @@ class InfluenceAreas : public OnScene {
   Pose inverse_;
 };
 
-/// For rivals that want the fixed polygon in the world: its vertices there, rounded as such a rival's user rounds them.
-Polygon inWorld(const Scene& scene) {
-  if (scene.fixed_pose.matrix() == Pose::Identity().matrix()) return scene.fixed;
-  std::vector<Ring> rings = scene.fixed.rings();
-  for (Ring& ring : rings) {
-    for (Vec2& v : ring) v = scene.fixed_pose * v;
-  }
-  return Polygon(std::move(rings), scene.fixed.fillRule());
-}
-
-template <class Call>
-class PosedBox2d : public Call {
- public:
-  explicit PosedBox2d(const Scene& scene) : Call(scene.fixed, scene.moving) {
-    Call::prepare({scene.fixed_pose});
-    this->identity_ = this->transforms_[0];
-  }
-};
-
 bool anything(const Scene&) { return true; }
 
 bool convex(const Polygon& polygon) {
@@ -142,6 +123,12 @@ class Methods {
   }
 
   template <class Answerer>
+  void addPosed(const std::string& family, bool (*takes)(const Scene&)) {
+    add(family, "", takes,
+        [](const Scene& scene) { return std::make_shared<Answerer>(scene.fixed, scene.moving, scene.fixed_pose); });
+  }
+
+  template <class Answerer>
   void addTolerances(const std::string& family, bool (*takes)(const Scene&), const std::vector<int>& decades) {
     for (const int decade : decades) {
       add(family, exponential(decade), takes,
@@ -178,14 +165,13 @@ const std::vector<Method>& tradeoffMethods() {
     m.addTolerances<LibccdMpr>("FCL MPR (libccd)", convexPair, decades);
     m.addTolerances<LibccdGjk>("FCL GJK (libccd)", convexPair, decades);
     m.addTolerances<IndepGjk>("FCL GJK (indep)", convexPair, decades);
-    m.add("FCL BVH", "", anything,
-          [](const Scene& scene) { return std::make_shared<FclBvh>(scene.fixed, scene.moving, scene.fixed_pose); });
+    m.addPosed<FclBvh>("FCL BVH", anything);
     m.add("GEOS", "", anything,
           [](const Scene& scene) { return std::make_shared<Geos>(inWorld(scene), scene.moving); });
     m.add("Boost.Geometry", "", anything,
           [](const Scene& scene) { return std::make_shared<BoostGeometry>(inWorld(scene), scene.moving); });
-    m.addUntuned<PosedBox2d<Box2dOverlap>>("Box2D overlap", smallConvexPair);
-    m.addUntuned<PosedBox2d<Box2dManifold>>("Box2D manifold", smallConvexPair);
+    m.addPosed<Box2dOverlap>("Box2D overlap", smallConvexPair);
+    m.addPosed<Box2dManifold>("Box2D manifold", smallConvexPair);
     return m.all;
   }();
   return methods;

@@ -214,6 +214,15 @@ Scene makeScene(std::string group, std::string name, Polygon fixed, Polygon movi
   return {std::move(group), std::move(name), std::move(fixed), Pose::Identity(), std::move(moving), size, {}};
 }
 
+Polygon inWorld(const Scene& scene) {
+  if (scene.fixed_pose.matrix() == Pose::Identity().matrix()) return scene.fixed;
+  std::vector<Ring> rings = scene.fixed.rings();
+  for (Ring& ring : rings) {
+    for (Vec2& v : ring) v = scene.fixed_pose * v;
+  }
+  return Polygon(std::move(rings), scene.fixed.fillRule());
+}
+
 std::vector<Scene> tradeoffScenes(const std::vector<workloads::NamedPolygon>& countries, bool full) {
   const std::size_t few = 8, many = full ? 64 : 32;
   std::vector<Scene> scenes;

@@ -46,6 +46,9 @@ std::vector<Placement> touchingPlacements(const Scene& scene, std::size_t touche
 /// The scene of two polygons, its placements yet to be found.
 Scene makeScene(std::string group, std::string name, Polygon fixed, Polygon moving);
 
+/// For rivals that want the fixed polygon in the world: its vertices there, rounded as such a rival's user rounds them.
+Polygon inWorld(const Scene& scene);
+
 /// The trade-off's scenes: the kinds with 8 vertices each and with more, and pairs of countries.
 std::vector<Scene> tradeoffScenes(const std::vector<workloads::NamedPolygon>& countries, bool full);
 

@@ -2,7 +2,6 @@
 #include "value_tradeoff.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <sstream>
@@ -21,57 +20,52 @@ using workloads::Kind;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Row {
-  std::string query, group, family, method;
+  std::string query;
+  bool of_time;
+  std::string group, family, method;
   std::size_t asked;
   double ns, worst_relative, worst_of_size;
   std::size_t wrong;
   bool keeps_promise;
 };
 
-/// How far off, relative to the truth; 1 where one of both is nothing.
-double relativeError(double value, double truth) {
-  if (value == truth) return 0;
-  if (!std::isfinite(value) || !std::isfinite(truth) || truth == 0) return 1;
-  return std::min(std::abs(value - truth) / truth, 1.0);
-}
-
 std::vector<Row> scored(const ValueProblem& problem, const Settings& settings) {
-  std::vector<ValueContender> contenders = {
-      {"truth", Role::Floor, false, [&](const Sampling& sampling, Values& values) {
-         forEachSample(sampling, problem.positions, [&](std::size_t i) { values.push_back(problem.truth[i]); });
-       }}};
-  for (const ValueMethod& method : problem.methods) contenders.push_back(method.contender);
+  const std::size_t queries = problem.truth.size();
+  std::vector<ValueContender> contenders;
+  const auto add = [&](const std::string& name, Role role, const Asker& ask) {
+    contenders.push_back({name, role, false, [=](const Sampling& sampling, Values& values) {
+                            forEachSample(sampling, queries, [&](std::size_t i) { values.push_back(ask(i)); });
+                          }});
+  };
+  add("truth", Role::Floor, [&](std::size_t i) { return problem.truth[i]; });
+  for (const ValueMethod& method : problem.methods) add(method.name(), Role::Rival, method.make());
   const Scene& scene = *problem.scene;
   const Workload workload{
-      "values", scene.group, scene.name, scene.fixed.vertexCount(), scene.moving.vertexCount(), problem.positions, 1};
+      "values", scene.group, scene.name, scene.fixed.vertexCount(), scene.moving.vertexCount(), queries, 1};
   const Agreement anything{0, {kInfinity, kInfinity}, {kInfinity, kInfinity}};
   const Result result = measure(workload, contenders, anything, settings);
-  const bool of_time = problem.query == "time of impact";
   std::vector<Row> rows;
   for (std::size_t m = 0; m < problem.methods.size(); ++m) {
     const ValueMethod& method = problem.methods[m];
-    Row row{problem.query,
+    Row row{problem.query.name,
+            problem.query.error == ValueQuery::Error::OfTime,
             problem.group,
             method.family,
             method.name(),
-            problem.positions,
+            queries,
             result.timings[m + 1].ns,
             0,
             0,
             0,
             true};
     Values values;
-    method.contender.walk(Sampling{}, values);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double truth = problem.truth[i], relative = relativeError(values[i], truth);
-      const bool both = std::isfinite(values[i]) && std::isfinite(truth);
-      const double off = both ? std::abs(values[i] - truth) / (of_time ? 1 : scene.size) : relative;
-      row.worst_relative = std::max(row.worst_relative, relative);
-      row.worst_of_size = std::max(row.worst_of_size, off);
-      row.wrong += problem.is_wrong(values[i], truth, scene.size);
-      // Next to the rounding of coordinates nothing is promised.
-      if ((of_time ? off : std::min(relative, off * 1e13)) > method.promise * (1 + 1e-9) + 1e-12)
-        row.keeps_promise = false;
+    contenders[m + 1].walk(Sampling{}, values);
+    for (std::size_t i = 0; i < queries; ++i) {
+      const ValueError error = errorOf(problem, method, i, values[i]);
+      row.worst_relative = std::max(row.worst_relative, error.relative);
+      row.worst_of_size = std::max(row.worst_of_size, error.of_size);
+      row.wrong += error.wrong;
+      row.keeps_promise = row.keeps_promise && error.keeps_promise;
     }
     rows.push_back(row);
   }
@@ -104,8 +98,7 @@ std::string tables(const std::vector<Row>& rows) {
       text += "## " + row.group + " (" + std::to_string(row.asked) + " queries)\n\n";
       query = row.query;
       group = row.group;
-      const bool of_time = query == "time of impact";
-      lines = {{"method", "ns per query", of_time ? "worst error in time" : "worst error / size",
+      lines = {{"method", "ns per query", row.of_time ? "worst error in time" : "worst error / size",
                 "worst relative error", "wrong"}};
     }
     const auto error = [](double value) { return value == 0 ? std::string("0") : formatted("%.0e", value); };
@@ -133,9 +126,8 @@ std::string dataOf(const std::vector<Row>& rows) {
     const std::string block = row.query + " | " + row.group + " | " + row.family;
     if (block != name) text += (text.empty() ? "" : "\n\n") + ("# " + block + "\n");
     name = block;
-    const bool of_time = row.query == "time of impact";
-    text +=
-        formatted("%.2f", row.ns) + " " + formatted("%.3e", of_time ? row.worst_of_size : row.worst_relative) + "\n";
+    text += formatted("%.2f", row.ns) + " " + formatted("%.3e", row.of_time ? row.worst_of_size : row.worst_relative) +
+            "\n";
   }
   return text;
 }

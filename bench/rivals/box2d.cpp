@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "box2d.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -38,20 +39,31 @@ bool box2dTakes(const Polygon& polygon) {
   return polygon.rings().size() == 1 && polygon.vertexCount() <= b2_maxPolygonVertices && isConvex(polygon);
 }
 
-Box2dPair::Box2dPair(const Polygon& fixed, const Polygon& moving)
-    : fixed_(box2dShape(fixed)), moving_(box2dShape(moving)) {
-  identity_.SetIdentity();
-}
+Box2dPair::Box2dPair(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose)
+    : fixed_(box2dShape(fixed)), moving_(box2dShape(moving)), fixed_transform_(box2dTransform(fixed_pose)) {}
 
 void Box2dPair::prepare(const std::vector<Pose>& poses) {
   transforms_.clear();
   for (const Pose& pose : poses) transforms_.push_back(box2dTransform(pose));
 }
 
-Box2dImpact::Box2dImpact(const Polygon& fixed, const Polygon& moving) : Box2dPair(fixed, moving) {
+double Box2dManifold::value(std::size_t i) {
+  const b2Manifold found = manifold(i);
+  if (found.pointCount == 0) return std::numeric_limits<double>::infinity();
+  b2WorldManifold points;
+  points.Initialize(&found, fixed_transform_, 0, transforms_[i], 0);
+  float depth = 0;
+  for (int k = 0; k < found.pointCount; ++k) depth = std::max(depth, -points.separations[k]);
+  return static_cast<double>(depth / kBox2dScale);
+}
+
+Box2dImpact::Box2dImpact(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose)
+    : Box2dPair(fixed, moving, fixed_pose) {
   input_.proxyA.Set(&fixed_, 0);
   input_.proxyB.Set(&moving_, 0);
   input_.sweepA = {};
+  input_.sweepA.c0 = input_.sweepA.c = fixed_transform_.p;
+  input_.sweepA.a0 = input_.sweepA.a = fixed_transform_.q.GetAngle();
   input_.tMax = 1;
 }
 

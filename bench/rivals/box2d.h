@@ -31,13 +31,13 @@ b2PolygonShape box2dShape(const Polygon& polygon, float scale = kBox2dScale);
 class Box2dPair {
  public:
   /// Throws as box2dShape() does.
-  Box2dPair(const Polygon& fixed, const Polygon& moving);
+  Box2dPair(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose = Pose::Identity());
 
   void prepare(const std::vector<Pose>& poses);
 
  protected:
   b2PolygonShape fixed_, moving_;
-  b2Transform identity_;
+  b2Transform fixed_transform_;
   std::vector<b2Transform> transforms_;
 };
 
@@ -45,28 +45,33 @@ class Box2dPair {
 class Box2dOverlap : public Box2dPair {
  public:
   using Box2dPair::Box2dPair;
-  bool collide(std::size_t i) { return b2TestOverlap(&fixed_, 0, &moving_, 0, identity_, transforms_[i]); }
+  bool collide(std::size_t i) { return b2TestOverlap(&fixed_, 0, &moving_, 0, fixed_transform_, transforms_[i]); }
 };
 
-/// b2CollidePolygons: separating axes, and the manifold where there is none.
+/// b2CollidePolygons: separating axes, and the manifold where there is none. Its points have depths, less the skin.
 class Box2dManifold : public Box2dPair {
  public:
   using Box2dPair::Box2dPair;
-  bool collide(std::size_t i) {
-    b2Manifold manifold;
-    b2CollidePolygons(&manifold, &fixed_, identity_, &moving_, transforms_[i]);
-    return manifold.pointCount > 0;
+  bool collide(std::size_t i) { return manifold(i).pointCount > 0; }
+  /// The greatest depth; infinity where there is no point.
+  double value(std::size_t i);
+
+ private:
+  b2Manifold manifold(std::size_t i) {
+    b2Manifold found;
+    b2CollidePolygons(&found, &fixed_, fixed_transform_, &moving_, transforms_[i]);
+    return found;
   }
 };
 
 /// b2Distance, without the skin: GJK, which can start from its last simplex.
 class Box2dDistance : public Box2dPair {
  public:
-  Box2dDistance(const Polygon& fixed, const Polygon& moving, bool coherent)
-      : Box2dPair(fixed, moving), coherent_(coherent) {
+  Box2dDistance(const Polygon& fixed, const Polygon& moving, bool coherent, const Pose& fixed_pose = Pose::Identity())
+      : Box2dPair(fixed, moving, fixed_pose), coherent_(coherent) {
     input_.proxyA.Set(&fixed_, 0);
     input_.proxyB.Set(&moving_, 0);
-    input_.transformA = identity_;
+    input_.transformA = fixed_transform_;
     input_.useRadii = false;
     cache_.count = 0;
   }
@@ -88,7 +93,7 @@ class Box2dDistance : public Box2dPair {
 /// b2TimeOfImpact. It stops a little before the skins touch, which are 3e-6 of the polygons' size.
 class Box2dImpact : public Box2dPair {
  public:
-  Box2dImpact(const Polygon& fixed, const Polygon& moving);
+  Box2dImpact(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose = Pose::Identity());
 
   void prepare(const std::vector<Motion>& motions);
 

@@ -20,12 +20,15 @@ constexpr double kTimeError = 1e-5;
 /// No contact, in place of a time.
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// fcl::continuousCollide by conservative advancement on any two geometries; the fixed one stays at the identity.
+/// fcl::continuousCollide by conservative advancement on any two geometries; the fixed one stays where it is.
 class FclAdvancement {
  public:
   using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
 
-  FclAdvancement(Geometry fixed, Geometry moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {
+  FclAdvancement(Geometry fixed, Geometry moving, const fcl::Transform3d& at = fcl::Transform3d::Identity())
+      : fixed_(std::move(fixed)),
+        moving_(std::move(moving)),
+        still_(at.linear(), at.translation(), at.linear(), at.translation(), fcl::Vector3d::Zero()) {
     request_.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
     request_.toc_err = kTimeError;
     request_.num_max_iterations = 100000;
@@ -50,8 +53,7 @@ class FclAdvancement {
 
  private:
   Geometry fixed_, moving_;
-  fcl::InterpMotion<double> still_{fcl::Matrix3d::Identity(), fcl::Vector3d::Zero(), fcl::Matrix3d::Identity(),
-                                   fcl::Vector3d::Zero(), fcl::Vector3d::Zero()};
+  fcl::InterpMotion<double> still_;
   std::vector<fcl::InterpMotion<double>> motions_;
   fcl::ContinuousCollisionRequestd request_;
 };

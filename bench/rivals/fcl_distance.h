@@ -22,22 +22,24 @@ namespace tricover::bench {
 template <class Node, class Volume>
 class FclBvhDistance {
  public:
-  FclBvhDistance(const Polygon& fixed, const Polygon& moving)
-      : fixed_(makeFlatMesh<Volume>(triangulate(fixed))), moving_(makeFlatMesh<Volume>(triangulate(moving))) {}
+  FclBvhDistance(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose = Pose::Identity())
+      : fixed_(makeFlatMesh<Volume>(triangulate(fixed))),
+        moving_(makeFlatMesh<Volume>(triangulate(moving))),
+        fixed_transform_(toTransform(fixed_pose)) {}
 
   void prepare(const std::vector<Pose>& poses) { transforms_ = toTransforms(poses); }
 
   double value(std::size_t i) {
     result_.clear();
     Node node;
-    initialize(node, *fixed_, identity_, *moving_, std::as_const(transforms_)[i], request_, result_);
+    initialize(node, *fixed_, fixed_transform_, *moving_, std::as_const(transforms_)[i], request_, result_);
     fcl::detail::distance(&node);
     return std::max(result_.min_distance, 0.0);
   }
 
  private:
   std::shared_ptr<const fcl::BVHModel<Volume>> fixed_, moving_;
-  const fcl::Transform3d identity_ = fcl::Transform3d::Identity();
+  const fcl::Transform3d fixed_transform_;
   std::vector<fcl::Transform3d> transforms_;
   fcl::DistanceRequestd request_;
   fcl::DistanceResultd result_;

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "value_extremes.h"
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "exact_penetration.h"
+#include "exact_reference.h"
+#include "extreme_scenes.h"
+#include "random.h"
+#include "report.h"
+#include "value_problems.h"
+
+namespace tricover::bench {
+namespace {
+
+using workloads::Kind;
+
+struct ExactPoint {
+  mpq_class x, y;
+};
+
+mpq_class cross(const ExactPoint& p, const ExactPoint& q) { return p.x * q.y - p.y * q.x; }
+ExactPoint operator-(const ExactPoint& p, const ExactPoint& q) { return {p.x - q.x, p.y - q.y}; }
+
+struct ExactEdge {
+  ExactPoint v, w;
+};
+
+/// In the world.
+std::vector<ExactEdge> exactEdges(const Polygon& polygon, const Pose& pose) {
+  const auto world = [&](const Vec2& p) {
+    const auto row = [&](int i) {
+      return mpq_class(mpq_class(pose.linear()(i, 0)) * p.x() + mpq_class(pose.linear()(i, 1)) * p.y() +
+                       pose.translation()[i]);
+    };
+    return ExactPoint{row(0), row(1)};
+  };
+  std::vector<ExactEdge> edges;
+  for (std::size_t e = 0; e < polygon.vertexCount(); ++e) {
+    const auto edge = static_cast<std::ptrdiff_t>(e);
+    edges.push_back({world(polygon.edgeStart(edge)), world(polygon.edgeEnd(edge))});
+  }
+  return edges;
+}
+
+/// When a vertex first meets an edge, of polygons that are apart at time 0 and of which one moves by `shift` without
+/// turning: exact but for the last rounding. Edges along the way are met at their ends, which others have, too.
+double slidingImpact(const Scene& scene, const Motion& motion) {
+  const std::vector<ExactEdge> fixed = exactEdges(scene.fixed, scene.fixed_pose),
+                               moving = exactEdges(scene.moving, motion.start);
+  mpq_class first = 2;
+  const auto meet = [&](const std::vector<ExactEdge>& vertices, const std::vector<ExactEdge>& edges,
+                        const ExactPoint& shift) {
+    for (const ExactEdge& vertex : vertices)
+      for (const ExactEdge& edge : edges) {
+        const ExactPoint along = edge.w - edge.v, to = edge.v - vertex.v;
+        const mpq_class area = cross(shift, along);
+        if (area == 0) continue;
+        const mpq_class time = cross(to, along) / area, place = cross(to, shift) / area;
+        if (time >= 0 && time < first && place >= 0 && place <= 1) first = time;
+      }
+  };
+  const mpq_class x(motion.shift.x()), y(motion.shift.y());
+  meet(moving, fixed, {x, y});
+  meet(fixed, moving, {-x, -y});
+  return first > 1 ? kNoContact : first.get_d();
+}
+
+/// Rounding may have dented it.
+bool isExactlyConvex(const Polygon& polygon) {
+  const std::vector<ExactEdge> edges = exactEdges(polygon, Pose::Identity());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const ExactEdge &edge = edges[e], &next = edges[(e + 1) % edges.size()];
+    if (cross(edge.w - edge.v, next.w - next.v) < 0) return false;
+  }
+  return true;
+}
+
+double exactDepth(const Scene& scene, const Pose& pose) {
+  return exact::distanceBelow(exact::convexPenetrationSquared(scene.fixed, scene.fixed_pose, scene.moving, pose));
+}
+
+/// Apart: gaps of 1e-13 to 1e-1 of the size.
+ValueProblem distancesAt(const Scene& scene, bool convex) {
+  std::vector<Pose> poses;
+  Values truth;
+  for (const Placement& placement : scene.placements) {
+    if (placement.collides || placement.gap < 1e-13 * scene.size) continue;
+    poses.push_back(placement.pose);
+    truth.push_back(placement.gap);
+  }
+  return {distanceQuery(), "", &scene, truth, distanceMethods(scene, poses, convex)};
+}
+
+/// Slides from a tenth of the size before contact towards a tenth behind it.
+ValueProblem impactsAt(const Scene& scene, bool convex) {
+  support::Random random(8);
+  std::vector<Motion> motions;
+  Values truth;
+  for (std::size_t i = 1; i < scene.placements.size(); ++i) {
+    const Placement &behind = scene.placements[i - 1], &ahead = scene.placements[i];
+    if (ahead.collides || offsetNames()[ahead.offset] != "1e-1") continue;
+    const Vec2 way = behind.pose.translation() - ahead.pose.translation();
+    motions.push_back(Motion::translation(ahead.pose, random.real(0.7, 1.5) * way));
+    truth.push_back(slidingImpact(scene, motions.back()));
+  }
+  ValueProblem problem{impactQuery(), "", &scene, truth, impactMethods(scene, motions, convex, 1000)};
+  // Early by no more than timeOfImpact() says: within 1e-13 of these lengths it may report a contact.
+  problem.may_round = [=, &scene](std::size_t i, double time) {
+    const double lengths = (motions[i].start.translation() - scene.fixed_pose.translation()).norm() +
+                           motions[i].shift.norm() + scene.fixed.origin().norm() + scene.fixed.radius() +
+                           scene.moving.origin().norm() + scene.moving.radius();
+    return time <= truth[i] &&
+           exact::within(exact::distanceSquared(scene.fixed, scene.fixed_pose, scene.moving, motions[i].at(time)),
+                         mpq_class(1.01e-13 * lengths));
+  };
+  return problem;
+}
+
+/// Overlaps of 1e-13 to 1e-1 of the size.
+ValueProblem contactsAt(const Scene& scene) {
+  std::vector<Pose> poses;
+  Values truth;
+  for (const Placement& placement : scene.placements) {
+    if (!placement.collides || placement.gap > -0.9e-13 * scene.size) continue;
+    poses.push_back(placement.pose);
+    truth.push_back(exactDepth(scene, placement.pose));
+  }
+  return {contactQuery(), "", &scene, truth, contactMethods(scene, poses, true)};
+}
+
+/// Overlaps by much: from contact a part of the way towards the place where the origins of both coverings coincide.
+ValueProblem penetrationsAt(const Scene& scene) {
+  support::Random random(7);
+  std::vector<Pose> poses;
+  Values truth;
+  for (const Placement& placement : scene.placements) {
+    if (!placement.collides) continue;
+    Pose pose = placement.pose;
+    const Vec2 middle = scene.fixed_pose * scene.fixed.origin() - pose.linear() * scene.moving.origin();
+    pose.translation() += random.real(0.2, 0.9) * (middle - pose.translation());
+    poses.push_back(pose);
+    truth.push_back(exactDepth(scene, pose));
+  }
+  return {penetrationQuery(), "", &scene, truth, penetrationMethods(scene, poses, true)};
+}
+
+/// Depths are known of convex polygons.
+std::vector<ValueProblem> problemsAt(const Scene& scene, bool convex) {
+  std::vector<ValueProblem> problems = {distancesAt(scene, convex), impactsAt(scene, convex)};
+  if (convex && isExactlyConvex(scene.fixed) && isExactlyConvex(scene.moving)) {
+    problems.push_back(contactsAt(scene));
+    problems.push_back(penetrationsAt(scene));
+  }
+  return problems;
+}
+
+/// What users who want the best would choose, and what is there by default.
+bool isShown(const ValueMethod& method) {
+  for (const char* setting :
+       {"", "exact", "1e-6", "1e-10", "time_error 1e-6", "time_error 1e-12", "1000", "budget 20000"})
+    if (method.setting == setting) return true;
+  return false;
+}
+
+/// Of all kinds of polygons.
+struct Answers {
+  std::vector<double> errors;  ///< of what was answered
+  std::size_t asked = 0, wrong = 0, failed = 0;
+
+  void add(const Answers& other) {
+    errors.insert(errors.end(), other.errors.begin(), other.errors.end());
+    asked += other.asked;
+    wrong += other.wrong;
+    failed += other.failed;
+  }
+  /// Of the errors in order the one at that part of the way; 1 if there is none.
+  double error(double part) const {
+    if (errors.empty()) return 1;
+    std::vector<double> sorted = errors;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+  }
+};
+
+/// A method's answers to one query, at[sweep][exponent].
+struct Row {
+  std::string query, method;
+  std::vector<std::vector<Answers>> at;
+};
+
+/// In the order of first appearance, which is that of the queries.
+Row& rowOf(std::vector<Row>& rows, const std::string& query, const std::string& method) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row& row) { return row.query == query && row.method == method; });
+  if (found != rows.end()) return *found;
+  rows.push_back({query, method, {}});
+  for (const Sweep& sweep : sweeps()) rows.back().at.emplace_back(sweep.exponents.size());
+  return rows.back();
+}
+
+/// Enters a method's answers. False if it is one of ours and doesn't keep its promise.
+bool ask(const ValueProblem& problem, const ValueMethod& method, Answers& to) {
+  const std::vector<double> values = askInChild(problem.truth.size(), method.make);
+  const bool ours = std::isfinite(method.promise);
+  bool kept = true;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const ValueError error = errorOf(problem, method, i, values[i]);
+    const bool failed = std::isnan(values[i]);
+    ++to.asked;
+    to.failed += failed;
+    to.wrong += error.wrong && !failed;
+    if (!failed) to.errors.push_back(error.counted);
+    if (!ours || (error.keeps_promise && !error.wrong)) continue;
+    std::fprintf(stderr, "error: %s by %s is %.17g, not %.17g: %s\n", problem.query.name.c_str(), method.name().c_str(),
+                 values[i], problem.truth[i], problem.scene->name.c_str());
+    kept = false;
+  }
+  return kept;
+}
+
+/// Every other extreme of a sweep, the last one with them; all if `full`.
+bool askAll(std::vector<Row>& rows, bool full) {
+  bool kept = true;
+  for (std::size_t s = 0; s < sweeps().size(); ++s) {
+    const Sweep& sweep = sweeps()[s];
+    for (std::size_t e = 0; e < sweep.exponents.size(); ++e) {
+      if (!full && (sweep.exponents.size() - 1 - e) % 2 == 1) continue;
+      for (const Kind kind : extremeKinds()) {
+        const Scene scene = extremeScene(sweep, sweep.exponents[e], kind, full ? 16 : 4);
+        for (const ValueProblem& problem : problemsAt(scene, isConvexPair(plainScene(kind))))
+          for (const ValueMethod& method : problem.methods)
+            if (isShown(method))
+              kept = ask(problem, method, rowOf(rows, problem.query.name, method.name()).at[s][e]) && kept;
+      }
+    }
+  }
+  return kept;
+}
+
+std::string errorText(double error) { return error == 0 ? "0" : formatted("%.0e", error); }
+
+/// The median and the worst error over all extremes of a sweep, and what is no error but wrong.
+std::string summary(const std::vector<Answers>& sweep) {
+  Answers all;
+  for (const Answers& answers : sweep) all.add(answers);
+  if (all.asked == 0) return "";
+  if (all.failed == all.asked) return "fails";
+  std::string text = errorText(all.error(0.5)) + " / " + errorText(all.error(1));
+  if (all.wrong > 0) text += ", " + std::to_string(all.wrong) + " wrong";
+  if (all.failed > 0) text += ", " + std::to_string(all.failed) + " fail";
+  if (all.wrong + all.failed > 0) text += " of " + std::to_string(all.asked);
+  return text;
+}
+
+/// One a query.
+std::string tables(const std::vector<Row>& rows) {
+  std::string text;
+  TextTable lines;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (r == 0 || rows[r].query != rows[r - 1].query) {
+      text += "## " + rows[r].query + "\n\n";
+      lines = {{"method"}};
+      for (const Sweep& sweep : sweeps()) lines[0].push_back(sweep.name);
+    }
+    lines.push_back({rows[r].method});
+    for (const std::vector<Answers>& sweep : rows[r].at) lines.back().push_back(summary(sweep));
+    if (r + 1 == rows.size() || rows[r].query != rows[r + 1].query) text += markdown(lines) + "\n";
+  }
+  return text;
+}
+
+/// Calls visit(row, number of the row among its query's, sweep, exponent, answers).
+template <class Visit>
+void forEachCell(const std::vector<Row>& rows, Visit visit) {
+  std::size_t first = 0;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r].query != rows[first].query) first = r;
+    for (std::size_t s = 0; s < sweeps().size(); ++s)
+      for (std::size_t e = 0; e < sweeps()[s].exponents.size(); ++e)
+        if (rows[r].at[s][e].asked > 0) visit(rows[r], r - first, s, e, rows[r].at[s][e]);
+  }
+}
+
+std::string csvOf(const std::vector<Row>& rows) {
+  std::string csv = "query,sweep,exponent,method,queries,median_error,worst_error,wrong,failed\n";
+  forEachCell(rows, [&](const Row& row, std::size_t, std::size_t s, std::size_t e, const Answers& answers) {
+    csv += row.query + ",\"" + sweeps()[s].name + "\"," + powerOfTen(sweeps()[s].exponents[e]) + ",\"" + row.method +
+           "\"," + std::to_string(answers.asked) + ',' + formatted("%.3e", answers.error(0.5)) + ',' +
+           formatted("%.3e", answers.error(1)) + ',' + std::to_string(answers.wrong) + ',' +
+           std::to_string(answers.failed) + '\n';
+  });
+  return csv;
+}
+
+/// One gnuplot block a query and sweep, "distance 0" and so on: column and row, their names, the worst error's power of
+/// ten, and the share of what is wrong or failed.
+std::string dataOf(const std::vector<Row>& rows) {
+  std::map<std::string, std::string> blocks;
+  forEachCell(rows, [&](const Row& row, std::size_t r, std::size_t s, std::size_t e, const Answers& answers) {
+    const double faults = static_cast<double>(answers.wrong + answers.failed) / static_cast<double>(answers.asked);
+    std::string& block = blocks[row.query + ' ' + std::to_string(s)];
+    block += std::to_string(e) + ' ' + std::to_string(r) + " \"" + row.method + "\" \"" +
+             powerOfTen(sweeps()[s].exponents[e]) + "\" " +
+             formatted("%.1f", std::log10(std::max(answers.error(1), 1e-16))) + ' ' + formatted("%.4f", faults) + '\n';
+  });
+  std::string data;
+  for (const auto& [name, lines] : blocks) data += "# " + name + "\n" + lines + "\n\n";
+  return data;
+}
+
+const char* const kHow =
+    R"(- A cell is the median and the worst error over all extremes of its column: of distances and penetrations relative to
+  the truth (1 where it is more), of contacts relative to the size, of times as a part of the motion. wrong: not just
+  inexact (a distance of 0, or none, where there is one; a time later than contact by more than 1e-9 of the motion, or
+  none; a depth too small to part them by more than 1e-9 of the size, or no contact). fail: an exception, a crash, NaN,
+  or no answer within a second, after which the rest counts as failed, too.
+- Polygons and extremes as for collisions. distance: gaps of 1e-13 to 1e-1 of the size. time of impact: slides from a
+  tenth of the size before first contact to somewhere behind it. contacts: the deepest one's depth, of convex polygons
+  that overlap by 1e-13 to 1e-1 of the size. penetration: of convex ones that overlap by more.
+- All truths are exact rational arithmetic's, on the doubles that remain after the move: the distance, the first meeting
+  of a vertex and an edge, the least gap between supports.
+- tricover's times are early where coordinates are large: timeOfImpact() may take for contact what comes within 1e-13 of
+  the coordinates' size. The contacts' depths come from rounded coordinates, unlike penetration()'s.
+- FCL's GJK has tolerances in proportion to the size, its default 1e-6 and 1e-10; its prisms grow with the size, too. Its
+  advancement misses what slides even at the origin: a step that lands on the contact finds no direction there. GEOS and
+  Boost get the fixed polygon's coordinates in the world. Box2D computes in floats, with a skin of 3e-6 of 100 units.
+)";
+
+}  // namespace
+
+bool runValueExtremes(const std::string& directory, bool full) {
+  std::vector<Row> rows;
+  const bool kept = askAll(rows, full);
+  writeFile(directory + "/value_extremes.md", "# Values at the extremes: median and worst errors\n\n" + tables(rows) +
+                                                  "# How it was measured\n\n" + kHow);
+  writeFile(directory + "/value_extremes.csv", csvOf(rows));
+  writeFile(directory + "/value_extremes.dat", dataOf(rows));
+  return kept;
+}
+
+}  // namespace tricover::bench
