@@ -43,10 +43,8 @@ std::vector<ExactEdge> exactEdges(const Polygon& polygon, const Pose& pose) {
     return ExactPoint{row(0), row(1)};
   };
   std::vector<ExactEdge> edges;
-  for (std::size_t e = 0; e < polygon.vertexCount(); ++e) {
-    const auto edge = static_cast<std::ptrdiff_t>(e);
-    edges.push_back({world(polygon.edgeStart(edge)), world(polygon.edgeEnd(edge))});
-  }
+  for (std::size_t e = 0; e < polygon.vertexCount(); ++e)
+    edges.push_back({world(polygon.edgeStart(e)), world(polygon.edgeEnd(e))});
   return edges;
 }
 
