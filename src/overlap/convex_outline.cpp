@@ -2,6 +2,7 @@
 #include "overlap/convex_outline.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "numbers/convex_hull.h"
@@ -21,16 +22,29 @@ std::vector<std::size_t> hullCorners(const PolygonData& polygon) {
       [](const Vec2& p, const Vec2& q, const Vec2& r) { return orientation(p, q, r) > 0; });
 }
 
+ConvexOutline makeOutline(const PolygonData& polygon) {
+  Convexity convexity = convexityOf(polygon);
+  ConvexOutline outline;
+  if (convexity.direction != 0) {
+    if (convexity.direction < 0) std::reverse(convexity.corners.begin(), convexity.corners.end());
+    outline.corners = std::move(convexity.corners);
+    outline.is_region = true;
+    if (outline.corners.size() + 1 == polygon.path.size()) outline.turn = convexity.direction;
+    return outline;
+  }
+  outline.corners = hullCorners(polygon);
+  // A ring without area covers all of its segment.
+  outline.is_region = polygon.ringCount() == 1 && outline.corners.size() < 3;
+  return outline;
+}
+
 }  // namespace
 
-ConvexOutline convexOutline(const PolygonData& polygon) {
-  Convexity convexity = convexityOf(polygon);
-  if (convexity.direction < 0) std::reverse(convexity.corners.begin(), convexity.corners.end());
-  if (convexity.direction != 0) return {std::move(convexity.corners), true};
-  std::vector<std::size_t> corners = hullCorners(polygon);
-  // A ring without area covers all of its segment.
-  const bool is_region = polygon.ringCount() == 1 && corners.size() < 3;
-  return {std::move(corners), is_region};
+const ConvexOutline& convexOutlineOf(const PolygonData& polygon) {
+  const Derived::Thing* outline = polygon.outline.ifBuilt();
+  if (outline == nullptr)
+    outline = polygon.outline.built([&] { return std::make_unique<const ConvexOutline>(makeOutline(polygon)); });
+  return *static_cast<const ConvexOutline*>(outline);
 }
 
 }  // namespace tricover::detail

@@ -104,7 +104,7 @@ Penetration noAnswer(const Vec2& direction) {
 
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                const PenetrationOptions& options) {
-  const ConvexOutline outline_a = convexOutline(a), outline_b = convexOutline(b);
+  const ConvexOutline &outline_a = convexOutlineOf(a), &outline_b = convexOutlineOf(b);
   const SupportGap gap = leastSupportGap(a, pose_a, outline_a, b, pose_b, outline_b);
   TranslationSpace space(a, pose_a, b, pose_b);
   if (!space.isFinite()) return noAnswer(gap.direction);
@@ -117,6 +117,8 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     features = featuresOf(space, known, gap.edge_of_a, gap.edge_start, gap.edge_end, gap.corner);
     result.lower_bound = gap.depth;
     result.optimal = true;
+    // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
+    shortest.parting += 8 * space.noise() * gap.direction;
   } else {
     shortest = searchShortestParting(space, known, options.budget);
     features = featuresOf(space, shortest);

@@ -65,6 +65,7 @@ struct PolygonData {
   mutable std::atomic<std::size_t> rings_asked{0};  ///< what looking at all rings' starts has cost so far
   Derived starts;                                   ///< the place of the starts that need be asked for
   Derived cover;                                    ///< the place of the discs that a search for a way apart asks first
+  Derived outline;                                  ///< the place of the convex outline that contacts go by
 };
 
 }  // namespace tricover::detail
