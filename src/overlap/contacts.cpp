@@ -7,18 +7,20 @@
 #include <unordered_set>
 #include <utility>
 
-#include "hierarchy/hierarchy.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
 #include "overlap/contact_point.h"
+#include "overlap/convex_contact.h"
+#include "overlap/convex_outline.h"
 #include "overlap/hull_faces.h"
 #include "overlap/overlap_components.h"
+#include "overlap/part_middle.h"
 #include "overlap/penetration.h"
 #include "overlap/touch_normal.h"
 #include "pair/collide_by_hierarchy.h"
+#include "pair/discs.h"
 #include "pair/edge_pairs.h"
 #include "pair/kernel_order.h"
-#include "polygon/convexity.h"
 
 namespace tricover {
 namespace detail {
@@ -42,8 +44,8 @@ const BoundaryPoint& leftmostOf(const OverlapComponent& component) {
 }
 
 bool isConvex(const PolygonData& polygon) {
-  const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
-  return (hierarchy != nullptr && hierarchy->small_convex) || convexityOf(polygon).direction != 0;
+  const ConvexOutline& outline = convexOutlineOf(polygon);
+  return outline.is_region && outline.corners.size() > 2;
 }
 
 class ContactFinder {
@@ -410,30 +412,15 @@ Exit ContactFinder::freed(const Exit& exit) const {
 /// The middle of the overlap along the normal through the deepest point, or through the middle of those, where that is
 /// in it.
 Vec2 ContactFinder::pointOf(const OverlapComponent& component, const Exit& exit, bool convex) const {
+  struct Places {
+    std::size_t size() const { return points.size(); }
+    const Vec2& operator[](std::size_t k) const { return points[k].at; }
+    const std::vector<BoundaryPoint>& points;
+  };
   // Heights above the end where the deepest points are, towards the other.
-  const Vec2 up = exit.from_a ? exit.normal : Vec2(-exit.normal), side(-up.y(), up.x());
-  double lowest = std::numeric_limits<double>::infinity(), first = lowest, last = -lowest;
-  Vec2 deepest = component.points.front().at;
-  for (const BoundaryPoint& point : component.points) {
-    const double height = up.dot(point.at);
-    if (height < lowest) deepest = point.at;
-    lowest = std::min(lowest, height);
-  }
-  for (const BoundaryPoint& point : component.points) {
-    if (up.dot(point.at) > lowest + 4 * frame_.error()) continue;
-    first = std::min(first, side.dot(point.at));
-    last = std::max(last, side.dot(point.at));
-  }
-  const double across = 0.5 * first + 0.5 * last;
-  double highest = lowest;
+  const Vec2 up = exit.from_a ? exit.normal : Vec2(-exit.normal);
   const Hull hull = hullOf(component.points);
-  for (std::size_t k = 0; k < hull.size(); ++k) {
-    const Vec2 &p = hull[k].at, &q = hull[k + 1 < hull.size() ? k + 1 : 0].at;
-    const double from = side.dot(p) - across, to = side.dot(q) - across;
-    if ((from > 0 && to > 0) || (from < 0 && to < 0)) continue;
-    highest = std::max(highest, up.dot(from != to ? Vec2(p + from / (from - to) * (q - p)) : p));
-  }
-  const Vec2 middle = (0.5 * lowest + 0.5 * highest) * up + across * side;
+  const auto [deepest, middle] = partMiddle(Places{component.points}, Places{hull}, up, 4 * frame_.error());
   if (convex) return middle;
   return component.inner ? pointOfPart(pair_, frame_, deepest, up, middle) : pointOfTouch(component, middle);
 }
@@ -458,8 +445,16 @@ Contact ContactFinder::inWorld(const Exit& exit, const Vec2& point) const {
           number(pair_.b, exit.edge_b)};
 }
 
+std::vector<Contact> allContacts(const PosedPair& pair) {
+  if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).gap(0) >= 0) return {};
+  const ConvexContact convex = convexContact(pair);
+  if (convex.verdict == ConvexContact::Unsure) return ContactFinder(pair).contacts();
+  if (convex.verdict == ConvexContact::Apart) return {};
+  return {convex.contact};
+}
+
 std::vector<Contact> deepestContacts(const PosedPair& pair, std::size_t most) {
-  std::vector<Contact> result = ContactFinder(pair).contacts();
+  std::vector<Contact> result = allContacts(pair);
   std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > most) result.erase(result.begin() + static_cast<std::ptrdiff_t>(most), result.end());
   return result;

@@ -34,8 +34,6 @@ WorldFrame::WorldFrame(const PosedPair& pair)
       scale_b_(pair.b.unit / unit_),
       origin_a_(quarterToA(pair) / unit_ * 4),
       quarter_origin_(linear_b_ * (pair.b.origin / 4) + pair.pose_b.translation() / 4) {
-  constexpr double kPointError = 16 * kUnitRoundoff;
-  static_assert(kPointError >= (1 + 1e-5) * kRoot2 * errorOf(7) * (1 + errorOf(3)));
   error_ = kPointError * (scale_a_ + scale_b_ + origin_a_.lpNorm<1>());
 }
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "numbers/segment.h"
+#include "polygon/polygon_data.h"
+
+namespace tricover::detail {
+
+/// So many points need no memory but the stack's.
+template <std::size_t kFew>
+class PointList {
+ public:
+  explicit PointList(std::size_t most) {
+    if (most <= kFew) return;
+    many_.resize(most);
+    points_ = many_.data();
+  }
+  PointList(const PointList&) = delete;
+  PointList& operator=(const PointList&) = delete;
+
+  void add(const Vec2& p) { points_[size_++] = p; }
+  std::size_t size() const { return size_; }
+  const Vec2& operator[](std::size_t k) const { return points_[k]; }
+
+ private:
+  std::array<Vec2, kFew> few_;
+  std::vector<Vec2> many_;
+  Vec2* points_ = few_.data();
+  std::size_t size_ = 0;
+};
+
+/// The vertices of a convex polygon without straight ones where a pose puts them, counter-clockwise. Edge k leads from
+/// vertex k to the next.
+class ConvexRing {
+ public:
+  /// turn: 1 if the ring runs counter-clockwise under the pose, -1 if clockwise; map(p) is where the pose puts p.
+  template <typename Map>
+  ConvexRing(const PolygonData& polygon, int turn, Map map)
+      : n_(polygon.path.size() - 1), forward_(turn > 0), vertices_(n_ + 1), edges_(n_ + 1) {
+    for (std::size_t k = 0; k < n_; ++k) vertices_.add(map(polygon.path[forward_ ? k : n_ - 1 - k]));
+    vertices_.add(vertices_[0]);
+    for (std::size_t k = 0; k < n_; ++k) edges_.add(vertices_[k + 1] - vertices_[k]);
+  }
+
+  std::size_t size() const { return n_; }
+  const Vec2& vertex(std::size_t k) const { return vertices_[k]; }
+  const Vec2& end(std::size_t k) const { return vertices_[k + 1]; }
+  const Vec2& edge(std::size_t k) const { return edges_[k]; }
+  std::size_t after(std::size_t k) const { return k + 1 < n_ ? k + 1 : 0; }
+  std::size_t before(std::size_t k) const { return k > 0 ? k - 1 : n_ - 1; }
+
+  /// Of edge k in the path.
+  std::size_t position(std::size_t k) const { return forward_ ? k : (2 * n_ - 2 - k) % n_; }
+  /// The edge that leads away from vertex k in the path, and the one that leads there.
+  std::size_t leaving(std::size_t k) const { return forward_ ? k : before(k); }
+  std::size_t arriving(std::size_t k) const { return forward_ ? before(k) : k; }
+
+  /// How far p is to the left of edge k, times the edge's length.
+  double leftOf(std::size_t k, const Vec2& p) const { return cross(edge(k), p - vertex(k)); }
+
+  /// Whether p is inside for certain, areas of up to `doubtful` being in doubt. O(log n).
+  bool holds(const Vec2& p, double doubtful) const {
+    const Vec2& corner = vertex(0);
+    const Vec2 way = p - corner;
+    // Between the ways from a corner to vertices `low` and `high`.
+    std::size_t low = 1, high = n_ - 1;
+    if (!(cross(edge(0), way) > doubtful && cross(vertex(high) - corner, way) < -doubtful)) return false;
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      const double turn = cross(vertex(middle) - corner, way);
+      if (!(turn > doubtful || turn < -doubtful)) break;
+      (turn > 0 ? low : high) = middle;
+    }
+    for (std::size_t k = low; k < high; ++k)
+      if (!(leftOf(k, p) > doubtful)) return false;
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kFew = 17;
+
+  std::size_t n_;
+  bool forward_;
+  PointList<kFew> vertices_, edges_;
+};
+
+}  // namespace tricover::detail
