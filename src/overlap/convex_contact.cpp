@@ -16,6 +16,7 @@
 
 #include "overlap/convex_outline.h"
 #include "overlap/convex_ring.h"
+#include "overlap/frame_of_a.h"
 #include "overlap/part_middle.h"
 #include "pair/world_frame.h"
 
@@ -23,13 +24,17 @@ namespace tricover::detail {
 namespace {
 
 /// How an area, the product of two differences of vertices, errs: in either coordinate a vertex is at most r =
-/// (1 + 1e-5) size, and errs by e = error = 16U size; a difference d is at most 2 r, and errs by 2 e and its own U d.
+/// (1 + 1e-5) size, and errs by at most e = error, which is at least 16U size; a difference d is at most 2 r, and errs
+/// by 2 e and its own U d.
 ///   the differences' roundings       two in each of two products     4U (2 r)^2
 ///   the products', their difference                                  4U (2 r)^2
 ///   what the vertices are off by     two for each of four factors    8 e 2 r
 /// which is 32U r^2 + 16 e r and terms of second order: 18 e r with all of them.
-double doubtfulArea(const WorldFrame& frame) { return 20 * frame.error() * frame.size(); }
-static_assert(WorldFrame::kPointError >= 16 * kUnitRoundoff);
+template <typename Frame>
+double doubtfulArea(const Frame& frame) {
+  return 20 * frame.error() * frame.size();
+}
+static_assert(WorldFrame::kPointError >= 16 * kUnitRoundoff && kMappingError >= 16 * kUnitRoundoff);
 
 /// A face and the vertex of the other polygon that is deepest behind it.
 struct Face {
@@ -44,6 +49,8 @@ struct Meeting {
   std::size_t own_passed, other_passed;  ///< vertices on the way there
 };
 
+/// In one of the frames that are there for it, counter-clockwise there.
+template <typename Frame>
 class ConvexPair {
  public:
   ConvexPair(const PosedPair& pair, int turn_a, int turn_b)
@@ -88,28 +95,31 @@ class ConvexPair {
     if (!isClimbedTo(at)) at = body.before(at);
     if (!isClimbedTo(at)) return false;
     std::size_t steps = 2 * (ring.size() + body.size());
+    const Vec2 *vertices = body.vertices(), *edges = body.edges();
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      std::size_t deepest = at;
-      // Of a convex polygon what is next is less deep all around once it is for certain.
-      for (;; deepest = at = body.after(at)) {
+      const Vec2 way = ring.edge(k);
+      double climb = cross(way, edges[at]);
+      while (climb > doubtful_) {
         if (steps-- == 0) return false;
-        const double climb = cross(ring.edge(k), body.edge(at));
-        if (climb > doubtful_) continue;
-        if (climb < -doubtful_) break;
-        // An edge along the face.
-        const double beyond = cross(ring.edge(k), body.edge(body.after(at)));
-        if (beyond > doubtful_) continue;
-        if (!(beyond < -doubtful_)) return false;
-        if (climb > 0) deepest = body.after(at);
-        break;
+        at = body.after(at);
+        climb = cross(way, edges[at]);
       }
-      const double area = ring.leftOf(k, body.vertex(deepest));
+      // Of a convex polygon what is next is less deep all around once it is for certain.
+      std::size_t deepest = at;
+      if (!(climb < -doubtful_)) {
+        // An edge along the face.
+        const std::size_t next = body.after(at);
+        if (!(cross(way, edges[next]) < -doubtful_)) return false;
+        if (climb > 0) deepest = next;
+      }
+      const double area = cross(way, vertices[deepest] - ring.vertex(k));
       if (area < -doubtful_) {
         is_apart_ = isBeyond(ring, k, body);
         return false;
       }
-      const double positive = std::max(area, 0.0);
-      if (!keep({of_a, k, deepest, positive * positive / ring.edge(k).squaredNorm()})) return false;
+      const double positive = std::max(area, 0.0), square = way.squaredNorm();
+      if (!(positive * positive > limit_ * square) && !keep({of_a, k, deepest, positive * positive / square}))
+        return false;
     }
     return true;
   }
@@ -122,7 +132,6 @@ class ConvexPair {
 
   /// Among the best, if it is: those that aren't deeper than the least one by more than rounding.
   bool keep(const Face& face) {
-    if (face.square > limit_) return true;
     if (face.square < least_ * least_) {
       least_ = std::sqrt(face.square);
       const double reach = least_ + 4 * frame_.error();
@@ -222,11 +231,11 @@ class ConvexPair {
     const double depth = own.leftOf(face.edge, other.vertex(face.deepest)) / own.edge(face.edge).norm();
     assert(depth > 0 && std::abs(up.norm() - 1) < 0x1p-40);
     // One ring: positions are numbers.
-    return {frame_.toWorld(point), face.of_a ? up : Vec2(-up), depth * frame_.unit(), face.of_a ? own_edge : other_edge,
-            face.of_a ? other_edge : own_edge};
+    return {frame_.toWorld(point), frame_.directionToWorld(face.of_a ? up : Vec2(-up)), depth * frame_.unit(),
+            face.of_a ? own_edge : other_edge, face.of_a ? other_edge : own_edge};
   }
 
-  const WorldFrame frame_;
+  const Frame frame_;
   const double doubtful_;
   const ConvexRing a_, b_;
   bool is_apart_ = false;
@@ -242,7 +251,10 @@ ConvexContact convexContact(const PosedPair& pair) {
   const int turn_a = convexOutlineOf(pair.a).turn, turn_b = convexOutlineOf(pair.b).turn;
   if (turn_a == 0 || turn_b == 0) return {ConvexContact::Unsure, {}};
   const auto mirrors = [](const Pose& pose) { return pose.linear().determinant() < 0; };
-  return ConvexPair(pair, mirrors(pair.pose_a) ? -turn_a : turn_a, mirrors(pair.pose_b) ? -turn_b : turn_b).contact();
+  const bool mirrors_a = mirrors(pair.pose_a), mirrors_b = mirrors(pair.pose_b);
+  if (FrameOfA::fits(pair))
+    return ConvexPair<FrameOfA>(pair, turn_a, mirrors_a != mirrors_b ? -turn_b : turn_b).contact();
+  return ConvexPair<WorldFrame>(pair, mirrors_a ? -turn_a : turn_a, mirrors_b ? -turn_b : turn_b).contact();
 }
 
 }  // namespace tricover::detail

@@ -25,6 +25,8 @@ class PointList {
   void add(const Vec2& p) { points_[size_++] = p; }
   std::size_t size() const { return size_; }
   const Vec2& operator[](std::size_t k) const { return points_[k]; }
+  Vec2* data() { return points_; }
+  const Vec2* data() const { return points_; }
 
  private:
   std::array<Vec2, kFew> few_;
@@ -40,21 +42,28 @@ class ConvexRing {
   /// turn: 1 if the ring runs counter-clockwise under the pose, -1 if clockwise; map(p) is where the pose puts p.
   template <typename Map>
   ConvexRing(const PolygonData& polygon, int turn, Map map)
-      : n_(polygon.path.size() - 1), forward_(turn > 0), vertices_(n_ + 1), edges_(n_ + 1) {
-    for (std::size_t k = 0; k < n_; ++k) vertices_.add(map(polygon.path[forward_ ? k : n_ - 1 - k]));
-    vertices_.add(vertices_[0]);
-    for (std::size_t k = 0; k < n_; ++k) edges_.add(vertices_[k + 1] - vertices_[k]);
+      : n_(polygon.path.size() - 1), forward_(turn > 0), points_(2 * n_ + 1) {
+    // The path ends where it begins.
+    const Vec2* from = polygon.path.data() + (forward_ ? 0 : n_);
+    Vec2* const vertices = points_.data();
+    for (std::size_t k = 0; k <= n_; ++k) {
+      vertices[k] = map(*from);
+      from += forward_ ? 1 : -1;
+    }
+    for (std::size_t k = 0; k < n_; ++k) vertices[n_ + 1 + k] = vertices[k + 1] - vertices[k];
   }
 
   std::size_t size() const { return n_; }
-  const Vec2& vertex(std::size_t k) const { return vertices_[k]; }
-  const Vec2& end(std::size_t k) const { return vertices_[k + 1]; }
-  const Vec2& edge(std::size_t k) const { return edges_[k]; }
+  const Vec2& vertex(std::size_t k) const { return points_[k]; }
+  const Vec2& end(std::size_t k) const { return points_[k + 1]; }
+  const Vec2& edge(std::size_t k) const { return edges()[k]; }
+  const Vec2* vertices() const { return points_.data(); }
+  const Vec2* edges() const { return points_.data() + n_ + 1; }
   std::size_t after(std::size_t k) const { return k + 1 < n_ ? k + 1 : 0; }
   std::size_t before(std::size_t k) const { return k > 0 ? k - 1 : n_ - 1; }
 
   /// Of edge k in the path.
-  std::size_t position(std::size_t k) const { return forward_ ? k : (2 * n_ - 2 - k) % n_; }
+  std::size_t position(std::size_t k) const { return forward_ ? k : n_ - 1 - k; }
   /// The edge that leads away from vertex k in the path, and the one that leads there.
   std::size_t leaving(std::size_t k) const { return forward_ ? k : before(k); }
   std::size_t arriving(std::size_t k) const { return forward_ ? before(k) : k; }
@@ -81,11 +90,9 @@ class ConvexRing {
   }
 
  private:
-  static constexpr std::size_t kFew = 17;
-
   std::size_t n_;
   bool forward_;
-  PointList<kFew> vertices_, edges_;
+  PointList<33> points_;  ///< vertices, the first once more, and edges
 };
 
 }  // namespace tricover::detail

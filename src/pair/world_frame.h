@@ -29,6 +29,8 @@ class WorldFrame {
   Vec2 toWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
   Vec2 fromWorld(const Vec2& p) const { return (p / 4 - quarter_origin_) / unit_ * 4; }
 
+  static Vec2 directionToWorld(const Vec2& d) { return d; }
+
   double unit() const { return unit_; }
   const Vec2& originOfA() const { return origin_a_; }  ///< b's is zero
 
