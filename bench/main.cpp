@@ -43,7 +43,7 @@ std::vector<Result> writeReport(const Measured& measured, const std::vector<Resu
   writeFile(directory + "/tables.md", summary + main_job + "\n# Every kind, vertices fixed x moving\n\n" +
                                           table(measured.study) + "\n# Distances\n\n" + table(measured.distances) +
                                           "\n# Times of impact\n\n" + table(measured.impacts) + how);
-  writePlotData(measured.study, directory);
+  writePlotData(measured.study, measured.distances, measured.impacts, directory);
 
   std::vector<Result> all = drives;
   all.push_back(measured.round_fleet);

@@ -11,10 +11,18 @@
 namespace tricover::bench {
 namespace {
 
-/// The columns of times.dat after the vertices; of several methods the fastest.
-const std::vector<std::vector<std::string>> kColumns = {
-    {"cold"},    {"cached"}, {"via FCL"}, {"FCL MPR", "FCL GJK", "FCL GJK guess"},
-    {"FCL BVH"}, {"GEOS"},   {"Boost"},   {"paper"}};
+/// What is drawn after the vertices; of several methods the fastest.
+using Columns = std::vector<std::vector<std::string>>;
+const Columns kCollisions = {{"cold"},    {"cached"}, {"via FCL"}, {"FCL MPR", "FCL GJK", "FCL GJK guess"},
+                             {"FCL BVH"}, {"GEOS"},   {"Boost"},   {"paper"}};
+const Columns kValues = {{"cold"},
+                         {"cached"},
+                         {"via FCL"},
+                         {"FCL GJK (libccd)", "FCL GJK (indep)", "FCL GJK (indep) guess"},
+                         {"FCL RSS", "FCL kIOS", "FCL OBBRSS"},
+                         {"GEOS prepared", "GEOS"},
+                         {"Boost"},
+                         {"Box2D", "Box2D warm"}};
 
 double fastest(const Result& result, const std::vector<std::string>& methods) {
   double ns = std::numeric_limits<double>::infinity();
@@ -24,37 +32,58 @@ double fastest(const Result& result, const std::vector<std::string>& methods) {
   return ns;
 }
 
-}  // namespace
+/// A block of gnuplot's a kind and workload, which is its name.
+using Blocks = std::map<std::string, std::map<std::size_t, std::string>>;
 
-void writePlotData(const std::vector<Result>& results, const std::string& directory) {
-  // A block of gnuplot's a kind and workload, which is its name.
-  std::map<std::string, std::ostringstream> times, grid;
+std::string blockName(const Workload& workload) { return workload.scene + " " + workload.name; }
+
+void writeBlocks(const Blocks& blocks, const std::string& path) {
+  std::string text;
+  for (const auto& [name, lines] : blocks) {
+    text += "# " + name + "\n";
+    for (const auto& [vertices, line] : lines) text += line;
+    text += "\n\n";
+  }
+  writeFile(path, text);
+}
+
+/// Of equally many vertices.
+Blocks timesOf(const std::vector<Result>& results, const Columns& columns) {
+  Blocks blocks;
   for (const Result& result : results) {
     const Workload& w = result.workload;
-    const std::string name = w.scene + " " + w.name;
-    if (w.vertices_fixed == w.vertices_moving) {
-      times[name] << w.vertices_fixed;
-      for (const auto& methods : kColumns) times[name] << ' ' << fastest(result, methods);
-      times[name] << '\n';
-    }
+    if (w.vertices_fixed != w.vertices_moving) continue;
+    std::ostringstream line;
+    line << w.vertices_fixed;
+    for (const auto& methods : columns) line << ' ' << fastest(result, methods);
+    blocks[blockName(w)][w.vertices_fixed] = line.str() + "\n";
+  }
+  return blocks;
+}
+
+}  // namespace
+
+void writePlotData(const std::vector<Result>& study, const std::vector<Result>& distances,
+                   const std::vector<Result>& impacts, const std::string& directory) {
+  writeBlocks(timesOf(study, kCollisions), directory + "/times.dat");
+  writeBlocks(timesOf(distances, kValues), directory + "/distance.dat");
+  writeBlocks(timesOf(impacts, kValues), directory + "/impact.dat");
+  Blocks grid;
+  for (const Result& result : study) {
+    const Workload& w = result.workload;
     const double cached = fastest(result, {"cached"}), cold = fastest(result, {"cold"});
     double rival = std::numeric_limits<double>::infinity();
     for (const Timing& timing : result.timings) {
       if (timing.role == Role::Rival) rival = std::min(rival, timing.ns);
     }
     const double ours = cached < std::numeric_limits<double>::infinity() ? cached : cold;
-    grid[name] << w.vertices_fixed << ' ' << w.vertices_moving << ' ' << ours << ' ' << rival << ' ' << rival / ours
-               << '\n';
+    std::ostringstream line;
+    line << w.vertices_fixed << ' ' << w.vertices_moving << ' ' << ours << ' ' << rival << ' ' << rival / ours << '\n';
     // A blank line between the rows of a surface; cells come row by row.
-    if (w.vertices_moving == 1024) grid[name] << '\n';
+    if (w.vertices_moving == 1024) line << '\n';
+    grid[blockName(w)][w.vertices_fixed] += line.str();
   }
-  const auto written = [](const auto& blocks) {
-    std::string text;
-    for (const auto& [name, lines] : blocks) text += "# " + name + "\n" + lines.str() + "\n\n";
-    return text;
-  };
-  writeFile(directory + "/times.dat", written(times));
-  writeFile(directory + "/grid.dat", written(grid));
+  writeBlocks(grid, directory + "/grid.dat");
 }
 
 }  // namespace tricover::bench

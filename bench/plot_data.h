@@ -8,7 +8,8 @@
 
 namespace tricover::bench {
 
-/// Writes what plots.gp draws of the study's results: `<directory>/times.dat` and `<directory>/grid.dat`.
-void writePlotData(const std::vector<Result>& results, const std::string& directory);
+/// Writes what plots.gp draws of these results: times.dat, grid.dat, distance.dat and impact.dat in the directory.
+void writePlotData(const std::vector<Result>& study, const std::vector<Result>& distances,
+                   const std::vector<Result>& impacts, const std::string& directory);
 
 }  // namespace tricover::bench

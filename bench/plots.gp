@@ -1,47 +1,66 @@
-# Draws times.svg, figure12.svg and speedup.svg from the times.dat and grid.dat that plot_data.cpp wrote to the
-# directory `report`.
+# Draws times.svg, distance.svg, impact.svg, figure12.svg and speedup.svg from the .dat files that plot_data.cpp wrote to the
+# directory `report`, and growth.svg from growth.csv there.
 set encoding utf8
 kinds = "convex slim starred contour irregular 'with hole'"
 workloads = "circular linear 'gap 0.1' 'gap 0.01' contact near overlap"
 titles = "'circular, gap 9' 'linear, into contact' 'circular, gap 0.1' 'circular, gap 0.01' contact near overlap"
 
-# times.svg: polygons of equally many vertices, one panel a kind and workload.
-array label[8] = ["tricover, cold", "tricover, PairCache", "tricover in fcl::collide", \
-  "FCL GJK or MPR on convex pieces", "FCL BVH of triangles", "GEOS, prepared", "Boost.Geometry", \
-  "the paper's Algorithm 3, PairCache"]
+# times.svg, distance.svg, impact.svg: polygons of equally many vertices, one panel a kind and workload.
+array file[3] = ["times", "distance", "impact"]
+array asked[3] = ["Collisions", "Distances", "Times of impact"]
+array walks[3] = [workloads, "circular linear 'gap 0.01' near far overlap", "sliding turning"]
+array heads[3] = [titles, "'circular, gap 9' 'linear, into contact' 'circular, gap 0.01' near 'far apart' overlapping", \
+  "sliding 'sliding and turning'"]
+array least[3] = [5, 20, 300]
+array most[3] = [1e6, 3e6, 3e7]
+array label[8] = ["tricover, cold", "tricover, cache", "tricover in FCL", "FCL GJK or MPR on convex pieces", \
+  "FCL BVH of triangles", "GEOS, prepared or not", "Boost.Geometry", ""]
+array last[3] = ["the paper's algorithm", "Box2D, cold or warm", "Box2D"]
+array legend[3] = ["1 2 3 4 5 6 7 8", "1 2 3 4 5 6 7 8", "1 3 5 8"]
 array color[8] = ["#7dd3fc", "#1d4ed8", "#0f9d58", "#dc2626", "#374151", "#a855f7", "#db7093", "#f59e0b"]
-set terminal svg size 1500,1750 font "sans-serif,13" background "white"
-set output report."/times.svg"
+# Which of the methods answered: caches where steps are small, solvers for convex polygons and Box2D on those.
+shown(f, w, k) = f == 3 ? "1 3 5".(k <= 2 ? " 8" : "") : \
+  f == 2 ? "1 3 5 6 7".(w <= 3 ? " 2" : "").(k <= 2 ? " 4 8" : "") : \
+  "1 3 4 5 6 7".(w <= 4 ? " 2" : "").(w <= 2 ? " 8" : "")
 set border lc rgb "#6b7280"
 set logscale x 2
 set logscale y
-set xrange [6:1400]
-set yrange [5:1e6]
-set xtics (8, 32, 128, 512) nomirror
-set ytics nomirror
-set grid xtics ytics lt 1 lc rgb "#e5e7eb" lw 1
+set xtics (8, 32, 128, 512)
+set tics nomirror
 set datafile missing "inf"
 unset key
-set multiplot layout 7,6 margins 0.055,0.99,0.075,0.95 spacing 0.012,0.03 \
-  title "Time per query over the vertices of each of the two polygons" font ",17"
-do for [w = 1:7] {
-  do for [k = 1:6] {
-    set title word(kinds, k).", ".word(titles, w) offset 0,-0.7
-    set xlabel w == 7 ? "vertices of each" : "" offset 0,0.5
-    set ylabel k == 1 ? "ns per query" : "" offset 1,0
-    set format y k == 1 ? "10^{%L}" : ""
-    set format x w == 7 ? "%.0f" : ""
-    methods = w <= 2 ? "1 2 3 4 5 6 7 8" : w <= 4 ? "1 2 3 4 5 6 7" : "1 3 4 5 6 7"
-    plot for [m in methods] report."/times.dat" index word(kinds, k)." ".word(workloads, w) \
-      using 1:(column(m + 1)) with linespoints pt 7 ps 0.4 lw (m < 4 ? 2.6 : 1.6) lc rgb color[int(m)]
+do for [f = 1:3] {
+  n = words(walks[f])
+  height = 174 + 225 * n
+  set terminal svg size 1500,height font "sans-serif,13" background "white"
+  set output report."/".file[f].".svg"
+  set multiplot layout n,6 margins 0.055,0.99,131. / height,1 - 85. / height spacing 0.012,52. / height \
+    title asked[f].": time per query over the vertices of each of the two polygons (lower is better)" font ",17"
+  set xrange [6:1400]
+  set yrange [least[f]:most[f]]
+  set border 31 lc rgb "#6b7280"; set grid xtics ytics lt 1 lc rgb "#e5e7eb" lw 1
+  set xtics (8, 32, 128, 512) nomirror; set ytics autofreq nomirror
+  unset key
+  do for [w = 1:n] {
+    do for [k = 1:6] {
+      set title word(kinds, k).", ".word(heads[f], w) offset 0,-0.7
+      set xlabel w == n ? "vertices of each" : "" offset 0,0.5
+      set ylabel k == 1 ? "ns per query" : "" offset 1,0
+      set format y k == 1 ? "10^{%L}" : ""
+      set format x w == n ? "%.0f" : ""
+      plot for [m in shown(f, w, k)] report."/".file[f].".dat" index word(kinds, k)." ".word(walks[f], w) \
+        using 1:(column(m + 1)) with linespoints pt 7 ps 0.4 lw (m < 4 ? 2.6 : 1.6) lc rgb color[int(m)]
+    }
   }
+  # The legend is a plot of its own, all of whose points are out of range.
+  set margins at screen 0.05, screen 0.99, screen 9. / height, screen 70. / height
+  unset title; unset border; unset tics; unset grid; unset xlabel; unset ylabel
+  set key center center horizontal maxcols 4 maxrows 2 Left reverse samplen 2 width 1
+  plot for [m in legend[f]] least[f] / 2. with linespoints pt 7 ps 0.5 lw (m < 4 ? 2.6 : 1.6) lc rgb color[int(m)] \
+    title m < 8 ? label[int(m)] : last[f]
+  unset multiplot
+  set margins
 }
-# The legend is a plot of its own, all of whose points are out of range.
-set margins at screen 0.05, screen 0.99, screen 0.005, screen 0.04
-unset title; unset border; unset tics; unset grid; unset xlabel; unset ylabel
-set key center center horizontal maxcols 4 maxrows 2 Left reverse samplen 2 width 1
-plot for [m = 1:8] 1 with linespoints pt 7 ps 0.5 lw (m < 4 ? 2.6 : 1.6) lc rgb color[m] title label[m]
-unset multiplot
 
 # figure12.svg: the paper's Figure 12, ours and the best rival's.
 reset
@@ -71,7 +90,7 @@ set pm3d border lc rgb "#33556677" lw 0.6
 log2(x) = log(x) / log(2)
 array surface[2] = ["tricover, PairCache", "the best rival of each cell"]
 set multiplot layout 1,2 \
-  title "Contours on the circular trajectory (the paper's Figure 12), over the vertices of both polygons" font ",17"
+  title "Contours on the circular trajectory (the paper's Figure 12), over the vertices of both polygons; lower is better" font ",17"
 do for [i = 1:2] {
   set title surface[i] offset 0,-1 font ",15"
   splot report."/grid.dat" index "contour circular" using (log2($1)):(log2($2)):(column(i + 2)) with pm3d
@@ -96,7 +115,7 @@ unset key
 log2(x) = log(x) / log(2)
 short(ratio) = ratio < 10 ? sprintf("%.1f", ratio) : sprintf("%.0f", ratio)
 set multiplot layout 7,6 margins 0.05,0.92,0.04,0.955 spacing 0.015,0.028 \
-  title "Speed-up: the best rival's time over tricover's (PairCache on trajectories, none elsewhere)" font ",17"
+  title "Speed-up: the best rival's time over tricover's (PairCache on trajectories, none elsewhere); higher is better" font ",17"
 do for [w = 1:7] {
   do for [k = 1:6] {
     set title word(kinds, k).", ".word(titles, w) offset 0,-0.8
@@ -114,5 +133,50 @@ do for [w = 1:7] {
         (log2($1)):(log2($2)):(short($5)):($5 < 0.8 || $5 > 80 ? 0xffffff : 0x111827) \
         with labels font ",8" tc rgb variable
   }
+}
+unset multiplot
+
+# growth.svg: the rows of growth.csv, a panel a query.
+reset
+set encoding utf8
+set terminal svg size 1500,900 font "sans-serif,12" background "white"
+set output report."/growth.svg"
+set border lc rgb "#6b7280"
+set datafile separator ","
+table = "< sed 's/, /; /g' '".report."/growth.csv'"  # gnuplot ends names at commas, quoted or not
+stats table skip 1 using 3 nooutput
+count = STATS_records
+array input[count]
+array query[count]
+array n[count]
+do for [r = 1:count] {
+  stats table skip 1 every ::r - 1::r - 1 using (input[r] = strcol(1), query[r] = strcol(2), n[r] = $3, 0) nooutput
+}
+array panel[6] = ["contacts", "penetration", "distance", "time of impact", "collide", ""]
+array paint[6] = ["#1d4ed8", "#dc2626", "#0f9d58", "#f59e0b", "#a855f7", "#374151"]
+starts(text, start) = strlen(text) >= strlen(start) && text[1:strlen(start)] eq start
+set logscale xy
+set xrange [70:1e5]
+set yrange [1e-3:1e5]
+set format "10^{%L}"
+set tics nomirror
+set grid lt 1 lc rgb "#e5e7eb" lw 1
+set key left top Left reverse samplen 1 font ",11" opaque box lc rgb "#e5e7eb"
+set multiplot layout 2,3 margins 0.05,0.99,0.07,0.9 spacing 0.045,0.12 \
+  title "How costs grow with the size of the input (lower and flatter is better; dotted: like n, and like n^2)" font ",17"
+do for [p = 1:5] {
+  rows = ""
+  do for [r = 1:count] { if (starts(query[r], panel[p])) { rows = rows." ".r } }
+  set title panel[p] offset 0,-0.6
+  set xlabel "n" offset 0,0.5
+  set ylabel p % 3 == 1 ? "ms per query" : "" offset 1,0
+  name(i) = input[int(word(rows, i))].(query[int(word(rows, i))] eq panel[p] ? "" : query[int(word(rows, i))][strlen(panel[p]) + 1:*])
+  row(i) = int(word(rows, i)) - 1
+  plot for [power = 1:2] 1e-3 * (x / 70.) ** power with lines dt 3 lc rgb "#6b7280" notitle, \
+    for [i = 1:words(rows)] for [k = 0:1] table skip 1 every ::row(i)::row(i) \
+      using ($3 * 2**k):(1e3 * column(4 + k)):($3 * 2**k):(1e3 * (column(5 + k) - column(4 + k))) \
+      with vectors nohead lw 2 lc rgb paint[i] notitle, \
+    for [i = 1:words(rows)] for [k = 0:2] table skip 1 every ::row(i)::row(i) \
+      using ($3 * 2**k):(1e3 * column(4 + k)) with points pt 7 ps 0.6 lc rgb paint[i] title k == 0 ? name(i) : ""
 }
 unset multiplot

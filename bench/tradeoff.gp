@@ -21,7 +21,7 @@ set grid xtics ytics lt 1 lc rgb "#e5e7eb" lw 1
 set tics nomirror
 unset key
 set multiplot layout 2,4 margins 0.06,0.99,0.2,0.91 spacing 0.03,0.12 \
-  title "Queries around first contact: what a wrong answer saves" font ",17"
+  title "Queries around first contact: what a wrong answer saves (down and to the left is better)" font ",17"
 set xrange [2:8e3]
 set yrange [none / 2:1]
 set ytics ("none" none, "0.1 %%" 1e-3, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
@@ -65,43 +65,46 @@ unset multiplot
 reset
 set encoding utf8
 set border lc rgb "#6b7280"
-set terminal svg size 1500,980 font "sans-serif,13" background "white"
+set terminal svg size 1500,1400 font "sans-serif,13" background "white"
 set output report."/values.svg"
-array who[12] = ["tricover", "deepest of contacts()", "collide() at samples", "FCL GJK (libccd)", "FCL GJK (indep)", \
+array who[13] = ["tricover", "deepest of contacts()", "collide() at samples", "FCL GJK (libccd)", "FCL GJK (indep)", \
   "FCL BVH (RSS)", "FCL advancement (RSS)", "FCL EPA (indep)", "FCL MPR (libccd)", "GEOS", "Boost.Geometry", \
-  "Box2D (float)"]
-array paint[12] = ["#1d4ed8", "#38bdf8", "#818cf8", "#f97316", "#a855f7", "#374151", "#374151", "#a855f7", "#dc2626", \
-  "#0f9d58", "#14b8a6", "#ca8a04"]
-array mark[12] = [7, 6, 12, 9, 11, 13, 13, 11, 5, 15, 14, 1]
-array panel[8] = ["distance | convex, 8 vertices, gaps of 1e-13 to 1e-1 of the size", "distance | convex, 8 vertices, far apart", \
-  "time of impact | convex, 8 vertices, turning", "penetration | convex, 8 vertices", \
+  "Box2D (float)", "Box2D manifold (float)"]
+array paint[13] = ["#1d4ed8", "#38bdf8", "#818cf8", "#f97316", "#a855f7", "#374151", "#374151", "#a855f7", "#dc2626", \
+  "#0f9d58", "#14b8a6", "#ca8a04", "#ca8a04"]
+array mark[13] = [7, 6, 12, 9, 11, 13, 13, 11, 5, 15, 14, 1, 2]
+array panel[12] = ["distance | convex, 8 vertices, gaps of 1e-13 to 1e-1 of the size", "distance | convex, 8 vertices, far apart", \
   "distance | irregular, 32 vertices, gaps of 1e-13 to 1e-1 of the size", "distance | irregular, 32 vertices, far apart", \
-  "time of impact | irregular, 32 vertices, turning", "penetration | irregular, 32 vertices"]
+  "time of impact | convex, 8 vertices, sliding", "time of impact | convex, 8 vertices, turning", \
+  "time of impact | irregular, 32 vertices, sliding", "time of impact | irregular, 32 vertices, turning", \
+  "contacts | convex, 8 vertices", "contacts | convex, 32 vertices", \
+  "penetration | convex, 8 vertices", "penetration | irregular, 32 vertices"]
 least = 1e-16  # where no error is drawn
-in(k, f) = int(system(sprintf("grep -cF '# %s | %s' '%s/values.dat' || true", panel[k], who[f], report)))
+in(k, f) = int(system(sprintf("grep -cxF '# %s | %s' '%s/values.dat' || true", panel[k], who[f], report)))
 set logscale xy
 set grid xtics ytics lt 1 lc rgb "#e5e7eb" lw 1
 set tics nomirror
 unset key
-set multiplot layout 2,4 margins 0.06,0.99,0.2,0.91 spacing 0.03,0.12 \
-  title "Queries answered by numbers: time against the worst error" font ",17"
+set multiplot layout 3,4 margins 0.06,0.99,0.14,0.935 spacing 0.03,0.085 \
+  title "Queries answered by numbers: time against the worst error (down and to the left is better)" font ",17"
 set yrange [least / 3:3]
+set xrange [50:1e6]
 set format x "10^{%L}"
 set ytics ("none" least, "10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6, "10^{-3}" 1e-3, "1" 1)
 set xlabel "ns per query"
-do for [k = 1:8] {
+do for [k = 1:12] {
   set title panel[k] noenhanced offset 0,-0.6 font ",11"
-  set ylabel k % 4 == 1 ? "worst error: relative, or in time" : ""
+  set ylabel k % 4 == 1 ? "worst error: relative, in time, or of the size" : ""
   shown = ""
-  do for [f = 1:12] { if (in(k, f)) { shown = shown." ".f } }
+  do for [f = 1:13] { if (in(k, f)) { shown = shown." ".f } }
   plot for [f in shown] report."/values.dat" index panel[k]." | ".who[int(f)] \
     using 1:($2 > least ? $2 : least) with linespoints pt mark[int(f)] ps 0.9 lw 1.2 lc rgb paint[int(f)]
 }
-set margins at screen 0.05, screen 0.99, screen 0.01, screen 0.12
+set margins at screen 0.05, screen 0.99, screen 0.005, screen 0.09
 unset title; unset border; unset tics; unset grid; unset xlabel; unset ylabel
 unset logscale; set xrange [0:1]; set yrange [0:1]
-set key center center horizontal maxcols 6 maxrows 2 Left reverse samplen 2 width 1
-plot for [f = 1:12] 2 with linespoints pt mark[f] ps 0.9 lw 1.6 lc rgb paint[f] title who[f]
+set key center center horizontal maxcols 5 maxrows 3 Left reverse samplen 2 width 1
+plot for [f = 1:13] 2 with linespoints pt mark[f] ps 0.9 lw 1.6 lc rgb paint[f] title who[f]
 unset multiplot
 
 # accuracy.svg and extremes.svg: shares of wrong answers as colours.
@@ -120,7 +123,7 @@ ink(share) = share > 0.4 ? 0xffffff : 0x374151
 
 set terminal svg size 1500,1050 font "sans-serif,11" background "white"
 set output report."/accuracy.svg"
-set title "Wrong answers (%) by the way from first contact, as a part of the size; left: penetrating" font ",16"
+set title "Wrong answers (%) by the way from first contact, as a part of the size; left: penetrating (0 is best, and empty)" font ",16"
 set xtics rotate by 50 right
 plot report."/accuracy.dat" using 1:2:5:xtic(4):ytic(bold(strcol(3))) with image pixels, \
   '' using 1:2:(percent($5)):(ink($5)) with labels font ",9" tc rgb variable
@@ -128,7 +131,7 @@ plot report."/accuracy.dat" using 1:2:5:xtic(4):ytic(bold(strcol(3))) with image
 set terminal svg size 1500,1100 font "sans-serif,11" background "white"
 set output report."/extremes.svg"
 set multiplot layout 2,2 margins 0.11,0.99,0.06,0.92 spacing 0.12,0.12 \
-  title "Not right (%) at the extremes: wrong answers, exceptions, crashes" font ",16"
+  title "Not right (%) at the extremes: wrong answers, exceptions, crashes (0 is best, and empty)" font ",16"
 do for [sweep = 0:3] {
   set title word("'vertices moved by' 'poses moved by' 'scaled by' 'slivers, squeezed to'", sweep + 1) font ",14"
   plot report."/extremes.dat" index sweep using 1:2:5:xtic(4):ytic(bold(strcol(3))) with image pixels, \

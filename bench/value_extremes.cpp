@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "exact_penetration.h"
 #include "exact_reference.h"
 #include "extreme_scenes.h"
 #include "random.h"
@@ -81,22 +80,6 @@ bool isExactlyConvex(const Polygon& polygon) {
   return true;
 }
 
-double exactDepth(const Scene& scene, const Pose& pose) {
-  return exact::distanceBelow(exact::convexPenetrationSquared(scene.fixed, scene.fixed_pose, scene.moving, pose));
-}
-
-/// Apart: gaps of 1e-13 to 1e-1 of the size.
-ValueProblem distancesAt(const Scene& scene, bool convex) {
-  std::vector<Pose> poses;
-  Values truth;
-  for (const Placement& placement : scene.placements) {
-    if (placement.collides || placement.gap < 1e-13 * scene.size) continue;
-    poses.push_back(placement.pose);
-    truth.push_back(placement.gap);
-  }
-  return {distanceQuery(), "", &scene, truth, distanceMethods(scene, poses, convex)};
-}
-
 /// Slides from a tenth of the size before contact towards a tenth behind it.
 ValueProblem impactsAt(const Scene& scene, bool convex) {
   support::Random random(8);
@@ -122,18 +105,6 @@ ValueProblem impactsAt(const Scene& scene, bool convex) {
   return problem;
 }
 
-/// Overlaps of 1e-13 to 1e-1 of the size.
-ValueProblem contactsAt(const Scene& scene) {
-  std::vector<Pose> poses;
-  Values truth;
-  for (const Placement& placement : scene.placements) {
-    if (!placement.collides || placement.gap > -0.9e-13 * scene.size) continue;
-    poses.push_back(placement.pose);
-    truth.push_back(exactDepth(scene, placement.pose));
-  }
-  return {contactQuery(), "", &scene, truth, contactMethods(scene, poses, true)};
-}
-
 /// Overlaps by much: from contact a part of the way towards the place where the origins of both coverings coincide.
 ValueProblem penetrationsAt(const Scene& scene) {
   support::Random random(7);
@@ -152,9 +123,9 @@ ValueProblem penetrationsAt(const Scene& scene) {
 
 /// Depths are known of convex polygons.
 std::vector<ValueProblem> problemsAt(const Scene& scene, bool convex) {
-  std::vector<ValueProblem> problems = {distancesAt(scene, convex), impactsAt(scene, convex)};
+  std::vector<ValueProblem> problems = {nearDistances(scene, convex), impactsAt(scene, convex)};
   if (convex && isExactlyConvex(scene.fixed) && isExactlyConvex(scene.moving)) {
-    problems.push_back(contactsAt(scene));
+    problems.push_back(shallowContacts(scene));
     problems.push_back(penetrationsAt(scene));
   }
   return problems;

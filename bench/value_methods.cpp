@@ -168,7 +168,7 @@ std::vector<ValueMethod> impactMethods(const Scene& scene, const std::vector<Mot
 
 std::vector<ValueMethod> penetrationMethods(const Scene& scene, const std::vector<Pose>& poses, bool convex) {
   std::vector<ValueMethod> methods;
-  for (const std::size_t budget : {0, 10, 100, 1000, 20000}) {
+  for (const std::size_t budget : {0u, 10u, 100u, 1000u, 20000u}) {
     const bool best = budget == 20000;
     if (convex && !best) continue;
     PenetrationOptions options;

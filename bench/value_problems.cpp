@@ -23,26 +23,17 @@ double relativeError(double value, double truth) {
   return std::min(std::abs(value - truth) / truth, 1.0);
 }
 
-ValueProblem distanceProblem(const Scene& scene, std::string group, const std::vector<Pose>& poses, Values truth) {
-  return {distanceQuery(), std::move(group), &scene, std::move(truth),
-          distanceMethods(scene, poses, isConvexPair(scene))};
-}
-
-/// Around contact: what the placements know. Far away: from exact arithmetic.
+/// From contact on, and far away.
 std::vector<ValueProblem> distanceProblems(const Scene& scene, bool full) {
-  std::vector<Pose> near, far = separatedPoses(scene.fixed, scene.moving, 2, 4);
-  Values near_truth, far_truth;
-  for (const Placement& placement : scene.placements) {
-    if (placement.collides || placement.gap < 1e-13 * scene.size) continue;
-    near.push_back(placement.pose);
-    near_truth.push_back(placement.gap);
-  }
-  far.resize(std::min<std::size_t>(far.size(), full ? 200 : 50));
-  for (const Pose& pose : far)
-    far_truth.push_back(
-        exact::distanceBelow(exact::distanceSquared(scene.fixed, scene.fixed_pose, scene.moving, pose)));
-  return {distanceProblem(scene, scene.name + ", gaps of 1e-13 to 1e-1 of the size", near, near_truth),
-          distanceProblem(scene, scene.name + ", far apart", far, far_truth)};
+  const bool convex = isConvexPair(scene);
+  ValueProblem near = nearDistances(scene, convex);
+  near.group = scene.name + ", gaps of 1e-13 to 1e-1 of the size";
+  std::vector<Pose> poses = separatedPoses(scene.fixed, scene.moving, 2, 4);
+  poses.resize(std::min<std::size_t>(poses.size(), full ? 200 : 50));
+  Values truth;
+  for (const Pose& pose : poses)
+    truth.push_back(exact::distanceBelow(exact::distanceSquared(scene.fixed, scene.fixed_pose, scene.moving, pose)));
+  return {near, {distanceQuery(), scene.name + ", far apart", &scene, truth, distanceMethods(scene, poses, convex)}};
 }
 
 std::vector<Motion> motionsOf(const Scene& scene, bool turning, std::size_t count) {
@@ -105,9 +96,7 @@ ValueProblem penetrationProblem(const Scene& scene, bool full) {
     const auto best = penetration(scene.fixed, scene.fixed_pose, scene.moving, pose);
     if (!best || !best->optimal) continue;
     poses.push_back(pose);
-    truth.push_back(convex ? exact::distanceBelow(
-                                 exact::convexPenetrationSquared(scene.fixed, scene.fixed_pose, scene.moving, pose))
-                           : best->depth);
+    truth.push_back(convex ? exactDepth(scene, pose) : best->depth);
   }
   return {penetrationQuery(), scene.name, &scene, truth, penetrationMethods(scene, poses, convex)};
 }
@@ -152,12 +141,40 @@ ValueError errorOf(const ValueProblem& problem, const ValueMethod& method, std::
           near || (problem.may_round && problem.may_round(query, value))};
 }
 
+ValueProblem nearDistances(const Scene& scene, bool convex) {
+  std::vector<Pose> poses;
+  Values truth;
+  for (const Placement& placement : scene.placements) {
+    if (placement.collides || placement.gap < 1e-13 * scene.size) continue;
+    poses.push_back(placement.pose);
+    truth.push_back(placement.gap);
+  }
+  return {distanceQuery(), scene.name, &scene, truth, distanceMethods(scene, poses, convex)};
+}
+
+ValueProblem shallowContacts(const Scene& scene) {
+  std::vector<Pose> poses;
+  Values truth;
+  for (const Placement& placement : scene.placements) {
+    if (!placement.collides || placement.gap > -0.9e-13 * scene.size) continue;
+    poses.push_back(placement.pose);
+    truth.push_back(exactDepth(scene, placement.pose));
+  }
+  return {contactQuery(), scene.name, &scene, truth, contactMethods(scene, poses, true)};
+}
+
+double exactDepth(const Scene& scene, const Pose& pose) {
+  return exact::distanceBelow(exact::convexPenetrationSquared(scene.fixed, scene.fixed_pose, scene.moving, pose));
+}
+
 std::vector<ValueProblem> valueProblems(const std::vector<Scene>& scenes, bool full) {
   std::vector<ValueProblem> problems;
   for (const Scene& scene : scenes)
     for (ValueProblem& problem : distanceProblems(scene, full)) problems.push_back(std::move(problem));
   for (const Scene& scene : scenes)
     for (const bool turning : {false, true}) problems.push_back(impactProblem(scene, turning, full));
+  for (const Scene& scene : scenes)
+    if (isConvexPair(scene)) problems.push_back(shallowContacts(scene));
   for (const Scene& scene : scenes) problems.push_back(penetrationProblem(scene, full));
   return problems;
 }

@@ -49,8 +49,17 @@ struct ValueError {
 /// Of the answer to that query, which may be NaN.
 ValueError errorOf(const ValueProblem& problem, const ValueMethod& method, std::size_t query, double value);
 
-/// Distances, times of impact and penetrations of the scenes, which must outlive them. Throws std::logic_error if a
-/// time of impact is late.
+/// Of the scene's placements those that are apart by 1e-13 of the size or more.
+ValueProblem nearDistances(const Scene& scene, bool convex);
+
+/// Of the placements those that are 1e-13 of the size or more behind first contact. Both polygons must be convex.
+ValueProblem shallowContacts(const Scene& scene);
+
+/// The depth of two convex polygons, rounded down.
+double exactDepth(const Scene& scene, const Pose& pose);
+
+/// Distances, times of impact, contacts of convex polygons, and penetrations of the scenes, which must outlive them.
+/// Throws std::logic_error if a time of impact is late.
 std::vector<ValueProblem> valueProblems(const std::vector<Scene>& scenes, bool full);
 
 }  // namespace tricover::bench
