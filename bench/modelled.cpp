@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "random.h"
 #include "report.h"
 #include "tricover/tricover.h"
 #include "workloads.h"
@@ -49,17 +50,66 @@ void operator delete(void* block, std::size_t, std::align_val_t) noexcept { rele
 namespace tricover::bench {
 namespace {
 
+/// A kind of bodies, two of each: what they are made of, and how far a margin grows them.
+struct Shape {
+  const char* name;
+  std::vector<Ring> fixed, moving;
+  FillRule fill;
+  double margin;
+
+  bool isDisc() const { return margin > 0; }
+};
+
+std::vector<Ring> madeOf(workloads::Kind kind, std::size_t vertices, std::uint64_t seed) {
+  return workloads::makePolygon(kind, vertices, seed).rings();
+}
+
+/// Triangles that overlap, within 100 x 50 units.
+std::vector<Ring> soup(std::uint64_t seed) {
+  constexpr int kTriangles = 64;
+  support::Random random(seed);
+  std::vector<Ring> rings;
+  for (int i = 0; i < kTriangles; ++i) {
+    const double place = random.real(0, 1), way = random.real(0, 6.3);
+    const Vec2 middle(38 * place * std::cos(way), 13 * place * std::sin(way));
+    Ring ring;
+    for (int k = 0; k < 3; ++k) {
+      const double turn = way + 2.1 * k;
+      ring.push_back(middle + 12 * Vec2(std::cos(turn), std::sin(turn)));
+    }
+    rings.push_back(ring);
+  }
+  return rings;
+}
+
+std::vector<Shape> shapes() {
+  using workloads::Kind;
+  const auto made = [](const char* name, Kind kind, std::size_t n) {
+    return Shape{name, madeOf(kind, n, 1), madeOf(kind, n, 2), FillRule::EvenOdd, 0};
+  };
+  const std::vector<Ring> disc = point(Vec2::Zero()).rings();
+  return {{"disc", disc, disc, FillRule::EvenOdd, 50}, made("convex, 64", Kind::Slim, 64),
+          made("outline, 8", Kind::Contour, 8),        made("outline, 64", Kind::Contour, 64),
+          made("outline, 512", Kind::Contour, 512),    {"64 triangles", soup(1), soup(2), FillRule::NonZero, 0}};
+}
+
 /// Two fresh polygons and what their users keep about them.
 struct Pair {
   Polygon fixed, moving;
+  double margin;  ///< of each
   PairCache cache;
+  DistanceCache distance_cache;
   PointCache point_cache;
+  std::optional<Scene> scene;
+
+  double radius() const { return fixed.radius() + margin; }
 };
 
 struct Query {
   const char* name;
   bool answer;
   bool (*ask)(Pair& pair);
+  bool of_discs = true;
 };
 
 Pose at(const Vec2& position) {
@@ -68,29 +118,98 @@ Pose at(const Vec2& position) {
   return pose;
 }
 
-/// Out of the bounding discs' reach; where the discs overlap and the polygons, twice as long as high, don't; and upon
-/// it.
-Pose far(const Pair& pair) { return at({2 * (pair.fixed.radius() + pair.moving.radius()), 0}); }
-Pose near(const Pair& pair) { return at({0, 1.3 * pair.fixed.radius()}); }
-Pose upon(const Pair& pair) { return at({pair.fixed.radius() / 2, 0}); }
-
 const Pose kIdentity = Pose::Identity();
 
+/// Out of the bounding discs' reach; where the polygons' discs overlap and they, twice as long as high, don't (of
+/// discs: where their boxes overlap and they don't); and upon it.
+Pose far(const Pair& pair) { return at({4 * pair.radius(), 0}); }
+Pose near(const Pair& pair) {
+  return pair.margin > 0 ? at(Vec2::Constant(1.5 * pair.margin)) : at({0, 1.3 * pair.radius()});
+}
+Pose upon(const Pair& pair) { return at({pair.radius() / 2, 0}); }
+
+template <Pose (*Where)(const Pair&), Strategy Way = Strategy::Hierarchy>
+bool askCollide(Pair& pair) {
+  return collide(pair.fixed, kIdentity, pair.moving, Where(pair), {2 * pair.margin, 0, Way});
+}
+
+template <Pose (*Where)(const Pair&)>
+bool askDistance(Pair& pair) {
+  DistanceOptions options;
+  options.margin = 2 * pair.margin;
+  return distance(pair.fixed, kIdentity, pair.moving, Where(pair), options).distance > 0;
+}
+
+/// From near, or far, to there.
+template <Pose (*From)(const Pair&), Pose (*To)(const Pair&)>
+bool askImpact(Pair& pair) {
+  ImpactOptions options;
+  options.margin = 2 * pair.margin;
+  const Pose start = From(pair);
+  const Motion motion = Motion::translation(start, To(pair).translation() - start.translation());
+  return timeOfImpact(pair.fixed, {}, pair.moving, motion, options).has_value();
+}
+
+template <Pose (*Where)(const Pair&)>
+bool askContacts(Pair& pair) {
+  return !contacts(pair.fixed, kIdentity, pair.moving, Where(pair)).empty();
+}
+
+/// The first time adds both.
+template <Pose (*Where)(const Pair&)>
+bool askScene(Pair& pair) {
+  if (!pair.scene) {
+    BodyOptions options;
+    options.margin = pair.margin;
+    pair.scene.emplace();
+    pair.scene->add(pair.fixed, kIdentity, options);
+    pair.scene->add(pair.moving, Where(pair), options);
+  }
+  return !pair.scene->collisions().empty();
+}
+
+bool askRay(Pair& pair, double height) {
+  const double radius = pair.radius();
+  return castRay(pair.fixed, kIdentity, {-2 * radius, height * radius}, {2 * radius, height * radius}).has_value();
+}
+
 const Query kQueries[] = {
-    {"collide, discs apart", false, [](Pair& pair) { return collide(pair.fixed, kIdentity, pair.moving, far(pair)); }},
-    {"collide, near", false, [](Pair& pair) { return collide(pair.fixed, kIdentity, pair.moving, near(pair)); }},
-    {"collide, overlapping", true, [](Pair& pair) { return collide(pair.fixed, kIdentity, pair.moving, upon(pair)); }},
+    {"collide, discs apart", false, askCollide<far>},
+    {"collide, near", false, askCollide<near>},
+    {"collide, overlapping", true, askCollide<upon>},
     {"collide, near, PairCache", false,
-     [](Pair& pair) { return collide(pair.fixed, kIdentity, pair.moving, near(pair), pair.cache); }},
-    {"collide, near, Strategy::Paper", false,
      [](Pair& pair) {
-       return collide(pair.fixed, kIdentity, pair.moving, near(pair), {0, 0, Strategy::Paper});
+       return collide(pair.fixed, kIdentity, pair.moving, near(pair), pair.cache, {2 * pair.margin, 0});
      }},
+    {"collide, near, Strategy::Paper", false, askCollide<near, Strategy::Paper>, false},
+    {"distance, discs apart", true, askDistance<far>},
+    {"distance, near", true, askDistance<near>},
+    {"distance, near, DistanceCache", true,
+     [](Pair& pair) {
+       DistanceOptions options;
+       options.margin = 2 * pair.margin;
+       return distance(pair.fixed, kIdentity, pair.moving, near(pair), pair.distance_cache, options).distance > 0;
+     }},
+    {"distance, overlapping", false, askDistance<upon>},
+    {"time of impact, passes by", false, askImpact<far, far>},
+    {"time of impact, hits", true, askImpact<near, upon>},
+    {"contacts, discs apart", false, askContacts<far>, false},
+    {"contacts, overlapping", true, askContacts<upon>, false},
+    {"penetration, discs apart", false,
+     [](Pair& pair) { return penetration(pair.fixed, kIdentity, pair.moving, far(pair)).has_value(); }, false},
+    {"penetration, overlapping", true,
+     [](Pair& pair) { return penetration(pair.fixed, kIdentity, pair.moving, upon(pair)).has_value(); }, false},
+    {"castRay, misses the disc", false, [](Pair& pair) { return askRay(pair, 1.5); }, false},
+    {"castRay, hits", true, [](Pair& pair) { return askRay(pair, 0); }, false},
     {"locate, outside", false,
-     [](Pair& pair) { return locate(pair.fixed, 3 * far(pair).translation()) != Location::Outside; }},
-    {"locate, inside", true, [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin()) != Location::Outside; }},
+     [](Pair& pair) { return locate(pair.fixed, 3 * far(pair).translation()) != Location::Outside; }, false},
+    {"locate, inside", true, [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin()) != Location::Outside; },
+     false},
     {"locate, inside, PointCache", true,
-     [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin(), pair.point_cache) != Location::Outside; }},
+     [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin(), pair.point_cache) != Location::Outside; }, false},
+    {"Scene: added, boxes apart", false, askScene<far>},
+    {"Scene: added, near", false, askScene<near>},
+    {"Scene: added, overlapping", true, askScene<upon>},
 };
 
 /// Of one call of `work`.
@@ -115,12 +234,14 @@ struct Cost {
   std::optional<double> warm_ns;
 };
 
-Cost costOf(const std::vector<Ring>& fixed, const std::vector<Ring>& moving, const Query& query) {
-  constexpr int kPairs = 101, kLater = 20, kWarm = 100;
+Cost costOf(const Shape& shape, const Query& query) {
+  constexpr int kMostPairs = 101, kFewestPairs = 5;
+  constexpr double kNanoseconds = 4e7, kWarm = 2e5;  // of a cell, and of the later queries about one pair
   std::vector<double> extra, warm;
   std::size_t bytes = 0;
-  for (int i = 0; i < kPairs; ++i) {
-    Pair pair{Polygon(fixed), Polygon(moving), {}, {}};
+  double taken = 0;
+  for (int i = 0; i < kFewestPairs || (i < kMostPairs && taken < kNanoseconds); ++i) {
+    Pair pair{Polygon(shape.fixed, shape.fill), Polygon(shape.moving, shape.fill), shape.margin, {}, {}, {}, {}};
     bool right = true;
     const auto ask = [&] { right = query.ask(pair) == query.answer && right; };
     const std::size_t before = heap_bytes;
@@ -128,71 +249,76 @@ Cost costOf(const std::vector<Ring>& fixed, const std::vector<Ring>& moving, con
     bytes = heap_bytes - before;
     // One by one, so that the clock's own time cancels.
     std::vector<double> later;
-    for (int k = 0; k < kLater; ++k) later.push_back(nanoseconds(ask));
+    while (later.size() < (first < kWarm ? 20 : 3)) later.push_back(nanoseconds(ask));
     extra.push_back(first - median(later));
-    warm.push_back(nanoseconds([&] {
-                     for (int k = 0; k < kWarm; ++k) ask();
-                   }) /
-                   kWarm);
-    if (!right) throw std::logic_error(std::string("modelled: wrong: ") + query.name);
+    const int repeated = static_cast<int>(std::min(100.0, 1 + kWarm / median(later)));
+    const double all = nanoseconds([&] {
+      for (int k = 0; k < repeated; ++k) ask();
+    });
+    warm.push_back(all / repeated);
+    taken += first + all;
+    if (!right) throw std::logic_error("modelled: wrong: " + std::string(query.name) + ", " + shape.name);
   }
   return {bytes, median(extra), median(warm)};
 }
 
 /// The polygon itself, before any query.
-Cost costOfPolygon(const std::vector<Ring>& rings) {
+Cost costOfPolygon(const Shape& shape) {
   constexpr int kPolygons = 101;
   std::vector<double> times;
   std::size_t bytes = 0;
   for (int i = 0; i < kPolygons; ++i) {
     const std::size_t before = heap_bytes;
     std::unique_ptr<Polygon> polygon;
-    times.push_back(nanoseconds([&] { polygon = std::make_unique<Polygon>(rings); }));
+    times.push_back(nanoseconds([&] { polygon = std::make_unique<Polygon>(shape.fixed, shape.fill); }));
     bytes = heap_bytes - before;
   }
   return {bytes, median(times), {}};
 }
 
 const char* const kHow =
-    R"(- Two fresh contours of that many vertices each, 101 times; medians. bytes: what operator new handed out and
-  wasn't given back, rounded up as malloc does, for both polygons and the caches together. build ns: the first query's
-  time less a later one's. warm ns: a later query. The clock ticks every 10 ns or so.
-- discs apart: twice as far as both radii. near: the discs overlap, the polygons don't. Every answer is checked.
-- A PairCache itself is %zu bytes, a PointCache %zu, both the caller's.
+    R"(- Two fresh polygons of that many vertices each, or two discs, up to 101 times; medians. Bytes: what operator new handed
+  out and wasn't given back, rounded up as malloc does, for both polygons, the caches and the scene together. Building:
+  the first query's time less a later one's. The clock ticks every 10 ns or so.
+- disc: point() with a margin. convex: slim. outline: a random contour. 64 triangles: rings that overlap, by the non-zero
+  rule.
+- discs apart: four radii away. near: the bounding discs overlap, the polygons don't. Every answer is checked. An empty
+  cell is a query that discs have none of.
+- A PairCache itself is %zu bytes, a DistanceCache %zu, a PointCache %zu, all the caller's.
 - polygon: one polygon from its rings, copied; that much every polygon pays, and the other rows come on top.
 )";
 
 std::string rounded(double value) { return std::to_string(std::lround(value)); }
 
 int run(const std::string& directory) {
-  const std::vector<std::size_t> sizes = {8, 64, 512};
-  TextTable lines = {{"asked first"}};
-  for (const std::size_t n : sizes) {
-    for (const char* column : {"bytes", "build ns", "warm ns"}) lines[0].push_back(std::to_string(n) + ": " + column);
+  const std::vector<Shape> all = shapes();
+  const char* const measures[] = {"Bytes that the first query leaves", "What it takes to build them, ns",
+                                  "A later query, ns"};
+  TextTable tables[3];
+  for (TextTable& lines : tables) {
+    lines = {{"asked first"}};
+    for (const Shape& shape : all) lines[0].push_back(shape.name);
   }
-  std::string csv = "query,vertices,bytes,build_ns,warm_ns\n";
-  const auto enter = [&](const std::string& name, std::size_t n, const Cost& cost) {
-    const std::string cells[] = {std::to_string(cost.bytes), rounded(cost.extra_ns),
-                                 cost.warm_ns ? rounded(*cost.warm_ns) : ""};
-    csv += '"' + name + "\"," + std::to_string(n);
-    for (const std::string& cell : cells) {
-      lines.back().push_back(cell);
-      csv += ',' + cell;
+  std::string csv = "query,shape,bytes,build_ns,warm_ns\n";
+  const auto enter = [&](const std::string& name, auto costOfShape) {
+    for (TextTable& lines : tables) lines.push_back({name});
+    for (const Shape& shape : all) {
+      const std::optional<Cost> cost = costOfShape(shape);
+      const std::string cells[] = {cost ? std::to_string(cost->bytes) : "", cost ? rounded(cost->extra_ns) : "",
+                                   cost && cost->warm_ns ? rounded(*cost->warm_ns) : ""};
+      for (int i = 0; i < 3; ++i) tables[i].back().push_back(cells[i]);
+      if (cost) csv += '"' + name + "\",\"" + shape.name + "\"," + cells[0] + ',' + cells[1] + ',' + cells[2] + '\n';
     }
-    csv += '\n';
   };
-  const auto rings = [](std::size_t n, std::uint64_t seed) {
-    return workloads::makePolygon(workloads::Kind::Contour, n, seed).rings();
-  };
-  lines.push_back({"polygon, no query"});
-  for (const std::size_t n : sizes) enter("polygon, no query", n, costOfPolygon(rings(n, 1)));
-  for (const Query& query : kQueries) {
-    lines.push_back({query.name});
-    for (const std::size_t n : sizes) enter(query.name, n, costOf(rings(n, 1), rings(n, 2), query));
-  }
-  char how[1024];
-  std::snprintf(how, sizeof how, kHow, sizeof(PairCache), sizeof(PointCache));
-  const std::string text = "# Model only what a scene requires\n\n" + markdown(lines) + "\n";
+  enter("polygon, no query", [](const Shape& shape) { return std::optional<Cost>(costOfPolygon(shape)); });
+  for (const Query& query : kQueries)
+    enter(query.name, [&](const Shape& shape) {
+      return shape.isDisc() && !query.of_discs ? std::nullopt : std::optional<Cost>(costOf(shape, query));
+    });
+  std::string text = "# Model only what a scene requires\n\n";
+  for (int i = 0; i < 3; ++i) text += "## " + std::string(measures[i]) + "\n\n" + markdown(tables[i]) + "\n";
+  char how[1500];
+  std::snprintf(how, sizeof how, kHow, sizeof(PairCache), sizeof(DistanceCache), sizeof(PointCache));
   writeFile(directory + "/modelled.md", text + "# How it was measured\n\n" + how);
   writeFile(directory + "/modelled.csv", csv);
   return 0;
