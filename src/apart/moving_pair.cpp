@@ -94,7 +94,6 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
   double turned = 0, others = 0;
   const auto describe = [&](Mover& mover, const PolygonData& polygon, const Motion& motion) {
     mover.polygon = &polygon;
-    mover.tree = &hierarchyOf(polygon);
     mover.linear = motion.start.linear();
     // A point stays where it is if it turns about itself.
     const bool turns = !(polygon.isPoint() && motion.pivot == polygon.origin);
@@ -159,6 +158,11 @@ Rates MovingPair::ratesOf(double begin, double end) const {
           of_b + rate_b * (relative - a.turn).mostRate(begin, end),
           b.way.mostRate(begin, end),
           b.way.mostAcceleration(begin, end)};
+}
+
+void MovingPair::findTrees() {
+  a.tree = &hierarchyOf(*a.polygon);
+  b.tree = &hierarchyOf(*b.polygon);
 }
 
 // A way of acceleration A or less leaves the line between its ends by at most A / 8.

@@ -56,15 +56,15 @@ struct Mover {
   bool keepsLengths() const;
 
   const PolygonData* polygon;
-  const Hierarchy* tree;
-  Vec2 pivot;               ///< in the polygon's frame
-  Eigen::Matrix2d linear;   ///< the start's
-  Vec2 base;                ///< where the pivot is at time 0
-  Cubic<Vec2> way;          ///< of the pivot, from there
-  Vec2 arm;                 ///< from the pivot to S, at time 0
-  Cubic<double> turn;       ///< radians
-  double scale, reach;      ///< a unit; no point is farther from the pivot
-  bool turns, is_straight;  ///< whether it turns at all; whether neither turn nor way is bent
+  const Hierarchy* tree = nullptr;  ///< once MovingPair::findTrees() was called
+  Vec2 pivot;                       ///< in the polygon's frame
+  Eigen::Matrix2d linear;           ///< the start's
+  Vec2 base;                        ///< where the pivot is at time 0
+  Cubic<Vec2> way;                  ///< of the pivot, from there
+  Vec2 arm;                         ///< from the pivot to S, at time 0
+  Cubic<double> turn;               ///< radians
+  double scale, reach;              ///< a unit; no point is farther from the pivot
+  bool turns, is_straight;          ///< whether it turns at all; whether neither turn nor way is bent
 };
 
 /// Upper bounds, over a window of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's
@@ -84,6 +84,9 @@ struct Rates {
 struct MovingPair {
   MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b, const Motion& motion_b,
              double margin = 0);
+
+  /// Builds what isn't there yet, for all but discsStayApart().
+  void findTrees();
 
   /// Whether the discs around the pivots stay farther apart than the margin for all of the time.
   bool discsStayApart() const;

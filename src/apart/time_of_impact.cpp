@@ -256,8 +256,9 @@ Impact describeContainment(const MovingPair& pair, const Motion& motion_a, const
 
 std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
                                     const Motion& motion_b, const ImpactOptions& options) {
-  const MovingPair moving(a, motion_a, b, motion_b, options.margin);
+  MovingPair moving(a, motion_a, b, motion_b, options.margin);
   if (moving.discsStayApart()) return std::nullopt;
+  moving.findTrees();
   // All of a region is in the box around everything. Regions that start apart meet at their edges first.
   const auto atStart = [&]() -> std::optional<Impact> {
     CollideOptions at_start;

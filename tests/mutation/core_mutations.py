@@ -460,6 +460,7 @@ MUTATIONS = [
     ("src/apart/tight_nodes.cpp", "last = end->child[end->count - 1u];", "last = end->child[0];", "tight nodes: the last block's other edges"),
     ("src/apart/tight_nodes.cpp", "0.5 * (high.y() - low.y()) + kRoom", "0.5 * (high.y() - low.y()) - kRoom", "tight nodes: too narrow"),
     ("src/apart/tight_nodes.cpp", "if (!spanned || !mover_.polygon->fitsUnit()) return node;", "if (!mover_.polygon->fitsUnit()) return node;", "tight nodes: several rings taken for a chain"),
+    ("src/apart/time_of_impact.cpp", "  if (moving.discsStayApart()) return std::nullopt;\n  moving.findTrees();\n", "  moving.findTrees();\n  if (moving.discsStayApart()) return std::nullopt;\n", "impact: builds trees where discs decide"),
     ("src/apart/time_of_impact.cpp", "if (tight_a_ && partedByPivots", "if (partedByPivots", "impact: pivots asked about nodes that aren't fitted (equivalent: those know nothing)"),
     ("src/apart/time_of_impact.cpp", "begin > other.begin : depth", "begin < other.begin : depth", "impact: latest candidates first"),
     ("src/apart/time_of_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(pair.margin)", "impact: touches known exactly (equivalent: speed only, halving ends there as well)"),

@@ -75,8 +75,9 @@ TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
     const std::optional<Impact> truth = timeOfImpact(repeated(ring_a), motion_a, repeated(ring_b), motion_b, options);
     ASSERT_EQ(impact.has_value(), truth.has_value()) << i;
     const bool swaps = b.radius() > a.radius();
-    const MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
-                                  : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
+    MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
+                            : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
+    pair.findTrees();
     if (isSmallConvexPair(pair)) {
       ++small;
       const ConvexImpact found = findConvexImpact(pair, options.time_error);
@@ -109,6 +110,18 @@ TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
   EXPECT_GE(hits, 0.2 * count);
   EXPECT_GE(hits - at_start, 0.1 * count);
   EXPECT_GE(misses, 0.2 * count);
+}
+
+/// Trees are for those that come near.
+TEST(TimeOfImpact, BuildsNothingWhereDiscsStayApart) {
+  const Polygon a({rectangle(-1, -1, 1, 1)}), b({rectangle(-1, -1, 1, 1)});
+  const Motion passes = Motion::translation(pose(0, -9, 4), Vec2(18, 0)),
+               hits = Motion::translation(pose(0, -9, 0), Vec2(18, 0));
+  EXPECT_FALSE(timeOfImpact(a, {}, b, passes).has_value());
+  EXPECT_EQ(hierarchyIfBuilt(a.data()), nullptr);
+  EXPECT_EQ(hierarchyIfBuilt(b.data()), nullptr);
+  EXPECT_TRUE(timeOfImpact(a, {}, b, hits).has_value());
+  EXPECT_NE(hierarchyIfBuilt(a.data()), nullptr);
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ TEST(TightNodes, HoldTheirChainsClosely) {
   for (int i = 0; i < scaledCount(240); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon a = outline(random), b = outline(random);
-    const MovingPair pair(a.data(), randomMotion(random), b.data(), randomMotion(random));
+    MovingPair pair(a.data(), randomMotion(random), b.data(), randomMotion(random));
+    pair.findTrees();
     TightNodes tight(pair.a);
     for (const std::uint32_t index : allNodes(pair.a)) {
       const Node node = tight.node(index), wide = pair.a.node(index);
@@ -112,7 +113,8 @@ TEST(TightNodes, PivotsPartWhatIsApart) {
       motion_b.start = pose(random.real(0, 6), 0, 0);
       motion_b.pivot = motion_a.pivot = Vec2(0, 0);
     }
-    const MovingPair pair(a.data(), motion_a, b.data(), motion_b, random.coin() ? 0.05 : 0);
+    MovingPair pair(a.data(), motion_a, b.data(), motion_b, random.coin() ? 0.05 : 0);
+    pair.findTrees();
     TightNodes tight_a(pair.a), tight_b(pair.b);
     const std::vector<std::uint32_t> of_a = allNodes(pair.a), of_b = allNodes(pair.b);
     for (int k = 0; k < 100; ++k) {
