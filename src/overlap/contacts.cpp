@@ -20,7 +20,9 @@
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
 #include "pair/edge_pairs.h"
+#include "pair/facts.h"
 #include "pair/kernel_order.h"
+#include "pair/pair_fact.h"
 
 namespace tricover {
 namespace detail {
@@ -445,19 +447,41 @@ Contact ContactFinder::inWorld(const Exit& exit, const Vec2& point) const {
           number(pair_.b, exit.edge_b)};
 }
 
-std::vector<Contact> allContacts(const PosedPair& pair) {
+std::vector<Contact> allContacts(const PosedPair& pair, ContactCache* cache) {
   if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).gap(0) >= 0) return {};
-  const ConvexContact convex = convexContact(pair);
-  if (convex.verdict == ConvexContact::Unsure) return ContactFinder(pair).contacts();
-  if (convex.verdict == ConvexContact::Apart) return {};
-  return {convex.contact};
+  const ConvexContact convex = convexContact(pair, cache);
+  if (convex.verdict == ConvexContact::Overlap) return {convex.contact};
+  return convex.verdict == ConvexContact::Apart ? std::vector<Contact>() : ContactFinder(pair).contacts();
 }
 
-std::vector<Contact> deepestContacts(const PosedPair& pair, std::size_t most) {
-  std::vector<Contact> result = allContacts(pair);
+std::vector<Contact> deepestContacts(const PosedPair& pair, ContactCache* cache, std::size_t most) {
+  Recollection known{};
+  if (cache != nullptr && cache->count == 0) known = recall(cache->pair, pair.a, pair.pose_a, pair.b, pair.pose_b, 0);
+  if (known.certain && !known.collides) return {};
+  std::vector<Contact> result = allContacts(pair, cache);
+  if (cache != nullptr && result.empty()) {
+    PairFact fact{};  // after a jump another may follow: then only the poses are of use
+    if (known.coherent) fact = findFact(pair.a, pair.pose_a, pair.b, pair.pose_b, {}, {known.lookahead, true});
+    remember(cache->pair, pair.a, pair.pose_a, pair.b, pair.pose_b, false, fact.clearance);
+  }
   std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > most) result.erase(result.begin() + static_cast<std::ptrdiff_t>(most), result.end());
   return result;
+}
+
+std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                              ContactCache* cache, std::size_t most) {
+  requireRigid(pose_a, "pose_a");
+  requireRigid(pose_b, "pose_b");
+  return inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) { return deepestContacts(PosedPair(operands...), cache, most); },
+      [](std::vector<Contact>& contacts) {
+        for (Contact& contact : contacts) {
+          contact.normal = -contact.normal;
+          std::swap(contact.edge_a, contact.edge_b);
+        }
+      });
 }
 
 }  // namespace
@@ -465,17 +489,12 @@ std::vector<Contact> deepestContacts(const PosedPair& pair, std::size_t most) {
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                               std::size_t most) {
-  detail::requireRigid(pose_a, "pose_a");
-  detail::requireRigid(pose_b, "pose_b");
-  return detail::inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return detail::deepestContacts(detail::PosedPair(operands...), most); },
-      [](std::vector<Contact>& contacts) {
-        for (Contact& contact : contacts) {
-          contact.normal = -contact.normal;
-          std::swap(contact.edge_a, contact.edge_b);
-        }
-      });
+  return detail::contacts(a, pose_a, b, pose_b, nullptr, most);
+}
+
+std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                              ContactCache& cache, std::size_t most) {
+  return detail::contacts(a, pose_a, b, pose_b, &cache, most);
 }
 
 }  // namespace tricover

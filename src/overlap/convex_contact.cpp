@@ -18,6 +18,7 @@
 #include "overlap/convex_ring.h"
 #include "overlap/frame_of_a.h"
 #include "overlap/part_middle.h"
+#include "pair/facts.h"
 #include "pair/world_frame.h"
 
 namespace tricover::detail {
@@ -38,9 +39,9 @@ static_assert(WorldFrame::kPointError >= 16 * kUnitRoundoff && kMappingError >= 
 
 /// A face and the vertex of the other polygon that is deepest behind it.
 struct Face {
-  bool of_a;
-  std::size_t edge, deepest;
-  double square;  ///< of the depth
+  bool of_a = true;
+  std::size_t edge = 0, deepest = 0;
+  double square = std::numeric_limits<double>::infinity();  ///< of the depth
 };
 
 /// Where two edges cross: an edge of the face's polygon and one of the other.
@@ -49,89 +50,144 @@ struct Meeting {
   std::size_t own_passed, other_passed;  ///< vertices on the way there
 };
 
-/// In one of the frames that are there for it, counter-clockwise there.
-template <typename Frame>
+/// In one of the frames that are there for it, counter-clockwise there; with all vertices kept, for all faces, or not.
+template <typename Frame, bool kept>
 class ConvexPair {
  public:
+  using Ring = ConvexRing<Frame, kept>;
+
   ConvexPair(const PosedPair& pair, int turn_a, int turn_b)
       : frame_(pair),
         doubtful_(doubtfulArea(frame_)),
-        a_(pair.a, turn_a, [this](const Vec2& p) { return frame_.fromA(p); }),
-        b_(pair.b, turn_b, [this](const Vec2& p) { return frame_.fromB(p); }) {}
+        a_(frame_, pair.a, true, turn_a),
+        b_(frame_, pair.b, false, turn_b) {}
 
-  ConvexContact contact() {
-    using Verdict = ConvexContact::Verdict;
-    if (!lookBehindFaces(true) || !lookBehindFaces(false)) return {is_apart_ ? Verdict::Apart : Verdict::Unsure, {}};
-    // Less may be a touch.
-    if (!(least_ > 64 * frame_.error())) return {Verdict::Unsure, {}};
-    const Face face = bestFace();
-    const ConvexRing &own = face.of_a ? a_ : b_, &other = face.of_a ? b_ : a_;
-    Meeting left, right;
-    if (!findMeeting(own, other, face, true, left) || !findMeeting(own, other, face, false, right))
-      return {Verdict::Unsure, {}};
-    const std::size_t own_passed = left.own_passed + right.own_passed,
-                      other_passed = left.other_passed + right.other_passed + 1;
-    if (own_passed >= own.size() || other_passed >= other.size()) return {Verdict::Unsure, {}};
-    PointList<36> part(own_passed + other_passed + 2);
-    part.add(pointOf(face, left));
-    if (!addChain(other, other.after(left.other), other_passed, own, part)) return {Verdict::Unsure, {}};
-    part.add(pointOf(face, right));
-    if (!addChain(own, own.after(right.own), own_passed, other, part)) return {Verdict::Unsure, {}};
-    const Vec2 up = normalOf(face);
-    const Vec2 middle = partMiddle(part, part, up, 4 * frame_.error()).middle;
-    return {Verdict::Overlap, contactOf(face, up, middle)};
+  /// Keeps in `cache`, unless it is null, which faces were the best.
+  ConvexContact byAllFaces(ContactCache* cache, double lookahead) {
+    const bool keeps = cache != nullptr;
+    const bool finds = lookBehind(true, 0, a_.size(), 0, keeps) && lookBehind(false, 0, b_.size(), 0, keeps);
+    if (!finds) return {is_apart_ ? ConvexContact::Apart : ConvexContact::Unsure, {}};
+    if (cache != nullptr) keepFaces(*cache, lookahead);
+    return byBestFace();
+  }
+
+  /// Of the faces in the cache, which were the best before points moved by up to `motion` against the other polygon.
+  /// Overlap only where byAllFaces() says the same.
+  ConvexContact byKeptFaces(const ContactCache& cache, double motion) {
+    for (int f = 0; f < cache.count; ++f) {
+      const Ring &ring = cache.of_first[f] ? a_ : b_, &body = cache.of_first[f] ? b_ : a_;
+      const std::size_t k = ring.position(cache.face[f]);
+      if (!lookBehind(cache.of_first[f], k, k + 1, body.position(cache.behind[f]), false)) return {};
+    }
+    return cache.deeper - motion > least_ + 64 * frame_.error() ? byBestFace() : ConvexContact{};
   }
 
  private:
   static constexpr std::size_t kMostBest = 8;
 
-  /// Behind the faces of one of them. False if one of them parts the regions, or the deepest vertex is in doubt.
-  bool lookBehindFaces(bool of_a) {
-    const ConvexRing &ring = of_a ? a_ : b_, &body = of_a ? b_ : a_;
-    std::size_t at = 0;
-    for (std::size_t v = 1; v < body.size(); ++v)
-      if (cross(ring.edge(0), body.vertex(v) - body.vertex(at)) > 0) at = v;
-    const auto isClimbedTo = [&](std::size_t v) { return cross(ring.edge(0), body.edge(body.before(v))) > doubtful_; };
-    if (!isClimbedTo(at)) at = body.before(at);
-    if (!isClimbedTo(at)) return false;
-    std::size_t steps = 2 * (ring.size() + body.size());
-    const Vec2 *vertices = body.vertices(), *edges = body.edges();
-    for (std::size_t k = 0; k < ring.size(); ++k) {
+  ConvexContact byBestFace() const {
+    // Less may be a touch.
+    if (!(least_ > 64 * frame_.error())) return {};
+    const Face face = bestFace();
+    const Ring &own = face.of_a ? a_ : b_, &other = face.of_a ? b_ : a_;
+    Meeting left, right;
+    if (!findMeeting(own, other, face, true, left) || !findMeeting(own, other, face, false, right)) return {};
+    const std::size_t own_passed = left.own_passed + right.own_passed,
+                      other_passed = left.other_passed + right.other_passed + 1;
+    if (own_passed >= own.size() || other_passed >= other.size()) return {};
+    PointList<36> part(own_passed + other_passed + 2);
+    part.add(pointOf(face, left));
+    if (!addChain(other, other.after(left.other), other_passed, own, part)) return {};
+    part.add(pointOf(face, right));
+    if (!addChain(own, own.after(right.own), own_passed, other, part)) return {};
+    const Vec2 up = normalOf(face);
+    const Vec2 middle = partMiddle(part, part, up, 4 * frame_.error()).middle;
+    return {ConvexContact::Overlap, contactOf(face, up, middle)};
+  }
+
+  /// Behind faces k to end - 1 of one of them, seen from vertex `at` on. False if one of them parts the regions, or
+  /// what is deepest isn't found.
+  bool lookBehind(bool of_a, std::size_t k, std::size_t end, std::size_t at, bool keeps) {
+    const Ring &ring = of_a ? a_ : b_, &body = of_a ? b_ : a_;
+    for (; k < end; ++k) {
       const Vec2 way = ring.edge(k);
-      double climb = cross(way, edges[at]);
-      while (climb > doubtful_) {
+      double climb = cross(way, body.edge(at));
+      std::size_t steps = climb > doubtful_ ? body.size() : 0;
+      // What leads there is proven to climb.
+      const bool climbs = steps > 0 || cross(way, body.edge(body.before(at))) > doubtful_;
+      for (; climb > doubtful_; climb = cross(way, body.edge(at))) {
         if (steps-- == 0) return false;
         at = body.after(at);
-        climb = cross(way, edges[at]);
       }
-      // Of a convex polygon what is next is less deep all around once it is for certain.
-      std::size_t deepest = at;
-      if (!(climb < -doubtful_)) {
-        // An edge along the face.
-        const std::size_t next = body.after(at);
-        if (!(cross(way, edges[next]) < -doubtful_)) return false;
-        if (climb > 0) deepest = next;
-      }
-      const double area = cross(way, vertices[deepest] - ring.vertex(k));
+      Face face{of_a, k, at, 0};
+      if (!(climbs && climb < -doubtful_) && !findDeepest(way, body, at, face.deepest)) return false;
+      const double area = cross(way, body.vertex(face.deepest) - ring.vertex(k));
       if (area < -doubtful_) {
         is_apart_ = isBeyond(ring, k, body);
         return false;
       }
       const double positive = std::max(area, 0.0), square = way.squaredNorm();
-      if (!(positive * positive > limit_ * square) && !keep({of_a, k, deepest, positive * positive / square}))
-        return false;
+      const bool is_best = !(positive * positive > limit_ * square);
+      if (!is_best && !keeps) continue;
+      face.square = positive * positive / square;
+      if (is_best && !addBest(face)) return false;
+      if (keeps) addNearest(face, std::max(area - 4 * doubtful_, 0.0));
     }
     return true;
   }
 
-  bool isBeyond(const ConvexRing& ring, std::size_t k, const ConvexRing& body) const {
+  /// Of a convex polygon's vertices all that may be the deepest lie between an edge that certainly leads deeper and the
+  /// next that certainly doesn't.
+  bool findDeepest(const Vec2& way, const Ring& body, std::size_t& at, std::size_t& deepest) const {
+    std::size_t steps = 2 * body.size();
+    for (std::size_t v = body.before(at); !(cross(way, body.edge(v)) > doubtful_); v = body.before(v)) {
+      if (steps-- == 0) return false;
+      at = v;
+    }
+    deepest = at;
+    for (std::size_t v = at; !(cross(way, body.edge(v)) < -doubtful_);) {
+      if (steps-- == 0) return false;
+      v = body.after(v);
+      if (cross(way, body.vertex(v) - body.vertex(deepest)) > 0) deepest = v;
+    }
+    return true;
+  }
+
+  bool isBeyond(const Ring& ring, std::size_t k, const Ring& body) const {
     for (std::size_t v = 0; v < body.size(); ++v)
       if (!(ring.leftOf(k, body.vertex(v)) < -doubtful_)) return false;
     return true;
   }
 
-  /// Among the best, if it is: those that aren't deeper than the least one by more than rounding.
-  bool keep(const Face& face) {
+  /// By an area that is less by what rounding makes of it now and later.
+  void addNearest(Face face, double area) {
+    face.square = area * area / (face.of_a ? a_ : b_).edge(face.edge).squaredNorm();
+    for (Face& other : nearest_)
+      if (face.square < other.square) std::swap(face, other);
+  }
+
+  /// Those that are less than `lookahead` deeper than the least, and how deep the next one is.
+  void keepFaces(ContactCache& cache, double lookahead) const {
+    const auto depthOf = [](const Face& face) { return std::sqrt(face.square); };
+    const double enough = depthOf(nearest_[0]) + lookahead;
+    int count = 1;
+    while (count < ContactCache::kMost && depthOf(nearest_[static_cast<std::size_t>(count)]) < enough) ++count;
+    std::array<Face, ContactCache::kMost + 1> faces = nearest_;
+    std::sort(faces.begin(), faces.begin() + count,
+              [](const Face& f, const Face& g) { return f.of_a != g.of_a ? f.of_a : f.edge < g.edge; });
+    for (int f = 0; f < count; ++f) {
+      const Face& face = faces[static_cast<std::size_t>(f)];
+      const Ring &ring = face.of_a ? a_ : b_, &body = face.of_a ? b_ : a_;
+      cache.of_first[f] = face.of_a;
+      cache.face[f] = static_cast<std::uint32_t>(ring.position(face.edge));
+      cache.behind[f] = static_cast<std::uint32_t>(body.position(face.deepest));
+    }
+    cache.count = count;
+    cache.deeper = depthOf(faces[static_cast<std::size_t>(count)]) * (1 - 1e-12) - 64 * frame_.error();
+  }
+
+  /// The best are those that aren't deeper than the least one by more than rounding.
+  bool addBest(const Face& face) {
     if (face.square < least_ * least_) {
       least_ = std::sqrt(face.square);
       const double reach = least_ + 4 * frame_.error();
@@ -147,7 +203,7 @@ class ConvexPair {
 
   /// Outwards.
   Vec2 normalOf(const Face& face) const {
-    const Vec2& way = (face.of_a ? a_ : b_).edge(face.edge);
+    const Vec2 way = (face.of_a ? a_ : b_).edge(face.edge);
     return Vec2(way.y(), -way.x()).normalized();
   }
 
@@ -164,17 +220,16 @@ class ConvexPair {
 
   /// From the face on counter-clockwise and from the vertex deepest behind it back, or (not forward) the other way
   /// round: the edges that cross first. False where that isn't certain.
-  bool findMeeting(const ConvexRing& own, const ConvexRing& other, const Face& face, bool forward,
-                   Meeting& meeting) const {
+  bool findMeeting(const Ring& own, const Ring& other, const Face& face, bool forward, Meeting& meeting) const {
     std::size_t i = face.edge, j = forward ? other.before(face.deepest) : face.deepest;
     std::size_t own_passed = 0, other_passed = 0;
     while (own_passed + other_passed < own.size() + other.size()) {
-      const Vec2 &own_end = forward ? own.end(i) : own.vertex(i), &other_end = forward ? other.vertex(j) : other.end(j);
+      const Vec2 own_end = forward ? own.end(i) : own.vertex(i), other_end = forward ? other.vertex(j) : other.end(j);
       const double own_in = other.leftOf(j, own_end), other_in = own.leftOf(i, other_end);
       if (own_in < 0 && other_in < 0) {
         meeting = {i, j, own_passed, other_passed};
-        const Vec2 &own_start = forward ? own.vertex(i) : own.end(i),
-                   &other_start = forward ? other.end(j) : other.vertex(j);
+        const Vec2 own_start = forward ? own.vertex(i) : own.end(i),
+                   other_start = forward ? other.end(j) : other.vertex(j);
         return own_in < -doubtful_ && other_in < -doubtful_ && other.leftOf(j, own_start) > doubtful_ &&
                own.leftOf(i, other_start) > doubtful_;
       }
@@ -191,7 +246,7 @@ class ConvexPair {
     return false;
   }
 
-  static bool isAhead(const ConvexRing& own, std::size_t i, const Vec2& own_end, const ConvexRing& other, std::size_t j,
+  static bool isAhead(const Ring& own, std::size_t i, const Vec2& own_end, const Ring& other, std::size_t j,
                       const Vec2& other_end, bool forward) {
     const Vec2 way = own.edge(i) - other.edge(j);
     const double ahead = way.dot(own_end - other_end);
@@ -208,8 +263,7 @@ class ConvexPair {
 
   /// Vertices in a row; false unless they are inside the other for certain.
   template <typename Points>
-  bool addChain(const ConvexRing& ring, std::size_t first, std::size_t count, const ConvexRing& other,
-                Points& points) const {
+  bool addChain(const Ring& ring, std::size_t first, std::size_t count, const Ring& other, Points& points) const {
     for (std::size_t v = first; count > 0; --count, v = ring.after(v)) {
       if (!other.holds(ring.vertex(v), doubtful_)) return false;
       points.add(ring.vertex(v));
@@ -218,7 +272,7 @@ class ConvexPair {
   }
 
   Contact contactOf(const Face& face, const Vec2& up, const Vec2& point) const {
-    const ConvexRing &own = face.of_a ? a_ : b_, &other = face.of_a ? b_ : a_;
+    const Ring &own = face.of_a ? a_ : b_, &other = face.of_a ? b_ : a_;
     const auto own_edge = static_cast<std::ptrdiff_t>(own.position(face.edge));
     // Of the vertex' edges the one that is more across the normal.
     const std::size_t leaving = other.leaving(face.deepest), arriving = other.arriving(face.deepest);
@@ -237,24 +291,76 @@ class ConvexPair {
 
   const Frame frame_;
   const double doubtful_;
-  const ConvexRing a_, b_;
+  const Ring a_, b_;
   bool is_apart_ = false;
   /// The least depth behind a face so far, and the square of what counts as equal.
   double least_ = std::numeric_limits<double>::infinity(), limit_ = least_;
   std::array<Face, kMostBest> best_;
   std::ptrdiff_t best_count_ = 0;
+  /// By depth; only where they are to be kept.
+  std::array<Face, ContactCache::kMost + 1> nearest_;
 };
+
+/// A part of the smaller one's radius: faces that are deeper by less are kept, for steps of a hundredth of that and
+/// more.
+constexpr double kLookahead = 1.0 / 32;
+
+/// Whether a's frame and b's differ by no more than FrameOfA lets a's and the world's: then depths behind faces of
+/// either are the same in both.
+bool keepsLengths(const PosedPair& pair) { return pair.defect < 0x1p-46; }
+
+/// At most how far a point of either has moved against the other since. In a's frame the point q of b's frame has moved
+/// by d(q), where d is the difference of both maps. A point of a, at q then, has moved by as much in b's frame, but for
+/// what that frame is off by; and q is no farther from b's S than both radii and a's once more, because they overlap.
+double motionSince(const ContactCache& cache, const PosedPair& pair) {
+  Change change(pair.b, load2(&pair.m00) - load2(cache.second_in_first),
+                load2(&pair.m01) - load2(cache.second_in_first + 2),
+                load2(&pair.tx) - load2(cache.second_in_first + 4));
+  change.radius += pair.b.radius + 3 * pair.a.radius;
+  return change.displacement() * (1 + 1e-12) + 2 * (pair.error + cache.error);
+}
+
+void storePose(ContactCache& cache, const PosedPair& pair) {
+  cache.first_id = pair.a.id;
+  cache.second_id = pair.b.id;
+  std::copy(&pair.m00, &pair.m00 + 6, cache.second_in_first);
+  cache.error = pair.error;
+}
+
+ConvexContact contactInFrameOfA(const PosedPair& pair, int turn_a, int turn_b, ContactCache* cache) {
+  if (cache == nullptr || !keepsLengths(pair))
+    return ConvexPair<FrameOfA, true>(pair, turn_a, turn_b).byAllFaces(nullptr, 0);
+  bool coherent = false;
+  // Areas are in doubt by at most the square of that more than they were.
+  const bool alike = pair.error <= 1.5 * cache->error;
+  if (alike && cache->first_id == pair.a.id && cache->second_id == pair.b.id) {
+    const double motion = motionSince(*cache, pair);
+    coherent = motion < kCoherentPart * pair.b.radius;
+    if (cache->count > 0 && motion < cache->deeper) {
+      // Of few vertices all are mapped sooner than some of them several times.
+      const bool few = pair.a.path.size() + pair.b.path.size() <= 40;
+      const ConvexContact found = few ? ConvexPair<FrameOfA, true>(pair, turn_a, turn_b).byKeptFaces(*cache, motion)
+                                      : ConvexPair<FrameOfA, false>(pair, turn_a, turn_b).byKeptFaces(*cache, motion);
+      if (found.verdict == ConvexContact::Overlap) return found;
+    }
+  }
+  cache->count = 0;
+  storePose(*cache, pair);
+  // After a jump another may follow.
+  return ConvexPair<FrameOfA, true>(pair, turn_a, turn_b)
+      .byAllFaces(coherent ? cache : nullptr, kLookahead * pair.b.radius);
+}
 
 }  // namespace
 
-ConvexContact convexContact(const PosedPair& pair) {
+ConvexContact convexContact(const PosedPair& pair, ContactCache* cache) {
   const int turn_a = convexOutlineOf(pair.a).turn, turn_b = convexOutlineOf(pair.b).turn;
-  if (turn_a == 0 || turn_b == 0) return {ConvexContact::Unsure, {}};
+  if (turn_a == 0 || turn_b == 0) return {};
   const auto mirrors = [](const Pose& pose) { return pose.linear().determinant() < 0; };
   const bool mirrors_a = mirrors(pair.pose_a), mirrors_b = mirrors(pair.pose_b);
-  if (FrameOfA::fits(pair))
-    return ConvexPair<FrameOfA>(pair, turn_a, mirrors_a != mirrors_b ? -turn_b : turn_b).contact();
-  return ConvexPair<WorldFrame>(pair, mirrors_a ? -turn_a : turn_a, mirrors_b ? -turn_b : turn_b).contact();
+  if (FrameOfA::fits(pair)) return contactInFrameOfA(pair, turn_a, mirrors_a != mirrors_b ? -turn_b : turn_b, cache);
+  return ConvexPair<WorldFrame, true>(pair, mirrors_a ? -turn_a : turn_a, mirrors_b ? -turn_b : turn_b)
+      .byAllFaces(nullptr, 0);
 }
 
 }  // namespace tricover::detail

@@ -26,7 +26,6 @@ class PointList {
   std::size_t size() const { return size_; }
   const Vec2& operator[](std::size_t k) const { return points_[k]; }
   Vec2* data() { return points_; }
-  const Vec2* data() const { return points_; }
 
  private:
   std::array<Vec2, kFew> few_;
@@ -35,34 +34,33 @@ class PointList {
   std::size_t size_ = 0;
 };
 
-/// The vertices of a convex polygon without straight ones where a pose puts them, counter-clockwise. Edge k leads from
-/// vertex k to the next.
+/// The vertices of a convex polygon without straight ones in a frame (FrameOfA or WorldFrame), counter-clockwise. Edge
+/// k leads from vertex k to the next. Either kept, or mapped anew for each use, where few are used.
+template <typename Frame, bool kept>
 class ConvexRing {
  public:
-  /// turn: 1 if the ring runs counter-clockwise under the pose, -1 if clockwise; map(p) is where the pose puts p.
-  template <typename Map>
-  ConvexRing(const PolygonData& polygon, int turn, Map map)
-      : n_(polygon.path.size() - 1), forward_(turn > 0), points_(2 * n_ + 1) {
-    // The path ends where it begins.
-    const Vec2* from = polygon.path.data() + (forward_ ? 0 : n_);
+  /// turn: 1 if the ring runs counter-clockwise in the frame, -1 if clockwise.
+  ConvexRing(const Frame& frame, const PolygonData& polygon, bool of_a, int turn)
+      : frame_(frame),
+        path_(polygon.path.data()),
+        n_(polygon.path.size() - 1),
+        of_a_(of_a),
+        forward_(turn > 0),
+        points_(kept ? 2 * n_ + 1 : 0) {
+    if (!kept) return;
     Vec2* const vertices = points_.data();
-    for (std::size_t k = 0; k <= n_; ++k) {
-      vertices[k] = map(*from);
-      from += forward_ ? 1 : -1;
-    }
+    for (std::size_t k = 0; k <= n_; ++k) vertices[k] = mapped(k);
     for (std::size_t k = 0; k < n_; ++k) vertices[n_ + 1 + k] = vertices[k + 1] - vertices[k];
   }
 
   std::size_t size() const { return n_; }
-  const Vec2& vertex(std::size_t k) const { return points_[k]; }
-  const Vec2& end(std::size_t k) const { return points_[k + 1]; }
-  const Vec2& edge(std::size_t k) const { return edges()[k]; }
-  const Vec2* vertices() const { return points_.data(); }
-  const Vec2* edges() const { return points_.data() + n_ + 1; }
+  Vec2 vertex(std::size_t k) const { return kept ? points_[k] : mapped(k); }
+  Vec2 end(std::size_t k) const { return vertex(k + 1); }
+  Vec2 edge(std::size_t k) const { return kept ? points_[n_ + 1 + k] : Vec2(mapped(k + 1) - mapped(k)); }
   std::size_t after(std::size_t k) const { return k + 1 < n_ ? k + 1 : 0; }
   std::size_t before(std::size_t k) const { return k > 0 ? k - 1 : n_ - 1; }
 
-  /// Of edge k in the path.
+  /// Of edge k in the path, and back.
   std::size_t position(std::size_t k) const { return forward_ ? k : n_ - 1 - k; }
   /// The edge that leads away from vertex k in the path, and the one that leads there.
   std::size_t leaving(std::size_t k) const { return forward_ ? k : before(k); }
@@ -73,7 +71,7 @@ class ConvexRing {
 
   /// Whether p is inside for certain, areas of up to `doubtful` being in doubt. O(log n).
   bool holds(const Vec2& p, double doubtful) const {
-    const Vec2& corner = vertex(0);
+    const Vec2 corner = vertex(0);
     const Vec2 way = p - corner;
     // Between the ways from a corner to vertices `low` and `high`.
     std::size_t low = 1, high = n_ - 1;
@@ -90,8 +88,16 @@ class ConvexRing {
   }
 
  private:
+  /// The path ends where it begins.
+  Vec2 mapped(std::size_t k) const {
+    const Vec2& p = path_[forward_ ? k : n_ - k];
+    return of_a_ ? Vec2(frame_.fromA(p)) : frame_.fromB(p);
+  }
+
+  const Frame& frame_;
+  const Vec2* path_;
   std::size_t n_;
-  bool forward_;
+  bool of_a_, forward_;
   PointList<33> points_;  ///< vertices, the first once more, and edges
 };
 

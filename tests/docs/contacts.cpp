@@ -22,6 +22,21 @@ TEST(Documentation, Contacts) {
   //! [contacts]
 }
 
+TEST(Documentation, ContactsWithCache) {
+  //! [contacts with cache]
+  const tricover::Polygon floor({{{0, 0}, {9, 0}, {9, 1}, {0, 1}}}), box({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  tricover::ContactCache cache;  // one for each pair
+  for (int step = 0; step < 100; ++step) {
+    tricover::Pose sliding = tricover::Pose::Identity();
+    sliding.translation() << 0.05 * step, 0.99;
+    const std::vector<tricover::Contact> found =
+        tricover::contacts(floor, tricover::Pose::Identity(), box, sliding, cache);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].depth, 0.01, 1e-12);
+  }
+  //! [contacts with cache]
+}
+
 TEST(Documentation, Crossings) {
   //! [crossings]
   const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});

@@ -74,7 +74,7 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
     Random random(static_cast<std::uint64_t>(i));
     const Case c = convexPair(random);
     const PosedPair pair(c.a.data(), c.pose_a, c.b.data(), c.pose_b);
-    const ConvexContact found = convexContact(pair);
+    const ConvexContact found = convexContact(pair, nullptr);
     const auto general = contacts(withRepetition(c.a), c.pose_a, withRepetition(c.b), c.pose_b);
     (found.verdict == ConvexContact::Overlap ? overlaps : found.verdict == ConvexContact::Apart ? aparts : unsure)++;
     missed += found.verdict == ConvexContact::Unsure && !general.empty() && general[0].depth > 1e-9;
