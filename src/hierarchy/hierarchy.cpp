@@ -40,39 +40,75 @@ struct FittedBox {
   double along, across;
 };
 
-/// A part of the polygon that one box stands for: rings order[begin, end), or edges [begin, end) of one ring.
+/// A part of the polygon that one box stands for: rings order[begin, end), a chain of edges [begin, end) of one ring,
+/// or edges tangled[begin, end).
 struct Part {
-  bool rings;
+  enum Kind { Rings, Chain, Edges } kind;
   std::size_t begin, end;
 };
+
+/// Long edges beside each other, as in a spiral's outer turns, are near each other but far along their chain. Rings of
+/// at least this many edges are divided by where their edges lie if the boxes around eight edges of a chain cover more
+/// than this times the box around all, and those around eight that lie together cover half as much.
+constexpr std::size_t kMayTangle = 1024;
+constexpr double kTangled = 2;
 
 class Builder {
  public:
   Builder(const PolygonData& polygon, const std::vector<Vec2>& local, Hierarchy& hierarchy)
       : polygon_(polygon), local_(local), blocks_(hierarchy.blocks), order_(polygon.ringCount()) {
     std::iota(order_.begin(), order_.end(), 0u);
-    const Part all = part(0, order_.size());
+    const Part all = rings(0, order_.size());
     const Vec2& farthest = *std::max_element(
         local_.begin(), local_.end(), [](const Vec2& p, const Vec2& q) { return p.squaredNorm() < q.squaredNorm(); });
     hierarchy.root = rounded(fit(all, farthest), Vec2::Zero(), 1);
-    hierarchy.root_spanned = !all.rings;
+    hierarchy.root_spanned = all.kind == Part::Chain;
     addBlock(all);
   }
 
  private:
-  Part part(std::size_t begin, std::size_t end) const {
-    if (end - begin > 1) return {true, begin, end};
-    return {false, polygon_.edgeBegin(order_[begin]), polygon_.edgeEnd(order_[begin])};
+  /// A single ring is a chain, or edges.
+  Part rings(std::size_t begin, std::size_t end) {
+    if (end - begin > 1) return {Part::Rings, begin, end};
+    const Part ring = {Part::Chain, polygon_.edgeBegin(order_[begin]), polygon_.edgeEnd(order_[begin])};
+    return ring.end - ring.begin < kMayTangle ? ring : untangled(ring);
   }
+
+  Part untangled(const Part& ring) {
+    const double covered = coveredByLeaves(ring);
+    if (!(covered > kTangled * area(fit(ring)))) return ring;
+    const Part edges = {Part::Edges, tangled_.size(), tangled_.size() + ring.end - ring.begin};
+    tangled_.resize(edges.end);
+    std::iota(tangled_.begin() + static_cast<std::ptrdiff_t>(edges.begin), tangled_.end(),
+              static_cast<std::uint32_t>(ring.begin));
+    arrange(edges);
+    if (coveredByLeaves(edges) < 0.5 * covered) return edges;
+    tangled_.resize(edges.begin);
+    return ring;
+  }
+
+  double coveredByLeaves(const Part& edges) const {
+    if (edges.end - edges.begin <= kLanes) return area(fit(edges));
+    double covered = 0;
+    for (const Part& part : cut(edges)) covered += coveredByLeaves(part);
+    return covered;
+  }
+
+  static double area(const FittedBox& box) { return box.along * box.across; }
 
   template <typename Visit>
   void forEachChain(const Part& part, Visit visit) const {
-    if (!part.rings) return visit(part.begin, part.end);
-    for (std::size_t i = part.begin; i < part.end; ++i)
-      visit(polygon_.edgeBegin(order_[i]), polygon_.edgeEnd(order_[i]));
+    if (part.kind == Part::Chain) return visit(part.begin, part.end);
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+      if (part.kind == Part::Rings)
+        visit(polygon_.edgeBegin(order_[i]), polygon_.edgeEnd(order_[i]));
+      else
+        visit(tangled_[i], tangled_[i] + 1);
+    }
   }
 
   std::size_t edgeCount(const Part& part) const {
+    if (part.kind != Part::Rings) return part.end - part.begin;
     std::size_t count = 0;
     forEachChain(part, [&](std::size_t begin, std::size_t end) { count += end - begin; });
     return count;
@@ -99,9 +135,16 @@ class Builder {
             0.5 * (high_v - low_v)};
   }
 
-  /// A chain's box lies along its chord.
+  /// A chain's box lies along its chord, edges' box along their sum, one way round.
   FittedBox fit(const Part& part) const {
-    return fit(part, part.rings ? Vec2(1, 0) : Vec2(local_[part.end] - local_[part.begin]));
+    if (part.kind == Part::Rings) return fit(part, Vec2(1, 0));
+    if (part.kind == Part::Chain) return fit(part, local_[part.end] - local_[part.begin]);
+    Vec2 sum = Vec2::Zero();
+    forEachChain(part, [&](std::size_t begin, std::size_t end) {
+      const Vec2 edge = local_[end] - local_[begin];
+      sum += edge.dot(sum) < 0 ? Vec2(-edge) : edge;
+    });
+    return fit(part, sum);
   }
 
   static Box rounded(const FittedBox& box, const Vec2& origin, double inverse) {
@@ -129,48 +172,70 @@ class Builder {
     return all;
   }
 
-  /// Rings order[begin, end) halved along the longer side of their first vertices' bounding box.
-  std::size_t halveRings(std::size_t begin, std::size_t end) {
-    const auto first = [&](std::uint32_t ring) -> const Vec2& { return local_[polygon_.edgeBegin(ring)]; };
-    Vec2 low = first(order_[begin]), high = low;
-    for (std::size_t i = begin; i < end; ++i) {
-      low = low.cwiseMin(first(order_[i]));
-      high = high.cwiseMax(first(order_[i]));
-    }
-    const int axis = high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
-    const std::size_t mid = (begin + end) / 2;
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(mid), at(end),
-                     [&](std::uint32_t r, std::uint32_t s) { return first(r)[axis] < first(s)[axis]; });
-    return mid;
+  /// Where one of a part's rings or edges is taken to be, twice.
+  Vec2 placeOf(Part::Kind kind, std::uint32_t item) const {
+    return kind == Part::Rings ? Vec2(2 * local_[polygon_.edgeBegin(item)]) : Vec2(local_[item] + local_[item + 1]);
   }
 
-  /// Up to kLanes parts. Rings are taken apart before any is cut. A chain is cut evenly into as few parts as let the
-  /// blocks below be full.
-  std::vector<Part> divide(const Part& whole) {
-    std::vector<Part> parts;
-    if (whole.rings) {
-      parts.push_back(whole);
-      while (parts.size() < kLanes) {
-        auto largest = parts.end();
-        for (auto it = parts.begin(); it != parts.end(); ++it)
-          if (it->rings && edgeCount(*it) > kLanes && (largest == parts.end() || edgeCount(*it) > edgeCount(*largest)))
-            largest = it;
-        if (largest == parts.end()) break;
-        const Part halved = *largest;
-        const std::size_t mid = halveRings(halved.begin, halved.end);
-        *largest = part(halved.begin, mid);
-        parts.push_back(part(mid, halved.end));
-      }
-      return parts;
+  /// Rings or edges parted at `mid`, along the longer side of their places' bounding box.
+  void halve(const Part& whole, std::size_t mid) {
+    std::vector<std::uint32_t>& items = whole.kind == Part::Rings ? order_ : tangled_;
+    const auto place = [&](std::uint32_t item) { return placeOf(whole.kind, item); };
+    Vec2 low = place(items[whole.begin]), high = low;
+    for (std::size_t i = whole.begin; i < whole.end; ++i) {
+      low = low.cwiseMin(place(items[i]));
+      high = high.cwiseMax(place(items[i]));
     }
-    const std::size_t n = whole.end - whole.begin;
+    const int axis = high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
+    const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(whole.begin), at(mid), at(whole.end),
+                     [&](std::uint32_t r, std::uint32_t s) { return place(r)[axis] < place(s)[axis]; });
+  }
+
+  /// Up to kLanes parts. Rings are taken apart before any is cut.
+  std::vector<Part> divideRings(const Part& whole) {
+    std::vector<Part> parts = {whole};
+    while (parts.size() < kLanes) {
+      auto largest = parts.end();
+      for (auto it = parts.begin(); it != parts.end(); ++it)
+        if (it->kind == Part::Rings && edgeCount(*it) > kLanes &&
+            (largest == parts.end() || edgeCount(*it) > edgeCount(*largest)))
+          largest = it;
+      if (largest == parts.end()) break;
+      const Part halved = *largest;
+      const std::size_t mid = (halved.begin + halved.end) / 2;
+      halve(halved, mid);
+      *largest = rings(halved.begin, mid);
+      parts.push_back(rings(mid, halved.end));
+    }
+    return parts;
+  }
+
+  /// Edges evenly into as few parts, up to kLanes, as let the blocks below be full.
+  static std::vector<Part> cut(const Part& edges) {
+    const std::size_t n = edges.end - edges.begin;
     std::size_t below = kLanes;
     while (below * kLanes < n) below *= kLanes;
     const std::size_t k = (n + below - 1) / below;
+    std::vector<Part> parts;
     for (std::size_t i = 0; i < k; ++i)
-      parts.push_back({false, whole.begin + i * n / k, whole.begin + (i + 1) * n / k});
+      parts.push_back({edges.kind, edges.begin + i * n / k, edges.begin + (i + 1) * n / k});
     return parts;
+  }
+
+  /// Puts edges in an order in which those that are cut apart lie apart.
+  void arrange(const Part& edges) {
+    const std::vector<Part> parts = cut(edges);
+    if (parts.size() == 1) return;
+    arrange(parts, 0, parts.size());
+    for (const Part& part : parts) arrange(part);
+  }
+  void arrange(const std::vector<Part>& parts, std::size_t first, std::size_t last) {
+    if (last - first == 1) return;
+    const std::size_t mid = (first + last) / 2;
+    halve({Part::Edges, parts[first].begin, parts[last - 1].end}, parts[mid].begin);
+    arrange(parts, first, mid);
+    arrange(parts, mid, last);
   }
 
   std::uint32_t addBlock(const Part& whole) {
@@ -178,10 +243,10 @@ class Builder {
     std::vector<Part> parts;
     if (leaf) {
       forEachChain(whole, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e) parts.push_back({false, e, e + 1});
+        for (std::size_t e = begin; e < end; ++e) parts.push_back({Part::Chain, e, e + 1});
       });
     } else {
-      parts = divide(whole);
+      parts = whole.kind == Part::Rings ? divideRings(whole) : cut(whole);
     }
     std::vector<FittedBox> boxes;
     boxes.reserve(parts.size());
@@ -215,7 +280,7 @@ class Builder {
       block.across[i] = box.across;
       if (i >= parts.size()) continue;
       assert(!polygon_.fitsUnit() || holds(block, i, parts[i]));
-      if (!parts[i].rings) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
+      if (parts[i].kind == Part::Chain) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
       if (leaf) block.child[i] = static_cast<std::uint32_t>(parts[i].begin);
     }
     const std::size_t index = blocks_.size();
@@ -231,7 +296,7 @@ class Builder {
   const PolygonData& polygon_;
   const std::vector<Vec2>& local_;
   std::vector<Block>& blocks_;
-  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> order_, tangled_;
 };
 
 /// Whether every block but the first is the child of one before it, and every lane of a leaf an edge of its own.

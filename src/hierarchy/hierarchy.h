@@ -17,8 +17,9 @@ struct Box {
   float x, y, ux, uy, along, across;
 };
 
-/// Up to eight boxes side by side, each around a chain of consecutive edges or around several rings, rounded outwards.
-/// They are floats relative to the block's own origin and scale, so that they are as precise as the block is small.
+/// Up to eight boxes side by side, each around a chain of consecutive edges, edges that lie together or several rings,
+/// rounded outwards. They are floats relative to the block's own origin and scale, so that they are as precise as the
+/// block is small.
 struct alignas(64) Block {
   float x[kLanes], y[kLanes], ux[kLanes], uy[kLanes], along[kLanes], across[kLanes];
   std::uint32_t child[kLanes];  ///< the block that the box is divided into; in a leaf the edge's position in the path
@@ -52,9 +53,8 @@ struct SmallRing {
   bool convex;
 };
 
-/// The influence hierarchy of a polygon: a tree of boxes over chains of edges; a box grown by n is its chain's
-/// influence area of length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is
-/// the first.
+/// The influence hierarchy of a polygon: a tree of boxes over edges; a box grown by n is its edges' influence area of
+/// length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is the first.
 struct Hierarchy : Derived::Thing {
   explicit Hierarchy(const PolygonData& polygon);
 

@@ -59,18 +59,30 @@ Ring circle(std::size_t n, double radius) {
   return ring;
 }
 
-/// A band of width 1 along a spiral that grows by 4 a turn.
-Ring spiral(std::size_t n) {
-  constexpr double kStepsPerTurn = 64;
+/// A band of width 1, its sides n / 2 edges each, along a spiral that grows by 4 a turn. step(radius) is the angle from
+/// vertex to vertex.
+template <class Step>
+Ring spiral(std::size_t n, Step step) {
   const std::size_t steps = std::max<std::size_t>(n / 2, 8);
-  Ring ring;
-  const auto at = [&](std::size_t i, double aside) {
-    const double angle = 2 * kPi * static_cast<double>(i) / kStepsPerTurn;
-    return Vec2((4 + aside + angle * 2 / kPi) * Vec2(std::cos(angle), std::sin(angle)));
-  };
-  for (std::size_t i = 0; i < steps; ++i) ring.push_back(at(i, 0));
-  for (std::size_t i = steps; i-- > 0;) ring.push_back(at(i, 1));
+  Ring ring, outer;
+  double angle = 0;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double radius = 4 + angle * 2 / kPi;
+    const Vec2 along(std::cos(angle), std::sin(angle));
+    ring.push_back(radius * along);
+    outer.push_back((radius + 1) * along);
+    angle += step(radius);
+  }
+  ring.insert(ring.end(), outer.rbegin(), outer.rend());
   return ring;
+}
+
+/// Two of them.
+template <class Step>
+Input woundSpirals(std::size_t n, Step step) {
+  Pose turned = Pose::Identity();
+  turned.linear() << -1, 0, 0, -1;
+  return {Polygon({spiral(n, step)}), Polygon({spiral(n, step)}), Motion::translation(turned, Vec2(0.9, 0))};
 }
 
 /// Two triangles.
@@ -129,9 +141,11 @@ Input discInHole(std::size_t n, double gap) {
 }
 
 Input spirals(std::size_t n) {
-  Pose turned = Pose::Identity();
-  turned.linear() << -1, 0, 0, -1;
-  return {Polygon({spiral(n)}), Polygon({spiral(n)}), Motion::translation(turned, Vec2(0.9, 0))};
+  return woundSpirals(n, [](double radius) { return std::min(1 / radius, 2 * kPi / 64); });
+}
+
+Input coarseSpirals(std::size_t n) {
+  return woundSpirals(n, [](double) { return 2 * kPi / 64; });
 }
 
 Input ringsInMaze(std::size_t n) {
@@ -171,6 +185,7 @@ const std::vector<Kind>& allKinds() {
       {"bars sliding at 1e-8", [](std::size_t n) { return slidingBars(n, 1e-8); }},
       {"disc in a hole, 1e-4", [](std::size_t n) { return discInHole(n, 1e-4); }},
       {"spirals", spirals},
+      {"coarse spirals", coarseSpirals},
       {"rings in a maze", ringsInMaze},
   };
   return kinds;

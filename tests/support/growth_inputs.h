@@ -37,8 +37,11 @@ Input touchingFans(std::size_t n);
 Input slidingBars(std::size_t n, double gap);
 /// A regular n-gon that makes half a turn in a hole of as many edges, `gap` larger in radius.
 Input discInHole(std::size_t n, double gap);
-/// Two spirals of n edges wound into each other; b moves by nine tenths of what it may.
+/// Two spirals of n edges wound into each other, a gap of 1 between them; b moves by nine tenths of what it may. Edges
+/// are as long as the gap is wide.
 Input spirals(std::size_t n);
+/// The same with 64 edges to each turn, however large: outer edges lie beside many turns.
+Input coarseSpirals(std::size_t n);
 
 /// A maze of about n cells, its walls cut into triangles, each of them a ring (FillRule::NonZero); and a robot of 31
 /// rings that overlap, in one of its corridors.

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rings whose long edges lie beside each other, but far apart along the ring: their hierarchies group edges by place.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "growth_inputs.h"
+#include "hierarchy/hierarchy.h"
+#include "numbers/segment.h"
+#include "polygon/polygon_data.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/locate.h"
+#include "tricover/time_of_impact.h"
+#include "workloads.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::Block;
+using detail::Hierarchy;
+using detail::PolygonData;
+
+/// The area of all boxes around up to eight edges, as a share of the box around everything.
+double coveredByLeaves(const Polygon& polygon) {
+  const Hierarchy& hierarchy = hierarchyOf(polygon.data());
+  double covered = 0;
+  for (const Block& block : hierarchy.blocks)
+    for (int i = 0; i < block.count && !block.leaf; ++i)
+      if (hierarchy.blocks[block.child[i]].leaf)
+        covered +=
+            static_cast<double>(block.along[i] * block.scale) * static_cast<double>(block.across[i] * block.scale);
+  return covered / static_cast<double>(hierarchy.root.along * hierarchy.root.across);
+}
+
+TEST(TangledRings, AreCoveredAFewTimesHoweverManyTurnsTheyMake) {
+  for (const std::size_t n : {5000u, 20000u, 80000u}) {
+    const Polygon spiral = growth::coarseSpirals(n).a;
+    EXPECT_LT(coveredByLeaves(spiral), 1) << n;
+    EXPECT_FALSE(hierarchyOf(spiral.data()).root_spanned) << "its box isn't one around a chain";
+    std::set<std::uint32_t> edges;
+    for (const Block& block : hierarchyOf(spiral.data()).blocks)
+      if (block.leaf) edges.insert(block.child, block.child + block.count);
+    EXPECT_EQ(edges.size(), spiral.vertexCount()) << n;
+  }
+}
+
+TEST(TangledRings, OthersStayChains) {
+  Random random(31);
+  Ring scribble;  // whose boxes are large, whatever is grouped
+  for (int i = 0; i < 3000; ++i) scribble.push_back({random.real(-1, 1), random.real(-1, 1)});
+  for (const Polygon& polygon : {growth::spirals(3000).a, growth::coarseSpirals(1000).a, Polygon({regular(3000, 1)}),
+                                 Polygon({scribble}), workloads::makePolygon(workloads::Kind::Contour, 1024, 1)})
+    EXPECT_TRUE(hierarchyOf(polygon.data()).root_spanned);
+}
+
+double signOfTurn(const Vec2& p, const Vec2& q, const Vec2& r) { return detail::cross(q - p, r - p); }
+
+/// In plain doubles, all pairs: the least distance of two edges, 0 where they cross.
+double leastDistance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const Pose to_a = pose_a.inverse() * pose_b;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t j = 0; j < b.vertexCount(); ++j) {
+    const Vec2 r = to_a * b.edgeStart(j), s = to_a * b.edgeEnd(j);
+    for (std::size_t i = 0; i < a.vertexCount(); ++i) {
+      const Vec2 p = a.edgeStart(i), q = a.edgeEnd(i);
+      const Vec2 gap = p.cwiseMin(q).cwiseMax(r.cwiseMin(s)) - p.cwiseMax(q).cwiseMin(r.cwiseMax(s));  // of their boxes
+      if (gap.maxCoeff() > least) continue;
+      if (signOfTurn(p, q, r) * signOfTurn(p, q, s) < 0 && signOfTurn(r, s, p) * signOfTurn(r, s, q) < 0) return 0;
+      for (const Vec2& end : {r, s}) least = std::min(least, (end - detail::nearestOnSegment(end, p, q)).norm());
+      for (const Vec2& end : {p, q}) least = std::min(least, (end - detail::nearestOnSegment(end, r, s)).norm());
+    }
+  }
+  return least;
+}
+
+/// Whether they collide. None of them contains the other.
+bool expectAllQueriesRight(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const double truth = leastDistance(a, pose_a, b, pose_b);
+  EXPECT_TRUE(truth == 0 || truth > 1e-9) << "too near for plain doubles";
+  const bool hit = truth == 0;
+  EXPECT_EQ(collide(a, pose_a, b, pose_b), hit);
+  EXPECT_EQ(collide(b, pose_b, a, pose_a), hit);
+  EXPECT_EQ(!contacts(a, pose_a, b, pose_b, 1).empty(), hit);
+  EXPECT_NEAR(distance(a, pose_a, b, pose_b).distance, truth, 1e-10);
+  for (const double share : {0.9, 1.1}) {
+    EXPECT_EQ(collide(a, pose_a, b, pose_b, CollideOptions{share * truth, 0}), hit || share > 1) << share;
+    if (hit) continue;
+    EXPECT_FALSE(collide(a, pose_a, b, pose_b, CollideOptions{0.5 * truth, 0.1 * truth})) << "near isn't within that";
+  }
+  return hit;
+}
+
+TEST(TangledRings, OfSpiralsAnswerAsAllPairsDo) {
+  const growth::Input in = growth::coarseSpirals(2 * static_cast<std::size_t>(scaledCount(2500)));
+  int hits = 0, asked = 0;
+  for (const double x : {0.0, 0.7, 1.1})
+    for (const double angle : {0.0, 0.001}) {
+      Pose turned = in.motion.start;
+      turned.translation().x() += x;
+      hits += expectAllQueriesRight(in.a, Pose::Identity(), in.b, turned * pose(angle, 0, 0)) ? 1 : 0;
+      ++asked;
+    }
+  EXPECT_GT(hits, 0);
+  EXPECT_LT(hits, asked);
+  const auto impact =
+      timeOfImpact(in.a, Motion::still(Pose::Identity()), in.b, Motion::translation(in.motion.start, Vec2(2, 0)));
+  ASSERT_TRUE(impact);
+  EXPECT_GT(impact->time, 0.4);
+  EXPECT_LT(impact->time, 0.6);
+  EXPECT_NEAR(
+      leastDistance(in.a, Pose::Identity(), in.b, Motion::translation(in.motion.start, Vec2(2, 0)).at(impact->time)), 0,
+      2e-6 * 2);
+}
+
+TEST(TangledRings, OfStarsAnswerAsAllPairsDo) {
+  const Polygon a = workloads::makePolygon(workloads::Kind::Starred, 1024, 1);
+  const Polygon b = workloads::makePolygon(workloads::Kind::Starred, 1024, 2);
+  ASSERT_FALSE(hierarchyOf(a.data()).root_spanned);
+  int hits = 0;
+  const std::size_t count = static_cast<std::size_t>(scaledCount(10));
+  for (const Pose& pose : workloads::contactPoses(a, b, 5, count))
+    hits += expectAllQueriesRight(a, Pose::Identity(), b, pose) ? 1 : 0;
+  EXPECT_LT(hits, static_cast<int>(count));
+  EXPECT_EQ(locate(a, a.data().origin), Location::Inside);
+}
+
+}  // namespace
+}  // namespace tricover::support
