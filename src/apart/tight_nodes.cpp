@@ -48,9 +48,16 @@ bool parted(const Window& window, const Mover& turning, const Node& node, const 
   return low - room > node.far * turning.scale || high + room < node.near * turning.scale;
 }
 
+void addEdgesBelow(const std::vector<Block>& blocks, std::uint32_t index, std::vector<std::uint32_t>& edges) {
+  const Block& block = blocks[index];
+  if (block.leaf) edges.insert(edges.end(), block.child, block.child + block.count);
+  for (int i = 0; i < block.count && !block.leaf; ++i) addEdgesBelow(blocks, block.child[i], edges);
+}
+
 }  // namespace
 
-TightNodes::TightNodes(const Mover& mover) : mover_(mover), slots_(mover.tree->blocks.size() * kLanes + 1, 0) {}
+TightNodes::TightNodes(const Mover& mover, const Vec2& axis)
+    : mover_(mover), axis_(axis), slots_(mover.tree->blocks.size() * kLanes + 1, 0) {}
 
 Node TightNodes::node(std::uint32_t index) {
   std::uint32_t& slot = slots_[index == kRootNode ? slots_.size() - 1 : index];
@@ -62,35 +69,39 @@ Node TightNodes::node(std::uint32_t index) {
 }
 
 Node TightNodes::fit(std::uint32_t index) const {
-  Node node = mover_.node(index);
-  const std::vector<Block>& blocks = mover_.tree->blocks;
-  const bool is_root = index == kRootNode;
-  const bool spanned =
-      is_root ? mover_.tree->root_spanned : (blocks[index / kLanes].spanned >> index % kLanes & 1) != 0;
-  if (!spanned || !mover_.polygon->fitsUnit()) return node;
-  // The chain: from the first edge of the first blocks below to the last of the last.
-  std::size_t first = node.child, last = node.child;
-  if (!node.edge) {
-    const Block *begin = &blocks[node.child], *end = begin;
-    while (!begin->leaf) begin = &blocks[begin->child[0]];
-    while (!end->leaf) end = &blocks[end->child[end->count - 1u]];
-    first = begin->child[0];
-    last = end->child[end->count - 1u];
-  }
-  const auto at = [&](std::size_t position) { return mover_.polygon->inUnits(mover_.polygon->path[position]); };
-  const Vec2 chord = at(last + 1) - at(first);
+  const Node node = mover_.node(index);
+  if (!mover_.polygon->fitsUnit()) return node;
+  std::vector<std::uint32_t> edges;
+  if (node.edge)
+    edges.push_back(node.child);
+  else
+    addEdgesBelow(mover_.tree->blocks, node.child, edges);
+  if (axis_ != Vec2::Zero()) return fitAlong(node, edges, axis_.normalized());
+  const auto at = [&](std::uint32_t position) { return mover_.polygon->inUnits(mover_.polygon->path[position]); };
+  const Vec2 chord = at(edges.back() + 1) - at(edges.front());
   const double length = chord.norm();
-  const Vec2 axis = length > 0x1p-40 ? Vec2(chord / length) : Vec2(Vec2(node.ux, node.uy).normalized());
+  if (length > 0x1p-40) {
+    const Node fitted = fitAlong(node, edges, chord / length);
+    if (fitted.along * fitted.across <= node.along * node.across) return fitted;
+  }
+  return fitAlong(node, edges, Vec2(node.ux, node.uy).normalized());
+}
+
+Node TightNodes::fitAlong(Node node, const std::vector<std::uint32_t>& edges, const Vec2& axis) const {
+  const auto at = [&](std::uint32_t position) { return mover_.polygon->inUnits(mover_.polygon->path[position]); };
   const Vec2 pivot = mover_.polygon->inUnits(mover_.pivot);
-  const auto lever = [&](std::size_t position) { return Vec2(mover_.linear * (at(position) - pivot)); };
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   double near = low.x(), far = 0;
-  for (std::size_t i = first; i <= last + 1; ++i) {
-    const Vec2 p = at(i), q(p.dot(axis), cross(axis, p));
-    low = low.cwiseMin(q);
-    high = high.cwiseMax(q);
-    far = std::max(far, lever(i).norm());
-    if (i > first) near = std::min(near, nearestOnSegment(Vec2(0, 0), lever(i - 1), lever(i)).norm());
+  for (const std::uint32_t edge : edges) {
+    const Vec2 begin = at(edge), end = at(edge + 1);
+    for (const Vec2& p : {begin, end}) {
+      const Vec2 q(p.dot(axis), cross(axis, p));
+      low = low.cwiseMin(q);
+      high = high.cwiseMax(q);
+    }
+    const Vec2 lever_begin = mover_.linear * (begin - pivot), lever_end = mover_.linear * (end - pivot);
+    far = std::max({far, lever_begin.norm(), lever_end.norm()});
+    near = std::min(near, nearestOnSegment(Vec2(0, 0), lever_begin, lever_end).norm());
   }
   // Of a pivot so far away, squares might overflow.
   if (pivot.norm() < 0x1p100) {

@@ -24,6 +24,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// From S of a to S of b.
+Vec2 betweenOrigins(const Places& places_a, const Places& places_b) {
+  return {places_b.x[0] - places_a.x[0], places_b.y[0] - places_a.y[0]};
+}
+
 /// A window of time in which two nodes may meet: they certainly don't from time 0 to its begin.
 struct Encounter {
   double begin, end;
@@ -63,6 +68,7 @@ class ImpactSearch {
       encounters_.pop_back();
       encounter.end = std::min(encounter.end, upper_bound_);
       if (++divided_ == kFloatsAlone) fitTightly();
+      tryOneAxis(encounter.begin);
       divide(encounter);
     }
     time = encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
@@ -90,6 +96,26 @@ class ImpactSearch {
     tight_b_.emplace(pair_.b);
   }
 
+  /// Fans of edges that come together in their common points have boxes that reach beyond these, however narrow they
+  /// are; but not along an axis that parts all of them, if there is one. Where it helps, little is left to divide: so
+  /// it is tried for an eighth of the time.
+  static constexpr int kOneAxisFor = 128, kOneAxisOf = 8 * kOneAxisFor;
+  void tryOneAxis(double when) {
+    const int since = divided_ % kOneAxisOf - kFloatsAlone;
+    if (since == 0) fitAlong(when);
+    if (since == kOneAxisFor) along_a_.reset(), along_b_.reset();
+  }
+  void fitAlong(double when) {
+    const Places places_a = pair_.a.places(when, when), places_b = pair_.b.places(when, when);
+    const auto local = [](const Places& places, const Vec2& axis) {
+      return Vec2(places.m00[0] * axis.x() + places.m10[0] * axis.y(),
+                  places.m01[0] * axis.x() + places.m11[0] * axis.y());
+    };
+    const Vec2 axis = betweenOrigins(places_a, places_b);
+    along_a_.emplace(pair_.a, local(places_a, axis));
+    along_b_.emplace(pair_.b, local(places_b, axis));
+  }
+
   void push(const Encounter& encounter) {
     if (encounter.begin > upper_bound_) return;
     encounters_.push_back(encounter);
@@ -107,7 +133,15 @@ class ImpactSearch {
     WindowCutter cutter(window, a.box, b.box);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
     if (tight_a_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
-    const Rest rest = cutter.rest();
+    Rest rest = cutter.rest();
+    if (along_a_) {
+      const MovingBox along_a = pair_.a.box(window.a, along_a_->node(encounter.a));
+      const MovingBox along_b = pair_.b.box(window.b, along_b_->node(encounter.b));
+      WindowCutter by_one_axis(window, along_a, along_b);
+      if (by_one_axis.cutByAxesOfA() || by_one_axis.cutByAxesOfB()) return;
+      rest.low = std::max(rest.low, by_one_axis.rest().low);
+      rest.high = std::min(rest.high, by_one_axis.rest().high);
+    }
     if (rest.low <= rest.high) push(cut(encounter, rest));
   }
 
@@ -186,7 +220,7 @@ class ImpactSearch {
   double upper_bound_ = kInfinity;
   std::vector<Encounter> encounters_;
   int divided_ = 0;
-  std::optional<TightNodes> tight_a_, tight_b_;
+  std::optional<TightNodes> tight_a_, tight_b_, along_a_, along_b_;
 };
 
 /// From the pair's frame at `time` to the world.
@@ -197,11 +231,6 @@ Vec2 toWorld(const MovingPair& pair, const Motion& motion_a, double time, const 
   // Infinite only if the sum is, and not because its parts are.
   const Vec2 quarter = motion_a.start.linear() * (pair.a.pivot / 4) + motion_a.start.translation() / 4 + way / 4;
   return (quarter + p * (pair.length / 4) * pair.expansion) * 4;
-}
-
-/// From S of a to S of b.
-Vec2 betweenOrigins(const Places& places_a, const Places& places_b) {
-  return {places_b.x[0] - places_a.x[0], places_b.y[0] - places_a.y[0]};
 }
 
 /// The axis of an edge, or normal to it, that parts two edges best, for such as are so near that the difference of

@@ -135,16 +135,26 @@ class Builder {
             0.5 * (high_v - low_v)};
   }
 
-  /// A chain's box lies along its chord, edges' box along their sum, one way round.
+  /// A chain's box lies along its chord or, if that is smaller, along the sum of its edges, each taken the way round
+  /// that makes the sum longer; so does the box of edges.
   FittedBox fit(const Part& part) const {
     if (part.kind == Part::Rings) return fit(part, Vec2(1, 0));
-    if (part.kind == Part::Chain) return fit(part, local_[part.end] - local_[part.begin]);
+    if (part.kind == Part::Edges) return fit(part, sumOfEdges(part));
+    const FittedBox along_chord = fit(part, local_[part.end] - local_[part.begin]);
+    if (part.end - part.begin == 1) return along_chord;
+    const FittedBox along_sum = fit(part, sumOfEdges(part));
+    return area(along_sum) < area(along_chord) ? along_sum : along_chord;
+  }
+
+  Vec2 sumOfEdges(const Part& part) const {
     Vec2 sum = Vec2::Zero();
     forEachChain(part, [&](std::size_t begin, std::size_t end) {
-      const Vec2 edge = local_[end] - local_[begin];
-      sum += edge.dot(sum) < 0 ? Vec2(-edge) : edge;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Vec2 edge = local_[i + 1] - local_[i];
+        sum += edge.dot(sum) < 0 ? Vec2(-edge) : edge;
+      }
     });
-    return fit(part, sum);
+    return sum;
   }
 
   static Box rounded(const FittedBox& box, const Vec2& origin, double inverse) {
