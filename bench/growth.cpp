@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +21,7 @@ using growth::Input;
 /// A row stops doubling once it has taken this long, or would with the next size if its cost were quadratic.
 constexpr double kSecondsPerRow = 1.5;
 
-/// A query is asked until this much time has passed, and the fastest counts.
+/// A query is asked until this much time has passed.
 constexpr double kSecondsPerSize = 0.02;
 
 struct Growth {
@@ -110,14 +109,14 @@ const std::vector<Row>& allRows() {
 double measureOnce(const Row& row, const Input& input) {
   row.ask(input);
   const double start = threadSeconds();
-  double best = std::numeric_limits<double>::infinity(), now = start;
-  while (now - start <= kSecondsPerSize) {
-    const double before = now;
+  double passed = 0;
+  int asked = 0;
+  while (passed <= kSecondsPerSize) {
     row.ask(input);
-    now = threadSeconds();
-    best = std::min(best, now - before);
+    asked += row.queries;
+    passed = threadSeconds() - start;
   }
-  return best / row.queries;
+  return passed / asked;
 }
 
 Growth measureRow(const Row& row) {
@@ -158,7 +157,7 @@ std::string growthCsv(const std::vector<Growth>& rows) {
 }
 
 const char* const kHow =
-    R"(- CPU time of one thread: the fastest of the queries asked in 20 ms, after one that isn't timed. A row ends where the
+    R"(- CPU time of one thread: the mean of the queries asked in 20 ms, after one that isn't timed. A row ends where the
   next size would take it beyond 1.5 s if the cost were quadratic; an empty cell is a size that wasn't reached.
 - The power is that from n to the largest size. cached: ten small steps with a cache, a tenth of their time.
 )";

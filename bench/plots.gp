@@ -157,7 +157,7 @@ array paint[6] = ["#1d4ed8", "#dc2626", "#0f9d58", "#f59e0b", "#a855f7", "#37415
 starts(text, start) = strlen(text) >= strlen(start) && text[1:strlen(start)] eq start
 set logscale xy
 set xrange [70:1e5]
-set yrange [1e-3:1e5]
+set yrange [3e-5:1e5]
 set format "10^{%L}"
 set tics nomirror
 set grid lt 1 lc rgb "#e5e7eb" lw 1
@@ -173,10 +173,10 @@ do for [p = 1:5] {
   name(i) = input[int(word(rows, i))].(query[int(word(rows, i))] eq panel[p] ? "" : query[int(word(rows, i))][strlen(panel[p]) + 1:*])
   row(i) = int(word(rows, i)) - 1
   plot for [power = 1:2] 1e-3 * (x / 70.) ** power with lines dt 3 lc rgb "#6b7280" notitle, \
-    for [i = 1:words(rows)] for [k = 0:1] table skip 1 every ::row(i)::row(i) \
+    for [i = 1:words(rows)] for [k = 0:2] table skip 1 every ::row(i)::row(i) \
       using ($3 * 2**k):(1e3 * column(4 + k)):($3 * 2**k):(1e3 * (column(5 + k) - column(4 + k))) \
       with vectors nohead lw 2 lc rgb paint[i] notitle, \
-    for [i = 1:words(rows)] for [k = 0:2] table skip 1 every ::row(i)::row(i) \
+    for [i = 1:words(rows)] for [k = 0:3] table skip 1 every ::row(i)::row(i) \
       using ($3 * 2**k):(1e3 * column(4 + k)) with points pt 7 ps 0.6 lc rgb paint[i] title k == 0 ? name(i) : ""
 }
 unset multiplot
