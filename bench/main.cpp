@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "contact_study.h"
 #include "countries.h"
 #include "disc_study.h"
 #include "distance_study.h"
@@ -42,13 +43,14 @@ std::vector<Result> writeReport(const Measured& measured, const std::vector<Resu
   writeFile(directory + "/splines.md", "# Splines\n\n" + table(splines));
   writeFile(directory + "/tables.md", summary + main_job + "\n# Every kind, vertices fixed x moving\n\n" +
                                           table(measured.study) + "\n# Distances\n\n" + table(measured.distances) +
-                                          "\n# Times of impact\n\n" + table(measured.impacts) + how);
+                                          "\n# Times of impact\n\n" + table(measured.impacts) + "\n# Contacts\n\n" +
+                                          table(measured.contacts) + how);
   writePlotData(measured.study, measured.distances, measured.impacts, directory);
 
   std::vector<Result> all = drives;
   all.push_back(measured.round_fleet);
-  for (const auto* results :
-       {&measured.study, &measured.distances, &measured.impacts, &measured.rounds, &measured.discs, &splines}) {
+  for (const auto* results : {&measured.study, &measured.distances, &measured.impacts, &measured.contacts,
+                              &measured.rounds, &measured.discs, &splines}) {
     all.insert(all.end(), results->begin(), results->end());
   }
   writeFile(directory + "/results.csv", csv(all));
@@ -67,7 +69,7 @@ int run(const std::string& data, const std::string& directory, bool full) {
   if (full) movers.insert(movers.end(), {"Indonesia", "Chile", "Australia"});
   const std::vector<Cell> cells = studyCells(full);
   const std::vector<Cell> distance_cells = distanceCells(full), impact_cells = impactCells(full);
-  const std::size_t total = 2 * movers.size() + 4 + cells.size() + distance_cells.size() + impact_cells.size();
+  const std::size_t total = 2 * movers.size() + 5 + cells.size() + distance_cells.size() + impact_cells.size();
   std::size_t done = 0;
   Measured measured;
   std::vector<Result> drives;
@@ -79,6 +81,8 @@ int run(const std::string& data, const std::string& directory, bool full) {
   }
   showProgress(done++, total, "memory and building");
   measured.footprints = measureFootprints(settings);
+  showProgress(done++, total, "contacts");
+  measured.contacts = measureContacts(settings);
   showProgress(done++, total, "round shapes");
   measured.rounds = measureRounds(settings);
   showProgress(done++, total, "discs");
