@@ -117,8 +117,6 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     features = featuresOf(space, known, gap.edge_of_a, gap.edge_start, gap.edge_end, gap.corner);
     result.lower_bound = gap.depth;
     result.optimal = true;
-    // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
-    shortest.parting += 8 * space.noise() * gap.direction;
   } else {
     shortest = searchShortestParting(space, known, options.budget);
     features = featuresOf(space, shortest);
@@ -131,6 +129,8 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.optimal =
         result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + 32 * space.noise() * unit;
   }
+  // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
+  if (shortest.parting == shortest.limit) shortest.parting += 8 * space.noise() * result.direction;
   // At the limit they may still touch, and a pose's translation is rounded.
   result.translation = shortest.parting * unit;
   const Vec2 aside = shortest.parting - shortest.limit;
