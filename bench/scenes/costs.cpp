@@ -79,9 +79,9 @@ MapCost mapCost(const std::string& name, const Placement& map, const Arguments&.
 
 }  // namespace
 
-std::vector<CrowdCost> measureCrowdCosts(bool full) {
+std::vector<CrowdCost> measureCrowdCosts() {
   std::vector<CrowdCost> costs;
-  for (std::size_t bodies = 1000; bodies <= (full ? 100000U : 10000U); bodies *= 10) costs.push_back(crowdCost(bodies));
+  for (std::size_t bodies = 1000; bodies <= 100000U; bodies *= 10) costs.push_back(crowdCost(bodies));
   return costs;
 }
 

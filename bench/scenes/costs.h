@@ -16,7 +16,7 @@ struct CrowdCost {
   double bytes;                         ///< a body, polygons left aside, after the first frame
   double build_ns;                      ///< a body: added, and the first frame
 };
-std::vector<CrowdCost> measureCrowdCosts(bool full);
+std::vector<CrowdCost> measureCrowdCosts();
 
 /// What answers one against many on the map of countries, made ready: until the first answer.
 struct MapCost {

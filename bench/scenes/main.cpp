@@ -113,7 +113,7 @@ int run(const std::string& data, const std::string& directory, bool full) {
   begin("rays");
   measured.rays = measureRays(countries, settings);
   begin("growing crowds, and what is built");
-  measured.crowds = measureCrowdCosts(full);
+  measured.crowds = measureCrowdCosts();
   measured.map_costs = measureMapCosts(countries);
   begin("many poses");
   measured.batch = measureBatch(countries, full);
