@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "core.h"
 #include "rivals/boost_geometry.h"
 #include "rivals/box2d.h"
 #include "rivals/fcl_distance.h"
 #include "rivals/geos.h"
-#include "tricover/distance.h"
 #include "tricover_fcl/tricover_fcl.h"
 
 namespace tricover::bench {
@@ -28,27 +28,6 @@ constexpr std::size_t kLongest = 9000;
 
 /// Of overlapping poses: meshes and triangles take long there.
 constexpr std::size_t kOverlaps = 100;
-
-class Core {
- public:
-  Core(Polygon fixed, Polygon moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
-  void prepare(const std::vector<Pose>& poses) { poses_ = poses.data(); }
-  double value(std::size_t i) { return distance(fixed_, identity_, moving_, poses_[i]).distance; }
-
- protected:
-  Polygon fixed_, moving_;
-  Pose identity_ = Pose::Identity();
-  const Pose* poses_ = nullptr;
-};
-
-class CachedCore : public Core {
- public:
-  using Core::Core;
-  double value(std::size_t i) { return distance(fixed_, identity_, moving_, poses_[i], cache_).distance; }
-
- private:
-  DistanceCache cache_;
-};
 
 /// All methods on one pair of polygons, derived once for all workloads of theirs.
 class Methods {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "core.h"
 #include "plain_core.h"
 #include "rivals/boost_geometry.h"
 #include "rivals/box2d.h"
@@ -12,40 +13,9 @@
 #include "rivals/fcl_call.h"
 #include "rivals/fcl_convex.h"
 #include "rivals/geos.h"
-#include "tricover/collide.h"
 #include "tricover_fcl/tricover_fcl.h"
 
 namespace tricover::bench {
-namespace {
-
-/// tricover's core as its users call it.
-class Core {
- public:
-  Core(Polygon fixed, Polygon moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
-  void prepare(const std::vector<Pose>& poses) { poses_ = poses.data(); }
-  bool collide(std::size_t i) { return tricover::collide(fixed_, identity_, moving_, poses_[i]); }
-
- protected:
-  Polygon fixed_, moving_;
-  Pose identity_ = Pose::Identity();
-  const Pose* poses_ = nullptr;
-};
-
-/// With a PairCache; by strategy.
-class CachedCore : public Core {
- public:
-  CachedCore(Polygon fixed, Polygon moving, Strategy strategy) : Core(std::move(fixed), std::move(moving)) {
-    options_.strategy = strategy;
-  }
-  bool collide(std::size_t i) { return tricover::collide(fixed_, identity_, moving_, poses_[i], cache_, options_); }
-
- private:
-  PairCache cache_;
-  CollideOptions options_;
-};
-
-}  // namespace
-
 Methods::Methods(const Polygon& fixed, const Polygon& moving) {
   const auto always = [](const Choice&) { return true; };
   const auto coherent = [](const Choice& choice) { return choice.coherent; };
