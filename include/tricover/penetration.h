@@ -44,7 +44,7 @@ struct Penetration {
 /// Precision of a convex pair: 1e-15 of the depth, as long as that is above 1e-14 of the coordinates. Of other pairs:
 /// 1e-12 of the smaller radius(), plus 1e-13 of both radii and of the distance between the poses' translations.
 ///
-/// Cost of a convex pair: O(n + m); 2 us for 8 vertices each, 10 us for 64. Other pairs take a search. For 64 vertices
+/// Cost of a convex pair: O(n + m); 2 us for 8 vertices each, 6 us for 64. Other pairs take a search. For 64 vertices
 /// each, that typically takes 15 to 40 us where they overlap by little, and 0.2 to 1 ms where they overlap by a third
 /// of their size; for 1024 vertices up to 0.2 s. Outlines that are nearly, but not quite, parallel over a long way may
 /// exhaust the budget.

@@ -13,22 +13,39 @@ namespace tricover::detail {
 namespace {
 
 /// Corners in the world less a's translation, times a power of two that keeps products in range.
-using Corners = std::vector<DoubleDouble2>;
+class Corners {
+ public:
+  Corners(const PolygonData& polygon, const Pose& pose, const std::vector<std::size_t>& positions,
+          const DoubleDouble2& shift, double scale)
+      : polygon_(polygon), pose_(pose), positions_(positions), shift_(shift), scale_(scale) {
+    plain_.reserve(positions.size());
+    const Eigen::Matrix2d linear = pose.linear();
+    const Vec2 by(shift.x.high, shift.y.high);
+    for (const std::size_t i : positions) plain_.push_back(linear * (polygon.path[i] * scale) + by);
+  }
 
-Corners posed(const PolygonData& polygon, const Pose& pose, const std::vector<std::size_t>& positions,
-              const DoubleDouble2& shift, double scale) {
-  const auto& m = pose.matrix();
-  Corners corners;
-  corners.reserve(positions.size());
-  for (const std::size_t i : positions) {
-    const Vec2 p = polygon.path[i] * scale;
+  std::size_t size() const { return positions_.size(); }
+  /// In plain doubles.
+  const Vec2& near(std::size_t k) const { return plain_[k]; }
+  DoubleDouble2 at(std::size_t k) const {
+    const auto& m = pose_.matrix();
+    const Vec2 p = polygon_.path[positions_[k]] * scale_;
     const auto row = [&](int r, const DoubleDouble& t) {
       return twoProduct(m(r, 0), p.x()) + twoProduct(m(r, 1), p.y()) + t;
     };
-    corners.push_back({row(0, shift.x), row(1, shift.y)});
+    return {row(0, shift_.x), row(1, shift_.y)};
   }
-  return corners;
-}
+  /// At least any coordinate and the magnitudes that it is summed up from, but for kLargestDefect.
+  double reach() const { return polygon_.extent * scale_ + std::abs(shift_.x.high) + std::abs(shift_.y.high); }
+
+ private:
+  const PolygonData& polygon_;
+  const Pose& pose_;
+  const std::vector<std::size_t>& positions_;
+  DoubleDouble2 shift_;
+  double scale_;
+  std::vector<Vec2> plain_;
+};
 
 struct Gap {
   double depth = std::numeric_limits<double>::infinity();
@@ -36,20 +53,19 @@ struct Gap {
   std::size_t edge = 0, corner = 0;
 };
 
-// A product of a normal n, known to within U, with a difference d of corners, in plain doubles. M is at least their
-// coordinates, so those of d are below 2 M; in units of U M |n|_1:
-//   corners, rounded to their high parts, 1 each; their difference 2      4
-//   n                                                                     2
-//   two products, their sum                                               2 * 2
-// Divided by the length of n that is at most 10 sqrt2 U M. The length (of n 1, of hypot 2) and the quotient add 4 U of
-// the depth, which is at most 2 sqrt2 M: twice the bound below.
-constexpr double kPlainError = 16 * kUnitRoundoff;
-static_assert(kPlainError >= (1 + 1e-5) * errorOf(4 + 2 + 2 * 2));
-static_assert(2 * kPlainError >= (1 + 1e-5) * kRoot2 * errorOf(10 + 4 * 2));
-
-double plainDot(const DoubleDouble2& normal, const DoubleDouble2& p, const DoubleDouble2& q) {
-  return normal.x.high * (p.x.high - q.x.high) + normal.y.high * (p.y.high - q.y.high);
-}
+// The products of a normal n and a difference d of corners in plain doubles. M is at least their reach(), so that in
+// either coordinate n and d are below 2 M; in units of U M:
+//   corners        products 1, sum 1, the sum with the shift 1, its low part 1    4
+//   n, d           two corners, their difference 2                                10 each
+//   the area       10 for d, of |n|_1; 10 for n, of |d|_1 <= 4 M                  10 |n|_1 + 40 M
+//                  two products, their sum, of at most 2 M |n|_1                  4 |n|_1
+// Divided by the length of n, which is at least |n|_1 / sqrt2. That errs by 10 sqrt2 U M and by 2 U of itself, the
+// quotient by U: of the depth, which is at most 2 sqrt2 M, these make 41 U M of M / |n| and 9 U M. All of it is at most
+// twice the bound below.
+constexpr double kNormalError = 16 * kUnitRoundoff, kDifferenceError = 48 * kUnitRoundoff;
+static_assert(kNormalError >= (1 + 1e-5) * errorOf(10 + 4) && kDifferenceError >= (1 + 1e-5) * errorOf(40));
+static_assert(2 * kNormalError >= (1 + 1e-5) * (kRoot2 * errorOf(14) + errorOf(9)));
+static_assert(2 * kDifferenceError >= (1 + 1e-5) * errorOf(40 + 41));
 
 /// The least gap over the edges of one of them, both counter-clockwise, no coordinate larger than `largest`. While the
 /// normal turns, the other's farthest corner goes around at most once. Double doubles only where plain ones are unsure.
@@ -57,39 +73,44 @@ Gap leastGap(const Corners& of, const Corners& other, double largest) {
   Gap least;
   const std::size_t n = of.size(), m = other.size();
   if (n < 2) return least;
-  const double error = kPlainError * largest;
+  const auto after = [n](std::size_t k) { return k + 1 < n ? k + 1 : 0; };
   const auto normalOf = [&](std::size_t k) {
-    const DoubleDouble2 edge = of[k + 1 < n ? k + 1 : 0] - of[k];
+    const DoubleDouble2 edge = of.at(after(k)) - of.at(k);
     return DoubleDouble2{edge.y, -edge.x};
   };
-  const auto isFarther = [&](std::size_t j, std::size_t i, const DoubleDouble2& normal) {
-    const double plain = plainDot(normal, other[j], other[i]);
-    if (std::abs(plain) > error * (std::abs(normal.x.high) + std::abs(normal.y.high))) return plain < 0;
-    return dot(normal, other[j] - other[i]).high < 0;
-  };
   std::vector<std::size_t> farthest(n);
-  std::vector<double> depths(n);
+  std::vector<double> depths(n), errors(n);
   double enough = std::numeric_limits<double>::infinity();  // the least depth isn't more
   for (std::size_t k = 0, at = 0; k < n; ++k) {
-    const DoubleDouble2 normal = normalOf(k);
+    const Vec2 edge = of.near(after(k)) - of.near(k), normal(edge.y(), -edge.x());
+    const double error = largest * (kNormalError * normal.lpNorm<1>() + kDifferenceError * largest);
+    const auto isFarther = [&](std::size_t j, std::size_t i) {
+      const double plain = normal.dot(other.near(j) - other.near(i));
+      if (std::abs(plain) > error) return plain < 0;
+      return dot(normalOf(k), other.at(j) - other.at(i)).high < 0;
+    };
     // A segment's normals are opposite: on the way from one to the other a step may be no descent.
     if (k == 0 || n == 2)
       for (std::size_t j = 0; j < m; ++j)
-        if (isFarther(j, at, normal)) at = j;
+        if (isFarther(j, at)) at = j;
     for (std::size_t steps = 0; steps < m; ++steps) {
       const std::size_t next = at + 1 < m ? at + 1 : 0;
-      if (!isFarther(next, at, normal)) break;
+      if (!isFarther(next, at)) break;
       at = next;
     }
     farthest[k] = at;
-    depths[k] = plainDot(normal, of[k], other[at]) / std::hypot(normal.x.high, normal.y.high);
-    enough = std::min(enough, depths[k] + 2 * error);
+    const double length = normal.norm();
+    // Where squares lose digits, or the length is hardly known, nothing is.
+    const bool known = length > 0x1p-400 && length > 64 * kUnitRoundoff * largest;
+    depths[k] = known ? normal.dot(of.near(k) - other.near(at)) / length : 0;
+    errors[k] = known ? 2 * error / length : std::numeric_limits<double>::infinity();
+    enough = std::min(enough, depths[k] + errors[k]);
   }
   for (std::size_t k = 0; k < n; ++k) {
-    if (depths[k] - 2 * error > enough) continue;
+    if (depths[k] - errors[k] > enough) continue;
     const DoubleDouble2 normal = normalOf(k);
     const double length = std::hypot(normal.x.high, normal.y.high);
-    const double depth = std::max(0.0, dot(normal, of[k] - other[farthest[k]]).high / length);
+    const double depth = std::max(0.0, dot(normal, of.at(k) - other.at(farthest[k])).high / length);
     if (!(depth < least.depth && length > 0)) continue;
     // Of short edges among huge ones the normal may be one of the smallest doubles, and its length hardly known.
     const double larger = std::max(std::abs(normal.x.high), std::abs(normal.y.high));
@@ -113,10 +134,8 @@ SupportGap leastSupportGap(const PolygonData& a, const Pose& pose_a, const Conve
   };
   const std::vector<std::size_t> at_a = counterClockwise(pose_a, outline_a.corners),
                                  at_b = counterClockwise(pose_b, outline_b.corners);
-  const Corners corners_a = posed(a, pose_a, at_a, {}, scale), corners_b = posed(b, pose_b, at_b, shift, scale);
-  double most = 0;
-  for (const Corners* corners : {&corners_a, &corners_b})
-    for (const DoubleDouble2& p : *corners) most = std::max({most, std::abs(p.x.high), std::abs(p.y.high)});
+  const Corners corners_a(a, pose_a, at_a, {}, scale), corners_b(b, pose_b, at_b, shift, scale);
+  const double most = std::max(corners_a.reach(), corners_b.reach());
   const Gap of_a = leastGap(corners_a, corners_b, most), of_b = leastGap(corners_b, corners_a, most);
   const bool edge_of_a = of_a.depth <= of_b.depth;
   const Gap& least = edge_of_a ? of_a : of_b;
