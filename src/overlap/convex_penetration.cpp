@@ -92,7 +92,7 @@ Gap leastGap(const Corners& of, const Corners& other, double largest) {
     // A segment's normals are opposite: on the way from one to the other a step may be no descent.
     if (k == 0 || n == 2)
       for (std::size_t j = 0; j < m; ++j)
-        if (isFarther(j, at)) at = j;
+        if (j != at && isFarther(j, at)) at = j;
     for (std::size_t steps = 0; steps < m; ++steps) {
       const std::size_t next = at + 1 < m ? at + 1 : 0;
       if (!isFarther(next, at)) break;
