@@ -297,8 +297,8 @@ const char* const kHow =
 - All truths are exact rational arithmetic's, on the doubles that remain after the move: the distance, the first meeting
   of a vertex and an edge, the least gap between supports.
 - tricover's times are early where coordinates are large: timeOfImpact() may take for contact what comes within 1e-13 of
-  the coordinates' size. What overlaps by polygons thinner than the rounding of their coordinates, contacts() may take
-  for a touch, of depth 0; penetration() doesn't.
+  the coordinates' size. An overlap thinner than the rounding of coordinates, as slivers have, contacts() may take for
+  a touch, of depth 0; penetration() doesn't.
 - FCL's GJK has tolerances in proportion to the size, its default 1e-6 and 1e-10; its prisms grow with the size, too. Its
   advancement misses what slides even at the origin: a step that lands on the contact finds no direction there. GEOS and
   Boost get the fixed polygon's coordinates in the world. Box2D computes in floats, with a skin of 3e-6 of 100 units.
