@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "families.h"
 #include "random.h"
@@ -91,6 +92,23 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
     EXPECT_LE(missed, 0.2 * overlaps);  // the rest of the unsure ones touch
     EXPECT_GE(aparts, 0.1 * cases);
     EXPECT_GE(unsure, 0.05 * cases);
+  }
+}
+
+/// Of the edges at the deepest vertex the one that is more across the normal, whichever way round the ring runs.
+TEST(ConvexContact, NamesTheFlatterEdgeAtAVertex) {
+  const Polygon box({rectangle(0, 0, 4, 4)});
+  const Pose here = Pose::Identity();
+  for (const auto& [ring, edge] : {std::pair(Ring{{1, 3.6}, {3, 3.5}, {3, 6}, {1, 6}}, 0),
+                                   {Ring{{1, 3.5}, {3, 3.6}, {3, 6}, {1, 6}}, 0},
+                                   {Ring{{1, 6}, {3, 6}, {3, 3.5}, {1, 3.6}}, 2}}) {
+    const Polygon leaning({ring});
+    const ConvexContact found = convexContact(PosedPair(box.data(), here, leaning.data(), here), nullptr);
+    ASSERT_EQ(found.verdict, ConvexContact::Overlap);
+    EXPECT_EQ(found.contact.normal, Vec2(0, 1));
+    EXPECT_NEAR(found.contact.depth, 0.5, 1e-15);
+    EXPECT_EQ(found.contact.edge_a, 2);
+    EXPECT_EQ(found.contact.edge_b, edge);
   }
 }
 
