@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "tricover/export.h"
 #include "tricover/polygon.h"
@@ -22,16 +21,19 @@ enum class Location { Outside, Boundary, Inside };
 /// \snippet locate.cpp locate
 TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point);
 
-/// What a moving point keeps between calls: its sign against the line of every edge (the paper's Algorithm 2).
-/// PointCache{} is empty. It may serve another polygon from call to call.
+/// What a moving point keeps between calls: a fact, as in a PairCache. PointCache{} is empty. It may serve another
+/// polygon from call to call.
 struct PointCache {
-  std::uint64_t polygon_id = 0;           ///< Polygon::id() of the polygon that the signs are about. 0: none.
-  Location location = Location::Outside;  ///< Where all points with these signs are.
-  std::vector<std::uint64_t> signs;       ///< Two bits an edge.
+  std::uint64_t polygon_id = 0;           ///< Polygon::id() of the polygon that the fact is about. 0: none.
+  Location location = Location::Outside;  ///< Where the point was.
+  double point[2] = {0, 0};               ///< It, in the polygon's frame.
+  double clearance = 0;                   ///< It was so far, at the least, from all edges.
+  std::uint32_t uses = 0;                 ///< Queries answered since.
 };
 
-/// The same answer, with coherence. Points with equal signs against all edges' lines lie in one zone, and all of a zone
-/// is at one location. So while no sign changes, the inclusion test is skipped.
+/// The same answer, with coherence. The location changes at edges alone: while the point has moved by less than it was
+/// away from them, the inclusion test is skipped. (The paper's Algorithm 2 compares the signs against all edges' lines
+/// instead, which costs O(n) a call and is left behind as soon as the point crosses any of them.)
 ///
 /// \snippet locate.cpp locate with cache
 TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/locate.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/inclusion.h"
+#include "hierarchy/wide.h"
 #include "numbers/errors.h"
+#include "numbers/rounding.h"
 
 namespace tricover {
 namespace {
@@ -14,51 +16,54 @@ void checkPoint(const Vec2& point) {
   if (!point.allFinite()) detail::refuse("point", "a coordinate is not finite");
 }
 
+/// A scan costs a twentieth of a hierarchy: the first few points are no reason to build one.
+const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
+  constexpr unsigned kScans = 16;
+  const detail::Hierarchy* built = detail::hierarchyIfBuilt(polygon);
+  if (built != nullptr || polygon.scans.fetch_add(1, std::memory_order_relaxed) < kScans) return built;
+  return &detail::hierarchyOf(polygon);
+}
+
 Location locateUnchecked(const detail::PolygonData& polygon, const Vec2& point) {
   return detail::locateInPolygon(polygon, detail::IncludedPoint::ofFrame(point));
+}
+
+/// A lower bound of the distance from the edges, looked for within `most`.
+double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& tree, const Vec2& point, double most) {
+  if (!polygon.fitsUnit()) return 0;
+  const Vec2 at = polygon.inUnits(point);
+  const detail::Place place{at.x(), at.y(), 2 * detail::kUnitRoundoff * (std::abs(at.x()) + std::abs(at.y()))};
+  constexpr double kNone = -1;
+  const detail::NearEdgeTest no_hits{nullptr, nullptr, kNone, kNone};
+  return detail::findEdgeNear(tree, place, most * polygon.inverse_unit, no_hits).clearance * polygon.unit;
 }
 
 }  // namespace
 
 Location locate(const Polygon& polygon, const Vec2& point) {
   checkPoint(point);
-  // A scan costs a twentieth of a hierarchy: the first few points are no reason to build one.
-  constexpr unsigned kScans = 16;
-  const detail::PolygonData& data = polygon.data();
-  if (detail::hierarchyIfBuilt(data) == nullptr && data.scans.fetch_add(1, std::memory_order_relaxed) >= kScans)
-    detail::hierarchyOf(data);
-  return locateUnchecked(data, point);
+  hierarchyInTime(polygon.data());
+  return locateUnchecked(polygon.data(), point);
 }
 
 Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache) {
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
-  constexpr std::size_t kPerWord = 32;
-  const std::size_t words = (data.path.size() + kPerWord - 1) / kPerWord;
-  bool same_zone = cache.polygon_id == data.id && cache.signs.size() == words;
-  if (!same_zone) cache.signs.assign(words, 0);
-
-  // Every edge's sign, -1, 0 or 1, as two bits: the point's zone. The location is constant on an open face of the
-  // lines' arrangement, but on a line it may change where no other line crosses (at a spike's tip), so a sign of 0 says
-  // nothing. An edge of one repeated vertex has no line: it is 0 at that vertex only. The closing vertices between
-  // rings form no edge; their lines divide zones no less soundly.
-  for (std::size_t word = 0; word < words; ++word) {
-    std::uint64_t bits = 0;
-    const std::size_t end = std::min((word + 1) * kPerWord, data.path.size() - 1);
-    for (std::size_t e = word * kPerWord; e < end; ++e) {
-      const Vec2 &v = data.path[e], &w = data.path[e + 1];
-      const int sign = v == w ? (point == v ? 0 : 1) : detail::orientation(v, w, point);
-      same_zone = same_zone && sign != 0;
-      bits |= static_cast<std::uint64_t>(sign + 1) << 2 * (e % kPerWord);
-    }
-    same_zone = same_zone && bits == cache.signs[word];
-    cache.signs[word] = bits;
+  const Vec2 way = point - Vec2(cache.point[0], cache.point[1]);
+  // At least as long: no squares, which might be 0.
+  const double moved = (std::abs(way.x()) + std::abs(way.y())) * (1 + 4 * detail::kUnitRoundoff);
+  const bool known = cache.polygon_id == data.id;
+  if (known && (moved < cache.clearance || moved == 0)) {
+    ++cache.uses;
+    return cache.location;
   }
-  if (!same_zone) {
-    cache.location = locateUnchecked(data, point);
-    cache.polygon_id = data.id;
-  }
-  return cache.location;
+  const detail::Hierarchy* tree = hierarchyInTime(data);
+  constexpr double kSteps = 16;  // that a fact is to last for
+  const double most = known ? kSteps * moved / (cache.uses + 1.0) : 0;
+  const Location location = locateUnchecked(data, point);
+  const bool may_last = tree != nullptr && most > 0 && most < data.radius && location != Location::Boundary;
+  cache = {data.id, location, {point.x(), point.y()}, may_last ? clearanceOf(data, *tree, point, most) : 0, 0};
+  return location;
 }
 
 }  // namespace tricover

@@ -153,7 +153,26 @@ TEST(PointCacheWalk, EveryCachedAnswerIsTheColdOne) {
   for (const int count : tally.by_location) EXPECT_GE(count, 0.01 * tally.points);
 }
 
-/// The same signs against the same edges, and yet another answer: the middle of a pentagram under either fill rule.
+/// A fact answers for a point that stays, and for most steps of one that goes through the polygon slowly.
+TEST(PointCacheWalk, FactsAnswerSlowSteps) {
+  Random random(5);
+  const Polygon polygon({star(random, 300, 2, 4)});
+  PointCache cache;
+  int answered = 0;
+  constexpr int kSteps = 2000;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec2 point(-5 + 10.0 * i / kSteps, 0.3);
+    const Location location = locate(polygon, point, cache);
+    const std::uint32_t uses = cache.uses;
+    answered += uses > 0;
+    EXPECT_EQ(locate(polygon, point, cache), location);
+    EXPECT_EQ(cache.uses, uses + 1) << "a point that stays where its fact is from, or within reach of it";
+    cache.uses = uses;
+  }
+  EXPECT_GT(answered, kSteps / 2);
+}
+
+/// The same edges, and yet another answer: the middle of a pentagram under either fill rule.
 TEST(PointCacheWalk, APolygonsZonesAreItsOwn) {
   Ring ring;
   for (int i = 0; i < 5; ++i) ring.push_back(Vec2(std::cos(0.8 * M_PI * i), std::sin(0.8 * M_PI * i)));
