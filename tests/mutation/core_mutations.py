@@ -148,7 +148,7 @@ MUTATIONS = [
     ("src/polygon/covering.cpp", "point_(point), s_(origin) {", "point_(point), s_(polygon.origin) {", "ray: away from S, the sum from elsewhere (equivalent: speed only)"),
     ("src/hierarchy/inclusion.cpp", "error * (2 + 16 / distance)}", "0}", "ray: known exactly"),
     ("src/hierarchy/inclusion.cpp", "error < 0x1p-20 && polygon.fitsUnit())", "error < 0x1p-20)", "ray: polygons larger than their unit (equivalent as far as tests see: they are a few units at most)"),
-    ("src/hierarchy/locate.cpp", "    detail::hierarchyOf(data);\n", "    ;\n", "locate: never builds a hierarchy (equivalent: speed only)"),
+    ("src/hierarchy/locate.cpp", "return &detail::hierarchyOf(polygon);", "return nullptr;", "locate: never builds a hierarchy"),
     # Influence areas.
     ("src/polygon/influence.cpp", "length * std::sqrt(ux * ux + uy * uy) * (1 + 8 * kUnitRoundoff)", "0.999 * length * std::sqrt(ux * ux + uy * uy)", "influence area: too narrow"),
     ("src/polygon/influence.cpp", "const double beyond = std::max(at - std::max(from, to), std::min(from, to) - at);", "const double beyond = std::max(at - std::max(from, to), std::min(from, to) - at) + 0.01 * length;", "influence area: cut too near"),
