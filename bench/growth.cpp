@@ -105,9 +105,8 @@ const std::vector<Row>& allRows() {
   return rows;
 }
 
-/// CPU seconds a query. One that isn't timed comes before: it derives what the polygons keep.
-double measureOnce(const Row& row, const Input& input) {
-  row.ask(input);
+/// Asks until kSecondsPerSize have passed: CPU seconds a query.
+double meanOf(const Row& row, const Input& input) {
   const double start = threadSeconds();
   double passed = 0;
   int asked = 0;
@@ -117,6 +116,12 @@ double measureOnce(const Row& row, const Input& input) {
     passed = threadSeconds() - start;
   }
   return passed / asked;
+}
+
+/// What comes first derives what the polygons keep.
+double measureOnce(const Row& row, const Input& input) {
+  meanOf(row, input);
+  return meanOf(row, input);
 }
 
 Growth measureRow(const Row& row) {
@@ -157,7 +162,7 @@ std::string growthCsv(const std::vector<Growth>& rows) {
 }
 
 const char* const kHow =
-    R"(- CPU time of one thread: the mean of the queries asked in 20 ms, after one that isn't timed. A row ends where the
+    R"(- CPU time of one thread: the mean of the queries asked in 20 ms, after 20 ms that aren't timed. A row ends where the
   next size would take it beyond 1.5 s if the cost were quadratic; an empty cell is a size that wasn't reached.
 - The power is that from n to the largest size. cached: ten small steps with a cache, a tenth of their time.
 )";

@@ -55,8 +55,7 @@ struct ContactCache {
 
   PairCache pair;  ///< Whether they collide: where not, there are no contacts.
 
-  std::uint64_t first_id =
-      0;  ///< Polygon::id() of the polygon that the kernel takes first. 0: nothing of what follows.
+  std::uint64_t first_id = 0;   ///< Polygon::id() of the one that the kernel takes first. 0: nothing follows.
   std::uint64_t second_id = 0;  ///< Polygon::id() of the other one.
 
   /// "With the second polygon at this pose in the first one's frame (columns of R, then t), the other polygon reached
