@@ -77,7 +77,6 @@ Node TightNodes::fit(std::uint32_t index) const {
   else
     addEdgesBelow(mover_.tree->blocks, node.child, edges);
   if (axis_ != Vec2::Zero()) return fitAlong(node, edges, axis_.normalized());
-  const auto at = [&](std::uint32_t position) { return mover_.polygon->inUnits(mover_.polygon->path[position]); };
   const Vec2 chord = at(edges.back() + 1) - at(edges.front());
   const double length = chord.norm();
   if (length > 0x1p-40) {
@@ -88,7 +87,6 @@ Node TightNodes::fit(std::uint32_t index) const {
 }
 
 Node TightNodes::fitAlong(Node node, const std::vector<std::uint32_t>& edges, const Vec2& axis) const {
-  const auto at = [&](std::uint32_t position) { return mover_.polygon->inUnits(mover_.polygon->path[position]); };
   const Vec2 pivot = mover_.polygon->inUnits(mover_.pivot);
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   double near = low.x(), far = 0;

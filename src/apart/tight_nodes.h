@@ -22,6 +22,7 @@ class TightNodes {
 
  private:
   Node fit(std::uint32_t index) const;
+  Vec2 at(std::uint32_t position) const { return mover_.polygon->inUnits(mover_.polygon->path[position]); }
   /// `edges` are those below the node, by their positions.
   Node fitAlong(Node node, const std::vector<std::uint32_t>& edges, const Vec2& axis) const;
 

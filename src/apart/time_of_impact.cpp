@@ -79,22 +79,24 @@ class ImpactSearch {
   std::size_t edge_a = 0, edge_b = 0;  ///< positions of those that touch at the upper bound
 
  private:
+  /// Of both movers.
+  struct FittedNodes {
+    TightNodes a, b;
+  };
+
   /// A node of either mover, and where it is in a window.
   struct Side {
     Node node;
     MovingBox box;
   };
-  Node nodeA(std::uint32_t index) { return tight_a_ ? tight_a_->node(index) : pair_.a.node(index); }
-  Node nodeB(std::uint32_t index) { return tight_b_ ? tight_b_->node(index) : pair_.b.node(index); }
+  Node nodeA(std::uint32_t index) { return tight_ ? tight_->a.node(index) : pair_.a.node(index); }
+  Node nodeB(std::uint32_t index) { return tight_ ? tight_->b.node(index) : pair_.b.node(index); }
   Side sideA(const Window& window, const Node& node) const { return {node, pair_.a.box(window.a, node)}; }
   Side sideB(const Window& window, const Node& node) const { return {node, pair_.b.box(window.b, node)}; }
 
   /// As a rule an impact is found by then; if not, gaps may be narrower than the floats' boxes are wide.
   static constexpr int kFloatsAlone = 256;
-  void fitTightly() {
-    tight_a_.emplace(pair_.a);
-    tight_b_.emplace(pair_.b);
-  }
+  void fitTightly() { tight_.emplace(FittedNodes{TightNodes(pair_.a), TightNodes(pair_.b)}); }
 
   /// Fans of edges that come together in their common points have boxes that reach beyond these, however narrow they
   /// are; but not along an axis that parts all of them, if there is one. Where it helps, little is left to divide: so
@@ -103,7 +105,7 @@ class ImpactSearch {
   void tryOneAxis(double when) {
     const int since = divided_ % kOneAxisOf - kFloatsAlone;
     if (since == 0) fitAlong(when);
-    if (since == kOneAxisFor) along_a_.reset(), along_b_.reset();
+    if (since == kOneAxisFor) along_.reset();
   }
   void fitAlong(double when) {
     const Places places_a = pair_.a.places(when, when), places_b = pair_.b.places(when, when);
@@ -112,8 +114,7 @@ class ImpactSearch {
                   places.m01[0] * axis.x() + places.m11[0] * axis.y());
     };
     const Vec2 axis = betweenOrigins(places_a, places_b);
-    along_a_.emplace(pair_.a, local(places_a, axis));
-    along_b_.emplace(pair_.b, local(places_b, axis));
+    along_.emplace(FittedNodes{TightNodes(pair_.a, local(places_a, axis)), TightNodes(pair_.b, local(places_b, axis))});
   }
 
   void push(const Encounter& encounter) {
@@ -132,15 +133,16 @@ class ImpactSearch {
   void offer(const Window& window, const Side& a, const Side& b, const Encounter& encounter) {
     WindowCutter cutter(window, a.box, b.box);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
-    if (tight_a_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
+    if (tight_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
     Rest rest = cutter.rest();
-    if (along_a_) {
-      const MovingBox along_a = pair_.a.box(window.a, along_a_->node(encounter.a));
-      const MovingBox along_b = pair_.b.box(window.b, along_b_->node(encounter.b));
+    if (along_) {
+      const MovingBox along_a = pair_.a.box(window.a, along_->a.node(encounter.a));
+      const MovingBox along_b = pair_.b.box(window.b, along_->b.node(encounter.b));
       WindowCutter by_one_axis(window, along_a, along_b);
       if (by_one_axis.cutByAxesOfA() || by_one_axis.cutByAxesOfB()) return;
-      rest.low = std::max(rest.low, by_one_axis.rest().low);
-      rest.high = std::min(rest.high, by_one_axis.rest().high);
+      const Rest other = by_one_axis.rest();
+      rest.low = std::max(rest.low, other.low);
+      rest.high = std::min(rest.high, other.high);
     }
     if (rest.low <= rest.high) push(cut(encounter, rest));
   }
@@ -220,7 +222,7 @@ class ImpactSearch {
   double upper_bound_ = kInfinity;
   std::vector<Encounter> encounters_;
   int divided_ = 0;
-  std::optional<TightNodes> tight_a_, tight_b_, along_a_, along_b_;
+  std::optional<FittedNodes> tight_, along_;
 };
 
 /// From the pair's frame at `time` to the world.

@@ -29,6 +29,12 @@ struct PortableLanes {
   ~PortableLanes() { detail::usePortableLanes(false); }
 };
 
+template <typename Answer>
+auto onPortableLanes(const Answer& answer) {
+  const PortableLanes portable;
+  return answer();
+}
+
 static_assert(std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose&>);
 static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose, const detail::PolygonData&, Pose&>);
 static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose>);
@@ -155,10 +161,7 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
       return convexMeet(*hierarchyOf(a.data()).small_convex, *hierarchyOf(b.data()).small_convex, map, 0x1p-19);
     };
     const detail::Meeting meeting = answer();
-    {
-      const PortableLanes portable;
-      ASSERT_EQ(answer(), meeting);
-    }
+    ASSERT_EQ(onPortableLanes(answer), meeting);
     if (meeting == detail::Meeting::Unknown) {
       ++unknown;
       continue;
@@ -195,10 +198,7 @@ TEST(RingsMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     ASSERT_TRUE(of_a && of_b);
     const auto answer = [&] { return ringsMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair)); };
     const detail::Meeting meeting = answer();
-    {
-      const PortableLanes portable;
-      ASSERT_EQ(answer(), meeting);
-    }
+    ASSERT_EQ(onPortableLanes(answer), meeting);
     if (meeting == detail::Meeting::Unknown) {
       ++unknown;
       continue;
