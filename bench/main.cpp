@@ -16,6 +16,7 @@
 #include "report.h"
 #include "round_fleet.h"
 #include "round_study.h"
+#include "soup_study.h"
 #include "spline_study.h"
 #include "study.h"
 #include "targets.h"
@@ -40,6 +41,7 @@ std::vector<Result> writeReport(const Measured& measured, const std::vector<Resu
   writeFile(directory + "/round.md", "# Polygons and round shapes\n\n" + table(measured.rounds));
   writeFile(directory + "/discs.md",
             "# Discs\n\n" + table(measured.discs) + "\n# A fleet of round robots\n\n" + table({measured.round_fleet}));
+  writeFile(directory + "/soups.md", "# Soups and overlapping rings\n\n" + table(measured.soups));
   writeFile(directory + "/splines.md", "# Splines\n\n" + table(splines));
   writeFile(directory + "/tables.md", summary + main_job + "\n# Every kind, vertices fixed x moving\n\n" +
                                           table(measured.study) + "\n# Distances\n\n" + table(measured.distances) +
@@ -50,7 +52,7 @@ std::vector<Result> writeReport(const Measured& measured, const std::vector<Resu
   std::vector<Result> all = drives;
   all.push_back(measured.round_fleet);
   for (const auto* results : {&measured.study, &measured.distances, &measured.impacts, &measured.contacts,
-                              &measured.rounds, &measured.discs, &splines}) {
+                              &measured.rounds, &measured.discs, &measured.soups, &splines}) {
     all.insert(all.end(), results->begin(), results->end());
   }
   writeFile(directory + "/results.csv", csv(all));
@@ -70,7 +72,7 @@ int run(const std::string& data, const std::string& directory, bool full) {
   if (full) movers.insert(movers.end(), {"Indonesia", "Chile", "Australia"});
   const std::vector<Cell> cells = studyCells(full);
   const std::vector<Cell> distance_cells = distanceCells(full), impact_cells = impactCells(full);
-  const std::size_t total = 2 * movers.size() + 5 + cells.size() + distance_cells.size() + impact_cells.size();
+  const std::size_t total = 2 * movers.size() + 6 + cells.size() + distance_cells.size() + impact_cells.size();
   std::size_t done = 0;
   Measured measured;
   std::vector<Result> drives;
@@ -89,6 +91,8 @@ int run(const std::string& data, const std::string& directory, bool full) {
   showProgress(done++, total, "discs");
   measured.discs = measureDiscs(settings);
   measured.round_fleet = measureRoundFleet(settings);
+  showProgress(done++, total, "soups");
+  measured.soups = measureSoups(settings);
   showProgress(done++, total, "splines");
   const std::vector<Result> splines = measureSplines(settings);
   const auto measureAll = [&](const char* what, const std::vector<Cell>& some, auto measureOne,

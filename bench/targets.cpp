@@ -143,6 +143,7 @@ void Judge::rounds(const std::vector<Result>& rounds, const std::vector<Result>&
 std::vector<Target> judge(const Measured& measured) {
   Judge judge;
   judge.collisions(measured.study);
+  judge.add("soups and overlapping rings", "FCL BVH / core", ratios(measured.soups, kAny, bestRival, core), {true, 2});
   judge.distancesAndImpacts(measured.distances, measured.impacts);
   judge.rounds(measured.rounds, measured.discs, measured.round_fleet);
   judge.add("memory of all that is derived", "per edge", perEdge(measured.footprints, &Footprint::bytes),

@@ -11,7 +11,7 @@ namespace tricover::bench {
 
 /// All that is judged.
 struct Measured {
-  std::vector<Result> study, distances, impacts, contacts, rounds, discs;
+  std::vector<Result> study, distances, impacts, contacts, rounds, discs, soups;
   Result round_fleet;
   std::vector<Footprint> footprints;
 };

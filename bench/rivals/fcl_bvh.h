@@ -16,9 +16,10 @@ namespace tricover::bench {
 class FclBvh {
  public:
   FclBvh(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose = Pose::Identity())
-      : fixed_(makeFlatMesh(triangulate(fixed))),
-        moving_(makeFlatMesh(triangulate(moving))),
-        fixed_transform_(toTransform(fixed_pose)) {}
+      : FclBvh(triangulate(fixed), triangulate(moving), fixed_pose) {}
+  FclBvh(const std::vector<Triangle>& fixed, const std::vector<Triangle>& moving,
+         const Pose& fixed_pose = Pose::Identity())
+      : fixed_(makeFlatMesh(fixed)), moving_(makeFlatMesh(moving)), fixed_transform_(toTransform(fixed_pose)) {}
 
   void prepare(const std::vector<Pose>& poses) { transforms_ = toTransforms(poses); }
 

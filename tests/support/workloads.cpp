@@ -308,6 +308,28 @@ Polygon makePolygon(Kind kind, std::size_t vertices, std::uint64_t seed) {
   return Polygon(makeRings(kind, vertices, random));
 }
 
+Polygon makeOverlapping(std::size_t rings, std::size_t corners, double squeeze, std::uint64_t seed) {
+  if (rings < 2 || corners < 3) throw std::invalid_argument("rings, corners: at least 2 of at least 3");
+  if (!(squeeze >= 0.05 && squeeze <= 1)) throw std::invalid_argument("squeeze: not in [0.05, 1]");
+  Random random(seed);
+  // About three rings cover each point of an ellipse, 1 x 0.6.
+  const double length = kRadius * std::sqrt(3 / (static_cast<double>(rings) * squeeze));
+  std::vector<Ring> all;
+  for (std::size_t i = 0; i < rings; ++i) {
+    const double angle = random.uniform(0, 2 * kPi), far = kRadius * std::sqrt(random.uniform(0, 1));
+    const Vec2 middle(far * std::cos(angle), 0.6 * far * std::sin(angle));
+    const Eigen::Rotation2Dd turn(random.uniform(0, 2 * kPi));
+    Ring ring = starShaped(corners, squeeze, random,
+                           [&](std::size_t, double) { return std::min(length, kRadius) * random.uniform(0.6, 1); });
+    for (Vec2& v : ring) {
+      const Vec2 placed = middle + turn * v;
+      v = onGrid(placed.x(), placed.y());
+    }
+    all.push_back(std::move(ring));
+  }
+  return Polygon(std::move(all), FillRule::NonZero);
+}
+
 std::vector<Pose> circularTrajectory(const Polygon& fixed, const Polygon& moving, double gap, std::size_t positions) {
   double swept = 0, farthest_angle = 0;
   for (const auto& [v, w] : edgesAroundOrigin(fixed)) {

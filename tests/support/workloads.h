@@ -35,6 +35,12 @@ constexpr double kGrid = 1.0 / (1 << 17);
 /// Throws std::invalid_argument for fewer than 8 or more than 1024 vertices, or an odd number of them.
 Polygon makePolygon(Kind kind, std::size_t vertices, std::uint64_t seed);
 
+/// The union of that many rings which overlap each other, of so many corners each: triangles are a soup. Each is
+/// counter-clockwise, `squeeze` times as wide as long in a direction of its own, and on the grid; together they are
+/// about 100 units long, and oblong. Equal arguments give equal polygons wherever <cmath> agrees.
+/// Throws std::invalid_argument for fewer than 2 rings or 3 corners, or a squeeze that isn't in [0.05, 1].
+Polygon makeOverlapping(std::size_t rings, std::size_t corners, double squeeze, std::uint64_t seed);
+
 /// Table 2: "the smallest gap is 9 units", 90,000 and 9,000 positions.
 constexpr double kGap = 9;
 constexpr std::size_t kCircularPositions = 90000;

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 #include "tricover/collide.h"
 #include "tricover/locate.h"
@@ -244,6 +245,40 @@ TEST(Workloads, HoleLiesInsideTheContour) {
 TEST(Workloads, RefusesOddAndFarVertexCounts) {
   for (const std::size_t n : {0, 6, 9, 1026})
     EXPECT_THROW(makePolygon(Kind::Contour, n, 1), std::invalid_argument) << n;
+}
+
+TEST(Workloads, OverlappingRingsDoOverlap) {
+  for (const auto& [rings, corners, squeeze] : {std::tuple{21, 3, 1.0}, {341, 3, 1.0}, {341, 3, 0.1}, {8, 8, 1.0}}) {
+    SCOPED_TRACE(std::to_string(rings) + " rings of " + std::to_string(corners));
+    const auto make = [&](std::uint64_t seed) {
+      return makeOverlapping(static_cast<std::size_t>(rings), static_cast<std::size_t>(corners), squeeze, seed);
+    };
+    const Polygon polygon = make(1);
+    EXPECT_EQ(polygon.rings(), make(1).rings());
+    EXPECT_NE(polygon.rings(), make(2).rings());
+    ASSERT_EQ(polygon.rings().size(), static_cast<std::size_t>(rings));
+    int covered = 0;  // rings whose first vertex lies in another one
+    for (std::size_t r = 0; r < polygon.rings().size(); ++r) {
+      const Ring& ring = polygon.rings()[r];
+      ASSERT_EQ(ring.size(), static_cast<std::size_t>(corners));
+      EXPECT_GT(area(ring), 0);
+      for (const Vec2& v : ring)
+        for (const double x : {v.x(), v.y()}) ASSERT_TRUE(std::abs(x) < 128 && std::fmod(x, kGrid) == 0);
+      std::vector<Ring> others = polygon.rings();
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(r));
+      covered += locate(Polygon(others, FillRule::NonZero), ring[0]) == Location::Inside;
+    }
+    EXPECT_GT(2 * covered, rings);
+    const auto circle = circularTrajectory(polygon, make(2), kGap, 4);
+    EXPECT_NEAR(outlineDistance(polygon, make(2), circle.front()), kGap, 1e-9);
+  }
+}
+
+TEST(Workloads, RefusesRingsThatAreNone) {
+  EXPECT_THROW(makeOverlapping(1, 3, 1, 1), std::invalid_argument);
+  EXPECT_THROW(makeOverlapping(2, 2, 1, 1), std::invalid_argument);
+  for (const double squeeze : {0.04, 1.1, std::nan("")})
+    EXPECT_THROW(makeOverlapping(2, 3, squeeze, 1), std::invalid_argument);
 }
 
 TEST(ReadPolygons, ReadsNamesRingsAndVertices) {
