@@ -72,8 +72,8 @@ class ConvexAdvancement {
   ConvexAdvancement(const MovingPair& pair, double time_error)
       : pair_(pair), a_(pair.a), b_(pair.b), time_error_(time_error), touch_distance_(pair.margin + 4 * pair.error) {}
 
-  ConvexImpact run() {
-    using Verdict = ConvexImpact::Verdict;
+  FirstContact run() {
+    using Verdict = FirstContact::Verdict;
     Places at_a = pair_.a.places(0, 0), at_b = pair_.b.places(0, 0);
     double time = 0;
     bool stale = true;  // whether the features are to be guessed anew
@@ -182,7 +182,7 @@ bool isSmallConvexPair(const MovingPair& pair) {
   return fits(pair.a) && fits(pair.b) && pair.error < 1;
 }
 
-ConvexImpact findConvexImpact(const MovingPair& pair, double time_error) {
+FirstContact findConvexImpact(const MovingPair& pair, double time_error) {
   return ConvexAdvancement(pair, time_error).run();
 }
 

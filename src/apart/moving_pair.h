@@ -115,6 +115,14 @@ inline MovingBox Mover::box(const Places& p, const Node& node) const {
   return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy, along, across};
 }
 
+/// What a search that may give up knows of the time of impact.
+struct FirstContact {
+  enum class Verdict { Never, Touch, Unknown };
+  Verdict verdict;
+  double time;                 ///< they are certainly apart before; of a touch, it is at most `time_error` too early
+  std::size_t edge_a, edge_b;  ///< of a touch: positions in the paths
+};
+
 /// The nearest points of two edges at one end of the window; distance 0 where they certainly cross.
 struct NearestPoints {
   NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apart/convex_impact.h"
+#include "apart/few_edges_impact.h"
 #include "apart/moving_pair.h"
 #include "apart/options.h"
 #include "apart/point_impact.h"
@@ -302,29 +303,32 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
                           static_cast<std::size_t>(outcome.edge_b))
                : describeContainment(moving, motion_a, motion_b, outcome);
   };
-  if (isPointCast(moving)) {
+  // Apart at time 0, though it may be by less than rounding.
+  const auto later = [](double time) { return std::max(time, std::numeric_limits<double>::denorm_min()); };
+  const bool cast = isPointCast(moving), convex = isSmallConvexPair(moving);
+  const bool few = !cast && !convex && haveFewEdges(moving);
+  if (cast || few)
     if (const auto impact = atStart()) return impact;
+  if (cast) {
     const auto found = findPointImpact(moving, options.time_error);
     if (!found) return std::nullopt;
-    const double later = std::max(found->time, std::numeric_limits<double>::denorm_min());
-    return describe(moving, motion_a, later, found->edge, b.spine);
+    return describe(moving, motion_a, later(found->time), found->edge, b.spine);
   }
   double begin = 0;
-  if (isSmallConvexPair(moving)) {
-    const ConvexImpact found = findConvexImpact(moving, options.time_error);
-    if (found.verdict == ConvexImpact::Verdict::Never) return std::nullopt;
-    if (found.verdict == ConvexImpact::Verdict::Touch)
-      return describe(moving, motion_a, found.time, found.edge_a, found.edge_b);
+  if (convex || few) {
+    const FirstContact found =
+        convex ? findConvexImpact(moving, options.time_error) : findImpactOfFewEdges(moving, options.time_error);
+    if (found.verdict == FirstContact::Verdict::Never) return std::nullopt;
+    if (found.verdict == FirstContact::Verdict::Touch)
+      return describe(moving, motion_a, later(found.time), found.edge_a, found.edge_b);
     begin = found.time;
   }
   ImpactSearch search(moving, options.time_error);
   if (!search.start(begin)) return std::nullopt;
-  if (search.lowerBound() == 0)
+  if (search.lowerBound() == 0 && !few)
     if (const auto impact = atStart()) return impact;
   if (!search.run()) return std::nullopt;
-  // Apart at time 0, though it may be by less than rounding.
-  const double time = std::max(search.time, std::numeric_limits<double>::denorm_min());
-  return describe(moving, motion_a, time, search.edge_a, search.edge_b);
+  return describe(moving, motion_a, later(search.time), search.edge_a, search.edge_b);
 }
 
 }  // namespace

@@ -15,6 +15,29 @@ struct Rest {
   double aim;  ///< where points that aren't accelerated would meet along the axis that `low` is due to
 };
 
+/// Seen from one end of a window, a gap is at least from - slope x + sag x^2 after a share x of it: it stays positive
+/// for a share of about from / slope. This is the one that does so longest.
+struct CutSide {
+  double from = 0, to = 0, slope = 1, sag = 0;
+
+  /// Another gap, which is `to_` at the other end. Whether that stays positive throughout.
+  bool offer(double from_, double to_, double sag_) {
+    if (!(from_ > 0)) return false;
+    const double slope_ = from_ - to_ + sag_;
+    if (slope_ < from_ || slope_ * slope_ < 4 * sag_ * from_) return true;  // without a root in [0, 1]
+    // Division can wait until the best is known; as can the root, of which this is the first order.
+    if (from_ * slope > from * slope_) *this = {from_, to_, slope_, sag_};
+    return false;
+  }
+
+  double share() const {
+    if (from == 0) return 0;
+    const double root = std::sqrt(std::max(slope * slope - 4 * sag * from, 0.0));
+    return std::min(2 * from / (slope + root), 1.0);
+  }
+  double aim() const { return from / (from - to); }
+};
+
 /// A window of time with both movers' places at its ends.
 struct Window {
   Window(const Window&) = delete;
@@ -63,28 +86,21 @@ class WindowCutter {
   bool cutByGap(const Axis& axis, Double2 gap);
 
   /// What no axis has cut off; nothing, low > high, is possible, too.
-  Rest rest() const { return {share(first_), 1 - share(last_), first_.from / (first_.from - first_.to)}; }
+  Rest rest() const { return {first_.share(), 1 - last_.share(), first_.aim()}; }
 
   /// What points' ways across the window may bend by, seen along an axis that stands still.
   double bend() const { return 0.25 * sag_fixed_; }
 
  private:
-  /// A gap `from` at one end of the window, which stays positive for a share of about from / slope.
-  struct Side {
-    double from = 0, to = 0, slope = 1, sag = 0;
-  };
-
   bool cutByAxesOf(const MovingBox& box, bool turns, double sag);
   bool cut(Double2 nx, Double2 ny, double sag);
   Double2 allowance(Double2 nx, Double2 ny) const;
-  bool offer(double from, double to, double sag, Side& side) const;
-  static double share(const Side& side);
 
   const MovingBox &a_, &b_;
   double error_, margin_;
   double sag_fixed_ = 0, sag_with_a_ = 0, sag_with_b_ = 0;
   bool turns_with_a_ = false, turns_with_b_ = false;
-  Side first_, last_;
+  CutSide first_, last_;
 };
 
 /// An upper bound of a length, too large by 8 percent at most.
@@ -171,7 +187,7 @@ inline Double2 WindowCutter::allowance(Double2 nx, Double2 ny) const {
 
 inline bool WindowCutter::cutByGap(const Axis& axis, Double2 gap) {
   gap -= allowance(axis.x, axis.y);
-  return offer(gap[0], gap[1], axis.sag, first_) || offer(gap[1], gap[0], axis.sag, last_);
+  return first_.offer(gap[0], gap[1], axis.sag) || last_.offer(gap[1], gap[0], axis.sag);
 }
 
 inline bool WindowCutter::cut(Double2 nx, Double2 ny, double sag) {
@@ -181,25 +197,9 @@ inline bool WindowCutter::cut(Double2 nx, Double2 ny, double sag) {
                   absolute(nx * b_.ux + ny * b_.uy) * b_.along + absolute(nx * b_.vx + ny * b_.vy) * b_.across +
                   allowance(nx, ny);
   const Double2 gap = distance - reach;
-  if (offer(gap[0], gap[1], sag, first_)) return true;
-  return distance[1] < 0 ? offer(-distance[1] - reach[1], -distance[0] - reach[0], sag, last_)
-                         : offer(gap[1], gap[0], sag, last_);
-}
-
-/// Seen from an end of the window, the gap is at least from - slope x + sag x^2.
-inline bool WindowCutter::offer(double from, double to, double sag, Side& side) const {
-  if (!(from > 0)) return false;
-  const double slope = from - to + sag;
-  if (slope < from || slope * slope < 4 * sag * from) return true;  // without a root in [0, 1]
-  // Division can wait until the best is known; as can the root, of which this is the first order.
-  if (from * side.slope > side.from * slope) side = {from, to, slope, sag};
-  return false;
-}
-
-inline double WindowCutter::share(const Side& side) {
-  if (side.from == 0) return 0;
-  const double root = std::sqrt(std::max(side.slope * side.slope - 4 * side.sag * side.from, 0.0));
-  return std::min(2 * side.from / (side.slope + root), 1.0);
+  if (first_.offer(gap[0], gap[1], sag)) return true;
+  return distance[1] < 0 ? last_.offer(-distance[1] - reach[1], -distance[0] - reach[0], sag)
+                         : last_.offer(gap[1], gap[0], sag);
 }
 
 }  // namespace tricover::detail

@@ -60,6 +60,10 @@ void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)
   table().visit_edges_on_way(hierarchy, way, visit, context);
 }
 
+void findEdgesOnWays(const FewEdges& edges, const FewWays& ways, unsigned* near) {
+  table().find_edges_on_ways(edges, ways, near);
+}
+
 double depthInDiscs(const InnerDiscs& discs, const Place& place) { return table().depth_in_discs(discs, place); }
 
 ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) {

@@ -7,6 +7,7 @@
 #include "hierarchy/wide_rings.h"
 #include "hierarchy/wide_shapes.h"
 #include "hierarchy/wide_table.h"
+#include "hierarchy/wide_ways.h"
 
 namespace tricover::detail::wide {
 
@@ -15,7 +16,7 @@ constexpr WideTable tableOf() {
   return {&findHit<Lanes>,          &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>, &convexMeet<Lanes>,
           &innerDepth<Lanes>,       &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
           &convexGap<Lanes>,        &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
-          &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>};
+          &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>,       &findEdgesOnWays<Lanes>};
 }
 
 }  // namespace tricover::detail::wide

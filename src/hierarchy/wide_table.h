@@ -22,6 +22,7 @@ struct WideTable {
   decltype(&findNearestEdges) find_nearest_edges;
   decltype(&convexCrossing) convex_crossing;
   decltype(&ringsMeet) rings_meet;
+  decltype(&findEdgesOnWays) find_edges_on_ways;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

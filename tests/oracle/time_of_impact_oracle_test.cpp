@@ -43,6 +43,11 @@ Polygon anyPolygon(Random& random) {
   if (random.oneIn(3))
     return workloads::makePolygon(random.coin() ? workloads::Kind::Convex : workloads::Kind::Slim,
                                   static_cast<std::size_t>(2 * random.integer(4, 8)), random.bits());
+  // So do others of few vertices.
+  if (random.oneIn(3))
+    return workloads::makePolygon(
+        kinds[static_cast<std::size_t>(random.integer(0, static_cast<int>(kinds.size()) - 1))],
+        static_cast<std::size_t>(2 * random.integer(4, 8)), random.bits());
   const int choice = random.integer(0, static_cast<int>(kinds.size()) + 2);
   if (choice < static_cast<int>(kinds.size()))
     return workloads::makePolygon(kinds[static_cast<std::size_t>(choice)],

@@ -80,11 +80,11 @@ TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
     pair.findTrees();
     if (isSmallConvexPair(pair)) {
       ++small;
-      const ConvexImpact found = findConvexImpact(pair, options.time_error);
-      answered += found.verdict != ConvexImpact::Verdict::Unknown || found.time == 0;
+      const FirstContact found = findConvexImpact(pair, options.time_error);
+      answered += found.verdict != FirstContact::Verdict::Unknown || found.time == 0;
       if (truth) {
         EXPECT_LE(found.time, truth->time + options.time_error + 1e-12) << i;
-        EXPECT_NE(found.verdict, ConvexImpact::Verdict::Never) << i;
+        EXPECT_NE(found.verdict, FirstContact::Verdict::Never) << i;
       }
     }
     if (!impact) {
