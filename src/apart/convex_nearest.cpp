@@ -11,14 +11,20 @@ namespace tricover::detail {
 namespace {
 
 // Separating axes guess the nearest features, and a support pass along the axis n between them proves the guess. Let v
-// in a and w in b be points of the features with w - v = d n, h_a and h_b the polygons' foremost ends along n, and the
-// features no deeper than a quarter of `depth` below those. Then the distance is at most d, and at least
-// h_b - h_a >= d - depth / 2. Two edges that aren't both at vertices within `depth` are farther apart than that by at
-// least depth / 2, and so not the nearest.
+// in a and w in b be vertices of the features, w - v = d n but for what is along an edge, and no vertex be ahead of
+// them along n by more than floats' errors, kAhead of its polygon's unit. Then the distance is at most d, and at least
+//   d - kAhead (unit of a + unit of b).
+// Two edges one of which has both its ends behind by `depth`, as floats see it, are farther apart than d by at least
+//   depth - kSupportError (its polygon's unit) - kAhead (the other's unit) >= depth / 2.
 //
-// kDepth is of b's unit, the smaller one, and far above a support's error on either side.
-constexpr double kDepth = 0x1p-9, kLeastScale = 0x1p-4;
-static_assert(kDepth * kLeastScale / 4 >= 2 * kSupportError);
+// `depth` is kDepth of b's unit, the smaller one, which is at least kLeastScale of a's.
+//
+// Doubles are off by at most 2^-47 of the coordinates, kSure / 2^20: where d is kSure of those at least, n is off by an
+// angle of 2^-20, and heights by 2^-19 of a unit, which kSupportError has room for. For d itself it is the angle's
+// square, 2^-27 of a's unit where d is at most kFar.
+constexpr double kDepth = 0x1p-9, kLeastScale = 0x1p-4, kAhead = 2 * kSupportError;
+constexpr double kSure = 0x1p-27, kFar = 0x1p14;
+static_assert(kDepth * kLeastScale / 2 >= kSupportError + kAhead && kSupportError >= 4 * 0x1p-19);
 
 // Where no other vertices are within `depth`, what leads away from the features falls behind by depth / 2 or more on a
 // way of 2 units, and a point that is kInside (d + a unit of b) from an edge's ends must go that far along others to
@@ -26,8 +32,6 @@ static_assert(kDepth * kLeastScale / 4 >= 2 * kSupportError);
 // d is at least kClear of the coordinates: EdgeDistances is right to 2^-47. And the edges at one vertex, which hold one
 // and the same nearest point, are certain to be seen so, if products of lengths are above what it is unsure of.
 constexpr double kInside = 0x1p-9, kClear = 0x1p-18, kClearProduct = 0x1p-30;
-/// In a's units: beyond it, an axis as floats have it leads past the features.
-constexpr double kFar = 0x1p14;
 
 unsigned bit(int i) { return 1u << i; }
 /// Those of n edges that start or end at vertices.
@@ -35,52 +39,57 @@ unsigned edgesAt(unsigned vertices, int n) { return vertices | vertices >> 1 | (
 
 class ConvexSearch {
  public:
-  ConvexSearch(const PosedPair& pair, const EdgeDistances& edges, const SmallRing& a, const SmallRing& b,
-               const DistanceOptions& options)
-      : map_(mapUnits(pair)), rounding_(gapRounding(pair)), a_(a), b_(b), edges_(edges), options_(options) {}
+  ConvexSearch(const PlainWays& ways, const SmallRing& a, const SmallRing& b, const DistanceOptions& options,
+               ConvexNearest& found)
+      : scale_(ways.b().unit * ways.a().inverse_unit), a_(a), b_(b), ways_(ways), options_(options), found_(found) {}
 
-  ConvexNearest find(const ConvexFeatures& tried) {
-    const double far = std::abs(map_.tx) + std::abs(map_.ty);
-    if (!(map_.error < kSupportError && map_.scale >= kLeastScale && far < kFar && edges_.isUnscaled())) return found_;
-    if (proves(tried)) {
-      found_.is_proven = true;
-    } else if (!(innerDiscsMeet() && meet())) {
-      findByAxes(far);
-    }
-    return found_;
+  void find(const ConvexFeatures& tried) {
+    if (!(scale_ >= kLeastScale && ways_.isUnscaled())) return;
+    found_.is_proven = proves(tried);
+    if (!found_.is_proven) findAnew();
   }
 
  private:
-  void findByAxes(double far) {
-    const ConvexGap gap = convexGap(a_, b_, map_);
-    if (gap.gap < -8 * rounding_ - map_.error && far < 4) {  // as convexMeet() says
-      if (!meet()) found_.meeting = Meeting::Meet;
+  void findAnew() {
+    const UnitMap map = roughMap();
+    if (innerDiscsMeet(map) && meet()) return;
+    const ConvexGap gap = convexGap(a_, b_, map);
+    if (!(gap.gap > 0)) {
+      meet();
       return;
     }
-    if (!(gap.gap > 0)) return;
-    const int i = gap.of_a ? gap.edge : gap.vertex, j = gap.of_a ? gap.vertex : gap.edge;
-    if (besideEdge(gap.of_a, i, j)) return;
-    const ConvexVertices nearest = nearestVertices(a_, b_, map_);
+    if (gap.of_a ? besideEdge<true>(gap.edge, gap.vertex) : besideEdge<false>(gap.edge, gap.vertex)) return;
+    const ConvexVertices nearest = nearestVertices(a_, b_, map);
     areNearest(nearest.a, nearest.b);
   }
 
-  void support(double nx, double ny) { supports_ = convexSupports(a_, b_, map_, nx, ny, kDepth * map_.scale); }
+  /// Good enough to guess by: the inverse of a's pose is taken for its transpose.
+  UnitMap roughMap() const {
+    const double *ra = ways_.poseA().data(), *rb = ways_.poseB().data();
+    const Double2 x{ra[0], ra[3]}, y{ra[1], ra[4]};  // a's rows
+    const Double2 m0 = x * rb[0] + y * rb[1], m1 = x * rb[3] + y * rb[4], way = ways_.betweenOrigins();
+    const Double2 t = (x * way[0] + y * way[1]) * ways_.a().inverse_unit;
+    return {m0[0], m1[0], m0[1], m1[1], t[0], t[1], scale_, 0};
+  }
 
-  /// Roughly.
-  bool innerDiscsMeet() const {
+  bool innerDiscsMeet(const UnitMap& map) const {
     const double reach =
-        hierarchyOf(edges_.a()).inner_discs.radius[0] + hierarchyOf(edges_.b()).inner_discs.radius[0] * map_.scale;
-    return reach > 0 && map_.tx * map_.tx + map_.ty * map_.ty < reach * reach;
+        hierarchyOf(ways_.a()).inner_discs.radius[0] + hierarchyOf(ways_.b()).inner_discs.radius[0] * map.scale;
+    return reach > 0 && map.tx * map.tx + map.ty * map.ty < reach * reach;
   }
 
   /// Whether they are seen to.
   bool meet() {
-    const ConvexCrossing crossing = convexCrossing(a_, b_, map_, rounding_);
+    const PosedPair pair(ways_.a(), ways_.poseA(), ways_.b(), ways_.poseB());
+    const UnitMap map = mapUnits(pair);
+    if (!(std::abs(map.tx) + std::abs(map.ty) < 4)) return false;
+    const ConvexCrossing crossing = convexCrossing(a_, b_, map, gapRounding(pair));
     if (crossing.edge_a >= 0 && crossing.edge_b >= 0) {
       const std::uint32_t i = position(crossing.edge_a), j = position(crossing.edge_b);
       if (cross(i, j)) return true;
-      if (!edges_.meet(i, j)) return false;
-      cross(i, j, edges_.whereTheyMeet(edges_.view(i, j)));
+      const EdgeDistances edges(ways_);
+      if (!edges.meet(i, j)) return false;
+      cross(i, j, edges.whereTheyMeet(edges.view(i, j)));
       return true;
     }
     found_.inner_a = crossing.edge_a;
@@ -91,7 +100,7 @@ class ConvexSearch {
   }
 
   bool cross(std::uint32_t i, std::uint32_t j) {
-    const auto point = edges_.crossing(i, j);
+    const auto point = EdgeDistances(ways_).crossing(i, j);
     if (point) cross(i, j, *point);
     return point.has_value();
   }
@@ -107,8 +116,9 @@ class ConvexSearch {
     const int i = static_cast<int>(features.edge_a), j = static_cast<int>(features.edge_b);
     switch (features.kind) {
       case ConvexFeatures::kEdgeOfA:
+        return besideEdge<true>(i, j);
       case ConvexFeatures::kEdgeOfB:
-        return besideEdge(features.kind == ConvexFeatures::kEdgeOfA, i, j);
+        return besideEdge<false>(j, i);
       case ConvexFeatures::kVertices:
         return areNearest(i, j);
       case ConvexFeatures::kCrossing:
@@ -118,89 +128,87 @@ class ConvexSearch {
     }
   }
 
-  /// Whether the edge i or j and the start of the other, or an end of that edge, are the nearest features.
-  bool besideEdge(bool of_a, int i, int j) {
-    const SmallRing& polygon = of_a ? a_ : b_;
-    const int e = of_a ? i : j, v = of_a ? j : i, next = e + 1 == polygon.count ? 0 : e + 1;
-    const EdgeDistances::Foot foot = edges_.foot(of_a, position(e), position(v));
-    const double inside = kInside * (foot.distance + edges_.b().unit) * foot.length;
-    if (!(foot.inside >= inside)) {
-      const int end = foot.at_end ? next : e;
-      const int of_a_end = of_a ? end : i, of_b_end = of_a ? j : end;
-      return foot.inside > 0 ? areNearest(of_a_end, of_b_end) : areNearest(of_a_end, of_b_end, foot);
+  /// Whether edge e of one and vertex v of the other, or an end of that edge, are the nearest features.
+  template <bool kEdgeOfA>
+  bool besideEdge(int e, int v) {
+    const SmallRing& polygon = kEdgeOfA ? a_ : b_;
+    const int next = e + 1 == polygon.count ? 0 : e + 1;
+    const PlainWays::Foot foot = ways_.foot<kEdgeOfA>(position(e), position(v));
+    if (!(foot.inside >= kInside * (foot.distance + ways_.b().unit) * foot.length)) {
+      const int end = foot.at_end ? next : e, i = kEdgeOfA ? end : v, j = kEdgeOfA ? v : end;
+      return foot.inside > 0 ? areNearest(i, j) : areNearest(i, j, foot);
     }
-    const double nx = polygon.nx[e], ny = polygon.ny[e];
-    if (of_a)
-      support(nx, ny);
-    else
-      support(-(map_.r00 * nx + map_.r01 * ny), -(map_.r10 * nx + map_.r11 * ny));
+    const int i = kEdgeOfA ? e : v, j = kEdgeOfA ? v : e;
     const unsigned ends = bit(e) | bit(next);
-    if (!areForemost(of_a ? ends : bit(i), of_a ? bit(j) : ends)) return false;
-    found_.features = {of_a ? ConvexFeatures::kEdgeOfA : ConvexFeatures::kEdgeOfB, position(i), position(j)};
-    if (isUnique(of_a ? ends : bit(i), of_a ? bit(j) : ends, foot.distance))
+    if (!areForemost(i, j, kEdgeOfA ? ends : bit(i), kEdgeOfA ? bit(j) : ends, foot)) return false;
+    found_.features = {kEdgeOfA ? ConvexFeatures::kEdgeOfA : ConvexFeatures::kEdgeOfB, position(i), position(j)};
+    if (!found_.is_unique) return true;
+    if (foot.is_plain) {
+      found_.nearest = {foot.distance, kEdgeOfA ? foot.part() : 0, kEdgeOfA ? 0 : foot.part()};
+    } else {
+      const EdgeDistances edges(ways_);
       found_.nearest =
-          foot.is_plain
-              ? EdgeDistances::Nearest{foot.distance, of_a ? foot.part() : 0, of_a ? 0 : foot.part()}
-              : edges_.at(edges_.startBeside(of_a, position(i), position(j)), position(i), position(j), options_);
+          edges.at(edges.startBeside(kEdgeOfA, position(i), position(j)), position(i), position(j), options_);
+    }
     return true;
   }
 
-  bool areNearest(int v, int w) { return areNearest(v, w, edges_.startToStart(position(v), position(w))); }
+  bool areNearest(int v, int w) { return areNearest(v, w, ways_.startToStart(position(v), position(w))); }
 
-  bool areNearest(int v, int w, const EdgeDistances::Foot& foot) {
-    const double inverse = 1 / foot.distance;
-    const Double2 x = load2(edges_.poseA().data()) * foot.way, y = load2(edges_.poseA().data() + 3) * foot.way;
-    support((x[0] + x[1]) * inverse, (y[0] + y[1]) * inverse);
-    if (!areForemost(bit(v), bit(w))) return false;
+  bool areNearest(int v, int w, const PlainWays::Foot& foot) {
+    if (!areForemost(v, w, bit(v), bit(w), foot)) return false;
     found_.features = {ConvexFeatures::kVertices, position(v), position(w)};
-    if (isUnique(bit(v), bit(w), foot.distance))
-      found_.nearest = foot.is_plain
-                           ? EdgeDistances::Nearest{foot.distance, 0, 0}
-                           : edges_.at(EdgeDistances::startAndStart(foot.distance), position(v), position(w), options_);
+    if (!found_.is_unique) return true;
+    if (foot.is_plain)
+      found_.nearest = {foot.distance, 0, 0};
+    else
+      found_.nearest =
+          EdgeDistances(ways_).at(EdgeDistances::startAndStart(foot.distance), position(v), position(w), options_);
     return true;
   }
 
-  /// Whether these vertices, which features consist of, are and the polygons are apart.
-  bool areForemost(unsigned of_a, unsigned of_b) {
-    if ((supports_.foremost_a & of_a) != of_a || (supports_.foremost_b & of_b) != of_b) return false;
-    if (!(supports_.gap > kSupportError + map_.error)) return false;
+  static FacingVertex facing(const Pose& pose, int vertex, Double2 n, double scale) {
+    const double* r = pose.data();  // columns of three
+    const Double2 rows[] = {{r[0], r[3]}, {r[1], r[4]}}, axis = rows[0] * n[0] + rows[1] * n[1];
+    return {vertex, static_cast<float>(axis[0]), static_cast<float>(axis[1]), static_cast<float>(kDepth * scale)};
+  }
+
+  /// Whether features are foremost that consist of these vertices, v and w among them, and the polygons are apart.
+  bool areForemost(int v, int w, unsigned of_a, unsigned of_b, const EdgeDistances::Foot& foot) {
+    const ConvexSupports supports =
+        convexSupports(a_, b_, facing(ways_.poseA(), v, foot.axis, scale_), facing(ways_.poseB(), w, -foot.axis, 1));
+    const double distance = foot.distance, unit = ways_.a().unit;
+    if (!(distance <= kFar * unit)) return false;
+    found_.is_unique = supports.near_a == of_a && supports.near_b == of_b && isClear(distance);
+    if (!found_.is_unique) {
+      if (supports.any_ahead != 0 || !(distance > 4 * kAhead * unit && distance > kSure * ways_.size())) return false;
+      found_.edges_a = edgesAt(supports.near_a, a_.count);
+      found_.edges_b = edgesAt(supports.near_b, b_.count);
+    }
     found_.meeting = Meeting::Apart;
     return true;
   }
 
-  bool isUnique(unsigned of_a, unsigned of_b, double distance) {
-    found_.is_unique = supports_.a == of_a && supports_.b == of_b && isClear(distance);
-    if (!found_.is_unique) {
-      found_.edges_a = edgesAt(supports_.a, a_.count);
-      found_.edges_b = edgesAt(supports_.b, b_.count);
-    }
-    return found_.is_unique;
-  }
-
   bool isClear(double distance) const {
-    const double size = edges_.size(),
-                 shortest = std::min(a_.shortest * edges_.a().unit, b_.shortest * edges_.b().unit);
+    const double size = ways_.size(), shortest = std::min(a_.shortest * ways_.a().unit, b_.shortest * ways_.b().unit);
     const double product = kClearProduct * size * size;
     return distance > kClear * size && distance * shortest > product && shortest * shortest > product;
   }
 
   static std::uint32_t position(int i) { return static_cast<std::uint32_t>(i); }
 
-  const UnitMap map_;
-  const double rounding_;
+  const double scale_;  ///< b's unit in a's
   const SmallRing &a_, &b_;
-  const EdgeDistances& edges_;
+  const PlainWays& ways_;
   const DistanceOptions& options_;
-  ConvexSupports supports_{};
-  ConvexNearest found_;
+  ConvexNearest& found_;
 };
 
 }  // namespace
 
-ConvexNearest nearestOfConvex(const EdgeDistances& edges, const SmallRing& a, const SmallRing& b,
-                              const ConvexFeatures& tried, const DistanceOptions& options) {
-  const PosedPair pair(edges.a(), edges.poseA(), edges.b(), edges.poseB());
-  return ConvexSearch(pair, edges, a, b, options).find(tried);
+void nearestOfConvex(const PlainWays& ways, const SmallRing& a, const SmallRing& b, const ConvexFeatures& tried,
+                     const DistanceOptions& options, ConvexNearest& found) {
+  ConvexSearch(ways, a, b, options, found).find(tried);
 }
 
 }  // namespace tricover::detail

@@ -25,10 +25,13 @@ struct ConvexNearest {
   EdgeDistances::Nearest nearest{};   ///< where they are, if so
   unsigned edges_a = 0, edges_b = 0;  ///< otherwise: bit per edge that can hold the least distance
   int inner_a = -1, inner_b = -1;     ///< an edge of the polygon that lies in the other one
+
+  bool isInside() const { return inner_a >= 0 || inner_b >= 0; }
 };
 
-/// Unknown where they aren't clearly apart, nor clearly meet. Features of other poses are tried first.
-ConvexNearest nearestOfConvex(const EdgeDistances& edges, const SmallRing& a, const SmallRing& b,
-                              const ConvexFeatures& tried, const DistanceOptions& options);
+/// What is `found` stays Unknown where they aren't clearly apart, nor clearly meet. Features of other poses are tried
+/// first.
+void nearestOfConvex(const PlainWays& ways, const SmallRing& a, const SmallRing& b, const ConvexFeatures& tried,
+                     const DistanceOptions& options, ConvexNearest& found);
 
 }  // namespace tricover::detail

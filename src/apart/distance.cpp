@@ -34,20 +34,32 @@ struct Pair {
   const Pose& pose_a;
   const PolygonData& b;
   const Pose& pose_b;
+  bool is_swapped;  ///< the caller's order is the other one
 };
+
+DistanceResult inCallersOrder(const Pair& pair, double distance, const Vec2& point_a, const Vec2& point_b,
+                              std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
+  if (pair.is_swapped) return {distance, point_b, point_a, edge_b, edge_a};
+  return {distance, point_a, point_b, edge_a, edge_b};
+}
 
 Double2 onEdge(Double2 v, Double2 w, double along) { return along == 0 ? v : along == 1 ? w : v + along * (w - v); }
 
+Vec2 plainPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, double along) {
+  Vec2 point;
+  store2(point.data(), onEdge(load2(polygon.path[edge].data()), load2(polygon.path[edge + 1].data()), along));
+  return posed(pose, point);
+}
+
 /// Rounded as a posed vertex is. What could overflow on the way is made smaller first.
 Vec2 worldPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, double along) {
-  const Double2 v = load2(polygon.path[edge].data()), w = load2(polygon.path[edge + 1].data());
   const Double2 shift = absolute(load2(pose.data() + 6));
-  Vec2 point;
-  store2(point.data(), onEdge(v, w, along));
-  if (polygon.extent < 0x1p1000 && shift[0] + shift[1] < 0x1p1000) return posed(pose, point);
+  if (polygon.extent < 0x1p1000 && shift[0] + shift[1] < 0x1p1000) return plainPoint(polygon, pose, edge, along);
+  const Double2 v = load2(polygon.path[edge].data()), w = load2(polygon.path[edge + 1].data());
   constexpr double kScale = 0x1p-4;
   Pose smaller = pose;
   smaller.translation() *= kScale;
+  Vec2 point;
   store2(point.data(), onEdge(v * kScale, w * kScale, along));
   return posed(smaller, point) / kScale;
 }
@@ -87,9 +99,10 @@ DistanceResult resultOf(const Pair& pair, const EdgeDistances::Nearest& nearest,
   const double distance = beyond(pair, nearest.distance, options.margin);
   if (!(distance <= options.limit) && !isWithinLimit(pair, nearest.distance, options)) return farResult();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);
-  return {std::min(distance, options.limit), point_a,
-          meets ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b),
-          static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)), static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j))};
+  const Vec2 point_b = meets ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b);
+  return inCallersOrder(pair, std::min(distance, options.limit), point_a, point_b,
+                        static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
+                        static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)));
 }
 
 DistanceResult resultOf(const Pair& pair, const DistanceSearch& search, const DistanceOptions& options) {
@@ -101,7 +114,7 @@ DistanceResult contained(const Pair& pair, const Outcome& outcome) {
   const auto edge = static_cast<std::size_t>(in_b ? outcome.edge_a : outcome.edge_b);
   const Vec2 point = in_b ? worldPoint(pair.a, pair.pose_a, edge, 0) : worldPoint(pair.b, pair.pose_b, edge, 0);
   const auto number = static_cast<std::ptrdiff_t>((in_b ? pair.a : pair.b).edgeNumber(edge));
-  return {0, point, point, in_b ? number : -1, in_b ? -1 : number};
+  return inCallersOrder(pair, 0, point, point, in_b ? number : -1, in_b ? -1 : number);
 }
 
 /// How many of the pairs that the fact lists had to be shown for the least distance, or a meeting, to be among them
@@ -178,8 +191,9 @@ Outcome findNearest(const PosedPair& pair, DistanceSearch& search) {
 /// Where `distance` is certain, see plainDistance().
 DistanceResult resultOfPoints(const Pair& pair, double distance, const DistanceOptions& options) {
   const std::size_t i = pair.a.spine, j = pair.b.spine;
-  return {beyond(pair, distance, options.margin), posed(pair.pose_a, pair.a.origin), posed(pair.pose_b, pair.b.origin),
-          static_cast<std::ptrdiff_t>(i), static_cast<std::ptrdiff_t>(j)};
+  return inCallersOrder(pair, beyond(pair, distance, options.margin), posed(pair.pose_a, pair.a.origin),
+                        posed(pair.pose_b, pair.b.origin), static_cast<std::ptrdiff_t>(i),
+                        static_cast<std::ptrdiff_t>(j));
 }
 
 /// DistanceCache::hint: a kind of features of two small convex polygons, or a pair of edges that may be near.
@@ -281,29 +295,43 @@ ConvexFeatures hinted(DistanceCache& cache) {
   return {static_cast<ConvexFeatures::Kind>(cache.hint), cache.first_edge[0], cache.second_edge[0]};
 }
 
-/// Of two small convex polygons, where they are clearly apart, or clearly meet.
-std::optional<DistanceResult> distanceOfConvex(const Pair& pair, const EdgeDistances& edges, DistanceCache* cache,
-                                               const DistanceOptions& options) {
-  if (pair.a.hasSpine() || pair.b.hasSpine()) return std::nullopt;
+/// Of two small convex polygons, whether they are clearly apart, or clearly meet.
+bool findConvex(const Pair& pair, const PlainWays& ways, DistanceCache* cache, const DistanceOptions& options,
+                ConvexNearest& found) {
+  if (pair.a.hasSpine() || pair.b.hasSpine()) return false;
   const SmallRing *a = hierarchyOf(pair.a).small_convex, *b = hierarchyOf(pair.b).small_convex;
-  if (a == nullptr || b == nullptr) return std::nullopt;
+  if (a == nullptr || b == nullptr) return false;
   const ConvexFeatures tried = cache != nullptr ? hinted(*cache) : ConvexFeatures();
-  const ConvexNearest found = nearestOfConvex(edges, *a, *b, tried, options);
-  const bool is_inside = found.inner_a >= 0 || found.inner_b >= 0;
-  if (!found.is_unique && !is_inside && found.meeting != Meeting::Apart) return std::nullopt;
+  nearestOfConvex(ways, *a, *b, tried, options, found);
+  if (!found.is_unique && !found.isInside() && found.meeting != Meeting::Apart) return false;
   if (cache != nullptr) {
     if (tried.kind != ConvexFeatures::kNone) judgeHint(*cache, found.is_proven);
     storeHint(*cache, found.features.kind, found.features.edge_a, found.features.edge_b);
   }
-  if (is_inside) {
+  return true;
+}
+
+DistanceResult resultOf(const Pair& pair, const PlainWays& ways, const ConvexNearest& found,
+                        const DistanceOptions& options) {
+  if (found.is_unique) {
+    const EdgeDistances::Nearest& nearest = found.nearest;
+    const std::size_t i = found.features.edge_a, j = found.features.edge_b;
+    const bool meets = found.meeting == Meeting::Meet;
+    if (options.margin > 0 || !(nearest.distance <= options.limit))
+      return resultOf(pair, nearest, meets, i, j, options);
+    // They are neither large nor have more than a ring.
+    const Vec2 point_a = plainPoint(pair.a, pair.pose_a, i, nearest.along_a);
+    const Vec2 point_b = meets ? point_a : plainPoint(pair.b, pair.pose_b, j, nearest.along_b);
+    return inCallersOrder(pair, nearest.distance, point_a, point_b, static_cast<std::ptrdiff_t>(i),
+                          static_cast<std::ptrdiff_t>(j));
+  }
+  if (found.isInside()) {
     Outcome outcome;
     outcome.edge_a = found.inner_a;
     outcome.edge_b = found.inner_b;
     return contained(pair, outcome);
   }
-  if (found.is_unique)
-    return resultOf(pair, found.nearest, found.meeting == Meeting::Meet, found.features.edge_a, found.features.edge_b,
-                    options);
+  const EdgeDistances edges(ways);
   DistanceSearch search(edges, options);
   for (unsigned v = found.edges_a; v != 0; v &= v - 1)
     for (unsigned w = found.edges_b; w != 0; w &= w - 1)
@@ -325,26 +353,15 @@ std::optional<DistanceResult> distanceFromPoint(const Pair& pair, const Distance
     if (nearest.distance > SearchReach(options).most()) return farResult();
     return std::nullopt;
   }
-  return DistanceResult{distance, nearest.point_a, nearest.point_b,
+  return inCallersOrder(pair, distance, nearest.point_a, nearest.point_b,
                         static_cast<std::ptrdiff_t>(pair.a.edgeNumber(nearest.edge)),
-                        static_cast<std::ptrdiff_t>(pair.b.spine)};
+                        static_cast<std::ptrdiff_t>(pair.b.spine));
 }
 
-DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const DistanceOptions& options) {
-  if (pair.a.isPoint() && pair.b.isPoint()) {
-    const double distance = plainDistance(pair.a, pair.pose_a, pair.b, pair.pose_b);
-    const DistanceResult result = resultOfPoints(pair, distance, options);
-    if (distance > 0 && result.distance <= options.limit) return result;
-  }
-  if (pair.b.isPoint() && !pair.a.hasSpine())
-    if (const auto result = distanceFromPoint(pair, options)) return *result;
-  if (cache != nullptr && (cache->first_id != pair.a.id || cache->second_id != pair.b.id)) {
-    *cache = DistanceCache();
-    cache->first_id = pair.a.id;
-    cache->second_id = pair.b.id;
-  }
-  const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  if (const auto result = distanceOfConvex(pair, edges, cache, options)) return *result;
+/// Of any polygons.
+DistanceResult distanceBySearch(const Pair& pair, const PlainWays& ways, DistanceCache* cache,
+                                const DistanceOptions& options) {
+  const EdgeDistances edges(ways);
   DistanceSearch search(edges, options);
   const Outcome outcome = cache != nullptr ? findCoherently(pair, *cache, search)
                                            : findNearest(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search);
@@ -353,18 +370,38 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
   return resultOf(pair, search, options);
 }
 
+/// Of a point b and anything, where plain doubles do.
+std::optional<DistanceResult> distanceOfPoint(const Pair& pair, const DistanceOptions& options) {
+  if (!pair.a.hasSpine()) return distanceFromPoint(pair, options);
+  if (!pair.a.isPoint()) return std::nullopt;
+  const double distance = plainDistance(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  const DistanceResult result = resultOfPoints(pair, distance, options);
+  if (distance > 0 && result.distance <= options.limit) return result;
+  return std::nullopt;
+}
+
+DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const DistanceOptions& options) {
+  if (pair.b.isPoint())
+    if (const auto result = distanceOfPoint(pair, options)) return *result;
+  if (cache != nullptr && (cache->first_id != pair.a.id || cache->second_id != pair.b.id)) {
+    *cache = DistanceCache();
+    cache->first_id = pair.a.id;
+    cache->second_id = pair.b.id;
+  }
+  const PlainWays ways(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  ConvexNearest found;
+  if (findConvex(pair, ways, cache, options, found)) return resultOf(pair, ways, found, options);
+  return distanceBySearch(pair, ways, cache, options);
+}
+
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         DistanceCache* cache, const DistanceOptions& options) {
-  requireRigid(pose_a, "pose_a");
-  requireRigid(pose_b, "pose_b");
+  requireRigid(pose_a, pose_b);
   checkOptions(options);
-  return inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return distanceInOrder({operands...}, cache, options); },
-      [](DistanceResult& result) {
-        std::swap(result.point_a, result.point_b);
-        std::swap(result.edge_a, result.edge_b);
-      });
+  const PolygonData &first = a.data(), &second = b.data();
+  if (inOrder(first, pose_a, second, pose_b))
+    return distanceInOrder({first, pose_a, second, pose_b, false}, cache, options);
+  return distanceInOrder({second, pose_b, first, pose_a, true}, cache, options);
 }
 
 }  // namespace

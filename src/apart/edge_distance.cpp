@@ -73,38 +73,25 @@ constexpr double kProductError = 256 * kUnitRoundoff;
 static_assert(kProductError >=
               2 * (1 + 1e-5) * (errorOf(16) * kRoot2 + errorOf(4) + errorOf(32) * kRoot2 + errorOf(8 + 5)));
 
-EdgeDistances::EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-    : a_(a),
-      b_(b),
-      pose_a_(pose_a),
-      pose_b_(pose_b),
-      columns_a_{load2(pose_a.data()), load2(pose_a.data() + 3)},
-      columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)},
-      scale_(1),
-      inverse_(1) {
-  Double2 from = load2(pose_a.data() + 6), to = load2(pose_b.data() + 6);
-  const Double2 apart = absolute(to - from);
-  size_ = roundedUp<4>(a.extent + b.extent + (apart[0] + apart[1]));
-  if (!(size_ > 0x1p-300 && size_ < 0x1p300)) {
+EdgeDistances::EdgeDistances(const PlainWays& ways) : PlainWays(ways), scale_(1), inverse_(1) {
+  if (!isUnscaled()) {
     // So that M is between 2^-400 and 2^400. An extent that overflowed is below 2^1025, hence the factor.
     constexpr double kLargest = std::numeric_limits<double>::max();
     scale_ = size_ < 1 ? 0x1p700 : 0x1p-700;
     inverse_ = size_ < 1 ? 0x1p-700 : 0x1p700;
-    from *= scale_;
-    to *= scale_;
+    const Double2 from = load2(pose_a_.data() + 6) * scale_, to = load2(pose_b_.data() + 6) * scale_;
     const Double2 away = absolute(from) + absolute(to);
-    size_ = 4 * (std::min(a.extent, kLargest) * scale_ + std::min(b.extent, kLargest) * scale_ + (away[0] + away[1]));
+    size_ = 4 * (std::min(a_.extent, kLargest) * scale_ + std::min(b_.extent, kLargest) * scale_ + (away[0] + away[1]));
+    const Twofold2 shift = twoSum(to, -from);
+    shift_ = shift.high;
+    shift_rest_ = shift.low;
+    for (int i = 0; i < 2; ++i) {
+      columns_a_[i] *= scale_;
+      columns_b_[i] *= scale_;
+    }
   }
-  const Twofold2 shift = twoSum(to, -from);
-  shift_ = shift.high;
-  shift_rest_ = shift.low;
   error_ = kDistanceError * size_;
   unsure_ = kProductError * size_ * size_;
-  least_plain_ = scale_ == 1 ? 0x1p-400 : std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 2; ++i) {
-    scaled_a_[i] = columns_a_[i] * scale_;
-    scaled_b_[i] = columns_b_[i] * scale_;
-  }
 }
 
 EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
@@ -254,12 +241,14 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   const std::size_t end = static_cast<std::size_t>(k % 2);
   const PolygonData& polygon = end_of_b ? a_ : b_;
   const std::size_t edge = end_of_b ? i : j;
-  const Double2(&columns)[2] = end_of_b ? columns_a_ : columns_b_;
+  const double *ra = pose_a_.data(), *rb = pose_b_.data();
+  const Double2 columns_a[] = {load2(ra), load2(ra + 3)}, columns_b[] = {load2(rb), load2(rb + 3)};
+  const Double2(&columns)[2] = end_of_b ? columns_a : columns_b;
   /// From the posed vertex of a at one position to that of b at another.
   const auto between = [&](std::size_t at_a, std::size_t at_b) {
     const Double2 q = point(b_, at_b) * scale_, p = point(a_, at_a) * scale_;
-    const Twofold2 b0 = twoProduct(columns_b_[0], both(q[0])), b1 = twoProduct(columns_b_[1], both(q[1]));
-    const Twofold2 a0 = twoProduct(columns_a_[0], both(p[0])), a1 = twoProduct(columns_a_[1], both(p[1]));
+    const Twofold2 b0 = twoProduct(columns_b[0], both(q[0])), b1 = twoProduct(columns_b[1], both(q[1]));
+    const Twofold2 a0 = twoProduct(columns_a[0], both(p[0])), a1 = twoProduct(columns_a[1], both(p[1]));
     const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);
     const Twofold2 of_both = twoSum(of_b.high, -of_a.high), w = twoSum(shift_, of_both.high);
     const Double2 rests = (b0.low + b1.low) - (a0.low + a1.low), sums = (of_b.low - of_a.low) + (of_both.low + w.low);
@@ -267,8 +256,9 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   };
   const auto from = [&](std::size_t v) { return end_of_b ? between(edge + v, j + end) : between(i + end, edge + v); };
   const double where = static_cast<double>(end);
-  if (const Foot f = foot(end_of_b, edge, end_of_b ? j + end : i + end); f.is_plain)
-    return {f.distance, end_of_b ? f.part() : where, end_of_b ? where : f.part()};
+  if (isUnscaled())
+    if (const Foot f = end_of_b ? foot<true>(i, j + end) : foot<false>(j, i + end); f.is_plain)
+      return {f.distance, end_of_b ? f.part() : where, end_of_b ? where : f.part()};
   const auto answer = [&](double d, double part) -> Nearest {
     // Written so that NaN fails.
     if (!(d >= kLeastShare * size_)) return exactCombination(k, i, j);

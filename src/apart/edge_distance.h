@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "apart/plain_ways.h"
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "polygon/polygon_data.h"
@@ -17,17 +18,12 @@ namespace tricover::detail {
 
 /// Distances of two posed polygons' edges, in the world, where lengths are the true ones. Edges are given by their
 /// positions in the paths.
-class EdgeDistances {
+class EdgeDistances : public PlainWays {
  public:
-  EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
+  explicit EdgeDistances(const PlainWays& ways);
+  EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+      : EdgeDistances(PlainWays(a, pose_a, b, pose_b)) {}
 
-  const PolygonData& a() const { return a_; }
-  const PolygonData& b() const { return b_; }
-  const Pose& poseA() const { return pose_a_; }
-  const Pose& poseB() const { return pose_b_; }
-
-  /// What at() may be wrong by, beside the smallest double.
-  static constexpr double kRelativeError = 0x1p-47;
   /// A lower bound of the distance, too, made one of what at() returns: the smallest double is for at()'s rounding and
   /// for that of this product.
   static double below(double distance) { return distance * (1 - 2 * kRelativeError) - 2 * kSmallest; }
@@ -85,50 +81,6 @@ class EdgeDistances {
     double length_square[2];       ///< the edge's
   };
   View view(std::size_t i, std::size_t j) const;
-  /// A vertex of one polygon beside an edge of the other, as plain doubles see it, scaled.
-  struct Foot {
-    double distance;
-    double inside;          ///< how far inside of the edge's nearer end, times the edge's length
-    double square, length;  ///< the edge's
-    Double2 way;            ///< between that end and the vertex, from a to b
-    bool at_end;            ///< whether that end is its end rather than its start
-    bool is_plain;          ///< whether at() takes that distance for its own
-    /// From the edge's start (0) to its end (1).
-    double part() const {
-      const double from_end = inside > 0 ? inside / square : 0;
-      return at_end ? 1 - from_end : from_end;
-    }
-  };
-  Foot foot(bool edge_of_a, std::size_t edge, std::size_t vertex) const {
-    const std::vector<Vec2>& path = (edge_of_a ? a_ : b_).path;
-    const Double2 u = mapped(edge_of_a ? scaled_a_ : scaled_b_, path[edge + 1] - path[edge]), squares = u * u;
-    const auto wayFrom = [&](std::size_t end) { return edge_of_a ? way(end, vertex) : way(vertex, end); };
-    const auto along = [&](Double2 w) {
-      const Double2 products = u * w;
-      return edge_of_a ? products[0] + products[1] : -(products[0] + products[1]);
-    };
-    const double square = squares[0] + squares[1], length = std::sqrt(square);
-    std::size_t end = edge;
-    Double2 w = wayFrom(end);
-    double inside = along(w);
-    const bool at_end = 2 * inside > square;
-    if (at_end) {
-      w = wayFrom(++end);
-      inside = -along(w);
-    }
-    const Double2 areas = u * swapped(w), away = w * w;
-    const double w_square = away[0] + away[1];
-    const bool is_inside = inside > 0 && square > 0x1p-900;
-    const double distance = is_inside ? std::abs(areas[0] - areas[1]) / length : std::sqrt(w_square);
-    const bool is_plain = isPlain(edge_of_a ? end : vertex, edge_of_a ? vertex : end, w_square, distance);
-    return {distance, is_inside ? inside : 0, square, length, w, at_end, is_plain};
-  }
-  /// The same of two vertices, where either is nearer to the other than the rest of its edges is.
-  Foot startToStart(std::size_t p, std::size_t q) const {
-    const Double2 w = way(p, q), squares = w * w;
-    const double square = squares[0] + squares[1], distance = std::sqrt(square);
-    return {distance, 0, 0, 0, w, false, isPlain(p, q, square, distance)};
-  }
   /// A view that knows but one combination, for who has proven that at() needs no other: the start of b's edge j beside
   /// a's edge i, or the start of a's beside b's.
   View startBeside(bool edge_of_a, std::size_t i, std::size_t j) const;
@@ -141,25 +93,20 @@ class EdgeDistances {
   /// limit.
   Nearest at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
 
-  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled.
-  Double2 way(std::size_t p, std::size_t q) const { return between(p, q) + shift_rest_; }
-  /// The same as if t were a double; and whether
+  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled; and whether
   /// another vertex is certainly farther back along it than p, or farther on than q: by so much that at() finds
   /// whatever is between such vertices no nearer than p and q.
   Double2 between(std::size_t p, std::size_t q) const {
-    return mapped(scaled_b_, b_.path[q]) + shift_ - mapped(scaled_a_, a_.path[p]);
+    return mapped(columns_b_, b_.path[q]) + shift_ - mapped(columns_a_, a_.path[p]);
   }
   bool isBehindOfA(Double2 way, std::size_t p, std::size_t v) const {
-    const Double2 products = way * (mapped(scaled_a_, a_.path[v]) - mapped(scaled_a_, a_.path[p]));
+    const Double2 products = way * (mapped(columns_a_, a_.path[v]) - mapped(columns_a_, a_.path[p]));
     return products[0] + products[1] < -2 * unsure_;
   }
   bool isBehindOfB(Double2 way, std::size_t q, std::size_t w) const {
-    const Double2 products = way * (mapped(scaled_b_, b_.path[w]) - mapped(scaled_b_, b_.path[q]));
+    const Double2 products = way * (mapped(columns_b_, b_.path[w]) - mapped(columns_b_, b_.path[q]));
     return products[0] + products[1] > 2 * unsure_;
   }
-  /// No more than lengths in the world: neither large nor tiny.
-  bool isUnscaled() const { return scale_ == 1; }
-  double size() const { return size_; }
   double squareBetween(std::size_t p, std::size_t q) const {
     const Double2 way = between(p, q), squares = way * way;
     return squares[0] + squares[1];
@@ -181,11 +128,9 @@ class EdgeDistances {
   };
   Ends ends(std::size_t i, std::size_t j) const {
     const Vec2 *a = a_.path.data() + i, *b = b_.path.data() + j;
-    return {mapped(scaled_a_, a[0]), mapped(scaled_a_, a[1]), mapped(scaled_b_, b[0]) + shift_,
-            mapped(scaled_b_, b[1]) + shift_};
+    return {mapped(columns_a_, a[0]), mapped(columns_a_, a[1]), mapped(columns_b_, b[0]) + shift_,
+            mapped(columns_b_, b[1]) + shift_};
   }
-  static Double2 mapped(const Double2 (&columns)[2], const Vec2& p) { return columns[0] * p.x() + columns[1] * p.y(); }
-
   /// The points w1 and w2 beside the edge from the origin to u. The members are as in View; `along` times the edge's
   /// length.
   struct Beside {
@@ -222,44 +167,15 @@ class EdgeDistances {
     return at < -unsure_ ? -1 : at > length + unsure_ ? 1 : at > unsure_ && at < length - unsure_ ? 0 : kUncertain;
   }
 
-  // Whether foot() is right to kRelativeError. Let x be the way, from v of a to w of b, that a distance d was computed
-  // from; in units of U, rows of R being unit vectors but for 1e-6:
-  //   R v, R w    products sqrt2 in any direction, sum 1                   2.42 |v| + 2.42 |w|
-  //   R w + t     the sum, which is at most |x| + |v|                      |v| + |x|
-  //   x           the difference 1, the sum with the rest of t 1           2 |x|
-  // which is 3.42 |v| + 2.42 |w| + 3 |x|. Where x itself is nearest, its length adds 2 d: squares and sum, halved, and
-  // the root. Beside an edge u, |u x x| / |u| adds
-  //   u           difference 1, products sqrt2, sum 1: turns x by          3.42 |x|
-  //   u x x       products 1, difference 1                                 |x| + d
-  //   / |u|       squares and sum, halved, root and quotient               3 d
-  // By Cauchy, the square of 3.42 |v| + 2.42 |w| + 7.42 |x| is at most
-  //   (3.42^2 + 2.42^2 + 7.42^2 / 4) (|v|^2 + |w|^2 + 4 |x|^2), below 31.4 kPlainShare d^2, the square of 58 d:
-  // in all 62 d, and kRelativeError is 64U. As it bounds the angles by which x and u are wrong, too, a vertex taken for
-  // one beside an end of the edge rather than beyond it, or the converse, is so by an angle below 128U: in the distance
-  // the square of that.
-  static constexpr double kPlainShare = 107;
-  static_assert(kPlainShare * (3.42 * 3.42 + 2.42 * 2.42 + 7.42 * 7.42 / 4) < 58 * 58 &&
-                kRelativeError >= (1 + 1e-5) * errorOf(58 + 4));
-  bool isPlain(std::size_t p, std::size_t q, double way_square, double distance) const {
-    const Double2 v = load2(a_.path[p].data()), w = load2(b_.path[q].data()), squares = v * v + w * w;
-    return distance > least_plain_ && squares[0] + squares[1] + 4 * way_square <= kPlainShare * (distance * distance);
-  }
-
   Nearest combination(int k, const View& view, std::size_t i, std::size_t j) const;
   Nearest exactCombination(int k, std::size_t i, std::size_t j) const;
   std::uint64_t featureOf(const View& view, std::size_t i, std::size_t j) const;
   /// Squares above this are of combinations that can't be the nearest.
   double mostSquare(const View& view) const;
 
-  const PolygonData &a_, &b_;
-  const Pose &pose_a_, &pose_b_;
-  Double2 columns_a_[2], columns_b_[2], scaled_a_[2], scaled_b_[2];
-  Double2 shift_, shift_rest_;  ///< t_b - t_a, scaled: the rounded one and exactly the rest
-  double scale_, inverse_;      ///< powers of two: what the doubles here are, per world length
-  double size_;                 ///< |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q; scaled
-  double error_;                ///< of a rounded distance, scaled
-  double unsure_;               ///< of areas, and of lengths times lengths
-  double least_plain_;          ///< what is nearer, or scaled, isn't left to plain doubles: squares might underflow
+  double scale_, inverse_;  ///< powers of two: what the doubles here are, per world length
+  double error_;            ///< of a rounded distance, scaled
+  double unsure_;           ///< of areas, and of lengths times lengths
 };
 
 }  // namespace tricover::detail

@@ -74,9 +74,9 @@ ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const Uni
   return table().nearest_vertices(a, b, map);
 }
 
-ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const UnitMap& map, double x, double y,
-                              double depth) {
-  return table().convex_supports(a, b, map, x, y, depth);
+ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const FacingVertex& of_a,
+                              const FacingVertex& of_b) {
+  return table().convex_supports(a, b, of_a, of_b);
 }
 
 ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {

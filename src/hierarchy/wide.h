@@ -153,16 +153,21 @@ struct ConvexVertices {
 };
 ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const UnitMap& map);
 
-/// A bit for each vertex whose depth along an axis, below the foremost vertex of its own polygon, is at most `depth`
-/// (a, b), or a quarter of that (foremost_a, foremost_b). The axis is a unit vector of a's frame and leads from a to b;
-/// lengths are in a's units, each depth right to kSupportError. The gap between the two foremost ends, negative if they
-/// overlap, is right to that and the map's error.
-struct ConvexSupports {
-  unsigned a, b, foremost_a, foremost_b;
-  double gap;
+/// A vertex of a small convex polygon, and the axis along which the polygon faces another one: a unit vector of its own
+/// frame. Lengths are in its units.
+struct FacingVertex {
+  int vertex;
+  float nx, ny, depth;
 };
-ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const UnitMap& map, double x, double y,
-                              double depth);
+
+/// A bit for each vertex that is no more than `depth` behind the one given, along the axis; and whether any is ahead of
+/// that one, by more than kSupportError: differences of heights are right to that.
+struct ConvexSupports {
+  unsigned near_a, near_b;
+  unsigned any_ahead;  ///< 0 if none is
+};
+ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const FacingVertex& of_a,
+                              const FacingVertex& of_b);
 
 /// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone (the other -1) of the
 /// polygon that is proven to lie inside the other; or none. `map` as for convexMeet().
@@ -171,10 +176,10 @@ struct ConvexCrossing {
 };
 ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
 
-/// A coordinate is below 1 and rounded once, the axis twice, then come products, a sum, the scale and the difference;
-/// for two vertices, and twice as much. A pose's defect changes the axis in b's frame by 2e-6 at most.
+/// A coordinate is below 1 and rounded once, as the axis is, then come products and a sum, and a sum with the depth;
+/// for two vertices, and twice as much.
 constexpr double kSupportError = 0x1p-17;
-static_assert(kSupportError >= 2 * 2 * 8 * kFloatRoundoff + 2e-6);
+static_assert(kSupportError >= 2 * 2 * 8 * kFloatRoundoff);
 
 /// A ray in a hierarchy's units: every point known to within `error`.
 struct Ray {

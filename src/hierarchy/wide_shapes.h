@@ -231,38 +231,34 @@ ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const Uni
   return found;
 }
 
-/// The vertices whose depth below the foremost one along an axis is at most `reach` and a quarter of that; returns how
-/// far the foremost one is.
+/// The vertices that are no more than `depth` behind one; sets any_ahead if any is ahead of it by more than rounding.
 template <class Lanes>
-[[gnu::always_inline]] inline float foremost(const SmallRing& polygon, float nx, float ny, float reach, unsigned& near,
-                                             unsigned& best) {
-  const Values<Lanes> at = valuesOf<Lanes>(
-      polygon.lanes, [&](int i) __attribute__((always_inline)) {
-        return Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
-      });
-  const float end = largest(larger(at.first, at.second));
-  const auto from = [&](float least) {
-    const Lanes limit = Lanes::all(least);
-    unsigned below = above(limit, at.first);
-    if (polygon.lanes > kLanes) below |= above(limit, at.second) << kLanes;
-    return ~below & ((1u << polygon.count) - 1);
+[[gnu::always_inline]] inline unsigned verticesBehind(const SmallRing& polygon, const FacingVertex& facing,
+                                                      unsigned& any_ahead) {
+  const float nx = facing.nx, ny = facing.ny;
+  const float height = polygon.x[facing.vertex] * nx + polygon.y[facing.vertex] * ny;
+  const Lanes low = Lanes::all(height - facing.depth), high = Lanes::all(height + static_cast<float>(kSupportError));
+  const auto at = [&](int i) __attribute__((always_inline)) {
+    return Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
   };
-  near = from(end - reach);
-  best = from(end - 0.25f * reach);
-  return end;
+  Lanes heights = at(0);
+  unsigned below = above(low, heights);
+  any_ahead |= above(heights, high);
+  if (polygon.lanes > kLanes) {
+    heights = at(kLanes);
+    below |= above(low, heights) << kLanes;
+    any_ahead |= above(heights, high);
+  }
+  return ~below & ((1u << polygon.count) - 1);
 }
 
 template <class Lanes>
-ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const UnitMap& map, double x, double y,
-                              double depth) {
-  const float nx = static_cast<float>(x), ny = static_cast<float>(y), reach = static_cast<float>(depth);
-  const double bx = (map.r00 * nx + map.r10 * ny) * -map.scale, by = (map.r01 * nx + map.r11 * ny) * -map.scale;
-  ConvexSupports found;
-  const float end_a = foremost<Lanes>(a, nx, ny, reach, found.a, found.foremost_a);
-  const float end_b =
-      foremost<Lanes>(b, static_cast<float>(bx), static_cast<float>(by), reach, found.b, found.foremost_b);
-  found.gap = (map.tx * nx + map.ty * ny) - end_a - end_b;
-  return found;
+ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const FacingVertex& facing_a,
+                              const FacingVertex& facing_b) {
+  unsigned any_ahead = 0;
+  const unsigned near_a = verticesBehind<Lanes>(a, facing_a, any_ahead);
+  const unsigned near_b = verticesBehind<Lanes>(b, facing_b, any_ahead);
+  return {near_a, near_b, any_ahead};
 }
 
 /// One convex polygon's vertices against another's half planes, in one frame.

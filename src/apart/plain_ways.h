@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "numbers/double2.h"
+#include "numbers/double_double.h"
+#include "numbers/predicates.h"
+#include "polygon/polygon_data.h"
+#include "tricover/pose.h"
+
+namespace tricover::detail {
+
+/// Ways between two posed polygons' vertices in the world, as plain doubles see them, and where these do for a
+/// distance. Vertices and edges are given by their positions in the paths.
+class PlainWays {
+ public:
+  PlainWays(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+      : a_(a),
+        b_(b),
+        pose_a_(pose_a),
+        pose_b_(pose_b),
+        columns_a_{load2(pose_a.data()), load2(pose_a.data() + 3)},
+        columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)} {
+    const Twofold2 shift = twoSum(load2(pose_b.data() + 6), -load2(pose_a.data() + 6));
+    shift_ = shift.high;
+    shift_rest_ = shift.low;
+    const Double2 apart = absolute(shift_);
+    size_ = roundedUp<4>(a.extent + b.extent + (apart[0] + apart[1]));
+    is_unscaled_ = size_ > 0x1p-300 && size_ < 0x1p300;
+  }
+
+  const PolygonData& a() const { return a_; }
+  const PolygonData& b() const { return b_; }
+  const Pose& poseA() const { return pose_a_; }
+  const Pose& poseB() const { return pose_b_; }
+
+  /// Whether lengths are neither so large nor so tiny that plain doubles don't do. What follows is for those that do.
+  bool isUnscaled() const { return is_unscaled_; }
+  /// |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q.
+  double size() const { return size_; }
+
+  /// What a distance may be wrong by, beside the smallest double.
+  static constexpr double kRelativeError = 0x1p-47;
+
+  /// A vertex of one polygon beside an edge of the other.
+  struct Foot {
+    double distance;
+    double inside;          ///< how far inside of the edge's nearer end, times the edge's length
+    double square, length;  ///< the edge's
+    Double2 axis;           ///< the direction of the shortest way from a to b
+    bool at_end;            ///< whether the nearer end is the edge's end rather than its start
+    bool is_plain;          ///< whether the distance is right to kRelativeError
+    /// From the edge's start (0) to its end (1).
+    double part() const {
+      const double from_end = inside > 0 ? inside / square : 0;
+      return at_end ? 1 - from_end : from_end;
+    }
+  };
+  template <bool kEdgeOfA>
+  Foot foot(std::size_t edge, std::size_t vertex) const {
+    const Vec2* path = (kEdgeOfA ? a_ : b_).path.data();
+    const Double2 along = load2(path[edge + 1].data()) - load2(path[edge].data());
+    const Double2 u = mapped(kEdgeOfA ? columns_a_ : columns_b_, along), squares = u * u;
+    const double square = squares[0] + squares[1], length = std::sqrt(square);
+    const auto wayFrom = [&](std::size_t end) { return kEdgeOfA ? way(end, vertex) : way(vertex, end); };
+    const auto from = [&](Double2 w) {
+      const Double2 products = u * w;
+      return kEdgeOfA ? products[0] + products[1] : -(products[0] + products[1]);
+    };
+    std::size_t end = edge;
+    Double2 w = wayFrom(end);
+    double inside = from(w);
+    const bool at_end = 2 * inside > square;
+    if (at_end) {
+      w = wayFrom(++end);
+      inside = -from(w);
+    }
+    if (inside > 0 && square > 0x1p-900) {
+      const Double2 areas = u * swapped(w), away = w * w;
+      const double area = areas[0] - areas[1], inverse = 1 / length, distance = std::abs(area) * inverse;
+      const Double2 axis = Double2{-u[1], u[0]} * (area < 0 ? -inverse : inverse);
+      const bool is_plain = isPlain(kEdgeOfA ? end : vertex, kEdgeOfA ? vertex : end, away[0] + away[1], distance);
+      return {distance, inside, square, length, axis, at_end, is_plain};
+    }
+    Foot foot = footOf(w, kEdgeOfA ? end : vertex, kEdgeOfA ? vertex : end);
+    foot.square = square;
+    foot.length = length;
+    foot.at_end = at_end;
+    return foot;
+  }
+  /// The same of two vertices, where either is nearer to the other than the rest of its edges is.
+  Foot startToStart(std::size_t p, std::size_t q) const { return footOf(way(p, q), p, q); }
+
+  /// From a's S to b's.
+  Double2 betweenOrigins() const { return mapped(columns_b_, b_.origin) + shift_ - mapped(columns_a_, a_.origin); }
+
+ protected:
+  using Twofold2 = Twofold<Double2>;
+
+  static Double2 mapped(const Double2 (&columns)[2], Double2 p) { return columns[0] * p[0] + columns[1] * p[1]; }
+  static Double2 mapped(const Double2 (&columns)[2], const Vec2& p) { return mapped(columns, load2(p.data())); }
+
+  const PolygonData &a_, &b_;
+  const Pose &pose_a_, &pose_b_;
+  Double2 columns_a_[2], columns_b_[2];
+  Double2 shift_, shift_rest_;  ///< t_b - t_a: the rounded one and exactly the rest
+  double size_;
+  bool is_unscaled_;
+
+ private:
+  /// From a's vertex p to b's vertex q.
+  Double2 way(std::size_t p, std::size_t q) const {
+    return mapped(columns_b_, b_.path[q]) + shift_ - mapped(columns_a_, a_.path[p]) + shift_rest_;
+  }
+
+  Foot footOf(Double2 w, std::size_t p, std::size_t q) const {
+    const Double2 squares = w * w;
+    const double square = squares[0] + squares[1], distance = std::sqrt(square);
+    return {distance, 0, 0, 0, w * (1 / distance), false, isPlain(p, q, square, distance)};
+  }
+
+  // Whether foot() is right to kRelativeError. Let x be the way, from v of a to w of b, that a distance d was computed
+  // from; in units of U, rows of R being unit vectors but for 1e-6:
+  //   R v, R w    products sqrt2 in any direction, sum 1                   2.42 |v| + 2.42 |w|
+  //   R w + t     the sum, which is at most |x| + |v|                      |v| + |x|
+  //   x           the difference 1, the sum with the rest of t 1           2 |x|
+  // which is 3.42 |v| + 2.42 |w| + 3 |x|. Where x itself is nearest, its length adds 2 d: squares and sum, halved, and
+  // the root. Beside an edge u, |u x x| / |u| adds
+  //   u           difference 1, products sqrt2, sum 1: turns x by          3.42 |x|
+  //   u x x       products 1, difference 1                                 |x| + d
+  //   / |u|       squares and sum, halved, root, quotient and product      4 d
+  // By Cauchy, the square of 3.42 |v| + 2.42 |w| + 7.42 |x| is at most
+  //   (3.42^2 + 2.42^2 + 7.42^2 / 4) (|v|^2 + |w|^2 + 4 |x|^2), below 31.4 kPlainShare d^2, the square of 58 d:
+  // in all 63 d, and kRelativeError is 64U. As it bounds the angles by which x and u are wrong, too, a vertex taken for
+  // one beside an end of the edge rather than beyond it, or the converse, is so by an angle below 128U: in the distance
+  // the square of that. Squares of what is nearer than kLeastPlain might underflow.
+  static constexpr double kPlainShare = 107, kLeastPlain = 0x1p-400;
+  static_assert(kPlainShare * (3.42 * 3.42 + 2.42 * 2.42 + 7.42 * 7.42 / 4) < 58 * 58 &&
+                kRelativeError >= (1 + 1e-5) * errorOf(58 + 5));
+  bool isPlain(std::size_t p, std::size_t q, double way_square, double distance) const {
+    const Double2 v = load2(a_.path[p].data()), w = load2(b_.path[q].data()), squares = v * v + w * w;
+    return distance > kLeastPlain && squares[0] + squares[1] + 4 * way_square <= kPlainShare * (distance * distance);
+  }
+};
+
+}  // namespace tricover::detail
