@@ -56,6 +56,12 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
       if (room(request, result) > 0) addContact(o1, o2, result);
       return result.numContacts();
     }
+    if (!of_hit.costs && room(request, result) == 1) {
+      if (const auto found = contactOf(round)) {
+        addContact(o1, o2, found->plane, found->contact, result);
+        return result.numContacts();
+      }
+    }
   }
 
   MixedPair<S> pair = mixedPair("collide", o1, tf1, o2, tf2);

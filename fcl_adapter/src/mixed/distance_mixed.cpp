@@ -9,6 +9,7 @@
 
 #include "mixed/mixed_pair.h"
 #include "mixed/stadium_pair.h"
+#include "mixed/stadium_penetration.h"
 #include "shape/fcl_results.h"
 #include "shape/nearest_points.h"
 #include "tricover/contacts.h"
@@ -66,7 +67,7 @@ tricover::DistanceOptions optionsOf(const fcl::DistanceRequest<S>& request, cons
   return options;
 }
 
-/// Of a disc or stadium, in the world, but for depths: false if these are asked for, and the two meet.
+/// Of a disc or stadium, in the world; false where a depth is asked for that has to be searched for.
 template <typename S>
 bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl::Transform3<S>* tf2,
               const fcl::DistanceRequest<S>& request, const fcl::DistanceResult<S>& result) {
@@ -84,8 +85,14 @@ bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* 
     deeper.margin = pair.radius * (1 - 1e-13) - static_cast<double>(std::numeric_limits<S>::min());
     if (deeper.margin >= 0 &&
         tricover::collide(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, deeper)) {
-      if (request.enable_signed_distance) return false;
-      span.distance = -1;
+      if (!request.enable_signed_distance) {
+        span.distance = -1;
+      } else if (const auto way = penetrationOf(pair); !way) {
+        return false;
+      } else if (way->depth > static_cast<double>(std::numeric_limits<S>::min())) {
+        span = {-way->depth, pair.inWorld(way->point_a), pair.inWorld(way->point_b()), way->edge_a, span.part_b};
+        return true;
+      }
     }
   }
   if (found.distance <= options.limit) moveByMargins(found, margin, pair.radius);
@@ -110,8 +117,10 @@ S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& t
   };
   const StadiumPair<S> round(o1, tf1, o2, tf2);
   if (round.found == StadiumCase::OutOfSlab) return result.min_distance;
-  if (round.found == StadiumCase::Pair && measured(span, round, &tf1, &tf2, request, result))
+  if (round.found == StadiumCase::Pair && measured(span, round, &tf1, &tf2, request, result)) {
+    if (span.distance < 0) requireContactsIfSigned(o1, o2, request);
     return report(round.polygon_first);
+  }
 
   const MixedPair<S> pair = mixedPair("distance", o1, tf1, o2, tf2);
   const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "mixed/mixed_pair.h"
+#include "mixed/stadium_pair.h"
 #include "shape/fcl_results.h"
 
 namespace tricover_fcl {
@@ -20,5 +22,9 @@ struct MixedContact {
 /// between the nearest points.
 template <typename S>
 std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& shadow, std::size_t most);
+
+/// The same of a disc or stadium, of the whole overlap; nothing where its section has to be asked.
+template <typename S>
+std::optional<MixedContact> contactOf(const StadiumPair<S>& pair);
 
 }  // namespace tricover_fcl

@@ -28,10 +28,13 @@ class StadiumPair {
   const tricover::Polygon& polygon() const { return shape.polygon(); }
   const tricover::Polygon& segment() const { return segment_ ? *segment_ : Stadium::point(); }
 
+  bool isDisc() const { return !segment_; }
+
   /// `more` is a length added to the radius, upwards.
   double grown(double more) const { return more == 0 ? radius : (radius + more) * (1 + 0x1p-52); }
 
-  /// From the plane in which both poses are to the world, at the middle of the polygon's heights.
+  /// The plane in which both poses are, at the middle of the polygon's heights.
+  Plane plane() const { return is_level_ ? planeAt(height_) : plane_; }
   Eigen::Vector3d inWorld(const tricover::Vec2& p) const {
     return is_level_ ? Eigen::Vector3d(p.x(), p.y(), height_)
                      : Eigen::Vector3d(plane_ * Eigen::Vector3d(p.x(), p.y(), 0));

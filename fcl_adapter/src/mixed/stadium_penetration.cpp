@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mixed/stadium_penetration.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "tricover/collide.h"
+#include "tricover/distance.h"
+#include "tricover/penetration.h"
+
+namespace tricover_fcl {
+namespace {
+
+using tricover::Pose;
+using tricover::Vec2;
+
+/// Of the radius: what a way may leave of an overlap, and how near a centre counts as on an edge, whose normal is then
+/// the direction.
+constexpr double kError = 1e-9;
+
+template <typename S>
+bool isFreeAfter(const StadiumPair<S>& pair, const StadiumPenetration& way) {
+  Pose there = pair.pose_of_segment;
+  there.translation() += way.depth * way.direction;
+  tricover::CollideOptions options;
+  options.margin = (1 - kError) * pair.radius;
+  return !tricover::collide(pair.polygon(), pair.pose, pair.segment(), there, options);
+}
+
+struct NearestEdge {
+  std::ptrdiff_t edge;
+  Vec2 point, along;
+};
+
+/// Of the polygon's outline to `center`, in the plane.
+NearestEdge nearestEdge(const tricover::Polygon& polygon, const Pose& pose, const Vec2& center) {
+  NearestEdge nearest{-1, Vec2::Zero(), Vec2::Zero()};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.vertexCount(); ++i) {
+    const Vec2 v = pose * polygon.edgeStart(i), along = pose * polygon.edgeEnd(i) - v;
+    const double part = std::clamp(along.dot(center - v) / along.squaredNorm(), 0.0, 1.0);
+    const Vec2 point = v + (part == part ? part : 0) * along;
+    const double square = (point - center).squaredNorm();
+    if (square < least) {
+      least = square;
+      nearest = {static_cast<std::ptrdiff_t>(i), point, along};
+    }
+  }
+  return nearest;
+}
+
+/// Of a disc whose centre isn't outside of the polygon: across the nearest edge.
+template <typename S>
+std::optional<StadiumPenetration> acrossNearestEdge(const StadiumPair<S>& pair) {
+  const Vec2 center = pair.pose_of_segment.translation();
+  const NearestEdge nearest = nearestEdge(pair.polygon(), pair.pose, center);
+  const Vec2 out = nearest.point - center;
+  const double length = out.stableNorm();
+  StadiumPenetration way{out / length, pair.radius + length, nearest.point, nearest.edge};
+  if (length > kError * pair.radius) return isFreeAfter(pair, way) ? std::optional(way) : std::nullopt;
+  const Vec2 normal = Vec2(nearest.along.y(), -nearest.along.x()).stableNormalized();
+  for (const Vec2& direction : {normal, Vec2(-normal)}) {
+    way.direction = direction;
+    if (isFreeAfter(pair, way)) return way;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// Moving by t, a stadium comes no farther than |t| from where it was: from a distance d to that of the radius r, which
+/// is where it is free, by no less than r - d; from where its segment meets the polygon, by no less than what parts the
+/// segment, p, and r from there. So a way of the length r - d or r + p is the shortest if it leads to where the stadium
+/// is free.
+template <typename S>
+std::optional<StadiumPenetration> penetrationOf(const StadiumPair<S>& pair) {
+  const tricover::DistanceResult apart =
+      tricover::distance(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment);
+  if (apart.distance > kError * pair.radius) {
+    const StadiumPenetration way{(apart.point_b - apart.point_a).stableNormalized(), pair.radius - apart.distance,
+                                 apart.point_a, apart.edge_a};
+    return way.depth <= 0 || isFreeAfter(pair, way) ? std::optional(way) : std::nullopt;
+  }
+  if (pair.isDisc()) return acrossNearestEdge(pair);
+  const auto part = tricover::penetration(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment);
+  if (!part) return std::nullopt;
+  const StadiumPenetration way{part->direction, pair.radius + part->depth, part->point_a, part->edge_a};
+  return isFreeAfter(pair, way) ? std::optional(way) : std::nullopt;
+}
+
+template std::optional<StadiumPenetration> penetrationOf(const StadiumPair<float>&);
+template std::optional<StadiumPenetration> penetrationOf(const StadiumPair<double>&);
+
+}  // namespace tricover_fcl
