@@ -8,6 +8,7 @@
 #include "reproduction.h"
 #include "test_scale.h"
 #include "tricover/distance.h"
+#include "tricover/penetration.h"
 #include "tricover/segment.h"
 
 namespace tricover_fcl::test {
@@ -168,6 +169,105 @@ TEST(MixedRound, sectionsDistancesAndNearestPoints) {
   EXPECT_GT(found, cases / 4);
   EXPECT_GT(apart, cases / 4);
   EXPECT_GT(away, cases / 20);
+}
+
+/// A polygon with its vertices at that distance from the segment.
+Polygon around(const Polygon& segment, double radius, int vertices) {
+  const tricover::Vec2 v = segment.edgeStart(0), w = segment.edgeEnd(0);
+  const double turn = v == w ? 0 : std::atan2((w - v).y(), (w - v).x());
+  tricover::Ring ring;
+  for (int i = 0; i < vertices; ++i) {
+    const double angle = 2 * M_PI * (i + 0.5) / vertices - M_PI / 2;
+    const tricover::Vec2 out(std::cos(angle + turn), std::sin(angle + turn));
+    ring.push_back((std::cos(angle) > 0 ? w : v) + radius * out);
+  }
+  return Polygon({ring});
+}
+
+TEST(MixedRound, contactsPartThemByTheShortestWay) {
+  Random random(83);
+  const int cases = tricover::support::scaledCount(300), corners = 48;
+  int direct = 0, searched = 0, whole = 0;
+  while (direct + searched < cases) {
+    SCOPED_TRACE(direct + searched);
+    const PolygonShaped shape(randomPolygon(random, 2));
+    const Scene scene = anyRound(random, 0, 0);
+    const Pose pose = tricover::support::randomPose(random, 2), identity = Pose::Identity();
+    if (scene.radius < 0) continue;
+    const double gap = tricover::distance(shape.polygon(), pose, scene.segment, identity).distance;
+    if (!(gap < scene.radius - 1e-9)) continue;
+    const Vec3 elsewhere(random.real(-9, 9), random.real(-9, 9), random.real(-9, 9));
+    const fcl::Transform3d by = random.coin() ? fcl::Transform3d(fcl::Transform3d::Identity())
+                                              : placed<double>(elsewhere, turned(random.real(0, 6), elsewhere));
+    fcl::CollisionResultd one, all;
+    const auto ask = [&](std::size_t most, fcl::CollisionResultd& result) {
+      const fcl::CollisionRequestd request(most, true);
+      return fcl::collide<double>(scene.geometry.get(), by * scene.pose, &shape, by * lifted(pose), request, result);
+    };
+    ASSERT_EQ(ask(1, one), 1u);
+    const fcl::Contactd& contact = one.getContact(0);
+    const double depth = contact.penetration_depth, error = 3e-6 * (scene.radius + 2);  // reaches are up to 4
+    const auto outermost = tricover::penetration(
+        shape.polygon(), pose, around(scene.segment, scene.radius / std::cos(M_PI / corners), corners), identity);
+    const auto innermost =
+        tricover::penetration(shape.polygon(), pose, around(scene.segment, scene.radius, corners), identity);
+    ASSERT_TRUE(outermost);
+    ASSERT_LE(depth, outermost->depth + error);
+    ASSERT_GE(depth, (innermost ? innermost->depth : 0) - error);
+    // From the shape, which is the second one here, to the other.
+    const Vec3 normal = by.linear().transpose() * contact.normal;
+    ASSERT_NEAR(normal.norm(), 1, 1e-12);
+    Pose moved = identity;
+    moved.translation() = -depth * normal.head<2>();
+    ASSERT_NEAR(tricover::distance(shape.polygon(), pose, scene.segment, moved).distance, scene.radius, error);
+    fcl::DistanceRequestd request;
+    request.enable_signed_distance = true;
+    fcl::DistanceResultd result;
+    fcl::distance<double>(&shape, by * lifted(pose), scene.geometry.get(), by * scene.pose, request, result);
+    ASSERT_NEAR(result.min_distance, depth > error ? -depth : 0, error);
+    if (result.min_distance < 0) {
+      ASSERT_LT((result.nearest_points[0] - result.nearest_points[1] - depth * -contact.normal).norm(), error);
+    }
+    ASSERT_GE(ask(10, all), 1u);
+    if (all.numContacts() == 1) {
+      ASSERT_NEAR(all.getContact(0).penetration_depth, depth, error);
+      ++whole;
+    }
+    const bool is_direct = gap > 0 && std::abs(depth - (scene.radius - gap)) < 1e-9;
+    if (is_direct) {  // in the middle of what they share
+      const Polygon there = tricover::point((by.inverse() * contact.pos).head<2>());
+      ASSERT_NEAR(tricover::distance(scene.segment, identity, there, identity).distance, scene.radius - depth / 2,
+                  1e-9);
+      ASSERT_LE(tricover::distance(shape.polygon(), pose, there, identity).distance, depth / 2 + 1e-9);
+    }
+    ++(is_direct ? direct : searched);
+  }
+  EXPECT_GT(direct, cases / 4);
+  EXPECT_GT(searched, cases / 10);
+  EXPECT_GT(whole, cases / 4);
+}
+
+TEST(MixedRound, contactsOfWhatTouchesLeadAway) {
+  const PolygonShaped square(Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const auto contact = [&](const Vec3& center, double radius) {
+    fcl::CollisionResultd result;
+    const fcl::Sphered sphere(radius);
+    fcl::collide<double>(&square, fcl::Transform3d::Identity(), &sphere,
+                         placed<double>(center, fcl::Matrix3d::Identity()), fcl::CollisionRequestd(1, true), result);
+    return result.getContact(0);
+  };
+  // Beside an edge, at a corner; with the centre on an edge, and at a corner, where either edge will do.
+  EXPECT_LT((contact({2, 0, 0}, 1).normal - Vec3::UnitX()).norm(), 1e-12);
+  EXPECT_EQ(contact({2, 0, 0}, 1).penetration_depth, 0);
+  EXPECT_LT((contact({1.3, 1.4, 0}, 0.5).normal - Vec3(0.6, 0.8, 0)).norm(), 1e-9);
+  EXPECT_LT((contact({0.5, -1, 0}, 0.25).normal + Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_EQ(contact({0.5, -1, 0}, 0.25).penetration_depth, 0.25);
+  EXPECT_EQ(contact({0.5, -1, 0}, 0.25).pos, Vec3(0.5, -0.875, 0));
+  const Vec3 at_corner = contact({1, 1, 0}, 0.25).normal;
+  EXPECT_TRUE((at_corner - Vec3::UnitX()).norm() < 1e-12 || (at_corner - Vec3::UnitY()).norm() < 1e-12);
+  // From within, across the nearest edge.
+  EXPECT_EQ(contact({0.75, 0.5, 0}, 0.5).penetration_depth, 0.75);
+  EXPECT_EQ(contact({0.75, 0.5, 0}, 0.5).pos, Vec3(0.625, 0.5, 0));
 }
 
 TEST(MixedRound, motionsMeetDiscsOnTime) {

@@ -11,7 +11,7 @@ namespace {
 template <typename S>
 Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
   Eigen::AlignedBox2d box;
-  for (const tricover::Ring& ring : shadow.outlineIn(pair.polygon()).rings()) {
+  for (const tricover::Ring& ring : shadow.outline().rings()) {
     for (const tricover::Vec2& vertex : ring) box.extend(vertex);
   }
   box = box.intersection(pair.view.around);

@@ -45,12 +45,12 @@ void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, 
     span = {-whole->depth, inSpace(whole->point_a), inSpace(whole->point_b), whole->edge_a,
             shadow.partOf(whole->edge_b)};
   } else {
-    const auto overlaps = [&](const tricover::Polygon& region) {
-      const auto deepest = tricover::contacts(pair.polygon(), Pose::Identity(), region, Pose::Identity(), 1);
+    const auto overlaps = [&](const std::vector<tricover::Contact>& deepest) {
       return !deepest.empty() && deepest.front().depth > touch;
     };
-    if ((shadow.isSurface() && shadow.meets(pair.polygon(), 0)) || overlaps(shadow.core()) ||
-        overlaps(shadow.outlineIn(pair.polygon())))
+    if ((shadow.isSurface() && shadow.meets(pair.polygon(), 0)) ||
+        overlaps(tricover::contacts(pair.polygon(), Pose::Identity(), shadow.core(), Pose::Identity(), 1)) ||
+        overlaps(shadow.contacts(pair.polygon(), 1)))
       span.distance = -1;
   }
 }

@@ -49,10 +49,7 @@ std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& sha
     if (const auto whole = shadow.penetration(polygon))
       add(middle(whole->point_a, whole->point_b), whole->direction, whole->depth, *whole);
   } else {
-    for (const tricover::Contact& part :
-         tricover::contacts(polygon, Pose::Identity(), shadow.outlineIn(polygon), Pose::Identity(), most)) {
-      add(part.point, part.normal, part.depth, part);
-    }
+    for (const tricover::Contact& part : shadow.contacts(polygon, most)) add(part.point, part.normal, part.depth, part);
   }
   if (found.empty()) {
     const tricover::DistanceResult nearest = shadow.distance(polygon, {});

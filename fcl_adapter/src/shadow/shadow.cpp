@@ -35,26 +35,90 @@ tricover::Polygon Shadow::outline() const { return smooth_ ? smooth_->outline() 
 
 bool Shadow::refine(std::ptrdiff_t edge) { return smooth_ && smooth_->refine(edge, kOutlineError); }
 
-tricover::Polygon Shadow::outlineIn(const tricover::Polygon& polygon) const {
-  return smooth_ ? smooth_->outline({kOutlineError, &polygon, kFarOutlineError}) : *region_;
+namespace {
+
+using tricover::Polygon;
+using tricover::Pose;
+using tricover::Vec2;
+
+/// With outlines as fine as kFarOutlineError everywhere.
+SmoothShadow roughly(SmoothShadow shadow) {
+  while (shadow.refine(-1, Shadow::kFarOutlineError)) {
+  }
+  return shadow;
 }
 
-std::optional<tricover::Penetration> Shadow::penetration(const tricover::Polygon& polygon) const {
-  const auto into = [&](const tricover::Polygon& region) {
-    return tricover::penetration(polygon, tricover::Pose::Identity(), region, tricover::Pose::Identity());
+using Normals = std::vector<Vec2>;
+
+/// Adds the shadow's where its outline, moved by `way`, crosses the polygon's.
+void addCrossed(Normals& normals, const SmoothShadow& shadow, const Polygon& polygon, const Vec2& way) {
+  Pose there = Pose::Identity();
+  there.translation() = way;
+  for (const tricover::Crossing& crossing : tricover::crossings(polygon, Pose::Identity(), shadow.outline(), there))
+    normals.push_back(shadow.normalNear(crossing.edge_b, crossing.point - way));
+}
+
+/// Makes outlines fine there; false if they were.
+bool sharpen(SmoothShadow& shadow, const Normals& normals) {
+  bool sharpened = false;
+  for (const Vec2& normal : normals) sharpened = shadow.sharpen(normal, Shadow::kOutlineError) || sharpened;
+  return sharpened;
+}
+
+/// The way out of a polygon around the shadow is no shorter than that out of the shadow, which is no shorter than that
+/// out of a polygon within. They are made fine where either way's length depends on it: in its direction, and where it
+/// touches the polygon at its end, which moving back or aside by a little shows.
+std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Polygon& polygon) {
+  const double error = shadow.outlineError(Shadow::kOutlineError);
+  const auto into = [&](const Polygon& region) {
+    return tricover::penetration(polygon, Pose::Identity(), region, Pose::Identity());
   };
-  auto found = into(outlineIn(polygon));
-  if (!smooth_) return found;
-  // The outline is coarse where the polygon is far inside: made to touch the body in the way's direction, it gives that
-  // way its right length. A better way may show then, but a way's length errs by the square of its direction's error.
-  SmoothShadow sharpened = *smooth_;
-  for (int round = 0; round < 4 && found; ++round) {
-    const double depth = found->depth;
-    sharpened.addTangent(-found->direction);
-    found = into(sharpened.outline({kOutlineError, &polygon, kFarOutlineError}));
-    if (!found || depth - found->depth <= outlineError()) break;
+  for (;;) {
+    const auto around = into(shadow.outline());
+    if (!around) return around;
+    const auto within = into(shadow.inscribed());
+    if (around->depth - (within ? within->depth : 0) <= error) return around;
+    Normals normals;
+    for (const auto& way : {around, within}) {
+      if (!way) continue;
+      const Vec2 back = -error * way->direction, aside(-back.y(), back.x());
+      for (const Vec2& move : {back, aside, Vec2(-aside)})
+        addCrossed(normals, shadow, polygon, way->translation + move);
+      normals.push_back(-way->direction);
+    }
+    if (!sharpen(shadow, normals)) return around;
   }
-  return found;
+}
+
+}  // namespace
+
+std::optional<tricover::Penetration> Shadow::penetration(const Polygon& polygon) const {
+  if (!smooth_) return tricover::penetration(polygon, Pose::Identity(), *region_, Pose::Identity());
+  SmoothShadow fine = roughly(*smooth_);
+  return sharpenedWay(fine, polygon);
+}
+
+/// With an outline that is fine where it crosses the polygon, and where a part's way leads.
+std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, std::size_t most) const {
+  const auto with = [&](const Polygon& region) {
+    return tricover::contacts(polygon, Pose::Identity(), region, Pose::Identity(), most);
+  };
+  if (!smooth_) return with(*region_);
+  SmoothShadow fine = roughly(*smooth_);
+  Normals normals;
+  do {
+    normals.clear();
+    addCrossed(normals, fine, polygon, Vec2::Zero());
+  } while (sharpen(fine, normals));
+  const std::vector<tricover::Contact> found = with(fine.outline());
+  normals.clear();
+  for (const tricover::Contact& part : found) normals.push_back(-part.normal);
+  if (found.size() == 1) {
+    sharpenedWay(fine, polygon);
+  } else if (!sharpen(fine, normals)) {
+    return found;
+  }
+  return with(fine.outline());
 }
 
 int Shadow::partOf(std::ptrdiff_t edge) const {

@@ -11,6 +11,7 @@
 
 #include "shadow/slab_cut.h"
 #include "shadow/smooth_shadow.h"
+#include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
 #include "tricover/polygon.h"
@@ -55,14 +56,12 @@ class Shadow {
   /// Makes that finer at one of its edges, to kOutlineError of the body's reach; false if it is so fine.
   bool refine(std::ptrdiff_t edge);
   static constexpr double kOutlineError = 1e-6;
-  /// The shadow itself, or a polygon around it within kOutlineError where it meets `polygon`, and elsewhere within
-  /// kFarOutlineError, which saves nearly all of its vertices.
-  tricover::Polygon outlineIn(const tricover::Polygon& polygon) const;
-  static constexpr double kFarOutlineError = 1e-3;
-
   /// Of the polygon (a) and the shadow (b). The way is right to kOutlineError of the body's reach for its direction; of
   /// two ways out of a smooth body that differ by less than kFarOutlineError the longer one may be taken.
   std::optional<tricover::Penetration> penetration(const tricover::Polygon& polygon) const;
+  static constexpr double kFarOutlineError = 1e-3;
+  /// One for each part of their overlap, as right.
+  std::vector<tricover::Contact> contacts(const tricover::Polygon& polygon, std::size_t most) const;
 
   /// Within the shadow: itself, or, of a smooth body, a polygon of few vertices.
   tricover::Polygon core() const { return smooth_ ? smooth_->inscribed() : *region_; }

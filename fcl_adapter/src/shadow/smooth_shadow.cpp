@@ -5,25 +5,16 @@
 #include <cmath>
 #include <utility>
 
-#include "tricover/collide.h"
-
 namespace tricover_fcl {
 namespace {
 
 using tricover::Polygon;
-using tricover::Pose;
 using tricover::Ring;
 using tricover::Vec2;
 
 constexpr int kFirstTangents = 16;
 constexpr int kMostSteps = 150;  // a third of them bisections: as many as a double has bits
 Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
-
-bool meetsTriangle(const Polygon& polygon, const Ring& triangle, double margin) {
-  tricover::CollideOptions options;
-  options.margin = margin;
-  return tricover::collide(polygon, Pose::Identity(), Polygon({triangle}), Pose::Identity(), options);
-}
 
 bool turnsLeft(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x() > 0; }
 
@@ -64,9 +55,34 @@ SmoothShadow::Tangents SmoothShadow::tangents() const {
   return found;
 }
 
-void SmoothShadow::addTangent(const Vec2& normal) {
+Vec2 SmoothShadow::normalNear(std::ptrdiff_t edge, const Vec2& point) const {
+  // From the tip of one cap to that of the next; and along a cap C's normal turns about evenly.
+  const Tangents all = tangents();
+  const auto at = [&](std::size_t i) -> const Tangent& { return all[i % all.size()]; };
+  auto first = static_cast<std::size_t>(edge);
+  if (leftOf(at(first + 1).normal).dot(point - at(first + 1).point) > 0) ++first;
+  const Vec2 chord = at(first + 1).point - at(first).point;
+  const double square = chord.squaredNorm();
+  const double part = square > 0 ? std::clamp(chord.dot(point - at(first).point) / square, 0.0, 1.0) : 0.5;
+  return ((1 - part) * at(first).normal + part * at(first + 1).normal).stableNormalized();
+}
+
+bool SmoothShadow::sharpen(const Vec2& normal, double error) {
+  constexpr double kSameNormal = -1e-9;
   tangents_ = tangents();
-  insert(tangents_, tangent(normal));
+  bool sharpened = false;
+  for (std::size_t i = 0; i < tangents_.size();) {
+    const Tangent &first = tangents_[i], &second = tangents_[(i + 1) % tangents_.size()];
+    const bool holds = normal.dot(first.normal) > 0 && leftOf(first.normal).dot(normal) >= kSameNormal &&
+                       leftOf(normal).dot(second.normal) >= kSameNormal;
+    const Cap coarse = cap(first, second);
+    if (holds && !isFine(coarse, error) && insert(tangents_, tangent(chordNormal(coarse)))) {
+      sharpened = true;
+    } else {
+      ++i;
+    }
+  }
+  return sharpened;
 }
 
 /// C's reach along the normal n is the largest n . p over the body's points p with a height in the slab. By Lagrange's
@@ -116,7 +132,7 @@ SmoothShadow::Tangent SmoothShadow::tangent(const Vec2& normal, double enough) c
 }
 
 SmoothShadow::Cap SmoothShadow::cap(const Tangent& first, const Tangent& second) const {
-  Cap cap{first, second, first.point, 0, 0, std::max(first.slack, second.slack)};
+  Cap cap{first, second, first.point, 0, 0};
   const Vec2 chord = second.point - first.point;
   cap.width = chord.stableNorm();
   if (cap.width == 0) return cap;
@@ -176,33 +192,9 @@ bool SmoothShadow::refine(std::ptrdiff_t edge, double error) {
   const auto first = static_cast<std::size_t>(edge);
   const Cap caps[] = {cap(at(first), at(first + 1)), cap(at(first + 1), at(first + 2))};
   for (const Cap& coarse : caps) {
-    if (coarse.width > finest_ && coarse.height > outlineError(error))
-      refined = insert(tangents_, tangent(chordNormal(coarse))) || refined;
+    if (!isFine(coarse, error)) refined = insert(tangents_, tangent(chordNormal(coarse))) || refined;
   }
   return refined;
-}
-
-Polygon SmoothShadow::outline(const Fineness& fineness) const {
-  const Tangents first = tangents();
-  Ring ring;
-  for (std::size_t i = 0; i < first.size(); ++i)
-    addOutline(ring, cap(first[i], first[(i + 1) % first.size()]), fineness, 0);
-  return Polygon({ring}, tricover::FillRule::NonZero);
-}
-
-void SmoothShadow::addOutline(Ring& ring, const Cap& cap, const Fineness& fineness, int depth) const {
-  const auto isFine = [&] {
-    if (cap.width <= finest_ || depth == kDeepest || cap.height <= outlineError(fineness.error)) return true;
-    return fineness.polygon != nullptr && cap.height <= outlineError(fineness.elsewhere) &&
-           !meetsTriangle(*fineness.polygon, {cap.first.point, cap.tip, cap.second.point}, cap.slack);
-  };
-  if (isFine()) {
-    ring.push_back(cap.tip);
-    return;
-  }
-  const Tangent middle = tangent(chordNormal(cap));
-  addOutline(ring, this->cap(cap.first, middle), fineness, depth + 1);
-  addOutline(ring, this->cap(middle, cap.second), fineness, depth + 1);
 }
 
 }  // namespace tricover_fcl

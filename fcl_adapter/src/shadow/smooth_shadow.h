@@ -45,19 +45,12 @@ class SmoothShadow {
   /// A polygon within C, roughly.
   tricover::Polygon inscribed() const;
 
-  /// How fine an outline is, as shares of the body's reach: `error`, but `elsewhere` where it doesn't meet `polygon`,
-  /// if there is one.
-  struct Fineness {
-    double error;
-    const tricover::Polygon* polygon = nullptr;
-    double elsewhere = 0;
-  };
-  /// A polygon around C.
-  tricover::Polygon outline(const Fineness& fineness) const;
-  /// The one that the tangents make, as they are.
+  /// A polygon around C, which the tangents make.
   tricover::Polygon outline() const { return around(tangents()); }
-  /// From now on all outlines touch C in that direction.
-  void addTangent(const tricover::Vec2& normal);
+  /// About the normal of C near a point of that edge of outline().
+  tricover::Vec2 normalNear(std::ptrdiff_t edge, const tricover::Vec2& point) const;
+  /// Adds tangents until outlines are as fine as `error` where C has that normal; false if they were.
+  bool sharpen(const tricover::Vec2& normal, double error);
   /// Adds tangents at both ends of that edge of outline(), or everywhere if it is -1, where that isn't as fine as
   /// `error`; false if it is.
   bool refine(std::ptrdiff_t edge, double error);
@@ -74,10 +67,8 @@ class SmoothShadow {
   struct Cap {
     Tangent first, second;
     tricover::Vec2 tip;
-    double width, height, slack;
+    double width, height;
   };
-  /// A split halves the angle between two tangents, so rounding alone can bring it here, where a cap counts as flat.
-  static constexpr int kDeepest = 64;
 
   Eigen::Vector3d support(const Eigen::Vector3d& direction) const {
     return to_polygon_ * body_.support(to_polygon_.linear().transpose() * direction);
@@ -90,6 +81,7 @@ class SmoothShadow {
   static tricover::Polygon within(const Tangents& tangents);
   /// Whether there was none with that normal.
   static bool insert(Tangents& tangents, const Tangent& tangent);
+  bool isFine(const Cap& cap, double error) const { return cap.width <= finest_ || cap.height <= outlineError(error); }
   /// Halves all caps that are higher than `height`; false if there are none.
   bool refineAll(Tangents& tangents, double height, double enough = 0) const;
   /// Of outlines; queries don't need them.
@@ -104,7 +96,6 @@ class SmoothShadow {
   tricover::Vec2 closeIn(Tangents& tangents, const tricover::Vec2& p, double enough) const;
   struct Approach;
   Approach approach(const tricover::Polygon& polygon, double margin, bool only_whether) const;
-  void addOutline(tricover::Ring& ring, const Cap& cap, const Fineness& fineness, int depth) const;
 
   SmoothBody body_;
   Eigen::Affine3d to_polygon_;
