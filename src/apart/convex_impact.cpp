@@ -77,9 +77,20 @@ class ConvexAdvancement {
     Places at_a = pair_.a.places(0, 0), at_b = pair_.b.places(0, 0);
     double time = 0;
     bool stale = true;  // whether the features are to be guessed anew
+    if (slides() && guess(at_a, at_b, true)) {
+      const Window window(pair_, 0, 1, at_a, at_b);
+      const MovingBox box_a = a_.box(window.a), box_b = b_.box(window.b);
+      WindowCutter cutter(window, box_a, box_b);
+      if (cutBy(cutter, window, face_)) return {Verdict::Never, 1, 0, 0};
+      time = std::min(cutter.rest().low, 1.0);
+      at_a = pair_.a.places(time, time);
+      at_b = pair_.b.places(time, time);
+      // Nearly always the features are the right ones; where that isn't certain, it goes on from there.
+      stale = !(time > 0);
+    }
     for (int step = 0; step < kMostSteps; ++step) {
       const bool fresh = stale;
-      if (stale && !guess(at_a, at_b)) break;
+      if (stale && !guess(at_a, at_b, false)) break;
       const MovingBox on_a = pair_.a.edge(at_a, edge_a_), on_b = pair_.b.edge(at_b, edge_b_);
       const NearestPoints points(on_a, on_b, 0, pair_.error);
       // Written so that NaN is a touch.
@@ -115,19 +126,23 @@ class ConvexAdvancement {
   }
 
  private:
-  /// The edge that has all of the other polygon farthest beyond it, as floats see it, and that one's foremost edge.
-  bool guess(const Places& at_a, const Places& at_b) {
+  bool slides() const { return pair_.is_steady && !pair_.steady.turns(); }
+
+  /// The edge that has all of the other polygon farthest beyond it, as floats see it, and that one's foremost edge. Or
+  /// the edge that parts the two longest, if they slide from now on until time 1.
+  bool guess(const Places& at_a, const Places& at_b, bool by_entry) {
     const double inverse = 1 / pair_.a.scale, dx = (at_b.x[0] - at_a.x[0]) * inverse,
                  dy = (at_b.y[0] - at_a.y[0]) * inverse;
     const auto fromPair = [&](double x, double y) {
       return Vec2(at_a.m00[0] * x + at_a.m10[0] * y, at_a.m01[0] * x + at_a.m11[0] * y);
     };
     const Vec2 column_0 = fromPair(at_b.m00[0], at_b.m10[0]), column_1 = fromPair(at_b.m01[0], at_b.m11[0]);
-    const Vec2 shift = fromPair(dx, dy);
-    if (!(shift.lpNorm<1>() < 0x1p60)) return false;  // floats may overflow
-    const ConvexGap gap = convexGap(
-        a_.convex(), b_.convex(),
-        {column_0.x(), column_1.x(), column_0.y(), column_1.y(), shift.x(), shift.y(), pair_.b.scale * inverse, 0});
+    const Vec2 shift = fromPair(dx, dy), way = fromPair(pair_.b.way.first.x(), pair_.b.way.first.y()) * inverse;
+    if (!(shift.lpNorm<1>() + way.lpNorm<1>() < 0x1p60)) return false;  // floats may overflow
+    const UnitMap map = {
+        column_0.x(), column_1.x(), column_0.y(), column_1.y(), shift.x(), shift.y(), pair_.b.scale * inverse, 0};
+    const ConvexGap gap = by_entry ? convexEntry(a_.convex(), b_.convex(), map, way.x(), way.y())
+                                   : convexGap(a_.convex(), b_.convex(), map);
     int edge_a = gap.edge, edge_b = gap.edge;
     face_ = gap.of_a ? a_.normal(at_a, edge_a) : Vec2(-b_.normal(at_b, edge_b));
     (gap.of_a ? edge_b : edge_a) = gap.of_a ? b_.foremostEdge(at_b, -face_) : a_.foremostEdge(at_a, face_);

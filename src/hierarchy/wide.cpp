@@ -70,6 +70,10 @@ ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) 
   return table().convex_gap(a, b, map);
 }
 
+ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map, double way_x, double way_y) {
+  return table().convex_entry(a, b, map, way_x, way_y);
+}
+
 ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
   return table().nearest_vertices(a, b, map);
 }

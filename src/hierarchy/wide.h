@@ -89,7 +89,8 @@ struct Way {
 /// roughly first. It returns the share of the way, at most 1, beyond which no more edges need to be shown.
 void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context);
 
-/// Up to sixteen edges from S in units, padded to whole lanes by anything finite: where they begin, and their vectors u.
+/// Up to sixteen edges from S in units, padded to whole lanes by anything finite: where they begin, and their vectors
+/// u.
 struct FewEdges {
   static constexpr int kMost = 2 * kLanes;
   float x[kMost], y[kMost], ux[kMost], uy[kMost];
@@ -146,6 +147,10 @@ struct ConvexGap {
   bool of_a;
 };
 ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map);
+
+/// The same of which edge parts the two longest while b moves straight by (way_x, way_y), in a's units: the gap is the
+/// share of the way.
+ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map, double way_x, double way_y);
 
 /// The vertices that are nearest to each other, as floats see it.
 struct ConvexVertices {

@@ -16,7 +16,8 @@ constexpr WideTable tableOf() {
   return {&findHit<Lanes>,          &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>, &convexMeet<Lanes>,
           &innerDepth<Lanes>,       &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
           &convexGap<Lanes>,        &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
-          &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>,       &findEdgesOnWays<Lanes>};
+          &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>,       &findEdgesOnWays<Lanes>,
+          &convexEntry<Lanes>};
 }
 
 }  // namespace tricover::detail::wide

@@ -179,8 +179,11 @@ template <class Lanes>
       .index;
 }
 
-template <class Lanes>
-ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
+/// The edge with the highest score: that of a normal from its polygon to the other, turned to lead from a to b, and of
+/// how far the other is beyond the edge.
+template <class Lanes, class Score>
+[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallRing& a, const SmallRing& b, const UnitMap& map,
+                                                 Score score) {
   float x[SmallRing::kMost], y[SmallRing::kMost];
   mapVertices<Lanes>(b, map, x, y);
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
@@ -188,13 +191,15 @@ ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) 
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
   const Largest of_a = largestOf<Lanes>(valuesOf<Lanes>(
       a.lanes, [&](int i) __attribute__((always_inline)) {
-        return beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
+        const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i);
+        return score(nx, ny, beyond(nx, ny, Lanes::load(a.d + i), x, y, b.lanes));
       }));
   const Largest of_b = largestOf<Lanes>(valuesOf<Lanes>(
       b.lanes, [&](int i) __attribute__((always_inline)) {
         const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
         const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
-        return beyond(nx, ny, Lanes::load(b.d + i) * scale + nx * tx + ny * ty, a.x, a.y, a.lanes);
+        const Lanes d = Lanes::load(b.d + i) * scale + nx * tx + ny * ty;
+        return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.lanes));
       }));
   if (of_a.value >= of_b.value) {
     const int e = of_a.index;
@@ -203,6 +208,21 @@ ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) 
   const int e = of_b.index;
   const float nx = b.nx[e] * r00 + b.ny[e] * r01, ny = b.nx[e] * r10 + b.ny[e] * r11;
   return {of_b.value, e, farthestBack<Lanes>(a.x, a.y, a.lanes, nx, ny), false};
+}
+
+template <class Lanes>
+ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
+  return bestEdge<Lanes>(
+      a, b, map, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
+}
+
+template <class Lanes>
+ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map, double way_x, double way_y) {
+  const float x = static_cast<float>(-way_x), y = static_cast<float>(-way_y);
+  return bestEdge<Lanes>(
+      a, b, map, [&](Lanes nx, Lanes ny, Lanes gap) __attribute__((always_inline)) {
+        return gap / larger(nx * x + ny * y, Lanes::all(1e-30f));
+      });
 }
 
 template <class Lanes>

@@ -23,6 +23,7 @@ struct WideTable {
   decltype(&convexCrossing) convex_crossing;
   decltype(&ringsMeet) rings_meet;
   decltype(&findEdgesOnWays) find_edges_on_ways;
+  decltype(&convexEntry) convex_entry;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

@@ -634,6 +634,8 @@ MUTATIONS = [
     ("src/apart/window_cutter.h", "return margin_ * std::sqrt(std::max(square[0], square[1]))", "return 0 * margin_ * std::sqrt(std::max(square[0], square[1]))", "window: margin"),
     ("src/apart/convex_impact.cpp", "for (int i = 1; i < convex_.count; ++i) most", "for (int i = 1; i < convex_.count - 1; ++i) most", "convex impact: a vertex forgotten"),
     ("src/apart/convex_impact.cpp", "- b_.reach(window.b, -n.x, -n.y);", "- b_.reach(window.b, n.x, n.y);", "convex impact: b's other side"),
+    ("src/hierarchy/wide_shapes.h", "return gap / larger(nx * x + ny * y, Lanes::all(1e-30f));", "return gap;", "convex slides: the widest gap"),
+    ("src/hierarchy/wide_shapes.h", "return score(Lanes::all(0) - nx, Lanes::all(0) - ny,", "return score(nx, ny,", "convex slides: b's normals the other way"),
     ("src/apart/convex_impact.cpp", "if (apart && end == 1) return", "if (apart) return", "convex impact: never, for all that a window tells"),
     ("src/apart/convex_impact.cpp", "if (!apart && end - time <= time_error_) {", "if (!apart) {", "convex impact: as early as the window is long"),
     ("src/apart/convex_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(4 * pair.error)", "convex impact: touches without the margin"),

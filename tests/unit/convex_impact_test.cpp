@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "hierarchy/wide.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -110,6 +111,34 @@ TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
   EXPECT_GE(hits, 0.2 * count);
   EXPECT_GE(hits - at_start, 0.1 * count);
   EXPECT_GE(misses, 0.2 * count);
+}
+
+/// Of slides, the edge that parts the two longest is found at once.
+TEST(ConvexImpact, SlidesEndWhereTheirLastEdgeIsMet) {
+  int hits = 0, right = 0;
+  for (int i = 0; i < scaledCount(2000); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon a({convexRing(random, 1)}), b({convexRing(random, random.real(0.05, 1))});
+    const Vec2 start = 3 * direction(random.real(-4, 4));
+    const Motion motion = Motion::translation(pose(0, start.x(), start.y()), -random.real(0.5, 2) * start + a.origin());
+    const std::optional<Impact> impact = timeOfImpact(a, {}, b, motion, {1e-9});
+    if (!impact || impact->time == 0) continue;
+    ++hits;
+    const PolygonData &of_a = a.data(), &of_b = b.data();
+    const Vec2 between = of_a.inverse_unit * (start + of_b.origin - of_a.origin),
+               way = of_a.inverse_unit * motion.shift;
+    const UnitMap map = {1, 0, 0, 1, between.x(), between.y(), of_b.unit * of_a.inverse_unit, 0};
+    const SmallRing &ring_a = *hierarchyOf(of_a).small_convex, &ring_b = *hierarchyOf(of_b).small_convex;
+    const ConvexGap entry = convexEntry(ring_a, ring_b, map, way.x(), way.y());
+    right += std::abs(static_cast<double>(entry.gap) - impact->time) < 1e-4;
+    usePortableLanes(true);
+    const ConvexGap portable = convexEntry(ring_a, ring_b, map, way.x(), way.y());
+    usePortableLanes(false);
+    ASSERT_TRUE(entry.gap == portable.gap && entry.edge == portable.edge && entry.of_a == portable.of_a) << i;
+  }
+  std::printf("%d hits, %d found at once\n", hits, right);
+  EXPECT_GE(hits, scaledCount(2000) / 4);
+  EXPECT_GE(right, 0.97 * hits);
 }
 
 /// Trees are for those that come near.
