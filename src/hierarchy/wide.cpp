@@ -87,6 +87,12 @@ ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const Unit
   return table().convex_crossing(a, b, map, rounding);
 }
 
+unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds) { return table().boxes_meeting(boxes, bounds); }
+
+unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, double (&least)[kLanes]) {
+  return table().boxes_on_ray(boxes, ray, most, least);
+}
+
 void usePortableLanes(bool portable) {
   chosen.store(portable ? &kPortableTable : fastest(), std::memory_order_relaxed);
 }

@@ -26,8 +26,34 @@ typedef float Eight __attribute__((vector_size(32)));
 typedef std::int32_t EightBits __attribute__((vector_size(32)));
 typedef float EightAnywhere __attribute__((vector_size(32), aligned(4), may_alias));
 
+/// See wide_boxes.h.
+struct Avx2Doubles {
+  typedef double Four __attribute__((vector_size(32)));
+  typedef double FourAnywhere __attribute__((vector_size(32), aligned(8), may_alias));
+  typedef std::int64_t FourBits __attribute__((vector_size(32)));
+  static constexpr int kCount = 4;
+  Four v;
+
+  [[gnu::always_inline]] static Avx2Doubles load(const double* p) {
+    return {*reinterpret_cast<const FourAnywhere*>(p)};
+  }
+  [[gnu::always_inline]] static Avx2Doubles all(double value) { return {value - Four{}}; }
+  [[gnu::always_inline]] void store(double* p) const { *reinterpret_cast<FourAnywhere*>(p) = v; }
+
+  using D = Avx2Doubles;
+  [[gnu::always_inline]] friend D operator-(D p, D q) { return {p.v - q.v}; }
+  [[gnu::always_inline]] friend D operator*(D p, D q) { return {p.v * q.v}; }
+  [[gnu::always_inline]] friend D larger(D p, D q) { return {p.v > q.v ? p.v : q.v}; }
+  [[gnu::always_inline]] friend D smaller(D p, D q) { return {p.v < q.v ? p.v : q.v}; }
+  [[gnu::always_inline]] friend FourBits noLarger(D p, D q) { return p.v <= q.v; }
+  [[gnu::always_inline]] static unsigned bitsOf(FourBits bits) {
+    return static_cast<unsigned>(__builtin_ia32_movmskpd256((Four)bits));
+  }
+};
+
 /// See wide_gaps.h.
 struct Avx2Lanes {
+  using Doubles = Avx2Doubles;
   Eight v;
 
   [[gnu::always_inline]] static Avx2Lanes load(const float* p) { return {*reinterpret_cast<const EightAnywhere*>(p)}; }

@@ -2,6 +2,7 @@
 // All that is a template over the lanes, for an instruction set to instantiate.
 #pragma once
 
+#include "hierarchy/wide_boxes.h"
 #include "hierarchy/wide_descent.h"
 #include "hierarchy/wide_point.h"
 #include "hierarchy/wide_rings.h"
@@ -17,7 +18,7 @@ constexpr WideTable tableOf() {
           &innerDepth<Lanes>,       &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
           &convexGap<Lanes>,        &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
           &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>,       &findEdgesOnWays<Lanes>,
-          &convexEntry<Lanes>};
+          &convexEntry<Lanes>,      &boxesMeeting<Lanes>,    &boxesOnRay<Lanes>};
 }
 
 }  // namespace tricover::detail::wide

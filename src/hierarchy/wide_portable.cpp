@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wide functions for every target, in vectors of four floats.
 #include "hierarchy/wide_functions.h"
+#include "numbers/double2.h"
 
 namespace tricover::detail {
 namespace wide {
@@ -33,8 +34,27 @@ typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias
 #endif
 }
 
+/// See wide_boxes.h.
+struct PortableDoubles {
+  static constexpr int kCount = 2;
+  Double2 v;
+
+  [[gnu::always_inline]] static PortableDoubles load(const double* p) { return {load2(p)}; }
+  [[gnu::always_inline]] static PortableDoubles all(double value) { return {value - Double2{}}; }
+  [[gnu::always_inline]] void store(double* p) const { store2(p, v); }
+
+  using D = PortableDoubles;
+  [[gnu::always_inline]] friend D operator-(D p, D q) { return {p.v - q.v}; }
+  [[gnu::always_inline]] friend D operator*(D p, D q) { return {p.v * q.v}; }
+  [[gnu::always_inline]] friend D larger(D p, D q) { return {detail::larger(p.v, q.v)}; }
+  [[gnu::always_inline]] friend D smaller(D p, D q) { return {detail::smaller(p.v, q.v)}; }
+  [[gnu::always_inline]] friend Bits2 noLarger(D p, D q) { return p.v <= q.v; }
+  [[gnu::always_inline]] static unsigned bitsOf(Bits2 bits) { return detail::bitsOf(bits); }
+};
+
 /// See wide_gaps.h.
 struct PortableLanes {
+  using Doubles = PortableDoubles;
   Four low, high;
 
   [[gnu::always_inline]] static PortableLanes load(const float* p) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "hierarchy/axis_boxes.h"
 #include "hierarchy/wide.h"
 
 namespace tricover::detail {
 
-/// wide.h's functions for one instruction set.
+/// wide.h's and axis_boxes.h's functions for one instruction set.
 struct WideTable {
   decltype(&findHit) find_hit;
   decltype(&showPairs) show_pairs;
@@ -24,6 +25,8 @@ struct WideTable {
   decltype(&ringsMeet) rings_meet;
   decltype(&findEdgesOnWays) find_edges_on_ways;
   decltype(&convexEntry) convex_entry;
+  decltype(&boxesMeeting) boxes_meeting;
+  decltype(&boxesOnRay) boxes_on_ray;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

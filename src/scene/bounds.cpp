@@ -21,6 +21,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 ///   a box's centre from there, products and a sum        3 * 2 scale, 96 e
 ///   to there, product and sum                            2 (e + |t|), and 16 e
 ///   reach and error, sums                                3 reach, 3 (e + |t|)
+/// (a vertex of few is on a shorter way)
 /// and, twice, 1e-13 (2 e + |t|), as near as which timeOfImpact() may report what doesn't meet.
 constexpr double kBoundsError = 0x1p-41;
 static_assert(kBoundsError >= (1 + 1e-5) * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 * 2e-13);
@@ -28,34 +29,45 @@ static_assert(kBoundsError >= (1 + 1e-5) * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 
 /// Extents of a float box: its axis is of unit length but for floats' roundings (Box), and they are summed up here.
 constexpr double kExtentsGrowth = 1 + 0x1p-20;
 
+/// A box, grown; without ends where that overflows, and where `known` is false.
+Bounds grown(Double2 low, Double2 high, Double2 grow, bool known) {
+  low = low - grow, high = high + grow;
+  Bounds bounds{low[0], low[1], high[0], high[1]};
+  // Negated for NaN.
+  const auto finite = [](double value) { return std::abs(value) <= std::numeric_limits<double>::max(); };
+  if (!known || !finite(low[0]) || !finite(high[0])) bounds.min_x = -kInfinity, bounds.max_x = kInfinity;
+  if (!known || !finite(low[1]) || !finite(high[1])) bounds.min_y = -kInfinity, bounds.max_y = kInfinity;
+  return bounds;
+}
+
 }  // namespace
 
 Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
+  const double* m = pose.data();  // columns of three
+  const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
+  const Double2 grow = kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
+  Double2 least = kInfinity - Double2{}, most = -least;
+  if (hasFewVertices(polygon)) {
+    constexpr double kMost = 0x1p1020;  // of what is summed below, nothing overflows
+    for (const Vec2& vertex : polygon.path) {
+      const Double2 at = r0 * vertex.x() + r1 * vertex.y();
+      least = smaller(least, at), most = larger(most, at);
+    }
+    return grown(t + least, t + most, grow, polygon.extent < kMost);
+  }
   const Block& block = hierarchyOf(polygon).blocks.front();
   const double unit = polygon.unit, scale = unit * block.scale;
   const double x = polygon.origin.x() + unit * block.origin_x, y = polygon.origin.y() + unit * block.origin_y;
-  const double* m = pose.data();  // columns of three
-  const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
-  Double2 least = kInfinity - Double2{}, most = -least;
   for (int i = 0; i < block.count; ++i) {
     const double ux = block.ux[i], uy = block.uy[i];
     const Double2 at = r0 * double{block.x[i]} + r1 * double{block.y[i]};
     const Double2 half =
         (absolute(r0 * ux + r1 * uy) * double{block.along[i]} + absolute(r1 * ux - r0 * uy) * double{block.across[i]}) *
         kExtentsGrowth;
-    const Double2 low = at - half;
-    least = least < low ? least : low;
-    most = larger(most, at + half);
+    least = smaller(least, at - half), most = larger(most, at + half);
   }
   const Double2 middle = r0 * x + r1 * y + t;
-  const Double2 grow = kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
-  const Double2 low = middle + scale * least - grow, high = middle + scale * most + grow;
-  Bounds bounds{low[0], low[1], high[0], high[1]};
-  // What overflows, and where the hierarchy knows nothing. Negated for NaN.
-  const auto finite = [](double value) { return std::abs(value) <= std::numeric_limits<double>::max(); };
-  if (!polygon.fitsUnit() || !finite(low[0]) || !finite(high[0])) bounds.min_x = -kInfinity, bounds.max_x = kInfinity;
-  if (!polygon.fitsUnit() || !finite(low[1]) || !finite(high[1])) bounds.min_y = -kInfinity, bounds.max_y = kInfinity;
-  return bounds;
+  return grown(middle + scale * least, middle + scale * most, grow, polygon.fitsUnit());
 }
 
 }  // namespace tricover::detail

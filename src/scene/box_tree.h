@@ -2,43 +2,14 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "hierarchy/hierarchy.h"
-#include "numbers/double2.h"
-#include "numbers/rounding.h"
-#include "scene/bounds.h"
+#include "hierarchy/axis_boxes.h"
 
 namespace tricover::detail {
-
-/// A ray as boxes are asked about it. It passes the coordinate x of an axis at the fraction x * inverse - c, with c =
-/// from * inverse: boxes are entered after x * inverse - enter and left before x * inverse - leave.
-///
-/// Error. Beside 6U of a fraction, which kEarlier pays for where that is at most 1: 4U |c|, because x * inverse rounds
-/// by U of itself, and that is at most 2 |c| or half of it is left. Along an axis where the way is shorter than `least`
-/// it is taken for that: the ray stays within 1 in these fractions of where it begins, and sides are moved by 2. A way
-/// that overflows tells nothing.
-struct BoxRay {
-  static constexpr double kEarlier = 4e-13;
-
-  BoxRay(const Vec2& from, const Vec2& to) {
-    for (const int axis : {0, 1}) {
-      const double way = to[axis] - from[axis], least = std::max(1e-290, 0x1p-60 * std::abs(from[axis]));
-      const bool known = std::isfinite(way);
-      inverse[axis] = std::copysign(known ? 1 / std::max(std::abs(way), least) : 1e-307, way);
-      const double c = from[axis] * inverse[axis], room = 8 * kUnitRoundoff * std::abs(c) + kEarlier;
-      const double slack = !known ? std::numeric_limits<double>::infinity() : std::abs(way) < least ? room + 2 : room;
-      enter[axis] = c + slack;
-      leave[axis] = c - slack;
-    }
-  }
-
-  double inverse[2], enter[2], leave[2];
-};
 
 /// A tree of boxes that come, move and go: an R-tree (Guttman 1984) of eight boxes a node, which are asked side by
 /// side. Each box is an item's; items are numbered by its user.
@@ -60,7 +31,7 @@ class BoxTree {
     stack[top++] = root_;
     while (top > 0) {
       const Node& node = nodes_[stack[--top]];
-      for (unsigned met = node.meeting(bounds); met != 0; met &= met - 1) {
+      for (unsigned met = boxesMeeting(node.boxes, bounds); met != 0; met &= met - 1) {
         const std::uint32_t child = node.child[__builtin_ctz(met)];
         if (!node.leaf)
           stack[top++] = child;
@@ -90,21 +61,15 @@ class BoxTree {
   /// A node has two children at least, so that a tree of 2^28 items has fewer than 32 levels.
   static constexpr int kStack = 32 * (kLanes - 1) + 1;
 
-  struct alignas(64) Node {
-    double min_x[kLanes], min_y[kLanes], max_x[kLanes], max_y[kLanes];
+  struct Node {
+    EightBoxes boxes;             ///< beyond the count kNothing
     std::uint32_t child[kLanes];  ///< nodes, or a leaf's items
     std::uint32_t parent, lane;   ///< kNone of the root; which of the parent's boxes is around this node
     std::uint8_t count;
     bool leaf;
 
-    /// Bit per lane. Lanes beyond the count hold kNothing.
-    unsigned meeting(const Bounds& bounds) const;
-    /// The same, and lower bounds of the fractions at which the ray enters them.
-    unsigned meeting(const BoxRay& ray, double most, double (&least)[kLanes]) const;
-    Bounds at(unsigned i) const { return {min_x[i], min_y[i], max_x[i], max_y[i]}; }
-    void set(unsigned i, const Bounds& bounds) {
-      min_x[i] = bounds.min_x, min_y[i] = bounds.min_y, max_x[i] = bounds.max_x, max_y[i] = bounds.max_y;
-    }
+    Bounds at(unsigned i) const { return boxes.at(i); }
+    void set(unsigned i, const Bounds& bounds) { boxes.set(i, bounds); }
     Bounds all() const;
   };
 
@@ -129,34 +94,6 @@ class BoxTree {
   std::uint32_t root_ = kNone;
 };
 
-inline unsigned BoxTree::Node::meeting(const Bounds& bounds) const {
-  unsigned bits = 0;
-  for (int i = 0; i < kLanes; i += 2) {
-    const Bits2 met = (load2(min_x + i) <= bounds.max_x - Double2{}) & (bounds.min_x - Double2{} <= load2(max_x + i)) &
-                      (load2(min_y + i) <= bounds.max_y - Double2{}) & (bounds.min_y - Double2{} <= load2(max_y + i));
-    bits |= bitsOf(met) << i;
-  }
-  return bits;
-}
-
-inline unsigned BoxTree::Node::meeting(const BoxRay& ray, double most, double (&least)[kLanes]) const {
-  const bool right = ray.inverse[0] > 0, up = ray.inverse[1] > 0;
-  const double *near_x = right ? min_x : max_x, *far_x = right ? max_x : min_x;
-  const double *near_y = up ? min_y : max_y, *far_y = up ? max_y : min_y;
-  unsigned bits = 0;
-  for (int i = 0; i < kLanes; i += 2) {
-    const Double2 begin_x = load2(near_x + i) * ray.inverse[0] - ray.enter[0];
-    const Double2 begin_y = load2(near_y + i) * ray.inverse[1] - ray.enter[1];
-    const Double2 end_x = load2(far_x + i) * ray.inverse[0] - ray.leave[0];
-    const Double2 end_y = load2(far_y + i) * ray.inverse[1] - ray.leave[1];
-    const Double2 begin = larger(larger(begin_x, begin_y), -BoxRay::kEarlier - Double2{});
-    const Double2 end = smaller(smaller(end_x, end_y), most - Double2{});
-    store2(least + i, begin);
-    bits |= bitsOf(begin <= end) << i;
-  }
-  return bits & ((1u << count) - 1);
-}
-
 template <typename Visit>
 void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
   struct Waiting {
@@ -178,7 +115,8 @@ void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) con
     const Node& node = nodes_[next.child];
     double least[kLanes];
     const int first = top;
-    for (unsigned met = node.meeting(ray, most, least); met != 0; met &= met - 1) {
+    const unsigned used = (1u << node.count) - 1;
+    for (unsigned met = boxesOnRay(node.boxes, ray, most, least) & used; met != 0; met &= met - 1) {
       const int i = __builtin_ctz(met);
       int at = top++;
       for (; at > first && stack[at - 1].least < least[i]; --at) stack[at] = stack[at - 1];

@@ -64,9 +64,10 @@ class Asked {
 
   detail::Bounds bounds() const { return detail::boundsOf(polygon_, pose_, options_.margin); }
 
-  /// Wider, and sooner there: around the bounding disc. In units of U, of the centre and the reach: either side's sum
-  /// and difference, and the margin's sum with a body's.
-  detail::Bounds discBounds() const {
+  /// Wider, unless few vertices tell, and sooner there: around the bounding disc. In units of U, of the centre and the
+  /// reach: either side's sum and difference, and the margin's sum with a body's.
+  detail::Bounds quickBounds() const {
+    if (detail::hasFewVertices(polygon_)) return bounds();
     const double x = discs_.center[0], y = discs_.center[1], reach = discs_.radius + options_.margin;
     const double wide = reach + 8 * detail::kUnitRoundoff * (std::abs(x) + std::abs(y) + reach);
     const detail::Bounds box{x - wide, y - wide, x + wide, y + wide};
@@ -106,7 +107,7 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOpti
     Body body;
   } near[kMost];
   int count = 0;
-  const bool free = state.tree.visit(asked.discBounds(), [&](Body body) {
+  const bool free = state.tree.visit(asked.quickBounds(), [&](Body body) {
     const auto& other = state.bodies[body];
     if ((other.options.category & mask) == 0) return true;
     const Asked::Glance glance = asked.glance(other);
@@ -118,9 +119,10 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOpti
     return true;
   });
   if (!free || count == 0) return !free;
-  const detail::Bounds bounds = asked.bounds();
+  const bool quick = detail::hasFewVertices(polygon.data());
+  const detail::Bounds bounds = quick ? detail::Bounds{} : asked.bounds();
   return std::any_of(near, near + count, [&](const Waiting& some) {
-    return state.tree.boundsOf(some.body).meets(bounds) && asked.meetsClose(state.bodies[some.body]);
+    return (quick || state.tree.boundsOf(some.body).meets(bounds)) && asked.meetsClose(state.bodies[some.body]);
   });
 }
 

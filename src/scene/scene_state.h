@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "polygon/polygon_data.h"
+#include "scene/bounds.h"
 #include "scene/box_tree.h"
 #include "scene/world_discs.h"
 #include "tricover/scene.h"

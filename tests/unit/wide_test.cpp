@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "exact_reference.h"
 #include "families.h"
+#include "hierarchy/axis_boxes.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/pair_descent.h"
 #include "random.h"
@@ -212,6 +214,54 @@ TEST(RingsMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
   EXPECT_GT(crossing, cases / 10);
   EXPECT_GT(inside, cases / 50);
   EXPECT_LT(unknown, cases / 100);
+}
+
+/// By the definition, also of boxes without ends and of those that are nothing.
+TEST(EightBoxes, MeetABoxAndARay) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr unsigned kLanes = detail::kLanes;
+  Random random(15);
+  const auto box = [&] {
+    const double x = random.integer(-4, 4), y = random.integer(-4, 4);
+    detail::Bounds bounds{x, y, x + random.integer(0, 3), y + random.integer(0, 3)};
+    if (random.integer(0, 9) == 0) bounds.min_x = -kInfinity, bounds.max_x = kInfinity;
+    if (random.integer(0, 9) == 0) bounds = {kNaN, kNaN, kNaN, kNaN};
+    return bounds;
+  };
+  int met = 0, entered = 0, asked = 0;
+  for (int i = 0; i < scaledCount(500); ++i) {
+    detail::EightBoxes boxes;
+    for (unsigned k = 0; k < kLanes; ++k) boxes.set(k, box());
+    const detail::Bounds bounds = box();
+    const unsigned bits = boxesMeeting(boxes, bounds);
+    ASSERT_EQ(onPortableLanes([&] { return boxesMeeting(boxes, bounds); }), bits);
+    const Vec2 from(random.integer(-5, 5), random.integer(-5, 5)), to(random.real(-5, 5), random.real(-5, 5));
+    const detail::BoxRay ray(from, to);
+    const double most = random.real(0, 1);
+    double least[kLanes] = {}, portable[kLanes] = {};
+    const unsigned on_ray = boxesOnRay(boxes, ray, most, least);
+    ASSERT_EQ(onPortableLanes([&] { return boxesOnRay(boxes, ray, most, portable); }), on_ray);
+    for (unsigned k = 0; k < kLanes; ++k) {
+      const detail::Bounds other = boxes.at(k);
+      ASSERT_EQ(bits >> k & 1, other.meets(bounds) ? 1u : 0u);
+      met += other.meets(bounds);
+      ++asked;
+      if (std::isnan(other.min_x)) continue;
+      ASSERT_EQ(least[k], portable[k]);
+      // Points of the ray in the box, by samples; what is hardly entered isn't asked about.
+      for (double s = 0; s < most; s += 0x1p-6) {
+        const Vec2 at = from + s * (to - from);
+        if (!(at.x() > other.min_x && at.x() < other.max_x && at.y() > other.min_y && at.y() < other.max_y)) continue;
+        ASSERT_EQ(on_ray >> k & 1, 1u);
+        ASSERT_LE(least[k], s);
+        ++entered;
+        break;
+      }
+    }
+  }
+  EXPECT_GT(met, asked / 20);
+  EXPECT_LT(met, asked / 2);
+  EXPECT_GT(entered, asked / 20);
 }
 
 TEST(ConvexMeet, IsForConvexPolygonsOnly) {

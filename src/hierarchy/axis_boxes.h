@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes along the axes, and what is asked of eight at a time.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hierarchy/hierarchy.h"
+#include "numbers/rounding.h"
+
+namespace tricover::detail {
+
+/// A box along the world's axes.
+struct Bounds {
+  double min_x, min_y, max_x, max_y;
+
+  bool meets(const Bounds& other) const {
+    return min_x <= other.max_x && other.min_x <= max_x && min_y <= other.max_y && other.min_y <= max_y;
+  }
+  bool contains(const Bounds& other) const {
+    return min_x <= other.min_x && other.max_x <= max_x && min_y <= other.min_y && other.max_y <= max_y;
+  }
+};
+
+inline Bounds unite(const Bounds& p, const Bounds& q) {
+  return {std::min(p.min_x, q.min_x), std::min(p.min_y, q.min_y), std::max(p.max_x, q.max_x),
+          std::max(p.max_y, q.max_y)};
+}
+
+/// Eight of them side by side.
+struct alignas(64) EightBoxes {
+  double min_x[kLanes], min_y[kLanes], max_x[kLanes], max_y[kLanes];
+
+  Bounds at(unsigned i) const { return {min_x[i], min_y[i], max_x[i], max_y[i]}; }
+  void set(unsigned i, const Bounds& bounds) {
+    min_x[i] = bounds.min_x, min_y[i] = bounds.min_y, max_x[i] = bounds.max_x, max_y[i] = bounds.max_y;
+  }
+};
+
+/// A ray as boxes are asked about it. It passes the coordinate x of an axis at the fraction x * inverse - c, with c =
+/// from * inverse: boxes are entered after x * inverse - enter and left before x * inverse - leave.
+///
+/// Error. Beside 6U of a fraction, which kEarlier pays for where that is at most 1: 4U |c|, because x * inverse rounds
+/// by U of itself, and that is at most 2 |c| or half of it is left. Along an axis where the way is shorter than `least`
+/// it is taken for that: the ray stays within 1 in these fractions of where it begins, and sides are moved by 2. A way
+/// that overflows tells nothing.
+struct BoxRay {
+  static constexpr double kEarlier = 4e-13;
+
+  BoxRay(const Vec2& from, const Vec2& to) {
+    for (const int axis : {0, 1}) {
+      const double way = to[axis] - from[axis], least = std::max(1e-290, 0x1p-60 * std::abs(from[axis]));
+      const bool known = std::isfinite(way);
+      inverse[axis] = std::copysign(known ? 1 / std::max(std::abs(way), least) : 1e-307, way);
+      const double c = from[axis] * inverse[axis], room = 8 * kUnitRoundoff * std::abs(c) + kEarlier;
+      const double slack = !known ? std::numeric_limits<double>::infinity() : std::abs(way) < least ? room + 2 : room;
+      enter[axis] = c + slack;
+      leave[axis] = c - slack;
+    }
+  }
+
+  double inverse[2], enter[2], leave[2];
+};
+
+// In wide.cpp, by what the processor has.
+
+/// Bit per box that meets another one; boxes of NaN meet nothing.
+unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds);
+/// Bit per box that a ray enters before the fraction `most`, and lower bounds of the fractions.
+unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, double (&least)[kLanes]);
+
+}  // namespace tricover::detail

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes along the axes, in doubles. Lanes::Doubles are as many of them as fit, with the operations of Lanes.
+#pragma once
+
+#include "hierarchy/axis_boxes.h"
+
+namespace tricover::detail::wide {
+
+template <class Lanes>
+unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds) {
+  using Doubles = typename Lanes::Doubles;
+  const Doubles min_x = Doubles::all(bounds.min_x), min_y = Doubles::all(bounds.min_y);
+  const Doubles max_x = Doubles::all(bounds.max_x), max_y = Doubles::all(bounds.max_y);
+  unsigned bits = 0;
+  for (int i = 0; i < kLanes; i += Doubles::kCount)
+    bits |= Doubles::bitsOf(
+                noLarger(Doubles::load(boxes.min_x + i), max_x) & noLarger(min_x, Doubles::load(boxes.max_x + i)) &
+                noLarger(Doubles::load(boxes.min_y + i), max_y) & noLarger(min_y, Doubles::load(boxes.max_y + i)))
+            << i;
+  return bits;
+}
+
+template <class Lanes>
+unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, double (&least)[kLanes]) {
+  using Doubles = typename Lanes::Doubles;
+  const bool right = ray.inverse[0] > 0, up = ray.inverse[1] > 0;
+  const double *near_x = right ? boxes.min_x : boxes.max_x, *far_x = right ? boxes.max_x : boxes.min_x;
+  const double *near_y = up ? boxes.min_y : boxes.max_y, *far_y = up ? boxes.max_y : boxes.min_y;
+  const Doubles inverse_x = Doubles::all(ray.inverse[0]), inverse_y = Doubles::all(ray.inverse[1]);
+  const Doubles enter_x = Doubles::all(ray.enter[0]), enter_y = Doubles::all(ray.enter[1]);
+  const Doubles leave_x = Doubles::all(ray.leave[0]), leave_y = Doubles::all(ray.leave[1]);
+  unsigned bits = 0;
+  for (int i = 0; i < kLanes; i += Doubles::kCount) {
+    const Doubles begin_x = Doubles::load(near_x + i) * inverse_x - enter_x;
+    const Doubles begin_y = Doubles::load(near_y + i) * inverse_y - enter_y;
+    const Doubles end_x = Doubles::load(far_x + i) * inverse_x - leave_x;
+    const Doubles end_y = Doubles::load(far_y + i) * inverse_y - leave_y;
+    const Doubles begin = larger(larger(begin_x, begin_y), Doubles::all(-BoxRay::kEarlier));
+    const Doubles end = smaller(smaller(end_x, end_y), Doubles::all(most));
+    begin.store(least + i);
+    bits |= Doubles::bitsOf(noLarger(begin, end)) << i;
+  }
+  return bits;
+}
+
+}  // namespace tricover::detail::wide
