@@ -48,12 +48,11 @@ Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
   const Double2 grow = kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
   Double2 least = kInfinity - Double2{}, most = -least;
   if (hasFewVertices(polygon)) {
-    constexpr double kMost = 0x1p1020;  // of what is summed below, nothing overflows
     for (const Vec2& vertex : polygon.path) {
-      const Double2 at = r0 * vertex.x() + r1 * vertex.y();
+      const Double2 at = r0 * vertex.x() + r1 * vertex.y();  // never inf - inf: R's rows are of length 1
       least = smaller(least, at), most = larger(most, at);
     }
-    return grown(t + least, t + most, grow, polygon.extent < kMost);
+    return grown(t + least, t + most, grow, true);
   }
   const Block& block = hierarchyOf(polygon).blocks.front();
   const double unit = polygon.unit, scale = unit * block.scale;

@@ -40,7 +40,6 @@ MUTATIONS = [
     ("src/scene/bounds.cpp", "(kTiny + reach)", "(kTiny)", "scene: boxes without the margin"),
     ("src/scene/bounds.cpp", "if (!known || !finite(low[0]) || !finite(high[0]))", "if (false)", "scene: boxes that overflow"),
     ("src/scene/bounds.cpp", "least = smaller(least, at), most = larger(most, at);", "least = smaller(least, at), most = at;", "scene: bounds of few vertices end at the last"),
-    ("src/scene/bounds.cpp", "polygon.extent < kMost)", "true)", "scene: vertices that overflow"),
     ("src/hierarchy/wide_boxes.h", "noLarger(min_x, Doubles::load(boxes.max_x + i))", "noLarger(max_x, Doubles::load(boxes.max_x + i))", "scene: boxes that end within another"),
     ("src/scene/box_tree.cpp", "    node.set(best, unite(node.at(best), bounds));\n", "", "tree: boxes above an insertion don't grow"),
     ("src/scene/box_tree.cpp", "  above.set(best, unite(above.at(best), left.bounds));\n", "", "tree: nor above what a thin node leaves"),
