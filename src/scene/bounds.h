@@ -13,4 +13,9 @@ inline bool hasFewVertices(const PolygonData& polygon) { return polygon.path.siz
 /// A box around all points that are within `reach` of the posed polygon, rounded outwards. It never holds NaN.
 Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach);
 
+/// The box and what is within `reach` of it.
+inline Bounds grown(const Bounds& box, double reach) {
+  return {box.min_x - reach, box.min_y - reach, box.max_x + reach, box.max_y + reach};
+}
+
 }  // namespace tricover::detail

@@ -64,10 +64,12 @@ class Asked {
 
   detail::Bounds bounds() const { return detail::boundsOf(polygon_, pose_, options_.margin); }
 
+  bool quickBoundsAreTight() const { return detail::hasFewVertices(polygon_); }
+
   /// Wider, unless few vertices tell, and sooner there: around the bounding disc. In units of U, of the centre and the
   /// reach: either side's sum and difference, and the margin's sum with a body's.
   detail::Bounds quickBounds() const {
-    if (detail::hasFewVertices(polygon_)) return bounds();
+    if (quickBoundsAreTight()) return bounds();
     const double x = discs_.center[0], y = discs_.center[1], reach = discs_.radius + options_.margin;
     const double wide = reach + 8 * detail::kUnitRoundoff * (std::abs(x) + std::abs(y) + reach);
     const detail::Bounds box{x - wide, y - wide, x + wide, y + wide};
@@ -95,35 +97,50 @@ double gapBetween(const detail::Bounds& p, const detail::Bounds& q) {
 
 }  // namespace
 
-bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
-                     std::uint32_t mask) const {
-  check(pose, options);
-  const SceneState& state = *impl_;
-  const Asked asked(polygon.data(), pose, options);
+namespace {
+
+constexpr BodyHandle kNone = ~BodyHandle{0};
+
+/// A body that collides, or kNone.
+BodyHandle findMet(const SceneState& state, const Asked& asked, std::uint32_t mask) {
   // All discs first: one that is met spares all that is near. What is near waits in order.
   constexpr int kMost = 16;
   struct Waiting {
     double rank;
-    Body body;
+    BodyHandle body;
   } near[kMost];
   int count = 0;
-  const bool free = state.tree.visit(asked.quickBounds(), [&](Body body) {
+  BodyHandle met = kNone;
+  state.tree.visit(asked.quickBounds(), [&](BodyHandle body) {
     const auto& other = state.bodies[body];
     if ((other.options.category & mask) == 0) return true;
     const Asked::Glance glance = asked.glance(other);
-    if (glance.answer != Asked::Glance::Near) return glance.answer == Asked::Glance::Apart;
-    if (count == kMost) return !asked.meetsClose(other);
+    if (glance.answer == Asked::Glance::Apart) return true;
+    if (glance.answer == Asked::Glance::Meets || (count == kMost && asked.meetsClose(other))) {
+      met = body;
+      return false;
+    }
+    if (count == kMost) return true;
     int place = count++;
     for (; place > 0 && glance.rank < near[place - 1].rank; --place) near[place] = near[place - 1];
     near[place] = {glance.rank, body};
     return true;
   });
-  if (!free || count == 0) return !free;
-  const bool quick = detail::hasFewVertices(polygon.data());
+  if (met != kNone || count == 0) return met;
+  const bool quick = asked.quickBoundsAreTight();
   const detail::Bounds bounds = quick ? detail::Bounds{} : asked.bounds();
-  return std::any_of(near, near + count, [&](const Waiting& some) {
+  const Waiting* first = std::find_if(near, near + count, [&](const Waiting& some) {
     return (quick || state.tree.boundsOf(some.body).meets(bounds)) && asked.meetsClose(state.bodies[some.body]);
   });
+  return first == near + count ? kNone : first->body;
+}
+
+}  // namespace
+
+bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
+                     std::uint32_t mask) const {
+  check(pose, options);
+  return findMet(*impl_, Asked(polygon.data(), pose, options), mask) != kNone;
 }
 
 bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& cache, const CollideOptions& options,
@@ -146,19 +163,30 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& cache
     coherent = motion <= detail::kCoherentPart * data.radius;
     if (coherent) lookahead = kCacheSteps * motion / (cache.uses + 1.0);
   }
-  const auto meets = [&](const SceneState::BodyState& other) {
-    return (other.options.category & mask) != 0 && Asked(data, pose, options).meets(other);
-  };
-  if (contains(cache.body) && meets(state.bodies[cache.body])) {
-    cache.clearance = 0;
-    return true;
+  const Asked asked(data, pose, options);
+  if (coherent && contains(cache.body)) {
+    const auto& last = state.bodies[cache.body];
+    if ((last.options.category & mask) != 0 && asked.meets(last)) {
+      cache.clearance = 0;
+      return true;
+    }
   }
   cache = {state.id, state.version, data.id, {}, 0, cache.body, mask, 0};
   detail::store(cache.pose, pose);
+  if (!coherent) {  // after a jump another may follow
+    const Body met = findMet(state, asked, mask);
+    if (met != kNone) cache.body = met;
+    return met != kNone;
+  }
   double clearance = lookahead;  // beyond all margins
-  const bool free = state.tree.visit(detail::boundsOf(data, pose, options.margin + lookahead), [&](Body body) {
+  const detail::Bounds bounds = asked.bounds();
+  const bool free = state.tree.visit(detail::grown(bounds, lookahead), [&](Body body) {
     const auto& other = state.bodies[body];
     if ((other.options.category & mask) == 0) return true;
+    if (const double gap = gapBetween(bounds, state.tree.boundsOf(body)); gap > 0) {
+      clearance = std::min(clearance, gap);  // less than the truth, and sooner known
+      return true;
+    }
     const CollideOptions sum = detail::withMargin(options, other.options.margin);
     const detail::PairFact fact = detail::inKernelOrder(
         data, pose, other.polygon.data(), other.pose,
