@@ -143,13 +143,10 @@ class ConvexSearch {
     if (!areForemost(i, j, kEdgeOfA ? ends : bit(i), kEdgeOfA ? bit(j) : ends, foot)) return false;
     found_.features = {kEdgeOfA ? ConvexFeatures::kEdgeOfA : ConvexFeatures::kEdgeOfB, position(i), position(j)};
     if (!found_.is_unique) return true;
-    if (foot.is_plain) {
+    if (foot.is_plain)
       found_.nearest = {foot.distance, kEdgeOfA ? foot.part() : 0, kEdgeOfA ? 0 : foot.part()};
-    } else {
-      const EdgeDistances edges(ways_);
-      found_.nearest =
-          edges.at(edges.startBeside(kEdgeOfA, position(i), position(j)), position(i), position(j), options_);
-    }
+    else
+      found_.nearest = EdgeDistances(ways_).startBeside(kEdgeOfA, foot, position(i), position(j), options_);
     return true;
   }
 
@@ -162,8 +159,7 @@ class ConvexSearch {
     if (foot.is_plain)
       found_.nearest = {foot.distance, 0, 0};
     else
-      found_.nearest =
-          EdgeDistances(ways_).at(EdgeDistances::startAndStart(foot.distance), position(v), position(w), options_);
+      found_.nearest = EdgeDistances(ways_).startAndStart(foot, position(v), position(w), options_);
     return true;
   }
 

@@ -34,13 +34,12 @@ double cross(const Twofold2& u, const Twofold2& w) {
   return difference.high[0] + (difference.low[0] + (rest[0] - rest[1]));
 }
 
-/// View::feature of what is found once.
-constexpr std::uint64_t kSingleFeature = 1;
-
 double dot(Double2 u, Double2 w) {
   const Double2 products = u * w;
   return products[0] + products[1];
 }
+
+double norm(Double2 u) { return std::sqrt(dot(u, u)); }
 
 /// A distance that is not 0 doesn't become so by rounding.
 double atLeastSmallest(double distance) { return std::max(distance, 0x1p-1074); }
@@ -119,31 +118,6 @@ EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
   return v;
 }
 
-EdgeDistances::View EdgeDistances::startBeside(bool edge_of_a, std::size_t i, std::size_t j) const {
-  const Ends e = ends(i, j);
-  const Beside side =
-      edge_of_a ? beside(e.a2 - e.a1, e.b1 - e.a1, e.b1 - e.a1) : beside(e.b2 - e.b1, e.a1 - e.b1, e.a1 - e.b1);
-  View v;
-  const int k = v.nearest = edge_of_a ? 0 : 2;
-  v.part[k] = side.part[0];
-  v.along[k] = side.along[0];
-  v.length_square[k / 2] = side.length_square;
-  v.distance = std::sqrt(side.square[0]);
-  v.feature = kSingleFeature;
-  return v;
-}
-
-EdgeDistances::View EdgeDistances::startAndStart(double distance) {
-  View v;
-  v.nearest = 0;
-  v.part[0] = 0;
-  v.along[0] = -std::numeric_limits<double>::infinity();
-  v.length_square[0] = 0;
-  v.distance = distance;
-  v.feature = kSingleFeature;
-  return v;
-}
-
 bool EdgeDistances::meet(std::size_t i, std::size_t j) const {
   return edgesMeet(PosedPair(a_, pose_a_, b_, pose_b_), i, j);
 }
@@ -170,13 +144,19 @@ std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t
   return feature;
 }
 
+double EdgeDistances::allowed(double distance, const DistanceOptions& options) const {
+  const double low = distance - error_, high = distance + error_, margin = options.margin * scale_;
+  const double rounded = atLeastSmallest(high * inverse_);
+  const bool is_allowed =
+      high - margin <= (low - margin) * (1 + options.relative_error) + options.absolute_error * scale_ &&
+      (margin == 0 || low > margin) && rounded - options.margin <= options.limit;
+  return is_allowed ? rounded : 0;
+}
+
 EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size_t j,
                                          const DistanceOptions& options) const {
   const int nearest = v.nearest;
-  const double low = v.distance - error_, high = v.distance + error_, margin = options.margin * scale_;
-  const double rounded = atLeastSmallest(high * inverse_);
-  if (high - margin <= (low - margin) * (1 + options.relative_error) + options.absolute_error * scale_ &&
-      (margin == 0 || low > margin) && rounded - options.margin <= options.limit) {
+  if (const double rounded = allowed(v.distance, options); rounded > 0) {
     const double s = v.part[nearest], end = nearest % 2;
     return {rounded, nearest < 2 ? s : end, nearest < 2 ? end : s};
   }
@@ -235,57 +215,88 @@ static_assert(kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoun
 static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
 static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
 
-// Vectors go from a to b whatever k is, so that two vertices are found just as far apart from either's edges.
+// Vectors go from a to b whatever the edge is of, so that two vertices are found just as far apart from either's edges.
+EdgeDistances::Twofold2 EdgeDistances::twofoldWay(std::size_t at_a, std::size_t at_b) const {
+  const double *ra = pose_a_.data(), *rb = pose_b_.data();  // columns of three
+  const Double2 q = point(b_, at_b) * scale_, p = point(a_, at_a) * scale_;
+  const Twofold2 b0 = twoProduct(load2(rb), both(q[0])), b1 = twoProduct(load2(rb + 3), both(q[1]));
+  const Twofold2 a0 = twoProduct(load2(ra), both(p[0])), a1 = twoProduct(load2(ra + 3), both(p[1]));
+  const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);
+  const Twofold2 of_both = twoSum(of_b.high, -of_a.high), w = twoSum(shift_, of_both.high);
+  const Double2 rests = (b0.low + b1.low) - (a0.low + a1.low), sums = (of_b.low - of_a.low) + (of_both.low + w.low);
+  return normalised({w.high, rests + (sums + shift_rest_)});
+}
+
+template <bool kEdgeOfA>
+double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const {
+  const PolygonData& polygon = kEdgeOfA ? a_ : b_;
+  const double* r = (kEdgeOfA ? pose_a_ : pose_b_).data();
+  const Double2 columns[] = {load2(r), load2(r + 3)};
+  const std::size_t end = edge + (at_end ? 1 : 0);
+  const Twofold2 w = kEdgeOfA ? twofoldWay(end, vertex) : twofoldWay(vertex, end);
+  const Double2 v1 = point(polygon, edge) * scale_, v2 = point(polygon, edge + 1) * scale_;
+  const Double2 difference = v2 - v1, plain = columns[0] * difference[0] + columns[1] * difference[1];
+  const Double2 products = plain * swapped(w.high);
+  const double d = std::abs(products[0] - products[1]) / norm(plain);
+  if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return d;
+  const Twofold2 u = mappedDifference(columns, v1, v2);
+  const double square = dot(u.high, u.high);
+  return square > 0x1p-900 ? std::abs(cross(u, w)) / std::sqrt(square) : 0;
+}
+
+EdgeDistances::Nearest EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
+                                                  const DistanceOptions& options) const {
+  const double rounded = allowed(foot.distance, options);
+  const double d = rounded > 0 ? rounded
+                   : edge_of_a ? distanceBeside<true>(foot.at_end, i, j)
+                               : distanceBeside<false>(foot.at_end, j, i);
+  if (!(d >= kLeastShare * size_)) return exactCombination(edge_of_a ? 0 : 2, i, j);
+  return {d, edge_of_a ? foot.part() : 0, edge_of_a ? 0 : foot.part()};
+}
+
+EdgeDistances::Nearest EdgeDistances::startAndStart(const Foot& foot, std::size_t i, std::size_t j,
+                                                    const DistanceOptions& options) const {
+  const double rounded = allowed(foot.distance, options), d = rounded > 0 ? rounded : norm(twofoldWay(i, j).high);
+  return d >= kLeastShare * size_ ? Nearest{d, 0, 0} : exactCombination(0, i, j);
+}
+
 EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j) const {
   const bool end_of_b = k < 2;
-  const std::size_t end = static_cast<std::size_t>(k % 2);
+  const std::size_t end = static_cast<std::size_t>(k % 2), edge = end_of_b ? i : j,
+                    vertex = end_of_b ? j + end : i + end;
   const PolygonData& polygon = end_of_b ? a_ : b_;
-  const std::size_t edge = end_of_b ? i : j;
-  const double *ra = pose_a_.data(), *rb = pose_b_.data();
-  const Double2 columns_a[] = {load2(ra), load2(ra + 3)}, columns_b[] = {load2(rb), load2(rb + 3)};
-  const Double2(&columns)[2] = end_of_b ? columns_a : columns_b;
-  /// From the posed vertex of a at one position to that of b at another.
-  const auto between = [&](std::size_t at_a, std::size_t at_b) {
-    const Double2 q = point(b_, at_b) * scale_, p = point(a_, at_a) * scale_;
-    const Twofold2 b0 = twoProduct(columns_b[0], both(q[0])), b1 = twoProduct(columns_b[1], both(q[1]));
-    const Twofold2 a0 = twoProduct(columns_a[0], both(p[0])), a1 = twoProduct(columns_a[1], both(p[1]));
-    const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);
-    const Twofold2 of_both = twoSum(of_b.high, -of_a.high), w = twoSum(shift_, of_both.high);
-    const Double2 rests = (b0.low + b1.low) - (a0.low + a1.low), sums = (of_b.low - of_a.low) + (of_both.low + w.low);
-    return normalised({w.high, rests + (sums + shift_rest_)});
-  };
-  const auto from = [&](std::size_t v) { return end_of_b ? between(edge + v, j + end) : between(i + end, edge + v); };
   const double where = static_cast<double>(end);
-  if (isUnscaled())
-    if (const Foot f = end_of_b ? foot<true>(i, j + end) : foot<false>(j, i + end); f.is_plain)
-      return {f.distance, end_of_b ? f.part() : where, end_of_b ? where : f.part()};
+  bool at_end = view.part[k] > 0.5;
+  if (isUnscaled()) {
+    const Foot foot = end_of_b ? PlainWays::foot<true>(edge, vertex) : PlainWays::foot<false>(edge, vertex);
+    if (foot.is_plain) return {foot.distance, end_of_b ? foot.part() : where, end_of_b ? where : foot.part()};
+    at_end = foot.at_end;
+  }
   const auto answer = [&](double d, double part) -> Nearest {
     // Written so that NaN fails.
     if (!(d >= kLeastShare * size_)) return exactCombination(k, i, j);
     return {atLeastSmallest(d * inverse_), end_of_b ? part : where, end_of_b ? where : part};
   };
-  const auto norm = [](Double2 p) { return std::sqrt(dot(p, p)); };
+  const auto from = [&](std::size_t v) { return end_of_b ? twofoldWay(i + v, vertex) : twofoldWay(vertex, j + v); };
 
   const int place = placeOf(view, k);
+  if (place == 0) {
+    const double d =
+        end_of_b ? distanceBeside<true>(at_end, edge, vertex) : distanceBeside<false>(at_end, edge, vertex);
+    return answer(d, view.part[k]);
+  }
   const Twofold2 w = from(view.part[k] > 0.5 ? 1 : 0);
   if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
-  const Double2 v1 = point(polygon, edge) * scale_, v2 = point(polygon, edge + 1) * scale_;
-  if (place == 0) {
-    const Double2 difference = v2 - v1, u = columns[0] * difference[0] + columns[1] * difference[1];
-    const Double2 products = u * swapped(w.high);
-    const double d = std::abs(products[0] - products[1]) / norm(u);
-    if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return answer(d, view.part[k]);
-  }
-  const Twofold2 u = mappedDifference(columns, v1, v2);
+  const double* r = (end_of_b ? pose_a_ : pose_b_).data();
+  const Double2 columns[] = {load2(r), load2(r + 3)};
+  const Twofold2 u = mappedDifference(columns, point(polygon, edge) * scale_, point(polygon, edge + 1) * scale_);
   const double square = dot(u.high, u.high);
   if (!(square > 0x1p-900)) return square == 0 ? answer(norm(w.high), 0) : exactCombination(k, i, j);
-  const double length = std::sqrt(square);
-  if (place == 0) return answer(std::abs(cross(u, w)) / length, view.part[k]);
   const Twofold2 w1 = from(0), w2 = from(1);
   const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u.high);
   if (along <= 0) return answer(norm(w1.high), 0);
   if (sign * dot(w2.high, u.high) >= 0) return answer(norm(w2.high), 1);
-  return answer(std::abs(cross(u, w1)) / length, std::min(along / square, 1.0));
+  return answer(std::abs(cross(u, w1)) / std::sqrt(square), std::min(along / square, 1.0));
 }
 
 EdgeDistances::Nearest EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {

@@ -81,17 +81,18 @@ class EdgeDistances : public PlainWays {
     double length_square[2];       ///< the edge's
   };
   View view(std::size_t i, std::size_t j) const;
-  /// A view that knows but one combination, for who has proven that at() needs no other: the start of b's edge j beside
-  /// a's edge i, or the start of a's beside b's.
-  View startBeside(bool edge_of_a, std::size_t i, std::size_t j) const;
-  /// The same for the starts of both edges, this far apart, scaled: where each edge's nearest point is its start.
-  static View startAndStart(double distance);
   Bounds bounds(const View& view) const { return boundsOf(view.distance, false); }
 
   /// For edges that don't meet. Depends on nothing but them and the poses. Of edges that are certainly farther apart
   /// than the margin, what is beyond it may be too large by the errors that the options allow, if it isn't so above the
   /// limit.
   Nearest at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
+  /// The same for who has proven that at() would take no other: the start of b's edge j beside a's edge i, certainly
+  /// between its ends, or the start of a's beside b's. Only for what is unscaled.
+  Nearest startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
+                      const DistanceOptions& options) const;
+  /// The same for the starts of both edges.
+  Nearest startAndStart(const Foot& foot, std::size_t i, std::size_t j, const DistanceOptions& options) const;
 
   /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled; and whether
   /// another vertex is certainly farther back along it than p, or farther on than q: by so much that at() finds
@@ -167,6 +168,14 @@ class EdgeDistances : public PlainWays {
     return at < -unsure_ ? -1 : at > length + unsure_ ? 1 : at > unsure_ && at < length - unsure_ ? 0 : kUncertain;
   }
 
+  /// What an answer may be where the doubles' distance is this, scaled, if that is within the errors that the options
+  /// allow; otherwise 0.
+  double allowed(double distance, const DistanceOptions& options) const;
+  /// From a's vertex to b's, scaled.
+  Twofold2 twofoldWay(std::size_t at_a, std::size_t at_b) const;
+  /// Of a vertex that is certainly beside an edge, nearer to its end or its start; scaled.
+  template <bool kEdgeOfA>
+  double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const;
   Nearest combination(int k, const View& view, std::size_t i, std::size_t j) const;
   Nearest exactCombination(int k, std::size_t i, std::size_t j) const;
   std::uint64_t featureOf(const View& view, std::size_t i, std::size_t j) const;
