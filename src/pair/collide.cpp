@@ -77,13 +77,13 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
              PairCache* cache, const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
-  requireRigid(pose_a, "pose_a");
-  requireRigid(pose_b, "pose_b");
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
-  if (isQuickPoint(a, b) && options.strategy == Strategy::Hierarchy)
-    return pointCollides(a, pose_a, b, pose_b, options);
+  const bool is_quick = isQuickPoint(a, b);
   Recollection recollection{};
-  if (cache != nullptr && options.strategy == Strategy::Hierarchy) {
+  if (cache == nullptr || is_quick || options.strategy == Strategy::Paper) {
+    requireRigid(pose_a, pose_b);
+    if (is_quick && options.strategy == Strategy::Hierarchy) return pointCollides(a, pose_a, b, pose_b, options);
+  } else {
     recollection = recall(*cache, a, pose_a, b, pose_b, options.margin);
     if (recollection.certain) return recollection.collides;
   }

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "numbers/rigidity.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {

@@ -8,6 +8,7 @@
 
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
+#include "numbers/rigidity.h"
 #include "polygon/polygon_data.h"
 #include "tricover/collide.h"
 
@@ -104,10 +105,14 @@ Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double 
 Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                          const Pose& second_pose, double margin);
 
+/// Throws for a pose that isn't rigid. One that is a fact's, to the last bit, has been checked.
 inline Recollection recall(PairCache& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                            const Pose& pose_b, double margin) {
   const bool direct = cache.first_id == a.id && cache.second_id == b.id;
-  if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) return {};
+  if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) {
+    requireRigid(pose_a, pose_b);
+    return {};
+  }
   const PolygonData &first = direct ? a : b, &second = direct ? b : a;
   const Pose &first_pose = direct ? pose_a : pose_b, &second_pose = direct ? pose_b : pose_a;
   assert(cache.clearance >= 0);
@@ -115,6 +120,8 @@ inline Recollection recall(PairCache& cache, const PolygonData& a, const Pose& p
   // As a rule one of them stands still.
   const Change second_change(second, cache.second_pose, second_pose);
   const bool second_moved = second_change.any(), first_moved = !sameAs(cache.first_pose, first_pose);
+  if (first_moved) requireRigid(first_pose, direct ? "pose_a" : "pose_b");
+  if (second_moved) requireRigid(second_pose, direct ? "pose_b" : "pose_a");
   const bool certain = first_moved ? !second_moved && Change(first, cache.first_pose, first_pose).isBelow(room)
                                    : second_change.isBelow(room);
   if (!certain) return recallMoved(cache, first, first_pose, second, second_pose, margin);

@@ -51,6 +51,26 @@ TEST(PoseCheck, NamesThePoseAndTheField) {
   }
 }
 
+/// A fact that pays for any motion, of this pair in either order, of another one, or none.
+TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
+  const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
+  const Pose here = Pose::Identity(), far = pose(0, 1e6, 0);
+  PairCache of_pair, of_another;
+  collide(a, here, b, far, of_pair);
+  collide(a, here, a, far, of_another);
+  ASSERT_GT(of_pair.clearance, 9e5);
+  for (const PairCache& given : {of_pair, of_another, PairCache()}) {
+    for (const Pose& bad : badPoses()) {
+      PairCache cache = given;
+      EXPECT_TRUE(names(refusal([&] { collide(a, here, b, bad, cache); }), "tricover: pose_b"));
+      EXPECT_TRUE(names(refusal([&] { collide(b, far, a, bad, cache); }), "tricover: pose_b"));
+      EXPECT_TRUE(names(refusal([&] { collide(a, bad, b, far, cache); }), "tricover: pose_a"));
+      EXPECT_TRUE(names(refusal([&] { collide(b, bad, a, here, cache); }), "tricover: pose_a"));
+      EXPECT_EQ(cache.uses, given.uses);
+    }
+  }
+}
+
 /// An entry that is no number is named, rather than said to be not rigid.
 TEST(PoseCheck, NamesTheEntryThatIsNotFinite) {
   const auto refusalOf = [](const Pose& bad) { return refusal([&] { checkPose(bad, "mine"); }); };

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-
 #include "polygons/pair_cache_table.h"
 #include "shape/heights.h"
 #include "shape/planar_pose.h"
 #include "tricover_fcl/polygon_shape.h"
 
 namespace tricover_fcl {
-
-/// By its radius, which is that of its vertices rounded up.
-inline bool isPoint(const tricover::Polygon& polygon) {
-  return polygon.radius() <= std::numeric_limits<double>::denorm_min();
-}
 
 /// Two polygons as a row gets them: `a` is its first geometry.
 template <typename S>
@@ -41,7 +34,7 @@ struct PolygonPair {
   /// Calls ask() with the pair's cache, or without one where there is none any more, or a disc is beside few edges.
   template <typename Cache, typename Ask>
   auto remembering(const fcl::Transform3<S>& tf1, const fcl::Transform3<S>& tf2, const Ask& ask) const {
-    if ((isPoint(a()) && hasFewEdges(b())) || (isPoint(b()) && hasFewEdges(a()))) return ask();
+    if ((shape_a.isDisc() && hasFewEdges(b())) || (shape_b.isDisc() && hasFewEdges(a()))) return ask();
     Cache* const cache = pairCache<Cache>(a(), &tf1, b(), &tf2);
     return cache != nullptr ? ask(*cache) : ask();
   }
