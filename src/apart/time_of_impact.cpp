@@ -48,7 +48,10 @@ struct Encounter {
 class ImpactSearch {
  public:
   ImpactSearch(const MovingPair& pair, double time_error)
-      : pair_(pair), time_error_(time_error), touch_distance_(pair.margin + 4 * pair.error) {
+      : pair_(pair),
+        time_error_(time_error),
+        touch_distance_(pair.margin + 4 * pair.error),
+        keeps_lengths_(pair.a.keepsLengths() && pair.b.keepsLengths()) {
     encounters_.reserve(128);
   }
 
@@ -154,12 +157,14 @@ class ImpactSearch {
     if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
     const Side a = sideA(window, node_a), b = sideB(window, node_b);
     const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
+    const WindowCutter cutter(window, a.box, b.box);
     // Smaller boxes don't help where ways bend by more than the boxes' size.
-    if (WindowCutter(window, a.box, b.box).bend() > size_a + size_b) return halve(encounter);
+    if (cutter.bend() > size_a + size_b) return halve(encounter);
     Encounter part = encounter;
     ++part.depth;
     const bool divides_a = !a.node.edge && (b.node.edge || size_a >= size_b);
     const std::uint32_t block = divides_a ? a.node.child : b.node.child;
+    if (!tight_ && offerEight(window, cutter, divides_a, block, divides_a ? b.box : a.box, part)) return;
     const std::uint32_t count = (divides_a ? pair_.a : pair_.b).tree->blocks[block].count;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
       const std::uint32_t index = block * kLanes + lane;
@@ -169,6 +174,44 @@ class ImpactSearch {
       else
         offer(window, a, sideB(window, nodeB(index)), part);
     }
+  }
+
+  /// Offers all boxes of a block together with the other mover's box, if floats tell enough. The edges in them are in
+  /// the box that is divided, too: so its sags bound theirs.
+  bool offerEight(const Window& window, const WindowCutter& cutter, bool divides_a, std::uint32_t index,
+                  const MovingBox& box, Encounter part) {
+    const Mover& mover = divides_a ? pair_.a : pair_.b;
+    const Places& p = divides_a ? window.a : window.b;
+    const Block& block = mover.tree->blocks[index];
+    const double inverse = block.inverse / mover.scale, along = box.along * inverse, across = box.across * inverse;
+    const double sag_a = cutter.sagWithA() * inverse, sag_b = cutter.sagWithB() * inverse;
+    const Double2 dx = (box.x - p.x) * inverse, dy = (box.y - p.y) * inverse;
+    const Double2 x = p.m00 * dx + p.m10 * dy - block.origin_x * block.inverse;
+    const Double2 y = p.m01 * dx + p.m11 * dy - block.origin_y * block.inverse;
+    const Double2 ux = p.m00 * box.ux + p.m10 * box.uy, uy = p.m01 * box.ux + p.m11 * box.uy;
+    const Double2 sizes = absolute(x) + absolute(y);
+    const double sum = std::max(sizes[0], sizes[1]) + along + across + 4;
+    // Lengths are kept to 2^-47 in turning differences back: as much as the error is once more.
+    const double slack = kMovingGapRounding * sum + (pair_.margin * (1 + 0x1p-20) + 2 * pair_.error) * inverse;
+    if (!keeps_lengths_ || !(sum + slack + sag_a + sag_b < 0x1p30)) return false;
+    const auto f = [](double value) { return static_cast<float>(value); };
+    const auto above = [](double value) { return static_cast<float>(value * (1 + 0x1p-16) + 0x1p-100); };
+    const MovingQuery query = {{f(x[0]), f(x[1])},
+                               {f(y[0]), f(y[1])},
+                               {f(ux[0]), f(ux[1])},
+                               {f(uy[0]), f(uy[1])},
+                               f(along),
+                               f(across),
+                               above(divides_a ? sag_a : sag_b),
+                               above(divides_a ? sag_b : sag_a),
+                               above(slack)};
+    float from_begin[kLanes], from_end[kLanes];
+    for (unsigned left = cutWindows(block, query, from_begin, from_end); left != 0; left &= left - 1) {
+      const int lane = __builtin_ctz(left);
+      (divides_a ? part.a : part.b) = index * kLanes + static_cast<std::uint32_t>(lane);
+      push(cut(part, {static_cast<double>(from_begin[lane]), 1 - static_cast<double>(from_end[lane]), 0}));
+    }
+    return true;
   }
 
   void halve(const Encounter& encounter) {
@@ -220,6 +263,7 @@ class ImpactSearch {
 
   const MovingPair& pair_;
   double time_error_, touch_distance_;
+  bool keeps_lengths_;
   double upper_bound_ = kInfinity;
   std::vector<Encounter> encounters_;
   int divided_ = 0;

@@ -88,6 +88,9 @@ class WindowCutter {
   /// What no axis has cut off; nothing, low > high, is possible, too.
   Rest rest() const { return {first_.share(), 1 - last_.share(), first_.aim()}; }
 
+  double sagWithA() const { return sag_with_a_; }
+  double sagWithB() const { return sag_with_b_; }
+
   /// What points' ways across the window may bend by, seen along an axis that stands still.
   double bend() const { return 0.25 * sag_fixed_; }
 

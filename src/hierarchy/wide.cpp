@@ -64,6 +64,10 @@ void findEdgesOnWays(const FewEdges& edges, const FewWays& ways, unsigned* near)
   table().find_edges_on_ways(edges, ways, near);
 }
 
+unsigned cutWindows(const Block& block, const MovingQuery& query, float* from_begin, float* from_end) {
+  return table().cut_windows(block, query, from_begin, from_end);
+}
+
 double depthInDiscs(const InnerDiscs& discs, const Place& place) { return table().depth_in_discs(discs, place); }
 
 ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) {

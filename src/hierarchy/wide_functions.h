@@ -9,6 +9,7 @@
 #include "hierarchy/wide_shapes.h"
 #include "hierarchy/wide_table.h"
 #include "hierarchy/wide_ways.h"
+#include "hierarchy/wide_windows.h"
 
 namespace tricover::detail::wide {
 
@@ -18,7 +19,7 @@ constexpr WideTable tableOf() {
           &innerDepth<Lanes>,       &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
           &convexGap<Lanes>,        &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
           &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>,       &findEdgesOnWays<Lanes>,
-          &convexEntry<Lanes>,      &boxesMeeting<Lanes>,    &boxesOnRay<Lanes>};
+          &convexEntry<Lanes>,      &boxesMeeting<Lanes>,    &boxesOnRay<Lanes>,      &cutWindows<Lanes>};
 }
 
 }  // namespace tricover::detail::wide

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gaps between boxes, eight at a time. `Lanes` is eight floats side by side in some instruction set: load() and
 // store() anywhere in memory, all() of one value, + - * and, where used, / of lanes and of lanes and a float, and
-// absolute, root, larger, smaller, whereAbove (the first where it is above the second, elsewhere something large),
-// above (bit i: lane i of the first is above that of the second).
+// absolute, root, larger, smaller, flipped (negated where the second is negative), whereAbove (the first where it is
+// above the second, elsewhere something large), above (bit i: lane i of the first is above that of the second).
 //
 // What isn't a template over Lanes here must be always inlined: wide_avx2.cpp compiles it for AVX2.
 #pragma once

@@ -12,6 +12,9 @@ typedef std::int32_t FourBits __attribute__((vector_size(16)));
 typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias));
 
 [[gnu::always_inline]] inline Four absolute(Four p) { return (Four)((FourBits)p & 0x7fffffff); }
+[[gnu::always_inline]] inline Four flipped(Four p, Four q) {
+  return (Four)((FourBits)p ^ ((FourBits)q & INT32_MIN));
+}
 [[gnu::always_inline]] inline Four root(Four p) {
 #ifdef __SSE2__
   return __builtin_ia32_sqrtps(p);
@@ -75,6 +78,9 @@ struct PortableLanes {
   [[gnu::always_inline]] friend L operator-(L p, float q) { return {p.low - q, p.high - q}; }
   [[gnu::always_inline]] friend L operator*(L p, float q) { return {p.low * q, p.high * q}; }
   [[gnu::always_inline]] friend L absolute(L p) { return {wide::absolute(p.low), wide::absolute(p.high)}; }
+  [[gnu::always_inline]] friend L flipped(L p, L q) {
+    return {wide::flipped(p.low, q.low), wide::flipped(p.high, q.high)};
+  }
   [[gnu::always_inline]] friend L root(L p) { return {wide::root(p.low), wide::root(p.high)}; }
   [[gnu::always_inline]] friend L larger(L p, L q) {
     return {wide::larger(p.low, q.low), wide::larger(p.high, q.high)};

@@ -27,6 +27,7 @@ struct WideTable {
   decltype(&convexEntry) convex_entry;
   decltype(&boxesMeeting) boxes_meeting;
   decltype(&boxesOnRay) boxes_on_ray;
+  decltype(&cutWindows) cut_windows;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "apart/cubic.h"
+#include "hierarchy/wide.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -112,6 +114,92 @@ TEST(WindowCutter, NeverCutsContactOff) {
     EXPECT_GT(parted[way], cases / 5) << "way " << way;
     EXPECT_GT(cuts[way], cases / 20) << "way " << way;
   }
+}
+
+/// A box around a block's origin, and one that moves by `way`, bent aside by `bend`, and turns about its middle.
+struct MovedBox {
+  Vec2 middle, way, bend;
+  double angle, turn, along, across;
+
+  Vec2 at(double share, double u, double v) const {
+    const Vec2 axis = direction(angle + share * turn);
+    return middle + share * way + share * (1 - share) * bend + u * along * axis +
+           v * across * Vec2(-axis.y(), axis.x());
+  }
+};
+
+MovingQuery queryOf(const MovedBox& box, double reach) {
+  MovingQuery query{};
+  const auto f = [](double value) { return static_cast<float>(value); };
+  double sum = 0;
+  for (int end = 0; end < 2; ++end) {
+    const Vec2 p = box.at(end, 0, 0), axis = direction(box.angle + end * box.turn);
+    query.x[end] = f(p.x());
+    query.y[end] = f(p.y());
+    query.ux[end] = f(axis.x());
+    query.uy[end] = f(axis.y());
+    sum = std::max(sum, p.lpNorm<1>() + box.along + box.across + 4);
+  }
+  query.along = f(box.along);
+  query.across = f(box.across);
+  query.slack = f(kMovingGapRounding * sum);
+  const double rate = std::abs(box.turn), extent = box.along + box.across, speed = box.way.norm() + box.bend.norm();
+  const double apart = box.middle.norm() + box.way.norm() + box.bend.norm() + reach, pull = 2 * box.bend.norm();
+  query.sag_with_block = f(0.5 * (rate * rate * extent + pull) * (1 + 0x1p-10));
+  query.sag_with_query = f(0.5 * (rate * rate * apart + 2 * rate * speed + pull) * (1 + 0x1p-10));
+  return query;
+}
+
+/// Of eight boxes at once, a point of each in turn is met by one of the box that moves.
+TEST(CutWindows, NeverCutsContactOff) {
+  const int cases = scaledCount(100000);
+  int parted = 0, cuts = 0, met_boxes = 0;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const auto f = [](double value) { return static_cast<float>(value); };
+    const auto size = [&] { return std::pow(10, random.real(-3, 0)); };
+    Block block{};
+    block.count = static_cast<std::uint8_t>(random.integer(1, kLanes));
+    for (int k = 0; k < block.count; ++k) {
+      const Vec2 axis = direction(random.real(-4, 4));
+      block.x[k] = f(random.real(-0.5, 0.5));
+      block.y[k] = f(random.real(-0.5, 0.5));
+      block.ux[k] = f(axis.x());
+      block.uy[k] = f(axis.y());
+      block.along[k] = f(0.4 * size());
+      block.across[k] = random.oneIn(3) ? 0 : f(0.2 * size());
+    }
+    MovedBox box{{0, 0}, anyVector(random), {0, 0}, random.real(-4, 4), 0, size(), random.oneIn(3) ? 0 : size()};
+    if (random.coin()) box.turn = random.real(-1, 1);
+    if (random.coin()) box.bend = 0.3 * anyVector(random);
+    const int lane = random.integer(0, block.count - 1);
+    const double share = random.oneIn(4) ? random.integer(0, 1) : random.unit();
+    const auto inside = [&] { return random.coin() ? (random.coin() ? 1 : -1) : random.real(-1, 1); };
+    const auto d = [](float value) { return static_cast<double>(value); };
+    const double u = inside() * d(block.along[lane]), v = inside() * d(block.across[lane]);
+    const Vec2 axis(d(block.ux[lane]), d(block.uy[lane]));
+    const Vec2 met = Vec2(d(block.x[lane]), d(block.y[lane])) + u * axis + v * Vec2(-axis.y(), axis.x());
+    box.middle = met - box.at(share, inside(), inside());
+
+    const MovingQuery query = queryOf(box, 1.5);
+    float from_begin[kLanes], from_end[kLanes], begin[kLanes], end[kLanes];
+    const unsigned left = cutWindows(block, query, from_begin, from_end);
+    usePortableLanes(true);
+    ASSERT_EQ(cutWindows(block, query, begin, end), left) << i;
+    usePortableLanes(false);
+    ASSERT_EQ(left >> block.count, 0u) << i;
+    ASSERT_NE(left >> lane & 1, 0u) << "case " << i << " parts boxes that meet at " << share;
+    ASSERT_LE(d(from_begin[lane]), share) << i;
+    ASSERT_LE(d(from_end[lane]), 1 - share) << i;
+    ASSERT_EQ(begin[lane], from_begin[lane]) << i;
+    ASSERT_EQ(end[lane], from_end[lane]) << i;
+    ++met_boxes;
+    cuts += d(from_begin[lane]) > 0.5 * share || d(from_end[lane]) > 0.5 * (1 - share);
+    parted += block.count - __builtin_popcount(left);
+  }
+  std::printf("%d met, %d of them cut, %d others parted\n", met_boxes, cuts, parted);
+  EXPECT_GT(cuts, cases / 5);
+  EXPECT_GT(parted, cases / 2);
 }
 
 }  // namespace
