@@ -138,7 +138,7 @@ MUTATIONS = [
     ("fcl_adapter/src/broadphase/footprint.cpp", "(halfOf(*last).array() >= need.array()).all()", "true", "footprint: a box that has grown"),
     ("fcl_adapter/src/broadphase/scene_manager.cpp", "if (!entry.body) ++anywhere;", "", "manager: how many take part in all pairs"),
     ("fcl_adapter/src/broadphase/scene_manager.cpp", "if (entry.body) place_of_body[*entry.body] = found->second;", "", "manager: an object that takes another's place"),
-    ("fcl_adapter/src/broadphase/scene_manager.cpp", "scene.options(*old).margin == region.margin", "true", "manager: a margin that has changed"),
+    ("fcl_adapter/src/broadphase/scene_manager.cpp", "entry.margin == region.margin", "true", "manager: a margin that has changed"),
     ("fcl_adapter/src/broadphase/scene_manager.cpp", "query.self != nullptr ? ~query.self->category : tricover::kEveryCategory", "tricover::kEveryCategory", "manager: an object is nearest to itself"),
     ("fcl_adapter/src/broadphase/scene_manager.cpp", "if (!places.emplace(object, entries.size()).second) return;", "places.emplace(object, entries.size());", "manager: an object twice"),
 ]

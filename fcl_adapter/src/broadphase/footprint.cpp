@@ -20,7 +20,7 @@ template <typename S>
 std::optional<PlanarPose> planarPoseIfAny(const fcl::Transform3<S>& transform) {
   try {
     const PlanarPose pose = planarPose(transform, "pose");
-    tricover::checkPose(pose.pose);
+    if (!isPlainlyPlanar(transform)) tricover::checkPose(pose.pose);
     return pose;
   } catch (const std::invalid_argument&) {
     return std::nullopt;

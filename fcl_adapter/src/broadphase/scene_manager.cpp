@@ -38,6 +38,8 @@ struct SceneManager<S>::Impl {
     double z_low, z_high;
     std::uint32_t category;
     std::optional<BodyHandle> body;  ///< none: it takes part in all pairs
+    std::uint64_t polygon;           ///< the body's, by its id
+    double margin;                   ///< the body's
   };
   /// What is asked about: a given object, or one of ours.
   struct Query {
@@ -76,7 +78,7 @@ void SceneManager<S>::Impl::add(Object* object) {
   if (!object->collisionGeometry()) refuse("object", "it has no geometry");
   if (!places.emplace(object, entries.size()).second) return;
   const std::uint32_t category = std::uint32_t{1} << (registered++ % kCategories);
-  entries.push_back({object, 0, 0, category, std::nullopt});
+  entries.push_back({object, 0, 0, category, std::nullopt, 0, 0});
   ++anywhere;
   place(entries.back(), footprintOf(*object, nullptr));
 }
@@ -108,10 +110,12 @@ void SceneManager<S>::Impl::place(Entry& entry, const Footprint& print) {
   const std::optional<BodyHandle> old = entry.body;
   if (print.region) {
     const Region& region = *print.region;
-    if (old && scene.polygon(*old).id() == region.polygon().id() && scene.options(*old).margin == region.margin) {
+    if (old && entry.polygon == region.polygon().id() && entry.margin == region.margin) {
       scene.move(*old, region.pose);
     } else {
       entry.body = scene.add(region.polygon(), region.pose, {region.margin, entry.category});
+      entry.polygon = region.polygon().id();
+      entry.margin = region.margin;
       if (place_of_body.size() <= *entry.body) place_of_body.resize(*entry.body + std::size_t{1});
       place_of_body[*entry.body] = places.at(entry.object);
     }
