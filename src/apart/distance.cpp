@@ -12,6 +12,7 @@
 #include "apart/edge_distance.h"
 #include "apart/options.h"
 #include "apart/point_distance.h"
+#include "apart/ring_distance.h"
 #include "numbers/double_double.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -185,6 +186,7 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
 /// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
 Outcome findNearest(const PosedPair& pair, DistanceSearch& search) {
   if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0) return findMeeting(pair, search);
+  if (showSmallRings(pair, search)) return Outcome();
   return descend(pair, search) ? findContainment(pair) : Outcome();
 }
 
@@ -198,8 +200,10 @@ DistanceResult resultOfPoints(const Pair& pair, double distance, const DistanceO
 
 /// DistanceCache::hint: a kind of features of two small convex polygons, or a pair of edges that may be near.
 constexpr std::uint8_t kNoHint = ConvexFeatures::kNone, kNearEdges = ConvexFeatures::kCrossing + 1;
-/// DistanceCache::answered: facts pay if they answer two queries. Those that didn't look ahead aren't judged.
-constexpr std::uint8_t kPaying = 2, kUnjudged = 255;
+/// DistanceCache::answered: facts pay if they answer two queries, or more of small rings, whose search takes little, in
+/// steps of at most that part of the radius. Those that didn't look ahead aren't judged.
+constexpr std::uint8_t kPaying = 2, kPayingOfRings = 8, kUnjudged = 255;
+constexpr double kCoherentPartOfRings = kCoherentPart / 16;
 /// DistanceCache::resting after facts have failed for the first, second, third time in a row, and from then on.
 constexpr std::uint8_t kRests[] = {0, 3, 15, 63}, kMostFailed = 3;
 
@@ -221,9 +225,9 @@ void storeHint(DistanceCache& cache, std::uint8_t hint, std::uint32_t edge_a, st
 }
 
 /// After facts that didn't answer: whether to find new ones.
-void judgeFacts(DistanceCache& cache, bool jumped) {
+void judgeFacts(DistanceCache& cache, bool jumped, std::uint8_t paying) {
   if (!jumped && cache.answered == kUnjudged) return;
-  cache.failed = !jumped && cache.answered >= kPaying ? 0 : std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
+  cache.failed = !jumped && cache.answered >= paying ? 0 : std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
   cache.resting = kRests[cache.failed];
 }
 
@@ -246,14 +250,16 @@ bool answersByFacts(const Pair& pair, DistanceCache& cache, DistanceSearch& sear
     shown = recall(cache, remainder, search);
   }
   if (shown < 0) {
-    const bool jumped = !(remainder.motion <= kCoherentPart * pair.b.radius);
-    judgeFacts(cache, jumped);
+    const bool are_rings = areSmallRings(pair.a, pair.b);
+    const double most = are_rings ? kCoherentPartOfRings * (cache.uses + 1.0) : kCoherentPart;
+    const bool jumped = !(remainder.motion <= most * pair.b.radius);
+    judgeFacts(cache, jumped, are_rings ? kPayingOfRings : kPaying);
     const double ahead = kStepsAhead * remainder.motion / (cache.uses + 1.0);
     search.lookAhead(jumped || cache.resting > 0 ? 0 : std::min(ahead, pair.b.radius));
     return false;
   }
   ++cache.uses;
-  if (cache.answered < kPaying) ++cache.answered;
+  if (cache.answered < kPayingOfRings) ++cache.answered;
   if (!search.meets() && !(remainder.of(cache.apart[0]) > 0))
     outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
   if (!outcome.collides && search.refresh(cache, remainder, shown)) storePoses(cache, pair);
@@ -275,7 +281,8 @@ Outcome findCoherently(const Pair& pair, DistanceCache& cache, DistanceSearch& s
     storeHint(cache, kNoHint, 0, 0);
   } else if (cache.resting > 0) {
     const ShownPair& upper = search.upperPair();
-    storeHint(cache, search.hasUpper() ? kNearEdges : kNoHint, upper.i, upper.j);
+    const bool is_hint = search.hasUpper() && !areSmallRings(pair.a, pair.b);  // all of whose edges are asked anyway
+    storeHint(cache, is_hint ? kNearEdges : kNoHint, upper.i, upper.j);
   } else {
     storePoses(cache, pair);
     cache.hint = kNoHint;

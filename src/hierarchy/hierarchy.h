@@ -41,10 +41,11 @@ struct InnerDiscs {
 };
 
 /// A single ring of few vertices, in units, padded to whole lanes by repeating the last vertex and the last edge. A
-/// point p is beyond an edge's line by nx p.x + ny p.y - d: of a convex polygon outside, of another one to its right.
+/// point p is beyond an edge's line by nx p.x + ny p.y - d: of a convex polygon outside, of another one to its right. And
+/// it is |nx p.y - ny p.x - middle| away from the edge's middle, along the edge, which is `half` from its ends.
 struct SmallRing {
   static constexpr int kMost = 2 * kLanes;
-  float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost];
+  float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost], middle[kMost], half[kMost];
   float low_x, low_y, high_x, high_y;  ///< of the vertices
   float shortest;                      ///< edge
   int lanes;                           ///< kLanes or kMost

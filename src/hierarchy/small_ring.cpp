@@ -31,6 +31,9 @@ std::unique_ptr<const SmallRing> makeSmallRing(const PolygonData& polygon, const
     ring->nx[i] = static_cast<float>(normal.x());
     ring->ny[i] = static_cast<float>(normal.y());
     ring->d[i] = static_cast<float>(normal.dot(local[k]));
+    const Vec2 middle = local[k] + 0.5 * edge;
+    ring->middle[i] = static_cast<float>(normal.x() * middle.y() - normal.y() * middle.x());
+    ring->half[i] = static_cast<float>(0.5 * length);
   }
   ring->shortest = static_cast<float>(shortest);
   const auto [low_x, high_x] = std::minmax_element(ring->x, ring->x + ring->lanes);

@@ -39,6 +39,15 @@ Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, do
   return table().rings_meet(a, b, map, rounding);
 }
 
+void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGaps& gaps) {
+  table().ring_gaps(a, b, map, gaps);
+}
+
+void edgesWithin(const SmallRing& a, const SmallRing& b, const RingGaps& gaps, float square,
+                 unsigned (&near)[SmallRing::kMost]) {
+  table().edges_within(a, b, gaps, square, near);
+}
+
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
   return table().inner_depth(a, b, map, rounding);
 }

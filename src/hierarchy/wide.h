@@ -152,6 +152,21 @@ Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, d
 /// Two small rings by all of their edges, where floats are certain. `map` as for convexMeet().
 Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
 
+/// Two small rings' distances in a's units, as floats see them: squares of what every edge is away from the nearest
+/// vertex of the other ring, and the least of them. `map` goes from b's units to a's.
+struct RingGaps {
+  float of_a[SmallRing::kMost], of_b[SmallRing::kMost], least;
+  /// b as SmallRing has it, in a's units.
+  float x[SmallRing::kMost], y[SmallRing::kMost], nx[SmallRing::kMost], ny[SmallRing::kMost], d[SmallRing::kMost],
+      middle[SmallRing::kMost], half[SmallRing::kMost];
+};
+void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGaps& gaps);
+
+/// For each edge of a a bit per edge of b with which it has a vertex beside an edge whose distance has at most this
+/// square. A vertex is of both its edges.
+void edgesWithin(const SmallRing& a, const SmallRing& b, const RingGaps& gaps, float square,
+                 unsigned (&near)[SmallRing::kMost]);
+
 /// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
 /// vertex of the other is nearest to its line. It is a guess as good as floats.
 struct ConvexGap {

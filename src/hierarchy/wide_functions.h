@@ -5,6 +5,7 @@
 #include "hierarchy/wide_boxes.h"
 #include "hierarchy/wide_descent.h"
 #include "hierarchy/wide_point.h"
+#include "hierarchy/wide_ring_gaps.h"
 #include "hierarchy/wide_rings.h"
 #include "hierarchy/wide_shapes.h"
 #include "hierarchy/wide_table.h"
@@ -19,7 +20,8 @@ constexpr WideTable tableOf() {
           &innerDepth<Lanes>,       &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
           &convexGap<Lanes>,        &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
           &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>,       &findEdgesOnWays<Lanes>,
-          &convexEntry<Lanes>,      &boxesMeeting<Lanes>,    &boxesOnRay<Lanes>,      &cutWindows<Lanes>};
+          &convexEntry<Lanes>,      &boxesMeeting<Lanes>,    &boxesOnRay<Lanes>,      &cutWindows<Lanes>,
+          &ringGaps<Lanes>,         &edgesWithin<Lanes>};
 }
 
 }  // namespace tricover::detail::wide

@@ -28,6 +28,8 @@ struct WideTable {
   decltype(&boxesMeeting) boxes_meeting;
   decltype(&boxesOnRay) boxes_on_ray;
   decltype(&cutWindows) cut_windows;
+  decltype(&ringGaps) ring_gaps;
+  decltype(&edgesWithin) edges_within;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

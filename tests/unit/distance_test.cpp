@@ -217,8 +217,10 @@ TEST(DistanceCache, SeesAJumpThroughAnEdge) {
 
 /// The same, answered by the fact: a flat sliver beside a long edge moves by less than the fact looks ahead.
 TEST(DistanceCache, AFactThatListsTheEdgeSeesWhoIsBehindIt) {
-  // Not convex: what is convex and small is asked anew.
-  const Polygon a({{{0, 0}, {100, 0}, {50, 50}, {100, 100}, {0, 100}}}), b({rectangle(0, -5, 0.01, 5)});
+  Ring ring;  // with so many vertices that facts pay in steps like these
+  for (int i = 0; i <= 16; ++i) ring.emplace_back(6.25 * i, 0);
+  ring.insert(ring.end(), {{50, 50}, {100, 100}, {0, 100}});
+  const Polygon a({ring}), b({rectangle(0, -5, 0.01, 5)});
   DistanceCache cache;
   for (const double y : {40, 41, 42, 43})
     EXPECT_NEAR(distance(a, at(0, 0), b, at(-0.21, y), cache).distance, 0.2, 1e-13);

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Distances of two small rings, all edges of both, without a tree. See wide_gaps.h for Lanes.
+#pragma once
+
+#include "hierarchy/wide_shapes.h"
+
+namespace tricover::detail::wide {
+
+/// A ring's edges, as SmallRing has them, in one frame.
+struct RingEdges {
+  const float *nx, *ny, *d, *middle, *half;
+};
+
+template <class Ring>
+[[gnu::always_inline]] inline RingEdges edgesOf(const Ring& ring) {
+  return {ring.nx, ring.ny, ring.d, ring.middle, ring.half};
+}
+
+/// The square of a point's distance from an edge.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes squareBeside(Lanes nx, Lanes ny, Lanes d, Lanes middle, Lanes half, Lanes x,
+                                                 Lanes y) {
+  const Lanes away = nx * x + ny * y - d;
+  const Lanes past = larger(absolute(nx * y - ny * x - middle) - half, Lanes::all(0));
+  return away * away + past * past;
+}
+
+/// Of eight edges, each from that of these vertices that is the nearest to it.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes leastSquares(const RingEdges& edges, int i, const float* x, const float* y,
+                                                 int count) {
+  const Lanes nx = Lanes::load(edges.nx + i), ny = Lanes::load(edges.ny + i), d = Lanes::load(edges.d + i);
+  const Lanes middle = Lanes::load(edges.middle + i), half = Lanes::load(edges.half + i);
+  Lanes least = Lanes::all(1e30f);
+  for (int j = 0; j < count; ++j)
+    least = smaller(least, squareBeside(nx, ny, d, middle, half, Lanes::all(x[j]), Lanes::all(y[j])));
+  return least;
+}
+
+/// A bit for each vertex whose distance from the edge has at most this square.
+template <class Lanes>
+[[gnu::always_inline]] inline unsigned verticesWithin(const RingEdges& edges, int e, const float* x, const float* y,
+                                                      int lanes, int count, float square) {
+  const Lanes nx = Lanes::all(edges.nx[e]), ny = Lanes::all(edges.ny[e]), d = Lanes::all(edges.d[e]);
+  const Lanes middle = Lanes::all(edges.middle[e]), half = Lanes::all(edges.half[e]);
+  unsigned beyond = 0;
+  for (int i = 0; i < lanes; i += kLanes)
+    beyond |= above(squareBeside(nx, ny, d, middle, half, Lanes::load(x + i), Lanes::load(y + i)), Lanes::all(square))
+              << i;
+  return ~beyond & ((1u << count) - 1);
+}
+
+/// Those of n edges that start or end at vertices.
+[[gnu::always_inline]] inline unsigned edgesAt(unsigned vertices, int n) {
+  return vertices | vertices >> 1 | (vertices & 1) << (n - 1);
+}
+
+template <class Lanes>
+void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGaps& gaps) {
+  mapVertices<Lanes>(b, map, gaps.x, gaps.y);
+  mapHalfPlanes<Lanes>(b, map, gaps.nx, gaps.ny, gaps.d);
+  const float scale = static_cast<float>(map.scale), tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty);
+  // A mirror image has the direction along the edge, which is across the normal, the other way round.
+  const float turn = map.r00 * map.r11 < map.r01 * map.r10 ? -scale : scale;
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    (Lanes::load(b.middle + i) * turn + Lanes::load(gaps.nx + i) * ty - Lanes::load(gaps.ny + i) * tx)
+        .store(gaps.middle + i);
+    (Lanes::load(b.half + i) * scale).store(gaps.half + i);
+  }
+  const RingEdges edges_a = edgesOf(a), edges_b = edgesOf(gaps);
+  Lanes least = Lanes::all(1e30f);
+  for (int i = 0; i < a.lanes; i += kLanes) {
+    const Lanes squares = leastSquares<Lanes>(edges_a, i, gaps.x, gaps.y, b.count);
+    squares.store(gaps.of_a + i);
+    least = smaller(least, squares);
+  }
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    const Lanes squares = leastSquares<Lanes>(edges_b, i, a.x, a.y, a.count);
+    squares.store(gaps.of_b + i);
+    least = smaller(least, squares);
+  }
+  gaps.least = -largest(Lanes::all(0) - least);
+}
+
+template <class Lanes>
+void edgesWithin(const SmallRing& a, const SmallRing& b, const RingGaps& gaps, float square,
+                 unsigned (&near)[SmallRing::kMost]) {
+  const RingEdges edges_a = edgesOf(a), edges_b = edgesOf(gaps);
+  for (int i = 0; i < a.count; ++i)
+    near[i] = gaps.of_a[i] > square
+                  ? 0
+                  : edgesAt(verticesWithin<Lanes>(edges_a, i, gaps.x, gaps.y, b.lanes, b.count, square), b.count);
+  for (int j = 0; j < b.count; ++j) {
+    if (gaps.of_b[j] > square) continue;
+    unsigned of_a = edgesAt(verticesWithin<Lanes>(edges_b, j, a.x, a.y, a.lanes, a.count, square), a.count);
+    for (; of_a != 0; of_a &= of_a - 1) near[__builtin_ctz(of_a)] |= 1u << j;
+  }
+}
+
+}  // namespace tricover::detail::wide

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Distances of small rings without a tree: the same bits as all pairs of edges give, on all lanes.
+#include "apart/ring_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+
+namespace tricover::support {
+namespace {
+
+using namespace detail;
+
+/// Spikes, sides that face each other where angles and radii are regular, and crossing edges where angles aren't
+/// sorted.
+Polygon smallRing(Random& random, double size) {
+  const int n = random.integer(3, 16);
+  const bool regular = random.oneIn(4), crossing = random.oneIn(6);
+  const Vec2 center = random.oneIn(4) ? Vec2(3 * size, -2 * size) : Vec2(0, 0);
+  Ring ring;
+  for (int i = 0; i < n; ++i) {
+    const double turn = crossing ? random.real(0, 1) : (i + (regular ? 0 : random.real(0, 0.9))) / n;
+    const double angle = 2 * 3.14159265358979 * turn,
+                 radius = size * (regular ? (i % 2 + 1) / 2.0 : random.real(0.2, 1));
+    ring.push_back(center + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return Polygon({ring});
+}
+
+/// Two of them, far apart to touching.
+Case ringPair(Random& random) {
+  const double size = std::pow(10, random.real(-3, 3));
+  Case c{smallRing(random, size), randomPose(random, size), smallRing(random, size * random.real(0.01, 1)),
+         randomPose(random, size)};
+  if (random.oneIn(4)) c.b = c.a;
+  if (random.oneIn(3)) c.pose_b.linear() = c.pose_a.linear();
+  if (random.oneIn(3)) c.pose_b = mirrored(c.pose_b);
+  const double angle = random.real(-4, 4);
+  const Vec2 away(std::cos(angle), std::sin(angle));
+  double near = 0, far = 128 * size;
+  for (int i = random.integer(0, 30); i > 0; --i) {
+    const double middle = 0.5 * (near + far);
+    c.pose_b.translation() = c.pose_a.translation() + middle * away;
+    (collide(c.a, c.pose_a, c.b, c.pose_b) ? near : far) = middle;
+  }
+  c.pose_b.translation() = c.pose_a.translation() + (random.oneIn(8) ? near : far) * away;
+  return c;
+}
+
+bool lists(const DistanceCache& cache, std::uint32_t i, std::uint32_t j) {
+  for (int k = 0; k < cache.count; ++k)
+    if (cache.first_edge[k] == i && cache.second_edge[k] == j) return true;
+  return false;
+}
+
+TEST(RingDistance, GivesTheSameBitsAsAllPairsOfEdges) {
+  int shown = 0, near = 0, looking_ahead = 0, meeting = 0;
+  const int count = scaledCount(20000);
+  for (int n = 0; n < count; ++n) {
+    Random random(static_cast<std::uint64_t>(n) + 1000);
+    const Case c = ringPair(random);
+    const bool ordered = c.a.radius() >= c.b.radius();
+    const PosedPair pair = ordered ? PosedPair(c.a.data(), c.pose_a, c.b.data(), c.pose_b)
+                                   : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);
+    const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    const DistanceOptions options;
+    DistanceSearch search(edges, options), portable(edges, options), all(edges, options);
+    const double ahead = random.coin() ? 0 : random.real(0, 0.5) * pair.b.radius;
+    search.lookAhead(ahead);
+    portable.lookAhead(ahead);
+    const bool is_shown = showSmallRings(pair, search);
+    usePortableLanes(true);
+    ASSERT_EQ(showSmallRings(pair, portable), is_shown) << reproduction(c);
+    usePortableLanes(false);
+    if (!is_shown) {
+      meeting += collide(c.a, c.pose_a, c.b, c.pose_b);
+      continue;
+    }
+    ASSERT_FALSE(collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    for (std::uint32_t i = 0; i + 1 < pair.a.path.size(); ++i)
+      for (std::uint32_t j = 0; j + 1 < pair.b.path.size(); ++j) ASSERT_TRUE(all.show(i, j)) << reproduction(c);
+    DistanceCache cache;
+    search.keep(cache);
+    for (std::uint32_t i = 0; i + 1 < pair.a.path.size(); ++i)
+      for (std::uint32_t j = 0; j + 1 < pair.b.path.size(); ++j)
+        ASSERT_TRUE(lists(cache, i, j) || edges.bounds(i, j).high >= cache.apart[cache.count]) << reproduction(c);
+    search.finish();
+    portable.finish();
+    all.finish();
+    ASSERT_EQ(search.best().distance, all.best().distance) << reproduction(c);
+    ASSERT_EQ(portable.best().distance, all.best().distance) << reproduction(c);
+    ++shown;
+    near += all.best().distance < 1e-3 * pair.b.radius;
+    looking_ahead += cache.count > 4;
+  }
+  EXPECT_GT(shown, 0.5 * count);
+  EXPECT_GT(near, 0.05 * count);
+  EXPECT_GT(looking_ahead, 0.1 * count);
+  EXPECT_GT(meeting, 0.02 * count);
+}
+
+}  // namespace
+}  // namespace tricover::support
