@@ -140,17 +140,18 @@ class Sight {
   int collect(VertexAndEdge* pairs, int count) const {
     FewWays ways;
     ways.count = of_.count;
-    bool fits = true;
+    bool fits = true;  // into floats
     for (int k = 0; k < of_.count; ++k) {
       const Way way = wayOf(k);
       const double reach = room_ + 0.25 * way.sag;
+      const Double2 size = absolute(way.x) + absolute(way.y);
+      fits = size[0] + size[1] + reach < 0x1p30;
+      if (!fits) break;
       ways.x[k] = static_cast<float>(way.x[0]);
       ways.y[k] = static_cast<float>(way.y[0]);
       ways.to_x[k] = static_cast<float>(way.x[1]);
       ways.to_y[k] = static_cast<float>(way.y[1]);
       ways.reach[k] = static_cast<float>(reach);
-      const Double2 size = absolute(way.x) + absolute(way.y);
-      fits = fits && size[0] + size[1] + reach < 0x1p30;
     }
     unsigned near[kMost];
     if (fits)

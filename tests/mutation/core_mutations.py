@@ -664,7 +664,7 @@ MUTATIONS = [
     ("src/apart/convex_impact.cpp", "mover.keepsLengths();", "true;", "convex impact: a pose that doesn't keep lengths (equivalent: axes part less, never more)"),
     ("src/apart/few_edges_impact.cpp", "if (!turns) return;", "if (turns) return;", "few edges: no levers"),
     ("src/apart/few_edges_impact.cpp", "room_ = (pair.margin + 2 * pair.error) * inverse_;", "room_ = 2 * pair.error * inverse_;", "few edges: no margin"),
-    ("src/apart/few_edges_impact.cpp", "const double reach = room_ + 0.25 * way.sag;\n      ways.x", "const double reach = room_;\n      ways.x", "few edges: ways taken for straight"),
+    ("src/apart/few_edges_impact.cpp", "const double reach = room_ + 0.25 * way.sag;\n      const Double2 size", "const double reach = room_;\n      const Double2 size", "few edges: ways taken for straight"),
     ("src/apart/few_edges_impact.cpp", "const double always = 2 * turn * rates.speed + rates.pull;", "const double always = 0 * turn + rates.pull;", "few edges: no sag by speed"),
     ("src/apart/few_edges_impact.cpp", "if (last.offer(n[1] - room_, n[0] - room_, way.sag)) return false;", "if (last.offer(n[1] + room_, n[0] - room_, 0)) return false;", "few edges: parted by the end, sag and error forgotten"),
     ("src/apart/few_edges_impact.cpp", "const bool within = time < last;", "const bool within = step > 0;", "few edges: pairs of the first window for all"),
