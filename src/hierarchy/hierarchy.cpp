@@ -10,6 +10,7 @@
 #include "hierarchy/inner_discs.h"
 #include "hierarchy/small_ring.h"
 #include "numbers/rounding.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
@@ -340,6 +341,7 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   findInnerDiscs(polygon, local, *this);
   small_ring = makeSmallRing(polygon, local);
   small_convex = small_ring && small_ring->convex ? small_ring.get() : nullptr;
+  convex = convexityOf(polygon).direction;
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {

@@ -69,6 +69,7 @@ struct Hierarchy : Derived::Thing {
 
   std::unique_ptr<const SmallRing> small_ring;  ///< null unless the polygon is one
   const SmallRing* small_convex;                ///< the same if it is convex, otherwise null
+  int convex;                                   ///< Convexity::direction
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

@@ -8,6 +8,7 @@
 #include "pair/collide_by_hierarchy.h"
 #include "pair/collide_by_paper.h"
 #include "pair/collide_spine.h"
+#include "pair/convex_apart.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
@@ -26,7 +27,13 @@ PairFact findCloseFact(const PosedPair& pair, const CollideOptions& options, con
     const auto i = static_cast<std::size_t>(edge_a), j = static_cast<std::size_t>(edge_b);
     return fact(true, crossingDepth(pair, i, j), edge_a, edge_b);
   };
-  if (wish.edge_a >= 0 && wish.edge_b >= 0) {
+  // Points and segments have no tree, nor do they need a line.
+  const bool may_have_line = wish.was_apart && wish.wants_clearance && !pair.a.hasSpine() && !pair.b.hasSpine();
+  if (may_have_line && hierarchyOf(pair.a).convex != 0 && hierarchyOf(pair.b).convex != 0) {
+    const double reach = pair.reach(options.margin);
+    if (const auto line = findConvexApart(pair, wish.edge_a, wish.edge_b, reach + 0.25 * wish.lookahead))
+      if (line->gap > reach) return fact(false, line->gap, line->near_a, line->near_b);
+  } else if (wish.edge_a >= 0 && wish.edge_b >= 0) {
     const auto i = static_cast<std::size_t>(wish.edge_a), j = static_cast<std::size_t>(wish.edge_b);
     if (edgesWithin(pair, i, j, options.margin, options.tolerance)) return hit(wish.edge_a, wish.edge_b);
   }
@@ -46,7 +53,7 @@ bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData&
     const PairFact fact =
         findFact(a, pose_a, b, pose_b, options,
                  {recollection.lookahead, recollection.coherent, static_cast<std::ptrdiff_t>(cache->first_edge),
-                  static_cast<std::ptrdiff_t>(cache->second_edge)});
+                  static_cast<std::ptrdiff_t>(cache->second_edge), cache->clearance > 0 && !cache->overlapping});
     cache->first_edge = fact.edge_a;
     cache->second_edge = fact.edge_b;
     remember(*cache, a, pose_a, b, pose_b, fact.collides, fact.clearance);

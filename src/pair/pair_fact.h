@@ -14,7 +14,7 @@ namespace tricover::detail {
 struct PairFact {
   bool collides;
   double clearance;               ///< 0 of a hit by the margin or the tolerance alone
-  std::ptrdiff_t edge_a, edge_b;  ///< of a hit: see Outcome
+  std::ptrdiff_t edge_a, edge_b;  ///< of a hit: see Outcome; of convex polygons apart: see ConvexApart
 };
 
 /// What finding a fact is to look for.
@@ -22,6 +22,7 @@ struct FactWish {
   double lookahead;                         ///< the clearance, beyond the margin, that is of use
   bool wants_clearance;                     ///< false: a clearance would be of no use
   std::ptrdiff_t edge_a = -1, edge_b = -1;  ///< tried first, unless -1
+  bool was_apart = false;                   ///< whether these are the last fact's of polygons apart
 };
 
 /// Operands in the kernel's order, all arguments checked.

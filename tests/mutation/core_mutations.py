@@ -112,6 +112,15 @@ MUTATIONS = [
     ("src/pair/posed_pair.h", "defect = Gram(m0, m1).defect();", "defect = 0;", "defect of the relative pose"),
     ("src/pair/posed_pair.h", "length * (1 + 2 * scale_defect)", "length", "margin in a's frame: scale forgotten"),
     ("src/pair/collide_by_paper.cpp", "roundedUp<1>(pair.radiusB() + pair.reach(options.margin))", "0.999 * pair.radiusB() + pair.reach(options.margin)", "paper: the moving disc taken smaller"),
+    # Lines between convex polygons.
+    ("src/pair/convex_apart.cpp", "if (h - height > 2.5 * error_) return true;", "if (h > height) return true;", "line: what rounding leaves in doubt taken for greater (equivalent as far as tests see)"),
+    ("src/pair/convex_apart.cpp", "lowest = std::min(lowest, h);", "", "line: the least of those alike (equivalent as far as tests see)"),
+    ("src/pair/convex_apart.cpp", "return certain ? lowest - error_", "return certain ? lowest + error_", "line: the heights' error the wrong way"),
+    ("src/pair/convex_apart.cpp", "pair.m00 * pair.m11 - pair.m10 * pair.m01 < 0 ? -1 : 1", "1", "line: mirrored polygons turn the other way (equivalent: other lines are found)"),
+    ("src/pair/convex_apart.cpp", "descend(&Outline::before);", "", "line: down one side only"),
+    ("src/pair/collide.cpp", "if (line->gap > reach)", "if (true)", "facts: a line nearer than the margin"),
+    ("src/pair/collide.cpp", "cache->clearance > 0 && !cache->overlapping", "false", "facts: no line between convex polygons"),
+    ("src/pair/collide.cpp", "hierarchyOf(pair.a).convex != 0 &&", "", "facts: a line by a polygon that isn't convex"),
     # What is rigid.
     ("src/numbers/rigidity.h", " + (finite[0] + finite[1]) <= kRigidTolerance", " <= kRigidTolerance", "hot path: infinite translations"),
     ("src/numbers/rigidity.h", "gram.norms[0] + gram.norms[1] + gram.dot", "gram.norms[0] + gram.norms[1]", "hot path: shear"),
