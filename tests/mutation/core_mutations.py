@@ -509,7 +509,7 @@ MUTATIONS = [
     ("src/apart/distance.cpp", "if (pair.is_swapped) return", "if (false) return", "distance: points and edges in the kernel's order"),
     ("src/apart/distance.cpp", "if (options.margin > 0 || !(nearest.distance <= options.limit))", "if (!(nearest.distance <= options.limit))", "convex nearest: margins forgotten"),
     ("src/hierarchy/wide_shapes.h", "Lanes::all(height - facing.depth)", "Lanes::all(height)", "convex nearest: no depth"),
-    ("src/apart/ring_distance.cpp", "factor + slack) * factor * pair.a.unit", "factor) * factor * pair.a.unit", "ring distances: a limit without floats' errors"),
+    ("src/apart/ring_distance.cpp", "factor + slack) * factor * pair.a.unit", "factor) * factor * pair.a.unit", "ring distances: a limit without floats' errors (equivalent as far as tests see: pairs are kept by bounds in doubles)"),
     ("src/apart/ring_distance.cpp", "std::min(reach, 2 * kFarRings) * factor + slack;", "std::min(reach, 2 * kFarRings) * factor;", "ring distances: pairs left out by floats' errors"),
     ("src/apart/ring_distance.cpp", "&& areApart(*a, *b, map, rounding, far))) return false;", ")) return false;", "ring distances: of rings that meet"),
     ("src/hierarchy/wide_ring_gaps.h", "? -scale : scale;", "? scale : scale;", "ring distances: mirrored edges' middles"),
