@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_pictures.h"
 
+#include <cmath>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "layout.h"
 #include "maps.h"
 #include "report.h"
+#include "tricover/outline.h"
 #include "tricover/scene.h"
 #include "tricover/svg.h"
 
@@ -79,12 +82,50 @@ std::string raysPicture(const Countries& countries) {
   return drawing.str();
 }
 
+/// Where the fork lift's centre may be at some headings, by the scene's answers for the centres of cells.
+std::string configurationsPicture() {
+  constexpr double kCell = 2;
+  const Placement map = warehouseMap(60);
+  const Polygon robot = forkLift();
+  Scene scene;
+  for (const Placed& placed : map) scene.add(placed.polygon, placed.pose);
+  Eigen::AlignedBox2d area = boundsOf(map);
+  area.min().array() -= 30;
+  area.max().array() += 30;
+  const Vec2 size = area.sizes();
+  SvgDrawing drawing(1500);
+  for (int k = 0; k < 4; ++k) {
+    const double heading = k * M_PI / 6;
+    OccupancyGrid grid;
+    grid.width = static_cast<std::size_t>(size.x() / kCell);
+    grid.height = static_cast<std::size_t>(size.y() / kCell);
+    grid.resolution = kCell;
+    grid.origin = area.min();
+    const Vec2 centre = robot.origin();
+    std::vector<Pose> poses;
+    for (std::size_t cell = 0; cell < grid.width * grid.height; ++cell) {
+      const Vec2 at = grid.origin + kCell * Vec2(static_cast<double>(cell % grid.width) + 0.5,
+                                                 static_cast<double>(cell / grid.width) + 0.5);
+      poses.push_back(poseAt(at, heading) * Eigen::Translation2d(-centre));
+    }
+    const auto hits = std::make_unique<bool[]>(poses.size());
+    scene.collides(robot, poses.data(), poses.size(), hits.get());
+    grid.cells.assign(hits.get(), hits.get() + poses.size());
+    const Pose moved = poseAt(Vec2(k % 2 * 1.05 * size.x(), -(k / 2) * 1.1 * size.y()), 0);
+    if (const auto blocked = outline(grid)) drawing.polygon(*blocked, moved, kHit, kHit);
+    for (const Placed& placed : map) drawing.polygon(placed.polygon, moved * placed.pose, kStill);
+    drawing.polygon(robot, moved * poseAt(area.min() + Vec2(15, 15), heading) * Eigen::Translation2d(-centre), kFree);
+  }
+  return drawing.str();
+}
+
 }  // namespace
 
 void drawScenes(const Countries& countries, const std::string& directory) {
   writeFile(directory + "/crowd.svg", crowdPicture());
   writeFile(directory + "/layout.svg", layoutPicture());
   writeFile(directory + "/rays.svg", raysPicture(countries));
+  writeFile(directory + "/configurations.svg", configurationsPicture());
 }
 
 }  // namespace tricover::bench
