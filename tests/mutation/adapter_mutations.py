@@ -117,8 +117,8 @@ MUTATIONS = [
     # Discs and stadiums, margins of distances, all heights.
     ("fcl_adapter/src/mixed/stadium_penetration.cpp", "return way.depth <= 0 || isFreeAfter(pair, way) ?", "return true ?", "stadium's way: into a notch"),
     ("fcl_adapter/src/mixed/stadium_penetration.cpp", "if (length > kError * pair.radius) return isFreeAfter(pair, way) ? std::optional(way) : std::nullopt;", "if (length > kError * pair.radius) return way;", "disc's way: out of one wall into another"),
-    ("fcl_adapter/src/mixed/stadium_penetration.cpp", "{normal, Vec2(-normal)}", "{normal}", "disc's way: a centre on an edge, inwards"),
-    ("fcl_adapter/src/mixed/stadium_penetration.cpp", "pair.radius + part->depth", "part->depth", "stadium's way: its segment's alone"),
+    ("fcl_adapter/src/mixed/stadium_penetration.cpp", "{normal, Vec2(-normal)}", "{normal}", "disc's way: a centre on an edge, inwards (equivalent but for speed: then it is searched)"),
+    ("fcl_adapter/src/mixed/stadium_penetration.cpp", "pair.radius + part->depth", "part->depth", "stadium's way: its segment's alone (equivalent but for speed: then it is searched)"),
     ("fcl_adapter/src/mixed/stadium_penetration.cpp", "pair.radius - apart.distance", "pair.radius", "stadium's way: as from an edge"),
     ("fcl_adapter/src/shadow/stadium.cpp", "std::sqrt((radius - height) * (radius + height)) * (1 + 0x1p-50)", "radius", "ball: its section"),
     ("fcl_adapter/src/shadow/stadium.cpp", "if (!in_slab && !lies) return std::nullopt;", "", "capsule: leans"),
