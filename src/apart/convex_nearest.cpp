@@ -34,8 +34,6 @@ static_assert(kDepth * kLeastScale / 2 >= kSupportError + kAhead && kSupportErro
 constexpr double kInside = 0x1p-9, kClear = 0x1p-18, kClearProduct = 0x1p-30;
 
 unsigned bit(int i) { return 1u << i; }
-/// Those of n edges that start or end at vertices.
-unsigned edgesAt(unsigned vertices, int n) { return vertices | vertices >> 1 | (vertices & 1) << (n - 1); }
 
 class ConvexSearch {
  public:

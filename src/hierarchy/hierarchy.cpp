@@ -339,9 +339,10 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   blocks.shrink_to_fit();
   assert(isTree(*this, polygon));
   findInnerDiscs(polygon, local, *this);
-  small_ring = makeSmallRing(polygon, local);
+  const Convexity convexity = convexityOf(polygon);
+  convex = convexity.direction;
+  small_ring = makeSmallRing(polygon, convexity, local);
   small_convex = small_ring && small_ring->convex ? small_ring.get() : nullptr;
-  convex = convexityOf(polygon).direction;
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {

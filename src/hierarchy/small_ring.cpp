@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polygon/convexity.h"
-
 namespace tricover::detail {
 
-std::unique_ptr<const SmallRing> makeSmallRing(const PolygonData& polygon, const std::vector<Vec2>& local) {
+std::unique_ptr<const SmallRing> makeSmallRing(const PolygonData& polygon, const Convexity& convexity,
+                                               const std::vector<Vec2>& local) {
   const std::size_t n = polygon.path.size() - 1;
   if (polygon.ringCount() != 1 || n > SmallRing::kMost) return nullptr;
-  const Convexity convexity = convexityOf(polygon);
   auto ring = std::make_unique<SmallRing>();
   ring->lanes = n > kLanes ? SmallRing::kMost : kLanes;
   ring->count = static_cast<int>(n);

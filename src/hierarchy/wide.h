@@ -115,8 +115,8 @@ struct MovingQuery {
 };
 /// Relative to the sum of what a gap is computed from, as for kGapRounding.
 constexpr double kMovingGapRounding = 4 * kGapRounding;
-/// A bit for each of the block's boxes that the query may meet, and the shares of the window, from its begin and from its
-/// end, in which they don't. Nothing may exceed 2^30.
+/// A bit for each of the block's boxes that the query may meet, and the shares of the window, from its begin and from
+/// its end, in which they don't. Nothing may exceed 2^30.
 unsigned cutWindows(const Block& block, const MovingQuery& query, float* from_begin, float* from_end);
 
 /// How deep, in units, a point is at least in one of the discs: negative where it may be beside all, by no less than
@@ -166,6 +166,9 @@ void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGa
 /// square. A vertex is of both its edges.
 void edgesWithin(const SmallRing& a, const SmallRing& b, const RingGaps& gaps, float square,
                  unsigned (&near)[SmallRing::kMost]);
+
+/// Those of a ring's n edges that start or end at vertices, a bit each.
+inline unsigned edgesAt(unsigned vertices, int n) { return vertices | vertices >> 1 | (vertices & 1) << (n - 1); }
 
 /// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
 /// vertex of the other is nearest to its line. It is a guess as good as floats.

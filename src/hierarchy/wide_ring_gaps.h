@@ -50,11 +50,6 @@ template <class Lanes>
   return ~beyond & ((1u << count) - 1);
 }
 
-/// Those of n edges that start or end at vertices.
-[[gnu::always_inline]] inline unsigned edgesAt(unsigned vertices, int n) {
-  return vertices | vertices >> 1 | (vertices & 1) << (n - 1);
-}
-
 template <class Lanes>
 void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGaps& gaps) {
   mapVertices<Lanes>(b, map, gaps.x, gaps.y);

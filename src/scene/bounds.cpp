@@ -30,7 +30,7 @@ static_assert(kBoundsError >= (1 + 1e-5) * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 
 constexpr double kExtentsGrowth = 1 + 0x1p-20;
 
 /// A box, grown; without ends where that overflows, and where `known` is false.
-Bounds grown(Double2 low, Double2 high, Double2 grow, bool known) {
+Bounds roundedOutwards(Double2 low, Double2 high, Double2 grow, bool known) {
   low = low - grow, high = high + grow;
   Bounds bounds{low[0], low[1], high[0], high[1]};
   // Negated for NaN.
@@ -52,7 +52,7 @@ Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
       const Double2 at = r0 * vertex.x() + r1 * vertex.y();  // never inf - inf: R's rows are of length 1
       least = smaller(least, at), most = larger(most, at);
     }
-    return grown(t + least, t + most, grow, true);
+    return roundedOutwards(t + least, t + most, grow, true);
   }
   const Block& block = hierarchyOf(polygon).blocks.front();
   const double unit = polygon.unit, scale = unit * block.scale;
@@ -66,7 +66,7 @@ Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
     least = smaller(least, at - half), most = larger(most, at + half);
   }
   const Double2 middle = r0 * x + r1 * y + t;
-  return grown(middle + scale * least, middle + scale * most, grow, polygon.fitsUnit());
+  return roundedOutwards(middle + scale * least, middle + scale * most, grow, polygon.fitsUnit());
 }
 
 }  // namespace tricover::detail

@@ -204,12 +204,9 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<BodyM
       return true;
     });
     moving.insert(i, all);
-    const auto grown = [&](const Bounds& b) {
-      return Bounds{b.min_x - rest, b.min_y - rest, b.max_x + rest, b.max_y + rest};
-    };
-    state.tree.visit(grown(all), [&](BodyHandle other) {
+    state.tree.visit(grown(all, rest), [&](BodyHandle other) {
       const bool rests = motion_of[other] == motions.size();
-      if (rests && mayMeet(body, other) && boxes.meets(i, grown(state.tree.boundsOf(other)))) add(body, other);
+      if (rests && mayMeet(body, other) && boxes.meets(i, grown(state.tree.boundsOf(other), rest))) add(body, other);
       return true;
     });
   }

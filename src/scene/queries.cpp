@@ -191,7 +191,7 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& cache
     const detail::PairFact fact = detail::inKernelOrder(
         data, pose, other.polygon.data(), other.pose,
         [&](const auto&... operands) {
-          return detail::findFact(operands..., sum, {lookahead, coherent});
+          return detail::findFact(operands..., sum, {lookahead, true});
         },
         [](const detail::PairFact&) {});
     if (fact.collides) cache.body = body;

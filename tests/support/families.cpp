@@ -5,6 +5,7 @@
 
 #include "family_makers.h"
 #include "shapes.h"
+#include "tricover/collide.h"
 
 namespace tricover::support {
 namespace {
@@ -102,6 +103,16 @@ const std::vector<Family>& families() {
       {"flat_rings", seeded<flatRings>},
   };
   return all;
+}
+
+ContactOnWay contactOnWay(Case c, const Vec2& away, double far, int halvings) {
+  ContactOnWay way{0, far};
+  for (; halvings > 0; --halvings) {
+    const double middle = 0.5 * (way.near + way.far);
+    c.pose_b.translation() = c.pose_a.translation() + middle * away;
+    (collide(c.a, c.pose_a, c.b, c.pose_b) ? way.near : way.far) = middle;
+  }
+  return way;
 }
 
 }  // namespace tricover::support

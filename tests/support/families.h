@@ -16,6 +16,13 @@ struct Case {
   Pose pose_b;
 };
 
+/// Moves b along `away` from a's place: between a distance at which the polygons meet, or 0, and one at which they
+/// don't, or `far`, after so many halvings.
+struct ContactOnWay {
+  double near, far;
+};
+ContactOnWay contactOnWay(Case c, const Vec2& away, double far, int halvings);
+
 /// One way in which a pair can be degenerate; the same seed always makes the same case, and both outcomes are common.
 struct Family {
   const char* name;

@@ -134,4 +134,32 @@ Vec2 nudged(Random& random, const Vec2& point, int most) {
   return {nudged(point.x(), random.integer(-most, most)), nudged(point.y(), random.integer(-most, most))};
 }
 
+Motion randomMotion(Random& random, const Polygon& polygon, double size) {
+  Motion motion;
+  motion.start = randomPose(random, 2 * size);
+  if (random.oneIn(5)) motion.start = mirrored(motion.start);
+  if (random.oneIn(3)) return motion;
+  const auto shift = [&] { return Vec2(4 * size * Vec2(random.real(-1, 1), random.real(-1, 1))); };
+  motion.shift = random.coin() ? shift() : Vec2(-random.real(0.5, 2) * motion.start.translation());
+  if (random.oneIn(3)) return motion;
+  motion.pivot = random.coin() ? polygon.origin() : shift();
+  motion.angle = random.real(-1, 1) * (random.oneIn(3) ? 30 : 3);
+  if (random.oneIn(3)) {
+    motion.shift_2 = shift();
+    motion.shift_3 = shift();
+    motion.angle_2 = random.real(-3, 3);
+    motion.angle_3 = random.real(-3, 3);
+  }
+  return motion;
+}
+
+Polygon repeated(std::vector<Ring> rings, std::size_t times) {
+  for (Ring& ring : rings) {
+    Ring result;
+    for (const Vec2& p : ring) result.insert(result.end(), times, p);
+    ring = result;
+  }
+  return Polygon(rings);
+}
+
 }  // namespace tricover::support

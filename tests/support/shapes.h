@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "random.h"
+#include "tricover/motion.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
 
@@ -32,6 +33,9 @@ Ring shifted(Ring ring, const Vec2& by);
 /// A vertex said twice here and there, and midpoints (rounded) of edges put in.
 Ring withRepeatedAndMidpoints(Random& random, const Ring& ring);
 
+/// The same region with every vertex said so often: more edges than the short ways take.
+Polygon repeated(std::vector<Ring> rings, std::size_t times);
+
 /// Every ring's direction and the rings' order drawn anew: nothing changes under even-odd.
 std::vector<Ring> redirected(Random& random, std::vector<Ring> rings);
 
@@ -44,6 +48,8 @@ Pose throughFloat(const Pose& pose);
 /// R off orthonormality by nearly as much as is allowed: a little scale and shear.
 Pose distorted(Random& random, Pose pose);
 Pose randomPose(Random& random, double reach);
+/// From within 2 sizes, of several kinds: at rest, sliding, turning about the polygon's S or another point, splines.
+Motion randomMotion(Random& random, const Polygon& polygon, double size);
 
 /// `steps` representable doubles up (or down).
 double nudged(double value, int steps);

@@ -42,12 +42,7 @@ Case convexPair(Random& random) {
   if (random.oneIn(4)) c.pose_b = mirrored(c.pose_b);
   if (random.oneIn(8)) c.b = c.a;
   const Vec2 away = direction(random.oneIn(4) ? 0 : random.real(-4, 4));
-  double near = 0, far = 4;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (near + far);
-    c.pose_b.translation() = c.pose_a.translation() + middle * away;
-    (collide(c.a, c.pose_a, c.b, c.pose_b) ? near : far) = middle;
-  }
+  double near = contactOnWay(c, away, 4, 50).near;
   near -= random.oneIn(3) ? random.unit() : (random.coin() ? 1 : -1) * std::pow(10, random.real(-17, 0));
   c.pose_b.translation() = c.pose_a.translation() + near * away;
   return c;

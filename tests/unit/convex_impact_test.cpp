@@ -36,30 +36,6 @@ Ring convexRing(Random& random, double size) {
   return ring;
 }
 
-Polygon repeated(const Ring& ring) {
-  Ring result;
-  for (const Vec2& p : ring) result.insert(result.end(), 6, p);
-  return Polygon({result});
-}
-
-Motion anyMotion(Random& random, const Polygon& polygon, double size) {
-  Motion motion;
-  motion.start = randomPose(random, 2 * size);
-  if (random.oneIn(4)) return motion;
-  const auto shift = [&] { return Vec2(4 * size * Vec2(random.real(-1, 1), random.real(-1, 1))); };
-  motion.shift = shift();
-  if (random.oneIn(4)) return motion;
-  motion.pivot = random.coin() ? polygon.origin() : shift();
-  motion.angle = random.real(-1, 1) * (random.oneIn(3) ? 30 : 3);
-  if (random.oneIn(3)) {
-    motion.shift_2 = shift();
-    motion.shift_3 = shift();
-    motion.angle_2 = random.real(-3, 3);
-    motion.angle_3 = random.real(-3, 3);
-  }
-  return motion;
-}
-
 TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
   int small = 0, answered = 0, hits = 0, misses = 0, at_start = 0;
   const int count = scaledCount(20000);
@@ -68,12 +44,13 @@ TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
     const double size = std::pow(10, random.real(-3, 3));
     const Ring ring_a = convexRing(random, size), ring_b = convexRing(random, size * random.real(0.05, 1));
     const Polygon a({ring_a}), b({ring_b});
-    const Motion motion_a = anyMotion(random, a, size), motion_b = anyMotion(random, b, size);
+    const Motion motion_a = randomMotion(random, a, size), motion_b = randomMotion(random, b, size);
     ImpactOptions options;
     options.time_error = std::pow(10, random.integer(-12, -1));
     options.margin = random.oneIn(3) ? size * random.real(0, 0.5) : 0;
     const std::optional<Impact> impact = timeOfImpact(a, motion_a, b, motion_b, options);
-    const std::optional<Impact> truth = timeOfImpact(repeated(ring_a), motion_a, repeated(ring_b), motion_b, options);
+    const std::optional<Impact> truth =
+        timeOfImpact(repeated({ring_a}, 6), motion_a, repeated({ring_b}, 6), motion_b, options);
     ASSERT_EQ(impact.has_value(), truth.has_value()) << i;
     const bool swaps = b.radius() > a.radius();
     MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)

@@ -9,6 +9,7 @@
 
 #include "apart/distance_search.h"
 #include "exact_reference.h"
+#include "families.h"
 #include "hierarchy/wide.h"
 #include "pair/posed_pair.h"
 #include "random.h"
@@ -48,12 +49,7 @@ Case convexPair(Random& random) {
   if (random.oneIn(4)) c.pose_b = mirrored(c.pose_b);
   const double angle = random.oneIn(4) ? 0 : random.real(-4, 4);
   const Vec2 away(std::cos(angle), std::sin(angle));
-  double near = 0, far = 64 * size;  // collides at near, or never again on the way
-  for (int i = random.integer(0, 50); i > 0; --i) {
-    const double middle = 0.5 * (near + far);
-    c.pose_b.translation() = c.pose_a.translation() + middle * away;
-    (collide(c.a, c.pose_a, c.b, c.pose_b) ? near : far) = middle;
-  }
+  const auto [near, far] = contactOnWay(c, away, 64 * size, random.integer(0, 50));
   c.pose_b.translation() = c.pose_a.translation() + (random.oneIn(8) ? near : far) * away;
   return c;
 }

@@ -38,34 +38,6 @@ std::vector<Ring> anyRings(Random& random, double size) {
   return rings;
 }
 
-Polygon repeated(std::vector<Ring> rings) {
-  for (Ring& ring : rings) {
-    Ring result;
-    for (const Vec2& p : ring) result.insert(result.end(), 6, p);
-    ring = result;
-  }
-  return Polygon(rings);
-}
-
-Motion anyMotion(Random& random, const Polygon& polygon, double size) {
-  Motion motion;
-  motion.start = randomPose(random, 2 * size);
-  if (random.oneIn(5)) motion.start = mirrored(motion.start);
-  if (random.oneIn(3)) return motion;
-  const auto shift = [&] { return Vec2(4 * size * Vec2(random.real(-1, 1), random.real(-1, 1))); };
-  motion.shift = random.coin() ? shift() : Vec2(-random.real(0.5, 2) * motion.start.translation());
-  if (random.oneIn(3)) return motion;
-  motion.pivot = random.coin() ? polygon.origin() : shift();
-  motion.angle = random.real(-1, 1) * (random.oneIn(3) ? 30 : 3);
-  if (random.oneIn(3)) {
-    motion.shift_2 = shift();
-    motion.shift_3 = shift();
-    motion.angle_2 = random.real(-3, 3);
-    motion.angle_3 = random.real(-3, 3);
-  }
-  return motion;
-}
-
 TEST(FewEdgesImpact, IsTheSearchsWithinTheTimeError) {
   int few = 0, asked = 0, answered = 0, hits = 0, misses = 0;
   const int count = scaledCount(8000);
@@ -75,13 +47,13 @@ TEST(FewEdgesImpact, IsTheSearchsWithinTheTimeError) {
     const std::vector<Ring> rings_a = anyRings(random, size), rings_b = anyRings(random, other);
     const bool is_segment = random.oneIn(8);
     const Polygon a(rings_a), b = is_segment ? segment(Vec2(0, other), Vec2(other, 0)) : Polygon(rings_b);
-    const Polygon b_repeated = is_segment ? b : repeated(rings_b);
-    const Motion motion_a = anyMotion(random, a, size), motion_b = anyMotion(random, b, size);
+    const Polygon b_repeated = is_segment ? b : repeated(rings_b, 6);
+    const Motion motion_a = randomMotion(random, a, size), motion_b = randomMotion(random, b, size);
     ImpactOptions options;
     options.time_error = std::pow(10, random.integer(-12, -1));
     options.margin = random.oneIn(3) ? size * random.real(0, 0.5) : 0;
     const std::optional<Impact> impact = timeOfImpact(a, motion_a, b, motion_b, options);
-    const std::optional<Impact> truth = timeOfImpact(repeated(rings_a), motion_a, b_repeated, motion_b, options);
+    const std::optional<Impact> truth = timeOfImpact(repeated(rings_a, 6), motion_a, b_repeated, motion_b, options);
     ASSERT_EQ(impact.has_value(), truth.has_value()) << i;
     if (truth && truth->time == 0) {
       EXPECT_EQ(impact->time, 0) << i;

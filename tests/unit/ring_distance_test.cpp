@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "families.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -44,12 +45,7 @@ Case ringPair(Random& random) {
   if (random.oneIn(3)) c.pose_b = mirrored(c.pose_b);
   const double angle = random.real(-4, 4);
   const Vec2 away(std::cos(angle), std::sin(angle));
-  double near = 0, far = 128 * size;
-  for (int i = random.integer(0, 30); i > 0; --i) {
-    const double middle = 0.5 * (near + far);
-    c.pose_b.translation() = c.pose_a.translation() + middle * away;
-    (collide(c.a, c.pose_a, c.b, c.pose_b) ? near : far) = middle;
-  }
+  const auto [near, far] = contactOnWay(c, away, 128 * size, random.integer(0, 30));
   c.pose_b.translation() = c.pose_a.translation() + (random.oneIn(8) ? near : far) * away;
   return c;
 }
