@@ -15,7 +15,6 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "test_scale.h"
-#include "tricover/collide.h"
 
 namespace tricover::support {
 namespace {
