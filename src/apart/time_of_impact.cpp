@@ -158,8 +158,9 @@ class ImpactSearch {
     const Side a = sideA(window, node_a), b = sideB(window, node_b);
     const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
     const WindowCutter cutter(window, a.box, b.box);
-    // Smaller boxes don't help where ways bend by more than the boxes' size.
-    if (cutter.bend() > size_a + size_b) return halve(encounter);
+    // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter windows once they bend by less
+    // than what boxes' axes don't see around their corners: rounding, and a part of the margin.
+    if (cutter.bend() > std::max({size_a + size_b, pair_.error, pair_.margin / 16})) return halve(encounter);
     Encounter part = encounter;
     ++part.depth;
     const bool divides_a = !a.node.edge && (b.node.edge || size_a >= size_b);

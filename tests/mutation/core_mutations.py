@@ -491,6 +491,7 @@ MUTATIONS = [
     ("src/apart/time_of_impact.cpp", "rest.low = std::max(rest.low, other.low);", "rest.low = 0.5 * (rest.low + rest.high);", "impact: one axis cuts what it may not"),
     ("src/apart/time_of_impact.cpp", "if (tight_ && partedByPivots", "if (partedByPivots", "impact: pivots asked about nodes that aren't fitted (equivalent: those know nothing)"),
     ("src/apart/time_of_impact.cpp", "begin > other.begin : depth", "begin < other.begin : depth", "impact: latest candidates first"),
+    ("src/apart/time_of_impact.cpp", "std::max({size_a + size_b, pair_.error, pair_.margin / 16})", "size_a + size_b", "impact: windows are halved without end beside corners within the margin"),
     ("src/apart/time_of_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(pair.margin)", "impact: touches known exactly (equivalent: speed only, halving ends there as well)"),
     ("src/apart/time_of_impact.cpp", "encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound())", "upper_bound_", "impact: the time seen, not the one proven"),
     ("src/apart/time_of_impact.cpp", "std::min(begin + rest.low * length, encounter.end)", "std::min(begin + (rest.low + 0.01) * length, encounter.end)", "impact: encounters begin too late"),

@@ -350,6 +350,19 @@ TEST(TimeOfImpact, MarginIsMetSoonerByAsMuch) {
   EXPECT_FALSE(timeOfImpact(point, Motion::translation(Pose::Identity(), {20, 0}), corner, kStill, options));
 }
 
+TEST(TimeOfImpact, PointsSaidOftenBesideEachOthersCorners) {
+  // The margin is more than boxes' axes see of the distance, and boxes are as small as can be, whatever is divided.
+  const Polygon a({Ring(40, {0, 0})}), b({Ring(40, {0, 0})});
+  ImpactOptions options;
+  options.margin = 1.2;
+  Motion bent = Motion::still(pose(0, 1, 1));
+  bent.shift_2 = Vec2(0.05, 0.05);
+  EXPECT_FALSE(timeOfImpact(a, kStill, b, bent, options).has_value());
+  bent.shift_2 = Vec2(-0.3, -0.3);
+  options.margin = std::hypot(0.925, 0.925);
+  expectImpact(a, kStill, b, bent, 0.5, kRounding, options);
+}
+
 TEST(TimeOfImpact, MarginAtAnyScale) {
   for (const double scale : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {
     const Polygon square({scaled(rectangle(0, 0, 1, 1), scale)}), wall({scaled(rectangle(3, -10, 4, 10), scale)});
