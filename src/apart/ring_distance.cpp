@@ -17,8 +17,7 @@ constexpr double kNearRings = 4;
 
 bool areApart(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding, double far) {
   if (far >= kNearRings) return map.error < 0.5;
-  const auto meet = a.convex && b.convex ? &convexMeet : &ringsMeet;
-  return meet(a, b, map, rounding) == Meeting::Apart;
+  return (a.convex && b.convex ? convexMeet(a, b, map, rounding) : ringsMeet(a, b, map, rounding)) == Meeting::Apart;
 }
 
 }  // namespace

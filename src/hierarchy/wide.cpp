@@ -35,8 +35,9 @@ Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, d
   return table().convex_meet(a, b, map, rounding);
 }
 
-Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
-  return table().rings_meet(a, b, map, rounding);
+Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding,
+                  const EdgeCheck& check) {
+  return table().rings_meet(a, b, map, rounding, check);
 }
 
 void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGaps& gaps) {

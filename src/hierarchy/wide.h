@@ -149,8 +149,16 @@ enum class Meeting { Apart, Meet, Unknown };
 /// Two small convex polygons by separating axes. `map` goes from b's units to a's and puts b's S within 4 of a's.
 Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
 
-/// Two small rings by all of their edges, where floats are certain. `map` as for convexMeet().
-Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
+/// Whether two edges meet, by their positions: who knows where floats don't. Null: nobody.
+struct EdgeCheck {
+  const void* context = nullptr;
+  bool (*meet)(const void* context, std::size_t edge_a, std::size_t edge_b) = nullptr;
+};
+
+/// Two small rings by all of their edges, where floats are certain or few pairs of edges need the check. `map` as for
+/// convexMeet().
+Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding,
+                  const EdgeCheck& check = {});
 
 /// Two small rings' distances in a's units, as floats see them: squares of what every edge is away from the nearest
 /// vertex of the other ring, and the least of them. `map` goes from b's units to a's.

@@ -65,10 +65,20 @@ template <class Lanes>
   return inside ? Meeting::Meet : Meeting::Apart;
 }
 
+/// A bit for each edge, but those between the copies of a vertex.
+[[gnu::always_inline]] inline unsigned edgesOf(const SmallRing& ring) {
+  return ((1u << (ring.count - 1)) - 1) | 1u << (ring.lanes - 1);
+}
+
+/// The position of an edge's bit.
+[[gnu::always_inline]] inline std::size_t positionOf(const SmallRing& ring, int edge) {
+  return static_cast<std::size_t>(edge < ring.count ? edge : ring.count - 1);
+}
+
 /// b's edges that may reach a's bounding box.
 template <class Lanes>
-[[gnu::always_inline]] inline unsigned edgesNear(const SmallRing& a, const RingView& b, int count, float slack) {
-  unsigned near = ((1u << (count - 1)) - 1) | 1u << (b.lanes - 1);  // but those between the copies of a vertex
+[[gnu::always_inline]] inline unsigned edgesNear(const SmallRing& a, const RingView& b, unsigned edges, float slack) {
+  unsigned near = edges;
   const auto beyond = [&](unsigned bits) __attribute__((always_inline)) { near &= ~(bits & next(bits, b.lanes)); };
   const auto beyondAny = [&](const float* at, float low, float high) __attribute__((always_inline)) {
     const Signs left = signsOf<Lanes>(
@@ -83,17 +93,50 @@ template <class Lanes>
   return near;
 }
 
+/// Of rings whose edges don't meet: whether the region holds the other ring, by the first of its vertices that floats
+/// tell of.
+template <class Lanes>
+[[gnu::always_inline]] inline Meeting holdsRing(const RingView& ring, const float* x, const float* y, int count,
+                                                float slack) {
+  int i = 0;
+  Meeting meeting = holds<Lanes>(ring, x[0], y[0], slack);
+  while (meeting == Meeting::Unknown && ++i < count) meeting = holds<Lanes>(ring, x[i], y[i], slack);
+  return meeting;
+}
+
+/// Pairs of edges of which floats know nothing: for edges of b those of a.
+struct DoubtfulEdges {
+  /// Beyond, a descent of the trees is as good.
+  static constexpr int kMost = 8;
+
+  unsigned of_b = 0, of_a[SmallRing::kMost];
+};
+
+[[gnu::always_inline]] inline Meeting meetingOf(const SmallRing& a, const SmallRing& b, const DoubtfulEdges& doubtful,
+                                                const EdgeCheck& check) {
+  int count = 0;
+  for (unsigned of_b = doubtful.of_b; of_b != 0; of_b &= of_b - 1) {
+    const int j = __builtin_ctz(of_b);
+    for (unsigned of_a = doubtful.of_a[j]; of_a != 0; of_a &= of_a - 1) {
+      if (check.meet == nullptr || ++count > DoubtfulEdges::kMost) return Meeting::Unknown;
+      if (check.meet(check.context, positionOf(a, __builtin_ctz(of_a)), positionOf(b, j))) return Meeting::Meet;
+    }
+  }
+  return Meeting::Apart;
+}
+
 /// Two segments cross if the ends of each are on different sides of the other's line, and share no point if those of
 /// one are on the same side. Rounding as in convexMeet(): signs are certain beyond the slack.
 template <class Lanes>
-Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
+Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding, const EdgeCheck& check) {
   float x[SmallRing::kMost], y[SmallRing::kMost], nx[SmallRing::kMost], ny[SmallRing::kMost], d[SmallRing::kMost];
   mapVertices<Lanes>(b, map, x, y);
   mapHalfPlanes<Lanes>(b, map, nx, ny, d);
   const RingView view_a{a.x, a.y, a.nx, a.ny, a.d, a.lanes, a.fill}, view_b{x, y, nx, ny, d, b.lanes, b.fill};
   const float slack = static_cast<float>(8 * rounding + map.error);
-  bool certain = true;
-  for (unsigned left = edgesNear<Lanes>(a, view_b, b.count, slack); left != 0; left &= left - 1) {
+  const unsigned edges_a = edgesOf(a);
+  DoubtfulEdges doubtful;
+  for (unsigned left = edgesNear<Lanes>(a, view_b, edgesOf(b), slack); left != 0; left &= left - 1) {
     const int j = __builtin_ctz(left), k = j + 1 == b.lanes ? 0 : j + 1;
     const Signs from = sidesOf<Lanes>(view_a, x[j], y[j], slack), to = sidesOf<Lanes>(view_a, x[k], y[k], slack);
     const Signs start = signsOf<Lanes>(
@@ -103,16 +146,18 @@ Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, do
     const Signs end = next(start, a.lanes);
     const unsigned apart = (from.positive & to.positive) | (from.negative & to.negative) |
                            (start.positive & end.positive) | (start.negative & end.negative);
-    if (apart == view_a.all()) continue;
+    const unsigned open = edges_a & ~apart;
+    if (open == 0) continue;
     const unsigned cross = ((from.positive & to.negative) | (from.negative & to.positive)) &
                            ((start.positive & end.negative) | (start.negative & end.positive));
-    if (cross != 0) return Meeting::Meet;
-    certain = false;
+    if ((cross & open) != 0) return Meeting::Meet;
+    doubtful.of_b |= 1u << j;
+    doubtful.of_a[j] = open;
   }
-  if (!certain) return Meeting::Unknown;
-  const Meeting of_b = holds<Lanes>(view_a, x[0], y[0], slack);
+  if (const Meeting meeting = meetingOf(a, b, doubtful, check); meeting != Meeting::Apart) return meeting;
+  const Meeting of_b = holdsRing<Lanes>(view_a, x, y, b.count, slack);
   if (of_b != Meeting::Apart) return of_b;
-  return holds<Lanes>(view_b, a.x[0], a.y[0], slack);
+  return holdsRing<Lanes>(view_b, a.x, a.y, a.count, slack);
 }
 
 }  // namespace tricover::detail::wide

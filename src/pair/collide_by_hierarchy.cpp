@@ -64,8 +64,10 @@ Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options,
   Outcome outcome;
   const bool near = std::abs(map.tx) + std::abs(map.ty) < 4;  // false for NaN
   if (a.small_ring && b.small_ring && near && wanted == Wanted::Answer && options.margin == 0) {
-    const auto meet = a.small_convex && b.small_convex ? &convexMeet : &ringsMeet;
-    const Meeting meeting = meet(*a.small_ring, *b.small_ring, map, rounding);
+    const EdgeTest test{pair, options};
+    const Meeting meeting = a.small_convex && b.small_convex
+                                ? convexMeet(*a.small_ring, *b.small_ring, map, rounding)
+                                : ringsMeet(*a.small_ring, *b.small_ring, map, rounding, {&test, &EdgeTest::meet});
     if (meeting != Meeting::Unknown) {
       outcome.collides = meeting == Meeting::Meet;
       return outcome;

@@ -216,6 +216,58 @@ TEST(RingsMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
   EXPECT_LT(unknown, cases / 100);
 }
 
+/// On a small grid much touches: what floats can't tell the check does, about the right edges, and few pairs need it.
+TEST(RingsMeet, AskTheCheckWhereFloatsDoubt) {
+  struct Check {
+    const PosedPair& pair;
+    int asked = 0;
+    static bool meet(const void* context, std::size_t edge_a, std::size_t edge_b) {
+      Check& check = *static_cast<Check*>(const_cast<void*>(context));
+      ++check.asked;
+      EXPECT_LT(edge_a, check.pair.a.path.size() - 1);
+      EXPECT_LT(edge_b, check.pair.b.path.size() - 1);
+      return edgesMeet(check.pair, edge_a, edge_b);
+    }
+  };
+  Random random(16);
+  int apart = 0, meet = 0, unknown = 0, doubted = 0;
+  const int cases = scaledCount(3000);
+  for (int i = 0; i < cases; ++i) {
+    const auto ring = [&] {
+      Ring vertices;
+      const int n = random.integer(3, i % 2 == 0 ? 8 : 12);
+      while (static_cast<int>(vertices.size()) < n) {
+        const Vec2 v(random.integer(0, 5), random.integer(0, 5));
+        if (vertices.empty() || (v != vertices.back() && v != vertices.front())) vertices.push_back(v);
+      }
+      return Polygon({vertices}, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+    };
+    const Pose at = pose(0.3, 1, 2), by = pose(0, random.integer(2, 6), random.integer(-4, 4));
+    const Case c{ring(), random.coin() ? at : mirrored(at), ring(), at * by};
+    const PosedPair pair = largerFirst(c);
+    const auto &of_a = hierarchyOf(pair.a).small_ring, &of_b = hierarchyOf(pair.b).small_ring;
+    ASSERT_TRUE(of_a && of_b);
+    Check check{pair};
+    const auto answer = [&] {
+      return ringsMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair), {&check, &Check::meet});
+    };
+    const detail::Meeting meeting = answer();
+    doubted += check.asked > 0;
+    ASSERT_EQ(onPortableLanes(answer), meeting);
+    if (meeting == detail::Meeting::Unknown) {
+      ++unknown;
+      continue;
+    }
+    const bool truth = exact::collide(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(meeting == detail::Meeting::Meet, truth) << reproduction(c);
+    ++(truth ? meet : apart);
+  }
+  EXPECT_GT(apart, cases / 10);
+  EXPECT_GT(meet, cases / 10);
+  EXPECT_GT(doubted, cases / 20);
+  EXPECT_LT(unknown, cases / 20);
+}
+
 /// By the definition, also of boxes without ends and of those that are nothing.
 TEST(EightBoxes, MeetABoxAndARay) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNaN = std::numeric_limits<double>::quiet_NaN();
