@@ -10,91 +10,153 @@
 namespace tricover::detail {
 namespace {
 
-// Separating axes guess the nearest features, and a support pass along the axis n between them proves the guess. Let v
-// in a and w in b be vertices of the features, w - v = d n but for what is along an edge, and no vertex be ahead of
-// them along n by more than floats' errors, kAhead of its polygon's unit. Then the distance is at most d, and at least
-//   d - kAhead (unit of a + unit of b).
-// Two edges one of which has both its ends behind by `depth`, as floats see it, are farther apart than d by at least
-//   depth - kSupportError (its polygon's unit) - kAhead (the other's unit) >= depth / 2.
+// Let v in a and w in b be vertices of features that are guessed to be the nearest, d their distance and n the axis
+// between them, from a to b. Heights are along n, and a convex ring falls from its highest vertex to its lowest one on
+// either side: who knows both neighbours of a feature knows all vertices.
 //
-// `depth` is kDepth of b's unit, the smaller one, which is at least kLeastScale of a's.
-//
-// Doubles are off by at most 2^-47 of the coordinates, kSure / 2^20: where d is kSure of those at least, n is off by an
-// angle of 2^-20, and heights by 2^-19 of a unit, which kSupportError has room for. For d itself it is the angle's
-// square, 2^-27 of a's unit where d is at most kFar.
-constexpr double kDepth = 0x1p-9, kLeastScale = 0x1p-4, kAhead = 2 * kSupportError;
-constexpr double kSure = 0x1p-27, kFar = 0x1p14;
-static_assert(kDepth * kLeastScale / 2 >= kSupportError + kAhead && kSupportError >= 4 * 0x1p-19);
+// kNear of the size is more than rounding: n leads along w - v but for an angle of 2^-23 where d is kSure of the size;
+// heights are off by 16U of it, d by 64U. Where no neighbour is ahead by kNear / 4, and those up to kNear behind are
+// near as well, edges without a near vertex are farther apart than d by kNear / 2 at least.
+constexpr double kNear = 0x1p-40, kSure = 0x1p-27;
+static_assert(kNear / 4 >= 0x1p-46 + 2 * (16 + 64) * kUnitRoundoff);
 
-// Where no other vertices are within `depth`, what leads away from the features falls behind by depth / 2 or more on a
-// way of 2 units, and a point that is kInside (d + a unit of b) from an edge's ends must go that far along others to
-// be beside it. So any other two edges are farther apart by a share of 2^-25 d at least, which no rounding hides where
-// d is at least kClear of the coordinates: EdgeDistances is right to 2^-47. And the edges at one vertex, which hold one
-// and the same nearest point, are certain to be seen so, if products of lengths are above what it is unsure of.
-constexpr double kInside = 0x1p-9, kClear = 0x1p-18, kClearProduct = 0x1p-30;
+// The features alone hold the distance where
+//   their neighbours are behind by kLeastDepth of d, and by kLeastSlope of the way there;
+//   the foot beside an edge is kInside of d or more from its ends.
+// Any other two edges then have points x and y, a height of kLeastDepth d more between them; or x is aside from the
+// foot by kInside d, and so is y by half of that, which adds kLeastSlope to the height, or y isn't, and the way is a
+// slant one: by a share of kInside^2 / 8. EdgeDistances is right to 2^-47, no matter which of them it evaluates. In the
+// slopes n may be wrong by 2^-31: where `d` isn't plain, it is kClear of the size.
+constexpr double kLeastDepth = 0x1p-38, kLeastSlope = 0x1p-20, kInside = 0x1p-18, kClear = 0x1p-18;
+constexpr double kLeastShare = 0x1p-40;
+static_assert(kLeastDepth > kLeastShare && kInside * kLeastSlope / 2 > kLeastShare &&
+              kInside * kInside / 8 > kLeastShare && kLeastShare > 4 * EdgeDistances::kRelativeError);
 
-unsigned bit(int i) { return 1u << i; }
+// Where d isn't plain, EdgeDistances is certain of where the foot is: products of lengths are above what it is unsure
+// of.
+constexpr double kClearProduct = 0x1p-43;
+
+constexpr int kMostNear = 8;
+
+double dot(Double2 v, Double2 w) {
+  const Double2 products = v * w;
+  return products[0] + products[1];
+}
+
+/// A feature of one polygon: a vertex, or an edge whose ends are `first` and `last`; and the axis that it faces along.
+class Facing {
+ public:
+  /// n leads away from the other polygon.
+  Facing(const PolygonData& polygon, const Pose& pose, std::uint32_t first, bool is_edge, Double2 n)
+      : path_(polygon.path.data()),
+        count_(static_cast<std::uint32_t>(polygon.path.size() - 1)),
+        first_(first),
+        last_(is_edge ? next(first) : first) {
+    const double* r = pose.data();  // columns of three
+    const Double2 first_column{r[0], r[1]}, second_column{r[3], r[4]};
+    axis_ = Double2{dot(first_column, n), dot(second_column, n)};
+  }
+
+  /// The lesser one of how far the neighbours are behind; negative unless both are clearly so, see kLeastSlope.
+  double depth(double distance) const {
+    const Double2 before = way(first_, previous(first_)), after = way(last_, next(last_));
+    const double h1 = dot(axis_, before), h2 = dot(axis_, after), least = std::min(h1, h2);
+    constexpr double kSlopeSquare = kLeastSlope * kLeastSlope;
+    const bool is_clear = least > kLeastDepth * distance && h1 * h1 > kSlopeSquare * dot(before, before) &&
+                          h2 * h2 > kSlopeSquare * dot(after, after);
+    return is_clear ? least : -1;
+  }
+
+  /// The edges that have a vertex less than `near` behind. False if there are many or one is ahead.
+  bool edgesNear(double near, EdgeRange& edges) const {
+    std::uint32_t begin = first_, end = last_;
+    const auto isNear = [&](std::uint32_t v, bool& is_ahead) {
+      const double height = dot(axis_, way(first_, v));
+      is_ahead = !(height > -0.25 * near);
+      return !(height > near);
+    };
+    bool is_ahead = false;
+    int found = 0;
+    for (std::uint32_t v = previous(begin); isNear(v, is_ahead); v = previous(v), ++found)
+      if (begin = v; is_ahead || found == kMostNear) return false;
+    for (std::uint32_t v = next(end); isNear(v, is_ahead); v = next(v), ++found)
+      if (end = v; is_ahead || found == kMostNear) return false;
+    edges.first = previous(begin);
+    edges.count = std::min(count_, (end < edges.first ? end + count_ : end) - edges.first + 1);
+    return true;
+  }
+
+ private:
+  std::uint32_t next(std::uint32_t v) const { return v + 1 == count_ ? 0 : v + 1; }
+  std::uint32_t previous(std::uint32_t v) const { return (v == 0 ? count_ : v) - 1; }
+  Double2 way(std::uint32_t from, std::uint32_t to) const {
+    return load2(path_[to].data()) - load2(path_[from].data());
+  }
+
+  const Vec2* path_;
+  std::uint32_t count_, first_, last_;
+  Double2 axis_;
+};
 
 class ConvexSearch {
  public:
-  ConvexSearch(const PlainWays& ways, const SmallRing& a, const SmallRing& b, const DistanceOptions& options,
-               ConvexNearest& found)
-      : scale_(ways.b().unit * ways.a().inverse_unit), a_(a), b_(b), ways_(ways), options_(options), found_(found) {}
+  ConvexSearch(const PlainWays& ways, const DistanceOptions& options, ConvexNearest& found)
+      : ways_(ways), options_(options), found_(found) {}
 
   void find(const ConvexFeatures& tried) {
-    if (!(scale_ >= kLeastScale && ways_.isUnscaled())) return;
+    if (!ways_.isUnscaled()) return;
     found_.is_proven = proves(tried);
     if (!found_.is_proven) findAnew();
   }
 
  private:
   void findAnew() {
-    const UnitMap map = roughMap();
-    if (innerDiscsMeet(map) && meet()) return;
-    const ConvexGap gap = convexGap(a_, b_, map);
-    if (!(gap.gap > 0)) {
-      meet();
+    const Hierarchy &a = hierarchyOf(ways_.a()), &b = hierarchyOf(ways_.b());
+    const bool are_small = a.small_convex != nullptr && b.small_convex != nullptr;
+    if (innerDiscsMeet(a, b)) {
+      if (are_small) meet(*a.small_convex, *b.small_convex);
       return;
     }
-    if (gap.of_a ? besideEdge<true>(gap.edge, gap.vertex) : besideEdge<false>(gap.edge, gap.vertex)) return;
-    const ConvexVertices nearest = nearestVertices(a_, b_, map);
-    areNearest(nearest.a, nearest.b);
+    if (are_small) {
+      const ConvexGap gap = convexGap(*a.small_convex, *b.small_convex, roughMap());
+      if (!(gap.gap > 0)) return meet(*a.small_convex, *b.small_convex);
+      const auto edge = static_cast<std::uint32_t>(gap.edge), vertex = static_cast<std::uint32_t>(gap.vertex);
+      if (gap.of_a ? besideEdge<true>(edge, vertex) : besideEdge<false>(edge, vertex)) return;
+    }
+    proves(guessNearest(ways_));
   }
 
   /// Good enough to guess by: the inverse of a's pose is taken for its transpose.
   UnitMap roughMap() const {
-    const double *ra = ways_.poseA().data(), *rb = ways_.poseB().data();
+    const double *ra = ways_.poseA().data(), *rb = ways_.poseB().data(), unit = ways_.a().inverse_unit;
     const Double2 x{ra[0], ra[3]}, y{ra[1], ra[4]};  // a's rows
     const Double2 m0 = x * rb[0] + y * rb[1], m1 = x * rb[3] + y * rb[4], way = ways_.betweenOrigins();
-    const Double2 t = (x * way[0] + y * way[1]) * ways_.a().inverse_unit;
-    return {m0[0], m1[0], m0[1], m1[1], t[0], t[1], scale_, 0};
+    const Double2 t = (x * way[0] + y * way[1]) * unit;
+    return {m0[0], m1[0], m0[1], m1[1], t[0], t[1], ways_.b().unit * unit, 0};
   }
 
-  bool innerDiscsMeet(const UnitMap& map) const {
-    const double reach =
-        hierarchyOf(ways_.a()).inner_discs.radius[0] + hierarchyOf(ways_.b()).inner_discs.radius[0] * map.scale;
-    return reach > 0 && map.tx * map.tx + map.ty * map.ty < reach * reach;
+  /// As far as doubles see.
+  bool innerDiscsMeet(const Hierarchy& a, const Hierarchy& b) const {
+    const double reach = a.inner_radius + b.inner_radius;
+    const Double2 way = ways_.wayBetween(a.inner_center, b.inner_center);
+    return dot(way, way) < reach * reach;
   }
 
-  /// Whether they are seen to.
-  bool meet() {
+  void meet(const SmallRing& a, const SmallRing& b) {
     const PosedPair pair(ways_.a(), ways_.poseA(), ways_.b(), ways_.poseB());
     const UnitMap map = mapUnits(pair);
-    if (!(std::abs(map.tx) + std::abs(map.ty) < 4)) return false;
-    const ConvexCrossing crossing = convexCrossing(a_, b_, map, gapRounding(pair));
+    if (!(std::abs(map.tx) + std::abs(map.ty) < 4)) return;
+    const ConvexCrossing crossing = convexCrossing(a, b, map, gapRounding(pair));
     if (crossing.edge_a >= 0 && crossing.edge_b >= 0) {
-      const std::uint32_t i = position(crossing.edge_a), j = position(crossing.edge_b);
-      if (cross(i, j)) return true;
+      const auto i = static_cast<std::uint32_t>(crossing.edge_a), j = static_cast<std::uint32_t>(crossing.edge_b);
+      if (cross(i, j)) return;
       const EdgeDistances edges(ways_);
-      if (!edges.meet(i, j)) return false;
-      cross(i, j, edges.whereTheyMeet(edges.view(i, j)));
-      return true;
+      if (edges.meet(i, j)) cross(i, j, edges.whereTheyMeet(edges.view(i, j)));
+      return;
     }
     found_.inner_a = crossing.edge_a;
     found_.inner_b = crossing.edge_b;
-    if (crossing.edge_a < 0 && crossing.edge_b < 0) return false;
-    found_.meeting = Meeting::Meet;
-    return true;
+    if (found_.isInside()) found_.meeting = Meeting::Meet;
   }
 
   bool cross(std::uint32_t i, std::uint32_t j) {
@@ -111,14 +173,13 @@ class ConvexSearch {
   }
 
   bool proves(const ConvexFeatures& features) {
-    const int i = static_cast<int>(features.edge_a), j = static_cast<int>(features.edge_b);
     switch (features.kind) {
       case ConvexFeatures::kEdgeOfA:
-        return besideEdge<true>(i, j);
+        return besideEdge<true>(features.edge_a, features.edge_b);
       case ConvexFeatures::kEdgeOfB:
-        return besideEdge<false>(j, i);
+        return besideEdge<false>(features.edge_b, features.edge_a);
       case ConvexFeatures::kVertices:
-        return areNearest(i, j);
+        return areNearest(features.edge_a, features.edge_b, ways_.startToStart(features.edge_a, features.edge_b));
       case ConvexFeatures::kCrossing:
         return cross(features.edge_a, features.edge_b);
       default:
@@ -128,71 +189,55 @@ class ConvexSearch {
 
   /// Whether edge e of one and vertex v of the other, or an end of that edge, are the nearest features.
   template <bool kEdgeOfA>
-  bool besideEdge(int e, int v) {
-    const SmallRing& polygon = kEdgeOfA ? a_ : b_;
-    const int next = e + 1 == polygon.count ? 0 : e + 1;
-    const PlainWays::Foot foot = ways_.foot<kEdgeOfA>(position(e), position(v));
-    if (!(foot.inside >= kInside * (foot.distance + ways_.b().unit) * foot.length)) {
-      const int end = foot.at_end ? next : e, i = kEdgeOfA ? end : v, j = kEdgeOfA ? v : end;
-      return foot.inside > 0 ? areNearest(i, j) : areNearest(i, j, foot);
+  bool besideEdge(std::uint32_t e, std::uint32_t v) {
+    const PlainWays::Foot foot = ways_.foot<kEdgeOfA>(e, v);
+    if (!(foot.inside > 0)) {
+      const std::size_t count = (kEdgeOfA ? ways_.a() : ways_.b()).path.size() - 1;
+      const std::uint32_t end = !foot.at_end ? e : e + 1 == count ? 0 : e + 1;
+      return areNearest(kEdgeOfA ? end : v, kEdgeOfA ? v : end, foot);
     }
-    const int i = kEdgeOfA ? e : v, j = kEdgeOfA ? v : e;
-    const unsigned ends = bit(e) | bit(next);
-    if (!areForemost(i, j, kEdgeOfA ? ends : bit(i), kEdgeOfA ? bit(j) : ends, foot)) return false;
-    found_.features = {kEdgeOfA ? ConvexFeatures::kEdgeOfA : ConvexFeatures::kEdgeOfB, position(i), position(j)};
+    const double size = ways_.size();
+    const bool is_inside = foot.inside >= kInside * foot.distance * foot.length &&
+                           (foot.is_plain || foot.inside > kClearProduct * size * size);
+    const std::uint32_t i = kEdgeOfA ? e : v, j = kEdgeOfA ? v : e;
+    const ConvexFeatures features{kEdgeOfA ? ConvexFeatures::kEdgeOfA : ConvexFeatures::kEdgeOfB, i, j};
+    if (!areForemost(features, foot, is_inside)) return false;
     if (!found_.is_unique) return true;
     if (foot.is_plain)
       found_.nearest = {foot.distance, kEdgeOfA ? foot.part() : 0, kEdgeOfA ? 0 : foot.part()};
     else
-      found_.nearest = EdgeDistances(ways_).startBeside(kEdgeOfA, foot, position(i), position(j), options_);
+      found_.nearest = EdgeDistances(ways_).startBeside(kEdgeOfA, foot, i, j, options_);
     return true;
   }
 
-  bool areNearest(int v, int w) { return areNearest(v, w, ways_.startToStart(position(v), position(w))); }
-
-  bool areNearest(int v, int w, const PlainWays::Foot& foot) {
-    if (!areForemost(v, w, bit(v), bit(w), foot)) return false;
-    found_.features = {ConvexFeatures::kVertices, position(v), position(w)};
+  bool areNearest(std::uint32_t v, std::uint32_t w, const PlainWays::Foot& foot) {
+    if (!areForemost({ConvexFeatures::kVertices, v, w}, foot, true)) return false;
     if (!found_.is_unique) return true;
     if (foot.is_plain)
       found_.nearest = {foot.distance, 0, 0};
     else
-      found_.nearest = EdgeDistances(ways_).startAndStart(foot, position(v), position(w), options_);
+      found_.nearest = EdgeDistances(ways_).startAndStart(foot, v, w, options_);
     return true;
   }
 
-  static FacingVertex facing(const Pose& pose, int vertex, Double2 n, double scale) {
-    const double* r = pose.data();  // columns of three
-    const Double2 rows[] = {{r[0], r[3]}, {r[1], r[4]}}, axis = rows[0] * n[0] + rows[1] * n[1];
-    return {vertex, static_cast<float>(axis[0]), static_cast<float>(axis[1]), static_cast<float>(kDepth * scale)};
-  }
-
-  /// Whether features are foremost that consist of these vertices, v and w among them, and the polygons are apart.
-  bool areForemost(int v, int w, unsigned of_a, unsigned of_b, const EdgeDistances::Foot& foot) {
-    const ConvexSupports supports =
-        convexSupports(a_, b_, facing(ways_.poseA(), v, foot.axis, scale_), facing(ways_.poseB(), w, -foot.axis, 1));
-    const double distance = foot.distance, unit = ways_.a().unit;
-    if (!(distance <= kFar * unit)) return false;
-    found_.is_unique = supports.near_a == of_a && supports.near_b == of_b && isClear(distance);
-    if (!found_.is_unique) {
-      if (supports.any_ahead != 0 || !(distance > 4 * kAhead * unit && distance > kSure * ways_.size())) return false;
-      found_.edges_a = edgesAt(supports.near_a, a_.count);
-      found_.edges_b = edgesAt(supports.near_b, b_.count);
-    }
+  /// Whether these are foremost, and the polygons are apart; and if they `may_be_unique`, whether they are.
+  bool areForemost(const ConvexFeatures& features, const PlainWays::Foot& foot, bool may_be_unique) {
+    const Facing of_a(ways_.a(), ways_.poseA(), features.edge_a, features.kind == ConvexFeatures::kEdgeOfA, -foot.axis);
+    const Facing of_b(ways_.b(), ways_.poseB(), features.edge_b, features.kind == ConvexFeatures::kEdgeOfB, foot.axis);
+    const double distance = foot.distance, size = ways_.size();
+    const double depth = std::min(of_a.depth(distance), of_b.depth(distance));
+    const bool is_clear =
+        foot.is_plain || (distance > kClear * size && (features.kind != ConvexFeatures::kVertices ||
+                                                       distance * depth > kClearProduct * size * size));
+    found_.is_unique = may_be_unique && depth > 0 && is_clear;
+    if (!found_.is_unique && !(distance > kSure * size && of_a.edgesNear(kNear * size, found_.edges_a) &&
+                               of_b.edgesNear(kNear * size, found_.edges_b)))
+      return false;
+    found_.features = features;
     found_.meeting = Meeting::Apart;
     return true;
   }
 
-  bool isClear(double distance) const {
-    const double size = ways_.size(), shortest = std::min(a_.shortest * ways_.a().unit, b_.shortest * ways_.b().unit);
-    const double product = kClearProduct * size * size;
-    return distance > kClear * size && distance * shortest > product && shortest * shortest > product;
-  }
-
-  static std::uint32_t position(int i) { return static_cast<std::uint32_t>(i); }
-
-  const double scale_;  ///< b's unit in a's
-  const SmallRing &a_, &b_;
   const PlainWays& ways_;
   const DistanceOptions& options_;
   ConvexNearest& found_;
@@ -200,9 +245,9 @@ class ConvexSearch {
 
 }  // namespace
 
-void nearestOfConvex(const PlainWays& ways, const SmallRing& a, const SmallRing& b, const ConvexFeatures& tried,
-                     const DistanceOptions& options, ConvexNearest& found) {
-  ConvexSearch(ways, a, b, options, found).find(tried);
+void nearestOfConvex(const PlainWays& ways, const ConvexFeatures& tried, const DistanceOptions& options,
+                     ConvexNearest& found) {
+  ConvexSearch(ways, options, found).find(tried);
 }
 
 }  // namespace tricover::detail

@@ -302,20 +302,25 @@ ConvexFeatures hinted(DistanceCache& cache) {
   return {static_cast<ConvexFeatures::Kind>(cache.hint), cache.first_edge[0], cache.second_edge[0]};
 }
 
-/// Of two small convex polygons, whether they are clearly apart, or clearly meet.
+/// Of two strictly convex polygons, whether they are clearly apart, or small ones clearly meet.
 bool findConvex(const Pair& pair, const PlainWays& ways, DistanceCache* cache, const DistanceOptions& options,
                 ConvexNearest& found) {
   if (pair.a.hasSpine() || pair.b.hasSpine()) return false;
-  const SmallRing *a = hierarchyOf(pair.a).small_convex, *b = hierarchyOf(pair.b).small_convex;
-  if (a == nullptr || b == nullptr) return false;
+  if (!hierarchyOf(pair.a).strictly_convex || !hierarchyOf(pair.b).strictly_convex) return false;
   const ConvexFeatures tried = cache != nullptr ? hinted(*cache) : ConvexFeatures();
-  nearestOfConvex(ways, *a, *b, tried, options, found);
+  nearestOfConvex(ways, tried, options, found);
   if (!found.is_unique && !found.isInside() && found.meeting != Meeting::Apart) return false;
   if (cache != nullptr) {
     if (tried.kind != ConvexFeatures::kNone) judgeHint(*cache, found.is_proven);
     storeHint(*cache, found.features.kind, found.features.edge_a, found.features.edge_b);
   }
   return true;
+}
+
+/// Beyond a ring's last edge its first one comes.
+std::uint32_t inRing(const PolygonData& polygon, std::uint32_t edge) {
+  const auto count = static_cast<std::uint32_t>(polygon.path.size() - 1);
+  return edge < count ? edge : edge - count;
 }
 
 DistanceResult resultOf(const Pair& pair, const PlainWays& ways, const ConvexNearest& found,
@@ -340,9 +345,9 @@ DistanceResult resultOf(const Pair& pair, const PlainWays& ways, const ConvexNea
   }
   const EdgeDistances edges(ways);
   DistanceSearch search(edges, options);
-  for (unsigned v = found.edges_a; v != 0; v &= v - 1)
-    for (unsigned w = found.edges_b; w != 0; w &= w - 1)
-      search.showNear(static_cast<std::uint32_t>(__builtin_ctz(v)), static_cast<std::uint32_t>(__builtin_ctz(w)));
+  for (std::uint32_t k = 0; k < found.edges_a.count; ++k)
+    for (std::uint32_t l = 0; l < found.edges_b.count; ++l)
+      search.showNear(inRing(pair.a, found.edges_a.first + k), inRing(pair.b, found.edges_b.first + l));
   search.finish();
   return resultOf(pair, search, options);
 }

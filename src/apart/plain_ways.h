@@ -41,6 +41,11 @@ class PlainWays {
   /// |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q.
   double size() const { return size_; }
 
+  /// From a's vertex p to b's vertex q.
+  Double2 way(std::size_t p, std::size_t q) const {
+    return mapped(columns_b_, b_.path[q]) + shift_ - mapped(columns_a_, a_.path[p]) + shift_rest_;
+  }
+
   /// What a distance may be wrong by, beside the smallest double.
   static constexpr double kRelativeError = 0x1p-47;
 
@@ -94,7 +99,11 @@ class PlainWays {
   Foot startToStart(std::size_t p, std::size_t q) const { return footOf(way(p, q), p, q); }
 
   /// From a's S to b's.
-  Double2 betweenOrigins() const { return mapped(columns_b_, b_.origin) + shift_ - mapped(columns_a_, a_.origin); }
+  Double2 betweenOrigins() const { return wayBetween(a_.origin, b_.origin); }
+  /// From a point of a's frame to one of b's.
+  Double2 wayBetween(const Vec2& p, const Vec2& q) const {
+    return mapped(columns_b_, q) + shift_ - mapped(columns_a_, p);
+  }
 
  protected:
   using Twofold2 = Twofold<Double2>;
@@ -110,11 +119,6 @@ class PlainWays {
   bool is_unscaled_;
 
  private:
-  /// From a's vertex p to b's vertex q.
-  Double2 way(std::size_t p, std::size_t q) const {
-    return mapped(columns_b_, b_.path[q]) + shift_ - mapped(columns_a_, a_.path[p]) + shift_rest_;
-  }
-
   Foot footOf(Double2 w, std::size_t p, std::size_t q) const {
     const Double2 squares = w * w;
     const double square = squares[0] + squares[1], distance = std::sqrt(square);

@@ -341,6 +341,7 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   findInnerDiscs(polygon, local, *this);
   const Convexity convexity = convexityOf(polygon);
   convex = convexity.direction;
+  strictly_convex = convexity.corners.size() == polygon.path.size() - 1;
   small_ring = makeSmallRing(polygon, convexity, local);
   small_convex = small_ring && small_ring->convex ? small_ring.get() : nullptr;
 }

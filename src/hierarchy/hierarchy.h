@@ -47,7 +47,6 @@ struct SmallRing {
   static constexpr int kMost = 2 * kLanes;
   float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost], middle[kMost], half[kMost];
   float low_x, low_y, high_x, high_y;  ///< of the vertices
-  float shortest;                      ///< edge
   int lanes;                           ///< kLanes or kMost
   int count;                           ///< of vertices
   FillRule fill;
@@ -70,6 +69,7 @@ struct Hierarchy : Derived::Thing {
   std::unique_ptr<const SmallRing> small_ring;  ///< null unless the polygon is one
   const SmallRing* small_convex;                ///< the same if it is convex, otherwise null
   int convex;                                   ///< Convexity::direction
+  bool strictly_convex;                         ///< and all vertices are corners
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

@@ -16,13 +16,11 @@ std::unique_ptr<const SmallRing> makeSmallRing(const PolygonData& polygon, const
   ring->fill = polygon.fill;
   ring->convex = convexity.corners.size() == n;  // a straight vertex would be a half plane twice
   const double outwards = convexity.direction < 0 ? -1 : 1;
-  double shortest = 2;
   for (int i = 0; i < ring->lanes; ++i) {
     const std::size_t k = std::min(static_cast<std::size_t>(i), n - 1);
     const Vec2 edge = local[k + 1] - local[k];
     const double length = edge.norm();
     if (!(length > 0x1p-30)) return nullptr;  // its direction wouldn't survive rounding
-    shortest = std::min(shortest, length);
     const Vec2 normal = Vec2(edge.y(), -edge.x()) * (outwards / length);
     ring->x[i] = static_cast<float>(local[k].x());
     ring->y[i] = static_cast<float>(local[k].y());
@@ -33,7 +31,6 @@ std::unique_ptr<const SmallRing> makeSmallRing(const PolygonData& polygon, const
     ring->middle[i] = static_cast<float>(normal.x() * middle.y() - normal.y() * middle.x());
     ring->half[i] = static_cast<float>(0.5 * length);
   }
-  ring->shortest = static_cast<float>(shortest);
   const auto [low_x, high_x] = std::minmax_element(ring->x, ring->x + ring->lanes);
   const auto [low_y, high_y] = std::minmax_element(ring->y, ring->y + ring->lanes);
   ring->low_x = *low_x, ring->high_x = *high_x;

@@ -88,15 +88,6 @@ ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map
   return table().convex_entry(a, b, map, way_x, way_y);
 }
 
-ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
-  return table().nearest_vertices(a, b, map);
-}
-
-ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const FacingVertex& of_a,
-                              const FacingVertex& of_b) {
-  return table().convex_supports(a, b, of_a, of_b);
-}
-
 ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
   return table().convex_crossing(a, b, map, rounding);
 }

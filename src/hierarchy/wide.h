@@ -191,39 +191,12 @@ ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map);
 /// share of the way.
 ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map, double way_x, double way_y);
 
-/// The vertices that are nearest to each other, as floats see it.
-struct ConvexVertices {
-  int a, b;
-};
-ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const UnitMap& map);
-
-/// A vertex of a small convex polygon, and the axis along which the polygon faces another one: a unit vector of its own
-/// frame. Lengths are in its units.
-struct FacingVertex {
-  int vertex;
-  float nx, ny, depth;
-};
-
-/// A bit for each vertex that is no more than `depth` behind the one given, along the axis; and whether any is ahead of
-/// that one, by more than kSupportError: differences of heights are right to that.
-struct ConvexSupports {
-  unsigned near_a, near_b;
-  unsigned any_ahead;  ///< 0 if none is
-};
-ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const FacingVertex& of_a,
-                              const FacingVertex& of_b);
-
 /// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone (the other -1) of the
 /// polygon that is proven to lie inside the other; or none. `map` as for convexMeet().
 struct ConvexCrossing {
   int edge_a, edge_b;
 };
 ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
-
-/// A coordinate is below 1 and rounded once, as the axis is, then come products and a sum, and a sum with the depth;
-/// for two vertices, and twice as much.
-constexpr double kSupportError = 0x1p-17;
-static_assert(kSupportError >= 2 * 2 * 8 * kFloatRoundoff);
 
 /// A ray in a hierarchy's units: every point known to within `error`.
 struct Ray {

@@ -16,12 +16,11 @@ namespace tricover::detail::wide {
 
 template <class Lanes>
 constexpr WideTable tableOf() {
-  return {&findHit<Lanes>,          &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>, &convexMeet<Lanes>,
-          &innerDepth<Lanes>,       &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,    &visitEdgesOnWay<Lanes>,
-          &convexGap<Lanes>,        &nearestVertices<Lanes>, &convexSupports<Lanes>,  &showEdgesNear<Lanes>,
-          &findNearestEdges<Lanes>, &convexCrossing<Lanes>,  &ringsMeet<Lanes>,       &findEdgesOnWays<Lanes>,
-          &convexEntry<Lanes>,      &boxesMeeting<Lanes>,    &boxesOnRay<Lanes>,      &cutWindows<Lanes>,
-          &ringGaps<Lanes>,         &edgesWithin<Lanes>};
+  return {&findHit<Lanes>,    &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>,  &convexMeet<Lanes>,
+          &innerDepth<Lanes>, &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,     &visitEdgesOnWay<Lanes>,
+          &convexGap<Lanes>,  &showEdgesNear<Lanes>,   &findNearestEdges<Lanes>, &convexCrossing<Lanes>,
+          &ringsMeet<Lanes>,  &findEdgesOnWays<Lanes>, &convexEntry<Lanes>,      &boxesMeeting<Lanes>,
+          &boxesOnRay<Lanes>, &cutWindows<Lanes>,      &ringGaps<Lanes>,         &edgesWithin<Lanes>};
 }
 
 }  // namespace tricover::detail::wide

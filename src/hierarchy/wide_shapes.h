@@ -225,62 +225,6 @@ ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map
       });
 }
 
-template <class Lanes>
-ConvexVertices nearestVertices(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
-  float x[SmallRing::kMost], y[SmallRing::kMost];
-  mapVertices<Lanes>(b, map, x, y);
-  float nearest = 1e30f;
-  ConvexVertices found{0, 0};
-  for (int i = 0; i < a.lanes; i += kLanes) {
-    const Lanes ax = Lanes::load(a.x + i), ay = Lanes::load(a.y + i);
-    Lanes best = Lanes::all(-1e30f);
-    for (int j = 0; j < b.count; ++j) {
-      const Lanes dx = ax - x[j], dy = ay - y[j];
-      best = larger(best, Lanes::all(0) - (dx * dx + dy * dy));
-    }
-    const float square = -largest(best);
-    if (!(square < nearest)) continue;
-    nearest = square;
-    found.a = i + __builtin_ctz(~above(Lanes::all(-square), best) | 1u << (kLanes - 1));
-    float least = 1e30f;
-    for (int j = 0; j < b.count; ++j) {
-      const float dx = a.x[found.a] - x[j], dy = a.y[found.a] - y[j], other = dx * dx + dy * dy;
-      if (other < least) least = other, found.b = j;
-    }
-  }
-  return found;
-}
-
-/// The vertices that are no more than `depth` behind one; sets any_ahead if any is ahead of it by more than rounding.
-template <class Lanes>
-[[gnu::always_inline]] inline unsigned verticesBehind(const SmallRing& polygon, const FacingVertex& facing,
-                                                      unsigned& any_ahead) {
-  const float nx = facing.nx, ny = facing.ny;
-  const float height = polygon.x[facing.vertex] * nx + polygon.y[facing.vertex] * ny;
-  const Lanes low = Lanes::all(height - facing.depth), high = Lanes::all(height + static_cast<float>(kSupportError));
-  const auto at = [&](int i) __attribute__((always_inline)) {
-    return Lanes::load(polygon.x + i) * nx + Lanes::load(polygon.y + i) * ny;
-  };
-  Lanes heights = at(0);
-  unsigned below = above(low, heights);
-  any_ahead |= above(heights, high);
-  if (polygon.lanes > kLanes) {
-    heights = at(kLanes);
-    below |= above(low, heights) << kLanes;
-    any_ahead |= above(heights, high);
-  }
-  return ~below & ((1u << polygon.count) - 1);
-}
-
-template <class Lanes>
-ConvexSupports convexSupports(const SmallRing& a, const SmallRing& b, const FacingVertex& facing_a,
-                              const FacingVertex& facing_b) {
-  unsigned any_ahead = 0;
-  const unsigned near_a = verticesBehind<Lanes>(a, facing_a, any_ahead);
-  const unsigned near_b = verticesBehind<Lanes>(b, facing_b, any_ahead);
-  return {near_a, near_b, any_ahead};
-}
-
 /// One convex polygon's vertices against another's half planes, in one frame.
 struct HalfPlanes {
   const float *nx, *ny, *d;

@@ -17,8 +17,6 @@ struct WideTable {
   decltype(&depthInDiscs) depth_in_discs;
   decltype(&visitEdgesOnWay) visit_edges_on_way;
   decltype(&convexGap) convex_gap;
-  decltype(&nearestVertices) nearest_vertices;
-  decltype(&convexSupports) convex_supports;
   decltype(&showEdgesNear) show_edges_near;
   decltype(&findNearestEdges) find_nearest_edges;
   decltype(&convexCrossing) convex_crossing;

@@ -24,9 +24,9 @@ namespace {
 
 using namespace detail;
 
-/// Vertices on a circle or an ellipse at random angles: sharp corners, short edges, up to 16 of them.
+/// Vertices on a circle or an ellipse at random angles: sharp corners, short edges, seldom more than 16 of them.
 Polygon convexPolygon(Random& random, double size) {
-  const int n = random.integer(3, 16);
+  const int n = random.integer(3, random.oneIn(8) ? 60 : 16);
   std::vector<double> angles;
   for (int i = 0; i < n; ++i) angles.push_back(2 * 3.14159265358979 * (i + random.real(0, 0.9)) / n);
   const double flat = random.oneIn(3) ? random.real(0.01, 1) : 1;
@@ -61,12 +61,11 @@ int edgesThatMeet(const PosedPair& pair) {
   return count;
 }
 
-/// As distance() asks; Unknown unless both are small and convex.
+/// As distance() asks; Unknown unless both are strictly convex.
 ConvexNearest nearestOf(const PosedPair& pair, const ConvexFeatures& tried = {}) {
-  const SmallRing *a = hierarchyOf(pair.a).small_convex, *b = hierarchyOf(pair.b).small_convex;
-  if (a == nullptr || b == nullptr) return {};
   ConvexNearest found;
-  nearestOfConvex(PlainWays(pair.a, pair.pose_a, pair.b, pair.pose_b), *a, *b, tried, {}, found);
+  if (hierarchyOf(pair.a).strictly_convex && hierarchyOf(pair.b).strictly_convex)
+    nearestOfConvex(PlainWays(pair.a, pair.pose_a, pair.b, pair.pose_b), tried, {}, found);
   return found;
 }
 
@@ -75,9 +74,11 @@ double leastDistance(const PosedPair& pair, const ConvexNearest& found) {
   const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
   const DistanceOptions options;
   DistanceSearch search(edges, options);
-  for (std::uint32_t k = 0; k < 16; ++k)
-    for (std::uint32_t l = 0; l < 16; ++l)
-      if ((found.edges_a >> k & 1) != 0 && (found.edges_b >> l & 1) != 0) search.showNear(k, l);
+  const std::size_t count_a = pair.a.path.size() - 1, count_b = pair.b.path.size() - 1;
+  for (std::uint32_t k = 0; k < found.edges_a.count; ++k)
+    for (std::uint32_t l = 0; l < found.edges_b.count; ++l)
+      search.showNear(static_cast<std::uint32_t>((found.edges_a.first + k) % count_a),
+                      static_cast<std::uint32_t>((found.edges_b.first + l) % count_b));
   search.finish();
   return search.best().distance;
 }
@@ -231,8 +232,9 @@ TEST(ConvexNearest, LooksAtEdgesBeforeAndBehindAVertex) {
   }
 }
 
-TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
+TEST(ConvexNearest, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   const Polygon square({rectangle(0, 0, 1, 1)}), many({regular(17, 1)}), notched({{{0, 0}, {2, 0}, {1, 0.5}, {0, 2}}});
+  const Polygon straight({{{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1}}}), flat({{{0, 0}, {1, 0}, {1, 1e-6}, {0, 1e-6}}});
   const auto shows = [](const Polygon& a, const Polygon& b, const Vec2& shift) {
     const Pose at_a = Pose::Identity(), at_b = pose(0, shift.x(), shift.y());
     return nearestOf(PosedPair(a.data(), at_a, b.data(), at_b)).meeting;
@@ -243,7 +245,10 @@ TEST(ConvexNearest, LeavesToOthersWhatIsNotSmallAndConvexOrNotApart) {
   EXPECT_EQ(shows(square, square, {3, 3}), kApart) << "corners";
   EXPECT_EQ(shows(square, square, {1, 0}), kUnknown) << "a touch";
   EXPECT_EQ(shows(square, square, {0.5, 0.25}), Meeting::Meet);
-  EXPECT_EQ(shows(many, square, {3, 0.25}), kUnknown);
+  EXPECT_EQ(shows(many, square, {3, 0.25}), kApart);
+  EXPECT_EQ(shows(many, square, {0.5, 0.25}), kUnknown) << "many vertices, and they meet";
+  EXPECT_EQ(shows(flat, flat, {0, 1e-5}), kApart) << "thin ones";
+  EXPECT_EQ(shows(straight, square, {3, 0.25}), kUnknown);
   EXPECT_EQ(shows(notched, square, {3, 0.25}), kUnknown);
   EXPECT_EQ(shows(square, square, {1e4, 0}), kApart);
   EXPECT_EQ(shows(square, square, {1e15, 0}), kUnknown) << "an axis in doubles leads past the features";

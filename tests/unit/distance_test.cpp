@@ -243,7 +243,7 @@ TEST(DistanceCache, HoldsLengthsInOrder) {
 /// Facts answer queries of a slow walk (more than these: a fact that is moved to new poses counts anew), and none of
 /// another pair's.
 TEST(DistanceCache, KeepsFactsOfOnePair) {
-  const Polygon a({regular(40, 3)}), b({regular(30, 1)});
+  const Polygon a({regular(40, 3), regular(5, 1)}), b({regular(30, 1)});
   DistanceCache cache;
   int by_facts = 0;
   for (int i = 0; i < 1000; ++i) {
