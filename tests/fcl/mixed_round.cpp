@@ -270,6 +270,30 @@ TEST(MixedRound, contactsOfWhatTouchesLeadAway) {
   EXPECT_EQ(contact({0.75, 0.5, 0}, 0.5).pos, Vec3(0.625, 0.5, 0));
 }
 
+TEST(MixedRound, contactsAcrossTheNearestEdgeAtAnyScale) {
+  for (const double size : {1e-200, 1.0, 1e200}) {
+    const PolygonShaped square(Polygon({tricover::support::rectangle(-size, -size, size, size)}));
+    const fcl::Sphered sphere(0.5 * size);
+    fcl::CollisionResultd result;
+    fcl::collide<double>(&square, fcl::Transform3d::Identity(), &sphere, shifted<double>(0.5 * size, 0.75 * size, 0),
+                         fcl::CollisionRequestd(1, true), result);
+    ASSERT_EQ(result.numContacts(), 1u);
+    EXPECT_DOUBLE_EQ(result.getContact(0).penetration_depth, 0.75 * size);
+    EXPECT_LT((result.getContact(0).normal - Vec3::UnitY()).norm(), 1e-12);
+  }
+}
+
+TEST(MixedRound, contactsWhereManyWaysAreAsShort) {
+  // From a needle's tip every way but back is: outlines of the disc are made fine all around at once.
+  const PolygonShaped needle(Polygon({{{0, 0}, {1, -1.25}, {0.3, -0.375}, {0.7, -0.875}, {0.1, -0.125}}}));
+  const fcl::Sphered sphere(0.75);
+  fcl::CollisionResultd result;
+  fcl::collide<double>(&needle, fcl::Transform3d::Identity(), &sphere, fcl::Transform3d::Identity(),
+                       fcl::CollisionRequestd(10, true), result);
+  ASSERT_EQ(result.numContacts(), 1u);
+  EXPECT_NEAR(result.getContact(0).penetration_depth, 0.75, 3e-6);
+}
+
 TEST(MixedRound, motionsMeetDiscsOnTime) {
   // A corner goes straight to a stadium's end, and past it by less than its radius.
   const PolygonShaped square(Polygon({tricover::support::rectangle(0, 0, 1, 1)}));

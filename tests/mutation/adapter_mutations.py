@@ -82,7 +82,8 @@ MUTATIONS = [
     ("fcl_adapter/src/shadow/shadow.cpp", "if (touching) within.limit = std::numeric_limits<double>::infinity();", "", "shadow: contact up to rounding without nearest points"),
     ("fcl_adapter/src/shadow/shadow.cpp", "normals.push_back(-way->direction);", "", "round: ways as long as a rough outline's"),
     ("fcl_adapter/src/shadow/shadow.cpp", "normals.push_back(-part.normal);", "", "round: parts as deep as in a rough outline"),
-    ("fcl_adapter/src/shadow/shadow.cpp", "    sharpenedWay(fine, polygon);\n", "", "round: a part that is all of the overlap, as in a rough outline"),
+    ("fcl_adapter/src/shadow/shadow.cpp", "if (found.size() != 1) return", "return", "round: a part that is all of the overlap, as in a rough outline"),
+    ("fcl_adapter/src/shadow/shadow.cpp", "if (way && whole.size() == 1) {", "if (false) {", "round: a way that contacts() doesn't search for"),
     ("fcl_adapter/src/shadow/smooth_shadow.cpp", "if (leftOf(at(first + 1).normal).dot(point - at(first + 1).point) > 0) ++first;", "", "round: the normal in the other cap (equivalent but for time)"),
     # A polygon and another geometry.
     ("fcl_adapter/src/mixed/mixed_pair.cpp", "inverse * (of_other.translation() - of_polygon.translation())", "inverse * of_other.translation() - inverse * of_polygon.translation()", "mixed: no difference first"),
@@ -120,6 +121,8 @@ MUTATIONS = [
     ("fcl_adapter/src/mixed/stadium_penetration.cpp", "{normal, Vec2(-normal)}", "{normal}", "disc's way: a centre on an edge, inwards (equivalent but for speed: then it is searched)"),
     ("fcl_adapter/src/mixed/stadium_penetration.cpp", "pair.radius + part->depth", "part->depth", "stadium's way: its segment's alone (equivalent but for speed: then it is searched)"),
     ("fcl_adapter/src/mixed/stadium_penetration.cpp", "pair.radius - apart.distance", "pair.radius", "stadium's way: as from an edge"),
+    ("fcl_adapter/src/mixed/stadium_penetration.cpp", "std::ldexp(1, -std::clamp(std::ilogb(polygon.radius()), -1000, 1000))", "1", "disc's way: squares of edges overflow"),
+    ("fcl_adapter/src/shadow/shadow.cpp", "i < kOneByOne ?", "true ?", "round: a needle's tip, one way after the other (equivalent but for speed: a hundred times)"),
     ("fcl_adapter/src/shadow/stadium.cpp", "std::sqrt((radius - height) * (radius + height)) * (1 + 0x1p-50)", "radius", "ball: its section"),
     ("fcl_adapter/src/shadow/stadium.cpp", "if (!in_slab && !lies) return std::nullopt;", "", "capsule: leans"),
     ("fcl_adapter/src/shadow/stadium.cpp", "if (slope * (half_length + radius) > Stadium::kError * (radius + half_length)) return std::nullopt;", "", "cylinder: leans"),

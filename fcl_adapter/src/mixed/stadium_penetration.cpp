@@ -2,6 +2,7 @@
 #include "mixed/stadium_penetration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tricover/collide.h"
@@ -32,15 +33,17 @@ struct NearestEdge {
   Vec2 point, along;
 };
 
-/// Of the polygon's outline to `center`, in the plane.
+/// Of the polygon's outline to `center`, in the plane. Squares are of a length in which the polygon is of size 1, so
+/// that they neither overflow nor vanish.
 NearestEdge nearestEdge(const tricover::Polygon& polygon, const Pose& pose, const Vec2& center) {
   NearestEdge nearest{-1, Vec2::Zero(), Vec2::Zero()};
   double least = std::numeric_limits<double>::infinity();
+  const double scale = std::ldexp(1, -std::clamp(std::ilogb(polygon.radius()), -1000, 1000));
   for (std::size_t i = 0; i < polygon.vertexCount(); ++i) {
-    const Vec2 v = pose * polygon.edgeStart(i), along = pose * polygon.edgeEnd(i) - v;
-    const double part = std::clamp(along.dot(center - v) / along.squaredNorm(), 0.0, 1.0);
+    const Vec2 v = pose * polygon.edgeStart(i), along = pose * polygon.edgeEnd(i) - v, unit = scale * along;
+    const double part = std::clamp(unit.dot(scale * (center - v)) / unit.squaredNorm(), 0.0, 1.0);
     const Vec2 point = v + (part == part ? part : 0) * along;
-    const double square = (point - center).squaredNorm();
+    const double square = (scale * (point - center)).squaredNorm();
     if (square < least) {
       least = square;
       nearest = {static_cast<std::ptrdiff_t>(i), point, along};

@@ -67,13 +67,15 @@ bool sharpen(SmoothShadow& shadow, const Normals& normals) {
 
 /// The way out of a polygon around the shadow is no shorter than that out of the shadow, which is no shorter than that
 /// out of a polygon within. They are made fine where either way's length depends on it: in its direction, and where it
-/// touches the polygon at its end, which moving back or aside by a little shows.
+/// touches the polygon at its end, which moving back or aside by a little shows. Where that takes long, as of a disc
+/// around a needle's tip, many ways are as short, and they are made fine everywhere.
 std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Polygon& polygon) {
+  constexpr int kOneByOne = 16;
   const double error = shadow.outlineError(Shadow::kOutlineError);
   const auto into = [&](const Polygon& region) {
     return tricover::penetration(polygon, Pose::Identity(), region, Pose::Identity());
   };
-  for (;;) {
+  for (int i = 0;; ++i) {
     const auto around = into(shadow.outline());
     if (!around) return around;
     const auto within = into(shadow.inscribed());
@@ -86,7 +88,8 @@ std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Po
         addCrossed(normals, shadow, polygon, way->translation + move);
       normals.push_back(-way->direction);
     }
-    if (!sharpen(shadow, normals)) return around;
+    const bool sharpened = i < kOneByOne ? sharpen(shadow, normals) : shadow.refine(-1, Shadow::kOutlineError);
+    if (!sharpened) return around;
   }
 }
 
@@ -113,12 +116,14 @@ std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, std::siz
   const std::vector<tricover::Contact> found = with(fine.outline());
   normals.clear();
   for (const tricover::Contact& part : found) normals.push_back(-part.normal);
-  if (found.size() == 1) {
-    sharpenedWay(fine, polygon);
-  } else if (!sharpen(fine, normals)) {
-    return found;
+  if (found.size() != 1) return sharpen(fine, normals) ? with(fine.outline()) : found;
+  const auto way = sharpenedWay(fine, polygon);
+  std::vector<tricover::Contact> whole = with(fine.outline());
+  if (way && whole.size() == 1) {  // finer outlines may have more vertices than contacts() searches for it
+    tricover::Contact& part = whole.front();
+    part = {part.point, way->direction, way->depth, way->edge_a, way->edge_b};
   }
-  return with(fine.outline());
+  return whole;
 }
 
 int Shadow::partOf(std::ptrdiff_t edge) const {
