@@ -52,15 +52,22 @@ inline void requireRigid(const Pose& pose, const char* name) {
   if (!isPlainlyRigid(pose)) checkPose(pose, name);
 }
 
-/// Of two operands' poses at once: most pass together.
-inline void requireRigid(const Pose& pose_a, const Pose& pose_b) {
+/// At least Gram::defect() of two poses together; above kRigidTolerance for one that isn't finite.
+inline double defectOf(const Pose& pose_a, const Pose& pose_b) {
   const double *a = pose_a.data(), *b = pose_b.data();  // columns of three
   const Gram gram_a(load2(a), load2(a + 3)), gram_b(load2(b), load2(b + 3));
   const Double2 shift_a = load2(a + 6), shift_b = load2(b + 6);
   const Double2 sum = gram_a.norms + gram_b.norms + (shift_a - shift_a) + (shift_b - shift_b);
-  if (sum[0] + sum[1] + (gram_a.dot + gram_b.dot) <= kRigidTolerance) return;
+  return sum[0] + sum[1] + (gram_a.dot + gram_b.dot) + 2 * Gram::kDefectRounding;
+}
+
+/// Of two operands' poses at once: most pass together. Returns defectOf() them.
+inline double requireRigid(const Pose& pose_a, const Pose& pose_b) {
+  const double defect = defectOf(pose_a, pose_b);
+  if (defect <= kRigidTolerance) return defect;
   requireRigid(pose_a, "pose_a");
   requireRigid(pose_b, "pose_b");
+  return defect;
 }
 
 }  // namespace tricover::detail

@@ -12,7 +12,9 @@
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
+#include "pair/meet_at_once.h"
 #include "pair/pair_fact.h"
+#include "pair/polygon_place.h"
 
 namespace tricover {
 namespace detail {
@@ -44,8 +46,40 @@ PairFact findCloseFact(const PosedPair& pair, const CollideOptions& options, con
   return fact(outcome.collides, outcome.clearance, outcome.edge_a, outcome.edge_b);
 }
 
+/// The edge test where edges are few: each has a relative pose of its own.
+struct FewEdgesTest {
+  static bool meet(const void* context, std::size_t edge_a, std::size_t edge_b) {
+    const FewEdgesTest& test = *static_cast<const FewEdgesTest*>(context);
+    return edgesWithin(PosedPair(test.a, test.pose_a, test.b, test.pose_b), edge_a, edge_b, test.options.margin,
+                       test.options.tolerance);
+  }
+
+  const PolygonData& a;
+  const Pose& pose_a;
+  const PolygonData& b;
+  const Pose& pose_b;
+  const CollideOptions& options;
+};
+
+/// What discs leave open; `defect` is defectOf() the poses. Inlined, because what discs have computed is in registers.
+[[gnu::always_inline]] inline bool collideNear(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
+                                               const Pose& pose_b, const Discs& discs, double defect,
+                                               const CollideOptions& options) {
+  if (a.hasSpine() || b.hasSpine())
+    return collideByHierarchy(PosedPair(a, pose_a, b, pose_b), options, 0, Wanted::Answer).collides;
+  const Hierarchy &tree_a = hierarchyOf(a), &tree_b = hierarchyOf(b);
+  const PolygonPlace place(a, b, discs, defect);
+  const double limit = place.reach(options.margin) * a.inverse_unit;
+  const FewEdgesTest test{a, pose_a, b, pose_b, options};
+  double clearance;
+  const Meeting meeting = meetAtOnce(tree_a, tree_b, place.map, place.rounding(), limit, Wanted::Answer,
+                                     {&test, &FewEdgesTest::meet}, clearance);
+  if (meeting != Meeting::Unknown) return meeting == Meeting::Meet;
+  return searchTrees(PosedPair(a, pose_a, b, pose_b), place.map, place.rounding(), options, 0, Wanted::Answer).collides;
+}
+
 bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                    PairCache* cache, const Recollection& recollection, const CollideOptions& options) {
+                    PairCache* cache, const Recollection& recollection, double defect, const CollideOptions& options) {
   const bool by_paper = options.strategy == Strategy::Paper;
   if (cache != nullptr && !by_paper) {
     claim(*cache, a, b);
@@ -62,8 +96,7 @@ bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData&
   const Discs discs(a, pose_a, b, pose_b);
   if (discs.gap(options.margin) >= 0) return false;
   if (by_paper) return collideByPaper(PosedPair(a, pose_a, b, pose_b), cache, options);
-  return discs.depth(options.margin) >= 0 ||
-         collideByHierarchy(PosedPair(a, pose_a, b, pose_b), options, 0, Wanted::Answer).collides;
+  return discs.depth(options.margin) >= 0 || collideNear(a, pose_a, b, pose_b, discs, defect, options);
 }
 
 /// Whether one is a point, and the other has so few edges that they are asked sooner than a fact.
@@ -87,8 +120,9 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
   const bool is_quick = isQuickPoint(a, b);
   Recollection recollection{};
+  double defect = 0;
   if (cache == nullptr || is_quick || options.strategy == Strategy::Paper) {
-    requireRigid(pose_a, pose_b);
+    defect = requireRigid(pose_a, pose_b);
     if (is_quick && options.strategy == Strategy::Hierarchy) return pointCollides(a, pose_a, b, pose_b, options);
   } else {
     recollection = recall(*cache, a, pose_a, b, pose_b, options.margin);
@@ -96,7 +130,8 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   }
   return inKernelOrder(
       a, pose_a, b, pose_b,
-      [&](const auto&... operands) { return collideInOrder(operands..., cache, recollection, options); }, [](bool) {});
+      [&](const auto&... operands) { return collideInOrder(operands..., cache, recollection, defect, options); },
+      [](bool) {});
 }
 
 }  // namespace
@@ -114,11 +149,10 @@ PairFact findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b
 bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                   const CollideOptions& options) {
   if (isQuickPoint(a, b)) return pointCollides(a, pose_a, b, pose_b, options);
+  const double defect = defectOf(pose_a, pose_b);
   return inKernelOrder(
       a, pose_a, b, pose_b,
-      [&](const auto&... operands) {
-        return collideByHierarchy(PosedPair(operands...), options, 0, Wanted::Answer).collides;
-      },
+      [&](const auto&... operands) { return collideNear(operands..., Discs(operands...), defect, options); },
       [](bool) {});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "hierarchy/unit_map.h"
 #include "pair/outcome.h"
 #include "pair/posed_pair.h"
 #include "tricover/collide.h"
@@ -15,5 +16,9 @@ enum class Wanted { Answer, Clearance, Edges };
 /// entered, so a clearance of at least that much is found if there is one. The bounding discs may meet. The pair must
 /// be in order (inOrder()).
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted);
+
+/// What is left of it where meetAtOnce() doesn't tell. The map and what gaps round by may be PolygonPlace's.
+Outcome searchTrees(const PosedPair& pair, const UnitMap& map, double rounding, const CollideOptions& options,
+                    double lookahead, Wanted wanted);
 
 }  // namespace tricover::detail

@@ -24,13 +24,14 @@ class Discs {
         shift_(load2(pose_b.data() + 6) - load2(pose_a.data() + 6)) {
     const Double2 apart = absolute(shift_);
     error_ = kPointsError * (a.extent + b.extent + apart[0] + apart[1]) + kTiny;
+    way_ = between(a.origin, b.origin);
   }
 
   // What the sums of radii round by isn't counted below: kLargestDefect and kPointsError pay for it.
 
   /// The gap between the bounding discs, a lower bound of the distance, if it is above the margin; otherwise -1.
   double gap(double margin) const {
-    const double square = squaredBetween(a_.origin, b_.origin);
+    const double square = squared(way_);
     const double sum = (a_.radius + b_.radius) * (1 + kLargestDefect) + error_, apart = sum + margin;
     if (!(squarable(apart) && square > roundedUp<kSquares>(apart * apart))) return -1;
     // The root of two roundings and its own; the difference, at most what the root is.
@@ -41,7 +42,7 @@ class Discs {
   double depth(double margin) const {
     const InnerDisc disc_a(a_), disc_b(b_);
     if (!(disc_a.radius >= 0 && disc_b.radius >= 0)) return -1;
-    const double square = squaredBetween(disc_a.center, disc_b.center);
+    const double square = squared(between(disc_a.center, disc_b.center));
     const double reach = (disc_a.radius + disc_b.radius) * (1 - kLargestDefect) - error_, within = reach + margin;
     if (!(squarable(within) && roundedUp<kSquares>(square) < within * within)) return -1;
     return std::max(roundedDown<2>(reach) - roundedUp<2>(std::sqrt(square)), 0.0);
@@ -76,17 +77,27 @@ class Discs {
     double radius;  ///< negative if there is none
   };
 
+  /// From a's S to b's, and how far off a distance between two points may be.
+  Double2 way() const { return way_; }
+  double error() const { return error_; }
+  /// R_a^T v, and a column of R_b.
+  Double2 turnedToA(Double2 v) const {
+    return Double2{columns_a_[0][0], columns_a_[1][0]} * v[0] + Double2{columns_a_[0][1], columns_a_[1][1]} * v[1];
+  }
+  Double2 columnOfB(int i) const { return columns_b_[i]; }
+
  private:
-  double squaredBetween(const Vec2& p, const Vec2& q) const {
-    const Double2 d =
-        (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
+  Double2 between(const Vec2& p, const Vec2& q) const {
+    return (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
+  }
+  static double squared(Double2 d) {
     const Double2 squares = d * d;
     return squares[0] + squares[1];
   }
 
   const PolygonData &a_, &b_;
-  Double2 columns_a_[2], columns_b_[2], shift_;
-  double error_;  ///< of a distance between two points
+  Double2 columns_a_[2], columns_b_[2], shift_, way_;
+  double error_;
 };
 
 }  // namespace tricover::detail

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "exact_reference.h"
 #include "hierarchy/wide.h"
 #include "pair/collide_by_hierarchy.h"
+#include "pair/meet_at_once.h"
 #include "pair/pair_descent.h"
 #include "random.h"
 #include "shapes.h"
@@ -169,6 +171,55 @@ TEST(Touching, AnEdgeOfAConvexPolygonByATip) {
   }
   EXPECT_GT(hits, cases / 4);
   EXPECT_LT(hits, 3 * cases / 4);
+}
+
+/// By the corners of both boxes, along the axes of both.
+double separation(const detail::Box& a, const detail::Box& b, const detail::UnitMap& map) {
+  const auto cornersOf = [](const detail::Box& box, auto place) {
+    std::vector<Vec2> corners;
+    const Vec2 along = box.along * Vec2(box.ux, box.uy), across = box.across * Vec2(-box.uy, box.ux);
+    for (const double s : {-1, 1})
+      for (const double t : {-1, 1}) corners.push_back(place(Vec2(box.x, box.y) + s * along + t * across));
+    return corners;
+  };
+  const auto toA = [&](const Vec2& p) {
+    return Vec2(map.scale * (map.r00 * p.x() + map.r01 * p.y()) + map.tx,
+                map.scale * (map.r10 * p.x() + map.r11 * p.y()) + map.ty);
+  };
+  const auto of_a = cornersOf(a, [](const Vec2&p) { return p; }), of_b = cornersOf(b, toA);
+  double most = -1e9;
+  for (const auto& corners : {of_a, of_b})
+    for (const int k : {1, 2}) {
+      const Vec2 axis = (corners[static_cast<std::size_t>(k)] - corners[0]).normalized();
+      double low_a = 1e9, high_a = -1e9, low_b = 1e9, high_b = -1e9;
+      for (const Vec2& p : of_a) low_a = std::min(low_a, axis.dot(p)), high_a = std::max(high_a, axis.dot(p));
+      for (const Vec2& p : of_b) low_b = std::min(low_b, axis.dot(p)), high_b = std::max(high_b, axis.dot(p));
+      most = std::max({most, low_a - high_b, low_b - high_a});
+    }
+  return most;
+}
+
+TEST(RootGap, IsTheBoxesSeparationButForRounding) {
+  Random random(17);
+  int apart = 0;
+  const int asked = scaledCount(2000);
+  for (int i = 0; i < asked; ++i) {
+    const auto polygon = [&](double size) {
+      return Polygon({star(random, random.integer(3, 9), 0.5 * size, size, {random.real(-0.3, 0.3), 0.2})});
+    };
+    const Polygon a = polygon(1), b = polygon(i % 2 ? 0.3 : 0.01);
+    const Pose pose_a = randomPose(random, 0.9), pose_b = mirrored(randomPose(random, 0.9));
+    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+    const detail::UnitMap map = detail::mapUnits(pair);
+    const detail::Box &box_a = hierarchyOf(pair.a).root, &box_b = hierarchyOf(pair.b).root;
+    const double gap = detail::rootGap(box_a, box_b, map, detail::gapRounding(pair));
+    const double truth = separation(box_a, box_b, map);
+    ASSERT_LE(gap, truth) << i;
+    ASSERT_GE(gap, truth - 1e-4) << i;
+    apart += truth > 0;
+  }
+  EXPECT_GE(apart, asked / 5);
+  EXPECT_LE(apart, 4 * asked / 5);
 }
 
 /// Discs that overlap by little or not at all: a depth that is claimed is there.

@@ -7,7 +7,9 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "pair/polygon_place.h"
 #include "pair/world_frame.h"
 #include "random.h"
 #include "shapes.h"
@@ -63,6 +65,51 @@ TEST(PosedPair, DefectsHoldForPosesThatAreRigidOnlyAsFarAsIsAllowed) {
     large += !holds(0.1 * pair.defect, turnedBack(pose_a, turned(pose_b, v)).square());
   }
   EXPECT_GE(large, 0.5 * asked) << "a defect says something of the pose";
+}
+
+/// Also where poses are rigid only as far as is allowed, and where the origins are far from the polygons.
+TEST(PolygonPlace, MapsWithinItsErrorAndItsDefect) {
+  Random random(13);
+  int large = 0, larger_than_rounding = 0;
+  const int asked = scaledCount(300);
+  for (int i = 0; i < asked; ++i) {
+    const double far = i % 2 ? std::ldexp(1.0, random.integer(0, 30)) : 1;
+    const auto placed = [&](double size) {
+      const Vec2 center(random.real(-far, far), random.real(-far, far));
+      return Polygon({shifted(rectangle(-size, -size / 2, size, size / 3), center)});
+    };
+    const Polygon polygon_a = placed(2), polygon_b = placed(i % 5 ? 1.5 : 1e-3);
+    const auto &a = polygon_a.data(), &b = polygon_b.data();
+    const auto wrong = [&](Pose pose) { return i % 3 ? distorted(random, std::move(pose)) : pose; };
+    const Pose turned_a = wrong(randomPose(random, 2)), pose_b = wrong(mirrored(randomPose(random, 2)));
+    Pose pose_a = turned_a;
+    pose_a.translation() += pose_b * b.origin - turned_a * a.origin;
+    const detail::PolygonPlace place(a, b, detail::Discs(a, pose_a, b, pose_b), detail::defectOf(pose_a, pose_b));
+    const detail::UnitMap& map = place.map;
+    const ExactVector origin = posed(pose_a, a.origin);
+    const mpq_class unit(a.unit), error(map.error), scale(map.scale);
+    for (const Vec2& v : b.path) {
+      const ExactVector world = posed(pose_b, v);
+      const ExactVector truth = turnedBack(pose_a, {world.x - origin.x, world.y - origin.y});
+      const mpq_class x = scale * (mpq_class(v.x()) - b.origin.x()) / b.unit;
+      const mpq_class y = scale * (mpq_class(v.y()) - b.origin.y()) / b.unit;
+      const ExactVector off{truth.x / unit - (map.r00 * x + map.r01 * y + map.tx),
+                            truth.y / unit - (map.r10 * x + map.r11 * y + map.ty)};
+      ASSERT_TRUE(off.square() <= error * error) << i;
+      large += 1000 * 1000 * off.square() > error * error;
+    }
+    const Vec2 v(random.real(-1, 1), random.real(-1, 1));
+    const mpq_class length = mpq_class(v.x()) * v.x() + mpq_class(v.y()) * v.y();
+    const ExactVector mapped{map.r00 * mpq_class(v.x()) + map.r01 * mpq_class(v.y()),
+                             map.r10 * mpq_class(v.x()) + map.r11 * mpq_class(v.y())};
+    const mpq_class low = 1 - mpq_class(place.defect), high = 1 + mpq_class(place.defect);
+    for (const mpq_class& square : {mapped.square(), turnedBack(pose_a, turned(pose_b, v)).square()})
+      ASSERT_TRUE(low * low * length <= square && square <= high * high * length) << i;
+    larger_than_rounding += place.defect > 1e-8;
+  }
+  EXPECT_GE(large, asked) << "of four vertices each: the bound is worth something";
+  EXPECT_GE(larger_than_rounding, asked / 2);
+  EXPECT_LE(larger_than_rounding, 0.9 * asked);
 }
 
 /// What is authored far from its origin and posed back near the world's: all of a pose but some bits cancels.
