@@ -40,7 +40,7 @@ enum class Role {
   Rival,   ///< its disagreements are counted and shown
   Box2d,   ///< a rival for convex polygons of 8 vertices, in floats: it has rows of its own
   Floor,   ///< answers nothing: what the call alone costs
-  Inexact  ///< tricover without its filter and exact stage: what exactness costs
+  Inexact  ///< tricover without its filter and exact stage, on the reference's positions: what exactness costs
 };
 
 /// One way of answering a workload's queries.
