@@ -37,6 +37,8 @@ static_assert(kLeastDepth > kLeastShare && kInside * kLeastSlope / 2 > kLeastSha
 constexpr double kClearProduct = 0x1p-43;
 
 constexpr int kMostNear = 8;
+/// To features that others lead to: more would cost after a jump what the cache saves.
+constexpr int kMostSteps = 2;
 
 double dot(Double2 v, Double2 w) {
   const Double2 products = v * w;
@@ -65,6 +67,15 @@ class Facing {
     const bool is_clear = least > kLeastDepth * distance && h1 * h1 > kSlopeSquare * dot(before, before) &&
                           h2 * h2 > kSlopeSquare * dot(after, after);
     return is_clear ? least : -1;
+  }
+
+  /// A neighbour that is ahead, and the edge that leads there; false if none is.
+  bool isBehind(std::uint32_t& vertex, std::uint32_t& edge) const {
+    const std::uint32_t before = previous(first_), after = next(last_);
+    const double h1 = dot(axis_, way(first_, before)), h2 = dot(axis_, way(last_, after));
+    vertex = h1 < h2 ? before : after;
+    edge = h1 < h2 ? before : last_;
+    return std::min(h1, h2) < 0;
   }
 
   /// The edges that have a vertex less than `near` behind. False if there are many or one is ahead.
@@ -105,7 +116,7 @@ class ConvexSearch {
 
   void find(const ConvexFeatures& tried) {
     if (!ways_.isUnscaled()) return;
-    found_.is_proven = proves(tried);
+    found_.is_proven = provesOnWay(tried);
     if (!found_.is_proven) findAnew();
   }
 
@@ -172,6 +183,16 @@ class ConvexSearch {
     found_.nearest = point;
   }
 
+  /// The same of features that these lead to by a few neighbours.
+  bool provesOnWay(ConvexFeatures features) {
+    for (int step = 0; step <= kMostSteps && features.kind != ConvexFeatures::kNone; ++step) {
+      ahead_ = {};
+      if (proves(features)) return true;
+      features = ahead_;
+    }
+    return false;
+  }
+
   bool proves(const ConvexFeatures& features) {
     switch (features.kind) {
       case ConvexFeatures::kEdgeOfA:
@@ -231,16 +252,33 @@ class ConvexSearch {
                                                        distance * depth > kClearProduct * size * size));
     found_.is_unique = may_be_unique && depth > 0 && is_clear;
     if (!found_.is_unique && !(distance > kSure * size && of_a.edgesNear(kNear * size, found_.edges_a) &&
-                               of_b.edgesNear(kNear * size, found_.edges_b)))
+                               of_b.edgesNear(kNear * size, found_.edges_b))) {
+      lookAhead(features, of_a, of_b);
       return false;
+    }
     found_.features = features;
     found_.meeting = Meeting::Apart;
     return true;
   }
 
+  /// Features that are nearer than these, since a neighbour is.
+  void lookAhead(const ConvexFeatures& features, const Facing& of_a, const Facing& of_b) {
+    std::uint32_t vertex, edge;
+    if (features.kind != ConvexFeatures::kEdgeOfA && of_a.isBehind(vertex, edge)) {
+      const bool are_vertices = features.kind == ConvexFeatures::kVertices;
+      ahead_ = {are_vertices ? ConvexFeatures::kEdgeOfA : ConvexFeatures::kEdgeOfB, are_vertices ? edge : vertex,
+                features.edge_b};
+    } else if (features.kind != ConvexFeatures::kEdgeOfB && of_b.isBehind(vertex, edge)) {
+      const bool are_vertices = features.kind == ConvexFeatures::kVertices;
+      ahead_ = {are_vertices ? ConvexFeatures::kEdgeOfB : ConvexFeatures::kEdgeOfA, features.edge_a,
+                are_vertices ? edge : vertex};
+    }
+  }
+
   const PlainWays& ways_;
   const DistanceOptions& options_;
   ConvexNearest& found_;
+  ConvexFeatures ahead_;  ///< of features that weren't proven
 };
 
 }  // namespace
