@@ -21,11 +21,13 @@ struct Visits {
   for (int i = first; i < last; ++i) deepest = visits.gap[i] < visits.gap[deepest] ? i : deepest;
   if (deepest == last || last < first) return;
   const std::uint32_t a = visits.a[deepest], b = visits.b[deepest];
+  const float gap = visits.gap[deepest];
   visits.a[deepest] = visits.a[last];
   visits.b[deepest] = visits.b[last];
   visits.gap[deepest] = visits.gap[last];
   visits.a[last] = a;
   visits.b[last] = b;
+  visits.gap[last] = gap;
 }
 
 /// What the boxes of one step have in common.

@@ -226,6 +226,7 @@ MUTATIONS = [
     ("src/hierarchy/wide_descent.h", "step.known ? (gap - step.slack) * step.in_a : 0", "(gap - step.slack) * step.in_a", "leaves: overflow taken as a gap (equivalent: NaN proves nothing, and keepLeast() has forgotten the clearance)"),
     ("src/hierarchy/wide_descent.h", "step.known ? (gap - step.slack) * step.in_a : 0", "step.known ? gap * step.in_a : 0", "leaves: clearance without slack"),
     ("src/hierarchy/wide_descent.h", "visits.gap[i] < visits.gap[deepest]", "visits.gap[i] > visits.gap[deepest]", "deepest first (equivalent: order only)"),
+    ("src/hierarchy/wide_descent.h", "  visits.gap[last] = gap;\n", "", "the deepest is kept with another's gap"),
     ("src/hierarchy/wide_descent.h", "for (int i = 0; i < kLanes; ++i) at_most", "for (int i = 1; i < kLanes; ++i) at_most", "clearance: a lane ignored"),
     ("src/hierarchy/wide_descent.h", "(least(left_out, step.cap) - step.slack) * step.in_a", "least(left_out, step.cap) * step.in_a", "clearance: without slack"),
     ("src/hierarchy/wide_descent.h", "in_a = into_a ? block.scale : block.scale * d.to_a.scale", "in_a = block.scale", "one box: b's units taken for a's"),

@@ -7,9 +7,11 @@
 #include <limits>
 #include <vector>
 
+#include "apart/edge_distance.h"
 #include "exact_reference.h"
 #include "hierarchy/wide.h"
 #include "pair/collide_by_hierarchy.h"
+#include "pair/edge_pairs.h"
 #include "pair/meet_at_once.h"
 #include "pair/pair_descent.h"
 #include "random.h"
@@ -366,6 +368,33 @@ TEST(Ray, ThroughVerticesFarAway) {
 
 /// A million million away from its own frame's origin, a polygon's place is known to a ten-thousandth: a ring that is
 /// contained, or touched, by less than that. The block's flat sides are those of the box around it.
+/// With the least distance itself for a limit, some boxes' gaps are above it and those of the deepest below, both by no
+/// more than a float's rounding.
+TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
+  Random random(43);
+  const std::size_t edges = 65;
+  const Polygon a({regular(edges, 1)}), b({regular(edges, 1)});
+  const int cases = scaledCount(4000);
+  for (int i = 0; i < cases; ++i) {
+    const Pose pose_a = pose(random.real(0, 6), 0, 0);
+    Pose pose_b = pose(random.real(0, 6), 0, 0);
+    pose_b.translation() = std::pow(10, random.real(1, 7)) * direction(random.real(0, 6.3));
+    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+    const detail::EdgeDistances distances(a.data(), pose_a, b.data(), pose_b);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < edges; ++k)
+      for (std::size_t l = 0; l < edges; ++l) least = std::min(least, distances.bounds(k, l).high);
+    const double limit = pair.reach(least);
+    bool found = false;
+    const auto visit = [&](double, std::size_t k, std::size_t l) {
+      found = found || distances.bounds(k, l).high == least;
+      return limit;
+    };
+    detail::forNearPairs(pair, limit, {}, visit, [&](double) { return limit; });
+    ASSERT_TRUE(found) << "case " << i;
+  }
+}
+
 TEST(FarFromItsOwnOrigin, APolygonIsFoundWhereRoundingPutsItOutside) {
   Random random(35);
   int common = 0;
