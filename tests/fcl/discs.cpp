@@ -13,6 +13,14 @@
 #include "tricover/distance.h"
 #include "tricover/segment.h"
 
+// float_scalar.cpp has them: once more, and optimised, they take a minute.
+extern template std::size_t fcl::collide(const fcl::CollisionGeometryf*, const fcl::Transform3f&,
+                                         const fcl::CollisionGeometryf*, const fcl::Transform3f&,
+                                         const fcl::CollisionRequestf&, fcl::CollisionResultf&);
+extern template float fcl::distance(const fcl::CollisionGeometryf*, const fcl::Transform3f&,
+                                    const fcl::CollisionGeometryf*, const fcl::Transform3f&,
+                                    const fcl::DistanceRequestf&, fcl::DistanceResultf&);
+
 namespace tricover_fcl::test {
 namespace {
 

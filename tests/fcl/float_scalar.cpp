@@ -15,6 +15,12 @@
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
 
+template std::size_t fcl::collide(const fcl::CollisionGeometryf*, const fcl::Transform3f&,
+                                  const fcl::CollisionGeometryf*, const fcl::Transform3f&,
+                                  const fcl::CollisionRequestf&, fcl::CollisionResultf&);
+template float fcl::distance(const fcl::CollisionGeometryf*, const fcl::Transform3f&, const fcl::CollisionGeometryf*,
+                             const fcl::Transform3f&, const fcl::DistanceRequestf&, fcl::DistanceResultf&);
+
 namespace tricover_fcl::test {
 namespace {
 
