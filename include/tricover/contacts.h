@@ -72,7 +72,7 @@ struct ContactCache {
 /// One contact for each connected part of the overlap, the deepest first, at most `most`. Empty exactly where collide()
 /// is false.
 ///
-/// Cost of a convex pair whose edges cross twice: 0.4 us for 8 vertices each, 2 us for 64; of other convex ones 3 and
+/// Cost of a convex pair whose edges cross twice: 0.3 us for 8 vertices each, 1 us for 64; of other convex ones 3 and
 /// 12 us. Of others, with one part, that of a penetration() more: 15 and 30 us where they overlap by little, 30 and 250
 /// us where by a third of their size; for 1024 vertices up to 0.2 s. It grows with the number of parts, and with that
 /// of pairs of edges that meet.
@@ -86,7 +86,7 @@ TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose
 
 /// The same to the last bit, using and renewing the facts in `cache`: O(1) while they are apart and that fact pays for
 /// the motion since. Of two convex polygons whose edges cross twice, under poses that are orthonormal to 1e-14, it
-/// takes three quarters of the time for 8 vertices each, and a third for 64.
+/// takes four fifths of the time for 8 vertices each, and half of it for 64.
 ///
 /// \snippet contacts.cpp contacts with cache
 TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b,

@@ -57,7 +57,8 @@ class ConvexPair {
   using Ring = ConvexRing<Frame, kept>;
 
   ConvexPair(const PosedPair& pair, int turn_a, int turn_b)
-      : frame_(pair),
+      : pair_(pair),
+        frame_(pair),
         doubtful_(doubtfulArea(frame_)),
         a_(frame_, pair.a, true, turn_a),
         b_(frame_, pair.b, false, turn_b) {}
@@ -65,6 +66,7 @@ class ConvexPair {
   /// Keeps in `cache`, unless it is null, which faces were the best.
   ConvexContact byAllFaces(ContactCache* cache, double lookahead) {
     const bool keeps = cache != nullptr;
+    boundLeast(keeps ? lookahead : 0);
     const bool finds = lookBehind(true, 0, a_.size(), 0, keeps) && lookBehind(false, 0, b_.size(), 0, keeps);
     if (!finds) return {is_apart_ ? ConvexContact::Apart : ConvexContact::Unsure, {}};
     if (cache != nullptr) keepFaces(*cache, lookahead);
@@ -109,18 +111,13 @@ class ConvexPair {
   /// what is deepest isn't found.
   bool lookBehind(bool of_a, std::size_t k, std::size_t end, std::size_t at, bool keeps) {
     const Ring &ring = of_a ? a_ : b_, &body = of_a ? b_ : a_;
+    const bool bounded = most_ < std::numeric_limits<double>::infinity();
+    const std::size_t facing = of_a ? facing_b_ : facing_a_;
     for (; k < end; ++k) {
+      if (bounded && (k = nextNear(ring, k, end, body.vertex(facing), body.end(facing))) == end) break;
       const Vec2 way = ring.edge(k);
-      double climb = cross(way, body.edge(at));
-      std::size_t steps = climb > doubtful_ ? body.size() : 0;
-      // What leads there is proven to climb.
-      const bool climbs = steps > 0 || cross(way, body.edge(body.before(at))) > doubtful_;
-      for (; climb > doubtful_; climb = cross(way, body.edge(at))) {
-        if (steps-- == 0) return false;
-        at = body.after(at);
-      }
       Face face{of_a, k, at, 0};
-      if (!(climbs && climb < -doubtful_) && !findDeepest(way, body, at, face.deepest)) return false;
+      if (!climbToDeepest(way, body, at, face.deepest)) return false;
       const double area = cross(way, body.vertex(face.deepest) - ring.vertex(k));
       if (area < -doubtful_) {
         is_apart_ = isBeyond(ring, k, body);
@@ -134,6 +131,65 @@ class ConvexPair {
       if (keeps) addNearest(face, std::max(area - 4 * doubtful_, 0.0));
     }
     return true;
+  }
+
+  /// The least depth is at most that behind either of the edges that look at the other polygon. Where that isn't found,
+  /// nothing is known. Faces that are `lookahead` deeper are of no interest.
+  void boundLeast(double lookahead) {
+    const Vec2 center_a = frame_.fromA(pair_.a.origin), center_b = frame_.fromB(pair_.b.origin);
+    facing_a_ = edgeTowards(a_, center_a, center_b - center_a);
+    facing_b_ = edgeTowards(b_, center_b, center_a - center_b);
+    double square = std::numeric_limits<double>::infinity();
+    for (const bool of_a : {true, false}) {
+      const Ring &ring = of_a ? a_ : b_, &body = of_a ? b_ : a_;
+      const std::size_t k = of_a ? facing_a_ : facing_b_;
+      std::size_t at = of_a ? facing_b_ : facing_a_, deepest = at;
+      if (!climbToDeepest(ring.edge(k), body, at, deepest)) return;
+      // Another vertex may be as deep but for rounding.
+      const double area = std::max(ring.leftOf(k, body.vertex(deepest)) + 2 * doubtful_, 0.0);
+      square = std::min(square, area * area / ring.edge(k).squaredNorm());
+    }
+    const double reach = std::sqrt(square) + 4 * frame_.error() + lookahead;
+    most_ = roundedUp<4>(reach * reach);
+  }
+
+  /// Where a way from a point inside leaves; any edge if it doesn't.
+  static std::size_t edgeTowards(const Ring& ring, const Vec2& from, const Vec2& way) {
+    std::size_t k = 0;
+    bool left = cross(way, ring.vertex(0) - from) > 0;
+    for (; k + 1 < ring.size(); ++k) {
+      const bool right = !left;
+      left = cross(way, ring.end(k) - from) > 0;
+      if (right && left) break;
+    }
+    return k;
+  }
+
+  /// The next face behind which points p and q of the other polygon don't prove that it is deeper than any of interest.
+  /// Doubt there is twice, about these points and about the area that lookBehind would find, and as much later.
+  std::size_t nextNear(const Ring& ring, std::size_t k, std::size_t end, const Vec2& p, const Vec2& q) const {
+    const double doubtful = 4 * doubtful_, most = most_;
+    for (; k < end; ++k) {
+      const Vec2 start = ring.vertex(k), way = ring.edge(k);
+      const double area = std::max(cross(way, p - start), cross(way, q - start)) - doubtful, square = way.squaredNorm();
+      // What is compared has all of its digits: `most` is no less than 2^-94 of that square.
+      if (!(area > 0 && square > 0x1p-400 && area * area > most * square)) break;
+    }
+    return k;
+  }
+
+  /// From vertex `at` on.
+  bool climbToDeepest(const Vec2& way, const Ring& body, std::size_t& at, std::size_t& deepest) const {
+    double climb = cross(way, body.edge(at));
+    std::size_t steps = climb > doubtful_ ? body.size() : 0;
+    // What leads there is proven to climb.
+    const bool climbs = steps > 0 || cross(way, body.edge(body.before(at))) > doubtful_;
+    for (; climb > doubtful_; climb = cross(way, body.edge(at))) {
+      if (steps-- == 0) return false;
+      at = body.after(at);
+    }
+    deepest = at;
+    return (climbs && climb < -doubtful_) || findDeepest(way, body, at, deepest);
   }
 
   /// Of a convex polygon's vertices all that may be the deepest lie between an edge that certainly leads deeper and the
@@ -183,7 +239,9 @@ class ConvexPair {
       cache.behind[f] = static_cast<std::uint32_t>(body.position(face.deepest));
     }
     cache.count = count;
-    cache.deeper = depthOf(faces[static_cast<std::size_t>(count)]) * (1 - 1e-12) - 64 * frame_.error();
+    // What wasn't looked behind is deeper than the root of most_.
+    const double next = std::min(depthOf(faces[static_cast<std::size_t>(count)]), std::sqrt(most_));
+    cache.deeper = next * (1 - 1e-12) - 64 * frame_.error();
   }
 
   /// The best are those that aren't deeper than the least one by more than rounding.
@@ -289,9 +347,13 @@ class ConvexPair {
             face.of_a ? own_edge : other_edge, face.of_a ? other_edge : own_edge};
   }
 
+  const PosedPair& pair_;
   const Frame frame_;
   const double doubtful_;
   const Ring a_, b_;
+  /// The edges that boundLeast() looked at, and the square of a depth that none of interest exceeds.
+  std::size_t facing_a_ = 0, facing_b_ = 0;
+  double most_ = std::numeric_limits<double>::infinity();
   bool is_apart_ = false;
   /// The least depth behind a face so far, and the square of what counts as equal.
   double least_ = std::numeric_limits<double>::infinity(), limit_ = least_;

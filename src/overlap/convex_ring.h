@@ -48,9 +48,8 @@ class ConvexRing {
         forward_(turn > 0),
         points_(kept ? 2 * n_ + 1 : 0) {
     if (!kept) return;
-    Vec2* const vertices = points_.data();
-    for (std::size_t k = 0; k <= n_; ++k) vertices[k] = mapped(k);
-    for (std::size_t k = 0; k < n_; ++k) vertices[n_ + 1 + k] = vertices[k + 1] - vertices[k];
+    of_a_ ? mapAll([&](const Vec2& p) -> Vec2 { return frame.fromA(p); })
+          : mapAll([&](const Vec2& p) -> Vec2 { return frame.fromB(p); });
   }
 
   std::size_t size() const { return n_; }
@@ -88,6 +87,23 @@ class ConvexRing {
   }
 
  private:
+  template <typename Map>
+  void mapAll(Map map) {
+    const std::size_t n = n_;
+    const Vec2* from = forward_ ? path_ : path_ + n;
+    const std::ptrdiff_t step = forward_ ? 1 : -1;
+    Vec2 *const vertices = points_.data(), *const edges = vertices + n + 1;
+    Vec2 last = map(*from);
+    vertices[0] = last;
+    for (std::size_t k = 0; k < n; ++k) {
+      from += step;
+      const Vec2 next = map(*from);
+      vertices[k + 1] = next;
+      edges[k] = next - last;
+      last = next;
+    }
+  }
+
   /// The path ends where it begins.
   Vec2 mapped(std::size_t k) const {
     const Vec2& p = path_[forward_ ? k : n_ - k];
