@@ -41,7 +41,9 @@ struct Contact {
   /// other, past the nearest edge: good for a response that is repeated, not for one step. Where they only touch,
   /// moving b along it by a little parts them, unless they are wedged or touch at several parts.
   Vec2 normal;
-  double depth;           ///< At least 0. It is 0 where they only touch.
+  /// At least 0. It is 0 where they only touch, and may be 0 where the overlap is thinner than coordinates are rounded,
+  /// as of regions without area: penetration() tells.
+  double depth;
   std::ptrdiff_t edge_a;  ///< The edge of a that parts last. -1 where this part lies inside a, away from its edges.
   std::ptrdiff_t edge_b;  ///< The edge of b that parts last. -1 where this part lies inside b, away from its edges.
 };
