@@ -264,7 +264,7 @@ MUTATIONS = [
     ("src/pair/meet_at_once.h", " - rounding * (far[0] + far[1] + 4) - map.error;", ";", "root boxes: no error"),
     ("src/pair/meet_at_once.h", " + shuffled<3, 2, 1, 0>(extents) * sine);", ");", "root boxes: extent across forgotten"),
     ("src/pair/meet_at_once.h", "Float4{1, -1, 1, -1}", "Float4{1, 1, 1, 1}", "root boxes: across mirrored"),
-    ("src/pair/meet_at_once.h", "if (!(far[0] + far[1] < 1e30))", "if (false)", "root boxes: floats that overflow"),
+    ("src/pair/meet_at_once.h", "if (!(far[0] + far[1] < 1e30))", "if (false)", "root boxes: floats that overflow (equivalent as far as tests see: what is that far away is apart, whatever the error)"),
     ("src/pair/polygon_place.h", "1.1 * discs.error() * a.inverse_unit +", "", "place: error of the way"),
     ("src/pair/polygon_place.h", "(kMapRounding * kUnitRoundoff + 1.1 * defect)", "(kMapRounding * kUnitRoundoff)", "place: a pose's inverse isn't its transpose"),
     ("src/pair/polygon_place.h", "return kGapRounding + 8 * defect;", "return kGapRounding;", "place: gaps of poses that aren't quite rigid (equivalent as far as tests see: as boxes, taken for rigid)"),
