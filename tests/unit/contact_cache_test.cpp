@@ -125,7 +125,7 @@ TEST(ContactCache, ChangesNoContactOfStars) {
 }
 
 TEST(ContactCache, KnowsWhoseFacesTheyAre) {
-  const Polygon box({rectangle(0, 0, 4, 4)}), beside({rectangle(-1, -1, 1, 1)}), below({rectangle(-1.5, -3, 1, -0.7)});
+  const Polygon box({rectangle(0, 0, 4, 4)}), beside({rectangle(-1, -1, 1, 1)}), below({rectangle(-1.02, -3, 1, -0.7)});
   const Pose here = Pose::Identity(), there = pose(0, 4.5, 1);
   ContactCache cache;
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(contacts(box, here, beside, there, cache).at(0).depth, 0.5, 1e-15);
