@@ -2,6 +2,7 @@
 #include "tricover/collide.h"
 
 #include <cassert>
+#include <optional>
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -46,19 +47,27 @@ PairFact findCloseFact(const PosedPair& pair, const CollideOptions& options, con
   return fact(outcome.collides, outcome.clearance, outcome.edge_a, outcome.edge_b);
 }
 
-/// The edge test where edges are few: each has a relative pose of its own.
-struct FewEdgesTest {
+/// The edge test where it is seldom asked for: the relative pose is composed when it is.
+class RareEdgeTest {
+ public:
+  RareEdgeTest(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+               const CollideOptions& options)
+      : a_(a), pose_a_(pose_a), b_(b), pose_b_(pose_b), options_(options) {}
+
+  const PosedPair& pair() const { return pair_ ? *pair_ : pair_.emplace(a_, pose_a_, b_, pose_b_); }
+
   static bool meet(const void* context, std::size_t edge_a, std::size_t edge_b) {
-    const FewEdgesTest& test = *static_cast<const FewEdgesTest*>(context);
-    return edgesWithin(PosedPair(test.a, test.pose_a, test.b, test.pose_b), edge_a, edge_b, test.options.margin,
-                       test.options.tolerance);
+    const RareEdgeTest& test = *static_cast<const RareEdgeTest*>(context);
+    return edgesWithin(test.pair(), edge_a, edge_b, test.options_.margin, test.options_.tolerance);
   }
 
-  const PolygonData& a;
-  const Pose& pose_a;
-  const PolygonData& b;
-  const Pose& pose_b;
-  const CollideOptions& options;
+ private:
+  const PolygonData& a_;
+  const Pose& pose_a_;
+  const PolygonData& b_;
+  const Pose& pose_b_;
+  const CollideOptions& options_;
+  mutable std::optional<PosedPair> pair_;
 };
 
 /// What discs leave open; `defect` is defectOf() the poses. Inlined, because what discs have computed is in registers.
@@ -70,12 +79,12 @@ struct FewEdgesTest {
   const Hierarchy &tree_a = hierarchyOf(a), &tree_b = hierarchyOf(b);
   const PolygonPlace place(a, b, discs, defect);
   const double limit = place.reach(options.margin) * a.inverse_unit;
-  const FewEdgesTest test{a, pose_a, b, pose_b, options};
+  const RareEdgeTest test(a, pose_a, b, pose_b, options);
   double clearance;
   const Meeting meeting = meetAtOnce(tree_a, tree_b, place.map, place.rounding(), limit, Wanted::Answer,
-                                     {&test, &FewEdgesTest::meet}, clearance);
+                                     {&test, &RareEdgeTest::meet}, clearance);
   if (meeting != Meeting::Unknown) return meeting == Meeting::Meet;
-  return searchTrees(PosedPair(a, pose_a, b, pose_b), place.map, place.rounding(), options, 0, Wanted::Answer).collides;
+  return searchTrees(test.pair(), place.map, place.rounding(), options, 0, Wanted::Answer).collides;
 }
 
 bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
