@@ -275,7 +275,7 @@ MUTATIONS = [
     ("src/pair/collide_by_hierarchy.cpp", "limit = (pair.reach(options.margin) + lookahead) *", "limit = lookahead *", "root boxes: margin ignored"),
     ("src/pair/collide.cpp", "limit = place.reach(options.margin) *", "limit = 0 *", "root boxes: margin ignored, without a cache"),
     ("src/pair/meet_at_once.h", "wanted == Wanted::Answer && limit == 0 &&", "wanted == Wanted::Answer &&", "convex: under a margin"),
-    ("src/pair/meet_at_once.h", "wanted == Wanted::Answer && limit == 0 &&", "limit == 0 &&", "small rings: asked for a clearance"),
+    ("src/pair/meet_at_once.h", "wanted == Wanted::Answer && limit == 0 &&", "limit == 0 &&", "small rings: asked for a clearance (equivalent: speed only)"),
     ("src/pair/meet_at_once.h", "if (!near || wanted == Wanted::Edges)", "if (!near)", "inner discs: asked for edges"),
     ("src/pair/meet_at_once.h", "  clearance = depth;", "  clearance = 2 * depth;", "inner discs: clearance too large"),
     ("src/pair/collide_by_hierarchy.cpp", "limit = reach + lookahead * unit", "limit = lookahead * unit", "descent: margin not entered"),
