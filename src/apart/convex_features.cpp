@@ -7,11 +7,6 @@
 namespace tricover::detail {
 namespace {
 
-double dot(Double2 v, Double2 w) {
-  const Double2 products = v * w;
-  return products[0] + products[1];
-}
-
 double cross(Double2 v, Double2 w) {
   const Double2 products = v * swapped(w);
   return products[0] - products[1];

@@ -40,11 +40,6 @@ constexpr int kMostNear = 8;
 /// To features that others lead to: more would cost after a jump what the cache saves.
 constexpr int kMostSteps = 2;
 
-double dot(Double2 v, Double2 w) {
-  const Double2 products = v * w;
-  return products[0] + products[1];
-}
-
 /// A feature of one polygon: a vertex, or an edge whose ends are `first` and `last`; and the axis that it faces along.
 class Facing {
  public:

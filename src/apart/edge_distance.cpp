@@ -34,11 +34,6 @@ double cross(const Twofold2& u, const Twofold2& w) {
   return difference.high[0] + (difference.low[0] + (rest[0] - rest[1]));
 }
 
-double dot(Double2 u, Double2 w) {
-  const Double2 products = u * w;
-  return products[0] + products[1];
-}
-
 double norm(Double2 u) { return std::sqrt(dot(u, u)); }
 
 /// A distance that is not 0 doesn't become so by rounding.

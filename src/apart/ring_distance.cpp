@@ -12,12 +12,12 @@ namespace {
 
 /// In a's units: what is farther is left to boxes.
 constexpr double kFarRings = 64;
-/// Up to here convexMeet() and ringsMeet() tell; from here on the bounding discs, of at most a unit each, are apart.
+/// Up to here smallRingsMeet() tells; from here on the bounding discs, of at most a unit each, are apart.
 constexpr double kNearRings = 4;
 
 bool areApart(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding, double far) {
   if (far >= kNearRings) return map.error < 0.5;
-  return (a.convex && b.convex ? convexMeet(a, b, map, rounding) : ringsMeet(a, b, map, rounding)) == Meeting::Apart;
+  return smallRingsMeet(a, b, map, rounding) == Meeting::Apart;
 }
 
 }  // namespace

@@ -160,6 +160,12 @@ struct EdgeCheck {
 Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding,
                   const EdgeCheck& check = {});
 
+/// The one that is for them.
+inline Meeting smallRingsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding,
+                              const EdgeCheck& check = {}) {
+  return a.convex && b.convex ? convexMeet(a, b, map, rounding) : ringsMeet(a, b, map, rounding, check);
+}
+
 /// Two small rings' distances in a's units, as floats see them: squares of what every edge is away from the nearest
 /// vertex of the other ring, and the least of them. `map` goes from b's units to a's.
 struct RingGaps {

@@ -22,6 +22,10 @@ inline Double2 swapped(Double2 v) { return Double2{v[1], v[0]}; }
 inline Double2 larger(Double2 v, Double2 w) { return v > w ? v : w; }
 inline Double2 smaller(Double2 v, Double2 w) { return v < w ? v : w; }
 inline Double2 absolute(Double2 v) { return (Double2)((Bits2)v & INT64_MAX); }
+inline double dot(Double2 v, Double2 w) {
+  const Double2 products = v * w;
+  return products[0] + products[1];
+}
 /// Bit per lane of a comparison.
 inline unsigned bitsOf(Bits2 lanes) {
 #ifdef __SSE2__

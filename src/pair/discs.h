@@ -90,10 +90,7 @@ class Discs {
   Double2 between(const Vec2& p, const Vec2& q) const {
     return (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
   }
-  static double squared(Double2 d) {
-    const Double2 squares = d * d;
-    return squares[0] + squares[1];
-  }
+  static double squared(Double2 d) { return dot(d, d); }
 
   const PolygonData &a_, &b_;
   Double2 columns_a_[2], columns_b_[2], shift_, way_;

@@ -50,10 +50,8 @@ inline Meeting meetAtOnce(const Hierarchy& a, const Hierarchy& b, const UnitMap&
   }
   const bool near = std::abs(map.tx) + std::abs(map.ty) < 4;  // false for NaN
   if (!near || wanted == Wanted::Edges) return Meeting::Unknown;
-  if (wanted == Wanted::Answer && limit == 0 && a.small_ring && b.small_ring) {
-    if (a.small_convex && b.small_convex) return convexMeet(*a.small_convex, *b.small_convex, map, rounding);
-    return ringsMeet(*a.small_ring, *b.small_ring, map, rounding, check);
-  }
+  if (wanted == Wanted::Answer && limit == 0 && a.small_ring && b.small_ring)
+    return smallRingsMeet(*a.small_ring, *b.small_ring, map, rounding, check);
   // Inner discs hardly meet unless the boxes are deep in each other.
   const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * map.scale);
   if (!(gap < -deep)) return Meeting::Unknown;

@@ -35,10 +35,7 @@ struct WorldDiscs {
   double inner_radius;  ///< -infinity if no such disc is known
 };
 
-inline double squaredLength(Double2 d) {
-  const Double2 squares = d * d;
-  return squares[0] + squares[1];
-}
+inline double squaredLength(Double2 d) { return dot(d, d); }
 
 /// Whether two polygons are certainly farther apart than the margin.
 inline bool areApart(const WorldDiscs& a, const WorldDiscs& b, double margin) {
