@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "apart/cubic.h"
-#include "apart/options.h"
+#include "impact/cubic.h"
+#include "impact/options.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "scene/in_parallel.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "apart/options.h"
+#include "distance/options.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/facts.h"

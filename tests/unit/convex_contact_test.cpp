@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short way to the contact of two convex polygons: which pairs it answers, and that it answers them as the general
 // way does.
-#include "overlap/convex_contact.h"
+#include "contact/convex_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short way to the time of impact of small convex polygons, against the search through hierarchies, which takes
 // the same polygons with each vertex repeated.
-#include "apart/convex_impact.h"
+#include "impact/convex_impact.h"
 
 #include <gtest/gtest.h>
 

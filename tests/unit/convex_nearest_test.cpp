@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short way to the distance of small convex polygons: the same bits as all pairs of edges give, on all lanes.
-#include "apart/convex_nearest.h"
+#include "distance/convex_nearest.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "apart/distance_search.h"
+#include "distance/distance_search.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/wide.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "apart/edge_distance.h"
+#include "distance/edge_distance.h"
 #include "exact_reference.h"
 #include "hierarchy/wide.h"
 #include "pair/collide_by_hierarchy.h"

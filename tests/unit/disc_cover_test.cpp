@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Discs that cover a region lie in it, and wherever a sum of those of two says so, the regions overlap.
-#include "overlap/disc_cover.h"
+#include "contact/disc_cover.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "overlap/translation_space.h"
+#include "contact/translation_space.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short way to the time of impact of polygons with few edges, against the search through hierarchies, which takes
 // the same polygons with each vertex repeated; and the edges that it looks at.
-#include "apart/few_edges_impact.h"
+#include "impact/few_edges_impact.h"
 
 #include <gtest/gtest.h>
 

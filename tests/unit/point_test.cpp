@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "apart/point_distance.h"
+#include "distance/point_distance.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/wide.h"

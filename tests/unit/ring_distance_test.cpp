@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distances of small rings without a tree: the same bits as all pairs of edges give, on all lanes.
-#include "apart/ring_distance.h"
+#include "distance/ring_distance.h"
 
 #include <gtest/gtest.h>
 

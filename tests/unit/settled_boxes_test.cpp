@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What settled boxes promise of the pairs of edges that they leave out, and how few they leave.
-#include "apart/settled_boxes.h"
+#include "distance/settled_boxes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nodes fitted in doubles hold their chains, closely; and pivots part what sampling finds apart, and nothing else.
-#include "apart/tight_nodes.h"
+#include "impact/tight_nodes.h"
 
 #include <gtest/gtest.h>
 

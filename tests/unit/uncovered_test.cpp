@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Squares less parallelograms: what is taken away is gone, and nothing else.
-#include "overlap/uncovered.h"
+#include "contact/uncovered.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bounds that windows of time are cut by, each by itself: contact that is made to happen is never cut off.
-#include "apart/window_cutter.h"
+#include "impact/window_cutter.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "apart/cubic.h"
 #include "hierarchy/wide.h"
+#include "impact/cubic.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/boundary_point.h"
+
+#include <algorithm>
+
+namespace tricover::detail {
+
+std::size_t ringOf(const PolygonData& polygon, std::size_t edge) {
+  const auto& begin = polygon.ring_begin;
+  return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
+}
+
+std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge) {
+  const std::size_t ring = ringOf(polygon, edge);
+  return edge + 1 == polygon.edgeEnd(ring) ? polygon.edgeBegin(ring) : edge + 1;
+}
+
+std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge) {
+  const std::size_t ring = ringOf(polygon, edge);
+  return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
+}
+
+BoundaryPoint vertexPoint(const PolygonData& polygon, int side, std::size_t v, const Vec2& at) {
+  const auto hasLength = [&](std::size_t e) { return polygon.path[e] != polygon.path[e + 1]; };
+  std::size_t edge = v, before = edgeBefore(polygon, v);
+  if (hasLength(v)) {
+    while (!hasLength(before)) before = edgeBefore(polygon, before);
+  } else if (hasLength(before)) {
+    while (!hasLength(edge)) edge = edgeAfter(polygon, edge);
+  }
+  const auto after = static_cast<std::ptrdiff_t>(edge), other = static_cast<std::ptrdiff_t>(before);
+  return side == 0 ? BoundaryPoint{at, after, other, -1, -1} : BoundaryPoint{at, -1, -1, after, other};
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/crossings.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "contact/vertex_stars.h"
+#include "numbers/rigidity.h"
+#include "numbers/segment.h"
+#include "pair/edge_pairs.h"
+#include "pair/kernel_order.h"
+#include "tricover/contacts.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+std::vector<Crossing> crossingsInWorld(const PosedPair& pair) {
+  const WorldFrame frame(pair);
+  std::vector<Crossing> result;
+  for (const EdgeCrossing& crossing : findCrossings(pair, frame, Stars::Whole)) {
+    const auto first = static_cast<std::ptrdiff_t>(pair.a.edgeNumber(crossing.edge_a));
+    const auto second = static_cast<std::ptrdiff_t>(pair.b.edgeNumber(crossing.edge_b));
+    result.push_back({first, second, frame.toWorld(crossing.point)});
+  }
+  return result;
+}
+
+/// Keeps of the span where f is between low and high, f going evenly from f0 to f1.
+void clip(Span& span, double f0, double f1, double low, double high) {
+  if (f0 == f1) return;
+  const double s = (low - f0) / (f1 - f0), t = (high - f0) / (f1 - f0);
+  span.low = std::max(span.low, std::min(s, t));
+  span.high = std::min(span.high, std::max(s, t));
+}
+
+}  // namespace
+
+Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, double error) {
+  Span span{0, 1};
+  const Vec2 u = other.w - other.v;
+  const double length = u.norm();
+  const Vec2 along = length > 0 ? Vec2(u / length) : Vec2::Zero(), from = edge.v - other.v, to = edge.w - other.v;
+  if (length > 0) {
+    clip(span, cross(along, from), cross(along, to), -error, error);
+    clip(span, along.dot(from), along.dot(to), -error, length + error);
+  } else {
+    const Vec2 way = edge.w - edge.v;
+    const double way_length = way.norm();
+    if (way_length > 0) clip(span, way.dot(from) / way_length, way.dot(to) / way_length, -error, error);
+  }
+  if (span.low > span.high) span.low = span.high = std::clamp(span.middle(), 0.0, 1.0);
+  return span;
+}
+
+std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Stars stars) {
+  std::vector<EdgeCrossing> result;
+  const std::size_t many = 4 * (pair.a.path.size() + pair.b.path.size());
+  std::optional<VertexStars> known;
+  const auto visit = [&](double, std::size_t i, std::size_t j) {
+    if (known && known->isKnown(i, j)) return 0.0;
+    if (edgesMeet(pair, i, j)) {
+      const WorldFrame::Ends edge_a = frame.edgeEndsOfA(i), edge_b = frame.edgeEndsOfB(j);
+      const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());
+      result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
+    }
+    return stars == Stars::Thinned && !known && result.size() > many ? -1.0 : 0.0;
+  };
+  forEachPair(pair, 0, visit);
+  if (stars == Stars::Whole || result.size() <= many) return result;
+  // So many that edges may end in one point: once more, without most pairs of those.
+  known.emplace(pair);
+  const auto [u, v] = known->largest(result);
+  result.clear();
+  if (u < 0)
+    forEachPair(pair, 0, visit);
+  else
+    forEachPair(pair, 0, visit,
+                StarBoxes(pair, frame, static_cast<std::size_t>(u), static_cast<std::size_t>(v), *known).pairs());
+  return result;
+}
+
+}  // namespace detail
+
+std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  detail::requireRigid(pose_a, "pose_a");
+  detail::requireRigid(pose_b, "pose_b");
+  return detail::inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [](const auto&... operands) { return detail::crossingsInWorld(detail::PosedPair(operands...)); },
+      [](std::vector<Crossing>& crossings) {
+        for (Crossing& crossing : crossings) std::swap(crossing.edge_a, crossing.edge_b);
+      });
+}
+
+}  // namespace tricover

@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The overlap's boundary consists of arcs of either polygon that lie in the other one, and its nodes are the crossings.
+// Nodes and arcs are joined along every ring; a polygon's own crossings join its arcs, too. What hangs together then is
+// either the outer boundary of a component or a hole's, and a hole belongs to what is next to it on any side.
+// On the way along a ring every crossing changes the other polygon's winding number by one, so that as a rule one
+// vertex of a ring is located, not one of every arc: that may cost O(n) each, as in combs.
+#include "contact/overlap_components.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "contact/boundary_ray.h"
+#include "contact/vertex_stars.h"
+#include "hierarchy/inclusion.h"
+#include "numbers/predicates.h"
+#include "numbers/segment.h"
+#include "pair/edge_pairs.h"
+
+namespace tricover::detail {
+namespace {
+
+/// Disjoint sets of nodes.
+class Sets {
+ public:
+  std::size_t add() {
+    parent_.push_back(parent_.size());
+    return parent_.size() - 1;
+  }
+  std::size_t find(std::size_t node) {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+    return node;
+  }
+  void join(std::size_t p, std::size_t q) { parent_[find(p)] = find(q); }
+  std::size_t size() const { return parent_.size(); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// A winding number or a change of one, where that is known.
+struct Winding {
+  bool known = false;
+  int number = 0;
+};
+
+/// Where a node is on a ring.
+struct Stop {
+  std::size_t edge;
+  Span span;
+  std::size_t node;
+  /// By how much the other's winding number changes here; none if it may do anything, as where edges touch.
+  Winding change;
+  bool joined;  ///< the arc from here to the next stop is in the other region
+};
+
+/// One polygon's boundary, as the nodes divide it.
+struct Side {
+  struct RingStops {
+    std::size_t begin = 0, end = 0;  ///< in `stops`
+    std::ptrdiff_t node = -1;        ///< of a ring that lies in the other region as a whole; otherwise -1
+    /// The own winding number along its left, all along the ring, if that is known.
+    Winding left;
+    bool meets_own = false;  ///< or other rings of its polygon: then it isn't the same all along
+  };
+
+  explicit Side(const PolygonData& polygon_) : polygon(polygon_) {}
+
+  std::size_t after(std::size_t edge) const { return edgeAfter(polygon, edge); }
+  bool isInside(int winding) const { return detail::isInside(polygon.fill, winding); }
+
+  const PolygonData& polygon;
+  std::vector<Stop> stops;  ///< by edge, then where they begin
+  std::vector<RingStops> rings;
+};
+
+/// Off the middle, where symmetric shapes have other edges, too.
+double somewhere(const Span& span) { return span.low + 0.4142 * (span.high - span.low); }
+
+struct NodePoint {
+  std::size_t node;
+  BoundaryPoint point;
+};
+
+class Grouping {
+ public:
+  Grouping(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
+      : pair_(pair),
+        swapped_(pair.b, pair.pose_b, pair.a, pair.pose_a),
+        frame_(frame),
+        crossings_(crossings),
+        sides_{Side(pair.a), Side(pair.b)} {}
+
+  std::vector<OverlapComponent> components() {
+    join(false);
+    // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
+    if (countSets() > 1) join(true);
+    if (countSets() > 1) joinHoles();
+    return collect();
+  }
+
+ private:
+  using Ends = WorldFrame::Ends;
+
+  Vec2 vertex(int side, std::size_t v) const {
+    const Vec2& local = sides_[side].polygon.path[v];
+    return side == 0 ? frame_.fromA(local) : frame_.fromB(local);
+  }
+  Ends ends(int side, std::size_t e) const { return side == 0 ? frame_.edgeEndsOfA(e) : frame_.edgeEndsOfB(e); }
+
+  /// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.
+  Inclusion includeVertex(int side, std::size_t v) const {
+    const PosedPair& pair = side == 0 ? swapped_ : pair_;
+    const Vec2& local = pair.b.path[v];
+    const Inclusion found =
+        includeInPolygon(pair.a, {&pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed});
+    return {found.location, found.winding * pair.handed};
+  }
+
+  bool holds(int side, const Vec2& p) const { return detail::holds(pair_, frame_, side, p); }
+
+  void join(bool with_own_crossings) {
+    sets_ = Sets();
+    present_.clear();
+    points_.clear();
+    inner_.clear();
+    points_.reserve(crossings_.size());
+    for (Side& side : sides_) {
+      side.stops.clear();
+      side.stops.reserve(crossings_.size());
+      side.rings.assign(side.polygon.ringCount(), {});
+    }
+    for (const EdgeCrossing& c : crossings_) {
+      const std::size_t node = addNode(true);
+      const bool known = c.direction != 0;
+      sides_[0].stops.push_back({c.edge_a, c.on_a, node, {known, -c.direction}, false});
+      sides_[1].stops.push_back({c.edge_b, c.on_b, node, {known, c.direction}, false});
+      const auto i = static_cast<std::ptrdiff_t>(c.edge_a), j = static_cast<std::ptrdiff_t>(c.edge_b);
+      points_.push_back({node, {c.point, i, i, j, j}});
+    }
+    for (int side : {0, 1}) {
+      if (with_own_crossings) addOwnCrossings(side);
+      joinAlongRings(side);
+    }
+  }
+
+  std::size_t addNode(bool present) {
+    present_.push_back(present);
+    inner_.push_back(false);
+    return sets_.add();
+  }
+
+  void addOwnCrossings(int side) {
+    Side& own = sides_[side];
+    const Pose identity = Pose::Identity();
+    const PosedPair with_itself(own.polygon, identity, own.polygon, identity);
+    const std::ptrdiff_t star = addRepeatedVertices(side);
+    const auto visit = [&](double, std::size_t e, std::size_t f) {
+      if (e < f && own.after(e) != f && own.after(f) != e && !meetAtVertex(own.polygon.path, e, f) &&
+          edgesMeet(with_itself, e, f))
+        addOwnCrossing(side, e, f);
+      return 0.0;
+    };
+    if (star < 0)
+      forEachPair(with_itself, 0, visit);
+    else
+      forEachPair(with_itself, 0, visit, StarBoxes(own.polygon, static_cast<std::size_t>(star)).pairs());
+  }
+
+  /// Whether two edges of a polygon have an end in common and nothing else.
+  static bool meetAtVertex(const std::vector<Vec2>& path, std::size_t e, std::size_t f) {
+    for (const std::size_t i : {e, e + 1})
+      for (const std::size_t j : {f, f + 1})
+        if (path[i] == path[j]) return orientation(path[i], path[2 * e + 1 - i], path[2 * f + 1 - j]) != 0;
+    return false;
+  }
+
+  /// A node for each point that several vertices are at: however many edges end there, it takes no pairs of them.
+  /// One of the vertices where many are, or -1.
+  std::ptrdiff_t addRepeatedVertices(int side) {
+    constexpr std::size_t kMany = 32;
+    std::ptrdiff_t star = -1;
+    std::size_t most = kMany;
+    Side& own = sides_[side];
+    const std::vector<Vec2>& path = own.polygon.path;
+    std::vector<std::size_t> order;
+    for (std::size_t r = 0; r < own.polygon.ringCount(); ++r)
+      for (std::size_t v = own.polygon.edgeBegin(r); v < own.polygon.edgeEnd(r); ++v) order.push_back(v);
+    std::sort(order.begin(), order.end(), [&](std::size_t v, std::size_t w) {
+      return path[v].x() != path[w].x() ? path[v].x() < path[w].x() : path[v].y() < path[w].y();
+    });
+    for (std::size_t k = 0, next = 0; k < order.size(); k = next) {
+      while (next < order.size() && path[order[next]] == path[order[k]]) ++next;
+      if (next - k < 2) continue;
+      if (next - k > most) star = static_cast<std::ptrdiff_t>(order[k]);
+      most = std::max(most, next - k);
+      const std::size_t node = addNode(false);
+      for (std::size_t i = k; i < next; ++i) {
+        own.rings[ringOf(own.polygon, order[i])].meets_own = true;
+        own.stops.push_back({order[i], {0, 0}, node, {true, 0}, false});
+        own.stops.push_back({edgeBefore(own.polygon, order[i]), {1, 1}, node, {true, 0}, false});
+      }
+    }
+    return star;
+  }
+
+  /// Two nodes, where they cover each other: what is between needn't be in the overlap.
+  void addOwnCrossing(int side, std::size_t e, std::size_t f) {
+    Side& own = sides_[side];
+    own.rings[ringOf(own.polygon, e)].meets_own = own.rings[ringOf(own.polygon, f)].meets_own = true;
+    const Ends of_e = ends(side, e), of_f = ends(side, f);
+    const Span on_e = spanNear(of_e, of_f, frame_.error()), on_f = spanNear(of_f, of_e, frame_.error());
+    const bool alike = (of_e.w - of_e.v).dot(of_f.w - of_f.v) > 0;
+    const double ends_on_e[] = {on_e.low, on_e.high};
+    const double ends_on_f[] = {alike ? on_f.low : on_f.high, alike ? on_f.high : on_f.low};
+    for (int end : {0, 1}) {
+      const std::size_t node = addNode(false);
+      own.stops.push_back({e, {ends_on_e[end], ends_on_e[end]}, node, {true, 0}, false});
+      own.stops.push_back({f, {ends_on_f[end], ends_on_f[end]}, node, {true, 0}, false});
+    }
+  }
+
+  void joinAlongRings(int side) {
+    Side& own = sides_[side];
+    std::vector<Stop>& stops = own.stops;
+    std::sort(stops.begin(), stops.end(), [](const Stop& s, const Stop& t) {
+      return s.edge != t.edge ? s.edge < t.edge : s.span.low < t.span.low;
+    });
+    std::size_t begin = 0;
+    for (std::size_t r = 0; r < own.polygon.ringCount(); ++r) {
+      std::size_t end = begin;
+      bool crossed = false;
+      for (; end < stops.size() && stops[end].edge < own.polygon.edgeEnd(r); ++end)
+        crossed = crossed || stops[end].node < crossings_.size();
+      own.rings[r].begin = begin;
+      own.rings[r].end = end;
+      if (crossed)
+        joinArcs(side, begin, end);
+      else if (includeVertex(side, own.polygon.edgeBegin(r)).location != Location::Outside)
+        joinWhole(side, r);
+      begin = end;
+    }
+  }
+
+  /// A ring that no edge of the other polygon meets, in the other's region.
+  void joinWhole(int side, std::size_t r) {
+    Side& own = sides_[side];
+    const std::size_t node = addNode(true);
+    inner_[node] = true;
+    own.rings[r].node = static_cast<std::ptrdiff_t>(node);
+    for (std::size_t k = own.rings[r].begin; k < own.rings[r].end; ++k) sets_.join(own.stops[k].node, node);
+    for (std::size_t v = own.polygon.edgeBegin(r); v < own.polygon.edgeEnd(r); ++v) addVertex(side, v, node);
+  }
+
+  /// Of a repeated vertex the last one stands for all.
+  void addVertex(int side, std::size_t v, std::size_t node) {
+    const PolygonData& polygon = sides_[side].polygon;
+    if (polygon.path[v] == polygon.path[v + 1] && !isPoint(polygon, v)) return;
+    points_.push_back({node, vertexPoint(polygon, side, v, vertex(side, v))});
+  }
+
+  /// Whether v begins a ring that is one point.
+  static bool isPoint(const PolygonData& polygon, std::size_t v) {
+    const std::size_t ring = ringOf(polygon, v);
+    if (v != polygon.edgeBegin(ring)) return false;
+    const auto begin = polygon.path.begin() + static_cast<std::ptrdiff_t>(v);
+    return std::all_of(begin, polygon.path.begin() + static_cast<std::ptrdiff_t>(polygon.edgeEnd(ring)),
+                       [&](const Vec2& p) { return p == *begin; });
+  }
+
+  void joinArcs(int side, std::size_t begin, std::size_t end) {
+    std::vector<Stop>& stops = sides_[side].stops;
+    Winding winding;  // the other's, on the arc after the stop
+    double reach = 0;
+    // Beginning with the way round from the last stop to the first, which tells the winding number.
+    for (std::size_t k = end - 1, next = begin; next < end; k = next++) {
+      Stop& stop = stops[k];
+      pass(1 - side, stop, winding);
+      const bool on_edge = k < next && stop.edge == stops[next].edge;
+      stop.joined = on_edge ? joinedOnEdge(side, stop, stops[next], reach, winding)
+                            : joinedRoundVertices(side, stop, stops[next], winding);
+      reach = on_edge ? std::max(reach, stops[next].span.high) : stops[next].span.high;
+      if (stop.joined) sets_.join(stop.node, stops[next].node);
+    }
+  }
+
+  /// Takes the other side's winding number past a stop; on the way it is the one along the left of the edge crossed.
+  void pass(int other, const Stop& stop, Winding& winding) {
+    winding.known = winding.known && stop.change.known;
+    if (!winding.known) return;
+    const int before = winding.number;
+    winding.number += stop.change.number;
+    if (stop.node < crossings_.size()) {
+      const EdgeCrossing& crossing = crossings_[stop.node];
+      Side& crossed = sides_[other];
+      const std::size_t ring = ringOf(crossed.polygon, other == 0 ? crossing.edge_a : crossing.edge_b);
+      crossed.rings[ring].left = {true, std::max(before, winding.number)};
+    }
+  }
+
+  bool joinedOnEdge(int side, const Stop& stop, const Stop& next, double reach, const Winding& winding) {
+    const Ends edge = ends(side, stop.edge);
+    const Vec2 way = edge.w - edge.v;
+    if ((next.span.low - reach) * way.norm() <= 4 * frame_.error()) return true;
+    const bool in = winding.known ? sides_[1 - side].isInside(winding.number)
+                                  : holds(1 - side, edge.v + somewhere({reach, next.span.low}) * way);
+    if (in) inner_[stop.node] = true;
+    return in;
+  }
+
+  /// No vertex between two stops in a row is on the other's boundary, unless it is both of them, so that one stands for
+  /// all.
+  bool joinedRoundVertices(int side, const Stop& stop, const Stop& next, Winding& winding) {
+    const Side& own = sides_[side];
+    std::size_t v = own.after(stop.edge);
+    if (!winding.known) {
+      const Inclusion found = includeVertex(side, v);
+      if (found.location == Location::Boundary) return true;
+      winding = {true, found.winding};
+    }
+    if (!sides_[1 - side].isInside(winding.number)) return false;
+    inner_[stop.node] = present_[stop.node] = true;
+    for (addVertex(side, v, stop.node); v != next.edge; addVertex(side, v, stop.node)) v = own.after(v);
+    return true;
+  }
+
+  std::size_t countSets() {
+    std::vector<char> seen(sets_.size(), false);
+    std::size_t count = 0;
+    for (std::size_t node = 0; node < sets_.size(); ++node) {
+      if (!present_[node]) continue;
+      char& root = seen[sets_.find(node)];
+      count += !root;
+      root = true;
+    }
+    return count;
+  }
+
+  void joinHoles() {
+    struct Leftmost {
+      std::ptrdiff_t point = -1;
+      Vec2 at;
+    };
+    std::vector<Leftmost> leftmost(sets_.size());
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      Leftmost& best = leftmost[sets_.find(points_[k].node)];
+      const Vec2 at = leftEnd(points_[k]);
+      if (best.point < 0 || at.x() < best.at.x()) best = {static_cast<std::ptrdiff_t>(k), at};
+    }
+    for (const Leftmost& best : leftmost) {
+      if (best.point < 0) continue;
+      const NodePoint& point = points_[static_cast<std::size_t>(best.point)];
+      if (!overlapsLeftOf(point, best.at)) continue;
+      const std::ptrdiff_t node = leftOf(best.at);
+      if (node >= 0) sets_.join(point.node, static_cast<std::size_t>(node));
+    }
+  }
+
+  /// Of a common stretch of two edges the end on the left, beyond which they needn't be both.
+  Vec2 leftEnd(const NodePoint& point) const {
+    if (point.point.a < 0 || point.point.b < 0) return point.point.at;  // a vertex, whatever its node
+    const EdgeCrossing& crossing = crossings_[point.node];
+    if (crossing.direction != 0) return crossing.point;
+    const Vec2 low = frame_.edgeOfA(crossing.edge_a, crossing.on_a.low),
+               high = frame_.edgeOfA(crossing.edge_a, crossing.on_a.high);
+    return low.x() < high.x() ? low : high;
+  }
+
+  /// Whether what is next to the leftmost point of a boundary, outside of it, is in the overlap.
+  bool overlapsLeftOf(const NodePoint& point, const Vec2& at) const {
+    const BoundaryPoint& p = point.point;
+    // Where edges cross, a corner of the overlap is less than a half turn: here to the right.
+    if (p.a >= 0 && p.b >= 0 && crossings_[point.node].direction != 0) return false;
+    if (p.a < 0 || p.b < 0) {
+      const int side = p.b < 0 ? 0 : 1;
+      const std::ptrdiff_t edge = side == 0 ? p.a : p.b, before = side == 0 ? p.a_before : p.b_before;
+      const Side& own = sides_[side];
+      const Side::RingStops& ring = own.rings[ringOf(own.polygon, static_cast<std::size_t>(edge))];
+      // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
+      const Ends to = ends(side, static_cast<std::size_t>(edge)), from = ends(side, static_cast<std::size_t>(before));
+      const double turn = cross(from.v - from.w, to.w - to.v);
+      if (ring.left.known && !ring.meets_own && turn != 0)
+        return own.isInside(turn > 0 ? ring.left.number : ring.left.number - 1);
+    }
+    const Vec2 beside = at - Vec2(4 * frame_.error(), 0);
+    return holds(0, beside) && holds(1, beside);
+  }
+
+  /// The node of the boundary that is next to the left; -1 if none is found.
+  std::ptrdiff_t leftOf(const Vec2& p) const {
+    // Farther and farther, so that it costs what is near.
+    for (double length = 0x1p-12;; length = length < 0x1p12 ? 8 * length : std::numeric_limits<double>::infinity()) {
+      Hit hit{-std::numeric_limits<double>::infinity(), -1};
+      const double right = p.x() - 4 * frame_.error();
+      for (const int side : {0, 1})
+        forEachEdgeOnRay(pair_, frame_, side, p, Vec2(-1, 0), length, [&](std::size_t edge) {
+          addHit(side, edge, p.y(), right, hit);
+          return std::min(length, p.x() - hit.x);
+        });
+      if (!(p.x() - hit.x > length)) return hit.node;
+    }
+  }
+
+  struct Hit {
+    double x;
+    std::ptrdiff_t node;
+  };
+
+  void addHit(int side, std::size_t edge, double y, double right, Hit& hit) const {
+    const auto [v, w] = ends(side, edge);
+    if (y < std::min(v.y(), w.y()) || y > std::max(v.y(), w.y())) return;
+    const double t = v.y() != w.y() ? (y - v.y()) / (w.y() - v.y()) : v.x() < w.x() ? 1 : 0;
+    const double x = v.x() + t * (w.x() - v.x());
+    if (x > right || x < hit.x) return;
+    const std::ptrdiff_t node = nodeAt(side, edge, t);
+    if (x == hit.x && node < 0) return;
+    hit = {x, node};
+  }
+
+  /// A node that the point t of an edge is joined to; -1 if it isn't in the other region.
+  std::ptrdiff_t nodeAt(int side, std::size_t edge, double t) const {
+    const Side& own = sides_[side];
+    const Side::RingStops& ring = own.rings[ringOf(own.polygon, edge)];
+    if (ring.node >= 0 || ring.begin == ring.end) return ring.node;
+    const auto begin = own.stops.begin() + static_cast<std::ptrdiff_t>(ring.begin);
+    const auto end = own.stops.begin() + static_cast<std::ptrdiff_t>(ring.end);
+    const auto next = std::partition_point(
+        begin, end, [&](const Stop& stop) { return stop.edge != edge ? stop.edge < edge : stop.span.low <= t; });
+    const Stop& stop = *((next == begin ? end : next) - 1);
+    const bool on_stop = next != begin && stop.edge == edge && t <= stop.span.high;
+    return stop.joined || on_stop ? static_cast<std::ptrdiff_t>(stop.node) : -1;
+  }
+
+  std::vector<OverlapComponent> collect() {
+    std::vector<OverlapComponent> result;
+    std::vector<std::ptrdiff_t> component(sets_.size(), -1);
+    const auto of = [&](std::size_t node) -> OverlapComponent& {
+      return result[static_cast<std::size_t>(component[sets_.find(node)])];
+    };
+    for (std::size_t node = 0; node < sets_.size(); ++node) {
+      std::ptrdiff_t& index = component[sets_.find(node)];
+      if (!present_[node] || index >= 0) continue;
+      index = static_cast<std::ptrdiff_t>(result.size());
+      result.emplace_back();
+    }
+    for (std::size_t node = 0; node < sets_.size(); ++node)
+      if (inner_[node] && component[sets_.find(node)] >= 0) of(node).inner = true;
+    for (const NodePoint& point : points_) of(point.node).points.push_back(point.point);
+    for (std::size_t k = 0; k < crossings_.size(); ++k) {
+      of(k).crossings.push_back(k);
+      if (!of(k).inner) lookBeside(crossings_[k], of(k));
+    }
+    return result;
+  }
+
+  /// Which sides of a common stretch of two edges the regions are on.
+  void lookBeside(const EdgeCrossing& crossing, OverlapComponent& component) const {
+    const Ends edge = frame_.edgeEndsOfA(crossing.edge_a);
+    const Vec2 way = edge.w - edge.v;
+    const double length = way.norm() * (crossing.on_a.high - crossing.on_a.low), error = frame_.error();
+    if (!(length > 32 * error)) return;
+    const Vec2 normal = Vec2(-way.y(), way.x()).normalized(), beside = 8 * error * normal;
+    const Vec2 point = frame_.edgeOfA(crossing.edge_a, somewhere(crossing.on_a));
+    const bool a_left = holds(0, point + beside), a_right = holds(0, point - beside);
+    const bool b_left = holds(1, point + beside), b_right = holds(1, point - beside);
+    component.inner = (a_left && b_left) || (a_right && b_right);
+    if (a_right && b_left) component.facing += length * normal;
+    if (a_left && b_right) component.facing -= length * normal;
+  }
+
+  const PosedPair &pair_, swapped_;
+  const WorldFrame& frame_;
+  const std::vector<EdgeCrossing>& crossings_;
+  Side sides_[2];
+  Sets sets_;
+  std::vector<char> present_;  ///< by node: it is in the overlap, which a polygon's own crossing needn't be
+  std::vector<char> inner_;    ///< by node: the overlap has an inside there
+  std::vector<NodePoint> points_;
+};
+
+}  // namespace
+
+std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
+                                             const std::vector<EdgeCrossing>& crossings) {
+  return Grouping(pair, frame, crossings).components();
+}
+
+}  // namespace tricover::detail

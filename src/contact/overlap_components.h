@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/boundary_point.h"
+#include "contact/crossings.h"
+#include "pair/world_frame.h"
+
+namespace tricover::detail {
+
+/// A connected part of the overlap.
+struct OverlapComponent {
+  std::vector<BoundaryPoint> points;   ///< crossings, and vertices inside the other region
+  std::vector<std::size_t> crossings;  ///< indices; empty in a containment
+  bool inner = false;                  ///< it has an inside, but for rounding: they do more than touch
+  Vec2 facing = Vec2::Zero();          ///< where they touch along edges: the sum of these, turned to point from a to b
+};
+
+/// The components of the overlap; none exactly if the regions are apart. What is nearer than the frame's error counts
+/// as connected.
+std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
+                                             const std::vector<EdgeCrossing>& crossings);
+
+}  // namespace tricover::detail

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/penetration.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "contact/convex_outline.h"
+#include "contact/convex_penetration.h"
+#include "contact/translation_search.h"
+#include "numbers/segment.h"
+#include "pair/collide_by_hierarchy.h"
+#include "pair/kernel_order.h"
+#include "tricover/collide.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+/// The number of the edge that is nearest to p.
+std::ptrdiff_t nearestEdge(const PolygonData& polygon, const std::vector<Vec2>& vertices, const Vec2& p) {
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const double square = squaredDistanceToSegment(p, vertices[e], vertices[e + 1]);
+      if (!(square < least)) continue;
+      least = square;
+      nearest = e;
+    }
+  return static_cast<std::ptrdiff_t>(polygon.edgeNumber(nearest));
+}
+
+struct Features {
+  Vec2 point_a, point_b;  ///< in the space's units
+  Vec2 direction;         ///< unit
+};
+
+/// Where an edge and a vertex part after the translation t. The vertex may come beyond the edge's end only where the
+/// edge at it is parallel.
+Features featuresOf(const TranslationSpace& space, const Vec2& t, bool edge_of_a, std::size_t start, std::size_t end,
+                    std::size_t vertex) {
+  const std::vector<Vec2>&a = space.verticesOfA(), &b = space.verticesOfB();
+  if (edge_of_a) {
+    const Vec2 p = nearestOnSegment(b[vertex] + t, a[start], a[end]);
+    return {p, p - t, t.normalized()};
+  }
+  const Vec2 p = nearestOnSegment(a[vertex] - t, b[start], b[end]);
+  return {p + t, p, t.normalized()};
+}
+
+/// The same for what the search found, by the convolution segment that is nearest to its limit: it is on one, unless
+/// the budget ran out.
+Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
+  const Vec2 t = shortest.limit;
+  const double noise = space.noise();
+  Vec2 at = t;
+  const PosedPair pair = space.at(at);
+  double least = std::numeric_limits<double>::infinity();
+  TranslationSpace::Segment nearest{};
+  for (double radius = 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
+    space.forEachSegment(
+        pair, at, radius, [](std::size_t, std::size_t) { return true; },
+        [&](const TranslationSpace::Segment& segment) {
+          const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
+          if (apart < least) nearest = segment;
+          least = std::min(apart, least);
+          return true;
+        });
+  const Vec2 parted = least > 64 * noise ? nearestOnSegment(t, nearest.v, nearest.w) : t;
+  Features features = nearest.vertex_of_a
+                          ? featuresOf(space, parted, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
+                          : featuresOf(space, parted, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
+  const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
+  features.direction = way.stableNormalized();
+  // Over a short way the segment's normal is known better than the way's direction.
+  if (along.norm() > 0 && least <= 64 * noise && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
+    features.direction = Vec2(along.y(), -along.x()).stableNormalized();
+    if (features.direction.dot(way) < 0) features.direction = -features.direction;
+  }
+  return features;
+}
+
+/// Whether either one, translated as its pose can be, leaves the other.
+bool parts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+           const Vec2& translation) {
+  Pose moved_a = pose_a, moved_b = pose_b;
+  moved_a.translation() -= translation;
+  moved_b.translation() += translation;
+  if (!moved_a.translation().allFinite() || !moved_b.translation().allFinite()) return false;
+  return !collideByHierarchy(PosedPair(a, pose_a, b, moved_b), {}, 0, Wanted::Answer).collides &&
+         !collideByHierarchy(PosedPair(a, moved_a, b, pose_b), {}, 0, Wanted::Answer).collides;
+}
+
+/// Where lengths overflow.
+Penetration noAnswer(const Vec2& direction) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {kInfinity, direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
+}
+
+}  // namespace
+
+Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                               const PenetrationOptions& options) {
+  const ConvexOutline &outline_a = convexOutlineOf(a), &outline_b = convexOutlineOf(b);
+  const SupportGap gap = leastSupportGap(a, pose_a, outline_a, b, pose_b, outline_b);
+  TranslationSpace space(a, pose_a, b, pose_b);
+  if (!space.isFinite()) return noAnswer(gap.direction);
+  Penetration result{gap.depth, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
+  const double unit = space.unit();
+  const Vec2 known = gap.direction * (gap.depth / unit);
+  ShortestParting shortest{known, known, known.norm()};
+  Features features;
+  if (outline_a.is_region && outline_b.is_region) {
+    features = featuresOf(space, known, gap.edge_of_a, gap.edge_start, gap.edge_end, gap.corner);
+    result.lower_bound = gap.depth;
+    result.optimal = true;
+  } else {
+    shortest = searchShortestParting(space, known, options.budget);
+    features = featuresOf(space, shortest);
+    if (shortest.limit != known) {
+      const double length = shortest.limit.norm();
+      result.depth = length > 2 * space.noise() ? length * unit : 0;
+      result.direction = features.direction;
+    }
+    result.lower_bound = std::min(shortest.lower_bound * unit, result.depth);
+    result.optimal =
+        result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + 32 * space.noise() * unit;
+  }
+  // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
+  if (shortest.parting == shortest.limit) shortest.parting += 8 * space.noise() * result.direction;
+  // At the limit they may still touch, and a pose's translation is rounded.
+  result.translation = shortest.parting * unit;
+  const Vec2 aside = shortest.parting - shortest.limit;
+  const Vec2 way = !aside.isZero(0) ? Vec2(aside.stableNormalized()) : result.direction;
+  for (double step = std::max(aside.norm(), space.noise()); !parts(a, pose_a, b, pose_b, result.translation);
+       step *= 2) {
+    if (!std::isfinite(step * unit)) return noAnswer(result.direction);
+    result.translation = (shortest.limit + step * way) * unit;
+  }
+  result.point_a = space.inWorld(features.point_a);
+  result.point_b = space.inWorld(features.point_b);
+  result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);
+  result.edge_b = nearestEdge(b, space.verticesOfB(), features.point_b);
+  assert(std::abs(result.direction.norm() - 1) < 0x1p-40);
+  assert(0 <= result.lower_bound && result.lower_bound <= result.depth);
+  return result;
+}
+
+}  // namespace detail
+
+std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                       const PenetrationOptions& options) {
+  if (!collide(a, pose_a, b, pose_b)) return std::nullopt;
+  return detail::inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) { return detail::penetrationInOrder(operands..., options); },
+      [](Penetration& p) {
+        p.direction = -p.direction;
+        p.translation = -p.translation;
+        std::swap(p.point_a, p.point_b);
+        std::swap(p.edge_a, p.edge_b);
+      });
+}
+
+}  // namespace tricover

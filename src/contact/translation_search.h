@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "contact/translation_space.h"
+
+namespace tricover::detail {
+
+/// What a search found, in the space's units.
+struct ShortestParting {
+  Vec2 limit;          ///< the end of the shortest translation: free translations come as near to it as one likes
+  Vec2 parting;        ///< a free one near it
+  double lower_bound;  ///< no shorter translation parts the regions by more than a slit of the search's resolution
+};
+
+/// Best first over square cells of translations, from one that is known to be free. Stops after `budget` queries of the
+/// kernel; lower_bound is then that of the cells left.
+ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, std::size_t budget);
+
+}  // namespace tricover::detail

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "contact/disc_cover.h"
+#include "pair/edge_pairs.h"
+
+namespace tricover::detail {
+
+/// The plane of b's translations, in which the regions overlap on M = A + (-B). Axes are the world's, the origin is b
+/// where it is, lengths are in units.
+///
+/// The boundary of M lies on convolution segments: a vertex of a less an edge of b, or an edge of a less a vertex of b;
+/// and of these only where the edges at the vertex don't leave to both sides of the other's line, since otherwise the
+/// translations around a segment's inner point overlap, too.
+class TranslationSpace {
+ public:
+  TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
+
+  struct Segment {
+    Vec2 v, w;
+    std::size_t edge_a, edge_b;  ///< positions; the vertex is the start of its polygon's edge
+    bool vertex_of_a;
+  };
+
+  /// The kernel's pair with b translated by t as nearly as doubles allow; t becomes what it was translated by. The last
+  /// pair made is the valid one.
+  PosedPair at(Vec2& t);
+
+  /// Calls meet(edge_a, edge_b), positions, for each pair of edges that may cross, and visit(segment) for each
+  /// convolution segment within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
+  template <typename Meet, typename Visit>
+  void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) const {
+    const double limit = pair.reach((radius + noise_) * unit_);
+    forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
+      const bool goes_on = (gap > 0 || meet(i, j)) && show(i, j, t, radius, visit);
+      return goes_on ? limit : -1;
+    });
+  }
+
+  /// The corners of the parallelogram of those translations that let two edges, by position, meet.
+  std::array<Vec2, 4> meetings(std::size_t i, std::size_t j) const {
+    return {a_.at[i] - b_.at[j], a_.at[i + 1] - b_.at[j], a_.at[i + 1] - b_.at[j + 1], a_.at[i] - b_.at[j + 1]};
+  }
+
+  /// Translations at which discs in the regions overlap: worth their while in a long search.
+  DiscSums discSums() const;
+
+  double unit() const { return unit_; }
+  bool isFinite() const { return noise_ < 1; }
+  /// At least what an end of a segment is wrong by, and t in at().
+  double noise() const { return noise_; }
+  /// A bound of the length of any translation that leaves them overlapping.
+  double reach() const { return reach_; }
+
+  /// Vertices, by position, in the world from a's origin S, in units; b's where it is.
+  const std::vector<Vec2>& verticesOfA() const { return a_.at; }
+  const std::vector<Vec2>& verticesOfB() const { return b_.at; }
+  /// Infinite where it is beyond the largest double, and only there.
+  Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
+
+ private:
+  struct Vertices {
+    std::vector<Vec2> at;
+    std::vector<Vec2> incoming, outgoing;  ///< edges at a vertex, beyond repetitions of it
+    std::vector<char> is_edge;             ///< not a repetition of its start
+  };
+
+  static Vertices verticesOf(const PolygonData& polygon, const Pose& pose, const Vec2& origin, double inverse_unit);
+  static bool mayBound(const Vertices& polygon, std::size_t i, const Vec2& edge);
+  static bool isNear(const Vec2& t, double radius, const Segment& segment);
+
+  template <typename Visit>
+  bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
+    if (!a_.is_edge[i] || !b_.is_edge[j]) return true;
+    const Vec2 start = a_.at[i] - b_.at[j];
+    if (mayBound(a_, i, b_.outgoing[j])) {
+      const Segment segment{start, a_.at[i] - b_.at[j + 1], i, j, true};
+      if (isNear(t, radius + noise_, segment) && !visit(segment)) return false;
+    }
+    if (mayBound(b_, j, a_.outgoing[i])) {
+      const Segment segment{start, a_.at[i + 1] - b_.at[j], i, j, false};
+      if (isNear(t, radius + noise_, segment) && !visit(segment)) return false;
+    }
+    return true;
+  }
+
+  const PolygonData &polygon_a_, &polygon_b_;
+  Pose pose_a_, pose_b_;     ///< less a's translation
+  Vec2 shift_, shift_rest_;  ///< t_b - t_a, as a rounded part and the rest
+  double unit_, inverse_unit_, noise_, reach_;
+  Vec2 quarter_origin_;  ///< of a's S in the world
+  Vec2 between_;         ///< b's S, as vertices
+  Vertices a_, b_;
+};
+
+}  // namespace tricover::detail

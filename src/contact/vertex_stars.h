@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "contact/crossings.h"
+#include "hierarchy/wide.h"
+#include "pair/world_frame.h"
+
+namespace tricover::detail {
+
+/// Points where several vertices of either polygon meet. All edges that end at such a point meet there in pairs; to
+/// know them together, those pairs are enough that one edge of either polygon has with all of the other's.
+class VertexStars {
+ public:
+  explicit VertexStars(const PosedPair& pair);
+
+  /// Of the pairs of vertices at which some edges meet, the one that most edges share; both -1 if there is none.
+  std::pair<std::ptrdiff_t, std::ptrdiff_t> largest(const std::vector<EdgeCrossing>& crossings) const;
+
+  /// Chooses the two edges whose pairs tell of the point that the vertices u of a and v of b are at.
+  void tellBy(std::size_t u, std::size_t v, std::size_t edge_a, std::size_t edge_b);
+
+  /// Whether these edges meet in one such point only, and the pairs of others tell. Otherwise nothing is said.
+  bool isKnown(std::size_t i, std::size_t j);
+
+ private:
+  enum State : char { New, Apart, Met };
+  struct Star {
+    State state = New;
+    std::size_t edge_a = 0, edge_b = 0;  ///< those whose pairs count
+  };
+
+  bool isOne(std::size_t u, std::size_t v) const;
+
+  const PosedPair& pair_;
+  std::vector<std::uint32_t> place_a_, place_b_;  ///< by position: equal for equal vertices
+  std::unordered_map<std::uint64_t, Star> stars_;
+};
+
+/// The boxes of edges that end in one point of many, for two polygons or for one with itself: met with each other they
+/// would show nothing but that point.
+class StarBoxes {
+ public:
+  /// Around the vertices u of a and v of b, which are one point; but for one edge of either, whose pairs tell of it.
+  StarBoxes(const PosedPair& pair, const WorldFrame& frame, std::size_t u, std::size_t v, VertexStars& stars);
+  /// Around a polygon's vertex v; other pairs aren't needed to tell of it.
+  StarBoxes(const PolygonData& polygon, std::size_t v);
+
+  SettledPairs pairs() const {
+    return a_.empty() ? SettledPairs{} : SettledPairs{a_.data(), b_.empty() ? a_.data() : b_.data()};
+  }
+
+ private:
+  std::vector<std::uint8_t> a_, b_;
+};
+
+}  // namespace tricover::detail

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "distance/edge_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numbers/double_double.h"
+#include "pair/posed_pair.h"
+
+namespace tricover::detail {
+namespace {
+
+/// In either coordinate.
+using Twofold2 = Twofold<Double2>;
+
+Double2 both(double x) { return Double2{x, x}; }
+
+Twofold2 normalised(const Twofold2& sum) { return twoSum(sum.high, sum.low); }
+
+/// A matrix times (q - p).
+Twofold2 mappedDifference(const Double2 (&columns)[2], Double2 p, Double2 q) {
+  const Twofold2 difference = twoSum(q, -p);
+  const Twofold2 first = twoProduct(columns[0], both(difference.high[0]));
+  const Twofold2 second = twoProduct(columns[1], both(difference.high[1])), sum = twoSum(first.high, second.high);
+  const Double2 rest = columns[0] * difference.low[0] + columns[1] * difference.low[1];
+  return normalised({sum.high, sum.low + (first.low + second.low + rest)});
+}
+
+double cross(const Twofold2& u, const Twofold2& w) {
+  const Twofold2 products = twoProduct(u.high, swapped(w.high));
+  const Double2 rest = products.low + (u.high * swapped(w.low) + u.low * swapped(w.high));
+  const Twofold2 difference = twoSum(both(products.high[0]), both(-products.high[1]));
+  return difference.high[0] + (difference.low[0] + (rest[0] - rest[1]));
+}
+
+double norm(Double2 u) { return std::sqrt(dot(u, u)); }
+
+/// A distance that is not 0 doesn't become so by rounding.
+double atLeastSmallest(double distance) { return std::max(distance, 0x1p-1074); }
+
+Double2 point(const PolygonData& polygon, std::size_t position) { return load2(polygon.path[position].data()); }
+
+}  // namespace
+
+// With M the size, |p|_1, |q|_1 and |t|_1 (of t_b - t_a) sum to at most M. In units of U, rows of R being unit vectors
+// but for 1e-6:
+//   R p        products 1, sum 1                         2 |p|_1 in either coordinate
+//   R q + t    the same, t itself 1, the sum 1           3 |q|_1 + 2 |t|_1
+// so that a distance between the edges is off by sqrt2 3 M in any direction because its ends are, and beside() rounds
+// as pointSegmentDistance() does (there 12 |u| + 8 d; here 1 |u| more for the inverse, and 8 d), with |u| <= 2 M, d <=
+// M:
+//   4.25 M + 26 M + 8 M = 38.25 M.
+constexpr double kDistanceError = 64 * kUnitRoundoff;
+static_assert(kDistanceError >= (1 + 1e-5) * (errorOf(3) * kRoot2 + 2 * errorOf(12 + 1) + errorOf(8)));
+
+// Areas u x w and products u . w, where u leads along an edge and w from its start to an end of the other, |u| <= 2 M
+// and |w| <= M; in units of U:
+//   u          of b: twice 3 |q|_1 + 2 |t|_1, the difference 1 |u|     8 M in either coordinate
+//   w          R p and R q + t together, the difference 1              4 M
+//   u, w       sqrt2 (8 |w| + 4 |u|)                                   sqrt2 16 M^2
+//   products and their sum, 2 |u| |w|                                  4 M^2
+// in all below 27 M^2. The square of u is off by 2 sqrt2 8 |u| + 2 |u|^2, 53.3 M^2, and the sum with unsure_ by 5 M^2:
+// where an end is beyond it, 86 M^2. foot() errs by less, its u leading along a difference of vertices. So it agrees
+// with what is certain here, twice that.
+constexpr double kProductError = 256 * kUnitRoundoff;
+static_assert(kProductError >=
+              2 * (1 + 1e-5) * (errorOf(16) * kRoot2 + errorOf(4) + errorOf(32) * kRoot2 + errorOf(8 + 5)));
+
+EdgeDistances::EdgeDistances(const PlainWays& ways) : PlainWays(ways), scale_(1), inverse_(1) {
+  if (!isUnscaled()) {
+    // So that M is between 2^-400 and 2^400. An extent that overflowed is below 2^1025, hence the factor.
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    scale_ = size_ < 1 ? 0x1p700 : 0x1p-700;
+    inverse_ = size_ < 1 ? 0x1p-700 : 0x1p700;
+    const Double2 from = load2(pose_a_.data() + 6) * scale_, to = load2(pose_b_.data() + 6) * scale_;
+    const Double2 away = absolute(from) + absolute(to);
+    size_ = 4 * (std::min(a_.extent, kLargest) * scale_ + std::min(b_.extent, kLargest) * scale_ + (away[0] + away[1]));
+    const Twofold2 shift = twoSum(to, -from);
+    shift_ = shift.high;
+    shift_rest_ = shift.low;
+    for (int i = 0; i < 2; ++i) {
+      columns_a_[i] *= scale_;
+      columns_b_[i] *= scale_;
+    }
+  }
+  error_ = kDistanceError * size_;
+  unsure_ = kProductError * size_ * size_;
+}
+
+EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
+  const Ends e = ends(i, j);
+  View v;
+  const auto put = [&v](const Beside& side, int k) {
+    store2(v.square + k, side.square);
+    store2(v.part + k, side.part);
+    store2(v.area + k, side.area);
+    store2(v.along + k, side.along);
+    v.length_square[k / 2] = side.length_square;
+    return side.square[0] <= side.square[1] ? k : k + 1;
+  };
+  const int at_a = put(beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1), 0);
+  if (b_.isPoint()) {
+    v.nearest = 0;
+    v.distance = std::sqrt(v.square[0]);
+    v.feature = featureOf(v, i, j);
+    return v;
+  }
+  const int at_b = put(beside(e.b2 - e.b1, e.a1 - e.b1, e.a2 - e.b1), 2);
+  v.nearest = v.square[at_a] <= v.square[at_b] ? at_a : at_b;
+  v.distance = std::sqrt(v.square[v.nearest]);
+  v.feature = featureOf(v, i, j);
+  return v;
+}
+
+bool EdgeDistances::meet(std::size_t i, std::size_t j) const {
+  return edgesMeet(PosedPair(a_, pose_a_, b_, pose_b_), i, j);
+}
+
+double EdgeDistances::mostSquare(const View& v) const {
+  const double most = v.distance + 2 * error_;
+  return roundedUp<6>(most * most);  // a root, a product and a sum, twice, and the square
+}
+
+std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t j) const {
+  const double most = mostSquare(v);
+  std::uint64_t feature = 0;
+  for (int k = 0; k < combinations(); ++k) {
+    if (v.square[k] > most) continue;
+    const int place = placeOf(v, k);
+    if (place == kUncertain) return 0;
+    const std::size_t end = static_cast<std::size_t>(k % 2), other = place > 0 ? 1 : 0;
+    const std::uint64_t kind = place != 0 ? 3 : k < 2 ? 1 : 2;
+    const std::uint64_t at_a = k < 2 ? i + other : i + end, at_b = k < 2 ? j + end : j + other;
+    const std::uint64_t found = kind << 62 | at_a << 31 | at_b;
+    if (feature != 0 && feature != found) return 0;
+    feature = found;
+  }
+  return feature;
+}
+
+double EdgeDistances::allowed(double distance, const DistanceOptions& options) const {
+  const double low = distance - error_, high = distance + error_, margin = options.margin * scale_;
+  const double rounded = atLeastSmallest(high * inverse_);
+  const bool is_allowed =
+      high - margin <= (low - margin) * (1 + options.relative_error) + options.absolute_error * scale_ &&
+      (margin == 0 || low > margin) && rounded - options.margin <= options.limit;
+  return is_allowed ? rounded : 0;
+}
+
+EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size_t j,
+                                         const DistanceOptions& options) const {
+  const int nearest = v.nearest;
+  if (const double rounded = allowed(v.distance, options); rounded > 0) {
+    const double s = v.part[nearest], end = nearest % 2;
+    return {rounded, nearest < 2 ? s : end, nearest < 2 ? end : s};
+  }
+  Nearest best = combination(nearest, v, i, j);
+  if (v.feature != 0) return best;
+  const double most = mostSquare(v);
+  for (int k = 0; k < combinations(); ++k) {
+    if (k == nearest || v.square[k] > most) continue;
+    const Nearest other = combination(k, v, i, j);
+    if (other.distance < best.distance) best = other;
+  }
+  return best;
+}
+
+std::optional<EdgeDistances::Nearest> EdgeDistances::crossing(std::size_t i, std::size_t j) const {
+  const Ends e = ends(i, j);
+  const Double2 u = e.a2 - e.a1, v = e.b2 - e.b1;
+  const auto area = [](Double2 p, Double2 q) { return p[0] * q[1] - p[1] * q[0]; };
+  const double b1 = area(u, e.b1 - e.a1), b2 = area(u, e.b2 - e.a1);
+  const double a1 = area(v, e.a1 - e.b1), a2 = area(v, e.a2 - e.b1);
+  const auto areApart = [this](double p, double q) { return std::min(p, q) < -unsure_ && std::max(p, q) > unsure_; };
+  if (!areApart(a1, a2) || !areApart(b1, b2)) return std::nullopt;
+  return Nearest{0, a1 / (a1 - a2), b1 / (b1 - b2)};
+}
+
+// Where an end of one is on the other but for rounding, that is the point. Otherwise they cross, and so clearly that
+// the areas tell where.
+EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
+  if (v.distance <= 2 * error_) {
+    const double s = v.part[v.nearest], end = v.nearest % 2;
+    return {0, v.nearest < 2 ? s : end, v.nearest < 2 ? end : s};
+  }
+  const auto part = [](double from, double to) { return std::clamp(from / (from - to), 0.0, 1.0); };
+  return {0, part(v.area[2], v.area[3]), part(v.area[0], v.area[1])};
+}
+
+// Let w go from an end of an edge to the point, and u along the edge; M is the size.
+//   w: each of the four products and four sums is at most M and rounds by U M, which is kept in the low parts, as is
+//   what t was rounded by; their own eight sums round by U of at most 9U M: below 100 U^2 M in either coordinate.
+//   u: from the exact difference in the polygon's frame, by the same count of U |u|: below 32 U^2 |u|.
+// The distance d = |u x w| / |u|, where |w| <= 3 M, then errs by
+//   256 U^2 M      by w, sqrt2 100 in any direction,
+//   3 * 32 U^2 M   by u,
+//   3 * 16 U^2 M   by the products in u x w that are rounded or left out,
+//   U d            by its last sum,
+// which is 400 U^2 M + U d, below 2U d where d >= kLeastShare M. A point taken for one beside an end of the edge rather
+// than beyond it, or the converse, is so by an angle below 16U: in the distance the square of that. |w| alone errs by
+// as little as that. Where |w| <= r d, r = kSteepest, a u will do whose coordinates err by 3U |u| (difference, product,
+// sum):
+//   r (sqrt2 3 + 1 + 1) U d   u, w's own rounding and the products, of |u| |w|
+//   U d                       their difference
+// which is 54.1U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
+// the quotient (U) add 7.3U: in all below 62U, and kRelativeError is 64U.
+constexpr double kLeastShare = 0x1p-44, kSteepest = 8.5;
+static_assert(kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoundoff * kUnitRoundoff);
+static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
+static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
+
+// Vectors go from a to b whatever the edge is of, so that two vertices are found just as far apart from either's edges.
+EdgeDistances::Twofold2 EdgeDistances::twofoldWay(std::size_t at_a, std::size_t at_b) const {
+  const double *ra = pose_a_.data(), *rb = pose_b_.data();  // columns of three
+  const Double2 q = point(b_, at_b) * scale_, p = point(a_, at_a) * scale_;
+  const Twofold2 b0 = twoProduct(load2(rb), both(q[0])), b1 = twoProduct(load2(rb + 3), both(q[1]));
+  const Twofold2 a0 = twoProduct(load2(ra), both(p[0])), a1 = twoProduct(load2(ra + 3), both(p[1]));
+  const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);
+  const Twofold2 of_both = twoSum(of_b.high, -of_a.high), w = twoSum(shift_, of_both.high);
+  const Double2 rests = (b0.low + b1.low) - (a0.low + a1.low), sums = (of_b.low - of_a.low) + (of_both.low + w.low);
+  return normalised({w.high, rests + (sums + shift_rest_)});
+}
+
+template <bool kEdgeOfA>
+double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const {
+  const PolygonData& polygon = kEdgeOfA ? a_ : b_;
+  const double* r = (kEdgeOfA ? pose_a_ : pose_b_).data();
+  const Double2 columns[] = {load2(r), load2(r + 3)};
+  const std::size_t end = edge + (at_end ? 1 : 0);
+  const Twofold2 w = kEdgeOfA ? twofoldWay(end, vertex) : twofoldWay(vertex, end);
+  const Double2 v1 = point(polygon, edge) * scale_, v2 = point(polygon, edge + 1) * scale_;
+  const Double2 difference = v2 - v1, plain = columns[0] * difference[0] + columns[1] * difference[1];
+  const Double2 products = plain * swapped(w.high);
+  const double d = std::abs(products[0] - products[1]) / norm(plain);
+  if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return d;
+  const Twofold2 u = mappedDifference(columns, v1, v2);
+  const double square = dot(u.high, u.high);
+  return square > 0x1p-900 ? std::abs(cross(u, w)) / std::sqrt(square) : 0;
+}
+
+EdgeDistances::Nearest EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
+                                                  const DistanceOptions& options) const {
+  const double rounded = allowed(foot.distance, options);
+  const double d = rounded > 0 ? rounded
+                   : edge_of_a ? distanceBeside<true>(foot.at_end, i, j)
+                               : distanceBeside<false>(foot.at_end, j, i);
+  if (!(d >= kLeastShare * size_)) return exactCombination(edge_of_a ? 0 : 2, i, j);
+  return {d, edge_of_a ? foot.part() : 0, edge_of_a ? 0 : foot.part()};
+}
+
+EdgeDistances::Nearest EdgeDistances::startAndStart(const Foot& foot, std::size_t i, std::size_t j,
+                                                    const DistanceOptions& options) const {
+  const double rounded = allowed(foot.distance, options), d = rounded > 0 ? rounded : norm(twofoldWay(i, j).high);
+  return d >= kLeastShare * size_ ? Nearest{d, 0, 0} : exactCombination(0, i, j);
+}
+
+EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j) const {
+  const bool end_of_b = k < 2;
+  const std::size_t end = static_cast<std::size_t>(k % 2), edge = end_of_b ? i : j,
+                    vertex = end_of_b ? j + end : i + end;
+  const PolygonData& polygon = end_of_b ? a_ : b_;
+  const double where = static_cast<double>(end);
+  bool at_end = view.part[k] > 0.5;
+  if (isUnscaled()) {
+    const Foot foot = end_of_b ? PlainWays::foot<true>(edge, vertex) : PlainWays::foot<false>(edge, vertex);
+    if (foot.is_plain) return {foot.distance, end_of_b ? foot.part() : where, end_of_b ? where : foot.part()};
+    at_end = foot.at_end;
+  }
+  const auto answer = [&](double d, double part) -> Nearest {
+    // Written so that NaN fails.
+    if (!(d >= kLeastShare * size_)) return exactCombination(k, i, j);
+    return {atLeastSmallest(d * inverse_), end_of_b ? part : where, end_of_b ? where : part};
+  };
+  const auto from = [&](std::size_t v) { return end_of_b ? twofoldWay(i + v, vertex) : twofoldWay(vertex, j + v); };
+
+  const int place = placeOf(view, k);
+  if (place == 0) {
+    const double d =
+        end_of_b ? distanceBeside<true>(at_end, edge, vertex) : distanceBeside<false>(at_end, edge, vertex);
+    return answer(d, view.part[k]);
+  }
+  const Twofold2 w = from(view.part[k] > 0.5 ? 1 : 0);
+  if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
+  const double* r = (end_of_b ? pose_a_ : pose_b_).data();
+  const Double2 columns[] = {load2(r), load2(r + 3)};
+  const Twofold2 u = mappedDifference(columns, point(polygon, edge) * scale_, point(polygon, edge + 1) * scale_);
+  const double square = dot(u.high, u.high);
+  if (!(square > 0x1p-900)) return square == 0 ? answer(norm(w.high), 0) : exactCombination(k, i, j);
+  const Twofold2 w1 = from(0), w2 = from(1);
+  const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u.high);
+  if (along <= 0) return answer(norm(w1.high), 0);
+  if (sign * dot(w2.high, u.high) >= 0) return answer(norm(w2.high), 1);
+  return answer(std::abs(cross(u, w1)) / std::sqrt(square), std::min(along / square, 1.0));
+}
+
+EdgeDistances::Nearest EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {
+  const bool end_of_b = k < 2;
+  const std::size_t end = static_cast<std::size_t>(k % 2);
+  const double where = static_cast<double>(end);
+  const PosedPoint p = end_of_b ? PosedPoint{&pose_b_, b_.path[j + end]} : PosedPoint{&pose_a_, a_.path[i + end]};
+  const PosedPoint v1 = end_of_b ? PosedPoint{&pose_a_, a_.path[i]} : PosedPoint{&pose_b_, b_.path[j]};
+  const PosedPoint v2 = end_of_b ? PosedPoint{&pose_a_, a_.path[i + 1]} : PosedPoint{&pose_b_, b_.path[j + 1]};
+  const ExactDistance found = distanceExact(p, v1, v2);
+  return {atLeastSmallest(found.distance), end_of_b ? found.along : where, end_of_b ? where : found.along};
+}
+
+}  // namespace tricover::detail

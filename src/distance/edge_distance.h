@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "distance/plain_ways.h"
+#include "numbers/double2.h"
+#include "numbers/predicates.h"
+#include "polygon/polygon_data.h"
+#include "tricover/distance.h"
+
+namespace tricover::detail {
+
+/// Distances of two posed polygons' edges, in the world, where lengths are the true ones. Edges are given by their
+/// positions in the paths.
+class EdgeDistances : public PlainWays {
+ public:
+  explicit EdgeDistances(const PlainWays& ways);
+  EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+      : EdgeDistances(PlainWays(a, pose_a, b, pose_b)) {}
+
+  /// A lower bound of the distance, too, made one of what at() returns: the smallest double is for at()'s rounding and
+  /// for that of this product.
+  static double below(double distance) { return distance * (1 - 2 * kRelativeError) - 2 * kSmallest; }
+  /// The other way: nothing that is farther apart than this has an at() of at most `distance`.
+  static double above(double distance) { return distance * (1 + 4 * kRelativeError) + 4 * kSmallest; }
+  /// What at() says of edges that are truly no farther apart than `limit` is at most this, which rounds once, as at()
+  /// does last: so it isn't above 0 for 0.
+  static double mostWithin(double limit) {
+    const double most = limit * (1 + 1.25 * kRelativeError);
+    return most < std::numeric_limits<double>::infinity() ? most : limit;
+  }
+
+  /// What doubles tell of two edges.
+  struct Bounds {
+    double low, high;  ///< of what at() returns, for edges that don't meet
+    bool clear;        ///< whether they certainly don't
+  };
+  Bounds bounds(std::size_t i, std::size_t j) const {
+    const Ends e = ends(i, j);
+    const Beside of_a = beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1);
+    if (b_.isPoint()) {  // which crosses nothing
+      const double distance = std::sqrt(of_a.square[0]);
+      return boundsOf(distance, distance > error_);
+    }
+    const Beside of_b = beside(e.b2 - e.b1, e.a1 - e.b1, e.a2 - e.b1);
+    const Double2 least = of_a.square < of_b.square ? of_a.square : of_b.square;
+    return boundsOf(std::sqrt(least[0] < least[1] ? least[0] : least[1]), isClear(of_a) || isClear(of_b));
+  }
+
+  /// Whether two edges share a point. Exact.
+  bool meet(std::size_t i, std::size_t j) const;
+
+  /// Where two edges are nearest: an end of one, and a part of the other from its start (0) to its end (1).
+  struct Nearest {
+    double distance;
+    double along_a, along_b;
+  };
+
+  static constexpr int kCombinations = 4;
+  /// One does for a point b.
+  int combinations() const { return b_.isPoint() ? 1 : kCombinations; }
+
+  /// The same, and more, of each end of one edge against the other edge, first b's ends, then a's.
+  struct View {
+    int nearest;      ///< of the combinations
+    double distance;  ///< its own, scaled
+    /// Equal for pairs whose nearest points are certainly of the same vertices and edges, so that at() finds them to be
+    /// just as far apart; 0 if there is no telling.
+    std::uint64_t feature;
+
+    double square[kCombinations];  ///< of the distance
+    double part[kCombinations];    ///< where on the edge the nearest point is, from 0 to 1
+    double area[kCombinations];    ///< spanned by the point and the edge, twice
+    double along[kCombinations];   ///< times the edge's length, from its start
+    double length_square[2];       ///< the edge's
+  };
+  View view(std::size_t i, std::size_t j) const;
+  Bounds bounds(const View& view) const { return boundsOf(view.distance, false); }
+
+  /// For edges that don't meet. Depends on nothing but them and the poses. Of edges that are certainly farther apart
+  /// than the margin, what is beyond it may be too large by the errors that the options allow, if it isn't so above the
+  /// limit.
+  Nearest at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
+  /// The same for who has proven that at() would take no other: the start of b's edge j beside a's edge i, certainly
+  /// between its ends, or the start of a's beside b's. Only for what is unscaled.
+  Nearest startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
+                      const DistanceOptions& options) const;
+  /// The same for the starts of both edges.
+  Nearest startAndStart(const Foot& foot, std::size_t i, std::size_t j, const DistanceOptions& options) const;
+
+  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled; and whether
+  /// another vertex is certainly farther back along it than p, or farther on than q: by so much that at() finds
+  /// whatever is between such vertices no nearer than p and q.
+  Double2 between(std::size_t p, std::size_t q) const {
+    return mapped(columns_b_, b_.path[q]) + shift_ - mapped(columns_a_, a_.path[p]);
+  }
+  bool isBehindOfA(Double2 way, std::size_t p, std::size_t v) const {
+    const Double2 products = way * (mapped(columns_a_, a_.path[v]) - mapped(columns_a_, a_.path[p]));
+    return products[0] + products[1] < -2 * unsure_;
+  }
+  bool isBehindOfB(Double2 way, std::size_t q, std::size_t w) const {
+    const Double2 products = way * (mapped(columns_b_, b_.path[w]) - mapped(columns_b_, b_.path[q]));
+    return products[0] + products[1] > 2 * unsure_;
+  }
+  double squareBetween(std::size_t p, std::size_t q) const {
+    const Double2 way = between(p, q), squares = way * way;
+    return squares[0] + squares[1];
+  }
+  /// Whether at() needs no exact numbers for a distance of that square.
+  bool isPlain(double square) const { return square > 0x1p-80 * size_ * size_; }
+
+  /// The same, and whether they do at all, where plain doubles tell that they cross.
+  std::optional<Nearest> crossing(std::size_t i, std::size_t j) const;
+  /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
+  Nearest whereTheyMeet(const View& view) const;
+
+ private:
+  static constexpr double kSmallest = 0x1p-1074;
+
+  /// Two edges as doubles see them, from a's translation.
+  struct Ends {
+    Double2 a1, a2, b1, b2;
+  };
+  Ends ends(std::size_t i, std::size_t j) const {
+    const Vec2 *a = a_.path.data() + i, *b = b_.path.data() + j;
+    return {mapped(columns_a_, a[0]), mapped(columns_a_, a[1]), mapped(columns_b_, b[0]) + shift_,
+            mapped(columns_b_, b[1]) + shift_};
+  }
+  /// The points w1 and w2 beside the edge from the origin to u. The members are as in View; `along` times the edge's
+  /// length.
+  struct Beside {
+    Double2 square, part, area, along;
+    double length_square;
+  };
+  static Beside beside(Double2 u, Double2 w1, Double2 w2) {
+    const Double2 x{w1[0], w2[0]}, y{w1[1], w2[1]}, zero{0, 0}, one{1, 1};
+    Beside result;
+    result.length_square = u[0] * u[0] + u[1] * u[1];
+    result.along = x * u[0] + y * u[1];
+    result.area = y * u[0] - x * u[1];
+    const double inverse = result.length_square > 0x1p-960 ? 1 / result.length_square : 0;
+    const Double2 part = result.along * inverse;
+    result.part = part > zero ? (part < one ? part : one) : zero;
+    const Double2 dx = x - result.part * u[0], dy = y - result.part * u[1];
+    result.square = dx * dx + dy * dy;
+    return result;
+  }
+  /// Whether both points are certainly on one side of the edge's line, or beyond the same end.
+  bool isClear(const Beside& s) const {
+    const double end = s.length_square + unsure_;
+    return (s.area[0] > unsure_ && s.area[1] > unsure_) || (s.area[0] < -unsure_ && s.area[1] < -unsure_) ||
+           (s.along[0] < -unsure_ && s.along[1] < -unsure_) || (s.along[0] > end && s.along[1] > end);
+  }
+  Bounds boundsOf(double d, bool clear) const {
+    return {below((d > error_ ? d - error_ : 0) * inverse_),
+            (d + error_) * (1 + 2 * kRelativeError) * inverse_ + kSmallest, clear};
+  }
+
+  /// Where a point's nearest one is: certainly the edge's start (-1), inside of it (0), its end (1); or kUncertain.
+  int placeOf(const View& view, int k) const {
+    const double at = view.along[k], length = view.length_square[k / 2];
+    return at < -unsure_ ? -1 : at > length + unsure_ ? 1 : at > unsure_ && at < length - unsure_ ? 0 : kUncertain;
+  }
+
+  /// What an answer may be where the doubles' distance is this, scaled, if that is within the errors that the options
+  /// allow; otherwise 0.
+  double allowed(double distance, const DistanceOptions& options) const;
+  /// From a's vertex to b's, scaled.
+  Twofold2 twofoldWay(std::size_t at_a, std::size_t at_b) const;
+  /// Of a vertex that is certainly beside an edge, nearer to its end or its start; scaled.
+  template <bool kEdgeOfA>
+  double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const;
+  Nearest combination(int k, const View& view, std::size_t i, std::size_t j) const;
+  Nearest exactCombination(int k, std::size_t i, std::size_t j) const;
+  std::uint64_t featureOf(const View& view, std::size_t i, std::size_t j) const;
+  /// Squares above this are of combinations that can't be the nearest.
+  double mostSquare(const View& view) const;
+
+  double scale_, inverse_;  ///< powers of two: what the doubles here are, per world length
+  double error_;            ///< of a rounded distance, scaled
+  double unsure_;           ///< of areas, and of lengths times lengths
+};
+
+}  // namespace tricover::detail

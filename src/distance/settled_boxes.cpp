@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "distance/settled_boxes.h"
+
+#include "hierarchy/settled_lanes.h"
+
+namespace tricover::detail {
+namespace {
+
+/// By vertices: an edge is settled if both its ends are.
+template <typename IsSettled>
+std::vector<bool> settledEdges(const PolygonData& polygon, IsSettled isSettled) {
+  std::vector<bool> edges(polygon.path.size());
+  bool start = isSettled(0);
+  for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
+    const bool end = isSettled(e + 1);
+    edges[e] = start && end;
+    start = end;
+  }
+  return edges;
+}
+
+}  // namespace
+
+SettledBoxes::SettledBoxes(const EdgeDistances& edges, std::size_t i, std::size_t j) {
+  std::size_t p = i, q = j;
+  double least = edges.squareBetween(p, q);
+  for (const std::size_t v : {i, i + 1})
+    for (const std::size_t w : {j, j + 1})
+      if (const double square = edges.squareBetween(v, w); square < least) p = v, q = w, least = square;
+  if (!edges.isPlain(least)) return;
+
+  const PolygonData &a = edges.a(), &b = edges.b();
+  const Double2 way = edges.between(p, q);
+  const std::vector<bool> of_a =
+      settledEdges(a, [&](std::size_t v) { return a.path[v] == a.path[p] || edges.isBehindOfA(way, p, v); });
+  const std::vector<bool> of_b =
+      settledEdges(b, [&](std::size_t w) { return b.path[w] == b.path[q] || edges.isBehindOfB(way, q, w); });
+  if (!(of_a[i] && of_b[j])) return;
+  a_ = settledLanes(a, of_a);
+  b_ = settledLanes(b, of_b);
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/motion.h"
+
+#include <cmath>
+#include <string>
+
+#include "impact/cubic.h"
+#include "numbers/errors.h"
+#include "numbers/rigidity.h"
+
+namespace tricover {
+
+Motion Motion::still(const Pose& pose) { return translation(pose, Vec2::Zero()); }
+
+Motion Motion::translation(const Pose& start, const Vec2& shift) {
+  Motion motion;
+  motion.start = start;
+  motion.shift = shift;
+  return motion;
+}
+
+Motion Motion::between(const Pose& start, const Pose& end, const Vec2& pivot) {
+  checkPose(start, "start");
+  checkPose(end, "end");
+  if (!pivot.allFinite()) detail::refuse("pivot", "a coordinate is not finite");
+  // The rotation nearest to end * start^-1.
+  const Eigen::Matrix2d turn = end.linear() * start.linear().transpose();
+  if (turn.determinant() < 0) detail::refuse("end", "it mirrors where start doesn't, or the other way round");
+  Motion motion;
+  motion.start = start;
+  motion.pivot = pivot;
+  motion.angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
+  if (motion.angle == std::atan2(-0.0, -1.0)) motion.angle = -motion.angle;
+  motion.shift = (end.translation() - start.translation()) + (end.linear() - start.linear()) * pivot;
+  return motion;
+}
+
+namespace {
+
+/// From where the pivot and the body's angle are at time 0.
+Motion splineFrom(const Vec2& position, double angle, const Vec2& pivot, const detail::Cubic<Vec2>& way,
+                  const detail::Cubic<double>& turn) {
+  Motion motion;
+  motion.pivot = pivot;
+  motion.start.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  motion.start.translation() = position - motion.start.linear() * pivot;
+  motion.shift = way.first;
+  motion.shift_2 = way.second;
+  motion.shift_3 = way.third;
+  motion.angle = turn.first;
+  motion.angle_2 = turn.second;
+  motion.angle_3 = turn.third;
+  return motion;
+}
+
+/// From the ends p, q and the rates u, v there.
+template <typename T>
+detail::Cubic<T> hermite(const T& p, const T& u, const T& q, const T& v) {
+  const T way = q - p;
+  return {u, 3 * way - 2 * u - v, u + v - 2 * way};
+}
+
+template <typename T>
+detail::Cubic<T> basisSpline(const std::array<T, 4>& p) {
+  return {(p[2] - p[0]) / 2, ((p[0] - p[1]) + (p[2] - p[1])) / 2, ((p[3] - p[0]) + 3 * (p[1] - p[2])) / 6};
+}
+template <typename T>
+T basisSplineStart(const std::array<T, 4>& p) {
+  return p[1] + ((p[0] - p[1]) + (p[2] - p[1])) / 6;
+}
+
+}  // namespace
+
+Motion Motion::spline(const SplineEnd& begin, const SplineEnd& end, const Vec2& pivot) {
+  const Motion motion = splineFrom(begin.position, begin.angle, pivot,
+                                   hermite<Vec2>(begin.position, begin.velocity, end.position, end.velocity),
+                                   hermite(begin.angle, begin.angular_velocity, end.angle, end.angular_velocity));
+  checkMotion(motion, "spline");
+  return motion;
+}
+
+Motion Motion::spline(const std::array<Vec2, 4>& positions, const std::array<double, 4>& angles, const Vec2& pivot) {
+  const Motion motion = splineFrom(basisSplineStart(positions), basisSplineStart(angles), pivot, basisSpline(positions),
+                                   basisSpline(angles));
+  checkMotion(motion, "spline");
+  return motion;
+}
+
+Pose Motion::at(double time) const {
+  if (time == 0) return start;
+  Pose pose = start;
+  pose.translation() += detail::wayOf(*this).at(time);
+  const detail::Cubic<double> turn = detail::turnOf(*this);
+  if (turn.isZero()) return pose;
+  // The pivot's place is kept by what the lever from it to the frame's origin turns by: (I - turn) lever, without the
+  // cancellation of 1 - cos.
+  const double turned = turn.at(time), sine = std::sin(turned), half = std::sin(turned / 2);
+  const Vec2 lever = start.linear() * pivot;
+  pose.linear() = Eigen::Rotation2Dd(turned).toRotationMatrix() * start.linear();
+  pose.translation() += 2 * half * half * lever + sine * Vec2(lever.y(), -lever.x());
+  return pose;
+}
+
+void checkMotion(const Motion& motion, const char* name) {
+  if (!detail::isPlainlyRigid(motion.start)) checkPose(motion.start, (std::string(name) + ".start").c_str());
+  const auto require = [&](bool finite, const char* field) {
+    if (!finite) detail::refuse(std::string(name) + "." + field, "it is not finite");
+  };
+  require(motion.shift.allFinite(), "shift");
+  require(std::isfinite(motion.angle), "angle");
+  require(motion.pivot.allFinite(), "pivot");
+  require(motion.shift_2.allFinite(), "shift_2");
+  require(motion.shift_3.allFinite(), "shift_3");
+  require(std::isfinite(motion.angle_2), "angle_2");
+  require(std::isfinite(motion.angle_3), "angle_3");
+}
+
+}  // namespace tricover

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "impact/moving_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numbers/predicates.h"
+#include "numbers/rigidity.h"
+#include "numbers/segment.h"
+
+namespace tricover::detail {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+}  // namespace
+
+Places Mover::places(double begin, double end) const {
+  const Double2 time{begin, end};
+  Double2 x = base.x() + way.first.x() * time, y = base.y() + way.first.y() * time, angle = turn.first * time;
+  if (!is_straight) {
+    const auto place = [&](int i) {
+      return base[i] + ((way.third[i] * time + way.second[i]) * time + way.first[i]) * time;
+    };
+    x = place(0);
+    y = place(1);
+    angle = ((turn.third * time + turn.second) * time + turn.first) * time;
+  }
+  const auto all = [](double value) { return value - Double2{}; };
+  if (!turns) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
+  Double2 c = std::cos(angle[0]) - Double2{}, s = std::sin(angle[0]) - Double2{};
+  if (begin != end) {
+    c[1] = std::cos(angle[1]);
+    s[1] = std::sin(angle[1]);
+  }
+  return {c * linear(0, 0) - s * linear(1, 0),
+          s * linear(0, 0) + c * linear(1, 0),
+          c * linear(0, 1) - s * linear(1, 1),
+          s * linear(0, 1) + c * linear(1, 1),
+          x + (c * arm.x() - s * arm.y()),
+          y + (s * arm.x() + c * arm.y()),
+          x,
+          y};
+}
+
+bool Mover::keepsLengths() const {
+  constexpr double kMostDefect = 0x1p-47;
+  return Gram(load2(linear.data()), load2(linear.data() + 2)).defect() <= kMostDefect;
+}
+
+MovingBox Mover::edge(const Places& p, std::size_t position) const {
+  const Vec2 v = scale * polygon->inUnits(polygon->path[position]);
+  const Vec2 w = scale * polygon->inUnits(polygon->path[position + 1]);
+  const Vec2 mid = 0.5 * (v + w), half = 0.5 * (w - v);
+  const double length = half.norm();
+  const Vec2 axis = length > 0 ? Vec2(half / length) : Vec2(1, 0);
+  const Double2 ux = p.m00 * axis.x() + p.m01 * axis.y(), uy = p.m10 * axis.x() + p.m11 * axis.y();
+  return {p.m00 * mid.x() + p.m01 * mid.y() + p.x, p.m10 * mid.x() + p.m11 * mid.y() + p.y, ux, uy, -uy, ux, length, 0};
+}
+
+// Error of a gap between computed points or boxes, all lengths in the pair's length; in units of U, with A = |angle|, r
+// = reach, f the shifts, levers, the margin and the difference of the starts; |angle| and |shift| are the sums of all
+// their terms' sizes:
+//   rotation   the turn's three products and two sums 5 A, sine and cosine an ulp 2        5 A + 2
+//   M          those of two entries sqrt2 (5 A + 2), product 1, sum 1                      7.1 A + 4.9
+//   a point    two entries of M, product 1, two sums 2, to units 1: (10.1 A + 11) r        in either coordinate
+//   the arm    itself 4, two entries, product 1, two sums 2: (7.1 A + 12) r                the same
+//   pivots     five products, and six sums or differences at most                          11 f
+//   sqrt2 of these in any direction, of both movers together                               14.3 A r + 17 r + 15.6 f
+//   a gap      the dot products with unit axes                                             8 r + 8 f
+//   a window's end, moved by some 8 of its share, costs that of what the points travel, at rates of three times the
+//   terms' sizes at most                                                                   24 A r + 24 f
+constexpr double kGapError = 64 * kUnitRoundoff;
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(12) * kRoot2 + errorOf(8)));         // of r
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(1) * 10.1 * kRoot2 + errorOf(24)));  // of A r
+static_assert(kGapError >= (1 + 1e-5) * (errorOf(11) * kRoot2 + errorOf(8 + 24)));    // of f
+
+MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
+                       const Motion& motion_b, double margin_) {
+  // First to where neither sums nor products of what is given overflow, and what they lose to underflow is least.
+  double given = 0;
+  const auto include = [&](double value) { given = std::max(given, std::min(value, kLargest)); };
+  const auto includeAll = [&](const PolygonData& polygon, const Motion& motion) {
+    for (const Vec2& v : {Vec2(motion.start.translation()), motion.shift, motion.shift_2, motion.shift_3, motion.pivot})
+      include(v.lpNorm<Eigen::Infinity>());
+    include(polygon.extent);
+  };
+  includeAll(polygon_a, motion_a);
+  includeAll(polygon_b, motion_b);
+  include(margin_);
+  const double shrink = given > 0 ? std::ldexp(1, std::min(1000 - std::ilogb(given), 1000)) : 1;
+
+  double turned = 0, others = 0;
+  const auto describe = [&](Mover& mover, const PolygonData& polygon, const Motion& motion) {
+    mover.polygon = &polygon;
+    mover.linear = motion.start.linear();
+    // A point stays where it is if it turns about itself.
+    const bool turns = !(polygon.isPoint() && motion.pivot == polygon.origin);
+    mover.turn = turns ? turnOf(motion) : Cubic<double>{0, 0, 0};
+    mover.turns = !mover.turn.isZero();
+    // Without a turn any pivot will do, and S is the nearest.
+    mover.pivot = mover.turn.isZero() ? polygon.origin : motion.pivot;
+    const Vec2 pivot = shrink * mover.pivot;
+    mover.base = mover.linear * pivot;
+    mover.way = shrink * wayOf(motion);
+    mover.arm = mover.linear * (shrink * polygon.origin - pivot);
+    mover.reach = mover.arm.lpNorm<1>() + shrink * polygon.radius * (1 + kLargestDefect);
+    // Of the largest polygons the hierarchy knows nothing.
+    if (polygon.radius > polygon.unit) mover.reach = std::numeric_limits<double>::infinity();
+    turned += mover.turn.size() * mover.reach;
+    others += mover.reach + pivot.lpNorm<1>() + mover.way.first.lpNorm<1>() + mover.way.second.lpNorm<1>() +
+              mover.way.third.lpNorm<1>();
+  };
+  describe(a, polygon_a, motion_a);
+  describe(b, polygon_b, motion_b);
+  const Vec2 apart = shrink * motion_b.start.translation() - shrink * motion_a.start.translation();
+  margin = shrink * margin_;
+  others += apart.lpNorm<1>() + margin;
+  b.base = apart + (b.base - a.base);
+  b.way = b.way - a.way;
+  a.base = Vec2::Zero();
+  a.way = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+
+  // Then to the size of what is left, of which squares are taken.
+  const double largest = std::max({a.reach, b.reach, b.base.lpNorm<1>(), b.way.first.lpNorm<1>(),
+                                   b.way.second.lpNorm<1>(), b.way.third.lpNorm<1>(), margin});
+  const int exponent = std::clamp(std::ilogb(largest), -1000, 1020);
+  const double inverse = std::ldexp(1, -exponent);
+  length = std::ldexp(1, exponent);
+  expansion = 1 / shrink;
+  for (Mover* mover : {&a, &b}) {
+    mover->base *= inverse;
+    mover->way = inverse * mover->way;
+    mover->is_straight = mover->way.isStraight() && mover->turn.isStraight();
+    mover->arm *= inverse;
+    mover->reach *= inverse;
+    mover->scale = shrink * mover->polygon->unit * inverse;
+  }
+  margin *= inverse;
+  is_steady = a.turn.isStraight() && b.turn.isStraight() && b.way.isStraight();
+  if (is_steady) steady = ratesOf(0, 1);
+  still_error = (kGapError * others + kTiny) * inverse;
+  error = kGapError * turned * inverse + still_error;
+}
+
+Rates MovingPair::ratesOf(double begin, double end) const {
+  const Cubic<double> relative = b.turn - a.turn;
+  const double rate_a = a.turn.mostRate(begin, end), rate_b = b.turn.mostRate(begin, end);
+  const double of_a = a.turn.mostAcceleration(begin, end), of_b = b.turn.mostAcceleration(begin, end);
+  const double between = relative.mostRate(begin, end);
+  return {rate_a,
+          rate_b,
+          of_a + rate_a * rate_a,
+          of_b + rate_b * rate_b,
+          relative.mostAcceleration(begin, end) + between * between,
+          of_a + rate_a * (relative + b.turn).mostRate(begin, end),
+          of_b + rate_b * (relative - a.turn).mostRate(begin, end),
+          b.way.mostRate(begin, end),
+          b.way.mostAcceleration(begin, end)};
+}
+
+void MovingPair::findTrees() {
+  a.tree = &hierarchyOf(*a.polygon);
+  b.tree = &hierarchyOf(*b.polygon);
+}
+
+// A way of acceleration A or less leaves the line between its ends by at most A / 8.
+bool MovingPair::discsStayApart() const {
+  const Vec2 chord = b.way.at(1);
+  const double square = chord.squaredNorm(), sag = b.way.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
+  const double share = square > 0 ? std::clamp(-b.base.dot(chord) / square, 0.0, 1.0) : 0;
+  // Rounding the share moves the point along the way, by so little that the distance differs in the second order only.
+  return (b.base + share * chord).norm() - sag > a.reach + b.reach + margin + still_error;
+}
+
+NearestPoints::NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
+    : distance(std::numeric_limits<double>::infinity()) {
+  const auto end = [&](const MovingBox& edge, double sign) {
+    return Vec2(edge.x[lane] + sign * edge.along * edge.ux[lane], edge.y[lane] + sign * edge.along * edge.uy[lane]);
+  };
+  const Vec2 v = end(edge_a, -1), w = end(edge_a, 1), p = end(edge_b, -1), q = end(edge_b, 1);
+  const Vec2 along_a = w - v, along_b = q - p;
+  const double p_side = cross(along_a, p - v), q_side = cross(along_a, q - v);
+  const double v_side = cross(along_b, v - p), w_side = cross(along_b, w - p);
+  // Where a sign isn't certain, an end of one is about as near to the other as rounding is large.
+  const double doubt =
+      error * (along_a.lpNorm<1>() + along_b.lpNorm<1>() + (p - v).lpNorm<1>() + std::numeric_limits<double>::min());
+  const auto opposite = [&](double s, double t) { return std::min(s, t) < -doubt && std::max(s, t) > doubt; };
+  if (opposite(p_side, q_side) && opposite(v_side, w_side)) {
+    on_a = on_b = p + p_side / (p_side - q_side) * along_b;
+    distance = 0;
+    return;
+  }
+  // NaN ends as distance NaN.
+  const auto offer = [&](const Vec2& s, const Vec2& t) {
+    const double apart = (t - s).norm();
+    if (apart >= distance) return;
+    on_a = s;
+    on_b = t;
+    distance = apart;
+  };
+  offer(v, nearestOnSegment(v, p, q));
+  offer(w, nearestOnSegment(w, p, q));
+  offer(nearestOnSegment(p, v, w), p);
+  offer(nearestOnSegment(q, v, w), q);
+}
+
+}  // namespace tricover::detail

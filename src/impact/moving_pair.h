@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "hierarchy/hierarchy.h"
+#include "hierarchy/wide_gaps.h"
+#include "impact/cubic.h"
+#include "numbers/double2.h"
+#include "polygon/polygon_data.h"
+#include "tricover/motion.h"
+
+namespace tricover::detail {
+
+/// A box (or an edge, as a box without width) of a moving polygon at both ends of a window of time, one a lane: its
+/// centre, the images of its axes, near unit length, and its half extents along them.
+struct MovingBox {
+  Double2 x, y, ux, uy, vx, vy;
+  double along, across;
+};
+
+/// Where a mover's hierarchy is at both ends of a window: p -> scale M p + (x, y); and its pivot.
+struct Places {
+  Double2 m00, m10, m01, m11, x, y, pivot_x, pivot_y;
+
+  /// From its begin to another's end.
+  Places to(const Places& other) const {
+    const auto ends = [](Double2 from, Double2 until) { return Double2{from[0], until[1]}; };
+    return {ends(m00, other.m00), ends(m10, other.m10), ends(m01, other.m01),         ends(m11, other.m11),
+            ends(x, other.x),     ends(y, other.y),     ends(pivot_x, other.pivot_x), ends(pivot_y, other.pivot_y)};
+  }
+};
+
+/// One box of a hierarchy or, where that is a single edge, the edge.
+struct Node {
+  double x, y, ux, uy, along, across;  ///< in units
+  std::uint32_t child;                 ///< the block below; of an edge, its position in the path
+  bool edge;
+  /// No point of its chain is nearer to the pivot or farther from it, in units; only TightNodes know.
+  double near = 0, far = std::numeric_limits<double>::infinity();
+};
+
+/// The node that is around everything; all others are block * kLanes + lane.
+constexpr std::uint32_t kRootNode = wide::kRoot;
+
+/// A polygon that moves, in the pair's frame.
+struct Mover {
+  Places places(double begin, double end) const;
+  Node node(std::uint32_t index) const;
+  MovingBox box(const Places& places, const Node& node) const;
+  MovingBox edge(const Places& places, std::size_t position) const;
+  /// Whether its pose does: off rigid by no more than rotations that were made of doubles, which is less than what
+  /// MovingPair::error allows for.
+  bool keepsLengths() const;
+
+  const PolygonData* polygon;
+  const Hierarchy* tree = nullptr;  ///< once MovingPair::findTrees() was called
+  Vec2 pivot;                       ///< in the polygon's frame
+  Eigen::Matrix2d linear;           ///< the start's
+  Vec2 base;                        ///< where the pivot is at time 0
+  Cubic<Vec2> way;                  ///< of the pivot, from there
+  Vec2 arm;                         ///< from the pivot to S, at time 0
+  Cubic<double> turn;               ///< radians
+  double scale, reach;              ///< a unit; no point is farther from the pivot
+  bool turns, is_straight;          ///< whether it turns at all; whether neither turn nor way is bent
+};
+
+/// Upper bounds, over a window of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's
+/// turn and a" its acceleration; and what WindowCutter makes of them.
+struct Rates {
+  double a, b;              ///< |a'|, |b'|
+  double bend_a, bend_b;    ///< |a"| + a'^2, |b"| + b'^2
+  double relative_bend;     ///< |b" - a"| + (b' - a')^2
+  double mixed_a, mixed_b;  ///< |a"| + |a'| |a' - 2 b'|, |b"| + |b'| |b' - 2 a'|
+  double speed, pull;       ///< of b's pivot, as seen from a's: velocity and acceleration
+
+  bool turns() const { return a != 0 || b != 0; }
+};
+
+/// Two moving polygons in a frame that goes with a's pivot without turning, so that only differences of positions
+/// enter, and in a length, a power of two, in which none of them is much above 1.
+struct MovingPair {
+  MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b, const Motion& motion_b,
+             double margin = 0);
+
+  /// Builds what isn't there yet, for all but discsStayApart().
+  void findTrees();
+
+  /// Whether the discs around the pivots stay farther apart than the margin for all of the time.
+  bool discsStayApart() const;
+
+  Rates rates(double begin, double end) const { return is_steady ? steady : ratesOf(begin, end); }
+  Rates ratesOf(double begin, double end) const;
+
+  Mover a, b;
+  bool is_steady;            ///< all velocities are constant
+  Rates steady;              ///< then, at any time
+  double margin;             ///< what is asked for is coming this near, in the pair's length
+  double error;              ///< of a gap: see the constructor
+  double still_error;        ///< of one between the pivots' places
+  double length, expansion;  ///< two powers of two: a length of 1 is their product in the world
+};
+
+inline Node Mover::node(std::uint32_t index) const {
+  const wide::Item item = wide::itemAt(*tree, index, polygon->spine);
+  return {item.x, item.y, item.ux, item.uy, item.along, item.across, item.child, item.leaf};
+}
+
+inline MovingBox Mover::box(const Places& p, const Node& node) const {
+  const Double2 ux = p.m00 * node.ux + p.m01 * node.uy, uy = p.m10 * node.ux + p.m11 * node.uy;
+  const Double2 vx = p.m01 * node.ux - p.m00 * node.uy, vy = p.m11 * node.ux - p.m10 * node.uy;
+  const double x = node.x * scale, y = node.y * scale, along = node.along * scale, across = node.across * scale;
+  return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy, along, across};
+}
+
+/// What a search that may give up knows of the time of impact.
+struct FirstContact {
+  enum class Verdict { Never, Touch, Unknown };
+  Verdict verdict;
+  double time;                 ///< they are certainly apart before; of a touch, it is at most `time_error` too early
+  std::size_t edge_a, edge_b;  ///< of a touch: positions in the paths
+};
+
+/// The nearest points of two edges at one end of the window; distance 0 where they certainly cross.
+struct NearestPoints {
+  NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error);
+  Vec2 on_a, on_b;
+  double distance;
+};
+
+}  // namespace tricover::detail
