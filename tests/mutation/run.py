@@ -4,7 +4,7 @@
 
 usage: tests/mutation/run.py [--check] [--adapter] [--only REGEX] [--jobs N] [--scale 0.1] [--work DIR] [--again]
 
-For every mutation of core_mutations.py (with --adapter: of adapter_mutations.py, on fcl_test, which needs FCL): applies it to a
+For every mutation of lists/<room>.py (with --adapter: of lists/adapter.py, on fcl_test, which needs FCL): applies it to a
 copy of the project, builds the library and runs one test after the other until one fails, those first that noticed the last
 mutations of the same file, then the quickest. Prints a line a mutation (killed by which test, or SURVIVED) and a table at the end;
 exits 1 if one survived that isn't marked as equivalent, or doesn't compile. What was found is kept in DIR (default: build/mutation):
@@ -19,6 +19,7 @@ import os
 import pathlib
 import re
 import resource
+import runpy
 import shutil
 import subprocess
 import sys
@@ -26,10 +27,11 @@ import threading
 import time
 
 sys.dont_write_bytecode = True
-import adapter_mutations
-import core_mutations
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+LISTS = {path.stem: runpy.run_path(str(path))["MUTATIONS"] for path in sorted((pathlib.Path(__file__).parent / "lists").glob("*.py"))}
+CORE = [mutation for room, mutations in LISTS.items() if room != "adapter" for mutation in mutations]
+ADAPTER = LISTS["adapter"]
 # Neither the reference nor the workloads see the library's faults, and a fuzzer that stops by the clock finds other ones each time.
 LEFT_OUT = re.compile(r"exact_reference_test|workloads|fuzz_|fcl_alone|fcl_with_tricover")
 # Compiled once instead of in every file: what no mutation changes.
@@ -236,13 +238,13 @@ def main():
     parser.add_argument("--again", action="store_true", help="forget what was found")
     arguments = parser.parse_args()
 
-    wrong = [*wrong_texts(core_mutations.MUTATIONS), *wrong_texts(adapter_mutations.MUTATIONS)]
+    wrong = [*wrong_texts(CORE), *wrong_texts(ADAPTER)]
     if arguments.check and not wrong:
-        print(f"{len(core_mutations.MUTATIONS)} and {len(adapter_mutations.MUTATIONS)} mutations can be applied")
+        print(f"{len(CORE)} and {len(ADAPTER)} mutations can be applied")
     if wrong or arguments.check:
         return "\n".join(wrong) if wrong else 0
 
-    mutations = [m for m in (adapter_mutations if arguments.adapter else core_mutations).MUTATIONS
+    mutations = [m for m in (ADAPTER if arguments.adapter else CORE)
                  if re.search(arguments.only, f"{m[0]}: {m[3]}")]
     work = pathlib.Path(arguments.work).resolve()
     work.mkdir(parents=True, exist_ok=True)
