@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "hierarchy/inclusion.h"
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "pair/world_frame.h"
 
 namespace tricover::detail {

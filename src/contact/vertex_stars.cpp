@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "hierarchy/settled_lanes.h"
+#include "hierarchy/pruned_lanes.h"
 
 namespace tricover::detail {
 namespace {
@@ -99,13 +99,13 @@ StarBoxes::StarBoxes(const PosedPair& pair, const WorldFrame& frame, std::size_t
   const std::size_t edge_a = of_a.front().edge, edge_b = of_b.front().edge;
   alone_a[edge_a] = alone_b[edge_b] = false;
   stars.tellBy(u, v, edge_a, edge_b);
-  a_ = settledLanes(pair.a, alone_a);
-  b_ = settledLanes(pair.b, alone_b);
+  a_ = prunedLanes(pair.a, alone_a);
+  b_ = prunedLanes(pair.b, alone_b);
 }
 
 StarBoxes::StarBoxes(const PolygonData& polygon, std::size_t v) {
   const std::vector<StarEdge> star = starAt(polygon, v, 0x1p-50, [&](const Vec2& p) { return polygon.inUnits(p); });
-  a_ = settledLanes(polygon, alone(polygon, star, star, 1));
+  a_ = prunedLanes(polygon, alone(polygon, star, star, 1));
 }
 
 void VertexStars::tellBy(std::size_t u, std::size_t v, std::size_t edge_a, std::size_t edge_b) {

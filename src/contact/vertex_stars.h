@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/crossings.h"
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "pair/world_frame.h"
 
 namespace tricover::detail {
@@ -51,8 +51,8 @@ class StarBoxes {
   /// Around a polygon's vertex v; other pairs aren't needed to tell of it.
   StarBoxes(const PolygonData& polygon, std::size_t v);
 
-  SettledPairs pairs() const {
-    return a_.empty() ? SettledPairs{} : SettledPairs{a_.data(), b_.empty() ? a_.data() : b_.data()};
+  PrunedPairs pairs() const {
+    return a_.empty() ? PrunedPairs{} : PrunedPairs{a_.data(), b_.empty() ? a_.data() : b_.data()};
   }
 
  private:

@@ -5,7 +5,7 @@
 
 #include "distance/convex_features.h"
 #include "distance/edge_distance.h"
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 
 namespace tricover::detail {
 

@@ -149,22 +149,23 @@ bool descend(const PosedPair& pair, DistanceSearch& search) {
   search.limitTo(
       roundedUp<kSums + 2>((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect)));
   const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
-  if (pair.a.hasSpine() && pair.b.hasSpine())
-    return search.show(static_cast<std::uint32_t>(pair.a.spine), static_cast<std::uint32_t>(pair.b.spine));
-  // More pairs than there are edges are seldom shown, unless many are equally near: then it pays to settle those, and
+  if (pair.a.isDegenerate() && pair.b.isDegenerate())
+    return search.show(static_cast<std::uint32_t>(pair.a.degenerate_edge),
+                       static_cast<std::uint32_t>(pair.b.degenerate_edge));
+  // More pairs than there are edges are seldom shown, unless many are equally near: then it pays to prune those, and
   // to begin again without them. As patience is doubled, all beginnings together cost no more than the last.
   std::size_t patience = pair.a.path.size() + pair.b.path.size(), shown = 0;
-  SettledBoxes settled;
+  PrunedBoxes pruned;
   bool begins_again;
   do {
     begins_again = false;
     forNearPairs(
-        pair, limit(), settled.pairs(),
+        pair, limit(), pruned.pairs(),
         [&](double, std::size_t i, std::size_t j) {
           if (!search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))) return -1.0;
           if (++shown <= patience) return limit();
           patience *= 2;
-          begins_again = search.settle(settled);
+          begins_again = search.prune(pruned);
           return begins_again ? -1 : limit();
         },
         [&](double length) {
@@ -192,7 +193,7 @@ Outcome findNearest(const PosedPair& pair, DistanceSearch& search) {
 
 /// Where `distance` is certain, see plainDistance().
 DistanceResult resultOfPoints(const Pair& pair, double distance, const DistanceOptions& options) {
-  const std::size_t i = pair.a.spine, j = pair.b.spine;
+  const std::size_t i = pair.a.degenerate_edge, j = pair.b.degenerate_edge;
   return inCallersOrder(pair, beyond(pair, distance, options.margin), posed(pair.pose_a, pair.a.origin),
                         posed(pair.pose_b, pair.b.origin), static_cast<std::ptrdiff_t>(i),
                         static_cast<std::ptrdiff_t>(j));
@@ -305,7 +306,7 @@ ConvexFeatures hinted(DistanceCache& cache) {
 /// Of two strictly convex polygons, whether they are clearly apart, or small ones clearly meet.
 bool findConvex(const Pair& pair, const PlainWays& ways, DistanceCache* cache, const DistanceOptions& options,
                 ConvexNearest& found) {
-  if (pair.a.hasSpine() || pair.b.hasSpine()) return false;
+  if (pair.a.isDegenerate() || pair.b.isDegenerate()) return false;
   if (!hierarchyOf(pair.a).strictly_convex || !hierarchyOf(pair.b).strictly_convex) return false;
   const ConvexFeatures tried = cache != nullptr ? hinted(*cache) : ConvexFeatures();
   nearestOfConvex(ways, tried, options, found);
@@ -367,7 +368,7 @@ std::optional<DistanceResult> distanceFromPoint(const Pair& pair, const Distance
   }
   return inCallersOrder(pair, distance, nearest.point_a, nearest.point_b,
                         static_cast<std::ptrdiff_t>(pair.a.edgeNumber(nearest.edge)),
-                        static_cast<std::ptrdiff_t>(pair.b.spine));
+                        static_cast<std::ptrdiff_t>(pair.b.degenerate_edge));
 }
 
 /// Of any polygons.
@@ -384,7 +385,7 @@ DistanceResult distanceBySearch(const Pair& pair, const PlainWays& ways, Distanc
 
 /// Of a point b and anything, where plain doubles do.
 std::optional<DistanceResult> distanceOfPoint(const Pair& pair, const DistanceOptions& options) {
-  if (!pair.a.hasSpine()) return distanceFromPoint(pair, options);
+  if (!pair.a.isDegenerate()) return distanceFromPoint(pair, options);
   if (!pair.a.isPoint()) return std::nullopt;
   const double distance = plainDistance(pair.a, pair.pose_a, pair.b, pair.pose_b);
   const DistanceResult result = resultOfPoints(pair, distance, options);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "distance/edge_distance.h"
-#include "distance/settled_boxes.h"
+#include "distance/pruned_boxes.h"
 #include "pair/facts.h"
 #include "tricover/distance.h"
 
@@ -201,15 +201,15 @@ class DistanceSearch {
     for (int k = 0; k < listed_.count() && listed_[k].low <= best().distance; ++k) nearest_.evaluate(listed_[k]);
   }
 
-  /// Settles what the nearest pair so far tells of others, which won't be shown any more. False if it tells nothing
+  /// Prunes what the nearest pair so far tells of others, which won't be shown any more. False if it tells nothing
   /// new.
-  bool settle(SettledBoxes& settled) {
-    if (upper_pair_.i == settled_.i && upper_pair_.j == settled_.j) return false;
-    settled_ = upper_pair_;
-    SettledBoxes next(nearest_.edges, settled_.i, settled_.j);
+  bool prune(PrunedBoxes& pruned) {
+    if (upper_pair_.i == pruned_.i && upper_pair_.j == pruned_.j) return false;
+    pruned_ = upper_pair_;
+    PrunedBoxes next(nearest_.edges, pruned_.i, pruned_.j);
     if (!next.any()) return false;
-    settled = std::move(next);
-    unlisted_ = std::min(unlisted_, settled_.low);
+    pruned = std::move(next);
+    unlisted_ = std::min(unlisted_, pruned_.low);
     return true;
   }
 
@@ -231,7 +231,7 @@ class DistanceSearch {
       return;
     }
     cache.count = 0;
-    // Settled pairs aren't listed, though they may be as near as the nearest.
+    // Pruned pairs aren't listed, though they may be as near as the nearest.
     const double known = std::min(unlisted_, reach());
     for (int k = 0; k < listed_.count() && listed_[k].low < known; ++k, ++cache.count) put(cache, k, listed_[k].low);
     // What is left out may have a bound below 0.
@@ -285,7 +285,7 @@ class DistanceSearch {
   NearestEdges nearest_;
   double unlisted_ = std::numeric_limits<double>::infinity();  ///< shown, but nearer than this only if listed
   ShownPair upper_pair_{0, UINT32_MAX, UINT32_MAX, -1};        ///< which proves SearchReach::upper()
-  ShownPair settled_ = upper_pair_;                            ///< which settled others last
+  ShownPair pruned_ = upper_pair_;                             ///< which pruned others last
   bool meets_ = false;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "pair/pair_descent.h"
 
 namespace tricover::detail {

@@ -8,7 +8,7 @@
 namespace tricover::detail {
 
 inline bool areSmallRings(const PolygonData& a, const PolygonData& b) {
-  return !a.hasSpine() && !b.hasSpine() && hierarchyOf(a).small_ring && hierarchyOf(b).small_ring;
+  return !a.isDegenerate() && !b.isDegenerate() && hierarchyOf(a).small_ring && hierarchyOf(b).small_ring;
 }
 
 /// Two small rings by all of their edges, without a tree: shows the search what it must see, if the regions are

@@ -63,7 +63,7 @@ struct BoxRay {
   double inverse[2], enter[2], leave[2];
 };
 
-// In wide.cpp, by what the processor has.
+// In simd.cpp, by what the processor has.
 
 /// Bit per box that meets another one; boxes of NaN meet nothing.
 unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds);

@@ -5,7 +5,7 @@
 
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/inclusion.h"
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/rounding.h"
 

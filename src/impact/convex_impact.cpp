@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "impact/window_cutter.h"
 
 namespace tricover::detail {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "impact/window_cutter.h"
 
 namespace tricover::detail {
@@ -23,9 +23,9 @@ class Outline {
   Outline(const Mover& mover_, bool turns) : mover(mover_) {
     const PolygonData& polygon = *mover.polygon;
     edges.count = 0;
-    if (polygon.hasSpine()) {
-      addVertex(polygon.spine, polygon.spine);
-      addVertex(polygon.spine + 1, polygon.spine);
+    if (polygon.isDegenerate()) {
+      addVertex(polygon.degenerate_edge, polygon.degenerate_edge);
+      addVertex(polygon.degenerate_edge + 1, polygon.degenerate_edge);
       addEdge(0, 1);
     } else {
       for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) addRing(polygon, ring);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hierarchy/hierarchy.h"
-#include "hierarchy/wide_gaps.h"
+#include "hierarchy/simd_gaps.h"
 #include "impact/cubic.h"
 #include "numbers/double2.h"
 #include "polygon/polygon_data.h"
@@ -43,7 +43,7 @@ struct Node {
 };
 
 /// The node that is around everything; all others are block * kLanes + lane.
-constexpr std::uint32_t kRootNode = wide::kRoot;
+constexpr std::uint32_t kRootNode = simd::kRoot;
 
 /// A polygon that moves, in the pair's frame.
 struct Mover {
@@ -104,7 +104,7 @@ struct MovingPair {
 };
 
 inline Node Mover::node(std::uint32_t index) const {
-  const wide::Item item = wide::itemAt(*tree, index, polygon->spine);
+  const simd::Item item = simd::itemAt(*tree, index, polygon->degenerate_edge);
   return {item.x, item.y, item.ux, item.uy, item.along, item.across, item.child, item.leaf};
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
@@ -105,8 +105,8 @@ class PointCast {
       Entry first;
       std::size_t& edge;
     } call{*this, p, way, reach, {}, edge};
-    if (a_.hasSpine())
-      Call::visit(&call, static_cast<std::uint32_t>(a_.spine));
+    if (a_.isDegenerate())
+      Call::visit(&call, static_cast<std::uint32_t>(a_.degenerate_edge));
     else
       visitEdgesOnWay(*pair_.a.tree, {{p.x(), p.y(), 0}, way.x(), way.y(), reach}, &Call::visit, &call);
     return call.first;

@@ -357,7 +357,7 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
   if (cast) {
     const auto found = findPointImpact(moving, options.time_error);
     if (!found) return std::nullopt;
-    return describe(moving, motion_a, later(found->time), found->edge, b.spine);
+    return describe(moving, motion_a, later(found->time), found->edge, b.degenerate_edge);
   }
   double begin = 0;
   if (convex || few) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hierarchy/inclusion.h"
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/four_ends.h"
@@ -132,7 +132,7 @@ class RayCast {
     }
     shorten(limit_);
     known_ = polygon_.fitsUnit() && ray_.error < 0x1p-4 && length < kInfinity;
-    return known_ && !polygon_.hasSpine();
+    return known_ && !polygon_.isDegenerate();
   }
 
   /// Beyond this fraction nothing needs to be seen. The hierarchy allows for the ray's error.

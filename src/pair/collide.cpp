@@ -8,7 +8,7 @@
 #include "numbers/rigidity.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/collide_by_paper.h"
-#include "pair/collide_spine.h"
+#include "pair/collide_degenerate.h"
 #include "pair/convex_apart.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
@@ -31,7 +31,7 @@ PairFact findCloseFact(const PosedPair& pair, const CollideOptions& options, con
     return fact(true, crossingDepth(pair, i, j), edge_a, edge_b);
   };
   // Points and segments have no tree, nor do they need a line.
-  const bool may_have_line = wish.was_apart && wish.wants_clearance && !pair.a.hasSpine() && !pair.b.hasSpine();
+  const bool may_have_line = wish.was_apart && wish.wants_clearance && !pair.a.isDegenerate() && !pair.b.isDegenerate();
   if (may_have_line && hierarchyOf(pair.a).convex != 0 && hierarchyOf(pair.b).convex != 0) {
     const double reach = pair.reach(options.margin);
     if (const auto line = findConvexApart(pair, wish.edge_a, wish.edge_b, reach + 0.25 * wish.lookahead))
@@ -74,7 +74,7 @@ class RareEdgeTest {
 [[gnu::always_inline]] inline bool collideNear(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                                                const Pose& pose_b, const Discs& discs, double defect,
                                                const CollideOptions& options) {
-  if (a.hasSpine() || b.hasSpine())
+  if (a.isDegenerate() || b.isDegenerate())
     return collideByHierarchy(PosedPair(a, pose_a, b, pose_b), options, 0, Wanted::Answer).collides;
   const Hierarchy &tree_a = hierarchyOf(a), &tree_b = hierarchyOf(b);
   const PolygonPlace place(a, b, discs, defect);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pair/collide_spine.h"
+#include "pair/collide_degenerate.h"
 #include "pair/containment.h"
 #include "pair/meet_at_once.h"
 #include "pair/pair_descent.h"
@@ -33,14 +33,14 @@ DescentResult descend(const PosedPair& pair, const UnitMap& map, double rounding
   const double accept = accepts ? sum * unit * (1 - 2 * pair.scale_defect) * (1 - 0x1p-20) : -1;
   const double reach = pair.reach(options.margin) * unit, limit = reach + lookahead * unit;
   const EdgeTest test{pair, options};
-  return findHit(descentOf(pair, map, rounding, limit, /*spines*/ true),
+  return findHit(descentOf(pair, map, rounding, limit, /*degenerate*/ true),
                  {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
 }
 
 }  // namespace
 
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
-  if (pair.a.hasSpine() && pair.b.hasSpine()) return collideSpines(pair, options);
+  if (pair.a.isDegenerate() && pair.b.isDegenerate()) return collideDegenerate(pair, options);
   if (pair.b.isPoint()) return collidePoint(pair, options, lookahead, wanted);
   const UnitMap map = mapUnits(pair);
   const double rounding = gapRounding(pair), limit = (pair.reach(options.margin) + lookahead) * pair.a.inverse_unit;

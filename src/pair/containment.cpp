@@ -84,8 +84,8 @@ std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
 Outcome findContainment(const PosedPair& pair) {
   Outcome outcome;
   // A segment holds nothing that doesn't meet it.
-  if (!pair.a.hasSpine()) outcome.edge_b = ringOfBInside(pair);
-  if (outcome.edge_b < 0 && !pair.b.hasSpine()) outcome.edge_a = ringOfAInside(pair);
+  if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair);
+  if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
   outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
   return outcome;
 }

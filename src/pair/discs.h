@@ -63,7 +63,7 @@ class Discs {
   /// but for 2U: kPointsError is twice what it must be.
   struct InnerDisc {
     explicit InnerDisc(const PolygonData& polygon) {
-      if (polygon.hasSpine()) {
+      if (polygon.isDegenerate()) {
         center = polygon.origin;
         radius = 0;
       } else {

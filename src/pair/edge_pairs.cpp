@@ -9,7 +9,7 @@ void showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visit
   if (visitor.narrow != nullptr && pair.b.isPoint()) {
     const UnitMap map = mapUnits(pair);
     return showEdgesNear(hierarchyOf(pair.a), {map.tx, map.ty, map.error}, limit * pair.a.inverse_unit,
-                         static_cast<std::uint32_t>(pair.b.spine), visitor);
+                         static_cast<std::uint32_t>(pair.b.degenerate_edge), visitor);
   }
   showPairs(descentOf(pair, mapUnits(pair), gapRounding(pair), limit * pair.a.inverse_unit, visitor.narrow != nullptr),
             visitor);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
@@ -23,18 +23,18 @@ struct PairCall {
 };
 
 /// showEdgePairs() for a callable visit(gap, edge_a, edge_b), which returns the new limit; all lengths in a's frame.
-/// Settled boxes aren't shown with each other.
+/// Pruned boxes aren't shown with each other.
 template <typename Visit>
-void forEachPair(const PosedPair& pair, double limit, Visit visit, const SettledPairs& settled = {}) {
+void forEachPair(const PosedPair& pair, double limit, Visit visit, const PrunedPairs& pruned = {}) {
   PairCall<Visit> call{visit, pair.a.unit, pair.a.inverse_unit};
-  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr, settled});
+  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr, pruned});
 }
 
 /// The same for who looks for the nearest: narrow(length) is told of lengths that some pair is proven to be within, and
-/// returns the new limit, too. Settled boxes aren't shown, and of a point or segment only the one edge that is all of
+/// returns the new limit, too. Pruned boxes aren't shown, and of a point or segment only the one edge that is all of
 /// it.
 template <typename Visit, typename Narrow>
-void forNearPairs(const PosedPair& pair, double limit, const SettledPairs& settled, Visit visit, Narrow narrow) {
+void forNearPairs(const PosedPair& pair, double limit, const PrunedPairs& pruned, Visit visit, Narrow narrow) {
   struct Call : PairCall<Visit> {
     Narrow& narrow;
   } call{{visit, pair.a.unit, pair.a.inverse_unit}, narrow};
@@ -44,7 +44,7 @@ void forNearPairs(const PosedPair& pair, double limit, const SettledPairs& settl
                    const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
                    return c.narrow(length * c.unit) * c.inverse_unit;
                  },
-                 settled});
+                 pruned});
 }
 
 }  // namespace tricover::detail

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "numbers/float4.h"
 #include "pair/collide_by_hierarchy.h"
 

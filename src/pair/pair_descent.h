@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
@@ -46,8 +46,8 @@ inline double gapRounding(const PosedPair& pair) { return kGapRounding + 8 * pai
 
 /// A descent of the pair's hierarchies, which are built if need be. The limit is in a's units.
 inline Descent descentOf(const PosedPair& pair, const UnitMap& to_a, double rounding, double limit,
-                         bool spines = false) {
-  return {pair.a, pair.b, hierarchyOf(pair.a), hierarchyOf(pair.b), to_a, rounding, limit, spines};
+                         bool degenerate = false) {
+  return {pair.a, pair.b, hierarchyOf(pair.a), hierarchyOf(pair.b), to_a, rounding, limit, degenerate};
 }
 
 }  // namespace tricover::detail

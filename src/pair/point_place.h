@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "numbers/double2.h"
 #include "numbers/rigidity.h"
 #include "pair/discs.h"

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
 #include "pair/pair_descent.h"

@@ -94,11 +94,11 @@ double boundingRadius(const PolygonData& polygon, const Frame& frame) {
 }
 
 /// A ring of three vertices of which two are equal is a segment there and back.
-std::size_t spineOf(const std::vector<Ring>& rings) {
-  if (rings.size() != 1 || rings[0].size() != 3) return PolygonData::kNoSpine;
+std::size_t degenerateEdgeOf(const std::vector<Ring>& rings) {
+  if (rings.size() != 1 || rings[0].size() != 3) return PolygonData::kNotDegenerate;
   const Ring& ring = rings[0];
   if (ring[1] == ring[2] || ring[0] == ring[2]) return 0;
-  return ring[0] == ring[1] ? 1 : PolygonData::kNoSpine;
+  return ring[0] == ring[1] ? 1 : PolygonData::kNotDegenerate;
 }
 
 }  // namespace
@@ -124,8 +124,8 @@ PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_)
     for (const Vec2& p : ring) extent = std::max(extent, std::abs(p.x()) + std::abs(p.y()));
   }
   ring_begin.push_back(path.size());
-  spine = spineOf(rings);
-  is_point = hasSpine() && path[spine] == path[spine + 1];
+  degenerate_edge = degenerateEdgeOf(rings);
+  is_point = isDegenerate() && path[degenerate_edge] == path[degenerate_edge + 1];
   const Frame frame(path);
   origin = centroid(*this, frame);
   extent = std::max(extent, std::abs(origin.x()) + std::abs(origin.y()));

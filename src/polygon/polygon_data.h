@@ -33,7 +33,7 @@ struct PolygonData {
   /// Throws std::out_of_range for what is no edge's number.
   std::size_t checkedEdgePosition(std::size_t number) const;
 
-  bool hasSpine() const { return spine != kNoSpine; }
+  bool isDegenerate() const { return degenerate_edge != kNotDegenerate; }
   bool isPoint() const { return is_point; }
 
   /// False for the largest of polygons: no power of two is above their radius.
@@ -55,11 +55,11 @@ struct PolygonData {
   std::vector<Vec2> path;
   std::vector<std::size_t> ring_begin;
   std::vector<Ring> rings;
-  /// The position of the edge that is all of the polygon, a segment or a point: what a margin makes a stadium or a disc
-  /// of. S is on it but for rounding, and on a point exactly.
-  static constexpr std::size_t kNoSpine = static_cast<std::size_t>(-1);
-  std::size_t spine;
-  bool is_point;                                    ///< whether the spine has no length
+  /// The position of the one edge of a degenerate polygon, a segment or a point: what a margin makes a stadium or a
+  /// disc of. S is on it but for rounding, and on a point exactly.
+  static constexpr std::size_t kNotDegenerate = static_cast<std::size_t>(-1);
+  std::size_t degenerate_edge;
+  bool is_point;                                    ///< whether that edge has no length
   mutable std::atomic<unsigned> scans{0};           ///< points located edge by edge so far
   Derived derived;                                  ///< the hierarchy's place
   mutable std::atomic<std::size_t> rings_asked{0};  ///< what looking at all rings' starts has cost so far

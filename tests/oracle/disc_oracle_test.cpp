@@ -50,15 +50,15 @@ Vec2 placeNear(Random& random, const Polygon& polygon) {
 }
 
 /// One operand, or both, replaced by a point or a segment near the other.
-Case withSpine(Random& random, const Case& c) {
-  const auto spineNear = [&](const Polygon& polygon) {
+Case withDegenerate(Random& random, const Case& c) {
+  const auto degenerateNear = [&](const Polygon& polygon) {
     const Vec2 p = placeNear(random, polygon);
     return random.coin() ? point(p) : segment(p, random.coin() ? placeNear(random, polygon) : nudged(random, p, 3));
   };
-  const Polygon spine = spineNear(c.a);
+  const Polygon degenerate = degenerateNear(c.a);
   const Pose& pose = random.coin() ? c.pose_a : c.pose_b;
-  if (random.oneIn(4)) return {spineNear(c.a), c.pose_a, spine, pose};
-  return random.coin() ? Case{c.a, c.pose_a, spine, pose} : Case{spine, pose, c.a, c.pose_a};
+  if (random.oneIn(4)) return {degenerateNear(c.a), c.pose_a, degenerate, pose};
+  return random.coin() ? Case{c.a, c.pose_a, degenerate, pose} : Case{degenerate, pose, c.a, c.pose_a};
 }
 
 std::vector<double> marginsAround(Random& random, const mpq_class& squared, double size) {
@@ -121,7 +121,7 @@ TEST_P(DiscOracle, AgreesWithExactRationals) {
   for (int i = 0; i < scaledCount(kCases); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 31000000;
     Random random(~seed);
-    const Case c = withSpine(random, GetParam().make(seed));
+    const Case c = withDegenerate(random, GetParam().make(seed));
     const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
     touches += sgn(squared) == 0;
     PairCache fresh;

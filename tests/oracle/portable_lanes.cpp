@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 
 namespace {
 

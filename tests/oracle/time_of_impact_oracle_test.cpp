@@ -102,7 +102,7 @@ Motion anyMotion(Random& random, Kind kind, const Pose& start, const Polygon& po
 }
 
 /// A point or a segment, with its frame's origin on it or not.
-Polygon anySpine(Random& random) {
+Polygon anyDegenerate(Random& random) {
   const Vec2 p = random.coin() ? Vec2(Vec2::Zero()) : Vec2(random.real(-40, 40), random.real(-40, 40));
   if (!random.oneIn(3)) return point(p);
   return segment(p, p + Vec2(random.real(-60, 60), random.real(-60, 60)));
@@ -110,8 +110,8 @@ Polygon anySpine(Random& random) {
 
 Flight anyFlight(Random& random, Kind kind) {
   Polygon a = anyPolygon(random), b = anyPolygon(random);
-  if (random.oneIn(3)) b = anySpine(random);
-  if (random.oneIn(6)) a = anySpine(random);
+  if (random.oneIn(3)) b = anyDegenerate(random);
+  if (random.oneIn(6)) a = anyDegenerate(random);
   Pose start_a = randomPose(random, 20), start_b = randomPose(random, 200);
   if (random.oneIn(5)) start_a = mirrored(start_a);
   if (random.oneIn(5)) start_b = distorted(random, start_b);

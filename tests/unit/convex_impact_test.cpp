@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"

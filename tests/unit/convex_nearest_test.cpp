@@ -10,7 +10,7 @@
 #include "distance/distance_search.h"
 #include "exact_reference.h"
 #include "families.h"
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 #include "random.h"
 #include "reproduction.h"

@@ -9,7 +9,7 @@
 
 #include "distance/edge_distance.h"
 #include "exact_reference.h"
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
 #include "pair/meet_at_once.h"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "numbers/segment.h"
 #include "random.h"
 #include "shapes.h"

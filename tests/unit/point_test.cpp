@@ -11,8 +11,8 @@
 #include "distance/point_distance.h"
 #include "exact_reference.h"
 #include "families.h"
-#include "hierarchy/wide.h"
-#include "pair/collide_spine.h"
+#include "hierarchy/simd.h"
+#include "pair/collide_degenerate.h"
 #include "pair/point_place.h"
 #include "random.h"
 #include "reproduction.h"
@@ -69,7 +69,7 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     Random random(~seed);
     const Case c = besidePoint(random, GetParam().make(seed));
     const detail::PolygonData &a = c.a.data(), &b = c.b.data();
-    if (a.hasSpine() || a.isPoint()) continue;
+    if (a.isDegenerate() || a.isPoint()) continue;
     ++asked;
     const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
     const NearestEdge nearest = nearestEdge(a, c.pose_a, b, c.pose_b);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 #include "impact/cubic.h"
 #include "random.h"
 #include "shapes.h"

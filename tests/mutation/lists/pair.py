@@ -11,7 +11,7 @@ MUTATIONS = [
     ("src/pair/collide_by_paper.cpp", "if (known && mask == cache->mask) return false;", "if (known && !cache->mask.empty()) return false;", "repair 7: mask not compared"),
     ("src/pair/collide_by_paper.cpp", "if (cache != nullptr) cache->mask.clear();", "if (known && mask == cache->mask) return false;\n  if (cache != nullptr) cache->mask = mask;", "repair 1: unchanged mask inside an influence area"),
     ("src/pair/collide_by_paper.cpp", "|| sign != next || sign == kUncertain", "|| sign != next", "sign-change filter: uncertain signs"),
-    ("src/pair/collide_spine.cpp", "std::max(depth, 0.0) * unit", "(depth + options.margin / unit) * unit", "points: a clearance that counts the margin"),
+    ("src/pair/collide_degenerate.cpp", "std::max(depth, 0.0) * unit", "(depth + options.margin / unit) * unit", "points: a clearance that counts the margin"),
     ("src/pair/containment.cpp", "for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)", "for (std::size_t ring = 0; ring < 1; ++ring)", "repair 2: first ring only"),
     ("src/pair/containment.cpp", "const double error = 2 * p.error * polygon.inverse_unit + 0x1p-40;", "const double error = 0;", "containment: error outside of the box"),
     ("src/pair/containment.cpp", "(pair.radiusB() + 4 * pair.error) * (1 + 16 * kUnitRoundoff)", "pair.radiusB()", "containment: error outside of the disc"),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points that move straight beside few edges. See wide_gaps.h for Lanes.
+// Points that move straight beside few edges. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/wide_gaps.h"
+#include "hierarchy/simd_gaps.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 /// A way and an edge are apart by more than `reach` if one of three axes parts them by that: the edge's normal, the
 /// edge, or the way's normal. Axes have other lengths than 1; what their gaps are compared with, at least as long.
@@ -41,4 +41,4 @@ void findEdgesOnWays(const FewEdges& edges, const FewWays& ways, unsigned* near)
   }
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two hierarchies descended together. See wide_gaps.h for Lanes.
+// Two hierarchies descended together. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/wide_gaps.h"
+#include "hierarchy/simd_gaps.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 /// The pairs of boxes that are left to look at, deepest on top.
 struct Visits {
@@ -123,12 +123,12 @@ struct ShowPairs {
   template <class Lanes>
   [[gnu::always_inline]] static void leaveOut(Lanes, const Step&) {}
 
-  /// A block's settled lanes, and one box by its index.
-  [[gnu::always_inline]] static unsigned settledLanes(const std::uint8_t* settled, std::uint32_t block) {
-    return settled != nullptr ? settled[block] : 0;
+  /// A block's pruned lanes, and one box by its index.
+  [[gnu::always_inline]] static unsigned prunedLanes(const std::uint8_t* pruned, std::uint32_t block) {
+    return pruned != nullptr ? pruned[block] : 0;
   }
-  [[gnu::always_inline]] static bool isSettled(const std::uint8_t* settled, std::uint32_t index) {
-    return settled != nullptr && index != kRoot && (settled[index / kLanes] >> index % kLanes & 1) != 0;
+  [[gnu::always_inline]] static bool isPruned(const std::uint8_t* pruned, std::uint32_t index) {
+    return pruned != nullptr && index != kRoot && (pruned[index / kLanes] >> index % kLanes & 1) != 0;
   }
 
   /// What it proves, rounded downwards (as the threshold is upwards), to be compared with a limit that has been lowered
@@ -175,9 +175,9 @@ bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other
   Lanes left_out = Lanes::all(1e30f);
   unsigned near = entered(goal, block, step, found, left_out);
   if constexpr (Goal::kNarrows) {
-    const SettledPairs& settled = goal.visitor.settled;
-    if (goal.isSettled(into_a ? settled.b : settled.a, into_a ? visit_b : visit_a))
-      near &= ~goal.settledLanes(into_a ? settled.a : settled.b, index);
+    const PrunedPairs& pruned = goal.visitor.pruned;
+    if (goal.isPruned(into_a ? pruned.b : pruned.a, into_a ? visit_b : visit_a))
+      near &= ~goal.prunedLanes(into_a ? pruned.a : pruned.b, index);
   }
   goal.leaveOut(left_out, step);
   float gap[kLanes];
@@ -313,10 +313,10 @@ bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits&
   Step step = t.step;
   float gap[kLanes][kLanes];
   LanePair shown;
-  unsigned settled_a = 0, settled_b = 0;
+  unsigned pruned_a = 0, pruned_b = 0;
   if constexpr (Goal::kNarrows) {
-    settled_a = goal.settledLanes(goal.visitor.settled.a, item_a.child);
-    settled_b = goal.settledLanes(goal.visitor.settled.b, item_b.child);
+    pruned_a = goal.prunedLanes(goal.visitor.pruned.a, item_a.child);
+    pruned_b = goal.prunedLanes(goal.visitor.pruned.b, item_b.child);
     narrowFirst(a, b, boxes, t, near_b, gap, goal);
     step = stepOf(a.scale, goal.limit * a.inverse, step.slack, step.cap);
     // Of edges, the nearest: it may spare the others.
@@ -331,7 +331,7 @@ bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits&
     const Query query = movedBox(t, j);
     if constexpr (!Goal::kNarrows) gaps<false>(boxes, query).store(gap[j]);
     unsigned near = entered(goal, a, step, Lanes::load(gap[j]), left_out);
-    if (Goal::kNarrows && (settled_b >> j & 1) != 0) near &= ~settled_a;
+    if (Goal::kNarrows && (pruned_b >> j & 1) != 0) near &= ~pruned_a;
     if (goal.mayAccept() && (b.spanned >> j & 1) != 0 &&
         goal.accepts(step, near & a.spanned, gap[j], a.across, query.across))
       return true;
@@ -362,14 +362,14 @@ template <class Lanes, class Goal>
   visits.a[0] = visits.b[0] = kRoot;
   visits.gap[0] = -1e30f;
   visits.top = 1;
-  const std::size_t spine_a = d.spines ? d.polygon_a.spine : PolygonData::kNoSpine;
-  const std::size_t spine_b = d.spines ? d.polygon_b.spine : PolygonData::kNoSpine;
-  assert(spine_a == PolygonData::kNoSpine || spine_b == PolygonData::kNoSpine);
+  const std::size_t edge_a = d.degenerate ? d.polygon_a.degenerate_edge : PolygonData::kNotDegenerate;
+  const std::size_t edge_b = d.degenerate ? d.polygon_b.degenerate_edge : PolygonData::kNotDegenerate;
+  assert(edge_a == PolygonData::kNotDegenerate || edge_b == PolygonData::kNotDegenerate);
   while (visits.top > 0) {
     --visits.top;
     if (Goal::kNarrows && visits.gap[visits.top] > goal.limit) continue;
     const std::uint32_t visit_a = visits.a[visits.top], visit_b = visits.b[visits.top];
-    const Item a = itemAt(d.a, visit_a, spine_a), b = itemAt(d.b, visit_b, spine_b);
+    const Item a = itemAt(d.a, visit_a, edge_a), b = itemAt(d.b, visit_b, edge_b);
     // Beyond this ratio of sizes floats couldn't tell the smaller one's boxes apart in the larger one's frame.
     constexpr double kAlike = 32;
     const double size_a = a.along + a.across, size_b = (b.along + b.across) * d.to_a.scale;
@@ -395,4 +395,4 @@ void showPairs(const Descent& d, const PairVisitor& visitor) {
   descendBoth<Lanes>(d, goal);
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The descents of eight boxes at a time: alike bit by bit for every instruction set, and what they prove is so.
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 
 #include <gtest/gtest.h>
 

@@ -4,14 +4,14 @@
 // absolute, root, larger, smaller, flipped (negated where the second is negative), whereAbove (the first where it is
 // above the second, elsewhere something large), above (bit i: lane i of the first is above that of the second).
 //
-// What isn't a template over Lanes here must be always inlined: wide_avx2.cpp compiles it for AVX2.
+// What isn't a template over Lanes here must be always inlined: simd_avx2.cpp compiles it for AVX2.
 #pragma once
 
 #include <cassert>
 
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 [[gnu::always_inline]] inline double magnitude(double x) { return __builtin_fabs(x); }
 
@@ -33,18 +33,20 @@ struct Item {
 
 constexpr std::uint32_t kRoot = 0xffffffff;
 
-/// `spine` is the edge that the whole hierarchy is to be taken for, if it is one (PolygonData::spine).
-[[gnu::always_inline]] inline Item itemAt(const Hierarchy& hierarchy, std::uint32_t index, std::size_t spine) {
+/// `degenerate_edge` is the edge that the whole hierarchy is to be taken for, if it is one
+/// (PolygonData::degenerate_edge).
+[[gnu::always_inline]] inline Item itemAt(const Hierarchy& hierarchy, std::uint32_t index,
+                                          std::size_t degenerate_edge) {
   if (index == kRoot) {
     const Box& box = hierarchy.root;
-    const bool leaf = spine != PolygonData::kNoSpine;
+    const bool leaf = degenerate_edge != PolygonData::kNotDegenerate;
     return {box.x,
             box.y,
             box.ux,
             box.uy,
             box.along,
             box.across,
-            leaf ? static_cast<std::uint32_t>(spine) : 0,
+            leaf ? static_cast<std::uint32_t>(degenerate_edge) : 0,
             leaf,
             hierarchy.root_spanned};
   }
@@ -166,4 +168,4 @@ template <bool kAllAxes, class Lanes>
   }
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

@@ -6,9 +6,9 @@
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/unit_map.h"
 
-/// Descents of the hierarchy, eight boxes at a time. wide_descent.h and wide_shapes.h have them once, as templates over
-/// the eight lanes; wide_portable.cpp and wide_avx2.cpp instantiate them for whatever the target has (SSE2, NEON) and
-/// for AVX2, and wide.cpp picks by what the processor has. No operation is fused or reordered, so both give the same
+/// Descents of the hierarchy, eight boxes at a time. simd_descent.h and simd_shapes.h have them once, as templates over
+/// the eight lanes; simd_portable.cpp and simd_avx2.cpp instantiate them for whatever the target has (SSE2, NEON) and
+/// for AVX2, and simd.cpp picks by what the processor has. No operation is fused or reordered, so both give the same
 /// bits.
 namespace tricover::detail {
 
@@ -30,9 +30,9 @@ struct Descent {
   const PolygonData &polygon_a, &polygon_b;
   const Hierarchy &a, &b;
   UnitMap to_a;
-  double rounding;      ///< of a gap in a block's scale, relative to the coordinates it is computed from
-  double limit;         ///< boxes beyond aren't entered
-  bool spines = false;  ///< whether a polygon that is a single edge is taken for that, PolygonData::spine, alone
+  double rounding;          ///< of a gap in a block's scale, relative to the coordinates it is computed from
+  double limit;             ///< boxes beyond aren't entered
+  bool degenerate = false;  ///< whether a degenerate polygon is taken for its one edge alone
 };
 
 /// Which edges make a hit. Lengths are in a's units.
@@ -54,7 +54,7 @@ struct DescentResult {
 DescentResult findHit(const Descent& descent, const HitTest& test);
 
 /// Boxes that need not be met with each other: bit per lane of each block of a's hierarchy and of b's. Null: none.
-struct SettledPairs {
+struct PrunedPairs {
   const std::uint8_t *a = nullptr, *b = nullptr;
 };
 
@@ -130,7 +130,7 @@ struct PairVisitor {
   double (*visit)(void* context, double gap, std::uint32_t edge_a, std::uint32_t edge_b);
   /// Null, or told a length that some pair's distance is proven not to be above.
   double (*narrow)(void* context, double length);
-  SettledPairs settled = {};  ///< aren't shown
+  PrunedPairs pruned = {};  ///< aren't shown
 };
 
 /// Shows every pair of edges that may be within the limit, near ones roughly first.

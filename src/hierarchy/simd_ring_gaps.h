@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances of two small rings, all edges of both, without a tree. See wide_gaps.h for Lanes.
+// Distances of two small rings, all edges of both, without a tree. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/wide_shapes.h"
+#include "hierarchy/simd_shapes.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 /// A ring's edges, as SmallRing has them, in one frame.
 struct RingEdges {
@@ -92,4 +92,4 @@ void edgesWithin(const SmallRing& a, const SmallRing& b, const RingGaps& gaps, f
   }
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One hierarchy descended around a point. See wide_gaps.h for Lanes.
+// One hierarchy descended around a point. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/wide_gaps.h"
+#include "hierarchy/simd_gaps.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 /// A place as a block sees it.
 struct PlaceInBlock {
@@ -259,4 +259,4 @@ double depthInDiscs(const InnerDiscs& discs, const Place& place) {
   return deepest - slack;
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two small rings, all edges of both, without a tree. See wide_gaps.h for Lanes.
+// Two small rings, all edges of both, without a tree. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/wide_shapes.h"
+#include "hierarchy/simd_shapes.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 /// Of each edge or vertex of a ring, a bit where a value is certainly positive, and one where it is certainly negative.
 struct Signs {
@@ -160,4 +160,4 @@ Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, do
   return holdsRing<Lanes>(view_b, a.x, a.y, a.count, slack);
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

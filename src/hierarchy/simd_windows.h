@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight boxes of a block and a box that moves beside them. See wide_gaps.h for Lanes.
+// Eight boxes of a block and a box that moves beside them. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/wide_gaps.h"
+#include "hierarchy/simd_gaps.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 /// What is known from one end of a window, of eight pairs: the share of it that parts them, and whether all does.
 template <class Lanes>
@@ -57,4 +57,4 @@ unsigned cutWindows(const Block& block, const MovingQuery& q, float* from_begin,
   return ((1u << block.count) - 1) & ~(first.apart | last.apart | above(begin + end, Lanes::all(1)));
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

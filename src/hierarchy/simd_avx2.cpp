@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The wide functions in vectors of eight floats, for processors that have AVX2. Only what stands between push and pop
+// The SIMD functions in vectors of eight floats, for processors that have AVX2. Only what stands between push and pop
 // may use it: what is included before them (Eigen, the standard library) is compiled as everywhere else, so that no
-// inline function that other files share needs such a processor. Whatever wide_functions.h includes is therefore
+// inline function that other files share needs such a processor. Whatever simd_functions.h includes is therefore
 // included before it, too.
 #include <cassert>
 
-#include "hierarchy/wide_table.h"
+#include "hierarchy/simd_table.h"
 
 #ifdef __x86_64__
 
@@ -16,17 +16,17 @@
 #pragma GCC target("avx2")
 #endif
 
-#include "hierarchy/wide_functions.h"
+#include "hierarchy/simd_functions.h"
 
 namespace tricover::detail {
-namespace wide {
+namespace simd {
 namespace {
 
 typedef float Eight __attribute__((vector_size(32)));
 typedef std::int32_t EightBits __attribute__((vector_size(32)));
 typedef float EightAnywhere __attribute__((vector_size(32), aligned(4), may_alias));
 
-/// See wide_boxes.h.
+/// See simd_boxes.h.
 struct Avx2Doubles {
   typedef double Four __attribute__((vector_size(32)));
   typedef double FourAnywhere __attribute__((vector_size(32), aligned(8), may_alias));
@@ -51,7 +51,7 @@ struct Avx2Doubles {
   }
 };
 
-/// See wide_gaps.h.
+/// See simd_gaps.h.
 struct Avx2Lanes {
   using Doubles = Avx2Doubles;
   Eight v;
@@ -69,9 +69,7 @@ struct Avx2Lanes {
   [[gnu::always_inline]] friend L operator-(L p, float q) { return {p.v - q}; }
   [[gnu::always_inline]] friend L operator*(L p, float q) { return {p.v * q}; }
   [[gnu::always_inline]] friend L absolute(L p) { return {(Eight)((EightBits)p.v & 0x7fffffff)}; }
-  [[gnu::always_inline]] friend L flipped(L p, L q) {
-    return {(Eight)((EightBits)p.v ^ ((EightBits)q.v & INT32_MIN))};
-  }
+  [[gnu::always_inline]] friend L flipped(L p, L q) { return {(Eight)((EightBits)p.v ^ ((EightBits)q.v & INT32_MIN))}; }
   [[gnu::always_inline]] friend L root(L p) { return {__builtin_ia32_sqrtps256(p.v)}; }
   [[gnu::always_inline]] friend L larger(L p, L q) { return {p.v > q.v ? p.v : q.v}; }
   [[gnu::always_inline]] friend L smaller(L p, L q) { return {p.v < q.v ? p.v : q.v}; }
@@ -83,9 +81,9 @@ struct Avx2Lanes {
 };
 
 }  // namespace
-}  // namespace wide
+}  // namespace simd
 
-constexpr WideTable kAvx2Table = wide::tableOf<wide::Avx2Lanes>();
+constexpr SimdTable kAvx2Table = simd::tableOf<simd::Avx2Lanes>();
 
 }  // namespace tricover::detail
 

@@ -4,7 +4,7 @@
 
 #include "hierarchy/axis_boxes.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 template <class Lanes>
 unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds) {
@@ -43,4 +43,4 @@ unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, dou
   return bits;
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

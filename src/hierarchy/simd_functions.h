@@ -2,20 +2,20 @@
 // All that is a template over the lanes, for an instruction set to instantiate.
 #pragma once
 
-#include "hierarchy/wide_boxes.h"
-#include "hierarchy/wide_descent.h"
-#include "hierarchy/wide_point.h"
-#include "hierarchy/wide_ring_gaps.h"
-#include "hierarchy/wide_rings.h"
-#include "hierarchy/wide_shapes.h"
-#include "hierarchy/wide_table.h"
-#include "hierarchy/wide_ways.h"
-#include "hierarchy/wide_windows.h"
+#include "hierarchy/simd_boxes.h"
+#include "hierarchy/simd_descent.h"
+#include "hierarchy/simd_point.h"
+#include "hierarchy/simd_ring_gaps.h"
+#include "hierarchy/simd_rings.h"
+#include "hierarchy/simd_shapes.h"
+#include "hierarchy/simd_table.h"
+#include "hierarchy/simd_ways.h"
+#include "hierarchy/simd_windows.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 template <class Lanes>
-constexpr WideTable tableOf() {
+constexpr SimdTable tableOf() {
   return {&findHit<Lanes>,    &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>,  &convexMeet<Lanes>,
           &innerDepth<Lanes>, &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,     &visitEdgesOnWay<Lanes>,
           &convexGap<Lanes>,  &showEdgesNear<Lanes>,   &findNearestEdges<Lanes>, &convexCrossing<Lanes>,
@@ -23,4 +23,4 @@ constexpr WideTable tableOf() {
           &boxesOnRay<Lanes>, &cutWindows<Lanes>,      &ringGaps<Lanes>,         &edgesWithin<Lanes>};
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

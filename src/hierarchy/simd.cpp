@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 
 #include <atomic>
 
-#include "hierarchy/wide_table.h"
+#include "hierarchy/simd_table.h"
 
 namespace tricover::detail {
 namespace {
 
-const WideTable* fastest() {
+const SimdTable* fastest() {
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx2")) return &kAvx2Table;
 #endif
@@ -16,10 +16,10 @@ const WideTable* fastest() {
 }
 
 // Constant until this file's initialisers run, for static objects that ask questions in theirs.
-std::atomic<const WideTable*> chosen{&kPortableTable};
+std::atomic<const SimdTable*> chosen{&kPortableTable};
 [[maybe_unused]] const bool initialised = (chosen.store(fastest(), std::memory_order_relaxed), true);
 
-const WideTable& table() { return *chosen.load(std::memory_order_relaxed); }
+const SimdTable& table() { return *chosen.load(std::memory_order_relaxed); }
 
 }  // namespace
 
@@ -35,8 +35,7 @@ Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, d
   return table().convex_meet(a, b, map, rounding);
 }
 
-Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding,
-                  const EdgeCheck& check) {
+Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding, const EdgeCheck& check) {
   return table().rings_meet(a, b, map, rounding, check);
 }
 

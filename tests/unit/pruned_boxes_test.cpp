@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What settled boxes promise of the pairs of edges that they leave out, and how few they leave.
-#include "distance/settled_boxes.h"
+// What pruned boxes promise of the pairs of edges that they leave out, and how few they leave.
+#include "distance/pruned_boxes.h"
 
 #include <gtest/gtest.h>
 
@@ -21,16 +21,16 @@ namespace {
 
 using detail::EdgeDistances;
 using detail::PolygonData;
-using detail::SettledBoxes;
+using detail::PrunedBoxes;
 
-/// Which positions are of edges in settled lanes.
-std::vector<bool> settledEdges(const PolygonData& polygon, const std::uint8_t* lanes) {
-  std::vector<bool> settled(polygon.path.size(), false);
+/// Which positions are of edges in pruned lanes.
+std::vector<bool> prunedEdges(const PolygonData& polygon, const std::uint8_t* lanes) {
+  std::vector<bool> pruned(polygon.path.size(), false);
   const std::vector<detail::Block>& blocks = detail::hierarchyOf(polygon).blocks;
   for (std::size_t k = 0; k < blocks.size(); ++k)
     for (unsigned i = 0; blocks[k].leaf && i < blocks[k].count; ++i)
-      settled[blocks[k].child[i]] = (lanes[k] >> i & 1) != 0;
-  return settled;
+      pruned[blocks[k].child[i]] = (lanes[k] >> i & 1) != 0;
+  return pruned;
 }
 
 /// Few coordinates, so that corners are given again and edges share them.
@@ -45,8 +45,8 @@ Polygon polygonOnGrid(Random& random) {
   return Polygon({ring});
 }
 
-TEST(SettledBoxes, LeaveOutNothingNearer) {
-  int settled_pairs = 0, others = 0, equally_near = 0;
+TEST(PrunedBoxes, LeaveOutNothingNearer) {
+  int pruned_pairs = 0, others = 0, equally_near = 0;
   for (int i = 0; i < scaledCount(400); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon p = polygonOnGrid(random), q = polygonOnGrid(random);
@@ -56,9 +56,9 @@ TEST(SettledBoxes, LeaveOutNothingNearer) {
     const auto at = [&](std::size_t s, std::size_t t) { return edges.at(edges.view(s, t), s, t, {}).distance; };
     const auto s = static_cast<std::size_t>(random.integer(0, static_cast<int>(a.path.size()) - 2));
     const auto t = static_cast<std::size_t>(random.integer(0, static_cast<int>(b.path.size()) - 2));
-    const SettledBoxes boxes(edges, s, t);
+    const PrunedBoxes boxes(edges, s, t);
     if (!boxes.any()) continue;
-    const std::vector<bool> of_a = settledEdges(a, boxes.pairs().a), of_b = settledEdges(b, boxes.pairs().b);
+    const std::vector<bool> of_a = prunedEdges(a, boxes.pairs().a), of_b = prunedEdges(b, boxes.pairs().b);
     EXPECT_TRUE(of_a[s] && of_b[t]);
     const double known = at(s, t);
     for (std::size_t v = 0; v < of_a.size(); ++v)
@@ -67,52 +67,52 @@ TEST(SettledBoxes, LeaveOutNothingNearer) {
           ++others;
           continue;
         }
-        ++settled_pairs;
+        ++pruned_pairs;
         equally_near += at(v, w) == known;
         ASSERT_GE(at(v, w), known) << i;
       }
   }
-  std::printf("%d pairs settled, %d of them equally near, %d not\n", settled_pairs, equally_near, others);
-  EXPECT_GE(settled_pairs, 0.05 * (settled_pairs + others));
-  EXPECT_GE(others, 0.05 * (settled_pairs + others));
-  EXPECT_GE(equally_near, 0.05 * settled_pairs);
+  std::printf("%d pairs pruned, %d of them equally near, %d not\n", pruned_pairs, equally_near, others);
+  EXPECT_GE(pruned_pairs, 0.05 * (pruned_pairs + others));
+  EXPECT_GE(others, 0.05 * (pruned_pairs + others));
+  EXPECT_GE(equally_near, 0.05 * pruned_pairs);
 }
 
 /// Of a box that holds one vertex beside or before p nothing is said, by however little.
-TEST(SettledBoxes, AskForCertainty) {
+TEST(PrunedBoxes, AskForCertainty) {
   const Pose still = Pose::Identity();
   const Polygon b({{{1, 0}, {2, 1}, {2, -1}}});
   for (const double x : {-1.0, -1e-9, -1e-18, 0.0, 1e-18, 0.5}) {
     const Polygon a({{{0, 0}, {-1, 1}, {x, 2}, {-1, 2}}});
-    const SettledBoxes boxes(EdgeDistances(a.data(), still, b.data(), still), 0, 0);
+    const PrunedBoxes boxes(EdgeDistances(a.data(), still, b.data(), still), 0, 0);
     ASSERT_TRUE(boxes.any()) << x;
     const bool certain = x < -1e-15;
     const std::vector<bool> expected = {true, certain, certain, true, false};
-    EXPECT_EQ(settledEdges(a.data(), boxes.pairs().a), expected) << x;
+    EXPECT_EQ(prunedEdges(a.data(), boxes.pairs().a), expected) << x;
     // The same of b, turned by half.
     Pose turned = still;
     turned.linear() *= -1;
-    const SettledBoxes of_b(EdgeDistances(b.data(), turned, a.data(), turned), 0, 0);
+    const PrunedBoxes of_b(EdgeDistances(b.data(), turned, a.data(), turned), 0, 0);
     ASSERT_TRUE(of_b.any()) << x;
-    EXPECT_EQ(settledEdges(a.data(), of_b.pairs().b), expected) << x;
+    EXPECT_EQ(prunedEdges(a.data(), of_b.pairs().b), expected) << x;
   }
   // Whichever ends of the two edges are nearest.
   const Polygon front({{{0, 0}, {-1, 1}, {-1, 2}}}), back({{{-1, 1}, {0, 0}, {-1, 2}}});
   const Polygon b_back({{{2, 1}, {1, 0}, {2, -1}}});
   for (const Polygon* p : {&front, &back})
     for (const Polygon* q : {&b, &b_back})
-      EXPECT_TRUE(SettledBoxes(EdgeDistances(p->data(), still, q->data(), still), 0, 0).any());
+      EXPECT_TRUE(PrunedBoxes(EdgeDistances(p->data(), still, q->data(), still), 0, 0).any());
   // Nor where the pair itself has its nearest point between two vertices.
   const Polygon beside({{{1, 0}, {1, 1}, {2, 1}}}), flat({{{0, -1}, {0, 1}, {-1, 0}}});
-  EXPECT_FALSE(SettledBoxes(EdgeDistances(flat.data(), still, beside.data(), still), 0, 0).any());
+  EXPECT_FALSE(PrunedBoxes(EdgeDistances(flat.data(), still, beside.data(), still), 0, 0).any());
 }
 
-std::size_t countShown(const growth::Input& input, const SettledBoxes& settled) {
+std::size_t countShown(const growth::Input& input, const PrunedBoxes& pruned) {
   const Pose still = Pose::Identity();
   std::size_t shown = 0;
   const detail::PosedPair pair(input.a.data(), still, input.b.data(), input.motion.start);
   detail::forNearPairs(
-      pair, 1 + 1e-12, settled.pairs(),
+      pair, 1 + 1e-12, pruned.pairs(),
       [&](double, std::size_t, std::size_t) {
         ++shown;
         return 1 + 1e-12;
@@ -121,13 +121,13 @@ std::size_t countShown(const growth::Input& input, const SettledBoxes& settled) 
   return shown;
 }
 
-TEST(SettledBoxes, LeaveFewOfManyThatAreEquallyNear) {
+TEST(PrunedBoxes, LeaveFewOfManyThatAreEquallyNear) {
   constexpr std::size_t kEdges = 100;
   for (const auto make : {growth::repeatedCorners, growth::equalPoints, growth::fans}) {
     const growth::Input input = make(kEdges);
     const EdgeDistances edges(input.a.data(), Pose::Identity(), input.b.data(), input.motion.start);
     EXPECT_GE(countShown(input, {}), kEdges * kEdges / 2);
-    EXPECT_LE(countShown(input, SettledBoxes(edges, 0, 0)), 8u);
+    EXPECT_LE(countShown(input, PrunedBoxes(edges, 0, 0)), 8u);
   }
 }
 

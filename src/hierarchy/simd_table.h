@@ -2,12 +2,12 @@
 #pragma once
 
 #include "hierarchy/axis_boxes.h"
-#include "hierarchy/wide.h"
+#include "hierarchy/simd.h"
 
 namespace tricover::detail {
 
-/// wide.h's and axis_boxes.h's functions for one instruction set.
-struct WideTable {
+/// simd.h's and axis_boxes.h's functions for one instruction set.
+struct SimdTable {
   decltype(&findHit) find_hit;
   decltype(&showPairs) show_pairs;
   decltype(&visitEdgesOnRay) visit_edges_on_ray;
@@ -31,9 +31,9 @@ struct WideTable {
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.
-extern const WideTable kPortableTable;
+extern const SimdTable kPortableTable;
 #ifdef __x86_64__
-extern const WideTable kAvx2Table;
+extern const SimdTable kAvx2Table;
 #endif
 
 }  // namespace tricover::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/collide_spine.h"
+#include "pair/collide_degenerate.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,7 +14,7 @@ namespace {
 struct PointTest {
   static bool meet(const void* context, std::size_t edge) {
     const PointTest& test = *static_cast<const PointTest*>(context);
-    return edgesWithin(test.pair, edge, test.pair.b.spine, test.options.margin, test.options.tolerance);
+    return edgesWithin(test.pair, edge, test.pair.b.degenerate_edge, test.options.margin, test.options.tolerance);
   }
 
   const PosedPair& pair;
@@ -25,8 +25,8 @@ struct PointTest {
 struct BarePointTest {
   static bool meet(const void* context, std::size_t edge) {
     const BarePointTest& test = *static_cast<const BarePointTest*>(context);
-    return edgesWithin(PosedPair(test.a, test.pose_a, test.b, test.pose_b), edge, test.b.spine, test.options.margin,
-                       test.options.tolerance);
+    return edgesWithin(PosedPair(test.a, test.pose_a, test.b, test.pose_b), edge, test.b.degenerate_edge,
+                       test.options.margin, test.options.tolerance);
   }
 
   const PolygonData& a;
@@ -45,17 +45,18 @@ std::ptrdiff_t position(std::size_t edge) { return static_cast<std::ptrdiff_t>(e
 
 }  // namespace
 
-Outcome collideSpines(const PosedPair& pair, const CollideOptions& options) {
+Outcome collideDegenerate(const PosedPair& pair, const CollideOptions& options) {
   Outcome outcome;
-  outcome.collides = edgesWithin(pair, pair.a.spine, pair.b.spine, options.margin, options.tolerance);
+  outcome.collides =
+      edgesWithin(pair, pair.a.degenerate_edge, pair.b.degenerate_edge, options.margin, options.tolerance);
   if (!outcome.collides) return outcome;
-  outcome.edge_a = position(pair.a.spine);
-  outcome.edge_b = position(pair.b.spine);
+  outcome.edge_a = position(pair.a.degenerate_edge);
+  outcome.edge_b = position(pair.b.degenerate_edge);
   return outcome;
 }
 
 Outcome collidePoint(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
-  assert(pair.b.isPoint() && !pair.a.hasSpine());
+  assert(pair.b.isPoint() && !pair.a.isDegenerate());
   const Hierarchy& tree = hierarchyOf(pair.a);
   const UnitMap map = mapUnits(pair);
   const Place place{map.tx, map.ty, map.error};
@@ -81,7 +82,7 @@ Outcome collidePoint(const PosedPair& pair, const CollideOptions& options, doubl
   if (found.hit) {
     outcome.collides = true;
     outcome.edge_a = found.edge_a;
-    outcome.edge_b = position(pair.b.spine);
+    outcome.edge_b = position(pair.b.degenerate_edge);
     return outcome;
   }
   if (!(outside > 0)) outcome = findContainment(pair);
@@ -96,7 +97,7 @@ bool pointMeets(const PolygonData& a, const Pose& pose_a, const PolygonData& b, 
   if (discs.gap(options.margin) >= 0) return false;
   if (discs.depth(options.margin) >= 0) return true;
   const BarePointTest test{a, pose_a, b, pose_b, options};
-  if (a.hasSpine()) return BarePointTest::meet(&test, a.spine);
+  if (a.isDegenerate()) return BarePointTest::meet(&test, a.degenerate_edge);
   const PointPlace seen(a, pose_a, b, pose_b);
   const Hierarchy& tree = hierarchyOf(a);
   const double reach = options.margin * (1 + 2 * seen.defect) * a.inverse_unit;

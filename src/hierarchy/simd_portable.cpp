@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The wide functions for every target, in vectors of four floats.
-#include "hierarchy/wide_functions.h"
+// The SIMD functions for every target, in vectors of four floats.
+#include "hierarchy/simd_functions.h"
 #include "numbers/double2.h"
 
 namespace tricover::detail {
-namespace wide {
+namespace simd {
 namespace {
 
 typedef float Four __attribute__((vector_size(16)));
@@ -12,9 +12,7 @@ typedef std::int32_t FourBits __attribute__((vector_size(16)));
 typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias));
 
 [[gnu::always_inline]] inline Four absolute(Four p) { return (Four)((FourBits)p & 0x7fffffff); }
-[[gnu::always_inline]] inline Four flipped(Four p, Four q) {
-  return (Four)((FourBits)p ^ ((FourBits)q & INT32_MIN));
-}
+[[gnu::always_inline]] inline Four flipped(Four p, Four q) { return (Four)((FourBits)p ^ ((FourBits)q & INT32_MIN)); }
 [[gnu::always_inline]] inline Four root(Four p) {
 #ifdef __SSE2__
   return __builtin_ia32_sqrtps(p);
@@ -37,7 +35,7 @@ typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias
 #endif
 }
 
-/// See wide_boxes.h.
+/// See simd_boxes.h.
 struct PortableDoubles {
   static constexpr int kCount = 2;
   Double2 v;
@@ -55,7 +53,7 @@ struct PortableDoubles {
   [[gnu::always_inline]] static unsigned bitsOf(Bits2 bits) { return detail::bitsOf(bits); }
 };
 
-/// See wide_gaps.h.
+/// See simd_gaps.h.
 struct PortableLanes {
   using Doubles = PortableDoubles;
   Four low, high;
@@ -77,28 +75,28 @@ struct PortableLanes {
   [[gnu::always_inline]] friend L operator+(L p, float q) { return {p.low + q, p.high + q}; }
   [[gnu::always_inline]] friend L operator-(L p, float q) { return {p.low - q, p.high - q}; }
   [[gnu::always_inline]] friend L operator*(L p, float q) { return {p.low * q, p.high * q}; }
-  [[gnu::always_inline]] friend L absolute(L p) { return {wide::absolute(p.low), wide::absolute(p.high)}; }
+  [[gnu::always_inline]] friend L absolute(L p) { return {simd::absolute(p.low), simd::absolute(p.high)}; }
   [[gnu::always_inline]] friend L flipped(L p, L q) {
-    return {wide::flipped(p.low, q.low), wide::flipped(p.high, q.high)};
+    return {simd::flipped(p.low, q.low), simd::flipped(p.high, q.high)};
   }
-  [[gnu::always_inline]] friend L root(L p) { return {wide::root(p.low), wide::root(p.high)}; }
+  [[gnu::always_inline]] friend L root(L p) { return {simd::root(p.low), simd::root(p.high)}; }
   [[gnu::always_inline]] friend L larger(L p, L q) {
-    return {wide::larger(p.low, q.low), wide::larger(p.high, q.high)};
+    return {simd::larger(p.low, q.low), simd::larger(p.high, q.high)};
   }
   [[gnu::always_inline]] friend L smaller(L p, L q) {
-    return {wide::smaller(p.low, q.low), wide::smaller(p.high, q.high)};
+    return {simd::smaller(p.low, q.low), simd::smaller(p.high, q.high)};
   }
   [[gnu::always_inline]] friend L whereAbove(L p, L q) {
-    return {wide::whereAbove(p.low, q.low), wide::whereAbove(p.high, q.high)};
+    return {simd::whereAbove(p.low, q.low), simd::whereAbove(p.high, q.high)};
   }
   [[gnu::always_inline]] friend unsigned above(L p, L q) {
-    return wide::above(p.low, q.low) | wide::above(p.high, q.high) << 4;
+    return simd::above(p.low, q.low) | simd::above(p.high, q.high) << 4;
   }
 };
 
 }  // namespace
-}  // namespace wide
+}  // namespace simd
 
-constexpr WideTable kPortableTable = wide::tableOf<wide::PortableLanes>();
+constexpr SimdTable kPortableTable = simd::tableOf<simd::PortableLanes>();
 
 }  // namespace tricover::detail

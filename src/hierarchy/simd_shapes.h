@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ray, small convex polygons and inner discs. See wide_gaps.h for Lanes.
+// A ray, small convex polygons and inner discs. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/wide_gaps.h"
+#include "hierarchy/simd_gaps.h"
 
-namespace tricover::detail::wide {
+namespace tricover::detail::simd {
 
 /// What a ray's distance from a box may be wrong by, relative to |x| + |y| + 4 with the ray's start in the block's
 /// scale. In the terms of kGapRounding: coordinates are rounded 6 times, extents 7 times, of what is at most
@@ -284,4 +284,4 @@ ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const Unit
   return of_a.vertex >= 0 ? ConvexCrossing{0, -1} : ConvexCrossing{-1, -1};
 }
 
-}  // namespace tricover::detail::wide
+}  // namespace tricover::detail::simd

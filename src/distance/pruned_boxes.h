@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "distance/edge_distance.h"
+#include "hierarchy/simd.h"
+
+namespace tricover::detail {
+
+/// What need not be looked at because a pair of edges is as near. Let p and q be the nearest ends of that pair, one of
+/// a and one of b. A box of a is pruned if every vertex in it is p itself (at its coordinates) or certainly behind p,
+/// as seen along the line from p to q; and likewise of b's and q. Then nothing of a pruned box of a is nearer to
+/// anything of a pruned box of b than p is to q. So EdgeDistances::at() is no less for any edges in them than for that
+/// pair, which must be pruned itself. Equally near pairs, as of a corner that is given many times or that many edges
+/// share, are thus left out together.
+class PrunedBoxes {
+ public:
+  PrunedBoxes() = default;
+  /// By these edges' positions in the paths.
+  PrunedBoxes(const EdgeDistances& edges, std::size_t i, std::size_t j);
+
+  bool any() const { return !a_.empty(); }
+  PrunedPairs pairs() const { return any() ? PrunedPairs{a_.data(), b_.data()} : PrunedPairs{}; }
+
+ private:
+  std::vector<std::uint8_t> a_, b_;  ///< by blocks, bit per lane
+};
+
+}  // namespace tricover::detail
