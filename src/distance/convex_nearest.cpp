@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
 #include "pair/pair_descent.h"
 
@@ -45,10 +46,9 @@ class Facing {
  public:
   /// n leads away from the other polygon.
   Facing(const PolygonData& polygon, const Pose& pose, std::uint32_t first, bool is_edge, Double2 n)
-      : path_(polygon.path.data()),
-        count_(static_cast<std::uint32_t>(polygon.path.size() - 1)),
+      : ring_(polygon.path.data(), polygon.path.size() - 1, hierarchyOf(polygon).convex),
         first_(first),
-        last_(is_edge ? next(first) : first) {
+        last_(is_edge ? ring_.next(first) : first) {
     const double* r = pose.data();  // columns of three
     const Double2 first_column{r[0], r[1]}, second_column{r[3], r[4]};
     axis_ = Double2{dot(first_column, n), dot(second_column, n)};
@@ -56,7 +56,7 @@ class Facing {
 
   /// The lesser one of how far the neighbours are behind; negative unless both are clearly so, see kLeastSlope.
   double depth(double distance) const {
-    const Double2 before = way(first_, previous(first_)), after = way(last_, next(last_));
+    const Double2 before = ring_.way(first_, ring_.previous(first_)), after = ring_.way(last_, ring_.next(last_));
     const double h1 = dot(axis_, before), h2 = dot(axis_, after), least = std::min(h1, h2);
     constexpr double kSlopeSquare = kLeastSlope * kLeastSlope;
     const bool is_clear = least > kLeastDepth * distance && h1 * h1 > kSlopeSquare * dot(before, before) &&
@@ -66,41 +66,35 @@ class Facing {
 
   /// A neighbour that is ahead, and the edge that leads there; false if none is.
   bool isBehind(std::uint32_t& vertex, std::uint32_t& edge) const {
-    const std::uint32_t before = previous(first_), after = next(last_);
-    const double h1 = dot(axis_, way(first_, before)), h2 = dot(axis_, way(last_, after));
+    const std::uint32_t before = ring_.previous(first_), after = ring_.next(last_);
+    const double h1 = dot(axis_, ring_.way(first_, before)), h2 = dot(axis_, ring_.way(last_, after));
     vertex = h1 < h2 ? before : after;
     edge = h1 < h2 ? before : last_;
     return std::min(h1, h2) < 0;
   }
 
   /// The edges that have a vertex less than `near` behind. False if there are many or one is ahead.
-  bool edgesNear(double near, EdgeRange& edges) const {
+  bool edgesNear(double near, RingRange& edges) const {
     std::uint32_t begin = first_, end = last_;
     const auto isNear = [&](std::uint32_t v, bool& is_ahead) {
-      const double height = dot(axis_, way(first_, v));
+      const double height = dot(axis_, ring_.way(first_, v));
       is_ahead = !(height > -0.25 * near);
       return !(height > near);
     };
     bool is_ahead = false;
     int found = 0;
-    for (std::uint32_t v = previous(begin); isNear(v, is_ahead); v = previous(v), ++found)
+    for (std::uint32_t v = ring_.previous(begin); isNear(v, is_ahead); v = ring_.previous(v), ++found)
       if (begin = v; is_ahead || found == kMostNear) return false;
-    for (std::uint32_t v = next(end); isNear(v, is_ahead); v = next(v), ++found)
+    for (std::uint32_t v = ring_.next(end); isNear(v, is_ahead); v = ring_.next(v), ++found)
       if (end = v; is_ahead || found == kMostNear) return false;
-    edges.first = previous(begin);
-    edges.count = std::min(count_, (end < edges.first ? end + count_ : end) - edges.first + 1);
+    edges.first = ring_.previous(begin);
+    edges.count = std::min(ring_.size(), (end < edges.first ? end + ring_.size() : end) - edges.first + 1);
     return true;
   }
 
  private:
-  std::uint32_t next(std::uint32_t v) const { return v + 1 == count_ ? 0 : v + 1; }
-  std::uint32_t previous(std::uint32_t v) const { return (v == 0 ? count_ : v) - 1; }
-  Double2 way(std::uint32_t from, std::uint32_t to) const {
-    return load2(path_[to].data()) - load2(path_[from].data());
-  }
-
-  const Vec2* path_;
-  std::uint32_t count_, first_, last_;
+  ConvexRing ring_;
+  std::uint32_t first_, last_;
   Double2 axis_;
 };
 

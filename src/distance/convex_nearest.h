@@ -3,16 +3,12 @@
 
 #include <cstdint>
 
+#include "convex/convex_ring.h"
 #include "distance/convex_features.h"
 #include "distance/edge_distance.h"
 #include "hierarchy/simd.h"
 
 namespace tricover::detail {
-
-/// Consecutive edges of a ring, which may go on with its first one.
-struct EdgeRange {
-  std::uint32_t first = 0, count = 0;
-};
 
 /// What separating axes tell of two strictly convex polygons.
 struct ConvexNearest {
@@ -21,7 +17,7 @@ struct ConvexNearest {
   bool is_proven = false;            ///< whether those to be tried first were right
   bool is_unique = false;            ///< whether only those features can be the nearest, or cross
   EdgeDistances::Nearest nearest{};  ///< where they are, if so
-  EdgeRange edges_a, edges_b;        ///< otherwise: those that can hold the least distance
+  RingRange edges_a, edges_b;        ///< otherwise: those that can hold the least distance
   int inner_a = -1, inner_b = -1;    ///< an edge of the polygon that lies in the other one
 
   bool isInside() const { return inner_a >= 0 || inner_b >= 0; }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "numbers/double2.h"
+#include "tricover/pose.h"
+
+namespace tricover::detail {
+
+/// Vertices, or edges, in a row around a ring, which may go on with its first one.
+struct RingRange {
+  std::uint32_t first = 0, count = 0;
+};
+
+/// A view of a convex ring all of whose vertices are corners: at least three, none straight. They are a polygon's own,
+/// or copies of its corners, or mapped into another frame. Edge k leads from vertex k to the next one, and the vertex
+/// after the last one is a copy of the first.
+///
+/// Along a convex ring the height n . p rises to its greatest value and falls to its least one, once each.
+class ConvexRing {
+ public:
+  /// size + 1 vertices; turn: 1 if they run counter-clockwise, -1 if clockwise.
+  ConvexRing(const Vec2* vertices, std::size_t size, int turn)
+      : vertices_(vertices), size_(static_cast<std::uint32_t>(size)), turn_(turn) {}
+
+  std::uint32_t size() const { return size_; }
+  int turn() const { return turn_; }
+
+  std::uint32_t next(std::uint32_t k) const { return k + 1 == size_ ? 0 : k + 1; }
+  std::uint32_t previous(std::uint32_t k) const { return (k == 0 ? size_ : k) - 1; }
+  /// The same for k + steps, steps <= size().
+  std::uint32_t after(std::uint32_t k, std::uint32_t steps) const {
+    return k + steps < size_ ? k + steps : k + steps - size_;
+  }
+
+  Double2 vertex(std::uint32_t k) const { return load2(vertices_[k].data()); }
+  Double2 way(std::uint32_t from, std::uint32_t to) const { return vertex(to) - vertex(from); }
+  /// Needs no next().
+  Double2 edge(std::uint32_t k) const { return load2(vertices_[k + 1].data()) - load2(vertices_[k].data()); }
+
+  /// The foremost vertex along n, as plain doubles see it, in O(log n) steps: where edges begin to lead back, whose
+  /// directions turn one way from the first one on.
+  std::uint32_t foremost(Double2 n) const {
+    const double turn = turn_;
+    const Double2 sideways{-turn * n[1], turn * n[0]}, first = edge(0);
+    const bool is_far = turn * cross(first, sideways) < 0;  // by more than half a turn
+    std::uint32_t low = 0, count = size_;
+    while (count > 0) {
+      const std::uint32_t half = count / 2;
+      const Double2 e = edge(low + half);
+      const bool e_is_far = turn * cross(first, e) < 0;
+      const bool is_past = e_is_far != is_far ? e_is_far : turn * cross(sideways, e) >= 0;
+      low = is_past ? low : low + half + 1;
+      count = is_past ? half : count - half - 1;
+    }
+    return low == size_ ? 0 : low;
+  }
+
+  /// All vertices that may be the foremost one along n, a climb along an edge of up to `doubt` being in doubt: those
+  /// between an edge that certainly leads ahead and one that certainly leads back. The walk begins at range.first, so
+  /// that it is short from one that was near the foremost before. False if there are no such edges.
+  bool foremost(Double2 n, double doubt, RingRange& range) const {
+    std::uint32_t v = range.first, steps = 0;
+    for (; dot(n, edge(v)) > doubt; v = next(v))
+      if (steps++ == size_) return false;
+    if (steps == 0)  // what leads to v is yet to be found
+      for (std::uint32_t u = previous(v); !(dot(n, edge(u)) > doubt); v = u, u = previous(u))
+        if (steps++ == size_) return false;
+    range = {v, 1};
+    for (; !(dot(n, edge(v)) < -doubt); v = next(v))
+      if (range.count++ == size_) return false;
+    return true;
+  }
+
+  static double cross(Double2 v, Double2 w) {
+    const Double2 products = v * swapped(w);
+    return products[0] - products[1];
+  }
+
+ private:
+  const Vec2* vertices_;
+  std::uint32_t size_;
+  int turn_;
+};
+
+}  // namespace tricover::detail
