@@ -6,6 +6,7 @@
 
 #include "tricover/collide.h"
 #include "tricover/distance.h"
+#include "tricover/paper.h"
 
 namespace tricover::bench {
 
@@ -23,20 +24,26 @@ class Core {
   const Pose* poses_ = nullptr;
 };
 
-/// With caches; collisions by strategy.
+/// With caches.
 class CachedCore : public Core {
  public:
-  CachedCore(Polygon fixed, Polygon moving, Strategy strategy = Strategy::Hierarchy)
-      : Core(std::move(fixed), std::move(moving)) {
-    options_.strategy = strategy;
-  }
-  bool collide(std::size_t i) { return tricover::collide(fixed_, identity_, moving_, poses_[i], cache_, options_); }
+  using Core::Core;
+  bool collide(std::size_t i) { return tricover::collide(fixed_, identity_, moving_, poses_[i], cache_); }
   double value(std::size_t i) { return distance(fixed_, identity_, moving_, poses_[i], distance_cache_).distance; }
 
  private:
   PairCache cache_;
   DistanceCache distance_cache_;
-  CollideOptions options_;
+};
+
+/// The paper's Algorithm 3.
+class PaperCore : public Core {
+ public:
+  using Core::Core;
+  bool collide(std::size_t i) { return paper::collide(fixed_, identity_, moving_, poses_[i], cache_); }
+
+ private:
+  paper::MaskCache cache_;
 };
 
 }  // namespace tricover::bench

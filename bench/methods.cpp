@@ -28,8 +28,8 @@ Methods::Methods(const Polygon& fixed, const Polygon& moving) {
     });
   };
   add("cold", Role::Ours, false, std::make_shared<Core>(fixed, moving), always);
-  add("cached", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving, Strategy::Hierarchy), coherent);
-  add("paper", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving, Strategy::Paper), paper);
+  add("cached", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving), coherent);
+  add("paper", Role::Ours, true, std::make_shared<PaperCore>(fixed, moving), paper);
   add("via FCL", Role::Ours, true,
       std::make_shared<FclCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
                                 std::make_shared<tricover_fcl::PolygonShaped>(moving)),

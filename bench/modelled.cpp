@@ -128,9 +128,9 @@ Pose near(const Pair& pair) {
 }
 Pose upon(const Pair& pair) { return at({pair.radius() / 2, 0}); }
 
-template <Pose (*Where)(const Pair&), Strategy Way = Strategy::Hierarchy>
+template <Pose (*Where)(const Pair&)>
 bool askCollide(Pair& pair) {
-  return collide(pair.fixed, kIdentity, pair.moving, Where(pair), {2 * pair.margin, 0, Way});
+  return collide(pair.fixed, kIdentity, pair.moving, Where(pair), {2 * pair.margin});
 }
 
 template <Pose (*Where)(const Pair&)>
@@ -181,7 +181,9 @@ const Query kQueries[] = {
      [](Pair& pair) {
        return collide(pair.fixed, kIdentity, pair.moving, near(pair), pair.cache, {2 * pair.margin, 0});
      }},
-    {"collide, near, Strategy::Paper", false, askCollide<near, Strategy::Paper>, false},
+    {"paper::collide, near", false,
+     [](Pair& pair) { return paper::collide(pair.fixed, kIdentity, pair.moving, near(pair), {2 * pair.margin}); },
+     false},
     {"distance, discs apart", true, askDistance<far>},
     {"distance, near", true, askDistance<near>},
     {"distance, near, DistanceCache", true,

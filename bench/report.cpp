@@ -41,7 +41,7 @@ const char* const kConditions =
 - Every timed answer is compared with that of `cold`, which the tests compare with exact arithmetic.
 - exact: calls of the exact stage in all of cold's queries together; the filters decided everything else.
 - cold: tricover's core without a PairCache; cached: with one; paper: the paper's Algorithm 3, repaired, with a
-  PairCache; plain signs: the core compiled with plain double signs, no filter, no exact stage.
+  MaskCache; plain signs: the core compiled with plain double signs, no filter, no exact stage.
 - via FCL: unmodified fcl::collide on tricover's shape. empty: the same for a registered function that does nothing.
 - A cell's best rival is the fastest of FCL's four, GEOS and Boost, whether right or wrong. Rivals start without any
   check that they don't make themselves; the one exception are boxes that decide which convex pieces FCL's solvers see.

@@ -15,8 +15,8 @@
 #include "rivals/geos.h"
 #include "tradeoff_fcl.h"
 #include "tricover/collide.h"
-#include "tricover/influence.h"
 #include "tricover/locate.h"
+#include "tricover/paper.h"
 
 namespace tricover::bench {
 namespace {
@@ -66,7 +66,7 @@ class InfluenceAreas : public OnScene {
   explicit InfluenceAreas(const Scene& scene) : OnScene(scene), inverse_(scene.fixed_pose.inverse(Eigen::Isometry)) {}
   bool collide(std::size_t i) {
     const Vec2 centroid = inverse_ * (poses_[i] * scene_.moving.origin());
-    const auto mask = influenceMask(scene_.fixed, centroid, scene_.moving.radius());
+    const auto mask = paper::influenceMask(scene_.fixed, centroid, scene_.moving.radius());
     return std::any_of(mask.begin(), mask.end(), [](std::uint64_t word) { return word != 0; }) ||
            locate(scene_.fixed, centroid) != Location::Outside;
   }

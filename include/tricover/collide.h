@@ -3,18 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
-
-/// How the answer is found. Both strategies give the same answers, from the same predicates and the same edge test.
-enum class Strategy {
-  Hierarchy,  ///< The default: facts, and a hierarchy of influence areas. Both polygons are descended together.
-  Paper,      ///< The paper's Algorithm 3, with its repairs. Takes O(n m).
-};
 
 /// What is asked of a boolean query. The default: do the regions share a point?
 struct CollideOptions {
@@ -23,7 +16,6 @@ struct CollideOptions {
   /// A world length, at least 0, that buys time. Up to a distance of margin the answer is true, as ever. Above margin +
   /// tolerance it is false. In between it may be either.
   double tolerance = 0;
-  Strategy strategy = Strategy::Hierarchy;  ///< Changes the cost, never the answer.
 };
 
 /// What one pair of polygons remembers between queries: facts, not state. Each stays true whatever happens in between,
@@ -50,10 +42,6 @@ struct PairCache {
   /// (as the kernel numbers both), -1 if none did: tried first at the next pose.
   std::int64_t first_edge = -1;
   std::int64_t second_edge = -1;  ///< see first_edge
-
-  /// Strategy::Paper only: the moving centroid's side of every edge of the first polygon, two bits each, when it was
-  /// last outside every influence area and the regions were apart. Empty if they weren't.
-  std::vector<std::uint64_t> mask;
 };
 
 /// Whether the two closed regions share a point or, with a margin, come at least that close.

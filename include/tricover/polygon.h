@@ -24,14 +24,6 @@ namespace detail {
 struct PolygonData;
 }
 
-/// A triangle (S, v, w) of a polygon's covering (the paper's Definition 3). (v, w) is an edge.
-struct CoveringTriangle {
-  Vec2 s;    ///< S, the covering's origin.
-  Vec2 v;    ///< Where the edge starts.
-  Vec2 w;    ///< Where the edge ends.
-  int sign;  ///< The sign of the triangle's area: 1 or -1, and 0 where the edge's line goes through S.
-};
-
 /// A closed planar region: every point that the fill rule calls inside, and every point of an edge.
 ///
 /// It never changes. Copies are cheap: they share the data and the id. Threads may share a polygon. What queries derive
@@ -64,10 +56,6 @@ class TRICOVER_EXPORT Polygon {
   /// The radius of the bounding disc around origin(): at least the distance to every vertex. It is rounded up, and
   /// infinity where it overflows.
   double radius() const;
-
-  /// The paper's covering: one triangle an edge, in the edges' order. O(n), made anew at each call.
-  /// \snippet polygon.cpp covering
-  std::vector<CoveringTriangle> covering() const;
 
   const detail::PolygonData& data() const { return *data_; }  ///< For the kernel.
 

@@ -14,7 +14,7 @@
 #include "numbers/errors.h"
 #include "pair/posed_pair.h"
 #include "polygon/polygon_data.h"
-#include "tricover/influence.h"
+#include "tricover/paper.h"
 
 namespace tricover {
 namespace {
@@ -105,7 +105,7 @@ void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::st
 }
 
 void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
-  for (const CoveringTriangle& triangle : polygon.covering()) {
+  for (const paper::CoveringTriangle& triangle : paper::covering(polygon)) {
     const std::string tint = triangle.sign > 0 ? "#3b82f6" : triangle.sign < 0 ? "#ef4444" : "none";
     const Vec2 s = pose * triangle.s;
     include(s);
@@ -119,7 +119,7 @@ void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
 void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill) {
   for (std::size_t edge = 0; edge < polygon.vertexCount(); ++edge) {
     std::string points;
-    for (const Vec2& corner : boundedInfluenceArea(polygon, edge, length)) {
+    for (const Vec2& corner : paper::boundedInfluenceArea(polygon, edge, length)) {
       const Vec2 world = pose * corner;
       include(world);
       points += pair(world) + " ";

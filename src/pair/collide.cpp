@@ -7,7 +7,6 @@
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/collide_by_hierarchy.h"
-#include "pair/collide_by_paper.h"
 #include "pair/collide_degenerate.h"
 #include "pair/convex_apart.h"
 #include "pair/discs.h"
@@ -89,8 +88,7 @@ class RareEdgeTest {
 
 bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                     PairCache* cache, const Recollection& recollection, double defect, const CollideOptions& options) {
-  const bool by_paper = options.strategy == Strategy::Paper;
-  if (cache != nullptr && !by_paper) {
+  if (cache != nullptr) {
     claim(*cache, a, b);
     // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
     const PairFact fact =
@@ -104,7 +102,6 @@ bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData&
   }
   const Discs discs(a, pose_a, b, pose_b);
   if (discs.gap(options.margin) >= 0) return false;
-  if (by_paper) return collideByPaper(PosedPair(a, pose_a, b, pose_b), cache, options);
   return discs.depth(options.margin) >= 0 || collideNear(a, pose_a, b, pose_b, discs, defect, options);
 }
 
@@ -130,9 +127,9 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   const bool is_quick = isQuickPoint(a, b);
   Recollection recollection{};
   double defect = 0;
-  if (cache == nullptr || is_quick || options.strategy == Strategy::Paper) {
+  if (cache == nullptr || is_quick) {
     defect = requireRigid(pose_a, pose_b);
-    if (is_quick && options.strategy == Strategy::Hierarchy) return pointCollides(a, pose_a, b, pose_b, options);
+    if (is_quick) return pointCollides(a, pose_a, b, pose_b, options);
   } else {
     recollection = recall(*cache, a, pose_a, b, pose_b, options.margin);
     if (recollection.certain) return recollection.collides;

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/collide_by_paper.h"
-
+// The paper's Algorithm 3, repaired.
+#include <utility>
 #include <vector>
 
+#include "numbers/errors.h"
+#include "numbers/rigidity.h"
 #include "pair/containment.h"
-#include "pair/facts.h"
+#include "pair/discs.h"
+#include "pair/kernel_order.h"
+#include "pair/posed_pair.h"
+#include "polygon/cache_access.h"
 #include "polygon/influence_area.h"
+#include "tricover/paper.h"
 
-namespace tricover::detail {
+namespace tricover {
+namespace detail {
 namespace {
 
 /// The moving centroid against the influence areas of a: two bits an edge, the side of the edge's line (sign + 1) or
@@ -59,12 +66,12 @@ bool detailedTest(const PosedPair& pair, const std::vector<std::size_t>& held, c
   return false;
 }
 
-}  // namespace
-
-bool collideByPaper(const PosedPair& pair, PairCache* cache, const CollideOptions& options) {
-  if (cache != nullptr) claim(*cache, pair.a, pair.b);
-  // The mask in the cache, if any, was found outside every influence area, with the answer "free" (repair 1).
-  const bool known = cache != nullptr && !cache->mask.empty();
+/// From the second step on. The bounding discs may meet.
+bool collideByPaper(const PosedPair& pair, MaskFact* fact, const CollideOptions& options) {
+  if (fact != nullptr && (fact->first_id != pair.a.id || fact->second_id != pair.b.id))
+    *fact = {pair.a.id, pair.b.id, {}};
+  // The mask, if any, was found outside every influence area, with the answer "free" (repair 1).
+  const bool known = fact != nullptr && !fact->mask.empty();
 
   // Second step. Grown by the margin; rounded outwards, the areas by what the centroid is known to, as well.
   const ApproxPoint centroid = pair.center();
@@ -74,18 +81,48 @@ bool collideByPaper(const PosedPair& pair, PairCache* cache, const CollideOption
   if (held.empty()) {
     // No edge of a touches b's bounding disc: the disc, all of b with it, lies where the centroid lies. An unchanged
     // mask is an unchanged zone, by exact signs (repair 7).
-    if (known && mask == cache->mask) return false;
+    if (known && mask == fact->mask) return false;
     const bool collides = locate(pair, pair.b.origin) != Location::Outside;
-    if (cache != nullptr) {
+    if (fact != nullptr) {
       if (collides) mask.clear();
-      cache->mask = std::move(mask);
+      fact->mask = std::move(mask);
     }
     return collides;
   }
-  if (cache != nullptr) cache->mask.clear();
+  if (fact != nullptr) fact->mask.clear();
 
   // Third step.
   return detailedTest(pair, held, options) || findContainment(pair).collides;
 }
 
-}  // namespace tricover::detail
+bool collideByPaper(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, MaskFact* fact,
+                    const CollideOptions& options) {
+  requireFiniteNotNegative(options.margin, "margin");
+  requireFiniteNotNegative(options.tolerance, "tolerance");
+  requireRigid(pose_a, pose_b);
+  return inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) {
+        if (Discs(operands...).gap(options.margin) >= 0) return false;
+        return collideByPaper(PosedPair(operands...), fact, options);
+      },
+      [](bool) {});
+}
+
+}  // namespace
+}  // namespace detail
+
+namespace paper {
+
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+             const CollideOptions& options) {
+  return detail::collideByPaper(a, pose_a, b, pose_b, nullptr, options);
+}
+
+bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, MaskCache& cache,
+             const CollideOptions& options) {
+  return detail::collideByPaper(a, pose_a, b, pose_b, &detail::factsIn(cache), options);
+}
+
+}  // namespace paper
+}  // namespace tricover

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "tricover/paper.h"
+
 namespace tricover::detail {
 
 CoveringSum::CoveringSum(const PolygonData& polygon, const IncludedPoint& point, const Vec2& origin)
@@ -68,3 +70,19 @@ Inclusion includeInCovering(const PolygonData& polygon, const IncludedPoint& poi
 }
 
 }  // namespace tricover::detail
+
+namespace tricover::paper {
+
+std::vector<CoveringTriangle> covering(const Polygon& polygon) {
+  const detail::PolygonData& data = polygon.data();
+  std::vector<CoveringTriangle> triangles;
+  triangles.reserve(polygon.vertexCount());
+  for (std::size_t r = 0; r < data.ringCount(); ++r)
+    for (std::size_t e = data.edgeBegin(r); e < data.edgeEnd(r); ++e) {
+      const Vec2 &v = data.path[e], &w = data.path[e + 1];
+      triangles.push_back({data.origin, v, w, detail::orientation(data.origin, v, w)});
+    }
+  return triangles;
+}
+
+}  // namespace tricover::paper

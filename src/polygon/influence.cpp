@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tricover/influence.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "numbers/errors.h"
 #include "polygon/influence_area.h"
 #include "polygon/polygon_data.h"
+#include "tricover/paper.h"
 
 namespace tricover {
 namespace detail {
@@ -46,6 +45,7 @@ bool inBoundedArea(const Vec2& v, const Vec2& w, const ApproxPoint& p, double le
 
 }  // namespace detail
 
+namespace paper {
 namespace {
 
 void check(const Vec2& point, double length) {
@@ -99,4 +99,5 @@ std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, std::size_t edg
   return {corner(low, -1), corner(high, -1), corner(high, 1), corner(low, 1)};
 }
 
+}  // namespace paper
 }  // namespace tricover

@@ -176,15 +176,4 @@ double Polygon::radius() const { return data_->radius; }
 Vec2 Polygon::edgeStart(std::size_t edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
 Vec2 Polygon::edgeEnd(std::size_t edge) const { return data_->path[data_->checkedEdgePosition(edge) + 1]; }
 
-std::vector<CoveringTriangle> Polygon::covering() const {
-  std::vector<CoveringTriangle> triangles;
-  triangles.reserve(vertexCount());
-  for (std::size_t r = 0; r < data_->ringCount(); ++r)
-    for (std::size_t e = data_->edgeBegin(r); e < data_->edgeEnd(r); ++e) {
-      const Vec2 &v = data_->path[e], &w = data_->path[e + 1];
-      triangles.push_back({data_->origin, v, w, detail::orientation(data_->origin, v, w)});
-    }
-  return triangles;
-}
-
 }  // namespace tricover

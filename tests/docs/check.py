@@ -37,7 +37,8 @@ def main() -> int:
     wrong = list(strangers())
     for folder, namespace in ((ROOT / "include/tricover", "tricover"), (ROOT / "fcl_adapter/include/tricover_fcl", "tricover_fcl")):
         page = html / f"namespace{namespace.replace('_', '__')}.html"
-        listed = page.read_text() if page.exists() else ""
+        inner = sorted(html.glob(f"{page.stem}_1_1*.html"))  # namespaces within it
+        listed = "".join(path.read_text() for path in [page, *inner] if path.exists())
         descriptions = {}
         for header in sorted(folder.glob("*.h")):
             text = DETAIL.sub("", header.read_text())

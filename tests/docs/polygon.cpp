@@ -22,18 +22,4 @@ TEST(Documentation, Polygon) {
   //! [polygon]
 }
 
-TEST(Documentation, Covering) {
-  //! [covering]
-  const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
-  EXPECT_EQ(square.origin(), tricover::Vec2(2, 2));
-  double area = 0;
-  for (const tricover::CoveringTriangle& t : square.covering()) {
-    const tricover::Vec2 v = t.v - t.s, w = t.w - t.s;
-    area += (v.x() * w.y() - v.y() * w.x()) / 2;
-    EXPECT_EQ(t.sign, 1);
-  }
-  EXPECT_EQ(area, 16);
-  //! [covering]
-}
-
 }  // namespace

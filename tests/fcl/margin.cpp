@@ -62,8 +62,8 @@ TEST(Margin, isExactOnEveryFamily) {
         ASSERT_EQ(collide(a, tf_a, b, tf_b), std::size_t{expected}) << reproduction(c);
         ASSERT_EQ(collide(b, tf_b, a, tf_a, fcl::GST_INDEP), std::size_t{expected}) << reproduction(c);
         fcl::CollisionResultd by_options;
-        ASSERT_EQ(tricover_fcl::collide(shapeOf(c.a).get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(),
-                                        {of_a, 0, tricover::Strategy::Paper}, by_options),
+        ASSERT_EQ(tricover_fcl::collide(shapeOf(c.a).get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(), {of_a},
+                                        by_options),
                   std::size_t{expected})
             << reproduction(c);
         // The broadphase doesn't lose the pair.

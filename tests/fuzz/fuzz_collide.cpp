@@ -7,6 +7,7 @@
 #include "byte_reader.h"
 #include "exact_reference.h"
 #include "reproduction.h"
+#include "strategies.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
@@ -29,15 +30,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::fail(what, "margin " + support::hex(margin) + ", truth " + (truth ? "1\n" : "0\n") +
                          support::reproduction({a, pose_a, b, pose_b}));
   };
+  using support::Strategy;
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
-    const CollideOptions options{margin, 0, strategy};
+    const CollideOptions options{margin};
     const bool paper = strategy == Strategy::Paper;
-    expect(collide(a, pose_a, b, pose_b, options), paper ? "Paper, cold" : "Hierarchy, cold");
-    expect(collide(b, pose_b, a, pose_a, options), paper ? "Paper, swapped" : "Hierarchy, swapped");
-    PairCache cache;
-    collide(a, pose_a, b, before, cache, options);
-    expect(collide(a, pose_a, b, pose_b, cache, options), paper ? "Paper, cached" : "Hierarchy, cached");
-    expect(collide(b, pose_b, a, pose_a, cache, options), paper ? "Paper, again" : "Hierarchy, again");
+    expect(collide(strategy, a, pose_a, b, pose_b, options), paper ? "Paper, cold" : "Hierarchy, cold");
+    expect(collide(strategy, b, pose_b, a, pose_a, options), paper ? "Paper, swapped" : "Hierarchy, swapped");
+    support::StrategyCaches cache;
+    collide(strategy, a, pose_a, b, before, cache, options);
+    expect(collide(strategy, a, pose_a, b, pose_b, cache, options), paper ? "Paper, cached" : "Hierarchy, cached");
+    expect(collide(strategy, b, pose_b, a, pose_a, cache, options), paper ? "Paper, again" : "Hierarchy, again");
   }
   if (margin != 0) return 0;
   const std::vector<Contact> parts = contacts(a, pose_a, b, pose_b);

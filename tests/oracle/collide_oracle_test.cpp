@@ -11,6 +11,7 @@
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
+#include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
@@ -20,11 +21,6 @@ namespace {
 
 constexpr int kCases = 5000;
 constexpr double kRareOutcome = 0.15;
-
-/// Caches that live through a whole family: what they hold is about other pairs and other poses.
-struct OldCaches {
-  PairCache hierarchy, paper, either;
-};
 
 /// b near where it is: facts about these poses are about to be used at the case's own.
 Pose elsewhere(Random& random, const Case& c) {
@@ -36,21 +32,17 @@ Pose elsewhere(Random& random, const Case& c) {
 }
 
 /// The first way of asking that gives another answer than `truth`; empty if there is none.
-std::string wrongWay(const Case& c, std::uint64_t seed, bool truth, OldCaches& old) {
+std::string wrongWay(const Case& c, std::uint64_t seed, bool truth, StrategyCaches& old) {
   Random random(~seed);
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
-    CollideOptions options;
-    options.strategy = strategy;
-    const std::string name = strategy == Strategy::Hierarchy ? "Hierarchy" : "Paper";
-    if (collide(c.a, c.pose_a, c.b, c.pose_b, options) != truth) return name + ", cold";
-    if (collide(c.b, c.pose_b, c.a, c.pose_a, options) != truth) return name + ", cold, swapped";
-    PairCache& lived = strategy == Strategy::Hierarchy ? old.hierarchy : old.paper;
-    if (collide(c.a, c.pose_a, c.b, c.pose_b, lived, options) != truth) return name + ", cache of other pairs";
-    if (collide(c.b, c.pose_b, c.a, c.pose_a, old.either, options) != truth) return name + ", cache of all";
-    PairCache fresh;
-    for (int i = 0; i < 3; ++i) collide(c.a, c.pose_a, c.b, elsewhere(random, c), fresh, options);
-    if (collide(c.a, c.pose_a, c.b, c.pose_b, fresh, options) != truth) return name + ", cache of other poses";
-    if (collide(c.b, c.pose_b, c.a, c.pose_a, fresh, options) != truth) return name + ", that cache again, swapped";
+    const std::string name = nameOf(strategy);
+    if (collide(strategy, c.a, c.pose_a, c.b, c.pose_b) != truth) return name + ", cold";
+    if (collide(strategy, c.b, c.pose_b, c.a, c.pose_a) != truth) return name + ", cold, swapped";
+    if (collide(strategy, c.a, c.pose_a, c.b, c.pose_b, old) != truth) return name + ", cache of other pairs";
+    StrategyCaches fresh;
+    for (int i = 0; i < 3; ++i) collide(strategy, c.a, c.pose_a, c.b, elsewhere(random, c), fresh);
+    if (collide(strategy, c.a, c.pose_a, c.b, c.pose_b, fresh) != truth) return name + ", cache of other poses";
+    if (collide(strategy, c.b, c.pose_b, c.a, c.pose_a, fresh) != truth) return name + ", that cache again, swapped";
   }
   if (contacts(c.a, c.pose_a, c.b, c.pose_b).empty() == truth) return "contacts";
   if (contacts(c.b, c.pose_b, c.a, c.pose_a).empty() == truth) return "contacts, swapped";
@@ -62,7 +54,7 @@ class CollideOracle : public testing::TestWithParam<Family> {};
 TEST_P(CollideOracle, AgreesWithExactRationals) {
   const int cases = scaledCount(kCases);
   int hits = 0, disagreements = 0;
-  OldCaches old;
+  StrategyCaches old;  // what it holds is about other pairs and other poses
   for (int i = 0; i < cases; ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
     const Case c = GetParam().make(seed);

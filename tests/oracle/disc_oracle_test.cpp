@@ -18,6 +18,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
+#include "tricover/paper.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -77,9 +78,7 @@ std::string wrongCollide(const Case& c, const mpq_class& squared, double margin,
   if (collide(c.a, c.pose_a, c.b, c.pose_b, options) != truth) return "collide";
   if (collide(c.b, c.pose_b, c.a, c.pose_a, options) != truth) return "collide, swapped";
   if (collide(c.a, c.pose_a, c.b, c.pose_b, cache, options) != truth) return "collide, cached";
-  options.strategy = Strategy::Paper;
-  if (collide(c.a, c.pose_a, c.b, c.pose_b, options) != truth) return "collide, Paper";
-  options.strategy = Strategy::Hierarchy;
+  if (paper::collide(c.a, c.pose_a, c.b, c.pose_b, options) != truth) return "collide, Paper";
   options.tolerance = margin * random.unit();
   const bool answer = collide(c.a, c.pose_a, c.b, c.pose_b, cache, options);
   if (truth && !answer) return "tolerance: a miss";

@@ -11,6 +11,7 @@
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
+#include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
 
@@ -25,13 +26,11 @@ struct Tally {
 };
 
 /// The question asked in every way, `cache` being one that saw other margins; the truth lies between `must` and `may`.
-void ask(const Case& c, const CollideOptions& asked, bool must, bool may, PairCache& cache, Tally& tally) {
+void ask(const Case& c, const CollideOptions& options, bool must, bool may, StrategyCaches& cache, Tally& tally) {
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
-    CollideOptions options = asked;
-    options.strategy = strategy;
-    const bool answers[] = {collide(c.a, c.pose_a, c.b, c.pose_b, options),
-                            collide(c.b, c.pose_b, c.a, c.pose_a, options),
-                            collide(c.a, c.pose_a, c.b, c.pose_b, cache, options)};
+    const bool answers[] = {collide(strategy, c.a, c.pose_a, c.b, c.pose_b, options),
+                            collide(strategy, c.b, c.pose_b, c.a, c.pose_a, options),
+                            collide(strategy, c.a, c.pose_a, c.b, c.pose_b, cache, options)};
     for (const bool answer : answers) {
       ++tally.queries;
       tally.hits += answer;
@@ -39,7 +38,7 @@ void ask(const Case& c, const CollideOptions& asked, bool must, bool may, PairCa
       if (++tally.disagreements <= 3) {
         ADD_FAILURE() << "answers (cold, swapped, cached) " << answers[0] << answers[1] << answers[2] << ", truth "
                       << must << " to " << may << ", margin " << hex(options.margin) << ", tolerance "
-                      << hex(options.tolerance) << (strategy == Strategy::Paper ? ", Paper\n" : ", Hierarchy\n")
+                      << hex(options.tolerance) << ", " << nameOf(strategy) << "\n"
                       << reproduction(c);
       }
       break;
@@ -61,7 +60,7 @@ class DistanceOptionsOracle : public testing::TestWithParam<Family> {};
 
 TEST_P(DistanceOptionsOracle, MarginIsExactAndToleranceKeepsItsPromise) {
   Tally tally;
-  PairCache old;
+  StrategyCaches old;
   for (int i = 0; i < scaledCount(kCases); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 1000000;
     Case c = GetParam().make(seed);
@@ -72,8 +71,8 @@ TEST_P(DistanceOptionsOracle, MarginIsExactAndToleranceKeepsItsPromise) {
       if (apart.allFinite()) c.pose_b.translation() = apart;
     }
     const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
-    PairCache fresh;
-    PairCache& cache = random.coin() ? old : fresh;
+    StrategyCaches fresh;
+    StrategyCaches& cache = random.coin() ? old : fresh;
     for (const double margin : lengthsAround(random, squared, size)) {
       const bool truth = exact::within(squared, mpq_class(margin));
       CollideOptions options;
@@ -105,9 +104,7 @@ TEST(Margin, EqualityIsIncluded) {
       Pose pose_b = Pose::Identity();
       pose_b.translation() = by * unit;
       for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
-        const auto within = [&](double margin) {
-          return collide(a, Pose::Identity(), a, pose_b, CollideOptions{margin, 0, strategy});
-        };
+        const auto within = [&](double margin) { return collide(strategy, a, Pose::Identity(), a, pose_b, {margin}); };
         EXPECT_TRUE(within(distance)) << hex(unit);
         EXPECT_FALSE(within(nudged(distance, -1))) << hex(unit);
         EXPECT_TRUE(within(nudged(distance, 1))) << hex(unit);

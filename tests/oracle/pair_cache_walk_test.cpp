@@ -10,6 +10,7 @@
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
+#include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
 
@@ -119,27 +120,26 @@ struct Tally {
 };
 
 /// `shared` are caches that other walks use as well.
-void check(const Walker& w, PairCache caches[2], PairCache shared[3], bool swapped, Tally& tally) {
+void check(const Walker& w, StrategyCaches& own, StrategyCaches& shared, bool swapped, Tally& tally) {
   const Case& c = w.c;
   const bool truth = w.margin == 0 ? exact::collide(c.a, c.pose_a, c.b, c.pose_b)
                                    : exact::within(exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b), w.margin);
   ++tally.steps;
   tally.hits += truth;
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
-    const CollideOptions options{w.margin, 0, strategy};
-    const auto own = static_cast<std::size_t>(strategy);
-    const auto ask = [&](PairCache& cache) {
-      return swapped ? collide(c.b, c.pose_b, c.a, c.pose_a, cache, options)
-                     : collide(c.a, c.pose_a, c.b, c.pose_b, cache, options);
+    const CollideOptions options{w.margin};
+    const auto ask = [&](StrategyCaches& cache) {
+      return swapped ? collide(strategy, c.b, c.pose_b, c.a, c.pose_a, cache, options)
+                     : collide(strategy, c.a, c.pose_a, c.b, c.pose_b, cache, options);
     };
-    const bool cold = collide(c.a, c.pose_a, c.b, c.pose_b, options), cached = ask(caches[own]);
-    const bool cached_shared = ask(shared[0]), again = ask(caches[own]), mixed = ask(shared[1 + own]);
-    if (cold == truth && cached == truth && cached_shared == truth && again == truth && mixed == truth) continue;
+    const bool cold = collide(strategy, c.a, c.pose_a, c.b, c.pose_b, options), cached = ask(own);
+    const bool again = ask(own), mixed = ask(shared);
+    if (cold == truth && cached == truth && again == truth && mixed == truth) continue;
     if (++tally.disagreements <= 2) {
       ADD_FAILURE() << "step " << tally.steps << ", cold " << cold << ", cached " << cached << ", cached again "
-                    << again << ", shared by strategies " << cached_shared << ", shared by pairs " << mixed
-                    << ", truth " << truth << ", margin " << hex(w.margin)
-                    << (strategy == Strategy::Paper ? ", Paper\n" : ", Hierarchy\n") << reproduction(c);
+                    << again << ", shared by pairs " << mixed << ", truth " << truth << ", margin " << hex(w.margin)
+                    << ", " << nameOf(strategy) << "\n"
+                    << reproduction(c);
     }
   }
 }
@@ -148,12 +148,12 @@ class PairCacheWalk : public testing::TestWithParam<Kind> {};
 
 TEST_P(PairCacheWalk, EveryCachedAnswerIsTheColdOne) {
   Tally tally;
-  PairCache shared[3];
+  StrategyCaches shared;
   for (int walk = 0; walk < scaledCount(kWalks); walk += 2) {
     // Two walks in turns, so that the shared caches change pairs at every step.
     Random random(static_cast<std::uint64_t>(walk));
     Walker walkers[] = {walker(random), walker(random)};
-    PairCache caches[2][2];
+    StrategyCaches caches[2];
     for (int i = 0; i < kSteps; ++i) {
       for (int k = 0; k < 2; ++k) {
         GetParam().step(random, walkers[k], i);

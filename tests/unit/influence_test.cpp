@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The guarantee of the influence areas (every point within n of the edge is held), by exact distances at every size,
 // and that the areas are not vacuous.
-#include "tricover/influence.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/paper.h"
 
 namespace tricover::support {
 namespace {
@@ -45,12 +44,12 @@ TEST_P(InfluenceArea, HoldsEveryPointWithinItsLengthAndFewBeyond) {
   const int samples = scaledCount(3000);
   for (int i = 0; i < samples; ++i) {
     const Sample s = sample(random, GetParam());
-    const std::vector<std::uint64_t> mask = influenceMask(s.polygon, s.point, s.length);
+    const std::vector<std::uint64_t> mask = paper::influenceMask(s.polygon, s.point, s.length);
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const Vec2 v = s.polygon.edgeStart(edge), w = s.polygon.edgeEnd(edge);
       const mpq_class squared = exact::distanceSquared(s.point, v, w);
-      const bool extended = inInfluenceArea(s.polygon, edge, s.point, s.length, InfluenceKind::Extended);
-      const bool bounded = inInfluenceArea(s.polygon, edge, s.point, s.length, InfluenceKind::Bounded);
+      const bool extended = paper::inInfluenceArea(s.polygon, edge, s.point, s.length, paper::InfluenceKind::Extended);
+      const bool bounded = paper::inInfluenceArea(s.polygon, edge, s.point, s.length, paper::InfluenceKind::Bounded);
       EXPECT_EQ(bounded, (mask[0] >> edge & 1) != 0);
       EXPECT_TRUE(extended || !bounded);
       if (exact::within(squared, mpq_class(s.length))) {
@@ -82,7 +81,7 @@ TEST(InfluenceMask, HasABitAnEdgeThroughTheRings) {
   for (int i = 0; i < 30; ++i) rings.push_back(rectangle(10 * i, 0, 10 * i + 4, 4));
   const Polygon polygon(rings);
   for (int i = 0; i < 30; ++i) {
-    const std::vector<std::uint64_t> mask = influenceMask(polygon, Vec2(10 * i + 2, -0.5), 1);
+    const std::vector<std::uint64_t> mask = paper::influenceMask(polygon, Vec2(10 * i + 2, -0.5), 1);
     ASSERT_EQ(mask.size(), 2u);
     for (std::size_t edge = 0; edge < 120; ++edge) {
       const bool held = mask[edge / 64] >> edge % 64 & 1;
@@ -96,13 +95,13 @@ TEST(InfluenceArea, CornersDrawnAreThoseOfTheAreaDecided) {
   for (int i = 0; i < 200; ++i) {
     const Polygon polygon({star(random, 5, 1, 3)});
     const double length = random.real(0.1, 1);
-    const std::array<Vec2, 4> corners = boundedInfluenceArea(polygon, 2, length);
+    const std::array<Vec2, 4> corners = paper::boundedInfluenceArea(polygon, 2, length);
     Vec2 middle = Vec2::Zero();
     for (const Vec2& corner : corners) middle += 0.25 * corner;
     for (const Vec2& corner : corners) {
       const Vec2 inner = middle + 0.999 * (corner - middle), outer = middle + 1.001 * (corner - middle);
-      EXPECT_TRUE(inInfluenceArea(polygon, 2, inner, length, InfluenceKind::Bounded));
-      EXPECT_FALSE(inInfluenceArea(polygon, 2, outer, length, InfluenceKind::Bounded));
+      EXPECT_TRUE(paper::inInfluenceArea(polygon, 2, inner, length, paper::InfluenceKind::Bounded));
+      EXPECT_FALSE(paper::inInfluenceArea(polygon, 2, outer, length, paper::InfluenceKind::Bounded));
     }
   }
 }
@@ -110,7 +109,7 @@ TEST(InfluenceArea, CornersDrawnAreThoseOfTheAreaDecided) {
 /// A strip of half-width 1 around the line of slope 3 / 4 is 1.25 high on either side.
 TEST(InfluenceArea, IsDrawnAsWideAsItIs) {
   const Polygon polygon({{{0, 0}, {4, 3}, {0, 4}}});
-  const std::array<Vec2, 4> corners = boundedInfluenceArea(polygon, 0, 1);
+  const std::array<Vec2, 4> corners = paper::boundedInfluenceArea(polygon, 0, 1);
   EXPECT_EQ(corners[0], Vec2(-1, -2));
   EXPECT_EQ(corners[1], Vec2(5, 2.5));
   EXPECT_EQ(corners[2], Vec2(5, 5));
@@ -119,9 +118,9 @@ TEST(InfluenceArea, IsDrawnAsWideAsItIs) {
 
 TEST(InfluenceArea, OfAnEdgeWithoutLengthIsALevelStrip) {
   const Polygon polygon({{{1, 1}, {1, 1}, {4, 3}}});
-  EXPECT_TRUE(inInfluenceArea(polygon, 0, {9, 2}, 1, InfluenceKind::Extended));
-  EXPECT_FALSE(inInfluenceArea(polygon, 0, {1, 3}, 1, InfluenceKind::Extended));
-  EXPECT_FALSE(inInfluenceArea(polygon, 0, {9, 2}, 1, InfluenceKind::Bounded));
+  EXPECT_TRUE(paper::inInfluenceArea(polygon, 0, {9, 2}, 1, paper::InfluenceKind::Extended));
+  EXPECT_FALSE(paper::inInfluenceArea(polygon, 0, {1, 3}, 1, paper::InfluenceKind::Extended));
+  EXPECT_FALSE(paper::inInfluenceArea(polygon, 0, {9, 2}, 1, paper::InfluenceKind::Bounded));
 }
 
 }  // namespace

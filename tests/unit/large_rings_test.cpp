@@ -11,6 +11,7 @@
 #include <new>
 
 #include "shapes.h"
+#include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
@@ -72,7 +73,7 @@ TEST(LargeRings, AnnulusAroundADiscWithoutTouching) {
     EXPECT_EQ(locate(annulus, {1.5, 0}), Location::Inside);
     EXPECT_EQ(locate(annulus, {0, 0}), Location::Outside);
     for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper})
-      EXPECT_FALSE(collide(annulus, Pose::Identity(), disc, pose(0, 50, 0), CollideOptions{0, 0, strategy}));
+      EXPECT_FALSE(collide(strategy, annulus, Pose::Identity(), disc, pose(0, 50, 0)));
   });
 }
 
@@ -107,8 +108,8 @@ std::size_t bytesFor(int vertices) {
   const Polygon polygon(std::move(rings));
   const Polygon other({rectangle(0, 0, 1, 1)});
   EXPECT_TRUE(collide(polygon, Pose::Identity(), other, Pose::Identity()));
-  PairCache cache;
-  EXPECT_TRUE(collide(polygon, Pose::Identity(), other, Pose::Identity(), cache, {0, 0, Strategy::Paper}));
+  paper::MaskCache cache;
+  EXPECT_TRUE(paper::collide(polygon, Pose::Identity(), other, Pose::Identity(), cache));
   return allocated - before;
 }
 

@@ -13,6 +13,7 @@
 #include "random.h"
 #include "refusal.h"
 #include "shapes.h"
+#include "tricover/paper.h"
 
 namespace tricover::support {
 namespace {
@@ -122,10 +123,10 @@ TEST(Polygon, DiscHoldsEveryVertexOfAFewOfTheSmallestDoubles) {
 
 TEST(Polygon, CoveringHasOneTriangleAnEdgeWithTheSignOfItsArea) {
   const Polygon polygon({rectangle(-3, -3, 3, 3), reversed(rectangle(1, 1, 2, 2))});
-  const std::vector<CoveringTriangle> covering = polygon.covering();
+  const std::vector<paper::CoveringTriangle> covering = paper::covering(polygon);
   ASSERT_EQ(covering.size(), polygon.vertexCount());
   for (std::size_t edge = 0; edge < covering.size(); ++edge) {
-    const CoveringTriangle& t = covering[edge];
+    const paper::CoveringTriangle& t = covering[edge];
     EXPECT_EQ(t.s, polygon.origin());
     EXPECT_EQ(t.v, polygon.edgeStart(edge));
     EXPECT_EQ(t.w, polygon.edgeEnd(edge));

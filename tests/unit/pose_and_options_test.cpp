@@ -7,12 +7,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "polygon/cache_access.h"
 #include "refusal.h"
 #include "shapes.h"
+#include "strategies.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
-#include "tricover/influence.h"
 #include "tricover/locate.h"
+#include "tricover/paper.h"
 
 namespace tricover::support {
 namespace {
@@ -104,10 +106,10 @@ TEST(CollideOptions, NegativeOrNotFiniteLengthsAreRefusedByName) {
   for (const double bad : {-1.0, -5e-324, kNaN, kInfinity}) {
     for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
       const auto ask = [&](const CollideOptions& options) {
-        return refusal([&] { collide(polygon, Pose::Identity(), polygon, Pose::Identity(), options); });
+        return refusal([&] { collide(strategy, polygon, Pose::Identity(), polygon, Pose::Identity(), options); });
       };
-      EXPECT_TRUE(names(ask({bad, 0, strategy}), "tricover: margin: "));
-      EXPECT_TRUE(names(ask({0, bad, strategy}), "tricover: tolerance: "));
+      EXPECT_TRUE(names(ask({bad}), "tricover: margin: "));
+      EXPECT_TRUE(names(ask({0, bad}), "tricover: tolerance: "));
     }
   }
 }
@@ -125,19 +127,24 @@ TEST(CollideOptions, ToleranceLeavesTheSpaceBetweenRingsFree) {
 TEST(Refusal, LeavesTheCachesAsTheyWere) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
-    PairCache cache;
-    collide(a, Pose::Identity(), b, pose(0, 1.5, 0), cache, {0, 0, strategy});
-    const PairCache before = cache;
-    for (const Pose& bad : badPoses()) EXPECT_THROW(collide(a, Pose::Identity(), b, bad, cache), std::invalid_argument);
-    EXPECT_THROW(collide(b, Pose::Identity(), b, Pose::Identity(), cache, {-1, 0, strategy}), std::invalid_argument);
+    StrategyCaches caches;
+    collide(strategy, a, Pose::Identity(), b, pose(0, 1.5, 0), caches);
+    const StrategyCaches copy = caches;
+    for (const Pose& bad : badPoses())
+      EXPECT_THROW(collide(strategy, a, Pose::Identity(), b, bad, caches), std::invalid_argument);
+    EXPECT_THROW(collide(strategy, b, Pose::Identity(), b, Pose::Identity(), caches, {-1}), std::invalid_argument);
+    const PairCache &cache = caches.of_pair, &before = copy.of_pair;
     EXPECT_EQ(cache.first_id, before.first_id);
     EXPECT_EQ(cache.second_id, before.second_id);
     EXPECT_EQ(cache.clearance, before.clearance);
     EXPECT_EQ(cache.overlapping, before.overlapping);
     EXPECT_EQ(cache.uses, before.uses);
-    EXPECT_EQ(cache.mask, before.mask);
     EXPECT_TRUE(std::equal(cache.first_pose, cache.first_pose + 6, before.first_pose));
     EXPECT_TRUE(std::equal(cache.second_pose, cache.second_pose + 6, before.second_pose));
+    const auto &mask = detail::factsIn(caches.of_mask), &mask_before = detail::factsIn(copy.of_mask);
+    EXPECT_EQ(mask.first_id, mask_before.first_id);
+    EXPECT_EQ(mask.second_id, mask_before.second_id);
+    EXPECT_EQ(mask.mask, mask_before.mask);
   }
   PointCache cache;
   locate(a, {0.5, 0.5}, cache);
@@ -150,15 +157,16 @@ TEST(Refusal, OfPointsAndLengths) {
   const Polygon polygon({rectangle(0, 0, 1, 1)});
   for (const Vec2& bad : {Vec2(kNaN, 0), Vec2(0, kInfinity)}) {
     EXPECT_TRUE(names(refusal([&] { locate(polygon, bad); }), "tricover: point: "));
-    EXPECT_TRUE(names(refusal([&] { influenceMask(polygon, bad, 1); }), "tricover: point: "));
-    EXPECT_TRUE(names(refusal([&] { inInfluenceArea(polygon, 0, bad, 1, InfluenceKind::Bounded); }), "point"));
+    EXPECT_TRUE(names(refusal([&] { paper::influenceMask(polygon, bad, 1); }), "tricover: point: "));
+    EXPECT_TRUE(
+        names(refusal([&] { paper::inInfluenceArea(polygon, 0, bad, 1, paper::InfluenceKind::Bounded); }), "point"));
   }
   for (const double bad : {-1.0, kNaN}) {
-    EXPECT_TRUE(names(refusal([&] { influenceMask(polygon, {0, 0}, bad); }), "tricover: length: "));
-    EXPECT_TRUE(names(refusal([&] { boundedInfluenceArea(polygon, 0, bad); }), "length"));
+    EXPECT_TRUE(names(refusal([&] { paper::influenceMask(polygon, {0, 0}, bad); }), "tricover: length: "));
+    EXPECT_TRUE(names(refusal([&] { paper::boundedInfluenceArea(polygon, 0, bad); }), "length"));
   }
-  EXPECT_THROW(inInfluenceArea(polygon, 4, {0, 0}, 1, InfluenceKind::Extended), std::out_of_range);
-  EXPECT_THROW(boundedInfluenceArea(polygon, 4, 1), std::out_of_range);
+  EXPECT_THROW(paper::inInfluenceArea(polygon, 4, {0, 0}, 1, paper::InfluenceKind::Extended), std::out_of_range);
+  EXPECT_THROW(paper::boundedInfluenceArea(polygon, 4, 1), std::out_of_range);
 }
 
 }  // namespace

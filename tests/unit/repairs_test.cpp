@@ -8,9 +8,10 @@
 
 #include "exact_reference.h"
 #include "shapes.h"
+#include "strategies.h"
 #include "tricover/collide.h"
-#include "tricover/influence.h"
 #include "tricover/locate.h"
+#include "tricover/paper.h"
 
 namespace tricover::support {
 namespace {
@@ -23,8 +24,8 @@ bool collideAllWays(const Polygon& a, const Pose& pose_a, const Polygon& b, cons
   const bool answer = collide(a, pose_a, b, pose_b);
   EXPECT_EQ(answer, exact::collide(a, pose_a, b, pose_b));
   for (const Strategy strategy : kStrategies) {
-    EXPECT_EQ(collide(a, pose_a, b, pose_b, {0, 0, strategy}), answer);
-    EXPECT_EQ(collide(b, pose_b, a, pose_a, {0, 0, strategy}), answer);
+    EXPECT_EQ(collide(strategy, a, pose_a, b, pose_b), answer);
+    EXPECT_EQ(collide(strategy, b, pose_b, a, pose_a), answer);
   }
   return answer;
 }
@@ -33,21 +34,21 @@ bool collideAllWays(const Polygon& a, const Pose& pose_a, const Polygon& b, cons
 TEST(Repair1MaskInsideAnInfluenceArea, TurningOnTheSpotIntoContact) {
   const Polygon wall({rectangle(-10, -10, 10, 0)}), rod({rectangle(-4, -0.1, 4, 0.1)});
   for (const Strategy strategy : kStrategies) {
-    PairCache cache;
-    EXPECT_FALSE(collide(wall, Pose::Identity(), rod, pose(0, 0, 1), cache, {0, 0, strategy}));
-    EXPECT_FALSE(collide(wall, Pose::Identity(), rod, pose(0.01, 0, 1), cache, {0, 0, strategy}));
+    StrategyCaches cache;
+    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, pose(0, 0, 1), cache));
+    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, pose(0.01, 0, 1), cache));
     // The centroid hasn't moved: its mask is the same.
-    EXPECT_TRUE(collide(wall, Pose::Identity(), rod, pose(kQuarter, 0, 1), cache, {0, 0, strategy}));
-    EXPECT_FALSE(collide(wall, Pose::Identity(), rod, pose(0, 0, 1), cache, {0, 0, strategy}));
+    EXPECT_TRUE(collide(strategy, wall, Pose::Identity(), rod, pose(kQuarter, 0, 1), cache));
+    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, pose(0, 0, 1), cache));
   }
 }
 
 TEST(Repair1MaskInsideAnInfluenceArea, SlidingWithinItIntoContact) {
   const Polygon wall({rectangle(-10, -10, 10, 0)}), rod({rectangle(-4, -0.1, 4, 0.1)});
   for (const Strategy strategy : kStrategies) {
-    PairCache cache;
+    StrategyCaches cache;
     for (double height = 3; height > 0; height -= 0.01)
-      EXPECT_EQ(collide(wall, Pose::Identity(), rod, pose(0, 0, height), cache, {0, 0, strategy}), height - 0.1 <= 0);
+      EXPECT_EQ(collide(strategy, wall, Pose::Identity(), rod, pose(0, 0, height), cache), height - 0.1 <= 0);
   }
 }
 
@@ -82,27 +83,29 @@ TEST(Repair3NegativeTriangles, HoleEdgesHaveTheirOuterSideTowardsS) {
   ASSERT_EQ(frame.origin(), Vec2(0, 0));
   std::size_t tested = 0;
   for (std::size_t edge = 4; edge < 8; ++edge) {
-    ASSERT_EQ(frame.covering()[edge].sign, -1);
+    ASSERT_EQ(paper::covering(frame)[edge].sign, -1);
     const Vec2 middle = 0.5 * (frame.edgeStart(edge) + frame.edgeEnd(edge));
-    EXPECT_TRUE(inInfluenceArea(frame, edge, 0.9 * middle, 1, InfluenceKind::OneSided)) << "in the hole, near " << edge;
-    EXPECT_FALSE(inInfluenceArea(frame, edge, 1.1 * middle, 1, InfluenceKind::OneSided)) << "in the solid";
-    EXPECT_TRUE(inInfluenceArea(frame, edge, 1.1 * middle, 1, InfluenceKind::Extended));
+    EXPECT_TRUE(paper::inInfluenceArea(frame, edge, 0.9 * middle, 1, paper::InfluenceKind::OneSided))
+        << "in the hole, near " << edge;
+    EXPECT_FALSE(paper::inInfluenceArea(frame, edge, 1.1 * middle, 1, paper::InfluenceKind::OneSided))
+        << "in the solid";
+    EXPECT_TRUE(paper::inInfluenceArea(frame, edge, 1.1 * middle, 1, paper::InfluenceKind::Extended));
     ++tested;
   }
   EXPECT_EQ(tested, 4u);
   const Vec2 outer_middle = 0.5 * (frame.edgeStart(0) + frame.edgeEnd(0));
-  EXPECT_TRUE(inInfluenceArea(frame, 0, 1.05 * outer_middle, 1, InfluenceKind::OneSided));
-  EXPECT_FALSE(inInfluenceArea(frame, 0, 0.95 * outer_middle, 1, InfluenceKind::OneSided));
+  EXPECT_TRUE(paper::inInfluenceArea(frame, 0, 1.05 * outer_middle, 1, paper::InfluenceKind::OneSided));
+  EXPECT_FALSE(paper::inInfluenceArea(frame, 0, 0.95 * outer_middle, 1, paper::InfluenceKind::OneSided));
 }
 
 TEST(Repair3NegativeTriangles, ContactsInHolesAndConcavitiesAreFound) {
   const Polygon frame({rectangle(-10, -10, 10, 10), reversed(rectangle(-5, -5, 5, 5))});
   const Polygon notched({comb(2, 6, 2, 8)}), peg({rectangle(-1, -1, 1, 1)});
   for (const Strategy strategy : kStrategies) {
-    PairCache in_hole, in_notch;
+    StrategyCaches in_hole, in_notch;
     for (double x = 3; x <= 5; x += 0.25) {
-      EXPECT_EQ(collide(frame, Pose::Identity(), peg, pose(0, x, 0), in_hole, {0, 0, strategy}), x >= 4);
-      EXPECT_EQ(collide(notched, Pose::Identity(), peg, pose(0, x, 4), in_notch, {0, 0, strategy}), x <= 3 || x >= 5);
+      EXPECT_EQ(collide(strategy, frame, Pose::Identity(), peg, pose(0, x, 0), in_hole), x >= 4);
+      EXPECT_EQ(collide(strategy, notched, Pose::Identity(), peg, pose(0, x, 4), in_notch), x <= 3 || x >= 5);
     }
   }
 }
@@ -128,7 +131,7 @@ TEST(Repair4FillRule, ClockwiseRingsAndWindingsOfTwo) {
 TEST(Repair5EdgesThroughS, TheirPointsAreOnTheBoundary) {
   const Polygon polygon({rectangle(-4, -4, 4, 4), {{1, 0}, {2, 0}, {2, 1}}, {{-1, 0}, {-2, 0}, {-2, -1}}});
   ASSERT_EQ(polygon.origin(), Vec2(0, 0));
-  ASSERT_EQ(polygon.covering()[4].sign, 0);
+  ASSERT_EQ(paper::covering(polygon)[4].sign, 0);
   PointCache cache;
   for (const Vec2& point : {Vec2(1, 0), Vec2(1.5, 0), Vec2(2, 0), Vec2(-1.25, 0)}) {
     EXPECT_EQ(locate(polygon, point), Location::Boundary);
@@ -191,9 +194,9 @@ TEST(Repair7ExactZones, OneUlpAcrossAnEdgeIsAnotherZone) {
 TEST(Repair7ExactZones, AJumpFromTheHoleIntoTheSolidIsAnotherZone) {
   const Polygon frame({rectangle(-10, -10, 10, 10), rectangle(-5, -5, 5, 5)}), peg({rectangle(-0.1, -0.1, 0.1, 0.1)});
   for (const Strategy strategy : kStrategies) {
-    PairCache cache;
+    StrategyCaches cache;
     for (const double x : {0.0, 0.5, 7.5, 7.0, 0.0, -7.5, 0.25})
-      EXPECT_EQ(collide(frame, Pose::Identity(), peg, pose(0, x, 0), cache, {0, 0, strategy}), std::abs(x) > 5);
+      EXPECT_EQ(collide(strategy, frame, Pose::Identity(), peg, pose(0, x, 0), cache), std::abs(x) > 5);
   }
 }
 

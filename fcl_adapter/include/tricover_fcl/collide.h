@@ -43,7 +43,7 @@ namespace tricover_fcl {
 /// cost a pass over their triangles; of octrees the occupied cells count. Contacts are as above, in the polygon's
 /// plane, `depth` right to 1e-6 of a round geometry's size (of two ways that differ by less than 1e-3 of it, the longer
 /// may be taken); b1 or b2 of a mesh is its triangle and of an octree its cell, otherwise NONE. A plane or halfspace
-/// parallel to the polygon is left along its own normal. CollideOptions: margin counts, tolerance and strategy change
+/// parallel to the polygon is left along its own normal. CollideOptions: margin counts, tolerance changes
 /// nothing.
 ///
 /// \snippet fcl.cpp fcl collide

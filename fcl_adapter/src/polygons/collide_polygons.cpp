@@ -84,7 +84,7 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
 
   const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2);
   if (!want.contacts && !want.costs) return result.numContacts();
-  const tricover::CollideOptions with_margins{margin, options.tolerance, options.strategy};
+  const tricover::CollideOptions with_margins{margin, options.tolerance};
   const auto collide = [&](auto&... cache) {
     return tricover::collide(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., with_margins);
   };
