@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <string>
 
-#include "exact_reference.h"
+#include "contact_laws.h"
 #include "families.h"
 #include "random.h"
 #include "reproduction.h"
@@ -20,83 +20,6 @@
 
 namespace tricover::support {
 namespace {
-
-/// What contacts.h says of a contact's coordinates.
-double rounding(const Case& c) {
-  const auto size = [](const Polygon& polygon, const Pose& pose) {
-    double most = 0;
-    for (const Ring& ring : polygon.rings())
-      for (const Vec2& p : ring) most = std::max(most, p.lpNorm<1>());
-    return most + pose.translation().lpNorm<1>();
-  };
-  return 128 * 0x1p-53 * (size(c.a, c.pose_a) + size(c.b, c.pose_b)) + 0x1p-1048;
-}
-
-bool within(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, double length) {
-  return exact::within(exact::distanceSquared(a, pose_a, b, pose_b), mpq_class(length));
-}
-
-/// One edge, as a polygon.
-Polygon edgeOf(const Polygon& polygon, std::ptrdiff_t edge) {
-  const auto number = static_cast<std::size_t>(edge);
-  return Polygon({{polygon.edgeStart(number), polygon.edgeEnd(number), polygon.edgeStart(number)}});
-}
-
-Pose moved(const Pose& pose, const Vec2& way) {
-  Pose result = pose;
-  result.translation() += way;
-  return result;
-}
-
-/// The point lies in both regions.
-bool isCommon(const Case& c, const Contact& contact) {
-  const Polygon point({Ring(3, contact.point)});
-  return within(point, Pose::Identity(), c.a, c.pose_a, rounding(c)) &&
-         within(point, Pose::Identity(), c.b, c.pose_b, rounding(c));
-}
-
-/// Moving b by little more than the depth along the normal parts the regions.
-bool parts(const Case& c, const Contact& contact) {
-  const double way = contact.depth * (1 + 1e-9) + 4 * rounding(c) + 1e-9 * std::min(c.a.radius(), c.b.radius());
-  return !exact::collide(c.a, c.pose_a, c.b, moved(c.pose_b, way * contact.normal));
-}
-
-/// Moving b by the depth along the normal brings the two edges together; in a containment, the one to the other region.
-bool edgesPartLast(const Case& c, const Contact& contact) {
-  const Polygon of_a = contact.edge_a < 0 ? c.a : edgeOf(c.a, contact.edge_a);
-  const Polygon of_b = contact.edge_b < 0 ? c.b : edgeOf(c.b, contact.edge_b);
-  return within(of_a, c.pose_a, of_b, moved(c.pose_b, contact.depth * contact.normal), 4 * rounding(c));
-}
-
-/// Beyond doubt: one ring that turns one way at every vertex, and whose x falls and rises once.
-bool isConvex(const Polygon& polygon) {
-  const Ring& ring = polygon.rings()[0];
-  int left = 0, right = 0, changes = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 &p = ring[i], &q = ring[(i + 1) % ring.size()], &r = ring[(i + 2) % ring.size()];
-    const double turn = (q.x() - p.x()) * (r.y() - q.y()) - (q.y() - p.y()) * (r.x() - q.x());
-    left += turn > 0;
-    right += turn < 0;
-    changes += (q.x() > p.x()) != (r.x() > q.x());
-  }
-  const auto n = static_cast<int>(ring.size());
-  return polygon.rings().size() == 1 && (left == n || right == n) && changes == 2;
-}
-
-/// What the only contact of a pair says of the way apart is wrong; empty if it isn't.
-std::string wrongWayApart(const Case& c, const Contact& contact) {
-  const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
-  if (!p) return "no penetration";
-  const double shifts = c.pose_a.translation().lpNorm<1>() + c.pose_b.translation().lpNorm<1>();
-  const double precision =
-      1e-12 * std::min(c.a.radius(), c.b.radius()) + 1e-13 * (c.a.radius() + c.b.radius() + shifts) + rounding(c);
-  if (contact.depth == 0)
-    return p->depth > precision || parts(c, contact) ? "" : "the normal of a touch doesn't part them";
-  if (!p->optimal) return "";
-  if (!(std::abs(p->depth - contact.depth) <= precision)) return "another depth than the penetration's";
-  return (p->direction - contact.normal).norm() <= 1e-6 || parts(c, contact) ? ""
-                                                                             : "another normal than the penetration's";
-}
 
 /// How often a kind of contacts keeps to the laws.
 struct Tally {

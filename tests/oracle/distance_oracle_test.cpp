@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "distance_laws.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "random.h"
@@ -24,75 +25,6 @@ namespace {
 constexpr int kCases = 1000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
-
-/// Whether `distance` is the root of `squared` but for a factor within 1e-14 of 1 and the smallest double.
-bool isRootOf(double distance, const mpq_class& squared) {
-  if (sgn(squared) == 0 || distance == 0) return sgn(squared) == 0 && distance == 0;
-  const mpq_class error("1/100000000000000"), smallest(0x1p-1074);
-  if (distance == kInfinity) return mpq_class(kLargest) * kLargest <= squared * (1 + error) * (1 + error);
-  const mpq_class exact(distance), low = (exact - smallest) * (1 - error), high = (exact + smallest) * (1 + error);
-  return (sgn(low) <= 0 || low * low <= squared) && squared <= high * high;
-}
-
-/// A bound of what rounding makes of a posed vertex's coordinates.
-double rounding(const Case& c) {
-  const auto size = [](const Polygon& polygon, const Pose& pose) {
-    double most = 0;
-    for (const Ring& ring : polygon.rings())
-      for (const Vec2& p : ring) most = std::max(most, std::abs(0.25 * p.x()) + std::abs(0.25 * p.y()));
-    return most + 0.25 * std::abs(pose.translation().x()) + 0.25 * std::abs(pose.translation().y());
-  };
-  return 64 * 0x1p-53 * (size(c.a, c.pose_a) + size(c.b, c.pose_b)) + 0x1p-1070;
-}
-
-/// The world's edge, rounded.
-std::pair<Vec2, Vec2> posedEdge(const Polygon& polygon, const Pose& pose, std::ptrdiff_t edge) {
-  const auto at = [&](const Vec2& p) { return Vec2(pose.linear() * p + pose.translation()); };
-  const auto number = static_cast<std::size_t>(edge);
-  return {at(polygon.edgeStart(number)), at(polygon.edgeEnd(number))};
-}
-
-/// What is wrong with the points; empty if nothing is. Says nothing where coordinates overflow.
-std::string wrongPoints(const Case& c, const DistanceResult& r) {
-  // A common point is found by doubles alone.
-  const double error = (r.distance == 0 ? 10 : 1) * rounding(c);
-  const auto isOn = [&](const Polygon& polygon, const Pose& pose, std::ptrdiff_t edge, const Vec2& point) {
-    const auto [v, w] = posedEdge(polygon, pose, edge);
-    if (!v.allFinite() || !w.allFinite()) return true;
-    return exact::within(exact::distanceSquared(point, v, w), mpq_class(error));
-  };
-  if (r.distance == 0 && (r.edge_a < 0) != (r.edge_b < 0)) {
-    // The vertex as a polygon of its own.
-    const bool in_a = r.edge_a < 0;
-    const Polygon &holder = in_a ? c.a : c.b, &other = in_a ? c.b : c.a;
-    const Pose &holder_pose = in_a ? c.pose_a : c.pose_b, &other_pose = in_a ? c.pose_b : c.pose_a;
-    const auto edge = static_cast<std::size_t>(in_a ? r.edge_b : r.edge_a);
-    const Polygon vertex({Ring(3, other.edgeStart(edge))});
-    return exact::collide(holder, holder_pose, vertex, other_pose) ? "" : "the vertex isn't contained";
-  }
-  if (r.edge_a < 0 || r.edge_b < 0) return "edges are missing";
-  if (!r.point_a.allFinite() || !r.point_b.allFinite()) {
-    for (const Vec2* p : {&r.point_a, &r.point_b})
-      if (std::isnan(p->x()) || std::isnan(p->y())) return "a point is NaN";
-    return {};
-  }
-  if (!isOn(c.a, c.pose_a, r.edge_a, r.point_a)) return "a's point isn't on its edge";
-  if (!isOn(c.b, c.pose_b, r.edge_b, r.point_b)) return "b's point isn't on its edge";
-  if (r.distance == 0) return r.point_a == r.point_b ? "" : "there are two common points";
-  const mpq_class squared = exact::distanceSquared(r.point_a, r.point_b, r.point_b);
-  const mpq_class high = mpq_class(std::min(r.distance, kLargest)) + 4 * mpq_class(error);
-  const mpq_class low = mpq_class(std::min(r.distance, kLargest)) - 4 * mpq_class(error);
-  const bool apart = (r.distance == kInfinity || squared <= high * high) && (sgn(low) <= 0 || low * low <= squared);
-  return apart ? "" : "the points are not as far apart as the distance says";
-}
-
-bool same(const DistanceResult& p, const DistanceResult& q) {
-  const auto alike = [](const Vec2& s, const Vec2& t) { return s == t || !s.allFinite(); };
-  return p.distance == q.distance && alike(p.point_a, q.point_a) && alike(p.point_b, q.point_b) &&
-         p.edge_a == q.edge_a && p.edge_b == q.edge_b;
-}
-
-DistanceResult swapped(const DistanceResult& r) { return {r.distance, r.point_b, r.point_a, r.edge_b, r.edge_a}; }
 
 /// b near where it is: facts about these poses are about to be used at the case's own.
 Pose elsewhere(Random& random, const Case& c) {

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+
+namespace tricover::soak {
+namespace {
+
+using namespace support;
+
+constexpr double kTurn = 6.283185307179586;
+
+double powerOf10(Random& random, double low, double high) { return std::pow(10, random.real(low, high)); }
+
+Vec2 anyVector(Random& random, double reach) { return {random.real(-reach, reach), random.real(-reach, reach)}; }
+
+/// A corner cut off by hardly anything, down to an ulp.
+Ring chamfered(Random& random, Ring ring) {
+  for (int k = random.integer(1, 2); k > 0; --k) {
+    const auto n = static_cast<int>(ring.size());
+    const auto i = static_cast<std::size_t>(random.integer(0, n - 1));
+    const Vec2 p = ring[i], before = ring[i == 0 ? ring.size() - 1 : i - 1], after = ring[(i + 1) % ring.size()];
+    const double cut = powerOf10(random, -17, -1);
+    ring[i] = p + cut * (before - p);
+    ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, p + cut * (after - p));
+  }
+  return ring;
+}
+
+/// Vertices along edges, exactly on them or nearly so, some of them said twice.
+Ring straightened(Random& random, const Ring& ring) {
+  Ring result;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &v = ring[i], &w = ring[(i + 1) % ring.size()];
+    result.insert(result.end(), random.oneIn(6) ? 2 : 1, v);
+    double at = 0;
+    while (random.coin() && (at += random.real(0.05, 0.6)) < 1) {
+      Vec2 p = (1 - at) * v + at * w;
+      if (random.oneIn(3)) p += powerOf10(random, -17, -6) * anyVector(random, 1);
+      result.push_back(p);
+    }
+  }
+  return result;
+}
+
+/// On one line, or in one point.
+Ring flat(Random& random) {
+  const Vec2 p = random.coin() ? Vec2(Vec2::Zero()) : anyVector(random, 1), q = p + anyVector(random, 1);
+  if (random.oneIn(3)) return Ring(3, p);
+  if (random.oneIn(3)) return {p, q, q};
+  Ring ring;
+  for (int n = random.integer(3, 7); n > 0; --n) ring.push_back(p + random.integer(-4, 4) / 4.0 * (q - p));
+  return ring;
+}
+
+Ring onGrid(Random& random) {
+  Ring ring;
+  for (int n = random.integer(3, 9); n > 0; --n)
+    ring.emplace_back(random.integer(-4, 4) / 4.0, random.integer(-4, 4) / 4.0);
+  return ring;
+}
+
+Ring soup(Random& random) {
+  Ring ring;
+  for (int n = random.integer(3, 9); n > 0; --n) ring.push_back(anyVector(random, 1));
+  return ring;
+}
+
+/// With a hole, or of several parts.
+std::vector<Ring> severalRings(Random& random) {
+  if (random.coin()) {
+    Ring hole = star(random, random.integer(3, 6), 0.2, 0.5);
+    return {star(random, random.integer(5, 10), 0.7, 1), random.coin() ? hole : reversed(hole)};
+  }
+  std::vector<Ring> rings;
+  for (int n = random.integer(2, 4); n > 0; --n)
+    rings.push_back(
+        shifted(scaled(random.oneIn(3) ? soup(random) : anyConvex(random, 6), 0.5), anyVector(random, 0.6)));
+  return rings;
+}
+
+using Rings = std::vector<Ring>;
+
+struct Shape {
+  const char* name;
+  bool convex;
+  Rings (*make)(Random& random, int most_vertices);
+};
+
+constexpr Shape kShapes[] = {
+    {"convex", true, [](Random& r, int most) { return Rings{anyConvex(r, most)}; }},
+    {"chamfered", true, [](Random& r, int most) { return Rings{chamfered(r, anyConvex(r, most))}; }},
+    {"straightened", false, [](Random& r, int) { return Rings{straightened(r, anyConvex(r, 10))}; }},
+    {"flat", false, [](Random& r, int) { return Rings{flat(r)}; }},
+    {"starred", false, [](Random& r, int most) { return Rings{star(r, r.integer(4, std::min(most, 24)), 0.2, 1)}; }},
+    {"comb", false, [](Random& r, int) { return Rings{scaled(comb(r.integer(2, 4), 0.5, 0.25, 1), 0.5)}; }},
+    {"grid", false, [](Random& r, int) { return Rings{onGrid(r)}; }},
+    {"soup", false, [](Random& r, int) { return Rings{soup(r)}; }},
+    {"rings", false, [](Random& r, int) { return severalRings(r); }},
+};
+
+Polygon resized(const Polygon& polygon, double factor) {
+  std::vector<Ring> rings = polygon.rings();
+  for (Ring& ring : rings) ring = scaled(std::move(ring), factor);
+  return Polygon(rings, polygon.fillRule());
+}
+
+Vec2 pointOf(Random& random, const Polygon& polygon) {
+  const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
+  return random.coin() ? v : Vec2(v + random.integer(1, 7) / 8.0 * (w - v));
+}
+
+/// Where b touches a on the way to a's S, and by so much of the sizes aside, either way.
+void toContact(Random& random, Case& c, double size) {
+  const Vec2 away = direction(random.real(0, kTurn)) * (c.a.radius() + c.b.radius());
+  const ContactOnWay way = contactOnWay(c, away, 1.1, random.integer(4, 56));
+  c.pose_b.translation() = c.pose_a.translation() + (random.coin() ? way.near : way.far) * away;
+  if (random.coin()) c.pose_b.translation() += powerOf10(random, -17, 0) * anyVector(random, size);
+}
+
+}  // namespace
+
+Ring anyConvex(Random& random, int most_vertices) {
+  const int n = random.integer(3, random.oneIn(6) ? most_vertices : std::min(12, most_vertices));
+  Ring ring = random.oneIn(8) ? regular(n, 1) : star(random, n, 1, 1);
+  const double squeeze = random.oneIn(5) ? powerOf10(random, -6, 0) : random.real(0.3, 1);
+  for (Vec2& p : ring) p.y() *= squeeze;
+  return random.oneIn(3) ? reversed(ring) : ring;
+}
+
+Polygon anyShape(Random& random, const char*& family, const Limits& limits) {
+  const auto count = static_cast<int>(std::size(kShapes));
+  const Shape* shape = nullptr;
+  do shape = &kShapes[random.integer(0, count - 1)];
+  while (limits.convex && !shape->convex);
+  family = shape->name;
+  std::vector<Ring> rings = shape->make(random, limits.most_vertices);
+  if (!limits.convex && random.oneIn(10)) rings[0] = withRepeatedAndMidpoints(random, rings[0]);
+  return Polygon(rings, random.oneIn(3) ? FillRule::NonZero : FillRule::EvenOdd);
+}
+
+Pose anyRotation(Random& random) {
+  Pose result = pose(random.integer(0, 3) * kTurn / 4, 0, 0);
+  if (random.oneIn(4)) result = Pose::Identity();
+  if (random.coin()) result = pose(random.real(0, kTurn), 0, 0);
+  if (random.oneIn(4)) result = mirrored(result);
+  if (random.oneIn(5)) result = throughFloat(result);
+  if (random.oneIn(5)) result = distorted(random, result);
+  return result;
+}
+
+void place(Random& random, Case& c) {
+  const double size = std::min(c.a.radius(), c.b.radius()), reach = c.a.radius() + c.b.radius();
+  switch (random.integer(0, 7)) {
+    case 0:
+    case 1:
+      return toContact(random, c, size);
+    case 2:
+    case 3:
+      c.pose_b.translation() = c.pose_a * pointOf(random, c.a) - c.pose_b.linear() * pointOf(random, c.b);
+      if (random.coin()) c.pose_b.translation() += powerOf10(random, -17, 0) * anyVector(random, size);
+      return;
+    case 4:
+      c.pose_b.translation() = c.pose_a.translation() + anyVector(random, reach * powerOf10(random, 0, 4));
+      return;
+    default:
+      c.pose_b.translation() = c.pose_a.translation() + anyVector(random, 0.8 * reach);
+  }
+}
+
+Drawn anyCase(Random& random, const Limits& limits) {
+  if (!limits.convex && limits.most_exponent >= 300 && random.oneIn(100)) {
+    const auto& all = families();
+    const Family& family = all[static_cast<std::size_t>(random.integer(0, static_cast<int>(all.size()) - 1))];
+    const Case c = family.make(random.bits());
+    return {"degenerate", c, std::min(c.a.radius(), c.b.radius())};
+  }
+  const char *family = nullptr, *other = nullptr;
+  Polygon a = anyShape(random, family, limits), b = anyShape(random, other, limits);
+  const double most = limits.most_exponent, ratio = random.oneIn(4) ? powerOf10(random, -12, 0) : random.real(0.2, 1);
+  const double size = random.oneIn(6) ? powerOf10(random, -most, most) : random.oneIn(3) ? random.real(1, 100) : 1;
+  a = resized(a, size);
+  b = resized(b, size * ratio);
+  if (random.coin()) std::swap(a, b), std::swap(family, other);
+  Case c{a, anyRotation(random), b, anyRotation(random)};
+  if (random.oneIn(3))
+    c.pose_a.translation() = anyVector(random, size * (random.oneIn(8) ? powerOf10(random, 0, 9) : 9));
+  if (!c.pose_a.translation().allFinite()) c.pose_a.translation().setZero();
+  place(random, c);
+  if (!c.pose_b.translation().allFinite()) c.pose_b.translation() = c.pose_a.translation();
+  return {family, c, std::min(a.radius(), b.radius())};
+}
+
+void step(Random& random, Case& c) {
+  if (random.oneIn(20)) return place(random, c);
+  const double size = std::min(c.a.radius(), c.b.radius());
+  const Vec2 by = powerOf10(random, -17, 0) * anyVector(random, size);
+  const double angle = random.coin() ? 0 : random.real(-1, 1) * powerOf10(random, -16, -0.5);
+  const int which = random.integer(0, 3);  // b, b, a, or both by the same
+  const auto moved = [&](Pose& pose) {
+    Pose result = support::pose(angle, 0, 0) * pose;
+    result.translation() = pose.translation() + by;
+    if (result.translation().allFinite()) pose = result;
+  };
+  if (which != 2) moved(c.pose_b);
+  if (which >= 2) moved(c.pose_a);
+}
+
+}  // namespace tricover::soak

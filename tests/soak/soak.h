@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "random.h"
+
+/// Random cases without end, each against a reference that shares nothing with the kernel, or against a law where there
+/// is no reference.
+namespace tricover::soak {
+
+using support::Random;
+
+/// One query's cases: how long they go on, and what came of them.
+class Run {
+ public:
+  Run(const char* query, std::uint64_t seed, double seconds);
+
+  /// Begins another case, as long as there is time.
+  bool next();
+  /// The case's own.
+  Random& random() { return random_; }
+
+  /// One more check of this family; whether they collide, meet or whatever the query's two outcomes are.
+  void count(const char* family, bool hit);
+  /// Prints what is wrong and the case as C++.
+  void fail(const char* family, const std::string& what, const std::string& reproduction);
+
+  /// Prints the counts. False if a case failed, or cases of a family were all alike.
+  bool report() const;
+
+ private:
+  struct Tally {
+    long cases = 0, hits = 0, failures = 0;
+  };
+
+  const char* query_;
+  std::uint64_t seed_, case_ = 0;
+  std::chrono::steady_clock::time_point end_;
+  Random random_;
+  std::map<std::string, Tally> families_;
+};
+
+// One a file.
+void soakCache(Run& run);
+void soakCollide(Run& run);
+void soakDistance(Run& run);
+
+}  // namespace tricover::soak

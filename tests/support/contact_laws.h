@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "families.h"
+#include "tricover/contacts.h"
+
+/// What contacts() promises, on exact numbers.
+namespace tricover::support {
+
+/// What contacts.h says of a contact's coordinates.
+double rounding(const Case& c);
+
+Pose moved(const Pose& pose, const Vec2& way);
+
+/// The point lies in both regions.
+bool isCommon(const Case& c, const Contact& contact);
+
+/// Moving b by little more than the depth along the normal parts the regions.
+bool parts(const Case& c, const Contact& contact);
+
+/// Moving b by the depth along the normal brings the two edges together; in a containment, the one to the other region.
+bool edgesPartLast(const Case& c, const Contact& contact);
+
+/// Beyond doubt: one ring that turns one way at every vertex, and whose x falls and rises once.
+bool isConvex(const Polygon& polygon);
+
+/// What the only contact of a pair says of the way apart is wrong; empty if it isn't.
+std::string wrongWayApart(const Case& c, const Contact& contact);
+
+/// To the last bit.
+bool same(const std::vector<Contact>& p, const std::vector<Contact>& q);
+
+}  // namespace tricover::support
