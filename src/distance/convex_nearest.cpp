@@ -142,7 +142,7 @@ class ConvexSearch {
     return dot(way, way) < reach * reach;
   }
 
-  void meet(const SmallRing& a, const SmallRing& b) {
+  void meet(const SmallPolygon& a, const SmallPolygon& b) {
     const PosedPair pair(ways_.a(), ways_.poseA(), ways_.b(), ways_.poseB());
     const UnitMap map = mapUnits(pair);
     if (!(std::abs(map.tx) + std::abs(map.ty) < 4)) return;

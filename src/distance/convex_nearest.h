@@ -23,8 +23,8 @@ struct ConvexNearest {
   bool isInside() const { return inner_a >= 0 || inner_b >= 0; }
 };
 
-/// What is `found` stays Unknown where they aren't clearly apart, nor small (SmallRing) and clearly meet. Features of
-/// other poses are tried first.
+/// What is `found` stays Unknown where they aren't clearly apart, nor small (SmallPolygon) and clearly meet. Features
+/// of other poses are tried first.
 void nearestOfConvex(const PlainWays& ways, const ConvexFeatures& tried, const DistanceOptions& options,
                      ConvexNearest& found);
 

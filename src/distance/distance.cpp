@@ -187,7 +187,7 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
 /// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
 Outcome findNearest(const PosedPair& pair, DistanceSearch& search) {
   if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0) return findMeeting(pair, search);
-  if (showSmallRings(pair, search)) return Outcome();
+  if (showSmall(pair, search)) return Outcome();
   return descend(pair, search) ? findContainment(pair) : Outcome();
 }
 
@@ -251,7 +251,7 @@ bool answersByFacts(const Pair& pair, DistanceCache& cache, DistanceSearch& sear
     shown = recall(cache, remainder, search);
   }
   if (shown < 0) {
-    const bool are_rings = areSmallRings(pair.a, pair.b);
+    const bool are_rings = areSmall(pair.a, pair.b);
     const double most = are_rings ? kCoherentPartOfRings * (cache.uses + 1.0) : kCoherentPart;
     const bool jumped = !(remainder.motion <= most * pair.b.radius);
     judgeFacts(cache, jumped, are_rings ? kPayingOfRings : kPaying);
@@ -282,7 +282,7 @@ Outcome findCoherently(const Pair& pair, DistanceCache& cache, DistanceSearch& s
     storeHint(cache, kNoHint, 0, 0);
   } else if (cache.resting > 0) {
     const ShownPair& upper = search.upperPair();
-    const bool is_hint = search.hasUpper() && !areSmallRings(pair.a, pair.b);  // all of whose edges are asked anyway
+    const bool is_hint = search.hasUpper() && !areSmall(pair.a, pair.b);  // all of whose edges are asked anyway
     storeHint(cache, is_hint ? kNearEdges : kNoHint, upper.i, upper.j);
   } else {
     storePoses(cache, pair);

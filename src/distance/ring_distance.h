@@ -7,12 +7,12 @@
 
 namespace tricover::detail {
 
-inline bool areSmallRings(const PolygonData& a, const PolygonData& b) {
-  return !a.isDegenerate() && !b.isDegenerate() && hierarchyOf(a).small_ring && hierarchyOf(b).small_ring;
+inline bool areSmall(const PolygonData& a, const PolygonData& b) {
+  return !a.isDegenerate() && !b.isDegenerate() && hierarchyOf(a).small && hierarchyOf(b).small;
 }
 
-/// Two small rings by all of their edges, without a tree: shows the search what it must see, if the regions are
-/// certainly apart and not too far from each other. Otherwise nothing, and it returns false.
-bool showSmallRings(const PosedPair& pair, DistanceSearch& search);
+/// Two small polygons (SmallPolygon) by all of their edges, without a tree: shows the search what it must see, if the
+/// regions are certainly apart and not too far from each other. Otherwise nothing, and it returns false.
+bool showSmall(const PosedPair& pair, DistanceSearch& search);
 
 }  // namespace tricover::detail

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "hierarchy/inner_discs.h"
-#include "hierarchy/small_ring.h"
+#include "hierarchy/small_polygon.h"
 #include "numbers/rounding.h"
 #include "polygon/convexity.h"
 
@@ -342,8 +342,8 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   const Convexity convexity = convexityOf(polygon);
   convex = convexity.direction;
   strictly_convex = convexity.corners.size() == polygon.path.size() - 1;
-  small_ring = makeSmallRing(polygon, convexity, local);
-  small_convex = small_ring && small_ring->convex ? small_ring.get() : nullptr;
+  small = makeSmallPolygon(polygon, convexity, local);
+  small_convex = small && small->convex ? small.get() : nullptr;
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {

@@ -40,18 +40,32 @@ struct InnerDiscs {
   int count;
 };
 
-/// A single ring of few vertices, in units, padded to whole lanes by repeating the last vertex and the last edge. A
-/// point p is beyond an edge's line by nx p.x + ny p.y - d: of a convex polygon outside, of another one to its right. And
-/// it is |nx p.y - ny p.x - middle| away from the edge's middle, along the edge, which is `half` from its ends.
-struct SmallRing {
+/// The few edges of a polygon, of any number of rings, in units from S. Edge i begins at vertex i; lanes beyond repeat
+/// the last vertex and the last edge. A point p is beyond an edge's line by nx p.x + ny p.y - d: of a convex polygon
+/// outside, of another one to its right. And it is |nx p.y - ny p.x - middle| away from the edge's middle, along the
+/// edge, which is `half` from its ends.
+struct SmallPolygon {
   static constexpr int kMost = 2 * kLanes;
   float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost], middle[kMost], half[kMost];
   float low_x, low_y, high_x, high_y;  ///< of the vertices
   int lanes;                           ///< kLanes or kMost
-  int count;                           ///< of vertices
+  int count;                           ///< of edges
+  unsigned edges;                      ///< a bit for each
+  unsigned firsts, lasts;        ///< the first and the last edge of each ring; lanes beyond the count are one more
+  std::uint8_t next[kMost];      ///< the vertex at which an edge ends
+  std::uint8_t position[kMost];  ///< an edge's, in the path
   FillRule fill;
   bool convex;
+
+  /// Of bits of vertices, those of the vertices at which edges end: each bit moves to the edge before it in its ring,
+  /// that of a ring's first vertex to the last edge: where it is set, the difference clears the last edge's bit, and no
+  /// other. In both halves of the bits.
+  [[gnu::always_inline]] unsigned ends(unsigned bits) const {
+    const unsigned first = bits & firsts;
+    return (bits ^ first) >> 1 | (lasts & ~(lasts - first));
+  }
 };
+static_assert(SmallPolygon::kMost == 16, "half of the bits");
 
 /// The influence hierarchy of a polygon: a tree of boxes over edges; a box grown by n is its edges' influence area of
 /// length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is the first.
@@ -66,10 +80,10 @@ struct Hierarchy : Derived::Thing {
   Vec2 inner_center;       ///< the first of them once more, in the polygon's frame
   double inner_radius;     ///< 0 if there is none
 
-  std::unique_ptr<const SmallRing> small_ring;  ///< null unless the polygon is one
-  const SmallRing* small_convex;                ///< the same if it is convex, otherwise null
-  int convex;                                   ///< Convexity::direction
-  bool strictly_convex;                         ///< and all vertices are corners
+  std::unique_ptr<const SmallPolygon> small;  ///< null unless the polygon has few edges
+  const SmallPolygon* small_convex;           ///< the same if it is convex, otherwise null
+  int convex;                                 ///< Convexity::direction
+  bool strictly_convex;                       ///< and all vertices are corners
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

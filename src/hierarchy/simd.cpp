@@ -31,20 +31,21 @@ void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(v
   table().visit_edges_on_ray(hierarchy, ray, visit, context);
 }
 
-Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
+Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
   return table().convex_meet(a, b, map, rounding);
 }
 
-Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding, const EdgeCheck& check) {
-  return table().rings_meet(a, b, map, rounding, check);
+Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
+                     const EdgeCheck& check) {
+  return table().few_edges_meet(a, b, map, rounding, check);
 }
 
-void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGaps& gaps) {
-  table().ring_gaps(a, b, map, gaps);
+void smallGaps(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, SmallGaps& gaps) {
+  table().small_gaps(a, b, map, gaps);
 }
 
-void edgesWithin(const SmallRing& a, const SmallRing& b, const RingGaps& gaps, float square,
-                 unsigned (&near)[SmallRing::kMost]) {
+void edgesWithin(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
+                 unsigned (&near)[SmallPolygon::kMost]) {
   table().edges_within(a, b, gaps, square, near);
 }
 
@@ -79,15 +80,15 @@ unsigned cutWindows(const Block& block, const MovingQuery& query, float* from_be
 
 double depthInDiscs(const InnerDiscs& discs, const Place& place) { return table().depth_in_discs(discs, place); }
 
-ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
+ConvexGap convexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map) {
   return table().convex_gap(a, b, map);
 }
 
-ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map, double way_x, double way_y) {
+ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y) {
   return table().convex_entry(a, b, map, way_x, way_y);
 }
 
-ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
+ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
   return table().convex_crossing(a, b, map, rounding);
 }
 

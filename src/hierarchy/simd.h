@@ -147,7 +147,7 @@ double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, 
 enum class Meeting { Apart, Meet, Unknown };
 
 /// Two small convex polygons by separating axes. `map` goes from b's units to a's and puts b's S within 4 of a's.
-Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
+Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding);
 
 /// Whether two edges meet, by their positions: who knows where floats don't. Null: nobody.
 struct EdgeCheck {
@@ -155,34 +155,31 @@ struct EdgeCheck {
   bool (*meet)(const void* context, std::size_t edge_a, std::size_t edge_b) = nullptr;
 };
 
-/// Two small rings by all of their edges, where floats are certain or few pairs of edges need the check. `map` as for
-/// convexMeet().
-Meeting ringsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding,
-                  const EdgeCheck& check = {});
+/// Two small polygons by all of their edges, where floats are certain or few pairs of edges need the check. `map` as
+/// for convexMeet().
+Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
+                     const EdgeCheck& check = {});
 
 /// The one that is for them.
-inline Meeting smallRingsMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding,
-                              const EdgeCheck& check = {}) {
-  return a.convex && b.convex ? convexMeet(a, b, map, rounding) : ringsMeet(a, b, map, rounding, check);
+inline Meeting smallMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
+                         const EdgeCheck& check = {}) {
+  return a.convex && b.convex ? convexMeet(a, b, map, rounding) : fewEdgesMeet(a, b, map, rounding, check);
 }
 
-/// Two small rings' distances in a's units, as floats see them: squares of what every edge is away from the nearest
-/// vertex of the other ring, and the least of them. `map` goes from b's units to a's.
-struct RingGaps {
-  float of_a[SmallRing::kMost], of_b[SmallRing::kMost], least;
-  /// b as SmallRing has it, in a's units.
-  float x[SmallRing::kMost], y[SmallRing::kMost], nx[SmallRing::kMost], ny[SmallRing::kMost], d[SmallRing::kMost],
-      middle[SmallRing::kMost], half[SmallRing::kMost];
+/// Two small polygons' distances in a's units, as floats see them: squares of what every edge is away from the nearest
+/// vertex of the other one, and the least of them. `map` goes from b's units to a's.
+struct SmallGaps {
+  float of_a[SmallPolygon::kMost], of_b[SmallPolygon::kMost], least;
+  /// b as SmallPolygon has it, in a's units.
+  float x[SmallPolygon::kMost], y[SmallPolygon::kMost], nx[SmallPolygon::kMost], ny[SmallPolygon::kMost],
+      d[SmallPolygon::kMost], middle[SmallPolygon::kMost], half[SmallPolygon::kMost];
 };
-void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGaps& gaps);
+void smallGaps(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, SmallGaps& gaps);
 
 /// For each edge of a a bit per edge of b with which it has a vertex beside an edge whose distance has at most this
 /// square. A vertex is of both its edges.
-void edgesWithin(const SmallRing& a, const SmallRing& b, const RingGaps& gaps, float square,
-                 unsigned (&near)[SmallRing::kMost]);
-
-/// Those of a ring's n edges that start or end at vertices, a bit each.
-inline unsigned edgesAt(unsigned vertices, int n) { return vertices | vertices >> 1 | (vertices & 1) << (n - 1); }
+void edgesWithin(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
+                 unsigned (&near)[SmallPolygon::kMost]);
 
 /// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
 /// vertex of the other is nearest to its line. It is a guess as good as floats.
@@ -191,18 +188,18 @@ struct ConvexGap {
   int edge, vertex;
   bool of_a;
 };
-ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map);
+ConvexGap convexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map);
 
 /// The same of which edge parts the two longest while b moves straight by (way_x, way_y), in a's units: the gap is the
 /// share of the way.
-ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map, double way_x, double way_y);
+ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y);
 
 /// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone (the other -1) of the
 /// polygon that is proven to lie inside the other; or none. `map` as for convexMeet().
 struct ConvexCrossing {
   int edge_a, edge_b;
 };
-ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding);
+ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding);
 
 /// A ray in a hierarchy's units: every point known to within `error`.
 struct Ray {

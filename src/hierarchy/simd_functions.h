@@ -5,9 +5,9 @@
 #include "hierarchy/simd_boxes.h"
 #include "hierarchy/simd_descent.h"
 #include "hierarchy/simd_point.h"
-#include "hierarchy/simd_ring_gaps.h"
-#include "hierarchy/simd_rings.h"
 #include "hierarchy/simd_shapes.h"
+#include "hierarchy/simd_small.h"
+#include "hierarchy/simd_small_gaps.h"
 #include "hierarchy/simd_table.h"
 #include "hierarchy/simd_ways.h"
 #include "hierarchy/simd_windows.h"
@@ -16,11 +16,11 @@ namespace tricover::detail::simd {
 
 template <class Lanes>
 constexpr SimdTable tableOf() {
-  return {&findHit<Lanes>,    &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>,  &convexMeet<Lanes>,
-          &innerDepth<Lanes>, &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,     &visitEdgesOnWay<Lanes>,
-          &convexGap<Lanes>,  &showEdgesNear<Lanes>,   &findNearestEdges<Lanes>, &convexCrossing<Lanes>,
-          &ringsMeet<Lanes>,  &findEdgesOnWays<Lanes>, &convexEntry<Lanes>,      &boxesMeeting<Lanes>,
-          &boxesOnRay<Lanes>, &cutWindows<Lanes>,      &ringGaps<Lanes>,         &edgesWithin<Lanes>};
+  return {&findHit<Lanes>,      &showPairs<Lanes>,       &visitEdgesOnRay<Lanes>,  &convexMeet<Lanes>,
+          &innerDepth<Lanes>,   &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,     &visitEdgesOnWay<Lanes>,
+          &convexGap<Lanes>,    &showEdgesNear<Lanes>,   &findNearestEdges<Lanes>, &convexCrossing<Lanes>,
+          &fewEdgesMeet<Lanes>, &findEdgesOnWays<Lanes>, &convexEntry<Lanes>,      &boxesMeeting<Lanes>,
+          &boxesOnRay<Lanes>,   &cutWindows<Lanes>,      &smallGaps<Lanes>,        &edgesWithin<Lanes>};
 }
 
 }  // namespace tricover::detail::simd

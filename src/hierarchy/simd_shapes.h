@@ -59,7 +59,7 @@ template <class Lanes>
 
 /// b's vertices in a's units.
 template <class Lanes>
-[[gnu::always_inline]] inline void mapVertices(const SmallRing& b, const UnitMap& map, float* x, float* y) {
+[[gnu::always_inline]] inline void mapVertices(const SmallPolygon& b, const UnitMap& map, float* x, float* y) {
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
@@ -73,7 +73,7 @@ template <class Lanes>
 
 /// b's half planes in a's units.
 template <class Lanes>
-[[gnu::always_inline]] inline void mapHalfPlanes(const SmallRing& b, const UnitMap& map, float* nx, float* ny,
+[[gnu::always_inline]] inline void mapHalfPlanes(const SmallPolygon& b, const UnitMap& map, float* nx, float* ny,
                                                  float* d) {
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
@@ -94,12 +94,12 @@ static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
 /// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24; 8 times a
 /// gap's rounding is more.
 template <class Lanes>
-Meeting convexMeet(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
+Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
   const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
   const float slack = static_cast<float>(8 * rounding + map.error);
-  float x[SmallRing::kMost], y[SmallRing::kMost];
+  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
   mapVertices<Lanes>(b, map, x, y);
   unsigned inside = (1u << kLanes) - 1;
   for (int i = 0; i < a.lanes; i += kLanes) {
@@ -166,7 +166,7 @@ template <class Lanes>
   const float most = largest(larger(values.first, values.second));
   const Lanes limit = Lanes::all(most);
   const unsigned below = above(limit, values.first) | above(limit, values.second) << kLanes;
-  return {most, __builtin_ctz(~below | 1u << (SmallRing::kMost - 1))};
+  return {most, __builtin_ctz(~below | 1u << (SmallPolygon::kMost - 1))};
 }
 
 /// The first vertex that is farthest back along an axis.
@@ -182,9 +182,9 @@ template <class Lanes>
 /// The edge with the highest score: that of a normal from its polygon to the other, turned to lead from a to b, and of
 /// how far the other is beyond the edge.
 template <class Lanes, class Score>
-[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallRing& a, const SmallRing& b, const UnitMap& map,
+[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
                                                  Score score) {
-  float x[SmallRing::kMost], y[SmallRing::kMost];
+  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
   mapVertices<Lanes>(b, map, x, y);
   const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
   const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
@@ -211,13 +211,13 @@ template <class Lanes, class Score>
 }
 
 template <class Lanes>
-ConvexGap convexGap(const SmallRing& a, const SmallRing& b, const UnitMap& map) {
+ConvexGap convexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map) {
   return bestEdge<Lanes>(
       a, b, map, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
 }
 
 template <class Lanes>
-ConvexGap convexEntry(const SmallRing& a, const SmallRing& b, const UnitMap& map, double way_x, double way_y) {
+ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y) {
   const float x = static_cast<float>(-way_x), y = static_cast<float>(-way_y);
   return bestEdge<Lanes>(
       a, b, map, [&](Lanes nx, Lanes ny, Lanes gap) __attribute__((always_inline)) {
@@ -270,14 +270,14 @@ template <class Lanes>
 
 /// Rounding as in convexMeet().
 template <class Lanes>
-ConvexCrossing convexCrossing(const SmallRing& a, const SmallRing& b, const UnitMap& map, double rounding) {
-  float x[SmallRing::kMost], y[SmallRing::kMost];
+ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
+  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
   mapVertices<Lanes>(b, map, x, y);
   const float slack = static_cast<float>(8 * rounding + map.error);
   const WayOut of_b = wayOut<Lanes>({a.nx, a.ny, a.d, a.lanes, a.count}, {x, y, b.lanes, b.count}, slack);
   if (of_b.plane >= 0) return {of_b.plane, of_b.vertex};
   if (of_b.vertex >= 0) return {-1, 0};
-  float nx[SmallRing::kMost], ny[SmallRing::kMost], d[SmallRing::kMost];
+  float nx[SmallPolygon::kMost], ny[SmallPolygon::kMost], d[SmallPolygon::kMost];
   mapHalfPlanes<Lanes>(b, map, nx, ny, d);
   const WayOut of_a = wayOut<Lanes>({nx, ny, d, b.lanes, b.count}, {a.x, a.y, a.lanes, a.count}, slack);
   if (of_a.plane >= 0) return {of_a.vertex, of_a.plane};

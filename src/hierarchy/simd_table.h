@@ -20,13 +20,13 @@ struct SimdTable {
   decltype(&showEdgesNear) show_edges_near;
   decltype(&findNearestEdges) find_nearest_edges;
   decltype(&convexCrossing) convex_crossing;
-  decltype(&ringsMeet) rings_meet;
+  decltype(&fewEdgesMeet) few_edges_meet;
   decltype(&findEdgesOnWays) find_edges_on_ways;
   decltype(&convexEntry) convex_entry;
   decltype(&boxesMeeting) boxes_meeting;
   decltype(&boxesOnRay) boxes_on_ray;
   decltype(&cutWindows) cut_windows;
-  decltype(&ringGaps) ring_gaps;
+  decltype(&smallGaps) small_gaps;
   decltype(&edgesWithin) edges_within;
 };
 

@@ -24,7 +24,7 @@ class Body {
     }
   }
 
-  const SmallRing& convex() const { return convex_; }
+  const SmallPolygon& convex() const { return convex_; }
 
   /// The farthest that it reaches along an axis from S, at both ends of a window.
   Double2 reach(const Places& p, Double2 nx, Double2 ny) const {
@@ -63,8 +63,8 @@ class Body {
 
  private:
   const Mover& mover_;
-  const SmallRing& convex_;
-  double x_[SmallRing::kMost], y_[SmallRing::kMost];
+  const SmallPolygon& convex_;
+  double x_[SmallPolygon::kMost], y_[SmallPolygon::kMost];
 };
 
 class ConvexAdvancement {

@@ -38,7 +38,7 @@ inline double rootGap(const Box& a, const Box& b, const UnitMap& map, double rou
   return std::max(larger_gaps[0], larger_gaps[1]) - rounding * (far[0] + far[1] + 4) - map.error;
 }
 
-/// What boxes around everything, small rings and inner discs tell, before the trees are searched. Lengths are in a's
+/// What boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are in a's
 /// units: `limit` is that of gaps that matter, `clearance` is that of the answer.
 inline Meeting meetAtOnce(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double rounding, double limit,
                           Wanted wanted, const EdgeCheck& check, double& clearance) {
@@ -50,8 +50,8 @@ inline Meeting meetAtOnce(const Hierarchy& a, const Hierarchy& b, const UnitMap&
   }
   const bool near = std::abs(map.tx) + std::abs(map.ty) < 4;  // false for NaN
   if (!near || wanted == Wanted::Edges) return Meeting::Unknown;
-  if (wanted == Wanted::Answer && limit == 0 && a.small_ring && b.small_ring)
-    return smallRingsMeet(*a.small_ring, *b.small_ring, map, rounding, check);
+  if (wanted == Wanted::Answer && limit == 0 && a.small && b.small)
+    return smallMeet(*a.small, *b.small, map, rounding, check);
   // Inner discs hardly meet unless the boxes are deep in each other.
   const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * map.scale);
   if (!(gap < -deep)) return Meeting::Unknown;

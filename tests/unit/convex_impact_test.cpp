@@ -105,7 +105,7 @@ TEST(ConvexImpact, SlidesEndWhereTheirLastEdgeIsMet) {
     const Vec2 between = of_a.inverse_unit * (start + of_b.origin - of_a.origin),
                way = of_a.inverse_unit * motion.shift;
     const UnitMap map = {1, 0, 0, 1, between.x(), between.y(), of_b.unit * of_a.inverse_unit, 0};
-    const SmallRing &ring_a = *hierarchyOf(of_a).small_convex, &ring_b = *hierarchyOf(of_b).small_convex;
+    const SmallPolygon &ring_a = *hierarchyOf(of_a).small_convex, &ring_b = *hierarchyOf(of_b).small_convex;
     const ConvexGap entry = convexEntry(ring_a, ring_b, map, way.x(), way.y());
     right += std::abs(static_cast<double>(entry.gap) - impact->time) < 1e-4;
     usePortableLanes(true);

@@ -177,7 +177,7 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
   EXPECT_LT(unknown, cases / 100);
 }
 
-/// An answer about two rings: the same on all lanes, and the truth unless it is Unknown.
+/// An answer about two polygons: the same on all lanes, and the truth unless it is Unknown.
 template <typename Answer>
 detail::Meeting meetingAlike(const Answer& answer, const Case& c) {
   const detail::Meeting meeting = answer();
@@ -187,28 +187,43 @@ detail::Meeting meetingAlike(const Answer& answer, const Case& c) {
   return meeting;
 }
 
-/// Two rings of few vertices are asked by all of their edges: never wrong, and seldom at a loss.
-TEST(RingsMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
+/// Sixteen edges or fewer, as rings.
+std::vector<int> fewEdges(Random& random) {
+  std::vector<int> rings(1, random.integer(3, 16));
+  for (int left = 16 - rings[0]; left >= 3 && random.coin(); left -= rings.back())
+    rings.push_back(random.integer(3, left));
+  return rings;
+}
+
+/// Two polygons of few edges are asked by all of them: never wrong, and seldom at a loss.
+TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
   Random random(14);
-  int apart = 0, crossing = 0, inside = 0, unknown = 0;
+  int apart = 0, crossing = 0, inside = 0, unknown = 0, several = 0;
   const int cases = scaledCount(3000);
   for (int i = 0; i < cases; ++i) {
-    const auto ring = [&](double size) {
-      const int n = random.integer(3, 16);
-      Ring vertices = star(random, n, 0.3 * size, size);
-      if (i % 4 == 0)  // crosses itself, winds around some places more than once
-        for (Vec2& p : vertices) p = size * Vec2(random.real(-1, 1), random.real(-1, 1));
-      if (random.coin()) vertices = reversed(vertices);
-      return Polygon({vertices}, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+    const auto polygon = [&](double size) {
+      std::vector<Ring> rings;
+      for (const int n : fewEdges(random)) {
+        const double shrunk = rings.empty() ? size : size * random.real(0.2, 1);
+        Ring vertices = star(random, n, 0.3 * shrunk, shrunk);
+        if (i % 4 == 0)  // crosses itself, winds around some places more than once
+          for (Vec2& p : vertices) p = shrunk * Vec2(random.real(-1, 1), random.real(-1, 1));
+        if (random.oneIn(3))  // holes, parts
+          for (Vec2& p : vertices) p += Vec2(shrunk, 0);
+        if (random.coin()) vertices = reversed(vertices);
+        rings.push_back(vertices);
+      }
+      several += rings.size() > 1;
+      return Polygon(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
     };
     const double size = i % 3 == 0 ? 0.1 : 1, angle = random.real(0, 6.28), away = random.real(0, 1 + size);
     const Pose pose_a = pose(random.real(0, 6.28), 1, 2);
-    const Case c{ring(1), random.coin() ? pose_a : mirrored(pose_a), ring(size),
+    const Case c{polygon(1), random.coin() ? pose_a : mirrored(pose_a), polygon(size),
                  pose(random.real(0, 6.28), 1 + away * std::cos(angle), 2 + away * std::sin(angle))};
     const PosedPair pair = largerFirst(c);
-    const auto &of_a = hierarchyOf(pair.a).small_ring, &of_b = hierarchyOf(pair.b).small_ring;
+    const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
-    const auto answer = [&] { return ringsMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair)); };
+    const auto answer = [&] { return fewEdgesMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair)); };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
     if (meeting == detail::Meeting::Unknown) {
@@ -223,10 +238,11 @@ TEST(RingsMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
   EXPECT_GT(crossing, cases / 10);
   EXPECT_GT(inside, cases / 50);
   EXPECT_LT(unknown, cases / 100);
+  EXPECT_GT(several, cases / 3);
 }
 
 /// On a small grid much touches: what floats can't tell the check does, about the right edges, and few pairs need it.
-TEST(RingsMeet, AskTheCheckWhereFloatsDoubt) {
+TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
   struct Check {
     const PosedPair& pair;
     int asked = 0;
@@ -242,23 +258,27 @@ TEST(RingsMeet, AskTheCheckWhereFloatsDoubt) {
   int apart = 0, meet = 0, unknown = 0, doubted = 0;
   const int cases = scaledCount(3000);
   for (int i = 0; i < cases; ++i) {
-    const auto ring = [&] {
+    const auto ring = [&](int n) {
       Ring vertices;
-      const int n = random.integer(3, i % 2 == 0 ? 8 : 12);
       while (static_cast<int>(vertices.size()) < n) {
         const Vec2 v(random.integer(0, 5), random.integer(0, 5));
         if (vertices.empty() || (v != vertices.back() && v != vertices.front())) vertices.push_back(v);
       }
-      return Polygon({vertices}, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+      return vertices;
+    };
+    const auto polygon = [&] {
+      std::vector<Ring> rings{ring(random.integer(3, i % 2 == 0 ? 8 : 12))};
+      if (random.oneIn(3)) rings.push_back(ring(random.integer(3, 4)));
+      return Polygon(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
     };
     const Pose at = pose(0.3, 1, 2), by = pose(0, random.integer(2, 6), random.integer(-4, 4));
-    const Case c{ring(), random.coin() ? at : mirrored(at), ring(), at * by};
+    const Case c{polygon(), random.coin() ? at : mirrored(at), polygon(), at * by};
     const PosedPair pair = largerFirst(c);
-    const auto &of_a = hierarchyOf(pair.a).small_ring, &of_b = hierarchyOf(pair.b).small_ring;
+    const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
     Check check{pair};
     const auto answer = [&] {
-      return ringsMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair), {&check, &Check::meet});
+      return fewEdgesMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair), {&check, &Check::meet});
     };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
@@ -327,7 +347,7 @@ TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   const auto isSmallConvex = [](const Ring& ring) {
     return hierarchyOf(Polygon({ring}).data()).small_convex != nullptr;
   };
-  const auto isSmallRing = [](const Polygon& polygon) { return hierarchyOf(polygon.data()).small_ring != nullptr; };
+  const auto isSmall = [](const Polygon& polygon) { return hierarchyOf(polygon.data()).small != nullptr; };
   EXPECT_TRUE(isSmallConvex(regular(3, 1)));
   EXPECT_TRUE(isSmallConvex(regular(16, 1e200)));
   EXPECT_TRUE(isSmallConvex(reversed(regular(8, 1e-200))));
@@ -340,11 +360,13 @@ TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {2, 0}, {2, 2}})) << "a straight vertex: the general way's";
   EXPECT_FALSE(isSmallConvex({{2, 2}, {0, 0}, {1, 0}, {2, 0}}));
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}})) << "an edge too short to have a direction";
-  EXPECT_FALSE(isSmallRing(Polygon({{{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}}})));
-  EXPECT_TRUE(isSmallRing(Polygon({pentagram})));
-  EXPECT_TRUE(isSmallRing(Polygon({{{0, 0}, {1, 0}, {2, 0}, {2, 2}}})));
-  EXPECT_FALSE(isSmallRing(Polygon({regular(17, 1)})));
-  EXPECT_FALSE(isSmallRing(Polygon({regular(4, 1), regular(4, 0.5)})));
+  EXPECT_FALSE(isSmall(Polygon({{{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}}})));
+  EXPECT_TRUE(isSmall(Polygon({pentagram})));
+  EXPECT_TRUE(isSmall(Polygon({{{0, 0}, {1, 0}, {2, 0}, {2, 2}}})));
+  EXPECT_FALSE(isSmall(Polygon({regular(17, 1)})));
+  EXPECT_TRUE(isSmall(Polygon({regular(4, 1), regular(4, 0.5)})));
+  EXPECT_FALSE(isSmall(Polygon({regular(9, 1), regular(8, 0.5)})));
+  EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})) << "twice around";
 }
 
 /// Along the ray or edge by edge.

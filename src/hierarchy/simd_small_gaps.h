@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances of two small rings, all edges of both, without a tree. See simd_gaps.h for Lanes.
+// Distances of two small polygons, all edges of both, without a tree. See simd_gaps.h for Lanes.
 #pragma once
 
 #include "hierarchy/simd_shapes.h"
 
 namespace tricover::detail::simd {
 
-/// A ring's edges, as SmallRing has them, in one frame.
-struct RingEdges {
+/// A polygon's edges, as SmallPolygon has them, in one frame.
+struct EdgeView {
   const float *nx, *ny, *d, *middle, *half;
 };
 
 template <class Ring>
-[[gnu::always_inline]] inline RingEdges edgesOf(const Ring& ring) {
+[[gnu::always_inline]] inline EdgeView edgesOf(const Ring& ring) {
   return {ring.nx, ring.ny, ring.d, ring.middle, ring.half};
 }
 
@@ -27,7 +27,7 @@ template <class Lanes>
 
 /// Of eight edges, each from that of these vertices that is the nearest to it.
 template <class Lanes>
-[[gnu::always_inline]] inline Lanes leastSquares(const RingEdges& edges, int i, const float* x, const float* y,
+[[gnu::always_inline]] inline Lanes leastSquares(const EdgeView& edges, int i, const float* x, const float* y,
                                                  int count) {
   const Lanes nx = Lanes::load(edges.nx + i), ny = Lanes::load(edges.ny + i), d = Lanes::load(edges.d + i);
   const Lanes middle = Lanes::load(edges.middle + i), half = Lanes::load(edges.half + i);
@@ -39,7 +39,7 @@ template <class Lanes>
 
 /// A bit for each vertex whose distance from the edge has at most this square.
 template <class Lanes>
-[[gnu::always_inline]] inline unsigned verticesWithin(const RingEdges& edges, int e, const float* x, const float* y,
+[[gnu::always_inline]] inline unsigned verticesWithin(const EdgeView& edges, int e, const float* x, const float* y,
                                                       int lanes, int count, float square) {
   const Lanes nx = Lanes::all(edges.nx[e]), ny = Lanes::all(edges.ny[e]), d = Lanes::all(edges.d[e]);
   const Lanes middle = Lanes::all(edges.middle[e]), half = Lanes::all(edges.half[e]);
@@ -51,7 +51,7 @@ template <class Lanes>
 }
 
 template <class Lanes>
-void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGaps& gaps) {
+void smallGaps(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, SmallGaps& gaps) {
   mapVertices<Lanes>(b, map, gaps.x, gaps.y);
   mapHalfPlanes<Lanes>(b, map, gaps.nx, gaps.ny, gaps.d);
   const float scale = static_cast<float>(map.scale), tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty);
@@ -62,7 +62,7 @@ void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGa
         .store(gaps.middle + i);
     (Lanes::load(b.half + i) * scale).store(gaps.half + i);
   }
-  const RingEdges edges_a = edgesOf(a), edges_b = edgesOf(gaps);
+  const EdgeView edges_a = edgesOf(a), edges_b = edgesOf(gaps);
   Lanes least = Lanes::all(1e30f);
   for (int i = 0; i < a.lanes; i += kLanes) {
     const Lanes squares = leastSquares<Lanes>(edges_a, i, gaps.x, gaps.y, b.count);
@@ -77,17 +77,22 @@ void ringGaps(const SmallRing& a, const SmallRing& b, const UnitMap& map, RingGa
   gaps.least = -largest(Lanes::all(0) - least);
 }
 
+/// The edges that start or end at vertices, a bit each.
+[[gnu::always_inline]] inline unsigned edgesAt(const SmallPolygon& polygon, unsigned vertices) {
+  return vertices | polygon.ends(vertices);
+}
+
 template <class Lanes>
-void edgesWithin(const SmallRing& a, const SmallRing& b, const RingGaps& gaps, float square,
-                 unsigned (&near)[SmallRing::kMost]) {
-  const RingEdges edges_a = edgesOf(a), edges_b = edgesOf(gaps);
+void edgesWithin(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
+                 unsigned (&near)[SmallPolygon::kMost]) {
+  const EdgeView edges_a = edgesOf(a), edges_b = edgesOf(gaps);
   for (int i = 0; i < a.count; ++i)
     near[i] = gaps.of_a[i] > square
                   ? 0
-                  : edgesAt(verticesWithin<Lanes>(edges_a, i, gaps.x, gaps.y, b.lanes, b.count, square), b.count);
+                  : edgesAt(b, verticesWithin<Lanes>(edges_a, i, gaps.x, gaps.y, b.lanes, b.count, square));
   for (int j = 0; j < b.count; ++j) {
     if (gaps.of_b[j] > square) continue;
-    unsigned of_a = edgesAt(verticesWithin<Lanes>(edges_b, j, a.x, a.y, a.lanes, a.count, square), a.count);
+    unsigned of_a = edgesAt(a, verticesWithin<Lanes>(edges_b, j, a.x, a.y, a.lanes, a.count, square));
     for (; of_a != 0; of_a &= of_a - 1) near[__builtin_ctz(of_a)] |= 1u << j;
   }
 }
