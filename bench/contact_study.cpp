@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rivals/box2d.h"
+#include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/penetration.h"
 #include "workloads.h"
@@ -50,7 +51,7 @@ Result measureWalk(workloads::Kind kind, std::size_t vertices, bool slides, cons
                           }});
   };
   add("cold", Role::Ours, [=](std::size_t i) { return !contacts(fixed, Pose::Identity(), moving, poses[i]).empty(); });
-  const auto cache = std::make_shared<ContactCache>();
+  const auto cache = std::make_shared<PairCache>();
   add("cached", Role::Ours,
       [=](std::size_t i) { return !contacts(fixed, Pose::Identity(), moving, poses[i], *cache).empty(); });
   if (box2dTakes(fixed) && box2dTakes(moving)) {

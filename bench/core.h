@@ -29,11 +29,10 @@ class CachedCore : public Core {
  public:
   using Core::Core;
   bool collide(std::size_t i) { return tricover::collide(fixed_, identity_, moving_, poses_[i], cache_); }
-  double value(std::size_t i) { return distance(fixed_, identity_, moving_, poses_[i], distance_cache_).distance; }
+  double value(std::size_t i) { return distance(fixed_, identity_, moving_, poses_[i], cache_).distance; }
 
  private:
   PairCache cache_;
-  DistanceCache distance_cache_;
 };
 
 /// The paper's Algorithm 3.

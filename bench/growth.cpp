@@ -65,8 +65,8 @@ void askCollideCached(const Input& in) {
   static PairCache cache;
   for (int i = 0; i < kSteps; ++i) collide(in.a, kIdentity, in.b, in.motion.at(i * 1e-3), cache);
 }
-void askDistanceCached(const Input& in) {
-  static DistanceCache cache;
+void askPairCached(const Input& in) {
+  static PairCache cache;
   for (int i = 0; i < kSteps; ++i) {
     Pose pose = in.motion.start;
     pose.translation().x() += i * 1e-3;
@@ -86,7 +86,7 @@ const std::vector<Row>& allRows() {
       {"islands upon themselves, shifted", growth::islandsOnIslands, "penetration", 100, askPenetration},
       {"a row of islands upon itself, shifted", growth::islandsInRow, "contacts", 1000, askContacts},
       {"a nearest corner, n times", growth::repeatedCorners, "distance", 1000, askDistance},
-      {"a nearest corner, n times", growth::repeatedCorners, "distance, cached", 1000, askDistanceCached, kSteps},
+      {"a nearest corner, n times", growth::repeatedCorners, "distance, cached", 1000, askPairCached, kSteps},
       {"n equal points", growth::equalPoints, "distance", 1000, askDistance},
       {"fans of n edges", growth::fans, "distance", 1000, askDistance},
       {"fans of n edges", growth::fans, "time of impact", 250, askImpact},

@@ -98,7 +98,6 @@ struct Pair {
   Polygon fixed, moving;
   double margin;  ///< of each
   PairCache cache;
-  DistanceCache distance_cache;
   PointCache point_cache;
   std::optional<Scene> scene;
 
@@ -186,11 +185,11 @@ const Query kQueries[] = {
      false},
     {"distance, discs apart", true, askDistance<far>},
     {"distance, near", true, askDistance<near>},
-    {"distance, near, DistanceCache", true,
+    {"distance, near, PairCache", true,
      [](Pair& pair) {
        DistanceOptions options;
        options.margin = 2 * pair.margin;
-       return distance(pair.fixed, kIdentity, pair.moving, near(pair), pair.distance_cache, options).distance > 0;
+       return distance(pair.fixed, kIdentity, pair.moving, near(pair), pair.cache, options).distance > 0;
      }},
     {"distance, overlapping", false, askDistance<upon>},
     {"time of impact, passes by", false, askImpact<far, far>},
@@ -243,7 +242,7 @@ Cost costOf(const Shape& shape, const Query& query) {
   std::size_t bytes = 0;
   double taken = 0;
   for (int i = 0; i < kFewestPairs || (i < kMostPairs && taken < kNanoseconds); ++i) {
-    Pair pair{Polygon(shape.fixed, shape.fill), Polygon(shape.moving, shape.fill), shape.margin, {}, {}, {}, {}};
+    Pair pair{Polygon(shape.fixed, shape.fill), Polygon(shape.moving, shape.fill), shape.margin, {}, {}, {}};
     bool right = true;
     const auto ask = [&] { right = query.ask(pair) == query.answer && right; };
     const std::size_t before = heap_bytes;
@@ -286,7 +285,7 @@ const char* const kHow =
   rule.
 - discs apart: four radii away. near: the bounding discs overlap, the polygons don't. Every answer is checked. An empty
   cell is a query that discs have none of.
-- A PairCache itself is %zu bytes, a DistanceCache %zu, a PointCache %zu, all the caller's.
+- A PairCache itself is %zu bytes, a PointCache %zu, both the caller's.
 - polygon: one polygon from its rings, copied; that much every polygon pays, and the other rows come on top.
 )";
 
@@ -320,7 +319,7 @@ int run(const std::string& directory) {
   std::string text = "# Model only what a scene requires\n\n";
   for (int i = 0; i < 3; ++i) text += "## " + std::string(measures[i]) + "\n\n" + markdown(tables[i]) + "\n";
   char how[1500];
-  std::snprintf(how, sizeof how, kHow, sizeof(PairCache), sizeof(DistanceCache), sizeof(PointCache));
+  std::snprintf(how, sizeof how, kHow, sizeof(PairCache), sizeof(PointCache));
   writeFile(directory + "/modelled.md", text + "# How it was measured\n\n" + how);
   writeFile(directory + "/modelled.csv", csv);
   return 0;

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "tricover/collide.h"
 #include "tricover/export.h"
+#include "tricover/pair_cache.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -48,29 +47,6 @@ struct Contact {
   std::ptrdiff_t edge_b;  ///< The edge of b that parts last. -1 where this part lies inside b, away from its edges.
 };
 
-/// What one pair of polygons remembers between queries for contacts. It is facts, as a PairCache is, and the same rules
-/// hold for it. ContactCache{} is empty.
-///
-/// They are of use while the regions are apart, and where two convex polygons overlap and their edges cross twice.
-struct ContactCache {
-  static constexpr int kMost = 4;  ///< How many edges it has room for.
-
-  PairCache pair;  ///< Whether they collide: where not, there are no contacts.
-
-  std::uint64_t first_id = 0;   ///< Polygon::id() of the one that the kernel takes first. 0: nothing follows.
-  std::uint64_t second_id = 0;  ///< Polygon::id() of the other one.
-
-  /// "With the second polygon at this pose in the first one's frame (columns of R, then t), the other polygon reached
-  /// at least `deeper` behind every edge but those listed here."
-  double second_in_first[6] = {1, 0, 0, 1, 0, 0};
-  double error = 0;                  ///< What that maps points wrong by, at most.
-  double deeper = 0;                 ///< A length in the first one's frame.
-  int count = 0;                     ///< How many edges are listed.
-  bool of_first[kMost] = {};         ///< Whether an edge is the first polygon's.
-  std::uint32_t face[kMost] = {};    ///< The edges, as the kernel numbers them.
-  std::uint32_t behind[kMost] = {};  ///< An edge of the other polygon at its vertex that was deepest behind them.
-};
-
 /// One contact for each connected part of the overlap, the deepest first, at most `most`. Empty exactly where collide()
 /// is false.
 ///
@@ -92,7 +68,7 @@ TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose
 ///
 /// \snippet contacts.cpp contacts with cache
 TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b,
-                                              const Pose& pose_b, ContactCache& cache,
+                                              const Pose& pose_b, PairCache& cache,
                                               std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace tricover

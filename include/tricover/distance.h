@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #include "tricover/export.h"
+#include "tricover/pair_cache.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -36,32 +36,6 @@ struct DistanceResult {
   std::ptrdiff_t edge_b;  ///< The edge of b that point_b lies on. -1 where a ring of a lies inside b.
 };
 
-/// What one pair of polygons remembers between distance queries. It is facts, as a PairCache is, and the same rules
-/// hold for it. DistanceCache{} is empty.
-///
-/// The facts read: when the polygons were at first_pose and second_pose, of all pairs of edges only the first k ones
-/// listed here were nearer to each other than apart[k]. That holds for every k from 0 to count.
-struct DistanceCache {
-  static constexpr int kMost = 8;  ///< How many pairs of edges it has room for.
-
-  std::uint64_t first_id = 0;   ///< Polygon::id() of the polygon that the kernel takes first. 0: the cache is empty.
-  std::uint64_t second_id = 0;  ///< Polygon::id() of the other one.
-
-  double first_pose[6] = {1, 0, 0, 1, 0, 0};   ///< The first polygon's pose then: the columns of R, and t.
-  double second_pose[6] = {1, 0, 0, 1, 0, 0};  ///< The second polygon's pose then.
-  int count = 0;                               ///< How many pairs of edges are listed.
-  std::uint32_t first_edge[kMost] = {};        ///< Their edges of the first polygon, as the kernel numbers them.
-  std::uint32_t second_edge[kMost] = {};       ///< Their edges of the second polygon.
-  double apart[kMost + 1] = {};  ///< World lengths, increasing. If apart[0] is positive, the regions didn't overlap.
-  std::uint32_t uses = 0;        ///< Queries answered since. Tells how far the next facts should look ahead.
-
-  // What only saves time.
-  std::uint8_t hint = 0;      ///< Where to look first, by the first pair of edges in the lists above. 0: nothing.
-  std::uint8_t answered = 0;  ///< Queries that the facts have answered since they were found, if they looked ahead.
-  std::uint8_t failed = 0;    ///< How often in a row facts were found that answered hardly any.
-  std::uint8_t resting = 0;   ///< So many queries more do without facts, which wouldn't last.
-};
-
 /// The distance of the two closed regions.
 ///
 /// It is 0 exactly where collide() is true, with the same margin. Otherwise it is right to 1e-14 of itself and the
@@ -80,6 +54,6 @@ TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, co
 ///
 /// \snippet distance.cpp distance with cache
 TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                                        DistanceCache& cache, const DistanceOptions& options = {});
+                                        PairCache& cache, const DistanceOptions& options = {});
 
 }  // namespace tricover

@@ -11,6 +11,21 @@ namespace tricover {
 /// Where a point is. A point of an edge is Boundary even where the region lies on both of the edge's sides.
 enum class Location { Outside, Boundary, Inside };
 
+namespace detail {
+
+struct CacheAccess;
+
+/// "The point was here, and so far, at the least, from all edges."
+struct PointFact {
+  std::uint64_t polygon_id = 0;  ///< Polygon::id() of the polygon that the fact is about; 0: none
+  Location location = Location::Outside;
+  double point[2] = {0, 0};  ///< in the polygon's frame
+  double clearance = 0;
+  std::uint32_t uses = 0;  ///< queries answered since
+};
+
+}  // namespace detail
+
 /// Where `point`, in the polygon's own frame, lies. Exact for every finite point.
 ///
 /// This is the paper's Algorithm 1: the signs of the covering triangles that hold the point are summed, and the
@@ -21,14 +36,14 @@ enum class Location { Outside, Boundary, Inside };
 /// \snippet locate.cpp locate
 TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point);
 
-/// What a moving point keeps between calls: a fact, as in a PairCache. PointCache{} is empty. It may serve another
+/// What a moving point keeps between calls: a fact, as in a PairCache, with the same rules. It may serve another
 /// polygon from call to call.
-struct PointCache {
-  std::uint64_t polygon_id = 0;           ///< Polygon::id() of the polygon that the fact is about. 0: none.
-  Location location = Location::Outside;  ///< Where the point was.
-  double point[2] = {0, 0};               ///< It, in the polygon's frame.
-  double clearance = 0;                   ///< It was so far, at the least, from all edges.
-  std::uint32_t uses = 0;                 ///< Queries answered since.
+///
+/// \snippet locate.cpp locate with cache
+class PointCache {
+ private:
+  friend struct detail::CacheAccess;
+  detail::PointFact facts_;
 };
 
 /// The same answer, with coherence. The location changes at edges alone: while the point has moved by less than it was

@@ -84,19 +84,32 @@ struct BodyRayHit {
 };
 
 namespace detail {
-struct SceneState;
-}
 
-/// What a SceneCache remembers between queries: facts, as in a PairCache, with the same rules. SceneCache{} is empty.
-struct SceneCache {
-  std::uint64_t scene = 0;              ///< Of which scene the fact is. 0: none.
-  std::uint64_t version = 0;            ///< Of which of its states: any change of a body ends it.
-  std::uint64_t polygon = 0;            ///< Polygon::id() of the polygon that was asked for.
-  double pose[6] = {1, 0, 0, 1, 0, 0};  ///< Its pose then: the columns of R, and t.
-  double clearance = 0;  ///< It was so far, at the least, from all bodies of `mask`, grown by their margins.
-  BodyHandle body = ~BodyHandle{0};  ///< The body that was hit last: tried first.
-  std::uint32_t mask = 0;            ///< See clearance.
-  std::uint32_t uses = 0;            ///< Queries answered since.
+struct CacheAccess;
+struct SceneState;
+
+/// "The polygon at this pose (columns of R, then t) was so far, at the least, from all bodies of `mask`, grown by their
+/// margins."
+struct SceneFact {
+  std::uint64_t scene = 0;    ///< of which scene the fact is; 0: none
+  std::uint64_t version = 0;  ///< of which of its states: any change of a body ends it
+  std::uint64_t polygon = 0;  ///< Polygon::id() of the polygon that was asked for
+  double pose[6] = {1, 0, 0, 1, 0, 0};
+  double clearance = 0;
+  BodyHandle body = ~BodyHandle{0};  ///< the body that was hit last: tried first
+  std::uint32_t mask = 0;
+  std::uint32_t uses = 0;  ///< queries answered since
+};
+
+}  // namespace detail
+
+/// What a polygon among the bodies of a scene keeps between queries: facts, as in a PairCache, with the same rules.
+///
+/// \snippet scene.cpp scene cache
+class SceneCache {
+ private:
+  friend struct detail::CacheAccess;
+  detail::SceneFact facts_;
 };
 
 /// Many polygons under poses of their own, and what collides among them.

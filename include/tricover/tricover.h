@@ -8,6 +8,7 @@
 #include "tricover/locate.h"
 #include "tricover/motion.h"
 #include "tricover/outline.h"
+#include "tricover/pair_cache.h"
 #include "tricover/paper.h"
 #include "tricover/penetration.h"
 #include "tricover/polygon.h"

@@ -23,6 +23,7 @@
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
 #include "pair/pair_fact.h"
+#include "polygon/cache_access.h"
 
 namespace tricover {
 namespace detail {
@@ -447,22 +448,23 @@ Contact ContactFinder::inWorld(const Exit& exit, const Vec2& point) const {
           number(pair_.b, exit.edge_b)};
 }
 
-std::vector<Contact> allContacts(const PosedPair& pair, ContactCache* cache) {
+std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache) {
   if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).gap(0) >= 0) return {};
-  const ConvexContact convex = convexContact(pair, cache);
+  const ConvexContact convex = convexContact(pair, cache != nullptr ? &cache->contact : nullptr);
   if (convex.verdict == ConvexContact::Overlap) return {convex.contact};
   return convex.verdict == ConvexContact::Apart ? std::vector<Contact>() : ContactFinder(pair).contacts();
 }
 
-std::vector<Contact> deepestContacts(const PosedPair& pair, ContactCache* cache, std::size_t most) {
+std::vector<Contact> deepestContacts(const PosedPair& pair, PairFacts* cache, std::size_t most) {
   Recollection known{};
-  if (cache != nullptr && cache->count == 0) known = recall(cache->pair, pair.a, pair.pose_a, pair.b, pair.pose_b, 0);
+  if (cache != nullptr && cache->contact.count == 0)
+    known = recall(cache->collision, pair.a, pair.pose_a, pair.b, pair.pose_b, 0);
   if (known.certain && !known.collides) return {};
   std::vector<Contact> result = allContacts(pair, cache);
   if (cache != nullptr && result.empty()) {
     PairFact fact{};  // after a jump another may follow: then only the poses are of use
     if (known.coherent) fact = findFact(pair.a, pair.pose_a, pair.b, pair.pose_b, {}, {known.lookahead, true});
-    remember(cache->pair, pair.a, pair.pose_a, pair.b, pair.pose_b, false, fact.clearance);
+    remember(cache->collision, pair.a, pair.pose_a, pair.b, pair.pose_b, false, fact.clearance);
   }
   std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > most) result.erase(result.begin() + static_cast<std::ptrdiff_t>(most), result.end());
@@ -470,7 +472,7 @@ std::vector<Contact> deepestContacts(const PosedPair& pair, ContactCache* cache,
 }
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                              ContactCache* cache, std::size_t most) {
+                              PairFacts* cache, std::size_t most) {
   requireRigid(pose_a, "pose_a");
   requireRigid(pose_b, "pose_b");
   return inKernelOrder(
@@ -493,8 +495,8 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
 }
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                              ContactCache& cache, std::size_t most) {
-  return detail::contacts(a, pose_a, b, pose_b, &cache, most);
+                              PairCache& cache, std::size_t most) {
+  return detail::contacts(a, pose_a, b, pose_b, &detail::factsIn(cache), most);
 }
 
 }  // namespace tricover

@@ -64,7 +64,7 @@ class ConvexPair {
         b_(frame_, pair.b, false, turn_b) {}
 
   /// Keeps in `cache`, unless it is null, which faces were the best.
-  ConvexContact byAllFaces(ContactCache* cache, double lookahead) {
+  ConvexContact byAllFaces(ContactFacts* cache, double lookahead) {
     const bool keeps = cache != nullptr;
     boundLeast(keeps ? lookahead : 0);
     const bool finds = lookBehind(true, 0, a_.size(), 0, keeps) && lookBehind(false, 0, b_.size(), 0, keeps);
@@ -75,7 +75,7 @@ class ConvexPair {
 
   /// Of the faces in the cache, which were the best before points moved by up to `motion` against the other polygon.
   /// Overlap only where byAllFaces() says the same.
-  ConvexContact byKeptFaces(const ContactCache& cache, double motion) {
+  ConvexContact byKeptFaces(const ContactFacts& cache, double motion) {
     for (int f = 0; f < cache.count; ++f) {
       const Ring &ring = cache.of_first[f] ? a_ : b_, &body = cache.of_first[f] ? b_ : a_;
       const std::size_t k = ring.position(cache.face[f]);
@@ -223,12 +223,12 @@ class ConvexPair {
   }
 
   /// Those that are less than `lookahead` deeper than the least, and how deep the next one is.
-  void keepFaces(ContactCache& cache, double lookahead) const {
+  void keepFaces(ContactFacts& cache, double lookahead) const {
     const auto depthOf = [](const Face& face) { return std::sqrt(face.square); };
     const double enough = depthOf(nearest_[0]) + lookahead;
     int count = 1;
-    while (count < ContactCache::kMost && depthOf(nearest_[static_cast<std::size_t>(count)]) < enough) ++count;
-    std::array<Face, ContactCache::kMost + 1> faces = nearest_;
+    while (count < ContactFacts::kMost && depthOf(nearest_[static_cast<std::size_t>(count)]) < enough) ++count;
+    std::array<Face, ContactFacts::kMost + 1> faces = nearest_;
     std::sort(faces.begin(), faces.begin() + count,
               [](const Face& f, const Face& g) { return f.of_a != g.of_a ? f.of_a : f.edge < g.edge; });
     for (int f = 0; f < count; ++f) {
@@ -360,7 +360,7 @@ class ConvexPair {
   std::array<Face, kMostBest> best_;
   std::ptrdiff_t best_count_ = 0;
   /// By depth; only where they are to be kept.
-  std::array<Face, ContactCache::kMost + 1> nearest_;
+  std::array<Face, ContactFacts::kMost + 1> nearest_;
 };
 
 /// A part of the smaller one's radius: faces that are deeper by less are kept, for steps of a hundredth of that and
@@ -374,7 +374,7 @@ bool keepsLengths(const PosedPair& pair) { return pair.defect < 0x1p-46; }
 /// At most how far a point of either has moved against the other since. In a's frame the point q of b's frame has moved
 /// by d(q), where d is the difference of both maps. A point of a, at q then, has moved by as much in b's frame, but for
 /// what that frame is off by; and q is no farther from b's S than both radii and a's once more, because they overlap.
-double motionSince(const ContactCache& cache, const PosedPair& pair) {
+double motionSince(const ContactFacts& cache, const PosedPair& pair) {
   Change change(pair.b, load2(&pair.m00) - load2(cache.second_in_first),
                 load2(&pair.m01) - load2(cache.second_in_first + 2),
                 load2(&pair.tx) - load2(cache.second_in_first + 4));
@@ -382,14 +382,14 @@ double motionSince(const ContactCache& cache, const PosedPair& pair) {
   return change.displacement() * (1 + 1e-12) + 2 * (pair.error + cache.error);
 }
 
-void storePose(ContactCache& cache, const PosedPair& pair) {
+void storePose(ContactFacts& cache, const PosedPair& pair) {
   cache.first_id = pair.a.id;
   cache.second_id = pair.b.id;
   std::copy(&pair.m00, &pair.m00 + 6, cache.second_in_first);
   cache.error = pair.error;
 }
 
-ConvexContact contactInFrameOfA(const PosedPair& pair, int turn_a, int turn_b, ContactCache* cache) {
+ConvexContact contactInFrameOfA(const PosedPair& pair, int turn_a, int turn_b, ContactFacts* cache) {
   if (cache == nullptr || !keepsLengths(pair))
     return ConvexPair<FrameOfA, true>(pair, turn_a, turn_b).byAllFaces(nullptr, 0);
   bool coherent = false;
@@ -415,7 +415,7 @@ ConvexContact contactInFrameOfA(const PosedPair& pair, int turn_a, int turn_b, C
 
 }  // namespace
 
-ConvexContact convexContact(const PosedPair& pair, ContactCache* cache) {
+ConvexContact convexContact(const PosedPair& pair, ContactFacts* cache) {
   const int turn_a = convexOutlineOf(pair.a).turn, turn_b = convexOutlineOf(pair.b).turn;
   if (turn_a == 0 || turn_b == 0) return {};
   const auto mirrors = [](const Pose& pose) { return pose.linear().determinant() < 0; };

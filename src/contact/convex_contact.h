@@ -16,6 +16,6 @@ struct ConvexContact {
 
 /// Of convex polygons without straight vertices that are well apart, or overlap so that their edges cross twice, in
 /// O(n + m). Unsure of all others. The facts of these two in `cache`, unless it is null, are used and renewed.
-ConvexContact convexContact(const PosedPair& pair, ContactCache* cache);
+ConvexContact convexContact(const PosedPair& pair, ContactFacts* cache);
 
 }  // namespace tricover::detail

@@ -22,6 +22,7 @@
 #include "pair/edge_pairs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
+#include "polygon/cache_access.h"
 
 namespace tricover {
 namespace detail {
@@ -120,7 +121,7 @@ DistanceResult contained(const Pair& pair, const Outcome& outcome) {
 
 /// How many of the pairs that the fact lists had to be shown for the least distance, or a meeting, to be among them
 /// after a motion; -1 if it isn't certain to be.
-int recall(const DistanceCache& cache, const Remainder& remainder, DistanceSearch& search) {
+int recall(const DistanceFacts& cache, const Remainder& remainder, DistanceSearch& search) {
   const bool apart = remainder.of(cache.apart[0]) > 0;
   for (int k = 0; k <= cache.count; ++k) {
     if (EdgeDistances::below(remainder.of(cache.apart[k])) > search.worth()) return k;
@@ -133,7 +134,7 @@ int recall(const DistanceCache& cache, const Remainder& remainder, DistanceSearc
   return -1;
 }
 
-Remainder remainderOf(const DistanceCache& cache, const Pair& pair, bool& both_moved) {
+Remainder remainderOf(const DistanceFacts& cache, const Pair& pair, bool& both_moved) {
   const bool a_moved = !sameAs(cache.first_pose, pair.pose_a), b_moved = !sameAs(cache.second_pose, pair.pose_b);
   both_moved = a_moved && b_moved;
   const double motion = (a_moved ? Change(pair.a, cache.first_pose, pair.pose_a).displacement() : 0) +
@@ -199,25 +200,25 @@ DistanceResult resultOfPoints(const Pair& pair, double distance, const DistanceO
                         static_cast<std::ptrdiff_t>(j));
 }
 
-/// DistanceCache::hint: a kind of features of two small convex polygons, or a pair of edges that may be near.
+/// DistanceFacts::hint: a kind of features of two small convex polygons, or a pair of edges that may be near.
 constexpr std::uint8_t kNoHint = ConvexFeatures::kNone, kNearEdges = ConvexFeatures::kCrossing + 1;
-/// DistanceCache::answered: facts pay if they answer two queries, or more of small rings, whose search takes little, in
+/// DistanceFacts::answered: facts pay if they answer two queries, or more of small rings, whose search takes little, in
 /// steps of at most that part of the radius. Those that didn't look ahead aren't judged.
 constexpr std::uint8_t kPaying = 2, kPayingOfRings = 8, kUnjudged = 255;
 constexpr double kCoherentPartOfRings = kCoherentPart / 16;
-/// DistanceCache::resting after facts have failed for the first, second, third time in a row, and from then on.
+/// DistanceFacts::resting after facts have failed for the first, second, third time in a row, and from then on.
 constexpr std::uint8_t kRests[] = {0, 3, 15, 63}, kMostFailed = 3;
 
-bool knowsFacts(const DistanceCache& cache) { return cache.count > 0 || cache.apart[0] > 0; }
+bool knowsFacts(const DistanceFacts& cache) { return cache.count > 0 || cache.apart[0] > 0; }
 
-void storePoses(DistanceCache& cache, const Pair& pair) {
+void storePoses(DistanceFacts& cache, const Pair& pair) {
   store(cache.first_pose, pair.pose_a);
   store(cache.second_pose, pair.pose_b);
   cache.uses = 0;
 }
 
 /// Keeps no facts, but where it was nearest.
-void storeHint(DistanceCache& cache, std::uint8_t hint, std::uint32_t edge_a, std::uint32_t edge_b) {
+void storeHint(DistanceFacts& cache, std::uint8_t hint, std::uint32_t edge_a, std::uint32_t edge_b) {
   cache.count = 0;
   cache.apart[0] = 0;
   cache.hint = hint;
@@ -226,21 +227,21 @@ void storeHint(DistanceCache& cache, std::uint8_t hint, std::uint32_t edge_a, st
 }
 
 /// After facts that didn't answer: whether to find new ones.
-void judgeFacts(DistanceCache& cache, bool jumped, std::uint8_t paying) {
+void judgeFacts(DistanceFacts& cache, bool jumped, std::uint8_t paying) {
   if (!jumped && cache.answered == kUnjudged) return;
   cache.failed = !jumped && cache.answered >= paying ? 0 : std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
   cache.resting = kRests[cache.failed];
 }
 
 /// After features were tried: one failure is nothing, they change now and then.
-void judgeHint(DistanceCache& cache, bool proven) {
+void judgeHint(DistanceFacts& cache, bool proven) {
   cache.resting = kRests[cache.failed];
   cache.failed = proven ? 0 : std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
 }
 
 /// Whether the cache's facts answer; `outcome` is then where a ring lies inside the other region. If they don't, tells
 /// the search how far to look ahead.
-bool answersByFacts(const Pair& pair, DistanceCache& cache, DistanceSearch& search, Outcome& outcome) {
+bool answersByFacts(const Pair& pair, DistanceFacts& cache, DistanceSearch& search, Outcome& outcome) {
   bool both_moved;
   Remainder remainder = remainderOf(cache, pair, both_moved);
   search.lookAhead(kInfinity);
@@ -268,7 +269,7 @@ bool answersByFacts(const Pair& pair, DistanceCache& cache, DistanceSearch& sear
 }
 
 /// By the cache, or so that the cache can tell the next time.
-Outcome findCoherently(const Pair& pair, DistanceCache& cache, DistanceSearch& search) {
+Outcome findCoherently(const Pair& pair, DistanceFacts& cache, DistanceSearch& search) {
   Outcome outcome;
   if (knowsFacts(cache)) {
     if (answersByFacts(pair, cache, search, outcome)) return outcome;
@@ -294,7 +295,7 @@ Outcome findCoherently(const Pair& pair, DistanceCache& cache, DistanceSearch& s
 }
 
 /// The features that the cache knows, unless they rest.
-ConvexFeatures hinted(DistanceCache& cache) {
+ConvexFeatures hinted(DistanceFacts& cache) {
   if (cache.hint == kNoHint || cache.hint >= kNearEdges) return {};
   if (cache.resting > 0) {
     --cache.resting;
@@ -304,7 +305,7 @@ ConvexFeatures hinted(DistanceCache& cache) {
 }
 
 /// Of two strictly convex polygons, whether they are clearly apart, or small ones clearly meet.
-bool findConvex(const Pair& pair, const PlainWays& ways, DistanceCache* cache, const DistanceOptions& options,
+bool findConvex(const Pair& pair, const PlainWays& ways, DistanceFacts* cache, const DistanceOptions& options,
                 ConvexNearest& found) {
   if (pair.a.isDegenerate() || pair.b.isDegenerate()) return false;
   if (!hierarchyOf(pair.a).strictly_convex || !hierarchyOf(pair.b).strictly_convex) return false;
@@ -372,7 +373,7 @@ std::optional<DistanceResult> distanceFromPoint(const Pair& pair, const Distance
 }
 
 /// Of any polygons.
-DistanceResult distanceBySearch(const Pair& pair, const PlainWays& ways, DistanceCache* cache,
+DistanceResult distanceBySearch(const Pair& pair, const PlainWays& ways, DistanceFacts* cache,
                                 const DistanceOptions& options) {
   const EdgeDistances edges(ways);
   DistanceSearch search(edges, options);
@@ -393,11 +394,11 @@ std::optional<DistanceResult> distanceOfPoint(const Pair& pair, const DistanceOp
   return std::nullopt;
 }
 
-DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const DistanceOptions& options) {
+DistanceResult distanceInOrder(const Pair& pair, DistanceFacts* cache, const DistanceOptions& options) {
   if (pair.b.isPoint())
     if (const auto result = distanceOfPoint(pair, options)) return *result;
   if (cache != nullptr && (cache->first_id != pair.a.id || cache->second_id != pair.b.id)) {
-    *cache = DistanceCache();
+    *cache = DistanceFacts();
     cache->first_id = pair.a.id;
     cache->second_id = pair.b.id;
   }
@@ -408,7 +409,7 @@ DistanceResult distanceInOrder(const Pair& pair, DistanceCache* cache, const Dis
 }
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                        DistanceCache* cache, const DistanceOptions& options) {
+                        DistanceFacts* cache, const DistanceOptions& options) {
   requireRigid(pose_a, pose_b);
   checkOptions(options);
   const PolygonData &first = a.data(), &second = b.data();
@@ -425,9 +426,9 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   return detail::distance(a, pose_a, b, pose_b, nullptr, options);
 }
 
-DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                        DistanceCache& cache, const DistanceOptions& options) {
-  return detail::distance(a, pose_a, b, pose_b, &cache, options);
+DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
+                        const DistanceOptions& options) {
+  return detail::distance(a, pose_a, b, pose_b, &detail::factsIn(cache).distance, options);
 }
 
 }  // namespace tricover

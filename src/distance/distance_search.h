@@ -75,7 +75,7 @@ class NearestPairs {
  public:
   int count() const { return count_; }
   const ShownPair& operator[](int k) const { return listed_[k]; }
-  bool isFull() const { return count_ == DistanceCache::kMost; }
+  bool isFull() const { return count_ == DistanceFacts::kMost; }
   double lastWhenFull() const { return isFull() ? listed_[count_ - 1].low : std::numeric_limits<double>::infinity(); }
 
   /// Lists the pair. Where the list is full, `left_out` becomes the one that finds no room, and the result is true.
@@ -97,7 +97,7 @@ class NearestPairs {
   }
 
  private:
-  ShownPair listed_[DistanceCache::kMost];
+  ShownPair listed_[DistanceFacts::kMost];
   int count_ = 0;
 };
 
@@ -109,7 +109,7 @@ class NearestEdges {
   /// The doubles' view of a pair that is likely to be evaluated; its index, -1 if there is no room to keep it.
   const EdgeDistances::View& view(std::uint32_t i, std::uint32_t j, int& index) {
     const EdgeDistances::View& view = views_[view_count_] = edges.view(i, j);
-    index = view_count_ < DistanceCache::kMost ? view_count_++ : -1;
+    index = view_count_ < DistanceFacts::kMost ? view_count_++ : -1;
     return view;
   }
 
@@ -144,7 +144,7 @@ class NearestEdges {
   const DistanceOptions& options_;
   EdgeDistances::Nearest best_{std::numeric_limits<double>::infinity(), 0, 0};
   ShownPair pair_{0, UINT32_MAX, UINT32_MAX, -1};
-  EdgeDistances::View views_[DistanceCache::kMost + 1];  ///< the last one isn't kept
+  EdgeDistances::View views_[DistanceFacts::kMost + 1];  ///< the last one isn't kept
   int view_count_ = 0;
   std::uint64_t feature_ = 0;
 };
@@ -222,7 +222,7 @@ class DistanceSearch {
   std::uint32_t edgeB() const { return nearest_.pair().j; }
 
   /// Keeps what was found as a fact about all pairs of edges: those that weren't shown are beyond reach.
-  void keep(DistanceCache& cache) const {
+  void keep(DistanceFacts& cache) const {
     if (meets_) {
       cache.count = 1;
       cache.first_edge[0] = edgeA();
@@ -241,7 +241,7 @@ class DistanceSearch {
 
   /// After the first `shown` pairs of the cache's fact were shown and found to suffice, moves the fact to these poses,
   /// so that the next query needs fewer: worth it if some weren't among the nearest.
-  bool refresh(DistanceCache& cache, const Remainder& remainder, int shown) const {
+  bool refresh(DistanceFacts& cache, const Remainder& remainder, int shown) const {
     const int count = listed_.count();
     if (meets_ || count == 0 || count != shown || listed_[count - 1].low <= reach_.upper()) return false;
     for (int k = shown; k <= cache.count; ++k) cache.apart[k] = remainder.of(cache.apart[k]);
@@ -274,7 +274,7 @@ class DistanceSearch {
     if (pair.low <= std::min(reach_.upper(), best().distance)) nearest_.evaluate(pair);
   }
 
-  void put(DistanceCache& cache, int k, double low) const {
+  void put(DistanceFacts& cache, int k, double low) const {
     cache.first_edge[k] = listed_[k].i;
     cache.second_edge[k] = listed_[k].j;
     cache.apart[k] = std::max(low, 0.0);

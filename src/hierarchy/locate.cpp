@@ -8,6 +8,7 @@
 #include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/rounding.h"
+#include "polygon/cache_access.h"
 
 namespace tricover {
 namespace {
@@ -46,7 +47,8 @@ Location locate(const Polygon& polygon, const Vec2& point) {
   return locateUnchecked(polygon.data(), point);
 }
 
-Location locate(const Polygon& polygon, const Vec2& point, PointCache& cache) {
+Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_cache) {
+  detail::PointFact& cache = detail::factsIn(caller_cache);
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
   const Vec2 way = point - Vec2(cache.point[0], cache.point[1]);

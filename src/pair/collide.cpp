@@ -15,6 +15,7 @@
 #include "pair/meet_at_once.h"
 #include "pair/pair_fact.h"
 #include "pair/polygon_place.h"
+#include "polygon/cache_access.h"
 
 namespace tricover {
 namespace detail {
@@ -87,7 +88,8 @@ class RareEdgeTest {
 }
 
 bool collideInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                    PairCache* cache, const Recollection& recollection, double defect, const CollideOptions& options) {
+                    CollisionFact* cache, const Recollection& recollection, double defect,
+                    const CollideOptions& options) {
   if (cache != nullptr) {
     claim(*cache, a, b);
     // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
@@ -120,7 +122,7 @@ bool pointCollides(const PolygonData& a, const Pose& pose_a, const PolygonData& 
 }
 
 bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,
-             PairCache* cache, const CollideOptions& options) {
+             CollisionFact* cache, const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
@@ -171,7 +173,7 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
              const CollideOptions& options) {
-  return detail::collide(a, pose_a, b, pose_b, &cache, options);
+  return detail::collide(a, pose_a, b, pose_b, &detail::factsIn(cache).collision, options);
 }
 
 }  // namespace tricover

@@ -38,8 +38,8 @@ Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double 
   return {roundedDown<kProducts + Remainder::kRoundings>((1 - then.scale_defect) * (1 - now.scale_defect)), motion};
 }
 
-Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
-                         const Pose& second_pose, double margin) {
+Recollection recallMoved(CollisionFact& cache, const PolygonData& first, const Pose& first_pose,
+                         const PolygonData& second, const Pose& second_pose, double margin) {
   // Rounds twice: the difference and the sum of two motions.
   const double needed = cache.overlapping ? 0 : margin, room = roundedDown<2>(cache.clearance - needed);
   const Change first_change(first, cache.first_pose, first_pose), second_change(second, cache.second_pose, second_pose);
@@ -58,14 +58,14 @@ Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose&
   return {false, false, motion <= most, ahead <= most ? std::min(ahead, 2 * cache.clearance) : 0};
 }
 
-void claim(PairCache& cache, const PolygonData& first, const PolygonData& second) {
+void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& second) {
   if (cache.first_id == first.id && cache.second_id == second.id) return;
-  cache = PairCache();
+  cache = CollisionFact();
   cache.first_id = first.id;
   cache.second_id = second.id;
 }
 
-void remember(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
               const Pose& second_pose, bool overlapping, double clearance) {
   claim(cache, first, second);
   store(cache.first_pose, first_pose);

@@ -102,11 +102,11 @@ Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double 
                                     const Pose& second_pose);
 
 /// What recall() can't tell at a glance.
-Recollection recallMoved(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
-                         const Pose& second_pose, double margin);
+Recollection recallMoved(CollisionFact& cache, const PolygonData& first, const Pose& first_pose,
+                         const PolygonData& second, const Pose& second_pose, double margin);
 
 /// Throws for a pose that isn't rigid. One that is a fact's, to the last bit, has been checked.
-inline Recollection recall(PairCache& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
+inline Recollection recall(CollisionFact& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                            const Pose& pose_b, double margin) {
   const bool direct = cache.first_id == a.id && cache.second_id == b.id;
   if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) {
@@ -130,11 +130,11 @@ inline Recollection recall(PairCache& cache, const PolygonData& a, const Pose& p
 }
 
 /// Makes the cache one of these two polygons; empties it if it was another pair's.
-void claim(PairCache& cache, const PolygonData& first, const PolygonData& second);
+void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& second);
 
 /// Keeps the fact: at these poses `overlapping` was the answer, and moving points by less than `clearance` can't change
 /// it.
-void remember(PairCache& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
               const Pose& second_pose, bool overlapping, double clearance);
 
 }  // namespace tricover::detail

@@ -10,7 +10,7 @@
 namespace tricover::detail {
 
 /// "At these poses the answer is `collides`, and whether the regions overlap stays so while no point is moved against
-/// the other polygon by `clearance`, a world length, or more": see PairCache.
+/// the other polygon by `clearance`, a world length, or more": see CollisionFact.
 struct PairFact {
   bool collides;
   double clearance;               ///< 0 of a hit by the margin or the tolerance alone

@@ -12,6 +12,7 @@
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
 #include "pair/pair_fact.h"
+#include "polygon/cache_access.h"
 #include "scene/scene_state.h"
 
 namespace tricover {
@@ -143,8 +144,9 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOpti
   return findMet(*impl_, Asked(polygon.data(), pose, options), mask) != kNone;
 }
 
-bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& cache, const CollideOptions& options,
+bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& caller_cache, const CollideOptions& options,
                      std::uint32_t mask) const {
+  detail::SceneFact& cache = detail::factsIn(caller_cache);
   check(pose, options);
   const SceneState& state = *impl_;
   const detail::PolygonData& data = polygon.data();

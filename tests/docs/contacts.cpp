@@ -25,7 +25,7 @@ TEST(Documentation, Contacts) {
 TEST(Documentation, ContactsWithCache) {
   //! [contacts with cache]
   const tricover::Polygon floor({{{0, 0}, {9, 0}, {9, 1}, {0, 1}}}), box({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
-  tricover::ContactCache cache;  // one for each pair
+  tricover::PairCache cache;  // one for each pair
   for (int step = 0; step < 100; ++step) {
     tricover::Pose sliding = tricover::Pose::Identity();
     sliding.translation() << 0.05 * step, 0.99;

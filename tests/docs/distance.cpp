@@ -26,7 +26,7 @@ TEST(Documentation, DistanceWithCache) {
   //! [distance with cache]
   const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
   tricover::Pose pose = tricover::Pose::Identity();
-  tricover::DistanceCache cache;  // one a pair
+  tricover::PairCache cache;  // one a pair
   for (double x = 12; x > 4; x -= 0.25) {
     pose.translation() << x, 1;
     EXPECT_EQ(tricover::distance(square, tricover::Pose::Identity(), square, pose, cache).distance, x - 4);

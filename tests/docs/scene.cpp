@@ -37,6 +37,22 @@ TEST(Documentation, Scene) {
   //! [scene]
 }
 
+TEST(Documentation, SceneCache) {
+  //! [scene cache]
+  const tricover::Polygon robot({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});
+  tricover::Scene scene;
+  scene.add(robot, tricover::Pose::Identity());
+  tricover::Pose pose = tricover::Pose::Identity();
+  tricover::SceneCache cache;  // one a moving polygon
+  int hits = 0;
+  for (int step = 0; step < 100; ++step) {
+    pose.translation().x() = 10 - 0.1 * step;
+    hits += scene.collides(robot, pose, cache);
+  }
+  EXPECT_EQ(hits, 20);
+  //! [scene cache]
+}
+
 TEST(Documentation, Parallel) {
   //! [parallel]
   // Two threads. With oneTBB: [](auto n, const auto& task) { tbb::parallel_for(std::size_t{0}, n, task); }

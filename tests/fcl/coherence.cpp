@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "polygon/cache_access.h"
 #include "polygons/pair_cache_table.h"
 #include "scene.h"
 #include "tricover/collide.h"
@@ -82,8 +83,9 @@ TEST(Coherence, fclCallsFillThePairsSlot) {
     fcl::CollisionResultd result;
     fcl::collide(&object_b, &object_a, fcl::CollisionRequestd(), result);
   }
-  const tricover::PairCache& cache = *pairCache(a, &object_a.getTransform(), b, &object_b.getTransform());
-  EXPECT_EQ((std::set<std::uint64_t>{cache.first_id, cache.second_id}), (std::set<std::uint64_t>{a.id(), b.id()}));
+  const tricover::detail::CollisionFact& fact =
+      tricover::detail::factsIn(*pairCache(a, &object_a.getTransform(), b, &object_b.getTransform())).collision;
+  EXPECT_EQ((std::set<std::uint64_t>{fact.first_id, fact.second_id}), (std::set<std::uint64_t>{a.id(), b.id()}));
 }
 
 TEST(Coherence, slotsSpread) {

@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     expect(part.depth >= 0 && std::abs(part.normal.norm() - 1) < 1e-9, "contacts: depth or normal");
   expect(penetration(a, pose_a, b, pose_b, {20}).has_value(), "penetration");
   expect(distance(a, pose_a, b, pose_b).distance == 0, "distance");
-  DistanceCache cache;
+  PairCache cache;
   distance(a, pose_a, b, before, cache);
   expect(distance(a, pose_a, b, pose_b, cache).distance == 0, "distance, cached");
   const auto impact = timeOfImpact(a, Motion::still(pose_a), b, Motion::still(pose_b));

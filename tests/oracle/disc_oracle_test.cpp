@@ -86,7 +86,7 @@ std::string wrongCollide(const Case& c, const mpq_class& squared, double margin,
   return {};
 }
 
-std::string wrongDistance(const Case& c, const mpq_class& squared, double margin, DistanceCache& cache) {
+std::string wrongDistance(const Case& c, const mpq_class& squared, double margin, PairCache& cache) {
   DistanceOptions options;
   options.margin = margin;
   const bool within = exact::within(squared, mpq_class(margin));
@@ -116,7 +116,7 @@ class DiscOracle : public testing::TestWithParam<Family> {};
 TEST_P(DiscOracle, AgreesWithExactRationals) {
   int queries = 0, hits = 0, touches = 0, disagreements = 0;
   PairCache old;
-  DistanceCache old_distance;
+  PairCache old_distance;
   for (int i = 0; i < scaledCount(kCases); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 31000000;
     Random random(~seed);
@@ -124,7 +124,7 @@ TEST_P(DiscOracle, AgreesWithExactRationals) {
     const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
     touches += sgn(squared) == 0;
     PairCache fresh;
-    DistanceCache fresh_distance;
+    PairCache fresh_distance;
     const bool is_old = random.coin();
     const double size = std::min(std::max(c.a.radius(), c.b.radius()), kLargest);
     for (const double margin : marginsAround(random, squared, size)) {

@@ -12,6 +12,7 @@
 #include "distance_laws.h"
 #include "exact_reference.h"
 #include "families.h"
+#include "polygon/cache_access.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -37,7 +38,7 @@ Pose elsewhere(Random& random, const Case& c) {
 
 /// What a margin leaves of the distance, whatever the options allow beside that: margins around the distance and below.
 std::string wrongMargin(const Case& c, Random& random, const mpq_class& squared, DistanceOptions options,
-                        DistanceCache& cache) {
+                        PairCache& cache) {
   const double below = std::min(exact::distanceBelow(squared), nudged(kLargest, -2));
   options.margin = random.coin() ? below * random.unit() : std::max(nudged(below, random.integer(-1, 1)), 0.0);
   const bool within = exact::within(squared, mpq_class(options.margin));
@@ -81,7 +82,7 @@ double limitAround(Random& random, const mpq_class& squared, double cold) {
 }
 
 /// What the options allow.
-std::string wrongOptions(const Case& c, Random& random, const mpq_class& squared, double cold, DistanceCache& cache) {
+std::string wrongOptions(const Case& c, Random& random, const mpq_class& squared, double cold, PairCache& cache) {
   DistanceOptions options;
   const double length = std::min(cold, kLargest) * random.real(0, 2);
   if (random.coin()) options.relative_error = random.coin() ? 0.5 : 1e-3;
@@ -115,7 +116,7 @@ class DistanceOracle : public testing::TestWithParam<Family> {};
 TEST_P(DistanceOracle, AgreesWithExactRationals) {
   const int cases = scaledCount(kCases);
   int hits = 0, near = 0, disagreements = 0;
-  DistanceCache old;
+  PairCache old;
   for (int i = 0; i < cases; ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 7000000;
     Case c = GetParam().make(seed);
@@ -137,7 +138,7 @@ TEST_P(DistanceOracle, AgreesWithExactRationals) {
       if (!same(swapped(distance(c.b, c.pose_b, c.a, c.pose_a)), cold)) return "swapped";
       const DistanceResult others = distance(c.a, c.pose_a, c.b, c.pose_b, old);
       if (others.distance != cold.distance) return "cache of other pairs";
-      DistanceCache cache;
+      PairCache cache;
       for (int k = 0; k < 3; ++k) distance(c.a, c.pose_a, c.b, elsewhere(random, c), cache);
       const DistanceResult cached = distance(c.a, c.pose_a, c.b, c.pose_b, cache);
       if (cached.distance != cold.distance) return "cache of other poses";
@@ -243,11 +244,11 @@ class DistanceWalk : public testing::TestWithParam<Kind> {};
 TEST_P(DistanceWalk, EveryCachedDistanceIsTheColdOne) {
   constexpr int kWalks = 60, kSteps = 300;
   int steps = 0, hits = 0, disagreements = 0, kept = 0;
-  DistanceCache shared;
+  PairCache shared;
   for (int walk = 0; walk < scaledCount(kWalks); ++walk) {
     Random random(static_cast<std::uint64_t>(walk));
     Walker walkers[] = {walker(random), walker(random)};
-    DistanceCache caches[2];
+    PairCache caches[2];
     for (int i = 0; i < kSteps; ++i) {
       for (int k = 0; k < 2; ++k) {
         GetParam().step(random, walkers[k], i);
@@ -262,7 +263,7 @@ TEST_P(DistanceWalk, EveryCachedDistanceIsTheColdOne) {
         const double limited = cold.distance <= options.limit ? cold.distance : kInfinity;
         ++steps;
         hits += cold.distance == 0;
-        kept += caches[k].uses > 0;
+        kept += detail::factsIn(caches[k]).distance.uses > 0;
         const std::string points = own.distance == cold.distance ? wrongPoints(c, own) : "";
         if (own.distance == cold.distance && others.distance == limited && points.empty()) continue;
         if (++disagreements <= 3) {

@@ -29,7 +29,7 @@ TEST_P(Growth, AnswersStayExact) {
       const double found = distance(in.a, still, in.b, pose).distance, below = exact::distanceBelow(truth);
       EXPECT_NEAR(found, below, 1e-14 * below) << n << ", " << time;
       EXPECT_EQ(distance(in.b, pose, in.a, still).distance, found) << n << ", " << time;
-      DistanceCache cache;
+      PairCache cache;
       distance(in.a, still, in.b, in.motion.at(0.3), cache);
       EXPECT_EQ(distance(in.a, still, in.b, pose, cache).distance, found) << n << ", " << time;
     }

@@ -11,6 +11,7 @@
 
 #include "exact_reference.h"
 #include "families.h"
+#include "polygon/cache_access.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -163,11 +164,12 @@ TEST(PointCacheWalk, FactsAnswerSlowSteps) {
   for (int i = 0; i < kSteps; ++i) {
     const Vec2 point(-5 + 10.0 * i / kSteps, 0.3);
     const Location location = locate(polygon, point, cache);
-    const std::uint32_t uses = cache.uses;
+    std::uint32_t& count = detail::factsIn(cache).uses;
+    const std::uint32_t uses = count;
     answered += uses > 0;
     EXPECT_EQ(locate(polygon, point, cache), location);
-    EXPECT_EQ(cache.uses, uses + 1) << "a point that stays where its fact is from, or within reach of it";
-    cache.uses = uses;
+    EXPECT_EQ(count, uses + 1) << "a point that stays where its fact is from, or within reach of it";
+    count = uses;
   }
   EXPECT_GT(answered, kSteps / 2);
 }

@@ -19,8 +19,6 @@ namespace {
 /// What pairs remember, each asked of every query.
 struct Caches {
   PairCache pair;
-  DistanceCache distance;
-  ContactCache contacts;
   PointCache point;
 };
 
@@ -39,13 +37,13 @@ std::string wrongAnswer(Random& random, const Case& c, double size, Caches& cach
     if (random.oneIn(3)) limits.limit = size * random.real(0, 3);
     const DistanceResult without = distance(c.a, c.pose_a, c.b, c.pose_b, limits),
                          with = turned
-                                    ? support::swapped(distance(c.b, c.pose_b, c.a, c.pose_a, caches.distance, limits))
-                                    : distance(c.a, c.pose_a, c.b, c.pose_b, caches.distance, limits);
+                                    ? support::swapped(distance(c.b, c.pose_b, c.a, c.pose_a, caches.pair, limits))
+                                    : distance(c.a, c.pose_a, c.b, c.pose_b, caches.pair, limits);
     if (with.distance != without.distance)
       return "distance, margin " + support::hex(limits.margin) + ", limit " + support::hex(limits.limit);
   }
   const std::size_t most = random.oneIn(4) ? 1 : 8;
-  if (random.oneIn(4) && !support::same(contacts(c.a, c.pose_a, c.b, c.pose_b, caches.contacts, most),
+  if (random.oneIn(4) && !support::same(contacts(c.a, c.pose_a, c.b, c.pose_b, caches.pair, most),
                                         contacts(c.a, c.pose_a, c.b, c.pose_b, most)))
     return "contacts";
   const Vec2 p = c.pose_a.inverse() * c.pose_b.translation();

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "families.h"
+#include "polygon/cache_access.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -49,7 +50,7 @@ struct Tally {
   int queries = 0, overlaps = 0, kept = 0, apart = 0, apart_kept = 0, wrong = 0;
 };
 
-void walk(int seed, bool convex, Tally& tally, ContactCache& cache) {
+void walk(int seed, bool convex, Tally& tally, PairCache& cache) {
   Random random(static_cast<std::uint64_t>(seed));
   const double size = random.real(0.1, 1);
   const auto any = [&] { return convex ? convexRing(random) : star(random, random.integer(4, 9), 0.5, 1); };
@@ -68,10 +69,11 @@ void walk(int seed, bool convex, Tally& tally, ContactCache& cache) {
   const int manner = random.integer(0, 3);
   const double length = 0.002 * size * (random.coin() ? 1 : -1) * (random.oneIn(4) ? 10 : 1);
   const bool swaps = random.oneIn(4);
+  const detail::PairFacts& facts = detail::factsIn(cache);
   for (int i = 0; i < 60; ++i, step(random, manner, length, along, c)) {
     const std::vector<Contact> expected = contacts(c.a, c.pose_a, c.b, c.pose_b);
-    const auto uses = cache.pair.uses;
-    const double was = cache.count > 0 ? cache.deeper : 0;
+    const auto uses = facts.collision.uses;
+    const double was = facts.contact.count > 0 ? facts.contact.deeper : 0;
     std::vector<Contact> found =
         swaps && i % 2 ? contacts(c.b, c.pose_b, c.a, c.pose_a, cache) : contacts(c.a, c.pose_a, c.b, c.pose_b, cache);
     if (swaps && i % 2)
@@ -81,8 +83,8 @@ void walk(int seed, bool convex, Tally& tally, ContactCache& cache) {
       }
     ++tally.queries;
     (expected.empty() ? tally.apart : tally.overlaps)++;
-    tally.apart_kept += expected.empty() && cache.pair.uses == uses + 1;
-    tally.kept += !expected.empty() && cache.count > 0 && cache.deeper == was;
+    tally.apart_kept += expected.empty() && facts.collision.uses == uses + 1;
+    tally.kept += !expected.empty() && facts.contact.count > 0 && facts.contact.deeper == was;
     // Of a polygon and itself at one place the order is the caller's.
     if (c.a.id() == c.b.id() && found.size() == expected.size() && c.pose_a.matrix() == c.pose_b.matrix()) continue;
     if (!same(found, expected) && ++tally.wrong <= 3)
@@ -91,12 +93,12 @@ void walk(int seed, bool convex, Tally& tally, ContactCache& cache) {
   }
 }
 
-TEST(ContactCache, ChangesNoContactOfConvexPairs) {
+TEST(ContactFacts, ChangesNoContactOfConvexPairs) {
   Tally tally;
-  ContactCache others;
+  PairCache others;
   const int walks = scaledCount(600);
   for (int i = 0; i < walks; ++i) {
-    ContactCache own;
+    PairCache own;
     walk(i, true, tally, i % 4 == 0 ? others : own);
   }
   std::printf("%d queries, %d overlap, %d of them by facts, %d apart, %d of them by facts, %d wrong\n", tally.queries,
@@ -110,11 +112,11 @@ TEST(ContactCache, ChangesNoContactOfConvexPairs) {
   }
 }
 
-TEST(ContactCache, ChangesNoContactOfStars) {
+TEST(ContactFacts, ChangesNoContactOfStars) {
   Tally tally;
   const int walks = scaledCount(30);
   for (int i = 0; i < walks; ++i) {
-    ContactCache cache;
+    PairCache cache;
     walk(i, false, tally, cache);
   }
   EXPECT_EQ(tally.wrong, 0);
@@ -124,12 +126,12 @@ TEST(ContactCache, ChangesNoContactOfStars) {
   }
 }
 
-TEST(ContactCache, KnowsWhoseFacesTheyAre) {
+TEST(ContactFacts, KnowsWhoseFacesTheyAre) {
   const Polygon box({rectangle(0, 0, 4, 4)}), beside({rectangle(-1, -1, 1, 1)}), below({rectangle(-1.02, -3, 1, -0.7)});
   const Pose here = Pose::Identity(), there = pose(0, 4.5, 1);
-  ContactCache cache;
+  PairCache cache;
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(contacts(box, here, beside, there, cache).at(0).depth, 0.5, 1e-15);
-  EXPECT_GT(cache.count, 0);
+  EXPECT_GT(detail::factsIn(cache).contact.count, 0);
   EXPECT_NEAR(contacts(box, here, below, there, cache).at(0).depth, 0.3, 1e-15);
 }
 

@@ -9,6 +9,7 @@
 
 #include "exact_reference.h"
 #include "hierarchy/hierarchy.h"
+#include "polygon/cache_access.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -103,7 +104,8 @@ TEST(ConvexApart, CachesGoOnWithIt) {
     const bool hit = collide(a, Pose::Identity(), b, there, cache);
     ASSERT_EQ(hit, collide(a, Pose::Identity(), b, there)) << i;
     hits += hit;
-    on_line += !cache.overlapping && cache.first_edge >= 0;
+    const detail::CollisionFact& fact = detail::factsIn(cache).collision;
+    on_line += !fact.overlapping && fact.first_edge >= 0;
   }
   EXPECT_GT(on_line, 500);
   EXPECT_GT(hits, 20);

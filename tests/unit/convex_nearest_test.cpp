@@ -224,7 +224,7 @@ TEST(ConvexNearest, LooksAtEdgesBeforeAndBehindAVertex) {
     const Pose still = Pose::Identity();
     Pose turned = pose(0.3 * side, 0, 0);  // so that two vertices are the nearest
     turned.translation() = above[0] - turned * above[0];
-    DistanceCache cache;
+    PairCache cache;
     EXPECT_NEAR(distance(a, still, b, turned, cache).distance, 0.0008, 1e-12);
     const double d = distance(a, still, b, still, cache).distance;
     EXPECT_NEAR(d, 0.0001 + 0.05 * 0.006, 1e-7);

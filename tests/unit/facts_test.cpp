@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "polygon/cache_access.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -50,7 +51,8 @@ TEST(Recollection, CountsTheMotionOfBoth) {
   const auto ask = [&](double x_a, double x_b, bool truth) {
     for (const bool swapped : {false, true}) {
       PairCache cache;
-      detail::remember(cache, a.data(), Pose::Identity(), b.data(), pose(0, 3, 0), false, 0.99);
+      detail::remember(detail::factsIn(cache).collision, a.data(), Pose::Identity(), b.data(), pose(0, 3, 0), false,
+                       0.99);
       const bool answer = swapped ? collide(b, pose(0, x_b, 0), a, pose(0, x_a, 0), cache)
                                   : collide(a, pose(0, x_a, 0), b, pose(0, x_b, 0), cache);
       EXPECT_EQ(answer, truth) << x_a << " " << x_b;
@@ -76,7 +78,7 @@ TEST(Recollection, CountsAMirrorOfTheRelativePose) {
       return swapped ? collide(b, pose_b, a, pose_a, cache) : collide(a, pose_a, b, pose_b, cache);
     };
     EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
-    EXPECT_GT(cache.clearance, 2);  // the fact that is to be used
+    EXPECT_GT(detail::factsIn(cache).collision.clearance, 2);  // the fact that is to be used
     EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
     EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
     EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
@@ -111,7 +113,7 @@ TEST(SameAs, SeesEveryEntry) {
 /// A cache that goes from pair to pair holds nothing of the last one.
 TEST(Claim, EmptiesAnotherPairsCache) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 2, 2)}), c({rectangle(0, 0, 3, 3)});
-  PairCache cache;
+  detail::CollisionFact cache;
   detail::remember(cache, a.data(), pose(0, 1, 2), b.data(), pose(0, 3, 4), true, 5);
   cache.first_edge = cache.second_edge = 3;
   detail::claim(cache, a.data(), b.data());
@@ -124,6 +126,9 @@ TEST(Claim, EmptiesAnotherPairsCache) {
   EXPECT_EQ(cache.first_id, a.id());
   EXPECT_EQ(cache.second_id, c.id());
 }
+
+/// What pair_cache.h says.
+TEST(PairCache, IsOfThatSize) { EXPECT_EQ(sizeof(PairCache), 528u); }
 
 }  // namespace
 }  // namespace tricover::support

@@ -14,6 +14,7 @@
 #include "hierarchy/simd.h"
 #include "pair/collide_degenerate.h"
 #include "pair/point_place.h"
+#include "polygon/cache_access.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -116,8 +117,8 @@ TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   // Beside the largest disc inside, in another one.
   const Pose beside = pose(0, 15, 0);
   EXPECT_TRUE(collide(bar, pose(0, 0, 0), dot, beside, cache, options));
-  EXPECT_GT(cache.clearance, 1);
-  EXPECT_LE(cache.clearance, 4);
+  EXPECT_GT(detail::factsIn(cache).collision.clearance, 1);
+  EXPECT_LE(detail::factsIn(cache).collision.clearance, 4);
   EXPECT_FALSE(collide(bar, pose(0, 0, 0), dot, pose(0, 15, 6), cache));
 }
 

@@ -60,7 +60,7 @@ TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
   PairCache of_pair, of_another;
   collide(a, here, b, far, of_pair);
   collide(a, here, a, far, of_another);
-  ASSERT_GT(of_pair.clearance, 9e5);
+  ASSERT_GT(detail::factsIn(of_pair).collision.clearance, 9e5);
   for (const PairCache& given : {of_pair, of_another, PairCache()}) {
     for (const Pose& bad : badPoses()) {
       PairCache cache = given;
@@ -68,7 +68,7 @@ TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
       EXPECT_TRUE(names(refusal([&] { collide(b, far, a, bad, cache); }), "tricover: pose_b"));
       EXPECT_TRUE(names(refusal([&] { collide(a, bad, b, far, cache); }), "tricover: pose_a"));
       EXPECT_TRUE(names(refusal([&] { collide(b, bad, a, here, cache); }), "tricover: pose_a"));
-      EXPECT_EQ(cache.uses, given.uses);
+      EXPECT_EQ(detail::factsIn(cache).collision.uses, detail::factsIn(given).collision.uses);
     }
   }
 }
@@ -133,7 +133,8 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
     for (const Pose& bad : badPoses())
       EXPECT_THROW(collide(strategy, a, Pose::Identity(), b, bad, caches), std::invalid_argument);
     EXPECT_THROW(collide(strategy, b, Pose::Identity(), b, Pose::Identity(), caches, {-1}), std::invalid_argument);
-    const PairCache &cache = caches.of_pair, &before = copy.of_pair;
+    const detail::CollisionFact &cache = detail::factsIn(caches.of_pair).collision,
+                                &before = detail::factsIn(copy.of_pair).collision;
     EXPECT_EQ(cache.first_id, before.first_id);
     EXPECT_EQ(cache.second_id, before.second_id);
     EXPECT_EQ(cache.clearance, before.clearance);
@@ -149,8 +150,8 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
   PointCache cache;
   locate(a, {0.5, 0.5}, cache);
   EXPECT_THROW(locate(b, {kNaN, 0}, cache), std::invalid_argument);
-  EXPECT_EQ(cache.polygon_id, a.id());
-  EXPECT_EQ(cache.location, Location::Inside);
+  EXPECT_EQ(detail::factsIn(cache).polygon_id, a.id());
+  EXPECT_EQ(detail::factsIn(cache).location, Location::Inside);
 }
 
 TEST(Refusal, OfPointsAndLengths) {

@@ -68,7 +68,7 @@ std::vector<std::uint32_t> edgesOf(const PolygonData& polygon) {
   return positions;
 }
 
-bool lists(const DistanceCache& cache, std::uint32_t i, std::uint32_t j) {
+bool lists(const DistanceFacts& cache, std::uint32_t i, std::uint32_t j) {
   for (int k = 0; k < cache.count; ++k)
     if (cache.first_edge[k] == i && cache.second_edge[k] == j) return true;
   return false;
@@ -100,7 +100,7 @@ TEST(RingDistance, GivesTheSameBitsAsAllPairsOfEdges) {
     ASSERT_FALSE(collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
     for (const std::uint32_t i : edgesOf(pair.a))
       for (const std::uint32_t j : edgesOf(pair.b)) ASSERT_TRUE(all.show(i, j)) << reproduction(c);
-    DistanceCache cache;
+    DistanceFacts cache;
     search.keep(cache);
     for (const std::uint32_t i : edgesOf(pair.a))
       for (const std::uint32_t j : edgesOf(pair.b))

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "polygon/cache_access.h"
 #include "random.h"
 #include "shapes.h"
 #include "tricover/segment.h"
@@ -275,16 +276,16 @@ TEST(Scene, HasCachesWhoseFactsEnd) {
   SceneCache cache;
   EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0), cache));
   EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.1, 0), cache));
-  ASSERT_GT(cache.clearance, 0.5);
+  ASSERT_GT(detail::factsIn(cache).clearance, 0.5);
   EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
-  EXPECT_EQ(cache.uses, 1u);
+  EXPECT_EQ(detail::factsIn(cache).uses, 1u);
   scene.move(body, pose(0, 1, 0));
   EXPECT_TRUE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
 
   cache = SceneCache();
   EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0), cache, {}, 2));
   EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.1, 0), cache, {}, 2));
-  ASSERT_GT(cache.clearance, 0.5);
+  ASSERT_GT(detail::factsIn(cache).clearance, 0.5);
   EXPECT_TRUE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
 }
 

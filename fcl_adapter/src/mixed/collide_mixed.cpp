@@ -32,7 +32,7 @@ bool meets(const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl:
            const tricover::CollideOptions& options) {
   tricover::CollideOptions grown;
   grown.margin = pair.grown(options.margin + pair.shape.options().margin);
-  return pair.template remembering<tricover::PairCache>(tf1, tf2, [&](auto&... cache) {
+  return pair.remembering(tf1, tf2, [&](auto&... cache) {
     return tricover::collide(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, cache..., grown);
   });
 }

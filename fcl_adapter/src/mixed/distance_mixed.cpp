@@ -73,7 +73,7 @@ bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* 
               const fcl::DistanceRequest<S>& request, const fcl::DistanceResult<S>& result) {
   const double margin = pair.shape.options().margin;
   const tricover::DistanceOptions options = optionsOf(request, result, pair.grown(margin));
-  tricover::DistanceResult found = pair.template remembering<tricover::DistanceCache>(tf1, tf2, [&](auto&... cache) {
+  tricover::DistanceResult found = pair.remembering(tf1, tf2, [&](auto&... cache) {
     return tricover::distance(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, cache..., options);
   });
   span.distance = found.distance;

@@ -42,12 +42,12 @@ class StadiumPair {
 
   /// Calls ask() with what this thread remembers of the pair at those places, the row's, or without it: a disc beside
   /// few edges is sooner asked for than a fact.
-  template <typename Cache, typename Ask>
+  template <typename Ask>
   auto remembering(const void* place1, const void* place2, const Ask& ask) const {
     if (!segment_ && hasFewEdges(polygon())) return ask();
     const tricover::Polygon &first = polygon_first ? polygon() : segment(),
                             &second = polygon_first ? segment() : polygon();
-    Cache* const cache = pairCache<Cache>(first, place1, second, place2);
+    tricover::PairCache* const cache = pairCache(first, place1, second, place2);
     return cache != nullptr ? ask(*cache) : ask();
   }
 

@@ -88,7 +88,7 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   const auto collide = [&](auto&... cache) {
     return tricover::collide(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., with_margins);
   };
-  const bool hit = pair.heightsMeet() && pair.template remembering<tricover::PairCache>(tf1, tf2, collide);
+  const bool hit = pair.heightsMeet() && pair.remembering(tf1, tf2, collide);
   if (!hit) return result.numContacts();
 
   const std::size_t most = want.contacts ? room(request, result) : 0;

@@ -106,7 +106,7 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   const auto distance = [&](auto&... cache) {
     return tricover::distance(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., options);
   };
-  tricover::DistanceResult planar = pair.template remembering<tricover::DistanceCache>(tf1, tf2, distance);
+  tricover::DistanceResult planar = pair.remembering(tf1, tf2, distance);
   if (options.margin > 0) moveByMargins(planar, shape_a.options().margin, shape_b.options().margin);
   if (planar.distance == 0 && apart == 0) {
     requireContactsIfSigned(o1, o2, request);

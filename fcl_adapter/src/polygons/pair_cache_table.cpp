@@ -11,40 +11,34 @@ namespace {
 
 constexpr int kSlotBits = 13;  // a thousand live pairs lose one in ten to a shared slot
 
-template <typename Cache>
 struct alignas(64) Slot {
   std::uint64_t places = 0;  ///< key of the pair and places that came here last
-  Cache facts;
+  tricover::PairCache facts;
 };
-static_assert(sizeof(Slot<tricover::PairCache>) == 192);  // so 1.5 MiB a thread
+static_assert(sizeof(Slot) == 576);  // so 4.5 MiB a thread
 
-template <typename Cache>
-using Table = std::array<Slot<Cache>, std::size_t{1} << kSlotBits>;
+using Table = std::array<Slot, std::size_t{1} << kSlotBits>;
 
 /// A plain pointer beside its owner, because a thread_local with a destructor is asked for its state at every use.
-template <typename Cache>
-thread_local Table<Cache>* table = nullptr;
+thread_local Table* table = nullptr;
 
 /// Plain, too: both can still be read when the owner is gone.
-template <typename Cache>
 thread_local bool ended = false;
 
-template <typename Cache>
 struct TableOwner {
-  std::unique_ptr<Table<Cache>> slots = std::make_unique<Table<Cache>>();
+  std::unique_ptr<Table> slots = std::make_unique<Table>();
 
-  TableOwner() { table<Cache> = slots.get(); }
+  TableOwner() { table = slots.get(); }
   ~TableOwner() {
-    table<Cache> = nullptr;
-    ended<Cache> = true;
+    table = nullptr;
+    ended = true;
   }
 };
 
-template <typename Cache>
-Table<Cache>* makeTable() {
-  if (ended<Cache>) return nullptr;
-  thread_local const TableOwner<Cache> owner;
-  return table<Cache>;
+Table* makeTable() {
+  if (ended) return nullptr;
+  thread_local const TableOwner owner;
+  return table;
 }
 
 std::uint64_t mix(std::uint64_t id, const void* place) {
@@ -60,24 +54,18 @@ std::uint64_t keyOf(const tricover::Polygon& a, const void* place_a, const trico
 
 }  // namespace
 
-template <typename Cache>
-Cache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b) {
-  Table<Cache>* const slots = table<Cache> != nullptr ? table<Cache> : makeTable<Cache>();
+tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b,
+                               const void* place_b) {
+  Table* const slots = table != nullptr ? table : makeTable();
   if (slots == nullptr) return nullptr;
-  const auto slot = [&](std::uint64_t key) -> Slot<Cache>& {
+  const auto slot = [&](std::uint64_t key) -> Slot& {
     return (*slots)[static_cast<std::size_t>(key >> (64 - kSlotBits))];
   };
   const std::uint64_t key = keyOf(a, place_a, b, place_b);
-  Slot<Cache>& own = slot(key);
+  Slot& own = slot(key);
   if (own.places == key) return &own.facts;
   own.places = key;
   return &slot(keyOf(a, nullptr, b, nullptr)).facts;
 }
-
-#define TRICOVER_INSTANTIATE(Cache) \
-  template Cache* pairCache(const tricover::Polygon&, const void*, const tricover::Polygon&, const void*);
-TRICOVER_INSTANTIATE(tricover::PairCache)
-TRICOVER_INSTANTIATE(tricover::DistanceCache)
-#undef TRICOVER_INSTANTIATE
 
 }  // namespace tricover_fcl

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tricover/collide.h"
-#include "tricover/distance.h"
+#include "tricover/pair_cache.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl {
 
-/// What this thread remembers of the pair, in either order, as a tricover::PairCache or DistanceCache: a slot of a
-/// table of fixed size, so memory stays bounded while polygons come and go. Each kind has its own table, made when
-/// first used. Pairs that share a slot only lose facts to each other: a cache names the ids that its facts are about,
-/// and no answer depends on it. `place_a` and `place_b` tell objects apart that share a polygon (a fleet of one model):
-/// the addresses of their poses, which are those of the CollisionObjects' own members. They are compared, never read.
-/// Places that are new get the slot of their ids alone, and their own one from the next time on: so a walk along an
-/// array of poses is coherent, too. Null once the thread's table is gone: a destructor of a static or thread_local
-/// object may still ask.
-template <typename Cache = tricover::PairCache>
-Cache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b);
+/// What this thread remembers of the pair, in either order, a slot of a table of fixed size, so memory stays bounded
+/// while polygons come and go. Pairs that share a slot only lose facts to each other: a cache names the ids that its
+/// facts are about, and no answer depends on it. `place_a` and `place_b` tell objects apart that share a polygon (a
+/// fleet of one model): the addresses of their poses, which are those of the CollisionObjects' own members. They are
+/// compared, never read. Places that are new get the slot of their ids alone, and their own one from the next time on:
+/// so a walk along an array of poses is coherent, too. Null once the thread's table is gone: a destructor of a static
+/// or thread_local object may still ask.
+tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b,
+                               const void* place_b);
 
 /// Whether a disc beside the polygon is sooner asked for than its cache is found.
 inline bool hasFewEdges(const tricover::Polygon& polygon) { return polygon.vertexCount() <= 64; }

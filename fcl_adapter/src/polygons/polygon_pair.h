@@ -32,10 +32,10 @@ struct PolygonPair {
   }
 
   /// Calls ask() with the pair's cache, or without one where there is none any more, or a disc is beside few edges.
-  template <typename Cache, typename Ask>
+  template <typename Ask>
   auto remembering(const fcl::Transform3<S>& tf1, const fcl::Transform3<S>& tf2, const Ask& ask) const {
     if ((shape_a.isDisc() && hasFewEdges(b())) || (shape_b.isDisc() && hasFewEdges(a()))) return ask();
-    Cache* const cache = pairCache<Cache>(a(), &tf1, b(), &tf2);
+    tricover::PairCache* const cache = pairCache(a(), &tf1, b(), &tf2);
     return cache != nullptr ? ask(*cache) : ask();
   }
 

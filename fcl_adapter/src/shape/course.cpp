@@ -122,7 +122,7 @@ std::optional<FirstContact> advance(const Polygon& a, const Course& course_a, co
     return tricover::collide(a, course_a.pose(time), b, course_b.pose(time), within);
   };
   const double size = options.margin + radiusAround(a, Vec2::Zero()) + radiusAround(b, Vec2::Zero());
-  tricover::DistanceCache facts;
+  tricover::PairCache facts;
   tricover::DistanceOptions beyond;
   beyond.margin = options.margin;
   for (double time = 0;;) {
