@@ -129,7 +129,8 @@ void toContact(Random& random, Case& c, double size) {
 }  // namespace
 
 Ring anyConvex(Random& random, int most_vertices) {
-  const int n = random.integer(3, random.oneIn(6) ? most_vertices : std::min(12, most_vertices));
+  const int n = random.oneIn(3) ? random.integer(3, 4)
+                                : random.integer(3, random.oneIn(5) ? most_vertices : std::min(12, most_vertices));
   Ring ring = random.oneIn(8) ? regular(n, 1) : star(random, n, 1, 1);
   const double squeeze = random.oneIn(5) ? powerOf10(random, -6, 0) : random.real(0.3, 1);
   for (Vec2& p : ring) p.y() *= squeeze;

@@ -9,7 +9,6 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "soak.h"
-#include "tricover/contacts.h"
 
 namespace tricover::soak {
 namespace {
@@ -24,7 +23,7 @@ double anyMargin(Random& random, const Drawn& drawn, const Reference& truth) {
 
 }  // namespace
 
-/// collide() and crossings() against the exact truth, in both orders; with margins; with tolerances what they allow.
+/// collide() against the exact truth, in both orders; with margins; with tolerances what they allow.
 void soakCollide(Run& run) {
   while (run.next()) {
     Random& random = run.random();
@@ -48,12 +47,6 @@ void soakCollide(Run& run) {
       const bool found = collide(c.a, c.pose_a, c.b, c.pose_b, options);
       expect(found == truth || (found && reference.within(options.margin + options.tolerance)), "tolerance");
     }
-    if (!random.oneIn(8)) continue;
-    std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> pairs;
-    for (const Crossing& crossing : crossings(c.a, c.pose_a, c.b, c.pose_b))
-      pairs.emplace_back(crossing.edge_a, crossing.edge_b);
-    std::sort(pairs.begin(), pairs.end());
-    expect(pairs == reference.meetingEdges(), "crossings");
   }
 }
 

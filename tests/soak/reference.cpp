@@ -95,6 +95,12 @@ bool Reference::Posed::holds(const Point& p, long double p_error, bool& in_doubt
   return fill == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
 }
 
+Location Reference::locate(const Polygon& polygon, const Vec2& point) {
+  bool in_doubt = false;
+  const bool holds = Posed(polygon, Pose::Identity()).holds({point.x(), point.y()}, 0, in_doubt);
+  return in_doubt ? exact::locate(polygon, point) : holds ? Location::Inside : Location::Outside;
+}
+
 /// Where no edges meet: whether a (or b) holds a ring of the other one.
 bool Reference::holdsRing(bool in_a) const {
   const Posed &holder = in_a ? a_ : b_, &held = in_a ? b_ : a_;

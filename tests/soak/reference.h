@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "families.h"
+#include "tricover/locate.h"
 
 namespace tricover::soak {
 
@@ -23,6 +24,9 @@ class Reference {
   bool collide() const;
   /// Numbered as in Polygon::edgeStart, in order.
   std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> meetingEdges() const;
+
+  /// Where a point of the polygon's own frame lies.
+  static Location locate(const Polygon& polygon, const Vec2& point);
 
   /// Whether the distance is at most `margin`.
   bool within(double margin) const;

@@ -19,9 +19,9 @@ struct Query {
 };
 
 constexpr Query kQueries[] = {
-    {"cache", soakCache},
-    {"collide", soakCollide},
-    {"distance", soakDistance},
+    {"cache", soakCache},       {"collide", soakCollide}, {"contacts", soakContacts}, {"crossings", soakCrossings},
+    {"distance", soakDistance}, {"impact", soakImpact},   {"locate", soakLocate},     {"penetration", soakPenetration},
+    {"ray", soakRay},           {"scene", soakScene},
 };
 
 int usage() {

@@ -47,6 +47,13 @@ class Run {
 // One a file.
 void soakCache(Run& run);
 void soakCollide(Run& run);
+void soakContacts(Run& run);
+void soakCrossings(Run& run);
 void soakDistance(Run& run);
+void soakImpact(Run& run);
+void soakLocate(Run& run);
+void soakPenetration(Run& run);
+void soakRay(Run& run);
+void soakScene(Run& run);
 
 }  // namespace tricover::soak

@@ -41,4 +41,20 @@ std::string reproduction(const Polygon& polygon, const Vec2& point) {
   return polygonText("polygon", polygon) + "const Vec2 point" + vertex(point) + ";\n";
 }
 
+std::string reproduction(const char* name, const Motion& motion) {
+  std::string text = poseText(std::string("start_") + name, motion.start);
+  text += std::string("Motion ") + name + ";\n" + name + ".start = start_" + name + ";\n";
+  const auto set = [&](const char* field, const std::string& value) {
+    text += std::string(name) + "." + field + " = " + value + ";\n";
+  };
+  set("shift", "Vec2" + vertex(motion.shift));
+  set("angle", hex(motion.angle));
+  set("pivot", "Vec2" + vertex(motion.pivot));
+  set("shift_2", "Vec2" + vertex(motion.shift_2));
+  set("shift_3", "Vec2" + vertex(motion.shift_3));
+  set("angle_2", hex(motion.angle_2));
+  set("angle_3", hex(motion.angle_3));
+  return text;
+}
+
 }  // namespace tricover::support

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/contacts.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cases.h"
+#include "contact_laws.h"
+#include "convex_depth.h"
+#include "exact_penetration.h"
+#include "exact_reference.h"
+#include "reference.h"
+#include "reproduction.h"
+#include "soak.h"
+
+namespace tricover::soak {
+namespace {
+
+bool isCommon(const Case& c, const Vec2& p) {
+  const Polygon point({Ring(3, p)});
+  const Case with_a{c.a, c.pose_a, point, Pose::Identity()}, with_b{c.b, c.pose_b, point, Pose::Identity()};
+  const double error = support::rounding(c);
+  return Reference(with_a).within(error) && Reference(with_b).within(error);
+}
+
+std::string wrongConvex(const Case& c, const Contact& contact) {
+  const long double depth = contact.depth, error = support::rounding(c);
+  const Reference::Bounds truth = convexDepth(c);
+  if (!(depth <= truth.low + error && depth >= truth.high - error)) {
+    const double exactly = exact::distanceBelow(exact::convexPenetrationSquared(c.a, c.pose_a, c.b, c.pose_b));
+    if (!(std::abs(depth - exactly) <= error)) return "depth, which is " + support::hex(exactly);
+  }
+  Case moved = c;
+  moved.pose_b.translation() += (contact.depth * (1 + 1e-9) + 4 * support::rounding(c)) * contact.normal;
+  return Reference(moved).collide() ? "the way doesn't part them" : "";
+}
+
+std::string wrongContacts(Random& random, const Case& c, bool truth) {
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+  if (found.empty() == truth) return "contacts, or none";
+  const bool is_convex = truth && isStrictlyConvex(c.a) && isStrictlyConvex(c.b);
+  if (is_convex && found.size() != 1) return "how many there are";
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Contact& contact = found[i];
+    if (!(std::abs(contact.normal.norm() - 1) <= 1e-12)) return "a normal that isn't unit";
+    if (!(contact.depth >= 0 && std::isfinite(contact.depth))) return "a depth";
+    if (i > 0 && contact.depth > found[i - 1].depth) return "the order";
+    if (!contact.point.allFinite() || (random.oneIn(4) && !isCommon(c, contact.point))) return "a point outside";
+  }
+  if (is_convex) {
+    const std::string wrong = wrongConvex(c, found[0]);
+    if (!wrong.empty()) return wrong;
+  } else if (found.size() == 1 && random.oneIn(16)) {
+    const std::string wrong = support::wrongWayApart(c, found[0]);
+    if (!wrong.empty()) return wrong;
+  }
+  if (!random.oneIn(8)) return {};
+  std::vector<Contact> swapped = contacts(c.b, c.pose_b, c.a, c.pose_a);
+  for (Contact& contact : swapped) contact.normal *= -1, std::swap(contact.edge_a, contact.edge_b);
+  return support::same(found, swapped) ? "" : "swapped, they differ";
+}
+
+}  // namespace
+
+/// contacts() by its laws, of convex pairs against the exact depth.
+void soakContacts(Run& run) {
+  while (run.next()) {
+    Random& random = run.random();
+    Limits limits;
+    limits.convex = random.coin();
+    const Drawn drawn = anyCase(random, limits);
+    // Sums of coordinates must not overflow here.
+    if (!(support::rounding(drawn.c) < 1e285)) continue;
+    const bool truth = Reference(drawn.c).collide();
+    run.count(drawn.family, truth);
+    const std::string problem = wrongContacts(random, drawn.c, truth);
+    if (!problem.empty()) run.fail(drawn.family, problem, support::reproduction(drawn.c));
+  }
+}
+
+}  // namespace tricover::soak

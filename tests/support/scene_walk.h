@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "tricover/collide.h"
+#include "tricover/distance.h"
+#include "tricover/ray.h"
+#include "tricover/scene.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover::support {
+
+/// A scene beside loops over the functions of pairs: bodies that move by a few ulps, a little or far, come into contact
+/// exactly, come and go; with margins, categories and a cache that lives through all of it.
+class SceneWalk {
+ public:
+  /// Its bodies are of these cases.
+  SceneWalk(const std::vector<Case>& cases, std::uint64_t seed, std::size_t bodies) : random_(seed), most_(bodies) {
+    for (const Case& c : cases) {
+      parts_.push_back({c.a, c.pose_a});
+      parts_.push_back({c.b, c.pose_b});
+    }
+    while (bodies_.size() < most_ * 2 / 3) add();
+  }
+
+  void frame() {
+    for (const Scene::Body body : bodies_)
+      if (!random_.oneIn(3)) move(body);
+    if (random_.oneIn(6) && bodies_.size() > most_ / 3) remove();
+    if (random_.oneIn(6) && bodies_.size() < most_) add();
+    if (random_.oneIn(3)) return;  // nobody asks
+    collisions();
+    switch (random_.integer(0, 3)) {
+      case 0:
+        return collides();
+      case 1:
+        return nearest();
+      case 2:
+        for (int i = 0; i < 4; ++i) ray();
+        return;
+      default:
+        return impacts();
+    }
+  }
+
+  std::string wrong;  ///< the first thing that was; empty if there is none
+  int asked = 0, hits = 0, began = 0, ended = 0;
+  int free = 0, inside = 0;         ///< of queries
+  int impacts_found = 0, rays = 0;  ///< hits
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static constexpr double kLargest = std::numeric_limits<double>::max();
+
+  /// What a body may be: a case's polygon at the pose where it meets the case's other one.
+  struct Part {
+    Polygon polygon;
+    Pose pose;
+  };
+
+  const Part& anyPart() { return parts_[index(parts_.size())]; }
+  std::size_t index(std::size_t count) {
+    return static_cast<std::size_t>(random_.integer(0, static_cast<int>(count) - 1));
+  }
+
+  /// A length that matters to a polygon: of its size, or far less.
+  double length(const Polygon& polygon) {
+    return std::min(polygon.radius(), 1e305) * std::pow(10, random_.integer(-12, 0)) * random_.unit();
+  }
+
+  void add() {
+    const Part& part = anyPart();
+    BodyOptions options;
+    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    options.category = options.margin > 0 ? 2 : 1;
+    if (random_.oneIn(6)) options.mask = random_.coin() ? 1 : 2;
+    bodies_.push_back(scene_.add(part.polygon, part.pose, options));
+  }
+
+  void remove() {
+    const auto at = bodies_.begin() + static_cast<std::ptrdiff_t>(index(bodies_.size()));
+    scene_.remove(*at);
+    bodies_.erase(at);
+  }
+
+  /// Beyond others.
+  Pose away(Pose pose) {
+    const double angle = random_.real(0, 2 * M_PI),
+                 way = 3 * random_.unit() * std::min(anyPart().polygon.radius(), 1e305);
+    const Vec2 moved = pose.translation() + way * Vec2(std::cos(angle), std::sin(angle));
+    if (moved.allFinite()) pose.translation() = moved;
+    return pose;
+  }
+
+  /// A pose near another one.
+  Pose near(const Polygon& polygon, Pose pose) {
+    const int kind = random_.integer(0, 3);
+    const double step = length(polygon);
+    Vec2 moved = kind == 0 ? nudged(random_, pose.translation(), 2)
+                           : Vec2(pose.translation() + step * Vec2(random_.real(-1, 1), random_.real(-1, 1)));
+    if (kind == 1) pose.linear() = Eigen::Rotation2Dd(random_.real(-0.1, 0.1)).toRotationMatrix() * pose.linear();
+    if (moved.allFinite()) pose.translation() = moved;
+    return pose.linear().isUnitary(1e-7) ? pose : scenePose(polygon);  // rotated often, it is none any more
+  }
+  Pose scenePose(const Polygon& polygon) {
+    for (const Part& part : parts_)
+      if (part.polygon.id() == polygon.id()) return part.pose;
+    return anyPart().pose;
+  }
+
+  void move(Scene::Body body) {
+    const Polygon& polygon = scene_.polygon(body);
+    if (random_.oneIn(20)) return scene_.move(body, away(anyPart().pose));
+    if (random_.oneIn(8)) return scene_.move(body, scenePose(polygon));
+    scene_.move(body, near(polygon, scene_.pose(body)));
+  }
+
+  void expect(bool right, const std::string& what) {
+    ++asked;
+    if (right || !wrong.empty()) return;
+    wrong = what;
+    for (const Scene::Body p : bodies_) wrong += "\nbody " + std::to_string(p) + "\n" + described(p);
+  }
+  std::string described(Scene::Body body) const {
+    const Part part{scene_.polygon(body), scene_.pose(body)};
+    return "margin " + hex(scene_.options(body).margin) + "\n" +
+           reproduction({part.polygon, part.pose, part.polygon, part.pose});
+  }
+
+  static double sum(double p, double q) { return std::min(p + q, kLargest); }
+  double marginOf(Scene::Body body) const { return scene_.options(body).margin; }
+
+  bool mayMeet(Scene::Body p, Scene::Body q) const {
+    const BodyOptions &of_p = scene_.options(p), &of_q = scene_.options(q);
+    return (of_p.category & of_q.mask) != 0 && (of_q.category & of_p.mask) != 0;
+  }
+
+  std::vector<BodyPair> pairs() const {
+    std::vector<BodyPair> result;
+    for (const Scene::Body p : bodies_)
+      for (const Scene::Body q : bodies_)
+        if (p < q && mayMeet(p, q)) result.push_back({p, q});
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void collisions() {
+    std::vector<BodyPair> now, news, gone;
+    for (const BodyPair& pair : pairs()) {
+      CollideOptions options;
+      options.margin = sum(marginOf(pair.first), marginOf(pair.second));
+      if (collide(scene_.polygon(pair.first), scene_.pose(pair.first), scene_.polygon(pair.second),
+                  scene_.pose(pair.second), options))
+        now.push_back(pair);
+    }
+    std::set_difference(now.begin(), now.end(), before_.begin(), before_.end(), std::back_inserter(news));
+    std::set_difference(before_.begin(), before_.end(), now.begin(), now.end(), std::back_inserter(gone));
+    expect(scene_.collisions() == now, "collisions");
+    expect(scene_.began() == news, "began");
+    expect(scene_.ended() == gone, "ended");
+    before_ = now;
+    hits += static_cast<int>(now.size());
+    began += static_cast<int>(news.size());
+    ended += static_cast<int>(gone.size());
+  }
+
+  struct Question {
+    const Part& part;
+    Pose start;
+    std::uint32_t mask;
+  };
+  Question anyQuestion() {
+    const Part& part = anyPart();
+    const Pose start = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
+    return {part, start, random_.oneIn(4) ? static_cast<std::uint32_t>(random_.integer(1, 2)) : kEveryCategory};
+  }
+
+  void collides() {
+    const auto [part, start, mask] = anyQuestion();
+    CollideOptions options;
+    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    Pose at = start;
+    for (int step = 0; step < 6; ++step) {
+      std::vector<Scene::Body> expected;
+      for (const Scene::Body body : bodies_) {
+        CollideOptions both = options;
+        both.margin = sum(options.margin, marginOf(body));
+        if ((scene_.options(body).category & mask) != 0 &&
+            collide(part.polygon, at, scene_.polygon(body), scene_.pose(body), both))
+          expected.push_back(body);
+      }
+      std::sort(expected.begin(), expected.end());
+      bool answers[2];
+      const Pose poses[2] = {at, start};
+      scene_.collides(part.polygon, poses, 2, answers, {}, options, mask);
+      expect(scene_.colliding(part.polygon, at, options, mask) == expected, "colliding");
+      expect(scene_.collides(part.polygon, at, options, mask) == !expected.empty(), "collides");
+      expect(scene_.collides(part.polygon, at, cache_, options, mask) == !expected.empty(), "collides, cached");
+      expect(answers[0] == !expected.empty(), "collides, many poses");
+      ++(expected.empty() ? free : inside);
+      at = near(part.polygon, at);
+      if (random_.oneIn(3)) options.margin *= random_.unit();
+    }
+  }
+
+  void nearest() {
+    const auto [part, at, mask] = anyQuestion();
+    DistanceOptions options;
+    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    if (random_.oneIn(3)) options.limit = length(part.polygon);
+    double least = kInfinity;
+    Scene::Body first = 0;
+    std::vector<Scene::Body> sorted = bodies_;
+    std::sort(sorted.begin(), sorted.end());
+    for (const Scene::Body body : sorted) {
+      if ((scene_.options(body).category & mask) == 0) continue;
+      DistanceOptions both = options;
+      both.margin = sum(options.margin, marginOf(body));
+      const double apart = distance(part.polygon, at, scene_.polygon(body), scene_.pose(body), both).distance;
+      if (!(apart < least)) continue;
+      least = apart;
+      first = body;
+    }
+    const auto found = scene_.nearest(part.polygon, at, options, mask);
+    expect(found.has_value() == (least < kInfinity), "nearest: whether there is one");
+    if (found) expect(found->body == first && found->result.distance == least, "nearest");
+  }
+
+  /// Margins aren't met exactly: see Scene::castRay().
+  void ray() {
+    const Scene::Body p = bodies_[index(bodies_.size())], q = bodies_[index(bodies_.size())];
+    const Vec2 from = pointOf(p), to = random_.coin() ? pointOf(q) : Vec2(from + 2 * (pointOf(q) - from));
+    if (!from.allFinite() || !to.allFinite()) return;
+    std::optional<BodyRayHit> expected;
+    std::vector<Scene::Body> sorted = bodies_;
+    std::sort(sorted.begin(), sorted.end());
+    for (const Scene::Body body : sorted) {
+      if (marginOf(body) > 0) continue;
+      const auto hit = castRay(scene_.polygon(body), scene_.pose(body), from, to);
+      if (hit && (!expected || hit->fraction < expected->hit.fraction)) expected = BodyRayHit{body, *hit};
+    }
+    const auto hit = scene_.castRay(from, to, 1);
+    expect(hit.has_value() == expected.has_value(), "castRay: whether there is one");
+    if (!hit || !expected) return;
+    expect(hit->body == expected->body && hit->hit.edge == expected->hit.edge &&
+               hit->hit.fraction == expected->hit.fraction && hit->hit.point == expected->hit.point &&
+               hit->hit.normal == expected->hit.normal,
+           "castRay from " + text(from) + " to " + text(to) + ": " + text(*hit) + ", truth " + text(*expected));
+    if (hit->hit.edge >= 0) ++rays;
+  }
+  static std::string text(const Vec2& p) { return "(" + hex(p.x()) + ", " + hex(p.y()) + ")"; }
+  static std::string text(const BodyRayHit& hit) {
+    return "body " + std::to_string(hit.body) + " at " + hex(hit.hit.fraction) + ", edge " +
+           std::to_string(hit.hit.edge);
+  }
+  Vec2 pointOf(Scene::Body body) {
+    const Polygon& polygon = scene_.polygon(body);
+    const Vec2 v = polygon.edgeStart(index(polygon.vertexCount())), s = polygon.origin();
+    return scene_.pose(body) * (s + random_.integer(0, 8) / 4.0 * (v - s));
+  }
+
+  Motion anyMotion(const Polygon& polygon, const Pose& start) {
+    Motion motion = Motion::still(start);
+    const double way = 4 * length(polygon);
+    motion.pivot = polygon.origin();
+    motion.shift = way * Vec2(random_.real(-1, 1), random_.real(-1, 1));
+    if (random_.coin()) motion.angle = random_.real(-2, 2);
+    if (random_.oneIn(3)) motion.shift_2 = -motion.shift;
+    return motion;
+  }
+
+  /// Margins are added in the order of the scene: the query's, then the bodies'.
+  void impacts() {
+    ImpactOptions options;
+    options.time_error = 1e-3;
+    const Part& part = anyPart();
+    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    const Motion motion = anyMotion(part.polygon, near(part.polygon, part.pose));
+    const auto impact = scene_.firstImpact(part.polygon, motion, options);
+    double first = kInfinity;
+    Scene::Body hit = 0;
+    for (const Scene::Body body : bodies_) {
+      ImpactOptions both = options;
+      both.margin = sum(options.margin, marginOf(body));
+      const auto found =
+          timeOfImpact(part.polygon, motion, scene_.polygon(body), Motion::still(scene_.pose(body)), both);
+      if (!found || found->time > first || (found->time == first && body > hit)) continue;
+      first = found->time;
+      hit = body;
+    }
+    expect(impact.has_value() == (first < kInfinity), "firstImpact: whether there is one");
+    if (impact) expect(impact->impact.time == first && impact->body == hit, "firstImpact");
+    if (random_.coin()) allImpacts(options);
+  }
+
+  void allImpacts(const ImpactOptions& options) {
+    std::vector<BodyMotion> motions;
+    for (const Scene::Body body : bodies_)
+      if (random_.oneIn(3)) motions.push_back({body, anyMotion(scene_.polygon(body), scene_.pose(body))});
+    const auto motionOf = [&](Scene::Body body) {
+      const auto at = std::find_if(motions.begin(), motions.end(), [&](const BodyMotion& m) { return m.body == body; });
+      return at != motions.end() ? &*at : nullptr;
+    };
+    std::vector<std::pair<double, BodyPair>> expected, found;
+    for (const BodyPair& pair : pairs()) {
+      const BodyMotion *p = motionOf(pair.first), *q = motionOf(pair.second);
+      if (p == nullptr && q == nullptr) continue;
+      ImpactOptions both = options;
+      both.margin = sum(sum(options.margin, marginOf(pair.first)), marginOf(pair.second));
+      const auto impact = timeOfImpact(
+          scene_.polygon(pair.first), p != nullptr ? p->motion : Motion::still(scene_.pose(pair.first)),
+          scene_.polygon(pair.second), q != nullptr ? q->motion : Motion::still(scene_.pose(pair.second)), both);
+      if (impact) expected.push_back({impact->time, pair});
+    }
+    std::sort(expected.begin(), expected.end());
+    for (const PairImpact& impact : scene_.impacts(motions, options))
+      found.push_back({impact.impact.time, impact.pair});
+    expect(found == expected, "impacts");
+    impacts_found += static_cast<int>(found.size());
+  }
+
+  Random random_;
+  std::size_t most_;
+  std::vector<Part> parts_;
+  Scene scene_;
+  std::vector<Scene::Body> bodies_;
+  std::vector<BodyPair> before_;
+  SceneCache cache_;
+};
+
+}  // namespace tricover::support
