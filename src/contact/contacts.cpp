@@ -449,7 +449,7 @@ Contact ContactFinder::inWorld(const Exit& exit, const Vec2& point) const {
 }
 
 std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache) {
-  if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).gap(0) >= 0) return {};
+  if (gapOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), 0) >= 0) return {};
   const ConvexContact convex = convexContact(pair, cache != nullptr ? &cache->contact : nullptr);
   if (convex.verdict == ConvexContact::Overlap) return {convex.contact};
   return convex.verdict == ConvexContact::Apart ? std::vector<Contact>() : ContactFinder(pair).contacts();

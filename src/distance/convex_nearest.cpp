@@ -6,7 +6,7 @@
 
 #include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
-#include "pair/pair_descent.h"
+#include "pair/placement.h"
 
 namespace tricover::detail {
 namespace {
@@ -144,9 +144,9 @@ class ConvexSearch {
 
   void meet(const SmallPolygon& a, const SmallPolygon& b) {
     const PosedPair pair(ways_.a(), ways_.poseA(), ways_.b(), ways_.poseB());
-    const UnitMap map = mapUnits(pair);
-    if (!(std::abs(map.tx) + std::abs(map.ty) < 4)) return;
-    const ConvexCrossing crossing = convexCrossing(a, b, map, gapRounding(pair));
+    const UnitPlacement at(pair);
+    if (!(std::abs(at.map.tx) + std::abs(at.map.ty) < 4)) return;
+    const ConvexCrossing crossing = convexCrossing(a, b, at.map, at.rounding);
     if (crossing.edge_a >= 0 && crossing.edge_b >= 0) {
       const auto i = static_cast<std::uint32_t>(crossing.edge_a), j = static_cast<std::uint32_t>(crossing.edge_b);
       if (cross(i, j)) return;

@@ -187,7 +187,7 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
 
 /// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
 Outcome findNearest(const PosedPair& pair, DistanceSearch& search) {
-  if (Discs(pair.a, pair.pose_a, pair.b, pair.pose_b).depth(0) > 0) return findMeeting(pair, search);
+  if (depthOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), 0) > 0) return findMeeting(pair, search);
   if (showSmall(pair, search)) return Outcome();
   return descend(pair, search) ? findContainment(pair) : Outcome();
 }

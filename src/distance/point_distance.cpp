@@ -9,7 +9,8 @@
 #include "distance/edge_distance.h"
 #include "numbers/double2.h"
 #include "numbers/double_double.h"
-#include "pair/point_place.h"
+#include "pair/placement.h"
+#include "pair/root_box.h"
 
 namespace tricover::detail {
 namespace {
@@ -58,10 +59,10 @@ NearestEdge nearestEdge(const PolygonData& a, const Pose& pose_a, const PolygonD
   static_assert(kOfA * kUnitRoundoff >= (1 + 1e-5) * (errorOf(2) + kRoot2 * errorOf(1)) &&
                 kOfWay * kUnitRoundoff >= (1 + 1e-5) * (errorOf(3 + 2 + 1) + kRoot2 * errorOf(1)));
   NearestEdge best{-1, 0, Vec2::Zero(), Vec2::Zero(), true};
-  const PointPlace seen(a, pose_a, b, pose_b);
+  const Place place = Placement(a, pose_a, b, pose_b).inUnits().origin();
   const Hierarchy& tree = hierarchyOf(a);
   std::uint32_t edges[kMostNearest];
-  const int count = findNearestEdges(tree, seen.place, edges);
+  const int count = findNearestEdges(tree, place, edges);
   const Twofold<Double2> shift = twoSum(load2(pose_b.data() + 6), -load2(pose_a.data() + 6));
   const Double2 q = mapped(pose_b, b.origin) + shift.high;
   const double extents = kOfA * a.extent + kOfB * b.extent;
@@ -90,7 +91,7 @@ NearestEdge nearestEdge(const PolygonData& a, const Pose& pose_a, const PolygonD
   best.point_a = posed(pose_a, nearest);
   best.point_b = posed(pose_b, b.origin);
   best.distance = distance;
-  best.may_be_inside = !(distanceFromRoot(tree.root, seen.place) > 0);
+  best.may_be_inside = !(distanceFromRoot(tree.root, place) > 0);
   return best;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hierarchy/simd.h"
-#include "pair/pair_descent.h"
+#include "pair/placement.h"
 
 namespace tricover::detail {
 namespace {
@@ -30,8 +30,9 @@ bool areApart(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, 
 bool showSmall(const PosedPair& pair, DistanceSearch& search) {
   if (!areSmall(pair.a, pair.b)) return false;
   const SmallPolygon *a = hierarchyOf(pair.a).small.get(), *b = hierarchyOf(pair.b).small.get();
-  const UnitMap map = mapUnits(pair);
-  const double rounding = gapRounding(pair), far = std::abs(map.tx) + std::abs(map.ty);
+  const UnitPlacement at(pair);
+  const UnitMap& map = at.map;
+  const double rounding = at.rounding, far = std::abs(map.tx) + std::abs(map.ty);
   if (!(far < kFarRings && areApart(*a, *b, map, rounding, far))) return false;
   SmallGaps gaps;
   smallGaps(*a, *b, map, gaps);

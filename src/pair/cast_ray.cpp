@@ -10,7 +10,7 @@
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/four_ends.h"
-#include "pair/point_place.h"
+#include "pair/root_box.h"
 
 namespace tricover {
 namespace detail {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "hierarchy/unit_map.h"
+#include <algorithm>
+#include <cmath>
+
+#include "hierarchy/simd.h"
+#include "pair/edge_test.h"
 #include "pair/outcome.h"
-#include "pair/posed_pair.h"
+#include "pair/placement.h"
+#include "pair/root_box.h"
 #include "tricover/collide.h"
 
 namespace tricover::detail {
@@ -12,13 +17,53 @@ namespace tricover::detail {
 /// shorter the ways to it.
 enum class Wanted { Answer, Clearance, Edges };
 
-/// The default: both hierarchies descended together. Whatever is farther apart than the margin by `lookahead` isn't
-/// entered, so a clearance of at least that much is found if there is one. The bounding discs may meet. The pair must
-/// be in order (inOrder()).
-Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted);
+/// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
+/// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
+inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted, const EdgeTest& test,
+                          double& clearance) {
+  const Hierarchy &a = hierarchyOf(test.a), &b = hierarchyOf(test.b);
+  // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
+  const double gap = rootGap(a.root, b.root, at.map, at.rounding);
+  if (gap > limit) {
+    clearance = gap;
+    return Meeting::Apart;
+  }
+  const bool near = std::abs(at.map.tx) + std::abs(at.map.ty) < 4;  // false for NaN
+  if (!near || wanted == Wanted::Edges) return Meeting::Unknown;
+  if (wanted == Wanted::Answer && limit == 0 && a.small && b.small)
+    return smallMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
+  // Inner discs hardly meet unless the boxes are deep in each other.
+  const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * at.map.scale);
+  if (!(gap < -deep)) return Meeting::Unknown;
+  const double depth = innerDepth(a.inner_discs, b.inner_discs, at.map, at.rounding);
+  if (!(depth > 0)) return Meeting::Unknown;
+  clearance = depth;
+  return Meeting::Meet;
+}
 
-/// What is left of it where meetAtOnce() doesn't tell. The map and what gaps round by may be PolygonPlace's.
-Outcome searchTrees(const PosedPair& pair, const UnitMap& map, double rounding, const CollideOptions& options,
-                    double lookahead, Wanted wanted);
+/// The rest of collideByHierarchy(): both trees descended, and containment.
+Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted);
+
+/// Of two degenerate polygons, by no tree, or a point b, by a's tree alone.
+Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted);
+
+/// The default strategy. Whatever is farther apart than the margin by `lookahead`, a length in a's frame, isn't looked
+/// at, so that a clearance of at least that much is found if there is one. The pair must be in order (inOrder()), and
+/// its bounding discs may meet. Inlined, because what discs have computed is in registers.
+[[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitPlacement& at, const EdgeTest& test,
+                                                         double lookahead, Wanted wanted) {
+  if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
+    return collideDegenerate(at, test, lookahead, wanted);
+  const double limit = at.reach(test.options.margin) + lookahead * at.inverse_unit;
+  Outcome outcome;
+  const Meeting meeting = meetAtOnce(at, limit, wanted, test, outcome.clearance);
+  if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
+  outcome.collides = meeting == Meeting::Meet;
+  outcome.clearance *= test.a.unit;
+  return outcome;
+}
+
+/// The same for a pair whose relative pose is known.
+Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted);
 
 }  // namespace tricover::detail

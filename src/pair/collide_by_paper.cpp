@@ -103,7 +103,7 @@ bool collideByPaper(const Polygon& a, const Pose& pose_a, const Polygon& b, cons
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) {
-        if (Discs(operands...).gap(options.margin) >= 0) return false;
+        if (gapOfDiscs(Placement(operands...), options.margin) >= 0) return false;
         return collideByPaper(PosedPair(operands...), fact, options);
       },
       [](bool) {});

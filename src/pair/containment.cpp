@@ -6,6 +6,7 @@
 
 #include "hierarchy/hierarchy.h"
 #include "pair/ring_starts.h"
+#include "pair/root_box.h"
 
 namespace tricover::detail {
 namespace {
@@ -14,18 +15,14 @@ namespace {
 bool outsideRoot(const PolygonData& polygon, const ApproxPoint& p) {
   const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
   if (hierarchy == nullptr) return false;
-  const Box& box = hierarchy->root;
-  const Vec2 d = polygon.inUnits({p.x, p.y}) - Vec2(box.x, box.y);
-  // p is wrong by `error` in either coordinate, 1.4143 of it along an axis. 2^-40: d is below 4 where it counts and
-  // rounded a few times, and the box's axis is of unit length but for the room that its extents have been given.
-  const double error = 2 * p.error * polygon.inverse_unit + 0x1p-40;
-  return std::abs(d.x() * box.ux + d.y() * box.uy) > box.along + error ||
-         std::abs(d.y() * box.ux - d.x() * box.uy) > box.across + error;
+  const Vec2 at = polygon.inUnits({p.x, p.y});
+  // p is wrong by `error` in either coordinate.
+  return distanceFromRoot(hierarchy->root, {at.x(), at.y(), 1.5 * p.error * polygon.inverse_unit}) > 0;
 }
 
 /// A disc around b in a's frame, rounded outwards.
-struct Disc {
-  explicit Disc(const PosedPair& pair)
+struct DiscOfB {
+  explicit DiscOfB(const PosedPair& pair)
       : x(pair.center_x), y(pair.center_y), radius((pair.radiusB() + 4 * pair.error) * (1 + 16 * kUnitRoundoff)) {}
 
   bool holds(const Vec2& p) const {
@@ -50,7 +47,7 @@ std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isN
   };
   const auto position = [&](std::size_t ring) { return static_cast<std::ptrdiff_t>(polygon.edgeBegin(ring)); };
   if (const RingStarts* starts = ringStarts(polygon)) {
-    const Disc around = disc();
+    const DiscOfB around = disc();
     for (const std::uint32_t ring : starts->between(around.x - around.reach(), around.x + around.reach()))
       if (starts_inside(ring)) return position(ring);
     return -1;
@@ -64,14 +61,14 @@ std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isN
 /// Of b in a.
 std::ptrdiff_t ringOfBInside(const PosedPair& pair) {
   return firstInside(
-      pair.b, [&] { return Disc(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a)); },
+      pair.b, [&] { return DiscOfB(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a)); },
       [&](const Vec2& p) { return !outsideRoot(pair.a, pair.fromB(p)); },
       [&](const Vec2& p) { return locate(pair, p) != Location::Outside; });
 }
 
 /// Of a in b. Most starts are outside of b's disc, which is known in a's frame.
 std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
-  const Disc disc(pair);
+  const DiscOfB disc(pair);
   return firstInside(
       pair.a, [&] { return disc; }, [&](const Vec2& p) { return disc.holds(p); },
       [&](const Vec2& p) {

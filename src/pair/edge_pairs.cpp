@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair/edge_pairs.h"
 
-#include "pair/pair_descent.h"
+#include "pair/placement.h"
 
 namespace tricover::detail {
 
 void showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visitor) {
-  if (visitor.narrow != nullptr && pair.b.isPoint()) {
-    const UnitMap map = mapUnits(pair);
-    return showEdgesNear(hierarchyOf(pair.a), {map.tx, map.ty, map.error}, limit * pair.a.inverse_unit,
+  const UnitPlacement at(pair);
+  const bool nearest = visitor.narrow != nullptr;
+  if (nearest && pair.b.isPoint())
+    return showEdgesNear(hierarchyOf(pair.a), at.origin(), limit * at.inverse_unit,
                          static_cast<std::uint32_t>(pair.b.degenerate_edge), visitor);
-  }
-  showPairs(descentOf(pair, mapUnits(pair), gapRounding(pair), limit * pair.a.inverse_unit, visitor.narrow != nullptr),
+  showPairs({pair.a, pair.b, hierarchyOf(pair.a), hierarchyOf(pair.b), at.map, at.rounding, limit * at.inverse_unit,
+             /*degenerate*/ nearest},
             visitor);
 }
 

@@ -13,13 +13,13 @@
 namespace tricover::detail {
 
 /// A posed polygon's bounding disc, grown, and a disc inside of it, shrunk by what rounding may do to them in the
-/// world: what Discs asks of a pair, ready for many others.
+/// world: what pair/discs.h asks of a pair, ready for many others.
 struct WorldDiscs {
   WorldDiscs(const PolygonData& polygon, const Pose& pose) {
     const double* m = pose.data();  // columns of three
     const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6), away = absolute(t);
-    const double error = Discs::kPointsError * (polygon.extent + away[0] + away[1]) + kTiny;
-    const Discs::InnerDisc disc(polygon);
+    const double error = Placement::kWayError * (polygon.extent + away[0] + away[1]) + kTiny;
+    const InnerDisc disc(polygon);
     center = r0 * polygon.origin.x() + r1 * polygon.origin.y() + t;
     radius = polygon.radius * (1 + kLargestDefect) + error;
     inner = r0 * disc.center.x() + r1 * disc.center.y() + t;
@@ -27,8 +27,8 @@ struct WorldDiscs {
         disc.radius >= 0 ? disc.radius * (1 - kLargestDefect) - error : -std::numeric_limits<double>::infinity();
   }
 
-  /// Discs::kSquares, the difference of the centres, and the two sums of what is above.
-  static constexpr int kSquares = Discs::kSquares + 2 + 2 * 2;
+  /// kDiscSquares, the difference of the centres, and the two sums of what is above.
+  static constexpr int kSquares = kDiscSquares + 2 + 2 * 2;
 
   Double2 center, inner;
   double radius;

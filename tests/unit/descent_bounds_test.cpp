@@ -12,8 +12,8 @@
 #include "hierarchy/simd.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
-#include "pair/meet_at_once.h"
-#include "pair/pair_descent.h"
+#include "pair/placement.h"
+#include "pair/root_box.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -212,9 +212,10 @@ TEST(RootGap, IsTheBoxesSeparationButForRounding) {
     const Polygon a = polygon(1), b = polygon(i % 2 ? 0.3 : 0.01);
     const Pose pose_a = randomPose(random, 0.9), pose_b = mirrored(randomPose(random, 0.9));
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const detail::UnitMap map = detail::mapUnits(pair);
+    const detail::UnitPlacement at(pair);
+    const detail::UnitMap& map = at.map;
     const detail::Box &box_a = hierarchyOf(pair.a).root, &box_b = hierarchyOf(pair.b).root;
-    const double gap = detail::rootGap(box_a, box_b, map, detail::gapRounding(pair));
+    const double gap = detail::rootGap(box_a, box_b, map, at.rounding);
     const double truth = separation(box_a, box_b, map);
     ASSERT_LE(gap, truth) << i;
     ASSERT_GE(gap, truth - 1e-4) << i;
@@ -447,8 +448,8 @@ TEST(DescentDeathTest, APairOutOfOrderIsStopped) {
   const Polygon small({regular(5, 1)}), large({regular(5, 100)});
   const Pose here = Pose::Identity();
   const PosedPair in_order(large.data(), here, small.data(), here), swapped(small.data(), here, large.data(), here);
-  EXPECT_LE(detail::mapUnits(in_order).scale, 1);
-  EXPECT_DEATH(detail::mapUnits(swapped), "unit");
+  EXPECT_LE(detail::UnitPlacement(in_order).map.scale, 1);
+  EXPECT_DEATH(detail::UnitPlacement{swapped}, "unit");
 }
 #endif
 

@@ -12,8 +12,8 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/simd.h"
-#include "pair/collide_degenerate.h"
-#include "pair/point_place.h"
+#include "pair/collide_by_hierarchy.h"
+#include "pair/root_box.h"
 #include "polygon/cache_access.h"
 #include "random.h"
 #include "reproduction.h"
@@ -86,7 +86,7 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     options.margin = margin;
     const bool truth = exact::within(squared, mpq_class(margin));
     hits += truth;
-    ASSERT_EQ(pointMeets(a, c.pose_a, b, c.pose_b, options), truth) << margin << "\n" << reproduction(c);
+    ASSERT_EQ(collide(c.a, c.pose_a, c.b, c.pose_b, options), truth) << margin << "\n" << reproduction(c);
     const PosedPair pair(a, c.pose_a, b, c.pose_b);
     const Outcome outcome = collideByHierarchy(pair, options, below, detail::Wanted::Clearance);
     ASSERT_EQ(outcome.collides, truth) << margin << "\n" << reproduction(c);
@@ -97,7 +97,7 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     ASSERT_EQ(alike.distance, nearest.distance) << reproduction(c);
     ASSERT_EQ(alike.edge, nearest.edge) << reproduction(c);
     ASSERT_EQ(alike.point_a, nearest.point_a) << reproduction(c);
-    ASSERT_EQ(pointMeets(a, c.pose_a, b, c.pose_b, options), truth) << reproduction(c);
+    ASSERT_EQ(collide(c.a, c.pose_a, c.b, c.pose_b, options), truth) << reproduction(c);
   }
   std::printf("%-22s %4d asked, %4d by plain doubles, %4d hits\n", GetParam().name, asked, plain, hits);
   if (asked < 100) return;

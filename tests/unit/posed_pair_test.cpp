@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "pair/polygon_place.h"
+#include "pair/placement.h"
 #include "pair/world_frame.h"
 #include "random.h"
 #include "shapes.h"
@@ -68,7 +68,7 @@ TEST(PosedPair, DefectsHoldForPosesThatAreRigidOnlyAsFarAsIsAllowed) {
 }
 
 /// Also where poses are rigid only as far as is allowed, and where the origins are far from the polygons.
-TEST(PolygonPlace, MapsWithinItsErrorAndItsDefect) {
+TEST(Placement, MapsWithinItsErrorAndItsDefect) {
   Random random(13);
   int large = 0, larger_than_rounding = 0;
   const int asked = scaledCount(300);
@@ -84,7 +84,7 @@ TEST(PolygonPlace, MapsWithinItsErrorAndItsDefect) {
     const Pose turned_a = wrong(randomPose(random, 2)), pose_b = wrong(mirrored(randomPose(random, 2)));
     Pose pose_a = turned_a;
     pose_a.translation() += pose_b * b.origin - turned_a * a.origin;
-    const detail::PolygonPlace place(a, b, detail::Discs(a, pose_a, b, pose_b), detail::defectOf(pose_a, pose_b));
+    const detail::UnitPlacement place = detail::Placement(a, pose_a, b, pose_b).inUnits();
     const detail::UnitMap& map = place.map;
     const ExactVector origin = posed(pose_a, a.origin);
     const mpq_class unit(a.unit), error(map.error), scale(map.scale);
@@ -102,10 +102,10 @@ TEST(PolygonPlace, MapsWithinItsErrorAndItsDefect) {
     const mpq_class length = mpq_class(v.x()) * v.x() + mpq_class(v.y()) * v.y();
     const ExactVector mapped{map.r00 * mpq_class(v.x()) + map.r01 * mpq_class(v.y()),
                              map.r10 * mpq_class(v.x()) + map.r11 * mpq_class(v.y())};
-    const mpq_class low = 1 - mpq_class(place.defect), high = 1 + mpq_class(place.defect);
+    const mpq_class low = 1 - mpq_class(place.scale_defect), high = 1 + mpq_class(place.scale_defect);
     for (const mpq_class& square : {mapped.square(), turnedBack(pose_a, turned(pose_b, v)).square()})
       ASSERT_TRUE(low * low * length <= square && square <= high * high * length) << i;
-    larger_than_rounding += place.defect > 1e-8;
+    larger_than_rounding += place.scale_defect > 1e-8;
   }
   EXPECT_GE(large, asked) << "of four vertices each: the bound is worth something";
   EXPECT_GE(larger_than_rounding, asked / 2);

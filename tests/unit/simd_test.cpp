@@ -12,7 +12,7 @@
 #include "families.h"
 #include "hierarchy/axis_boxes.h"
 #include "pair/collide_by_hierarchy.h"
-#include "pair/pair_descent.h"
+#include "pair/placement.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -223,7 +223,8 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     const PosedPair pair = largerFirst(c);
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
-    const auto answer = [&] { return fewEdgesMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair)); };
+    const detail::UnitPlacement units(pair);
+    const auto answer = [&] { return fewEdgesMeet(*of_a, *of_b, units.map, units.rounding); };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
     if (meeting == detail::Meeting::Unknown) {
@@ -277,9 +278,8 @@ TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
     Check check{pair};
-    const auto answer = [&] {
-      return fewEdgesMeet(*of_a, *of_b, detail::mapUnits(pair), detail::gapRounding(pair), {&check, &Check::meet});
-    };
+    const detail::UnitPlacement units(pair);
+    const auto answer = [&] { return fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {&check, &Check::meet}); };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
     doubted += check.asked > 0;

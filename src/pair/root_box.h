@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What the boxes around everything tell.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 #include <limits>
 
 #include "hierarchy/simd.h"
+#include "numbers/double2.h"
 #include "numbers/float4.h"
-#include "pair/collide_by_hierarchy.h"
 
 namespace tricover::detail {
 
@@ -38,27 +39,15 @@ inline double rootGap(const Box& a, const Box& b, const UnitMap& map, double rou
   return std::max(larger_gaps[0], larger_gaps[1]) - rounding * (far[0] + far[1] + 4) - map.error;
 }
 
-/// What boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are in a's
-/// units: `limit` is that of gaps that matter, `clearance` is that of the answer.
-inline Meeting meetAtOnce(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double rounding, double limit,
-                          Wanted wanted, const EdgeCheck& check, double& clearance) {
-  // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
-  const double gap = rootGap(a.root, b.root, map, rounding);
-  if (gap > limit) {
-    clearance = gap;
-    return Meeting::Apart;
-  }
-  const bool near = std::abs(map.tx) + std::abs(map.ty) < 4;  // false for NaN
-  if (!near || wanted == Wanted::Edges) return Meeting::Unknown;
-  if (wanted == Wanted::Answer && limit == 0 && a.small && b.small)
-    return smallMeet(*a.small, *b.small, map, rounding, check);
-  // Inner discs hardly meet unless the boxes are deep in each other.
-  const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * map.scale);
-  if (!(gap < -deep)) return Meeting::Unknown;
-  const double depth = innerDepth(a.inner_discs, b.inner_discs, map, rounding);
-  if (!(depth > 0)) return Meeting::Unknown;
-  clearance = depth;
-  return Meeting::Meet;
+/// A lower bound, in units, of the distance of a place from the box around everything; not positive where it may be
+/// inside. The box's axis is of unit length as far as floats are: kGapRounding is far more than doubles add to that.
+inline double distanceFromRoot(const Box& root, const Place& place) {
+  const double dx = place.x - root.x, dy = place.y - root.y;
+  const double along = std::max(std::abs(dx * root.ux + dy * root.uy) - root.along, 0.0);
+  const double across = std::max(std::abs(dy * root.ux - dx * root.uy) - root.across, 0.0);
+  const double squares = along * along + across * across;
+  const double apart = squares < 1e300 ? std::sqrt(squares) : std::max(along, across);  // squares may overflow
+  return apart - (std::abs(dx) + std::abs(dy) + 4) * kGapRounding - place.error;
 }
 
 }  // namespace tricover::detail
