@@ -36,9 +36,8 @@ std::string wrongAnswer(Random& random, const Case& c, double size, Caches& cach
     limits.margin = options.margin;
     if (random.oneIn(3)) limits.limit = size * random.real(0, 3);
     const DistanceResult without = distance(c.a, c.pose_a, c.b, c.pose_b, limits),
-                         with = turned
-                                    ? support::swapped(distance(c.b, c.pose_b, c.a, c.pose_a, caches.pair, limits))
-                                    : distance(c.a, c.pose_a, c.b, c.pose_b, caches.pair, limits);
+                         with = turned ? support::swapped(distance(c.b, c.pose_b, c.a, c.pose_a, caches.pair, limits))
+                                       : distance(c.a, c.pose_a, c.b, c.pose_b, caches.pair, limits);
     if (with.distance != without.distance)
       return "distance, margin " + support::hex(limits.margin) + ", limit " + support::hex(limits.limit);
   }

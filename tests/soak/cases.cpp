@@ -160,21 +160,18 @@ Pose anyRotation(Random& random) {
 
 void place(Random& random, Case& c) {
   const double size = std::min(c.a.radius(), c.b.radius()), reach = c.a.radius() + c.b.radius();
-  switch (random.integer(0, 7)) {
-    case 0:
-    case 1:
-      return toContact(random, c, size);
-    case 2:
-    case 3:
-      c.pose_b.translation() = c.pose_a * pointOf(random, c.a) - c.pose_b.linear() * pointOf(random, c.b);
-      if (random.coin()) c.pose_b.translation() += powerOf10(random, -17, 0) * anyVector(random, size);
-      return;
-    case 4:
-      c.pose_b.translation() = c.pose_a.translation() + anyVector(random, reach * powerOf10(random, 0, 4));
-      return;
-    default:
-      c.pose_b.translation() = c.pose_a.translation() + anyVector(random, 0.8 * reach);
+  const Vec2 before = c.pose_b.translation();
+  const int manner = random.integer(0, 7);
+  if (manner < 2 && reach + c.pose_a.translation().stableNorm() < 1e306) {
+    toContact(random, c, size);
+  } else if (manner < 4) {
+    c.pose_b.translation() = c.pose_a * pointOf(random, c.a) - c.pose_b.linear() * pointOf(random, c.b);
+    if (random.coin()) c.pose_b.translation() += powerOf10(random, -17, 0) * anyVector(random, size);
+  } else {
+    const double far = manner == 4 ? powerOf10(random, 0, 4) : 0.8;
+    c.pose_b.translation() = c.pose_a.translation() + anyVector(random, reach * far);
   }
+  if (!c.pose_b.translation().allFinite()) c.pose_b.translation() = before;
 }
 
 Drawn anyCase(Random& random, const Limits& limits) {
@@ -195,8 +192,8 @@ Drawn anyCase(Random& random, const Limits& limits) {
   if (random.oneIn(3))
     c.pose_a.translation() = anyVector(random, size * (random.oneIn(8) ? powerOf10(random, 0, 9) : 9));
   if (!c.pose_a.translation().allFinite()) c.pose_a.translation().setZero();
+  c.pose_b.translation() = c.pose_a.translation();
   place(random, c);
-  if (!c.pose_b.translation().allFinite()) c.pose_b.translation() = c.pose_a.translation();
   return {family, c, std::min(a.radius(), b.radius())};
 }
 

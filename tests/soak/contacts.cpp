@@ -24,12 +24,26 @@ bool isCommon(const Case& c, const Vec2& p) {
   return Reference(with_a).within(error) && Reference(with_b).within(error);
 }
 
+/// Whether a convex polygon is nowhere wider than so much, or hardly so.
+bool isThin(const Polygon& polygon, double width) {
+  long double area = 0;
+  const Vec2 s = polygon.edgeStart(0);
+  for (std::size_t i = 0; i < polygon.vertexCount(); ++i) {
+    const Vec2 v = polygon.edgeStart(i) - s, w = polygon.edgeEnd(i) - s;
+    area += static_cast<long double>(v.x()) * w.y() - static_cast<long double>(v.y()) * w.x();
+  }
+  return std::abs(area) < 8.0L * width * polygon.radius();
+}
+
 std::string wrongConvex(const Case& c, const Contact& contact) {
   const long double depth = contact.depth, error = support::rounding(c);
   const Reference::Bounds truth = convexDepth(c);
   if (!(depth <= truth.low + error && depth >= truth.high - error)) {
     const double exactly = exact::distanceBelow(exact::convexPenetrationSquared(c.a, c.pose_a, c.b, c.pose_b));
-    if (!(std::abs(depth - exactly) <= error)) return "depth, which is " + support::hex(exactly);
+    const bool is_thin = isThin(c.a, support::rounding(c)) || isThin(c.b, support::rounding(c));
+    if (contact.depth == 0 && is_thin) return "";
+    if (!(std::abs(depth - exactly) <= error))
+      return "depth " + support::hex(contact.depth) + ", which is " + support::hex(exactly);
   }
   Case moved = c;
   moved.pose_b.translation() += (contact.depth * (1 + 1e-9) + 4 * support::rounding(c)) * contact.normal;

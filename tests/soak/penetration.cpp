@@ -62,7 +62,7 @@ std::string wrongWith(Random& random, const Drawn& drawn, const Penetration& p) 
   const double tiny = precision(c);
   if (!(p.depth >= 0 && p.lower_bound >= 0 && p.lower_bound <= p.depth)) return "depth or lower_bound";
   if (!(std::abs(p.direction.norm() - 1) <= 1e-12)) return "direction is no unit vector";
-  if (!(length(p.translation) <= p.depth + tiny)) return "translation is longer than depth";
+  if (!(length(p.translation) <= p.depth + 2 * tiny)) return "translation is longer than depth";
   if (p.optimal && !(p.depth - p.lower_bound <= tiny)) return "not optimal";
   if (!p.optimal && p.depth - p.lower_bound <= tiny / 8) return "optimal, but said not to be";
   if (collideAfter(c, p.translation)) return "translation doesn't part them";
