@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Breaks the code in one place at a time and asks the test suite to notice.
 
-usage: tests/mutation/run.py [--check] [--adapter] [--only REGEX] [--jobs N] [--scale 0.1] [--work DIR] [--again]
+usage: tests/mutation/run.py [--check] [--adapter] [--only REGEX] [--jobs N] [--scale 0.1] [--tests REGEX] [--work DIR] [--again]
+       tests/mutation/run.py --random N [--files FILE...] [--seed S] ...
 
 For every mutation of lists/<room>.py (with --adapter: of lists/adapter.py, on fcl_test, which needs FCL): applies it to a
 copy of the project, builds the library and runs one test after the other until one fails, those first that noticed the last
@@ -11,12 +12,16 @@ exits 1 if one survived that isn't marked as equivalent, or doesn't compile. Wha
 a run that was stopped goes on where it was, and a mutation is tried again when its file or its text has changed, or with --again.
 
 --check only looks whether every text occurs exactly once in its file. That is a CTest; a run is not, since it takes an hour.
+
+--random tries N random mutations of the files instead (default: all of src): a comparison, a sign or a constant that is another one, a
+statement left out. A seed means the same ones as long as the files stay. Those that survive are holes in the tests, or change nothing.
 """
 import argparse
 import hashlib
 import json
 import os
 import pathlib
+import random
 import re
 import resource
 import runpy
@@ -63,6 +68,43 @@ def key_of(mutation):
     return hashlib.sha256("\0".join((file, old, new, (ROOT / file).read_text())).encode()).hexdigest()[:16]
 
 
+# What may stand in a line of code, and what it becomes.
+SWAPS = {"<": ["<="], "<=": ["<"], ">": [">="], ">=": [">"], "==": ["!="], "!=": ["=="], "&&": ["||"], "||": ["&&"],
+         "+": ["-"], "-": ["+"], "+=": ["-="], "-=": ["+="], "*": ["/"], "true": ["false"], "false": ["true"],
+         "std::min": ["std::max"], "std::max": ["std::min"]}
+# Operators stand between blanks (clang-format), which templates' brackets and pointers don't.
+OPERATOR = re.compile(r"(?<= )(?:<=|>=|==|!=|&&|\|\||\+=|-=|[<>+*-])(?= )|\b(?:true|false|std::min|std::max)\b")
+NUMBER = re.compile(r"(?<![\w.\[])(\d+)(?=[;,) ])")
+NEGATION = re.compile(r"(?<=[( ])[-!](?=[\w(])")
+STATEMENT = re.compile(r"^ +(?:if \(.*\) .*;|[\w.\[\]>-]+(?:\(.*\)| [-+*/|&]?= .*);|(?:\+\+|--)[\w.\[\]]+;)$")
+NO_CODE = re.compile(r"^\s*(?://|#|static_assert|assert|using|template|namespace|\}|$)")
+
+
+def random_mutations(files, count, seed):
+    """That many, each (file, text that stands there once, replacement, what it is)."""
+    drawn, found = random.Random(seed), []
+    for file in files:
+        lines = (ROOT / file).read_text().split("\n")
+        text = "\n".join(lines)
+        for i, line in enumerate(lines):
+            code = line.split("//")[0].rstrip()
+            if NO_CODE.match(line):
+                continue
+            changed = [(m.start(), m.group(), new) for m in OPERATOR.finditer(code) for new in SWAPS[m.group()]]
+            changed += [(m.start(), m.group(), str(int(m.group()) + 1)) for m in NUMBER.finditer(code)]
+            changed += [(m.start(), m.group(), "") for m in NEGATION.finditer(code)]
+            mutants = [(line[:at] + new + line[at + len(old):], f"{old} -> {new or 'nothing'}") for at, old, new in changed]
+            begins = next((above for above in reversed(lines[:i]) if above.strip()), "{").split("//")[0].rstrip()[-1:] in ";{}"
+            if begins and STATEMENT.match(code):
+                mutants.append(("", "left out"))
+            # As many lines before it as it takes to be the only place.
+            start = next(k for k in range(i, -1, -1) if text.count("\n".join(lines[k:i + 1]) + "\n") == 1 or k == 0)
+            before = "\n".join(lines[start:i]) + "\n" * (start < i)
+            found += [(file, before + line + "\n", before + new + "\n", f"line {i + 1}, {what}: {line.strip()}")
+                      for new, what in mutants]
+    return drawn.sample(found, min(count, len(found)))
+
+
 class Tests:
     """The executables in the order in which they are tried: shared by all workers."""
 
@@ -89,7 +131,7 @@ class Worker:
 
     def __init__(self, directory, arguments, tests):
         self.source, self.build = directory / "source", directory / ("build_fcl" if arguments.adapter else "build")
-        self.adapter, self.scale, self.tests = arguments.adapter, arguments.scale, tests
+        self.adapter, self.scale, self.tests, self.wanted = arguments.adapter, arguments.scale, tests, arguments.tests
         self.library = "tricover_fcl" if arguments.adapter else "tricover"
         self.built = set()
 
@@ -129,7 +171,8 @@ class Worker:
         for test in json.loads(run(["ctest", "--test-dir", self.build, "--show-only=json-v1"]).stdout)["tests"]:
             directory = next(p["value"] for p in test["properties"] if p["name"] == "WORKING_DIRECTORY")
             program = pathlib.Path(directory) / test["name"]
-            if test.get("command", [str(program)]) == [str(program)] and part in directory and not LEFT_OUT.search(test["name"]):
+            if test.get("command", [str(program)]) == [str(program)] and part in directory and not LEFT_OUT.search(test["name"]) \
+                    and re.search(self.wanted, test["name"]):
                 self.programs[test["name"]] = program
 
     def make(self, target):
@@ -234,8 +277,12 @@ def main():
     parser.add_argument("--only", default="", help="mutations whose line (file: what it breaks) matches this expression")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutations at a time, each with a build of its own")
     parser.add_argument("--scale", default="0.1", help="TRICOVER_TEST_SCALE for the tests")
+    parser.add_argument("--tests", default="", help="try these tests only: an expression that their names match")
     parser.add_argument("--work", default=ROOT / "build" / "mutation", help="where to copy and build, and what was found is kept")
     parser.add_argument("--again", action="store_true", help="forget what was found")
+    parser.add_argument("--random", type=int, default=0, metavar="N", help="so many random mutations instead")
+    parser.add_argument("--files", nargs="*", help="of these files (with --random)")
+    parser.add_argument("--seed", type=int, default=1, help="which ones (with --random)")
     arguments = parser.parse_args()
 
     wrong = [*wrong_texts(CORE), *wrong_texts(ADAPTER)]
@@ -246,6 +293,10 @@ def main():
 
     mutations = [m for m in (ADAPTER if arguments.adapter else CORE)
                  if re.search(arguments.only, f"{m[0]}: {m[3]}")]
+    if arguments.random:
+        rooms = ROOT / ("fcl_adapter/src" if arguments.adapter else "src")
+        files = arguments.files or sorted(str(path.relative_to(ROOT)) for path in rooms.rglob("*") if path.suffix in (".h", ".cpp"))
+        mutations = random_mutations(files, arguments.random, arguments.seed)
     work = pathlib.Path(arguments.work).resolve()
     work.mkdir(parents=True, exist_ok=True)
     results = work / "results.txt"  # a key and a verdict a line
@@ -278,7 +329,8 @@ def main():
 
         in_parallel(workers, try_one, left)
     found = {m: verdicts[keys[m]] for m in mutations}
-    bad = [m for m in mutations if not found[m].startswith("killed") and "(equivalent" not in m[3]]
+    bad = [m for m in mutations if not found[m].startswith("killed") and "(equivalent" not in m[3]
+           and not (arguments.random and found[m].startswith("DOES"))]
     for m in bad:
         print(f"{found[m]}: {m[0]}: {m[3]}")
     for m in mutations:

@@ -22,6 +22,9 @@ constexpr Query kQueries[] = {
     {"cache", soakCache},       {"collide", soakCollide}, {"contacts", soakContacts}, {"crossings", soakCrossings},
     {"distance", soakDistance}, {"impact", soakImpact},   {"locate", soakLocate},     {"penetration", soakPenetration},
     {"ray", soakRay},           {"scene", soakScene},
+#ifdef TRICOVER_SOAK_FCL
+    {"fcl", soakFcl},           {"round", soakRound},
+#endif
 };
 
 int usage() {

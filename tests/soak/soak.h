@@ -55,5 +55,8 @@ void soakLocate(Run& run);
 void soakPenetration(Run& run);
 void soakRay(Run& run);
 void soakScene(Run& run);
+// With FCL alone.
+void soakFcl(Run& run);
+void soakRound(Run& run);
 
 }  // namespace tricover::soak

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/continuous_collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <cmath>
+#include <string>
+
+#include "cases.h"
+#include "reference.h"
+#include "reproduction.h"
+#include "soak.h"
+#include "spatial.h"
+#include "tricover/distance.h"
+#include "tricover_fcl/tricover_fcl.h"
+
+namespace tricover::soak {
+namespace {
+
+template <typename S>
+using Shape = tricover_fcl::PolygonShape<S>;
+
+/// What FCL's functions say of the case, whose poses are S's, and what they should.
+template <typename S>
+std::string wrongAnswers(Random& random, const Case& c, double margin_a, double margin_b) {
+  tricover_fcl::PolygonOptions of_a, of_b;
+  of_a.margin = margin_a;
+  of_b.margin = margin_b;
+  const Shape<S> a(c.a, of_a), b(c.b, of_b);
+  const fcl::Transform3<S> tf_a = lifted<S>(c.pose_a), tf_b = lifted<S>(c.pose_b);
+  const double margin = margin_a + margin_b;
+  const bool truth = Reference(c).within(margin);
+  fcl::CollisionRequest<S> request;
+  fcl::CollisionResult<S> hit, swapped;
+  if (fcl::collide<S>(&a, tf_a, &b, tf_b, request, hit) > 0 != truth) return "collide";
+  if (fcl::collide<S>(&b, tf_b, &a, tf_a, request, swapped) > 0 != truth) return "collide, swapped";
+  if (random.oneIn(4)) {
+    fcl::DistanceResult<S> apart;
+    fcl::distance<S>(&a, tf_a, &b, tf_b, fcl::DistanceRequest<S>(), apart);
+    DistanceOptions options;
+    options.margin = margin;
+    const double expected = distance(c.a, c.pose_a, c.b, c.pose_b, options).distance;
+    if ((apart.min_distance <= 0) != truth) return "distance: zero or not";
+    if (!truth && std::is_same<S, double>::value && apart.min_distance != expected) return "distance";
+  }
+  if (random.oneIn(8)) {
+    fcl::ContinuousCollisionResult<S> impact;
+    // b comes from there, and ends where it is.
+    fcl::Transform3<S> from = tf_b;
+    from.translation().x() += static_cast<S>(std::min(c.b.radius(), 1e30) * random.real(-3, 3));
+    fcl::continuousCollide<S>(&a, tf_a, tf_a, &b, from, tf_b, fcl::ContinuousCollisionRequest<S>(), impact);
+    if (truth && !impact.is_collide) return "continuousCollide: they meet at the end";
+    Case start = c;
+    start.pose_b.translation().x() = static_cast<double>(from.translation().x());
+    const bool at_start = Reference(start).within(margin);
+    if (at_start && !(impact.is_collide && impact.time_of_contact == 0)) return "continuousCollide: at the start";
+    if (impact.is_collide && impact.time_of_contact == 0 && !at_start && margin == 0 &&
+        Reference(start).distance().low > 1e-3 * c.b.radius())
+      return "continuousCollide: not at the start";
+  }
+  return {};
+}
+
+}  // namespace
+
+/// fcl::collide, distance and continuousCollide of two polygons, in double and float, against the exact truth.
+void soakFcl(Run& run) {
+  tricover_fcl::registerNarrowphase();
+  while (run.next()) {
+    Random& random = run.random();
+    const bool is_float = random.oneIn(3);
+    Limits limits;
+    if (is_float) limits.most_exponent = 20;
+    Drawn drawn = anyCase(random, limits);
+    Case& c = drawn.c;
+    if (is_float)
+      for (Pose* pose : {&c.pose_a, &c.pose_b}) *pose = planar(lifted<float>(*pose));
+    if (!c.pose_a.matrix().allFinite() || !c.pose_b.matrix().allFinite()) continue;
+    const double margin_a = random.oneIn(3) ? drawn.size * random.unit() : 0,
+                 margin_b = random.oneIn(3) ? drawn.size * random.unit() : 0;
+    std::string problem;
+    try {
+      problem = is_float ? wrongAnswers<float>(random, c, margin_a, margin_b)
+                         : wrongAnswers<double>(random, c, margin_a, margin_b);
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+    run.count(drawn.family, Reference(c).within(margin_a + margin_b));
+    if (!problem.empty())
+      run.fail(drawn.family,
+               problem + (is_float ? ", float" : ", double") + ", margins " + support::hex(margin_a) + ", " +
+                   support::hex(margin_b),
+               support::reproduction(c));
+  }
+}
+
+}  // namespace tricover::soak

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/cone.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/ellipsoid.h>
+#include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "cases.h"
+#include "reference.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "soak.h"
+#include "spatial.h"
+#include "tricover_fcl/tricover_fcl.h"
+
+namespace tricover::soak {
+namespace {
+
+using Vec3 = fcl::Vector3<double>;
+
+struct Body {
+  const char* name;
+  std::shared_ptr<fcl::ShapeBase<double>> geometry;
+  double radius, half_length;
+  Vec3 radii;  ///< an ellipsoid's
+
+  /// The point of it that is foremost in a direction of its own frame.
+  Vec3 foremost(const Vec3& d) const {
+    const double across = std::hypot(d.x(), d.y());
+    const Vec3 rim = across > 0 ? Vec3(radius * d.x() / across, radius * d.y() / across, 0) : Vec3(Vec3::Zero());
+    const Vec3 top(0, 0, half_length), end = d.z() < 0 ? Vec3(-top) : top;
+    switch (name[1]) {
+      case 'a':  // capsule
+        return end + radius * d.normalized();
+      case 'y':  // cylinder
+        return end + rim;
+      case 'o':  // cone
+        return d.dot(top) > d.dot(rim - top) ? top : Vec3(rim - top);
+      case 'l':  // ellipsoid
+        return radii.cwiseAbs2().cwiseProduct(d) / radii.cwiseProduct(d).norm();
+      default:  // sphere
+        return radius * d.normalized();
+    }
+  }
+};
+
+Body anyBody(Random& random, double size) {
+  const double radius = size * random.real(0.1, 1), length = size * random.real(0.1, 2);
+  const Vec3 radii = size * Vec3(random.real(0.1, 1), random.real(0.1, 1), random.real(0.1, 1));
+  switch (random.integer(0, 4)) {
+    case 0:
+      return {"sphere", std::make_shared<fcl::Sphered>(radius), radius, 0, radii};
+    case 1:
+      return {"capsule", std::make_shared<fcl::Capsuled>(radius, length), radius, length / 2, radii};
+    case 2:
+      return {"cylinder", std::make_shared<fcl::Cylinderd>(radius, length), radius, length / 2, radii};
+    case 3:
+      return {"cone", std::make_shared<fcl::Coned>(radius, length), radius, length / 2, radii};
+    default:
+      return {"ellipsoid", std::make_shared<fcl::Ellipsoidd>(radii), radius, 0, radii};
+  }
+}
+
+/// Outlines within and around what a body's shadow on the plane is: of its points and of its tangents in many
+/// directions.
+struct Outlines {
+  Ring within, around;
+};
+
+Outlines outlinesOf(const Body& body, const fcl::Transform3d& pose) {
+  constexpr int kDirections = 96;
+  const auto normal = [](int i) { return support::direction(6.283185307179586 * i / kDirections); };
+  Outlines outlines;
+  for (int i = 0; i < kDirections; ++i) {
+    const Vec2 n = normal(i);
+    const Vec3 p = pose * body.foremost(pose.linear().transpose() * Vec3(n.x(), n.y(), 0));
+    outlines.within.emplace_back(p.x(), p.y());
+  }
+  for (int i = 0; i < kDirections; ++i) {
+    // Where the tangents at two neighbours meet.
+    const Vec2 n = normal(i), m = normal(i + 1), &p = outlines.within[static_cast<std::size_t>(i)],
+               &q = outlines.within[static_cast<std::size_t>((i + 1) % kDirections)];
+    const double along = n.dot(p), beside = m.dot(q), sine = n.x() * m.y() - n.y() * m.x();
+    outlines.around.emplace_back((along * m.y() - beside * n.y()) / sine, (beside * n.x() - along * m.x()) / sine);
+  }
+  return outlines;
+}
+
+}  // namespace
+
+/// Polygons at all heights and FCL's round bodies, between what an outline within the body's shadow and one around it
+/// say.
+void soakRound(Run& run) {
+  tricover_fcl::registerNarrowphase();
+  while (run.next()) {
+    Random& random = run.random();
+    Limits limits;
+    limits.most_exponent = 5;
+    const Drawn drawn = anyCase(random, limits);
+    const Case& c = drawn.c;
+    const Body body = anyBody(random, c.b.radius() > 0 ? c.b.radius() : drawn.size > 0 ? drawn.size : 1);
+    fcl::Transform3d pose = lifted<double>(c.pose_b);
+    const Vec3 axis(random.real(-1, 1), random.real(-1, 1), random.real(0.1, 1));
+    pose.linear() = Eigen::AngleAxisd(random.oneIn(4) ? 0 : random.real(-3, 3), axis.normalized()).toRotationMatrix();
+    const Outlines outlines = outlinesOf(body, pose);
+    const Case within{c.a, c.pose_a, Polygon({outlines.within}), Pose::Identity()};
+    const Case around{c.a, c.pose_a, Polygon({outlines.around}), Pose::Identity()};
+    const auto nearest = static_cast<double>(Reference(around).distance().low),
+               farthest = static_cast<double>(Reference(within).distance().high);
+    const double rounding = 1e-11 * (c.a.radius() + body.radius + body.half_length + body.radii.norm() +
+                                     c.pose_a.translation().lpNorm<1>() + c.pose_b.translation().lpNorm<1>());
+    tricover_fcl::PolygonShaped shape(c.a, tricover_fcl::PolygonOptions::atAllHeights());
+    fcl::CollisionResultd hit;
+    const bool found = fcl::collide<double>(&shape, lifted<double>(c.pose_a), body.geometry.get(), pose,
+                                            fcl::CollisionRequestd(), hit) > 0;
+    fcl::DistanceResultd apart;
+    fcl::distance<double>(&shape, lifted<double>(c.pose_a), body.geometry.get(), pose, fcl::DistanceRequestd(), apart);
+    run.count(body.name, found);
+    std::string problem;
+    if (found && nearest > rounding) problem = "collide, though it is apart";
+    if (!found && farthest == 0 && Reference(within).collide()) problem = "no collision, though they overlap";
+    if (!found && (apart.min_distance < nearest - rounding || apart.min_distance > farthest + rounding))
+      problem = "distance " + support::hex(apart.min_distance) + ", which is from " + support::hex(nearest) + " to " +
+                support::hex(farthest);
+    if (problem.empty()) continue;
+    std::string text = std::string("// ") + body.name + ", radius " + support::hex(body.radius) + ", half its length " +
+                       support::hex(body.half_length) + ", radii " + support::hex(body.radii.x()) + " " +
+                       support::hex(body.radii.y()) + " " + support::hex(body.radii.z()) + ", pose";
+    for (int i = 0; i < 12; ++i) text += " " + support::hex(pose.matrix()(i / 4, i % 4));
+    run.fail(body.name, problem, text + "\n// b is an outline within its shadow\n" + support::reproduction(within));
+  }
+}
+
+}  // namespace tricover::soak
