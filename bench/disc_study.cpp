@@ -101,7 +101,7 @@ std::vector<Result> measureDiscs(const Settings& settings) {
       results.push_back(measureValues(
           turning ? "turning" : "sliding", fixed, motions, 1, settings,
           [fixed = fixed](const Other& other, const Motion& motion) {
-            const auto impact = timeOfImpact(fixed, {}, other.polygon, motion, {kTimeError, other.margin});
+            const auto impact = timeOfImpact(fixed, {}, other.polygon, motion, {other.margin, kTimeError});
             return impact ? impact->time : std::numeric_limits<double>::infinity();
           }));
     }

@@ -22,7 +22,7 @@ class Core {
   Core(Polygon fixed, Polygon moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
   void prepare(const std::vector<Motion>& motions) { motions_ = motions.data(); }
   double value(std::size_t i) {
-    const auto impact = timeOfImpact(fixed_, still_, moving_, motions_[i], {kTimeError});
+    const auto impact = timeOfImpact(fixed_, still_, moving_, motions_[i], {0, kTimeError});
     return impact ? impact->time : kNever;
   }
 

@@ -101,8 +101,7 @@ BatchCost measureBatch(const Countries& countries, bool full) {
   const std::vector<Pose> poses = randomPoses(map, count, 6);
   Scene scene;
   for (const Placed& placed : map) scene.add(placed.polygon, placed.pose);
-  const auto answers = [&] { return std::make_unique<bool[]>(count); };
-  const auto one_by_one = answers(), serial = answers(), threads = answers();
+  std::vector<bool> one_by_one(count), serial, threads;
   tbb::task_arena arena(2);
   const Parallel on_threads = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, n, task); });
@@ -111,11 +110,10 @@ BatchCost measureBatch(const Countries& countries, bool full) {
       secondsInTurn({[&] {
                        for (std::size_t i = 0; i < count; ++i) one_by_one[i] = scene.collides(robot, poses[i]);
                      },
-                     [&] { scene.collides(robot, poses.data(), count, serial.get()); },
-                     [&] { scene.collides(robot, poses.data(), count, threads.get(), on_threads); }},
+                     [&] { serial = scene.collides(robot, poses); },
+                     [&] { threads = scene.collides(robot, poses, {}, kEveryCategory, on_threads); }},
                     5, wallSeconds);
-  const bool same = std::equal(one_by_one.get(), one_by_one.get() + count, serial.get()) &&
-                    std::equal(one_by_one.get(), one_by_one.get() + count, threads.get());
+  const bool same = one_by_one == serial && one_by_one == threads;
   const double ns = 1e9 / static_cast<double>(count);
   return {count, ns * seconds[0], ns * seconds[1], ns * seconds[2], same};
 }

@@ -108,9 +108,8 @@ std::string configurationsPicture() {
                                                  static_cast<double>(cell / grid.width) + 0.5);
       poses.push_back(poseAt(at, heading) * Eigen::Translation2d(-centre));
     }
-    const auto hits = std::make_unique<bool[]>(poses.size());
-    scene.collides(robot, poses.data(), poses.size(), hits.get());
-    grid.cells.assign(hits.get(), hits.get() + poses.size());
+    const std::vector<bool> hits = scene.collides(robot, poses);
+    grid.cells.assign(hits.begin(), hits.end());
     const Pose moved = poseAt(Vec2(k % 2 * 1.05 * size.x(), -(k / 2) * 1.1 * size.y()), 0);
     if (const auto blocked = outline(grid)) drawing.polygon(*blocked, moved, kHit, kHit);
     for (const Placed& placed : map) drawing.polygon(placed.polygon, moved * placed.pose, kStill);

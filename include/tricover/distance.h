@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <limits>
 
 #include "tricover/export.h"
@@ -12,6 +11,10 @@ namespace tricover {
 
 /// What a distance may be wrong by, and from where on it is of no interest. The default is exact.
 struct DistanceOptions {
+  /// A world length, at least 0 and finite. The result becomes max(0, distance - margin): that of the regions grown by
+  /// margins whose sum this is. It is 0 exactly where collide() with this margin is true. Points and edges stay those
+  /// of the regions themselves, nearest points also where they are closer than the margin.
+  double margin = 0;
   /// The result is at most truth * (1 + relative_error) + absolute_error. It is never below the truth but for rounding.
   /// Whether it is 0 stays exact. With a margin, the truth is what is left of the distance.
   double relative_error = 0;
@@ -20,20 +23,16 @@ struct DistanceOptions {
   /// It is never so where the truth is at most this, and no other result is above the limit, whatever the errors. With
   /// a margin, it is about what is left of the distance, too, but for rounding their sum down.
   double limit = std::numeric_limits<double>::infinity();
-  /// A world length, at least 0 and finite. The result becomes max(0, distance - margin): that of the regions grown by
-  /// margins whose sum this is. It is 0 exactly where collide() with this margin is true. Points and edges stay those
-  /// of the regions themselves, nearest points also where they are closer than the margin.
-  double margin = 0;
 };
 
 /// A distance and where it is attained, in the world. Where the regions collide (the margin aside), both points are one
 /// common point.
 struct DistanceResult {
-  double distance;        ///< A world length, less the margin.
-  Vec2 point_a;           ///< The point of a nearest to b. Rounded as the coordinates of a posed vertex are.
-  Vec2 point_b;           ///< The point of b nearest to a. Rounded likewise.
-  std::ptrdiff_t edge_a;  ///< The edge of a that point_a lies on. -1 where a ring of b lies inside a.
-  std::ptrdiff_t edge_b;  ///< The edge of b that point_b lies on. -1 where a ring of a lies inside b.
+  double distance;   ///< A world length, less the margin.
+  Vec2 point_a;      ///< The point of a nearest to b. Rounded as the coordinates of a posed vertex are.
+  Vec2 point_b;      ///< The point of b nearest to a. Rounded likewise.
+  EdgeIndex edge_a;  ///< The edge of a that point_a lies on. -1 where a ring of b lies inside a.
+  EdgeIndex edge_b;  ///< The edge of b that point_b lies on. -1 where a ring of a lies inside b.
 };
 
 /// The distance of the two closed regions.

@@ -58,7 +58,7 @@ enum class InfluenceKind {
 /// std::out_of_range for an edge that isn't there.
 ///
 /// \snippet paper.cpp influence
-TRICOVER_EXPORT bool inInfluenceArea(const Polygon& polygon, std::size_t edge, const Vec2& point, double length,
+TRICOVER_EXPORT bool inInfluenceArea(const Polygon& polygon, EdgeIndex edge, const Vec2& point, double length,
                                      InfluenceKind kind);
 
 /// One bit an edge: whether the point, in the polygon's frame, is in that edge's bounded area. Edge i has bit i % 64 of
@@ -74,7 +74,7 @@ TRICOVER_EXPORT std::vector<std::uint64_t> influenceMask(const Polygon& polygon,
 /// Throws as inInfluenceArea() does.
 ///
 /// \snippet paper.cpp bounded influence area
-TRICOVER_EXPORT std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, std::size_t edge, double length);
+TRICOVER_EXPORT std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, EdgeIndex edge, double length);
 
 /// What Algorithm 3 remembers of a pair of polygons: on which side of every edge the moving centroid was when it was
 /// last outside every influence area and the regions were apart. The rules are those of a PairCache.

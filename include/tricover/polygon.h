@@ -14,6 +14,10 @@ namespace tricover {
 /// Vertices in order. The last one is joined to the first. Repeated and collinear vertices are allowed.
 using Ring = std::vector<Vec2>;
 
+/// The number of an edge: edges are numbered through the rings in order, from 0. Edge i of a ring joins the ring's
+/// vertices i and i + 1. -1 is no edge.
+using EdgeIndex = std::ptrdiff_t;
+
 /// Which points the rings call inside, by how often they wind around the point.
 enum class FillRule {
   EvenOdd,  ///< Inside is where the winding number is odd.
@@ -32,23 +36,28 @@ struct PolygonData;
 /// \snippet polygon.cpp polygon
 class TRICOVER_EXPORT Polygon {
  public:
-  /// Throws std::invalid_argument, naming ring and vertex, for no ring, fewer than three vertices in a ring, a
-  /// coordinate that is not finite, or more than 2^29 vertices in all (one more counted for each ring).
+  /// Of rings and a fill rule. Throws std::invalid_argument, naming ring and vertex, for no ring, fewer than three
+  /// vertices in a ring, a coordinate that is not finite, or more than 2^29 vertices in all (one more counted for each
+  /// ring).
   explicit Polygon(std::vector<Ring> rings, FillRule fill = FillRule::EvenOdd);
+
+  Polygon(const Polygon&) = default;             ///< Moving copies, too, so that no polygon is ever without its data.
+  Polygon& operator=(const Polygon&) = default;  ///< See there.
 
   const std::vector<Ring>& rings() const;  ///< As they were given.
   FillRule fillRule() const;               ///< As it was given.
 
-  /// Copies share it, and no other polygon has it while the process lives. It means nothing in another process.
+  /// What tells polygons apart. Copies share it, and no other polygon has it while the process lives. It means nothing
+  /// in another process.
   std::uint64_t id() const;
 
   /// How many vertices all rings have, and so how many edges.
   std::size_t vertexCount() const;
 
-  /// Edges are numbered through the rings in order. Edge i of a ring joins the ring's vertices i and i + 1. Throws
-  /// std::out_of_range for an edge that isn't there.
-  Vec2 edgeStart(std::size_t edge) const;
-  Vec2 edgeEnd(std::size_t edge) const;  ///< See edgeStart().
+  /// Where an edge starts. Throws std::out_of_range for an edge that isn't there.
+  Vec2 edgeStart(EdgeIndex edge) const;
+  /// Where an edge ends. Throws as edgeStart() does.
+  Vec2 edgeEnd(EdgeIndex edge) const;
 
   /// S, the covering's origin: a point near the region's centroid, inside the bounding box.
   const Vec2& origin() const;

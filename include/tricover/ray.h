@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <optional>
 
 #include "tricover/export.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
+
+/// What is asked of a ray.
+struct RayOptions {
+  /// A world length, at least 0 and finite: the region grown by it is looked for.
+  double margin = 0;
+};
 
 /// Where a ray first meets a polygon's region, in the world.
 struct RayHit {
@@ -21,7 +26,7 @@ struct RayHit {
   Vec2 normal;
   /// The first edge on the way, of several that are met at the same point the one of the lowest number: exact. -1 where
   /// the ray starts in the region, its boundary included.
-  std::ptrdiff_t edge;
+  EdgeIndex edge;
 };
 
 /// The first point of a polygon's region on the closed segment from `from` to `to`, points of the world; or nothing.
@@ -29,11 +34,14 @@ struct RayHit {
 /// Whether there is one is exact: a ray that grazes a vertex hits it, and one that starts in the region hits it at
 /// fraction 0. A ray of length 0 is a point. Typical cost: O(log n + k), where k counts the edges near the ray.
 ///
-/// Throws std::invalid_argument for a point that is not finite and for a pose that checkPose() refuses, and
-/// std::length_error as collide() does.
+/// With a margin, the grown region is met within 1e-13 of the coordinates, as timeOfImpact() meets it. The hit's edge
+/// is then the one that the margin is around, and its normal leads from there to the hit.
+///
+/// Throws std::invalid_argument for a point that is not finite, for a pose that checkPose() refuses and a margin that
+/// is negative or not finite, and std::length_error as collide() does.
 ///
 /// \snippet ray.cpp ray
 TRICOVER_EXPORT std::optional<RayHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from,
-                                              const Vec2& to);
+                                              const Vec2& to, const RayOptions& options = {});
 
 }  // namespace tricover

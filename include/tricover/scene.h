@@ -130,10 +130,10 @@ class TRICOVER_EXPORT Scene {
  public:
   using Body = BodyHandle;  ///< A handle.
 
-  Scene();
+  Scene();  ///< Without bodies.
   ~Scene();
-  Scene(Scene&&) noexcept;             ///< The other one is good for nothing but to be destroyed or assigned to.
-  Scene& operator=(Scene&&) noexcept;  ///< See there.
+  Scene(Scene&& other);             ///< Leaves the other one without bodies.
+  Scene& operator=(Scene&& other);  ///< See there.
 
   /// Throws std::invalid_argument as collide() does for the pose and the margin, std::length_error for more than 2^28
   /// bodies and as collide() does. A throw changes nothing, here as in what follows.
@@ -162,10 +162,15 @@ class TRICOVER_EXPORT Scene {
   /// The same, using and renewing the facts in `cache`.
   bool collides(const Polygon& polygon, const Pose& pose, SceneCache& cache, const CollideOptions& options = {},
                 std::uint32_t mask = kEveryCategory) const;
-  /// For many poses at once: answers[i] is what collides() says of poses[i]. The same answers whatever runs it.
-  void collides(const Polygon& polygon, const Pose* poses, std::size_t count, bool* answers,
-                const Parallel& parallel = {}, const CollideOptions& options = {},
-                std::uint32_t mask = kEveryCategory) const;
+  /// For many poses at once: what collides() says of each of them, in their order. The same answers whatever runs it.
+  /// Throws as collides() does.
+  ///
+  /// \snippet scene.cpp parallel
+  std::vector<bool> collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options = {},
+                             std::uint32_t mask = kEveryCategory, const Parallel& parallel = {}) const;
+  /// One of them, not said which.
+  std::optional<Body> anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
+                                   std::uint32_t mask = kEveryCategory) const;
   /// All of them, sorted.
   std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                               std::uint32_t mask = kEveryCategory) const;
@@ -184,7 +189,8 @@ class TRICOVER_EXPORT Scene {
   /// The first one on the way from `from` to `to`, as tricover::castRay(); of several at the same fraction the one of
   /// the lowest handle. A body with a margin is met within 1e-13 of the coordinates, as timeOfImpact() meets it; its
   /// edge is the one that the margin is around.
-  std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, std::uint32_t mask = kEveryCategory) const;
+  std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, const RayOptions& options = {},
+                                    std::uint32_t mask = kEveryCategory) const;
 
  private:
   std::unique_ptr<detail::SceneState> impl_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <optional>
 
 #include "tricover/export.h"
@@ -12,10 +11,11 @@ namespace tricover {
 
 /// How exact a time of impact has to be.
 struct ImpactOptions {
+  /// A world length, at least 0 and finite. What is looked for is the first time at which the polygons are no farther
+  /// apart than this.
+  double margin = 0;
   /// How much earlier than the first contact an impact may be reported. Time runs from 0 to 1.
   double time_error = 1e-6;
-  /// What is looked for: the first time at which the polygons are no farther apart than this.
-  double margin = 0;
 };
 
 /// The first contact of two motions, in the world.
@@ -26,8 +26,8 @@ struct Impact {
   Vec2 point;
   /// A unit vector from a to b. Of regions that overlap at time 0 it need not be the shortest way out.
   Vec2 normal;
-  std::ptrdiff_t edge_a;  ///< The edge of a that meets b's. -1 where b lies inside a at time 0.
-  std::ptrdiff_t edge_b;  ///< The edge of b that meets a's. -1 where a lies inside b at time 0.
+  EdgeIndex edge_a;  ///< The edge of a that meets b's. -1 where b lies inside a at time 0.
+  EdgeIndex edge_b;  ///< The edge of b that meets a's. -1 where a lies inside b at time 0.
 };
 
 /// The first contact of two moving polygons at a time from 0 to 1, both included, or nothing if there is none. With a

@@ -117,7 +117,8 @@ void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
 }
 
 void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill) {
-  for (std::size_t edge = 0; edge < polygon.vertexCount(); ++edge) {
+  const auto count = static_cast<EdgeIndex>(polygon.vertexCount());
+  for (EdgeIndex edge = 0; edge < count; ++edge) {
     std::string points;
     for (const Vec2& corner : paper::boundedInfluenceArea(polygon, edge, length)) {
       const Vec2 world = pose * corner;

@@ -43,17 +43,19 @@ struct alignas(64) EightBoxes {
 ///
 /// Error. Beside 6U of a fraction, which kEarlier pays for where that is at most 1: 4U |c|, because x * inverse rounds
 /// by U of itself, and that is at most 2 |c| or half of it is left. Along an axis where the way is shorter than `least`
-/// it is taken for that: the ray stays within 1 in these fractions of where it begins, and sides are moved by 2. A way
-/// that overflows tells nothing.
+/// it is taken for that: the ray stays within 1 in these fractions of where it begins, and sides are moved by 2. Those
+/// of grown boxes are moved by the margin, too. A way that overflows tells nothing.
 struct BoxRay {
   static constexpr double kEarlier = 4e-13;
 
-  BoxRay(const Vec2& from, const Vec2& to) {
+  /// For boxes that are to be grown by `margin`.
+  BoxRay(const Vec2& from, const Vec2& to, double margin = 0) {
     for (const int axis : {0, 1}) {
       const double way = to[axis] - from[axis], least = std::max(1e-290, 0x1p-60 * std::abs(from[axis]));
       const bool known = std::isfinite(way);
       inverse[axis] = std::copysign(known ? 1 / std::max(std::abs(way), least) : 1e-307, way);
-      const double c = from[axis] * inverse[axis], room = 8 * kUnitRoundoff * std::abs(c) + kEarlier;
+      const double c = from[axis] * inverse[axis], grown = margin * std::abs(inverse[axis]);
+      const double room = 8 * kUnitRoundoff * (std::abs(c) + grown) + grown + kEarlier;
       const double slack = !known ? std::numeric_limits<double>::infinity() : std::abs(way) < least ? room + 2 : room;
       enter[axis] = c + slack;
       leave[axis] = c - slack;

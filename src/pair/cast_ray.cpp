@@ -8,12 +8,10 @@
 #include "hierarchy/inclusion.h"
 #include "hierarchy/simd.h"
 #include "numbers/errors.h"
-#include "numbers/rigidity.h"
 #include "pair/four_ends.h"
 #include "pair/root_box.h"
 
-namespace tricover {
-namespace detail {
+namespace tricover::detail {
 namespace {
 
 /// In either coordinate R^-1 (p - t) errs as the shift of a relative pose does (kMappingError): by 7U |p - t|_1.
@@ -213,24 +211,16 @@ class RayCast {
   double fraction_ = 0;
 };
 
-void requireFinite(const Vec2& point, const char* field) {
-  if (!point.allFinite()) refuse(field, "a coordinate is not finite");
-}
-
 }  // namespace
 
-std::optional<RayHit> castRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
-                              double limit) {
+void requireFiniteRay(const Vec2& from, const Vec2& to) {
+  if (!from.allFinite()) refuse("from", "a coordinate is not finite");
+  if (!to.allFinite()) refuse("to", "a coordinate is not finite");
+}
+
+std::optional<RayHit> castPlainRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
+                                   double limit) {
   return RayCast(polygon, pose, from, to, limit).first();
 }
 
-}  // namespace detail
-
-std::optional<RayHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to) {
-  detail::requireRigid(pose, "pose");
-  detail::requireFinite(from, "from");
-  detail::requireFinite(to, "to");
-  return detail::castRay(polygon.data(), pose, from, to, 1);
-}
-
-}  // namespace tricover
+}  // namespace tricover::detail

@@ -9,9 +9,12 @@
 
 namespace tricover::detail {
 
-/// tricover::castRay() for operands that have been checked. Nothing where the hit's fraction is above `limit`, which
-/// spares time; up to the limit the answer doesn't depend on it.
-std::optional<RayHit> castRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
-                              double limit);
+/// Throws for an end that is not finite.
+void requireFiniteRay(const Vec2& from, const Vec2& to);
+
+/// tricover::castRay() without a margin for operands that have been checked. Nothing where the hit's fraction is above
+/// `limit`, which spares time; up to the limit the answer doesn't depend on it.
+std::optional<RayHit> castPlainRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
+                                   double limit);
 
 }  // namespace tricover::detail

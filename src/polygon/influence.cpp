@@ -55,7 +55,7 @@ void check(const Vec2& point, double length) {
 
 }  // namespace
 
-bool inInfluenceArea(const Polygon& polygon, std::size_t edge, const Vec2& point, double length, InfluenceKind kind) {
+bool inInfluenceArea(const Polygon& polygon, EdgeIndex edge, const Vec2& point, double length, InfluenceKind kind) {
   check(point, length);
   const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
   const detail::ApproxPoint p{point.x(), point.y(), 0};
@@ -83,7 +83,7 @@ std::vector<std::uint64_t> influenceMask(const Polygon& polygon, const Vec2& poi
   return mask;
 }
 
-std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, std::size_t edge, double length) {
+std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, EdgeIndex edge, double length) {
   check(Vec2::Zero(), length);
   const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), u = w - v;
   const int main = std::abs(u.y()) <= std::abs(u.x()) ? 0 : 1, other = 1 - main;

@@ -153,12 +153,13 @@ std::size_t PolygonData::edgePosition(std::size_t number) const {
   return number + low;
 }
 
-std::size_t PolygonData::checkedEdgePosition(std::size_t number) const {
+std::size_t PolygonData::checkedEdgePosition(EdgeIndex number) const {
   const std::size_t count = path.size() - ringCount();
-  if (number >= count)
+  if (number < 0) throw std::out_of_range(refusal("edge", std::to_string(number) + " is no edge"));
+  if (static_cast<std::size_t>(number) >= count)
     throw std::out_of_range(
         refusal("edge", std::to_string(number) + " is beyond the last one, " + std::to_string(count - 1)));
-  return edgePosition(number);
+  return edgePosition(static_cast<std::size_t>(number));
 }
 
 }  // namespace detail
@@ -173,7 +174,7 @@ std::size_t Polygon::vertexCount() const { return data_->path.size() - data_->ri
 const Vec2& Polygon::origin() const { return data_->origin; }
 double Polygon::radius() const { return data_->radius; }
 
-Vec2 Polygon::edgeStart(std::size_t edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
-Vec2 Polygon::edgeEnd(std::size_t edge) const { return data_->path[data_->checkedEdgePosition(edge) + 1]; }
+Vec2 Polygon::edgeStart(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
+Vec2 Polygon::edgeEnd(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge) + 1]; }
 
 }  // namespace tricover

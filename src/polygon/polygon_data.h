@@ -31,7 +31,7 @@ struct PolygonData {
   std::size_t edgeNumber(std::size_t position) const;
   std::size_t edgePosition(std::size_t number) const;
   /// Throws std::out_of_range for what is no edge's number.
-  std::size_t checkedEdgePosition(std::size_t number) const;
+  std::size_t checkedEdgePosition(EdgeIndex number) const;
 
   bool isDegenerate() const { return degenerate_edge != kNotDegenerate; }
   bool isPoint() const { return is_point; }

@@ -140,8 +140,14 @@ BodyHandle findMet(const SceneState& state, const Asked& asked, std::uint32_t ma
 
 bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                      std::uint32_t mask) const {
+  return anyColliding(polygon, pose, options, mask).has_value();
+}
+
+std::optional<Scene::Body> Scene::anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
+                                               std::uint32_t mask) const {
   check(pose, options);
-  return findMet(*impl_, Asked(polygon.data(), pose, options), mask) != kNone;
+  const Body met = findMet(*impl_, Asked(polygon.data(), pose, options), mask);
+  return met != kNone ? std::optional<Body>(met) : std::nullopt;
 }
 
 bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& caller_cache, const CollideOptions& options,

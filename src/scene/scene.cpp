@@ -23,8 +23,12 @@ std::uint64_t nextSceneId() {
 
 Scene::Scene() : impl_(std::make_unique<detail::SceneState>()) { impl_->id = nextSceneId(); }
 Scene::~Scene() = default;
-Scene::Scene(Scene&&) noexcept = default;
-Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::Scene(Scene&& other) : Scene() { impl_.swap(other.impl_); }
+Scene& Scene::operator=(Scene&& other) {
+  Scene moved(std::move(other));
+  impl_.swap(moved.impl_);
+  return *this;
+}
 
 Scene::Body Scene::add(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");

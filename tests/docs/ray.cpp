@@ -17,7 +17,8 @@ TEST(Documentation, Ray) {
   EXPECT_EQ(hit->edge, 3);
   EXPECT_TRUE(tricover::castRay(wall, pose, {6, 1}, {14, 1}));  // along the upper edge
   EXPECT_FALSE(tricover::castRay(wall, pose, {6, 0.5}, {9, 0.5}));
-  EXPECT_EQ(tricover::castRay(wall, pose, {12, 0.5}, {20, 9})->fraction, 0);  // starts inside
+  EXPECT_EQ(tricover::castRay(wall, pose, {12, 0.5}, {20, 9})->fraction, 0);                     // starts inside
+  EXPECT_NEAR(tricover::castRay(wall, pose, {6, 0.5}, {14, 0.5}, {0.8})->fraction, 0.4, 1e-13);  // a margin
   //! [ray]
 }
 

@@ -69,8 +69,7 @@ TEST(Documentation, Parallel) {
   scene.add(square, tricover::Pose::Identity());
   std::vector<tricover::Pose> poses(1000, tricover::Pose::Identity());
   for (std::size_t i = 0; i < poses.size(); ++i) poses[i].translation().x() = 0.01 * static_cast<double>(i);
-  const auto answers = std::make_unique<bool[]>(poses.size());
-  scene.collides(square, poses.data(), poses.size(), answers.get(), parallel);
+  const std::vector<bool> answers = scene.collides(square, poses, {}, tricover::kEveryCategory, parallel);
   EXPECT_TRUE(answers[100]);  // at x = 1
   EXPECT_FALSE(answers[101]);
   //! [parallel]

@@ -200,9 +200,10 @@ class SceneWalk {
           expected.push_back(body);
       }
       std::sort(expected.begin(), expected.end());
-      bool answers[2];
-      const Pose poses[2] = {at, start};
-      scene_.collides(part.polygon, poses, 2, answers, {}, options, mask);
+      const std::vector<bool> answers = scene_.collides(part.polygon, std::vector<Pose>{at, start}, options, mask);
+      const auto any = scene_.anyColliding(part.polygon, at, options, mask);
+      expect(any.has_value() == !expected.empty(), "anyColliding");
+      expect(!any || std::binary_search(expected.begin(), expected.end(), *any), "anyColliding, which");
       expect(scene_.colliding(part.polygon, at, options, mask) == expected, "colliding");
       expect(scene_.collides(part.polygon, at, options, mask) == !expected.empty(), "collides");
       expect(scene_.collides(part.polygon, at, cache_, options, mask) == !expected.empty(), "collides, cached");
@@ -249,7 +250,7 @@ class SceneWalk {
       const auto hit = castRay(scene_.polygon(body), scene_.pose(body), from, to);
       if (hit && (!expected || hit->fraction < expected->hit.fraction)) expected = BodyRayHit{body, *hit};
     }
-    const auto hit = scene_.castRay(from, to, 1);
+    const auto hit = scene_.castRay(from, to, {}, 1);
     expect(hit.has_value() == expected.has_value(), "castRay: whether there is one");
     if (!hit || !expected) return;
     expect(hit->body == expected->body && hit->hit.edge == expected->hit.edge &&

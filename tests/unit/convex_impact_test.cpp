@@ -98,7 +98,7 @@ TEST(ConvexImpact, SlidesEndWhereTheirLastEdgeIsMet) {
     const Polygon a({convexRing(random, 1)}), b({convexRing(random, random.real(0.05, 1))});
     const Vec2 start = 3 * direction(random.real(-4, 4));
     const Motion motion = Motion::translation(pose(0, start.x(), start.y()), -random.real(0.5, 2) * start + a.origin());
-    const std::optional<Impact> impact = timeOfImpact(a, {}, b, motion, {1e-9});
+    const std::optional<Impact> impact = timeOfImpact(a, {}, b, motion, {0, 1e-9});
     if (!impact || impact->time == 0) continue;
     ++hits;
     const PolygonData &of_a = a.data(), &of_b = b.data();

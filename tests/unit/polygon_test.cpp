@@ -136,5 +136,25 @@ TEST(Polygon, CoveringHasOneTriangleAnEdgeWithTheSignOfItsArea) {
   }
 }
 
+/// Moving copies.
+TEST(Polygon, IsAsItWasWhenMovedFrom) {
+  Polygon polygon({rectangle(0, 0, 1, 1)});
+  const std::uint64_t id = polygon.id();
+  Polygon moved(std::move(polygon)), other({rectangle(0, 0, 2, 2)});
+  EXPECT_EQ(polygon.id(), id);  // NOLINT
+  EXPECT_EQ(moved.id(), id);
+  moved = std::move(other);
+  EXPECT_EQ(moved.id(), other.id());  // NOLINT
+  EXPECT_EQ(other.vertexCount(), 4u);
+}
+
+TEST(Polygon, RefusesEdgesThatArentThere) {
+  const Polygon polygon({rectangle(0, 0, 1, 1)});
+  for (const EdgeIndex edge : {EdgeIndex{-1}, EdgeIndex{4}, std::numeric_limits<EdgeIndex>::min()}) {
+    EXPECT_THROW(polygon.edgeStart(edge), std::out_of_range);
+    EXPECT_THROW(polygon.edgeEnd(edge), std::out_of_range);
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support

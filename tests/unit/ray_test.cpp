@@ -121,7 +121,7 @@ TEST(Ray, LimitLeavesOutWhatIsBeyondAndNothingElse) {
     const Pose placed = randomPose(random, 1);
     const Vec2 from(random.real(-3, 3), random.real(-3, 3)), to(random.real(-3, 3), random.real(-3, 3));
     const auto all = castRay(polygon, placed, from, to);
-    const auto limited = [&](double limit) { return detail::castRay(polygon.data(), placed, from, to, limit); };
+    const auto limited = [&](double limit) { return detail::castPlainRay(polygon.data(), placed, from, to, limit); };
     if (!all || all->edge < 0) {
       EXPECT_EQ(limited(0.5).has_value(), all.has_value());
       continue;
@@ -204,6 +204,26 @@ TEST(Ray, RefusesWhatIsNotFinite) {
   EXPECT_NE(message(Pose::Identity(), {nan, 0}, {0, 0}).find("from"), std::string::npos);
   EXPECT_NE(message(Pose::Identity(), {0, 0}, {0, HUGE_VAL}).find("to: "), std::string::npos);
   EXPECT_NE(message(sheared, {0, 0}, {1, 0}).find("pose"), std::string::npos);
+}
+
+/// The grown region's outline is straight beside edges and round at vertices.
+TEST(Ray, MeetsAMargin) {
+  const Polygon square({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}});
+  const auto cast = [&](const Vec2& from, const Vec2& to) { return castRay(square, Pose::Identity(), from, to, {1}); };
+  const auto side = cast({-5, 1}, {5, 1});
+  ASSERT_TRUE(side);
+  EXPECT_NEAR(side->fraction, 0.4, 1e-13);
+  EXPECT_NEAR((side->normal - Vec2(-1, 0)).norm(), 0, 1e-13);
+  EXPECT_EQ(side->edge, 3);
+  const double at = 3 + std::sqrt(0.5);
+  const auto corner = cast({5, 5}, {0, 0});
+  ASSERT_TRUE(corner);
+  EXPECT_NEAR((corner->point - Vec2(at - 1, at - 1)).norm(), 0, 1e-12);
+  EXPECT_FALSE(cast({-5, 3.001}, {5, 3.001}));
+  EXPECT_TRUE(cast({-5, 3}, {5, 3}));
+  EXPECT_EQ(cast({-0.5, 1}, {-9, 1})->fraction, 0);
+  for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(castRay(square, Pose::Identity(), {0, 0}, {1, 1}, {bad}), std::invalid_argument);
 }
 
 }  // namespace

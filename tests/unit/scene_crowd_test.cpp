@@ -160,7 +160,7 @@ TEST(SceneCrowd, AnswersWhatLoopsOverTheBodiesAnswer) {
         if (const auto hit = castRay(crowd.scene.polygon(body), crowd.scene.pose(body), from, to);
             hit && crowd.scene.options(body).category == 3)
           nearest = std::min(nearest, hit->fraction);
-      const auto hit = crowd.scene.castRay(from, to, 2);
+      const auto hit = crowd.scene.castRay(from, to, {}, 2);
       if (hit && crowd.scene.options(hit->body).margin == 0) {
         ASSERT_EQ(hit->hit.fraction, nearest);
       }
@@ -226,13 +226,12 @@ TEST(SceneCrowd, AnswersManyPosesAtOnce) {
   for (int i = 0; i < 20; ++i) crowd.add();
   std::vector<Pose> poses;
   for (int i = 0; i < 2000; ++i) poses.push_back(crowd.place());
-  const auto answers = std::make_unique<bool[]>(poses.size()), backwards = std::make_unique<bool[]>(poses.size());
   const Polygon square({rectangle(-1, -1, 1, 1)});
-  crowd.scene.collides(square, poses.data(), poses.size(), answers.get());
-  crowd.scene.collides(square, poses.data(), poses.size(), backwards.get(),
-                       [](std::size_t count, const std::function<void(std::size_t)>& task) {
-                         while (count-- > 0) task(count);
-                       });
+  const std::vector<bool> answers = crowd.scene.collides(square, poses);
+  const std::vector<bool> backwards = crowd.scene.collides(
+      square, poses, {}, kEveryCategory, [](std::size_t count, const std::function<void(std::size_t)>& task) {
+        while (count-- > 0) task(count);
+      });
   int hits = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     ASSERT_EQ(answers[i], crowd.scene.collides(square, poses[i]));

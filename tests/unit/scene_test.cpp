@@ -117,20 +117,20 @@ TEST(Scene, CastsRaysAtWhatIsFirst) {
   EXPECT_EQ(hit->body, disc);
   EXPECT_NEAR(hit->hit.fraction, 0.15, 1e-13);
   EXPECT_NEAR((hit->hit.normal - Vec2(-1, 0)).norm(), 0, 1e-13);
-  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, 1)->body, near);
-  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, 1)->hit.fraction, 0.4);
+  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, {}, 1)->body, near);
+  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, {}, 1)->hit.fraction, 0.4);
   EXPECT_EQ(scene.castRay({10, 2}, {10, 1})->body, far);  // a vertex
   EXPECT_FALSE(scene.castRay({10, 2}, {nudged(10, 1), 1}));
   EXPECT_EQ(scene.castRay({2, 0.25}, {2, 9})->hit.fraction, 0);
   EXPECT_EQ(scene.castRay({2, 0.25}, {2, 9})->hit.edge, -1);
   EXPECT_FALSE(scene.castRay({0, 9}, {9, 9}));
   constexpr double kLargest = std::numeric_limits<double>::max();
-  EXPECT_EQ(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, 1)->body, far);
-  EXPECT_EQ(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, 2)->body, disc);
-  EXPECT_NEAR(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, 2)->hit.fraction, 0.5, 1e-9);
+  EXPECT_EQ(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, {}, 1)->body, far);
+  EXPECT_EQ(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, {}, 2)->body, disc);
+  EXPECT_NEAR(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, {}, 2)->hit.fraction, 0.5, 1e-9);
   // Of two at the same place, the one that came first.
   scene.add(kSquare, pose(0, 5, 0));
-  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, 1)->body, near);
+  EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, {}, 1)->body, near);
   EXPECT_THROW(scene.castRay({0, 0}, {std::numeric_limits<double>::infinity(), 0}), std::invalid_argument);
 }
 
@@ -267,6 +267,47 @@ TEST(Scene, LooksOnAfterAnImpactThatIsLater) {
   const auto impact = scene.firstImpact(kSquare, Motion::translation(pose(0, 0, 0), {98, 0}));
   ASSERT_TRUE(impact);
   EXPECT_EQ(impact->body, first);
+}
+
+/// It takes bodies, and the caches that know it, with it; what it leaves has no bodies.
+TEST(Scene, IsEmptyWhenMovedFrom) {
+  Scene scene;
+  const Scene::Body body = scene.add(kSquare, pose(0, 0, 0));
+  Scene moved(std::move(scene));
+  EXPECT_TRUE(moved.collides(kSquare, moved.pose(body)));
+  EXPECT_EQ(scene.size(), 0u);  // NOLINT
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0)));
+  EXPECT_TRUE(scene.collisions().empty());
+  EXPECT_THROW(scene.remove(body), std::out_of_range);
+  scene.add(kSquare, pose(0, 5, 0));
+  scene = std::move(moved);
+  EXPECT_TRUE(scene.contains(body));
+  EXPECT_EQ(scene.size(), 1u);
+  EXPECT_EQ(moved.size(), 0u);  // NOLINT
+  moved.add(kSquare, pose(0, 1, 0));
+  EXPECT_EQ(moved.size(), 1u);
+}
+
+/// Margins of the ray and of the body add up: as if the body had both.
+TEST(Scene, CastsRaysWithMargins) {
+  Scene scene, wider;
+  BodyOptions options, both;
+  options.margin = 0.25;
+  both.margin = 0.75;
+  scene.add(kSquare, pose(0, 20, 0.5), options);
+  wider.add(kSquare, pose(0, 20, 0.5), both);
+  for (const Vec2& to : {Vec2(40, 0), Vec2(40, 1), Vec2(40, 4), Vec2(19, 0), Vec2(19, 0.5)}) {
+    const auto hit = scene.castRay({0, 0}, to, {0.5}), expected = wider.castRay({0, 0}, to);
+    ASSERT_EQ(hit.has_value(), expected.has_value()) << to.transpose();
+    const auto alone = castRay(kSquare, pose(0, 20, 0.5), {0, 0}, to, {0.75});
+    ASSERT_EQ(alone.has_value(), expected.has_value()) << to.transpose();
+    if (!hit) continue;
+    EXPECT_EQ(hit->hit.fraction, expected->hit.fraction);
+    EXPECT_EQ(hit->hit.fraction, alone->fraction);
+  }
+  // Beyond the box of the body, within the ray's margin alone.
+  EXPECT_TRUE(scene.castRay({20, 10}, {20, 2.4}, {1.5}));
+  EXPECT_THROW(scene.castRay({0, 0}, {1, 0}, {-1}), std::invalid_argument);
 }
 
 /// A cache's fact is about one state of the scene, and about the bodies that were asked for.

@@ -131,7 +131,7 @@ TEST(Margin, OfAPointFarFromATinyPolygon) {
       Pose pose = Pose::Identity();
       pose.linear() = Eigen::Rotation2Dd(turn).toRotationMatrix();
       EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity()).distance, 5, 1e-14) << tiny;
-      EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity(), {0, 0, 100, 1}).distance, 4, 1e-14) << tiny;
+      EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity(), {1, 0, 0, 100}).distance, 4, 1e-14) << tiny;
     }
   }
   const Polygon a({{{-1e-300, 0}, {1e-300, 0}, {0, 1e-300}}});

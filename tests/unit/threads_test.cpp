@@ -116,9 +116,8 @@ SceneAnswers ask(const Scene& scene, const Polygon& robot, std::uint64_t seed, c
   SceneCache cache;
   std::vector<Pose> poses;
   for (int i = 0; i < 1200; ++i) poses.push_back(randomPose(random, 14));
-  const auto many = std::make_unique<bool[]>(poses.size());
-  scene.collides(robot, poses.data(), poses.size(), many.get(), parallel);
-  answers.collides.assign(many.get(), many.get() + poses.size());
+  const std::vector<bool> many = scene.collides(robot, poses, {}, kEveryCategory, parallel);
+  answers.collides.assign(many.begin(), many.end());
   std::vector<BodyMotion> motions;
   for (std::size_t i = 0; i < 20; ++i) {
     const Pose& at = poses[i];

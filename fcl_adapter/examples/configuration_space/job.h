@@ -55,13 +55,12 @@ class Job {
     const std::size_t last = std::min(first + kRows, size_.height);
     const double angle = kTurn * static_cast<double>(heading) / static_cast<double>(size_.headings);
     std::vector<tricover::Pose> poses(size_.width, tricover::Pose(Eigen::Rotation2Dd(angle)));
-    const auto collides = std::make_unique<bool[]>(size_.width);
     Bytes bytes(chunkBytes());
     for (std::size_t row = first; row < last; ++row) {
       for (std::size_t i = 0; i < size_.width; ++i)
         poses[i].translation() = map_.origin + tricover::Vec2((static_cast<double>(i) + 0.5) * cellWidth(),
                                                               (static_cast<double>(row) + 0.5) * cellHeight());
-      scene_.collides(robot_, poses.data(), poses.size(), collides.get(), {}, options_);
+      const std::vector<bool> collides = scene_.collides(robot_, poses, options_);
       for (std::size_t i = 0; i < size_.width; ++i)
         if (collides[i]) bytes[(row - first) * rowBytes() + i / 8] |= static_cast<char>(1 << i % 8);
     }

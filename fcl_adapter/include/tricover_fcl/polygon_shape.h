@@ -57,6 +57,9 @@ class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
   /// or runs downwards, and a margin that is negative or not finite.
   explicit PolygonShape(tricover::Polygon polygon, const PolygonOptions& options = {});
 
+  PolygonShape(const PolygonShape&) = default;             ///< Moving copies, too: no shape is ever without its data.
+  PolygonShape& operator=(const PolygonShape&) = default;  ///< See there.
+
   const tricover::Polygon& polygon() const { return polygon_; }  ///< as it was given
   const PolygonOptions& options() const { return options_; }     ///< as they were given
   /// Whether the shape lies in its own plane z = 0.

@@ -165,8 +165,7 @@ bool SceneManager<S>::Impl::showMeeting(const Query& query, const Show& show) co
   std::optional<BodyHandle> first;  // Many callbacks end the query with one pair. (One of ours hits itself.)
   if (query.self == nullptr) {
     const std::shared_lock<std::shared_mutex> lock(mutex);
-    tricover::SceneCache hit;
-    if (scene.collides(region->polygon(), region->pose, hit, {region->margin})) first = hit.body;
+    first = scene.anyColliding(region->polygon(), region->pose, {region->margin});
   }
   if (first && shows(entryOf(*first))) return true;
   if (first || query.self != nullptr) {

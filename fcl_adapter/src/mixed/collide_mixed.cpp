@@ -3,6 +3,7 @@
 
 #include "mixed/mixed_contacts.h"
 #include "mixed/stadium_pair.h"
+#include "tricover/collide.h"
 
 namespace tricover_fcl {
 namespace {

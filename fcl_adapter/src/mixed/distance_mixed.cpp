@@ -12,6 +12,7 @@
 #include "mixed/stadium_penetration.h"
 #include "shape/fcl_results.h"
 #include "shape/nearest_points.h"
+#include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 

@@ -7,6 +7,7 @@
 #include "polygons/disc_pair.h"
 #include "polygons/polygon_pair.h"
 #include "shape/fcl_results.h"
+#include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
