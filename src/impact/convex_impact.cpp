@@ -72,21 +72,20 @@ class ConvexAdvancement {
   ConvexAdvancement(const MovingPair& pair, double time_error)
       : pair_(pair), a_(pair.a), b_(pair.b), time_error_(time_error), touch_distance_(pair.margin + 4 * pair.error) {}
 
-  FirstContact run() {
-    using Verdict = FirstContact::Verdict;
-    Places at_a = pair_.a.places(0, 0), at_b = pair_.b.places(0, 0);
-    double time = 0;
+  FirstContact run(double begin) {
+    double time = begin;
+    Places at_a = pair_.a.places(time, time), at_b = pair_.b.places(time, time);
     bool stale = true;  // whether the features are to be guessed anew
     if (slides() && guess(at_a, at_b, true)) {
-      const Window window(pair_, 0, 1, at_a, at_b);
+      const Window window(pair_, time, 1, at_a, at_b);
       const MovingBox box_a = a_.box(window.a), box_b = b_.box(window.b);
       WindowCutter cutter(window, box_a, box_b);
-      if (cutBy(cutter, window, face_)) return {Verdict::Never, 1, 0, 0};
-      time = std::min(cutter.rest().low, 1.0);
+      if (cutBy(cutter, window, face_)) return FirstContact::never();
+      time = std::min(time + cutter.rest().low * window.length, 1.0);
       at_a = pair_.a.places(time, time);
       at_b = pair_.b.places(time, time);
       // Nearly always the features are the right ones; where that isn't certain, it goes on from there.
-      stale = !(time > 0);
+      stale = !(time > begin);
     }
     for (int step = 0; step < kMostSteps; ++step) {
       const bool fresh = stale;
@@ -96,7 +95,7 @@ class ConvexAdvancement {
       // Written so that NaN is a touch.
       if (!(points.distance > touch_distance_)) {
         if (time == 0) break;
-        return {Verdict::Touch, time, edge_a_, edge_b_};
+        return FirstContact::touch(time, edge_a_, edge_b_);
       }
       const Vec2 axis = (points.on_b - points.on_a) / points.distance;
       const double end = std::min(1.0, time + windowFor(at_a, at_b, time, points, axis));
@@ -106,7 +105,7 @@ class ConvexAdvancement {
       bool apart = cutBy(cutter, window, axis);
       stale = !(gap_ >= 0.5 * points.distance);
       if (!apart && stale && fresh) apart = cutBy(cutter, window, face_);
-      if (apart && end == 1) return {Verdict::Never, 1, 0, 0};
+      if (apart && end == 1) return FirstContact::never();
       const double low = apart ? 1 : cutter.rest().low;
       if (!(low > 0)) {
         if (fresh) break;
@@ -116,13 +115,13 @@ class ConvexAdvancement {
       time = apart ? end : std::min(time + low * window.length, end);
       if (!apart && end - time <= time_error_) {
         const NearestPoints at_end(pair_.a.edge(window.a, edge_a_), pair_.b.edge(window.b, edge_b_), 1, pair_.error);
-        if (!(at_end.distance > touch_distance_)) return {Verdict::Touch, time, edge_a_, edge_b_};
+        if (!(at_end.distance > touch_distance_)) return FirstContact::touch(time, edge_a_, edge_b_);
       }
       if (!(time > before)) break;
       at_a = pair_.a.places(time, time);
       at_b = pair_.b.places(time, time);
     }
-    return {Verdict::Unknown, time, 0, 0};
+    return FirstContact::unknown(time);
   }
 
  private:
@@ -197,8 +196,8 @@ bool isSmallConvexPair(const MovingPair& pair) {
   return fits(pair.a) && fits(pair.b) && pair.error < 1;
 }
 
-FirstContact findConvexImpact(const MovingPair& pair, double time_error) {
-  return ConvexAdvancement(pair, time_error).run();
+FirstContact findConvexImpact(const MovingPair& pair, double begin, double time_error) {
+  return ConvexAdvancement(pair, time_error).run(begin);
 }
 
 }  // namespace tricover::detail

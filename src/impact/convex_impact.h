@@ -9,7 +9,7 @@ namespace tricover::detail {
 /// rounding.
 bool isSmallConvexPair(const MovingPair& pair);
 
-/// Conservative advancement. Unknown at time 0 where they may touch there.
-FirstContact findConvexImpact(const MovingPair& pair, double time_error);
+/// Conservative advancement from `begin` on, until which they are apart. Unknown at time 0 where they may touch there.
+FirstContact findConvexImpact(const MovingPair& pair, double begin, double time_error);
 
 }  // namespace tricover::detail

@@ -10,11 +10,6 @@
 #include "numbers/segment.h"
 
 namespace tricover::detail {
-namespace {
-
-constexpr double kLargest = std::numeric_limits<double>::max();
-
-}  // namespace
 
 Places Mover::places(double begin, double end) const {
   const Double2 time{begin, end};
@@ -59,6 +54,10 @@ MovingBox Mover::edge(const Places& p, std::size_t position) const {
   return {p.m00 * mid.x() + p.m01 * mid.y() + p.x, p.m10 * mid.x() + p.m11 * mid.y() + p.y, ux, uy, -uy, ux, length, 0};
 }
 
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
 // Error of a gap between computed points or boxes, all lengths in the pair's length; in units of U, with A = |angle|, r
 // = reach, f the shifts, levers, the margin and the difference of the starts; |angle| and |shift| are the sums of all
 // their terms' sizes:
@@ -76,9 +75,9 @@ static_assert(kGapError >= (1 + 1e-5) * (errorOf(12) * kRoot2 + errorOf(8)));   
 static_assert(kGapError >= (1 + 1e-5) * (errorOf(1) * 10.1 * kRoot2 + errorOf(24)));  // of A r
 static_assert(kGapError >= (1 + 1e-5) * (errorOf(11) * kRoot2 + errorOf(8 + 24)));    // of f
 
-MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
-                       const Motion& motion_b, double margin_) {
-  // First to where neither sums nor products of what is given overflow, and what they lose to underflow is least.
+/// A power of two. Times it, neither sums nor products of what is given overflow, and underflow loses the least.
+double shrinkOf(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
+                const Motion& motion_b, double margin) {
   double given = 0;
   const auto include = [&](double value) { given = std::max(given, std::min(value, kLargest)); };
   const auto includeAll = [&](const PolygonData& polygon, const Motion& motion) {
@@ -88,60 +87,80 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
   };
   includeAll(polygon_a, motion_a);
   includeAll(polygon_b, motion_b);
-  include(margin_);
-  const double shrink = given > 0 ? std::ldexp(1, std::min(1000 - std::ilogb(given), 1000)) : 1;
+  include(margin);
+  return given > 0 ? std::ldexp(1, std::min(1000 - std::ilogb(given), 1000)) : 1;
+}
 
-  double turned = 0, others = 0;
-  const auto describe = [&](Mover& mover, const PolygonData& polygon, const Motion& motion) {
-    mover.polygon = &polygon;
-    mover.linear = motion.start.linear();
-    // A point stays where it is if it turns about itself.
-    const bool turns = !(polygon.isPoint() && motion.pivot == polygon.origin);
-    mover.turn = turns ? turnOf(motion) : Cubic<double>{0, 0, 0};
-    mover.turns = !mover.turn.isZero();
-    // Without a turn any pivot will do, and S is the nearest.
-    mover.pivot = mover.turn.isZero() ? polygon.origin : motion.pivot;
-    const Vec2 pivot = shrink * mover.pivot;
-    mover.base = mover.linear * pivot;
-    mover.way = shrink * wayOf(motion);
-    mover.arm = mover.linear * (shrink * polygon.origin - pivot);
-    mover.reach = mover.arm.lpNorm<1>() + shrink * polygon.radius * (1 + kLargestDefect);
-    // Of the largest polygons the hierarchy knows nothing.
-    if (polygon.radius > polygon.unit) mover.reach = std::numeric_limits<double>::infinity();
-    turned += mover.turn.size() * mover.reach;
-    others += mover.reach + pivot.lpNorm<1>() + mover.way.first.lpNorm<1>() + mover.way.second.lpNorm<1>() +
-              mover.way.third.lpNorm<1>();
-  };
-  describe(a, polygon_a, motion_a);
-  describe(b, polygon_b, motion_b);
-  const Vec2 apart = shrink * motion_b.start.translation() - shrink * motion_a.start.translation();
+/// In the frame of the world but for its pose's translation, all lengths times `shrink`.
+Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
+  Mover mover;
+  mover.polygon = &polygon;
+  mover.motion = &motion;
+  mover.linear = motion.start.linear();
+  // A point stays where it is if it turns about itself.
+  const bool turns = !(polygon.isPoint() && motion.pivot == polygon.origin);
+  mover.turn = turns ? turnOf(motion) : Cubic<double>{0, 0, 0};
+  mover.turns = !mover.turn.isZero();
+  // Without a turn any pivot will do, and S is the nearest.
+  mover.pivot = mover.turns ? motion.pivot : polygon.origin;
+  const Vec2 pivot = shrink * mover.pivot;
+  mover.base = mover.linear * pivot;
+  mover.way = shrink * wayOf(motion);
+  mover.arm = mover.linear * (shrink * polygon.origin - pivot);
+  mover.reach = mover.arm.lpNorm<1>() + shrink * polygon.radius * (1 + kLargestDefect);
+  // Of the largest polygons the hierarchy knows nothing.
+  if (!polygon.fitsUnit()) mover.reach = std::numeric_limits<double>::infinity();
+  mover.scale = shrink * polygon.unit;
+  return mover;
+}
+
+/// What f stands for above, of one mover; and its reach.
+double roundedBy(const Mover& mover, double shrink) {
+  return mover.reach + (shrink * mover.pivot).lpNorm<1>() + mover.way.first.lpNorm<1>() + mover.way.second.lpNorm<1>() +
+         mover.way.third.lpNorm<1>();
+}
+
+}  // namespace
+
+MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
+                       const Motion& motion_b, double margin_)
+    : given_margin(margin_) {
+  const double shrink = shrinkOf(polygon_a, motion_a, polygon_b, motion_b, margin_);
+  a = moverOf(polygon_a, motion_a, shrink);
+  b = moverOf(polygon_b, motion_b, shrink);
   margin = shrink * margin_;
-  others += apart.lpNorm<1>() + margin;
+  const Vec2 apart = shrink * motion_b.start.translation() - shrink * motion_a.start.translation();
+  const double turned = a.turn.size() * a.reach + b.turn.size() * b.reach;
+  const double others = roundedBy(a, shrink) + roundedBy(b, shrink) + (apart.lpNorm<1>() + margin);
+  expansion = 1 / shrink;
+
   b.base = apart + (b.base - a.base);
   b.way = b.way - a.way;
   a.base = Vec2::Zero();
   a.way = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  const double inverse = divideByLength();
+  is_steady = a.turn.isStraight() && b.turn.isStraight() && b.way.isStraight();
+  if (is_steady) steady = ratesOf(0, 1);
+  still_error = (kGapError * others + kTiny) * inverse;
+  error = kGapError * turned * inverse + still_error;
+}
 
-  // Then to the size of what is left, of which squares are taken.
+double MovingPair::divideByLength() {
   const double largest = std::max({a.reach, b.reach, b.base.lpNorm<1>(), b.way.first.lpNorm<1>(),
                                    b.way.second.lpNorm<1>(), b.way.third.lpNorm<1>(), margin});
   const int exponent = std::clamp(std::ilogb(largest), -1000, 1020);
   const double inverse = std::ldexp(1, -exponent);
   length = std::ldexp(1, exponent);
-  expansion = 1 / shrink;
   for (Mover* mover : {&a, &b}) {
     mover->base *= inverse;
     mover->way = inverse * mover->way;
     mover->is_straight = mover->way.isStraight() && mover->turn.isStraight();
     mover->arm *= inverse;
     mover->reach *= inverse;
-    mover->scale = shrink * mover->polygon->unit * inverse;
+    mover->scale *= inverse;
   }
   margin *= inverse;
-  is_steady = a.turn.isStraight() && b.turn.isStraight() && b.way.isStraight();
-  if (is_steady) steady = ratesOf(0, 1);
-  still_error = (kGapError * others + kTiny) * inverse;
-  error = kGapError * turned * inverse + still_error;
+  return inverse;
 }
 
 Rates MovingPair::ratesOf(double begin, double end) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -25,6 +26,8 @@ struct MovingBox {
 struct Places {
   Double2 m00, m10, m01, m11, x, y, pivot_x, pivot_y;
 
+  /// From S to another mover's, at the begin.
+  Vec2 originTo(const Places& other) const { return {other.x[0] - x[0], other.y[0] - y[0]}; }
   /// From its begin to another's end.
   Places to(const Places& other) const {
     const auto ends = [](Double2 from, Double2 until) { return Double2{from[0], until[1]}; };
@@ -56,6 +59,7 @@ struct Mover {
   bool keepsLengths() const;
 
   const PolygonData* polygon;
+  const Motion* motion;             ///< as it was given
   const Hierarchy* tree = nullptr;  ///< once MovingPair::findTrees() was called
   Vec2 pivot;                       ///< in the polygon's frame
   Eigen::Matrix2d linear;           ///< the start's
@@ -97,10 +101,15 @@ struct MovingPair {
   Mover a, b;
   bool is_steady;            ///< all velocities are constant
   Rates steady;              ///< then, at any time
-  double margin;             ///< what is asked for is coming this near, in the pair's length
+  double given_margin;       ///< what is asked for is coming this near
+  double margin;             ///< the same in the pair's length
   double error;              ///< of a gap: see the constructor
   double still_error;        ///< of one between the pivots' places
   double length, expansion;  ///< two powers of two: a length of 1 is their product in the world
+
+ private:
+  /// To the size of what is moved, of which squares are taken. Returns 1 / length.
+  double divideByLength();
 };
 
 inline Node Mover::node(std::uint32_t index) const {
@@ -115,12 +124,20 @@ inline MovingBox Mover::box(const Places& p, const Node& node) const {
   return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy, along, across};
 }
 
-/// What a search that may give up knows of the time of impact.
+/// What is known of the first contact.
 struct FirstContact {
   enum class Verdict { Never, Touch, Unknown };
   Verdict verdict;
-  double time;                 ///< they are certainly apart before; of a touch, it is at most `time_error` too early
-  std::size_t edge_a, edge_b;  ///< of a touch: positions in the paths
+  double time;  ///< they are certainly apart before, from time 0 on; of a touch, it is at most `time_error` too early
+  std::ptrdiff_t edge_a, edge_b;  ///< of a touch: positions in the paths; one is -1 where a ring is inside at time 0
+
+  static FirstContact never() { return {Verdict::Never, 1, -1, -1}; }
+  static FirstContact unknown(double time) { return {Verdict::Unknown, time, -1, -1}; }
+  /// Of two that are apart at time 0, though it may be by less than rounding.
+  static FirstContact touch(double time, std::size_t edge_a, std::size_t edge_b) {
+    return {Verdict::Touch, std::max(time, std::numeric_limits<double>::denorm_min()),
+            static_cast<std::ptrdiff_t>(edge_a), static_cast<std::ptrdiff_t>(edge_b)};
+  }
 };
 
 /// The nearest points of two edges at one end of the window; distance 0 where they certainly cross.

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/time_of_impact.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "impact/convex_impact.h"
-#include "impact/few_edges_impact.h"
+#include "impact/impact_search.h"
 #include "impact/moving_pair.h"
 #include "impact/options.h"
-#include "impact/point_impact.h"
-#include "impact/tight_nodes.h"
-#include "impact/window_cutter.h"
+#include "impact/vertex_impact.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
 
@@ -23,256 +19,9 @@ namespace tricover {
 namespace detail {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// From S of a to S of b.
-Vec2 betweenOrigins(const Places& places_a, const Places& places_b) {
-  return {places_b.x[0] - places_a.x[0], places_b.y[0] - places_a.y[0]};
-}
-
-/// A window of time in which two nodes may meet: they certainly don't from time 0 to its begin.
-struct Encounter {
-  double begin, end;
-  std::uint32_t a, b;
-  int depth;
-
-  /// Of those that begin together, the deepest leads to an impact soonest.
-  bool operator<(const Encounter& other) const {
-    return begin != other.begin ? begin > other.begin : depth < other.depth;
-  }
-};
-
-/// Best first: the encounter that begins first is divided, its nodes or its window, and what is left of the parts are
-/// encounters again. So their least begin is a proven lower bound of the time of impact; the upper one is the earliest
-/// time at which two edges were seen to touch.
-class ImpactSearch {
- public:
-  ImpactSearch(const MovingPair& pair, double time_error)
-      : pair_(pair),
-        time_error_(time_error),
-        touch_distance_(pair.margin + 4 * pair.error),
-        keeps_lengths_(pair.a.keepsLengths() && pair.b.keepsLengths()) {
-    encounters_.reserve(128);
-  }
-
-  /// Whether the boxes around everything may meet at a time in [begin, 1].
-  bool start(double begin) {
-    const Window window(pair_, begin, 1);
-    const Encounter all{begin, 1, kRootNode, kRootNode, 0};
-    offer(window, sideA(window, nodeA(kRootNode)), sideB(window, nodeB(kRootNode)), all);
-    return !encounters_.empty();
-  }
-  double lowerBound() const { return encounters_.front().begin; }
-
-  /// Whether there is an impact.
-  bool run() {
-    while (!encounters_.empty() && upper_bound_ - lowerBound() > time_error_) {
-      std::pop_heap(encounters_.begin(), encounters_.end());
-      Encounter encounter = encounters_.back();
-      encounters_.pop_back();
-      encounter.end = std::min(encounter.end, upper_bound_);
-      if (++divided_ == kFloatsAlone) fitTightly();
-      tryOneAxis(encounter.begin);
-      divide(encounter);
-    }
-    time = encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
-    return time <= 1;
-  }
-
-  double time = kInfinity;
-  std::size_t edge_a = 0, edge_b = 0;  ///< positions of those that touch at the upper bound
-
- private:
-  /// Of both movers.
-  struct FittedNodes {
-    TightNodes a, b;
-  };
-
-  /// A node of either mover, and where it is in a window.
-  struct Side {
-    Node node;
-    MovingBox box;
-  };
-  Node nodeA(std::uint32_t index) { return tight_ ? tight_->a.node(index) : pair_.a.node(index); }
-  Node nodeB(std::uint32_t index) { return tight_ ? tight_->b.node(index) : pair_.b.node(index); }
-  Side sideA(const Window& window, const Node& node) const { return {node, pair_.a.box(window.a, node)}; }
-  Side sideB(const Window& window, const Node& node) const { return {node, pair_.b.box(window.b, node)}; }
-
-  /// As a rule an impact is found by then; if not, gaps may be narrower than the floats' boxes are wide.
-  static constexpr int kFloatsAlone = 256;
-  void fitTightly() { tight_.emplace(FittedNodes{TightNodes(pair_.a), TightNodes(pair_.b)}); }
-
-  /// Fans of edges that come together in their common points have boxes that reach beyond these, however narrow they
-  /// are; but not along an axis that parts all of them, if there is one. Where it helps, little is left to divide: so
-  /// it is tried for an eighth of the time.
-  static constexpr int kOneAxisFor = 128, kOneAxisOf = 8 * kOneAxisFor;
-  void tryOneAxis(double when) {
-    const int since = divided_ % kOneAxisOf - kFloatsAlone;
-    if (since == 0) fitAlong(when);
-    if (since == kOneAxisFor) along_.reset();
-  }
-  void fitAlong(double when) {
-    const Places places_a = pair_.a.places(when, when), places_b = pair_.b.places(when, when);
-    const auto local = [](const Places& places, const Vec2& axis) {
-      return Vec2(places.m00[0] * axis.x() + places.m10[0] * axis.y(),
-                  places.m01[0] * axis.x() + places.m11[0] * axis.y());
-    };
-    const Vec2 axis = betweenOrigins(places_a, places_b);
-    along_.emplace(FittedNodes{TightNodes(pair_.a, local(places_a, axis)), TightNodes(pair_.b, local(places_b, axis))});
-  }
-
-  void push(const Encounter& encounter) {
-    if (encounter.begin > upper_bound_) return;
-    encounters_.push_back(encounter);
-    std::push_heap(encounters_.begin(), encounters_.end());
-  }
-
-  static Encounter cut(Encounter encounter, const Rest& rest) {
-    const double begin = encounter.begin, length = encounter.end - begin;
-    encounter.begin = std::min(begin + rest.low * length, encounter.end);
-    if (rest.high < 1) encounter.end = std::max(begin + rest.high * length, encounter.begin);
-    return encounter;
-  }
-
-  void offer(const Window& window, const Side& a, const Side& b, const Encounter& encounter) {
-    WindowCutter cutter(window, a.box, b.box);
-    if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
-    if (tight_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
-    Rest rest = cutter.rest();
-    if (along_) {
-      const MovingBox along_a = pair_.a.box(window.a, along_->a.node(encounter.a));
-      const MovingBox along_b = pair_.b.box(window.b, along_->b.node(encounter.b));
-      WindowCutter by_one_axis(window, along_a, along_b);
-      if (by_one_axis.cutByAxesOfA() || by_one_axis.cutByAxesOfB()) return;
-      const Rest other = by_one_axis.rest();
-      rest.low = std::max(rest.low, other.low);
-      rest.high = std::min(rest.high, other.high);
-    }
-    if (rest.low <= rest.high) push(cut(encounter, rest));
-  }
-
-  void divide(const Encounter& encounter) {
-    const Window window(pair_, encounter.begin, encounter.end);
-    const Node node_a = nodeA(encounter.a), node_b = nodeB(encounter.b);
-    if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
-    const Side a = sideA(window, node_a), b = sideB(window, node_b);
-    const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
-    const WindowCutter cutter(window, a.box, b.box);
-    // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter windows once they bend by less
-    // than what boxes' axes don't see around their corners: rounding, and a part of the margin.
-    if (cutter.bend() > std::max({size_a + size_b, pair_.error, pair_.margin / 16})) return halve(encounter);
-    Encounter part = encounter;
-    ++part.depth;
-    const bool divides_a = !a.node.edge && (b.node.edge || size_a >= size_b);
-    const std::uint32_t block = divides_a ? a.node.child : b.node.child;
-    if (!tight_ && offerEight(window, cutter, divides_a, block, divides_a ? b.box : a.box, part)) return;
-    const std::uint32_t count = (divides_a ? pair_.a : pair_.b).tree->blocks[block].count;
-    for (std::uint32_t lane = 0; lane < count; ++lane) {
-      const std::uint32_t index = block * kLanes + lane;
-      (divides_a ? part.a : part.b) = index;
-      if (divides_a)
-        offer(window, sideA(window, nodeA(index)), b, part);
-      else
-        offer(window, a, sideB(window, nodeB(index)), part);
-    }
-  }
-
-  /// Offers all boxes of a block together with the other mover's box, if floats tell enough. The edges in them are in
-  /// the box that is divided, too: so its sags bound theirs.
-  bool offerEight(const Window& window, const WindowCutter& cutter, bool divides_a, std::uint32_t index,
-                  const MovingBox& box, Encounter part) {
-    const Mover& mover = divides_a ? pair_.a : pair_.b;
-    const Places& p = divides_a ? window.a : window.b;
-    const Block& block = mover.tree->blocks[index];
-    const double inverse = block.inverse / mover.scale, along = box.along * inverse, across = box.across * inverse;
-    const double sag_a = cutter.sagWithA() * inverse, sag_b = cutter.sagWithB() * inverse;
-    const Double2 dx = (box.x - p.x) * inverse, dy = (box.y - p.y) * inverse;
-    const Double2 x = p.m00 * dx + p.m10 * dy - block.origin_x * block.inverse;
-    const Double2 y = p.m01 * dx + p.m11 * dy - block.origin_y * block.inverse;
-    const Double2 ux = p.m00 * box.ux + p.m10 * box.uy, uy = p.m01 * box.ux + p.m11 * box.uy;
-    const Double2 sizes = absolute(x) + absolute(y);
-    const double sum = std::max(sizes[0], sizes[1]) + along + across + 4;
-    // Lengths are kept to 2^-47 in turning differences back: as much as the error is once more.
-    const double slack = kMovingGapRounding * sum + (pair_.margin * (1 + 0x1p-20) + 2 * pair_.error) * inverse;
-    if (!keeps_lengths_ || !(sum + slack + sag_a + sag_b < 0x1p30)) return false;
-    const auto f = [](double value) { return static_cast<float>(value); };
-    const auto above = [](double value) { return static_cast<float>(value * (1 + 0x1p-16) + 0x1p-100); };
-    const MovingQuery query = {{f(x[0]), f(x[1])},
-                               {f(y[0]), f(y[1])},
-                               {f(ux[0]), f(ux[1])},
-                               {f(uy[0]), f(uy[1])},
-                               f(along),
-                               f(across),
-                               above(divides_a ? sag_a : sag_b),
-                               above(divides_a ? sag_b : sag_a),
-                               above(slack)};
-    float from_begin[kLanes], from_end[kLanes];
-    for (unsigned left = cutWindows(block, query, from_begin, from_end); left != 0; left &= left - 1) {
-      const int lane = __builtin_ctz(left);
-      (divides_a ? part.a : part.b) = index * kLanes + static_cast<std::uint32_t>(lane);
-      push(cut(part, {static_cast<double>(from_begin[lane]), 1 - static_cast<double>(from_end[lane]), 0}));
-    }
-    return true;
-  }
-
-  void halve(const Encounter& encounter) {
-    const double middle = 0.5 * (encounter.begin + encounter.end);
-    for (const bool later : {false, true}) {
-      Encounter part = encounter;
-      (later ? part.begin : part.end) = middle;
-      const Window window(pair_, part.begin, part.end);
-      offer(window, sideA(window, nodeA(part.a)), sideB(window, nodeB(part.b)), part);
-    }
-  }
-
-  void touch(double when, std::size_t position_a, std::size_t position_b) {
-    if (!(when < upper_bound_)) return;
-    upper_bound_ = when;
-    edge_a = position_a;
-    edge_b = position_b;
-  }
-
-  void divideEdges(const Window& window, const Encounter& encounter, std::size_t position_a, std::size_t position_b) {
-    const MovingBox a = pair_.a.edge(window.a, position_a), b = pair_.b.edge(window.b, position_b);
-    const NearestPoints at_begin(a, b, 0, pair_.error);
-    // Written so that NaN, as where bounds overflow, is a touch.
-    if (!(at_begin.distance > touch_distance_)) return touch(encounter.begin, position_a, position_b);
-    if (!(NearestPoints(a, b, 1, pair_.error).distance > touch_distance_)) touch(encounter.end, position_a, position_b);
-
-    // Some axis parts the edges at the window's begin by nearly their distance: an edge's normal or, vertex to vertex,
-    // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
-    WindowCutter cutter(window, a, b);
-    if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
-    const Rest rest = cutter.rest();
-    if (rest.low > rest.high) return;
-
-    // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a window up to
-    // there is shorter by an order.
-    const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / window.length;
-    const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
-    const double split = encounter.begin + share * window.length;
-    const Encounter part = cut(encounter, rest);
-    if (split > part.begin && split < part.end) {
-      push({part.begin, split, part.a, part.b, part.depth + 1});
-      push({split, part.end, part.a, part.b, part.depth + 1});
-    } else if (part.begin > encounter.begin) {
-      push(part);
-    } else {
-      touch(encounter.begin, position_a, position_b);  // no time between the window's ends
-    }
-  }
-
-  const MovingPair& pair_;
-  double time_error_, touch_distance_;
-  bool keeps_lengths_;
-  double upper_bound_ = kInfinity;
-  std::vector<Encounter> encounters_;
-  int divided_ = 0;
-  std::optional<FittedNodes> tight_, along_;
-};
-
 /// From the pair's frame at `time` to the world.
-Vec2 toWorld(const MovingPair& pair, const Motion& motion_a, double time, const Vec2& p) {
+Vec2 toWorld(const MovingPair& pair, double time, const Vec2& p) {
+  const Motion& motion_a = *pair.a.motion;
   const Vec2 pivot = motion_a.start * pair.a.pivot, way = wayOf(motion_a).at(time);
   const Vec2 world = pivot + way + p * pair.length * pair.expansion;
   if (world.allFinite()) return world;
@@ -285,7 +34,7 @@ Vec2 toWorld(const MovingPair& pair, const Motion& motion_a, double time, const 
 /// their nearest points is mostly rounding. Where the edges don't tell axis or side, the origins do.
 Vec2 normalOfTouch(const MovingBox& a, const MovingBox& b, const Vec2& between_origins, double error) {
   const Vec2 middles(b.x[0] - a.x[0], b.y[0] - a.y[0]);
-  double widest = -kInfinity;
+  double widest = -std::numeric_limits<double>::infinity();
   Vec2 best(1, 0);
   for (const MovingBox* edge : {&a, &b})
     for (const Vec2& axis : {Vec2(edge->vx[0], edge->vy[0]), Vec2(edge->ux[0], edge->uy[0])}) {
@@ -301,79 +50,77 @@ Vec2 normalOfTouch(const MovingBox& a, const MovingBox& b, const Vec2& between_o
   return best;
 }
 
-Impact describe(const MovingPair& pair, const Motion& motion_a, double time, std::size_t position_a,
-                std::size_t position_b) {
-  const Places places_a = pair.a.places(time, time), places_b = pair.b.places(time, time);
+/// One polygon holds a ring of the other at time 0, and no edges meet.
+Impact describeContainment(const MovingPair& pair, const FirstContact& found) {
+  const Vec2 between = pair.a.places(0, 0).originTo(pair.b.places(0, 0));
+  const double apart = between.norm();
+  Impact impact{0, Vec2::Zero(), apart > 0 ? Vec2(between / apart) : Vec2(1, 0), -1, -1};
+  const auto vertex = [&](const Mover& mover, std::ptrdiff_t edge) {
+    const auto position = static_cast<std::size_t>(edge);
+    impact.point = mover.motion->start * mover.polygon->path[position];
+    return static_cast<std::ptrdiff_t>(mover.polygon->edgeNumber(position));
+  };
+  if (found.edge_a >= 0) impact.edge_a = vertex(pair.a, found.edge_a);
+  if (found.edge_b >= 0) impact.edge_b = vertex(pair.b, found.edge_b);
+  return impact;
+}
+
+Impact describe(const MovingPair& pair, const FirstContact& found) {
+  if (found.edge_a < 0 || found.edge_b < 0) return describeContainment(pair, found);
+  const auto position_a = static_cast<std::size_t>(found.edge_a), position_b = static_cast<std::size_t>(found.edge_b);
+  const Places places_a = pair.a.places(found.time, found.time), places_b = pair.b.places(found.time, found.time);
   const MovingBox a = pair.a.edge(places_a, position_a), b = pair.b.edge(places_b, position_b);
   const NearestPoints nearest(a, b, 0, pair.error);
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
                           ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
-                          : normalOfTouch(a, b, betweenOrigins(places_a, places_b), pair.error);
-  assert(0 <= time && time <= 1 && std::abs(normal.norm() - 1) < 0x1p-40);
-  return {time, toWorld(pair, motion_a, time, 0.5 * (nearest.on_a + nearest.on_b)), normal,
+                          : normalOfTouch(a, b, places_a.originTo(places_b), pair.error);
+  assert(0 <= found.time && found.time <= 1 && std::abs(normal.norm() - 1) < 0x1p-40);
+  return {found.time, toWorld(pair, found.time, 0.5 * (nearest.on_a + nearest.on_b)), normal,
           static_cast<std::ptrdiff_t>(pair.a.polygon->edgeNumber(position_a)),
           static_cast<std::ptrdiff_t>(pair.b.polygon->edgeNumber(position_b))};
 }
 
-/// One polygon holds a ring of the other at time 0, and no edges meet.
-Impact describeContainment(const MovingPair& pair, const Motion& motion_a, const Motion& motion_b,
-                           const Outcome& outcome) {
-  const Vec2 between = betweenOrigins(pair.a.places(0, 0), pair.b.places(0, 0));
-  const double apart = between.norm();
-  Impact impact{0, Vec2::Zero(), apart > 0 ? Vec2(between / apart) : Vec2(1, 0), -1, -1};
-  const auto vertex = [&](const Mover& mover, const Motion& motion, std::ptrdiff_t found) {
-    const auto position = static_cast<std::size_t>(found);
-    impact.point = motion.start * mover.polygon->path[position];
-    return static_cast<std::ptrdiff_t>(mover.polygon->edgeNumber(position));
-  };
-  if (outcome.edge_a >= 0) impact.edge_a = vertex(pair.a, motion_a, outcome.edge_a);
-  if (outcome.edge_b >= 0) impact.edge_b = vertex(pair.b, motion_b, outcome.edge_b);
-  return impact;
+/// Time 0 is collide()'s. A pair that is apart there meets at its edges first.
+FirstContact collideAtStart(const MovingPair& pair, double begin, double) {
+  if (begin > 0) return FirstContact::unknown(begin);
+  CollideOptions options;
+  options.margin = pair.given_margin;
+  const PosedPair posed(*pair.a.polygon, pair.a.motion->start, *pair.b.polygon, pair.b.motion->start);
+  const Outcome outcome = collideByHierarchy(posed, options, 0, Wanted::Edges);
+  if (!outcome.collides) return FirstContact::unknown(0);
+  return {FirstContact::Verdict::Touch, 0, outcome.edge_a, outcome.edge_b};
 }
+
+/// One way to the first contact. What it leaves unknown is known up to a time, at which the next one begins.
+struct Solver {
+  bool (*fits)(const MovingPair& pair);
+  FirstContact (*solve)(const MovingPair& pair, double begin, double time_error);
+};
+
+bool fitsAll(const MovingPair&) { return true; }
+
+/// Each is asked what those before it don't know. The second is the only one that sees what touches or overlaps at time
+/// 0; those after it take for granted that nothing does. The last one always knows.
+constexpr Solver kSolvers[] = {
+    {isSmallConvexPair, findConvexImpact},
+    {fitsAll, collideAtStart},
+    {haveFewVertexWays, followVertices},
+    {fitsAll, searchBoxes},
+};
 
 std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
                                     const Motion& motion_b, const ImpactOptions& options) {
-  MovingPair moving(a, motion_a, b, motion_b, options.margin);
-  if (moving.discsStayApart()) return std::nullopt;
-  moving.findTrees();
-  // All of a region is in the box around everything. Regions that start apart meet at their edges first.
-  const auto atStart = [&]() -> std::optional<Impact> {
-    CollideOptions at_start;
-    at_start.margin = options.margin;
-    const Outcome outcome =
-        collideByHierarchy(PosedPair(a, motion_a.start, b, motion_b.start), at_start, 0, Wanted::Edges);
-    if (!outcome.collides) return std::nullopt;
-    return outcome.edge_a >= 0 && outcome.edge_b >= 0
-               ? describe(moving, motion_a, 0, static_cast<std::size_t>(outcome.edge_a),
-                          static_cast<std::size_t>(outcome.edge_b))
-               : describeContainment(moving, motion_a, motion_b, outcome);
-  };
-  // Apart at time 0, though it may be by less than rounding.
-  const auto later = [](double time) { return std::max(time, std::numeric_limits<double>::denorm_min()); };
-  const bool cast = isPointCast(moving), convex = isSmallConvexPair(moving);
-  const bool few = !cast && !convex && haveFewEdges(moving);
-  if (cast || few)
-    if (const auto impact = atStart()) return impact;
-  if (cast) {
-    const auto found = findPointImpact(moving, options.time_error);
-    if (!found) return std::nullopt;
-    return describe(moving, motion_a, later(found->time), found->edge, b.degenerate_edge);
-  }
-  double begin = 0;
-  if (convex || few) {
-    const FirstContact found =
-        convex ? findConvexImpact(moving, options.time_error) : findImpactOfFewEdges(moving, options.time_error);
+  MovingPair pair(a, motion_a, b, motion_b, options.margin);
+  if (pair.discsStayApart()) return std::nullopt;
+  pair.findTrees();
+  FirstContact found = FirstContact::unknown(0);
+  for (const Solver& solver : kSolvers) {
+    if (!solver.fits(pair)) continue;
+    found = solver.solve(pair, found.time, options.time_error);
     if (found.verdict == FirstContact::Verdict::Never) return std::nullopt;
-    if (found.verdict == FirstContact::Verdict::Touch)
-      return describe(moving, motion_a, later(found.time), found.edge_a, found.edge_b);
-    begin = found.time;
+    if (found.verdict == FirstContact::Verdict::Touch) break;
   }
-  ImpactSearch search(moving, options.time_error);
-  if (!search.start(begin)) return std::nullopt;
-  if (search.lowerBound() == 0 && !few)
-    if (const auto impact = atStart()) return impact;
-  if (!search.run()) return std::nullopt;
-  return describe(moving, motion_a, later(search.time), search.edge_a, search.edge_b);
+  return describe(pair, found);
 }
 
 }  // namespace

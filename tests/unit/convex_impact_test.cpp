@@ -58,7 +58,7 @@ TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
     pair.findTrees();
     if (isSmallConvexPair(pair)) {
       ++small;
-      const FirstContact found = findConvexImpact(pair, options.time_error);
+      const FirstContact found = findConvexImpact(pair, 0, options.time_error);
       answered += found.verdict != FirstContact::Verdict::Unknown || found.time == 0;
       if (truth) {
         EXPECT_LE(found.time, truth->time + options.time_error + 1e-12) << i;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The short way to the time of impact of polygons with few edges, against the search through hierarchies, which takes
-// the same polygons with each vertex repeated; and the edges that it looks at.
-#include "impact/few_edges_impact.h"
+// The time of impact by vertices that come to edges, of polygons with few edges, against the search through
+// hierarchies, which takes the same polygons with each vertex repeated; and the edges that it looks at.
+#include "impact/vertex_impact.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ std::vector<Ring> anyRings(Random& random, double size) {
   return rings;
 }
 
-TEST(FewEdgesImpact, IsTheSearchsWithinTheTimeError) {
+TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
   int few = 0, asked = 0, answered = 0, hits = 0, misses = 0;
   const int count = scaledCount(8000);
   for (int i = 0; i < count; ++i) {
@@ -63,9 +63,9 @@ TEST(FewEdgesImpact, IsTheSearchsWithinTheTimeError) {
     MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
                             : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
     ++asked;
-    if (haveFewEdges(pair)) {
+    if (haveFewVertexWays(pair)) {
       ++few;
-      const FirstContact found = findImpactOfFewEdges(pair, options.time_error);
+      const FirstContact found = followVertices(pair, 0, options.time_error);
       answered += found.verdict != FirstContact::Verdict::Unknown;
       EXPECT_LE(found.time, (truth ? truth->time : 1) + options.time_error + 1e-11) << i;
       EXPECT_NE(found.verdict, truth ? FirstContact::Verdict::Never : FirstContact::Verdict::Touch) << i;
@@ -88,7 +88,7 @@ TEST(FewEdgesImpact, IsTheSearchsWithinTheTimeError) {
 }
 
 /// No edge that a point comes within its reach of is left out; where it only must not be met, few others are shown.
-TEST(FewEdgesImpact, LooksAtTheEdgesInReach) {
+TEST(VertexImpact, LooksAtTheEdgesInReach) {
   int reached = 0, met = 0, shown = 0;
   for (int i = 0; i < scaledCount(4000); ++i) {
     Random random(static_cast<std::uint64_t>(i));

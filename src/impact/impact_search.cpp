@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "impact/impact_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "impact/tight_nodes.h"
+#include "impact/window_cutter.h"
+
+namespace tricover::detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A window of time in which two nodes may meet: they certainly don't from time 0 to its begin.
+struct Encounter {
+  double begin, end;
+  std::uint32_t a, b;
+  int depth;
+
+  /// Of those that begin together, the deepest leads to an impact soonest.
+  bool operator<(const Encounter& other) const {
+    return begin != other.begin ? begin > other.begin : depth < other.depth;
+  }
+};
+
+/// Best first: the encounter that begins first is divided, its nodes or its window, and what is left of the parts are
+/// encounters again. So their least begin is a proven lower bound of the time of impact; the upper one is the earliest
+/// time at which two edges were seen to touch.
+class ImpactSearch {
+ public:
+  ImpactSearch(const MovingPair& pair, double time_error)
+      : pair_(pair),
+        time_error_(time_error),
+        touch_distance_(pair.margin + 4 * pair.error),
+        keeps_lengths_(pair.a.keepsLengths() && pair.b.keepsLengths()) {
+    encounters_.reserve(128);
+  }
+
+  FirstContact run(double begin) {
+    const Window window(pair_, begin, 1);
+    const Encounter all{begin, 1, kRootNode, kRootNode, 0};
+    offer(window, sideA(window, nodeA(kRootNode)), sideB(window, nodeB(kRootNode)), all);
+    while (!encounters_.empty() && upper_bound_ - lowerBound() > time_error_) {
+      std::pop_heap(encounters_.begin(), encounters_.end());
+      Encounter encounter = encounters_.back();
+      encounters_.pop_back();
+      encounter.end = std::min(encounter.end, upper_bound_);
+      if (++divided_ == kFloatsAlone) fitTightly();
+      tryOneAxis(encounter.begin);
+      divide(encounter);
+    }
+    const double time = encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
+    return time <= 1 ? FirstContact::touch(time, edge_a_, edge_b_) : FirstContact::never();
+  }
+
+ private:
+  double lowerBound() const { return encounters_.front().begin; }
+
+  /// Of both movers.
+  struct FittedNodes {
+    TightNodes a, b;
+  };
+
+  /// A node of either mover, and where it is in a window.
+  struct Side {
+    Node node;
+    MovingBox box;
+  };
+  Node nodeA(std::uint32_t index) { return tight_ ? tight_->a.node(index) : pair_.a.node(index); }
+  Node nodeB(std::uint32_t index) { return tight_ ? tight_->b.node(index) : pair_.b.node(index); }
+  Side sideA(const Window& window, const Node& node) const { return {node, pair_.a.box(window.a, node)}; }
+  Side sideB(const Window& window, const Node& node) const { return {node, pair_.b.box(window.b, node)}; }
+
+  /// As a rule an impact is found by then; if not, gaps may be narrower than the floats' boxes are wide.
+  static constexpr int kFloatsAlone = 256;
+  void fitTightly() { tight_.emplace(FittedNodes{TightNodes(pair_.a), TightNodes(pair_.b)}); }
+
+  /// Fans of edges that come together in their common points have boxes that reach beyond these, however narrow they
+  /// are; but not along an axis that parts all of them, if there is one. Where it helps, little is left to divide: so
+  /// it is tried for an eighth of the time.
+  static constexpr int kOneAxisFor = 128, kOneAxisOf = 8 * kOneAxisFor;
+  void tryOneAxis(double when) {
+    const int since = divided_ % kOneAxisOf - kFloatsAlone;
+    if (since == 0) fitAlong(when);
+    if (since == kOneAxisFor) along_.reset();
+  }
+  void fitAlong(double when) {
+    const Places places_a = pair_.a.places(when, when), places_b = pair_.b.places(when, when);
+    const auto local = [](const Places& places, const Vec2& axis) {
+      return Vec2(places.m00[0] * axis.x() + places.m10[0] * axis.y(),
+                  places.m01[0] * axis.x() + places.m11[0] * axis.y());
+    };
+    const Vec2 axis = places_a.originTo(places_b);
+    along_.emplace(FittedNodes{TightNodes(pair_.a, local(places_a, axis)), TightNodes(pair_.b, local(places_b, axis))});
+  }
+
+  void push(const Encounter& encounter) {
+    if (encounter.begin > upper_bound_) return;
+    encounters_.push_back(encounter);
+    std::push_heap(encounters_.begin(), encounters_.end());
+  }
+
+  static Encounter cut(Encounter encounter, const Rest& rest) {
+    const double begin = encounter.begin, length = encounter.end - begin;
+    encounter.begin = std::min(begin + rest.low * length, encounter.end);
+    if (rest.high < 1) encounter.end = std::max(begin + rest.high * length, encounter.begin);
+    return encounter;
+  }
+
+  void offer(const Window& window, const Side& a, const Side& b, const Encounter& encounter) {
+    WindowCutter cutter(window, a.box, b.box);
+    if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
+    if (tight_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
+    Rest rest = cutter.rest();
+    if (along_) {
+      const MovingBox along_a = pair_.a.box(window.a, along_->a.node(encounter.a));
+      const MovingBox along_b = pair_.b.box(window.b, along_->b.node(encounter.b));
+      WindowCutter by_one_axis(window, along_a, along_b);
+      if (by_one_axis.cutByAxesOfA() || by_one_axis.cutByAxesOfB()) return;
+      const Rest other = by_one_axis.rest();
+      rest.low = std::max(rest.low, other.low);
+      rest.high = std::min(rest.high, other.high);
+    }
+    if (rest.low <= rest.high) push(cut(encounter, rest));
+  }
+
+  void divide(const Encounter& encounter) {
+    const Window window(pair_, encounter.begin, encounter.end);
+    const Node node_a = nodeA(encounter.a), node_b = nodeB(encounter.b);
+    if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
+    const Side a = sideA(window, node_a), b = sideB(window, node_b);
+    const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
+    const WindowCutter cutter(window, a.box, b.box);
+    // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter windows once they bend by less
+    // than what boxes' axes don't see around their corners: rounding, and a part of the margin.
+    if (cutter.bend() > std::max({size_a + size_b, pair_.error, pair_.margin / 16})) return halve(encounter);
+    Encounter part = encounter;
+    ++part.depth;
+    const bool divides_a = !a.node.edge && (b.node.edge || size_a >= size_b);
+    const std::uint32_t block = divides_a ? a.node.child : b.node.child;
+    if (!tight_ && offerEight(window, cutter, divides_a, block, divides_a ? b.box : a.box, part)) return;
+    const std::uint32_t count = (divides_a ? pair_.a : pair_.b).tree->blocks[block].count;
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+      const std::uint32_t index = block * kLanes + lane;
+      (divides_a ? part.a : part.b) = index;
+      if (divides_a)
+        offer(window, sideA(window, nodeA(index)), b, part);
+      else
+        offer(window, a, sideB(window, nodeB(index)), part);
+    }
+  }
+
+  /// Offers all boxes of a block together with the other mover's box, if floats tell enough. The edges in them are in
+  /// the box that is divided, too: so its sags bound theirs.
+  bool offerEight(const Window& window, const WindowCutter& cutter, bool divides_a, std::uint32_t index,
+                  const MovingBox& box, Encounter part) {
+    const Mover& mover = divides_a ? pair_.a : pair_.b;
+    const Places& p = divides_a ? window.a : window.b;
+    const Block& block = mover.tree->blocks[index];
+    const double inverse = block.inverse / mover.scale, along = box.along * inverse, across = box.across * inverse;
+    const double sag_a = cutter.sagWithA() * inverse, sag_b = cutter.sagWithB() * inverse;
+    const Double2 dx = (box.x - p.x) * inverse, dy = (box.y - p.y) * inverse;
+    const Double2 x = p.m00 * dx + p.m10 * dy - block.origin_x * block.inverse;
+    const Double2 y = p.m01 * dx + p.m11 * dy - block.origin_y * block.inverse;
+    const Double2 ux = p.m00 * box.ux + p.m10 * box.uy, uy = p.m01 * box.ux + p.m11 * box.uy;
+    const Double2 sizes = absolute(x) + absolute(y);
+    const double sum = std::max(sizes[0], sizes[1]) + along + across + 4;
+    // Lengths are kept to 2^-47 in turning differences back: as much as the error is once more.
+    const double slack = kMovingGapRounding * sum + (pair_.margin * (1 + 0x1p-20) + 2 * pair_.error) * inverse;
+    if (!keeps_lengths_ || !(sum + slack + sag_a + sag_b < 0x1p30)) return false;
+    const auto f = [](double value) { return static_cast<float>(value); };
+    const auto above = [](double value) { return static_cast<float>(value * (1 + 0x1p-16) + 0x1p-100); };
+    const MovingQuery query = {{f(x[0]), f(x[1])},
+                               {f(y[0]), f(y[1])},
+                               {f(ux[0]), f(ux[1])},
+                               {f(uy[0]), f(uy[1])},
+                               f(along),
+                               f(across),
+                               above(divides_a ? sag_a : sag_b),
+                               above(divides_a ? sag_b : sag_a),
+                               above(slack)};
+    float from_begin[kLanes], from_end[kLanes];
+    for (unsigned left = cutWindows(block, query, from_begin, from_end); left != 0; left &= left - 1) {
+      const int lane = __builtin_ctz(left);
+      (divides_a ? part.a : part.b) = index * kLanes + static_cast<std::uint32_t>(lane);
+      push(cut(part, {static_cast<double>(from_begin[lane]), 1 - static_cast<double>(from_end[lane]), 0}));
+    }
+    return true;
+  }
+
+  void halve(const Encounter& encounter) {
+    const double middle = 0.5 * (encounter.begin + encounter.end);
+    for (const bool later : {false, true}) {
+      Encounter part = encounter;
+      (later ? part.begin : part.end) = middle;
+      const Window window(pair_, part.begin, part.end);
+      offer(window, sideA(window, nodeA(part.a)), sideB(window, nodeB(part.b)), part);
+    }
+  }
+
+  void touch(double when, std::size_t position_a, std::size_t position_b) {
+    if (!(when < upper_bound_)) return;
+    upper_bound_ = when;
+    edge_a_ = position_a;
+    edge_b_ = position_b;
+  }
+
+  void divideEdges(const Window& window, const Encounter& encounter, std::size_t position_a, std::size_t position_b) {
+    const MovingBox a = pair_.a.edge(window.a, position_a), b = pair_.b.edge(window.b, position_b);
+    const NearestPoints at_begin(a, b, 0, pair_.error);
+    // Written so that NaN, as where bounds overflow, is a touch.
+    if (!(at_begin.distance > touch_distance_)) return touch(encounter.begin, position_a, position_b);
+    if (!(NearestPoints(a, b, 1, pair_.error).distance > touch_distance_)) touch(encounter.end, position_a, position_b);
+
+    // Some axis parts the edges at the window's begin by nearly their distance: an edge's normal or, vertex to vertex,
+    // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
+    WindowCutter cutter(window, a, b);
+    if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
+    const Rest rest = cutter.rest();
+    if (rest.low > rest.high) return;
+
+    // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a window up to
+    // there is shorter by an order.
+    const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / window.length;
+    const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
+    const double split = encounter.begin + share * window.length;
+    const Encounter part = cut(encounter, rest);
+    if (split > part.begin && split < part.end) {
+      push({part.begin, split, part.a, part.b, part.depth + 1});
+      push({split, part.end, part.a, part.b, part.depth + 1});
+    } else if (part.begin > encounter.begin) {
+      push(part);
+    } else {
+      touch(encounter.begin, position_a, position_b);  // no time between the window's ends
+    }
+  }
+
+  const MovingPair& pair_;
+  double time_error_, touch_distance_;
+  bool keeps_lengths_;
+  double upper_bound_ = kInfinity;
+  std::size_t edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound
+  std::vector<Encounter> encounters_;
+  int divided_ = 0;
+  std::optional<FittedNodes> tight_, along_;
+};
+
+}  // namespace
+
+FirstContact searchBoxes(const MovingPair& pair, double begin, double time_error) {
+  return ImpactSearch(pair, time_error).run(begin);
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "impact/vertex_impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "hierarchy/simd.h"
+#include "impact/vertex_ways.h"
+
+namespace tricover::detail {
+namespace {
+
+/// As a rule ten are enough.
+constexpr int kMostSteps = 64;
+constexpr int kMost = FewEdges::kMost;
+
+/// A point b beside the edges of a, which the hierarchy finds.
+class PointBesideTree {
+ public:
+  explicit PointBesideTree(const MovingPair& pair) : a_(*pair.a.polygon), pair_(pair), lever_(pair.b.arm.norm()) {}
+
+  Approach soonest(const Window& window, bool) const {
+    const VertexView view(window, true);
+    struct Call {
+      static double visit(void* context, std::uint32_t position) {
+        Call& c = *static_cast<Call*>(context);
+        c.view.approach(c.way, c.self.edge(position), 0, position, c.best);
+        return std::min(c.best.share, 1.0);
+      }
+      const PointBesideTree& self;
+      const VertexView& view;
+      VertexWay way;
+      Approach best;
+    } call{*this, view, view.wayOf(0, 0, lever_), {}};
+    const VertexWay& way = call.way;
+    if (a_.isDegenerate())
+      Call::visit(&call, static_cast<std::uint32_t>(a_.degenerate_edge));
+    else
+      visitEdgesOnWay(*pair_.a.tree,
+                      {{way.x[0], way.y[0], 0}, way.x[1] - way.x[0], way.y[1] - way.y[0], view.reach(way)},
+                      &Call::visit, &call);
+    return call.best;
+  }
+
+  /// A point is on a degenerate polygon for no time at all: that is found where it is.
+  bool touchByEnd(const Window& window, const Approach& found) const {
+    if (a_.isDegenerate()) return false;
+    const VertexView view(window, true);
+    return view.touchByEnd(view.wayOf(0, 0, lever_), edge(found.edge));
+  }
+
+  FirstContact touch(double time, const Approach& found) const {
+    return FirstContact::touch(time, found.edge, pair_.b.polygon->degenerate_edge);
+  }
+
+  double size() const { return pair_.a.reach + pair_.b.base.lpNorm<1>(); }
+
+ private:
+  EdgeInUnits edge(std::size_t position) const {
+    return {a_.inUnits(a_.path[position]), a_.inUnits(a_.path[position + 1])};
+  }
+
+  const PolygonData& a_;
+  const MovingPair& pair_;
+  double lever_;
+};
+
+/// One of two polygons of few edges: its vertices and edges from S in its units. Each edge begins at the vertex with
+/// its number; a degenerate polygon's second vertex has none.
+struct FewVertices {
+  FewVertices(const Mover& mover, bool turns) {
+    const PolygonData& polygon = *mover.polygon;
+    if (polygon.isDegenerate()) {
+      addVertex(polygon, polygon.degenerate_edge, polygon.degenerate_edge);
+      addVertex(polygon, polygon.degenerate_edge + 1, polygon.degenerate_edge);
+      addEdge(0, 1);
+    } else {
+      for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) addRing(polygon, ring);
+    }
+    edges.lanes = edges.count > kLanes ? kMost : kLanes;
+    if (!turns) return;
+    for (int i = 0; i < count; ++i) {
+      const Vec2 lever = mover.arm + mover.scale * (mover.linear * vertex[i]);
+      levers[i] = lengthAbove(lever.x(), lever.y());
+    }
+  }
+
+  VertexWay wayIn(const VertexView& view, std::uint32_t i) const {
+    return view.wayOf(vertex[i].x(), vertex[i].y(), levers[i]);
+  }
+
+  int count = 0;  ///< of vertices
+  Vec2 vertex[kMost];
+  double levers[kMost] = {};    ///< no less than from the pivot, in the pair's length
+  std::size_t position[kMost];  ///< of the vertices' edges, in the path
+  EdgeInUnits edge[kMost];
+  FewEdges edges{};
+
+ private:
+  void addVertex(const PolygonData& polygon, std::size_t at, std::size_t edge_position) {
+    vertex[count] = polygon.inUnits(polygon.path[at]);
+    position[count++] = edge_position;
+  }
+  void addRing(const PolygonData& polygon, std::size_t ring) {
+    const int first = count;
+    for (std::size_t e = polygon.edgeBegin(ring); e < polygon.edgeEnd(ring); ++e) addVertex(polygon, e, e);
+    for (int i = first; i < count; ++i) addEdge(i, i + 1 < count ? i + 1 : first);
+  }
+  void addEdge(int i, int next) {
+    const Vec2 &v = vertex[i], u = vertex[next] - v;
+    edge[i] = EdgeInUnits(v, vertex[next]);
+    edges.x[i] = static_cast<float>(v.x());
+    edges.y[i] = static_cast<float>(v.y());
+    edges.ux[i] = static_cast<float>(u.x());
+    edges.uy[i] = static_cast<float>(u.y());
+    edges.aside[i] = static_cast<float>(u.x() * v.y() - u.y() * v.x());
+    edges.ahead[i] = static_cast<float>(u.dot(v));
+    edges.square[i] = static_cast<float>(u.squaredNorm());
+    edges.length[i] = static_cast<float>(edge[i].length * (1 + 0x1p-20) + 0x1p-60);
+    ++edges.count;
+  }
+};
+
+/// The vertices of either polygon beside the edges of the other, all at once. In a window within one that was asked
+/// before, only what may meet in that one may meet.
+class FewBesideFew {
+ public:
+  explicit FewBesideFew(const MovingPair& pair)
+      : pair_(pair), a_(pair.a, pair.a.turns || pair.b.turns), b_(pair.b, pair.a.turns || pair.b.turns) {}
+
+  Approach soonest(const Window& window, bool is_within) {
+    const VertexView of_a(window, false), of_b(window, true);
+    if (!is_within) {
+      count_ = 0;
+      collect(of_b, true);
+      collect(of_a, false);
+    }
+    Approach best;
+    int kept = 0, vertex = -1;
+    bool of_vertex_b = false;
+    VertexWay way{};
+    for (int i = 0; i < count_; ++i) {
+      const VertexAndEdge pair = pairs_[i];
+      const VertexView& view = pair.of_b ? of_b : of_a;
+      if (pair.vertex != vertex || pair.of_b != of_vertex_b) way = (pair.of_b ? b_ : a_).wayIn(view, pair.vertex);
+      vertex = pair.vertex, of_vertex_b = pair.of_b;
+      if (view.approach(way, (pair.of_b ? a_ : b_).edge[pair.edge], pair.vertex, pair.edge, best))
+        pairs_[kept++] = pair;
+    }
+    count_ = kept;
+    return best;
+  }
+
+  bool touchByEnd(const Window& window, const Approach& found) const {
+    const VertexView view(window, found.of_b);
+    return view.touchByEnd((found.of_b ? b_ : a_).wayIn(view, found.vertex), (found.of_b ? a_ : b_).edge[found.edge]);
+  }
+
+  FirstContact touch(double time, const Approach& found) const {
+    return FirstContact::touch(time, a_.position[found.of_b ? found.edge : found.vertex],
+                               b_.position[found.of_b ? found.vertex : found.edge]);
+  }
+
+  double size() const { return std::min(pair_.a.reach, pair_.b.reach); }
+
+ private:
+  struct VertexAndEdge {
+    std::uint8_t vertex, edge;
+    bool of_b;  ///< the vertex
+  };
+
+  /// What may meet in the window.
+  void collect(const VertexView& view, bool of_b) {
+    const FewVertices &from = of_b ? a_ : b_, &of = of_b ? b_ : a_;
+    FewWays ways;
+    ways.count = of.count;
+    bool fits = true;  // into floats
+    for (int k = 0; k < of.count; ++k) {
+      const VertexWay way = of.wayIn(view, static_cast<std::uint32_t>(k));
+      const double reach = view.reach(way);
+      const Double2 size = absolute(way.x) + absolute(way.y);
+      fits = fits && size[0] + size[1] + reach < 0x1p30;
+      ways.x[k] = static_cast<float>(way.x[0]);
+      ways.y[k] = static_cast<float>(way.y[0]);
+      ways.to_x[k] = static_cast<float>(way.x[1]);
+      ways.to_y[k] = static_cast<float>(way.y[1]);
+      ways.reach[k] = static_cast<float>(reach);
+    }
+    unsigned near[kMost];
+    if (fits)
+      findEdgesOnWays(from.edges, ways, near);
+    else
+      std::fill_n(near, of.count, (1u << from.edges.count) - 1);
+    for (int k = 0; k < of.count; ++k)
+      for (unsigned left = near[k]; left != 0; left &= left - 1)
+        pairs_[count_++] = {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(__builtin_ctz(left)), of_b};
+  }
+
+  const MovingPair& pair_;
+  FewVertices a_, b_;
+  VertexAndEdge pairs_[2 * kMost * kMost];
+  int count_ = 0;
+};
+
+/// Ways bend little in the first window.
+double firstLength(const MovingPair& pair, double size) {
+  const Rates rates = pair.rates(0, 1);
+  const double bend = rates.bend_a * pair.a.reach + rates.bend_b * pair.b.reach + rates.pull;
+  return bend > 0 ? std::min(1.0, 0.5 * std::sqrt(size / bend)) : 1;
+}
+
+/// From window to window: each begins where the one before shows that nothing meets until then. While nothing may meet
+/// at all they grow; where something may, the next one lies within, and as long as that should take.
+template <class Ways>
+FirstContact follow(Ways ways, const MovingPair& pair, double begin, double time_error) {
+  double time = begin, length = firstLength(pair, ways.size()), last = begin;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const bool is_within = time < last;
+    const double end = std::min(time + length, is_within ? last : 1.0);
+    last = end;
+    const Window window(pair, time, end);
+    const Approach best = ways.soonest(window, is_within);
+    if (!(best.share <= 1)) {
+      if (end == 1) return FirstContact::never();
+      time = end;
+      length *= 2;
+      continue;
+    }
+    if (best.touches) return ways.touch(time, best);
+    const double lower = std::min(time + best.share * window.length, end);
+    if (best.is_exact || (end - lower <= time_error && ways.touchByEnd(window, best))) return ways.touch(lower, best);
+    if (!(lower > time)) break;
+    time = lower;
+    const double ahead = best.aim - best.share;
+    length = (ahead > 0 && ahead < 0.25 ? 2 * ahead : 0.5) * window.length + 0.5 * time_error;
+  }
+  return FirstContact::unknown(time);
+}
+
+/// Whether units and poses keep lengths but for rounding, and squares don't overflow.
+bool keepsLengths(const Mover& mover) {
+  return mover.polygon->fitsUnit() && (mover.polygon->isPoint() || mover.scale > 0x1p-200) && mover.keepsLengths();
+}
+
+}  // namespace
+
+bool haveFewVertexWays(const MovingPair& pair) {
+  const auto fits = [](const Mover& mover) {
+    const PolygonData& polygon = *mover.polygon;
+    return polygon.path.size() - polygon.ringCount() <= static_cast<std::size_t>(kMost) && !polygon.isPoint() &&
+           keepsLengths(mover);
+  };
+  if (!(pair.error < 1)) return false;
+  return pair.b.polygon->isPoint() ? keepsLengths(pair.a) : fits(pair.a) && fits(pair.b);
+}
+
+FirstContact followVertices(const MovingPair& pair, double begin, double time_error) {
+  return pair.b.polygon->isPoint() ? follow(PointBesideTree(pair), pair, begin, time_error)
+                                   : follow(FewBesideFew(pair), pair, begin, time_error);
+}
+
+}  // namespace tricover::detail

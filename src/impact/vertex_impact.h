@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "impact/moving_pair.h"
+
+namespace tricover::detail {
+
+/// Whether followVertices() may be asked: b is a point, or both have few edges; their poses keep lengths but for
+/// rounding.
+bool haveFewVertexWays(const MovingPair& pair);
+
+/// Of two that are apart from time 0 to `begin`. They meet first where a vertex of either comes to an edge of the
+/// other.
+FirstContact followVertices(const MovingPair& pair, double begin, double time_error);
+
+}  // namespace tricover::detail

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "impact/window.h"
+#include "numbers/segment.h"
+
+namespace tricover::detail {
+
+/// An edge in its polygon's units, from S: where it begins, its axis and its length.
+struct EdgeInUnits {
+  EdgeInUnits() = default;
+  EdgeInUnits(const Vec2& v, const Vec2& w) : x(v.x()), y(v.y()) {
+    const double dx = w.x() - x, dy = w.y() - y, square = dx * dx + dy * dy;
+    length = std::sqrt(square);
+    if (square > 0x1p-900) ux = dx / length, uy = dy / length;
+  }
+  double x, y, ux = 1, uy = 0, length;
+};
+
+/// A vertex over a window, seen from the other polygon: its places at both ends, and how far its way bends.
+struct VertexWay {
+  Double2 x, y;
+  double sag;
+};
+
+/// A vertex that may come to an edge of the other polygon in a window.
+struct Approach {
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+  double share = kNever;  ///< of the window, before which the two don't meet
+  double apart = kNever;  ///< at its begin
+  double aim = 0;         ///< as in Rest
+  bool touches = false;   ///< at the begin already
+  bool is_exact = false;  ///< they touch after that share
+  bool of_b = false;      ///< the vertex
+  std::uint32_t vertex = 0, edge = 0;
+
+  bool operator<(const Approach& other) const {
+    return share != other.share ? share < other.share : apart < other.apart;
+  }
+};
+
+/// The vertices of one polygon over a window, seen from the other, which stands still, in that one's units. There a
+/// vertex leaves the straight way between its places at both ends by sag / 4 at most.
+///
+/// Rounding, beyond what MovingPair::error allows for, in units of U: turning differences f back by M^T 4.3 f; M^T M,
+/// which isn't quite the identity, 64 r; M itself once more 10.1 A r + 7 r. So gaps are within twice that error.
+class VertexView {
+ public:
+  VertexView(const Window& window, bool of_b)
+      : from_(of_b ? window.pair.a : window.pair.b), sag_(of_b ? window.with_a : window.with_b), of_b_(of_b) {
+    const MovingPair& pair = window.pair;
+    const Places &p = of_b ? window.a : window.b, &q = of_b ? window.b : window.a;
+    unit_ = from_.polygon->isPoint() ? 1 : from_.scale;  // a point has no units
+    inverse_ = 1 / unit_;
+    const double scale = (of_b ? pair.b : pair.a).scale * inverse_;
+    const Double2 dx = (q.x - p.x) * inverse_, dy = (q.y - p.y) * inverse_;
+    m00_ = (p.m00 * q.m00 + p.m10 * q.m10) * scale;
+    m01_ = (p.m00 * q.m01 + p.m10 * q.m11) * scale;
+    m10_ = (p.m01 * q.m00 + p.m11 * q.m10) * scale;
+    m11_ = (p.m01 * q.m01 + p.m11 * q.m11) * scale;
+    tx_ = p.m00 * dx + p.m10 * dy;
+    ty_ = p.m01 * dx + p.m11 * dy;
+    room_ = (pair.margin + 2 * pair.error) * inverse_;
+    touch_ = (pair.margin + 4 * pair.error) * inverse_;
+    if (sag_.by_distance > 0) pivot_ = from_.linear.transpose() * from_.arm * -inverse_;
+  }
+
+  VertexWay wayOf(double x, double y, double lever) const {
+    const VertexWay way = {m00_ * x + m01_ * y + tx_, m10_ * x + m11_ * y + ty_, 0};
+    const double distance =
+        sag_.by_distance > 0 ? lengthAbove(way.x[0] - pivot_.x(), way.y[0] - pivot_.y()) * unit_ : 0;
+    return {way.x, way.y, sag_.of(lever, distance) * inverse_};
+  }
+
+  /// What a straight way must not come within for its vertex to stay away.
+  double reach(const VertexWay& way) const { return room_ + 0.25 * way.sag; }
+
+  /// Whether the two may meet in the window. If they may do so before `best` does, they are the best.
+  bool approach(const VertexWay& way, const EdgeInUnits& edge, std::uint32_t vertex, std::uint32_t edge_number,
+                Approach& best) const {
+    const double half = 0.5 * edge.length;
+    const Double2 rx = way.x - edge.x, ry = way.y - edge.y;
+    Double2 n = edge.ux * ry - edge.uy * rx, t = edge.ux * rx + edge.uy * ry - half;
+    if (n[0] < 0) n = -n;
+    if (t[0] < 0) t = -t;
+    const double beyond = t[0] - half, apart = beyond > 0 ? std::sqrt(n[0] * n[0] + beyond * beyond) : n[0];
+    // Written so that NaN is a touch.
+    Approach found{0, apart, 0, !(apart > touch_), way.sag == 0, of_b_, vertex, edge_number};
+    if (way.sag == 0) {
+      if (apart > room_) found.share = entryOf(t, n, half);
+    } else if (cutByAxes(t, n, half, apart, way.sag, found)) {
+      return false;
+    }
+    if (!(found.share <= 1)) return false;
+    if (found < best) best = found;
+    return true;
+  }
+
+  /// Whether the two touch at the window's end, or have passed each other by then.
+  bool touchByEnd(const VertexWay& way, const EdgeInUnits& edge) const {
+    const double half = 0.5 * edge.length;
+    const Double2 rx = way.x - edge.x, ry = way.y - edge.y;
+    const Double2 aside = edge.ux * ry - edge.uy * rx;
+    const Double2 beyond = absolute(edge.ux * rx + edge.uy * ry - half) - half;
+    const bool passed = aside[0] * aside[1] < 0 && std::max(beyond[0], beyond[1]) < -reach(way);
+    const double past = std::max(beyond[1], 0.0);
+    return passed || !(std::sqrt(aside[1] * aside[1] + past * past) > touch_);
+  }
+
+ private:
+  /// The share at which a straight way comes within the room around an edge from -half to half, where it isn't at its
+  /// begin: beside the edge or, if it isn't there by then, around the end that it is beyond. Each root is that of a way
+  /// moved aside by a few roundings of the coordinates, however flat it is.
+  double entryOf(Double2 along, Double2 aside, double half) const {
+    const Vec2 way(along[1] - along[0], aside[1] - aside[0]);
+    double at = along[0];
+    if (aside[0] > room_) {
+      const double share = (room_ - aside[0]) / way.y();
+      if (!(way.y() < 0 && share <= 1)) return Approach::kNever;
+      at += share * way.x();
+      if (std::abs(at) <= half) return share;
+    }
+    const Vec2 from_end(along[0] - std::copysign(half, at), aside[0]);
+    const double length = way.norm(), ahead = -from_end.dot(way);
+    if (!(ahead > 0 && length > 0)) return Approach::kNever;
+    const double past = std::abs(cross(from_end, way)) / length;
+    if (!(past < room_)) return Approach::kNever;
+    return std::max((ahead / length - std::sqrt((room_ - past) * (room_ + past))) / length, 0.0);
+  }
+
+  /// Whether a bent way is parted from such an edge by its normal, its axis, or that from its end to the way's begin;
+  /// or else from where on it may not be.
+  bool cutByAxes(Double2 t, Double2 n, double half, double apart, double sag, Approach& found) const {
+    CutSide first, last;
+    const double beyond = t[0] - half;
+    if (first.offer(n[0] - room_, n[1] - room_, sag)) return true;
+    if (first.offer(beyond - room_, t[1] - half - room_, sag)) return true;
+    if (beyond > 0) {
+      const double end = (beyond * (t[1] - half) + n[0] * n[1]) / apart;
+      if (first.offer(apart - room_, end - room_, sag)) return true;
+    }
+    if (n[1] < 0) n = -n;
+    if (t[1] < 0) t = -t;
+    if (last.offer(n[1] - room_, n[0] - room_, sag)) return true;
+    if (last.offer(t[1] - half - room_, t[0] - half - room_, sag)) return true;
+    found.share = first.share();
+    found.aim = first.aim();
+    return found.share > 1 - last.share();
+  }
+
+  const Mover& from_;
+  const TurningSag& sag_;
+  bool of_b_;
+  double unit_, inverse_, room_, touch_;  ///< in units: what a gap must exceed, and what is near enough
+  Double2 m00_, m01_, m10_, m11_, tx_, ty_;
+  Vec2 pivot_;  ///< of the polygon that is looked from
+};
+
+}  // namespace tricover::detail

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "impact/moving_pair.h"
+
+namespace tricover::detail {
+
+/// An upper bound of a length, too large by 8 percent at most.
+inline double lengthAbove(double x, double y) {
+  x = std::abs(x);
+  y = std::abs(y);
+  return std::max(x, y) + 0.41422 * std::min(x, y);
+}
+
+/// The share [low, high] of a window that contact may lie in.
+struct Rest {
+  double low, high;
+  double aim;  ///< where points that aren't accelerated would meet along the axis that `low` is due to
+};
+
+/// Seen from one end of a window, a gap is at least from - slope x + sag x^2 after a share x of it: it stays positive
+/// for a share of about from / slope. This is the one that does so longest.
+struct CutSide {
+  double from = 0, to = 0, slope = 1, sag = 0;
+
+  /// Another gap, which is `to_` at the other end. Whether that stays positive throughout.
+  bool offer(double from_, double to_, double sag_) {
+    if (!(from_ > 0)) return false;
+    const double slope_ = from_ - to_ + sag_;
+    if (slope_ < from_ || slope_ * slope_ < 4 * sag_ * from_) return true;  // without a root in [0, 1]
+    // Division can wait until the best is known; as can the root, of which this is the first order.
+    if (from_ * slope > from * slope_) *this = {from_, to_, slope_, sag_};
+    return false;
+  }
+
+  double share() const {
+    if (from == 0) return 0;
+    const double root = std::sqrt(std::max(slope * slope - 4 * sag * from, 0.0));
+    return std::min(2 * from / (slope + root), 1.0);
+  }
+  double aim() const { return from / (from - to); }
+};
+
+// How far ways bend in a window. Say that along an axis no distance n . (p_b - p_a) of two points, as a function of
+// time, has a second derivative beyond A. Then after a share x of the window, of length h, each is at least what is
+// interpolated between its values at both ends, minus A h^2 x (1 - x) / 2; and so is the gap of the two polygons, the
+// least of them. `sag` is A h^2 / 2.
+//
+// With r_a, r_b the points' levers from their pivots, which turn at rates alpha and beta, D the vector from a's pivot
+// to b's, V its velocity and W its acceleration, a dash for derivatives in time: along a fixed axis of length 1,
+//   A <= (alpha^2 + |alpha'|) |r_a| + (beta^2 + |beta'|) |r_b| + |W|.
+// In a frame around a's pivot that turns with a at the rate alpha, where r_a stands still, the acceleration of p_b is,
+// with J the quarter turn,
+//   W - 2 alpha J V - (alpha' J + alpha^2) D + ((beta' - alpha') J - (beta - alpha)^2) r_b.
+// So along an axis that turns with a,
+//   A <= (|beta' - alpha'| + (beta - alpha)^2) |r_b| + (|alpha'| + alpha^2) |D| + 2 |alpha| |V| + |W|,
+// or, by D = (p_b - c_a) - r_b for a's pivot c_a, with the first two terms replaced by
+//   (|beta'| + |beta| |beta - 2 alpha|) |r_b| + (|alpha'| + alpha^2) |p_b - c_a|;
+// and likewise for an axis that turns with b. |D| and |p_b - c_a| are bounded over the window by their value at its
+// begin and how fast they change. 2^-10 pays for rounding, for axes that a pose off rigid by 1e-6 makes longer than 1,
+// and for extents that it stretches.
+
+/// The sag along axes that turn with one polygon, of points of the other one: the smaller of two bounds, both linear.
+struct TurningSag {
+  double always, by_lever;
+  double other_always, other_by_lever, by_distance;
+
+  /// Of points no farther from their own pivot than `lever`, and from the other one, at the window's begin, than
+  /// `distance`.
+  double of(double lever, double distance) const {
+    return std::min(always + by_lever * lever, other_always + other_by_lever * lever + by_distance * distance);
+  }
+};
+
+/// A window of time with both movers' places at its ends.
+struct Window {
+  Window(const Window&) = delete;
+  Window(const MovingPair& pair_, double begin, double end)
+      : pair(pair_),
+        length(end - begin),
+        rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
+        a(pair.a.places(begin, end)),
+        b(pair.b.places(begin, end)) {
+    boundSags();
+  }
+  /// The places at the begin are known, in either lane.
+  Window(const MovingPair& pair_, double begin, double end, const Places& a_at_begin, const Places& b_at_begin)
+      : pair(pair_),
+        length(end - begin),
+        rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
+        a(a_at_begin.to(pair.a.places(end, end))),
+        b(b_at_begin.to(pair.b.places(end, end))) {
+    boundSags();
+  }
+
+  /// Along axes that stand still.
+  double fixedSag(double lever_a, double lever_b) const {
+    return half_square * (rates.bend_a * lever_a + rates.bend_b * lever_b + rates.pull);
+  }
+
+  const MovingPair& pair;
+  double length, half_square;  ///< h; h^2 / 2, rounded upwards
+  Rates own_rates;             ///< where the pair's aren't steady
+  const Rates& rates;
+  Places a, b;
+  TurningSag with_a, with_b;
+
+ private:
+  void boundSags() {
+    half_square = 0.5 * (1 + 0x1p-10) * length * length;
+    if (!rates.turns()) {
+      with_a = with_b = {half_square * rates.pull, 0, half_square * rates.pull, 0, 0};
+      return;
+    }
+    const double apart = lengthAbove(b.pivot_x[0] - a.pivot_x[0], b.pivot_y[0] - a.pivot_y[0]) + length * rates.speed;
+    with_a = turningSag(rates.a, rates.bend_a, rates.b, rates.mixed_b, apart);
+    with_b = turningSag(rates.b, rates.bend_b, rates.a, rates.mixed_a, apart);
+  }
+  /// `turn` and `bend` are those of the polygon that the axes turn with, `own` and `mixed` the other one's.
+  TurningSag turningSag(double turn, double bend, double own, double mixed, double apart) const {
+    const double always = 2 * turn * rates.speed + rates.pull;
+    return {half_square * (always + bend * apart), half_square * rates.relative_bend,
+            half_square * (always + bend * length * rates.speed), half_square * (mixed + bend * length * own),
+            half_square * bend};
+  }
+};
+
+}  // namespace tricover::detail
