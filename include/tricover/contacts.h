@@ -28,7 +28,7 @@ TRICOVER_EXPORT std::vector<Crossing> crossings(const Polygon& a, const Pose& po
                                                 const Pose& pose_b);
 
 /// One connected part of the regions' overlap, in the world. Coordinates are rounded: they are off by at most 128 units
-/// of roundoff (2^-53) of the polygons' own coordinates and the poses' translations, added up, and by 2^-1048.
+/// of roundoff (2^-53) of the polygons' own coordinates and the poses' translations, added up, and by 2^-1042.
 struct Contact {
   /// A point of this part of the overlap, but for rounding: its middle, on the line along the normal through its
   /// deepest point, or, where that is outside, in a notch or a hole, another one.
@@ -63,8 +63,7 @@ TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose
                                               std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The same to the last bit, using and renewing the facts in `cache`: O(1) while they are apart and that fact pays for
-/// the motion since. Of two convex polygons whose edges cross twice, under poses that are orthonormal to 1e-14, it
-/// takes four fifths of the time for 8 vertices each, and half of it for 64.
+/// the motion since.
 ///
 /// \snippet contacts.cpp contacts with cache
 TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b,

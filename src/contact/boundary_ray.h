@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "contact/world_frame.h"
 #include "hierarchy/inclusion.h"
 #include "hierarchy/simd.h"
-#include "pair/world_frame.h"
 
 namespace tricover::detail {
 

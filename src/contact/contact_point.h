@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pair/world_frame.h"
+#include "contact/world_frame.h"
 
 namespace tricover::detail {
 

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pair/posed_pair.h"
+#include <optional>
+
+#include "contact/separating_axes.h"
 #include "tricover/contacts.h"
 
 namespace tricover::detail {
 
-/// What plain doubles prove of a pair.
-struct ConvexContact {
-  enum Verdict { Unsure, Apart, Overlap };
-
-  Verdict verdict = Unsure;
-  Contact contact = {};  ///< of an overlap
-};
-
-/// Of convex polygons without straight vertices that are well apart, or overlap so that their edges cross twice, in
-/// O(n + m). Unsure of all others. The facts of these two in `cache`, unless it is null, are used and renewed.
-ConvexContact convexContact(const PosedPair& pair, ContactFacts* cache);
+/// The contact of two convex polygons that meet so that plain doubles prove their edges to cross twice, in O(n + m). No
+/// answer for all others.
+std::optional<Contact> convexContact(const PosedPair& pair, const SeparatingAxes& axes);
 
 }  // namespace tricover::detail

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "contact/vertex_stars.h"
+#include "contact/coincident_vertices.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
 #include "pair/edge_pairs.h"
@@ -19,7 +19,7 @@ namespace {
 std::vector<Crossing> crossingsInWorld(const PosedPair& pair) {
   const WorldFrame frame(pair);
   std::vector<Crossing> result;
-  for (const EdgeCrossing& crossing : findCrossings(pair, frame, Stars::Whole)) {
+  for (const EdgeCrossing& crossing : findCrossings(pair, frame, Coincident::All)) {
     const auto first = static_cast<std::ptrdiff_t>(pair.a.edgeNumber(crossing.edge_a));
     const auto second = static_cast<std::ptrdiff_t>(pair.b.edgeNumber(crossing.edge_b));
     result.push_back({first, second, frame.toWorld(crossing.point)});
@@ -54,10 +54,10 @@ Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, doubl
   return span;
 }
 
-std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Stars stars) {
+std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Coincident coincident) {
   std::vector<EdgeCrossing> result;
   const std::size_t many = 4 * (pair.a.path.size() + pair.b.path.size());
-  std::optional<VertexStars> known;
+  std::optional<CoincidentVertices> known;
   const auto visit = [&](double, std::size_t i, std::size_t j) {
     if (known && known->isKnown(i, j)) return 0.0;
     if (edgesMeet(pair, i, j)) {
@@ -65,10 +65,10 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
       const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());
       result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
     }
-    return stars == Stars::Thinned && !known && result.size() > many ? -1.0 : 0.0;
+    return coincident == Coincident::Thinned && !known && result.size() > many ? -1.0 : 0.0;
   };
   forEachPair(pair, 0, visit);
-  if (stars == Stars::Whole || result.size() <= many) return result;
+  if (coincident == Coincident::All || result.size() <= many) return result;
   // So many that edges may end in one point: once more, without most pairs of those.
   known.emplace(pair);
   const auto [u, v] = known->largest(result);
@@ -76,8 +76,9 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
   if (u < 0)
     forEachPair(pair, 0, visit);
   else
-    forEachPair(pair, 0, visit,
-                StarBoxes(pair, frame, static_cast<std::size_t>(u), static_cast<std::size_t>(v), *known).pairs());
+    forEachPair(
+        pair, 0, visit,
+        IncidentEdgeBoxes(pair, frame, static_cast<std::size_t>(u), static_cast<std::size_t>(v), *known).pairs());
   return result;
 }
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "pair/world_frame.h"
+#include "contact/world_frame.h"
 
 namespace tricover::detail {
 
@@ -27,7 +27,7 @@ struct EdgeCrossing {
 Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, double error);
 
 /// All that share a point, exactly; or without those that are known by others, where many edges end in one point.
-enum class Stars { Whole, Thinned };
-std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Stars stars);
+enum class Coincident { All, Thinned };
+std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Coincident coincident);
 
 }  // namespace tricover::detail

@@ -10,32 +10,15 @@
 #include <limits>
 
 #include "contact/boundary_ray.h"
-#include "contact/vertex_stars.h"
+#include "contact/coincident_vertices.h"
 #include "hierarchy/inclusion.h"
 #include "numbers/predicates.h"
 #include "numbers/segment.h"
+#include "numbers/union_find.h"
 #include "pair/edge_pairs.h"
 
 namespace tricover::detail {
 namespace {
-
-/// Disjoint sets of nodes.
-class Sets {
- public:
-  std::size_t add() {
-    parent_.push_back(parent_.size());
-    return parent_.size() - 1;
-  }
-  std::size_t find(std::size_t node) {
-    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-    return node;
-  }
-  void join(std::size_t p, std::size_t q) { parent_[find(p)] = find(q); }
-  std::size_t size() const { return parent_.size(); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// A winding number or a change of one, where that is known.
 struct Winding {
@@ -119,7 +102,7 @@ class Grouping {
   bool holds(int side, const Vec2& p) const { return detail::holds(pair_, frame_, side, p); }
 
   void join(bool with_own_crossings) {
-    sets_ = Sets();
+    sets_ = UnionFind();
     present_.clear();
     points_.clear();
     inner_.clear();
@@ -163,7 +146,7 @@ class Grouping {
     if (star < 0)
       forEachPair(with_itself, 0, visit);
     else
-      forEachPair(with_itself, 0, visit, StarBoxes(own.polygon, static_cast<std::size_t>(star)).pairs());
+      forEachPair(with_itself, 0, visit, IncidentEdgeBoxes(own.polygon, static_cast<std::size_t>(star)).pairs());
   }
 
   /// Whether two edges of a polygon have an end in common and nothing else.
@@ -182,12 +165,9 @@ class Grouping {
     std::size_t most = kMany;
     Side& own = sides_[side];
     const std::vector<Vec2>& path = own.polygon.path;
-    std::vector<std::size_t> order;
-    for (std::size_t r = 0; r < own.polygon.ringCount(); ++r)
-      for (std::size_t v = own.polygon.edgeBegin(r); v < own.polygon.edgeEnd(r); ++v) order.push_back(v);
-    std::sort(order.begin(), order.end(), [&](std::size_t v, std::size_t w) {
-      return path[v].x() != path[w].x() ? path[v].x() < path[w].x() : path[v].y() < path[w].y();
-    });
+    std::vector<std::uint32_t> order = sortedByPlace(path);
+    const auto closes = [&](std::uint32_t v) { return v == own.polygon.edgeEnd(ringOf(own.polygon, v)); };
+    order.erase(std::remove_if(order.begin(), order.end(), closes), order.end());
     for (std::size_t k = 0, next = 0; k < order.size(); k = next) {
       while (next < order.size() && path[order[next]] == path[order[k]]) ++next;
       if (next - k < 2) continue;
@@ -471,7 +451,7 @@ class Grouping {
   const WorldFrame& frame_;
   const std::vector<EdgeCrossing>& crossings_;
   Side sides_[2];
-  Sets sets_;
+  UnionFind sets_;             ///< of nodes
   std::vector<char> present_;  ///< by node: it is in the overlap, which a polygon's own crossing needn't be
   std::vector<char> inner_;    ///< by node: the overlap has an inside there
   std::vector<NodePoint> points_;

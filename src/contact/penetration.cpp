@@ -5,11 +5,12 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
-#include "contact/convex_outline.h"
 #include "contact/convex_penetration.h"
 #include "contact/translation_search.h"
+#include "convex/convex_outline.h"
 #include "numbers/segment.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
@@ -83,17 +84,6 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   return features;
 }
 
-/// Whether either one, translated as its pose can be, leaves the other.
-bool parts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-           const Vec2& translation) {
-  Pose moved_a = pose_a, moved_b = pose_b;
-  moved_a.translation() -= translation;
-  moved_b.translation() += translation;
-  if (!moved_a.translation().allFinite() || !moved_b.translation().allFinite()) return false;
-  return !collideByHierarchy(PosedPair(a, pose_a, b, moved_b), {}, 0, Wanted::Answer).collides &&
-         !collideByHierarchy(PosedPair(a, moved_a, b, pose_b), {}, 0, Wanted::Answer).collides;
-}
-
 /// Where lengths overflow.
 Penetration noAnswer(const Vec2& direction) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -102,10 +92,21 @@ Penetration noAnswer(const Vec2& direction) {
 
 }  // namespace
 
+bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const PolygonData& b, Pose pose_b,
+                   const Vec2& by_b) {
+  pose_a.translation() += by_a;
+  pose_b.translation() += by_b;
+  return pose_a.translation().allFinite() && pose_b.translation().allFinite() &&
+         !collideByHierarchy(PosedPair(a, pose_a, b, pose_b), {}, 0, Wanted::Answer).collides;
+}
+
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                const PenetrationOptions& options) {
   const ConvexOutline &outline_a = convexOutlineOf(a), &outline_b = convexOutlineOf(b);
-  const SupportGap gap = leastSupportGap(a, pose_a, outline_a, b, pose_b, outline_b);
+  const PosedPair pair(a, pose_a, b, pose_b);
+  std::optional<SeparatingAxes> axes;
+  if (outline_a.corners.size() > 2 && outline_b.corners.size() > 2) axes.emplace(pair);
+  const SupportGap gap = leastSupportGap(pair, axes ? &*axes : nullptr, 0);
   TranslationSpace space(a, pose_a, b, pose_b);
   if (!space.isFinite()) return noAnswer(gap.direction);
   Penetration result{gap.depth, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
@@ -114,7 +115,9 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   ShortestParting shortest{known, known, known.norm()};
   Features features;
   if (outline_a.is_region && outline_b.is_region) {
-    features = featuresOf(space, known, gap.edge_of_a, gap.edge_start, gap.edge_end, gap.corner);
+    const ConvexOutline &own = gap.edge_of_a ? outline_a : outline_b, &other = gap.edge_of_a ? outline_b : outline_a;
+    const std::size_t start = own.corners[gap.edge], end = own.corners[(gap.edge + 1) % own.corners.size()];
+    features = featuresOf(space, known, gap.edge_of_a, start, end, other.corners[gap.corner]);
     result.lower_bound = gap.depth;
     result.optimal = true;
   } else {
@@ -126,8 +129,9 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
       result.direction = features.direction;
     }
     result.lower_bound = std::min(shortest.lower_bound * unit, result.depth);
-    result.optimal =
-        result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + 32 * space.noise() * unit;
+    // What tricover/penetration.h calls the precision.
+    const double precision = std::max(32 * space.noise(), 1e-13 * (a.radius / unit + b.radius / unit));
+    result.optimal = result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + precision * unit;
   }
   // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
   if (shortest.parting == shortest.limit) shortest.parting += 8 * space.noise() * result.direction;
@@ -135,8 +139,12 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   result.translation = shortest.parting * unit;
   const Vec2 aside = shortest.parting - shortest.limit;
   const Vec2 way = !aside.isZero(0) ? Vec2(aside.stableNormalized()) : result.direction;
-  for (double step = std::max(aside.norm(), space.noise()); !parts(a, pose_a, b, pose_b, result.translation);
-       step *= 2) {
+  // Of either one: both translations are rounded.
+  const auto parts = [&](const Vec2& t) {
+    return areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, t) &&
+           areApartMoved(a, pose_a, -t, b, pose_b, Vec2::Zero());
+  };
+  for (double step = std::max(aside.norm(), space.noise()); !parts(result.translation); step *= 2) {
     if (!std::isfinite(step * unit)) return noAnswer(result.direction);
     result.translation = (shortest.limit + step * way) * unit;
   }

@@ -9,15 +9,15 @@
 
 namespace tricover::detail {
 
+/// In lexicographic order: by x, then by y.
+inline bool isBefore(const Vec2& p, const Vec2& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); }
+
 /// The corners of the convex hull, counter-clockwise from the leftmost one; a segment has two, a point one. By Andrew's
 /// monotone chains, in O(n log n). at(point) is where a point is, and turnsLeft(p, q, r), of such places, whether the
 /// way through them turns to the left at q: what that decides rounded, the hull is right to.
 template <typename Point, typename At, typename TurnsLeft>
 std::vector<Point> convexHull(std::vector<Point> points, At at, TurnsLeft turnsLeft) {
-  std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) {
-    const Vec2 &s = at(p), &t = at(q);
-    return s.x() != t.x() ? s.x() < t.x() : s.y() < t.y();
-  });
+  std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) { return isBefore(at(p), at(q)); });
   std::vector<Point> hull;
   hull.reserve(points.size() + 1);
   const auto add = [&](const Point& p, std::size_t floor) {

@@ -3,54 +3,34 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 
+#include "numbers/union_find.h"
 #include "pair/edge_pairs.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
-namespace {
-
-/// Rings that are connected, each group by its first.
-class Groups {
- public:
-  explicit Groups(std::size_t rings) : parent_(rings), count_(rings) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t first(std::uint32_t ring) {
-    while (parent_[ring] != ring) ring = parent_[ring] = parent_[parent_[ring]];
-    return ring;
-  }
-  void join(std::uint32_t r, std::uint32_t s) {
-    parent_[std::max(r, s)] = std::min(r, s);
-    --count_;
-  }
-  std::size_t count() const { return count_; }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::size_t count_;
-};
-
-}  // namespace
-
 RingStarts::RingStarts(const PolygonData& polygon) {
   std::vector<std::uint32_t> ring_of(polygon.path.size());
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) ring_of[e] = static_cast<std::uint32_t>(r);
-  Groups groups(polygon.ringCount());
+  UnionFind connected(polygon.ringCount());
+  std::size_t count = polygon.ringCount();
   // Of a mesh's edges each meets some thirty others. Where there are more, what has been found will do.
   constexpr std::size_t kPairsPerEdge = 64;
   std::size_t pairs_left = kPairsPerEdge * polygon.path.size();
   const Pose still = Pose::Identity();
   const PosedPair itself(polygon, still, polygon, still);
   forEachPair(itself, 0, [&](double, std::size_t i, std::size_t j) {
-    const std::uint32_t r = groups.first(ring_of[i]), s = groups.first(ring_of[j]);
-    if (r != s && edgesMeet(itself, i, j)) groups.join(r, s);
-    return --pairs_left == 0 || groups.count() == 1 ? -1 : 0;
+    const std::size_t r = connected.find(ring_of[i]), s = connected.find(ring_of[j]);
+    if (r != s && edgesMeet(itself, i, j)) {
+      connected.join(r, s);
+      --count;
+    }
+    return --pairs_left == 0 || count == 1 ? -1 : 0;
   });
-  by_x_.reserve(groups.count());
+  by_x_.reserve(count);
   for (std::uint32_t r = 0; r < polygon.ringCount(); ++r)
-    if (groups.first(r) == r) by_x_.push_back({polygon.path[polygon.edgeBegin(r)].x(), r});
+    if (connected.find(r) == r) by_x_.push_back({polygon.path[polygon.edgeBegin(r)].x(), r});
   std::sort(by_x_.begin(), by_x_.end(), [](const Start& p, const Start& q) { return p.x < q.x; });
 }
 

@@ -8,13 +8,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "contact/part_contacts.h"
+#include "convex/convex_outline.h"
 #include "families.h"
+#include "numbers/segment.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/penetration.h"
 
 namespace tricover::support {
 namespace {
@@ -44,14 +51,12 @@ Case convexPair(Random& random) {
   double near = contactOnWay(c, away, 4, 50).near;
   near -= random.oneIn(3) ? random.unit() : (random.coin() ? 1 : -1) * std::pow(10, random.real(-17, 0));
   c.pose_b.translation() = c.pose_a.translation() + near * away;
+  // The kernel's order.
+  if (c.b.data().unit > c.a.data().unit) {
+    std::swap(c.a, c.b);
+    std::swap(c.pose_a, c.pose_b);
+  }
   return c;
-}
-
-/// The same region, of which the short way knows nothing: its first vertex is there twice.
-Polygon withRepetition(const Polygon& polygon) {
-  Ring ring = polygon.rings()[0];
-  ring.push_back(ring.front());
-  return Polygon({ring});
 }
 
 /// What they differ in by more than rounding; empty if in nothing.
@@ -69,14 +74,15 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
     Random random(static_cast<std::uint64_t>(i));
     const Case c = convexPair(random);
     const PosedPair pair(c.a.data(), c.pose_a, c.b.data(), c.pose_b);
-    const ConvexContact found = convexContact(pair, nullptr);
-    const auto general = contacts(withRepetition(c.a), c.pose_a, withRepetition(c.b), c.pose_b);
-    (found.verdict == ConvexContact::Overlap ? overlaps : found.verdict == ConvexContact::Apart ? aparts : unsure)++;
-    missed += found.verdict == ConvexContact::Unsure && !general.empty() && general[0].depth > 1e-9;
+    const SeparatingAxes axes(pair);
+    const bool meets = axes.verdict() == SeparatingAxes::Meet, apart = axes.verdict() == SeparatingAxes::Apart;
+    const std::optional<Contact> found = meets ? convexContact(pair, axes) : std::nullopt;
+    const std::vector<Contact> general = partContacts(pair, &axes);
+    (found ? overlaps : apart ? aparts : unsure)++;
+    missed += !found && !apart && !general.empty() && general[0].depth > 1e-9;
     std::string problem;
-    if (found.verdict == ConvexContact::Apart && !general.empty()) problem = "apart";
-    if (found.verdict == ConvexContact::Overlap)
-      problem = general.size() == 1 ? difference(found.contact, general[0]) : "overlap";
+    if (apart && !general.empty()) problem = "apart";
+    if (found) problem = general.size() == 1 ? difference(*found, general[0]) : "overlap";
     if (!problem.empty() && ++wrong <= 3) ADD_FAILURE() << "seed " << i << ": " << problem << "\n" << reproduction(c);
   }
   std::printf("%d cases, %d overlap, %d apart, %d unsure, %d of them deep\n", cases, overlaps, aparts, unsure, missed);
@@ -89,6 +95,64 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
   }
 }
 
+/// A corner may be chamfered by an edge of any length, and edges divided so that they are straight but for rounding.
+Ring unevenRing(Random& random, double size) {
+  Ring ring;
+  const Ring corners = convexRing(random, size);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 &p = corners[i], way = corners[(i + 1) % corners.size()] - p;
+    const double turn = cross(corners[1] - corners[0], corners[2] - corners[1]) > 0 ? 1 : -1;
+    ring.push_back(p);
+    const int parts = random.oneIn(3) ? random.integer(2, 12) : 1;
+    const double bulge = std::pow(10, random.real(-15, -5));
+    for (int k = 1; k < parts; ++k) {
+      const double t = static_cast<double>(k) / parts;
+      ring.push_back(p + t * way + turn * bulge * t * (1 - t) * Vec2(way.y(), -way.x()));
+    }
+    if (random.oneIn(3)) ring.push_back(p + (1 - std::pow(10, random.real(-17, -8))) * way);
+  }
+  return ring;
+}
+
+/// At all sizes, of edges of all lengths and under poses that are off orthonormal the depth is the least one, which
+/// penetration() knows by double doubles; moving b along the normal by that parts them.
+TEST(ConvexContact, IsAsDeepAsThePenetration) {
+  int overlaps = 0, wrong = 0;
+  const int cases = scaledCount(20000);
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const bool extreme = i % 2 == 0;
+    const double size = extreme ? std::pow(10, (random.coin() ? 1 : -1) * random.real(70, 150)) : 1;
+    const auto ringOf = [&](double s) { return extreme ? convexRing(random, s) : unevenRing(random, s); };
+    Case c{Polygon({ringOf(size)}), randomPose(random, 0), Polygon({ringOf(size * random.real(0.3, 1))}),
+           randomPose(random, 0)};
+    if (!convexOutlineOf(c.a.data()).isConvexRegion() || !convexOutlineOf(c.b.data()).isConvexRegion()) continue;
+    if (random.oneIn(4)) c.pose_b = throughFloat(c.pose_b);
+    c.pose_b.translation() = c.pose_a.translation() + size * random.real(0, 1.5) * direction(random.real(0, 6.3));
+    const auto deep = penetration(c.a, c.pose_a, c.b, c.pose_b);
+    if (!deep || deep->depth < 1e-9 * size) continue;
+    ++overlaps;
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+    bool right = found.size() == 1 && std::abs(found[0].depth - deep->depth) <= 1e-13 * size;
+    if (right) {
+      c.pose_b.translation() += (found[0].depth + 1e-12 * size) * found[0].normal;
+      right = !collide(c.a, c.pose_a, c.b, c.pose_b);
+    }
+    if (!right && ++wrong <= 3) ADD_FAILURE() << "seed " << i << "\n" << reproduction(c);
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GE(overlaps, 0.3 * cases);
+}
+
+/// Areas of such sizes have no squares.
+TEST(ConvexContact, OfHugeTriangles) {
+  const Polygon a({{{-1e100, -1e100}, {1e100, 2e100}, {-3e100, 1e100}}}),
+      b({{{-2e100, -3e100}, {-1e100, 1e100}, {1e100, 0}}});
+  const auto found = contacts(a, Pose::Identity(), b, Pose::Identity());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].depth / 1e100, 1.1094003924504583, 1e-12);  // 4 / sqrt(13)
+}
+
 /// Of the edges at the deepest vertex the one that is more across the normal, whichever way round the ring runs.
 TEST(ConvexContact, NamesTheFlatterEdgeAtAVertex) {
   const Polygon box({rectangle(0, 0, 4, 4)});
@@ -97,12 +161,13 @@ TEST(ConvexContact, NamesTheFlatterEdgeAtAVertex) {
                                    {Ring{{1, 3.5}, {3, 3.6}, {3, 6}, {1, 6}}, 0},
                                    {Ring{{1, 6}, {3, 6}, {3, 3.5}, {1, 3.6}}, 2}}) {
     const Polygon leaning({ring});
-    const ConvexContact found = convexContact(PosedPair(box.data(), here, leaning.data(), here), nullptr);
-    ASSERT_EQ(found.verdict, ConvexContact::Overlap);
-    EXPECT_EQ(found.contact.normal, Vec2(0, 1));
-    EXPECT_NEAR(found.contact.depth, 0.5, 1e-15);
-    EXPECT_EQ(found.contact.edge_a, 2);
-    EXPECT_EQ(found.contact.edge_b, edge);
+    const PosedPair pair(box.data(), here, leaning.data(), here);
+    const std::optional<Contact> found = convexContact(pair, SeparatingAxes(pair));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->normal, Vec2(0, 1));
+    EXPECT_NEAR(found->depth, 0.5, 1e-15);
+    EXPECT_EQ(found->edge_a, 2);
+    EXPECT_EQ(found->edge_b, edge);
   }
 }
 

@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "contact/world_frame.h"
 #include "pair/placement.h"
-#include "pair/world_frame.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"

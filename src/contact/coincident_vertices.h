@@ -8,16 +8,19 @@
 #include <vector>
 
 #include "contact/crossings.h"
+#include "contact/world_frame.h"
 #include "hierarchy/simd.h"
-#include "pair/world_frame.h"
 
 namespace tricover::detail {
 
+/// The positions of a path's vertices, equal ones side by side.
+std::vector<std::uint32_t> sortedByPlace(const std::vector<Vec2>& path);
+
 /// Points where several vertices of either polygon meet. All edges that end at such a point meet there in pairs; to
 /// know them together, those pairs are enough that one edge of either polygon has with all of the other's.
-class VertexStars {
+class CoincidentVertices {
  public:
-  explicit VertexStars(const PosedPair& pair);
+  explicit CoincidentVertices(const PosedPair& pair);
 
   /// Of the pairs of vertices at which some edges meet, the one that most edges share; both -1 if there is none.
   std::pair<std::ptrdiff_t, std::ptrdiff_t> largest(const std::vector<EdgeCrossing>& crossings) const;
@@ -30,7 +33,7 @@ class VertexStars {
 
  private:
   enum State : char { New, Apart, Met };
-  struct Star {
+  struct Meeting {
     State state = New;
     std::size_t edge_a = 0, edge_b = 0;  ///< those whose pairs count
   };
@@ -39,17 +42,18 @@ class VertexStars {
 
   const PosedPair& pair_;
   std::vector<std::uint32_t> place_a_, place_b_;  ///< by position: equal for equal vertices
-  std::unordered_map<std::uint64_t, Star> stars_;
+  std::unordered_map<std::uint64_t, Meeting> meetings_;
 };
 
 /// The boxes of edges that end in one point of many, for two polygons or for one with itself: met with each other they
 /// would show nothing but that point.
-class StarBoxes {
+class IncidentEdgeBoxes {
  public:
   /// Around the vertices u of a and v of b, which are one point; but for one edge of either, whose pairs tell of it.
-  StarBoxes(const PosedPair& pair, const WorldFrame& frame, std::size_t u, std::size_t v, VertexStars& stars);
+  IncidentEdgeBoxes(const PosedPair& pair, const WorldFrame& frame, std::size_t u, std::size_t v,
+                    CoincidentVertices& coincident);
   /// Around a polygon's vertex v; other pairs aren't needed to tell of it.
-  StarBoxes(const PolygonData& polygon, std::size_t v);
+  IncidentEdgeBoxes(const PolygonData& polygon, std::size_t v);
 
   PrunedPairs pairs() const {
     return a_.empty() ? PrunedPairs{} : PrunedPairs{a_.data(), b_.empty() ? a_.data() : b_.data()};

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/part_contacts.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "contact/contact_point.h"
+#include "contact/hull_faces.h"
+#include "contact/part_exit.h"
+#include "contact/part_middle.h"
+#include "contact/penetration.h"
+#include "contact/touch_normal.h"
+#include "numbers/segment.h"
+
+namespace tricover::detail {
+namespace {
+
+class ContactFinder {
+ public:
+  ContactFinder(const PosedPair& pair, const SeparatingAxes* axes)
+      : pair_(pair),
+        axes_(axes),
+        frame_(pair),
+        crossings_(findCrossings(pair, frame_, Coincident::Thinned)),
+        exits_(pair, frame_, crossings_) {}
+
+  /// In the pair's order.
+  std::vector<Contact> contacts() const {
+    const std::vector<OverlapComponent> components = findComponents(pair_, frame_, crossings_);
+    std::vector<Contact> result;
+    for (const OverlapComponent& component : components) {
+      Exit exit = axes_ != nullptr         ? exits_.exitOfConvex(component, *axes_)
+                  : components.size() == 1 ? exitOfOnly(component)
+                                           : exits_.exitOf(component);
+      if (!component.inner || !(exit.depth > 0)) exit.depth = 0;
+      result.push_back(inWorld(exit, pointOf(component, exit)));
+    }
+    return result;
+  }
+
+ private:
+  /// Whether b, led along the normal by a little more than the depth, leaves a.
+  bool parts(const Exit& exit) const {
+    const double more = 64 * frame_.error() + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
+    return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,
+                         (exit.depth + more) * frame_.unit() * exit.normal);
+  }
+
+  /// The same for directions near the normal: it doesn't just slide along a wall.
+  bool partsFreely(const Exit& exit) const {
+    const Vec2 aside = 0x1p-10 * Vec2(-exit.normal.y(), exit.normal.x());
+    const auto turned = [&](const Vec2& by) {
+      Exit result = exit;
+      result.normal += by;
+      return result;
+    };
+    return parts(exit) && parts(turned(aside)) && parts(turned(-aside));
+  }
+
+  Exit exitOfOnly(const OverlapComponent& component) const;
+  Exit freed(const Exit& exit) const;
+  Vec2 pointOf(const OverlapComponent& component, const Exit& exit) const;
+  Vec2 pointOfTouch(const OverlapComponent& component, const Vec2& middle) const;
+  Contact inWorld(const Exit& exit, const Vec2& point) const;
+
+  const PosedPair& pair_;
+  const SeparatingAxes* axes_;
+  const WorldFrame frame_;
+  const std::vector<EdgeCrossing> crossings_;
+  const PartExits exits_;
+};
+
+/// Translations times vertices that a contact may cost: a translation asks each edge that is near, in the worst case
+/// all. Up to some 200 vertices that is all of a penetration's budget; with less than the least nothing would be found.
+constexpr std::size_t kMostWork = std::size_t{1} << 22, kLeastBudget = std::size_t{1} << 10;
+
+/// The only part of the overlap: the shortest way out of it parts the regions.
+Exit ContactFinder::exitOfOnly(const OverlapComponent& component) const {
+  Exit exit = exits_.exitOf(component);
+  if (!component.inner) return exit.separates || partsFreely(exit) ? exit : freed(exit);
+  PenetrationOptions options;
+  options.budget = std::min(options.budget, kMostWork / (pair_.a.path.size() + pair_.b.path.size()));
+  if (options.budget < kLeastBudget) return exit;
+  const Penetration p = penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, options);
+  if (!p.optimal) return exit;
+  const double depth = p.depth / frame_.unit(), radius = std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
+  const bool agrees = std::abs(depth - exit.depth) <= 1e-12 * radius + 64 * frame_.error();
+  const bool alike = agrees && exit.normal.dot(p.direction) >= 1 - 0x1p-20;
+  if (agrees && !alike && partsFreely(exit)) return exit;
+  // What agrees with it to its precision is known better.
+  if (!alike) exit = {p.direction, depth, -1, -1, true};
+  // Of the edges at a vertex that parts last either will do.
+  const auto partsLast = [&](const WorldFrame::Ends& edge, const Vec2& point) {
+    const Vec2 at = frame_.fromWorld(point);
+    return (nearestOnSegment(at, edge.v, edge.w) - at).norm() <= 64 * frame_.error();
+  };
+  const auto positionOf = [](const PolygonData& polygon, std::ptrdiff_t number) {
+    return static_cast<std::ptrdiff_t>(polygon.edgePosition(static_cast<std::size_t>(number)));
+  };
+  if (exit.edge_a < 0 || !partsLast(frame_.edgeEndsOfA(static_cast<std::size_t>(exit.edge_a)), p.point_a))
+    exit.edge_a = positionOf(pair_.a, p.edge_a);
+  if (exit.edge_b < 0 || !partsLast(frame_.edgeEndsOfB(static_cast<std::size_t>(exit.edge_b)), p.point_b))
+    exit.edge_b = positionOf(pair_.b, p.edge_b);
+  if (component.crossings.empty()) (leftmostOf(component).b >= 0 ? exit.edge_a : exit.edge_b) = -1;
+  return depth > 64 * frame_.error() || partsFreely(exit) ? exit : freed(exit);
+}
+
+/// A touch whose normal leads into or along a wall: the middle of the widest range of directions that part them, if
+/// there is one.
+Exit ContactFinder::freed(const Exit& exit) const {
+  constexpr double kTurn = 2 * 3.14159265358979323846;
+  constexpr int kDirections = 64;
+  const auto at = [&](double k) {
+    Exit result = exit;
+    result.normal = Vec2(std::cos(k * kTurn / kDirections), std::sin(k * kTurn / kDirections));
+    return result;
+  };
+  int free_for = 0, longest = 0, end = 0;
+  for (int k = 0; k < 2 * kDirections && longest < kDirections; ++k) {
+    free_for = parts(at(k)) ? free_for + 1 : 0;
+    if (free_for <= longest) continue;
+    longest = free_for;
+    end = k;
+  }
+  return longest > 0 ? at(end - 0.5 * (longest - 1)) : exit;
+}
+
+/// The middle of the overlap along the normal through the deepest point, or through the middle of those, where that is
+/// in it.
+Vec2 ContactFinder::pointOf(const OverlapComponent& component, const Exit& exit) const {
+  struct Places {
+    std::size_t size() const { return points.size(); }
+    const Vec2& operator[](std::size_t k) const { return points[k].at; }
+    const std::vector<BoundaryPoint>& points;
+  };
+  // Heights above the end where the deepest points are, towards the other.
+  const Vec2 up = exit.from_a ? exit.normal : Vec2(-exit.normal);
+  const Hull hull = hullOf(component.points);
+  const auto [deepest, middle] = partMiddle(Places{component.points}, Places{hull}, up, 4 * frame_.error());
+  if (axes_ != nullptr) return middle;
+  return component.inner ? pointOfPart(pair_, frame_, deepest, up, middle) : pointOfTouch(component, middle);
+}
+
+/// The middle, if it is on a common stretch of two edges; otherwise that of the longest one.
+Vec2 ContactFinder::pointOfTouch(const OverlapComponent& component, const Vec2& middle) const {
+  for (const std::size_t k : component.crossings) {
+    const EdgeCrossing& c = crossings_[k];
+    const Vec2 from = frame_.edgeOfA(c.edge_a, c.on_a.low), to = frame_.edgeOfA(c.edge_a, c.on_a.high);
+    if ((nearestOnSegment(middle, from, to) - middle).norm() <= 4 * frame_.error()) return middle;
+  }
+  return crossings_[longestStretch(frame_, crossings_, component)].point;
+}
+
+Contact ContactFinder::inWorld(const Exit& exit, const Vec2& point) const {
+  const auto number = [](const PolygonData& polygon, std::ptrdiff_t position) {
+    return position < 0 ? position
+                        : static_cast<std::ptrdiff_t>(polygon.edgeNumber(static_cast<std::size_t>(position)));
+  };
+  assert(exit.depth >= 0 && std::abs(exit.normal.norm() - 1) < 0x1p-40);
+  return {frame_.toWorld(point), exit.normal, exit.depth * frame_.unit(), number(pair_.a, exit.edge_a),
+          number(pair_.b, exit.edge_b)};
+}
+
+}  // namespace
+
+std::vector<Contact> partContacts(const PosedPair& pair, const SeparatingAxes* axes) {
+  return ContactFinder(pair, axes).contacts();
+}
+
+}  // namespace tricover::detail

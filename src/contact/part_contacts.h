@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "contact/separating_axes.h"
+#include "tricover/contacts.h"
+
+namespace tricover::detail {
+
+/// One contact for each connected part of the overlap, of any two polygons; none if they are apart. axes: those of two
+/// convex regions, otherwise null.
+std::vector<Contact> partContacts(const PosedPair& pair, const SeparatingAxes* axes);
+
+}  // namespace tricover::detail

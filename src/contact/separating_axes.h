@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "convex/convex_outline.h"
+#include "convex/convex_ring.h"
+#include "pair/posed_pair.h"
+#include "tricover/pair_cache.h"
+
+namespace tricover::detail {
+
+/// One of two polygons as its own frame sees it, and the other one's points there.
+struct AxisSide {
+  AxisSide(const PosedPair& seen_, const ConvexOutline& outline_);
+
+  const Vec2& corner(std::size_t k) const { return outline.points[k]; }
+  /// The other one's point in this frame, off by at most SeparatingAxes::error().
+  Vec2 fromOther(const Vec2& p) const {
+    const ApproxPoint mapped = seen.fromB(p);
+    return {mapped.x, mapped.y};
+  }
+  /// Of this frame, in the world.
+  Vec2 inWorld(const Vec2& way) const { return linear * way; }
+  /// Outwards from an edge, in the world; a unit vector.
+  Vec2 normalOf(std::uint32_t edge) const;
+
+  const PosedPair& seen;
+  const ConvexOutline& outline;
+  const ConvexRing ring;  ///< counter-clockwise
+  const Eigen::Matrix2d linear;
+  const bool mirrors;        ///< the pose
+  const double determinant;  ///< its magnitude
+};
+
+/// A face of either outline, and the corner of the other one that is deepest behind it.
+struct FaceDepth {
+  bool of_a = true;
+  bool certain = false;  ///< no other corner may be as deep
+  std::uint32_t edge = 0, deepest = 0;
+  double depth = std::numeric_limits<double>::infinity();  ///< in the world
+};
+
+/// Separating axes of two convex outlines with an area, in plain doubles: how deep either one reaches behind the faces
+/// of the other. Each face is asked in its own polygon's frame, so that its direction is as precise as it was given,
+/// however short it is.
+class SeparatingAxes {
+ public:
+  enum Verdict { Unsure, Apart, Meet };
+
+  /// The facts of these two in `facts`, unless it is null, are used and renewed; what is found is the same.
+  explicit SeparatingAxes(const PosedPair& pair, ContactFacts* facts = nullptr);
+  SeparatingAxes(const SeparatingAxes&) = delete;
+  SeparatingAxes& operator=(const SeparatingAxes&) = delete;
+
+  /// Unsure where doubles don't tell, or too many faces are the best.
+  Verdict verdict() const { return verdict_; }
+  /// Of a pair that meets all faces that are deeper than the least one by no more than tie() and what depths are off
+  /// by.
+  const FaceDepth* begin() const { return least_.data(); }
+  const FaceDepth* end() const { return least_.data() + count_; }
+  double leastDepth() const { return least_depth_; }
+
+  const AxisSide& side(bool of_a) const { return of_a ? a_ : b_; }
+  /// At least what a corner of either is off by in the other one's frame, and 16U of any coordinate there.
+  double error() const { return error_; }
+  /// What counts as equally deep.
+  double tie() const { return 4 * error_; }
+
+ private:
+  Verdict findLeast(std::uint32_t first_of_a);
+  Verdict findLeastKept(const ContactFacts& facts);
+  bool lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face) const;
+  std::uint32_t edgeTowardsOther(const AxisSide& side) const;
+  std::uint32_t skipDeep(const AxisSide& side, std::uint32_t edge, std::uint32_t end, const Vec2& p) const;
+  double limit() const;
+  void add(const FaceDepth& face);
+  void keep(ContactFacts& facts);
+  void removeDeep();
+
+  /// What a depth is off by, at most, in units of error().
+  static constexpr double kDepthError = 12;
+
+  const PosedPair swapped_;
+  const AxisSide a_, b_;
+  const double error_, within_;
+  double lookahead_ = 0;  ///< faces that are deeper by so much are of interest, too
+  double least_depth_ = std::numeric_limits<double>::infinity(), least_left_out_ = least_depth_;
+  std::array<FaceDepth, 8> least_;
+  std::size_t count_ = 0;
+  Verdict verdict_ = Unsure;
+};
+
+}  // namespace tricover::detail

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convex/convex_outline.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "numbers/convex_hull.h"
+#include "numbers/predicates.h"
+#include "numbers/segment.h"
+#include "polygon/convexity.h"
+
+namespace tricover::detail {
+namespace {
+
+std::vector<std::size_t> hullCorners(const PolygonData& polygon) {
+  std::vector<std::size_t> vertices;
+  vertices.reserve(polygon.path.size());
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) vertices.push_back(e);
+  return convexHull(
+      std::move(vertices), [&](std::size_t i) -> const Vec2& { return polygon.path[i]; },
+      [](const Vec2& p, const Vec2& q, const Vec2& r) { return orientation(p, q, r) > 0; });
+}
+
+ConvexOutline makeOutline(const PolygonData& polygon) {
+  Convexity convexity = convexityOf(polygon);
+  ConvexOutline outline;
+  if (convexity.direction != 0) {
+    outline.corners = std::move(convexity.corners);
+    outline.forward = convexity.direction > 0;
+    if (!outline.forward) std::reverse(outline.corners.begin(), outline.corners.end());
+    const auto leftmost =
+        std::min_element(outline.corners.begin(), outline.corners.end(),
+                         [&](std::size_t i, std::size_t j) { return isBefore(polygon.path[i], polygon.path[j]); });
+    std::rotate(outline.corners.begin(), leftmost, outline.corners.end());
+    outline.is_region = true;
+  } else {
+    outline.corners = hullCorners(polygon);
+    // A ring without area covers all of its segment.
+    outline.is_region = polygon.ringCount() == 1 && outline.corners.size() < 3;
+  }
+  outline.points.reserve(outline.corners.size() + 1);
+  for (const std::size_t corner : outline.corners) outline.points.push_back(polygon.path[corner]);
+  outline.points.push_back(outline.points.front());
+  return outline;
+}
+
+}  // namespace
+
+const ConvexOutline& convexOutlineOf(const PolygonData& polygon) {
+  const Derived::Thing* outline = polygon.outline.ifBuilt();
+  if (outline == nullptr)
+    outline = polygon.outline.built([&] { return std::make_unique<const ConvexOutline>(makeOutline(polygon)); });
+  return *static_cast<const ConvexOutline*>(outline);
+}
+
+std::size_t pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k) {
+  std::size_t edge = outline.corners[k];
+  do edge = edge > 0 ? edge - 1 : polygon.path.size() - 2;
+  while (polygon.path[edge] == polygon.path[edge + 1]);
+  return edge;
+}
+
+std::size_t pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p) {
+  const std::size_t next = k + 1 < outline.corners.size() ? k + 1 : 0, first = outline.forward ? k : next;
+  const std::size_t end = outline.corners[outline.forward ? next : k];
+  std::size_t nearest = outline.corners[first];
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t e = nearest; e != end;) {
+    const std::size_t after = e + 2 < polygon.path.size() ? e + 1 : 0;
+    if (e == outline.corners[first] && after == end) break;
+    const double square = squaredDistanceToSegment(polygon.inUnits(p), polygon.inUnits(polygon.path[e]),
+                                                   polygon.inUnits(polygon.path[e + 1]));
+    if (square < least) nearest = e;
+    least = std::min(square, least);
+    e = after;
+  }
+  return nearest;
+}
+
+}  // namespace tricover::detail
