@@ -37,6 +37,8 @@ constexpr double kLookahead = 1.0 / 32;
 /// Whether depths behind faces of either are the same in a's frame, in b's and in the world.
 bool keepsLengths(const PosedPair& pair) { return pair.defect < 0x1p-46 && pair.scale_defect < 0x1p-46; }
 
+bool isLessDeep(const FaceDepth& f, const FaceDepth& g) { return f.depth < g.depth; }
+
 /// At most how far a point of either has moved against the other since. In a's frame the point q of b's frame has moved
 /// by d(q), where d is the difference of both maps. A point of a, at q then, has moved by as much in b's frame, but for
 /// what that frame is off by; and q is no farther from b's S than both radii and a's once more, because they overlap.
@@ -101,16 +103,16 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
 SeparatingAxes::Verdict SeparatingAxes::findLeast(std::uint32_t first_of_a) {
   std::uint32_t first = first_of_a, at = 0;
   for (const bool of_a : {true, false}) {
-    const AxisSide &own = side(of_a), &other = side(!of_a);
+    const AxisSide& own = side(of_a);
     const std::uint32_t size = own.ring.size();
     FaceDepth face, best;
+    Vec2 deepest;
     for (std::uint32_t k = first;;) {
-      if (!lookBehind(of_a, k, at, face)) return Unsure;
+      if (!lookBehind(of_a, k, at, face, deepest)) return Unsure;
       if (face.depth < -kDepthError * error_) return Apart;
       add(face);
       if (face.depth < best.depth) best = face;
       at = face.deepest;
-      const Vec2 deepest = own.fromOther(other.corner(at));
       k = skipDeep(own, k + 1, k < first ? first : size, deepest);
       if (k == size) k = skipDeep(own, 0, first, deepest);
       if (k == first) break;
@@ -126,14 +128,15 @@ SeparatingAxes::Verdict SeparatingAxes::findLeast(std::uint32_t first_of_a) {
 SeparatingAxes::Verdict SeparatingAxes::findLeastKept(const ContactFacts& facts) {
   for (int f = 0; f < facts.count; ++f) {
     FaceDepth face;
-    if (!lookBehind(facts.of_first[f], facts.face[f], facts.behind[f], face)) return Unsure;
+    Vec2 deepest;
+    if (!lookBehind(facts.of_first[f], facts.face[f], facts.behind[f], face, deepest)) return Unsure;
     add(face);
   }
   return Meet;
 }
 
 /// The other one's corners are asked from `at` on. False if the deepest isn't found.
-bool SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face) const {
+bool SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Vec2& deepest) const {
   const AxisSide &own = side(of_a), &other = side(!of_a);
   const Vec2 start = own.corner(edge), way = own.corner(edge + 1) - start;
   const double square = own.inWorld(way).squaredNorm();
@@ -151,7 +154,8 @@ bool SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at,
     v = other.ring.next(v);
     if (dot(inwards, other.ring.way(face.deepest, v)) > 0) face.deepest = v;
   }
-  const double area = cross(way, own.fromOther(other.corner(face.deepest)) - start);
+  deepest = own.fromOther(other.corner(face.deepest));
+  const double area = cross(way, deepest - start);
   face.of_a = of_a;
   face.edge = edge;
   face.depth = own.determinant * area / std::sqrt(square);
@@ -173,12 +177,13 @@ std::uint32_t SeparatingAxes::skipDeep(const AxisSide& side, std::uint32_t edge,
   // area times the determinant by the edge's length there.
   const double doubtful = 12 * error_ * (error_ / kMappingError), most = std::max(limit(), 0.0) + kDepthError * error_,
                most_square = roundedUp<8>(most * most * (1 + 8 * side.seen.scale_defect));
+  const Double2 point = load2(p.data());
   for (; edge < end; ++edge) {
-    const Vec2 start = side.corner(edge), way = side.corner(edge + 1) - start;
-    const double area = cross(way, p - start) - doubtful, square = way.squaredNorm();
+    const Double2 way = side.ring.edge(edge), square = way * way;
+    const double area = ConvexRing::cross(way, point - side.ring.vertex(edge)) - doubtful;
     // What is compared has all of its digits: `most` is no less than 2^-48 of the size, and so is an edge whose area
     // is above what is doubtful.
-    if (!(area > 0 && area * area > most_square * square)) break;
+    if (!(area > 0 && area * area > most_square * (square[0] + square[1]))) break;
   }
   return edge;
 }
@@ -189,14 +194,13 @@ double SeparatingAxes::limit() const { return std::min(least_depth_ + within_ + 
 void SeparatingAxes::add(const FaceDepth& face) {
   if (face.depth > limit()) return;
   least_depth_ = std::min(face.depth, least_depth_);
-  if (count_ == least_.size()) {
-    removeDeep();
-    least_left_out_ = std::min(least_depth_ + within_, least_left_out_);
-  }
-  if (count_ < least_.size())
+  if (count_ < least_.size()) {
     least_[count_++] = face;
-  else
-    least_left_out_ = std::min(face.depth, least_left_out_);
+    return;
+  }
+  const auto deepest = std::max_element(least_.begin(), least_.end(), isLessDeep);
+  least_left_out_ = std::max(face.depth, deepest->depth);
+  if (face.depth < deepest->depth) *deepest = face;
 }
 
 /// Those that are deeper than the least by more than rounding; the others in an order of their own.
@@ -212,7 +216,7 @@ void SeparatingAxes::removeDeep() {
 /// The least ones, and how deep all others are at least.
 void SeparatingAxes::keep(ContactFacts& facts) {
   const auto begin = least_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
-  std::sort(begin, end, [](const FaceDepth& f, const FaceDepth& g) { return f.depth < g.depth; });
+  std::sort(begin, end, isLessDeep);
   double deeper = limit();
   for (auto face = begin; face != end; ++face) {
     if (face->depth > limit() || facts.count == ContactFacts::kMost) {

@@ -73,7 +73,7 @@ class SeparatingAxes {
  private:
   Verdict findLeast(std::uint32_t first_of_a);
   Verdict findLeastKept(const ContactFacts& facts);
-  bool lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face) const;
+  bool lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Vec2& deepest) const;
   std::uint32_t edgeTowardsOther(const AxisSide& side) const;
   std::uint32_t skipDeep(const AxisSide& side, std::uint32_t edge, std::uint32_t end, const Vec2& p) const;
   double limit() const;
