@@ -3,164 +3,217 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
 #include "impact/window_cutter.h"
+#include "numbers/rounding.h"
 
 namespace tricover::detail {
 namespace {
 
 /// As a rule a few are enough.
-constexpr int kMostSteps = 64;
+constexpr int kMostAdvances = 64;
 
-/// One of the two polygons: its vertices from S, in the pair's length and in its own frame.
+/// One of the two polygons. Its vertices are known by their positions in the path, its edges by where they begin; axes
+/// are in the pair's frame.
 class Body {
  public:
-  explicit Body(const Mover& mover) : mover_(mover), convex_(*mover.tree->small_convex) {
-    for (int i = 0; i < convex_.count; ++i) {
-      const Vec2 p = mover.scale * mover.polygon->inUnits(mover.polygon->path[static_cast<std::size_t>(i)]);
-      x_[i] = p.x();
-      y_[i] = p.y();
-    }
-  }
+  explicit Body(const Mover& mover_)
+      : mover(mover_),
+        ring_(mover.polygon->path.data(), mover.polygon->path.size() - 1, mover.tree->convex),
+        doubt_(mover.polygon->radius * 0x1p-47 + kTiny) {}
 
-  const SmallPolygon& convex() const { return convex_; }
-
-  /// The farthest that it reaches along an axis from S, at both ends of a window.
-  Double2 reach(const Places& p, Double2 nx, Double2 ny) const {
+  /// The farthest that it reaches along an axis from S, at both ends of a window: by a vertex between an edge that
+  /// certainly leads ahead at both and one that certainly leads back, near the last that was foremost.
+  Double2 reach(const Places& p, Double2 nx, Double2 ny) {
     const Double2 mx = p.m00 * nx + p.m10 * ny, my = p.m01 * nx + p.m11 * ny;
-    Double2 most = mx * x_[0] + my * y_[0];
-    for (int i = 1; i < convex_.count; ++i) most = larger(most, mx * x_[i] + my * y_[i]);
+    const auto climb = [&](std::uint32_t edge) {
+      const Double2 e = ring_.edge(edge);
+      return mx * e[0] + my * e[1];
+    };
+    const auto leadsAhead = [&](Double2 up) { return up[0] > doubt_ && up[1] > doubt_; };
+    const auto leadsBack = [&](Double2 up) { return up[0] < -doubt_ && up[1] < -doubt_; };
+    std::uint32_t v = foremost_, steps = 0;
+    Double2 up = climb(v);
+    for (; leadsAhead(up) && steps < ring_.size(); ++steps) up = climb(v = ring_.next(v));
+    if (steps == 0)  // what leads to v is yet to be found
+      for (Double2 to = climb(ring_.previous(v)); !leadsAhead(to) && steps < ring_.size(); ++steps) {
+        up = to;
+        v = ring_.previous(v);
+        to = climb(ring_.previous(v));
+      }
+    foremost_ = v;
+    const bool is_certain = steps < ring_.size();
+    Double2 most = height(v, mx, my);
+    for (std::uint32_t left = ring_.size(); left > 0 && !(is_certain && leadsBack(up)); --left) {
+      up = climb(v = ring_.next(v));
+      most = larger(most, height(v, mx, my));
+    }
     return most;
   }
 
   /// The outer normal of an edge, at the window's begin.
-  Vec2 normal(const Places& p, int edge) const {
-    const int next = edge + 1 < convex_.count ? edge + 1 : 0;
-    const Vec2 along(x_[next] - x_[edge], y_[next] - y_[edge]);
-    const Vec2 side = Vec2(along.y(), -along.x()).normalized();
-    const Vec2 outer = side.x() * convex_.nx[edge] + side.y() * convex_.ny[edge] < 0 ? Vec2(-side) : side;
+  Vec2 normal(const Places& p, std::uint32_t edge) const {
+    const Double2 along = ring_.edge(edge) * mover.polygon->inverse_unit;
+    const Vec2 outer = ring_.turn() * Vec2(along[1], -along[0]).normalized();
     return {p.m00[0] * outer.x() + p.m01[0] * outer.y(), p.m10[0] * outer.x() + p.m11[0] * outer.y()};
   }
 
   /// The foremost edge along an axis, at the window's begin: of the foremost vertex the flatter one.
-  int foremostEdge(const Places& p, const Vec2& n) const {
-    const double mx = p.m00[0] * n.x() + p.m10[0] * n.y(), my = p.m01[0] * n.x() + p.m11[0] * n.y();
-    const auto height = [&](int i) { return mx * x_[i] + my * y_[i]; };
-    int foremost = 0;
-    double highest = height(0);
-    for (int i = 1; i < convex_.count; ++i) {
-      const double h = height(i);
-      if (h > highest) highest = h, foremost = i;
-    }
-    const int before = foremost > 0 ? foremost - 1 : convex_.count - 1;
-    const int after = foremost + 1 < convex_.count ? foremost + 1 : 0;
-    return height(after) >= height(before) ? foremost : before;
+  std::uint32_t foremostEdge(const Places& p, const Vec2& n) {
+    const Double2 m = {p.m00[0] * n.x() + p.m10[0] * n.y(), p.m01[0] * n.x() + p.m11[0] * n.y()};
+    const std::uint32_t v = foremost_ = ring_.foremost(m), before = ring_.previous(v);
+    return dot(m, ring_.edge(v)) >= -dot(m, ring_.edge(before)) ? v : before;
+  }
+
+  /// The edge beside one at the end that a point of it is nearer to.
+  std::uint32_t neighbour(const Places& p, std::uint32_t edge, const Vec2& point) const {
+    const MovingBox box = mover.edge(p, edge);
+    const double along = (point.x() - box.x[0]) * box.ux[0] + (point.y() - box.y[0]) * box.uy[0];
+    return along > 0 ? ring_.next(edge) : ring_.previous(edge);
   }
 
   /// A box around all of it, as WindowCutter asks for levers.
-  MovingBox box(const Places& p) const { return {p.x, p.y, p.m00, p.m10, p.m01, p.m11, mover_.scale, 0}; }
+  MovingBox box(const Places& p) const { return {p.x, p.y, p.m00, p.m10, p.m01, p.m11, mover.scale, 0}; }
+
+  const Mover& mover;
 
  private:
-  const Mover& mover_;
-  const SmallPolygon& convex_;
-  double x_[SmallPolygon::kMost], y_[SmallPolygon::kMost];
+  Double2 height(std::uint32_t vertex, Double2 mx, Double2 my) const {
+    const Vec2 p = mover.scale * mover.polygon->inUnits(mover.polygon->path[vertex]);
+    return mx * p.x() + my * p.y();
+  }
+  ConvexRing ring_;
+  double doubt_;  ///< an edge's climb is wrong by less than 5 U of its length, which is at most twice the radius
+  std::uint32_t foremost_ = 0;
 };
 
 class ConvexAdvancement {
  public:
   ConvexAdvancement(const MovingPair& pair, double time_error)
-      : pair_(pair), a_(pair.a), b_(pair.b), time_error_(time_error), touch_distance_(pair.margin + 4 * pair.error) {}
+      : pair_(pair),
+        a_(pair.a),
+        b_(pair.b),
+        at_a_(pair.a.places(0, 0)),
+        at_b_(pair.b.places(0, 0)),
+        time_error_(time_error),
+        touch_distance_(pair.margin + 4 * pair.error),
+        face_(at_a_.originTo(at_b_)) {}
 
-  FirstContact run(double begin) {
-    double time = begin;
-    Places at_a = pair_.a.places(time, time), at_b = pair_.b.places(time, time);
+  FirstContact run() {
     bool stale = true;  // whether the features are to be guessed anew
-    if (slides() && guess(at_a, at_b, true)) {
-      const Window window(pair_, time, 1, at_a, at_b);
-      const MovingBox box_a = a_.box(window.a), box_b = b_.box(window.b);
-      WindowCutter cutter(window, box_a, box_b);
-      if (cutBy(cutter, window, face_)) return FirstContact::never();
-      time = std::min(time + cutter.rest().low * window.length, 1.0);
-      at_a = pair_.a.places(time, time);
-      at_b = pair_.b.places(time, time);
+    if (slides() && areSmall() && guess(true)) {
+      const Window window(pair_, 0, 1, at_a_, at_b_);
+      if (advance(window, face_)) return FirstContact::never();
       // Nearly always the features are the right ones; where that isn't certain, it goes on from there.
-      stale = !(time > begin);
+      stale = !(time_ > 0);
+      place();
     }
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostAdvances; ++step) {
       const bool fresh = stale;
-      if (stale && !guess(at_a, at_b, false)) break;
-      const MovingBox on_a = pair_.a.edge(at_a, edge_a_), on_b = pair_.b.edge(at_b, edge_b_);
-      const NearestPoints points(on_a, on_b, 0, pair_.error);
+      const NearestPoints points = stale && !(areSmall() && guess(false)) ? walk() : nearest();
       // Written so that NaN is a touch.
       if (!(points.distance > touch_distance_)) {
-        if (time == 0) break;
-        return FirstContact::touch(time, edge_a_, edge_b_);
+        if (time_ == 0) break;
+        return FirstContact::touch(time_, edge_a_, edge_b_);
       }
       const Vec2 axis = (points.on_b - points.on_a) / points.distance;
-      const double end = std::min(1.0, time + windowFor(at_a, at_b, time, points, axis));
-      const Window window(pair_, time, end, at_a, at_b);
-      const MovingBox box_a = a_.box(window.a), box_b = b_.box(window.b);
-      WindowCutter cutter(window, box_a, box_b);
-      bool apart = cutBy(cutter, window, axis);
+      const double before = time_, end = std::min(1.0, time_ + windowFor(points, axis));
+      const Window window(pair_, time_, end, at_a_, at_b_);
+      bool apart = advance(window, axis);
       stale = !(gap_ >= 0.5 * points.distance);
-      if (!apart && stale && fresh) apart = cutBy(cutter, window, face_);
+      if (!apart && stale && fresh) apart = advance(window, face_);
       if (apart && end == 1) return FirstContact::never();
-      const double low = apart ? 1 : cutter.rest().low;
-      if (!(low > 0)) {
+      if (!apart && time_ > before && end - time_ <= time_error_ && !(distanceAtEnd(window) > touch_distance_))
+        return FirstContact::touch(time_, edge_a_, edge_b_);
+      if (time_ > before) {
+        place();
+      } else {
         if (fresh) break;
-        continue;
+        stale = true;
       }
-      const double before = time;
-      time = apart ? end : std::min(time + low * window.length, end);
-      if (!apart && end - time <= time_error_) {
-        const NearestPoints at_end(pair_.a.edge(window.a, edge_a_), pair_.b.edge(window.b, edge_b_), 1, pair_.error);
-        if (!(at_end.distance > touch_distance_)) return FirstContact::touch(time, edge_a_, edge_b_);
-      }
-      if (!(time > before)) break;
-      at_a = pair_.a.places(time, time);
-      at_b = pair_.b.places(time, time);
     }
-    return FirstContact::unknown(time);
+    return FirstContact::unknown(time_);
   }
 
  private:
   bool slides() const { return pair_.is_steady && !pair_.steady.turns(); }
+  bool areSmall() const { return pair_.a.tree->small_convex && pair_.b.tree->small_convex; }
 
-  /// The edge that has all of the other polygon farthest beyond it, as floats see it, and that one's foremost edge. Or
-  /// the edge that parts the two longest, if they slide from now on until time 1.
-  bool guess(const Places& at_a, const Places& at_b, bool by_entry) {
-    const double inverse = 1 / pair_.a.scale, dx = (at_b.x[0] - at_a.x[0]) * inverse,
-                 dy = (at_b.y[0] - at_a.y[0]) * inverse;
+  void place() {
+    at_a_ = pair_.a.places(time_, time_);
+    at_b_ = pair_.b.places(time_, time_);
+  }
+  NearestPoints nearest() const {
+    return NearestPoints(pair_.a.edge(at_a_, edge_a_), pair_.b.edge(at_b_, edge_b_), 0, pair_.error);
+  }
+  double distanceAtEnd(const Window& window) const {
+    return NearestPoints(pair_.a.edge(window.a, edge_a_), pair_.b.edge(window.b, edge_b_), 1, pair_.error).distance;
+  }
+
+  /// Of small polygons: the edge that has all of the other polygon farthest beyond it, as floats see it, and that one's
+  /// foremost edge. Or the edge that parts the two longest, if they slide from now on until time 1.
+  bool guess(bool by_entry) {
+    const double inverse = 1 / pair_.a.scale;
     const auto fromPair = [&](double x, double y) {
-      return Vec2(at_a.m00[0] * x + at_a.m10[0] * y, at_a.m01[0] * x + at_a.m11[0] * y);
+      return Vec2(at_a_.m00[0] * x + at_a_.m10[0] * y, at_a_.m01[0] * x + at_a_.m11[0] * y);
     };
-    const Vec2 column_0 = fromPair(at_b.m00[0], at_b.m10[0]), column_1 = fromPair(at_b.m01[0], at_b.m11[0]);
-    const Vec2 shift = fromPair(dx, dy), way = fromPair(pair_.b.way.first.x(), pair_.b.way.first.y()) * inverse;
+    const Vec2 column_0 = fromPair(at_b_.m00[0], at_b_.m10[0]), column_1 = fromPair(at_b_.m01[0], at_b_.m11[0]);
+    const Vec2 between = at_a_.originTo(at_b_), shift = fromPair(between.x(), between.y()) * inverse,
+               way = fromPair(pair_.b.way.first.x(), pair_.b.way.first.y()) * inverse;
     if (!(shift.lpNorm<1>() + way.lpNorm<1>() < 0x1p60)) return false;  // floats may overflow
     const UnitMap map = {
         column_0.x(), column_1.x(), column_0.y(), column_1.y(), shift.x(), shift.y(), pair_.b.scale * inverse, 0};
-    const ConvexGap gap = by_entry ? convexEntry(a_.convex(), b_.convex(), map, way.x(), way.y())
-                                   : convexGap(a_.convex(), b_.convex(), map);
-    int edge_a = gap.edge, edge_b = gap.edge;
-    face_ = gap.of_a ? a_.normal(at_a, edge_a) : Vec2(-b_.normal(at_b, edge_b));
-    (gap.of_a ? edge_b : edge_a) = gap.of_a ? b_.foremostEdge(at_b, -face_) : a_.foremostEdge(at_a, face_);
-    edge_a_ = static_cast<std::size_t>(edge_a);
-    edge_b_ = static_cast<std::size_t>(edge_b);
+    const SmallPolygon &a = *pair_.a.tree->small_convex, &b = *pair_.b.tree->small_convex;
+    const ConvexGap gap = by_entry ? convexEntry(a, b, map, way.x(), way.y()) : convexGap(a, b, map);
+    const auto edge = static_cast<std::uint32_t>(gap.edge);
+    face_ = gap.of_a ? a_.normal(at_a_, edge) : Vec2(-b_.normal(at_b_, edge));
+    edge_a_ = gap.of_a ? edge : a_.foremostEdge(at_a_, face_);
+    edge_b_ = gap.of_a ? b_.foremostEdge(at_b_, -face_) : edge;
     return true;
   }
 
+  /// Of others: from edges that face each other downhill, as long as a neighbour at the end that is nearest is nearer.
+  /// (The distance of two convex regions has no other valleys, nor need both ends move at once.)
+  NearestPoints walk() {
+    if (time_ == 0) {
+      const Vec2 axis = at_a_.originTo(at_b_);
+      edge_a_ = a_.foremostEdge(at_a_, axis);
+      edge_b_ = b_.foremostEdge(at_b_, -axis);
+    }
+    NearestPoints best = nearest();
+    for (bool moved = true; moved && best.distance > touch_distance_;) {
+      moved = false;
+      for (const bool of_b : {false, true}) {
+        std::uint32_t& edge = of_b ? edge_b_ : edge_a_;
+        const Body& body = of_b ? b_ : a_;
+        const std::uint32_t from = edge;
+        edge = body.neighbour(of_b ? at_b_ : at_a_, edge, of_b ? best.on_b : best.on_a);
+        const NearestPoints there = nearest();
+        if (there.distance < best.distance) {
+          best = there;
+          moved = true;
+        } else {
+          edge = from;
+        }
+      }
+    }
+    face_ = (best.on_b - best.on_a) / best.distance;
+    return best;
+  }
+
   /// About how long it may take the nearest points to meet: by how fast they approach now, and how that may change.
-  double windowFor(const Places& at_a, const Places& at_b, double time, const NearestPoints& points,
-                   const Vec2& axis) const {
-    const Rates rates = pair_.rates(time, 1);
+  double windowFor(const NearestPoints& points, const Vec2& axis) const {
+    const Rates rates = pair_.rates(time_, 1);
     const double bend = rates.bend_a * pair_.a.reach + rates.bend_b * pair_.b.reach + rates.pull;
     if (bend == 0) return 1;
     const auto turning = [&](const Mover& mover, const Places& at, const Vec2& p) {
-      return mover.turn.rateAt(time) * ((p.x() - at.pivot_x[0]) * axis.y() - (p.y() - at.pivot_y[0]) * axis.x());
+      return mover.turn.rateAt(time_) * ((p.x() - at.pivot_x[0]) * axis.y() - (p.y() - at.pivot_y[0]) * axis.x());
     };
-    const double speed =
-        turning(pair_.a, at_a, points.on_a) - turning(pair_.b, at_b, points.on_b) - axis.dot(pair_.b.way.rateAt(time));
+    const double speed = turning(pair_.a, at_a_, points.on_a) - turning(pair_.b, at_b_, points.on_b) -
+                         axis.dot(pair_.b.way.rateAt(time_));
     const double gap = points.distance - pair_.margin;
     // The bounds of the acceleration push them together, and apart.
     const double square = speed * speed, push = 2 * bend * gap, root = std::sqrt(std::max(square + push, 0.0));
@@ -169,35 +222,43 @@ class ConvexAdvancement {
     return std::min(1.25 * soonest, latest) + 0.25 * time_error_;
   }
 
-  /// Along an axis of length 1 from a to b. The gap of the regions is that of their foremost vertices.
-  bool cutBy(WindowCutter& cutter, const Window& window, const Vec2& axis) {
+  /// On to where contact may be, as an axis of length 1 from a to b has it, if anywhere in the window. Whether it parts
+  /// the two throughout. The gap of the regions is that of their foremost vertices.
+  bool advance(const Window& window, const Vec2& axis) {
+    const MovingBox box_a = a_.box(window.a), box_b = b_.box(window.b);
+    WindowCutter cutter(window, box_a, box_b);
     const WindowCutter::Axis n = cutter.turning(axis);
     const Double2 gap = n.x * (window.b.x - window.a.x) + n.y * (window.b.y - window.a.y) -
                         a_.reach(window.a, n.x, n.y) - b_.reach(window.b, -n.x, -n.y);
     gap_ = gap[0];
-    return cutter.cutByGap(n, gap);
+    const bool apart = cutter.cutByGap(n, gap);
+    const double time = apart ? window.end : std::min(window.begin + cutter.rest().low * window.length, window.end);
+    time_ = std::max(time, time_);
+    return apart;
   }
 
   const MovingPair& pair_;
   Body a_, b_;
+  double time_ = 0;     ///< until which they are apart
+  Places at_a_, at_b_;  ///< then
   double time_error_, touch_distance_;
-  std::size_t edge_a_ = 0, edge_b_ = 0;  ///< that may be nearest
-  Vec2 face_;                            ///< the normal of the one that was guessed, from a to b
-  double gap_ = 0;                       ///< along the last axis, at the window's begin
+  std::uint32_t edge_a_ = 0, edge_b_ = 0;  ///< that may be nearest
+  Vec2 face_;                              ///< an axis from a to b: the last that they were looked for by
+  double gap_ = 0;                         ///< along the last axis, at the window's begin
 };
 
 }  // namespace
 
-bool isSmallConvexPair(const MovingPair& pair) {
+bool isConvexPair(const MovingPair& pair) {
   // Axes turn with the polygons: off rigid, they wouldn't part what touches to its precision. Squares don't overflow.
   const auto fits = [](const Mover& mover) {
-    return mover.tree->small_convex && mover.scale > 0x1p-200 && mover.keepsLengths();
+    return mover.tree->strictly_convex && mover.polygon->fitsUnit() && mover.scale > 0x1p-200 && mover.keepsLengths();
   };
   return fits(pair.a) && fits(pair.b) && pair.error < 1;
 }
 
-FirstContact findConvexImpact(const MovingPair& pair, double begin, double time_error) {
-  return ConvexAdvancement(pair, time_error).run(begin);
+FirstContact advanceAlongAxis(const MovingPair& pair, double, double time_error) {
+  return ConvexAdvancement(pair, time_error).run();
 }
 
 }  // namespace tricover::detail

@@ -5,11 +5,11 @@
 
 namespace tricover::detail {
 
-/// Whether findConvexImpact() may be asked: two convex polygons of few vertices, whose poses keep lengths but for
-/// rounding.
-bool isSmallConvexPair(const MovingPair& pair);
+/// Whether advanceAlongAxis() may be asked: two strictly convex polygons, whose poses keep lengths but for rounding.
+bool isConvexPair(const MovingPair& pair);
 
-/// Conservative advancement from `begin` on, until which they are apart. Unknown at time 0 where they may touch there.
-FirstContact findConvexImpact(const MovingPair& pair, double begin, double time_error);
+/// Conservative advancement along the axis between the nearest features, from time 0 on. Unknown at time 0 where they
+/// may touch there.
+FirstContact advanceAlongAxis(const MovingPair& pair, double begin, double time_error);
 
 }  // namespace tricover::detail

@@ -27,9 +27,9 @@ struct Encounter {
   }
 };
 
-/// Best first: the encounter that begins first is divided, its nodes or its window, and what is left of the parts are
-/// encounters again. So their least begin is a proven lower bound of the time of impact; the upper one is the earliest
-/// time at which two edges were seen to touch.
+/// Branch and bound, best first: the encounter that begins first is divided, its nodes or its window, and what is left
+/// of the parts are encounters again. So their least begin is a proven lower bound of the time of impact; the upper one
+/// is the earliest time at which two edges were seen to touch.
 class ImpactSearch {
  public:
   ImpactSearch(const MovingPair& pair, double time_error)
@@ -43,7 +43,7 @@ class ImpactSearch {
   FirstContact run(double begin) {
     const Window window(pair_, begin, 1);
     const Encounter all{begin, 1, kRootNode, kRootNode, 0};
-    offer(window, sideA(window, nodeA(kRootNode)), sideB(window, nodeB(kRootNode)), all);
+    offer(window, movingA(window, nodeA(kRootNode)), movingB(window, nodeB(kRootNode)), all);
     while (!encounters_.empty() && upper_bound_ - lowerBound() > time_error_) {
       std::pop_heap(encounters_.begin(), encounters_.end());
       Encounter encounter = encounters_.back();
@@ -66,14 +66,14 @@ class ImpactSearch {
   };
 
   /// A node of either mover, and where it is in a window.
-  struct Side {
+  struct MovingNode {
     Node node;
     MovingBox box;
   };
   Node nodeA(std::uint32_t index) { return tight_ ? tight_->a.node(index) : pair_.a.node(index); }
   Node nodeB(std::uint32_t index) { return tight_ ? tight_->b.node(index) : pair_.b.node(index); }
-  Side sideA(const Window& window, const Node& node) const { return {node, pair_.a.box(window.a, node)}; }
-  Side sideB(const Window& window, const Node& node) const { return {node, pair_.b.box(window.b, node)}; }
+  MovingNode movingA(const Window& window, const Node& node) const { return {node, pair_.a.box(window.a, node)}; }
+  MovingNode movingB(const Window& window, const Node& node) const { return {node, pair_.b.box(window.b, node)}; }
 
   /// As a rule an impact is found by then; if not, gaps may be narrower than the floats' boxes are wide.
   static constexpr int kFloatsAlone = 256;
@@ -111,7 +111,7 @@ class ImpactSearch {
     return encounter;
   }
 
-  void offer(const Window& window, const Side& a, const Side& b, const Encounter& encounter) {
+  void offer(const Window& window, const MovingNode& a, const MovingNode& b, const Encounter& encounter) {
     WindowCutter cutter(window, a.box, b.box);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
     if (tight_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
@@ -132,7 +132,7 @@ class ImpactSearch {
     const Window window(pair_, encounter.begin, encounter.end);
     const Node node_a = nodeA(encounter.a), node_b = nodeB(encounter.b);
     if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
-    const Side a = sideA(window, node_a), b = sideB(window, node_b);
+    const MovingNode a = movingA(window, node_a), b = movingB(window, node_b);
     const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
     const WindowCutter cutter(window, a.box, b.box);
     // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter windows once they bend by less
@@ -148,9 +148,9 @@ class ImpactSearch {
       const std::uint32_t index = block * kLanes + lane;
       (divides_a ? part.a : part.b) = index;
       if (divides_a)
-        offer(window, sideA(window, nodeA(index)), b, part);
+        offer(window, movingA(window, nodeA(index)), b, part);
       else
-        offer(window, a, sideB(window, nodeB(index)), part);
+        offer(window, a, movingB(window, nodeB(index)), part);
     }
   }
 
@@ -198,7 +198,7 @@ class ImpactSearch {
       Encounter part = encounter;
       (later ? part.begin : part.end) = middle;
       const Window window(pair_, part.begin, part.end);
-      offer(window, sideA(window, nodeA(part.a)), sideB(window, nodeB(part.b)), part);
+      offer(window, movingA(window, nodeA(part.a)), movingB(window, nodeB(part.b)), part);
     }
   }
 

@@ -102,7 +102,7 @@ bool fitsAll(const MovingPair&) { return true; }
 /// Each is asked what those before it don't know. The second is the only one that sees what touches or overlaps at time
 /// 0; those after it take for granted that nothing does. The last one always knows.
 constexpr Solver kSolvers[] = {
-    {isSmallConvexPair, findConvexImpact},
+    {isConvexPair, advanceAlongAxis},
     {fitsAll, collideAtStart},
     {haveFewVertexWays, followVertices},
     {fitsAll, searchBoxes},

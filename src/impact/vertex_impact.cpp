@@ -12,7 +12,7 @@ namespace tricover::detail {
 namespace {
 
 /// As a rule ten are enough.
-constexpr int kMostSteps = 64;
+constexpr int kMostWindows = 64;
 constexpr int kMost = FewEdges::kMost;
 
 /// A point b beside the edges of a, which the hierarchy finds.
@@ -215,7 +215,7 @@ double firstLength(const MovingPair& pair, double size) {
 template <class Ways>
 FirstContact follow(Ways ways, const MovingPair& pair, double begin, double time_error) {
   double time = begin, length = firstLength(pair, ways.size()), last = begin;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostWindows; ++step) {
     const bool is_within = time < last;
     const double end = std::min(time + length, is_within ? last : 1.0);
     last = end;

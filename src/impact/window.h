@@ -78,8 +78,10 @@ struct TurningSag {
 /// A window of time with both movers' places at its ends.
 struct Window {
   Window(const Window&) = delete;
-  Window(const MovingPair& pair_, double begin, double end)
+  Window(const MovingPair& pair_, double begin_, double end_)
       : pair(pair_),
+        begin(begin_),
+        end(end_),
         length(end - begin),
         rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
         a(pair.a.places(begin, end)),
@@ -87,8 +89,10 @@ struct Window {
     boundSags();
   }
   /// The places at the begin are known, in either lane.
-  Window(const MovingPair& pair_, double begin, double end, const Places& a_at_begin, const Places& b_at_begin)
+  Window(const MovingPair& pair_, double begin_, double end_, const Places& a_at_begin, const Places& b_at_begin)
       : pair(pair_),
+        begin(begin_),
+        end(end_),
         length(end - begin),
         rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
         a(a_at_begin.to(pair.a.places(end, end))),
@@ -102,6 +106,7 @@ struct Window {
   }
 
   const MovingPair& pair;
+  double begin, end;
   double length, half_square;  ///< h; h^2 / 2, rounded upwards
   Rates own_rates;             ///< where the pair's aren't steady
   const Rates& rates;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
-    ("src/impact/convex_impact.cpp", "if (!apart && end - time <= time_error_) {", "if (!apart) {", "convex impact: as early as the window is long"),
+    ("src/impact/convex_impact.cpp", "end - time_ <= time_error_ && !(distanceAtEnd", "!(distanceAtEnd", "convex impact: as early as the window is long"),
     ("src/impact/convex_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(4 * pair.error)", "convex impact: touches without the margin"),
     ("src/impact/moving_pair.cpp", "std::clamp(-b.base.dot(chord) / square, 0.0, 1.0)", "0.0", "impact: discs at the start only"),
     ("src/impact/moving_pair.cpp", "mover.arm.lpNorm<1>() + shrink * polygon.radius", "shrink * polygon.radius", "impact: reach without the arm"),
