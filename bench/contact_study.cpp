@@ -26,7 +26,7 @@ std::vector<Pose> walk(const Polygon& fixed, const Polygon& moving, bool slides)
     const auto deep = penetration(fixed, Pose::Identity(), moving, pose);
     if (!deep || !(deep->depth > 2 * kDepth)) continue;
     pose.translation() += (1 - kDepth / deep->depth) * deep->translation;
-    const Vec2 along(-deep->direction.y(), deep->direction.x());
+    const Vec2 along(-deep->normal.y(), deep->normal.x());
     std::vector<Pose> poses(kSteps, pose);
     bool overlaps = true;
     for (std::size_t i = 0; i < kSteps; ++i) {

@@ -22,15 +22,15 @@ struct Penetration {
   /// where lengths or translated poses overflow, or where rounding the coordinates loses the polygons' size: then
   /// translation and points are 0, which means nothing, and the edges -1.
   double depth;
-  Vec2 direction;  ///< A unit vector, from a towards where b leaves it.
+  Vec2 normal;  ///< A unit vector, from a towards where b leaves it.
   /// No shorter translation parts them, but one into a slit that is narrower than the precision of penetration().
   double lower_bound;
   bool optimal;  ///< Whether depth and lower_bound agree to that precision: the budget sufficed.
   /// After this translation of b (or its opposite of a) they are proven to be apart, even though adding it to the
-  /// pose's translation rounds. It differs from depth * direction by as little as that takes.
+  /// pose's translation rounds. It differs from depth * normal by as little as that takes.
   Vec2 translation;
   Vec2 point_a;           ///< The point on a's outline that parts last, where it is now.
-  Vec2 point_b;           ///< The same on b's. If optimal, point_a is point_b + depth * direction, otherwise near it.
+  Vec2 point_b;           ///< The same on b's. If optimal, point_a is point_b + depth * normal, otherwise near it.
   std::ptrdiff_t edge_a;  ///< The edge that point_a lies on, numbered as in Polygon::edgeStart().
   std::ptrdiff_t edge_b;  ///< The edge that point_b lies on.
 };
@@ -39,7 +39,7 @@ struct Penetration {
 ///
 /// It is the global one: b may also leave into a hole or a gap. Its depth is 0 where they only touch. Where they are
 /// wedged it isn't: a peg exactly as wide as its slot has to leave through the mouth. Swapping the operands gives the
-/// same depth and the opposite direction.
+/// same depth and the opposite normal.
 ///
 /// Precision of a convex pair: 1e-15 of the depth, as long as that is above 1e-14 of the coordinates. Of other pairs:
 /// 1e-12 of the smaller radius(), plus 1e-13 of both radii and of the distance between the poses' translations.

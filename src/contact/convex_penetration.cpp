@@ -98,7 +98,7 @@ SupportGap leastSupportGap(const PosedPair& pair, const SeparatingAxes* axes, do
   for (const SupportGap& gap : gaps) least = std::min(least, gap.depth);
   const Vec2 towards_b = pose_b.linear() * (pair.b.origin * scale) - pose_a.linear() * (pair.a.origin * scale) +
                          Vec2(shift.x.high, shift.y.high);
-  const auto along = [&](const SupportGap& gap) { return gap.direction.dot(towards_b); };
+  const auto along = [&](const SupportGap& gap) { return gap.normal.dot(towards_b); };
   const SupportGap* best = nullptr;
   for (const SupportGap& gap : gaps)
     if (gap.depth <= least + tie * scale && (best == nullptr || along(gap) > along(*best))) best = &gap;

@@ -10,7 +10,7 @@ namespace tricover::detail {
 /// The shortest translation of b that parts two convex sets which meet.
 struct SupportGap {
   double depth;              ///< world length
-  Vec2 direction;            ///< unit, from a towards where b leaves
+  Vec2 normal;               ///< unit, from a towards where b leaves
   bool edge_of_a;            ///< an edge of a and a corner of b part last; otherwise a corner of a and an edge of b
   std::size_t edge, corner;  ///< of the outlines
 };

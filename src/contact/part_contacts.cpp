@@ -87,10 +87,10 @@ Exit ContactFinder::exitOfOnly(const OverlapComponent& component) const {
   if (!p.optimal) return exit;
   const double depth = p.depth / frame_.unit(), radius = std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
   const bool agrees = std::abs(depth - exit.depth) <= 1e-12 * radius + 64 * frame_.error();
-  const bool alike = agrees && exit.normal.dot(p.direction) >= 1 - 0x1p-20;
+  const bool alike = agrees && exit.normal.dot(p.normal) >= 1 - 0x1p-20;
   if (agrees && !alike && partsFreely(exit)) return exit;
   // What agrees with it to its precision is known better.
-  if (!alike) exit = {p.direction, depth, -1, -1, true};
+  if (!alike) exit = {p.normal, depth, -1, -1, true};
   // Of the edges at a vertex that parts last either will do.
   const auto partsLast = [&](const WorldFrame::Ends& edge, const Vec2& point) {
     const Vec2 at = frame_.fromWorld(point);

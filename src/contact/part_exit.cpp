@@ -79,11 +79,11 @@ Exit PartExits::exitOfConvex(const OverlapComponent& component, const Separating
   const BoundaryPoint deepest = gap.edge_of_a ? vertexOfB(corner) : vertexOfA(corner);
   const Vec2 in_own = gap.edge_of_a ? frame_.toA(deepest.at) : frame_.toB(deepest.at);
   const auto edge = static_cast<std::ptrdiff_t>(pathEdge(own, convexOutlineOf(own), gap.edge, in_own));
-  Exit exit{gap.direction, gap.depth / frame_.unit(), edge, edge, gap.edge_of_a};
+  Exit exit{gap.normal, gap.depth / frame_.unit(), edge, edge, gap.edge_of_a};
   if (gap.edge_of_a)
-    exit.edge_b = flatterOfB(deepest, gap.direction);
+    exit.edge_b = flatterOfB(deepest, gap.normal);
   else
-    exit.edge_a = flatterOfA(deepest, gap.direction);
+    exit.edge_a = flatterOfA(deepest, gap.normal);
   if (component.crossings.empty()) (component.points.front().a < 0 ? exit.edge_a : exit.edge_b) = -1;
   return exit;
 }

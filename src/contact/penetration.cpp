@@ -36,7 +36,7 @@ std::ptrdiff_t nearestEdge(const PolygonData& polygon, const std::vector<Vec2>& 
 
 struct Features {
   Vec2 point_a, point_b;  ///< in the space's units
-  Vec2 direction;         ///< unit
+  Vec2 normal;            ///< unit
 };
 
 /// Where an edge and a vertex part after the translation t. The vertex may come beyond the edge's end only where the
@@ -75,19 +75,19 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
                           ? featuresOf(space, parted, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
                           : featuresOf(space, parted, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
   const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
-  features.direction = way.stableNormalized();
+  features.normal = way.stableNormalized();
   // Over a short way the segment's normal is known better than the way's direction.
   if (along.norm() > 0 && least <= 64 * noise && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
-    features.direction = Vec2(along.y(), -along.x()).stableNormalized();
-    if (features.direction.dot(way) < 0) features.direction = -features.direction;
+    features.normal = Vec2(along.y(), -along.x()).stableNormalized();
+    if (features.normal.dot(way) < 0) features.normal = -features.normal;
   }
   return features;
 }
 
 /// Where lengths overflow.
-Penetration noAnswer(const Vec2& direction) {
+Penetration noAnswer(const Vec2& normal) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {kInfinity, direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
+  return {kInfinity, normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
 }
 
 }  // namespace
@@ -108,10 +108,10 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   if (outline_a.corners.size() > 2 && outline_b.corners.size() > 2) axes.emplace(pair);
   const SupportGap gap = leastSupportGap(pair, axes ? &*axes : nullptr, 0);
   TranslationSpace space(a, pose_a, b, pose_b);
-  if (!space.isFinite()) return noAnswer(gap.direction);
-  Penetration result{gap.depth, gap.direction, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
+  if (!space.isFinite()) return noAnswer(gap.normal);
+  Penetration result{gap.depth, gap.normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
   const double unit = space.unit();
-  const Vec2 known = gap.direction * (gap.depth / unit);
+  const Vec2 known = gap.normal * (gap.depth / unit);
   ShortestParting shortest{known, known, known.norm()};
   Features features;
   if (outline_a.is_region && outline_b.is_region) {
@@ -126,7 +126,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     if (shortest.limit != known) {
       const double length = shortest.limit.norm();
       result.depth = length > 2 * space.noise() ? length * unit : 0;
-      result.direction = features.direction;
+      result.normal = features.normal;
     }
     result.lower_bound = std::min(shortest.lower_bound * unit, result.depth);
     // What tricover/penetration.h calls the precision.
@@ -134,25 +134,25 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.optimal = result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + precision * unit;
   }
   // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
-  if (shortest.parting == shortest.limit) shortest.parting += 8 * space.noise() * result.direction;
+  if (shortest.parting == shortest.limit) shortest.parting += 8 * space.noise() * result.normal;
   // At the limit they may still touch, and a pose's translation is rounded.
   result.translation = shortest.parting * unit;
   const Vec2 aside = shortest.parting - shortest.limit;
-  const Vec2 way = !aside.isZero(0) ? Vec2(aside.stableNormalized()) : result.direction;
+  const Vec2 way = !aside.isZero(0) ? Vec2(aside.stableNormalized()) : result.normal;
   // Of either one: both translations are rounded.
   const auto parts = [&](const Vec2& t) {
     return areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, t) &&
            areApartMoved(a, pose_a, -t, b, pose_b, Vec2::Zero());
   };
   for (double step = std::max(aside.norm(), space.noise()); !parts(result.translation); step *= 2) {
-    if (!std::isfinite(step * unit)) return noAnswer(result.direction);
+    if (!std::isfinite(step * unit)) return noAnswer(result.normal);
     result.translation = (shortest.limit + step * way) * unit;
   }
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
   result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);
   result.edge_b = nearestEdge(b, space.verticesOfB(), features.point_b);
-  assert(std::abs(result.direction.norm() - 1) < 0x1p-40);
+  assert(std::abs(result.normal.norm() - 1) < 0x1p-40);
   assert(0 <= result.lower_bound && result.lower_bound <= result.depth);
   return result;
 }
@@ -166,7 +166,7 @@ std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, con
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) { return detail::penetrationInOrder(operands..., options); },
       [](Penetration& p) {
-        p.direction = -p.direction;
+        p.normal = -p.normal;
         p.translation = -p.translation;
         std::swap(p.point_a, p.point_b);
         std::swap(p.edge_a, p.edge_b);

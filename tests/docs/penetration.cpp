@@ -18,7 +18,7 @@ TEST(Documentation, Penetration) {
   const std::optional<tricover::Penetration> way = tricover::penetration(square, still, square, pose);
   ASSERT_TRUE(way.has_value());
   EXPECT_NEAR(way->depth, 1, 1e-12);
-  EXPECT_NEAR(way->direction.x(), 1, 1e-12);
+  EXPECT_NEAR(way->normal.x(), 1, 1e-12);
 
   pose.translation() += way->translation;  // proven to part them
   EXPECT_FALSE(tricover::collide(square, still, square, pose));

@@ -80,7 +80,7 @@ TEST(GjkDistances, convex) {
       tricover::Pose moved = pose_b;
       moved.translation() += penetration->translation;
       EXPECT_FALSE(tricover::exact::collide(a, pose_a, b, moved)) << i;
-      moved.translation() = pose_b.translation() + (1 - 1e-9) * penetration->depth * penetration->direction;
+      moved.translation() = pose_b.translation() + (1 - 1e-9) * penetration->depth * penetration->normal;
       EXPECT_TRUE(tricover::exact::collide(a, pose_a, b, moved)) << i;
     }
     for (int s = 0; s < 2; ++s) {

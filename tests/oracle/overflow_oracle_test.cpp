@@ -62,7 +62,7 @@ std::string wrongNumbers(const Case& c, bool finite) {
   for (const Contact& contact : contacts(c.a, c.pose_a, c.b, c.pose_b))
     if (badPoint(contact.point) || !contact.normal.allFinite() || std::isnan(contact.depth)) return "contacts";
   if (const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b)) {
-    if (badPoint(p->point_a) || badPoint(p->point_b) || !p->direction.allFinite()) return "penetration's points";
+    if (badPoint(p->point_a) || badPoint(p->point_b) || !p->normal.allFinite()) return "penetration's points";
     if (!p->translation.allFinite() || std::isnan(p->depth) || !(p->lower_bound <= p->depth)) return "penetration";
     if (std::isinf(p->depth) && (p->optimal || !p->translation.isZero(0) || p->edge_a >= 0)) return "no penetration";
   }

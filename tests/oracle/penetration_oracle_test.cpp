@@ -43,11 +43,11 @@ double length(const Vec2& v) { return std::hypot(v.x(), v.y()); }
 std::string brokenPromise(Random& random, const Case& c, const Penetration& p) {
   const double tiny = precision(c);
   if (!(p.depth >= 0 && p.lower_bound >= 0 && p.lower_bound <= p.depth)) return "depth or lower_bound";
-  if (std::abs(p.direction.norm() - 1) > 1e-12) return "direction is no unit vector";
+  if (std::abs(p.normal.norm() - 1) > 1e-12) return "normal is no unit vector";
   if (!(length(p.translation) <= p.depth + tiny)) return "translation is longer than depth";
   if (exact::collide(c.a, c.pose_a, c.b, moved(c.pose_b, p.translation))) return "translation doesn't part them";
   if (p.optimal && !(p.depth - p.lower_bound <= tiny)) return "not optimal";
-  if (p.optimal && !(length(p.point_a - p.point_b - p.depth * p.direction) <= tiny)) return "points don't meet";
+  if (p.optimal && !(length(p.point_a - p.point_b - p.depth * p.normal) <= tiny)) return "points don't meet";
   const auto inRange = [](std::ptrdiff_t edge, const Polygon& polygon) {
     return edge >= 0 && edge < static_cast<std::ptrdiff_t>(polygon.vertexCount());
   };
@@ -70,7 +70,7 @@ std::string brokenPromise(Random& random, const Case& c, const Penetration& p) {
 
 std::string swappedDiffers(const Case& c, const Penetration& p) {
   const auto q = penetration(c.b, c.pose_b, c.a, c.pose_a);
-  const bool same = q && q->depth == p.depth && q->direction == -p.direction && q->translation == -p.translation &&
+  const bool same = q && q->depth == p.depth && q->normal == -p.normal && q->translation == -p.translation &&
                     q->edge_a == p.edge_b && q->edge_b == p.edge_a && q->point_a == p.point_b &&
                     q->lower_bound == p.lower_bound && q->optimal == p.optimal;
   return same || c.a.id() == c.b.id() ? "" : "swapped, the result differs";

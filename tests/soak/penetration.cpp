@@ -61,7 +61,7 @@ std::string wrongWith(Random& random, const Drawn& drawn, const Penetration& p) 
   const Case& c = drawn.c;
   const double tiny = precision(c);
   if (!(p.depth >= 0 && p.lower_bound >= 0 && p.lower_bound <= p.depth)) return "depth or lower_bound";
-  if (!(std::abs(p.direction.norm() - 1) <= 1e-12)) return "direction is no unit vector";
+  if (!(std::abs(p.normal.norm() - 1) <= 1e-12)) return "normal is no unit vector";
   if (!(length(p.translation) <= p.depth + 2 * tiny)) return "translation is longer than depth";
   if (p.optimal && !(p.depth - p.lower_bound <= tiny)) return "not optimal";
   if (!p.optimal && p.depth - p.lower_bound <= tiny / 8) return "optimal, but said not to be";
@@ -101,7 +101,7 @@ void soakPenetration(Run& run) {
       problem = wrongWith(random, drawn, *p);
     if (problem.empty() && p && random.oneIn(8)) {
       const auto q = penetration(c.b, c.pose_b, c.a, c.pose_a, options);
-      if (!q || q->depth != p->depth || q->direction != -p->direction || q->translation != -p->translation)
+      if (!q || q->depth != p->depth || q->normal != -p->normal || q->translation != -p->translation)
         problem = "swapped, it differs";
     }
     if (problem.empty()) continue;

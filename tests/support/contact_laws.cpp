@@ -79,8 +79,8 @@ std::string wrongWayApart(const Case& c, const Contact& contact) {
     return p->depth > precision || parts(c, contact) ? "" : "the normal of a touch doesn't part them";
   if (!p->optimal) return "";
   if (!(std::abs(p->depth - contact.depth) <= precision)) return "another depth than the penetration's";
-  return (p->direction - contact.normal).norm() <= 1e-6 || parts(c, contact) ? ""
-                                                                             : "another normal than the penetration's";
+  return (p->normal - contact.normal).norm() <= 1e-6 || parts(c, contact) ? ""
+                                                                          : "another normal than the penetration's";
 }
 
 bool same(const std::vector<Contact>& p, const std::vector<Contact>& q) {

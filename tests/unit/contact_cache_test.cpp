@@ -64,7 +64,7 @@ void walk(int seed, bool convex, Tally& tally, PairCache& cache) {
   // As a body that rests on another: out of it until they only just overlap, then along the way across.
   if (const auto deep = penetration(c.a, c.pose_a, c.b, c.pose_b); deep && deep->optimal && random.coin()) {
     c.pose_b.translation() += 0.97 * deep->translation;
-    along = Vec2(-deep->direction.y(), deep->direction.x());
+    along = Vec2(-deep->normal.y(), deep->normal.x());
   }
   const int manner = random.integer(0, 3);
   const double length = 0.002 * size * (random.coin() ? 1 : -1) * (random.oneIn(4) ? 10 : 1);

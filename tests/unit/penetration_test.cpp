@@ -25,7 +25,7 @@ Pose at(double x, double y) { return pose(0, x, y); }
 
 struct Expected {
   double depth;
-  Vec2 direction;  ///< kAnyWay where several are as short
+  Vec2 normal;  ///< kAnyWay where several are as short
 };
 
 /// What is expected, under turned, mirrored and shifted poses, in either order.
@@ -40,18 +40,18 @@ void expectPenetration(const Polygon& a, const Pose& pose_a, const Polygon& b, c
     EXPECT_NEAR(p->depth, expected.depth, error);
     EXPECT_NEAR(p->lower_bound, expected.depth, error);
     EXPECT_LE(p->lower_bound, p->depth);
-    EXPECT_NEAR(p->direction.norm(), 1, 1e-14);
-    if (expected.direction != kAnyWay) {
-      EXPECT_LE((p->direction - frame.linear() * expected.direction).norm(), error);
+    EXPECT_NEAR(p->normal.norm(), 1, 1e-14);
+    if (expected.normal != kAnyWay) {
+      EXPECT_LE((p->normal - frame.linear() * expected.normal).norm(), error);
     }
-    EXPECT_LE((p->point_b + p->depth * p->direction - p->point_a).norm(), error);
+    EXPECT_LE((p->point_b + p->depth * p->normal - p->point_a).norm(), error);
     EXPECT_NEAR(p->translation.norm(), p->depth, 4 * error);
     Pose moved = in_b;
     moved.translation() += p->translation;
     EXPECT_FALSE(collide(a, in_a, b, moved));
     EXPECT_EQ(q->depth, p->depth);
     EXPECT_EQ(q->lower_bound, p->lower_bound);
-    EXPECT_EQ(q->direction, -p->direction);
+    EXPECT_EQ(q->normal, -p->normal);
     EXPECT_EQ(q->translation, -p->translation);
     EXPECT_EQ(q->point_a, p->point_b);
     EXPECT_EQ(q->point_b, p->point_a);
@@ -106,7 +106,7 @@ TEST(Convex, SegmentsAndPoints) {
 TEST(Convex, AShallowOneIsExact) {
   const auto p = penetration(square(), kIdentity, square(), at(2 - 0x1p-50, 0.3));
   EXPECT_EQ(p->depth, 0x1p-50);
-  EXPECT_EQ(p->direction, Vec2(1, 0));
+  EXPECT_EQ(p->normal, Vec2(1, 0));
 }
 
 TEST(Convex, OfEdgesWhoseGapsPlainDoublesCannotTellApartTheLeastCounts) {
@@ -211,7 +211,7 @@ TEST(Touching, HasDepthZeroAndAWayOut) {
     EXPECT_EQ(p->depth, 0);
     EXPECT_EQ(p->lower_bound, 0);
     EXPECT_TRUE(p->optimal);
-    EXPECT_EQ(p->direction, way);
+    EXPECT_EQ(p->normal, way);
     EXPECT_LE((p->point_a - p->point_b).norm(), 1e-13);
   }
 }
@@ -230,7 +230,7 @@ TEST(Sizes, FromTinyToHuge) {
     ASSERT_TRUE(p);
     EXPECT_NEAR(p->depth / scale, 0.5, 1e-12);
     EXPECT_NEAR(p->lower_bound / scale, 0.5, 1e-12);
-    EXPECT_EQ(p->direction, Vec2(0, 1));
+    EXPECT_EQ(p->normal, Vec2(0, 1));
     EXPECT_TRUE(p->optimal);
     const auto q = penetration(b, kIdentity, b, at(1.5 * scale, 0.25 * scale));
     EXPECT_EQ(q->depth, 0.5 * scale);
@@ -291,7 +291,7 @@ TEST(Sizes, OfHugeAndTinyEdgesTheDirectionIsAUnitVector) {
       0x1.c0bb3ab786c7ep-2, 0;
   const auto found = penetration(a, pose_a, b, pose_b, {20});
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->direction.norm(), 1, 1e-15);
+  EXPECT_NEAR(found->normal.norm(), 1, 1e-15);
 }
 
 TEST(FarAway, OnlyWhatTheirPosesShareIsLost) {
@@ -352,7 +352,7 @@ TEST(Arguments, SwappedTheyGiveTheOppositeDirection) {
       const auto q = penetration(polygon, with_minus_zero, polygon, with_zero);
       ASSERT_TRUE(p && q);
       EXPECT_EQ(p->depth, q->depth);
-      EXPECT_EQ(p->direction, -q->direction);
+      EXPECT_EQ(p->normal, -q->normal);
       EXPECT_EQ(p->translation, -q->translation);
       EXPECT_EQ(p->point_a, q->point_b);
     }

@@ -47,7 +47,7 @@ std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& sha
   };
   if (most == 1) {
     if (const auto whole = shadow.penetration(polygon))
-      add(middle(whole->point_a, whole->point_b), whole->direction, whole->depth, *whole);
+      add(middle(whole->point_a, whole->point_b), whole->normal, whole->depth, *whole);
   } else {
     for (const tricover::Contact& part : shadow.contacts(polygon, most)) add(part.point, part.normal, part.depth, part);
   }
@@ -65,7 +65,7 @@ std::optional<MixedContact> contactOf(const StadiumPair<S>& pair) {
   const auto way = penetrationOf(pair);
   if (!way) return std::nullopt;
   return inOrder(pair.polygon_first, pair.plane(),
-                 {middle(way->point_a, way->point_b()), way->direction, std::max(way->depth, 0.0), way->edge_a, -1});
+                 {middle(way->point_a, way->point_b()), way->normal, std::max(way->depth, 0.0), way->edge_a, -1});
 }
 
 template std::vector<MixedContact> contactsOf(const MixedPair<float>&, const Shadow&, std::size_t);

@@ -22,7 +22,7 @@ constexpr double kError = 1e-9;
 template <typename S>
 bool isFreeAfter(const StadiumPair<S>& pair, const StadiumPenetration& way) {
   Pose there = pair.pose_of_segment;
-  there.translation() += way.depth * way.direction;
+  there.translation() += way.depth * way.normal;
   tricover::CollideOptions options;
   options.margin = (1 - kError) * pair.radius;
   return !tricover::collide(pair.polygon(), pair.pose, pair.segment(), there, options);
@@ -63,7 +63,7 @@ std::optional<StadiumPenetration> acrossNearestEdge(const StadiumPair<S>& pair) 
   if (length > kError * pair.radius) return isFreeAfter(pair, way) ? std::optional(way) : std::nullopt;
   const Vec2 normal = Vec2(nearest.along.y(), -nearest.along.x()).stableNormalized();
   for (const Vec2& direction : {normal, Vec2(-normal)}) {
-    way.direction = direction;
+    way.normal = direction;
     if (isFreeAfter(pair, way)) return way;
   }
   return std::nullopt;
@@ -87,7 +87,7 @@ std::optional<StadiumPenetration> penetrationOf(const StadiumPair<S>& pair) {
   if (pair.isDisc()) return acrossNearestEdge(pair);
   const auto part = tricover::penetration(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment);
   if (!part) return std::nullopt;
-  const StadiumPenetration way{part->direction, pair.radius + part->depth, part->point_a, part->edge_a};
+  const StadiumPenetration way{part->normal, pair.radius + part->depth, part->point_a, part->edge_a};
   return isFreeAfter(pair, way) ? std::optional(way) : std::nullopt;
 }
 

@@ -35,7 +35,7 @@ std::vector<PlanarContact> contactsOf(const PolygonPair<S>& pair, bool as_one, s
   if (as_one) {
     if (const auto whole = tricover::penetration(a, pose_a, b, pose_b)) {
       shared.push_back(
-          {middle(whole->point_a, whole->point_b), whole->direction, whole->depth, whole->edge_a, whole->edge_b});
+          {middle(whole->point_a, whole->point_b), whole->normal, whole->depth, whole->edge_a, whole->edge_b});
     }
   } else {
     for (const tricover::Contact& part : tricover::contacts(a, pose_a, b, pose_b, most)) {

@@ -83,10 +83,10 @@ std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Po
     Normals normals;
     for (const auto& way : {around, within}) {
       if (!way) continue;
-      const Vec2 back = -error * way->direction, aside(-back.y(), back.x());
+      const Vec2 back = -error * way->normal, aside(-back.y(), back.x());
       for (const Vec2& move : {back, aside, Vec2(-aside)})
         addCrossed(normals, shadow, polygon, way->translation + move);
-      normals.push_back(-way->direction);
+      normals.push_back(-way->normal);
     }
     const bool sharpened = i < kOneByOne ? sharpen(shadow, normals) : shadow.refine(-1, Shadow::kOutlineError);
     if (!sharpened) return around;
@@ -121,7 +121,7 @@ std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, std::siz
   std::vector<tricover::Contact> whole = with(fine.outline());
   if (way && whole.size() == 1) {  // finer outlines may have more vertices than contacts() searches for it
     tricover::Contact& part = whole.front();
-    part = {part.point, way->direction, way->depth, way->edge_a, way->edge_b};
+    part = {part.point, way->normal, way->depth, way->edge_a, way->edge_b};
   }
   return whole;
 }
