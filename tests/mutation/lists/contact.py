@@ -3,7 +3,7 @@
 MUTATIONS = [
     ("src/contact/contacts.cpp", "false, fact.clearance);", "false, 2 * fact.clearance);", "contact cache: apart for too long"),
     ("src/contact/convex_contact.cpp", "mirrored_(side.mirrors != a.mirrors)", "mirrored_(false)", "convex contact: b mirrored"),
-    ("src/contact/separating_axes.cpp", "area * area > most_square * square", "area * area > 0.5 * most_square * square", "separating axes: the least face is skipped"),
+    ("src/contact/separating_axes.cpp", "area * area > most_square * (square[0]", "area * area > 0.5 * most_square * (square[0]", "separating axes: the least face is skipped"),
     ("src/contact/separating_axes.cpp", "if (face.depth < -kDepthError * error_) return Apart;", "if (face.depth < 0.1) return Apart;", "separating axes: what overlaps is apart"),
     ("src/contact/convex_penetration.cpp", "pose.linear().determinant() < 0", "false", "convex penetration: mirrored poses"),
     ("src/contact/convex_penetration.cpp", "dot(normal, own.at(face) - other.at(at)).high / length", "dot(normal, own.at(face) - other.at(at)).high * (1 + 1e-14) / length", "convex penetration: plain doubles"),
