@@ -70,8 +70,8 @@ void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)
   table().visit_edges_on_way(hierarchy, way, visit, context);
 }
 
-void findEdgesOnWays(const FewEdges& edges, const FewWays& ways, unsigned* near) {
-  table().find_edges_on_ways(edges, ways, near);
+void findEdgesOnWays(const SmallPolygon& polygon, const FewWays& ways, unsigned* near) {
+  table().find_edges_on_ways(polygon, ways, near);
 }
 
 unsigned cutWindows(const Block& block, const MovingQuery& query, float* from_begin, float* from_end) {

@@ -89,22 +89,14 @@ struct Way {
 /// roughly first. It returns the share of the way, at most 1, beyond which no more edges need to be shown.
 void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context);
 
-/// Up to sixteen edges from S in units, padded to whole lanes by anything finite: where they begin, and their vectors
-/// u.
-struct FewEdges {
-  static constexpr int kMost = 2 * kLanes;
-  float x[kMost], y[kMost], ux[kMost], uy[kMost];
-  float aside[kMost], ahead[kMost];    ///< u x v and u . v, of the begin v
-  float square[kMost], length[kMost];  ///< |u|^2, and no less than |u|
-  int count, lanes;
-};
 /// Points that move straight, each with a reach of its own.
 struct FewWays {
-  float x[FewEdges::kMost], y[FewEdges::kMost], to_x[FewEdges::kMost], to_y[FewEdges::kMost], reach[FewEdges::kMost];
+  static constexpr int kMost = SmallPolygon::kMost;
+  float x[kMost], y[kMost], to_x[kMost], to_y[kMost], reach[kMost];
   int count;
 };
-/// Of each point a bit for every edge that it may come within its reach of. Nothing may exceed 2^30.
-void findEdgesOnWays(const FewEdges& edges, const FewWays& ways, unsigned* near);
+/// Of each point a bit for every edge that it may come within its reach of. Nothing may exceed 2^30, in units.
+void findEdgesOnWays(const SmallPolygon& polygon, const FewWays& ways, unsigned* near);
 
 /// A box at both ends of a window of time, in a block's scale from its origin, in the frame that turns with the block;
 /// and WindowCutter's sags, along axes that turn with the block and with the box.

@@ -7,37 +7,33 @@
 namespace tricover::detail::simd {
 
 /// A way and an edge are apart by more than `reach` if one of three axes parts them by that: the edge's normal, the
-/// edge, or the way's normal. Axes have other lengths than 1; what their gaps are compared with, at least as long.
+/// edge, or the way's normal, of another length than 1, which its gap is compared with.
 ///
-/// Rounding, in units of 2^-24 and divided by the axis' length: a point's coordinates and a vertex' are rounded once,
-/// the axis once, then come two products, two sums and the difference; so no gap is off by more than 8 (|p| + |v| +
-/// |u|) where |v| + |u| is at most 4.
+/// Rounding, in units of 2^-24 and divided by the axis' length: a point's coordinates and what is known of the edge are
+/// rounded once, the axis once, the edge's middle three times more; then come two products, two sums and the
+/// difference. So no gap is off by more than 12 (|p| + 4), as the edge and its middle are within 2 of S.
 template <class Lanes>
-void findEdgesOnWays(const FewEdges& edges, const FewWays& ways, unsigned* near) {
+void findEdgesOnWays(const SmallPolygon& polygon, const FewWays& ways, unsigned* near) {
   constexpr float kRounding = 16 * static_cast<float>(kFloatRoundoff);
-  const auto gap = [&](Lanes p, Lanes q, Lanes low, Lanes high) __attribute__((always_inline)) {
-    return larger(low - larger(p, q), smaller(p, q) - high);
-  };
-  for (int k = 0; k < ways.count; ++k) {
-    const float x = ways.x[k], y = ways.y[k], to_x = ways.to_x[k], to_y = ways.to_y[k];
-    const float wx = to_x - x, wy = to_y - y, from = wx * y - wy * x;
-    const float size = __builtin_fabsf(x) + __builtin_fabsf(y) + __builtin_fabsf(to_x) + __builtin_fabsf(to_y) + 4;
-    const float reach = ways.reach[k] + kRounding * size;
-    const Lanes way_reach = Lanes::all(reach * (__builtin_fabsf(wx) + __builtin_fabsf(wy) + 0x1p-60f));
-    near[k] = 0;
-    for (int i = 0; i < edges.lanes; i += kLanes) {
-      const Lanes vx = Lanes::load(edges.x + i), vy = Lanes::load(edges.y + i);
-      const Lanes ux = Lanes::load(edges.ux + i), uy = Lanes::load(edges.uy + i);
-      const Lanes aside = Lanes::load(edges.aside + i), ahead = Lanes::load(edges.ahead + i);
-      const Lanes beside = gap(ux * y - uy * x, ux * to_y - uy * to_x, aside, aside);
-      const Lanes beyond = gap(ux * x + uy * y, ux * to_x + uy * to_y, ahead, ahead + Lanes::load(edges.square + i));
-      const Lanes start = vy * wx - vx * wy, end = start + (uy * wx - ux * wy);
-      const Lanes across = gap(start, end, Lanes::all(from), Lanes::all(from));
-      const unsigned apart =
-          above(larger(beside, beyond), Lanes::load(edges.length + i) * reach) | above(across, way_reach);
-      near[k] |= (~apart & ((1u << kLanes) - 1)) << i;
+  for (int k = 0; k < ways.count; ++k) near[k] = 0;
+  for (int i = 0; i < polygon.lanes; i += kLanes) {
+    const Lanes nx = Lanes::load(polygon.nx + i), ny = Lanes::load(polygon.ny + i), d = Lanes::load(polygon.d + i);
+    const Lanes middle = Lanes::load(polygon.middle + i), half = Lanes::load(polygon.half + i);
+    const Lanes cx = nx * d - ny * middle, cy = ny * d + nx * middle;
+    for (int k = 0; k < ways.count; ++k) {
+      const float x = ways.x[k], y = ways.y[k], to_x = ways.to_x[k], to_y = ways.to_y[k];
+      const float wx = to_x - x, wy = to_y - y, from = wx * y - wy * x;
+      const float size = __builtin_fabsf(x) + __builtin_fabsf(y) + __builtin_fabsf(to_x) + __builtin_fabsf(to_y) + 4;
+      const float reach = (ways.reach[k] + kRounding * size) * (1 + 0x1p-20f);
+      const Lanes n = nx * x + ny * y - d, n_end = nx * to_x + ny * to_y - d;
+      const Lanes t = nx * y - ny * x - middle, t_end = nx * to_y - ny * to_x - middle;
+      const Lanes beside = larger(smaller(n, n_end), Lanes::all(0) - larger(n, n_end));
+      const Lanes beyond = larger(smaller(t, t_end), Lanes::all(0) - larger(t, t_end)) - half;
+      const Lanes across = absolute(cy * wx - cx * wy - from) - half * absolute(nx * wx + ny * wy);
+      const Lanes way_reach = Lanes::all(reach * (__builtin_fabsf(wx) + __builtin_fabsf(wy) + 0x1p-60f));
+      const unsigned apart = above(larger(beside, beyond), Lanes::all(reach)) | above(across, way_reach);
+      near[k] |= (~apart & ((1u << kLanes) - 1)) << i & polygon.edges;
     }
-    near[k] &= (1u << edges.count) - 1;
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// As a rule ten are enough.
 constexpr int kMostWindows = 64;
-constexpr int kMost = FewEdges::kMost;
+constexpr int kMost = SmallPolygon::kMost;
 
 /// A point b beside the edges of a, which the hierarchy finds.
 class PointBesideTree {
@@ -69,16 +69,15 @@ class PointBesideTree {
 /// One of two polygons of few edges: its vertices and edges from S in its units. Each edge begins at the vertex with
 /// its number; a degenerate polygon's second vertex has none.
 struct FewVertices {
-  FewVertices(const Mover& mover, bool turns) {
+  FewVertices(const Mover& mover, bool turns) : small(mover.tree->small.get()) {
     const PolygonData& polygon = *mover.polygon;
     if (polygon.isDegenerate()) {
       addVertex(polygon, polygon.degenerate_edge, polygon.degenerate_edge);
       addVertex(polygon, polygon.degenerate_edge + 1, polygon.degenerate_edge);
-      addEdge(0, 1);
+      edge[edge_count++] = EdgeInUnits(vertex[0], vertex[1]);
     } else {
       for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) addRing(polygon, ring);
     }
-    edges.lanes = edges.count > kLanes ? kMost : kLanes;
     if (!turns) return;
     for (int i = 0; i < count; ++i) {
       const Vec2 lever = mover.arm + mover.scale * (mover.linear * vertex[i]);
@@ -90,12 +89,12 @@ struct FewVertices {
     return view.wayOf(vertex[i].x(), vertex[i].y(), levers[i]);
   }
 
-  int count = 0;  ///< of vertices
+  const SmallPolygon* small;  ///< the edges as floats have them, if these do
+  int count = 0, edge_count = 0;
   Vec2 vertex[kMost];
   double levers[kMost] = {};    ///< no less than from the pivot, in the pair's length
   std::size_t position[kMost];  ///< of the vertices' edges, in the path
   EdgeInUnits edge[kMost];
-  FewEdges edges{};
 
  private:
   void addVertex(const PolygonData& polygon, std::size_t at, std::size_t edge_position) {
@@ -105,20 +104,8 @@ struct FewVertices {
   void addRing(const PolygonData& polygon, std::size_t ring) {
     const int first = count;
     for (std::size_t e = polygon.edgeBegin(ring); e < polygon.edgeEnd(ring); ++e) addVertex(polygon, e, e);
-    for (int i = first; i < count; ++i) addEdge(i, i + 1 < count ? i + 1 : first);
-  }
-  void addEdge(int i, int next) {
-    const Vec2 &v = vertex[i], u = vertex[next] - v;
-    edge[i] = EdgeInUnits(v, vertex[next]);
-    edges.x[i] = static_cast<float>(v.x());
-    edges.y[i] = static_cast<float>(v.y());
-    edges.ux[i] = static_cast<float>(u.x());
-    edges.uy[i] = static_cast<float>(u.y());
-    edges.aside[i] = static_cast<float>(u.x() * v.y() - u.y() * v.x());
-    edges.ahead[i] = static_cast<float>(u.dot(v));
-    edges.square[i] = static_cast<float>(u.squaredNorm());
-    edges.length[i] = static_cast<float>(edge[i].length * (1 + 0x1p-20) + 0x1p-60);
-    ++edges.count;
+    for (; edge_count < count; ++edge_count)
+      edge[edge_count] = EdgeInUnits(vertex[edge_count], vertex[edge_count + 1 < count ? edge_count + 1 : first]);
   }
 };
 
@@ -175,7 +162,7 @@ class FewBesideFew {
     const FewVertices &from = of_b ? a_ : b_, &of = of_b ? b_ : a_;
     FewWays ways;
     ways.count = of.count;
-    bool fits = true;  // into floats
+    bool fits = from.small != nullptr;  // into floats
     for (int k = 0; k < of.count; ++k) {
       const VertexWay way = of.wayIn(view, static_cast<std::uint32_t>(k));
       const double reach = view.reach(way);
@@ -189,9 +176,9 @@ class FewBesideFew {
     }
     unsigned near[kMost];
     if (fits)
-      findEdgesOnWays(from.edges, ways, near);
+      findEdgesOnWays(*from.small, ways, near);
     else
-      std::fill_n(near, of.count, (1u << from.edges.count) - 1);
+      std::fill_n(near, of.count, (1u << from.edge_count) - 1);
     for (int k = 0; k < of.count; ++k)
       for (unsigned left = near[k]; left != 0; left &= left - 1)
         pairs_[count_++] = {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(__builtin_ctz(left)), of_b};
@@ -215,7 +202,7 @@ double firstLength(const MovingPair& pair, double size) {
 template <class Ways>
 FirstContact follow(Ways ways, const MovingPair& pair, double begin, double time_error) {
   double time = begin, length = firstLength(pair, ways.size()), last = begin;
-  for (int step = 0; step < kMostWindows; ++step) {
+  for (int asked = 0; asked < kMostWindows; ++asked) {
     const bool is_within = time < last;
     const double end = std::min(time + length, is_within ? last : 1.0);
     last = end;

@@ -62,6 +62,7 @@ TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
     const bool swaps = b.radius() > a.radius();
     MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
                             : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
+    pair.findTrees();
     ++asked;
     if (haveFewVertexWays(pair)) {
       ++few;
@@ -93,25 +94,24 @@ TEST(VertexImpact, LooksAtTheEdgesInReach) {
   for (int i = 0; i < scaledCount(4000); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const auto anyPoint = [&](double size) { return Vec2(size * random.real(-1, 1), size * random.real(-1, 1)); };
-    FewEdges edges{};
+    SmallPolygon edges{};
     FewWays ways{};
-    edges.count = random.integer(1, FewEdges::kMost);
-    edges.lanes = edges.count > kLanes ? FewEdges::kMost : kLanes;
+    edges.count = random.integer(1, SmallPolygon::kMost);
+    edges.lanes = edges.count > kLanes ? SmallPolygon::kMost : kLanes;
+    edges.edges = (1u << edges.count) - 1;
     std::vector<Vec2> begin, end;
     for (int e = 0; e < edges.count; ++e) {
-      const Vec2 v = anyPoint(1), u = random.oneIn(9) ? Vec2(0, 0) : anyPoint(random.oneIn(9) ? 1e-9 : 1);
+      const Vec2 v = anyPoint(1), u = anyPoint(random.oneIn(9) ? 1e-8 : 1), middle = v + 0.5 * u;
+      const Vec2 normal = Vec2(u.y(), -u.x()).normalized() * (random.coin() ? 1 : -1);
       begin.push_back(v);
       end.push_back(v + u);
-      edges.x[e] = static_cast<float>(v.x());
-      edges.y[e] = static_cast<float>(v.y());
-      edges.ux[e] = static_cast<float>(u.x());
-      edges.uy[e] = static_cast<float>(u.y());
-      edges.aside[e] = static_cast<float>(cross(u, v));
-      edges.ahead[e] = static_cast<float>(u.dot(v));
-      edges.square[e] = static_cast<float>(u.squaredNorm());
-      edges.length[e] = static_cast<float>(u.norm() * (1 + 0x1p-20) + 0x1p-60);
+      edges.nx[e] = static_cast<float>(normal.x());
+      edges.ny[e] = static_cast<float>(normal.y());
+      edges.d[e] = static_cast<float>(normal.dot(v));
+      edges.middle[e] = static_cast<float>(cross(normal, middle));
+      edges.half[e] = static_cast<float>(0.5 * u.norm());
     }
-    ways.count = random.integer(1, FewEdges::kMost);
+    ways.count = random.integer(1, SmallPolygon::kMost);
     for (int k = 0; k < ways.count; ++k) {
       const Vec2 p = anyPoint(2), q = random.oneIn(9) ? p : Vec2(p + anyPoint(random.oneIn(9) ? 1e6 : 1));
       ways.x[k] = static_cast<float>(p.x());
@@ -120,7 +120,7 @@ TEST(VertexImpact, LooksAtTheEdgesInReach) {
       ways.to_y[k] = static_cast<float>(q.y());
       ways.reach[k] = random.oneIn(3) ? 0 : static_cast<float>(random.real(0, 0.5));
     }
-    unsigned near[FewEdges::kMost], portable[FewEdges::kMost];
+    unsigned near[SmallPolygon::kMost], portable[SmallPolygon::kMost];
     findEdgesOnWays(edges, ways, near);
     usePortableLanes(true);
     findEdgesOnWays(edges, ways, portable);
