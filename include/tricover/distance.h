@@ -20,8 +20,8 @@ struct DistanceOptions {
   double relative_error = 0;
   double absolute_error = 0;  ///< A world length; see relative_error.
   /// A world length. A distance above it is not looked for: the result is then infinity, the points NaN, the edges -1.
-  /// It is never so where the truth is at most this, and no other result is above the limit, whatever the errors. With
-  /// a margin, it is about what is left of the distance, too, but for rounding their sum down.
+  /// Where the truth is at most the limit, the result is, too, whatever the errors. With a margin, the truth is what is
+  /// left of the distance, and is compared by the sum of limit and margin, rounded down.
   double limit = std::numeric_limits<double>::infinity();
 };
 

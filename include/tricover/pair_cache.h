@@ -21,8 +21,8 @@ struct CollisionFact {
   bool overlapping = false;
   std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next fact looks ahead
 
-  /// The edges that answered the last hit, or the vertices next to the line that was found between two convex polygons
-  /// (as the kernel numbers both), -1 if none did: tried first at the next pose.
+  /// The edges that answered the last hit, or those that are or start with the nearest features of two convex polygons
+  /// (as the kernel numbers both), -1 if there were none: tried first at the next pose.
   std::int64_t first_edge = -1;
   std::int64_t second_edge = -1;
 };

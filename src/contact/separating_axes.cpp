@@ -180,7 +180,7 @@ std::uint32_t SeparatingAxes::skipDeep(const AxisSide& side, std::uint32_t edge,
   const Double2 point = load2(p.data());
   for (; edge < end; ++edge) {
     const Double2 way = side.ring.edge(edge), square = way * way;
-    const double area = ConvexRing::cross(way, point - side.ring.vertex(edge)) - doubtful;
+    const double area = cross(way, point - side.ring.vertex(edge)) - doubtful;
     // What is compared has all of its digits: `most` is no less than 2^-48 of the size, and so is an edge whose area
     // is above what is doubtful.
     if (!(area > 0 && area * area > most_square * (square[0] + square[1]))) break;

@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hierarchy/hierarchy.h"
 #include "numbers/double2.h"
-#include "tricover/pose.h"
+#include "polygon/polygon_data.h"
 
 namespace tricover::detail {
 
@@ -74,15 +75,15 @@ class ConvexRing {
     return true;
   }
 
-  static double cross(Double2 v, Double2 w) {
-    const Double2 products = v * swapped(w);
-    return products[0] - products[1];
-  }
-
  private:
   const Vec2* vertices_;
   std::uint32_t size_;
   int turn_;
 };
+
+/// A polygon whose hierarchy says that it is strictly convex.
+inline ConvexRing convexRing(const PolygonData& polygon) {
+  return {polygon.path.data(), polygon.path.size() - 1, hierarchyOf(polygon).convex};
+}
 
 }  // namespace tricover::detail

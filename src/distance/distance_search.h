@@ -14,17 +14,16 @@
 
 namespace tricover::detail {
 
-/// How far a search for the least distance looks. Its lengths, from what is proven to what is wanted:
+/// How far a branch and bound for the least distance looks. From what is proven to what is wanted:
 ///
-///   upper   the least distance is at most this, as a pair that was shown proves;
-///   limit   what is farther apart doesn't count, as the caller (beyond the margin) or the discs' sizes say;
-///   worth   <= upper less the errors that the caller allows, <= limit: beyond it no pair holds the answer. The errors
-///           are of what is beyond the margin, and whether anything is must stay exact. While upper is above the
-///           caller's limit, no errors are allowed: they would hide on which side of it the truth is;
-///   reach   >= worth, by the lookahead: beyond it no pair is listed. While the list is full no more than its last
-///           pair, which might as well not be listed.
+///   upper   the least distance is at most this: a pair that was shown proves it;
+///   limit   whatever is farther apart doesn't count: the caller, or the discs' sizes, say so;
+///   worth   no pair beyond it can hold the answer: at most limit, and at most upper less the errors that the caller
+///           allows;
+///   reach   no pair beyond it is listed: worth, and the lookahead more. While the list is full, the last pair in it.
 ///
-/// The first three only fall; reach falls but for a lookahead.
+/// The errors are allowed of what is left beyond the margin; whether anything is left stays exact. While upper is above
+/// the caller's limit, none are allowed: they would hide on which side of the limit the truth is.
 class SearchReach {
  public:
   explicit SearchReach(const DistanceOptions& options)
@@ -71,7 +70,7 @@ struct ShownPair {
 };
 
 /// The nearest pairs of those shown, the nearest first, each once.
-class NearestPairs {
+class PairList {
  public:
   int count() const { return count_; }
   const ShownPair& operator[](int k) const { return listed_[k]; }
@@ -102,9 +101,9 @@ class NearestPairs {
 };
 
 /// Evaluates pairs, and keeps the nearest.
-class NearestEdges {
+class BestPair {
  public:
-  NearestEdges(const EdgeDistances& edges_, const DistanceOptions& options) : edges(edges_), options_(options) {}
+  BestPair(const EdgeDistances& edges_, const DistanceOptions& options) : edges(edges_), options_(options) {}
 
   /// The doubles' view of a pair that is likely to be evaluated; its index, -1 if there is no room to keep it.
   const EdgeDistances::View& view(std::uint32_t i, std::uint32_t j, int& index) {
@@ -126,7 +125,7 @@ class NearestEdges {
     pair_ = {0, i, j, -1};
   }
 
-  const EdgeDistances::Nearest& best() const { return best_; }
+  const EdgeDistance& best() const { return best_; }
   const ShownPair& pair() const { return pair_; }
 
   const EdgeDistances& edges;
@@ -134,7 +133,7 @@ class NearestEdges {
  private:
   void evaluate(const ShownPair& pair, const EdgeDistances::View& view) {
     if (view.feature != 0 && view.feature == feature_) return;
-    const EdgeDistances::Nearest found = edges.at(view, pair.i, pair.j, options_);
+    const EdgeDistance found = edges.at(view, pair.i, pair.j, options_);
     if (found.distance > best_.distance) return;
     best_ = found;
     pair_ = pair;
@@ -142,7 +141,7 @@ class NearestEdges {
   }
 
   const DistanceOptions& options_;
-  EdgeDistances::Nearest best_{std::numeric_limits<double>::infinity(), 0, 0};
+  EdgeDistance best_{std::numeric_limits<double>::infinity(), 0, 0};
   ShownPair pair_{0, UINT32_MAX, UINT32_MAX, -1};
   EdgeDistances::View views_[DistanceFacts::kMost + 1];  ///< the last one isn't kept
   int view_count_ = 0;
@@ -154,12 +153,12 @@ class NearestEdges {
 class DistanceSearch {
  public:
   DistanceSearch(const EdgeDistances& edges, const DistanceOptions& options)
-      : reach_(options), nearest_(edges, options) {}
+      : reach_(options), best_pair_(edges, options) {}
 
   /// False if they share a point, which ends the search.
   bool show(std::uint32_t i, std::uint32_t j) {
-    const EdgeDistances::Bounds bounds = nearest_.edges.bounds(i, j);
-    if (!bounds.clear && nearest_.edges.meet(i, j)) {
+    const EdgeDistances::Bounds bounds = best_pair_.edges.bounds(i, j);
+    if (!bounds.clear && best_pair_.edges.meet(i, j)) {
       setMeeting(i, j);
       return false;
     }
@@ -170,14 +169,14 @@ class DistanceSearch {
   /// The same for a pair that is likely to be the nearest and doesn't meet.
   void showNear(std::uint32_t i, std::uint32_t j) {
     int index;
-    const EdgeDistances::View& view = nearest_.view(i, j, index);
-    count(nearest_.edges.bounds(view), {0, i, j, index});
+    const EdgeDistances::View& view = best_pair_.view(i, j, index);
+    count(best_pair_.edges.bounds(view), {0, i, j, index});
   }
 
   /// Instead of showing these, which are known to share a point.
   void setMeeting(std::uint32_t i, std::uint32_t j) {
     meets_ = true;
-    nearest_.setMeeting(i, j);
+    best_pair_.setMeeting(i, j);
   }
 
   double worth() const { return reach_.worth(); }
@@ -197,8 +196,8 @@ class DistanceSearch {
   /// Evaluates what may be the nearest of all that was shown; the distance stays infinity if that was nothing.
   void finish() {
     if (meets_) return;
-    if (reach_.upper() < best().distance) nearest_.evaluate(upper_pair_);
-    for (int k = 0; k < listed_.count() && listed_[k].low <= best().distance; ++k) nearest_.evaluate(listed_[k]);
+    if (reach_.upper() < best().distance) best_pair_.evaluate(upper_pair_);
+    for (int k = 0; k < listed_.count() && listed_[k].low <= best().distance; ++k) best_pair_.evaluate(listed_[k]);
   }
 
   /// Prunes what the nearest pair so far tells of others, which won't be shown any more. False if it tells nothing
@@ -206,7 +205,7 @@ class DistanceSearch {
   bool prune(PrunedBoxes& pruned) {
     if (upper_pair_.i == pruned_.i && upper_pair_.j == pruned_.j) return false;
     pruned_ = upper_pair_;
-    PrunedBoxes next(nearest_.edges, pruned_.i, pruned_.j);
+    PrunedBoxes next(best_pair_.edges, pruned_.i, pruned_.j);
     if (!next.any()) return false;
     pruned = std::move(next);
     unlisted_ = std::min(unlisted_, pruned_.low);
@@ -214,12 +213,12 @@ class DistanceSearch {
   }
 
   bool meets() const { return meets_; }
-  const EdgeDistances::Nearest& best() const { return nearest_.best(); }
+  const EdgeDistance& best() const { return best_pair_.best(); }
   /// A pair that was shown and proves how near they are at most, unless they meet.
   bool hasUpper() const { return !meets_ && upper_pair_.i != UINT32_MAX; }
   const ShownPair& upperPair() const { return upper_pair_; }
-  std::uint32_t edgeA() const { return nearest_.pair().i; }
-  std::uint32_t edgeB() const { return nearest_.pair().j; }
+  std::uint32_t edgeA() const { return best_pair_.pair().i; }
+  std::uint32_t edgeB() const { return best_pair_.pair().j; }
 
   /// Keeps what was found as a fact about all pairs of edges: those that weren't shown are beyond reach.
   void keep(DistanceFacts& cache) const {
@@ -271,7 +270,7 @@ class DistanceSearch {
   /// A list that is full has room for no more: what may be the nearest is evaluated at once.
   void leaveOut(const ShownPair& pair) {
     unlisted_ = std::min(unlisted_, pair.low);
-    if (pair.low <= std::min(reach_.upper(), best().distance)) nearest_.evaluate(pair);
+    if (pair.low <= std::min(reach_.upper(), best().distance)) best_pair_.evaluate(pair);
   }
 
   void put(DistanceFacts& cache, int k, double low) const {
@@ -281,8 +280,8 @@ class DistanceSearch {
   }
 
   SearchReach reach_;
-  NearestPairs listed_;
-  NearestEdges nearest_;
+  PairList listed_;
+  BestPair best_pair_;
   double unlisted_ = std::numeric_limits<double>::infinity();  ///< shown, but nearer than this only if listed
   ShownPair upper_pair_{0, UINT32_MAX, UINT32_MAX, -1};        ///< which proves SearchReach::upper()
   ShownPair pruned_ = upper_pair_;                             ///< which pruned others last

@@ -67,7 +67,7 @@ constexpr double kProductError = 256 * kUnitRoundoff;
 static_assert(kProductError >=
               2 * (1 + 1e-5) * (errorOf(16) * kRoot2 + errorOf(4) + errorOf(32) * kRoot2 + errorOf(8 + 5)));
 
-EdgeDistances::EdgeDistances(const PlainWays& ways) : PlainWays(ways), scale_(1), inverse_(1) {
+EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vertices), scale_(1), inverse_(1) {
   if (!isUnscaled()) {
     // So that M is between 2^-400 and 2^400. An extent that overflowed is below 2^1025, hence the factor.
     constexpr double kLargest = std::numeric_limits<double>::max();
@@ -148,25 +148,24 @@ double EdgeDistances::allowed(double distance, const DistanceOptions& options) c
   return is_allowed ? rounded : 0;
 }
 
-EdgeDistances::Nearest EdgeDistances::at(const View& v, std::size_t i, std::size_t j,
-                                         const DistanceOptions& options) const {
+EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, const DistanceOptions& options) const {
   const int nearest = v.nearest;
   if (const double rounded = allowed(v.distance, options); rounded > 0) {
     const double s = v.part[nearest], end = nearest % 2;
     return {rounded, nearest < 2 ? s : end, nearest < 2 ? end : s};
   }
-  Nearest best = combination(nearest, v, i, j);
+  EdgeDistance best = combination(nearest, v, i, j);
   if (v.feature != 0) return best;
   const double most = mostSquare(v);
   for (int k = 0; k < combinations(); ++k) {
     if (k == nearest || v.square[k] > most) continue;
-    const Nearest other = combination(k, v, i, j);
+    const EdgeDistance other = combination(k, v, i, j);
     if (other.distance < best.distance) best = other;
   }
   return best;
 }
 
-std::optional<EdgeDistances::Nearest> EdgeDistances::crossing(std::size_t i, std::size_t j) const {
+std::optional<EdgeDistance> EdgeDistances::crossing(std::size_t i, std::size_t j) const {
   const Ends e = ends(i, j);
   const Double2 u = e.a2 - e.a1, v = e.b2 - e.b1;
   const auto area = [](Double2 p, Double2 q) { return p[0] * q[1] - p[1] * q[0]; };
@@ -174,12 +173,12 @@ std::optional<EdgeDistances::Nearest> EdgeDistances::crossing(std::size_t i, std
   const double a1 = area(v, e.a1 - e.b1), a2 = area(v, e.a2 - e.b1);
   const auto areApart = [this](double p, double q) { return std::min(p, q) < -unsure_ && std::max(p, q) > unsure_; };
   if (!areApart(a1, a2) || !areApart(b1, b2)) return std::nullopt;
-  return Nearest{0, a1 / (a1 - a2), b1 / (b1 - b2)};
+  return EdgeDistance{0, a1 / (a1 - a2), b1 / (b1 - b2)};
 }
 
 // Where an end of one is on the other but for rounding, that is the point. Otherwise they cross, and so clearly that
 // the areas tell where.
-EdgeDistances::Nearest EdgeDistances::whereTheyMeet(const View& v) const {
+EdgeDistance EdgeDistances::whereTheyMeet(const View& v) const {
   if (v.distance <= 2 * error_) {
     const double s = v.part[v.nearest], end = v.nearest % 2;
     return {0, v.nearest < 2 ? s : end, v.nearest < 2 ? end : s};
@@ -239,8 +238,8 @@ double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t 
   return square > 0x1p-900 ? std::abs(cross(u, w)) / std::sqrt(square) : 0;
 }
 
-EdgeDistances::Nearest EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
-                                                  const DistanceOptions& options) const {
+EdgeDistance EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
+                                        const DistanceOptions& options) const {
   const double rounded = allowed(foot.distance, options);
   const double d = rounded > 0 ? rounded
                    : edge_of_a ? distanceBeside<true>(foot.at_end, i, j)
@@ -249,13 +248,13 @@ EdgeDistances::Nearest EdgeDistances::startBeside(bool edge_of_a, const Foot& fo
   return {d, edge_of_a ? foot.part() : 0, edge_of_a ? 0 : foot.part()};
 }
 
-EdgeDistances::Nearest EdgeDistances::startAndStart(const Foot& foot, std::size_t i, std::size_t j,
-                                                    const DistanceOptions& options) const {
+EdgeDistance EdgeDistances::startAndStart(const Foot& foot, std::size_t i, std::size_t j,
+                                          const DistanceOptions& options) const {
   const double rounded = allowed(foot.distance, options), d = rounded > 0 ? rounded : norm(twofoldWay(i, j).high);
-  return d >= kLeastShare * size_ ? Nearest{d, 0, 0} : exactCombination(0, i, j);
+  return d >= kLeastShare * size_ ? EdgeDistance{d, 0, 0} : exactCombination(0, i, j);
 }
 
-EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j) const {
+EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j) const {
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2), edge = end_of_b ? i : j,
                     vertex = end_of_b ? j + end : i + end;
@@ -263,11 +262,11 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   const double where = static_cast<double>(end);
   bool at_end = view.part[k] > 0.5;
   if (isUnscaled()) {
-    const Foot foot = end_of_b ? PlainWays::foot<true>(edge, vertex) : PlainWays::foot<false>(edge, vertex);
+    const Foot foot = end_of_b ? PosedVertices::foot<true>(edge, vertex) : PosedVertices::foot<false>(edge, vertex);
     if (foot.is_plain) return {foot.distance, end_of_b ? foot.part() : where, end_of_b ? where : foot.part()};
     at_end = foot.at_end;
   }
-  const auto answer = [&](double d, double part) -> Nearest {
+  const auto answer = [&](double d, double part) -> EdgeDistance {
     // Written so that NaN fails.
     if (!(d >= kLeastShare * size_)) return exactCombination(k, i, j);
     return {atLeastSmallest(d * inverse_), end_of_b ? part : where, end_of_b ? where : part};
@@ -294,7 +293,7 @@ EdgeDistances::Nearest EdgeDistances::combination(int k, const View& view, std::
   return answer(std::abs(cross(u, w1)) / std::sqrt(square), std::min(along / square, 1.0));
 }
 
-EdgeDistances::Nearest EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {
+EdgeDistance EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2);
   const double where = static_cast<double>(end);

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "distance/plain_ways.h"
+#include "convex/posed_vertices.h"
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "polygon/polygon_data.h"
@@ -16,13 +16,19 @@
 
 namespace tricover::detail {
 
+/// Of two edges: where they are nearest, from their starts (0) to their ends (1). One of the two points is an end.
+struct EdgeDistance {
+  double distance;
+  double along_a, along_b;
+};
+
 /// Distances of two posed polygons' edges, in the world, where lengths are the true ones. Edges are given by their
 /// positions in the paths.
-class EdgeDistances : public PlainWays {
+class EdgeDistances : public PosedVertices {
  public:
-  explicit EdgeDistances(const PlainWays& ways);
+  explicit EdgeDistances(const PosedVertices& vertices);
   EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-      : EdgeDistances(PlainWays(a, pose_a, b, pose_b)) {}
+      : EdgeDistances(PosedVertices(a, pose_a, b, pose_b)) {}
 
   /// A lower bound of the distance, too, made one of what at() returns: the smallest double is for at()'s rounding and
   /// for that of this product.
@@ -56,12 +62,6 @@ class EdgeDistances : public PlainWays {
   /// Whether two edges share a point. Exact.
   bool meet(std::size_t i, std::size_t j) const;
 
-  /// Where two edges are nearest: an end of one, and a part of the other from its start (0) to its end (1).
-  struct Nearest {
-    double distance;
-    double along_a, along_b;
-  };
-
   static constexpr int kCombinations = 4;
   /// One does for a point b.
   int combinations() const { return b_.isPoint() ? 1 : kCombinations; }
@@ -83,20 +83,19 @@ class EdgeDistances : public PlainWays {
   View view(std::size_t i, std::size_t j) const;
   Bounds bounds(const View& view) const { return boundsOf(view.distance, false); }
 
-  /// For edges that don't meet. Depends on nothing but them and the poses. Of edges that are certainly farther apart
-  /// than the margin, what is beyond it may be too large by the errors that the options allow, if it isn't so above the
-  /// limit.
-  Nearest at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
-  /// The same for who has proven that at() would take no other: the start of b's edge j beside a's edge i, certainly
-  /// between its ends, or the start of a's beside b's. Only for what is unscaled.
-  Nearest startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
-                      const DistanceOptions& options) const;
+  /// For edges that don't meet. It depends on nothing but them, the poses and the options. These may allow errors of
+  /// what is left beyond the margin, if something certainly is, and no more than the limit.
+  EdgeDistance at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
+  /// The same where the features are known to be the nearest: the start of b's edge j beside a's edge i, certainly
+  /// between its ends; or the start of a's edge beside b's. Only for what is unscaled.
+  EdgeDistance startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
+                           const DistanceOptions& options) const;
   /// The same for the starts of both edges.
-  Nearest startAndStart(const Foot& foot, std::size_t i, std::size_t j, const DistanceOptions& options) const;
+  EdgeDistance startAndStart(const Foot& foot, std::size_t i, std::size_t j, const DistanceOptions& options) const;
 
-  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled; and whether
-  /// another vertex is certainly farther back along it than p, or farther on than q: by so much that at() finds
-  /// whatever is between such vertices no nearer than p and q.
+  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled. And whether
+  /// another vertex of a is certainly farther back along it than p, or one of b farther on than q. What lies between
+  /// such vertices at() finds no nearer than p and q.
   Double2 between(std::size_t p, std::size_t q) const {
     return mapped(columns_b_, b_.path[q]) + shift_ - mapped(columns_a_, a_.path[p]);
   }
@@ -116,9 +115,9 @@ class EdgeDistances : public PlainWays {
   bool isPlain(double square) const { return square > 0x1p-80 * size_ * size_; }
 
   /// The same, and whether they do at all, where plain doubles tell that they cross.
-  std::optional<Nearest> crossing(std::size_t i, std::size_t j) const;
+  std::optional<EdgeDistance> crossing(std::size_t i, std::size_t j) const;
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
-  Nearest whereTheyMeet(const View& view) const;
+  EdgeDistance whereTheyMeet(const View& view) const;
 
  private:
   static constexpr double kSmallest = 0x1p-1074;
@@ -176,8 +175,8 @@ class EdgeDistances : public PlainWays {
   /// Of a vertex that is certainly beside an edge, nearer to its end or its start; scaled.
   template <bool kEdgeOfA>
   double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const;
-  Nearest combination(int k, const View& view, std::size_t i, std::size_t j) const;
-  Nearest exactCombination(int k, std::size_t i, std::size_t j) const;
+  EdgeDistance combination(int k, const View& view, std::size_t i, std::size_t j) const;
+  EdgeDistance exactCombination(int k, std::size_t i, std::size_t j) const;
   std::uint64_t featureOf(const View& view, std::size_t i, std::size_t j) const;
   /// Squares above this are of combinations that can't be the nearest.
   double mostSquare(const View& view) const;

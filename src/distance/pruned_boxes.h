@@ -10,12 +10,15 @@
 
 namespace tricover::detail {
 
-/// What need not be looked at because a pair of edges is as near. Let p and q be the nearest ends of that pair, one of
-/// a and one of b. A box of a is pruned if every vertex in it is p itself (at its coordinates) or certainly behind p,
-/// as seen along the line from p to q; and likewise of b's and q. Then nothing of a pruned box of a is nearer to
-/// anything of a pruned box of b than p is to q. So EdgeDistances::at() is no less for any edges in them than for that
-/// pair, which must be pruned itself. Equally near pairs, as of a corner that is given many times or that many edges
-/// share, are thus left out together.
+/// What need not be looked at because a pair of edges is as near. Let p in a and q in b be the nearest ends of that
+/// pair.
+///
+///   A box of a is pruned if every vertex in it is p itself (at its coordinates), or certainly behind p as seen along
+///   the line from p to q; a box of b likewise, beyond q.
+///   So nothing of a pruned box of a is nearer to anything of a pruned box of b than p is to q,
+///   and EdgeDistances::at() is no less for edges in them than for that pair, which must be pruned itself.
+///
+/// Equally near pairs are thus left out together, as of a corner that is given many times or that many edges share.
 class PrunedBoxes {
  public:
   PrunedBoxes() = default;

@@ -26,6 +26,10 @@ inline double dot(Double2 v, Double2 w) {
   const Double2 products = v * w;
   return products[0] + products[1];
 }
+inline double cross(Double2 v, Double2 w) {
+  const Double2 products = v * swapped(w);
+  return products[0] - products[1];
+}
 /// Bit per lane of a comparison.
 inline unsigned bitsOf(Bits2 lanes) {
 #ifdef __SSE2__

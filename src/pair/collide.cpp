@@ -2,11 +2,13 @@
 #include "tricover/collide.h"
 
 #include <cassert>
+#include <cstdint>
+#include <optional>
 
+#include "convex/nearest_features.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/collide_by_hierarchy.h"
-#include "pair/convex_apart.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
@@ -20,26 +22,33 @@ namespace {
 /// At most so much is a length of a's frame in the world.
 double inWorld(double length, double scale_defect) { return roundedDown<2>(length * (1 - scale_defect)); }
 
+/// Of convex polygons, by their nearest features. Those that start with the vertices of the last ones are tried first.
+std::optional<PairFact> findConvexFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
+                                       const Pose& pose_b, double margin, const FactWish& wish) {
+  if (a.isDegenerate() || b.isDegenerate()) return std::nullopt;
+  if (!hierarchyOf(a).strictly_convex || !hierarchyOf(b).strictly_convex) return std::nullopt;
+  FeaturePair tried;
+  if (wish.edge_a >= 0 && wish.edge_b >= 0)
+    tried = {FeaturePair::kVertices, static_cast<std::uint32_t>(wish.edge_a), static_cast<std::uint32_t>(wish.edge_b)};
+  const PosedVertices vertices(a, pose_a, b, pose_b);
+  const NearestFeatures nearest = findNearestFeatures(vertices, tried);
+  const double apart = nearest.are_apart ? nearest.atLeast(vertices) : 0;
+  if (!(apart > margin)) return std::nullopt;
+  return PairFact{false, apart, static_cast<std::ptrdiff_t>(nearest.features.edge_a),
+                  static_cast<std::ptrdiff_t>(nearest.features.edge_b)};
+}
+
 /// What the hierarchy finds, or the edges that answered last.
 PairFact findCloseFact(const Placement& placement, const CollideOptions& options, const FactWish& wish) {
-  const PolygonData &a = placement.a, &b = placement.b;
   const EdgeTest test(placement, options);
   const auto hit = [&](std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
     const PosedPair& pair = test.pair();
     const double depth = crossingDepth(pair, static_cast<std::size_t>(edge_a), static_cast<std::size_t>(edge_b));
     return PairFact{true, inWorld(depth, pair.scale_defect), edge_a, edge_b};
   };
-  // Points and segments have no tree, nor do they need a line.
-  const bool may_have_line = wish.was_apart && wish.wants_clearance && !a.isDegenerate() && !b.isDegenerate();
-  if (may_have_line && hierarchyOf(a).convex != 0 && hierarchyOf(b).convex != 0) {
-    const PosedPair& pair = test.pair();
-    const double reach = pair.reach(options.margin);
-    if (const auto line = findConvexApart(pair, wish.edge_a, wish.edge_b, reach + 0.25 * wish.lookahead))
-      if (line->gap > reach) return {false, inWorld(line->gap, pair.scale_defect), line->near_a, line->near_b};
-  } else if (wish.edge_a >= 0 && wish.edge_b >= 0) {
+  if (wish.edge_a >= 0 && wish.edge_b >= 0)
     if (test(static_cast<std::size_t>(wish.edge_a), static_cast<std::size_t>(wish.edge_b)))
       return hit(wish.edge_a, wish.edge_b);
-  }
   const Wanted wanted = wish.wants_clearance ? Wanted::Clearance : Wanted::Answer;
   const UnitPlacement at = placement.inUnits();
   const Outcome outcome = collideByHierarchy(at, test, wish.lookahead, wanted);
@@ -107,6 +116,8 @@ PairFact findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b
   if (gap >= 0) return {false, gap, wish.edge_a, wish.edge_b};
   const double depth = depthOfDiscs(placement, options.margin);
   if (depth >= 0) return {true, depth, wish.edge_a, wish.edge_b};
+  if (wish.was_apart && wish.wants_clearance)
+    if (const auto fact = findConvexFact(a, pose_a, b, pose_b, options.margin, wish)) return *fact;
   return findCloseFact(placement, options, wish);
 }
 

@@ -14,7 +14,7 @@ namespace tricover::detail {
 struct PairFact {
   bool collides;
   double clearance;               ///< 0 of a hit by the margin or the tolerance alone
-  std::ptrdiff_t edge_a, edge_b;  ///< of a hit: see Outcome; of convex polygons apart: see ConvexApart
+  std::ptrdiff_t edge_a, edge_b;  ///< of a hit: see Outcome; of convex polygons apart: see FeaturePair
 };
 
 /// What finding a fact is to look for.

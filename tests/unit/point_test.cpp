@@ -25,9 +25,10 @@
 namespace tricover::support {
 namespace {
 
-using detail::NearestEdge;
 using detail::Outcome;
+using detail::PointFoot;
 using detail::PosedPair;
+using detail::PosedVertices;
 
 struct PortableLanes {
   PortableLanes() { detail::usePortableLanes(true); }
@@ -50,8 +51,8 @@ Case besidePoint(Random& random, const Case& c) {
 
 /// What plain doubles say of the nearest edge: within the error that is documented, and where it says. `squared` is
 /// the distance's of the regions.
-std::string wrongEdge(const Case& c, const NearestEdge& nearest, const mpq_class& squared) {
-  const mpq_class error = mpq_class(nearest.distance) * 0x1p-48, d(nearest.distance);
+std::string wrongEdge(const Case& c, const PointFoot& nearest, const mpq_class& squared) {
+  const mpq_class error = mpq_class(nearest.foot.distance) * 0x1p-48, d(nearest.foot.distance);
   if (!nearest.may_be_inside && sgn(squared) == 0) return "outside";
   const auto edge = c.a.data().edgeNumber(nearest.edge);
   const Polygon alone = segment(c.a.edgeStart(edge), c.a.edgeEnd(edge));
@@ -73,10 +74,10 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     if (a.isDegenerate() || a.isPoint()) continue;
     ++asked;
     const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
-    const NearestEdge nearest = nearestEdge(a, c.pose_a, b, c.pose_b);
-    if (nearest.distance > 0) {
+    const auto nearest = nearestFoot(PosedVertices(a, c.pose_a, b, c.pose_b));
+    if (nearest) {
       ++plain;
-      ASSERT_EQ(wrongEdge(c, nearest, squared), "") << reproduction(c);
+      ASSERT_EQ(wrongEdge(c, *nearest, squared), "") << reproduction(c);
     }
     const double below = std::min(exact::distanceBelow(squared), 1e308);
     const double margins[] = {below * random.real(0, 2), below * random.real(0, 2), below, nudged(below, 1), 0};
@@ -93,10 +94,13 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     const mpq_class clearance = mpq_class(outcome.clearance) * (1 - mpq_class(2 * pair.scale_defect));
     ASSERT_TRUE(truth || squared >= clearance * clearance) << margin << "\n" << reproduction(c);
     const PortableLanes portable;
-    const NearestEdge alike = nearestEdge(a, c.pose_a, b, c.pose_b);
-    ASSERT_EQ(alike.distance, nearest.distance) << reproduction(c);
-    ASSERT_EQ(alike.edge, nearest.edge) << reproduction(c);
-    ASSERT_EQ(alike.point_a, nearest.point_a) << reproduction(c);
+    const auto alike = nearestFoot(PosedVertices(a, c.pose_a, b, c.pose_b));
+    ASSERT_EQ(alike.has_value(), nearest.has_value()) << reproduction(c);
+    if (nearest) {
+      ASSERT_EQ(alike->foot.distance, nearest->foot.distance) << reproduction(c);
+      ASSERT_EQ(alike->edge, nearest->edge) << reproduction(c);
+      ASSERT_EQ(alike->foot.part(), nearest->foot.part()) << reproduction(c);
+    }
     ASSERT_EQ(collide(c.a, c.pose_a, c.b, c.pose_b, options), truth) << reproduction(c);
   }
   std::printf("%-22s %4d asked, %4d by plain doubles, %4d hits\n", GetParam().name, asked, plain, hits);
@@ -133,7 +137,8 @@ TEST(Point, WhoseCoordinatesCancel) {
     const Pose pose_a = randomPose(random, 1);
     Pose pose_b = randomPose(random, 1);
     pose_b.translation() += pose_a.linear() * Vec2(size, 0) - pose_b.linear() * Vec2(-size, 0);
-    const double d = plainDistance(a.data(), pose_a, b.data(), pose_b);
+    const auto nearest = nearestFoot(PosedVertices(a.data(), pose_a, b.data(), pose_b));
+    const double d = nearest ? nearest->foot.distance : -1;
     plain += d > 0;
     for (const double found : {d, distance(a, pose_a, b, pose_b).distance}) {
       if (!(found > 0)) continue;
@@ -177,14 +182,18 @@ TEST(Point, IsMostlyPlain) {
     Pose pose = Pose::Identity();
     pose.linear() = Eigen::Rotation2Dd(random.real(-3, 3)).toRotationMatrix();
     pose.translation() = Eigen::Rotation2Dd(random.real(-3, 3)) * Vec2(random.real(75, 200), 0);
-    const NearestEdge nearest = nearestEdge(a.data(), Pose::Identity(), point({0, 0}).data(), pose);
-    plain += nearest.distance > 0;
-    EXPECT_FALSE(nearest.distance > 0 && nearest.may_be_inside);
+    const Pose still = Pose::Identity();
+    const Polygon origin = point({0, 0});
+    const auto nearest = nearestFoot(PosedVertices(a.data(), still, origin.data(), pose));
+    plain += nearest.has_value();
+    EXPECT_FALSE(nearest && nearest->may_be_inside);
   }
   EXPECT_GE(plain, 0.9 * asked);
   // Nearly touching is no matter for plain doubles.
   const Polygon square({rectangle(-1, -1, 1, 1)});
-  EXPECT_LT(nearestEdge(square.data(), Pose::Identity(), point({1 + 1e-12, 0}).data(), Pose::Identity()).distance, 0);
+  const Pose still = Pose::Identity();
+  const Polygon beside = point({1 + 1e-12, 0});
+  EXPECT_FALSE(nearestFoot(PosedVertices(square.data(), still, beside.data(), still)));
 }
 
 /// A box's axis is a pair of floats, longer or shorter than 1 by some 1e-8: a distance may be off by that share of it.

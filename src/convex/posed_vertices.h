@@ -12,11 +12,27 @@
 
 namespace tricover::detail {
 
-/// Ways between two posed polygons' vertices in the world, as plain doubles see them, and where these do for a
-/// distance. Vertices and edges are given by their positions in the paths.
-class PlainWays {
+/// A vertex of one polygon beside an edge of the other, in the world, or two vertices.
+struct Foot {
+  double distance;
+  double inside;  ///< how far the foot is inside of the edge's nearer end, times the edge's length; 0 of vertices
+  double square, length;  ///< the edge's
+  Double2 axis;           ///< the direction of the shortest way from a to b
+  bool at_end;            ///< whether the nearer end is the edge's end rather than its start
+  bool is_plain;          ///< whether the distance is right to PosedVertices::kRelativeError
+
+  /// Of the edge, from its start (0) to its end (1).
+  double part() const {
+    const double from_end = inside > 0 ? inside / square : 0;
+    return at_end ? 1 - from_end : from_end;
+  }
+};
+
+/// Two polygons' vertices under their poses, as plain doubles see the differences between them in the world. Vertices
+/// and edges are given by their positions in the paths.
+class PosedVertices {
  public:
-  PlainWays(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+  PosedVertices(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
       : a_(a),
         b_(b),
         pose_a_(pose_a),
@@ -36,7 +52,7 @@ class PlainWays {
   const Pose& poseA() const { return pose_a_; }
   const Pose& poseB() const { return pose_b_; }
 
-  /// Whether lengths are neither so large nor so tiny that plain doubles don't do. What follows is for those that do.
+  /// Whether squares of lengths neither overflow nor underflow. What follows is for those that don't.
   bool isUnscaled() const { return is_unscaled_; }
   /// |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q.
   double size() const { return size_; }
@@ -49,20 +65,6 @@ class PlainWays {
   /// What a distance may be wrong by, beside the smallest double.
   static constexpr double kRelativeError = 0x1p-47;
 
-  /// A vertex of one polygon beside an edge of the other.
-  struct Foot {
-    double distance;
-    double inside;          ///< how far inside of the edge's nearer end, times the edge's length
-    double square, length;  ///< the edge's
-    Double2 axis;           ///< the direction of the shortest way from a to b
-    bool at_end;            ///< whether the nearer end is the edge's end rather than its start
-    bool is_plain;          ///< whether the distance is right to kRelativeError
-    /// From the edge's start (0) to its end (1).
-    double part() const {
-      const double from_end = inside > 0 ? inside / square : 0;
-      return at_end ? 1 - from_end : from_end;
-    }
-  };
   template <bool kEdgeOfA>
   Foot foot(std::size_t edge, std::size_t vertex) const {
     const Vec2* path = (kEdgeOfA ? a_ : b_).path.data();
@@ -95,8 +97,8 @@ class PlainWays {
     foot.at_end = at_end;
     return foot;
   }
-  /// The same of two vertices, where either is nearer to the other than the rest of its edges is.
-  Foot startToStart(std::size_t p, std::size_t q) const { return footOf(way(p, q), p, q); }
+  /// The same of two vertices.
+  Foot betweenVertices(std::size_t p, std::size_t q) const { return footOf(way(p, q), p, q); }
 
   /// From a's S to b's.
   Double2 betweenOrigins() const { return wayBetween(a_.origin, b_.origin); }

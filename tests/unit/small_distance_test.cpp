@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distances of small polygons without a tree: the same bits as all pairs of edges give, on all lanes.
-#include "distance/ring_distance.h"
+#include "distance/small_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ bool lists(const DistanceFacts& cache, std::uint32_t i, std::uint32_t j) {
   return false;
 }
 
-TEST(RingDistance, GivesTheSameBitsAsAllPairsOfEdges) {
+TEST(SmallDistance, GivesTheSameBitsAsAllPairsOfEdges) {
   int shown = 0, near = 0, looking_ahead = 0, meeting = 0;
   const int count = scaledCount(20000);
   for (int n = 0; n < count; ++n) {

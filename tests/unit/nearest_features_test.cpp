@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The short way to the distance of small convex polygons: the same bits as all pairs of edges give, on all lanes.
-#include "distance/convex_nearest.h"
+// The short way to the distance of convex polygons: the same bits as all pairs of edges give, on all lanes; and a lower
+// bound of it.
+#include "convex/nearest_features.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "distance/convex_distance.h"
 #include "distance/distance_search.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
+#include "polygon/cache_access.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -61,16 +64,30 @@ int edgesThatMeet(const PosedPair& pair) {
   return count;
 }
 
-/// As distance() asks; Unknown unless both are strictly convex.
-ConvexNearest nearestOf(const PosedPair& pair, const ConvexFeatures& tried = {}) {
-  ConvexNearest found;
-  if (hierarchyOf(pair.a).strictly_convex && hierarchyOf(pair.b).strictly_convex)
-    nearestOfConvex(PlainWays(pair.a, pair.pose_a, pair.b, pair.pose_b), tried, {}, found);
+/// What distance() finds; Unknown unless both are strictly convex.
+struct Found : NearestFeatures {
+  Meeting meeting = Meeting::Unknown;
+  ConvexOverlap overlap;
+
+  bool crosses() const { return overlap.edges.kind == FeaturePair::kCrossing; }
+};
+
+Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
+  Found found;
+  if (!hierarchyOf(pair.a).strictly_convex || !hierarchyOf(pair.b).strictly_convex) return found;
+  const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  static_cast<NearestFeatures&>(found) = findNearestFeatures(vertices, tried);
+  if (found.seem_to_meet) found.overlap = findConvexOverlap(vertices);
+  if (found.are_apart) found.meeting = Meeting::Apart;
+  if (found.overlap.isFound()) found.meeting = Meeting::Meet;
+  EXPECT_FALSE(found.are_apart && found.overlap.isFound());
   return found;
 }
 
-double leastDistance(const PosedPair& pair, const ConvexNearest& found) {
-  if (found.is_unique) return found.nearest.distance;
+double leastDistance(const PosedPair& pair, const Found& found) {
+  const DistancePair in_order{pair.a, pair.pose_a, pair.b, pair.pose_b, false};
+  const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  if (found.is_unique) return convexDistance(in_order, vertices, nullptr, {})->distance;
   const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
   const DistanceOptions options;
   DistanceSearch search(edges, options);
@@ -83,9 +100,7 @@ double leastDistance(const PosedPair& pair, const ConvexNearest& found) {
   return search.best().distance;
 }
 
-bool crosses(const ConvexNearest& found) { return found.features.kind == ConvexFeatures::kCrossing; }
-
-TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
+TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
   int shown = 0, unique = 0, meeting = 0, near = 0, of_one_shape = 0, proven = 0, proven_by_chance = 0;
   int crossing_found = 0, crossing_proven = 0, containment_found = 0;
   const int count = scaledCount(20000);
@@ -95,10 +110,10 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
     const bool ordered = c.a.radius() >= c.b.radius();
     const PosedPair pair = ordered ? PosedPair(c.a.data(), c.pose_a, c.b.data(), c.pose_b)
                                    : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);
-    const ConvexNearest found = nearestOf(pair);
+    const Found found = nearestOf(pair);
     {
       usePortableLanes(true);
-      const ConvexNearest portable = nearestOf(pair);
+      const Found portable = nearestOf(pair);
       usePortableLanes(false);
       ASSERT_EQ(portable.meeting, found.meeting) << reproduction(c);
       ASSERT_EQ(portable.features.kind, found.features.kind) << reproduction(c);
@@ -111,13 +126,14 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
     if (found.meeting == Meeting::Meet) {
       ++meeting;
       const bool cross = edgesThatMeet(pair) > 0;
-      ASSERT_FALSE(cross && found.isInside()) << reproduction(c);
-      ASSERT_TRUE(!crosses(found) || edgesMeet(pair, found.features.edge_a, found.features.edge_b)) << reproduction(c);
-      (cross ? crossing_found : containment_found) += crosses(found) || found.isInside();
-      if (!crosses(found)) continue;
-      const ConvexNearest again = nearestOf(pair, found.features);
-      ASSERT_EQ(again.meeting, Meeting::Meet) << reproduction(c);
-      crossing_proven += again.is_proven;
+      ASSERT_FALSE(cross && found.overlap.isInside()) << reproduction(c);
+      ASSERT_TRUE(!found.crosses() || edgesMeet(pair, found.overlap.edges.edge_a, found.overlap.edges.edge_b))
+          << reproduction(c);
+      (cross ? crossing_found : containment_found) += found.crosses() || found.overlap.isInside();
+      if (!found.crosses()) continue;
+      const FeaturePair& edges = found.overlap.edges;
+      crossing_proven +=
+          EdgeDistances(pair.a, pair.pose_a, pair.b, pair.pose_b).crossing(edges.edge_a, edges.edge_b).has_value();
       continue;
     }
     const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
@@ -132,16 +148,16 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
       return (edge + static_cast<std::uint32_t>(random.integer(0, 2))) %
              static_cast<std::uint32_t>(polygon.path.size() - 1);
     };
-    const auto kind = static_cast<ConvexFeatures::Kind>(random.integer(1, 3));
-    const ConvexFeatures& features = found.features;
-    for (const ConvexFeatures& tried :
-         {features, ConvexFeatures{kind, beside(features.edge_a, pair.a), beside(features.edge_b, pair.b)}}) {
+    const auto kind = static_cast<FeaturePair::Kind>(random.integer(1, 3));
+    const FeaturePair& features = found.features;
+    for (const FeaturePair& tried :
+         {features, FeaturePair{kind, beside(features.edge_a, pair.a), beside(features.edge_b, pair.b)}}) {
       const bool is_known =
           tried.kind == features.kind && tried.edge_a == features.edge_a && tried.edge_b == features.edge_b;
-      const ConvexNearest hinted = nearestOf(pair, tried);
+      const Found hinted = nearestOf(pair, tried);
       ASSERT_EQ(hinted.meeting, Meeting::Apart) << reproduction(c);
       ASSERT_EQ(leastDistance(pair, hinted), all.best().distance) << reproduction(c);
-      (is_known ? proven : proven_by_chance) += hinted.is_proven;
+      (is_known ? proven : proven_by_chance) += hinted.were_tried;
     }
     unique += found.is_unique;
     ++shown;
@@ -165,7 +181,7 @@ TEST(ConvexNearest, GivesTheSameBitsAsAllPairsOfEdges) {
 }
 
 /// Corners on edges but for the last bits: where plain doubles say that edges cross, they do.
-TEST(ConvexNearest, SeesCrossingsThatAreCertain) {
+TEST(NearestFeatures, SeesCrossingsThatAreCertain) {
   Random random(9);
   int seen = 0, meeting = 0;
   const int count = scaledCount(2000);
@@ -188,7 +204,7 @@ TEST(ConvexNearest, SeesCrossingsThatAreCertain) {
 }
 
 /// Doubles see what floats don't: on which side of a corner an edge leads out, and a corner that is hardly outside.
-TEST(ConvexNearest, ProvesWhereTheyMeet) {
+TEST(NearestFeatures, ProvesWhereTheyMeet) {
   const Polygon square({rectangle(-1, -1, 1, 1)});
   int found = 0;
   Random random(5);
@@ -197,11 +213,11 @@ TEST(ConvexNearest, ProvesWhereTheyMeet) {
     for (Vec2& p : ring) p = at_b.inverse() * p;
     const Polygon b({ring});
     const PosedPair pair(square.data(), at_a, b.data(), at_b);
-    const ConvexNearest nearest = nearestOf(pair);
-    found += crosses(nearest);
-    EXPECT_TRUE(!crosses(nearest) || edgesMeet(pair, nearest.features.edge_a, nearest.features.edge_b))
+    const Found nearest = nearestOf(pair);
+    found += nearest.crosses();
+    EXPECT_TRUE(!nearest.crosses() || edgesMeet(pair, nearest.overlap.edges.edge_a, nearest.overlap.edges.edge_b))
         << reproduction({square, at_a, b, at_b});
-    EXPECT_FALSE(nearest.isInside() && edgesThatMeet(pair) > 0) << reproduction({square, at_a, b, at_b});
+    EXPECT_FALSE(nearest.overlap.isInside() && edgesThatMeet(pair) > 0) << reproduction({square, at_a, b, at_b});
   };
   for (int i = 0; i < 200; ++i) {
     const double beside = random.coin() ? 1e-9 : -1e-9;
@@ -213,7 +229,7 @@ TEST(ConvexNearest, ProvesWhereTheyMeet) {
 
 /// Features that are still foremost, but for a little: the nearest point of a is on an edge that ends at one of them,
 /// and begins too far back to be one.
-TEST(ConvexNearest, LooksAtEdgesBeforeAndBehindAVertex) {
+TEST(NearestFeatures, LooksAtEdgesBeforeAndBehindAVertex) {
   const Ring below = {{-1, -1}, {1, -1}, {1, -0.006}, {0, 0}, {-1, -0.5}};
   const Ring above = {{0, 0.0008}, {0.05, 0.0001}, {1.2, 1}, {-1, 1}};
   for (const double side : {1.0, -1.0}) {
@@ -232,7 +248,7 @@ TEST(ConvexNearest, LooksAtEdgesBeforeAndBehindAVertex) {
   }
 }
 
-TEST(ConvexNearest, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
+TEST(NearestFeatures, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   const Polygon square({rectangle(0, 0, 1, 1)}), many({regular(17, 1)}), notched({{{0, 0}, {2, 0}, {1, 0.5}, {0, 2}}});
   const Polygon straight({{{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1}}}), flat({{{0, 0}, {1, 0}, {1, 1e-6}, {0, 1e-6}}});
   const auto shows = [](const Polygon& a, const Polygon& b, const Vec2& shift) {
@@ -252,6 +268,89 @@ TEST(ConvexNearest, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   EXPECT_EQ(shows(notched, square, {3, 0.25}), kUnknown);
   EXPECT_EQ(shows(square, square, {1e4, 0}), kApart);
   EXPECT_EQ(shows(square, square, {1e15, 0}), kUnknown) << "an axis in doubles leads past the features";
+}
+
+/// Round ones and boxes, either way around.
+Ring anyConvex(Random& random, double size) {
+  Ring ring = star(random, random.integer(3, 40), size, size);
+  if (random.oneIn(3)) ring = rectangle(-size, -size / 4, size, size / 4);
+  if (random.coin()) std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+TEST(NearestFeatures, IsNeverMoreThanTheDistance) {
+  Random random(97);
+  const int cases = scaledCount(4000);
+  int found = 0, tight = 0, apart = 0;
+  for (int i = 0; i < cases; ++i) {
+    const double scale = random.oneIn(8) ? std::pow(10, random.integer(-140, 140)) : 1;
+    const Polygon a({anyConvex(random, scale)}), b({anyConvex(random, scale * random.real(0.1, 1))});
+    if (!hierarchyOf(a.data()).strictly_convex || !hierarchyOf(b.data()).strictly_convex) continue;
+    Pose pose_a = pose(random.real(0, 6.3), 0, 0), pose_b = pose(random.oneIn(3) ? 0 : random.real(0, 6.3), 0, 0);
+    if (random.oneIn(3)) pose_a = Pose::Identity();
+    if (random.oneIn(4)) pose_b = mirrored(pose_b);
+    if (random.oneIn(4)) pose_b = distorted(random, pose_b);
+    pose_b.translation() = 3 * scale * direction(random.real(0, 6.3));
+    // Nearer, to gaps from all of it to what rounding leaves in doubt, and some into each other.
+    const DistanceResult far = distance(a, pose_a, b, pose_b);
+    const double gap = far.distance * std::pow(10, random.real(-17, 0)) * (random.oneIn(8) ? -1 : 1);
+    pose_b.translation() -= (1 - gap / far.distance) * (far.point_b - far.point_a);
+    const PosedVertices vertices(a.data(), pose_a, b.data(), pose_b);
+    const auto anyVertex = [&](const Polygon& polygon) {
+      return static_cast<std::uint32_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+    };
+    const FeaturePair tried{static_cast<FeaturePair::Kind>(random.integer(0, 3)), anyVertex(a), anyVertex(b)};
+    const NearestFeatures nearest = findNearestFeatures(vertices, tried);
+    const bool collides = exact::collide(a, pose_a, b, pose_b);
+    apart += !collides;
+    if (!nearest.are_apart) continue;
+    ASSERT_FALSE(collides) << i;
+    const double exact = exact::distanceBelow(exact::distanceSquared(a, pose_a, b, pose_b));
+    ASSERT_GT(nearest.atLeast(vertices), 0);
+    ASSERT_LE(nearest.atLeast(vertices), exact) << i;
+    ASSERT_LT(nearest.features.edge_a, a.vertexCount());
+    ASSERT_LT(nearest.features.edge_b, b.vertexCount());
+    ++found;
+    tight += nearest.atLeast(vertices) > 0.99 * exact;
+  }
+  EXPECT_GT(apart, cases / 2);
+  EXPECT_GT(found, apart / 3);
+  EXPECT_GT(tight, 0.9 * found);
+}
+
+TEST(NearestFeatures, GoesOnAlongBothOutlines) {
+  // A round one slides along a side, a hundredth above it: what is nearest is found from where it was before.
+  const Polygon floor({rectangle(-100, -1, 100, 0)}), wheel({regular(64, 1)});
+  FeaturePair tried;
+  int were_tried = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Pose here = Pose::Identity(), there = pose(-0.013 * i, -1.0 + 0.01 * i, 1.01);
+    const PosedVertices vertices(floor.data(), here, wheel.data(), there);
+    const NearestFeatures nearest = findNearestFeatures(vertices, tried);
+    ASSERT_TRUE(nearest.are_apart) << i;
+    EXPECT_NEAR(nearest.atLeast(vertices), distance(floor, here, wheel, there).distance, 1e-9) << i;
+    were_tried += nearest.were_tried;
+    tried = nearest.features;
+  }
+  EXPECT_GT(were_tried, 190);
+}
+
+/// The same walk by collide(): what expires goes on along the line, and costs no answer.
+TEST(NearestFeatures, CachesGoOnWithIt) {
+  const Polygon a({regular(256, 1)}), b({regular(40, 0.5)});
+  PairCache cache;
+  int on_line = 0, hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double angle = 0.003 * i, far = 1.5001 + 0.0002 * std::sin(0.01 * i);
+    const Pose there = pose(0.5 * angle, far * std::cos(angle), far * std::sin(angle));
+    const bool hit = collide(a, Pose::Identity(), b, there, cache);
+    ASSERT_EQ(hit, collide(a, Pose::Identity(), b, there)) << i;
+    hits += hit;
+    const CollisionFact& fact = factsIn(cache).collision;
+    on_line += !fact.overlapping && fact.first_edge >= 0;
+  }
+  EXPECT_GT(on_line, 500);
+  EXPECT_GT(hits, 20);
 }
 
 }  // namespace

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convex/nearest_features.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hierarchy/simd.h"
+#include "hierarchy/unit_map.h"
+
+namespace tricover::detail {
+namespace {
+
+// Let v in a and w in b be vertices of features that are guessed to be the nearest, d their distance and n the axis
+// between them, from a to b. Heights are along n. Along a convex ring they fall from the highest vertex to the lowest
+// one on either side, so that who knows both neighbours of a feature knows all vertices.
+//
+// kNear of the size is more than rounding, where d is kSure of it:
+//   2^-46   n leads along w - v but for an angle of 2^-23
+//   16U     a height
+//   64U     d
+// If no neighbour is ahead by kNear / 4, and those up to kNear behind are near as well, then edges without a near
+// vertex are farther apart than d by kNear / 2 at least.
+constexpr double kNear = 0x1p-40, kSure = 0x1p-27;
+static_assert(kNear / 4 >= 0x1p-46 + 2 * (16 + 64) * kUnitRoundoff);
+
+// The features alone hold the distance where
+//   their neighbours are behind by kLeastDepth of d, and by kLeastSlope of the way there;
+//   the foot beside an edge is kInside of d or more from its ends.
+// Then any points x and y of two other edges are farther apart than d, by a share of at least
+//   kLeastDepth               of the height between them, where x is a neighbour or beyond;
+//   kInside kLeastSlope / 2   of that height, where both x and y are aside from the foot by kInside d / 2;
+//   kInside^2 / 8             of a slant way, where one of them is so, and the other isn't.
+// All are more than kLeastShare, and that is more than EdgeDistances is wrong by, whichever edges it evaluates. In the
+// slopes n may be wrong by 2^-31: where d isn't plain, it is kClear of the size.
+constexpr double kLeastDepth = 0x1p-38, kLeastSlope = 0x1p-20, kInside = 0x1p-18, kClear = 0x1p-18;
+constexpr double kLeastShare = 0x1p-40;
+static_assert(kLeastDepth > kLeastShare && kInside * kLeastSlope / 2 > kLeastShare &&
+              kInside * kInside / 8 > kLeastShare && kLeastShare > 4 * PosedVertices::kRelativeError);
+
+// Where d isn't plain, EdgeDistances is certain of where the foot is: products of lengths are above what it is unsure
+// of.
+constexpr double kClearProduct = 0x1p-43;
+
+constexpr int kMostNear = 8;
+/// To features that others lead to: more would cost after a jump what the cache saves.
+constexpr int kMostSteps = 2;
+
+/// A feature of one polygon: a vertex, or an edge whose ends are `first` and `last`; and the axis that it faces along.
+class Facing {
+ public:
+  /// n leads away from the other polygon.
+  Facing(const ConvexRing& ring, const Pose& pose, std::uint32_t first, bool is_edge, Double2 n)
+      : ring_(ring), first_(first), last_(is_edge ? ring_.next(first) : first) {
+    const double* r = pose.data();  // columns of three
+    const Double2 first_column{r[0], r[1]}, second_column{r[3], r[4]};
+    axis_ = Double2{dot(first_column, n), dot(second_column, n)};
+  }
+
+  /// The lesser one of how far the neighbours are behind; negative unless both are clearly so, see kLeastSlope.
+  double depth(double distance) const {
+    const Double2 before = ring_.way(first_, ring_.previous(first_)), after = ring_.way(last_, ring_.next(last_));
+    const double h1 = dot(axis_, before), h2 = dot(axis_, after), least = std::min(h1, h2);
+    constexpr double kSlopeSquare = kLeastSlope * kLeastSlope;
+    const bool is_clear = least > kLeastDepth * distance && h1 * h1 > kSlopeSquare * dot(before, before) &&
+                          h2 * h2 > kSlopeSquare * dot(after, after);
+    return is_clear ? least : -1;
+  }
+
+  /// A neighbour that is ahead, and the edge that leads there; false if none is.
+  bool isBehind(std::uint32_t& vertex, std::uint32_t& edge) const {
+    const std::uint32_t before = ring_.previous(first_), after = ring_.next(last_);
+    const double h1 = dot(axis_, ring_.way(first_, before)), h2 = dot(axis_, ring_.way(last_, after));
+    vertex = h1 < h2 ? before : after;
+    edge = h1 < h2 ? before : last_;
+    return std::min(h1, h2) < 0;
+  }
+
+  /// The edges that have a vertex less than `near` behind. False if there are many or one is ahead.
+  bool edgesNear(double near, RingRange& edges) const {
+    std::uint32_t begin = first_, end = last_;
+    const auto isNear = [&](std::uint32_t v, bool& is_ahead) {
+      const double height = dot(axis_, ring_.way(first_, v));
+      is_ahead = !(height > -0.25 * near);
+      return !(height > near);
+    };
+    bool is_ahead = false;
+    int found = 0;
+    for (std::uint32_t v = ring_.previous(begin); isNear(v, is_ahead); v = ring_.previous(v), ++found)
+      if (begin = v; is_ahead || found == kMostNear) return false;
+    for (std::uint32_t v = ring_.next(end); isNear(v, is_ahead); v = ring_.next(v), ++found)
+      if (end = v; is_ahead || found == kMostNear) return false;
+    edges.first = ring_.previous(begin);
+    edges.count = std::min(ring_.size(), (end < edges.first ? end + ring_.size() : end) - edges.first + 1);
+    return true;
+  }
+
+ private:
+  const ConvexRing& ring_;
+  std::uint32_t first_, last_;
+  Double2 axis_;
+};
+
+class FeatureSearch {
+ public:
+  FeatureSearch(const PosedVertices& vertices, NearestFeatures& found)
+      : vertices_(vertices), a_(convexRing(vertices.a())), b_(convexRing(vertices.b())), found_(found) {}
+
+  void find(const FeaturePair& tried) {
+    if (!vertices_.isUnscaled()) return;
+    found_.were_tried = proveOnWay(tried);
+    if (!found_.were_tried) findAnew();
+  }
+
+ private:
+  void findAnew() {
+    const Hierarchy &a = hierarchyOf(vertices_.a()), &b = hierarchyOf(vertices_.b());
+    if (innerDiscsMeet(a, b)) {
+      found_.seem_to_meet = true;
+      return;
+    }
+    if (a.small_convex != nullptr && b.small_convex != nullptr) {
+      const ConvexGap gap = convexGap(*a.small_convex, *b.small_convex, roughMap());
+      if (!(gap.gap > 0)) {
+        found_.seem_to_meet = true;
+        return;
+      }
+      const auto edge = static_cast<std::uint32_t>(gap.edge), vertex = static_cast<std::uint32_t>(gap.vertex);
+      if (gap.of_a ? proveBeside<true>(edge, vertex) : proveBeside<false>(edge, vertex)) return;
+    }
+    prove(walkToNearest(vertices_));
+  }
+
+  /// Good enough to guess by: the inverse of a's pose is taken for its transpose.
+  UnitMap roughMap() const {
+    const double *ra = vertices_.poseA().data(), *rb = vertices_.poseB().data(), unit = vertices_.a().inverse_unit;
+    const Double2 x{ra[0], ra[3]}, y{ra[1], ra[4]};  // a's rows
+    const Double2 m0 = x * rb[0] + y * rb[1], m1 = x * rb[3] + y * rb[4], way = vertices_.betweenOrigins();
+    const Double2 t = (x * way[0] + y * way[1]) * unit;
+    return {m0[0], m1[0], m0[1], m1[1], t[0], t[1], vertices_.b().unit * unit, 0};
+  }
+
+  bool innerDiscsMeet(const Hierarchy& a, const Hierarchy& b) const {
+    const double reach = a.inner_radius + b.inner_radius;
+    const Double2 way = vertices_.wayBetween(a.inner_center, b.inner_center);
+    return dot(way, way) < reach * reach;
+  }
+
+  /// The same of features that these lead to by a few neighbours.
+  bool proveOnWay(FeaturePair features) {
+    for (int step = 0; step <= kMostSteps && features.kind != FeaturePair::kNone; ++step) {
+      ahead_ = {};
+      if (prove(features)) return true;
+      features = ahead_;
+    }
+    return false;
+  }
+
+  bool prove(const FeaturePair& features) {
+    switch (features.kind) {
+      case FeaturePair::kEdgeOfA:
+        return proveBeside<true>(features.edge_a, features.edge_b);
+      case FeaturePair::kEdgeOfB:
+        return proveBeside<false>(features.edge_b, features.edge_a);
+      case FeaturePair::kVertices:
+        return proveVertices(features.edge_a, features.edge_b,
+                             vertices_.betweenVertices(features.edge_a, features.edge_b));
+      default:
+        return false;
+    }
+  }
+
+  /// Whether edge e of one and vertex v of the other, or an end of that edge, are the nearest features.
+  template <bool kEdgeOfA>
+  bool proveBeside(std::uint32_t e, std::uint32_t v) {
+    const Foot foot = vertices_.foot<kEdgeOfA>(e, v);
+    if (!(foot.inside > 0)) {
+      const std::uint32_t end = !foot.at_end ? e : (kEdgeOfA ? a_ : b_).next(e);
+      return proveVertices(kEdgeOfA ? end : v, kEdgeOfA ? v : end, foot);
+    }
+    const double size = vertices_.size();
+    const bool is_inside = foot.inside >= kInside * foot.distance * foot.length &&
+                           (foot.is_plain || foot.inside > kClearProduct * size * size);
+    const std::uint32_t i = kEdgeOfA ? e : v, j = kEdgeOfA ? v : e;
+    return proveForemost({kEdgeOfA ? FeaturePair::kEdgeOfA : FeaturePair::kEdgeOfB, i, j}, foot, is_inside);
+  }
+
+  bool proveVertices(std::uint32_t v, std::uint32_t w, const Foot& foot) {
+    return proveForemost({FeaturePair::kVertices, v, w}, foot, true);
+  }
+
+  /// Whether these are foremost, and the polygons are apart; and if they `may_be_unique`, whether they are.
+  bool proveForemost(const FeaturePair& features, const Foot& foot, bool may_be_unique) {
+    const Facing of_a(a_, vertices_.poseA(), features.edge_a, features.kind == FeaturePair::kEdgeOfA, -foot.axis);
+    const Facing of_b(b_, vertices_.poseB(), features.edge_b, features.kind == FeaturePair::kEdgeOfB, foot.axis);
+    const double distance = foot.distance, size = vertices_.size();
+    const double depth = std::min(of_a.depth(distance), of_b.depth(distance));
+    const bool is_clear =
+        foot.is_plain || (distance > kClear * size &&
+                          (features.kind != FeaturePair::kVertices || distance * depth > kClearProduct * size * size));
+    found_.is_unique = may_be_unique && depth > 0 && is_clear;
+    if (!found_.is_unique && !(distance > kSure * size && of_a.edgesNear(kNear * size, found_.edges_a) &&
+                               of_b.edgesNear(kNear * size, found_.edges_b))) {
+      lookAhead(features, of_a, of_b);
+      return false;
+    }
+    found_.are_apart = true;
+    found_.features = features;
+    found_.foot = foot;
+    return true;
+  }
+
+  /// Features that are nearer than these, since a neighbour is.
+  void lookAhead(const FeaturePair& features, const Facing& of_a, const Facing& of_b) {
+    std::uint32_t vertex, edge;
+    if (features.kind != FeaturePair::kEdgeOfA && of_a.isBehind(vertex, edge)) {
+      const bool are_vertices = features.kind == FeaturePair::kVertices;
+      ahead_ = {are_vertices ? FeaturePair::kEdgeOfA : FeaturePair::kEdgeOfB, are_vertices ? edge : vertex,
+                features.edge_b};
+    } else if (features.kind != FeaturePair::kEdgeOfB && of_b.isBehind(vertex, edge)) {
+      const bool are_vertices = features.kind == FeaturePair::kVertices;
+      ahead_ = {are_vertices ? FeaturePair::kEdgeOfB : FeaturePair::kEdgeOfA, features.edge_a,
+                are_vertices ? edge : vertex};
+    }
+  }
+
+  const PosedVertices& vertices_;
+  const ConvexRing a_, b_;
+  NearestFeatures& found_;
+  FeaturePair ahead_;  ///< of features that weren't proven
+};
+
+}  // namespace
+
+NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried) {
+  NearestFeatures found;
+  FeatureSearch(vertices, found).find(tried);
+  return found;
+}
+
+// Where the features are unique and the distance is plain, it is right to kRelativeError. Otherwise, in shares of the
+// size:
+//   64U         the distance of the features
+//   kNear / 2   neighbours on either side that may be ahead, by kNear / 4 each
+//   2^-45       the gap along the axis, which may lead along the shortest way but for 2^-23: less by 2^-47 of itself
+// and the rest of kNear is for rounding.
+double NearestFeatures::atLeast(const PosedVertices& vertices) const {
+  const bool is_plain = is_unique && foot.is_plain;
+  return is_plain ? foot.distance * (1 - 2 * PosedVertices::kRelativeError)
+                  : std::max(foot.distance - kNear * vertices.size(), 0.0);
+}
+
+}  // namespace tricover::detail

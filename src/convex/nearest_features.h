@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "convex/convex_ring.h"
+#include "convex/feature_walk.h"
+#include "convex/posed_vertices.h"
+
+namespace tricover::detail {
+
+/// What separating axes prove of two strictly convex polygons (Hierarchy::strictly_convex).
+struct NearestFeatures {
+  bool are_apart = false;     ///< if not, nothing is proven: they may meet, or be too near to tell
+  bool seem_to_meet = false;  ///< as far as floats see
+  bool were_tried = false;    ///< whether those to be tried first led here in a few steps
+
+  // Of polygons apart.
+  FeaturePair features;
+  Foot foot;                   ///< of these
+  bool is_unique = false;      ///< whether only these can be nearest
+  RingRange edges_a, edges_b;  ///< if not: all edges that can hold the least distance
+
+  /// A lower bound of the distance; positive.
+  double atLeast(const PosedVertices& vertices) const;
+};
+
+/// Features that were nearest at other poses are tried first.
+NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried);
+
+}  // namespace tricover::detail

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "distance/edge_distance.h"
+#include "pair/outcome.h"
+#include "polygon/polygon_data.h"
+#include "tricover/distance.h"
+
+namespace tricover::detail {
+
+/// A point in the world, rounded as a posed vertex is.
+inline Vec2 posed(const Pose& pose, const Vec2& p) {
+  const double* m = pose.data();  // columns of three
+  Vec2 point;
+  store2(point.data(), (load2(m) * p.x() + load2(m + 3) * p.y()) + load2(m + 6));
+  return point;
+}
+
+/// Two polygons and their poses, in the kernel's own order.
+struct DistancePair {
+  const PolygonData& a;
+  const Pose& pose_a;
+  const PolygonData& b;
+  const Pose& pose_b;
+  bool is_swapped;  ///< the caller's order is the other one
+};
+
+/// A point of an edge in the world, rounded as a posed vertex is; of what is neither large nor far from the origin.
+inline Vec2 plainPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, double along) {
+  const Double2 v = load2(polygon.path[edge].data()), w = load2(polygon.path[edge + 1].data());
+  Vec2 point;
+  store2(point.data(), along == 0 ? v : along == 1 ? w : v + along * (w - v));
+  return posed(pose, point);
+}
+
+/// What is left of a distance that EdgeDistances::at() returned. Where rounding hides whether anything is, collide()
+/// tells.
+double beyondMargin(const DistancePair& pair, double distance, double margin);
+
+inline DistanceResult inCallersOrder(const DistancePair& pair, double distance, const Vec2& point_a,
+                                     const Vec2& point_b, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
+  if (pair.is_swapped) return {distance, point_b, point_a, edge_b, edge_a};
+  return {distance, point_a, point_b, edge_a, edge_b};
+}
+
+/// Of what is beyond the limit.
+DistanceResult farResult();
+
+/// Of edges i and j, where they are nearest; or their common point, if they meet.
+DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, bool meets, std::size_t i, std::size_t j,
+                        const DistanceOptions& options);
+
+/// Where a ring lies inside the other region.
+DistanceResult containedResult(const DistancePair& pair, const Outcome& outcome);
+
+}  // namespace tricover::detail

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "distance/tree_distance.h"
+
+#include <cmath>
+
+#include "distance/distance_facts.h"
+#include "distance/distance_search.h"
+#include "distance/pruned_boxes.h"
+#include "distance/small_distance.h"
+#include "pair/collide_by_hierarchy.h"
+#include "pair/containment.h"
+#include "pair/discs.h"
+#include "pair/edge_pairs.h"
+#include "pair/placement.h"
+
+namespace tricover::detail {
+namespace {
+
+/// Shows the search what it must see. False if two edges meet.
+bool descend(const PosedPair& pair, DistanceSearch& search) {
+  // The discs' farthest points are no nearer than any of the polygons.
+  const double dx = std::abs(pair.center_x - pair.a.origin.x()), dy = std::abs(pair.center_y - pair.a.origin.y());
+  constexpr int kSums = 1 + 4;  // one difference, four sums; and the scale's sum and product
+  search.limitTo(
+      roundedUp<kSums + 2>((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect)));
+  const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
+  if (pair.a.isDegenerate() && pair.b.isDegenerate())
+    return search.show(static_cast<std::uint32_t>(pair.a.degenerate_edge),
+                       static_cast<std::uint32_t>(pair.b.degenerate_edge));
+  // More pairs than there are edges are seldom shown, unless many are equally near: then it pays to prune those, and
+  // to begin again without them. As patience is doubled, all beginnings together cost no more than the last.
+  std::size_t patience = pair.a.path.size() + pair.b.path.size(), shown = 0;
+  PrunedBoxes pruned;
+  bool begins_again;
+  do {
+    begins_again = false;
+    forNearPairs(
+        pair, limit(), pruned.pairs(),
+        [&](double, std::size_t i, std::size_t j) {
+          if (!search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))) return -1.0;
+          if (++shown <= patience) return limit();
+          patience *= 2;
+          begins_again = search.prune(pruned);
+          return begins_again ? -1 : limit();
+        },
+        [&](double length) {
+          search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
+          return limit();
+        });
+  } while (begins_again);
+  return !search.meets();
+}
+
+/// Shows the search where the regions meet, which is known to be so, as collide() finds it: the deepest boxes first.
+Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
+  const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
+  if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
+    search.setMeeting(static_cast<std::uint32_t>(outcome.edge_a), static_cast<std::uint32_t>(outcome.edge_b));
+  return outcome;
+}
+
+/// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
+Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
+  if (depthOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), 0) > 0) return findMeeting(pair, search);
+  if (showSmall(pair, search)) return Outcome();
+  return descend(pair, search) ? findContainment(pair) : Outcome();
+}
+
+}  // namespace
+
+DistanceResult treeDistance(const DistancePair& pair, const PosedVertices& vertices, DistanceFacts* cache,
+                            const DistanceOptions& options) {
+  const EdgeDistances edges(vertices);
+  DistanceSearch search(edges, options);
+  std::optional<Outcome> outcome;
+  if (cache != nullptr) outcome = recallNearest(pair, *cache, search);
+  if (!outcome) {
+    outcome = searchAll(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search);
+    if (cache != nullptr) storeNearest(pair, *cache, search, *outcome);
+  }
+  if (outcome->collides && !search.meets()) return containedResult(pair, *outcome);
+  search.finish();
+  return resultOf(pair, search.best(), search.meets(), search.edgeA(), search.edgeB(), options);
+}
+
+}  // namespace tricover::detail
