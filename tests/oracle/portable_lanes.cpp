@@ -5,10 +5,10 @@
 
 namespace {
 
-struct PortableLanes : testing::Environment {
+struct OnPortableLanes : testing::Environment {
   void SetUp() override { tricover::detail::usePortableLanes(true); }
 };
 
-[[maybe_unused]] testing::Environment* const registered = testing::AddGlobalTestEnvironment(new PortableLanes);
+[[maybe_unused]] testing::Environment* const registered = testing::AddGlobalTestEnvironment(new OnPortableLanes);
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "hierarchy/simd.h"
+#include "portable_lanes.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -136,9 +137,7 @@ TEST(ConvexImpact, SlidesEndWhereTheirLastEdgeIsMet) {
     const SmallPolygon &ring_a = *hierarchyOf(of_a).small_convex, &ring_b = *hierarchyOf(of_b).small_convex;
     const ConvexGap entry = convexEntry(ring_a, ring_b, map, way.x(), way.y());
     right += std::abs(static_cast<double>(entry.gap) - impact->time) < 1e-4;
-    usePortableLanes(true);
-    const ConvexGap portable = convexEntry(ring_a, ring_b, map, way.x(), way.y());
-    usePortableLanes(false);
+    const ConvexGap portable = onPortableLanes([&] { return convexEntry(ring_a, ring_b, map, way.x(), way.y()); });
     ASSERT_TRUE(entry.gap == portable.gap && entry.edge == portable.edge && entry.of_a == portable.of_a) << i;
   }
   std::printf("%d hits, %d found at once\n", hits, right);

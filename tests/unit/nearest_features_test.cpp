@@ -15,6 +15,7 @@
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 #include "polygon/cache_access.h"
+#include "portable_lanes.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -112,9 +113,7 @@ TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
                                    : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);
     const Found found = nearestOf(pair);
     {
-      usePortableLanes(true);
-      const Found portable = nearestOf(pair);
-      usePortableLanes(false);
+      const Found portable = onPortableLanes([&] { return nearestOf(pair); });
       ASSERT_EQ(portable.meeting, found.meeting) << reproduction(c);
       ASSERT_EQ(portable.features.kind, found.features.kind) << reproduction(c);
       ASSERT_EQ(portable.features.edge_a, found.features.edge_a) << reproduction(c);

@@ -15,6 +15,7 @@
 #include "pair/collide_by_hierarchy.h"
 #include "pair/root_box.h"
 #include "polygon/cache_access.h"
+#include "portable_lanes.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -29,11 +30,6 @@ using detail::Outcome;
 using detail::PointFoot;
 using detail::PosedPair;
 using detail::PosedVertices;
-
-struct PortableLanes {
-  PortableLanes() { detail::usePortableLanes(true); }
-  ~PortableLanes() { detail::usePortableLanes(false); }
-};
 
 /// A family's polygon and a point on it, just beside it, or anywhere around.
 Case besidePoint(Random& random, const Case& c) {

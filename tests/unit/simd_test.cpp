@@ -13,6 +13,7 @@
 #include "hierarchy/axis_boxes.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/placement.h"
+#include "portable_lanes.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -25,17 +26,6 @@ namespace {
 using detail::Outcome;
 using detail::PosedPair;
 using detail::Wanted;
-
-struct PortableLanes {
-  PortableLanes() { detail::usePortableLanes(true); }
-  ~PortableLanes() { detail::usePortableLanes(false); }
-};
-
-template <typename Answer>
-auto onPortableLanes(const Answer& answer) {
-  const PortableLanes portable;
-  return answer();
-}
 
 static_assert(std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose&>);
 static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose, const detail::PolygonData&, Pose&>);

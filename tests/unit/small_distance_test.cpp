@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "families.h"
+#include "portable_lanes.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -90,9 +91,7 @@ TEST(SmallDistance, GivesTheSameBitsAsAllPairsOfEdges) {
     search.lookAhead(ahead);
     portable.lookAhead(ahead);
     const bool is_shown = showSmall(pair, search);
-    usePortableLanes(true);
-    ASSERT_EQ(showSmall(pair, portable), is_shown) << reproduction(c);
-    usePortableLanes(false);
+    ASSERT_EQ(onPortableLanes([&] { return showSmall(pair, portable); }), is_shown) << reproduction(c);
     if (!is_shown) {
       meeting += collide(c.a, c.pose_a, c.b, c.pose_b);
       continue;

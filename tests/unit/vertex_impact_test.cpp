@@ -13,6 +13,7 @@
 
 #include "hierarchy/simd.h"
 #include "numbers/segment.h"
+#include "portable_lanes.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -122,9 +123,7 @@ TEST(VertexImpact, LooksAtTheEdgesInReach) {
     }
     unsigned near[SmallPolygon::kMost], portable[SmallPolygon::kMost];
     findEdgesOnWays(edges, ways, near);
-    usePortableLanes(true);
-    findEdgesOnWays(edges, ways, portable);
-    usePortableLanes(false);
+    onPortableLanes([&] { findEdgesOnWays(edges, ways, portable); });
     for (int k = 0; k < ways.count; ++k) {
       ASSERT_EQ(near[k], portable[k]);
       const Vec2 p(ways.x[k], ways.y[k]), q(ways.to_x[k], ways.to_y[k]);

@@ -10,6 +10,7 @@
 
 #include "hierarchy/simd.h"
 #include "impact/cubic.h"
+#include "portable_lanes.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -184,9 +185,7 @@ TEST(CutWindows, NeverCutsContactOff) {
     const MovingQuery query = queryOf(box, 1.5);
     float from_begin[kLanes], from_end[kLanes], begin[kLanes], end[kLanes];
     const unsigned left = cutWindows(block, query, from_begin, from_end);
-    usePortableLanes(true);
-    ASSERT_EQ(cutWindows(block, query, begin, end), left) << i;
-    usePortableLanes(false);
+    ASSERT_EQ(onPortableLanes([&] { return cutWindows(block, query, begin, end); }), left) << i;
     ASSERT_EQ(left >> block.count, 0u) << i;
     ASSERT_NE(left >> lane & 1, 0u) << "case " << i << " parts boxes that meet at " << share;
     ASSERT_LE(d(from_begin[lane]), share) << i;
