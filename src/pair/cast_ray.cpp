@@ -166,14 +166,16 @@ class RayCast {
   }
 
   /// With A and B the areas that the edge spans with the ray's ends, the fraction is f = A / (A - B). Where they err by
-  /// a and b it errs by ((1 - f) a + f b) / (A - B), and rounds twice; f is at most the share.
+  /// a and b it errs by ((1 - f) a + f b) / (A - B), and rounds twice; f is at most the share. It is the true A - B
+  /// that divides: 0 along an edge, whatever rounding makes of it.
   double fractionOf(const Ends& ends) const {
     constexpr double kAreasError = 80 * kUnitRoundoff;
     static_assert(kFractionError >= kAreasError + 3 * kUnitRoundoff && kFractionError >= kExactFractionError);
     const auto& [from, to, v, w] = ends.approx;
     const ApproxArea a = approxArea(v, w, from), b = approxArea(v, w, to);
     const double whole = a.area - b.area, fraction = std::clamp(a.area / whole, 0.0, 1.0);
-    const double error = (1 - fraction) * a.bound + fraction * b.bound, enough = kAreasError * share_ * std::abs(whole);
+    const double error = (1 - fraction) * a.bound + fraction * b.bound;
+    const double enough = kAreasError * share_ * (std::abs(whole) - 2 * (a.bound + b.bound));
     if (known_ && error < enough && enough < kInfinity) return fraction;
     return std::min(fractionExact(exact_, segment(ends.edge)), 1.0);
   }

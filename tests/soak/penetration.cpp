@@ -60,6 +60,8 @@ std::string wrongByBruteForce(const Case& c, const Penetration& p) {
 std::string wrongWith(Random& random, const Drawn& drawn, const Penetration& p) {
   const Case& c = drawn.c;
   const double tiny = precision(c);
+  // Where rounding the coordinates loses a polygon's size.
+  if (std::isinf(p.depth)) return std::min(c.a.radius(), c.b.radius()) < support::rounding(c) ? "" : "no depth";
   if (!(p.depth >= 0 && p.lower_bound >= 0 && p.lower_bound <= p.depth)) return "depth or lower_bound";
   if (!(std::abs(p.normal.norm() - 1) <= 1e-12)) return "normal is no unit vector";
   if (!(length(p.translation) <= p.depth + 2 * tiny)) return "translation is longer than depth";

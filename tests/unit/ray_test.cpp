@@ -206,6 +206,14 @@ TEST(Ray, RefusesWhatIsNotFinite) {
   EXPECT_NE(message(sheared, {0, 0}, {1, 0}).find("pose"), std::string::npos);
 }
 
+/// Found by soak: b's area is exactly 0 where the ray ends at an edge's start, which says nothing of a's.
+TEST(Ray, AlongAnEdgeThatStartsWhereItEndsMeetsTheOtherEndFirst) {
+  const Vec2 p(-0x1.ebe2b64f9edcp-7, 0x1.752b056a8b158p-3);
+  const RayHit hit = cast(Polygon({{p, -2 * p, 2 * p, p}}), {0x1.336db1f1c3498p+0, -0x1.d275c6c52ddaep+3}, p);
+  EXPECT_EQ(hit.edge, 0);
+  EXPECT_LT(hit.fraction, 0.97);
+}
+
 /// The grown region's outline is straight beside edges and round at vertices.
 TEST(Ray, MeetsAMargin) {
   const Polygon square({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}});
