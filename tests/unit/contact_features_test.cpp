@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a contact says, by hand: where they touch, which edges it names, and at all sizes.
+#include <utility>
+
+#include "contacts_by_hand.h"
+
+namespace tricover::support {
+namespace {
+
+TEST(ContactFeatures, ThatAreShallowHaveTheEdgesNormalAllTheSame) {
+  const double cosine = std::cos(0.3), sine = std::sin(0.3);
+  for (const double depth : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const Pose turned = pose(0.3, 7, 5);
+    const auto found =
+        ask(Polygon({rectangle(0, 0, 4, 4)}), turned, Polygon({{{4 - depth, 2}, {6, 1}, {5, 2}, {6, 3}}}), turned);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_LE((found[0].normal - Vec2(cosine, sine)).norm(), 1e-12) << depth;
+    EXPECT_NEAR(found[0].depth, depth, 1e-14);
+    EXPECT_EQ(found[0].edge_a, 1);
+  }
+}
+
+TEST(ContactFeatures, WhereAVertexTouchesAnEdge) {
+  const auto found = ask({rectangle(0, 0, 4, 4)}, {{{4, 2}, {6, 1}, {6, 3}}});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {4, 2}, {1, 0}, 0);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_EQ(found[0].edge_a, 1);
+  // A notch keeps b from being convex.
+  const auto notched = ask({rectangle(0, 0, 4, 4)}, {{{4, 2}, {6, 1}, {5, 2}, {6, 3}}});
+  ASSERT_EQ(notched.size(), 1u);
+  expectContact(notched[0], {4, 2}, {1, 0}, 0);
+  EXPECT_EQ(notched[0].depth, 0);
+  EXPECT_EQ(notched[0].edge_a, 1);
+}
+
+/// a's vertex touches b's edge, and a's edges there lean to one side: those of the other normal would run into b.
+TEST(ContactFeatures, WhereAVertexThatLeansTouchesAnEdge) {
+  const auto found = ask({{{4, 2}, {-6, 6}, {-4, 2}, {-6, -2}}}, {rectangle(4, 1.5, 5, 8)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {4, 2}, {1, 0}, 0);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_EQ(found[0].edge_b, 3);
+}
+
+/// Both ways out of a corner are as long; b's origin is above a's rather than beside it.
+TEST(ContactFeatures, AtAVertexThatIsRepeatedNameTheFlatterEdge) {
+  const Ring box = rectangle(0, 0, 4, 4), leaning{{1, 3.6}, {3, 3.5}, {3, 3.5}, {3, 6}, {1, 6}};
+  const std::vector<Contact> found = ask({box}, {leaning});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].normal, Vec2(0, 1));
+  EXPECT_EQ(found[0].edge_a, 2);
+  EXPECT_EQ(found[0].edge_b, 0);
+}
+
+TEST(ContactFeatures, OfEquallyDeepWaysTakeTheOneAwayFromTheOther) {
+  const auto found = ask({rectangle(-2, -4, 2, 4)}, {rectangle(1.5, 3.5, 4, 6)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {1.75, 3.75}, {0, 1}, 0.5);
+}
+
+TEST(ContactFeatures, WhereVerticesTouch) {
+  for (const Ring& b : {Ring{{4, 4}, {6, 5}, {5, 6}}, Ring{{4, 4}, {6, 5}, {5, 5}, {5, 6}}}) {
+    const auto found = ask({rectangle(0, 0, 4, 4)}, {b});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].depth, 0);
+    EXPECT_LE((found[0].point - Vec2(4, 4)).norm(), 1e-12);
+    EXPECT_GT(found[0].normal.x() + found[0].normal.y(), 0.7);
+  }
+}
+
+TEST(ContactFeatures, WhereEdgesTouchAlongAStretch) {
+  const auto found = ask({rectangle(0, 0, 4, 4)}, {rectangle(4, 1, 6, 9)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {4, 2.5}, {1, 0}, 0);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_EQ(found[0].edge_a, 1);
+  EXPECT_EQ(found[0].edge_b, 3);
+}
+
+TEST(ContactFeatures, OfABoxInACornerThatItTouchesLeadOutOfTheCorner) {
+  const Ring corner = {{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}};
+  const auto found = ask({corner}, {rectangle(1, 1, 3, 3)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_LE((found[0].normal - Vec2(1, 1).normalized()).norm(), 1e-9);
+}
+
+TEST(ContactFeatures, OfAPegInAHoleThatFitsIsOne) {
+  const auto found = ask({rectangle(0, 0, 9, 9), rectangle(3, 3, 6, 6)}, {rectangle(3, 3, 6, 6)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].depth, 0);
+}
+
+/// They were joined across the gap, because only the middle of a common stretch was known, not its end.
+TEST(ContactFeatures, OfRingsWithoutAreaOnOneEdgeAreSeparate) {
+  EXPECT_EQ(ask({rectangle(-3, -3, 3, 3)}, {{{1, -3}, {2, -3}, {2, -3}}, {{-2, -3}, {-1, -3}, {-1, -3}}}).size(), 2u);
+  EXPECT_EQ(ask({{{3, 2}, {3, 3}, {1, 3}}}, {{{-3, 1}, {1, 3}, {1, 2}}, {{2, 3}, {3, 3}, {3, 3}}}).size(), 2u);
+}
+
+/// Which way round rings run says nothing.
+TEST(ContactFeatures, OfRingsThatRunClockwiseAreTheSame) {
+  const Ring box = rectangle(0, 0, 2, 2), corner{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const Ring beside = rectangle(1, 1, 2, 4);
+  for (const auto& [first, second] :
+       {std::pair(box, box), std::pair(corner, beside), std::pair(box, rectangle(2, 1, 5, 3))}) {
+    const std::vector<Contact> expected = ask({first}, {second});
+    ASSERT_EQ(expected.size(), 1u);
+    for (const int reversed : {1, 2, 3}) {
+      Ring a = first, b = second;
+      if (reversed & 1) std::reverse(a.begin(), a.end());
+      if (reversed & 2) std::reverse(b.begin(), b.end());
+      const std::vector<Contact> found = ask({a}, {b});
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].depth, expected[0].depth);
+      EXPECT_EQ(found[0].normal, expected[0].normal);
+    }
+  }
+}
+
+TEST(ContactFeatures, OfMirroredPolygons) {
+  const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(0, 0, 2, 2)});
+  Pose flipped = kHere;
+  flipped.linear() << -1, 0, 0, 1;
+  const auto found = ask(a, kHere, b, Pose(pose(0, 5, 1) * flipped));  // x from 3 to 5
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {3.5, 2}, {1, 0}, 1);
+  const auto both = ask(a, flipped, b, Pose(pose(0, -3, 1) * flipped));  // x from -5 to -3
+  ASSERT_EQ(both.size(), 1u);
+  expectContact(both[0], {-3.5, 2}, {-1, 0}, 1);
+}
+
+TEST(ContactFeatures, AtEveryScale) {
+  for (const double s : {1e-300, 1e-100, 1.0, 1e100, 1e300}) {
+    const auto overlap = ask({scaled(rectangle(0, 0, 4, 4), s)}, {scaled(rectangle(3, 1, 5, 3), s)});
+    ASSERT_EQ(overlap.size(), 1u) << s;
+    expectContact(overlap[0], Vec2(3.5, 2) * s, {1, 0}, s, s);
+    const auto touch = ask({scaled(rectangle(0, 0, 4, 4), s)}, {scaled({{4, 2}, {6, 1}, {5, 2}, {6, 3}}, s)});
+    ASSERT_EQ(touch.size(), 1u) << s;
+    expectContact(touch[0], Vec2(4, 2) * s, {1, 0}, 0, s);
+    EXPECT_EQ(touch[0].depth, 0);
+    const auto bent =
+        ask({scaled({{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}}, s)}, {scaled(rectangle(4, 0.5, 6, 6), s)});
+    ASSERT_EQ(bent.size(), 1u) << s;
+    expectContact(bent[0], Vec2(5, 0.75) * s, {0, 1}, 0.5 * s, s);
+  }
+}
+
+TEST(ContactFeatures, OfAHugeAndATinyPolygonAreWhereTheTinyOneIs) {
+  const auto found = ask({rectangle(-1e300, -1e300, 1e300, 0)}, {scaled(rectangle(-1, -1, 1, 2), 1e-300)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LE(found[0].point.norm(), 1e-290);
+  const auto less = ask({rectangle(-1e9, -1e9, 1e9, 0)}, {scaled(rectangle(-1, -1, 1, 2), 1e-3)});
+  ASSERT_EQ(less.size(), 1u);
+  EXPECT_LE((less[0].point - Vec2(0, -0.5e-3)).norm(), 1e-6);
+  EXPECT_LE((less[0].normal - Vec2(0, 1)).norm(), 1e-9);
+}
+
+TEST(ContactFeatures, FarAway) {
+  const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(0, 0, 2, 2)});
+  const auto found = ask(a, pose(0, 1e15, -1e15), b, pose(0, 1e15 + 3, -1e15 + 1));
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {1e15 + 3.5, -1e15 + 2}, {1, 0}, 1);
+  // Its own coordinates are far away, too.
+  const Polygon c({shifted(rectangle(0, 0, 2, 2), {1e15, 1e15})});
+  const auto again = ask(a, kHere, c, pose(0, -1e15 + 3, -1e15 + 1));
+  ASSERT_EQ(again.size(), 1u);
+  expectContact(again[0], {3.5, 2}, {1, 0}, 1);
+}
+
+/// So many edges end in one point that their pairs are left to few: one contact, whose normal parts them.
+TEST(ContactFeatures, OfFansThatTouchInOnePointAreOne) {
+  constexpr int kSpikes = 60;
+  const auto fan = [](double sign) {
+    Ring ring;
+    for (int i = 0; i < kSpikes; ++i)
+      ring.insert(ring.end(), {{0, 0}, {sign * (10 + i), 2.0 * i - kSpikes}, {sign * (10 + i), 2.0 * i + 1 - kSpikes}});
+    return ring;
+  };
+  const auto found = ask({fan(-1)}, {fan(1)});
+  ASSERT_EQ(found.size(), 1u);
+  expectContact(found[0], {0, 0}, found[0].normal, 0);
+  EXPECT_FALSE(
+      collide(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), Pose(kHere * Eigen::Translation2d(found[0].normal))));
+  // Turned into each other the spikes cross beside it, too.
+  const auto crossed = ask(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), pose(2, 0, 0));
+  ASSERT_EQ(crossed.size(), 1u);
+  EXPECT_GT(crossed[0].depth, 0);
+  EXPECT_EQ(crossings(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), kHere).size(),
+            static_cast<std::size_t>(4 * kSpikes * kSpikes));
+}
+
+/// Many spikes of either at one point, and one edge of each along the other's.
+TEST(ContactFeatures, OfFansWithACommonEdgeAreInItsMiddle) {
+  Ring left, right;
+  for (int k = 0; k < 40; ++k) {
+    const double angle = k * 0.07;
+    left.insert(left.end(), {Vec2(0, 0), Vec2(-std::sin(angle), std::cos(angle)),
+                             Vec2(-std::sin(angle + 0.03), std::cos(angle + 0.03))});
+    right.insert(right.end(), {Vec2(0, 0), Vec2(std::sin(angle), std::cos(angle)),
+                               Vec2(std::sin(angle + 0.02), std::cos(angle + 0.02))});
+  }
+  for (const double turn : {0.0, 1.0, 3.0}) {
+    const Pose at = pose(turn, 0, 0);
+    const std::vector<Contact> found = ask(Polygon({left}), at, Polygon({right}), at);
+    ASSERT_EQ(found.size(), 1u) << turn;
+    EXPECT_LE((found[0].point - at * Vec2(0, 0.5)).norm(), 1e-12) << turn;
+  }
+}
+
+TEST(ContactFeatures, NameEdgesOfSmallConvexAndOfDeepPairs) {
+  for (const int n : {4, 8, 16, 200}) {
+    const Polygon a({regular(n, 1)}), b({regular(n, 0.9)});
+    for (const double x : {0.3, 0.6, 1.2}) {
+      const auto found = ask(a, kHere, b, pose(0.1, x, 0));
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_GE(found[0].edge_a, 0) << n << " " << x;
+      EXPECT_GE(found[0].edge_b, 0) << n << " " << x;
+    }
+    const auto contained = ask(a, kHere, Polygon({regular(n, 0.1)}), kHere);
+    ASSERT_EQ(contained.size(), 1u);
+    EXPECT_EQ(contained[0].edge_a, -1);
+    EXPECT_GE(contained[0].edge_b, 0);
+    EXPECT_NEAR(contained[0].point.norm(), 0, 0.1);
+  }
+}
+
+/// Straight vertices divide the floor; the edge is the one below the point, on either side of the tip's.
+TEST(ContactFeatures, NameTheEdgeOfADividedFaceThatIsNearest) {
+  const Ring floor = {{-10, -5}, {10, -5}, {10, 0}, {3, 0}, {-1, 0}, {-10, 0}};
+  for (const double x : {0.0, -5.0}) {
+    const auto found = ask({shifted({{0, -1}, {2, 1}, {-6, 1}}, {x, 0})}, {floor});
+    ASSERT_EQ(found.size(), 1u);
+    expectContact(found[0], {x, -0.5}, {0, -1}, 1);
+    EXPECT_TRUE(found[0].edge_a == 0 || found[0].edge_a == 2) << found[0].edge_a;
+    EXPECT_EQ(found[0].edge_b, x == 0 ? 3 : 4);
+  }
+}
+
+/// Hooks through lids: a leg's side leads out, and what is deepest behind it is the hook's own tip.
+TEST(ContactFeatures, WhereTheDeepestIsTheOthersVertexNameTheEdgeThatIsCrossed) {
+  const Ring hooks = {{10.5, 20}, {-0.5, 20}, {-0.5, -80}, {-2, -80}, {-2, -90}, {0.5, -90},
+                      {0.5, 10},  {9.5, 10},  {9.5, -80},  {8, -80},  {8, -90},  {10.5, -90}};
+  const Ring lid = {{-1, 0}, {1, 0}, {4, -100}, {-4, -100}};
+  const auto found = ask({hooks}, {lid, shifted(lid, {10, 0})});
+  ASSERT_EQ(found.size(), 2u);
+  for (const Contact& contact : found) {
+    EXPECT_EQ(contact.depth, 2.5);
+    EXPECT_EQ(contact.normal, Vec2(1, 0));
+    EXPECT_EQ(contact.edge_a, contact.point.x() < 5 ? 5 : 11);
+    EXPECT_EQ(contact.edge_b, contact.point.x() < 5 ? 0 : 4);
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
