@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
+#include <optional>
 
 #include "tricover/export.h"
 #include "tricover/pair_cache.h"
@@ -9,7 +9,7 @@
 
 namespace tricover {
 
-/// What a distance may be wrong by, and from where on it is of no interest. The default is exact.
+/// What a distance is measured from, and may be wrong by. The default is exact.
 struct DistanceOptions {
   /// A world length, at least 0 and finite. The result becomes max(0, distance - margin): that of the regions grown by
   /// margins whose sum this is. It is 0 exactly where collide() with this margin is true. Points and edges stay those
@@ -19,10 +19,6 @@ struct DistanceOptions {
   /// Whether it is 0 stays exact. With a margin, the truth is what is left of the distance.
   double relative_error = 0;
   double absolute_error = 0;  ///< A world length; see relative_error.
-  /// A world length. A distance above it is not looked for: the result is then infinity, the points NaN, the edges -1.
-  /// Where the truth is at most the limit, the result is, too, whatever the errors. With a margin, the truth is what is
-  /// left of the distance, and is compared by the sum of limit and margin, rounded down.
-  double limit = std::numeric_limits<double>::infinity();
 };
 
 /// A distance and where it is attained, in the world. Where the regions collide (the margin aside), both points are one
@@ -54,5 +50,26 @@ TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, co
 /// \snippet distance.cpp distance with cache
 TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                         PairCache& cache, const DistanceOptions& options = {});
+
+/// The distance where it is at most `limit`, a world length, and nothing where it is more: what is farther away isn't
+/// looked for, which saves time.
+///
+/// There is a result wherever the truth is at most the limit, and no result is above it, whatever errors are allowed.
+/// With a margin, the truth is what is left of the distance, and is compared by the sum of limit and margin, rounded
+/// down.
+///
+/// Throws as distance() does, and std::invalid_argument for a limit that is negative or NaN.
+///
+/// \snippet distance.cpp distance within
+TRICOVER_EXPORT std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                                             const Pose& pose_b, double limit,
+                                                             const DistanceOptions& options = {});
+
+/// The same, using and renewing the facts in `cache`, as distance() does.
+///
+/// \snippet distance.cpp distance within
+TRICOVER_EXPORT std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                                             const Pose& pose_b, double limit, PairCache& cache,
+                                                             const DistanceOptions& options = {});
 
 }  // namespace tricover

@@ -174,10 +174,14 @@ class TRICOVER_EXPORT Scene {
   /// All of them, sorted.
   std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                               std::uint32_t mask = kEveryCategory) const;
-  /// The nearest one, of several at the same distance the one of the lowest handle; none if there is no body within
-  /// options.limit. Throws as tricover::distance() does.
+  /// The nearest one, of several at the same distance the one of the lowest handle. Throws as tricover::distance()
+  /// does.
   std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options = {},
                                       std::uint32_t mask = kEveryCategory) const;
+  /// The nearest one that is no farther away than `limit`. Throws as tricover::distanceWithin() does.
+  std::optional<BodyDistance> nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
+                                            const DistanceOptions& options = {},
+                                            std::uint32_t mask = kEveryCategory) const;
   /// The first one that a moving polygon meets, the bodies being at rest; of several at the same time the one of the
   /// lowest handle. Throws as timeOfImpact() does.
   std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options = {},

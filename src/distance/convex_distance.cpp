@@ -23,7 +23,7 @@ ConvexOverlap crossingOf(const PosedVertices& vertices, const FeaturePair& edges
   return found;
 }
 
-EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& vertices, const DistanceOptions& options) {
+EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& vertices, const DistanceQuery& options) {
   const FeaturePair& features = nearest.features;
   const Foot& foot = nearest.foot;
   const bool is_vertices = features.kind == FeaturePair::kVertices, of_a = features.kind == FeaturePair::kEdgeOfA;
@@ -36,7 +36,7 @@ EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& ver
 
 /// Of edges that can hold the least distance, all pairs.
 DistanceResult leastDistance(const DistancePair& pair, const NearestFeatures& nearest, const PosedVertices& vertices,
-                             const DistanceOptions& options) {
+                             const DistanceQuery& options) {
   const EdgeDistances edges(vertices);
   DistanceSearch search(edges, options);
   const ConvexRing a = convexRing(pair.a), b = convexRing(pair.b);
@@ -48,7 +48,7 @@ DistanceResult leastDistance(const DistancePair& pair, const NearestFeatures& ne
 }
 
 DistanceResult resultOf(const DistancePair& pair, const NearestFeatures& nearest, const PosedVertices& vertices,
-                        const DistanceOptions& options) {
+                        const DistanceQuery& options) {
   if (!nearest.is_unique) return leastDistance(pair, nearest, vertices, options);
   const std::size_t i = nearest.features.edge_a, j = nearest.features.edge_b;
   const EdgeDistance found = distanceOf(nearest, vertices, options);
@@ -59,7 +59,7 @@ DistanceResult resultOf(const DistancePair& pair, const NearestFeatures& nearest
                         static_cast<std::ptrdiff_t>(j));
 }
 
-DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, const DistanceOptions& options) {
+DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, const DistanceQuery& options) {
   if (!overlap.isInside())
     return resultOf(pair, overlap.point, true, overlap.edges.edge_a, overlap.edges.edge_b, options);
   Outcome outcome;
@@ -94,7 +94,7 @@ ConvexOverlap findConvexOverlap(const PosedVertices& vertices) {
 }
 
 std::optional<DistanceResult> convexDistance(const DistancePair& pair, const PosedVertices& vertices,
-                                             DistanceFacts* cache, const DistanceOptions& options) {
+                                             DistanceFacts* cache, const DistanceQuery& options) {
   if (pair.a.isDegenerate() || pair.b.isDegenerate()) return std::nullopt;
   if (!hierarchyOf(pair.a).strictly_convex || !hierarchyOf(pair.b).strictly_convex) return std::nullopt;
   if (!vertices.isUnscaled()) return std::nullopt;

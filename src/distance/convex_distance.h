@@ -6,14 +6,14 @@
 #include "convex/feature_walk.h"
 #include "convex/posed_vertices.h"
 #include "distance/distance_result.h"
-#include "tricover/distance.h"
+#include "distance/options.h"
 
 namespace tricover::detail {
 
 /// Of two strictly convex polygons that are clearly apart, or small ones (SmallPolygon) that clearly meet; nothing of
 /// others. Keeps the features that it finds in `cache`, unless it is null, and tries those first.
 std::optional<DistanceResult> convexDistance(const DistancePair& pair, const PosedVertices& vertices,
-                                             DistanceFacts* cache, const DistanceOptions& options);
+                                             DistanceFacts* cache, const DistanceQuery& options);
 
 /// Where two strictly convex polygons meet.
 struct ConvexOverlap {

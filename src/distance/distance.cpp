@@ -15,7 +15,7 @@ namespace detail {
 namespace {
 
 /// By the first solver that is certain of its answer; the last one always is.
-DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, const DistanceOptions& options) {
+DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
   const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
   if (const auto result = pointDistance(pair, vertices, options)) return *result;
   if (cache != nullptr) claim(*cache, pair);
@@ -24,13 +24,18 @@ DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, c
 }
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                        DistanceFacts* cache, const DistanceOptions& options) {
+                        DistanceFacts* cache, const DistanceQuery& options) {
   requireRigid(pose_a, pose_b);
   checkOptions(options);
+  requireNotNegative(options.limit, "limit");
   const PolygonData &first = a.data(), &second = b.data();
   if (inOrder(first, pose_a, second, pose_b))
     return distanceInOrder({first, pose_a, second, pose_b, false}, cache, options);
   return distanceInOrder({second, pose_b, first, pose_a, true}, cache, options);
+}
+
+std::optional<DistanceResult> ifWithin(double limit, const DistanceResult& result) {
+  return result.distance <= limit ? std::optional<DistanceResult>(result) : std::nullopt;
 }
 
 }  // namespace
@@ -38,12 +43,23 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         const DistanceOptions& options) {
-  return detail::distance(a, pose_a, b, pose_b, nullptr, options);
+  return detail::distance(a, pose_a, b, pose_b, nullptr, {options});
 }
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
                         const DistanceOptions& options) {
-  return detail::distance(a, pose_a, b, pose_b, &detail::factsIn(cache).distance, options);
+  return detail::distance(a, pose_a, b, pose_b, &detail::factsIn(cache).distance, {options});
+}
+
+std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                             double limit, const DistanceOptions& options) {
+  return detail::ifWithin(limit, detail::distance(a, pose_a, b, pose_b, nullptr, {options, limit}));
+}
+
+std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                             double limit, PairCache& cache, const DistanceOptions& options) {
+  return detail::ifWithin(limit,
+                          detail::distance(a, pose_a, b, pose_b, &detail::factsIn(cache).distance, {options, limit}));
 }
 
 }  // namespace tricover

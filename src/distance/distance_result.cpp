@@ -33,7 +33,7 @@ bool areWithin(const DistancePair& pair, double margin) {
 
 /// What is left is above the limit, but what was found may be too large by rounding: whether the truth is within the
 /// limit and the margin together, their sum rounded down.
-bool isWithinLimit(const DistancePair& pair, double found, const DistanceOptions& options) {
+bool isWithinLimit(const DistancePair& pair, double found, const DistanceQuery& options) {
   if (!(found <= SearchReach(options).most()) || options.limit == 0) return false;
   const DoubleDouble sum = twoSum(std::min(options.limit, kLargest), options.margin);
   return areWithin(pair, std::min(sum.low < 0 ? std::nextafter(sum.high, 0) : sum.high, kLargest));
@@ -55,7 +55,7 @@ DistanceResult farResult() {
 }
 
 DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, bool meets, std::size_t i, std::size_t j,
-                        const DistanceOptions& options) {
+                        const DistanceQuery& options) {
   const double distance = beyondMargin(pair, nearest.distance, options.margin);
   if (!(distance <= options.limit) && !isWithinLimit(pair, nearest.distance, options)) return farResult();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "distance/edge_distance.h"
+#include "distance/options.h"
 #include "pair/outcome.h"
 #include "polygon/polygon_data.h"
-#include "tricover/distance.h"
 
 namespace tricover::detail {
 
@@ -48,7 +48,7 @@ DistanceResult farResult();
 
 /// Of edges i and j, where they are nearest; or their common point, if they meet.
 DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, bool meets, std::size_t i, std::size_t j,
-                        const DistanceOptions& options);
+                        const DistanceQuery& options);
 
 /// Where a ring lies inside the other region.
 DistanceResult containedResult(const DistancePair& pair, const Outcome& outcome);

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "distance/edge_distance.h"
+#include "distance/options.h"
 #include "distance/pruned_boxes.h"
 #include "pair/facts.h"
-#include "tricover/distance.h"
 
 namespace tricover::detail {
 
@@ -26,7 +26,7 @@ namespace tricover::detail {
 /// the caller's limit, none are allowed: they would hide on which side of the limit the truth is.
 class SearchReach {
  public:
-  explicit SearchReach(const DistanceOptions& options)
+  explicit SearchReach(const DistanceQuery& options)
       : options_(options),
         most_(EdgeDistances::mostWithin(sumAbove(options.limit, options.margin))),
         limit_(most_),
@@ -58,7 +58,7 @@ class SearchReach {
     return margin == 0 ? length : roundedUp<3 + 1>(length + margin);
   }
 
-  const DistanceOptions& options_;
+  const DistanceQuery& options_;
   double upper_ = std::numeric_limits<double>::infinity(), most_, limit_, worth_, reach_, lookahead_ = 0;
 };
 
@@ -103,7 +103,7 @@ class PairList {
 /// Evaluates pairs, and keeps the nearest.
 class BestPair {
  public:
-  BestPair(const EdgeDistances& edges_, const DistanceOptions& options) : edges(edges_), options_(options) {}
+  BestPair(const EdgeDistances& edges_, const DistanceQuery& options) : edges(edges_), options_(options) {}
 
   /// The doubles' view of a pair that is likely to be evaluated; its index, -1 if there is no room to keep it.
   const EdgeDistances::View& view(std::uint32_t i, std::uint32_t j, int& index) {
@@ -140,7 +140,7 @@ class BestPair {
     feature_ = view.feature;
   }
 
-  const DistanceOptions& options_;
+  const DistanceQuery& options_;
   EdgeDistance best_{std::numeric_limits<double>::infinity(), 0, 0};
   ShownPair pair_{0, UINT32_MAX, UINT32_MAX, -1};
   EdgeDistances::View views_[DistanceFacts::kMost + 1];  ///< the last one isn't kept
@@ -152,7 +152,7 @@ class BestPair {
 /// this is the same in whatever order they are shown.
 class DistanceSearch {
  public:
-  DistanceSearch(const EdgeDistances& edges, const DistanceOptions& options)
+  DistanceSearch(const EdgeDistances& edges, const DistanceQuery& options)
       : reach_(options), best_pair_(edges, options) {}
 
   /// False if they share a point, which ends the search.

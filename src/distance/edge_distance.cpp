@@ -139,7 +139,7 @@ std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t
   return feature;
 }
 
-double EdgeDistances::allowed(double distance, const DistanceOptions& options) const {
+double EdgeDistances::allowed(double distance, const DistanceQuery& options) const {
   const double low = distance - error_, high = distance + error_, margin = options.margin * scale_;
   const double rounded = atLeastSmallest(high * inverse_);
   const bool is_allowed =
@@ -148,7 +148,7 @@ double EdgeDistances::allowed(double distance, const DistanceOptions& options) c
   return is_allowed ? rounded : 0;
 }
 
-EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, const DistanceOptions& options) const {
+EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, const DistanceQuery& options) const {
   const int nearest = v.nearest;
   if (const double rounded = allowed(v.distance, options); rounded > 0) {
     const double s = v.part[nearest], end = nearest % 2;
@@ -239,7 +239,7 @@ double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t 
 }
 
 EdgeDistance EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
-                                        const DistanceOptions& options) const {
+                                        const DistanceQuery& options) const {
   const double rounded = allowed(foot.distance, options);
   const double d = rounded > 0 ? rounded
                    : edge_of_a ? distanceBeside<true>(foot.at_end, i, j)
@@ -249,7 +249,7 @@ EdgeDistance EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::s
 }
 
 EdgeDistance EdgeDistances::startAndStart(const Foot& foot, std::size_t i, std::size_t j,
-                                          const DistanceOptions& options) const {
+                                          const DistanceQuery& options) const {
   const double rounded = allowed(foot.distance, options), d = rounded > 0 ? rounded : norm(twofoldWay(i, j).high);
   return d >= kLeastShare * size_ ? EdgeDistance{d, 0, 0} : exactCombination(0, i, j);
 }

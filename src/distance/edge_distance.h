@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "convex/posed_vertices.h"
+#include "distance/options.h"
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "polygon/polygon_data.h"
-#include "tricover/distance.h"
 
 namespace tricover::detail {
 
@@ -85,13 +85,13 @@ class EdgeDistances : public PosedVertices {
 
   /// For edges that don't meet. It depends on nothing but them, the poses and the options. These may allow errors of
   /// what is left beyond the margin, if something certainly is, and no more than the limit.
-  EdgeDistance at(const View& view, std::size_t i, std::size_t j, const DistanceOptions& options) const;
+  EdgeDistance at(const View& view, std::size_t i, std::size_t j, const DistanceQuery& options) const;
   /// The same where the features are known to be the nearest: the start of b's edge j beside a's edge i, certainly
   /// between its ends; or the start of a's edge beside b's. Only for what is unscaled.
   EdgeDistance startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
-                           const DistanceOptions& options) const;
+                           const DistanceQuery& options) const;
   /// The same for the starts of both edges.
-  EdgeDistance startAndStart(const Foot& foot, std::size_t i, std::size_t j, const DistanceOptions& options) const;
+  EdgeDistance startAndStart(const Foot& foot, std::size_t i, std::size_t j, const DistanceQuery& options) const;
 
   /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled. And whether
   /// another vertex of a is certainly farther back along it than p, or one of b farther on than q. What lies between
@@ -169,7 +169,7 @@ class EdgeDistances : public PosedVertices {
 
   /// What an answer may be where the doubles' distance is this, scaled, if that is within the errors that the options
   /// allow; otherwise 0.
-  double allowed(double distance, const DistanceOptions& options) const;
+  double allowed(double distance, const DistanceQuery& options) const;
   /// From a's vertex to b's, scaled.
   Twofold2 twofoldWay(std::size_t at_a, std::size_t at_b) const;
   /// Of a vertex that is certainly beside an edge, nearer to its end or its start; scaled.

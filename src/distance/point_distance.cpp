@@ -34,7 +34,7 @@ std::optional<PointFoot> nearestFoot(const PosedVertices& vertices) {
 }
 
 std::optional<DistanceResult> pointDistance(const DistancePair& pair, const PosedVertices& vertices,
-                                            const DistanceOptions& options) {
+                                            const DistanceQuery& options) {
   if (!pair.b.isPoint()) return std::nullopt;
   const std::optional<PointFoot> nearest = nearestFoot(vertices);
   if (!nearest) return std::nullopt;

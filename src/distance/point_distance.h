@@ -6,6 +6,7 @@
 
 #include "convex/posed_vertices.h"
 #include "distance/distance_result.h"
+#include "distance/options.h"
 
 namespace tricover::detail {
 
@@ -21,6 +22,6 @@ std::optional<PointFoot> nearestFoot(const PosedVertices& vertices);
 
 /// Of a point b and anything, where plain doubles do.
 std::optional<DistanceResult> pointDistance(const DistancePair& pair, const PosedVertices& vertices,
-                                            const DistanceOptions& options);
+                                            const DistanceQuery& options);
 
 }  // namespace tricover::detail

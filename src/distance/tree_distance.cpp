@@ -69,7 +69,7 @@ Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
 }  // namespace
 
 DistanceResult treeDistance(const DistancePair& pair, const PosedVertices& vertices, DistanceFacts* cache,
-                            const DistanceOptions& options) {
+                            const DistanceQuery& options) {
   const EdgeDistances edges(vertices);
   DistanceSearch search(edges, options);
   std::optional<Outcome> outcome;

@@ -3,13 +3,13 @@
 
 #include "convex/posed_vertices.h"
 #include "distance/distance_result.h"
-#include "tricover/distance.h"
+#include "distance/options.h"
 
 namespace tricover::detail {
 
 /// Of any polygons, by branch and bound over the pairs of their edges. Uses and renews the facts in `cache`, unless it
 /// is null.
 DistanceResult treeDistance(const DistancePair& pair, const PosedVertices& vertices, DistanceFacts* cache,
-                            const DistanceOptions& options);
+                            const DistanceQuery& options);
 
 }  // namespace tricover::detail

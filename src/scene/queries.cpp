@@ -227,26 +227,32 @@ std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& po
 
 std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options,
                                            std::uint32_t mask) const {
+  return nearestWithin(polygon, pose, kInfinity, options, mask);
+}
+
+std::optional<BodyDistance> Scene::nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
+                                                 const DistanceOptions& options, std::uint32_t mask) const {
   detail::checkOptions(options);
+  detail::requireNotNegative(limit, "limit");
   detail::requireRigid(pose, "pose");
   const SceneState& state = *impl_;
   const detail::Bounds bounds = detail::boundsOf(polygon.data(), pose, 0);
   std::optional<BodyDistance> best;
-  DistanceOptions limited = options;
+  DistanceOptions sum = options;
   // Boxes hold the bodies' margins, and a result is what the query's own leaves of a distance.
   const auto bound = [&](const detail::Bounds& box) {
     return std::max(0.0, detail::roundedDown<1>(gapBetween(bounds, box) - options.margin));
   };
-  state.tree.visitInOrder(options.limit, bound, [&](Body body) {
+  state.tree.visitInOrder(limit, bound, [&](Body body) {
     const auto& other = state.bodies[body];
-    if ((other.options.category & mask) == 0) return limited.limit;
-    limited.margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());
-    const DistanceResult result = distance(polygon, pose, other.polygon, other.pose, limited);
-    if (!(result.distance <= limited.limit) || result.distance == kInfinity) return limited.limit;
-    if (!best || std::pair(result.distance, body) < std::pair(best->result.distance, best->body))
-      best = BodyDistance{body, result};
-    limited.limit = std::min(limited.limit, best->result.distance);
-    return limited.limit;
+    if ((other.options.category & mask) == 0) return limit;
+    sum.margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());
+    const auto result = distanceWithin(polygon, pose, other.polygon, other.pose, limit, sum);
+    if (!result || result->distance == kInfinity) return limit;
+    if (!best || std::pair(result->distance, body) < std::pair(best->result.distance, best->body))
+      best = BodyDistance{body, *result};
+    limit = std::min(limit, best->result.distance);
+    return limit;
   });
   return best;
 }

@@ -15,11 +15,20 @@ TEST(Documentation, Distance) {
   EXPECT_EQ(nearest.distance, 3);
   EXPECT_EQ(nearest.point_a, tricover::Vec2(4, 2));
   EXPECT_EQ(nearest.point_b, tricover::Vec2(7, 2));
-
-  tricover::DistanceOptions options;
-  options.limit = 1;  // whatever is farther away is of no interest
-  EXPECT_GT(tricover::distance(square, tricover::Pose::Identity(), wedge, pose, options).distance, 1);
   //! [distance]
+}
+
+TEST(Documentation, DistanceWithin) {
+  //! [distance within]
+  const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  tricover::Pose pose = tricover::Pose::Identity();
+  tricover::PairCache cache;  // one a pair, if it moves step by step
+  pose.translation() << 6, 1;
+  const auto near = tricover::distanceWithin(square, tricover::Pose::Identity(), square, pose, 3, cache);
+  EXPECT_EQ(near->distance, 2);
+  pose.translation() << 8, 1;
+  EXPECT_FALSE(tricover::distanceWithin(square, tricover::Pose::Identity(), square, pose, 3, cache));
+  //! [distance within]
 }
 
 TEST(Documentation, DistanceWithCache) {

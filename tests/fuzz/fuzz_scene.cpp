@@ -119,7 +119,7 @@ class Player {
     expect(scene_.colliding(polygon, pose, options) == expected, "colliding");
     expect(scene_.collides(polygon, pose, options) == !expected.empty(), "collides");
     expect(scene_.collides(polygon, pose, cache_, options) == !expected.empty(), "collides, cached");
-    const auto nearest = scene_.nearest(polygon, pose, {options.margin, 0, 0, 1e300});
+    const auto nearest = scene_.nearestWithin(polygon, pose, 1e300, {options.margin});
     const bool meets = nearest && nearest->result.distance == 0;
     expect(meets != expected.empty() && (!meets || nearest->body == expected[0]), "nearest");
     castRay(bytes_.point(), bytes_.point());

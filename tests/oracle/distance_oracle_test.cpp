@@ -12,6 +12,7 @@
 #include "distance_laws.h"
 #include "exact_reference.h"
 #include "families.h"
+#include "limited_distance.h"
 #include "polygon/cache_access.h"
 #include "random.h"
 #include "reproduction.h"
@@ -37,7 +38,7 @@ Pose elsewhere(Random& random, const Case& c) {
 }
 
 /// What a margin leaves of the distance, whatever the options allow beside that: margins around the distance and below.
-std::string wrongMargin(const Case& c, Random& random, const mpq_class& squared, DistanceOptions options,
+std::string wrongMargin(const Case& c, Random& random, const mpq_class& squared, LimitedOptions options,
                         PairCache& cache) {
   const double below = std::min(exact::distanceBelow(squared), nudged(kLargest, -2));
   options.margin = random.coin() ? below * random.unit() : std::max(nudged(below, random.integer(-1, 1)), 0.0);
@@ -83,7 +84,7 @@ double limitAround(Random& random, const mpq_class& squared, double cold) {
 
 /// What the options allow.
 std::string wrongOptions(const Case& c, Random& random, const mpq_class& squared, double cold, PairCache& cache) {
-  DistanceOptions options;
+  LimitedOptions options;
   const double length = std::min(cold, kLargest) * random.real(0, 2);
   if (random.coin()) options.relative_error = random.coin() ? 0.5 : 1e-3;
   if (random.coin()) options.absolute_error = length;
@@ -257,7 +258,7 @@ TEST_P(DistanceWalk, EveryCachedDistanceIsTheColdOne) {
         const bool turned = random.oneIn(3);
         const DistanceResult own = turned ? swapped(distance(c.b, c.pose_b, c.a, c.pose_a, caches[k]))
                                           : distance(c.a, c.pose_a, c.b, c.pose_b, caches[k]);
-        DistanceOptions options;
+        LimitedOptions options;
         if (random.oneIn(3)) options.limit = walkers[k].size * random.real(0, 6);
         const DistanceResult others = distance(c.a, c.pose_a, c.b, c.pose_b, shared, options);
         const double limited = cold.distance <= options.limit ? cold.distance : kInfinity;

@@ -6,6 +6,7 @@
 #include "cases.h"
 #include "contact_laws.h"
 #include "distance_laws.h"
+#include "limited_distance.h"
 #include "reproduction.h"
 #include "soak.h"
 #include "tricover/collide.h"
@@ -32,7 +33,7 @@ std::string wrongAnswer(Random& random, const Case& c, double size, Caches& cach
                       : collide(c.a, c.pose_a, c.b, c.pose_b, caches.pair, options)))
     return "collide, margin " + support::hex(options.margin);
   if (random.coin()) {
-    DistanceOptions limits;
+    support::LimitedOptions limits;
     limits.margin = options.margin;
     if (random.oneIn(3)) limits.limit = size * random.real(0, 3);
     const DistanceResult without = distance(c.a, c.pose_a, c.b, c.pose_b, limits),

@@ -8,6 +8,7 @@
 
 #include "cases.h"
 #include "distance_laws.h"
+#include "limited_distance.h"
 #include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -27,7 +28,7 @@ bool isDistance(double found, const Reference& reference) {
 }
 
 /// What the options allow of the distance less the margin, but for rounding of both together.
-std::string wrongOptions(double found, const DistanceOptions& options, const Reference& reference) {
+std::string wrongOptions(double found, const support::LimitedOptions& options, const Reference& reference) {
   const Reference::Bounds truth = reference.distance();
   const long double slack = 2 * kError * (truth.high + options.margin) + kSmallest;
   if ((found == 0) != reference.within(options.margin)) return "zero or not";
@@ -44,8 +45,8 @@ std::string wrongOptions(double found, const DistanceOptions& options, const Ref
              : "";
 }
 
-DistanceOptions anyOptions(Random& random, double cold) {
-  DistanceOptions options;
+support::LimitedOptions anyOptions(Random& random, double cold) {
+  support::LimitedOptions options;
   const double length = std::min(cold, std::numeric_limits<double>::max()) * random.real(0, 2);
   if (random.coin()) options.margin = random.coin() ? length : support::nudged(std::min(cold, length), 1);
   if (random.coin()) options.relative_error = random.coin() ? 0.5 : 1e-3;
@@ -65,7 +66,7 @@ void soakDistance(Run& run) {
     const Reference reference(c);
     run.count(drawn.family, reference.collide());
     const DistanceResult cold = distance(c.a, c.pose_a, c.b, c.pose_b);
-    DistanceOptions options;
+    support::LimitedOptions options;
     const std::string problem = [&]() -> std::string {
       if (!isDistance(cold.distance, reference)) return "distance";
       if (!support::same(support::swapped(distance(c.b, c.pose_b, c.a, c.pose_a)), cold)) return "swapped";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "families.h"
+#include "limited_distance.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -216,7 +217,7 @@ class SceneWalk {
 
   void nearest() {
     const auto [part, at, mask] = anyQuestion();
-    DistanceOptions options;
+    LimitedOptions options;
     if (random_.oneIn(3)) options.margin = length(part.polygon);
     if (random_.oneIn(3)) options.limit = length(part.polygon);
     double least = kInfinity;
@@ -225,14 +226,14 @@ class SceneWalk {
     std::sort(sorted.begin(), sorted.end());
     for (const Scene::Body body : sorted) {
       if ((scene_.options(body).category & mask) == 0) continue;
-      DistanceOptions both = options;
+      LimitedOptions both = options;
       both.margin = sum(options.margin, marginOf(body));
       const double apart = distance(part.polygon, at, scene_.polygon(body), scene_.pose(body), both).distance;
       if (!(apart < least)) continue;
       least = apart;
       first = body;
     }
-    const auto found = scene_.nearest(part.polygon, at, options, mask);
+    const auto found = scene_.nearestWithin(part.polygon, at, options.limit, options, mask);
     expect(found.has_value() == (least < kInfinity), "nearest: whether there is one");
     if (found) expect(found->body == first && found->result.distance == least, "nearest");
   }

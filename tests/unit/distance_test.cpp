@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "limited_distance.h"
 #include "polygon/cache_access.h"
 #include "random.h"
 #include "refusal.h"
@@ -122,15 +123,14 @@ TEST(Distance, OverlapAndContainmentHaveOneCommonPoint) {
 
 TEST(Distance, LimitAndAllowedErrors) {
   const Polygon a = square(1);
-  DistanceOptions options;
+  LimitedOptions options;
   options.limit = 5;
   EXPECT_EQ(distance(a, at(0, 0), a, at(4, 5), options).distance, 5);
   options.limit = nudged(5, -1);
-  const DistanceResult r = distance(a, at(0, 0), a, at(4, 5), options);
-  EXPECT_EQ(r.distance, kInfinity);
-  EXPECT_EQ(r.edge_a, -1);
-  EXPECT_EQ(r.edge_b, -1);
-  EXPECT_TRUE(std::isnan(r.point_a.x()) && std::isnan(r.point_b.y()));
+  EXPECT_FALSE(distanceWithin(a, at(0, 0), a, at(4, 5), options.limit));
+  PairCache cache;
+  for (const double limit : {1.0, 5.0, options.limit, 6.0})
+    EXPECT_EQ(distanceWithin(a, at(0, 0), a, at(4, 5), limit, cache).has_value(), limit >= 5);
   options.limit = 0;
   EXPECT_EQ(distance(a, at(0, 0), a, at(0.5, 0.5), options).distance, 0);
 
@@ -156,7 +156,7 @@ TEST(Distance, LimitAndAllowedErrors) {
 /// What an error allows isn't taken for a distance above the limit, nor is what the last ulps add.
 TEST(Distance, LimitMeansTheTruth) {
   const Polygon a({{{0, 2}, {-1, 1}, {2, -2}, {-2, -3}}}), b({{{1, -2}, {0, -3}, {0, 2}}});
-  DistanceOptions options;
+  LimitedOptions options;
   options.limit = 3.6;
   const double truth = std::sqrt(12.5);
   for (const double error : {0.0, 0.01, 0.02, 0.1, 1.0}) {
@@ -186,11 +186,11 @@ TEST(Distance, LimitMeansTheTruth) {
 
 TEST(Distance, RefusesAndNamesTheField) {
   const Polygon a = square(1);
-  const auto refused = [&](const DistanceOptions& options) {
+  const auto refused = [&](const LimitedOptions& options) {
     return refusal([&] { distance(a, at(0, 0), a, at(3, 0), options); });
   };
   for (const double bad : {-1.0, kNaN, -kInfinity}) {
-    DistanceOptions relative, absolute, limit;
+    LimitedOptions relative, absolute, limit;
     relative.relative_error = absolute.absolute_error = limit.limit = bad;
     EXPECT_NE(refused(relative).find("tricover: relative_error: "), std::string::npos);
     EXPECT_NE(refused(absolute).find("tricover: absolute_error: "), std::string::npos);

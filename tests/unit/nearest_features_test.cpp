@@ -90,7 +90,7 @@ double leastDistance(const PosedPair& pair, const Found& found) {
   const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
   if (found.is_unique) return convexDistance(in_order, vertices, nullptr, {})->distance;
   const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  const DistanceOptions options;
+  const DistanceQuery options;
   DistanceSearch search(edges, options);
   const std::size_t count_a = pair.a.path.size() - 1, count_b = pair.b.path.size() - 1;
   for (std::uint32_t k = 0; k < found.edges_a.count; ++k)
@@ -136,7 +136,7 @@ TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
       continue;
     }
     const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
-    const DistanceOptions options;
+    const DistanceQuery options;
     DistanceSearch all(edges, options);
     for (std::uint32_t k = 0; k + 1 < pair.a.path.size(); ++k)
       for (std::uint32_t l = 0; l + 1 < pair.b.path.size(); ++l) ASSERT_TRUE(all.show(k, l)) << reproduction(c);

@@ -12,6 +12,7 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/simd.h"
+#include "limited_distance.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/root_box.h"
 #include "polygon/cache_access.h"
@@ -157,7 +158,7 @@ TEST(Point, IsWithinALimitThatTheTruthIsWithin) {
     const Pose pose_a = pose(random.real(-3, 3), 0, 0);
     Pose pose_p = pose(random.real(-3, 3), 0, 0);
     pose_p.translation() = Vec2(random.real(2, 3), random.real(2, 3)) - pose_p * p.origin();
-    DistanceOptions options;
+    LimitedOptions options;
     options.limit = nudged(distance(many, pose_a, p, pose_p).distance, -1);
     const bool truth = exact::within(exact::distanceSquared(many, pose_a, p, pose_p), mpq_class(options.limit));
     within += truth;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "limited_distance.h"
 #include "refusal.h"
 #include "shapes.h"
 #include "tricover/collide.h"
@@ -32,7 +33,7 @@ bool within(const Polygon& a, const Polygon& b, double margin) {
 }
 
 DistanceResult gap(const Polygon& a, const Polygon& b, double margin, double limit = kInfinity) {
-  DistanceOptions options;
+  LimitedOptions options;
   options.margin = margin;
   options.limit = limit;
   const DistanceResult result = distance(a, kHere, b, kHere, options);
@@ -131,7 +132,7 @@ TEST(Margin, OfAPointFarFromATinyPolygon) {
       Pose pose = Pose::Identity();
       pose.linear() = Eigen::Rotation2Dd(turn).toRotationMatrix();
       EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity()).distance, 5, 1e-14) << tiny;
-      EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity(), {1, 0, 0, 100}).distance, 4, 1e-14) << tiny;
+      EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity(), DistanceOptions{1}).distance, 4, 1e-14) << tiny;
     }
   }
   const Polygon a({{{-1e-300, 0}, {1e-300, 0}, {0, 1e-300}}});

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "limited_distance.h"
 #include "shapes.h"
 #include "tricover/locate.h"
 
@@ -198,7 +199,7 @@ TEST(Svg, NearestPointsAreJoined) {
   EXPECT_EQ(line[0].x(), 2);
   EXPECT_EQ(line[1].x(), 5);
   EXPECT_EQ(count(svg, "<circle "), 2);
-  DistanceOptions near;
+  LimitedOptions near;
   near.limit = 1;
   EXPECT_THROW(drawing.nearest(distance(a, Pose::Identity(), b, Pose::Identity(), near)), std::invalid_argument);
 }

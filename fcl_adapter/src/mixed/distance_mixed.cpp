@@ -56,27 +56,32 @@ void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, 
   }
 }
 
-/// The options with what FCL asks for; nothing above the distance that the result already holds is of interest.
+/// The options with what FCL asks for.
 template <typename S>
-tricover::DistanceOptions optionsOf(const fcl::DistanceRequest<S>& request, const fcl::DistanceResult<S>& result,
-                                    double margin) {
+tricover::DistanceOptions optionsOf(const fcl::DistanceRequest<S>& request, double margin) {
   tricover::DistanceOptions options;
   options.relative_error = static_cast<double>(request.rel_err);
   options.absolute_error = static_cast<double>(request.abs_err);
-  options.limit = static_cast<double>(result.min_distance);
   options.margin = margin;
   return options;
 }
 
-/// Of a disc or stadium, in the world; false where a depth is asked for that has to be searched for.
+/// Of a disc or stadium, in the world; false where a depth is asked for that has to be searched for. Nothing above the
+/// limit is of interest.
 template <typename S>
 bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl::Transform3<S>* tf2,
-              const fcl::DistanceRequest<S>& request, const fcl::DistanceResult<S>& result) {
+              const fcl::DistanceRequest<S>& request, double limit) {
   const double margin = pair.shape.options().margin;
-  const tricover::DistanceOptions options = optionsOf(request, result, pair.grown(margin));
-  tricover::DistanceResult found = pair.remembering(tf1, tf2, [&](auto&... cache) {
-    return tricover::distance(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, cache..., options);
+  const tricover::DistanceOptions options = optionsOf(request, pair.grown(margin));
+  const auto within = pair.remembering(tf1, tf2, [&](auto&... cache) {
+    return tricover::distanceWithin(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, limit, cache...,
+                                    options);
   });
+  if (!within) {
+    span.distance = std::numeric_limits<double>::infinity();
+    return true;
+  }
+  tricover::DistanceResult found = *within;
   span.distance = found.distance;
   span.edge_a = found.edge_a;
   span.part_b = fcl::Contact<S>::NONE;
@@ -96,7 +101,7 @@ bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* 
       }
     }
   }
-  if (found.distance <= options.limit) moveByMargins(found, margin, pair.radius);
+  moveByMargins(found, margin, pair.radius);
   span.point_a = pair.inWorld(found.point_a);
   span.point_b = pair.inWorld(found.point_b);
   return true;
@@ -116,9 +121,10 @@ S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& t
       updateDistance(o1, o2, span.distance, span.point_b, span.point_a, span.part_b, span.edge_a, result);
     return result.min_distance;
   };
+  const auto limit = static_cast<double>(result.min_distance);
   const StadiumPair<S> round(o1, tf1, o2, tf2);
   if (round.found == StadiumCase::OutOfSlab) return result.min_distance;
-  if (round.found == StadiumCase::Pair && measured(span, round, &tf1, &tf2, request, result)) {
+  if (round.found == StadiumCase::Pair && measured(span, round, &tf1, &tf2, request, limit)) {
     if (span.distance < 0) requireContactsIfSigned(o1, o2, request);
     return report(round.polygon_first);
   }
@@ -128,7 +134,9 @@ S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& t
   if (!shadow) return result.min_distance;  // nothing in the polygon's plane to be near to
 
   const double margin = pair.shape.options().margin;
-  tricover::DistanceResult found = shadow->distance(pair.polygon(), optionsOf(request, result, margin));
+  const auto within = shadow->distance(pair.polygon(), limit, optionsOf(request, margin));
+  if (!within) return result.min_distance;
+  tricover::DistanceResult found = *within;
   if (margin > 0 && std::isfinite(found.distance)) moveByMargins(found, margin, 0);
   span = {found.distance, inSpace(found.point_a), inSpace(found.point_b), found.edge_a, shadow->partOf(found.edge_b)};
   if (span.distance == 0) measureOverlap(span, pair, *shadow, request.enable_signed_distance);

@@ -52,7 +52,7 @@ std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& sha
     for (const tricover::Contact& part : shadow.contacts(polygon, most)) add(part.point, part.normal, part.depth, part);
   }
   if (found.empty()) {
-    const tricover::DistanceResult nearest = shadow.distance(polygon, {});
+    const tricover::DistanceResult nearest = *shadow.distance(polygon, std::numeric_limits<double>::infinity(), {});
     const Vec2 between = nearest.point_b - nearest.point_a;
     const Vec2 normal = between.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(between.stableNormalized());
     add(middle(nearest.point_a, nearest.point_b), normal, 0, nearest);

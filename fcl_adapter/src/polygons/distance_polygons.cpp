@@ -68,7 +68,7 @@ template <typename S>
 bool updateApart(const PolygonShape<S>& a, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b,
                  const fcl::Transform3<S>& tf2, const tricover::DistanceOptions& options,
                  fcl::DistanceResult<S>& result) {
-  if (!(options.relative_error >= 0 && options.absolute_error >= 0 && options.limit > 0)) return false;
+  if (!(options.relative_error >= 0 && options.absolute_error >= 0 && result.min_distance > 0)) return false;
   const DiscPair<S> pair(a, tf1, b, tf2);
   const std::optional<double> distance = pair.distanceBeyond(options.margin);
   if (!distance) return false;
@@ -95,23 +95,25 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   tricover::DistanceOptions options;
   options.relative_error = static_cast<double>(request.rel_err);
   options.absolute_error = static_cast<double>(request.abs_err);
-  options.limit = static_cast<double>(result.min_distance);
   options.margin = shape_a.options().margin + shape_b.options().margin;
   if (DiscPair<S>::areDiscs(shape_a, shape_b) && updateApart(shape_a, tf1, shape_b, tf2, options, result))
     return result.min_distance;
   const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2);
   const double apart = pair.heightsMeet() ? 0 : gap(pair.heightsA(), pair.heightsB());
-  if (apart >= options.limit) return result.min_distance;
+  const auto limit = static_cast<double>(result.min_distance);
+  if (apart >= limit) return result.min_distance;
 
   const auto distance = [&](auto&... cache) {
-    return tricover::distance(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, cache..., options);
+    return tricover::distanceWithin(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, limit, cache..., options);
   };
-  tricover::DistanceResult planar = pair.remembering(tf1, tf2, distance);
+  const std::optional<tricover::DistanceResult> found = pair.remembering(tf1, tf2, distance);
+  if (!found) return result.min_distance;
+  tricover::DistanceResult planar = *found;
   if (options.margin > 0) moveByMargins(planar, shape_a.options().margin, shape_b.options().margin);
   if (planar.distance == 0 && apart == 0) {
     requireContactsIfSigned(o1, o2, request);
     updateOverlap(pair, request.enable_signed_distance, planar, result);
-  } else if (planar.distance <= options.limit) {
+  } else {
     const NearestPoints<S> points(pair, apart == 0, planar.point_a, planar.point_b);
     const double distance_in_space = apart == 0 ? planar.distance : std::hypot(planar.distance, apart);
     updateDistance(o1, o2, distance_in_space, points.on_a, points.on_b, planar.edge_a, planar.edge_b, result);

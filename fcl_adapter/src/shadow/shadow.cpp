@@ -16,16 +16,14 @@ bool Shadow::meets(const tricover::Polygon& polygon, double margin) const {
   return tricover::collide(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), options);
 }
 
-tricover::DistanceResult Shadow::distance(const tricover::Polygon& polygon,
-                                          const tricover::DistanceOptions& options) const {
+std::optional<tricover::DistanceResult> Shadow::distance(const tricover::Polygon& polygon, double limit,
+                                                         const tricover::DistanceOptions& options) const {
   // Regions that meet up to rounding are a little apart: a limit below that must not cost them their nearest points.
   if (smooth_) return smooth_->distance(polygon, options.margin);
   const bool touching = meets(polygon, options.margin);
-  tricover::DistanceOptions within = options;
-  if (touching) within.limit = std::numeric_limits<double>::infinity();
-  tricover::DistanceResult found =
-      tricover::distance(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), within);
-  if (touching) found.distance = 0;
+  auto found = tricover::distanceWithin(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(),
+                                        touching ? std::numeric_limits<double>::infinity() : limit, options);
+  if (touching && found) found->distance = 0;
   return found;
 }
 

@@ -48,8 +48,10 @@ class Shadow {
   bool meets(const tricover::Polygon& polygon, double margin) const;
 
   /// Of the polygon (a) and the shadow (b): 0 exactly where meets(polygon, options.margin), otherwise as `options`
-  /// allow, and for smooth bodies SmoothShadow::kError of the body's reach above the truth.
-  tricover::DistanceResult distance(const tricover::Polygon& polygon, const tricover::DistanceOptions& options) const;
+  /// allow, and for smooth bodies SmoothShadow::kError of the body's reach above the truth. Where it is above the
+  /// limit, it may be nothing.
+  std::optional<tricover::DistanceResult> distance(const tricover::Polygon& polygon, double limit,
+                                                   const tricover::DistanceOptions& options) const;
 
   /// The shadow itself, or, of a smooth body, a rough polygon around it.
   tricover::Polygon outline() const;
