@@ -29,7 +29,8 @@ struct PointFact {
 /// Where `point`, in the polygon's own frame, lies. Exact for every finite point.
 ///
 /// This is the paper's Algorithm 1: the signs of the covering triangles that hold the point are summed, and the
-/// polygon's fill rule says what the sum means. O(n).
+/// polygon's fill rule says what the sum means. The first few points ask all edges, O(n); then a hierarchy is built,
+/// and typically it takes O(log n + k), where k counts the edges near a ray from the point.
 ///
 /// Throws std::invalid_argument for a point that is not finite, and std::length_error as collide() does.
 ///

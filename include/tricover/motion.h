@@ -57,7 +57,8 @@ struct TRICOVER_EXPORT Motion {
   Pose at(double time) const;
 };
 
-/// Throws std::invalid_argument, naming `name` and the field, unless all of the motion is finite and start is rigid.
+/// Checks a motion as timeOfImpact() does. Throws std::invalid_argument, naming `name` and the field, unless all of it
+/// is finite and its start is rigid.
 ///
 /// \snippet motion.cpp check motion
 TRICOVER_EXPORT void checkMotion(const Motion& motion, const char* name = "motion");

@@ -78,6 +78,8 @@ TRICOVER_EXPORT std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon,
 
 /// What Algorithm 3 remembers of a pair of polygons: on which side of every edge the moving centroid was when it was
 /// last outside every influence area and the regions were apart. The rules are those of a PairCache.
+///
+/// \snippet paper.cpp collide
 class MaskCache {
  private:
   friend struct detail::CacheAccess;

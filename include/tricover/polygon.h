@@ -42,7 +42,7 @@ class TRICOVER_EXPORT Polygon {
   explicit Polygon(std::vector<Ring> rings, FillRule fill = FillRule::EvenOdd);
 
   Polygon(const Polygon&) = default;             ///< Moving copies, too, so that no polygon is ever without its data.
-  Polygon& operator=(const Polygon&) = default;  ///< See there.
+  Polygon& operator=(const Polygon&) = default;  ///< Copies, too.
 
   const std::vector<Ring>& rings() const;  ///< As they were given.
   FillRule fillRule() const;               ///< As it was given.

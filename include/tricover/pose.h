@@ -22,8 +22,8 @@ using Pose = Eigen::Isometry2d;
 /// How far an entry of R^T R may be from the identity's. Rounding to float (1e-7) passes; a scale or a shear doesn't.
 constexpr double kRigidTolerance = 1e-6;
 
-/// Throws std::invalid_argument, naming `name` and the field, unless the pose is finite and rigid within
-/// kRigidTolerance.
+/// Checks a pose as every query does. Throws std::invalid_argument, naming `name` and the field, unless it is finite
+/// and rigid within kRigidTolerance.
 ///
 /// \snippet pose.cpp pose
 TRICOVER_EXPORT void checkPose(const Pose& pose, const char* name = "pose");

@@ -133,66 +133,93 @@ class TRICOVER_EXPORT Scene {
   Scene();  ///< Without bodies.
   ~Scene();
   Scene(Scene&& other);             ///< Leaves the other one without bodies.
-  Scene& operator=(Scene&& other);  ///< See there.
+  Scene& operator=(Scene&& other);  ///< Leaves the other one without bodies, too.
 
-  /// Throws std::invalid_argument as collide() does for the pose and the margin, std::length_error for more than 2^28
-  /// bodies and as collide() does. A throw changes nothing, here as in what follows.
+  /// Puts a polygon into the scene and says how it is called from now on. Throws std::invalid_argument as
+  /// tricover::collide() does for the pose and the margin, std::length_error for more than 2^28 bodies and as
+  /// tricover::collide() does. A throw changes nothing, here as in what follows.
+  /// \snippet scene.cpp scene bodies
   Body add(const Polygon& polygon, const Pose& pose, const BodyOptions& options = {});
-  void remove(Body body);                  ///< Throws std::out_of_range for a handle that names nothing.
-  void move(Body body, const Pose& pose);  ///< Throws as add() and remove() do.
+  /// Takes a body out. Throws std::out_of_range for a handle that names nothing.
+  /// \snippet scene.cpp scene bodies
+  void remove(Body body);
+  /// Puts a body where it is now. Throws as add() and remove() do.
+  /// \snippet scene.cpp scene bodies
+  void move(Body body, const Pose& pose);
 
-  std::size_t size() const;                     ///< How many bodies there are.
-  bool contains(Body body) const;               ///< Whether the handle names one.
-  const Polygon& polygon(Body body) const;      ///< Throws as remove() does, like the next two.
-  const Pose& pose(Body body) const;            ///< Where it is.
-  const BodyOptions& options(Body body) const;  ///< As they were given.
+  /// How many bodies there are.
+  /// \snippet scene.cpp scene bodies
+  std::size_t size() const;
+  /// Whether the handle names one.
+  /// \snippet scene.cpp scene bodies
+  bool contains(Body body) const;
+  /// What a body is. Throws as remove() does.
+  /// \snippet scene.cpp scene bodies
+  const Polygon& polygon(Body body) const;
+  /// Where a body is. Throws as remove() does.
+  /// \snippet scene.cpp scene bodies
+  const Pose& pose(Body body) const;
+  /// A body's options, as they were given. Throws as remove() does.
+  /// \snippet scene.cpp scene bodies
+  const BodyOptions& options(Body body) const;
 
   /// The pairs that collide now, sorted. The reference is good until the next call of a function that isn't const.
+  /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& collisions();
   /// Of the last two calls of collisions(): the pairs that collide since, sorted.
+  /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& began() const;
   /// The pairs that don't any more, sorted; also those whose bodies were removed.
+  /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& ended() const;
 
-  // The bodies that a polygon meets. `mask`: bodies of these categories alone.
-
-  /// Whether there is one. Throws as tricover::collide() does.
+  /// Whether a polygon at a pose collides with a body, of those alone that have a category of `mask`. Throws as
+  /// tricover::collide() does.
+  /// \snippet scene.cpp scene queries
   bool collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                 std::uint32_t mask = kEveryCategory) const;
   /// The same, using and renewing the facts in `cache`.
+  /// \snippet scene.cpp scene cache
   bool collides(const Polygon& polygon, const Pose& pose, SceneCache& cache, const CollideOptions& options = {},
                 std::uint32_t mask = kEveryCategory) const;
-  /// For many poses at once: what collides() says of each of them, in their order. The same answers whatever runs it.
-  /// Throws as collides() does.
-  ///
+  /// The same for many poses at once, in their order, whatever runs it.
   /// \snippet scene.cpp parallel
   std::vector<bool> collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options = {},
                              std::uint32_t mask = kEveryCategory, const Parallel& parallel = {}) const;
-  /// One of them, not said which.
+  /// A body that a polygon collides with, of those that have a category of `mask`; of several it isn't said which.
+  /// Throws as tricover::collide() does.
+  /// \snippet scene.cpp scene queries
   std::optional<Body> anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                                    std::uint32_t mask = kEveryCategory) const;
-  /// All of them, sorted.
+  /// All bodies that a polygon collides with, of those that have a category of `mask`, sorted. Throws as
+  /// tricover::collide() does.
+  /// \snippet scene.cpp scene queries
   std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                               std::uint32_t mask = kEveryCategory) const;
-  /// The nearest one, of several at the same distance the one of the lowest handle. Throws as tricover::distance()
-  /// does.
+  /// The body nearest to a polygon, of those that have a category of `mask`; of several at the same distance the one of
+  /// the lowest handle. Throws as tricover::distance() does.
+  /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options = {},
                                       std::uint32_t mask = kEveryCategory) const;
-  /// The nearest one that is no farther away than `limit`. Throws as tricover::distanceWithin() does.
+  /// The same, if it is no farther away than `limit`. Throws as tricover::distanceWithin() does.
+  /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
                                             const DistanceOptions& options = {},
                                             std::uint32_t mask = kEveryCategory) const;
-  /// The first one that a moving polygon meets, the bodies being at rest; of several at the same time the one of the
-  /// lowest handle. Throws as timeOfImpact() does.
+  /// The body that a moving polygon meets first, of those that have a category of `mask`, all at rest; of several at
+  /// the same time the one of the lowest handle. Throws as timeOfImpact() does.
+  /// \snippet scene.cpp scene queries
   std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options = {},
                                         std::uint32_t mask = kEveryCategory) const;
   /// All pairs that meet while these bodies move and the others rest, each at its first time: earliest first, then by
   /// handles. Throws as timeOfImpact() and remove() do, and std::invalid_argument for a body that is named twice.
+  /// \snippet scene.cpp scene
   std::vector<PairImpact> impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options = {},
                                   const Parallel& parallel = {}) const;
-  /// The first one on the way from `from` to `to`, as tricover::castRay(); of several at the same fraction the one of
-  /// the lowest handle. A body with a margin is met within 1e-13 of the coordinates, as timeOfImpact() meets it; its
-  /// edge is the one that the margin is around.
+  /// The body that a ray meets first on the way from `from` to `to`, as tricover::castRay(), of those that have a
+  /// category of `mask`; of several at the same fraction the one of the lowest handle. Margins of a body and of the
+  /// ray add up. Throws as tricover::castRay() does.
+  /// \snippet scene.cpp scene queries
   std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, const RayOptions& options = {},
                                     std::uint32_t mask = kEveryCategory) const;
 

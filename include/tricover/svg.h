@@ -18,14 +18,14 @@ namespace tricover {
 /// \snippet svg.cpp svg
 class TRICOVER_EXPORT SvgDrawing {
  public:
-  /// Throws std::invalid_argument for a width that isn't positive and finite.
+  /// Without anything drawn. Throws std::invalid_argument for a width that isn't positive and finite.
   explicit SvgDrawing(double width_px = 800);
 
   /// The region under its fill rule, and its outline.
   void polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke = "#333");
   /// An open line through the points.
   void polyline(const std::vector<Vec2>& points, const std::string& stroke);
-  /// Centred at `position`.
+  /// A line of text, centred at `position`.
   void text(const Vec2& position, const std::string& text);
 
   /// The covering: positive triangles in one tint, negative ones in another, and S.
@@ -41,8 +41,7 @@ class TRICOVER_EXPORT SvgDrawing {
 
   /// The edges of each polygon that meet an edge of the other, in red. O(n m).
   void hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
-  /// The nearest points and the line between them. Throws std::invalid_argument for a result without points, which is
-  /// one beyond DistanceOptions::limit.
+  /// The nearest points and the line between them. Throws std::invalid_argument for points that aren't finite.
   void nearest(const DistanceResult& result);
   /// Of each contact the point, an arrow along the normal and, in its true length, the way by `depth`.
   void contacts(const std::vector<Contact>& contacts);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The API reference has every public free function and class, and each of their descriptions shows an example; the files that our
-documents name exist.
+"""The API reference has every public free function and class, and each of their descriptions shows an example, as does each of
+Scene's functions; what says what it throws says first what it does; the files and headings that our documents name exist.
 
 usage: tests/docs/check.py HTML   (the directory that Doxygen wrote)
 
@@ -17,9 +17,40 @@ DECLARED = re.compile(r"((?:^///[^\n]*\n)*)(?:^template[^\n]*\n)?^(?!using|exter
 DETAIL = re.compile(r"^namespace detail \{.*?^\}  // namespace detail$", re.MULTILINE | re.DOTALL)  # no part of the interface
 CLASS = re.compile(r"((?:^///[^\n]*\n)+)(?:^template[^\n]*\n)?^class (?:TRICOVER\w* )?(\w+)", re.MULTILINE)
 
-INVENTED = {"app.cpp"}  # in commands that a user types
+INVENTED = {"app.cpp", "src/room/file.cpp"}  # in commands that a user types
 DOCUMENTS = ("README.md", "src/README.md", "src/mainpage.md", ".github/CONTRIBUTING.md")
 NAMED = re.compile(r"(?<![\w/<>*.-])((?:[\w.]+/)*\w+\.(?:h|cpp|py|sh|cmake|md))(?![\w.-])")
+
+
+METHOD = re.compile(r"((?:^  ///[^\n]*\n)+)^  (?:const )?[\w:<>&]+ (\w+)\(", re.MULTILINE)
+THROWS_FIRST = re.compile(r"^(?! *///)[^\n]*\n *///<? (Throws|See)|///< (Throws|See)", re.MULTILINE)
+LINK = re.compile(r"\]\(([^)#\s]*)#([^)\s]+)\)")
+HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
+
+
+def anchors(document):
+    """Of headings, as GitHub makes them."""
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in HEADING.findall(document.read_text())}
+
+
+def dead_links():
+    for document in DOCUMENTS:
+        for file, anchor in LINK.findall((ROOT / document).read_text()):
+            target = (ROOT / document).parent / file if file else ROOT / document
+            if "://" not in file and not (target.is_file() and anchor in anchors(target)):
+                yield f"{document}: there is no {file}#{anchor}"
+
+
+def undescribed(header):
+    """Functions of a header that say what they throw, or where to look, before what they do; of Scene, those without an example."""
+    text = DETAIL.sub("", header.read_text())
+    name = header.relative_to(ROOT)
+    for found in THROWS_FIRST.finditer(text):
+        yield f"{name}:{text.count(chr(10), 0, found.end()) + 1}: says what is thrown before what is done"
+    if header.name == "scene.h":
+        for comment, method in METHOD.findall(text[text.index("class TRICOVER_EXPORT Scene"):]):
+            if "\\snippet" not in comment:
+                yield f"{name}: Scene::{method} shows no example"
 
 
 def strangers():
@@ -34,13 +65,14 @@ def strangers():
 
 def main() -> int:
     html = pathlib.Path(sys.argv[1])
-    wrong = list(strangers())
+    wrong = [*strangers(), *dead_links()]
     for folder, namespace in ((ROOT / "include/tricover", "tricover"), (ROOT / "fcl_adapter/include/tricover_fcl", "tricover_fcl")):
         page = html / f"namespace{namespace.replace('_', '__')}.html"
         inner = sorted(html.glob(f"{page.stem}_1_1*.html"))  # namespaces within it
         listed = "".join(path.read_text() for path in [page, *inner] if path.exists())
         descriptions = {}
         for header in sorted(folder.glob("*.h")):
+            wrong += undescribed(header)
             text = DETAIL.sub("", header.read_text())
             for comment, name in DECLARED.findall(text) + CLASS.findall(text):
                 descriptions.setdefault(name, []).append((header, comment))

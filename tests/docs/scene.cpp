@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -35,6 +36,70 @@ TEST(Documentation, Scene) {
   EXPECT_EQ(impacts[0].impact.time, 0);  // the other robot, at once
   EXPECT_NEAR(impacts[1].impact.time, 0.5, 1e-6);
   //! [scene]
+}
+
+TEST(Documentation, SceneBodies) {
+  //! [scene bodies]
+  const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  tricover::Pose pose = tricover::Pose::Identity();
+  tricover::BodyOptions options;
+  options.margin = 0.5;  // the body is the square grown by that
+  options.category = 2;  // what it is,
+  options.mask = 1 | 4;  // and what it meets
+  tricover::Scene scene;
+  const tricover::Scene::Body body = scene.add(square, pose, options);
+  pose.translation() << 3, 0;
+  scene.move(body, pose);
+  EXPECT_EQ(scene.size(), 1u);
+  EXPECT_EQ(scene.polygon(body).id(), square.id());
+  EXPECT_EQ(scene.pose(body).translation().x(), 3);
+  EXPECT_EQ(scene.options(body).margin, 0.5);
+  scene.remove(body);
+  EXPECT_FALSE(scene.contains(body));
+  //! [scene bodies]
+}
+
+TEST(Documentation, SceneFrames) {
+  //! [scene frames]
+  const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  tricover::Pose pose = tricover::Pose::Identity();
+  tricover::Scene scene;
+  scene.add(square, pose);
+  const tricover::Scene::Body other = scene.add(square, pose);
+  for (int frame = 0; frame < 3; ++frame) {
+    pose.translation().x() = 0.6 * frame;
+    scene.move(other, pose);
+    EXPECT_EQ(scene.collisions().size(), frame < 2 ? 1u : 0u);
+    EXPECT_EQ(scene.began().size(), frame == 0 ? 1u : 0u);
+    EXPECT_EQ(scene.ended().size(), frame == 2 ? 1u : 0u);
+  }
+  //! [scene frames]
+}
+
+TEST(Documentation, SceneQueries) {
+  //! [scene queries]
+  const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  const auto at = [](double x) {
+    tricover::Pose pose = tricover::Pose::Identity();
+    pose.translation().x() = x;
+    return pose;
+  };
+  tricover::BodyOptions marked;
+  marked.category = 2;
+  tricover::Scene scene;
+  const tricover::Scene::Body left = scene.add(square, at(0)), right = scene.add(square, at(4), marked);
+
+  EXPECT_TRUE(scene.collides(square, at(0.5)));
+  EXPECT_FALSE(scene.collides(square, at(0.5), {}, 2));  // of bodies of category 2 alone
+  EXPECT_TRUE(scene.collides(square, at(2.5), {0.5}));   // with a margin
+  EXPECT_EQ(scene.anyColliding(square, at(0.5)), left);
+  EXPECT_EQ(scene.colliding(square, at(2), {1}), (std::vector{left, right}));
+  EXPECT_EQ(scene.nearest(square, at(2.5))->body, right);
+  EXPECT_EQ(scene.nearest(square, at(2.5))->result.distance, 0.5);
+  EXPECT_FALSE(scene.nearestWithin(square, at(2.5), 0.25));
+  EXPECT_EQ(scene.firstImpact(square, tricover::Motion::translation(at(2), {8, 0}))->body, right);
+  EXPECT_EQ(scene.castRay({-1, 0.5}, {9, 0.5})->hit.fraction, 0.1);
+  //! [scene queries]
 }
 
 TEST(Documentation, SceneCache) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "exact_reference.h"
 #include "families.h"
@@ -135,6 +136,14 @@ TEST(PolygonShape, extremeSizesGiveUsableBoxes) {
       EXPECT_TRUE(float_box.contain(fcl::Vector3f(1, 2, 0)));
     }
   }
+}
+
+/// Moving copies.
+TEST(PolygonShape, isAsItWasWhenMovedFrom) {
+  PolygonShaped shape(tricover::Polygon({tricover::support::rectangle(1, 2, 4, 6)}), tricover_fcl::PolygonOptions());
+  const PolygonShaped moved(std::move(shape));
+  EXPECT_EQ(shape.polygon().id(), moved.polygon().id());  // NOLINT
+  EXPECT_TRUE(shape.boxAt(fcl::Transform3d::Identity()).equal(moved.boxAt(fcl::Transform3d::Identity())));
 }
 
 }  // namespace

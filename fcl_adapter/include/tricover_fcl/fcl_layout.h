@@ -33,7 +33,8 @@ struct FclLayout {
   std::size_t continuous_result = sizeof(fcl::ContinuousCollisionResult<double>);    ///< see sphere
 };
 
-/// Throws std::logic_error, naming what differs, unless the caller sees FCL as tricover did when it was built.
+/// Compares how the caller and tricover see FCL. Throws std::logic_error, naming what differs, unless the caller sees
+/// it as tricover did when it was built.
 ///
 /// \snippet fcl.cpp layout
 TRICOVER_EXPORT void checkFclLayout(const FclLayout& seen = FclLayout{});

@@ -53,12 +53,12 @@ struct PolygonOptions {
 template <typename S>
 class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
-  /// Throws std::invalid_argument, naming the field, for an interval that isn't finite (except that of atAllHeights())
-  /// or runs downwards, and a margin that is negative or not finite.
+  /// Of a polygon and its options. Throws std::invalid_argument, naming the field, for an interval that isn't finite
+  /// (except that of atAllHeights()) or runs downwards, and a margin that is negative or not finite.
   explicit PolygonShape(tricover::Polygon polygon, const PolygonOptions& options = {});
 
   PolygonShape(const PolygonShape&) = default;             ///< Moving copies, too: no shape is ever without its data.
-  PolygonShape& operator=(const PolygonShape&) = default;  ///< See there.
+  PolygonShape& operator=(const PolygonShape&) = default;  ///< Copies, too.
 
   const tricover::Polygon& polygon() const { return polygon_; }  ///< as it was given
   const PolygonOptions& options() const { return options_; }     ///< as they were given
