@@ -13,9 +13,9 @@ namespace tricover {
 
 /// Two edges that share a point.
 struct Crossing {
-  std::ptrdiff_t edge_a;  ///< Of a, numbered as in Polygon::edgeStart().
-  std::ptrdiff_t edge_b;  ///< Of b, numbered likewise.
-  Vec2 point;             ///< A common point, in the world, rounded. Collinear edges may have others.
+  EdgeIndex edge_a;  ///< Of a, numbered as in Polygon::edgeStart().
+  EdgeIndex edge_b;  ///< Of b, numbered likewise.
+  Vec2 point;        ///< A common point, in the world, rounded. Collinear edges may have others.
 };
 
 /// Every pair of edges that share a point. Exact: a pair is listed if and only if it does. The order means nothing. The
@@ -40,11 +40,12 @@ struct Contact {
   /// other, past the nearest edge: good for a response that is repeated, not for one step. Where they only touch,
   /// moving b along it by a little parts them, unless they are wedged or touch at several parts.
   Vec2 normal;
-  /// At least 0. It is 0 where they only touch, and may be 0 where the overlap is thinner than coordinates are rounded,
-  /// as of regions without area: penetration() tells.
+  /// At least 0, and of two convex polygons as precise as coordinates are, however short their edges. It is 0 where
+  /// they only touch, and may be 0 where the overlap is thinner than coordinates are rounded, as of regions without
+  /// area: penetration() tells.
   double depth;
-  std::ptrdiff_t edge_a;  ///< The edge of a that parts last. -1 where this part lies inside a, away from its edges.
-  std::ptrdiff_t edge_b;  ///< The edge of b that parts last. -1 where this part lies inside b, away from its edges.
+  EdgeIndex edge_a;  ///< The edge of a that parts last. -1 where this part lies inside a, away from its edges.
+  EdgeIndex edge_b;  ///< The edge of b that parts last. -1 where this part lies inside b, away from its edges.
 };
 
 /// One contact for each connected part of the overlap, the deepest first, at most `most`. Empty exactly where collide()

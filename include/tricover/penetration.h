@@ -29,10 +29,10 @@ struct Penetration {
   /// After this translation of b (or its opposite of a) they are proven to be apart, even though adding it to the
   /// pose's translation rounds. It differs from depth * normal by as little as that takes.
   Vec2 translation;
-  Vec2 point_a;           ///< The point on a's outline that parts last, where it is now.
-  Vec2 point_b;           ///< The same on b's. If optimal, point_a is point_b + depth * normal, otherwise near it.
-  std::ptrdiff_t edge_a;  ///< The edge that point_a lies on, numbered as in Polygon::edgeStart().
-  std::ptrdiff_t edge_b;  ///< The edge that point_b lies on.
+  Vec2 point_a;      ///< The point on a's outline that parts last, where it is now.
+  Vec2 point_b;      ///< The same on b's. If optimal, point_a is point_b + depth * normal, otherwise near it.
+  EdgeIndex edge_a;  ///< The edge that point_a lies on, numbered as in Polygon::edgeStart().
+  EdgeIndex edge_b;  ///< The edge that point_b lies on.
 };
 
 /// The shortest translation that parts two overlapping regions, or nothing if they are apart.
