@@ -11,7 +11,7 @@
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
-#include "pair/pair_fact.h"
+#include "pair/find_fact.h"
 #include "polygon/cache_access.h"
 
 namespace tricover {
@@ -36,7 +36,7 @@ std::vector<Contact> deepestContacts(const PosedPair& pair, PairFacts* cache, st
   if (known.certain && !known.collides) return {};
   std::vector<Contact> result = allContacts(pair, cache);
   if (cache != nullptr && result.empty()) {
-    PairFact fact{};  // after a jump another may follow: then only the poses are of use
+    Outcome fact{};  // after a jump another may follow: then only the poses are of use
     if (known.coherent) fact = findFact(pair.a, pair.pose_a, pair.b, pair.pose_b, {}, {known.lookahead, true});
     remember(cache->collision, pair.a, pair.pose_a, pair.b, pair.pose_b, false, fact.clearance);
   }

@@ -36,7 +36,7 @@ namespace tricover::detail {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kRoot2 = 1.4142135623730951;
+constexpr double kDiagonal = 1.4142135623730951;
 /// Cells with no more segments than this are decided; others are split.
 constexpr std::size_t kMostSegments = 8;
 /// A search of more queries than this begins again with both regions covered by discs.
@@ -130,7 +130,7 @@ class PartingSearch {
       if (queries_ >= budget_) return found_;
       cells.pop();
       if (decide(cell)) continue;
-      const double half = cell.half / 2, radius = cell.half * kRoot2;
+      const double half = cell.half / 2, radius = cell.half * kDiagonal;
       const auto near =
           cell.sums->areMany() ? std::make_shared<const DiscSums>(cell.sums->near(cell.center, radius)) : cell.sums;
       for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)})
@@ -171,7 +171,7 @@ class PartingSearch {
     ++queries_;
     Vec2 t = cell.center;
     const PosedPair pair = space_.at(t);
-    const double radius = (cell.half * kRoot2 + (t - cell.center).norm()) * (1 + 0x1p-40);
+    const double radius = (cell.half * kDiagonal + (t - cell.center).norm()) * (1 + 0x1p-40);
     if (cell.sums->hold(t, radius)) return true;
     if (cell.half > coarse_) return false;
     const Outcome outcome = collideByHierarchy(pair, {}, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
@@ -249,7 +249,7 @@ class PartingSearch {
         rest.takeAway(
             space_.meetings(static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
       } else {
-        const double half = inUnits(pair, outcome.clearance) / kRoot2;
+        const double half = inUnits(pair, outcome.clearance) / kDiagonal;
         rest.takeAway({t + Vec2(-half, -half), t + Vec2(half, -half), t + Vec2(half, half), t + Vec2(-half, half)});
       }
       if (whole - rest.area() < whole * tries / kMostTries)

@@ -42,7 +42,7 @@ bool showSmall(const PosedPair& pair, DistanceSearch& search) {
   const double reach = pair.reach(EdgeDistances::above(search.reach())) * pair.a.inverse_unit;
   const double within = std::min(reach, 2 * kFar) * factor + slack;
   unsigned near[SmallPolygon::kMost];
-  edgesWithin(*a, *b, gaps, static_cast<float>(within * within * factor), near);
+  nearEdges(*a, *b, gaps, static_cast<float>(within * within * factor), near);
   for (int i = 0; i < a->count; ++i)
     for (unsigned of_b = near[i]; of_b != 0; of_b &= of_b - 1) {
       const std::uint32_t k = a->position[i], l = b->position[__builtin_ctz(of_b)];

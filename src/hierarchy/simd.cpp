@@ -44,9 +44,9 @@ void smallGaps(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
   table().small_gaps(a, b, map, gaps);
 }
 
-void edgesWithin(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
-                 unsigned (&near)[SmallPolygon::kMost]) {
-  table().edges_within(a, b, gaps, square, near);
+void nearEdges(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
+               unsigned (&near)[SmallPolygon::kMost]) {
+  table().near_edges(a, b, gaps, square, near);
 }
 
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {

@@ -170,8 +170,8 @@ void smallGaps(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
 
 /// For each edge of a a bit per edge of b with which it has a vertex beside an edge whose distance has at most this
 /// square. A vertex is of both its edges.
-void edgesWithin(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
-                 unsigned (&near)[SmallPolygon::kMost]);
+void nearEdges(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
+               unsigned (&near)[SmallPolygon::kMost]);
 
 /// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
 /// vertex of the other is nearest to its line. It is a guess as good as floats.

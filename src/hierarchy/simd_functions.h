@@ -20,7 +20,7 @@ constexpr SimdTable tableOf() {
           &innerDepth<Lanes>,   &findEdgeNear<Lanes>,    &depthInDiscs<Lanes>,     &visitEdgesOnWay<Lanes>,
           &convexGap<Lanes>,    &showEdgesNear<Lanes>,   &findNearestEdges<Lanes>, &convexCrossing<Lanes>,
           &fewEdgesMeet<Lanes>, &findEdgesOnWays<Lanes>, &convexEntry<Lanes>,      &boxesMeeting<Lanes>,
-          &boxesOnRay<Lanes>,   &cutWindows<Lanes>,      &smallGaps<Lanes>,        &edgesWithin<Lanes>};
+          &boxesOnRay<Lanes>,   &cutWindows<Lanes>,      &smallGaps<Lanes>,        &nearEdges<Lanes>};
 }
 
 }  // namespace tricover::detail::simd

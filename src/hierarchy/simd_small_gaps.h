@@ -83,8 +83,8 @@ void smallGaps(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
 }
 
 template <class Lanes>
-void edgesWithin(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
-                 unsigned (&near)[SmallPolygon::kMost]) {
+void nearEdges(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
+               unsigned (&near)[SmallPolygon::kMost]) {
   const EdgeView edges_a = edgesOf(a), edges_b = edgesOf(gaps);
   for (int i = 0; i < a.count; ++i)
     near[i] = gaps.of_a[i] > square

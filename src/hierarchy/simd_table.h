@@ -27,7 +27,7 @@ struct SimdTable {
   decltype(&boxesOnRay) boxes_on_ray;
   decltype(&cutWindows) cut_windows;
   decltype(&smallGaps) small_gaps;
-  decltype(&edgesWithin) edges_within;
+  decltype(&nearEdges) near_edges;
 };
 
 /// Constant, so that static objects may ask questions before anything is initialised.

@@ -9,6 +9,7 @@
 #include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "pair/four_ends.h"
+#include "pair/posed_pair.h"
 #include "pair/root_box.h"
 
 namespace tricover::detail {
@@ -21,20 +22,18 @@ static_assert(kPointError >= (1 + 1e-5) * errorOf(7));
 /// From the world to the frame of a polygon under a pose.
 struct IntoFrame {
   explicit IntoFrame(const Pose& pose_)
-      : pose(pose_), identity(pose_.matrix() == Pose::Identity().matrix()), determinant(pose_.linear().determinant()) {}
+      : pose(pose_), identity(pose_.matrix() == Pose::Identity().matrix()), turn_back(pose_) {}
 
   ApproxPoint operator()(const Vec2& p) const {
     if (identity) return {p.x(), p.y(), 0};
-    const auto& m = pose.matrix();
-    const double x = p.x() - m(0, 2), y = p.y() - m(1, 2), d = 1 / determinant;
-    return {(m(1, 1) * x - m(0, 1) * y) * d, (m(0, 0) * y - m(1, 0) * x) * d,
-            kPointError * (std::abs(x) + std::abs(y)) + kTiny};
+    const Double2 shift = load2(p.data()) - load2(pose.data() + 6), apart = absolute(shift), at = turn_back(shift);
+    return {at[0], at[1], kPointError * (apart[0] + apart[1]) + kTiny};
   }
-  int handed() const { return determinant < 0 ? -1 : 1; }
+  int handed() const { return turn_back.handed; }
 
   const Pose& pose;
   bool identity;
-  double determinant;
+  TurnBack turn_back;
 };
 
 /// From v to w and of length 1; zero if they are equal.

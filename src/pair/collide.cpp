@@ -11,8 +11,8 @@
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
+#include "pair/find_fact.h"
 #include "pair/kernel_order.h"
-#include "pair/pair_fact.h"
 #include "polygon/cache_access.h"
 
 namespace tricover {
@@ -23,8 +23,8 @@ namespace {
 double inWorld(double length, double scale_defect) { return roundedDown<2>(length * (1 - scale_defect)); }
 
 /// Of convex polygons, by their nearest features. Those that start with the vertices of the last ones are tried first.
-std::optional<PairFact> findConvexFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
-                                       const Pose& pose_b, double margin, const FactWish& wish) {
+std::optional<Outcome> findConvexFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
+                                      const Pose& pose_b, double margin, const FactWish& wish) {
   if (a.isDegenerate() || b.isDegenerate()) return std::nullopt;
   if (!hierarchyOf(a).strictly_convex || !hierarchyOf(b).strictly_convex) return std::nullopt;
   FeaturePair tried;
@@ -34,17 +34,17 @@ std::optional<PairFact> findConvexFact(const PolygonData& a, const Pose& pose_a,
   const NearestFeatures nearest = findNearestFeatures(vertices, tried);
   const double apart = nearest.are_apart ? nearest.atLeast(vertices) : 0;
   if (!(apart > margin)) return std::nullopt;
-  return PairFact{false, apart, static_cast<std::ptrdiff_t>(nearest.features.edge_a),
-                  static_cast<std::ptrdiff_t>(nearest.features.edge_b)};
+  return Outcome{false, apart, static_cast<std::ptrdiff_t>(nearest.features.edge_a),
+                 static_cast<std::ptrdiff_t>(nearest.features.edge_b)};
 }
 
 /// What the hierarchy finds, or the edges that answered last.
-PairFact findCloseFact(const Placement& placement, const CollideOptions& options, const FactWish& wish) {
+Outcome findCloseFact(const Placement& placement, const CollideOptions& options, const FactWish& wish) {
   const EdgeTest test(placement, options);
   const auto hit = [&](std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
     const PosedPair& pair = test.pair();
     const double depth = crossingDepth(pair, static_cast<std::size_t>(edge_a), static_cast<std::size_t>(edge_b));
-    return PairFact{true, inWorld(depth, pair.scale_defect), edge_a, edge_b};
+    return Outcome{true, inWorld(depth, pair.scale_defect), edge_a, edge_b};
   };
   if (wish.edge_a >= 0 && wish.edge_b >= 0)
     if (test(static_cast<std::size_t>(wish.edge_a), static_cast<std::size_t>(wish.edge_b)))
@@ -76,7 +76,7 @@ bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, c
                const Recollection& recollection, const CollideOptions& options) {
   claim(cache, a, b);
   // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
-  const PairFact fact =
+  const Outcome fact =
       findFact(a, pose_a, b, pose_b, options,
                {recollection.lookahead, recollection.coherent, static_cast<std::ptrdiff_t>(cache.first_edge),
                 static_cast<std::ptrdiff_t>(cache.second_edge), cache.clearance > 0 && !cache.overlapping});
@@ -109,8 +109,8 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
 
 }  // namespace
 
-PairFact findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                  const CollideOptions& options, const FactWish& wish) {
+Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                 const CollideOptions& options, const FactWish& wish) {
   const Placement placement(a, pose_a, b, pose_b);
   const double gap = gapOfDiscs(placement, options.margin);
   if (gap >= 0) return {false, gap, wish.edge_a, wish.edge_b};

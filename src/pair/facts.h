@@ -132,8 +132,7 @@ inline Recollection recall(CollisionFact& cache, const PolygonData& a, const Pos
 /// Makes the cache one of these two polygons; empties it if it was another pair's.
 void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& second);
 
-/// Keeps the fact: at these poses `overlapping` was the answer, and moving points by less than `clearance` can't change
-/// it.
+/// Keeps a new fact of these poses.
 void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
               const Pose& second_pose, bool overlapping, double clearance);
 

@@ -41,21 +41,21 @@ inline std::array<double, 17> numbersOf(const Motion& motion) {
 }
 
 /// The kernel's own order of two operands, so that answers don't depend on the caller's: the smaller polygon moves. Of
-/// a polygon and itself, the place (a pose or a motion) decides; only equal places leave the caller's order.
-template <typename Place>
-bool inOrder(const PolygonData& a, const Place& place_a, const PolygonData& b, const Place& place_b) {
+/// a polygon and itself, the pose or motion decides; only equal ones leave the caller's order.
+template <typename PoseOrMotion>
+bool inOrder(const PolygonData& a, const PoseOrMotion& pose_a, const PolygonData& b, const PoseOrMotion& pose_b) {
   if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
-  const auto p = numbersOf(place_a), q = numbersOf(place_b);
+  const auto p = numbersOf(pose_a), q = numbersOf(pose_b);
   return !std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), isBefore);
 }
 
-/// What query(a, place_a, b, place_b) returns of the operands in the kernel's order; in the caller's order again by
+/// What query(a, pose_a, b, pose_b) returns of the operands in the kernel's order; in the caller's order again by
 /// swapOperands(result).
-template <typename Place, typename Query, typename SwapOperands>
-auto inKernelOrder(const PolygonData& a, const Place& place_a, const PolygonData& b, const Place& place_b, Query query,
-                   SwapOperands swapOperands) {
-  if (inOrder(a, place_a, b, place_b)) return query(a, place_a, b, place_b);
-  auto result = query(b, place_b, a, place_a);
+template <typename PoseOrMotion, typename Query, typename SwapOperands>
+auto inKernelOrder(const PolygonData& a, const PoseOrMotion& pose_a, const PolygonData& b, const PoseOrMotion& pose_b,
+                   Query query, SwapOperands swapOperands) {
+  if (inOrder(a, pose_a, b, pose_b)) return query(a, pose_a, b, pose_b);
+  auto result = query(b, pose_b, a, pose_a);
   swapOperands(result);
   return result;
 }

@@ -33,27 +33,39 @@ constexpr double kMappingError = 16 * kUnitRoundoff;
 static_assert(kMappingError >= (1 + 1e-5) * errorOf(1) * (2 * kRoot2 * kRoot2 + (4 + 3) * kRoot2));
 static_assert(Gram::kMatrixError >= (1 + 1e-5) * errorOf(1) * (3 + kRoot2 + 2 * 2));
 
+/// v -> R^-1 v = adj(R) v / det R, for the R of a pose.
+struct TurnBack {
+  explicit TurnBack(const Pose& pose) {
+    const Double2 r0 = load2(pose.data()), r1 = load2(pose.data() + 3);  // columns of three
+    const double det = r0[0] * r1[1] - r1[0] * r0[1];
+    diagonal = Double2{r1[1], r0[0]};
+    off = Double2{r1[0], r0[1]};
+    d = 1 / det - Double2{};
+    handed = det < 0 ? -1 : 1;
+  }
+  Double2 operator()(Double2 v) const { return (diagonal * v - off * swapped(v)) * d; }
+
+  Double2 diagonal, off, d;
+  int handed;  ///< the sign of det R
+};
+
 /// Two polygons under their poses, seen from a's frame. The relative pose is rounded, so it serves filters and bounds
 /// only; exact stages use the two poses as given.
 struct PosedPair {
   PosedPair(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_)
       : a(a_), b(b_), pose_a(pose_a_), pose_b(pose_b_) {
     const double *ra = pose_a.data(), *rb = pose_b.data();  // columns of three
-    const Double2 a0 = load2(ra), a1 = load2(ra + 3), b0 = load2(rb), b1 = load2(rb + 3);
     const Double2 shift = load2(rb + 6) - load2(ra + 6), apart = absolute(shift);
-    const double det = a0[0] * a1[1] - a1[0] * a0[1];
-    const Double2 diagonal{a1[1], a0[0]}, off{a1[0], a0[1]};
-    const Double2 d = 1 / det - Double2{};
-    const Double2 m0 = (diagonal * b0 - off * swapped(b0)) * d, m1 = (diagonal * b1 - off * swapped(b1)) * d;
-    const Double2 t = (diagonal * shift - off * swapped(shift)) * d;
+    const TurnBack to_a(pose_a);
+    const Double2 m0 = to_a(load2(rb)), m1 = to_a(load2(rb + 3)), t = to_a(shift);
     store2(&m00, m0);
     store2(&m01, m1);
     store2(&tx, t);
     store2(&center_x, m0 * b.origin.x() + m1 * b.origin.y() + t);
     error = kMappingError * (b.extent + apart[0] + apart[1]) + kTiny;
     defect = Gram(m0, m1).defect();
-    scale_defect = Gram(a0, a1).defect();
-    handed = det < 0 ? -1 : 1;
+    scale_defect = Gram(load2(ra), load2(ra + 3)).defect();
+    handed = to_a.handed;
     // NaN of poses near the ends of the range is uncertain, no less.
     assert(!(error < kTiny) && !(defect < 0) && scale_defect < kLargestDefect);
   }

@@ -10,8 +10,8 @@
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/facts.h"
+#include "pair/find_fact.h"
 #include "pair/kernel_order.h"
-#include "pair/pair_fact.h"
 #include "polygon/cache_access.h"
 #include "scene/scene_state.h"
 
@@ -196,12 +196,12 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
       return true;
     }
     const CollideOptions sum = detail::withMargin(options, other.options.margin);
-    const detail::PairFact fact = detail::inKernelOrder(
+    const detail::Outcome fact = detail::inKernelOrder(
         data, pose, other.polygon.data(), other.pose,
         [&](const auto&... operands) {
           return detail::findFact(operands..., sum, {lookahead, true});
         },
-        [](const detail::PairFact&) {});
+        [](const detail::Outcome&) {});
     if (fact.collides) cache.body = body;
     clearance = std::min(clearance, detail::roundedDown<1>(fact.clearance - sum.margin));
     return !fact.collides;

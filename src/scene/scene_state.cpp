@@ -13,8 +13,8 @@
 #include "numbers/errors.h"
 #include "numbers/rounding.h"
 #include "pair/facts.h"
+#include "pair/find_fact.h"
 #include "pair/kernel_order.h"
-#include "pair/pair_fact.h"
 
 namespace tricover::detail {
 namespace {
@@ -162,12 +162,12 @@ void SceneState::look(std::uint32_t index) {
   if (!tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return unlink(index);
   const double pace = p.step + q.step;
   const CollideOptions options = withMargin({}, p.options.margin, q.options.margin);
-  PairFact fact = inKernelOrder(
+  Outcome fact = inKernelOrder(
       p.polygon.data(), p.pose, q.polygon.data(), q.pose,
       [&](const auto&... operands) {
         return findFact(operands..., options, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
       },
-      [](const PairFact&) {});
+      [](const Outcome&) {});
   pair.edge[0] = fact.edge_a;
   pair.edge[1] = fact.edge_b;
   if (fact.collides != pair.collides) changed.push_back(index);

@@ -20,7 +20,7 @@ namespace tricover::detail {
 ///
 /// A body counts how far any of its points has moved at the most, `moved`, which never decreases. Its box in the tree
 /// holds it until that reaches `box_until`. Two bodies whose boxes meet, and that may meet, are a pair, unless one of
-/// them is `fresh`: its box is new, and its pairs are to be found. A pair's fact (PairFact) with a clearance c holds
+/// them is `fresh`: its box is new, and its pairs are to be found. A pair's fact (CollisionFact) with a clearance c holds
 /// while the two counts together grow by less than c, so while neither passes its share of that: its links' `due`.
 /// A body's own `due` is the first of all these. So what isn't due is as it was, and collisions() looks at the rest.
 struct SceneState {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
-    ("src/pair/cast_ray.cpp", "kPointError * (std::abs(x) + std::abs(y)) + kTiny", "0", "ray: no error of its ends"),
-    ("src/pair/cast_ray.cpp", "return determinant < 0 ? -1 : 1;", "return 1;", "ray: mirrored poses"),
+    ("src/pair/cast_ray.cpp", "kPointError * (apart[0] + apart[1]) + kTiny", "0", "ray: no error of its ends"),
+    ("src/pair/cast_ray.cpp", "return turn_back.handed;", "return 1;", "ray: mirrored poses"),
     ("src/pair/cast_ray.cpp", "const double room = polygon_.radius * polygon_.inverse_unit + ray_.error;", "const double room = 0.9 * polygon_.radius * polygon_.inverse_unit;", "ray: beside a smaller disc"),
     ("src/pair/cast_ray.cpp", "shorten(std::min(fraction, limit_));", "shorten(0.5 * fraction);", "ray: shortened by too much"),
     ("src/pair/collide.cpp", "if (!(apart > margin)) return std::nullopt;", "if (!(apart > 0)) return std::nullopt;", "facts: features apart, but within the margin"),
@@ -45,8 +45,8 @@ MUTATIONS = [
     ("src/pair/posed_pair.cpp", "const double below = d - kEndError * pair.error - 2 * kSegmentDistanceError * length;", "const double below = 2 * d;", "crossing depth: too large"),
     ("src/pair/posed_pair.h", "error = kMappingError *", "error = 0 *", "relative pose: no error"),
     ("src/pair/posed_pair.h", "handed = det < 0 ? -1 : 1;", "handed = 1;", "mirrored poses: exact signs"),
-    ("src/pair/posed_pair.h", "t = (diagonal * shift - off * swapped(shift)) * d;", "t = (diagonal * shift - off * swapped(shift));", "relative pose: determinant forgotten"),
-    ("src/pair/posed_pair.h", "scale_defect = Gram(a0, a1).defect();", "scale_defect = 0;", "scale defect"),
+    ("src/pair/posed_pair.h", "(diagonal * v - off * swapped(v)) * d", "(diagonal * v - off * swapped(v))", "relative pose: determinant forgotten"),
+    ("src/pair/posed_pair.h", "scale_defect = Gram(load2(ra), load2(ra + 3)).defect();", "scale_defect = 0;", "scale defect"),
     ("src/pair/posed_pair.h", "defect = Gram(m0, m1).defect();", "defect = 0;", "defect of the relative pose"),
     ("src/pair/posed_pair.h", "length * (1 + 2 * scale_defect)", "length", "margin in a's frame: scale forgotten"),
 ]

@@ -9,14 +9,6 @@
 
 namespace tricover::detail {
 
-/// "At these poses the answer is `collides`, and whether the regions overlap stays so while no point is moved against
-/// the other polygon by `clearance`, a world length, or more": see CollisionFact.
-struct PairFact {
-  bool collides;
-  double clearance;               ///< 0 of a hit by the margin or the tolerance alone
-  std::ptrdiff_t edge_a, edge_b;  ///< of a hit: see Outcome; of convex polygons apart: see FeaturePair
-};
-
 /// What finding a fact is to look for.
 struct FactWish {
   double lookahead;                         ///< the clearance, beyond the margin, that is of use
@@ -25,9 +17,11 @@ struct FactWish {
   bool was_apart = false;                   ///< whether these are the last fact's of polygons apart
 };
 
-/// Operands in the kernel's order, all arguments checked.
-PairFact findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                  const CollideOptions& options, const FactWish& wish);
+/// Finds what a CollisionFact says of these poses: an Outcome whose clearance is a world length, 0 of a hit by the
+/// margin or the tolerance alone; its edges may also be those at a FeaturePair's vertices. Operands in the kernel's
+/// order, all arguments checked.
+Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                 const CollideOptions& options, const FactWish& wish);
 
 /// collide() of arguments that have been checked, in any order, by what comes after discs have been asked.
 bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
