@@ -6,6 +6,7 @@
 
 #include "hierarchy/hierarchy.h"
 #include "numbers/double2.h"
+#include "polygon/convexity.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {
@@ -83,7 +84,7 @@ class ConvexRing {
 
 /// A polygon whose hierarchy says that it is strictly convex.
 inline ConvexRing convexRing(const PolygonData& polygon) {
-  return {polygon.path.data(), polygon.path.size() - 1, hierarchyOf(polygon).convex};
+  return {polygon.path.data(), polygon.path.size() - 1, convexityOf(polygon).direction};
 }
 
 }  // namespace tricover::detail

@@ -9,6 +9,7 @@
 #include "distance/edge_distance.h"
 #include "hierarchy/simd.h"
 #include "pair/placement.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
@@ -96,7 +97,7 @@ ConvexOverlap findConvexOverlap(const PosedVertices& vertices) {
 std::optional<DistanceResult> convexDistance(const DistancePair& pair, const PosedVertices& vertices,
                                              DistanceFacts* cache, const DistanceQuery& options) {
   if (pair.a.isDegenerate() || pair.b.isDegenerate()) return std::nullopt;
-  if (!hierarchyOf(pair.a).strictly_convex || !hierarchyOf(pair.b).strictly_convex) return std::nullopt;
+  if (!convexityOf(pair.a).is_strict || !convexityOf(pair.b).is_strict) return std::nullopt;
   if (!vertices.isUnscaled()) return std::nullopt;
   const FeaturePair tried = cache != nullptr ? recallFeatures(*cache) : FeaturePair();
   const auto store = [&](bool were_right, const FeaturePair& found) {

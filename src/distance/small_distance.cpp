@@ -15,7 +15,7 @@ constexpr double kFar = 64;
 /// Up to here smallMeet() tells; from here on the bounding discs, of at most a unit each, are apart.
 constexpr double kNear = 4;
 
-bool areApart(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding, double far) {
+bool areApart(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double rounding, double far) {
   if (far >= kNear) return map.error < 0.5;
   return smallMeet(a, b, map, rounding) == Meeting::Apart;
 }
@@ -29,11 +29,12 @@ bool areApart(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, 
 // length of a's frame: in the world it differs by the scale's defect, and so do two that are compared.
 bool showSmall(const PosedPair& pair, DistanceSearch& search) {
   if (!areSmall(pair.a, pair.b)) return false;
-  const SmallPolygon *a = hierarchyOf(pair.a).small.get(), *b = hierarchyOf(pair.b).small.get();
+  const Hierarchy &tree_a = hierarchyOf(pair.a), &tree_b = hierarchyOf(pair.b);
   const UnitPlacement at(pair);
   const UnitMap& map = at.map;
   const double rounding = at.rounding, far = std::abs(map.tx) + std::abs(map.ty);
-  if (!(far < kFar && areApart(*a, *b, map, rounding, far))) return false;
+  if (!(far < kFar && areApart(tree_a, tree_b, map, rounding, far))) return false;
+  const SmallPolygon *a = tree_a.small.get(), *b = tree_b.small.get();
   SmallGaps gaps;
   smallGaps(*a, *b, map, gaps);
   const double slack = 4 * (8 * rounding + map.error) * (1 + far / kNear);

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "hierarchy/hierarchy.h"
+#include "hierarchy/simd_function.h"
 #include "numbers/rounding.h"
+#include "tricover/pose.h"
 
 namespace tricover::detail {
 
@@ -65,11 +66,9 @@ struct BoxRay {
   double inverse[2], enter[2], leave[2];
 };
 
-// In simd.cpp, by what the processor has.
-
 /// Bit per box that meets another one; boxes of NaN meet nothing.
-unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds);
+extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds)> boxesMeeting;
 /// Bit per box that a ray enters before the fraction `most`, and lower bounds of the fractions.
-unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, double (&least)[kLanes]);
+extern Simd<unsigned(const EightBoxes& boxes, const BoxRay& ray, double most, double (&least)[kLanes])> boxesOnRay;
 
 }  // namespace tricover::detail

@@ -339,11 +339,8 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   blocks.shrink_to_fit();
   assert(isTree(*this, polygon));
   findInnerDiscs(polygon, local, *this);
-  const Convexity convexity = convexityOf(polygon);
-  convex = convexity.direction;
-  strictly_convex = convexity.corners.size() == polygon.path.size() - 1;
-  small = makeSmallPolygon(polygon, convexity, local);
-  small_convex = small && small->convex ? small.get() : nullptr;
+  small = makeSmallPolygon(polygon, local);
+  small_convex = convexityOf(polygon).is_strict ? small.get() : nullptr;
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {

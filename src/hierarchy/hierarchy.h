@@ -6,11 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include "hierarchy/simd_function.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {
-
-constexpr int kLanes = 8;
 
 /// An oriented box: its centre, the unit axis it is `along`, and half its extents along and across that.
 struct Box {
@@ -55,7 +54,6 @@ struct SmallPolygon {
   std::uint8_t next[kMost];      ///< the vertex at which an edge ends
   std::uint8_t position[kMost];  ///< an edge's, in the path
   FillRule fill;
-  bool convex;
 
   /// Of bits of vertices, those of the vertices at which edges end: each bit moves to the edge before it in its ring,
   /// that of a ring's first vertex to the last edge: where it is set, the difference clears the last edge's bit, and no
@@ -82,8 +80,6 @@ struct Hierarchy : Derived::Thing {
 
   std::unique_ptr<const SmallPolygon> small;  ///< null unless the polygon has few edges
   const SmallPolygon* small_convex;           ///< the same if it is convex, otherwise null
-  int convex;                                 ///< Convexity::direction
-  bool strictly_convex;                       ///< and all vertices are corners
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

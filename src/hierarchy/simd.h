@@ -4,12 +4,9 @@
 #include <limits>
 
 #include "hierarchy/hierarchy.h"
+#include "hierarchy/simd_function.h"
 #include "hierarchy/unit_map.h"
 
-/// Descents of the hierarchy, eight boxes at a time. simd_descent.h and simd_shapes.h have them once, as templates over
-/// the eight lanes; simd_portable.cpp and simd_avx2.cpp instantiate them for whatever the target has (SSE2, NEON) and
-/// for AVX2, and simd.cpp picks by what the processor has. No operation is fused or reordered, so both give the same
-/// bits.
 namespace tricover::detail {
 
 /// What a gap may be too large by, computed in floats: relative to the sum of what it is computed from, the query's
@@ -51,7 +48,7 @@ struct DescentResult {
 };
 
 /// The first pair of edges that makes a hit, deepest box first.
-DescentResult findHit(const Descent& descent, const HitTest& test);
+extern Simd<DescentResult(const Descent& descent, const HitTest& test)> findHit;
 
 /// Boxes that need not be met with each other: bit per lane of each block of a's hierarchy and of b's. Null: none.
 struct PrunedPairs {
@@ -73,11 +70,12 @@ struct NearEdgeTest {
 
 /// The first edge found that makes a hit. Without one, `clearance` is a lower bound of the distance from the point to
 /// any edge, at most the limit.
-DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test);
+extern Simd<DescentResult(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test)>
+    findEdgeNear;
 
 /// The edges that may be the nearest to a point, as floats see it; how many, 0 if that isn't known or there are more.
 constexpr int kMostNearest = 8;
-int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest]);
+extern Simd<int(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest])> findNearestEdges;
 
 /// A point that moves from `start` by (dx, dy), in a hierarchy's units.
 struct Way {
@@ -87,7 +85,8 @@ struct Way {
 
 /// Calls visit(context, edge's position) for every edge that the moving point may come within `reach` of, the first
 /// roughly first. It returns the share of the way, at most 1, beyond which no more edges need to be shown.
-void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context);
+extern Simd<void(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context)>
+    visitEdgesOnWay;
 
 /// Points that move straight, each with a reach of its own.
 struct FewWays {
@@ -96,7 +95,7 @@ struct FewWays {
   int count;
 };
 /// Of each point a bit for every edge that it may come within its reach of. Nothing may exceed 2^30, in units.
-void findEdgesOnWays(const SmallPolygon& polygon, const FewWays& ways, unsigned* near);
+extern Simd<void(const SmallPolygon& polygon, const FewWays& ways, unsigned* near)> findEdgesOnWays;
 
 /// A box at both ends of a window of time, in a block's scale from its origin, in the frame that turns with the block;
 /// and WindowCutter's sags, along axes that turn with the block and with the box.
@@ -109,11 +108,11 @@ struct MovingQuery {
 constexpr double kMovingGapRounding = 4 * kGapRounding;
 /// A bit for each of the block's boxes that the query may meet, and the shares of the window, from its begin and from
 /// its end, in which they don't. Nothing may exceed 2^30.
-unsigned cutWindows(const Block& block, const MovingQuery& query, float* from_begin, float* from_end);
+extern Simd<unsigned(const Block& block, const MovingQuery& query, float* from_begin, float* from_end)> cutWindows;
 
 /// How deep, in units, a point is at least in one of the discs: negative where it may be beside all, by no less than
 /// what it may be away from the nearest.
-double depthInDiscs(const InnerDiscs& discs, const Place& place);
+extern Simd<double(const InnerDiscs& discs, const Place& place)> depthInDiscs;
 
 /// Lengths in a's units. Both return the limit beyond which no more pairs need to be shown; negative ends the visit.
 struct PairVisitor {
@@ -126,20 +125,21 @@ struct PairVisitor {
 };
 
 /// Shows every pair of edges that may be within the limit, near ones roughly first.
-void showPairs(const Descent& descent, const PairVisitor& visitor);
+extern Simd<void(const Descent& descent, const PairVisitor& visitor)> showPairs;
 
 /// The same for the edges near a point, each together with b's edge at this position.
-void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
-                   const PairVisitor& visitor);
+extern Simd<void(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
+                 const PairVisitor& visitor)>
+    showEdgesNear;
 
 /// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
 /// as for convexMeet().
-double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding);
+extern Simd<double(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding)> innerDepth;
 
 enum class Meeting { Apart, Meet, Unknown };
 
 /// Two small convex polygons by separating axes. `map` goes from b's units to a's and puts b's S within 4 of a's.
-Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding);
+extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)> convexMeet;
 
 /// Whether two edges meet, by their positions: who knows where floats don't. Null: nobody.
 struct EdgeCheck {
@@ -149,13 +149,16 @@ struct EdgeCheck {
 
 /// Two small polygons by all of their edges, where floats are certain or few pairs of edges need the check. `map` as
 /// for convexMeet().
-Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
-                     const EdgeCheck& check = {});
+extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
+                    const EdgeCheck& check)>
+    fewEdgesMeet;
 
 /// The one that is for them.
-inline Meeting smallMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
+inline Meeting smallMeet(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double rounding,
                          const EdgeCheck& check = {}) {
-  return a.convex && b.convex ? convexMeet(a, b, map, rounding) : fewEdgesMeet(a, b, map, rounding, check);
+  if (a.small_convex != nullptr && b.small_convex != nullptr)
+    return convexMeet(*a.small_convex, *b.small_convex, map, rounding);
+  return fewEdgesMeet(*a.small, *b.small, map, rounding, check);
 }
 
 /// Two small polygons' distances in a's units, as floats see them: squares of what every edge is away from the nearest
@@ -166,12 +169,13 @@ struct SmallGaps {
   float x[SmallPolygon::kMost], y[SmallPolygon::kMost], nx[SmallPolygon::kMost], ny[SmallPolygon::kMost],
       d[SmallPolygon::kMost], middle[SmallPolygon::kMost], half[SmallPolygon::kMost];
 };
-void smallGaps(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, SmallGaps& gaps);
+extern Simd<void(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, SmallGaps& gaps)> smallGaps;
 
 /// For each edge of a a bit per edge of b with which it has a vertex beside an edge whose distance has at most this
 /// square. A vertex is of both its edges.
-void nearEdges(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
-               unsigned (&near)[SmallPolygon::kMost]);
+extern Simd<void(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
+                 unsigned (&near)[SmallPolygon::kMost])>
+    nearEdges;
 
 /// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
 /// vertex of the other is nearest to its line. It is a guess as good as floats.
@@ -180,18 +184,20 @@ struct ConvexGap {
   int edge, vertex;
   bool of_a;
 };
-ConvexGap convexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map);
+extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map)> convexGap;
 
 /// The same of which edge parts the two longest while b moves straight by (way_x, way_y), in a's units: the gap is the
 /// share of the way.
-ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y);
+extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y)>
+    convexEntry;
 
 /// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone (the other -1) of the
 /// polygon that is proven to lie inside the other; or none. `map` as for convexMeet().
 struct ConvexCrossing {
   int edge_a, edge_b;
 };
-ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding);
+extern Simd<ConvexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)>
+    convexCrossing;
 
 /// A ray in a hierarchy's units: every point known to within `error`.
 struct Ray {
@@ -201,9 +207,7 @@ struct Ray {
 
 /// Calls visit(context, edge's position) for every edge that the ray may meet, until it returns false. It may shorten
 /// the ray.
-void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context);
-
-/// For tests: true forbids AVX2 for the whole process.
-void usePortableLanes(bool portable);
+extern Simd<void(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context)>
+    visitEdgesOnRay;
 
 }  // namespace tricover::detail

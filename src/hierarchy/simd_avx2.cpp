@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The SIMD functions in vectors of eight floats, for processors that have AVX2. Only what stands between push and pop
 // may use it: what is included before them (Eigen, the standard library) is compiled as everywhere else, so that no
-// inline function that other files share needs such a processor. Whatever simd_functions.h includes is therefore
+// inline function that other files share needs such a processor. Whatever simd_templates.h includes is therefore
 // included before it, too.
 #include <cassert>
 
-#include "hierarchy/simd_table.h"
+#include "hierarchy/axis_boxes.h"
+#include "hierarchy/simd.h"
 
 #ifdef __x86_64__
 
@@ -16,7 +17,7 @@
 #pragma GCC target("avx2")
 #endif
 
-#include "hierarchy/simd_functions.h"
+#include "hierarchy/simd_templates.h"
 
 namespace tricover::detail {
 namespace simd {
@@ -83,7 +84,8 @@ struct Avx2Lanes {
 }  // namespace
 }  // namespace simd
 
-constexpr SimdTable kAvx2Table = simd::tableOf<simd::Avx2Lanes>();
+#define TRICOVER_USE(function) function.store(&simd::function<simd::Avx2Lanes>, std::memory_order_relaxed);
+void useAvx2() { TRICOVER_SIMD_FUNCTIONS(TRICOVER_USE) }
 
 }  // namespace tricover::detail
 

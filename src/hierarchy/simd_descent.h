@@ -39,9 +39,8 @@ struct Step {
   bool known;       ///< false where floats overflow, the frame being so small beside the distance
 };
 
-/// The threshold is rounded upwards: converted and multiplied, it has been rounded twice.
 [[gnu::always_inline]] inline Step stepOf(double in_a, double limit, float slack, float cap) {
-  const float threshold = static_cast<float>(limit + slack) * (1 + 0x1p-20f);
+  const float threshold = upwards(limit + slack);
   return {in_a, threshold, slack, cap, slack < 1e30f && threshold < cap};
 }
 
@@ -133,9 +132,7 @@ struct ShowPairs {
 
   /// What it proves, rounded downwards (as the threshold is upwards), to be compared with a limit that has been lowered
   /// since.
-  [[gnu::always_inline]] static float keptGap(const Step& step, float gap) {
-    return static_cast<float>(provenGap(step, gap)) * (1 - 0x1p-20f);
-  }
+  [[gnu::always_inline]] static float keptGap(const Step& step, float gap) { return downwards(provenGap(step, gap)); }
 
   /// Lowers the limit to what the boxes of one step prove: `upper` is the least of what two spanned boxes may be apart,
   /// as in FindHit::accepts(), but for the slack: twice the gap's, 1.4143 times as in a diagonal. It is computed in
@@ -154,11 +151,10 @@ struct ShowPairs {
 template <class Lanes, class Goal>
 [[gnu::always_inline]] inline unsigned entered(const Goal& goal, const Block& block, const Step& step, Lanes found,
                                                Lanes& left_out) {
-  const unsigned used = (1u << block.count) - 1;
-  if (!step.known) return used;
+  if (!step.known) return lanesOf(block);
   const Lanes threshold = Lanes::all(step.threshold);
   if (goal.wantsClearance()) left_out = smaller(left_out, whereAbove(found, threshold));
-  return used & ~above(found, threshold);
+  return lanesOf(block) & ~above(found, threshold);
 }
 
 /// One item against the boxes that the other one is divided into. True if that ended the descent.

@@ -24,6 +24,13 @@ template <class Lanes>
   return v[0];
 }
 
+/// Rounded upwards and downwards: converted and multiplied, it has been rounded twice.
+[[gnu::always_inline]] inline float upwards(double x) { return static_cast<float>(x) * (1 + 0x1p-20f); }
+[[gnu::always_inline]] inline float downwards(double x) { return static_cast<float>(x) * (1 - 0x1p-20f); }
+
+/// A bit for each box.
+[[gnu::always_inline]] inline unsigned lanesOf(const Block& block) { return (1u << block.count) - 1; }
+
 /// A box of one hierarchy, in its units.
 struct Item {
   double x, y, ux, uy, along, across;

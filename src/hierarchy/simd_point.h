@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One hierarchy descended around a point. See simd_gaps.h for Lanes.
+// A hierarchy and a point, still or moving. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/simd_gaps.h"
+#include "hierarchy/simd_tree.h"
 
 namespace tricover::detail::simd {
 
@@ -32,75 +32,44 @@ template <class Lanes>
   return root(along * along + across * across);
 }
 
-/// The blocks that are left to look at, the nearest on top.
-struct NearBlocks {
-  std::uint32_t block[(kLanes - 1) * kMaxDepth + 1];
-  float distance[(kLanes - 1) * kMaxDepth + 1];
-  int top;
-
-  [[gnu::always_inline]] void push(std::uint32_t index, float at) {
-    block[top] = index;
-    distance[top++] = at;
-  }
-  /// Puts the nearest of those from `first` on on top.
-  [[gnu::always_inline]] void raiseNearest(int first) {
-    if (first >= top) return;
-    int nearest = first;
-    for (int i = first + 1; i < top; ++i) nearest = distance[i] < distance[nearest] ? i : nearest;
-    const std::uint32_t last = block[top - 1];
-    const float last_distance = distance[top - 1];
-    block[top - 1] = block[nearest];
-    distance[top - 1] = distance[nearest];
-    block[nearest] = last;
-    distance[nearest] = last_distance;
-  }
-};
-
 template <class Lanes>
 DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test) {
-  NearBlocks blocks;
-  blocks.top = 0;
-  blocks.push(0, 0);
   DescentResult result{false, limit > 0 ? limit : 0, -1, -1};
-  while (blocks.top > 0) {
-    const Block& block = hierarchy.blocks[blocks.block[--blocks.top]];
-    const PlaceInBlock p = placeIn(block, place);
-    // Rounded upwards, as in stepOf().
-    const float threshold = static_cast<float>(limit * block.inverse + p.slack) * (1 + 0x1p-20f);
-    const bool known = p.slack < 1e15f && threshold < 1e15f;  // squares don't overflow
+  PlaceInBlock p;
+  bool known;
+  const auto near = [&](const Block& block, float(&distance)[kLanes]) __attribute__((always_inline)) {
+    p = placeIn(block, place);
+    const float threshold = upwards(limit * block.inverse + p.slack);
+    known = p.slack < 1e15f && threshold < 1e15f;  // squares don't overflow
     const Lanes found = boxDistances<Lanes>(block, p);
-    unsigned near = (1u << block.count) - 1;
-    if (known) near &= ~above(found, Lanes::all(threshold));
-    if (near == 0) continue;
-    float distance[kLanes];
     found.store(distance);
-    if (!block.leaf) {
-      const int first = blocks.top;
-      for (; near != 0; near &= near - 1) blocks.push(block.child[__builtin_ctz(near)], distance[__builtin_ctz(near)]);
-      blocks.raiseNearest(first);
-      continue;
-    }
-    for (; near != 0; near &= near - 1) {
-      const int i = __builtin_ctz(near);
+    return known ? lanesOf(block) & ~above(found, Lanes::all(threshold)) : lanesOf(block);
+  };
+  const auto show = [&](const Block& block, unsigned lanes, const float* distance) __attribute__((always_inline)) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int i = __builtin_ctz(lanes);
       const double low = known ? (static_cast<double>(distance[i]) - p.slack) * block.scale : 0;
       // No point of a leaf's box is farther than twice its extent across from its edge.
       const double high = (static_cast<double>(distance[i]) + 2.0 * block.across[i] + p.slack) * block.scale;
       if (low < result.clearance) result.clearance = low > 0 ? low : 0;
       if (low > test.reach) continue;
-      if ((known && high <= test.accept) || test.meet(test.context, block.child[i]))
-        return {true, 0, static_cast<std::int64_t>(block.child[i]), -1};
+      if ((known && high <= test.accept) || test.meet(test.context, block.child[i])) {
+        result = {true, 0, static_cast<std::int64_t>(block.child[i]), -1};
+        return false;
+      }
     }
-  }
+    return true;
+  };
+  descendOne<true>(
+      hierarchy, [](float) { return true; }, near, show);
   return result;
 }
 
 template <class Lanes>
 int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest]) {
-  NearBlocks blocks;
-  blocks.top = 0;
-  blocks.push(0, 0);
   double upper = 1e30, low[kMostNearest];
   int found = 0;
+  PlaceInBlock p;
   const auto keepNear = [&] {
     int kept = 0;
     for (int i = 0; i < found; ++i) {
@@ -110,14 +79,18 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
     }
     found = kept;
   };
-  while (blocks.top > 0) {
-    if (blocks.distance[--blocks.top] > upper) continue;
-    const Block& block = hierarchy.blocks[blocks.block[blocks.top]];
-    const PlaceInBlock p = placeIn(block, place);
-    if (!(p.slack < 1e12f)) return 0;  // squares overflow
+  const auto lowerBound = [&](const Block& block, float distance) __attribute__((always_inline)) {
+    return (static_cast<double>(distance) - p.slack) * block.scale;
+  };
+  const auto near = [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
+    p = placeIn(block, place);
+    if (!(p.slack < 1e12f)) {  // squares overflow
+      upper = -__builtin_inf();
+      return 0u;
+    }
     const Lanes gaps = boxDistances<Lanes>(block, p);
-    float distance[kLanes], farthest[kLanes];
-    gaps.store(distance);
+    gaps.store(at);
+    float farthest[kLanes];
     (gaps + Lanes::load(block.across) * 2.0f).store(farthest);
     float nearest = 1e30f;
     if (block.leaf)  // lanes beyond the count are infinitely far
@@ -127,24 +100,29 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
         nearest = (block.spanned >> i & 1) != 0 && farthest[i] < nearest ? farthest[i] : nearest;
     const double least = (static_cast<double>(nearest) + p.slack) * block.scale * (1 + 0x1p-20);
     if (least < upper) upper = least;
-    // Rounded upwards, as in stepOf().
-    const float threshold = static_cast<float>(upper * block.inverse + p.slack) * (1 + 0x1p-20f);
-    unsigned near = ((1u << block.count) - 1) & ~above(gaps, Lanes::all(threshold));
-    const int first = blocks.top;
-    for (; near != 0; near &= near - 1) {
-      const int i = __builtin_ctz(near);
-      const double lower = (static_cast<double>(distance[i]) - p.slack) * block.scale;
-      if (!block.leaf) {
-        blocks.push(block.child[i], static_cast<float>(lower) * (1 - 0x1p-20f));
-        continue;
+    const unsigned lanes = lanesOf(block) & ~above(gaps, Lanes::all(upwards(upper * block.inverse + p.slack)));
+    if (!block.leaf)
+      for (unsigned left = lanes; left != 0; left &= left - 1) {
+        const int i = __builtin_ctz(left);
+        at[i] = downwards(lowerBound(block, at[i]));
       }
+    return lanes;
+  };
+  const auto show = [&](const Block& block, unsigned lanes, const float* distance) __attribute__((always_inline)) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int i = __builtin_ctz(lanes);
       if (found == kMostNearest) keepNear();
-      if (found == kMostNearest) return 0;
-      low[found] = lower;
+      if (found == kMostNearest) {
+        upper = -__builtin_inf();
+        return false;
+      }
+      low[found] = lowerBound(block, distance[i]);
       edges[found++] = block.child[i];
     }
-    blocks.raiseNearest(first);
-  }
+    return true;
+  };
+  descendOne<true>(
+      hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > upper); }, near, show);
   keepNear();
   return found;
 }
@@ -152,48 +130,42 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
 template <class Lanes>
 void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
                    const PairVisitor& visitor) {
-  NearBlocks blocks;
-  blocks.top = 0;
-  blocks.push(0, 0);
-  while (blocks.top > 0) {
-    if (blocks.distance[--blocks.top] > limit) continue;
-    const Block& block = hierarchy.blocks[blocks.block[blocks.top]];
+  double low[kLanes];
+  const auto near = [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
     const PlaceInBlock p = placeIn(block, place);
     const bool known = p.slack < 1e12f;  // squares don't overflow
-    float distance[kLanes];
-    boxDistances<Lanes>(block, p).store(distance);
+    boxDistances<Lanes>(block, p).store(at);
     float nearest = 1e30f;
     for (int i = 0; i < block.count; ++i) {
-      const float upper = (block.spanned >> i & 1) != 0 ? distance[i] + 2 * block.across[i] : 1e30f;
+      const float upper = (block.spanned >> i & 1) != 0 ? at[i] + 2 * block.across[i] : 1e30f;
       nearest = upper < nearest ? upper : nearest;
     }
     if (known && nearest < 1e29f) {
       const double upper = (static_cast<double>(nearest) + p.slack) * block.scale * (1 + 0x1p-20);
       if (upper < limit) limit = visitor.narrow(visitor.context, upper);
     }
-    const auto lowerBound = [&](int i) {
-      return known ? (static_cast<double>(distance[i]) - p.slack) * block.scale : 0;
-    };
-    unsigned near = 0;
-    for (int i = 0; i < block.count; ++i) near |= (lowerBound(i) <= limit ? 1u : 0u) << i;
-    const int first = blocks.top;
-    while (near != 0) {
-      int next = __builtin_ctz(near);
-      if (block.leaf)
-        for (unsigned left = near & (near - 1); left != 0; left &= left - 1)
-          next = distance[__builtin_ctz(left)] < distance[next] ? __builtin_ctz(left) : next;
-      near &= ~(1u << next);
-      const double low = lowerBound(next);
-      if (!block.leaf) {
-        blocks.push(block.child[next], static_cast<float>(low) * (1 - 0x1p-20f));
-        continue;
-      }
-      if (low > limit) break;
-      limit = visitor.visit(visitor.context, low > 0 ? low : 0, block.child[next], edge_b);
-      if (limit < 0) return;
+    unsigned lanes = 0;
+    for (int i = 0; i < block.count; ++i) {
+      low[i] = known ? (static_cast<double>(at[i]) - p.slack) * block.scale : 0;
+      lanes |= (low[i] <= limit ? 1u : 0u) << i;
+      if (!block.leaf) at[i] = downwards(low[i]);
     }
-    blocks.raiseNearest(first);
-  }
+    return lanes;
+  };
+  const auto show = [&](const Block& block, unsigned lanes, const float* distance) __attribute__((always_inline)) {
+    while (lanes != 0) {
+      int next = __builtin_ctz(lanes);
+      for (unsigned left = lanes & (lanes - 1); left != 0; left &= left - 1)
+        next = distance[__builtin_ctz(left)] < distance[next] ? __builtin_ctz(left) : next;
+      lanes &= ~(1u << next);
+      if (low[next] > limit) return true;
+      limit = visitor.visit(visitor.context, low[next] > 0 ? low[next] : 0, block.child[next], edge_b);
+      if (limit < 0) return false;
+    }
+    return true;
+  };
+  descendOne<true>(
+      hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > limit); }, near, show);
 }
 
 /// The shares of a way at which it enters the boxes grown by `reach` (their corners, too), from 0 on; above 1e29 where
@@ -215,34 +187,29 @@ template <class Lanes>
 
 template <class Lanes>
 void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context) {
-  NearBlocks blocks;
-  blocks.top = 0;
-  blocks.push(0, 0);
   double end = 1;
-  while (blocks.top > 0) {
-    if (blocks.distance[--blocks.top] > end) continue;
-    const Block& block = hierarchy.blocks[blocks.block[blocks.top]];
+  const auto near = [&](const Block& block, float(&entry)[kLanes]) __attribute__((always_inline)) {
     const PlaceInBlock p = placeIn(block, way.start);
     const double dx = way.dx * block.inverse, dy = way.dy * block.inverse;
     const double reach = way.reach * block.inverse + p.slack + 2 * kGapRounding * (magnitude(dx) + magnitude(dy));
-    unsigned near = (1u << block.count) - 1;
-    float entry[kLanes] = {};
-    if (reach < 1e15) {
-      const Lanes found = boxEntries<Lanes>(block, p.x, p.y, static_cast<float>(dx), static_cast<float>(dy),
-                                            static_cast<float>(reach) * (1 + 0x1p-20f));
-      near &= ~above(found, Lanes::all(static_cast<float>(end)));
-      found.store(entry);
+    if (!(reach < 1e15)) {
+      for (float& e : entry) e = 0;
+      return lanesOf(block);
     }
-    const int first = blocks.top;
-    for (; near != 0; near &= near - 1) {
-      const int i = __builtin_ctz(near);
-      if (!block.leaf)
-        blocks.push(block.child[i], entry[i]);
-      else if (!(entry[i] > end))
-        end = visit(context, block.child[i]);
+    const Lanes found =
+        boxEntries<Lanes>(block, p.x, p.y, static_cast<float>(dx), static_cast<float>(dy), upwards(reach));
+    found.store(entry);
+    return lanesOf(block) & ~above(found, Lanes::all(static_cast<float>(end)));
+  };
+  const auto show = [&](const Block& block, unsigned lanes, const float* entry) __attribute__((always_inline)) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int i = __builtin_ctz(lanes);
+      if (!(entry[i] > end)) end = visit(context, block.child[i]);
     }
-    blocks.raiseNearest(first);
-  }
+    return true;
+  };
+  descendOne<true>(
+      hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > end); }, near, show);
 }
 
 /// Rounding as in boxDistances(); the radii, below 2, are floats.

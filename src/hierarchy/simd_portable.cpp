@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The SIMD functions for every target, in vectors of four floats.
-#include "hierarchy/simd_functions.h"
+// The SIMD functions for every target, in vectors of four floats; and the choice of those that the processor has.
+#include "hierarchy/simd_templates.h"
 #include "numbers/double2.h"
 
 namespace tricover::detail {
@@ -97,6 +97,20 @@ struct PortableLanes {
 }  // namespace
 }  // namespace simd
 
-constexpr SimdTable kPortableTable = simd::tableOf<simd::PortableLanes>();
+#define TRICOVER_DEFINE(function) decltype(function) function{&simd::function<simd::PortableLanes>};
+TRICOVER_SIMD_FUNCTIONS(TRICOVER_DEFINE)
+
+#define TRICOVER_USE(function) function.store(&simd::function<simd::PortableLanes>, std::memory_order_relaxed);
+void usePortableLanes(bool portable) {
+#ifdef __x86_64__
+  if (!portable && __builtin_cpu_supports("avx2")) return useAvx2();
+#endif
+  TRICOVER_SIMD_FUNCTIONS(TRICOVER_USE)
+}
+
+namespace {
+// Here, beside the functions' definitions, so that who links one of them from an archive links this, too.
+[[maybe_unused]] const bool initialised = (usePortableLanes(false), true);
+}  // namespace
 
 }  // namespace tricover::detail

@@ -1,51 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ray, small convex polygons and inner discs. See simd_gaps.h for Lanes.
+// Small convex polygons and inner discs. See simd_gaps.h for Lanes.
 #pragma once
 
 #include "hierarchy/simd_gaps.h"
 
 namespace tricover::detail::simd {
-
-/// What a ray's distance from a box may be wrong by, relative to |x| + |y| + 4 with the ray's start in the block's
-/// scale. In the terms of kGapRounding: coordinates are rounded 6 times, extents 7 times, of what is at most
-/// 6 (|x| + |y| + 2) + 7. The ray's length, at most twice the sum, is rounded once and subtracted: 2 * 2 more.
-constexpr double kRayRounding = 0x1p-20;
-static_assert(kRayRounding >= (7 + 2 * 2) * kFloatRoundoff && 6 * 2 + 7 * 1 <= 7 * 4);
-
-template <class Lanes>
-void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
-  std::uint32_t stack[(kLanes - 1) * kMaxDepth + 1];
-  int top = 0;
-  stack[top++] = 0;
-  const Block* blocks = hierarchy.blocks.data();
-  const float dx = static_cast<float>(ray.dx), dy = static_cast<float>(ray.dy);
-  while (top > 0) {
-    const Block& block = blocks[stack[--top]];
-    const double px = (ray.x - block.origin_x) * block.inverse, py = (ray.y - block.origin_y) * block.inverse;
-    const double sum = magnitude(px) + magnitude(py) + 4, length = ray.length * block.inverse;
-    const double slack = kRayRounding * sum + ray.error * block.inverse;
-    const float x = static_cast<float>(px), y = static_cast<float>(py), room = static_cast<float>(slack);
-    const float end = static_cast<float>(length < 2 * sum ? length : 2 * sum);
-    unsigned near = (1u << block.count) - 1;
-    if (room < 1e30f) {
-      const Lanes ux = Lanes::load(block.ux), uy = Lanes::load(block.uy), along = Lanes::load(block.along),
-                  across = Lanes::load(block.across);
-      const Lanes ex = Lanes::load(block.x) - x, ey = Lanes::load(block.y) - y;
-      const Lanes c = absolute(ux * dx + uy * dy), s = absolute(ux * dy - uy * dx);
-      const Lanes beside = absolute(ey * dx - ex * dy) - (along * s + across * c);
-      const Lanes ahead = ex * dx + ey * dy, reach = along * c + across * s;
-      const Lanes behind = (Lanes::all(0) - ahead) - reach, after = (ahead - reach) - end;
-      near &= ~above(larger(beside, larger(behind, after)), Lanes::all(room));
-    }
-    for (; near != 0; near &= near - 1) {
-      const int i = __builtin_ctz(near);
-      if (!block.leaf)
-        stack[top++] = block.child[i];
-      else if (!visit(context, block.child[i]))
-        return;
-    }
-  }
-}
 
 /// By how much the vertex of q that is farthest back is beyond each edge of eight; at most that, over all q, whose
 /// count is even: whole lanes.

@@ -54,7 +54,7 @@ unsigned cutWindows(const Block& block, const MovingQuery& q, float* from_begin,
   const Lanes begin = first.share * kShare, end = last.share * kShare;
   begin.store(from_begin);
   end.store(from_end);
-  return ((1u << block.count) - 1) & ~(first.apart | last.apart | above(begin + end, Lanes::all(1)));
+  return lanesOf(block) & ~(first.apart | last.apart | above(begin + end, Lanes::all(1)));
 }
 
 }  // namespace tricover::detail::simd

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polygon/convexity.h"
+
 namespace tricover::detail {
 namespace {
 
@@ -25,8 +27,7 @@ void addRings(const PolygonData& polygon, SmallPolygon& small) {
 
 }  // namespace
 
-std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const Convexity& convexity,
-                                                     const std::vector<Vec2>& local) {
+std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const std::vector<Vec2>& local) {
   const std::size_t n = polygon.path.size() - polygon.ringCount();
   if (n > SmallPolygon::kMost) return nullptr;
   auto small = std::make_unique<SmallPolygon>();
@@ -34,9 +35,8 @@ std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon,
   small->count = static_cast<int>(n);
   small->edges = (1u << n) - 1;
   small->fill = polygon.fill;
-  small->convex = convexity.corners.size() == n;  // a straight vertex would be a half plane twice
   addRings(polygon, *small);
-  const double outwards = convexity.direction < 0 ? -1 : 1;
+  const double outwards = convexityOf(polygon).direction < 0 ? -1 : 1;
   for (int i = 0; i < small->lanes; ++i) {
     const std::size_t k = small->position[std::min(i, small->count - 1)];
     const Vec2 edge = local[k + 1] - local[k];

@@ -5,12 +5,10 @@
 #include <vector>
 
 #include "hierarchy/hierarchy.h"
-#include "polygon/convexity.h"
 
 namespace tricover::detail {
 
 /// Null where the polygon has more edges, or one without a direction; `local` is its path in units, from S.
-std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const Convexity& convexity,
-                                                     const std::vector<Vec2>& local);
+std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const std::vector<Vec2>& local);
 
 }  // namespace tricover::detail

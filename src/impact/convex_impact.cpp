@@ -9,6 +9,7 @@
 #include "hierarchy/simd.h"
 #include "impact/window_cutter.h"
 #include "numbers/rounding.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
@@ -22,7 +23,7 @@ class Body {
  public:
   explicit Body(const Mover& mover_)
       : mover(mover_),
-        ring_(mover.polygon->path.data(), mover.polygon->path.size() - 1, mover.tree->convex),
+        ring_(mover.polygon->path.data(), mover.polygon->path.size() - 1, convexityOf(*mover.polygon).direction),
         doubt_(mover.polygon->radius * 0x1p-47 + kTiny) {}
 
   /// The farthest that it reaches along an axis from S, at both ends of a window: by a vertex between an edge that
@@ -252,7 +253,8 @@ class ConvexAdvancement {
 bool isConvexPair(const MovingPair& pair) {
   // Axes turn with the polygons: off rigid, they wouldn't part what touches to its precision. Squares don't overflow.
   const auto fits = [](const Mover& mover) {
-    return mover.tree->strictly_convex && mover.polygon->fitsUnit() && mover.scale > 0x1p-200 && mover.keepsLengths();
+    return convexityOf(*mover.polygon).is_strict && mover.polygon->fitsUnit() && mover.scale > 0x1p-200 &&
+           mover.keepsLengths();
   };
   return fits(pair.a) && fits(pair.b) && pair.error < 1;
 }

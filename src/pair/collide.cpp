@@ -14,6 +14,7 @@
 #include "pair/find_fact.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
+#include "polygon/convexity.h"
 
 namespace tricover {
 namespace detail {
@@ -26,7 +27,7 @@ double inWorld(double length, double scale_defect) { return roundedDown<2>(lengt
 std::optional<Outcome> findConvexFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                                       const Pose& pose_b, double margin, const FactWish& wish) {
   if (a.isDegenerate() || b.isDegenerate()) return std::nullopt;
-  if (!hierarchyOf(a).strictly_convex || !hierarchyOf(b).strictly_convex) return std::nullopt;
+  if (!convexityOf(a).is_strict || !convexityOf(b).is_strict) return std::nullopt;
   FeaturePair tried;
   if (wish.edge_a >= 0 && wish.edge_b >= 0)
     tried = {FeaturePair::kVertices, static_cast<std::uint32_t>(wish.edge_a), static_cast<std::uint32_t>(wish.edge_b)};

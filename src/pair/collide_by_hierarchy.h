@@ -31,7 +31,7 @@ inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted, 
   const bool near = std::abs(at.map.tx) + std::abs(at.map.ty) < 4;  // false for NaN
   if (!near || wanted == Wanted::Edges) return Meeting::Unknown;
   if (wanted == Wanted::Answer && limit == 0 && a.small && b.small)
-    return smallMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
+    return smallMeet(a, b, at.map, at.rounding, {&test, &EdgeTest::meet});
   // Inner discs hardly meet unless the boxes are deep in each other.
   const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * at.map.scale);
   if (!(gap < -deep)) return Meeting::Unknown;

@@ -2,6 +2,7 @@
 #include "polygon/convexity.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "numbers/predicates.h"
 
@@ -14,15 +15,13 @@ bool isBetween(const Vec2& p, const Vec2& q, const Vec2& r) {
          q.y() <= std::max(p.y(), r.y());
 }
 
-}  // namespace
-
-Convexity convexityOf(const PolygonData& polygon) {
-  if (polygon.ringCount() != 1) return {};
+/// The corners so far, until it proves not to be convex.
+bool findCorners(const PolygonData& polygon, Convexity& convexity) {
+  if (polygon.ringCount() != 1) return false;
   std::vector<std::size_t> distinct;
   distinct.reserve(polygon.path.size());
   for (std::size_t i = polygon.edgeBegin(0); i < polygon.edgeEnd(0); ++i)
     if (polygon.path[i] != polygon.path[i + 1]) distinct.push_back(i);
-  Convexity convexity;
   int turns_in_x = 0;
   const std::size_t n = distinct.size();
   convexity.corners.reserve(n);
@@ -32,13 +31,26 @@ Convexity convexityOf(const PolygonData& polygon) {
     const int turn = orientation(p, q, r);
     turns_in_x += (q.x() > p.x()) != (r.x() > q.x());
     if (turn == 0 && isBetween(p, q, r)) continue;
-    if (turn == 0 || turn == -convexity.direction) return {};
+    if (turn == 0 || turn == -convexity.direction) return false;
     convexity.direction = turn;
     convexity.corners.push_back(distinct[(i + 1) % n]);
   }
   // Once around: x falls and rises once each.
-  if (turns_in_x != 2) return {};
-  return convexity;
+  return turns_in_x == 2;
+}
+
+}  // namespace
+
+const Convexity& convexityOf(const PolygonData& polygon) {
+  const Derived::Thing* convexity = polygon.convexity.ifBuilt();
+  if (convexity == nullptr)
+    convexity = polygon.convexity.built([&] {
+      auto found = std::make_unique<Convexity>();
+      if (!findCorners(polygon, *found)) *found = {};
+      found->is_strict = found->corners.size() + 1 == polygon.path.size();
+      return found;
+    });
+  return *static_cast<const Convexity*>(convexity);
 }
 
 }  // namespace tricover::detail

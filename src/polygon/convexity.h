@@ -8,14 +8,15 @@
 
 namespace tricover::detail {
 
-/// How a polygon is convex, if it is and has an area: one ring that turns one way and goes around once. Its straight
-/// and repeated vertices are no corners.
-struct Convexity {
+/// Whether a polygon is convex, and has an area: one ring that turns one way and goes around once. Its straight and
+/// repeated vertices are no corners.
+struct Convexity : Derived::Thing {
   int direction = 0;                 ///< 1 counter-clockwise, -1 clockwise, 0 not convex
-  std::vector<std::size_t> corners;  ///< strictly convex, in the ring's order, as positions in the path
+  bool is_strict = false;            ///< convex, and all vertices are corners
+  std::vector<std::size_t> corners;  ///< in the ring's order, as positions in the path; none unless convex
 };
 
-/// Exact, O(n).
-Convexity convexityOf(const PolygonData& polygon);
+/// Exact. Found at the first call, in O(n), once for all copies and threads.
+const Convexity& convexityOf(const PolygonData& polygon);
 
 }  // namespace tricover::detail

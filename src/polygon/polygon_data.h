@@ -63,6 +63,7 @@ struct PolygonData {
   mutable std::atomic<unsigned> scans{0};           ///< points located edge by edge so far
   Derived derived;                                  ///< the hierarchy's place
   mutable std::atomic<std::size_t> rings_asked{0};  ///< what looking at all rings' starts has cost so far
+  Derived convexity;                                ///< the place of whether it is convex
   Derived starts;                                   ///< the place of the starts that need be asked for
   Derived cover;                                    ///< the place of the discs that a search for a way apart asks first
   Derived outline;                                  ///< the place of the convex outline that contacts go by

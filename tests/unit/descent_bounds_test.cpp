@@ -261,7 +261,7 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
       (overlap(middle * std::cos(towards), middle * std::sin(towards)) > depth ? low : high) = middle;
     }
     const double tx = high * std::cos(towards), ty = high * std::sin(towards);
-    const double claim = innerDepth(a, b, {c, -s, s, c, tx, ty, 1, error}, 0x1p-19);
+    const double claim = detail::innerDepth(a, b, {c, -s, s, c, tx, ty, 1, error}, 0x1p-19);
     if (claim <= 0) continue;
     ++claimed;
     // The map may be wrong by `error`: b may be that much farther away.

@@ -15,6 +15,7 @@
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 #include "polygon/cache_access.h"
+#include "polygon/convexity.h"
 #include "portable_lanes.h"
 #include "random.h"
 #include "reproduction.h"
@@ -75,7 +76,7 @@ struct Found : NearestFeatures {
 
 Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
   Found found;
-  if (!hierarchyOf(pair.a).strictly_convex || !hierarchyOf(pair.b).strictly_convex) return found;
+  if (!convexityOf(pair.a).is_strict || !convexityOf(pair.b).is_strict) return found;
   const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
   static_cast<NearestFeatures&>(found) = findNearestFeatures(vertices, tried);
   if (found.seem_to_meet) found.overlap = findConvexOverlap(vertices);
@@ -284,7 +285,7 @@ TEST(NearestFeatures, IsNeverMoreThanTheDistance) {
   for (int i = 0; i < cases; ++i) {
     const double scale = random.oneIn(8) ? std::pow(10, random.integer(-140, 140)) : 1;
     const Polygon a({anyConvex(random, scale)}), b({anyConvex(random, scale * random.real(0.1, 1))});
-    if (!hierarchyOf(a.data()).strictly_convex || !hierarchyOf(b.data()).strictly_convex) continue;
+    if (!convexityOf(a.data()).is_strict || !convexityOf(b.data()).is_strict) continue;
     Pose pose_a = pose(random.real(0, 6.3), 0, 0), pose_b = pose(random.oneIn(3) ? 0 : random.real(0, 6.3), 0, 0);
     if (random.oneIn(3)) pose_a = Pose::Identity();
     if (random.oneIn(4)) pose_b = mirrored(pose_b);

@@ -50,26 +50,26 @@ TEST_P(Descents, AreAlikeAndProveWhatTheySay) {
     if (i % 4 == 2) options.margin = 1e-3 * pair.b.radius;
     if (!std::isfinite(options.margin) || !std::isfinite(options.tolerance)) options = {};
     const double lookahead = i % 3 == 0 && std::isfinite(pair.b.radius) ? 0.5 * pair.b.radius : 0;
-    const Outcome wide = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
+    const Outcome found = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
     const bool unexplained = collideByHierarchy(pair, options, lookahead, Wanted::Answer).collides;
     {
       const PortableLanes portable;
-      const Outcome narrow = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
-      ASSERT_EQ(narrow.collides, wide.collides) << reproduction(c);
-      ASSERT_EQ(narrow.clearance, wide.clearance) << reproduction(c);
-      ASSERT_EQ(narrow.edge_a, wide.edge_a) << reproduction(c);
-      ASSERT_EQ(narrow.edge_b, wide.edge_b) << reproduction(c);
+      const Outcome on_portable = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
+      ASSERT_EQ(on_portable.collides, found.collides) << reproduction(c);
+      ASSERT_EQ(on_portable.clearance, found.clearance) << reproduction(c);
+      ASSERT_EQ(on_portable.edge_a, found.edge_a) << reproduction(c);
+      ASSERT_EQ(on_portable.edge_b, found.edge_b) << reproduction(c);
       ASSERT_EQ(collideByHierarchy(pair, options, lookahead, Wanted::Answer).collides, unexplained) << reproduction(c);
     }
     if (options.tolerance == 0) {
-      ASSERT_EQ(unexplained, wide.collides) << reproduction(c);
+      ASSERT_EQ(unexplained, found.collides) << reproduction(c);
     }
-    hits += wide.collides;
-    if (wide.collides || wide.clearance == 0) continue;
+    hits += found.collides;
+    if (found.collides || found.clearance == 0) continue;
     ++clear;
     const mpq_class distance_squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
-    const mpq_class clearance = mpq_class(wide.clearance) * mpq_class(1 - pair.scale_defect);
-    ASSERT_TRUE(clearance * clearance <= distance_squared) << wide.clearance << "\n" << reproduction(c);
+    const mpq_class clearance = mpq_class(found.clearance) * mpq_class(1 - pair.scale_defect);
+    ASSERT_TRUE(clearance * clearance <= distance_squared) << found.clearance << "\n" << reproduction(c);
     tight += 16 * clearance * clearance >= distance_squared;
   }
   EXPECT_GT(hits, 0);
@@ -97,21 +97,21 @@ TEST(LargeOutlines, AreSearchedAlikeAndExactly) {
     const Pose pose_b = pose(random.real(0, 6.28), away * std::cos(angle), away * std::sin(angle));
     const Pose pose_a = Pose::Identity();
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const Outcome wide = collideByHierarchy(pair, {}, 0, Wanted::Clearance);
+    const Outcome found = collideByHierarchy(pair, {}, 0, Wanted::Clearance);
     const bool truth = exact::collide(a, Pose::Identity(), b, pose_b);
-    ASSERT_EQ(wide.collides, truth);
+    ASSERT_EQ(found.collides, truth);
     {
       const PortableLanes portable;
-      const Outcome narrow = collideByHierarchy(pair, {}, 0, Wanted::Clearance);
-      ASSERT_EQ(narrow.collides, wide.collides);
-      ASSERT_EQ(narrow.clearance, wide.clearance);
-      ASSERT_EQ(narrow.edge_a, wide.edge_a);
+      const Outcome on_portable = collideByHierarchy(pair, {}, 0, Wanted::Clearance);
+      ASSERT_EQ(on_portable.collides, found.collides);
+      ASSERT_EQ(on_portable.clearance, found.clearance);
+      ASSERT_EQ(on_portable.edge_a, found.edge_a);
     }
     hits += truth;
     if (truth) continue;
     ++clear;
     const mpq_class distance_squared = exact::distanceSquared(a, Pose::Identity(), b, pose_b);
-    const mpq_class clearance(wide.clearance * (1 - 1e-12));
+    const mpq_class clearance(found.clearance * (1 - 1e-12));
     ASSERT_TRUE(clearance * clearance <= distance_squared);
     tight += 9 * clearance * clearance >= distance_squared;
   }
@@ -150,7 +150,7 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
                               b.data().unit * a.data().inverse_unit,
                               4 * pair.error * a.data().inverse_unit};
     const auto answer = [&] {
-      return convexMeet(*hierarchyOf(a.data()).small_convex, *hierarchyOf(b.data()).small_convex, map, 0x1p-19);
+      return detail::convexMeet(*hierarchyOf(a.data()).small_convex, *hierarchyOf(b.data()).small_convex, map, 0x1p-19);
     };
     const detail::Meeting meeting = answer();
     ASSERT_EQ(onPortableLanes(answer), meeting);
@@ -214,7 +214,7 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
     const detail::UnitPlacement units(pair);
-    const auto answer = [&] { return fewEdgesMeet(*of_a, *of_b, units.map, units.rounding); };
+    const auto answer = [&] { return detail::fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {}); };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
     if (meeting == detail::Meeting::Unknown) {
@@ -269,7 +269,9 @@ TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
     ASSERT_TRUE(of_a && of_b);
     Check check{pair};
     const detail::UnitPlacement units(pair);
-    const auto answer = [&] { return fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {&check, &Check::meet}); };
+    const auto answer = [&] {
+      return detail::fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {&check, &Check::meet});
+    };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
     doubted += check.asked > 0;
@@ -302,14 +304,14 @@ TEST(EightBoxes, MeetABoxAndARay) {
     detail::EightBoxes boxes;
     for (unsigned k = 0; k < kLanes; ++k) boxes.set(k, box());
     const detail::Bounds bounds = box();
-    const unsigned bits = boxesMeeting(boxes, bounds);
-    ASSERT_EQ(onPortableLanes([&] { return boxesMeeting(boxes, bounds); }), bits);
+    const unsigned bits = detail::boxesMeeting(boxes, bounds);
+    ASSERT_EQ(onPortableLanes([&] { return detail::boxesMeeting(boxes, bounds); }), bits);
     const Vec2 from(random.integer(-5, 5), random.integer(-5, 5)), to(random.real(-5, 5), random.real(-5, 5));
     const detail::BoxRay ray(from, to);
     const double most = random.real(0, 1);
     double least[kLanes] = {}, portable[kLanes] = {};
-    const unsigned on_ray = boxesOnRay(boxes, ray, most, least);
-    ASSERT_EQ(onPortableLanes([&] { return boxesOnRay(boxes, ray, most, portable); }), on_ray);
+    const unsigned on_ray = detail::boxesOnRay(boxes, ray, most, least);
+    ASSERT_EQ(onPortableLanes([&] { return detail::boxesOnRay(boxes, ray, most, portable); }), on_ray);
     for (unsigned k = 0; k < kLanes; ++k) {
       const detail::Bounds other = boxes.at(k);
       ASSERT_EQ(bits >> k & 1, other.meets(bounds) ? 1u : 0u);

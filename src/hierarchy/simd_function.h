@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SIMD: eight floats (or boxes, or edges) side by side, by the instructions that the processor has.
+//
+// Such a function is declared where others find it (simd.h, axis_boxes.h), named in the list below, and defined once,
+// as a template over its lanes. simd_portable.cpp and simd_avx2.cpp instantiate the list for what the target has anyway
+// (SSE2, NEON) and for AVX2. No operation is fused or reordered, so both give the same bits.
+#pragma once
+
+#include <atomic>
+
+namespace tricover::detail {
+
+constexpr int kLanes = 8;
+
+/// Called like a function. It is constant initialised for the portable lanes, for static objects that ask questions
+/// before it is known what the processor has.
+template <class Signature>
+using Simd = std::atomic<Signature*>;
+
+// clang-format off
+#define TRICOVER_SIMD_FUNCTIONS(X) \
+  X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) \
+  X(showEdgesNear) X(visitEdgesOnWay) X(visitEdgesOnRay) X(findEdgesOnWays) \
+  X(cutWindows) X(depthInDiscs) X(innerDepth) X(convexMeet) \
+  X(convexGap) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
+  X(smallGaps) X(nearEdges) X(boxesMeeting) X(boxesOnRay)
+// clang-format on
+
+#ifdef __x86_64__
+void useAvx2();
+#endif
+
+/// Chooses for the whole process: at its begin the fastest; tests forbid AVX2.
+void usePortableLanes(bool portable);
+
+}  // namespace tricover::detail
