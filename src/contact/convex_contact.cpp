@@ -98,7 +98,7 @@ class ConvexPair {
  public:
   explicit ConvexPair(const PosedPair& pair, const SeparatingAxes& axes)
       : pair_(pair), axes_(axes), a_(axes_.side(true), axes_.side(true)), b_(axes_.side(false), axes_.side(true)) {
-    // In either coordinate a corner is at most r = (1 + 1e-5) size, and errs by at most e = error, which is at least
+    // In either coordinate a corner is at most r = kUnitRows size, and errs by at most e = error, which is at least
     // 16U size; a difference d of two is at most 2 r, and errs by 2 e and its own U d. An area, the product of two:
     //   the differences' roundings       two in each of two products     4U (2 r)^2
     //   the products', their difference                                  4U (2 r)^2

@@ -17,7 +17,7 @@ namespace {
 ///   the map of the normal                   Gram::kMatrixError, products and their sum in either coordinate 2 sqrt2
 ///   products and their sum                  2
 constexpr double kClimbError = 18 * kUnitRoundoff;
-static_assert(kClimbError >= (1 + 1e-5) * (Gram::kMatrixError + errorOf(4) + 2 * kRoot2 * errorOf(1)));
+static_assert(kClimbError >= kUnitRows * (Gram::kMatrixError + errorOf(4) + 2 * kRoot2 * errorOf(1)));
 
 // What a depth is off by, in units of the error e, which is at least 16U of |x| + |y| of any corner and of the shift
 // between the frames. So an outline is at most 4 sqrt2 / 16 e / U long, and corners are less than 3.5 / 16 e / U apart:
@@ -71,7 +71,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
       b_(swapped_, convexOutlineOf(pair.b)),
       error_(std::max(pair.error, swapped_.error)),
       within_(tie() + 3 * kDepthError * error_) {
-  static_assert(kDepthError >= (1 + 1e-5) * kSumOfDepthErrors);
+  static_assert(kDepthError >= kUnitRows * kSumOfDepthErrors);
   if (!areSquarable(error_ / kMappingError)) return;
   if (facts != nullptr && keepsLengths(pair)) {
     const bool known = facts->first_id == pair.a.id && facts->second_id == pair.b.id;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "numbers/double_double.h"
+#include "numbers/rigidity.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
@@ -44,7 +45,7 @@ TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polyg
 // which is sqrt2 5 reach in any direction. at() rounds a translation to the spacing of doubles at t_b - t_a + t, of
 // which no component is larger than reach and shift: two sums there and two differences back, 4.
 constexpr double kVertexError = 16 * kUnitRoundoff, kShiftError = 4 * kUnitRoundoff;
-static_assert(kVertexError >= (1 + 1e-5) * kRoot2 * errorOf(5) + errorOf(4));
+static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 
 TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
     : polygon_a_(a),
@@ -99,7 +100,7 @@ PosedPair TranslationSpace::at(Vec2& t) {
 /// err by a difference, a product and a sum, their cross product by these of both, a product and a difference: 8U.
 bool TranslationSpace::mayBound(const Vertices& polygon, std::size_t i, const Vec2& edge) {
   const Vec2 &in = polygon.incoming[i], &out = polygon.outgoing[i];
-  static_assert(kVertexError >= (1 + 1e-5) * errorOf(3 + 3 + 2));
+  static_assert(kVertexError >= kUnitRows * errorOf(3 + 3 + 2));
   const double bound = kVertexError * edge.lpNorm<1>(), from = cross(edge, in), to = cross(edge, out);
   const bool passes = (from > bound * in.lpNorm<1>() && to > bound * out.lpNorm<1>()) ||
                       (-from > bound * in.lpNorm<1>() && -to > bound * out.lpNorm<1>());

@@ -44,7 +44,7 @@ class WorldFrame {
   /// which is 7 r + 3 o; sqrt2 of it in any direction.
   double error() const { return error_; }
   static constexpr double kPointError = 16 * kUnitRoundoff;
-  static_assert(kPointError >= (1 + 1e-5) * kRoot2 * errorOf(7) * (1 + errorOf(3)));
+  static_assert(kPointError >= kUnitRows * kRoot2 * errorOf(7) * (1 + errorOf(3)));
   /// At least what is between the frame's origin and any vertex, in either coordinate, but for kLargestDefect.
   double size() const { return error_ / kPointError; }
 

@@ -7,6 +7,7 @@
 #include "numbers/double2.h"
 #include "numbers/double_double.h"
 #include "numbers/predicates.h"
+#include "numbers/rigidity.h"
 #include "polygon/polygon_data.h"
 #include "tricover/pose.h"
 
@@ -128,7 +129,7 @@ class PosedVertices {
   }
 
   // Whether foot() is right to kRelativeError. Let x be the way, from v of a to w of b, that a distance d was computed
-  // from; in units of U, rows of R being unit vectors but for 1e-6:
+  // from; in units of U, rows of R being unit vectors but for kUnitRows:
   //   R v, R w    products sqrt2 in any direction, sum 1                   2.42 |v| + 2.42 |w|
   //   R w + t     the sum, which is at most |x| + |v|                      |v| + |x|
   //   x           the difference 1, the sum with the rest of t 1           2 |x|
@@ -144,7 +145,7 @@ class PosedVertices {
   // the square of that. Squares of what is nearer than kLeastPlain might underflow.
   static constexpr double kPlainShare = 107, kLeastPlain = 0x1p-400;
   static_assert(kPlainShare * (3.42 * 3.42 + 2.42 * 2.42 + 7.42 * 7.42 / 4) < 58 * 58 &&
-                kRelativeError >= (1 + 1e-5) * errorOf(58 + 5));
+                kRelativeError >= kUnitRows * errorOf(58 + 5));
   bool isPlain(std::size_t p, std::size_t q, double way_square, double distance) const {
     const Double2 v = load2(a_.path[p].data()), w = load2(b_.path[q].data()), squares = v * v + w * w;
     return distance > kLeastPlain && squares[0] + squares[1] + 4 * way_square <= kPlainShare * (distance * distance);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "numbers/double_double.h"
+#include "numbers/rigidity.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
@@ -44,7 +45,7 @@ Double2 point(const PolygonData& polygon, std::size_t position) { return load2(p
 }  // namespace
 
 // With M the size, |p|_1, |q|_1 and |t|_1 (of t_b - t_a) sum to at most M. In units of U, rows of R being unit vectors
-// but for 1e-6:
+// but for kUnitRows:
 //   R p        products 1, sum 1                         2 |p|_1 in either coordinate
 //   R q + t    the same, t itself 1, the sum 1           3 |q|_1 + 2 |t|_1
 // so that a distance between the edges is off by sqrt2 3 M in any direction because its ends are, and beside() rounds
@@ -52,7 +53,7 @@ Double2 point(const PolygonData& polygon, std::size_t position) { return load2(p
 // M:
 //   4.25 M + 26 M + 8 M = 38.25 M.
 constexpr double kDistanceError = 64 * kUnitRoundoff;
-static_assert(kDistanceError >= (1 + 1e-5) * (errorOf(3) * kRoot2 + 2 * errorOf(12 + 1) + errorOf(8)));
+static_assert(kDistanceError >= kUnitRows * (errorOf(3) * kRoot2 + 2 * errorOf(12 + 1) + errorOf(8)));
 
 // Areas u x w and products u . w, where u leads along an edge and w from its start to an end of the other, |u| <= 2 M
 // and |w| <= M; in units of U:
@@ -65,7 +66,7 @@ static_assert(kDistanceError >= (1 + 1e-5) * (errorOf(3) * kRoot2 + 2 * errorOf(
 // with what is certain here, twice that.
 constexpr double kProductError = 256 * kUnitRoundoff;
 static_assert(kProductError >=
-              2 * (1 + 1e-5) * (errorOf(16) * kRoot2 + errorOf(4) + errorOf(32) * kRoot2 + errorOf(8 + 5)));
+              2 * kUnitRows * (errorOf(16) * kRoot2 + errorOf(4) + errorOf(32) * kRoot2 + errorOf(8 + 5)));
 
 EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vertices), scale_(1), inverse_(1) {
   if (!isUnscaled()) {

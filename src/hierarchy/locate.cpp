@@ -13,9 +13,7 @@
 namespace tricover {
 namespace {
 
-void checkPoint(const Vec2& point) {
-  if (!point.allFinite()) detail::refuse("point", "a coordinate is not finite");
-}
+void checkPoint(const Vec2& point) { detail::requireFinite(point, "point"); }
 
 /// A scan costs a twentieth of a hierarchy: the first few points are no reason to build one.
 const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {

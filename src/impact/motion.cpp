@@ -22,7 +22,7 @@ Motion Motion::translation(const Pose& start, const Vec2& shift) {
 Motion Motion::between(const Pose& start, const Pose& end, const Vec2& pivot) {
   checkPose(start, "start");
   checkPose(end, "end");
-  if (!pivot.allFinite()) detail::refuse("pivot", "a coordinate is not finite");
+  detail::requireFinite(pivot, "pivot");
   // The rotation nearest to end * start^-1.
   const Eigen::Matrix2d turn = end.linear() * start.linear().transpose();
   if (turn.determinant() < 0) detail::refuse("end", "it mirrors where start doesn't, or the other way round");

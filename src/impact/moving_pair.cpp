@@ -71,9 +71,9 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 //   a window's end, moved by some 8 of its share, costs that of what the points travel, at rates of three times the
 //   terms' sizes at most                                                                   24 A r + 24 f
 constexpr double kGapError = 64 * kUnitRoundoff;
-static_assert(kGapError >= (1 + 1e-5) * (errorOf(12) * kRoot2 + errorOf(8)));         // of r
-static_assert(kGapError >= (1 + 1e-5) * (errorOf(1) * 10.1 * kRoot2 + errorOf(24)));  // of A r
-static_assert(kGapError >= (1 + 1e-5) * (errorOf(11) * kRoot2 + errorOf(8 + 24)));    // of f
+static_assert(kGapError >= kUnitRows * (errorOf(12) * kRoot2 + errorOf(8)));         // of r
+static_assert(kGapError >= kUnitRows * (errorOf(1) * 10.1 * kRoot2 + errorOf(24)));  // of A r
+static_assert(kGapError >= kUnitRows * (errorOf(11) * kRoot2 + errorOf(8 + 24)));    // of f
 
 /// A power of two. Times it, neither sums nor products of what is given overflow, and underflow loses the least.
 double shrinkOf(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,

@@ -5,8 +5,13 @@
 #include <cmath>
 
 #include "impact/moving_pair.h"
+#include "numbers/rigidity.h"
 
 namespace tricover::detail {
+
+/// See TurningSag.
+constexpr double kSagGrowth = 1 + 0x1p-10;
+static_assert(kSagGrowth > (1 + 2 * kLargestDefect) * (1 + 2 * kLargestDefect));
 
 /// An upper bound of a length, too large by 8 percent at most.
 inline double lengthAbove(double x, double y) {
@@ -60,7 +65,7 @@ struct CutSide {
 // or, by D = (p_b - c_a) - r_b for a's pivot c_a, with the first two terms replaced by
 //   (|beta'| + |beta| |beta - 2 alpha|) |r_b| + (|alpha'| + alpha^2) |p_b - c_a|;
 // and likewise for an axis that turns with b. |D| and |p_b - c_a| are bounded over the window by their value at its
-// begin and how fast they change. 2^-10 pays for rounding, for axes that a pose off rigid by 1e-6 makes longer than 1,
+// begin and how fast they change. kSagGrowth pays for rounding, for axes that a pose off rigid makes longer than 1,
 // and for extents that it stretches.
 
 /// The sag along axes that turn with one polygon, of points of the other one: the smaller of two bounds, both linear.
@@ -115,7 +120,7 @@ struct Window {
 
  private:
   void boundSags() {
-    half_square = 0.5 * (1 + 0x1p-10) * length * length;
+    half_square = 0.5 * kSagGrowth * length * length;
     if (!rates.turns()) {
       with_a = with_b = {half_square * rates.pull, 0, half_square * rates.pull, 0, 0};
       return;

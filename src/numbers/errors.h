@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "tricover/pose.h"
 
 namespace tricover::detail {
 
@@ -14,6 +17,20 @@ inline std::string refusal(const std::string& field, const std::string& wrong, c
 
 [[noreturn]] inline void refuse(const std::string& field, const std::string& wrong, const std::string& instead = {}) {
   throw std::invalid_argument(refusal(field, wrong, instead));
+}
+
+/// What is wrong with a pose of which an entry of R^T R misses the identity's by so much.
+inline std::string offRigid(double by) {
+  char text[128];
+  std::snprintf(text, sizeof text, "linear() is off rigid by %.3g, more than %g (tricover::kRigidTolerance)", by,
+                kRigidTolerance);
+  return text;
+}
+
+[[noreturn]] inline void refuseCoordinate(const std::string& field) { refuse(field, "a coordinate is not finite"); }
+
+inline void requireFinite(const Vec2& point, const char* field) {
+  if (!point.allFinite()) refuseCoordinate(field);
 }
 
 /// Of a length or another number, infinity included. Written so that NaN fails, as below.

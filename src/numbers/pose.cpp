@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/pose.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -8,8 +9,9 @@
 #include "numbers/rigidity.h"
 
 namespace tricover {
+namespace {
 
-void checkPose(const Pose& pose, const char* name) {
+void requireFiniteEntries(const Pose& pose, const char* name) {
   const auto& m = pose.matrix();
   for (int row = 0; row < 2; ++row)
     for (int column = 0; column < 3; ++column) {
@@ -18,12 +20,43 @@ void checkPose(const Pose& pose, const char* name) {
       detail::refuse(name, column == 2 ? "translation(" + place + ") is not finite"
                                        : "linear(" + place + ", " + std::to_string(column) + ") is not finite");
     }
+}
+
+}  // namespace
+
+void checkPose(const Pose& pose, const char* name) {
+  requireFiniteEntries(pose, name);
   const double* columns = pose.data();  // of three
   const detail::Gram gram(detail::load2(columns), detail::load2(columns + 3));
-  // Negated, so that NaN, of entries whose squares overflow, fails.
-  if (!(gram.norms[0] <= kRigidTolerance && gram.norms[1] <= kRigidTolerance && gram.dot <= kRigidTolerance))
-    detail::refuse(name, "linear() is not rigid within 1e-6",
-                   "a pose only turns, mirrors and moves: scale the polygon's vertices");
+  const double off = std::max({gram.norms[0], gram.norms[1], gram.dot});
+  // Negated for NaN, which the product of entries may be whose squares overflow.
+  if (!(off <= kRigidTolerance))
+    detail::refuse(name, detail::offRigid(off),
+                   "a pose only turns, mirrors and moves: tricover::nearestRigid() drops the rest");
+}
+
+Pose nearestRigid(const Pose& pose, const char* name) {
+  requireFiniteEntries(pose, name);
+  const Eigen::Matrix2d given = pose.linear();
+  const double largest = given.cwiseAbs().maxCoeff();
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  const Eigen::Matrix2d r = given.unaryExpr([&](double entry) { return std::ldexp(entry, -exponent); });
+  // 2 R is the sum of a multiple of a rotation, (c, -s; s, c), and of one of a mirroring, (c, s; s, -c). The nearest
+  // map is what is longer of the two; their squares differ by 4 det R. Of entries below 2 coordinates err by 4U,
+  // lengths by 23U.
+  const Vec2 turn(r(0, 0) + r(1, 1), r(1, 0) - r(0, 1)), mirror(r(0, 0) - r(1, 1), r(1, 0) + r(0, 1));
+  const double turned = turn.norm(), mirrored = mirror.norm();
+  if (std::abs(turned - mirrored) <= 64 * detail::kUnitRoundoff)
+    detail::refuse(name, "linear() takes the plane to a line or a point", "no rigid map is nearest to that");
+  Pose rigid = pose;
+  if (turned > mirrored) {
+    const Vec2 u = turn / turned;
+    rigid.linear() << u.x(), -u.y(), u.y(), u.x();
+  } else {
+    const Vec2 u = mirror / mirrored;
+    rigid.linear() << u.x(), u.y(), u.y(), -u.x();
+  }
+  return rigid;
 }
 
 }  // namespace tricover

@@ -22,7 +22,8 @@ struct Gram {
   /// An upper bound of |s - 1| for a singular value s of a matrix that these columns are, but for an error E with |E|
   /// <= 9U in the spectral norm (a pose's own: none; PosedPair's: see there). A singular value s' of the columns has
   /// |s' - 1| = |s'^2 - 1| / (s' + 1), and s'^2, an eigenvalue of the Gram matrix, is within max(norms) + dot of 1:
-  ///   0.5 (norms + dot)   with 1e-6 of that for s' below 1: the whole sum stands for both, and for rounding it
+  ///   0.5 (norms + dot)   with as much of that as it is itself for s' below 1: the whole sum stands for both, and for
+  ///                       rounding it
   ///   0.5 (2U + U)        what norms and dot are rounded by
   ///   9U                  |s - s'| <= |E| (Weyl)
   double defect() const { return std::max(norms[0], norms[1]) + dot + kDefectRounding; }
@@ -38,6 +39,12 @@ struct Gram {
 /// or 1 - kLargestDefect may round a million times.
 constexpr double kLargestDefect = 2.1 * kRigidTolerance;
 static_assert(kLargestDefect >= 2 * kRigidTolerance + Gram::kDefectRounding + 0.9e-7);
+
+/// Bounds of rounding are derived for poses whose rows and columns are unit vectors and whose determinant is +-1. One
+/// that checkPose lets pass makes each of them longer by half of kLargestDefect at most, and 1 / det by less than all
+/// of it; no bound multiplies more than four. So what was derived holds for all poses if it holds times this.
+constexpr double kUnitRows = 1 + 10 * kRigidTolerance;
+static_assert(kUnitRows > (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + kLargestDefect));
 
 /// Whether checkPose lets a pose pass, by one comparison: most that it does. Written so that NaN and infinity fail.
 inline bool isPlainlyRigid(const Pose& pose) {

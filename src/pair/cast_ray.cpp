@@ -8,6 +8,7 @@
 #include "hierarchy/inclusion.h"
 #include "hierarchy/simd.h"
 #include "numbers/errors.h"
+#include "numbers/rigidity.h"
 #include "pair/four_ends.h"
 #include "pair/posed_pair.h"
 #include "pair/root_box.h"
@@ -17,7 +18,7 @@ namespace {
 
 /// In either coordinate R^-1 (p - t) errs as the shift of a relative pose does (kMappingError): by 7U |p - t|_1.
 constexpr double kPointError = 8 * kUnitRoundoff;
-static_assert(kPointError >= (1 + 1e-5) * errorOf(7));
+static_assert(kPointError >= kUnitRows * errorOf(7));
 
 /// From the world to the frame of a polygon under a pose.
 struct IntoFrame {
@@ -215,8 +216,8 @@ class RayCast {
 }  // namespace
 
 void requireFiniteRay(const Vec2& from, const Vec2& to) {
-  if (!from.allFinite()) refuse("from", "a coordinate is not finite");
-  if (!to.allFinite()) refuse("to", "a coordinate is not finite");
+  requireFinite(from, "from");
+  requireFinite(to, "to");
 }
 
 std::optional<RayHit> castPlainRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,

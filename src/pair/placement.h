@@ -108,7 +108,7 @@ class Placement {
   /// and sqrt2 of it in any direction: at most 8 e.
   double error() const { return error_; }
   static constexpr double kWayError = 16 * kUnitRoundoff;
-  static_assert(kWayError >= (1 + 1e-5) * kRoot2 * kRoot2 * errorOf(4));
+  static_assert(kWayError >= kUnitRows * kRoot2 * kRoot2 * errorOf(4));
 
   /// The next stage. `defect` is defectOf() the poses: no singular value of R_a^T R_b misses 1 by more, nor one of R_a.
   ///   c      the way, turned back by what is no longer than 1 + kLargestDefect; two products and their sum round it

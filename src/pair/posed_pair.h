@@ -13,8 +13,8 @@
 namespace tricover::detail {
 
 /// Error of the mapping p -> M p + t, M = R_a^-1 R_b = d adj(R_a) R_b, t = R_a^-1 (t_b - t_a), in either coordinate.
-/// Rows and columns of a pose are unit vectors and d = 1 / det R_a is +-1, but for 1e-6, which what is rounded up below
-/// pays for; the entries of adj(R_a) are those of R_a. In units of U:
+/// Rows and columns of a pose are unit vectors and d = 1 / det R_a is +-1, but for kUnitRows; the entries of adj(R_a)
+/// are those of R_a. In units of U:
 ///   det    products 1 (of |row| |column|), difference 1                                        2
 ///   d      det 2, division 1                                                                   3
 ///   M_ij   products and difference 2 s_ij, d and the last product (3 + 1) |M_ij|               2 s_ij + 4 |M_ij|
@@ -30,8 +30,8 @@ namespace tricover::detail {
 /// As a matrix, M errs by the spectral norms of 3U M (d), U M (the last product, entry by entry: sqrt2) and of 2U s_ij
 /// (at most 2U * 2): see Gram::defect().
 constexpr double kMappingError = 16 * kUnitRoundoff;
-static_assert(kMappingError >= (1 + 1e-5) * errorOf(1) * (2 * kRoot2 * kRoot2 + (4 + 3) * kRoot2));
-static_assert(Gram::kMatrixError >= (1 + 1e-5) * errorOf(1) * (3 + kRoot2 + 2 * 2));
+static_assert(kMappingError >= kUnitRows * errorOf(1) * (2 * kRoot2 * kRoot2 + (4 + 3) * kRoot2));
+static_assert(Gram::kMatrixError >= kUnitRows * errorOf(1) * (3 + kRoot2 + 2 * 2));
 
 /// v -> R^-1 v = adj(R) v / det R, for the R of a pose.
 struct TurnBack {

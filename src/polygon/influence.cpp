@@ -49,7 +49,7 @@ namespace paper {
 namespace {
 
 void check(const Vec2& point, double length) {
-  if (!point.allFinite()) detail::refuse("point", "a coordinate is not finite");
+  detail::requireFinite(point, "point");
   detail::requireNotNegative(length, "length");
 }
 

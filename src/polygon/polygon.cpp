@@ -26,7 +26,7 @@ void validate(const std::vector<Ring>& rings) {
       refuse(ring, "it has " + std::to_string(rings[r].size()) + " vertices",
              "it needs at least 3, which may be equal ones");
     for (std::size_t i = 0; i < rings[r].size(); ++i)
-      if (!rings[r][i].allFinite()) refuse(ring + ", vertex " + std::to_string(i), "a coordinate is not finite");
+      if (!rings[r][i].allFinite()) refuseCoordinate(ring + ", vertex " + std::to_string(i));
   }
 }
 

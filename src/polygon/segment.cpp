@@ -6,9 +6,7 @@
 namespace tricover {
 namespace {
 
-void requireFinite(const Vec2& p, const char* field) {
-  if (!p.allFinite()) detail::refuse(field, "a coordinate is not finite");
-}
+void requireFinite(const Vec2& p, const char* field) { detail::requireFinite(p, field); }
 
 }  // namespace
 

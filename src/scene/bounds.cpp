@@ -6,6 +6,7 @@
 
 #include "hierarchy/hierarchy.h"
 #include "numbers/double2.h"
+#include "numbers/rigidity.h"
 #include "numbers/rounding.h"
 
 namespace tricover::detail {
@@ -14,8 +15,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What a world coordinate of the bounds is off by, beside 2^-20 of a box's extents: R c + t with the centre c of a box
-/// in the polygon's frame. In units of U, with rows of R of length 1 but for 1e-6, and the polygon's extent e, which no
-/// coordinate is above, nor a quarter of the radius, nor an eighth of the unit, of which a block's scale is at most 2:
+/// in the polygon's frame. In units of U, with rows of R of length 1 but for kUnitRows, and the polygon's extent e,
+/// which no coordinate is above, nor a quarter of the radius, nor an eighth of the unit, of which a block's scale is at
+/// most 2:
 ///   the block's origin in the frame, product and sum     2 e
 ///   its way to the world, products and sums              3 e, 1 |t|
 ///   a box's centre from there, products and a sum        3 * 2 scale, 96 e
@@ -24,7 +26,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// (a vertex of few is on a shorter way)
 /// and, twice, 1e-13 (2 e + |t|), as near as which timeOfImpact() may report what doesn't meet.
 constexpr double kBoundsError = 0x1p-41;
-static_assert(kBoundsError >= (1 + 1e-5) * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 * 2e-13);
+static_assert(kBoundsError >= kUnitRows * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 * 2e-13);
 
 /// Extents of a float box: its axis is of unit length but for floats' roundings (Box), and they are summed up here.
 constexpr double kExtentsGrowth = 1 + 0x1p-20;

@@ -23,4 +23,15 @@ TEST(Documentation, Pose) {
   //! [pose]
 }
 
+TEST(Documentation, NearestRigid) {
+  //! [nearest]
+  // A robot that adds up its turns in floats: after ten thousand of them its pose has grown.
+  Eigen::Isometry2f odometry = Eigen::Isometry2f::Identity();
+  for (int i = 0; i < 10000; ++i) odometry.rotate(0.01f);
+  const tricover::Pose drifted(odometry.cast<double>());
+  EXPECT_THROW(tricover::checkPose(drifted), std::invalid_argument);
+  tricover::checkPose(tricover::nearestRigid(drifted));
+  //! [nearest]
+}
+
 }  // namespace

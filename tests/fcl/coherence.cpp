@@ -5,8 +5,8 @@
 #include <set>
 
 #include "polygon/cache_access.h"
-#include "polygons/pair_cache_table.h"
 #include "scene.h"
+#include "shape/pair_cache_table.h"
 #include "tricover/collide.h"
 
 namespace tricover_fcl::test {

@@ -48,6 +48,40 @@ TEST(PlanarPoses, tiltOfRoundingSizeIsNot) {
   EXPECT_TRUE(collide(turned(-9e-7, {0, 1, 0}), kIdentity));
 }
 
+/// A scale is not a tilt; nor is what floats leave of products of rotations refused.
+TEST(PlanarPoses, scalesAreNamedByThemselves) {
+  for (const double scale : {1e-3, 0.999, 1.001, 1000.0}) {
+    fcl::Transform3d scaled = turned(1e-7, {1, 2, 3});
+    scaled.linear() *= scale;
+    const std::string text = refusal(scaled, kIdentity);
+    EXPECT_EQ(text.find("tricover: pose_a: linear() is off rigid by "), 0u) << text;
+    EXPECT_NE(text.find("more than 0.0001 (tricover::kRigidTolerance)"), std::string::npos) << text;
+  }
+  fcl::Transform3d tall = kIdentity;
+  tall.matrix()(2, 2) = 2;
+  EXPECT_EQ(refusal(kIdentity, tall).find("tricover: pose_b: linear() is off rigid by 3, "), 0u);
+  fcl::Transform3d turned_and_scaled = turned(0.01, {1, 2, 0});
+  turned_and_scaled.linear() *= 2;
+  EXPECT_NE(refusal(kIdentity, turned_and_scaled).find("pose_b: it leaves the plane"), std::string::npos);
+}
+
+TEST(PlanarPoses, productsOfFloatQuaternionsAreNotRefused) {
+  tricover::support::Random random(4);
+  const fcl::Boxf box(1, 1, 1);
+  const auto square = shapeOf<float>(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  for (int i = 0; i < 20000; ++i) {
+    fcl::Quaternionf product(1, 0, 0, 0);
+    for (int k = 0; k < 4; ++k)
+      product = product * fcl::Quaternionf(fcl::AngleAxis<float>(static_cast<float>(random.real(-3.15, 3.15)),
+                                                                 fcl::Vector3f::UnitZ()));
+    fcl::Transform3f pose = fcl::Transform3f::Identity();
+    pose.linear() = product.toRotationMatrix();
+    fcl::CollisionResultf result;
+    ASSERT_NO_THROW(tricover_fcl::collide<float>(square.get(), pose, square.get(), pose, {}, result)) << i;
+    ASSERT_NO_THROW(tricover_fcl::collide<float>(square.get(), pose, &box, pose, {}, result)) << i;
+  }
+}
+
 TEST(PlanarPoses, halfTurnsAboutAnAxisInThePlaneMirror) {
   // About x: the square lies below the x axis.
   const fcl::Transform3d below = turned(kPi, {1, 0, 0});

@@ -81,7 +81,7 @@ void expectTightBoxes(double precision) {
                           .toRotationMatrix();
     }
     PolygonObject<S> object(shape, pose);
-    // A pose may stretch the margin by 1e-6 of it.
+    // A pose may stretch the margin by a rounding.
     expectTight(*shape, pose, object.getAABB(), precision * 200 * size + 4e-6 * options.margin);
 
     object.setTranslation(fcl::Vector3<S>(7, 8, 9));
@@ -99,8 +99,8 @@ TEST(PolygonObject, atAllHeightsTheBoxIsAsHighAsWide) {
       shapeWith<double>(tricover::Polygon({tricover::support::rectangle(0, 0, 4, 3)}), PolygonOptions::atAllHeights(1));
   const PolygonObjectd object(shape, lifted(tricover::support::pose(0, 1, 2), 7));
   const fcl::AABB<double>& box = object.getAABB();
-  EXPECT_NEAR(box.min_.z(), 7 - 6, 1e-4);  // the farthest vertex and the margin
-  EXPECT_NEAR(box.max_.z(), 7 + 6, 1e-4);
+  EXPECT_NEAR(box.min_.z(), 7 - 6, 12 * tricover::kRigidTolerance);  // the farthest vertex and the margin
+  EXPECT_NEAR(box.max_.z(), 7 + 6, 12 * tricover::kRigidTolerance);
   EXPECT_NEAR(box.max_.x(), 6, 1e-5);
 }
 

@@ -45,7 +45,7 @@ TEST(PolygonShape, boxIsTightAndPadded) {
   EXPECT_LT(shape.aabb_local.depth(), 1e-10);
   EXPECT_EQ(shape.aabb_center, fcl::Vector3d::Zero());
   EXPECT_GE(shape.aabb_radius, reach);
-  EXPECT_LE(shape.aabb_radius, reach * (1 + 1e-5));
+  EXPECT_LE(shape.aabb_radius, reach * (1 + 3 * tricover::kRigidTolerance));
 }
 
 TEST(PolygonShape, computingTheBoxAgainChangesNothing) {

@@ -31,7 +31,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 /// b near where it is: facts about these poses are about to be used at the case's own.
 Pose elsewhere(Random& random, const Case& c) {
   const double size = std::min(c.a.radius(), c.b.radius()) * (random.coin() ? 1e-3 : random.coin() ? 1e-12 : 1.0);
-  Pose result = c.pose_b * pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0);
+  Pose result = pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0) * c.pose_b;  // as rigid as that is
   const Vec2 moved = c.pose_b.translation() + Vec2(random.real(-size, size), random.real(-size, size));
   if (moved.allFinite()) result.translation() = moved;
   return result;

@@ -114,9 +114,15 @@ Pose throughFloat(const Pose& pose) {
 }
 
 Pose distorted(Random& random, Pose pose) {
-  // R^T R - I is then below 4 times this in norm, also after another rotation.
-  constexpr double kMost = 0.24 * kRigidTolerance;
-  for (int i = 0; i < 4; ++i) pose.linear()(i / 2, i % 2) += random.real(-kMost, kMost);
+  // The entries of R^T R - I are the twofold of these, but for their squares; also when it turns on.
+  constexpr double kMost = 0.499 * kRigidTolerance;
+  const bool at_the_limit = random.coin();
+  const auto entry = [&] { return at_the_limit ? (random.coin() ? kMost : -kMost) : random.real(-kMost, kMost); };
+  Eigen::Matrix2d stretch = Eigen::Matrix2d::Identity();
+  stretch(0, 0) += entry();
+  stretch(1, 1) += entry();
+  stretch(0, 1) = stretch(1, 0) = entry();
+  pose.linear() = pose.linear() * stretch;
   return pose;
 }
 

@@ -45,7 +45,7 @@ void turn(Pose& pose, double angle);
 Pose mirrored(Pose pose);
 /// Rounded through float, so that R misses orthonormality by about 1e-7.
 Pose throughFloat(const Pose& pose);
-/// R off orthonormality by nearly as much as is allowed: a little scale and shear.
+/// R off orthonormality by as much as is allowed, half of the time in all entries of R^T R: a little scale and shear.
 Pose distorted(Random& random, Pose pose);
 Pose randomPose(Random& random, double reach);
 /// From within 2 sizes, of several kinds: at rest, sliding, turning about the polygon's S or another point, splines.

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "polygon/cache_access.h"
+#include "random.h"
 #include "refusal.h"
 #include "shapes.h"
 #include "strategies.h"
@@ -33,7 +35,7 @@ std::vector<Pose> badPoses() {
   poses[4].translation().x() = kNaN;
   poses[5].translation().y() = -kInfinity;
   poses[6].linear().setZero();
-  poses[7].linear() *= 1 + 2e-6;
+  poses[7].linear() *= 1 + kRigidTolerance;
   poses[8].linear() << 1, 1, 0, 0;
   poses[9].linear()(0, 0) = 2;
   poses[10].linear()(1, 1) = 2;
@@ -87,8 +89,13 @@ TEST(PoseCheck, NamesTheEntryThatIsNotFinite) {
       }
   Pose large = Pose::Identity();
   large.linear()(0, 1) = 1e200;
-  for (const Pose& bad : {large, badPoses()[0], badPoses()[6]})
-    EXPECT_TRUE(names(refusalOf(bad), "tricover: mine: linear() is not rigid within 1e-6; ")) << refusalOf(bad);
+  const std::string start = "tricover: mine: linear() is off rigid by ",
+                    end =
+                        ", more than 0.0001 (tricover::kRigidTolerance); a pose only turns, mirrors and moves: "
+                        "tricover::nearestRigid() drops the rest";
+  EXPECT_EQ(refusalOf(large), start + "inf" + end);
+  EXPECT_EQ(refusalOf(badPoses()[0]), start + "0.002" + end);
+  EXPECT_EQ(refusalOf(badPoses()[6]), start + "1" + end);
 }
 
 TEST(PoseCheck, TakesRotationsMirrorsAndFloatRounding) {
@@ -99,6 +106,128 @@ TEST(PoseCheck, TakesRotationsMirrorsAndFloatRounding) {
     EXPECT_NO_THROW(checkPose(mirrored(throughFloat(turned))));
   }
   EXPECT_NO_THROW(checkPose(pose(0, 1e308, -1e308)));
+}
+
+/// The largest entry of R^T R - I.
+double defectOf(const Pose& pose) {
+  const Eigen::Matrix2d r = pose.linear();
+  return (r.transpose() * r - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff();
+}
+
+TEST(PoseCheck, TakesAllThatQuaternionsOfFloatMakeOfRotations) {
+  Random random(20);
+  const auto turn = [&] {
+    return Eigen::Quaternionf(
+        Eigen::AngleAxisf(static_cast<float>(random.real(-3.15, 3.15)), Eigen::Vector3f::UnitZ()));
+  };
+  int refused = 0, beyond_a_rounding = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    const Eigen::Quaternionf product = turn() * turn() * turn() * turn();
+    Pose pose = Pose::Identity();
+    pose.linear() = product.toRotationMatrix().topLeftCorner<2, 2>().cast<double>();
+    refused += !refusal([&] { checkPose(pose); }).empty();
+    beyond_a_rounding += defectOf(pose) > 1e-6;
+  }
+  EXPECT_EQ(refused, 0);
+  EXPECT_GE(beyond_a_rounding, 100) << "which were refused once";
+}
+
+/// A thousand times the same factor, whose own rounding adds up; or a hundred times as many different ones.
+TEST(PoseCheck, TakesLongProductsOfFloats) {
+  Random random(21);
+  const auto factor = [&] {
+    Eigen::Isometry2f pose = Eigen::Isometry2f::Identity();
+    pose.rotate(static_cast<float>(random.real(-3.15, 3.15)));
+    return pose;
+  };
+  double farthest = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Isometry2f same = factor();
+    Eigen::Isometry2f repeated = same;
+    for (int k = 1; k < 1000; ++k) repeated = repeated * same;
+    farthest = std::max(farthest, defectOf(Pose(repeated.cast<double>())));
+    EXPECT_NO_THROW(checkPose(Pose(repeated.cast<double>())));
+  }
+  EXPECT_GE(farthest, 2e-5);
+  Eigen::Isometry2f product = factor();
+  for (int k = 1; k < 100000; ++k) {
+    product = product * factor();
+    ASSERT_NO_THROW(checkPose(Pose(product.cast<double>()))) << k;
+  }
+}
+
+/// By every entry of R^T R alone, a little inside and a little outside.
+TEST(PoseCheck, HoldsAtItsLimit) {
+  const auto stretched = [](double xx, double xy, double yy) {
+    Pose result = pose(0.7, 1, 2);
+    Eigen::Matrix2d root;  // the square root of I + (xx, xy; xy, yy), but for third powers
+    root << xx / 2 - (xx * xx + xy * xy) / 8, xy / 2 - xy * (xx + yy) / 8, 0, yy / 2 - (yy * yy + xy * xy) / 8;
+    root(1, 0) = root(0, 1);
+    result.linear() = result.linear() * (Eigen::Matrix2d::Identity() + root);
+    return result;
+  };
+  const double inside = kRigidTolerance * (1 - 1e-6), outside = kRigidTolerance * (1 + 1e-6);
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  for (const double sign : {-1.0, 1.0})
+    for (const Vec2& other : {Vec2(0, 0), Vec2(inside, inside), Vec2(-inside, inside)}) {
+      const double in = sign * inside, out = sign * outside, x = other.x(), y = other.y();
+      for (const Pose& good : {stretched(in, x, y), stretched(x, in, y), stretched(x, y, in)}) {
+        EXPECT_NO_THROW(checkPose(good));
+        EXPECT_NO_THROW(collide(square, good, square, mirrored(good)));
+      }
+      for (const Pose& bad : {stretched(out, x, y), stretched(x, out, y), stretched(x, y, out)}) {
+        EXPECT_THROW(checkPose(bad), std::invalid_argument);
+        EXPECT_THROW(collide(square, Pose::Identity(), square, mirrored(bad)), std::invalid_argument);
+      }
+    }
+}
+
+double distanceBetween(const Pose& p, const Pose& q) { return (p.linear() - q.linear()).norm(); }
+
+TEST(NearestRigid, IsRigidToARoundingAndNoRigidMapIsNearer) {
+  Random random(22);
+  for (int i = 0; i < 2000; ++i) {
+    Pose given = i % 2 ? randomPose(random, 3) : mirrored(randomPose(random, 3));
+    const double size = std::ldexp(1, i % 3 ? 0 : random.integer(-400, 400));
+    for (int k = 0; k < 4; ++k) given.linear()(k / 2, k % 2) += random.real(-0.3, 0.3);
+    given.linear() *= size;
+    const double det = (given.linear() / size).determinant();
+    if (std::abs(det) < 0.01) continue;
+    const Pose rigid = nearestRigid(given);
+    EXPECT_LE(defectOf(rigid), 1e-15);
+    EXPECT_EQ(rigid.linear().determinant() < 0, det < 0) << "mirrored stays mirrored";
+    EXPECT_EQ(rigid.translation(), given.translation());
+    Pose scaled = given;
+    scaled.linear() /= size;
+    const double least = distanceBetween(rigid, scaled);
+    for (int k = 0; k < 20; ++k) {
+      const double way = k % 2 ? random.real(-3.15, 3.15) : random.real(-1e-2, 1e-2);
+      Pose other = rigid;
+      other.linear() = Eigen::Rotation2Dd(way).toRotationMatrix() * rigid.linear();
+      EXPECT_GE(distanceBetween(other, scaled), least - 1e-14);
+    }
+  }
+}
+
+TEST(NearestRigid, KeepsWhatIsRigidAndMendsWhatFloatsDrifted) {
+  EXPECT_TRUE(nearestRigid(Pose::Identity()).isApprox(Pose::Identity(), 0));
+  const Pose turned = mirrored(pose(2.5, 1e10, -4));
+  EXPECT_LE(distanceBetween(nearestRigid(turned), turned), 1e-15);
+  Eigen::Isometry2f product = Eigen::Isometry2f::Identity();
+  for (int k = 0; k < 100000; ++k) product.rotate(0.01f);
+  const Pose drifted(product.cast<double>());
+  EXPECT_THROW(checkPose(drifted), std::invalid_argument);
+  EXPECT_NO_THROW(checkPose(nearestRigid(drifted)));
+}
+
+TEST(NearestRigid, RefusesWhatIsNoPose) {
+  Pose flat = Pose::Identity();
+  flat.linear() << 1, 2, 3, 6;
+  for (const Pose& bad : {flat, badPoses()[6], badPoses()[8]})
+    EXPECT_EQ(refusal([&] { nearestRigid(bad, "mine"); }),
+              "tricover: mine: linear() takes the plane to a line or a point; no rigid map is nearest to that");
+  EXPECT_EQ(refusal([&] { nearestRigid(badPoses()[2]); }), "tricover: pose: linear(0, 0) is not finite");
+  EXPECT_EQ(refusal([&] { nearestRigid(badPoses()[5]); }), "tricover: pose: translation(1) is not finite");
 }
 
 TEST(CollideOptions, NegativeOrNotFiniteLengthsAreRefusedByName) {

@@ -18,7 +18,7 @@ namespace tricover_fcl {
 /// Exact: gjk_solver_type, gjk_tolerance and the cached guess change nothing. Two polygons at different z don't touch,
 /// nor do prisms (PolygonOptions) whose intervals are apart: the doubles of poses and shapes, added and compared
 /// exactly. Throws std::invalid_argument for a pose that leaves the plane (entries of R that mix z with x or y, or
-/// |R_zz| - 1, above tricover::kRigidTolerance), isn't rigid or isn't finite: pose_a is the first object's, pose_b the
+/// |R_zz| - 1, above 1e-6), isn't rigid or isn't finite: pose_a is the first object's, pose_b the
 /// second's. A half turn about an axis in the plane is a legal, mirrored pose.
 ///
 /// A hit adds fcl::Contacts as long as there are fewer than num_max_contacts: one without details, or with

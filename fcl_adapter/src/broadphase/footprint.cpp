@@ -20,18 +20,11 @@ template <typename S>
 std::optional<PlanarPose> planarPoseIfAny(const fcl::Transform3<S>& transform) {
   try {
     const PlanarPose pose = planarPose(transform, "pose");
-    if (!isPlainlyPlanar(transform)) tricover::checkPose(pose.pose);
+    tricover::detail::requireRigid(pose.pose, "pose");
     return pose;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
-}
-
-template <typename S>
-bool isRigid(const fcl::Transform3<S>& transform) {
-  const Eigen::Matrix3d r = transform.linear().template cast<double>();
-  const Eigen::Matrix3d defect = r.transpose() * r - Eigen::Matrix3d::Identity();
-  return transform.matrix().allFinite() && defect.cwiseAbs().maxCoeff() <= tricover::kRigidTolerance;
 }
 
 template <typename S>
@@ -95,7 +88,8 @@ Footprint footprintOf(const fcl::CollisionObject<S>& object, const tricover::Pol
   if (!isPolygon(geometry)) return footprintOfBox(object, last);
   if (const auto pose = planarPoseIfAny(object.getTransform()))
     return footprintOfPolygon(static_cast<const PolygonShape<S>&>(geometry), object.getTransform(), *pose);
-  return isRigid(object.getTransform()) ? footprintOfBox(object, nullptr) : kAnywhere;
+  const bool is_rigid = defectOf(object.getTransform()) <= tricover::kRigidTolerance;
+  return is_rigid ? footprintOfBox(object, nullptr) : kAnywhere;
 }
 
 template Footprint footprintOf(const fcl::CollisionObject<float>&, const tricover::Polygon*);

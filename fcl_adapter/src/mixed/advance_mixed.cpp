@@ -6,6 +6,7 @@
 
 #include "mixed/mixed_pair.h"
 #include "shadow/stadium.h"
+#include "shape/bounds.h"
 #include "shape/course.h"
 #include "shape/errors.h"
 #include "shape/fcl_results.h"
@@ -56,10 +57,7 @@ struct Footprint {
   std::optional<Shadow> shadow = {};  ///< to make the polygon finer
 
   Eigen::AlignedBox2d box() const {
-    Eigen::AlignedBox2d around;
-    for (const tricover::Ring& ring : polygon.rings()) {
-      for (const tricover::Vec2& vertex : ring) around.extend(pose * vertex);
-    }
+    Eigen::AlignedBox2d around = boundsOf(polygon, pose);
     widen(around, margin);
     return around;
   }

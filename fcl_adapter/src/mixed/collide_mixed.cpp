@@ -3,7 +3,7 @@
 
 #include "mixed/mixed_contacts.h"
 #include "mixed/stadium_pair.h"
-#include "tricover/collide.h"
+#include "shape/bounds.h"
 
 namespace tricover_fcl {
 namespace {
@@ -11,11 +11,7 @@ namespace {
 /// The world's box around what the boxes of polygon and shadow share in the polygon's frame.
 template <typename S>
 Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
-  Eigen::AlignedBox2d box;
-  for (const tricover::Ring& ring : shadow.outline().rings()) {
-    for (const tricover::Vec2& vertex : ring) box.extend(vertex);
-  }
-  box = box.intersection(pair.view.around);
+  const Eigen::AlignedBox2d box = boundsOf(shadow.outline()).intersection(pair.view.around);
   const double half_height = pair.view.slab.halfHeight();
   Eigen::AlignedBox3d world;
   for (const double x : {box.min().x(), box.max().x()}) {
@@ -26,16 +22,6 @@ Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
     }
   }
   return world;
-}
-
-template <typename S>
-bool meets(const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl::Transform3<S>* tf2,
-           const tricover::CollideOptions& options) {
-  tricover::CollideOptions grown;
-  grown.margin = pair.grown(options.margin + pair.shape.options().margin);
-  return pair.remembering(tf1, tf2, [&](auto&... cache) {
-    return tricover::collide(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, cache..., grown);
-  });
 }
 
 }  // namespace
@@ -51,7 +37,7 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
   const bool is_round = round.found != StadiumCase::None;
   if (is_round) {
     if (!(of_hit.contacts || of_hit.costs) || round.found == StadiumCase::OutOfSlab ||
-        !meets(round, &tf1, &tf2, options))
+        !round.collide({round.grown(options.margin + round.shape.options().margin)}))
       return result.numContacts();
     if (!request.enable_contact && !of_hit.costs) {
       if (room(request, result) > 0) addContact(o1, o2, result);

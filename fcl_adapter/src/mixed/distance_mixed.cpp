@@ -69,14 +69,9 @@ tricover::DistanceOptions optionsOf(const fcl::DistanceRequest<S>& request, doub
 /// Of a disc or stadium, in the world; false where a depth is asked for that has to be searched for. Nothing above the
 /// limit is of interest.
 template <typename S>
-bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* tf1, const fcl::Transform3<S>* tf2,
-              const fcl::DistanceRequest<S>& request, double limit) {
+bool measured(Span& span, const StadiumPair<S>& pair, const fcl::DistanceRequest<S>& request, double limit) {
   const double margin = pair.shape.options().margin;
-  const tricover::DistanceOptions options = optionsOf(request, pair.grown(margin));
-  const auto within = pair.remembering(tf1, tf2, [&](auto&... cache) {
-    return tricover::distanceWithin(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, limit, cache...,
-                                    options);
-  });
+  const auto within = pair.distanceWithin(limit, optionsOf(request, pair.grown(margin)));
   if (!within) {
     span.distance = std::numeric_limits<double>::infinity();
     return true;
@@ -89,8 +84,7 @@ bool measured(Span& span, const StadiumPair<S>& pair, const fcl::Transform3<S>* 
     // A touch is right to the error of a distance; margins don't overlap.
     tricover::CollideOptions deeper;
     deeper.margin = pair.radius * (1 - 1e-13) - static_cast<double>(std::numeric_limits<S>::min());
-    if (deeper.margin >= 0 &&
-        tricover::collide(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment, deeper)) {
+    if (deeper.margin >= 0 && tricover::collide(*pair.a, pair.pose_a, *pair.b, pair.pose_b, deeper)) {
       if (!request.enable_signed_distance) {
         span.distance = -1;
       } else if (const auto way = penetrationOf(pair); !way) {
@@ -124,7 +118,7 @@ S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& t
   const auto limit = static_cast<double>(result.min_distance);
   const StadiumPair<S> round(o1, tf1, o2, tf2);
   if (round.found == StadiumCase::OutOfSlab) return result.min_distance;
-  if (round.found == StadiumCase::Pair && measured(span, round, &tf1, &tf2, request, limit)) {
+  if (round.found == StadiumCase::Pair && measured(span, round, request, limit)) {
     if (span.distance < 0) requireContactsIfSigned(o1, o2, request);
     return report(round.polygon_first);
   }

@@ -2,19 +2,15 @@
 #include "mixed/mixed_contacts.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "mixed/stadium_penetration.h"
-#include "tricover/contacts.h"
-#include "tricover/distance.h"
 
 namespace tricover_fcl {
 namespace {
 
-using tricover::Pose;
 using tricover::Vec2;
-
-Vec2 middle(const Vec2& p, const Vec2& q) { return p / 2 + q / 2; }
 
 /// From polygon to geometry, turned where the row's order is the other one.
 MixedContact inOrder(bool polygon_first, const Plane& plane, PlanarContact contact) {
@@ -34,28 +30,28 @@ MixedContact liftContact(const MixedPair<S>& pair, const Shadow::Lift& lift) {
   return inOrder(pair.polygon_first, along, {Vec2::Zero(), Vec2::UnitX(), lift.depth, -1, -1});
 }
 
+/// As contactsOf() asks.
+struct ShadowPair {
+  std::optional<tricover::Penetration> penetration() const { return shadow.penetration(polygon); }
+  std::vector<tricover::Contact> contacts(std::size_t most) const { return shadow.contacts(polygon, most); }
+  tricover::DistanceResult distance() const {
+    return *shadow.distance(polygon, std::numeric_limits<double>::infinity(), {});
+  }
+
+  const tricover::Polygon& polygon;
+  const Shadow& shadow;
+};
+
 }  // namespace
 
 template <typename S>
 std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& shadow, std::size_t most) {
   if (shadow.lift()) return {liftContact(pair, *shadow.lift())};
-  const tricover::Polygon& polygon = pair.polygon();
+  const ShadowPair planar{pair.polygon(), shadow};
   std::vector<MixedContact> found;
-  const auto add = [&](const Vec2& point, const Vec2& normal, double depth, const auto& edges) {
-    const PlanarContact contact{point, normal, depth, edges.edge_a, shadow.partOf(edges.edge_b)};
+  for (PlanarContact& contact : tricover_fcl::contactsOf(planar, most == 1, most, Vec2::UnitX())) {
+    contact.edge2 = shadow.partOf(contact.edge2);
     found.push_back(inOrder(pair.polygon_first, pair.plane, contact));
-  };
-  if (most == 1) {
-    if (const auto whole = shadow.penetration(polygon))
-      add(middle(whole->point_a, whole->point_b), whole->normal, whole->depth, *whole);
-  } else {
-    for (const tricover::Contact& part : shadow.contacts(polygon, most)) add(part.point, part.normal, part.depth, part);
-  }
-  if (found.empty()) {
-    const tricover::DistanceResult nearest = *shadow.distance(polygon, std::numeric_limits<double>::infinity(), {});
-    const Vec2 between = nearest.point_b - nearest.point_a;
-    const Vec2 normal = between.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(between.stableNormalized());
-    add(middle(nearest.point_a, nearest.point_b), normal, 0, nearest);
   }
   return found;
 }

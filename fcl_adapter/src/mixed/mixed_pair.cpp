@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mixed/mixed_pair.h"
 
+#include "shape/bounds.h"
 #include "shape/errors.h"
 #include "shape/is_polygon.h"
 #include "shape/planar_pose.h"
 
 namespace tricover_fcl {
-namespace {
-
-Eigen::AlignedBox2d boundingBox(const tricover::Polygon& polygon) {
-  Eigen::AlignedBox2d box;
-  for (const tricover::Ring& ring : polygon.rings()) {
-    for (const tricover::Vec2& vertex : ring) box.extend(vertex);
-  }
-  return box;
-}
-
-}  // namespace
-
 template <typename S>
-Plane checkedPose(const fcl::Transform3<S>& transform, const char* name) {
-  const Plane pose(transform.matrix().template cast<double>().eval());
-  const Eigen::Matrix3d defect = pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity();
-  // Eigen's maxCoeff may pass over NaN.
-  if (!pose.matrix().allFinite() || !(defect.cwiseAbs().maxCoeff() <= tricover::kRigidTolerance))
-    refuseDistortion(pose.matrix(), name);
-  return pose;
+Plane rigidPose(const fcl::Transform3<S>& transform, const char* name) {
+  requireRigid(transform, name);
+  return Plane(transform.matrix().template cast<double>().eval());
 }
 
 template <typename S>
@@ -34,7 +19,7 @@ MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o
   const bool polygon_first = isPolygon(o1);
   const auto& other = polygon_first ? o2 : o1;
   if (!castsShadow(other)) refusePair(operation, o1, o2);
-  const Plane pose1 = checkedPose(tf1, "pose_a"), pose2 = checkedPose(tf2, "pose_b");
+  const Plane pose1 = rigidPose(tf1, "pose_a"), pose2 = rigidPose(tf2, "pose_b");
   const Plane &of_polygon = polygon_first ? pose1 : pose2, &of_other = polygon_first ? pose2 : pose1;
 
   const auto& shape = static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2);
@@ -48,11 +33,11 @@ MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o
           other,
           polygon_first,
           of_polygon * planeAt(slab.middle()),
-          {to_polygon, slab, boundingBox(shape.polygon()), false}};
+          {to_polygon, slab, boundsOf(shape.polygon()), false}};
 }
 
-template Plane checkedPose(const fcl::Transform3<float>&, const char*);
-template Plane checkedPose(const fcl::Transform3<double>&, const char*);
+template Plane rigidPose(const fcl::Transform3<float>&, const char*);
+template Plane rigidPose(const fcl::Transform3<double>&, const char*);
 template MixedPair<float> mixedPair(const char*, const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
                                     const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&);
 template MixedPair<double> mixedPair(const char*, const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,

@@ -23,10 +23,10 @@ struct MixedPair {
 /// Throws std::invalid_argument, naming it, for a pose that isn't rigid within tricover::kRigidTolerance or isn't
 /// finite.
 template <typename S>
-Plane checkedPose(const fcl::Transform3<S>& transform, const char* name);
+Plane rigidPose(const fcl::Transform3<S>& transform, const char* name);
 
 /// Throws std::logic_error, naming the operation, if the other geometry isn't one that FCL knows, and
-/// what checkedPose() throws of pose_a (the first geometry's) or pose_b.
+/// what rigidPose() throws of pose_a (the first geometry's) or pose_b.
 template <typename S>
 MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                        const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2);

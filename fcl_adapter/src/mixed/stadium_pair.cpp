@@ -15,6 +15,7 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 using tricover::Pose;
+using tricover::detail::requireRigid;
 
 /// Whether it turns about z alone, or upside down, to the last bit, and lifts by what is finite: then the plane's
 /// coordinates can be the world's.
@@ -23,28 +24,6 @@ bool isUpright(const fcl::Transform3<S>& pose) {
   const auto& m = pose.matrix();
   return m(2, 0) == 0 && m(2, 1) == 0 && m(0, 2) == 0 && m(1, 2) == 0 && std::abs(m(2, 2)) == 1 &&
          std::isfinite(m(2, 3));
-}
-
-/// checkedPose() and tricover::checkPose() for most poses, of which a sum tells that they are rigid and finite. Written
-/// so that NaN and infinity fail.
-template <typename S>
-void requireRigid(const fcl::Transform3<S>& transform, const char* name) {
-  const auto& m = transform.matrix();
-  const auto dot = [&](int i, int j) {
-    const auto product = [&](int row) { return static_cast<double>(m(row, i)) * static_cast<double>(m(row, j)); };
-    return product(0) + product(1) + product(2);
-  };
-  const auto shift = static_cast<double>(m(0, 3)) + static_cast<double>(m(1, 3)) + static_cast<double>(m(2, 3));
-  const double defect = std::abs(dot(0, 0) - 1) + std::abs(dot(1, 1) - 1) + std::abs(dot(2, 2) - 1) +
-                        std::abs(dot(0, 1)) + std::abs(dot(0, 2)) + std::abs(dot(1, 2)) + (shift - shift);
-  if (!(defect <= tricover::kRigidTolerance)) checkedPose(transform, name);
-}
-void requireRigid(const Pose& pose, const char* name) {
-  const auto& m = pose.matrix();
-  const auto dot = [&](int i, int j) { return m(0, i) * m(0, j) + m(1, i) * m(1, j); };
-  const double shift = m(0, 2) + m(1, 2);
-  const double defect = std::abs(dot(0, 0) - 1) + std::abs(dot(1, 1) - 1) + std::abs(dot(0, 1)) + (shift - shift);
-  if (!(defect <= tricover::kRigidTolerance)) tricover::checkPose(pose, name);
 }
 
 template <typename S>
@@ -73,16 +52,16 @@ typename StadiumPair<S>::Other StadiumPair<S>::place(const fcl::Transform3<S>& o
   is_level_ = isUpright(of_polygon);
   if (is_level_) {
     const auto z = static_cast<double>(of_polygon.matrix()(2, 3));
-    setPlanarPart(pose, of_polygon);
+    setPlanarPart(pose_a, of_polygon);
     other.slab = slabOf(options, of_polygon);
     height_ = z + other.slab.middle();
     other.rounding_z = 0x1p-50 * (std::abs(z) + std::abs(other.center.z()));
     other.center.z() -= z;
   } else {
-    const Plane from = checkedPose(of_polygon, polygon_first ? "pose_a" : "pose_b");
+    const Plane from = rigidPose(of_polygon, polygon_first ? "pose_a" : "pose_b");
     const Eigen::Matrix3d inverse = from.linear().inverse();
     plane_ = from * planeAt(other.slab.middle());
-    pose = Pose::Identity();
+    pose_a = Pose::Identity();
     other.center = inverse * (other.center - from.translation());
     other.axis = inverse * other.axis;
     other.rounding = other.rounding_z = kMappingError * other.center.stableNorm() + 0x1p-1066;
@@ -98,25 +77,33 @@ bool StadiumPair<S>::placeBall(const fcl::Transform3<S>& of_polygon, const fcl::
   const auto z = static_cast<double>(of_polygon.matrix()(2, 3)), rise = static_cast<double>(of_ball.matrix()(2, 3)) - z;
   if (!(rise >= slab.low && rise <= slab.high)) return false;
   found = StadiumCase::Pair;
-  setPlanarPart(pose, of_polygon);
-  requireRigid(pose, polygon_first ? "pose_a" : "pose_b");
+  setPlanarPart(pose_a, of_polygon);
+  requireRigid(pose_a, polygon_first ? "pose_a" : "pose_b");
   height_ = z + slab.middle();
   radius = of_radius;
   constexpr double kX[] = {1, 0}, kY[] = {0, 1};
   const double center[] = {static_cast<double>(of_ball.matrix()(0, 3)), static_cast<double>(of_ball.matrix()(1, 3))};
-  setColumns(pose_of_segment, kX, kY, center);
+  setColumns(pose_b, kX, kY, center);
   return true;
 }
 
 template <typename S>
 StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2)
-    : polygon_first(isPolygon(o1)), shape(static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2)) {
+    : PlanarPair{nullptr, &Stadium::point(), {}, {}},
+      polygon_first(isPolygon(o1)),
+      shape(static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2)) {
+  a = &shape.polygon();
   const fcl::CollisionGeometry<S>& other = polygon_first ? o2 : o1;
   const fcl::NODE_TYPE type = other.getNodeType();
   if (!isRound(type)) return;
   const fcl::Transform3<S>&of_polygon = polygon_first ? tf1 : tf2, &of_other = polygon_first ? tf2 : tf1;
-  requireRigid(of_other, polygon_first ? "pose_b" : "pose_a");
+  const auto keepFacts = [&] {
+    place_a = &of_polygon;
+    place_b = &of_other;
+  };
+  if (!hasFewEdges(*a)) keepFacts();  // beside few edges a disc is sooner asked for than a fact
+  tricover_fcl::requireRigid(of_other, polygon_first ? "pose_b" : "pose_a");
   if (type == fcl::GEOM_SPHERE &&
       placeBall(of_polygon, of_other, static_cast<double>(static_cast<const fcl::Sphere<S>&>(other).radius)))
     return;
@@ -124,11 +111,13 @@ StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   const std::optional<Stadium> stadium =
       stadiumOf(other, seen.center, seen.axis, seen.slab, seen.rounding, seen.rounding_z);
   if (!stadium) return;
-  requireRigid(pose, polygon_first ? "pose_a" : "pose_b");
+  requireRigid(pose_a, polygon_first ? "pose_a" : "pose_b");
   found = stadium->in_slab ? StadiumCase::Pair : StadiumCase::OutOfSlab;
-  stadium->setPose(pose_of_segment);
+  stadium->setPose(pose_b);
   radius = stadium->radius;
-  if (stadium->half_length != 0) segment_ = stadium->segment();
+  if (stadium->half_length == 0) return;
+  b = &segment_.emplace(stadium->segment());
+  keepFacts();
 }
 
 template class StadiumPair<float>;

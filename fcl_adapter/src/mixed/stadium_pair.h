@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "polygons/pair_cache_table.h"
 #include "shadow/stadium.h"
+#include "shape/planar_pair.h"
 #include "shape/plane.h"
 #include "tricover_fcl/polygon_shape.h"
 
@@ -16,17 +16,17 @@ namespace tricover_fcl {
 /// doesn't reach the polygon's heights.
 enum class StadiumCase { None, OutOfSlab, Pair };
 
-/// A polygon and a geometry that is a disc or a stadium in the polygon's plane, as a segment with a radius: so the
-/// kernel answers, exactly, without an outline.
+/// A polygon, `a`, and a geometry that is a disc or a stadium in the polygon's plane, as a segment, `b`, with a radius:
+/// so the kernel answers, exactly, without an outline.
 template <typename S>
-class StadiumPair {
+class StadiumPair : public PlanarPair {
  public:
   /// Throws as mixedPair() does.
   StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,
               const fcl::Transform3<S>& tf2);
 
-  const tricover::Polygon& polygon() const { return shape.polygon(); }
-  const tricover::Polygon& segment() const { return segment_ ? *segment_ : Stadium::point(); }
+  StadiumPair(const StadiumPair&) = delete;  // b is its own
+  StadiumPair& operator=(const StadiumPair&) = delete;
 
   bool isDisc() const { return !segment_; }
 
@@ -40,22 +40,10 @@ class StadiumPair {
                      : Eigen::Vector3d(plane_ * Eigen::Vector3d(p.x(), p.y(), 0));
   }
 
-  /// Calls ask() with what this thread remembers of the pair at those places, the row's, or without it: a disc beside
-  /// few edges is sooner asked for than a fact.
-  template <typename Ask>
-  auto remembering(const void* place1, const void* place2, const Ask& ask) const {
-    if (!segment_ && hasFewEdges(polygon())) return ask();
-    const tricover::Polygon &first = polygon_first ? polygon() : segment(),
-                            &second = polygon_first ? segment() : polygon();
-    tricover::PairCache* const cache = pairCache(first, place1, second, place2);
-    return cache != nullptr ? ask(*cache) : ask();
-  }
-
   const bool polygon_first;
   const PolygonShape<S>& shape;
   StadiumCase found = StadiumCase::None;  ///< what follows is there for a pair alone
-  tricover::Pose pose, pose_of_segment;
-  double radius = 0;
+  double radius = 0;                      ///< of the segment's margin, beside the polygon's
 
  private:
   /// Where the other one is: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.

@@ -6,8 +6,6 @@
 #include <limits>
 
 #include "tricover/collide.h"
-#include "tricover/distance.h"
-#include "tricover/penetration.h"
 
 namespace tricover_fcl {
 namespace {
@@ -21,11 +19,11 @@ constexpr double kError = 1e-9;
 
 template <typename S>
 bool isFreeAfter(const StadiumPair<S>& pair, const StadiumPenetration& way) {
-  Pose there = pair.pose_of_segment;
+  Pose there = pair.pose_b;
   there.translation() += way.depth * way.normal;
   tricover::CollideOptions options;
   options.margin = (1 - kError) * pair.radius;
-  return !tricover::collide(pair.polygon(), pair.pose, pair.segment(), there, options);
+  return !tricover::collide(*pair.a, pair.pose_a, *pair.b, there, options);
 }
 
 struct NearestEdge {
@@ -55,8 +53,8 @@ NearestEdge nearestEdge(const tricover::Polygon& polygon, const Pose& pose, cons
 /// Of a disc whose centre isn't outside of the polygon: across the nearest edge.
 template <typename S>
 std::optional<StadiumPenetration> acrossNearestEdge(const StadiumPair<S>& pair) {
-  const Vec2 center = pair.pose_of_segment.translation();
-  const NearestEdge nearest = nearestEdge(pair.polygon(), pair.pose, center);
+  const Vec2 center = pair.pose_b.translation();
+  const NearestEdge nearest = nearestEdge(*pair.a, pair.pose_a, center);
   const Vec2 out = nearest.point - center;
   const double length = out.stableNorm();
   StadiumPenetration way{out / length, pair.radius + length, nearest.point, nearest.edge};
@@ -77,15 +75,14 @@ std::optional<StadiumPenetration> acrossNearestEdge(const StadiumPair<S>& pair) 
 /// is free.
 template <typename S>
 std::optional<StadiumPenetration> penetrationOf(const StadiumPair<S>& pair) {
-  const tricover::DistanceResult apart =
-      tricover::distance(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment);
+  const tricover::DistanceResult apart = pair.distance();
   if (apart.distance > kError * pair.radius) {
     const StadiumPenetration way{(apart.point_b - apart.point_a).stableNormalized(), pair.radius - apart.distance,
                                  apart.point_a, apart.edge_a};
     return way.depth <= 0 || isFreeAfter(pair, way) ? std::optional(way) : std::nullopt;
   }
   if (pair.isDisc()) return acrossNearestEdge(pair);
-  const auto part = tricover::penetration(pair.polygon(), pair.pose, pair.segment(), pair.pose_of_segment);
+  const auto part = pair.penetration();
   if (!part) return std::nullopt;
   const StadiumPenetration way{part->normal, pair.radius + part->depth, part->point_a, part->edge_a};
   return isFreeAfter(pair, way) ? std::optional(way) : std::nullopt;

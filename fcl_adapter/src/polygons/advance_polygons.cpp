@@ -7,6 +7,7 @@
 #include "shape/fcl_results.h"
 #include "shape/heights.h"
 #include "shape/motion_in_plane.h"
+#include "shape/planar_pose.h"
 #include "tricover/collide.h"
 
 namespace tricover_fcl {
@@ -14,6 +15,8 @@ namespace {
 
 /// Its heights are those of `start`: it keeps them.
 struct MovingPolygon {
+  Heights heights(const PolygonOptions& shape) const { return heightsOf(shape, start.z, start.upside_down); }
+
   PlanarPose start;
   Course course;
   tricover::Pose end;  ///< of a course that is known
@@ -57,8 +60,7 @@ S advancePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>&
   const MovingPolygon a = movingPolygon(shape_a, motion1, "motion_a"), b = movingPolygon(shape_b, motion2, "motion_b");
 
   std::optional<double> time;
-  if (o1.isOccupied() && o2.isOccupied() &&
-      share(heightsOf(shape_a.options(), a.start), heightsOf(shape_b.options(), b.start))) {
+  if (o1.isOccupied() && o2.isOccupied() && share(a.heights(shape_a.options()), b.heights(shape_b.options()))) {
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
     options.margin = shape_a.options().margin + shape_b.options().margin;

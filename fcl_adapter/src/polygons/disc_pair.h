@@ -19,8 +19,8 @@ class DiscPair {
            const fcl::Transform3<S>& pose_b)
       : between(at(pose_b, 0) - at(pose_a, 0), at(pose_b, 1) - at(pose_a, 1)),
         square_(between.x() * between.x() + between.y() * between.y()),
-        heights_a_(heightsAt(a, pose_a)),
-        heights_b_(heightsAt(b, pose_b)),
+        heights_a_(heightsOf(a.options(), pose_a)),
+        heights_b_(heightsOf(b.options(), pose_b)),
         is_plain_(square_ > 0x1p-900 && square_ < 0x1p900 && isPlainlyPlanar(pose_a) && isPlainlyPlanar(pose_b) &&
                   share(heights_a_, heights_b_)) {}
 
@@ -50,9 +50,6 @@ class DiscPair {
 
  private:
   static double at(const fcl::Transform3<S>& pose, int axis) { return static_cast<double>(pose.matrix()(axis, 3)); }
-  static Heights heightsAt(const PolygonShape<S>& shape, const fcl::Transform3<S>& pose) {
-    return heightsOf(shape.options(), at(pose, 2), pose.matrix()(2, 2) < 0);
-  }
 
   const double square_;
   const Heights heights_a_, heights_b_;

@@ -9,9 +9,6 @@
 #include "shape/crossing.h"
 #include "shape/fcl_results.h"
 #include "shape/nearest_points.h"
-#include "tricover/contacts.h"
-#include "tricover/distance.h"
-#include "tricover/penetration.h"
 
 namespace tricover_fcl {
 namespace {
@@ -21,7 +18,7 @@ template <typename S>
 struct NearestPoints {
   NearestPoints(const PolygonPair<S>& pair, bool heights_meet, const tricover::Vec2& point_a,
                 const tricover::Vec2& point_b) {
-    const Heights a = pair.heightsA(), b = pair.heightsB();
+    const Heights a = pair.heights_a, b = pair.heights_b;
     double z_a, z_b;
     if (heights_meet) {
       z_a = z_b = sharedHeights(a, b).middle();
@@ -41,7 +38,6 @@ struct NearestPoints {
 template <typename S>
 void updateOverlap(const PolygonPair<S>& pair, bool is_signed, const tricover::DistanceResult& common,
                    fcl::DistanceResult<S>& result) {
-  const tricover::Polygon &a = pair.a(), &b = pair.b();
   const auto report = [&](double distance, const auto& from) {
     const NearestPoints<S> points(pair, true, from.point_a, from.point_b);
     updateDistance(pair.shape_a, pair.shape_b, distance, points.on_a, points.on_b, from.edge_a, from.edge_b, result);
@@ -49,15 +45,15 @@ void updateOverlap(const PolygonPair<S>& pair, bool is_signed, const tricover::D
   // FCL takes a depth below the smallest normal number for none, and asserts that there is one.
   const auto isDepth = [](double depth) { return depth > static_cast<double>(std::numeric_limits<S>::min()); };
   if (is_signed) {
-    const auto penetration = tricover::penetration(a, pair.pose_a.pose, b, pair.pose_b.pose);
+    const auto penetration = pair.penetration();
     if (penetration && isDepth(penetration->depth)) return report(-penetration->depth, *penetration);
   } else {
     // Edges that cross and rings that lie inside without meeting an edge go on overlapping when moved a little.
     // Contacts are needed of the others only, which mostly touch.
     const bool holds_ring = common.edge_a < 0 || common.edge_b < 0;
-    if (holds_ring || crossDeeply(a, pair.pose_a.pose, common.edge_a, b, pair.pose_b.pose, common.edge_b, 0))
+    if (holds_ring || crossDeeply(*pair.a, pair.pose_a, common.edge_a, *pair.b, pair.pose_b, common.edge_b, 0))
       return report(-1, common);
-    const auto deepest = tricover::contacts(a, pair.pose_a.pose, b, pair.pose_b.pose, 1);
+    const auto deepest = pair.contacts(1);
     if (!deepest.empty() && isDepth(deepest.front().depth)) return report(-1, common);
   }
   report(0, common);
@@ -99,14 +95,11 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   if (DiscPair<S>::areDiscs(shape_a, shape_b) && updateApart(shape_a, tf1, shape_b, tf2, options, result))
     return result.min_distance;
   const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2);
-  const double apart = pair.heightsMeet() ? 0 : gap(pair.heightsA(), pair.heightsB());
+  const double apart = pair.heightsMeet() ? 0 : gap(pair.heights_a, pair.heights_b);
   const auto limit = static_cast<double>(result.min_distance);
   if (apart >= limit) return result.min_distance;
 
-  const auto distance = [&](auto&... cache) {
-    return tricover::distanceWithin(pair.a(), pair.pose_a.pose, pair.b(), pair.pose_b.pose, limit, cache..., options);
-  };
-  const std::optional<tricover::DistanceResult> found = pair.remembering(tf1, tf2, distance);
+  const auto found = pair.distanceWithin(limit, options);
   if (!found) return result.min_distance;
   tricover::DistanceResult planar = *found;
   if (options.margin > 0) moveByMargins(planar, shape_a.options().margin, shape_b.options().margin);

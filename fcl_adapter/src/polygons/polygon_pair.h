@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "polygons/pair_cache_table.h"
 #include "shape/heights.h"
+#include "shape/planar_pair.h"
 #include "shape/planar_pose.h"
 #include "tricover_fcl/polygon_shape.h"
 
@@ -10,37 +10,36 @@ namespace tricover_fcl {
 
 /// Two polygons as a row gets them: `a` is its first geometry.
 template <typename S>
-struct PolygonPair {
+struct PolygonPair : PlanarPair {
   const PolygonShape<S>&shape_a, &shape_b;
-  PlanarPose pose_a, pose_b;
+  const Heights heights_a, heights_b;
 
-  PolygonPair(const PolygonShape<S>& a, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b,
+  PolygonPair(const PolygonShape<S>& a_, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b_,
               const fcl::Transform3<S>& tf2)
-      : shape_a(a), shape_b(b), pose_a(planarPose(tf1, "pose_a")), pose_b(planarPose(tf2, "pose_b")) {}
-
-  const tricover::Polygon& a() const { return shape_a.polygon(); }
-  const tricover::Polygon& b() const { return shape_b.polygon(); }
+      : PlanarPair{&a_.polygon(), &b_.polygon(), {}, {}},
+        shape_a(a_),
+        shape_b(b_),
+        heights_a(heightsOf(a_.options(), tf1)),
+        heights_b(heightsOf(b_.options(), tf2)) {
+    requirePlanar(tf1, "pose_a");
+    requirePlanar(tf2, "pose_b");
+    setPlanarPart(pose_a, tf1);
+    setPlanarPart(pose_b, tf2);
+    if ((shape_a.isDisc() && hasFewEdges(*b)) || (shape_b.isDisc() && hasFewEdges(*a))) return;
+    place_a = &tf1;
+    place_b = &tf2;
+  }
 
   /// Exact, touching counts. Checks the poses if they don't, as the kernel, which then isn't asked, would.
   bool heightsMeet() const {
-    const bool meet = shape_a.isFlat() && shape_b.isFlat() ? pose_a.z == pose_b.z : share(heightsA(), heightsB());
+    const bool meet = shape_a.isFlat() && shape_b.isFlat() ? heights_a.low.of_pose == heights_b.low.of_pose
+                                                           : share(heights_a, heights_b);
     if (!meet) {
-      tricover::checkPose(pose_a.pose, "pose_a");
-      tricover::checkPose(pose_b.pose, "pose_b");
+      tricover::checkPose(pose_a, "pose_a");
+      tricover::checkPose(pose_b, "pose_b");
     }
     return meet;
   }
-
-  /// Calls ask() with the pair's cache, or without one where there is none any more, or a disc is beside few edges.
-  template <typename Ask>
-  auto remembering(const fcl::Transform3<S>& tf1, const fcl::Transform3<S>& tf2, const Ask& ask) const {
-    if ((shape_a.isDisc() && hasFewEdges(b())) || (shape_b.isDisc() && hasFewEdges(a()))) return ask();
-    tricover::PairCache* const cache = pairCache(a(), &tf1, b(), &tf2);
-    return cache != nullptr ? ask(*cache) : ask();
-  }
-
-  Heights heightsA() const { return heightsOf(shape_a.options(), pose_a); }
-  Heights heightsB() const { return heightsOf(shape_b.options(), pose_b); }
 };
 
 }  // namespace tricover_fcl

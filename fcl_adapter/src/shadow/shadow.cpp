@@ -5,15 +5,17 @@
 
 #include <limits>
 
-#include "tricover/collide.h"
-
 namespace tricover_fcl {
+
+PlanarPair Shadow::with(const tricover::Polygon& polygon) const {
+  return {&polygon, &*region_, tricover::Pose::Identity(), tricover::Pose::Identity()};
+}
 
 bool Shadow::meets(const tricover::Polygon& polygon, double margin) const {
   if (smooth_) return smooth_->meets(polygon, margin);
   tricover::CollideOptions options;
   options.margin = margin + rounding_;
-  return tricover::collide(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(), options);
+  return with(polygon).collide(options);
 }
 
 std::optional<tricover::DistanceResult> Shadow::distance(const tricover::Polygon& polygon, double limit,
@@ -21,8 +23,7 @@ std::optional<tricover::DistanceResult> Shadow::distance(const tricover::Polygon
   // Regions that meet up to rounding are a little apart: a limit below that must not cost them their nearest points.
   if (smooth_) return smooth_->distance(polygon, options.margin);
   const bool touching = meets(polygon, options.margin);
-  auto found = tricover::distanceWithin(polygon, tricover::Pose::Identity(), *region_, tricover::Pose::Identity(),
-                                        touching ? std::numeric_limits<double>::infinity() : limit, options);
+  auto found = with(polygon).distanceWithin(touching ? std::numeric_limits<double>::infinity() : limit, options);
   if (touching && found) found->distance = 0;
   return found;
 }
@@ -94,29 +95,29 @@ std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Po
 }  // namespace
 
 std::optional<tricover::Penetration> Shadow::penetration(const Polygon& polygon) const {
-  if (!smooth_) return tricover::penetration(polygon, Pose::Identity(), *region_, Pose::Identity());
+  if (!smooth_) return with(polygon).penetration();
   SmoothShadow fine = roughly(*smooth_);
   return sharpenedWay(fine, polygon);
 }
 
 /// With an outline that is fine where it crosses the polygon, and where a part's way leads.
 std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, std::size_t most) const {
-  const auto with = [&](const Polygon& region) {
+  if (!smooth_) return with(polygon).contacts(most);
+  const auto of = [&](const Polygon& region) {
     return tricover::contacts(polygon, Pose::Identity(), region, Pose::Identity(), most);
   };
-  if (!smooth_) return with(*region_);
   SmoothShadow fine = roughly(*smooth_);
   Normals normals;
   do {
     normals.clear();
     addCrossed(normals, fine, polygon, Vec2::Zero());
   } while (sharpen(fine, normals));
-  const std::vector<tricover::Contact> found = with(fine.outline());
+  const std::vector<tricover::Contact> found = of(fine.outline());
   normals.clear();
   for (const tricover::Contact& part : found) normals.push_back(-part.normal);
-  if (found.size() != 1) return sharpen(fine, normals) ? with(fine.outline()) : found;
+  if (found.size() != 1) return sharpen(fine, normals) ? of(fine.outline()) : found;
   const auto way = sharpenedWay(fine, polygon);
-  std::vector<tricover::Contact> whole = with(fine.outline());
+  std::vector<tricover::Contact> whole = of(fine.outline());
   if (way && whole.size() == 1) {  // finer outlines may have more vertices than contacts() searches for it
     tricover::Contact& part = whole.front();
     part = {part.point, way->normal, way->depth, way->edge_a, way->edge_b};

@@ -11,10 +11,7 @@
 
 #include "shadow/slab_cut.h"
 #include "shadow/smooth_shadow.h"
-#include "tricover/contacts.h"
-#include "tricover/distance.h"
-#include "tricover/penetration.h"
-#include "tricover/polygon.h"
+#include "shape/planar_pair.h"
 
 namespace tricover_fcl {
 
@@ -75,6 +72,9 @@ class Shadow {
   int partOf(std::ptrdiff_t edge) const;
 
  private:
+  /// Of a shadow that is a polygon.
+  PlanarPair with(const tricover::Polygon& polygon) const;
+
   std::optional<tricover::Polygon> region_;
   double rounding_ = 0;
   std::vector<Part> parts_;

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "numbers/segment.h"
 #include "shadow/smooth_shadow.h"
-#include "tricover/segment.h"
+#include "shadow/stadium.h"
 
 namespace tricover_fcl {
 namespace {
@@ -13,22 +14,15 @@ using tricover::DistanceResult;
 using tricover::Polygon;
 using tricover::Pose;
 using tricover::Vec2;
+using tricover::detail::nearestOnSegment;
 
 constexpr int kOneByOne = 40;
 constexpr std::size_t kFewVertices = 256;  // asked one by one sooner than a polygon of tangents is made
 
-Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
-  const Vec2 along = w - v;
-  const double square = along.squaredNorm();
-  return square > 0 ? Vec2(v + std::clamp(along.dot(p - v) / square, 0.0, 1.0) * along) : v;
-}
-
 DistanceResult distanceTo(const Polygon& polygon, const Vec2& point) {
-  // Never destroyed: destructors of static objects may still ask.
-  static const Polygon& origin = *new Polygon(tricover::point(Vec2::Zero()));
   Pose there = Pose::Identity();
   there.translation() = point;
-  return tricover::distance(polygon, Pose::Identity(), origin, there);
+  return tricover::distance(polygon, Pose::Identity(), Stadium::point(), there);
 }
 
 /// A lower bound of the distance from the polygon to all that isn't beyond the line through `point` across `normal`.
@@ -101,7 +95,8 @@ SmoothShadow::Approach SmoothShadow::approach(const Polygon& polygon, double mar
   const Vec2 center = tangent(side, enough).point / 2 + tangent(-side, enough).point / 2;
   Approach found{0, distanceTo(polygon, center)};
   DistanceResult& nearest = found.nearest;
-  found.lower = nearest.distance - 2 * body_.reach() * (1 + 1e-6) - finest_;  // a body isn't larger, nor its shadow
+  // A body isn't larger, nor its shadow, but for what two poses stretch it by.
+  found.lower = nearest.distance - 2 * body_.reach() * (1 + 4 * tricover::kRigidTolerance) - finest_;
   double slack = 0;
   const auto isDecided = [&] {
     return nearest.distance == 0 || nearest.distance - found.lower <= finest_ + 2 * slack ||

@@ -72,7 +72,7 @@ std::optional<Stadium> ofBalls(double radius, double half_length, const Place& p
   const double most = least + 2 * rise + 2 * place.rounding_z;
   if (least > 0 && !(most < radius && widest - section(radius, most) <= finest)) return std::nullopt;
   // The axis as it is written is as long as the poses' errors leave it: the length stays that of the geometry.
-  const bool level = lies && std::abs(slope - 1) <= tricover::kRigidTolerance / 2;
+  const bool level = lies && std::abs(slope - 1) <= 0.49 * tricover::kRigidTolerance;
   return Stadium{true, center.head<2>(), level ? Vec2(axis.head<2>()) : Vec2(axis.head<2>() / slope),
                  level ? half_length : run, widest + place.rounding + (level ? 0 : 0x1p-50 * run)};
 }

@@ -22,7 +22,7 @@ struct Stadium {
   /// The segment along x around the origin, of its length, and where that lies. This thread's segments are kept by
   /// their lengths: a polygon costs more to make than to ask, and facts are about polygons that stay.
   tricover::Polygon segment() const;
-  static const tricover::Polygon& point();  ///< the segment of all discs
+  static const tricover::Polygon& point();  ///< the segment of all discs: the origin
   void setPose(tricover::Pose& pose) const;
 
   /// Of the error documented for round geometries, by how much of its reach a shadow may be taken for a stadium around

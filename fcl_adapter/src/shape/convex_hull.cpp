@@ -2,6 +2,9 @@
 #include "shape/convex_hull.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "numbers/convex_hull.h"
 
 namespace tricover_fcl {
 
@@ -22,29 +25,13 @@ Ring convexHull(const std::vector<Vec2>& points) {
   }
   if (size == 0) return Ring(3, points.front());
   for (Seen& s : seen) s.at /= size;
-  std::sort(seen.begin(), seen.end(), [](const Seen& s, const Seen& t) {
-    return s.at.x() != t.at.x() ? s.at.x() < t.at.x() : s.at.y() < t.at.y();
-  });
-
-  // Andrew's monotone chain: the lower half from left to right, then the upper one back.
-  const auto turnsLeft = [](const Seen& p, const Seen& q, const Seen& r) {
-    const Vec2 u = q.at - p.at, v = r.at - p.at;
+  const auto turnsLeft = [](const Vec2& p, const Vec2& q, const Vec2& r) {
+    const Vec2 u = q - p, v = r - p;
     return u.x() * v.y() - u.y() * v.x() > 0;
   };
-  std::vector<Seen> chain;
-  const auto addHalf = [&](auto first, auto last) {
-    const std::size_t start = chain.size();
-    for (; first != last; ++first) {
-      while (chain.size() >= start + 2 && !turnsLeft(chain[chain.size() - 2], chain.back(), *first)) chain.pop_back();
-      chain.push_back(*first);
-    }
-    chain.pop_back();  // the other half starts with it
-  };
-  addHalf(seen.begin(), seen.end());
-  addHalf(seen.rbegin(), seen.rend());
-
+  const auto at = [](const Seen& point) -> const Vec2& { return point.at; };
   Ring ring;
-  for (const Seen& s : chain) ring.push_back(*s.point);
+  for (const Seen& corner : tricover::detail::convexHull(std::move(seen), at, turnsLeft)) ring.push_back(*corner.point);
   while (ring.size() < 3) ring.push_back(ring.back());
   return ring;
 }

@@ -77,7 +77,8 @@ double speedOf(const fcl::MotionBase<S>& motion, const fcl::RSS<S>& body, const 
     }
     largest = std::max(largest, bound);
   }
-  return largest / std::cos(M_PI / kDirections) * (1 + 1e-6);  // the directions are rounded, to floats for float
+  // Directions are rounded, to floats for float, and poses may stretch what moves.
+  return largest / std::cos(M_PI / kDirections) * (1 + 4 * tricover::kRigidTolerance);
 }
 
 /// Of every point within `radius` of the pivot, from `time` to 1: what the velocities are then, and what their terms

@@ -11,20 +11,9 @@
 #endif
 
 namespace tricover_fcl {
-namespace {
-
-std::string message(const std::string& field, const std::string& wrong, const std::string& instead) {
-  return "tricover: " + field + ": " + wrong + (instead.empty() ? "" : "; " + instead);
-}
-
-}  // namespace
-
-void refuse(const std::string& field, const std::string& wrong, const std::string& instead) {
-  throw std::invalid_argument(message(field, wrong, instead));
-}
 
 void refuseQuestion(const std::string& field, const std::string& wrong, const std::string& instead) {
-  throw std::logic_error(message(field, wrong, instead));
+  throw std::logic_error(tricover::detail::refusal(field, wrong, instead));
 }
 
 std::string className(const std::type_info& type) {

@@ -6,12 +6,13 @@
 #include <string>
 #include <typeinfo>
 
-/// How the adapter says no, in the core's words: "tricover: <field>[: vertex i]: <what is wrong>[; <what to do
-/// instead>]". Each part may hold commas, none a semicolon.
+#include "numbers/errors.h"
+
+/// How the adapter says no, in the core's words.
 namespace tricover_fcl {
 
 /// Throws std::invalid_argument: a value that no query can take.
-[[noreturn]] void refuse(const std::string& field, const std::string& wrong, const std::string& instead = {});
+using tricover::detail::refuse;
 
 /// Throws std::logic_error: a question that tricover doesn't answer, though its values are right.
 [[noreturn]] void refuseQuestion(const std::string& field, const std::string& wrong, const std::string& instead);

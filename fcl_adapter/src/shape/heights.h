@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shape/planar_pose.h"
+#include "numbers/double_double.h"
 #include "tricover_fcl/polygon_shape.h"
 
 namespace tricover_fcl {
@@ -14,12 +14,8 @@ struct Height {
   double of_pose, of_shape;
 
   double rounded() const { return of_pose + of_shape; }
-  /// What rounding left, exactly, unless rounded() is infinite: Knuth's two-sum. The core has one, too, in its private
-  /// headers, which the adapter doesn't include; two lines are cheaper than to publish it.
-  double rest() const {
-    const double sum = rounded(), second = sum - of_pose;
-    return (of_pose - (sum - second)) + (of_shape - second);
-  }
+  /// What rounding left, exactly, unless rounded() is infinite.
+  double rest() const { return tricover::detail::twoSum(of_pose, of_shape).low; }
   Height halved() const { return {of_pose / 2, of_shape / 2}; }  // exact where rounded() is infinite
 };
 
@@ -46,8 +42,9 @@ inline Heights heightsOf(const PolygonOptions& shape, double z, bool upside_down
   if (upside_down) return {{z, -shape.z_high}, {z, -shape.z_low}};
   return {{z, shape.z_low}, {z, shape.z_high}};
 }
-inline Heights heightsOf(const PolygonOptions& shape, const PlanarPose& pose) {
-  return heightsOf(shape, pose.z, pose.upside_down);
+template <typename S>
+Heights heightsOf(const PolygonOptions& shape, const fcl::Transform3<S>& pose) {
+  return heightsOf(shape, static_cast<double>(pose.matrix()(2, 3)), pose.matrix()(2, 2) < 0);
 }
 
 /// Exact, touching counts.

@@ -124,8 +124,8 @@ tricover::Motion splineInPlane(const fcl::SplineMotion<S>& spline, const Plane& 
     highest = k == 0 ? position.z() : std::max(highest, position.z());
     way = std::max(way, (positions[k] - positions[0]).norm());
   }
-  const double rise = tricover::kRigidTolerance * way + roundingAround(spline, plane, td[0].template cast<double>());
-  if ((turns && tilt > tricover::kRigidTolerance) || highest - lowest > rise) refuseDeparture(name);
+  const double rise = kTiltTolerance * way + roundingAround(spline, plane, td[0].template cast<double>());
+  if ((turns && tilt > kTiltTolerance) || highest - lowest > rise) refuseDeparture(name);
   tricover::Motion in_plane = tricover::Motion::spline(positions, angles);
   in_plane.pivot = in_plane.start.translation();
   in_plane.start = tricover::Pose::Identity();
@@ -167,10 +167,9 @@ tricover::Pose poseInPlane(const fcl::Transform3<S>& pose, const fcl::Transform3
   };
   const Plane now = seen(pose);
   const PlanarPose planar = planarPose<double>(now, name);
-  const double rise =
-      tricover::kRigidTolerance * (now.translation() - seen(begin).translation()).template head<2>().norm() +
-      8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
-          (plane.translation().norm() + pose.translation().template cast<double>().norm());
+  const double rise = kTiltTolerance * (now.translation() - seen(begin).translation()).template head<2>().norm() +
+                      8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
+                          (plane.translation().norm() + pose.translation().template cast<double>().norm());
   if (!(std::abs(planar.z) <= rise)) refuseDeparture(name);
   return planar.pose;
 }
@@ -189,8 +188,8 @@ std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>& motion, 
     refuse(name, "its shift, turn or pivot is not finite");
 
   // A tilt or rise is left out that poses may have, and what S rounds the places by that FCL finds the motion from.
-  const double rise = tricover::kRigidTolerance * shift.head<2>().norm() + roundingAround(motion, plane, world.pivot);
-  if (!(turn.head<2>().norm() <= tricover::kRigidTolerance && std::abs(shift.z()) <= rise)) refuseDeparture(name);
+  const double rise = kTiltTolerance * shift.head<2>().norm() + roundingAround(motion, plane, world.pivot);
+  if (!(turn.head<2>().norm() <= kTiltTolerance && std::abs(shift.z()) <= rise)) refuseDeparture(name);
   tricover::Motion in_plane;
   in_plane.shift = shift.head<2>();
   in_plane.angle = turn.z();

@@ -3,10 +3,12 @@
 
 #include <fcl/common/types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
 
+#include "numbers/rigidity.h"
 #include "tricover/pose.h"
 
 namespace tricover_fcl {
@@ -18,10 +20,36 @@ struct PlanarPose {
   bool upside_down;  ///< local z points downwards
 };
 
-/// They throw std::invalid_argument, naming the pose and what is wrong with it: an entry that isn't finite, otherwise
-/// that it leaves the plane, or that it isn't rigid.
-[[noreturn]] void refuseTilt(const Eigen::Matrix4d& transform, const char* name);
-[[noreturn]] void refuseDistortion(const Eigen::Matrix4d& transform, const char* name);
+/// How far the entries of R that lead out of the plane may be from 0. It is less than tricover::kRigidTolerance,
+/// because queries about two polygons leave such a tilt out, whereas R's part in the plane is taken as written.
+constexpr double kTiltTolerance = 1e-6;
+
+/// Throws std::invalid_argument, naming the pose and what is wrong with it: an entry that isn't finite; otherwise that
+/// it leaves the plane, where it has to keep it; otherwise that it isn't rigid.
+[[noreturn]] void refusePose(const Eigen::Matrix4d& transform, bool in_plane, const char* name);
+
+/// The largest entry of R^T R - I, in space; NaN for a pose that isn't finite.
+template <typename S>
+double defectOf(const fcl::Transform3<S>& transform) {
+  const auto& m = transform.matrix();
+  const auto at = [&](int row, int column) { return static_cast<double>(m(row, column)); };
+  double largest = 0, sum = at(0, 3) + at(1, 3) + at(2, 3);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) {
+      const double entry = std::abs(at(0, i) * at(0, j) + at(1, i) * at(1, j) + at(2, i) * at(2, j) - (i == j ? 1 : 0));
+      largest = std::max(largest, entry);
+      sum += entry;
+    }
+  }
+  return largest + (sum - sum);
+}
+
+/// Any pose in space.
+template <typename S>
+void requireRigid(const fcl::Transform3<S>& transform, const char* name) {
+  if (!(defectOf(transform) <= tricover::kRigidTolerance))
+    refusePose(transform.matrix().template cast<double>(), false, name);
+}
 
 /// Column by column, and in place, as the kernel reads them: it would have to wait for entries written one by one.
 inline void setColumns(tricover::Pose& pose, const double* x, const double* y, const double* translation) {
@@ -44,8 +72,8 @@ void setPlanarPart(tricover::Pose& pose, const fcl::Transform3<S>& transform) {
   }
 }
 
-/// The sum of what planarPose() compares with the tolerance one by one, so that it is at least each of them, also as
-/// rounded; NaN if the height isn't finite.
+/// The sum of the entries that lead out of the plane, and of what the one along z misses 1 by; NaN if the height isn't
+/// finite.
 template <typename S>
 double tiltOf(const fcl::Transform3<S>& transform) {
   const auto& m = transform.matrix();
@@ -54,38 +82,40 @@ double tiltOf(const fcl::Transform3<S>& transform) {
          (std::abs(size(2, 2) - 1) + static_cast<double>(m(2, 3) - m(2, 3)));
 }
 
-/// Whether planarPose() and tricover::checkPose() let a pose pass, by one comparison: most that they do.
+/// Whether a pose keeps the plane: entry by entry, what tiltOf() tells of most poses at once.
 template <typename S>
-bool isPlainlyPlanar(const fcl::Transform3<S>& transform) {
+bool keepsPlane(const fcl::Transform3<S>& transform) {
+  if (tiltOf(transform) <= kTiltTolerance) return true;
   const auto& m = transform.matrix();
-  const auto at = [&](int row, int column) { return static_cast<double>(m(row, column)); };
-  const auto dot = [&](int i, int j) { return at(0, i) * at(0, j) + at(1, i) * at(1, j); };
-  const double shift = at(0, 3) + at(1, 3);
-  const double defect = (std::abs(dot(0, 0) - 1) + std::abs(dot(1, 1) - 1)) + (std::abs(dot(0, 1)) + (shift - shift));
-  return tiltOf(transform) + defect <= tricover::kRigidTolerance;
+  const auto size = [&](int row, int column) { return std::abs(static_cast<double>(m(row, column))); };
+  const bool level = size(2, 0) <= kTiltTolerance && size(2, 1) <= kTiltTolerance && size(0, 2) <= kTiltTolerance &&
+                     size(1, 2) <= kTiltTolerance;
+  return level && std::abs(size(2, 2) - 1) <= tricover::kRigidTolerance && std::isfinite(m(2, 3));
 }
 
-/// planarPose()'s conditions, one by one.
-template <typename S>
-void requirePlanar(const fcl::Transform3<S>& transform, const char* name) {
-  const auto& m = transform.matrix();
-  const auto within = [&](int row, int column) {
-    return std::abs(static_cast<double>(m(row, column))) <= tricover::kRigidTolerance;
-  };
-  const bool upright = std::abs(std::abs(static_cast<double>(m(2, 2))) - 1) <= tricover::kRigidTolerance;
-  if (!(within(2, 0) && within(2, 1) && within(0, 2) && within(1, 2) && upright && std::isfinite(m(2, 3))))
-    refuseTilt(m.template cast<double>(), name);
-}
-
-/// That of a pose that keeps the plane. A tilt of rounding size is left out, as the kernel accepts as much in R.
 /// What is wrong within the plane is left for the kernel to refuse.
 template <typename S>
+void requirePlanar(const fcl::Transform3<S>& transform, const char* name) {
+  if (!keepsPlane(transform)) refusePose(transform.matrix().template cast<double>(), true, name);
+}
+
+/// That of a pose that keeps the plane.
+template <typename S>
 PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
+  requirePlanar(transform, name);
   const auto& m = transform.matrix();
-  if (!(tiltOf(transform) <= tricover::kRigidTolerance)) requirePlanar(transform, name);
   PlanarPose planar_pose{tricover::Pose(), static_cast<double>(m(2, 3)), m(2, 2) < 0};
   setPlanarPart(planar_pose.pose, transform);
   return planar_pose;
+}
+
+/// Whether neither requirePlanar() nor the kernel refuses a pose: most that they don't.
+template <typename S>
+bool isPlainlyPlanar(const fcl::Transform3<S>& transform) {
+  if (!(tiltOf(transform) <= kTiltTolerance)) return false;
+  tricover::Pose pose;
+  setPlanarPart(pose, transform);
+  return tricover::detail::isPlainlyRigid(pose);
 }
 
 }  // namespace tricover_fcl

@@ -12,6 +12,7 @@
 
 #include "shape/convex_hull.h"
 #include "shape/errors.h"
+#include "shape/planar_pose.h"
 #include "tricover/pose.h"
 #include "tricover_fcl/registration.h"
 
@@ -80,14 +81,15 @@ PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& o
   const double pad = 2 * static_cast<double>(Eigen::NumTraits<S>::dummy_precision()) * reach;
   const double margin = options.margin * (1 + 0x1p-50);  // pays for rounding where two margins are added
   const double grown = pad + margin;
-  // |R|_2 <= 1 + kRigidTolerance if no entry of R^T R - I exceeds it; the rest pays for hypot's rounding.
-  const double planar = reach * (1 + 2 * tricover::kRigidTolerance) + margin;
+  // |R|_2 <= 1 + 1.5 kRigidTolerance if no entry of R^T R - I exceeds it; the rest pays for hypot's rounding.
+  constexpr double stretch = 1 + 2 * tricover::kRigidTolerance;
+  const double planar = reach * stretch + margin;
   const double z_low = isAtAllHeights() ? -planar : options.z_low, z_high = isAtAllHeights() ? planar : options.z_high;
   this->aabb_local.min_ = {-roundUp<S>(grown - low.x()), -roundUp<S>(grown - low.y()), -roundUp<S>(pad - z_low)};
   this->aabb_local.max_ = {roundUp<S>(high.x() + grown), roundUp<S>(high.y() + grown), roundUp<S>(z_high + pad)};
   this->aabb_center.setZero();
   this->aabb_radius =
-      roundUp<S>(std::hypot(planar, isAtAllHeights() ? 0 : std::max(std::abs(z_low), std::abs(z_high))));
+      roundUp<S>(std::hypot(planar, isAtAllHeights() ? 0 : stretch * std::max(std::abs(z_low), std::abs(z_high))));
 }
 
 template <typename S>
@@ -112,20 +114,21 @@ fcl::AABB<S> PolygonShape<S>::boxAt(const fcl::Transform3<S>& pose) const {
   // Pairs of polygons leave out a tilt within the tolerance, other pairs don't: the box is around both readings. A
   // level shape's margin is a length of the world's plane, another one's of its own.
   Eigen::Array4d margin = (x * x + y * y).sqrt();
-  if (std::abs(std::abs(z[2]) - 1) <= tricover::kRigidTolerance) {
+  if (keepsPlane(pose)) {
     low[2] = std::min(low[2], 0.0);
     high[2] = std::max(high[2], 0.0);
     const Eigen::Array4d upright(0, 0, std::copysign(1, z[2]), 0);
     below = below.min(upright * z_low).min(upright * z_high);
     above = above.max(upright * z_low).max(upright * z_high);
-    margin[0] = margin[1] = 1;
+    margin[0] = std::max(margin[0], 1.0);
+    margin[1] = std::max(margin[1], 1.0);
   }
-  // (1 + 2 kRigidTolerance) pays for a pose that stretches and for rounding where two margins are added. With U = 2^-53
+  // (1 + 2^-49) pays for rounding here and where two margins are added. With U = 2^-53
   // and all of the shape within `reach`: the hull errs by 2^-50 of its size, 16 U reach; products and sums in the plane
   // by 5 U reach; the product with z by 2 U reach; four more sums by U (3 reach + |t|) each. In all less than
   // 2^-47 reach + 2^-48 |t|, and of products that underflow 2^-1075 each.
-  const Eigen::Array4d pad = margin * (options_.margin * (1 + 2 * tricover::kRigidTolerance)) + 0x1p-47 * reach +
-                             0x1p-48 * t.abs() + 0x1p-1072;
+  const Eigen::Array4d pad =
+      margin * (options_.margin * (1 + 0x1p-49)) + 0x1p-47 * reach + 0x1p-48 * t.abs() + 0x1p-1072;
   fcl::AABB<S> box;
   for (int axis = 0; axis < 3; ++axis) {
     const bool known = std::isfinite(pad[axis]) && low[axis] <= high[axis];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "polygons/pair_cache_table.h"
+#include "shape/pair_cache_table.h"
 
 #include <array>
 #include <cstddef>
