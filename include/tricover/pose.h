@@ -19,10 +19,9 @@ using Vec2 = Eigen::Vector2d;
 /// \snippet pose.cpp pose
 using Pose = Eigen::Isometry2d;
 
-/// How far an entry of R^T R may be from the identity's: products of a thousand equal factors of
-/// float miss it by 6e-5, and those of a hundred thousand different ones. A scale or a shear that is meant misses it by
-/// more. No answer depends on the limit,
-/// for all of them are about the map as it is written.
+/// How far an entry of R^T R may be from the identity's. Products of a thousand equal factors of float, or of a hundred
+/// thousand different ones, miss it by 6e-5; a scale or a shear that is meant misses it by more. No answer depends on
+/// the limit, for all of them are about the map as it is written.
 constexpr double kRigidTolerance = 1e-4;
 
 /// Checks a pose as every query does. Throws std::invalid_argument, naming `name`, the field, and how far it is off,

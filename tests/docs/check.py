@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The API reference has every public free function and class, and each of their descriptions shows an example, as does each of
-Scene's functions; what says what it throws says first what it does; the files and headings that our documents name exist.
+Scene's functions; what says what it throws says first what it does; the files and headings that our documents name exist; the front
+page is short.
 
 usage: tests/docs/check.py HTML   (the directory that Doxygen wrote)
 
@@ -18,13 +19,12 @@ DETAIL = re.compile(r"^namespace detail \{.*?^\}  // namespace detail$", re.MULT
 CLASS = re.compile(r"((?:^///[^\n]*\n)+)(?:^template[^\n]*\n)?^class (?:TRICOVER\w* )?(\w+)", re.MULTILINE)
 
 INVENTED = {"app.cpp", "src/room/file.cpp"}  # in commands that a user types
-DOCUMENTS = ("README.md", "src/README.md", "src/mainpage.md", ".github/CONTRIBUTING.md")
+DOCUMENTS = ("README.md", "src/README.md", "src/mainpage.md", "bench/README.md", "fcl_adapter/README.md", ".github/CONTRIBUTING.md")
+FRONT_PAGE = 200  # lines, at the most
 NAMED = re.compile(r"(?<![\w/<>*.-])((?:[\w.]+/)*\w+\.(?:h|cpp|py|sh|cmake|md))(?![\w.-])")
-
-
 METHOD = re.compile(r"((?:^  ///[^\n]*\n)+)^  (?:const )?[\w:<>&]+ (\w+)\(", re.MULTILINE)
 THROWS_FIRST = re.compile(r"^(?! *///)[^\n]*\n *///<? (Throws|See)|///< (Throws|See)", re.MULTILINE)
-LINK = re.compile(r"\]\(([^)#\s]*)#([^)\s]+)\)")
+LINK = re.compile(r"\]\(([^)#\s]*)(?:#([^)\s]+))?\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 
 
@@ -37,8 +37,14 @@ def dead_links():
     for document in DOCUMENTS:
         for file, anchor in LINK.findall((ROOT / document).read_text()):
             target = (ROOT / document).parent / file if file else ROOT / document
-            if "://" not in file and not (target.is_file() and anchor in anchors(target)):
-                yield f"{document}: there is no {file}#{anchor}"
+            if "://" not in file and not (target.is_file() and (not anchor or anchor in anchors(target))):
+                yield f"{document}: there is no {file}{'#' + anchor if anchor else ''}"
+
+
+def long_front_page():
+    lines = (ROOT / "README.md").read_text().count("\n")
+    if lines > FRONT_PAGE:
+        yield f"README.md has {lines} lines: what a newcomer doesn't need on the first day belongs into the README.md of its folder"
 
 
 def undescribed(header):
@@ -65,7 +71,7 @@ def strangers():
 
 def main() -> int:
     html = pathlib.Path(sys.argv[1])
-    wrong = [*strangers(), *dead_links()]
+    wrong = [*strangers(), *dead_links(), *long_front_page()]
     for folder, namespace in ((ROOT / "include/tricover", "tricover"), (ROOT / "fcl_adapter/include/tricover_fcl", "tricover_fcl")):
         page = html / f"namespace{namespace.replace('_', '__')}.html"
         inner = sorted(html.glob(f"{page.stem}_1_1*.html"))  # namespaces within it
