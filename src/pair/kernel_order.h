@@ -12,7 +12,7 @@ namespace tricover::detail {
 
 /// A total order of finite doubles: -0 is before 0, because what is asked with one may be asked again with the other,
 /// the operands swapped.
-inline bool isBefore(double x, double y) { return x != y ? x < y : std::signbit(x) && !std::signbit(y); }
+inline bool isSmaller(double x, double y) { return x != y ? x < y : std::signbit(x) && !std::signbit(y); }
 
 inline std::array<double, 6> numbersOf(const Pose& pose) {
   const auto& m = pose.matrix();
@@ -46,7 +46,7 @@ template <typename PoseOrMotion>
 bool inOrder(const PolygonData& a, const PoseOrMotion& pose_a, const PolygonData& b, const PoseOrMotion& pose_b) {
   if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
   const auto p = numbersOf(pose_a), q = numbersOf(pose_b);
-  return !std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), isBefore);
+  return !std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), isSmaller);
 }
 
 /// What query(a, pose_a, b, pose_b) returns of the operands in the kernel's order; in the caller's order again by
