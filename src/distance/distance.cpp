@@ -17,7 +17,8 @@ namespace {
 /// By the first solver that is certain of its answer; the last one always is.
 DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
   const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  if (const auto result = pointDistance(pair, vertices, options)) return *result;
+  if (pair.b.isPoint())
+    if (const auto result = pointDistance(pair, vertices, options)) return *result;
   if (cache != nullptr) claim(*cache, pair);
   if (const auto result = convexDistance(pair, vertices, cache, options)) return *result;
   return treeDistance(pair, vertices, cache, options);

@@ -35,7 +35,6 @@ std::optional<PointFoot> nearestFoot(const PosedVertices& vertices) {
 
 std::optional<DistanceResult> pointDistance(const DistancePair& pair, const PosedVertices& vertices,
                                             const DistanceQuery& options) {
-  if (!pair.b.isPoint()) return std::nullopt;
   const std::optional<PointFoot> nearest = nearestFoot(vertices);
   if (!nearest) return std::nullopt;
   if (nearest->may_be_inside) {

@@ -41,15 +41,13 @@ bool findCorners(const PolygonData& polygon, Convexity& convexity) {
 
 }  // namespace
 
-const Convexity& convexityOf(const PolygonData& polygon) {
-  const Derived::Thing* convexity = polygon.convexity.ifBuilt();
-  if (convexity == nullptr)
-    convexity = polygon.convexity.built([&] {
-      auto found = std::make_unique<Convexity>();
-      if (!findCorners(polygon, *found)) *found = {};
-      found->is_strict = found->corners.size() + 1 == polygon.path.size();
-      return found;
-    });
+const Convexity& findConvexity(const PolygonData& polygon) {
+  const Derived::Thing* convexity = polygon.convexity.built([&] {
+    auto found = std::make_unique<Convexity>();
+    if (!findCorners(polygon, *found)) *found = {};
+    found->is_strict = found->corners.size() + 1 == polygon.path.size();
+    return found;
+  });
   return *static_cast<const Convexity*>(convexity);
 }
 

@@ -16,7 +16,12 @@ struct Convexity : Derived::Thing {
   std::vector<std::size_t> corners;  ///< in the ring's order, as positions in the path; none unless convex
 };
 
+const Convexity& findConvexity(const PolygonData& polygon);
+
 /// Exact. Found at the first call, in O(n), once for all copies and threads.
-const Convexity& convexityOf(const PolygonData& polygon);
+inline const Convexity& convexityOf(const PolygonData& polygon) {
+  const auto* ready = static_cast<const Convexity*>(polygon.convexity.ifBuilt());
+  return ready != nullptr ? *ready : findConvexity(polygon);
+}
 
 }  // namespace tricover::detail
