@@ -52,17 +52,12 @@ DistanceResult resultOf(const DistancePair& pair, const NearestFeatures& nearest
                         const DistanceQuery& options) {
   if (!nearest.is_unique) return leastDistance(pair, nearest, vertices, options);
   const std::size_t i = nearest.features.edge_a, j = nearest.features.edge_b;
-  const EdgeDistance found = distanceOf(nearest, vertices, options);
-  if (options.margin > 0 || !(found.distance <= options.limit)) return resultOf(pair, found, false, i, j, options);
-  // They are neither large nor have more than a ring.
-  return inCallersOrder(pair, found.distance, plainPoint(pair.a, pair.pose_a, i, found.along_a),
-                        plainPoint(pair.b, pair.pose_b, j, found.along_b), static_cast<std::ptrdiff_t>(i),
-                        static_cast<std::ptrdiff_t>(j));
+  return plainResultOf(pair, distanceOf(nearest, vertices, options), false, i, j, options);
 }
 
 DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, const DistanceQuery& options) {
   if (!overlap.isInside())
-    return resultOf(pair, overlap.point, true, overlap.edges.edge_a, overlap.edges.edge_b, options);
+    return plainResultOf(pair, overlap.point, true, overlap.edges.edge_a, overlap.edges.edge_b, options);
   Outcome outcome;
   outcome.edge_a = overlap.inner_a;
   outcome.edge_b = overlap.inner_b;

@@ -41,8 +41,8 @@ std::optional<DistanceResult> pointDistance(const DistancePair& pair, const Pose
     const Outcome outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
     if (outcome.collides) return containedResult(pair, outcome);
   }
-  return resultOf(pair, {nearest->foot.distance, nearest->foot.part(), 0}, false, nearest->edge, pair.b.degenerate_edge,
-                  options);
+  return plainResultOf(pair, {nearest->foot.distance, nearest->foot.part(), 0}, false, nearest->edge,
+                       pair.b.degenerate_edge, options);
 }
 
 }  // namespace tricover::detail

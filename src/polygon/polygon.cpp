@@ -138,8 +138,7 @@ PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_)
   inverse_unit = std::ldexp(1, -exponent);
 }
 
-std::size_t PolygonData::edgeNumber(std::size_t position) const {
-  if (ringCount() == 1) return position;
+std::size_t PolygonData::edgeNumberOfRings(std::size_t position) const {
   const auto next = std::upper_bound(ring_begin.begin(), ring_begin.end(), position);
   return position - static_cast<std::size_t>(next - ring_begin.begin() - 1);
 }

@@ -28,10 +28,14 @@ struct PolygonData {
   std::size_t edgeEnd(std::size_t ring) const { return ring_begin[ring + 1] - 1; }
 
   /// Between positions in the path and the public numbering, which skips the closing vertices.
-  std::size_t edgeNumber(std::size_t position) const;
+  std::size_t edgeNumber(std::size_t position) const {
+    return ringCount() == 1 ? position : edgeNumberOfRings(position);
+  }
   std::size_t edgePosition(std::size_t number) const;
   /// Throws std::out_of_range for what is no edge's number.
   std::size_t checkedEdgePosition(EdgeIndex number) const;
+
+  std::size_t edgeNumberOfRings(std::size_t position) const;
 
   bool isDegenerate() const { return degenerate_edge != kNotDegenerate; }
   bool isPoint() const { return is_point; }
