@@ -26,13 +26,13 @@ DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, c
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         DistanceFacts* cache, const DistanceQuery& options) {
-  requireRigid(pose_a, pose_b);
+  const double defect = requireRigid(pose_a, pose_b);
   checkOptions(options);
   requireNotNegative(options.limit, "limit");
   const PolygonData &first = a.data(), &second = b.data();
   if (inOrder(first, pose_a, second, pose_b))
-    return distanceInOrder({first, pose_a, second, pose_b, false}, cache, options);
-  return distanceInOrder({second, pose_b, first, pose_a, true}, cache, options);
+    return distanceInOrder({first, pose_a, second, pose_b, false, defect}, cache, options);
+  return distanceInOrder({second, pose_b, first, pose_a, true, defect}, cache, options);
 }
 
 std::optional<DistanceResult> ifWithin(double limit, const DistanceResult& result) {

@@ -23,6 +23,7 @@ struct DistancePair {
   const PolygonData& b;
   const Pose& pose_b;
   bool is_swapped;  ///< the caller's order is the other one
+  double defect;    ///< defectOf() the poses
 };
 
 /// A point of an edge in the world, rounded as a posed vertex is; of what is neither large nor far from the origin.

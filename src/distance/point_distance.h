@@ -13,12 +13,13 @@ namespace tricover::detail {
 /// Where a's edges are nearest to a point b.
 struct PointFoot {
   std::size_t edge;    ///< its position in a's path
-  Foot foot;           ///< right to PosedVertices::kRelativeError
+  double distance;     ///< right to PosedVertices::kRelativeError
+  double part;         ///< Foot::part()
   bool may_be_inside;  ///< the point isn't certainly outside of the region
 };
 
-/// Nothing where plain doubles don't do.
-std::optional<PointFoot> nearestFoot(const PosedVertices& vertices);
+/// Nothing where plain doubles don't do. `defect` is defectOf() the poses.
+std::optional<PointFoot> nearestFoot(const PosedVertices& vertices, double defect);
 
 /// Of a point b and anything, where plain doubles do.
 std::optional<DistanceResult> pointDistance(const DistancePair& pair, const PosedVertices& vertices,

@@ -87,7 +87,7 @@ Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
 }
 
 double leastDistance(const PosedPair& pair, const Found& found) {
-  const DistancePair in_order{pair.a, pair.pose_a, pair.b, pair.pose_b, false};
+  const DistancePair in_order{pair.a, pair.pose_a, pair.b, pair.pose_b, false, defectOf(pair.pose_a, pair.pose_b)};
   const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
   if (found.is_unique) return convexDistance(in_order, vertices, nullptr, {})->distance;
   const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);

@@ -27,6 +27,7 @@
 namespace tricover::support {
 namespace {
 
+using detail::defectOf;
 using detail::Outcome;
 using detail::PointFoot;
 using detail::PosedPair;
@@ -49,7 +50,7 @@ Case besidePoint(Random& random, const Case& c) {
 /// What plain doubles say of the nearest edge: within the error that is documented, and where it says. `squared` is
 /// the distance's of the regions.
 std::string wrongEdge(const Case& c, const PointFoot& nearest, const mpq_class& squared) {
-  const mpq_class error = mpq_class(nearest.foot.distance) * 0x1p-48, d(nearest.foot.distance);
+  const mpq_class error = mpq_class(nearest.distance) * 0x1p-48, d(nearest.distance);
   if (!nearest.may_be_inside && sgn(squared) == 0) return "outside";
   const auto edge = c.a.data().edgeNumber(nearest.edge);
   const Polygon alone = segment(c.a.edgeStart(edge), c.a.edgeEnd(edge));
@@ -71,7 +72,7 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     if (a.isDegenerate() || a.isPoint()) continue;
     ++asked;
     const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
-    const auto nearest = nearestFoot(PosedVertices(a, c.pose_a, b, c.pose_b));
+    const auto nearest = nearestFoot(PosedVertices(a, c.pose_a, b, c.pose_b), defectOf(c.pose_a, c.pose_b));
     if (nearest) {
       ++plain;
       ASSERT_EQ(wrongEdge(c, *nearest, squared), "") << reproduction(c);
@@ -91,12 +92,12 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     const mpq_class clearance = mpq_class(outcome.clearance) * (1 - mpq_class(2 * pair.scale_defect));
     ASSERT_TRUE(truth || squared >= clearance * clearance) << margin << "\n" << reproduction(c);
     const PortableLanes portable;
-    const auto alike = nearestFoot(PosedVertices(a, c.pose_a, b, c.pose_b));
+    const auto alike = nearestFoot(PosedVertices(a, c.pose_a, b, c.pose_b), defectOf(c.pose_a, c.pose_b));
     ASSERT_EQ(alike.has_value(), nearest.has_value()) << reproduction(c);
     if (nearest) {
-      ASSERT_EQ(alike->foot.distance, nearest->foot.distance) << reproduction(c);
+      ASSERT_EQ(alike->distance, nearest->distance) << reproduction(c);
       ASSERT_EQ(alike->edge, nearest->edge) << reproduction(c);
-      ASSERT_EQ(alike->foot.part(), nearest->foot.part()) << reproduction(c);
+      ASSERT_EQ(alike->part, nearest->part) << reproduction(c);
     }
     ASSERT_EQ(collide(c.a, c.pose_a, c.b, c.pose_b, options), truth) << reproduction(c);
   }
@@ -134,8 +135,8 @@ TEST(Point, WhoseCoordinatesCancel) {
     const Pose pose_a = randomPose(random, 1);
     Pose pose_b = randomPose(random, 1);
     pose_b.translation() += pose_a.linear() * Vec2(size, 0) - pose_b.linear() * Vec2(-size, 0);
-    const auto nearest = nearestFoot(PosedVertices(a.data(), pose_a, b.data(), pose_b));
-    const double d = nearest ? nearest->foot.distance : -1;
+    const auto nearest = nearestFoot(PosedVertices(a.data(), pose_a, b.data(), pose_b), defectOf(pose_a, pose_b));
+    const double d = nearest ? nearest->distance : -1;
     plain += d > 0;
     for (const double found : {d, distance(a, pose_a, b, pose_b).distance}) {
       if (!(found > 0)) continue;
@@ -181,7 +182,7 @@ TEST(Point, IsMostlyPlain) {
     pose.translation() = Eigen::Rotation2Dd(random.real(-3, 3)) * Vec2(random.real(75, 200), 0);
     const Pose still = Pose::Identity();
     const Polygon origin = point({0, 0});
-    const auto nearest = nearestFoot(PosedVertices(a.data(), still, origin.data(), pose));
+    const auto nearest = nearestFoot(PosedVertices(a.data(), still, origin.data(), pose), defectOf(still, pose));
     plain += nearest.has_value();
     EXPECT_FALSE(nearest && nearest->may_be_inside);
   }
@@ -190,7 +191,7 @@ TEST(Point, IsMostlyPlain) {
   const Polygon square({rectangle(-1, -1, 1, 1)});
   const Pose still = Pose::Identity();
   const Polygon beside = point({1 + 1e-12, 0});
-  EXPECT_FALSE(nearestFoot(PosedVertices(square.data(), still, beside.data(), still)));
+  EXPECT_FALSE(nearestFoot(PosedVertices(square.data(), still, beside.data(), still), defectOf(still, still)));
 }
 
 /// A box's axis is a pair of floats, longer or shorter than 1 by some 1e-8: a distance may be off by that share of it.
