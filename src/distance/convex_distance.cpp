@@ -14,14 +14,12 @@
 namespace tricover::detail {
 namespace {
 
-/// Where edges cross that were found to do so at other poses.
-ConvexOverlap crossingOf(const PosedVertices& vertices, const FeaturePair& edges) {
-  ConvexOverlap found;
+/// Where edges cross, if plain doubles tell that they do.
+void findCrossing(const PosedVertices& vertices, const FeaturePair& edges, ConvexOverlap& found) {
   if (const auto point = EdgeDistances(vertices).crossing(edges.edge_a, edges.edge_b)) {
     found.edges = edges;
     found.point = *point;
   }
-  return found;
 }
 
 EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& vertices, const DistanceQuery& options) {
@@ -67,13 +65,12 @@ DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, 
 }  // namespace
 
 ConvexOverlap findConvexOverlap(const PosedVertices& vertices) {
-  const SmallPolygon *a = hierarchyOf(vertices.a()).small_convex, *b = hierarchyOf(vertices.b()).small_convex;
-  if (a == nullptr || b == nullptr) return {};
-  const PosedPair pair(vertices.a(), vertices.poseA(), vertices.b(), vertices.poseB());
-  const UnitPlacement at(pair);
-  if (!(std::abs(at.map.tx) + std::abs(at.map.ty) < 4)) return {};
-  const ConvexCrossing crossing = convexCrossing(*a, *b, at.map, at.rounding);
   ConvexOverlap found;
+  const SmallPolygon *a = hierarchyOf(vertices.a()).small_convex, *b = hierarchyOf(vertices.b()).small_convex;
+  if (a == nullptr || b == nullptr) return found;
+  const UnitPlacement at(PosedPair(vertices.a(), vertices.poseA(), vertices.b(), vertices.poseB()));
+  if (!(std::abs(at.map.tx) + std::abs(at.map.ty) < 4)) return found;
+  const ConvexCrossing crossing = convexCrossing(*a, *b, at.map, at.rounding);
   if (crossing.edge_a < 0 || crossing.edge_b < 0) {
     found.inner_a = crossing.edge_a;
     found.inner_b = crossing.edge_b;
@@ -81,9 +78,10 @@ ConvexOverlap findConvexOverlap(const PosedVertices& vertices) {
   }
   const FeaturePair guess{FeaturePair::kCrossing, static_cast<std::uint32_t>(crossing.edge_a),
                           static_cast<std::uint32_t>(crossing.edge_b)};
-  found = crossingOf(vertices, guess);
-  if (found.isFound() || !edgesMeet(pair, guess.edge_a, guess.edge_b)) return found;
+  findCrossing(vertices, guess, found);
+  if (found.isFound()) return found;
   const EdgeDistances edges(vertices);
+  if (!edges.meet(guess.edge_a, guess.edge_b)) return found;
   found.edges = guess;
   found.point = edges.whereTheyMeet(edges.view(guess.edge_a, guess.edge_b));
   return found;
@@ -99,7 +97,9 @@ std::optional<DistanceResult> convexDistance(const DistancePair& pair, const Pos
     if (cache != nullptr) storeFeatures(*cache, tried, were_right, found);
   };
   if (tried.kind == FeaturePair::kCrossing) {
-    if (const ConvexOverlap overlap = crossingOf(vertices, tried); overlap.isFound()) {
+    ConvexOverlap overlap;
+    findCrossing(vertices, tried, overlap);
+    if (overlap.isFound()) {
       store(true, overlap.edges);
       return resultOf(pair, overlap, options);
     }
