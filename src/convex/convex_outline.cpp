@@ -49,10 +49,9 @@ ConvexOutline makeOutline(const PolygonData& polygon) {
 
 }  // namespace
 
-const ConvexOutline& convexOutlineOf(const PolygonData& polygon) {
-  const Derived::Thing* outline = polygon.outline.ifBuilt();
-  if (outline == nullptr)
-    outline = polygon.outline.built([&] { return std::make_unique<const ConvexOutline>(makeOutline(polygon)); });
+const ConvexOutline& findConvexOutline(const PolygonData& polygon) {
+  const Derived::Thing* outline =
+      polygon.outline.built([&] { return std::make_unique<const ConvexOutline>(makeOutline(polygon)); });
   return *static_cast<const ConvexOutline*>(outline);
 }
 

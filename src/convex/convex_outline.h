@@ -19,8 +19,13 @@ struct ConvexOutline : Derived::Thing {
   bool isConvexRegion() const { return is_region && corners.size() > 2; }
 };
 
+const ConvexOutline& findConvexOutline(const PolygonData& polygon);
+
 /// Found at the first call, once for all copies and threads: O(n) for a convex polygon, O(n log n) for others. Exact.
-const ConvexOutline& convexOutlineOf(const PolygonData& polygon);
+inline const ConvexOutline& convexOutlineOf(const PolygonData& polygon) {
+  const auto* ready = static_cast<const ConvexOutline*>(polygon.outline.ifBuilt());
+  return ready != nullptr ? *ready : findConvexOutline(polygon);
+}
 
 /// The edge of a convex region's path that edge k of its outline is; of several, which straight vertices divide, the
 /// one nearest to p.
