@@ -68,7 +68,8 @@ struct Mover {
   Vec2 arm;                         ///< from the pivot to S, at time 0
   Cubic<double> turn;               ///< radians
   double scale, reach;              ///< a unit; no point is farther from the pivot
-  bool turns, is_straight;          ///< whether it turns at all; whether neither turn nor way is bent
+  bool turns = false;               ///< it does, at all
+  bool is_straight = false;         ///< neither turn nor way is bent
 };
 
 /// Upper bounds, over a window of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's
