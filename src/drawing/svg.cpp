@@ -177,8 +177,9 @@ void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, co
     for (std::size_t j = 0; j < hit_b.size(); ++j)
       if (detail::edgesMeet(posed, a.data().edgePosition(i), b.data().edgePosition(j))) hit_a[i] = hit_b[j] = true;
   const auto draw = [&](const Polygon& polygon, const Pose& pose, const std::vector<bool>& hit) {
-    for (std::size_t edge = 0; edge < hit.size(); ++edge) {
-      if (!hit[edge]) continue;
+    for (std::size_t i = 0; i < hit.size(); ++i) {
+      if (!hit[i]) continue;
+      const auto edge = static_cast<EdgeIndex>(i);
       polyline({pose * polygon.edgeStart(edge), pose * polygon.edgeEnd(edge)}, "#dc2626");
     }
   };

@@ -84,7 +84,7 @@ struct Avx2Lanes {
 }  // namespace
 }  // namespace simd
 
-#define TRICOVER_USE(function) function.store(&simd::function<simd::Avx2Lanes>, std::memory_order_relaxed);
+#define TRICOVER_USE(function) function = &simd::function<simd::Avx2Lanes>;
 void useAvx2() { TRICOVER_SIMD_FUNCTIONS(TRICOVER_USE) }
 
 }  // namespace tricover::detail

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <utility>
 
 namespace tricover::detail {
 
@@ -15,7 +16,22 @@ constexpr int kLanes = 8;
 /// Called like a function. It is constant initialised for the portable lanes, for static objects that ask questions
 /// before it is known what the processor has.
 template <class Signature>
-using Simd = std::atomic<Signature*>;
+class Simd;
+
+template <class Result, class... Arguments>
+class Simd<Result(Arguments...)> {
+ public:
+  using Function = Result (*)(Arguments...);
+
+  constexpr Simd(Function function) : function_(function) {}
+  void operator=(Function function) { function_.store(function, std::memory_order_relaxed); }
+  Result operator()(Arguments... arguments) const {
+    return function_.load(std::memory_order_relaxed)(std::forward<Arguments>(arguments)...);
+  }
+
+ private:
+  std::atomic<Function> function_;
+};
 
 // clang-format off
 #define TRICOVER_SIMD_FUNCTIONS(X) \

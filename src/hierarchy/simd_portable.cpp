@@ -100,7 +100,7 @@ struct PortableLanes {
 #define TRICOVER_DEFINE(function) decltype(function) function{&simd::function<simd::PortableLanes>};
 TRICOVER_SIMD_FUNCTIONS(TRICOVER_DEFINE)
 
-#define TRICOVER_USE(function) function.store(&simd::function<simd::PortableLanes>, std::memory_order_relaxed);
+#define TRICOVER_USE(function) function = &simd::function<simd::PortableLanes>;
 void usePortableLanes(bool portable) {
 #ifdef __x86_64__
   if (!portable && __builtin_cpu_supports("avx2")) return useAvx2();

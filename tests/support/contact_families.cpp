@@ -14,8 +14,8 @@ bool adjacent(const Vec2& p, const Vec2& q) {
   return std::nextafter(p.x(), q.x()) == q.x() && std::nextafter(p.y(), q.y()) == q.y();
 }
 
-std::size_t anyEdge(Random& random, const Polygon& polygon) {
-  return static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+EdgeIndex anyEdge(Random& random, const Polygon& polygon) {
+  return random.integer(0, static_cast<int>(polygon.vertexCount()) - 1);
 }
 
 Vec2 anyDirection(Random& random, double length) { return pose(random.real(0, 6.3), 0, 0).linear().col(0) * length; }
@@ -106,7 +106,7 @@ Case atFirstContact(Random& random, Case c, const Vec2& motion, int most_ulps) {
   return c;
 }
 
-Case wedgeOnEdge(Random& random, const Polygon& a, const Pose& pose_a, std::size_t edge, double length) {
+Case wedgeOnEdge(Random& random, const Polygon& a, const Pose& pose_a, EdgeIndex edge, double length) {
   const Vec2 v = pose_a * a.edgeStart(edge), w = pose_a * a.edgeEnd(edge);
   const double share = random.coin() ? random.integer(0, 8) / 8.0 : random.unit();
   const Vec2 point = v + share * (w - v);

@@ -16,8 +16,7 @@ bool within(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& 
 
 /// One edge, as a polygon.
 Polygon edgeOf(const Polygon& polygon, std::ptrdiff_t edge) {
-  const auto number = static_cast<std::size_t>(edge);
-  return Polygon({{polygon.edgeStart(number), polygon.edgeEnd(number), polygon.edgeStart(number)}});
+  return Polygon({{polygon.edgeStart(edge), polygon.edgeEnd(edge), polygon.edgeStart(edge)}});
 }
 
 }  // namespace

@@ -28,8 +28,7 @@ double rounding(const Case& c) {
 /// The world's edge, rounded.
 std::pair<Vec2, Vec2> posedEdge(const Polygon& polygon, const Pose& pose, std::ptrdiff_t edge) {
   const auto at = [&](const Vec2& p) { return Vec2(pose.linear() * p + pose.translation()); };
-  const auto number = static_cast<std::size_t>(edge);
-  return {at(polygon.edgeStart(number)), at(polygon.edgeEnd(number))};
+  return {at(polygon.edgeStart(edge)), at(polygon.edgeEnd(edge))};
 }
 
 }  // namespace
@@ -55,7 +54,7 @@ std::string wrongPoints(const Case& c, const DistanceResult& r) {
     const bool in_a = r.edge_a < 0;
     const Polygon &holder = in_a ? c.a : c.b, &other = in_a ? c.b : c.a;
     const Pose &holder_pose = in_a ? c.pose_a : c.pose_b, &other_pose = in_a ? c.pose_b : c.pose_a;
-    const auto edge = static_cast<std::size_t>(in_a ? r.edge_b : r.edge_a);
+    const EdgeIndex edge = in_a ? r.edge_b : r.edge_a;
     const Polygon vertex({Ring(3, other.edgeStart(edge))});
     return exact::collide(holder, holder_pose, vertex, other_pose) ? "" : "the vertex isn't contained";
   }

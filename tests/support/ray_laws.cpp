@@ -9,13 +9,13 @@
 namespace tricover::support {
 namespace {
 
-std::size_t anyEdge(Random& random, const Polygon& polygon) {
-  return static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+EdgeIndex anyEdge(Random& random, const Polygon& polygon) {
+  return random.integer(0, static_cast<int>(polygon.vertexCount()) - 1);
 }
 
 /// A point of the world on or about an edge or a vertex, or near S.
 Vec2 nearPoint(Random& random, const Polygon& polygon, const Pose& pose) {
-  const std::size_t edge = anyEdge(random, polygon);
+  const EdgeIndex edge = anyEdge(random, polygon);
   const Vec2 v = pose * polygon.edgeStart(edge), w = pose * polygon.edgeEnd(edge), s = pose * polygon.origin();
   switch (random.integer(0, 4)) {
     case 0:
@@ -41,7 +41,7 @@ Vec2 direction(const Vec2& v, const Vec2& w) {
 }  // namespace
 
 Ray anyRay(Random& random, const Polygon& polygon, const Pose& pose) {
-  const std::size_t edge = anyEdge(random, polygon);
+  const EdgeIndex edge = anyEdge(random, polygon);
   const Vec2 v = pose * polygon.edgeStart(edge), w = pose * polygon.edgeEnd(edge);
   const double before = random.integer(0, 12) / 4.0, after = random.integer(-2, 12) / 4.0;
   const int ulps = random.oneIn(3) ? random.integer(1, 2) : 0;
@@ -91,8 +91,7 @@ std::string wrongHit(const Polygon& polygon, const Pose& pose, const Ray& ray, c
   const Vec2 way = direction(ray.from, ray.to);
   if (hit.normal.dot(way) > 1e-9) return "normal along the ray";
   if (hit.edge < 0 || hit.normal.dot(way) < -1 + 1e-14) return "";
-  const auto edge = static_cast<std::size_t>(hit.edge);
-  const Vec2 along = pose.linear() * direction(polygon.edgeStart(edge), polygon.edgeEnd(edge));
+  const Vec2 along = pose.linear() * direction(polygon.edgeStart(hit.edge), polygon.edgeEnd(hit.edge));
   return std::abs(hit.normal.dot(along)) > 1e-14 ? "normal along the edge" : "";
 }
 

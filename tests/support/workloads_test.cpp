@@ -45,7 +45,7 @@ double pointToSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
 
 std::vector<std::pair<Vec2, Vec2>> edges(const Polygon& polygon, const Pose& pose) {
   std::vector<std::pair<Vec2, Vec2>> result;
-  for (std::size_t i = 0; i < polygon.vertexCount(); ++i) {
+  for (EdgeIndex i = 0, count = static_cast<EdgeIndex>(polygon.vertexCount()); i < count; ++i) {
     result.emplace_back(pose * polygon.edgeStart(i), pose * polygon.edgeEnd(i));
   }
   return result;
@@ -88,9 +88,10 @@ TEST_P(EveryKind, IsSimpleWithTheVerticesAskedFor) {
         first += ring.size();
       }
       for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 v = polygon.edgeStart(i), w = polygon.edgeEnd(i);
+        const auto edge = static_cast<EdgeIndex>(i);
+        const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
         for (double x : {v.x(), v.y()}) ASSERT_TRUE(std::abs(x) < 128 && std::fmod(x, kGrid) == 0);
-        ASSERT_NE(orientation(v, w, polygon.edgeEnd(next[i])), 0);
+        ASSERT_NE(orientation(v, w, polygon.edgeEnd(static_cast<EdgeIndex>(next[i]))), 0);
         for (std::size_t j = i + 1; j < n; ++j) {
           if (j == next[i] || i == next[j]) continue;
           ASSERT_FALSE(segmentsMeet(v, w, polygon.edgeStart(j), polygon.edgeEnd(j))) << "edges " << i << " and " << j;

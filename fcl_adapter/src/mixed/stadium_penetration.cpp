@@ -37,14 +37,14 @@ NearestEdge nearestEdge(const tricover::Polygon& polygon, const Pose& pose, cons
   NearestEdge nearest{-1, Vec2::Zero(), Vec2::Zero()};
   double least = std::numeric_limits<double>::infinity();
   const double scale = std::ldexp(1, -std::clamp(std::ilogb(polygon.radius()), -1000, 1000));
-  for (std::size_t i = 0; i < polygon.vertexCount(); ++i) {
+  for (tricover::EdgeIndex i = 0, count = static_cast<tricover::EdgeIndex>(polygon.vertexCount()); i < count; ++i) {
     const Vec2 v = pose * polygon.edgeStart(i), along = pose * polygon.edgeEnd(i) - v, unit = scale * along;
     const double part = std::clamp(unit.dot(scale * (center - v)) / unit.squaredNorm(), 0.0, 1.0);
     const Vec2 point = v + (part == part ? part : 0) * along;
     const double square = (scale * (point - center)).squaredNorm();
     if (square < least) {
       least = square;
-      nearest = {static_cast<std::ptrdiff_t>(i), point, along};
+      nearest = {i, point, along};
     }
   }
   return nearest;
