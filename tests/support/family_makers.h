@@ -44,7 +44,7 @@ Case atFirstContact(Random& random, Case c, const Vec2& motion, int most_ulps);
 
 /// b becomes a wedge whose apex lies, but for rounding and a nudge, on the given edge of a, and which points away from
 /// the side that is inside if the ring runs counter-clockwise.
-Case wedgeOnEdge(Random& random, const Polygon& a, const Pose& pose_a, std::size_t edge, double length);
+Case wedgeOnEdge(Random& random, const Polygon& a, const Pose& pose_a, EdgeIndex edge, double length);
 
 /// A ring with few vertices, convex or not, of a size near 1.
 Ring anyRing(Random& random);

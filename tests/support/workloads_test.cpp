@@ -94,7 +94,9 @@ TEST_P(EveryKind, IsSimpleWithTheVerticesAskedFor) {
         ASSERT_NE(orientation(v, w, polygon.edgeEnd(static_cast<EdgeIndex>(next[i]))), 0);
         for (std::size_t j = i + 1; j < n; ++j) {
           if (j == next[i] || i == next[j]) continue;
-          ASSERT_FALSE(segmentsMeet(v, w, polygon.edgeStart(j), polygon.edgeEnd(j))) << "edges " << i << " and " << j;
+          ASSERT_FALSE(segmentsMeet(v, w, polygon.edgeStart(static_cast<EdgeIndex>(j)),
+                                    polygon.edgeEnd(static_cast<EdgeIndex>(j))))
+              << "edges " << i << " and " << j;
         }
       }
     }
