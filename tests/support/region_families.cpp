@@ -136,7 +136,7 @@ Case ringDirections(Random& random) {
   rings.push_back(star(random, 4, 1, 2, {20, 0}));
   const Polygon a(redirected(random, rings), random.oneIn(4) ? FillRule::NonZero : FillRule::EvenOdd);
   const int edge = random.integer(0, static_cast<int>(a.vertexCount()) - 1);
-  return wedgeOnEdge(random, a, anyPose(random), static_cast<std::size_t>(edge), 0.1);
+  return wedgeOnEdge(random, a, anyPose(random), edge, 0.1);
 }
 
 Case overlappingRingsEvenOdd(Random& random) { return overlappingRings(random, FillRule::EvenOdd); }
