@@ -13,9 +13,6 @@ class WorldFrame {
 
   Vec2 fromA(const Vec2& local) const { return linear_a_ * (pair_.a.inUnits(local) * scale_a_) + origin_a_; }
   Vec2 fromB(const Vec2& local) const { return linear_b_ * (pair_.b.inUnits(local) * scale_b_); }
-  /// Of the way between two points: as precise as it is short.
-  Vec2 wayFromA(const Vec2& v, const Vec2& w) const { return linear_a_ * inUnits(pair_.a, v, w, scale_a_); }
-  Vec2 wayFromB(const Vec2& v, const Vec2& w) const { return linear_b_ * inUnits(pair_.b, v, w, scale_b_); }
   Vec2 edgeOfA(std::size_t position, double t) const { return between(edgeEndsOfA(position), t); }
   Vec2 edgeOfB(std::size_t position, double t) const { return between(edgeEndsOfB(position), t); }
 
@@ -32,8 +29,6 @@ class WorldFrame {
   Vec2 toWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
   Vec2 fromWorld(const Vec2& p) const { return (p / 4 - quarter_origin_) / unit_ * 4; }
 
-  static Vec2 directionToWorld(const Vec2& d) { return d; }
-
   double unit() const { return unit_; }
   const Vec2& originOfA() const { return origin_a_; }  ///< b's is zero
 
@@ -49,9 +44,6 @@ class WorldFrame {
   double size() const { return error_ / kPointError; }
 
  private:
-  static Vec2 inUnits(const PolygonData& polygon, const Vec2& v, const Vec2& w, double scale) {
-    return (w * polygon.inverse_unit - v * polygon.inverse_unit) * scale;
-  }
   static Vec2 between(const Ends& ends, double t) {
     return t < 0.5 ? Vec2(ends.v + t * (ends.w - ends.v)) : Vec2(ends.w + (t - 1) * (ends.w - ends.v));
   }
