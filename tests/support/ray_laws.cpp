@@ -74,11 +74,13 @@ std::string wrongHit(const Polygon& polygon, const Pose& pose, const Ray& ray, c
   if (hit.edge != truth.edge) return "edge";
   if (!(hit.fraction >= 0 && hit.fraction <= 1) || abs(mpq_class(hit.fraction) - truth.fraction) > mpq_class(1e-14))
     return "fraction";
-  const double size = 2 * polygon.radius() + (pose * polygon.origin() - ray.from).norm();
-  const double length = (ray.to - ray.from).norm();
-  const bool known = length < 1e150 && length > 1e-150 && size > 1e-10 * ray.from.norm();  // of doubles
+  const double size = 2 * polygon.radius() + (pose * polygon.origin() - ray.from).stableNorm();
+  const double length = (ray.to - ray.from).stableNorm();
+  const bool finite = std::isfinite(length) && std::isfinite(size);
+  const bool known = finite && length > 1e-290 && size > 1e-10 * ray.from.stableNorm();  // of doubles
   if (known && mpq_class(length) * abs(mpq_class(hit.fraction) - truth.fraction) > mpq_class(1e-13) * mpq_class(size))
     return "fraction of a long ray";
+  if (!hit.point.allFinite() || !hit.normal.allFinite()) return "not finite";
   for (int axis = 0; axis < 2; ++axis) {
     const mpq_class from(ray.from[axis]), way = mpq_class(ray.to[axis]) - from;
     const mpq_class off = abs(mpq_class(hit.point[axis]) - (from + truth.fraction * way));
