@@ -39,6 +39,13 @@ struct BodyOptions {
       kEveryCategory;  ///< Bits: what it meets. Two bodies meet if each has a category of the other's mask.
 };
 
+/// A body that is to come into a scene.
+struct BodyPlacement {
+  Polygon polygon;      ///< What it is.
+  Pose pose;            ///< Where it is.
+  BodyOptions options;  ///< And what else.
+};
+
 /// Two bodies, the lower handle first.
 struct BodyPair {
   BodyHandle first;   ///< The lower handle.
@@ -122,8 +129,9 @@ class SceneCache {
 /// bodies that were c apart need not be looked at before both counts together have grown by c. So collisions() costs
 /// the bodies that moved and the pairs whose facts ran out.
 ///
-/// Memory: about 300 bytes a body and 100 a pair of bodies whose surroundings meet, and up to twice that where lists
-/// have just grown, beside the polygons, which are shared.
+/// Bodies come into a tree of boxes at the next query, all that wait together. Memory: about 300 bytes a body and 100 a
+/// pair of bodies whose surroundings meet, and up to twice that where lists have just grown, beside the polygons, which
+/// are shared.
 ///
 /// \snippet scene.cpp scene
 class TRICOVER_EXPORT Scene {
@@ -140,6 +148,10 @@ class TRICOVER_EXPORT Scene {
   /// tricover::collide() does. A throw changes nothing, here as in what follows.
   /// \snippet scene.cpp scene bodies
   Body add(const Polygon& polygon, const Pose& pose, const BodyOptions& options = {});
+  /// Many at once, and how they are called, in their order: what add() does one after the other, or nothing if it
+  /// throws.
+  /// \snippet scene.cpp scene bodies
+  std::vector<Body> add(const std::vector<BodyPlacement>& bodies);
   /// Takes a body out. Throws std::out_of_range for a handle that names nothing.
   /// \snippet scene.cpp scene bodies
   void remove(Body body);

@@ -71,4 +71,11 @@ extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds)> boxesMeetin
 /// Bit per box that a ray enters before the fraction `most`, and lower bounds of the fractions.
 extern Simd<unsigned(const EightBoxes& boxes, const BoxRay& ray, double most, double (&least)[kLanes])> boxesOnRay;
 
+/// Bit per box whose gap from `bounds`, squared and rounded, is at most `most`, and these squares.
+extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds, double most, double (&least)[kLanes])> boxesNear;
+/// No square of boxesNear() is above this where the gap is at most `gap`: a difference, twice, its square and the
+/// sum are rounded, and the square and the sum here. Where those overflow, every gap is near; underflow loses kTiny at
+/// the most.
+inline double gapSquareAbove(double gap) { return roundedUp<2 + 1 + 1 + 1 + 1>(gap * gap) + kTiny; }
+
 }  // namespace tricover::detail

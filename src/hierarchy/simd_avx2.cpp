@@ -42,6 +42,7 @@ struct Avx2Doubles {
   [[gnu::always_inline]] void store(double* p) const { *reinterpret_cast<FourAnywhere*>(p) = v; }
 
   using D = Avx2Doubles;
+  [[gnu::always_inline]] friend D operator+(D p, D q) { return {p.v + q.v}; }
   [[gnu::always_inline]] friend D operator-(D p, D q) { return {p.v - q.v}; }
   [[gnu::always_inline]] friend D operator*(D p, D q) { return {p.v * q.v}; }
   [[gnu::always_inline]] friend D larger(D p, D q) { return {p.v > q.v ? p.v : q.v}; }

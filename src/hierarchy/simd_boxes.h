@@ -43,4 +43,22 @@ unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, dou
   return bits;
 }
 
+template <class Lanes>
+unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, double (&least)[kLanes]) {
+  using Doubles = typename Lanes::Doubles;
+  const Doubles min_x = Doubles::all(bounds.min_x), min_y = Doubles::all(bounds.min_y);
+  const Doubles max_x = Doubles::all(bounds.max_x), max_y = Doubles::all(bounds.max_y);
+  const Doubles limit = Doubles::all(most), none = Doubles::all(0);
+  unsigned bits = 0;
+  for (int i = 0; i < kLanes; i += Doubles::kCount) {
+    const Doubles right = Doubles::load(boxes.min_x + i) - max_x, left = min_x - Doubles::load(boxes.max_x + i);
+    const Doubles above = Doubles::load(boxes.min_y + i) - max_y, below = min_y - Doubles::load(boxes.max_y + i);
+    const Doubles x = larger(larger(right, left), none), y = larger(larger(above, below), none);
+    const Doubles square = x * x + y * y;
+    square.store(least + i);
+    bits |= Doubles::bitsOf(noLarger(square, limit)) << i;
+  }
+  return bits;
+}
+
 }  // namespace tricover::detail::simd

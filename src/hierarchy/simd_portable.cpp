@@ -45,6 +45,7 @@ struct PortableDoubles {
   [[gnu::always_inline]] void store(double* p) const { store2(p, v); }
 
   using D = PortableDoubles;
+  [[gnu::always_inline]] friend D operator+(D p, D q) { return {p.v + q.v}; }
   [[gnu::always_inline]] friend D operator-(D p, D q) { return {p.v - q.v}; }
   [[gnu::always_inline]] friend D operator*(D p, D q) { return {p.v * q.v}; }
   [[gnu::always_inline]] friend D larger(D p, D q) { return {detail::larger(p.v, q.v)}; }

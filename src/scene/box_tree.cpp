@@ -12,6 +12,16 @@ namespace {
 /// Clamped, so that no difference of two is NaN.
 double cost(const Bounds& b) { return std::min((b.max_x - b.min_x) + (b.max_y - b.min_y), 1e300); }
 
+/// A box's middle along an axis; 0 of infinite boxes.
+double middleOf(double low, double high) {
+  const double sum = 0.5 * low + 0.5 * high;
+  return std::isfinite(sum) ? sum : 0.0;
+}
+
+/// How many items a node holds at the most that has `height` levels below it.
+std::size_t capacityOf(int height) { return std::size_t{kLanes} << (3 * height); }
+static_assert(kLanes == 1 << 3);
+
 }  // namespace
 
 Bounds BoxTree::Node::all() const {
@@ -82,10 +92,8 @@ void BoxTree::split(std::uint32_t index, const Entry& entry) {
   double least = kInfinity;
   int count = kAll / 2;
   for (const bool along_x : {true, false}) {
-    const auto middle = [&](const Entry& e) {  // infinite boxes' are 0
-      const double low = along_x ? e.bounds.min_x : e.bounds.min_y, high = along_x ? e.bounds.max_x : e.bounds.max_y;
-      const double sum = 0.5 * low + 0.5 * high;
-      return sum == sum ? sum : 0.0;
+    const auto middle = [&](const Entry& e) {
+      return along_x ? middleOf(e.bounds.min_x, e.bounds.max_x) : middleOf(e.bounds.min_y, e.bounds.max_y);
     };
     std::sort(entries, entries + kAll, [&](const Entry& p, const Entry& q) { return middle(p) < middle(q); });
     Bounds from_end[kAll];
@@ -166,21 +174,25 @@ void BoxTree::takeFrom(std::uint32_t index, unsigned lane) {
   addTo(sibling, left);
 }
 
+void BoxTree::reserveNodes(std::size_t more) {
+  const std::size_t before = nodes_.size();
+  free_.reserve(before + more);
+  nodes_.reserve(before + more);
+  nodes_.resize(before + more);
+  for (std::size_t i = before + more; i-- > before;) free_.push_back(static_cast<std::uint32_t>(i));
+}
+
 /// Memory for what an insertion may need at most, so that nothing throws half-way: a new node a level.
 void BoxTree::reserveFor(std::uint32_t item) {
   constexpr std::size_t kLevels = 32;
-  if (free_.size() < kLevels) {
-    const std::size_t before = nodes_.size(), more = std::max(kLevels, before / 2);
-    free_.reserve(before + more);
-    nodes_.resize(before + more);
-    for (std::size_t i = before + more; i-- > before;) free_.push_back(static_cast<std::uint32_t>(i));
-  }
+  if (free_.size() < kLevels) reserveNodes(std::max(kLevels, nodes_.size() / 2));
   if (item >= places_.size())
     places_.resize(std::max<std::size_t>(item + std::size_t{1}, places_.size() * 3 / 2), kNone);
 }
 
 void BoxTree::insert(std::uint32_t item, const Bounds& bounds) {
   reserveFor(item);
+  ++changes_;
   if (root_ == kNone) root_ = newNode(true);
   addTo(leafFor(bounds), {bounds, item});
 }
@@ -199,8 +211,78 @@ void BoxTree::move(std::uint32_t item, const Bounds& bounds) {
     return;
   }
   reserveFor(item);
+  ++changes_;
   takeFrom(index, lane);
   addTo(leafFor(bounds), {bounds, item});
+}
+
+/// A node around the entries of these middles, and below it `height` levels. Rearranges the middles.
+std::uint32_t BoxTree::packed(Middle* first, std::size_t count, int height, const std::vector<Entry>& entries) {
+  if (free_.empty()) reserveNodes(nodes_.size() / 16 + 1);
+  const std::uint32_t index = newNode(height == 0);
+  if (height == 0) {
+    for (std::size_t i = 0; i < count; ++i) addTo(index, entries[first[i].entry]);
+    return index;
+  }
+  // As few children as hold all, and as even ones, so that each is about half full at least.
+  const std::size_t most = capacityOf(height - 1);
+  packGroups(index, first, count, (count + most - 1) / most, height, entries);
+  return index;
+}
+
+/// Adds children around the entries to a node: halves them along the longer side of the box around their middles until
+/// each half is one child's.
+void BoxTree::packGroups(std::uint32_t index, Middle* first, std::size_t count, std::size_t groups, int height,
+                         const std::vector<Entry>& entries) {
+  if (groups == 1) {
+    const std::uint32_t child = packed(first, count, height - 1, entries);
+    return addTo(index, {nodes_[child].all(), child});
+  }
+  Middle low = *first, high = *first;
+  for (const Middle* at = first; at < first + count; ++at) {
+    low.x = std::min(low.x, at->x), high.x = std::max(high.x, at->x);
+    low.y = std::min(low.y, at->y), high.y = std::max(high.y, at->y);
+  }
+  const std::size_t half = groups / 2, before = count * half / groups;
+  Middle* const middle = first + before;
+  if (high.x - low.x > high.y - low.y)
+    std::nth_element(first, middle, first + count, [](const Middle& p, const Middle& q) { return p.x < q.x; });
+  else
+    std::nth_element(first, middle, first + count, [](const Middle& p, const Middle& q) { return p.y < q.y; });
+  packGroups(index, first, before, half, height, entries);
+  packGroups(index, middle, count - before, groups - half, height, entries);
+}
+
+void BoxTree::pack(const std::vector<Entry>& entries) {
+  BoxTree tree;
+  if (!entries.empty()) {
+    const auto middleAt = [&](const Entry& entry) {
+      const Bounds& b = entry.bounds;
+      return Vec2(middleOf(b.min_x, b.max_x), middleOf(b.min_y, b.max_y));
+    };
+    Vec2 low = middleAt(entries.front()), high = low;
+    std::uint32_t last = 0;
+    for (const Entry& entry : entries) {
+      low = low.cwiseMin(middleAt(entry)), high = high.cwiseMax(middleAt(entry));
+      last = std::max(last, entry.child);
+    }
+    // In units of the longer side. What overflows, or is all at one place, is divided anyhow.
+    const double side = (high - low).maxCoeff();
+    const double unit = std::isfinite(side) && side > kTiny ? 1 / side : 0;
+    std::vector<Middle> middles;
+    middles.reserve(entries.size());
+    for (const Entry& entry : entries) {
+      const Vec2 middle = unit > 0 ? Vec2(unit * (middleAt(entry) - low)) : Vec2(0, 0);
+      middles.push_back(
+          {static_cast<float>(middle.x()), static_cast<float>(middle.y()), static_cast<std::uint32_t>(middles.size())});
+    }
+    int height = 0;
+    while (capacityOf(height) < entries.size()) ++height;
+    tree.places_.resize(last + std::size_t{1}, kNone);
+    tree.reserveNodes(entries.size() / (kLanes - 1) + entries.size() / (kLanes * (kLanes - 2)) + 1);
+    tree.root_ = tree.packed(middles.data(), middles.size(), height, entries);
+  }
+  *this = std::move(tree);
 }
 
 }  // namespace tricover::detail

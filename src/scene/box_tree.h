@@ -15,11 +15,24 @@ namespace tricover::detail {
 /// side. Each box is an item's; items are numbered by its user.
 class BoxTree {
  public:
+  struct Entry {
+    Bounds bounds;
+    std::uint32_t child;  ///< an item, or a node
+  };
+
+  /// These items instead of those that are in the tree: packed, each node around boxes that lie together. Throws before
+  /// anything has changed.
+  void pack(const std::vector<Entry>& entries);
   /// No item is in the tree twice. Throws before anything has changed.
   void insert(std::uint32_t item, const Bounds& bounds);
   void remove(std::uint32_t item);
+  /// Memory for the next move(), which doesn't throw then.
+  void prepareMove() { reserveFor(0); }
   /// Another box for an item.
   void move(std::uint32_t item, const Bounds& bounds);
+  bool holds(std::uint32_t item) const { return item < places_.size() && places_[item] != kNone; }
+  /// Boxes that have been inserted, or have left their place, since the tree was packed: it is the worse for them.
+  std::size_t changes() const { return changes_; }
   Bounds boundsOf(std::uint32_t item) const { return nodes_[places_[item] / kLanes].at(places_[item] % kLanes); }
 
   /// Calls visit(item) for every item whose box meets `bounds`, until it returns false. Returns whether it never did.
@@ -42,10 +55,10 @@ class BoxTree {
     return true;
   }
 
-  /// Shows every item, those whose boxes have a small bound first: bound(Bounds) is at most what visit(item) is about,
-  /// NaN never. visit returns the largest bound that is still of interest.
-  template <typename Bound, typename Visit>
-  void visitInOrder(double most, const Bound& bound, const Visit& visit) const;
+  /// Shows every item whose box is no farther from `bounds` than `most`, those that are near roughly first. visit(item)
+  /// returns the largest distance that is still of interest.
+  template <typename Visit>
+  void visitNear(const Bounds& bounds, double most, const Visit& visit) const;
 
   /// Shows every item whose box the ray meets before the fraction `most`, those that it enters first roughly first.
   /// visit returns the largest fraction that is still of interest. A box counts as entered by kEarlier earlier.
@@ -73,10 +86,19 @@ class BoxTree {
     Bounds all() const;
   };
 
-  struct Entry {
-    Bounds bounds;
-    std::uint32_t child;
+  /// What pack() divides: where a box's middle is, in the box around all of these, and of which entry it is.
+  struct Middle {
+    float x, y;
+    std::uint32_t entry;
   };
+
+  /// Calls lanes(boxes, most, least): which boxes of a node come before `most`, and when, or earlier.
+  template <typename Lanes, typename Visit>
+  void visitInOrder(double most, const Lanes& lanes, const Visit& visit) const;
+
+  std::uint32_t packed(Middle* first, std::size_t count, int height, const std::vector<Entry>& entries);
+  void packGroups(std::uint32_t node, Middle* first, std::size_t count, std::size_t groups, int height,
+                  const std::vector<Entry>& entries);
 
   std::uint32_t newNode(bool leaf);
   void freeNode(std::uint32_t index);
@@ -86,16 +108,18 @@ class BoxTree {
   void split(std::uint32_t index, const Entry& entry);
   void takeFrom(std::uint32_t index, unsigned lane);
   void tighten(std::uint32_t index);
+  void reserveNodes(std::size_t more);
   void reserveFor(std::uint32_t item);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_;
   std::vector<std::uint32_t> places_;  ///< node and lane of each item, as one number
   std::uint32_t root_ = kNone;
+  std::size_t changes_ = 0;
 };
 
-template <typename Visit>
-void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
+template <typename Lanes, typename Visit>
+void BoxTree::visitInOrder(double most, const Lanes& lanes, const Visit& visit) const {
   struct Waiting {
     double least;
     std::uint32_t child;
@@ -116,7 +140,7 @@ void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) con
     double least[kLanes];
     const int first = top;
     const unsigned used = (1u << node.count) - 1;
-    for (unsigned met = boxesOnRay(node.boxes, ray, most, least) & used; met != 0; met &= met - 1) {
+    for (unsigned met = lanes(node.boxes, most, least) & used; met != 0; met &= met - 1) {
       const int i = __builtin_ctz(met);
       int at = top++;
       for (; at > first && stack[at - 1].least < least[i]; --at) stack[at] = stack[at - 1];
@@ -125,32 +149,18 @@ void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) con
   }
 }
 
-template <typename Bound, typename Visit>
-void BoxTree::visitInOrder(double most, const Bound& bound, const Visit& visit) const {
-  struct Waiting {
-    double bound;
-    std::uint32_t child;
-    bool node;
-    bool operator<(const Waiting& other) const { return bound > other.bound; }  // for a heap, least first
-  };
-  if (nodes_.empty()) return;
-  std::vector<Waiting> heap{{-kInfinity, root_, true}};
-  while (!heap.empty() && heap.front().bound <= most) {
-    const Waiting next = heap.front();
-    std::pop_heap(heap.begin(), heap.end());
-    heap.pop_back();
-    if (!next.node) {
-      most = visit(next.child);
-      continue;
-    }
-    const Node& node = nodes_[next.child];
-    for (unsigned i = 0; i < node.count; ++i) {
-      const double least = bound(node.at(i));
-      if (!(least <= most)) continue;
-      heap.push_back({least, node.child[i], !node.leaf});
-      std::push_heap(heap.begin(), heap.end());
-    }
-  }
+template <typename Visit>
+void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
+  visitInOrder(
+      most, [&](const auto& boxes, double limit, auto& least) { return boxesOnRay(boxes, ray, limit, least); }, visit);
+}
+
+template <typename Visit>
+void BoxTree::visitNear(const Bounds& bounds, double most, const Visit& visit) const {
+  visitInOrder(
+      gapSquareAbove(most),
+      [&](const auto& boxes, double limit, auto& least) { return boxesNear(boxes, bounds, limit, least); },
+      [&](std::uint32_t item) { return gapSquareAbove(visit(item)); });
 }
 
 }  // namespace tricover::detail

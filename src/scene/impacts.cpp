@@ -105,7 +105,7 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motio
                                              std::uint32_t mask) const {
   detail::checkOptions(options);
   checkMotion(motion);
-  const SceneState& state = *impl_;
+  const SceneState& state = impl_->settled();
   const Sweep sweep(polygon, motion, options.margin);
   std::optional<BodyImpact> best;
   std::vector<Body> asked, near, now;  // in any window so far, in this one, in this one for the first time
@@ -219,7 +219,7 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<BodyM
 std::vector<PairImpact> Scene::impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options,
                                        const Parallel& parallel) const {
   detail::checkOptions(options);
-  const SceneState& state = *impl_;
+  const SceneState& state = impl_->settled();
   const auto at_rest = static_cast<std::uint32_t>(motions.size());
   std::vector<std::uint32_t> motion_of(state.bodies.size(), at_rest);
   for (std::uint32_t i = 0; i < motions.size(); ++i) {

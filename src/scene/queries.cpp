@@ -45,7 +45,7 @@ class Asked {
     double rank;
   };
   Glance glance(const SceneState::BodyState& body) const {
-    const detail::WorldDiscs discs = body.discs ? *body.discs : detail::WorldDiscs(body.polygon.data(), body.pose);
+    const detail::WorldDiscs discs = body.discs.of(body.polygon.data(), body.pose);
     const double margin = sumWith(body).margin;
     if (detail::areApart(discs_, discs, margin)) return {Glance::Apart, 0};
     if (detail::areWithin(discs_, discs, margin)) return {Glance::Meets, 0};
@@ -146,7 +146,7 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOpti
 std::optional<Scene::Body> Scene::anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                                                std::uint32_t mask) const {
   check(pose, options);
-  const Body met = findMet(*impl_, Asked(polygon.data(), pose, options), mask);
+  const Body met = findMet(impl_->settled(), Asked(polygon.data(), pose, options), mask);
   return met != kNone ? std::optional<Body>(met) : std::nullopt;
 }
 
@@ -154,7 +154,7 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
                      std::uint32_t mask) const {
   detail::SceneFact& cache = detail::factsIn(caller_cache);
   check(pose, options);
-  const SceneState& state = *impl_;
+  const SceneState& state = impl_->settled();
   const detail::PolygonData& data = polygon.data();
   const bool known = cache.scene == state.id && cache.version == state.version && cache.polygon == data.id &&
                      (mask & ~cache.mask) == 0;
@@ -213,7 +213,7 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
 std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                                           std::uint32_t mask) const {
   check(pose, options);
-  const SceneState& state = *impl_;
+  const SceneState& state = impl_->settled();
   const Asked asked(polygon.data(), pose, options);
   std::vector<Body> found;
   state.tree.visit(detail::boundsOf(polygon.data(), pose, options.margin), [&](Body body) {
@@ -235,15 +235,12 @@ std::optional<BodyDistance> Scene::nearestWithin(const Polygon& polygon, const P
   detail::checkOptions(options);
   detail::requireNotNegative(limit, "limit");
   detail::requireRigid(pose, "pose");
-  const SceneState& state = *impl_;
-  const detail::Bounds bounds = detail::boundsOf(polygon.data(), pose, 0);
+  const SceneState& state = impl_->settled();
+  // Boxes hold the bodies' margins, this one the query's own: a result is what margins leave of a distance.
+  const detail::Bounds bounds = detail::boundsOf(polygon.data(), pose, options.margin);
   std::optional<BodyDistance> best;
   DistanceOptions sum = options;
-  // Boxes hold the bodies' margins, and a result is what the query's own leaves of a distance.
-  const auto bound = [&](const detail::Bounds& box) {
-    return std::max(0.0, detail::roundedDown<1>(gapBetween(bounds, box) - options.margin));
-  };
-  state.tree.visitInOrder(limit, bound, [&](Body body) {
+  state.tree.visitNear(bounds, limit, [&](Body body) {
     const auto& other = state.bodies[body];
     if ((other.options.category & mask) == 0) return limit;
     sum.margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());

@@ -17,7 +17,7 @@ std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, const
                                          std::uint32_t mask) const {
   detail::requireFiniteNotNegative(options.margin, "margin");
   detail::requireFiniteRay(from, to);
-  const SceneState& state = *impl_;
+  const SceneState& state = impl_->settled();
   std::optional<BodyRayHit> best;
   double limit = 1;
   // A hit's fraction may be below the true one by 1e-14, and of a body with a margin by what timeOfImpact() allows.

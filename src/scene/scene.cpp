@@ -19,6 +19,11 @@ std::uint64_t nextSceneId() {
   return ++last;
 }
 
+void checkBody(const Pose& pose, const BodyOptions& options) {
+  detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::requireRigid(pose, "pose");
+}
+
 }  // namespace
 
 Scene::Scene() : impl_(std::make_unique<detail::SceneState>()) { impl_->id = nextSceneId(); }
@@ -31,36 +36,18 @@ Scene& Scene::operator=(Scene&& other) {
 }
 
 Scene::Body Scene::add(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
-  detail::requireFiniteNotNegative(options.margin, "margin");
-  detail::requireRigid(pose, "pose");
-  detail::SceneState& impl = *impl_;
-  const bool anew = impl.free_bodies.empty();
-  const Body body = anew ? static_cast<Body>(impl.bodies.size()) : impl.free_bodies.back();
-  if (body >= detail::SceneState::kMostBodies)
-    throw std::length_error(detail::refusal("scene", "more than 2^28 bodies"));
-  const detail::Bounds bounds = detail::boundsOf(polygon.data(), pose, options.margin);
-  // What may throw comes first. Lists have room for every body, so that none does later.
-  if (anew) {
-    detail::makeRoom(impl.bodies, 1);
-    const std::size_t room = impl.bodies.capacity();
-    for (auto* list : {&impl.fresh, &impl.due, &impl.free_bodies, &impl.mourned}) list->reserve(room);
-  }
-  impl.tree.insert(body, bounds);
-  // Lists may still hold a removed body of that handle.
-  const bool fresh = !anew && impl.bodies[body].fresh, listed = !anew && impl.bodies[body].listed;
-  detail::SceneState::BodyState state{polygon, pose,  options, detail::WorldDiscs(polygon.data(), pose), 0, 0, 0, 0, {},
-                                      true,    fresh, listed};
-  if (anew) {
-    impl.bodies.push_back(std::move(state));
-  } else {
-    impl.bodies[body] = std::move(state);
-    impl.free_bodies.pop_back();
-  }
-  impl.listFresh(body);
-  impl.listDue(body);
-  ++impl.count;
-  ++impl.version;
-  return body;
+  checkBody(pose, options);
+  impl_->makeRoomFor(1);
+  return impl_->put(polygon, pose, options);
+}
+
+std::vector<Scene::Body> Scene::add(const std::vector<BodyPlacement>& bodies) {
+  for (const BodyPlacement& body : bodies) checkBody(body.pose, body.options);
+  impl_->makeRoomFor(bodies.size());
+  std::vector<Body> handles;
+  handles.reserve(bodies.size());
+  for (const BodyPlacement& body : bodies) handles.push_back(impl_->put(body.polygon, body.pose, body.options));
+  return handles;
 }
 
 void Scene::remove(Body body) {
@@ -68,9 +55,10 @@ void Scene::remove(Body body) {
   detail::SceneState::BodyState& state = impl.at(body);
   detail::makeRoom(impl.lost, state.links.size());
   detail::makeRoom(impl.free_pairs, state.links.size());
+  for (auto* list : {&impl.free_bodies, &impl.mourned}) detail::makeRoom(*list, 1);
   const std::size_t before = impl.lost.size();
   while (!state.links.empty()) impl.unlink(state.links.back().pair);
-  impl.tree.remove(body);
+  if (impl.tree.holds(body)) impl.tree.remove(body);
   state.used = false;
   // Until collisions() has reported that its pairs ended, the handle isn't given to another body.
   (impl.lost.size() == before ? impl.free_bodies : impl.mourned).push_back(body);

@@ -56,13 +56,67 @@ const SceneState::BodyState& SceneState::at(Body body) const {
 
 SceneState::BodyState& SceneState::at(Body body) { return const_cast<BodyState&>(std::as_const(*this).at(body)); }
 
-/// Puts a box around a body, for a good many moves like the last ones.
-void SceneState::renewBox(Body body) {
+/// Memory for so many more bodies, so that neither putting them into the scene nor moving them throws.
+void SceneState::makeRoomFor(std::size_t more) {
+  const std::size_t anew = more - std::min(more, free_bodies.size());
+  if (bodies.size() + anew > kMostBodies) throw std::length_error(refusal("scene", "more than 2^28 bodies"));
+  makeRoom(bodies, anew);
+  for (auto* list : {&waiting, &fresh, &due}) list->reserve(bodies.capacity());
+}
+
+SceneState::Body SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
+  const bool anew = free_bodies.empty();
+  const Body body = anew ? static_cast<Body>(bodies.size()) : free_bodies.back();
+  BodyState state{polygon, pose, options, {}, 0, 0, 0, 0, {}, true, false, false, false};
+  if (anew) {
+    bodies.push_back(std::move(state));
+  } else {
+    // Lists may still hold a removed body of that handle.
+    const BodyState& old = bodies[body];
+    state.waits = old.waits, state.fresh = old.fresh, state.listed = old.listed;
+    bodies[body] = std::move(state);
+    free_bodies.pop_back();
+  }
+  if (!bodies[body].waits) waiting.push_back(body);
+  bodies[body].waits = true;
+  is_settled.store(false, std::memory_order_relaxed);
+  listFresh(body);
+  listDue(body);
+  ++count;
+  ++version;
+  return body;
+}
+
+const SceneState& SceneState::settled() {
+  if (is_settled.load(std::memory_order_acquire)) return *this;
+  const std::lock_guard<std::mutex> lock(settling);
+  if (!is_settled.load(std::memory_order_relaxed)) placeWaiting();
+  is_settled.store(true, std::memory_order_release);
+  return *this;
+}
+
+/// Into the tree, one by one if they are few; all are packed anew once half of the boxes have changed.
+void SceneState::placeWaiting() {
+  if (2 * (tree.changes() + waiting.size()) < count) {
+    for (const Body body : waiting)
+      if (bodies[body].used && !tree.holds(body)) tree.insert(body, newBox(body));
+  } else {
+    std::vector<BoxTree::Entry> entries;
+    entries.reserve(count);
+    for (Body body = 0; body < bodies.size(); ++body)
+      if (bodies[body].used) entries.push_back({tree.holds(body) ? tree.boundsOf(body) : newBox(body), body});
+    tree.pack(entries);
+  }
+  for (const Body body : waiting) bodies[body].waits = false;
+  std::vector<Body>().swap(waiting);
+}
+
+/// A box around a body, for a good many moves like the last ones.
+Bounds SceneState::newBox(Body body) {
   BodyState& state = bodies[body];
   const double grow = std::min(kBoxSteps * state.step, sizeOf(state));
-  tree.move(body, boundsOf(state.polygon.data(), state.pose, state.options.margin + grow));
   state.box_until = roundedDown<1>(state.moved + grow);
-  listFresh(body);
+  return boundsOf(state.polygon.data(), state.pose, state.options.margin + grow);
 }
 
 void SceneState::moveBody(Body body, const Pose& pose) {
@@ -71,10 +125,11 @@ void SceneState::moveBody(Body body, const Pose& pose) {
   const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
                       load2(now + 6) - load2(was + 6));
   if (!change.any()) return;
+  tree.prepareMove();
   ++version;
   const double step = change.displacement(), size = sizeOf(state);
   state.pose = pose;
-  state.discs.reset();
+  state.discs.forget();
   state.moved = roundedUp<1>(state.moved + step);
   const bool coherent = step <= kCoherentPart * size;
   state.step = coherent ? state.step + kOfAverage * (step - state.step) : 0;
@@ -85,7 +140,9 @@ void SceneState::moveBody(Body body, const Pose& pose) {
   }
   if (state.moved < state.due) return;
   listDue(body);
-  if (!(state.moved <= state.box_until)) renewBox(body);
+  if (state.moved <= state.box_until || !tree.holds(body)) return;
+  tree.move(body, newBox(body));
+  listFresh(body);
 }
 
 /// The pairs of a body whose box is new.
@@ -178,6 +235,7 @@ void SceneState::look(std::uint32_t index) {
 
 /// Brings all facts and `collisions` up to now.
 void SceneState::updateCollisions() {
+  settled();
   for (const Body body : fresh)
     if (bodies[body].used) findPairs(body);
   for (const Body body : due) {

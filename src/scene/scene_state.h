@@ -2,10 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
+#include <mutex>
 #include <vector>
 
 #include "polygon/polygon_data.h"
@@ -20,9 +21,10 @@ namespace tricover::detail {
 ///
 /// A body counts how far any of its points has moved at the most, `moved`, which never decreases. Its box in the tree
 /// holds it until that reaches `box_until`. Two bodies whose boxes meet, and that may meet, are a pair, unless one of
-/// them is `fresh`: its box is new, and its pairs are to be found. A pair's fact (CollisionFact) with a clearance c holds
-/// while the two counts together grow by less than c, so while neither passes its share of that: its links' `due`.
-/// A body's own `due` is the first of all these. So what isn't due is as it was, and collisions() looks at the rest.
+/// them is `fresh`: its box is new, and its pairs are to be found. A pair's fact (CollisionFact) with a clearance c
+/// holds while the two counts together grow by less than c, so while neither passes its share of that: its links'
+/// `due`. A body's own `due` is the first of all these. So what isn't due is as it was, and collisions() looks at the
+/// rest.
 struct SceneState {
   using Body = BodyHandle;
 
@@ -39,11 +41,12 @@ struct SceneState {
     Polygon polygon;
     Pose pose;
     BodyOptions options;
-    std::optional<WorldDiscs> discs;  ///< of a body that hasn't moved since it came
+    KeptDiscs discs;
     double moved, due, box_until;
     double step;              ///< how far it goes at a move, as a moving average
     std::vector<Link> links;  ///< its pairs
     bool used;                ///< false: the handle is free
+    bool waits;               ///< in the list of these, and not in the tree
     bool fresh;               ///< in the list of these
     bool listed;              ///< in the list of these
   };
@@ -57,15 +60,23 @@ struct SceneState {
     bool collides, reported;  ///< by its fact; by `collisions`
   };
 
+  /// With all bodies in the tree: those that came since the last query are put there by the next one, together, so that
+  /// it is well packed. Any number of threads may ask.
+  const SceneState& settled();
+
   const BodyState& at(Body body) const;  ///< throws std::out_of_range
   BodyState& at(Body body);
   bool mayMeet(const BodyState& p, const BodyState& q) const {
     return (p.options.category & q.options.mask) != 0 && (q.options.category & p.options.mask) != 0;
   }
 
+  void makeRoomFor(std::size_t more);
+  Body put(const Polygon& polygon, const Pose& pose, const BodyOptions& options);
+  void placeWaiting();
+  Bounds newBox(Body body);
+
   // Kinetic facts.
   void moveBody(Body body, const Pose& pose);
-  void renewBox(Body body);
   void listFresh(Body body);
   void listDue(Body body);
   void unlink(std::uint32_t index);
@@ -83,6 +94,9 @@ struct SceneState {
   std::vector<Body> mourned;  ///< removed, but their pairs haven't been reported as ended
   std::size_t count = 0;
   BoxTree tree;
+  std::vector<Body> waiting;           ///< bodies that are to be put into the tree
+  std::atomic<bool> is_settled{true};  ///< nobody waits
+  std::mutex settling;
   std::vector<Pair> pairs;
   std::vector<std::uint32_t> free_pairs;
   std::vector<Body> fresh, due;             ///< bodies; see above

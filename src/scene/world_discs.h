@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <limits>
 
 #include "hierarchy/hierarchy.h"
@@ -15,6 +16,7 @@ namespace tricover::detail {
 /// A posed polygon's bounding disc, grown, and a disc inside of it, shrunk by what rounding may do to them in the
 /// world: what pair/discs.h asks of a pair, ready for many others.
 struct WorldDiscs {
+  WorldDiscs() = default;
   WorldDiscs(const PolygonData& polygon, const Pose& pose) {
     const double* m = pose.data();  // columns of three
     const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6), away = absolute(t);
@@ -33,6 +35,36 @@ struct WorldDiscs {
   Double2 center, inner;
   double radius;
   double inner_radius;  ///< -infinity if no such disc is known
+};
+
+/// A body's, found by the first query that comes near, on whichever thread, and kept until it moves.
+class KeptDiscs {
+ public:
+  KeptDiscs() = default;
+  KeptDiscs(const KeptDiscs& other) : state_(other.state_ == kKept ? kKept : kNone), discs_(other.discs_) {}
+  KeptDiscs& operator=(const KeptDiscs& other) {
+    discs_ = other.discs_;
+    state_ = other.state_ == kKept ? kKept : kNone;
+    return *this;
+  }
+
+  void forget() { state_ = kNone; }
+
+  WorldDiscs of(const PolygonData& polygon, const Pose& pose) const {
+    if (state_.load(std::memory_order_acquire) == kKept) return discs_;
+    const WorldDiscs found(polygon, pose);
+    char none = kNone;
+    if (state_.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) {
+      discs_ = found;
+      state_.store(kKept, std::memory_order_release);
+    }
+    return found;
+  }
+
+ private:
+  static constexpr char kNone = 0, kBeingKept = 1, kKept = 2;
+  mutable std::atomic<char> state_{kNone};
+  mutable WorldDiscs discs_;
 };
 
 inline double squaredLength(Double2 d) { return dot(d, d); }

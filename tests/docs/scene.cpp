@@ -56,6 +56,14 @@ TEST(Documentation, SceneBodies) {
   EXPECT_EQ(scene.options(body).margin, 0.5);
   scene.remove(body);
   EXPECT_FALSE(scene.contains(body));
+
+  std::vector<tricover::BodyPlacement> map;
+  for (int i = 0; i < 100; ++i) {
+    pose.translation().x() = 2 * i;
+    map.push_back({square, pose, {}});
+  }
+  const std::vector<tricover::Scene::Body> bodies = scene.add(map);
+  EXPECT_EQ(scene.pose(bodies[7]).translation().x(), 14);
   //! [scene bodies]
 }
 

@@ -230,6 +230,46 @@ TEST(Scene, FindsWhoIsLeft) {
   EXPECT_EQ(scene.size(), 1u);
 }
 
+/// Many at once are packed, few beside many are put in one by one; some leave before anybody asks.
+TEST(Scene, TakesManyBodiesAtOnce) {
+  Random random(15);
+  Scene scene;
+  std::vector<std::pair<Scene::Body, Pose>> all;
+  for (const int count : {1, 0, 7, 2, 900, 64, 3, 300}) {
+    std::vector<BodyPlacement> more;
+    for (int i = 0; i < count; ++i)
+      more.push_back({kSquare, pose(random.real(0, 6), random.real(0, 60), random.real(0, 60)), {}});
+    const std::vector<Scene::Body> bodies = scene.add(more);
+    ASSERT_EQ(bodies.size(), more.size());
+    for (std::size_t i = 0; i < more.size(); ++i) all.push_back({bodies[i], more[i].pose});
+    if (count == 64)
+      for (int i = 0; i < 10; ++i) {
+        const auto gone = all.end() - 1 - random.integer(0, 70);
+        scene.remove(gone->first);
+        all.erase(gone);
+      }
+    for (auto& [body, at] : all)
+      if (random.oneIn(20)) scene.move(body, at = pose(0, random.real(0, 60), random.real(0, 60)));
+    for (int i = 0; i < 30; ++i) {
+      const Pose asked = pose(random.real(0, 6), random.real(0, 60), random.real(0, 60));
+      std::vector<Scene::Body> expected;
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& [body, at] : all) {
+        if (collide(kSquare, asked, kSquare, at)) expected.push_back(body);
+        least = std::min(least, distance(kSquare, asked, kSquare, at).distance);
+      }
+      std::sort(expected.begin(), expected.end());
+      ASSERT_EQ(scene.colliding(kSquare, asked), expected);
+      ASSERT_EQ(scene.nearest(kSquare, asked)->result.distance, least);
+    }
+  }
+  const std::size_t before = scene.size();
+  BodyOptions negative;
+  negative.margin = -1;
+  EXPECT_THROW(scene.add({{kSquare, pose(0, 0, 0), {}}, {kSquare, pose(0, 0, 0), negative}}), std::invalid_argument);
+  EXPECT_EQ(scene.size(), before);
+}
+
 TEST(Scene, OfAPolygonThatIsTooLargeForItsBoxes) {
   const Polygon huge({rectangle(-1.7e308, -1.7e308, 1.7e308, 1.7e308)}),
       far({rectangle(1.6e308, 1.6e308, 1.65e308, 1.65e308)});

@@ -312,9 +312,22 @@ TEST(EightBoxes, MeetABoxAndARay) {
     double least[kLanes] = {}, portable[kLanes] = {};
     const unsigned on_ray = detail::boxesOnRay(boxes, ray, most, least);
     ASSERT_EQ(onPortableLanes([&] { return detail::boxesOnRay(boxes, ray, most, portable); }), on_ray);
+    const double reach = random.real(0, 3);
+    double squares[kLanes] = {}, portable_squares[kLanes] = {};
+    const unsigned near = detail::boxesNear(boxes, bounds, detail::gapSquareAbove(reach), squares);
+    ASSERT_EQ(onPortableLanes(
+                  [&] { return detail::boxesNear(boxes, bounds, detail::gapSquareAbove(reach), portable_squares); }),
+              near);
     for (unsigned k = 0; k < kLanes; ++k) {
       const detail::Bounds other = boxes.at(k);
       ASSERT_EQ(bits >> k & 1, other.meets(bounds) ? 1u : 0u);
+      const double x = std::max({0.0, other.min_x - bounds.max_x, bounds.min_x - other.max_x});
+      const double y = std::max({0.0, other.min_y - bounds.max_y, bounds.min_y - other.max_y});
+      if (!std::isnan(other.min_x)) {
+        ASSERT_EQ(squares[k], portable_squares[k]);
+        ASSERT_EQ(near >> k & 1, std::hypot(x, y) <= reach ? 1u : 0u);
+        ASSERT_LE(squares[k], detail::gapSquareAbove(std::hypot(x, y)));
+      }
       met += other.meets(bounds);
       ++asked;
       if (std::isnan(other.min_x)) continue;
