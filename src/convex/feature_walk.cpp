@@ -40,14 +40,14 @@ class PosedRing {
 //   x no longer leads along the edge    the greatest gap is across this edge;
 //   x still does                        it comes later.
 FeaturePair walkToNearest(const PosedVertices& vertices) {
-  const PosedRing a(vertices.a(), vertices.poseA()), b(vertices.b(), vertices.poseB());
-  const Double2 n = vertices.betweenOrigins();
+  const PosedRing a(vertices.a, vertices.pose_a), b(vertices.b, vertices.pose_b);
+  const Double2 n = vertices.way();
   std::uint32_t v = a.foremost(n), w = b.foremost(-n);
   Double2 x = vertices.way(v, w);
   const bool ccw = cross(n, x) > 0;
   std::uint32_t next_v = a.next(v, ccw), next_w = b.next(w, ccw);
   Double2 of_a = a.way(v, next_v), of_b = b.way(next_w, w);
-  for (std::size_t steps = vertices.a().path.size() + vertices.b().path.size(); steps > 0; --steps) {
+  for (std::size_t steps = vertices.a.path.size() + vertices.b.path.size(); steps > 0; --steps) {
     const double turn = cross(of_a, of_b);
     const bool is_a = ccw ? turn > 0 : turn < 0;
     const Double2 edge = is_a ? of_a : of_b;

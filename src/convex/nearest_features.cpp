@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "hierarchy/simd.h"
-#include "hierarchy/unit_map.h"
 
 namespace tricover::detail {
 namespace {
@@ -103,7 +102,7 @@ class Facing {
 class FeatureSearch {
  public:
   FeatureSearch(const PosedVertices& vertices, NearestFeatures& found)
-      : vertices_(vertices), a_(convexRing(vertices.a())), b_(convexRing(vertices.b())), found_(found) {}
+      : vertices_(vertices), a_(convexRing(vertices.a)), b_(convexRing(vertices.b)), found_(found) {}
 
   void find(const FeaturePair& tried) {
     if (!vertices_.isUnscaled()) return;
@@ -113,13 +112,13 @@ class FeatureSearch {
 
  private:
   void findAnew() {
-    const Hierarchy &a = hierarchyOf(vertices_.a()), &b = hierarchyOf(vertices_.b());
+    const Hierarchy &a = hierarchyOf(vertices_.a), &b = hierarchyOf(vertices_.b);
     if (innerDiscsMeet(a, b)) {
       found_.seem_to_meet = true;
       return;
     }
     if (a.small_convex != nullptr && b.small_convex != nullptr) {
-      const ConvexGap gap = convexGap(*a.small_convex, *b.small_convex, roughMap());
+      const ConvexGap gap = convexGap(*a.small_convex, *b.small_convex, vertices_.inUnits(0).map);
       if (!(gap.gap > 0)) {
         found_.seem_to_meet = true;
         return;
@@ -130,18 +129,9 @@ class FeatureSearch {
     prove(walkToNearest(vertices_));
   }
 
-  /// Good enough to guess by: the inverse of a's pose is taken for its transpose.
-  UnitMap roughMap() const {
-    const double *ra = vertices_.poseA().data(), *rb = vertices_.poseB().data(), unit = vertices_.a().inverse_unit;
-    const Double2 x{ra[0], ra[3]}, y{ra[1], ra[4]};  // a's rows
-    const Double2 m0 = x * rb[0] + y * rb[1], m1 = x * rb[3] + y * rb[4], way = vertices_.betweenOrigins();
-    const Double2 t = (x * way[0] + y * way[1]) * unit;
-    return {m0[0], m1[0], m0[1], m1[1], t[0], t[1], vertices_.b().unit * unit, 0};
-  }
-
   bool innerDiscsMeet(const Hierarchy& a, const Hierarchy& b) const {
     const double reach = a.inner_radius + b.inner_radius;
-    const Double2 way = vertices_.wayBetween(a.inner_center, b.inner_center);
+    const Double2 way = vertices_.way(a.inner_center, b.inner_center);
     return dot(way, way) < reach * reach;
   }
 
@@ -190,8 +180,8 @@ class FeatureSearch {
 
   /// Whether these are foremost, and the polygons are apart; and if they `may_be_unique`, whether they are.
   bool proveForemost(const FeaturePair& features, const Foot& foot, bool may_be_unique) {
-    const Facing of_a(a_, vertices_.poseA(), features.edge_a, features.kind == FeaturePair::kEdgeOfA, -foot.axis);
-    const Facing of_b(b_, vertices_.poseB(), features.edge_b, features.kind == FeaturePair::kEdgeOfB, foot.axis);
+    const Facing of_a(a_, vertices_.pose_a, features.edge_a, features.kind == FeaturePair::kEdgeOfA, -foot.axis);
+    const Facing of_b(b_, vertices_.pose_b, features.edge_b, features.kind == FeaturePair::kEdgeOfB, foot.axis);
     const double distance = foot.distance, size = vertices_.size();
     const double depth = std::min(of_a.depth(distance), of_b.depth(distance));
     const bool is_clear =

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "hierarchy/placement.h"
 #include "numbers/double2.h"
 #include "numbers/double_double.h"
 #include "numbers/predicates.h"
@@ -29,38 +30,26 @@ struct Foot {
   }
 };
 
-/// Two polygons' vertices under their poses, as plain doubles see the differences between them in the world. Vertices
-/// and edges are given by their positions in the paths.
-class PosedVertices {
+/// A placement's ways between vertices, as precise as plain doubles make them. Vertices and edges are given by their
+/// positions in the paths.
+class PosedVertices : public Placement {
  public:
-  PosedVertices(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-      : a_(a),
-        b_(b),
-        pose_a_(pose_a),
-        pose_b_(pose_b),
-        columns_a_{load2(pose_a.data()), load2(pose_a.data() + 3)},
-        columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)} {
-    const Twofold2 shift = twoSum(load2(pose_b.data() + 6), -load2(pose_a.data() + 6));
-    shift_ = shift.high;
-    shift_rest_ = shift.low;
-    const Double2 apart = absolute(shift_);
-    size_ = roundedUp<4>(a.extent + b.extent + (apart[0] + apart[1]));
-    is_unscaled_ = size_ > 0x1p-300 && size_ < 0x1p300;
+  PosedVertices(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_)
+      : Placement(a_, pose_a_, b_, pose_b_),
+        shift_rest_(twoSum(load2(pose_b.data() + 6), -load2(pose_a.data() + 6)).low),
+        is_unscaled_(size_ > 0x1p-300 && size_ < 0x1p300) {
+    size_ = roundedUp<4>(size_);
   }
-
-  const PolygonData& a() const { return a_; }
-  const PolygonData& b() const { return b_; }
-  const Pose& poseA() const { return pose_a_; }
-  const Pose& poseB() const { return pose_b_; }
 
   /// Whether squares of lengths neither overflow nor underflow. What follows is for those that don't.
   bool isUnscaled() const { return is_unscaled_; }
   /// |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q.
   double size() const { return size_; }
 
+  using Placement::way;
   /// From a's vertex p to b's vertex q.
   Double2 way(std::size_t p, std::size_t q) const {
-    return mapped(columns_b_, b_.path[q]) + shift_ - mapped(columns_a_, a_.path[p]) + shift_rest_;
+    return mapped(columns_b_, b.path[q]) + shift_ - mapped(columns_a_, a.path[p]) + shift_rest_;
   }
 
   /// What a distance may be wrong by, beside the smallest double.
@@ -68,7 +57,7 @@ class PosedVertices {
 
   template <bool kEdgeOfA>
   Foot foot(std::size_t edge, std::size_t vertex) const {
-    const Vec2* path = (kEdgeOfA ? a_ : b_).path.data();
+    const Vec2* path = (kEdgeOfA ? a : b).path.data();
     const Double2 along = load2(path[edge + 1].data()) - load2(path[edge].data());
     const Double2 u = mapped(kEdgeOfA ? columns_a_ : columns_b_, along), squares = u * u;
     const double square = squares[0] + squares[1], length = std::sqrt(square);
@@ -101,24 +90,13 @@ class PosedVertices {
   /// The same of two vertices.
   Foot betweenVertices(std::size_t p, std::size_t q) const { return footOf(way(p, q), p, q); }
 
-  /// From a's S to b's.
-  Double2 betweenOrigins() const { return wayBetween(a_.origin, b_.origin); }
-  /// From a point of a's frame to one of b's.
-  Double2 wayBetween(const Vec2& p, const Vec2& q) const {
-    return mapped(columns_b_, q) + shift_ - mapped(columns_a_, p);
-  }
-
  protected:
   using Twofold2 = Twofold<Double2>;
 
   static Double2 mapped(const Double2 (&columns)[2], Double2 p) { return columns[0] * p[0] + columns[1] * p[1]; }
   static Double2 mapped(const Double2 (&columns)[2], const Vec2& p) { return mapped(columns, load2(p.data())); }
 
-  const PolygonData &a_, &b_;
-  const Pose &pose_a_, &pose_b_;
-  Double2 columns_a_[2], columns_b_[2];
-  Double2 shift_, shift_rest_;  ///< t_b - t_a: the rounded one and exactly the rest
-  double size_;
+  Double2 shift_rest_;  ///< what t_b - t_a was rounded by, exactly
   bool is_unscaled_;
 
  private:
@@ -147,7 +125,7 @@ class PosedVertices {
   static_assert(kPlainShare * (3.42 * 3.42 + 2.42 * 2.42 + 7.42 * 7.42 / 4) < 58 * 58 &&
                 kRelativeError >= kUnitRows * errorOf(58 + 5));
   bool isPlain(std::size_t p, std::size_t q, double way_square, double distance) const {
-    const Double2 v = load2(a_.path[p].data()), w = load2(b_.path[q].data()), squares = v * v + w * w;
+    const Double2 v = load2(a.path[p].data()), w = load2(b.path[q].data()), squares = v * v + w * w;
     return distance > kLeastPlain && squares[0] + squares[1] + 4 * way_square <= kPlainShare * (distance * distance);
   }
 };

@@ -7,20 +7,12 @@
 #include "distance/distance_facts.h"
 #include "distance/distance_search.h"
 #include "distance/edge_distance.h"
+#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
-#include "pair/placement.h"
 #include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
-
-/// Where edges cross, if plain doubles tell that they do.
-void findCrossing(const PosedVertices& vertices, const FeaturePair& edges, ConvexOverlap& found) {
-  if (const auto point = EdgeDistances(vertices).crossing(edges.edge_a, edges.edge_b)) {
-    found.edges = edges;
-    found.point = *point;
-  }
-}
 
 EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& vertices, const DistanceQuery& options) {
   const FeaturePair& features = nearest.features;
@@ -34,9 +26,8 @@ EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& ver
 }
 
 /// Of edges that can hold the least distance, all pairs.
-DistanceResult leastDistance(const DistancePair& pair, const NearestFeatures& nearest, const PosedVertices& vertices,
-                             const DistanceQuery& options) {
-  const EdgeDistances edges(vertices);
+DistanceResult leastDistance(const DistancePair& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
+  const EdgeDistances edges(pair);
   DistanceSearch search(edges, options);
   const ConvexRing a = convexRing(pair.a), b = convexRing(pair.b);
   for (std::uint32_t k = 0; k < nearest.edges_a.count; ++k)
@@ -46,11 +37,10 @@ DistanceResult leastDistance(const DistancePair& pair, const NearestFeatures& ne
   return resultOf(pair, search.best(), false, search.edgeA(), search.edgeB(), options);
 }
 
-DistanceResult resultOf(const DistancePair& pair, const NearestFeatures& nearest, const PosedVertices& vertices,
-                        const DistanceQuery& options) {
-  if (!nearest.is_unique) return leastDistance(pair, nearest, vertices, options);
+DistanceResult resultOf(const DistancePair& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
+  if (!nearest.is_unique) return leastDistance(pair, nearest, options);
   const std::size_t i = nearest.features.edge_a, j = nearest.features.edge_b;
-  return plainResultOf(pair, distanceOf(nearest, vertices, options), false, i, j, options);
+  return plainResultOf(pair, distanceOf(nearest, pair, options), false, i, j, options);
 }
 
 DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, const DistanceQuery& options) {
@@ -64,56 +54,54 @@ DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, 
 
 }  // namespace
 
-ConvexOverlap findConvexOverlap(const PosedVertices& vertices) {
-  ConvexOverlap found;
-  const SmallPolygon *a = hierarchyOf(vertices.a()).small_convex, *b = hierarchyOf(vertices.b()).small_convex;
-  if (a == nullptr || b == nullptr) return found;
-  const UnitPlacement at(PosedPair(vertices.a(), vertices.poseA(), vertices.b(), vertices.poseB()));
-  if (!(std::abs(at.map.tx) + std::abs(at.map.ty) < 4)) return found;
+void findConvexOverlap(const DistancePair& pair, ConvexOverlap& found) {
+  const SmallPolygon *a = hierarchyOf(pair.a).small_convex, *b = hierarchyOf(pair.b).small_convex;
+  if (a == nullptr || b == nullptr) return;
+  const UnitPlacement at = pair.inUnits(pair.defect);
+  if (!(std::abs(at.map.tx) + std::abs(at.map.ty) < 4)) return;
   const ConvexCrossing crossing = convexCrossing(*a, *b, at.map, at.rounding);
   if (crossing.edge_a < 0 || crossing.edge_b < 0) {
     found.inner_a = crossing.edge_a;
     found.inner_b = crossing.edge_b;
-    return found;
+    return;
   }
-  const FeaturePair guess{FeaturePair::kCrossing, static_cast<std::uint32_t>(crossing.edge_a),
-                          static_cast<std::uint32_t>(crossing.edge_b)};
-  findCrossing(vertices, guess, found);
-  if (found.isFound()) return found;
-  const EdgeDistances edges(vertices);
-  if (!edges.meet(guess.edge_a, guess.edge_b)) return found;
-  found.edges = guess;
-  found.point = edges.whereTheyMeet(edges.view(guess.edge_a, guess.edge_b));
-  return found;
+  const auto i = static_cast<std::uint32_t>(crossing.edge_a), j = static_cast<std::uint32_t>(crossing.edge_b);
+  const EdgeDistances edges(pair);
+  if (!edges.cross(i, j, found.point)) {
+    if (!edges.meet(i, j)) return;
+    found.point = edges.whereTheyMeet(edges.view(i, j));
+  }
+  found.edges = {FeaturePair::kCrossing, i, j};
 }
 
-std::optional<DistanceResult> convexDistance(const DistancePair& pair, const PosedVertices& vertices,
-                                             DistanceFacts* cache, const DistanceQuery& options) {
-  if (pair.a.isDegenerate() || pair.b.isDegenerate()) return std::nullopt;
-  if (!convexityOf(pair.a).is_strict || !convexityOf(pair.b).is_strict) return std::nullopt;
-  if (!vertices.isUnscaled()) return std::nullopt;
+bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options,
+                    DistanceResult& result) {
+  if (pair.a.isDegenerate() || pair.b.isDegenerate()) return false;
+  if (!convexityOf(pair.a).is_strict || !convexityOf(pair.b).is_strict) return false;
+  if (!pair.isUnscaled()) return false;
   const FeaturePair tried = cache != nullptr ? recallFeatures(*cache) : FeaturePair();
   const auto store = [&](bool were_right, const FeaturePair& found) {
     if (cache != nullptr) storeFeatures(*cache, tried, were_right, found);
   };
-  if (tried.kind == FeaturePair::kCrossing) {
-    ConvexOverlap overlap;
-    findCrossing(vertices, tried, overlap);
-    if (overlap.isFound()) {
-      store(true, overlap.edges);
-      return resultOf(pair, overlap, options);
+  ConvexOverlap overlap;
+  const bool was_right =
+      tried.kind == FeaturePair::kCrossing && EdgeDistances(pair).cross(tried.edge_a, tried.edge_b, overlap.point);
+  if (was_right) {
+    overlap.edges = tried;
+  } else {
+    const NearestFeatures nearest = findNearestFeatures(pair, tried);
+    if (nearest.are_apart) {
+      store(nearest.were_tried, nearest.features);
+      result = resultOf(pair, nearest, options);
+      return true;
     }
+    if (!nearest.seem_to_meet) return false;
+    findConvexOverlap(pair, overlap);
+    if (!overlap.isFound()) return false;
   }
-  const NearestFeatures nearest = findNearestFeatures(vertices, tried);
-  if (nearest.are_apart) {
-    store(nearest.were_tried, nearest.features);
-    return resultOf(pair, nearest, vertices, options);
-  }
-  if (!nearest.seem_to_meet) return std::nullopt;
-  const ConvexOverlap overlap = findConvexOverlap(vertices);
-  if (!overlap.isFound()) return std::nullopt;
-  store(false, overlap.edges);
-  return resultOf(pair, overlap, options);
+  store(was_right, overlap.edges);
+  result = resultOf(pair, overlap, options);
+  return true;
 }
 
 }  // namespace tricover::detail

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
-
 #include "convex/feature_walk.h"
-#include "convex/posed_vertices.h"
 #include "distance/distance_result.h"
 #include "distance/options.h"
 
 namespace tricover::detail {
 
-/// Of two strictly convex polygons that are clearly apart, or small ones (SmallPolygon) that clearly meet; nothing of
+/// Of two strictly convex polygons that are clearly apart, or small ones (SmallPolygon) that clearly meet; false of
 /// others. Keeps the features that it finds in `cache`, unless it is null, and tries those first.
-std::optional<DistanceResult> convexDistance(const DistancePair& pair, const PosedVertices& vertices,
-                                             DistanceFacts* cache, const DistanceQuery& options);
+bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options,
+                    DistanceResult& result);
 
 /// Where two strictly convex polygons meet.
 struct ConvexOverlap {
@@ -26,6 +23,6 @@ struct ConvexOverlap {
 };
 
 /// Of those that seem to meet (NearestFeatures). Found only where that is certain, and both are small.
-ConvexOverlap findConvexOverlap(const PosedVertices& vertices);
+void findConvexOverlap(const DistancePair& pair, ConvexOverlap& found);
 
 }  // namespace tricover::detail

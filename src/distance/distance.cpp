@@ -16,12 +16,11 @@ namespace {
 
 /// By the first solver that is certain of its answer; the last one always is.
 DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
-  const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  if (pair.b.isPoint())
-    if (const auto result = pointDistance(pair, vertices, options)) return *result;
+  DistanceResult result;
+  if (pair.b.isPoint() && pointDistance(pair, options, result)) return result;
   if (cache != nullptr) claim(*cache, pair);
-  if (const auto result = convexDistance(pair, vertices, cache, options)) return *result;
-  return treeDistance(pair, vertices, cache, options);
+  if (!convexDistance(pair, cache, options, result)) result = treeDistance(pair, cache, options);
+  return result;
 }
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
@@ -30,9 +29,10 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   checkOptions(options);
   requireNotNegative(options.limit, "limit");
   const PolygonData &first = a.data(), &second = b.data();
-  if (inOrder(first, pose_a, second, pose_b))
-    return distanceInOrder({first, pose_a, second, pose_b, false, defect}, cache, options);
-  return distanceInOrder({second, pose_b, first, pose_a, true, defect}, cache, options);
+  const bool is_swapped = !inOrder(first, pose_a, second, pose_b);
+  return distanceInOrder({is_swapped ? second : first, is_swapped ? pose_b : pose_a, is_swapped ? first : second,
+                          is_swapped ? pose_a : pose_b, is_swapped, defect},
+                         cache, options);
 }
 
 std::optional<DistanceResult> ifWithin(double limit, const DistanceResult& result) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "convex/posed_vertices.h"
 #include "distance/edge_distance.h"
 #include "distance/options.h"
 #include "pair/outcome.h"
@@ -16,12 +17,12 @@ inline Vec2 posed(const Pose& pose, const Vec2& p) {
   return point;
 }
 
-/// Two polygons and their poses, in the kernel's own order.
-struct DistancePair {
-  const PolygonData& a;
-  const Pose& pose_a;
-  const PolygonData& b;
-  const Pose& pose_b;
+/// Two polygons under their poses, in the kernel's own order.
+struct DistancePair : PosedVertices {
+  DistancePair(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_, bool is_swapped_,
+               double defect_)
+      : PosedVertices(a_, pose_a_, b_, pose_b_), is_swapped(is_swapped_), defect(defect_) {}
+
   bool is_swapped;  ///< the caller's order is the other one
   double defect;    ///< defectOf() the poses
 };

@@ -28,7 +28,7 @@ Twofold2 mappedDifference(const Double2 (&columns)[2], Double2 p, Double2 q) {
   return normalised({sum.high, sum.low + (first.low + second.low + rest)});
 }
 
-double cross(const Twofold2& u, const Twofold2& w) {
+double crossProduct(const Twofold2& u, const Twofold2& w) {
   const Twofold2 products = twoProduct(u.high, swapped(w.high));
   const Double2 rest = products.low + (u.high * swapped(w.low) + u.low * swapped(w.high));
   const Twofold2 difference = twoSum(both(products.high[0]), both(-products.high[1]));
@@ -74,9 +74,9 @@ EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vert
     constexpr double kLargest = std::numeric_limits<double>::max();
     scale_ = size_ < 1 ? 0x1p700 : 0x1p-700;
     inverse_ = size_ < 1 ? 0x1p-700 : 0x1p700;
-    const Double2 from = load2(pose_a_.data() + 6) * scale_, to = load2(pose_b_.data() + 6) * scale_;
+    const Double2 from = load2(pose_a.data() + 6) * scale_, to = load2(pose_b.data() + 6) * scale_;
     const Double2 away = absolute(from) + absolute(to);
-    size_ = 4 * (std::min(a_.extent, kLargest) * scale_ + std::min(b_.extent, kLargest) * scale_ + (away[0] + away[1]));
+    size_ = 4 * (std::min(a.extent, kLargest) * scale_ + std::min(b.extent, kLargest) * scale_ + (away[0] + away[1]));
     const Twofold2 shift = twoSum(to, -from);
     shift_ = shift.high;
     shift_rest_ = shift.low;
@@ -101,7 +101,7 @@ EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
     return side.square[0] <= side.square[1] ? k : k + 1;
   };
   const int at_a = put(beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1), 0);
-  if (b_.isPoint()) {
+  if (b.isPoint()) {
     v.nearest = 0;
     v.distance = std::sqrt(v.square[0]);
     v.feature = featureOf(v, i, j);
@@ -115,7 +115,7 @@ EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
 }
 
 bool EdgeDistances::meet(std::size_t i, std::size_t j) const {
-  return edgesMeet(PosedPair(a_, pose_a_, b_, pose_b_), i, j);
+  return edgesMeet(PosedPair(a, pose_a, b, pose_b), i, j);
 }
 
 double EdgeDistances::mostSquare(const View& v) const {
@@ -166,15 +166,16 @@ EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, cons
   return best;
 }
 
-std::optional<EdgeDistance> EdgeDistances::crossing(std::size_t i, std::size_t j) const {
+bool EdgeDistances::cross(std::size_t i, std::size_t j, EdgeDistance& point) const {
   const Ends e = ends(i, j);
   const Double2 u = e.a2 - e.a1, v = e.b2 - e.b1;
   const auto area = [](Double2 p, Double2 q) { return p[0] * q[1] - p[1] * q[0]; };
   const double b1 = area(u, e.b1 - e.a1), b2 = area(u, e.b2 - e.a1);
   const double a1 = area(v, e.a1 - e.b1), a2 = area(v, e.a2 - e.b1);
   const auto areApart = [this](double p, double q) { return std::min(p, q) < -unsure_ && std::max(p, q) > unsure_; };
-  if (!areApart(a1, a2) || !areApart(b1, b2)) return std::nullopt;
-  return EdgeDistance{0, a1 / (a1 - a2), b1 / (b1 - b2)};
+  if (!areApart(a1, a2) || !areApart(b1, b2)) return false;
+  point = {0, a1 / (a1 - a2), b1 / (b1 - b2)};
+  return true;
 }
 
 // Where an end of one is on the other but for rounding, that is the point. Otherwise they cross, and so clearly that
@@ -212,8 +213,8 @@ static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
 
 // Vectors go from a to b whatever the edge is of, so that two vertices are found just as far apart from either's edges.
 EdgeDistances::Twofold2 EdgeDistances::twofoldWay(std::size_t at_a, std::size_t at_b) const {
-  const double *ra = pose_a_.data(), *rb = pose_b_.data();  // columns of three
-  const Double2 q = point(b_, at_b) * scale_, p = point(a_, at_a) * scale_;
+  const double *ra = pose_a.data(), *rb = pose_b.data();  // columns of three
+  const Double2 q = point(b, at_b) * scale_, p = point(a, at_a) * scale_;
   const Twofold2 b0 = twoProduct(load2(rb), both(q[0])), b1 = twoProduct(load2(rb + 3), both(q[1]));
   const Twofold2 a0 = twoProduct(load2(ra), both(p[0])), a1 = twoProduct(load2(ra + 3), both(p[1]));
   const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);
@@ -224,8 +225,8 @@ EdgeDistances::Twofold2 EdgeDistances::twofoldWay(std::size_t at_a, std::size_t 
 
 template <bool kEdgeOfA>
 double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const {
-  const PolygonData& polygon = kEdgeOfA ? a_ : b_;
-  const double* r = (kEdgeOfA ? pose_a_ : pose_b_).data();
+  const PolygonData& polygon = kEdgeOfA ? a : b;
+  const double* r = (kEdgeOfA ? pose_a : pose_b).data();
   const Double2 columns[] = {load2(r), load2(r + 3)};
   const std::size_t end = edge + (at_end ? 1 : 0);
   const Twofold2 w = kEdgeOfA ? twofoldWay(end, vertex) : twofoldWay(vertex, end);
@@ -236,7 +237,7 @@ double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t 
   if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return d;
   const Twofold2 u = mappedDifference(columns, v1, v2);
   const double square = dot(u.high, u.high);
-  return square > 0x1p-900 ? std::abs(cross(u, w)) / std::sqrt(square) : 0;
+  return square > 0x1p-900 ? std::abs(crossProduct(u, w)) / std::sqrt(square) : 0;
 }
 
 EdgeDistance EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
@@ -259,7 +260,7 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2), edge = end_of_b ? i : j,
                     vertex = end_of_b ? j + end : i + end;
-  const PolygonData& polygon = end_of_b ? a_ : b_;
+  const PolygonData& polygon = end_of_b ? a : b;
   const double where = static_cast<double>(end);
   bool at_end = view.part[k] > 0.5;
   if (isUnscaled()) {
@@ -282,7 +283,7 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
   }
   const Twofold2 w = from(view.part[k] > 0.5 ? 1 : 0);
   if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
-  const double* r = (end_of_b ? pose_a_ : pose_b_).data();
+  const double* r = (end_of_b ? pose_a : pose_b).data();
   const Double2 columns[] = {load2(r), load2(r + 3)};
   const Twofold2 u = mappedDifference(columns, point(polygon, edge) * scale_, point(polygon, edge + 1) * scale_);
   const double square = dot(u.high, u.high);
@@ -291,16 +292,16 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
   const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u.high);
   if (along <= 0) return answer(norm(w1.high), 0);
   if (sign * dot(w2.high, u.high) >= 0) return answer(norm(w2.high), 1);
-  return answer(std::abs(cross(u, w1)) / std::sqrt(square), std::min(along / square, 1.0));
+  return answer(std::abs(crossProduct(u, w1)) / std::sqrt(square), std::min(along / square, 1.0));
 }
 
 EdgeDistance EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2);
   const double where = static_cast<double>(end);
-  const PosedPoint p = end_of_b ? PosedPoint{&pose_b_, b_.path[j + end]} : PosedPoint{&pose_a_, a_.path[i + end]};
-  const PosedPoint v1 = end_of_b ? PosedPoint{&pose_a_, a_.path[i]} : PosedPoint{&pose_b_, b_.path[j]};
-  const PosedPoint v2 = end_of_b ? PosedPoint{&pose_a_, a_.path[i + 1]} : PosedPoint{&pose_b_, b_.path[j + 1]};
+  const PosedPoint p = end_of_b ? PosedPoint{&pose_b, b.path[j + end]} : PosedPoint{&pose_a, a.path[i + end]};
+  const PosedPoint v1 = end_of_b ? PosedPoint{&pose_a, a.path[i]} : PosedPoint{&pose_b, b.path[j]};
+  const PosedPoint v2 = end_of_b ? PosedPoint{&pose_a, a.path[i + 1]} : PosedPoint{&pose_b, b.path[j + 1]};
   const ExactDistance found = distanceExact(p, v1, v2);
   return {atLeastSmallest(found.distance), end_of_b ? found.along : where, end_of_b ? where : found.along};
 }

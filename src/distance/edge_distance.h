@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "convex/posed_vertices.h"
@@ -27,8 +26,6 @@ struct EdgeDistance {
 class EdgeDistances : public PosedVertices {
  public:
   explicit EdgeDistances(const PosedVertices& vertices);
-  EdgeDistances(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-      : EdgeDistances(PosedVertices(a, pose_a, b, pose_b)) {}
 
   /// A lower bound of the distance, too, made one of what at() returns: the smallest double is for at()'s rounding and
   /// for that of this product.
@@ -50,7 +47,7 @@ class EdgeDistances : public PosedVertices {
   Bounds bounds(std::size_t i, std::size_t j) const {
     const Ends e = ends(i, j);
     const Beside of_a = beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1);
-    if (b_.isPoint()) {  // which crosses nothing
+    if (b.isPoint()) {  // which crosses nothing
       const double distance = std::sqrt(of_a.square[0]);
       return boundsOf(distance, distance > error_);
     }
@@ -64,7 +61,7 @@ class EdgeDistances : public PosedVertices {
 
   static constexpr int kCombinations = 4;
   /// One does for a point b.
-  int combinations() const { return b_.isPoint() ? 1 : kCombinations; }
+  int combinations() const { return b.isPoint() ? 1 : kCombinations; }
 
   /// The same, and more, of each end of one edge against the other edge, first b's ends, then a's.
   struct View {
@@ -97,14 +94,14 @@ class EdgeDistances : public PosedVertices {
   /// another vertex of a is certainly farther back along it than p, or one of b farther on than q. What lies between
   /// such vertices at() finds no nearer than p and q.
   Double2 between(std::size_t p, std::size_t q) const {
-    return mapped(columns_b_, b_.path[q]) + shift_ - mapped(columns_a_, a_.path[p]);
+    return mapped(columns_b_, b.path[q]) + shift_ - mapped(columns_a_, a.path[p]);
   }
   bool isBehindOfA(Double2 way, std::size_t p, std::size_t v) const {
-    const Double2 products = way * (mapped(columns_a_, a_.path[v]) - mapped(columns_a_, a_.path[p]));
+    const Double2 products = way * (mapped(columns_a_, a.path[v]) - mapped(columns_a_, a.path[p]));
     return products[0] + products[1] < -2 * unsure_;
   }
   bool isBehindOfB(Double2 way, std::size_t q, std::size_t w) const {
-    const Double2 products = way * (mapped(columns_b_, b_.path[w]) - mapped(columns_b_, b_.path[q]));
+    const Double2 products = way * (mapped(columns_b_, b.path[w]) - mapped(columns_b_, b.path[q]));
     return products[0] + products[1] > 2 * unsure_;
   }
   double squareBetween(std::size_t p, std::size_t q) const {
@@ -114,10 +111,10 @@ class EdgeDistances : public PosedVertices {
   /// Whether at() needs no exact numbers for a distance of that square.
   bool isPlain(double square) const { return square > 0x1p-80 * size_ * size_; }
 
-  /// The same, and whether they do at all, where plain doubles tell that they cross.
-  std::optional<EdgeDistance> crossing(std::size_t i, std::size_t j) const;
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   EdgeDistance whereTheyMeet(const View& view) const;
+  /// Whether plain doubles tell that they cross, and where.
+  bool cross(std::size_t i, std::size_t j, EdgeDistance& point) const;
 
  private:
   static constexpr double kSmallest = 0x1p-1074;
@@ -127,9 +124,9 @@ class EdgeDistances : public PosedVertices {
     Double2 a1, a2, b1, b2;
   };
   Ends ends(std::size_t i, std::size_t j) const {
-    const Vec2 *a = a_.path.data() + i, *b = b_.path.data() + j;
-    return {mapped(columns_a_, a[0]), mapped(columns_a_, a[1]), mapped(columns_b_, b[0]) + shift_,
-            mapped(columns_b_, b[1]) + shift_};
+    const Vec2 *p = a.path.data() + i, *q = b.path.data() + j;
+    return {mapped(columns_a_, p[0]), mapped(columns_a_, p[1]), mapped(columns_b_, q[0]) + shift_,
+            mapped(columns_b_, q[1]) + shift_};
   }
   /// The points w1 and w2 beside the edge from the origin to u. The members are as in View; `along` times the edge's
   /// length.

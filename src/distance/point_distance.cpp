@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
 #include "pair/containment.h"
-#include "pair/placement.h"
 #include "pair/root_box.h"
 
 namespace tricover::detail {
@@ -15,13 +15,13 @@ namespace tricover::detail {
 // share at most.
 std::optional<PointFoot> nearestFoot(const PosedVertices& vertices, double defect) {
   if (!vertices.isUnscaled()) return std::nullopt;
-  const PolygonData &a = vertices.a(), &b = vertices.b();
+  const PolygonData &a = vertices.a, &b = vertices.b;
   if (a.isDegenerate()) {
     const Foot only = vertices.foot<true>(a.degenerate_edge, b.degenerate_edge);
     return only.is_plain ? std::optional(PointFoot{a.degenerate_edge, only.distance, only.part(), false})
                          : std::nullopt;
   }
-  const Place place = Placement(a, vertices.poseA(), b, vertices.poseB()).inUnits(defect).origin();
+  const Place place = vertices.inUnits(defect).origin();
   const Hierarchy& tree = hierarchyOf(a);
   std::uint32_t edges[kMostNearest], nearest = 0;
   const int count = findNearestEdges(tree, place, edges);
@@ -38,16 +38,19 @@ std::optional<PointFoot> nearestFoot(const PosedVertices& vertices, double defec
   return PointFoot{nearest, best.distance, best.part(), !(distanceFromRoot(tree.root, place) > 0)};
 }
 
-std::optional<DistanceResult> pointDistance(const DistancePair& pair, const PosedVertices& vertices,
-                                            const DistanceQuery& options) {
-  const std::optional<PointFoot> nearest = nearestFoot(vertices, pair.defect);
-  if (!nearest) return std::nullopt;
+bool pointDistance(const DistancePair& pair, const DistanceQuery& options, DistanceResult& result) {
+  const std::optional<PointFoot> nearest = nearestFoot(pair, pair.defect);
+  if (!nearest) return false;
   if (nearest->may_be_inside) {
     const Outcome outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
-    if (outcome.collides) return containedResult(pair, outcome);
+    if (outcome.collides) {
+      result = containedResult(pair, outcome);
+      return true;
+    }
   }
-  return plainResultOf(pair, {nearest->distance, nearest->part, 0}, false, nearest->edge, pair.b.degenerate_edge,
-                       options);
+  result =
+      plainResultOf(pair, {nearest->distance, nearest->part, 0}, false, nearest->edge, pair.b.degenerate_edge, options);
+  return true;
 }
 
 }  // namespace tricover::detail

@@ -21,8 +21,7 @@ struct PointFoot {
 /// Nothing where plain doubles don't do. `defect` is defectOf() the poses.
 std::optional<PointFoot> nearestFoot(const PosedVertices& vertices, double defect);
 
-/// Of a point b and anything, where plain doubles do.
-std::optional<DistanceResult> pointDistance(const DistancePair& pair, const PosedVertices& vertices,
-                                            const DistanceQuery& options);
+/// Of a point b and anything; false where plain doubles don't do.
+bool pointDistance(const DistancePair& pair, const DistanceQuery& options, DistanceResult& result);
 
 }  // namespace tricover::detail

@@ -29,7 +29,7 @@ PrunedBoxes::PrunedBoxes(const EdgeDistances& edges, std::size_t i, std::size_t 
       if (const double square = edges.squareBetween(v, w); square < least) p = v, q = w, least = square;
   if (!edges.isPlain(least)) return;
 
-  const PolygonData &a = edges.a(), &b = edges.b();
+  const PolygonData &a = edges.a, &b = edges.b;
   const Double2 way = edges.between(p, q);
   const std::vector<bool> of_a =
       prunedEdges(a, [&](std::size_t v) { return a.path[v] == a.path[p] || edges.isBehindOfA(way, p, v); });

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
-#include "pair/placement.h"
 
 namespace tricover::detail {
 namespace {
@@ -30,7 +30,7 @@ bool areApart(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double
 bool showSmall(const PosedPair& pair, DistanceSearch& search) {
   if (!areSmall(pair.a, pair.b)) return false;
   const Hierarchy &tree_a = hierarchyOf(pair.a), &tree_b = hierarchyOf(pair.b);
-  const UnitPlacement at(pair);
+  const UnitPlacement at = unitsOf(pair);
   const UnitMap& map = at.map;
   const double rounding = at.rounding, far = std::abs(map.tx) + std::abs(map.ty);
   if (!(far < kFar && areApart(tree_a, tree_b, map, rounding, far))) return false;

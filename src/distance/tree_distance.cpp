@@ -7,11 +7,11 @@
 #include "distance/distance_search.h"
 #include "distance/pruned_boxes.h"
 #include "distance/small_distance.h"
+#include "hierarchy/placement.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/containment.h"
 #include "pair/discs.h"
 #include "pair/edge_pairs.h"
-#include "pair/placement.h"
 
 namespace tricover::detail {
 namespace {
@@ -68,9 +68,8 @@ Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
 
 }  // namespace
 
-DistanceResult treeDistance(const DistancePair& pair, const PosedVertices& vertices, DistanceFacts* cache,
-                            const DistanceQuery& options) {
-  const EdgeDistances edges(vertices);
+DistanceResult treeDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
+  const EdgeDistances edges(pair);
   DistanceSearch search(edges, options);
   std::optional<Outcome> outcome;
   if (cache != nullptr) outcome = recallNearest(pair, *cache, search);

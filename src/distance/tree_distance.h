@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "convex/posed_vertices.h"
 #include "distance/distance_result.h"
 #include "distance/options.h"
 
@@ -9,7 +8,6 @@ namespace tricover::detail {
 
 /// Of any polygons, by branch and bound over the pairs of their edges. Uses and renews the facts in `cache`, unless it
 /// is null.
-DistanceResult treeDistance(const DistancePair& pair, const PosedVertices& vertices, DistanceFacts* cache,
-                            const DistanceQuery& options);
+DistanceResult treeDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options);
 
 }  // namespace tricover::detail

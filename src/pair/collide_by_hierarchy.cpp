@@ -29,7 +29,7 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
 }
 
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
-  return collideByHierarchy(UnitPlacement(pair), EdgeTest(pair, options), lookahead, wanted);
+  return collideByHierarchy(unitsOf(pair), EdgeTest(pair, options), lookahead, wanted);
 }
 
 }  // namespace tricover::detail

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
 #include "pair/edge_test.h"
 #include "pair/outcome.h"
-#include "pair/placement.h"
 #include "pair/root_box.h"
 #include "tricover/collide.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hierarchy/hierarchy.h"
-#include "pair/placement.h"
+#include "hierarchy/placement.h"
 
 namespace tricover::detail {
 

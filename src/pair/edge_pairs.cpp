@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair/edge_pairs.h"
 
-#include "pair/placement.h"
+#include "hierarchy/placement.h"
 
 namespace tricover::detail {
 
 void showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visitor) {
-  const UnitPlacement at(pair);
+  const UnitPlacement at = unitsOf(pair);
   const bool nearest = visitor.narrow != nullptr;
   if (nearest && pair.b.isPoint())
     return showEdgesNear(hierarchyOf(pair.a), at.origin(), limit * at.inverse_unit,

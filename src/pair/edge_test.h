@@ -3,8 +3,9 @@
 
 #include <optional>
 
+#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
-#include "pair/placement.h"
+#include "pair/posed_pair.h"
 #include "tricover/collide.h"
 
 namespace tricover::detail {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "hierarchy/placement.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
 #include "polygon/polygon_data.h"
@@ -99,6 +100,19 @@ struct PosedPair {
   double scale_defect;                ///< the same from a's frame to the world
   int handed;                         ///< sign of det R_a: exact signs are the world's, filters' are those of a's frame
 };
+
+/// b in a's units by the relative pose, whose inverse is the true one.
+inline UnitPlacement unitsOf(const PosedPair& pair) {
+  return {pair.a,
+          pair.b,
+          load2(&pair.m00),
+          load2(&pair.m01),
+          (load2(&pair.center_x) - load2(pair.a.origin.data())) * pair.a.inverse_unit,
+          1.5 * pair.error,
+          0,
+          pair.defect,
+          pair.scale_defect};
+}
 
 /// Whether edge i of a and edge j of b (positions in the paths) share a point. Exact.
 bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j);

@@ -9,10 +9,10 @@
 
 #include "distance/edge_distance.h"
 #include "exact_reference.h"
+#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
-#include "pair/placement.h"
 #include "pair/root_box.h"
 #include "random.h"
 #include "shapes.h"
@@ -212,7 +212,7 @@ TEST(RootGap, IsTheBoxesSeparationButForRounding) {
     const Polygon a = polygon(1), b = polygon(i % 2 ? 0.3 : 0.01);
     const Pose pose_a = randomPose(random, 0.9), pose_b = mirrored(randomPose(random, 0.9));
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const detail::UnitPlacement at(pair);
+    const detail::UnitPlacement at = detail::unitsOf(pair);
     const detail::UnitMap& map = at.map;
     const detail::Box &box_a = hierarchyOf(pair.a).root, &box_b = hierarchyOf(pair.b).root;
     const double gap = detail::rootGap(box_a, box_b, map, at.rounding);
@@ -381,7 +381,7 @@ TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
     Pose pose_b = pose(random.real(0, 6), 0, 0);
     pose_b.translation() = std::pow(10, random.real(1, 7)) * direction(random.real(0, 6.3));
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const detail::EdgeDistances distances(a.data(), pose_a, b.data(), pose_b);
+    const detail::EdgeDistances distances(detail::PosedVertices(a.data(), pose_a, b.data(), pose_b));
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < edges; ++k)
       for (std::size_t l = 0; l < edges; ++l) least = std::min(least, distances.bounds(k, l).high);
@@ -448,8 +448,8 @@ TEST(DescentDeathTest, APairOutOfOrderIsStopped) {
   const Polygon small({regular(5, 1)}), large({regular(5, 100)});
   const Pose here = Pose::Identity();
   const PosedPair in_order(large.data(), here, small.data(), here), swapped(small.data(), here, large.data(), here);
-  EXPECT_LE(detail::UnitPlacement(in_order).map.scale, 1);
-  EXPECT_DEATH(detail::UnitPlacement{swapped}, "unit");
+  EXPECT_LE(detail::unitsOf(in_order).map.scale, 1);
+  EXPECT_DEATH(detail::unitsOf(swapped), "unit");
 }
 #endif
 

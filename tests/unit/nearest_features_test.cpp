@@ -74,12 +74,16 @@ struct Found : NearestFeatures {
   bool crosses() const { return overlap.edges.kind == FeaturePair::kCrossing; }
 };
 
+DistancePair inOrder(const PosedPair& pair) {
+  return {pair.a, pair.pose_a, pair.b, pair.pose_b, false, defectOf(pair.pose_a, pair.pose_b)};
+}
+
 Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
   Found found;
   if (!convexityOf(pair.a).is_strict || !convexityOf(pair.b).is_strict) return found;
-  const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  static_cast<NearestFeatures&>(found) = findNearestFeatures(vertices, tried);
-  if (found.seem_to_meet) found.overlap = findConvexOverlap(vertices);
+  const DistancePair in_order = inOrder(pair);
+  static_cast<NearestFeatures&>(found) = findNearestFeatures(in_order, tried);
+  if (found.seem_to_meet) findConvexOverlap(in_order, found.overlap);
   if (found.are_apart) found.meeting = Meeting::Apart;
   if (found.overlap.isFound()) found.meeting = Meeting::Meet;
   EXPECT_FALSE(found.are_apart && found.overlap.isFound());
@@ -87,10 +91,12 @@ Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
 }
 
 double leastDistance(const PosedPair& pair, const Found& found) {
-  const DistancePair in_order{pair.a, pair.pose_a, pair.b, pair.pose_b, false, defectOf(pair.pose_a, pair.pose_b)};
-  const PosedVertices vertices(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  if (found.is_unique) return convexDistance(in_order, vertices, nullptr, {})->distance;
-  const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  if (found.is_unique) {
+    DistanceResult result;
+    EXPECT_TRUE(convexDistance(inOrder(pair), nullptr, {}, result));
+    return result.distance;
+  }
+  const EdgeDistances edges(PosedVertices(pair.a, pair.pose_a, pair.b, pair.pose_b));
   const DistanceQuery options;
   DistanceSearch search(edges, options);
   const std::size_t count_a = pair.a.path.size() - 1, count_b = pair.b.path.size() - 1;
@@ -132,11 +138,11 @@ TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
       (cross ? crossing_found : containment_found) += found.crosses() || found.overlap.isInside();
       if (!found.crosses()) continue;
       const FeaturePair& edges = found.overlap.edges;
-      crossing_proven +=
-          EdgeDistances(pair.a, pair.pose_a, pair.b, pair.pose_b).crossing(edges.edge_a, edges.edge_b).has_value();
+      EdgeDistance point;
+      crossing_proven += EdgeDistances(inOrder(pair)).cross(edges.edge_a, edges.edge_b, point);
       continue;
     }
-    const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    const EdgeDistances edges(PosedVertices(pair.a, pair.pose_a, pair.b, pair.pose_b));
     const DistanceQuery options;
     DistanceSearch all(edges, options);
     for (std::uint32_t k = 0; k + 1 < pair.a.path.size(); ++k)
@@ -193,9 +199,10 @@ TEST(NearestFeatures, SeesCrossingsThatAreCertain) {
     const Polygon a({{{-1, 0}, {1, 0}, {0, 5}}}), b({{from, tip, from + Vec2(0.1, 0.1)}});
     const PosedPair pair(a.data(), at_a, b.data(), at_b);
     const bool meets = edgesMeet(pair, 0, 0);
-    const auto point = EdgeDistances(a.data(), at_a, b.data(), at_b).crossing(0, 0);
-    ASSERT_TRUE(!point || meets) << reproduction({a, at_a, b, at_b});
-    seen += point.has_value();
+    EdgeDistance point;
+    const bool is_seen = EdgeDistances(PosedVertices(a.data(), at_a, b.data(), at_b)).cross(0, 0, point);
+    ASSERT_TRUE(!is_seen || meets) << reproduction({a, at_a, b, at_b});
+    seen += is_seen;
     meeting += meets;
   }
   EXPECT_GT(seen, 0.1 * count);

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "contact/world_frame.h"
-#include "pair/placement.h"
+#include "hierarchy/placement.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"

@@ -21,6 +21,7 @@ namespace {
 
 using detail::EdgeDistances;
 using detail::PolygonData;
+using detail::PosedVertices;
 using detail::PrunedBoxes;
 
 /// Which positions are of edges in pruned lanes.
@@ -52,7 +53,7 @@ TEST(PrunedBoxes, LeaveOutNothingNearer) {
     const Polygon p = polygonOnGrid(random), q = polygonOnGrid(random);
     const PolygonData &a = p.data(), &b = q.data();
     const Pose pose_a = randomPose(random, 1), pose_b = pose_a * pose(0, 5, random.integer(-4, 4));
-    const EdgeDistances edges(a, pose_a, b, pose_b);
+    const EdgeDistances edges(PosedVertices(a, pose_a, b, pose_b));
     const auto at = [&](std::size_t s, std::size_t t) { return edges.at(edges.view(s, t), s, t, {}).distance; };
     const auto s = static_cast<std::size_t>(random.integer(0, static_cast<int>(a.path.size()) - 2));
     const auto t = static_cast<std::size_t>(random.integer(0, static_cast<int>(b.path.size()) - 2));
@@ -84,7 +85,7 @@ TEST(PrunedBoxes, AskForCertainty) {
   const Polygon b({{{1, 0}, {2, 1}, {2, -1}}});
   for (const double x : {-1.0, -1e-9, -1e-18, 0.0, 1e-18, 0.5}) {
     const Polygon a({{{0, 0}, {-1, 1}, {x, 2}, {-1, 2}}});
-    const PrunedBoxes boxes(EdgeDistances(a.data(), still, b.data(), still), 0, 0);
+    const PrunedBoxes boxes(EdgeDistances(PosedVertices(a.data(), still, b.data(), still)), 0, 0);
     ASSERT_TRUE(boxes.any()) << x;
     const bool certain = x < -1e-15;
     const std::vector<bool> expected = {true, certain, certain, true, false};
@@ -92,7 +93,7 @@ TEST(PrunedBoxes, AskForCertainty) {
     // The same of b, turned by half.
     Pose turned = still;
     turned.linear() *= -1;
-    const PrunedBoxes of_b(EdgeDistances(b.data(), turned, a.data(), turned), 0, 0);
+    const PrunedBoxes of_b(EdgeDistances(PosedVertices(b.data(), turned, a.data(), turned)), 0, 0);
     ASSERT_TRUE(of_b.any()) << x;
     EXPECT_EQ(prunedEdges(a.data(), of_b.pairs().b), expected) << x;
   }
@@ -101,10 +102,10 @@ TEST(PrunedBoxes, AskForCertainty) {
   const Polygon b_back({{{2, 1}, {1, 0}, {2, -1}}});
   for (const Polygon* p : {&front, &back})
     for (const Polygon* q : {&b, &b_back})
-      EXPECT_TRUE(PrunedBoxes(EdgeDistances(p->data(), still, q->data(), still), 0, 0).any());
+      EXPECT_TRUE(PrunedBoxes(EdgeDistances(PosedVertices(p->data(), still, q->data(), still)), 0, 0).any());
   // Nor where the pair itself has its nearest point between two vertices.
   const Polygon beside({{{1, 0}, {1, 1}, {2, 1}}}), flat({{{0, -1}, {0, 1}, {-1, 0}}});
-  EXPECT_FALSE(PrunedBoxes(EdgeDistances(flat.data(), still, beside.data(), still), 0, 0).any());
+  EXPECT_FALSE(PrunedBoxes(EdgeDistances(PosedVertices(flat.data(), still, beside.data(), still)), 0, 0).any());
 }
 
 std::size_t countShown(const growth::Input& input, const PrunedBoxes& pruned) {
@@ -125,7 +126,8 @@ TEST(PrunedBoxes, LeaveFewOfManyThatAreEquallyNear) {
   constexpr std::size_t kEdges = 100;
   for (const auto make : {growth::repeatedCorners, growth::equalPoints, growth::fans}) {
     const growth::Input input = make(kEdges);
-    const EdgeDistances edges(input.a.data(), Pose::Identity(), input.b.data(), input.motion.start);
+    const Pose still = Pose::Identity();
+    const EdgeDistances edges(PosedVertices(input.a.data(), still, input.b.data(), input.motion.start));
     EXPECT_GE(countShown(input, {}), kEdges * kEdges / 2);
     EXPECT_LE(countShown(input, PrunedBoxes(edges, 0, 0)), 8u);
   }

@@ -11,8 +11,8 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/axis_boxes.h"
+#include "hierarchy/placement.h"
 #include "pair/collide_by_hierarchy.h"
-#include "pair/placement.h"
 #include "portable_lanes.h"
 #include "random.h"
 #include "reproduction.h"
@@ -213,7 +213,7 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     const PosedPair pair = largerFirst(c);
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
-    const detail::UnitPlacement units(pair);
+    const detail::UnitPlacement units = detail::unitsOf(pair);
     const auto answer = [&] { return detail::fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {}); };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
@@ -268,7 +268,7 @@ TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
     Check check{pair};
-    const detail::UnitPlacement units(pair);
+    const detail::UnitPlacement units = detail::unitsOf(pair);
     const auto answer = [&] {
       return detail::fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {&check, &Check::meet});
     };

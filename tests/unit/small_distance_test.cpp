@@ -84,7 +84,7 @@ TEST(SmallDistance, GivesTheSameBitsAsAllPairsOfEdges) {
     const bool ordered = c.a.radius() >= c.b.radius();
     const PosedPair pair = ordered ? PosedPair(c.a.data(), c.pose_a, c.b.data(), c.pose_b)
                                    : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);
-    const EdgeDistances edges(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    const EdgeDistances edges(PosedVertices(pair.a, pair.pose_a, pair.b, pair.pose_b));
     const DistanceQuery options;
     DistanceSearch search(edges, options), portable(edges, options), all(edges, options);
     const double ahead = random.coin() ? 0 : random.real(0, 0.5) * pair.b.radius;

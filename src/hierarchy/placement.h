@@ -7,7 +7,6 @@
 #include "hierarchy/simd.h"
 #include "numbers/double2.h"
 #include "numbers/rigidity.h"
-#include "pair/posed_pair.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {
@@ -30,12 +29,6 @@ static_assert(kThereShift <= kMapRounding && kBackShift <= kMapRounding, "of the
 /// b in a's units, as boxes, small rings and inner discs are compared; of a pair in order, so that b's unit is at most
 /// a's.
 struct UnitPlacement {
-  /// From the relative pose, whose inverse is the true one.
-  explicit UnitPlacement(const PosedPair& pair)
-      : UnitPlacement(pair.a, pair.b, load2(&pair.m00), load2(&pair.m01),
-                      (load2(&pair.center_x) - load2(pair.a.origin.data())) * pair.a.inverse_unit, 1.5 * pair.error, 0,
-                      pair.defect, pair.scale_defect) {}
-
   /// R by its columns, b's S at c. `center_error` is that of c in any direction, in a's frame; R and c are those of an
   /// inverse that misses the true one by `inverse_defect`. See below for the others.
   UnitPlacement(const PolygonData& a, const PolygonData& b, Double2 r0, Double2 r1, Double2 c, double center_error,
@@ -90,15 +83,14 @@ class Placement {
         columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)},
         shift_(load2(pose_b.data() + 6) - load2(pose_a.data() + 6)) {
     const Double2 apart = absolute(shift_);
-    error_ = kWayError * (a.extent + b.extent + apart[0] + apart[1]) + kTiny;
-    way_ = way(a.origin, b.origin);
+    size_ = a.extent + b.extent + (apart[0] + apart[1]);
   }
 
   /// From a point of a's frame to one of b's, both within their polygon's bounding box, and from S to S.
   Double2 way(const Vec2& p, const Vec2& q) const {
     return (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
   }
-  Double2 way() const { return way_; }
+  Double2 way() const { return way(a.origin, b.origin); }
 
   /// How far off a way is, in any direction. R_b q + (shift - R_a p), in either coordinate, with lengths p, q <= sqrt2
   /// e of points in the bounding boxes:
@@ -106,7 +98,7 @@ class Placement {
   ///   R_a p       products 1, sum 1, the difference 1, the last sum 1    4 p
   ///   shift       itself 1, the difference 1, the last sum 1             3 |t_b - t_a|_1
   /// and sqrt2 of it in any direction: at most 8 e.
-  double error() const { return error_; }
+  double error() const { return kWayError * size_ + kTiny; }
   static constexpr double kWayError = 16 * kUnitRoundoff;
   static_assert(kWayError >= kUnitRows * kRoot2 * kRoot2 * errorOf(4));
 
@@ -121,8 +113,8 @@ class Placement {
             b,
             turnedToA(columns_b_[0]),
             turnedToA(columns_b_[1]),
-            turnedToA(way_) * a.inverse_unit,
-            1.1 * error_,
+            turnedToA(way()) * a.inverse_unit,
+            1.1 * error(),
             1.1 * defect,
             defect,
             defect};
@@ -132,13 +124,13 @@ class Placement {
   const PolygonData &a, &b;
   const Pose &pose_a, &pose_b;
 
- private:
+ protected:
   Double2 turnedToA(Double2 v) const {
     return Double2{columns_a_[0][0], columns_a_[1][0]} * v[0] + Double2{columns_a_[0][1], columns_a_[1][1]} * v[1];
   }
 
-  Double2 columns_a_[2], columns_b_[2], shift_, way_;
-  double error_;
+  Double2 columns_a_[2], columns_b_[2], shift_;
+  double size_;  ///< both extents and |t_b - t_a|_1, rounded four times
 };
 
 }  // namespace tricover::detail
