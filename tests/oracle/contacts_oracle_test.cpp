@@ -254,18 +254,6 @@ TEST(ContactsOracleGrid, AreAsManyAsTheOverlapHasComponents) {
   }
 }
 
-/// A convex ring: the vertices of a polygon around a circle, squeezed.
-Ring convex(Random& random) {
-  const double squeeze = random.oneIn(4) ? 0.05 : random.real(0.3, 1);
-  const int n = random.integer(3, 12);
-  Ring ring;
-  std::vector<double> angles;
-  for (int i = 0; i < n; ++i) angles.push_back(random.real(0, 2 * std::acos(-1.0)));
-  std::sort(angles.begin(), angles.end());
-  for (const double angle : angles) ring.emplace_back(std::cos(angle), squeeze * std::sin(angle));
-  return ring;
-}
-
 /// By all faces of both against all vertices.
 double depthBySeparatingAxes(const Case& c) {
   std::vector<Vec2> points[2];
@@ -305,7 +293,7 @@ TEST(ContactsOracleConvex, DepthAndNormalPartThemAndNothingLessDoes) {
   for (int i = 0; i < cases; ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const double size = random.coin() ? 0.2 : 1, reach = random.oneIn(4) ? 1e3 : 1;
-    Case c{Polygon({convex(random)}), randomPose(random, reach), Polygon({scaled(convex(random), size)}),
+    Case c{Polygon({anyConvex(random, 1, 12)}), randomPose(random, reach), Polygon({anyConvex(random, size, 12)}),
            randomPose(random, 1)};
     c.pose_b.translation() = c.pose_a.translation() + Vec2(random.real(-1.5, 1.5), random.real(-1.5, 1.5));
     if (random.oneIn(5)) c.pose_a = mirrored(c.pose_a);

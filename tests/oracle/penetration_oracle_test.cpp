@@ -247,12 +247,7 @@ TEST(PenetrationOracle, ConvexPairsAreExactToRounding) {
     Random random(static_cast<std::uint64_t>(i) + 1);
     const double scale = std::ldexp(1.0, random.integer(-3, 3) * (random.oneIn(3) ? 100 : 1));
     const double offset = random.oneIn(4) ? 1e9 : 1;
-    const auto convex = [&] {
-      const double radius = random.real(0.1, 2) * scale;
-      Ring ring = star(random, random.integer(3, 12), radius, radius);
-      if (random.coin()) ring = reversed(ring);
-      return ring;
-    };
+    const auto convex = [&] { return eitherWay(random, anyConvex(random, random.real(0.1, 2) * scale, 12)); };
     Case c{Polygon({convex()}), randomPose(random, offset * scale), Polygon({convex()}), randomPose(random, 0)};
     const Vec2 way = pose(random.real(0, 6.3), 0, 0).linear().col(0) * (random.unit() * (c.a.radius() + c.b.radius()));
     c.pose_b.translation() = c.pose_a.translation() + way;

@@ -26,6 +26,14 @@ Ring star(Random& random, int n, double radius_low, double radius_high, const Ve
   return ring;
 }
 
+Ring anyConvex(Random& random, double radius, int most, double flattest) {
+  const int n = random.integer(3, random.oneIn(4) ? most : std::min(most, 16));
+  const double flat = random.oneIn(3) ? std::pow(flattest, random.unit()) : 1;
+  Ring ring = random.oneIn(6) ? rectangle(-radius, -radius, radius, radius) : star(random, n, radius, radius);
+  for (Vec2& p : ring) p.y() *= flat;
+  return ring;
+}
+
 Ring regular(int n, double radius, const Vec2& center) {
   Ring ring;
   for (int i = 0; i < n; ++i) {
@@ -55,6 +63,8 @@ Ring reversed(Ring ring) {
   std::reverse(ring.begin(), ring.end());
   return ring;
 }
+
+Ring eitherWay(Random& random, Ring ring) { return random.coin() ? std::move(ring) : reversed(std::move(ring)); }
 
 Ring scaled(Ring ring, double factor) {
   for (Vec2& vertex : ring) vertex *= factor;

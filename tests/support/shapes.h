@@ -8,13 +8,18 @@
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
 
-/// Rings and poses that the families, the walks and the unit tests are made of. Rings run counter-clockwise.
+/// Rings and poses that the families, the walks and the unit tests are made of. Rings run counter-clockwise where
+/// nothing else is said.
 namespace tricover::support {
 
 Ring rectangle(double x_low, double y_low, double x_high, double y_high);
 
 /// n vertices at random angles around `center`, at random radii between the two: not convex unless they are equal.
 Ring star(Random& random, int n, double radius_low, double radius_high, const Vec2& center = Vec2::Zero());
+
+/// Convex, of mostly up to 16 vertices on a circle around the origin, seldom up to `most`, or a box; many are squeezed
+/// in y, to `flattest` at the least.
+Ring anyConvex(Random& random, double radius, int most = 40, double flattest = 0.2);
 
 /// A regular n-gon.
 Ring regular(int n, double radius, const Vec2& center = Vec2::Zero());
@@ -27,6 +32,7 @@ Ring wedge(Random& random, const Vec2& direction, double length);
 
 Vec2 direction(double angle);
 Ring reversed(Ring ring);
+Ring eitherWay(Random& random, Ring ring);
 Ring scaled(Ring ring, double factor);
 Ring shifted(Ring ring, const Vec2& by);
 

@@ -19,16 +19,6 @@
 namespace tricover::support {
 namespace {
 
-/// Up to 40 vertices on an ellipse, or a rectangle.
-Ring convexRing(Random& random) {
-  const int n = random.integer(3, random.oneIn(4) ? 40 : 12);
-  const double flat = random.oneIn(3) ? random.real(0.05, 1) : 1;
-  Ring ring;
-  for (int i = 0; i < n; ++i)
-    ring.push_back(direction(2 * 3.14159265358979 * (i + random.real(0, 0.9)) / n).cwiseProduct(Vec2(1, flat)));
-  return random.oneIn(4) ? rectangle(-1, -flat, 1, flat) : random.coin() ? ring : reversed(ring);
-}
-
 bool same(const std::vector<Contact>& found, const std::vector<Contact>& expected) {
   return std::equal(found.begin(), found.end(), expected.begin(), expected.end(), [](auto& p, auto& q) {
     return p.point == q.point && p.normal == q.normal && p.depth == q.depth && p.edge_a == q.edge_a &&
@@ -53,7 +43,9 @@ struct Tally {
 void walk(int seed, bool convex, Tally& tally, PairCache& cache) {
   Random random(static_cast<std::uint64_t>(seed));
   const double size = random.real(0.1, 1);
-  const auto any = [&] { return convex ? convexRing(random) : star(random, random.integer(4, 9), 0.5, 1); };
+  const auto any = [&] {
+    return convex ? eitherWay(random, anyConvex(random, 1)) : star(random, random.integer(4, 9), 0.5, 1);
+  };
   Case c{Polygon({any()}), randomPose(random, 3), Polygon({scaled(any(), size)}), randomPose(random, 0)};
   if (random.oneIn(6)) c.b = c.a;
   if (random.oneIn(4)) c.pose_b.linear() = c.pose_a.linear();

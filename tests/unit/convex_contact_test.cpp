@@ -28,22 +28,11 @@ namespace {
 
 using namespace detail;
 
-/// Vertices on an ellipse, up to 40 of them.
-Ring convexRing(Random& random, double size) {
-  const int n = random.integer(3, random.oneIn(4) ? 40 : 12);
-  const double flat = random.oneIn(3) ? random.real(0.05, 1) : 1;
-  Ring ring;
-  for (int i = 0; i < n; ++i)
-    ring.push_back(size * direction(2 * 3.14159265358979 * (i + random.real(0, 0.9)) / n).cwiseProduct(Vec2(1, flat)));
-  return random.oneIn(6) ? rectangle(-size, -size * flat, size, size * flat) : random.coin() ? ring : reversed(ring);
-}
-
 /// Two of them, somewhere; and b led away from a until it only just meets it, then back by anything from far to a last
 /// bit.
 Case convexPair(Random& random) {
-  const double size = random.real(0.3, 1);
-  Case c{Polygon({convexRing(random, 1)}), randomPose(random, 2), Polygon({convexRing(random, size)}),
-         randomPose(random, 2)};
+  const auto any = [&](double size) { return Polygon({eitherWay(random, anyConvex(random, size))}); };
+  Case c{any(1), randomPose(random, 2), any(random.real(0.3, 1)), randomPose(random, 2)};
   if (random.oneIn(3)) c.pose_b.linear() = c.pose_a.linear();
   if (random.oneIn(4)) c.pose_b = mirrored(c.pose_b);
   if (random.oneIn(8)) c.b = c.a;
@@ -98,7 +87,7 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
 /// A corner may be chamfered by an edge of any length, and edges divided so that they are straight but for rounding.
 Ring unevenRing(Random& random, double size) {
   Ring ring;
-  const Ring corners = convexRing(random, size);
+  const Ring corners = eitherWay(random, anyConvex(random, size));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 &p = corners[i], way = corners[(i + 1) % corners.size()] - p;
     const double turn = cross(corners[1] - corners[0], corners[2] - corners[1]) > 0 ? 1 : -1;
@@ -123,7 +112,9 @@ TEST(ConvexContact, IsAsDeepAsThePenetration) {
     Random random(static_cast<std::uint64_t>(i));
     const bool extreme = i % 2 == 0;
     const double size = extreme ? std::pow(10, (random.coin() ? 1 : -1) * random.real(70, 150)) : 1;
-    const auto ringOf = [&](double s) { return extreme ? convexRing(random, s) : unevenRing(random, s); };
+    const auto ringOf = [&](double s) {
+      return extreme ? eitherWay(random, anyConvex(random, s)) : unevenRing(random, s);
+    };
     Case c{Polygon({ringOf(size)}), randomPose(random, 0), Polygon({ringOf(size * random.real(0.3, 1))}),
            randomPose(random, 0)};
     if (!convexOutlineOf(c.a.data()).isConvexRegion() || !convexOutlineOf(c.b.data()).isConvexRegion()) continue;

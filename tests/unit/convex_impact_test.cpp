@@ -23,18 +23,10 @@ namespace {
 
 using namespace detail;
 
-/// Vertices on a circle or an ellipse at random angles: sharp corners, short edges, mostly up to 16 of them.
+/// Down to needles, around the origin or beside it.
 Ring convexRing(Random& random, double size, int most = 150) {
-  const int n = random.integer(3, random.oneIn(4) ? most : 16);
-  const double flat = random.oneIn(3) ? std::pow(10, random.real(-4, 0)) : 1;
   const Vec2 center = random.oneIn(4) ? Vec2(3 * size, -2 * size) : Vec2(0, 0);
-  Ring ring;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * 3.14159265358979 * (i + random.real(0, 0.9)) / n;
-    ring.push_back(center + size * Vec2(std::cos(angle), flat * std::sin(angle)));
-  }
-  if (random.coin()) std::reverse(ring.begin(), ring.end());
-  return ring;
+  return eitherWay(random, shifted(anyConvex(random, size, most, 1e-4), center));
 }
 
 TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {

@@ -29,17 +29,10 @@ namespace {
 
 using namespace detail;
 
-/// Vertices on a circle or an ellipse at random angles: sharp corners, short edges, seldom more than 16 of them.
+/// Around the origin or beside it.
 Polygon convexPolygon(Random& random, double size) {
-  const int n = random.integer(3, random.oneIn(8) ? 60 : 16);
-  std::vector<double> angles;
-  for (int i = 0; i < n; ++i) angles.push_back(2 * 3.14159265358979 * (i + random.real(0, 0.9)) / n);
-  const double flat = random.oneIn(3) ? random.real(0.01, 1) : 1;
   const Vec2 center = random.oneIn(4) ? Vec2(3 * size, -2 * size) : Vec2(0, 0);
-  Ring ring;
-  for (const double angle : angles) ring.push_back(center + size * Vec2(std::cos(angle), flat * std::sin(angle)));
-  if (random.coin()) std::reverse(ring.begin(), ring.end());
-  return Polygon({ring});
+  return Polygon({eitherWay(random, shifted(anyConvex(random, size, 60, 0.01), center))});
 }
 
 /// Two of them that are apart by anything from far to a last bit, sides that face each other included.
@@ -277,21 +270,14 @@ TEST(NearestFeatures, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   EXPECT_EQ(shows(square, square, {1e15, 0}), kUnknown) << "an axis in doubles leads past the features";
 }
 
-/// Round ones and boxes, either way around.
-Ring anyConvex(Random& random, double size) {
-  Ring ring = star(random, random.integer(3, 40), size, size);
-  if (random.oneIn(3)) ring = rectangle(-size, -size / 4, size, size / 4);
-  if (random.coin()) std::reverse(ring.begin(), ring.end());
-  return ring;
-}
-
 TEST(NearestFeatures, IsNeverMoreThanTheDistance) {
   Random random(97);
   const int cases = scaledCount(4000);
   int found = 0, tight = 0, apart = 0;
   for (int i = 0; i < cases; ++i) {
     const double scale = random.oneIn(8) ? std::pow(10, random.integer(-140, 140)) : 1;
-    const Polygon a({anyConvex(random, scale)}), b({anyConvex(random, scale * random.real(0.1, 1))});
+    const Polygon a({eitherWay(random, anyConvex(random, scale))}),
+        b({eitherWay(random, anyConvex(random, scale * random.real(0.1, 1)))});
     if (!convexityOf(a.data()).is_strict || !convexityOf(b.data()).is_strict) continue;
     Pose pose_a = pose(random.real(0, 6.3), 0, 0), pose_b = pose(random.oneIn(3) ? 0 : random.real(0, 6.3), 0, 0);
     if (random.oneIn(3)) pose_a = Pose::Identity();
