@@ -64,7 +64,8 @@ std::string wrongImpact(Random& random, const Case& c, const Shape<S>& a, const 
   const bool starts = impact.is_collide && impact.time_of_contact == 0;
   const bool at_start = Reference(start).within(margin);
   if (at_start && !starts) return "continuousCollide: at the start";
-  if (starts && !at_start && margin == 0 && Reference(start).distance().low > 1e-3 * c.b.radius())
+  const double sizes = c.a.radius() + c.b.radius() + (start.pose_b.translation() - start.pose_a.translation()).norm();
+  if (starts && !at_start && margin == 0 && Reference(start).distance().low > 1e-3 * c.b.radius() + 1e-12 * sizes)
     return "continuousCollide: not at the start";
   return "";
 }

@@ -104,7 +104,7 @@ void soakRound(Run& run) {
     limits.most_exponent = 5;
     const Drawn drawn = anyCase(random, limits);
     const Case& c = drawn.c;
-    const Body body = anyBody(random, c.b.radius() > 0 ? c.b.radius() : drawn.size > 0 ? drawn.size : 1);
+    const Body body = anyBody(random, c.b.radius() > 1e-100 ? c.b.radius() : 1);  // a point's is denormal
     fcl::Transform3d pose = lifted<double>(c.pose_b);
     const Vec3 axis(random.real(-1, 1), random.real(-1, 1), random.real(0.1, 1));
     pose.linear() = Eigen::AngleAxisd(random.oneIn(4) ? 0 : random.real(-3, 3), axis.normalized()).toRotationMatrix();
@@ -113,8 +113,12 @@ void soakRound(Run& run) {
     const Case around{c.a, c.pose_a, Polygon({outlines.around}), Pose::Identity()};
     const auto nearest = static_cast<double>(Reference(around).distance().low),
                farthest = static_cast<double>(Reference(within).distance().high);
-    const double rounding = 1e-11 * (c.a.radius() + body.radius + body.half_length + body.radii.norm() +
-                                     c.pose_a.translation().lpNorm<1>() + c.pose_b.translation().lpNorm<1>());
+    // Lengths are those of the polygon's frame, which its pose may stretch.
+    const double stretch = (c.pose_a.linear().transpose() * c.pose_a.linear() - Eigen::Matrix2d::Identity()).norm();
+    const double size = body.radius + body.half_length + body.radii.norm();
+    const double rounding = (body.name[0] == 's' ? 0 : 1e-9) * size + stretch * farthest +
+                            1e-13 * (size + farthest + c.a.radius() + c.pose_a.translation().lpNorm<1>() +
+                                     c.pose_b.translation().lpNorm<1>());
     tricover_fcl::PolygonShaped shape(c.a, tricover_fcl::PolygonOptions::atAllHeights());
     fcl::CollisionResultd hit;
     const bool found = fcl::collide<double>(&shape, lifted<double>(c.pose_a), body.geometry.get(), pose,
