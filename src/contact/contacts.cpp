@@ -10,8 +10,8 @@
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
-#include "pair/kernel_order.h"
 #include "pair/find_fact.h"
+#include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
 
 namespace tricover {

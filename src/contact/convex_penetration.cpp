@@ -23,20 +23,25 @@ class Corners {
   std::size_t before(std::size_t k) const { return (k > 0 ? k : size()) - 1; }
 
   DoubleDouble2 at(std::size_t k) const {
-    const auto& m = pose_.matrix();
     const Vec2 p = outline_.points[k] * scale_;
-    const auto row = [&](int r, const DoubleDouble& t) {
-      return twoProduct(m(r, 0), p.x()) + twoProduct(m(r, 1), p.y()) + t;
-    };
-    return {row(0, shift_.x), row(1, shift_.y)};
+    const DoubleDouble2 turned = linear({{p.x(), 0}, {p.y(), 0}});
+    return {turned.x + shift_.x, turned.y + shift_.y};
   }
-  /// Outwards from edge k, as long as that.
+  /// Outwards from edge k, as long as that. The difference is taken where it is exact, so that a short edge's direction
+  /// is as precise as a long one's.
   DoubleDouble2 normalOf(std::size_t k) const {
-    const DoubleDouble2 edge = at(after(k)) - at(k);
+    const Vec2 p = outline_.points[k] * scale_, q = outline_.points[after(k)] * scale_;
+    const DoubleDouble2 edge = linear({twoSum(q.x(), -p.x()), twoSum(q.y(), -p.y())});
     return mirrored_ ? DoubleDouble2{-edge.y, edge.x} : DoubleDouble2{edge.y, -edge.x};
   }
 
  private:
+  DoubleDouble2 linear(const DoubleDouble2& p) const {
+    const auto& m = pose_.matrix();
+    const auto row = [&](int r) { return DoubleDouble{m(r, 0), 0} * p.x + DoubleDouble{m(r, 1), 0} * p.y; };
+    return {row(0), row(1)};
+  }
+
   const ConvexOutline& outline_;
   const Pose& pose_;
   DoubleDouble2 shift_;

@@ -41,9 +41,9 @@ class ContactFinder {
   }
 
  private:
-  /// Whether b, led along the normal by a little more than the depth, leaves a.
+  /// Whether b, led along the normal by a little more than the depth, leaves a: by less than coordinates are off by.
   bool parts(const Exit& exit) const {
-    const double more = 64 * frame_.error() + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
+    const double more = 16 * frame_.error() + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
     return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,
                          (exit.depth + more) * frame_.unit() * exit.normal);
   }

@@ -130,13 +130,10 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     }
     result.lower_bound = std::min(shortest.lower_bound * unit, result.depth);
     // What tricover/penetration.h calls the precision.
-    const double precision = std::max(32 * space.noise(), 1e-13 * (a.radius / unit + b.radius / unit));
+    const double between = (pose_b.translation() / unit - pose_a.translation() / unit).norm();
+    const double precision = std::max(32 * space.noise(), 1e-13 * (a.radius / unit + b.radius / unit + between));
     result.optimal = result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + precision * unit;
   }
-  // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
-  if (shortest.parting == shortest.limit) shortest.parting += 8 * space.noise() * result.normal;
-  // At the limit they may still touch, and a pose's translation is rounded.
-  result.translation = shortest.parting * unit;
   const Vec2 aside = shortest.parting - shortest.limit;
   const Vec2 way = !aside.isZero(0) ? Vec2(aside.stableNormalized()) : result.normal;
   // Of either one: both translations are rounded.
@@ -144,10 +141,13 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     return areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, t) &&
            areApartMoved(a, pose_a, -t, b, pose_b, Vec2::Zero());
   };
-  for (double step = std::max(aside.norm(), space.noise()); !parts(result.translation); step *= 2) {
+  // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
+  double step = 8 * space.noise();
+  do {
     if (!std::isfinite(step * unit)) return noAnswer(result.normal);
     result.translation = (shortest.limit + step * way) * unit;
-  }
+    step *= 2;
+  } while (!parts(result.translation));
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
   result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);

@@ -161,5 +161,39 @@ TEST(ContactLaws, TouchesThatAreNotSymmetricHaveTheOneNormalThatParts) {
   }
 }
 
+TEST(ContactLaws, TheWayOutOfASliverPartsItByNoMoreThanCoordinatesAreOffBy) {
+  const Polygon a({{{-0x1.0f6984a2f4936p-1, 0x1.74ba6ae98bf64p-1},
+                    {0x1.4621e623c1b3p-1, 0x1.d48173ac94c1ep-1},
+                    {-0x1.2baf0aff58084p-1, 0x1.bc8b71309f816p-1},
+                    {-0x1.b7c0d66c81568p-2, 0x1.9082f5846856cp-1},
+                    {-0x1.b332d4fc371dcp-1, 0x1.354d228e1197p-3},
+                    {0x1.7fc94ce18abccp-1, -0x1.e6fbbf1686ca2p-1}}});
+  Pose pose_a = Pose::Identity(), pose_b = pose_a;
+  pose_a.matrix().topRows<2>() << -0x1.59febec9429f2p-1, -0x1.79669d3f646b8p-1, 0, 0x1.79669d3f646b8p-1,
+      -0x1.59febec9429f2p-1, 0;
+  const Polygon b({{{0x1.cba477ea68819p-35, 0},
+                    {0x1.73dbca6851b96p-35, 0x1.d524c5fa6a734p-45},
+                    {0x1.1c131ce63af14p-36, 0x1.7b8b9111e9afbp-44},
+                    {-0x1.1c131ce63af12p-36, 0x1.7b8b9111e9afcp-44},
+                    {-0x1.73dbca6851b95p-35, 0x1.d524c5fa6a736p-45},
+                    {-0x1.7bcbfbe172957p-35, 0x1.aab81e82ccbd8p-45},
+                    {-0x1.8d68ee525cff6p-35, 0x1.4c96f1f8c0092p-45},
+                    {-0x1.a8fdc480dc0d1p-35, 0x1.725f67dbe3f4fp-46},
+                    {-0x1.cb0aef1a267e7p-35, 0x1.9a4464cda8d74p-52},
+                    {-0x1.cba477ea68819p-35, 0x1.b8353570a300fp-97},
+                    {-0x1.b506500aa2e6cp-35, -0x1.e38151dab1c17p-47},
+                    {-0x1.73dbca6851b97p-35, -0x1.d524c5fa6a732p-45},
+                    {-0x1.1c131ce63af15p-36, -0x1.7b8b9111e9afbp-44},
+                    {0x1.1c131ce63af1p-36, -0x1.7b8b9111e9afcp-44},
+                    {0x1.73dbca6851b95p-35, -0x1.d524c5fa6a738p-45},
+                    {0x1.88db2651d8575p-35, -0x1.64ed3b6d2f39bp-45}}});
+  pose_b.matrix().topRows<2>() << -0x1.a96c897495633p-1, 0x1.1ce21a17b05fcp-1, -0x1.1adda9a2d5655p+0,
+      -0x1.1ce21a17b05fcp-1, -0x1.a96c897495633p-1, -0x1.30d4097a83b53p-3;
+  const Case c{a, pose_a, b, pose_b};
+  const std::vector<Contact> found = contacts(a, pose_a, b, pose_b);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(wrongWayApart(c, found[0]), "");
+}
+
 }  // namespace
 }  // namespace tricover::support

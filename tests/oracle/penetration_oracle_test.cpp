@@ -270,5 +270,32 @@ TEST(PenetrationOracle, ConvexPairsAreExactToRounding) {
   EXPECT_GT(shallow, 0);
 }
 
+TEST(ConvexPenetration, AnEdgeAsShortAsAnUlpHasADirection) {
+  const Polygon a({{{0x1.6f0162db005e8p-2, -0x1.c45915f50a2dep-1},
+                    {-0x1.aae001de5d8aep-1, -0x1.0b8a668433c89p-1},
+                    {-0x1.a7e031af1c978p-5, 0x1.e3e36b1c9619bp-1},
+                    {0x1.b1383d9efa2cfp-1, 0x1.8d5be81265534p-2},
+                    {0x1.b1384573d6861p-1, 0x1.8d5bdbf212c45p-2},
+                    {0x1.c468ef2d5a797p-1, 0x1.c47dbabf05efep-3}}});
+  Pose pose_a = Pose::Identity();
+  pose_a.matrix().topRows<2>() << 0x1.c49c483786082p-1, -0x1.deb27cc02b8b3p-2, 0x0p+0, 0x1.deb27cc02b8b3p-2,
+      0x1.c49c483786082p-1, 0x0p+0;
+  const Polygon b({{{0x1.4d507e1461a11p-1, 0x0p+0},
+                    {0x1.4d507e1461a12p-2, 0x1.7a593731e3ffdp-3},
+                    {-0x1.4d507e1461a0ep-2, 0x1.7a593731e3fffp-3},
+                    {-0x1.4d507e1461a11p-1, 0x1.e1e7d7b867078p-56},
+                    {-0x1.4d507e18742fbp-2, -0x1.7a59372d44957p-3},
+                    {-0x1.4d507e0c3c84dp-2, -0x1.7a593731e3ffcp-3},
+                    {0x1.4d507e1461a11p-2, -0x1.7a593731e3ffdp-3},
+                    {0x1.4d507e1461a12p-2, -0x1.7a593731e3ffdp-3}}});
+  Pose pose_b = Pose::Identity();
+  pose_b.matrix().topRows<2>() << -0x1.ef1c780d0c76cp-1, 0x1.04b258affea67p-2, 0x1.e40eedade9c03p-2,
+      -0x1.04a2ef76ae28p-2, -0x1.ef257f6a191ddp-1, -0x1.be8931b6a88a7p-1;
+  const auto p = penetration(a, pose_a, b, pose_b);
+  ASSERT_TRUE(p);
+  const double truth = exact::distanceBelow(exact::convexPenetrationSquared(a, pose_a, b, pose_b));
+  EXPECT_LE(std::abs(p->depth - truth), 1e-15 * truth);
+}
+
 }  // namespace
 }  // namespace tricover::support

@@ -78,8 +78,12 @@ std::string wrongWayApart(const Case& c, const Contact& contact) {
     return p->depth > precision || parts(c, contact) ? "" : "the normal of a touch doesn't part them";
   if (!p->optimal) return "";
   if (!(std::abs(p->depth - contact.depth) <= precision)) return "another depth than the penetration's";
-  return (p->normal - contact.normal).norm() <= 1e-6 || parts(c, contact) ? ""
-                                                                          : "another normal than the penetration's";
+  // Of a short way the direction is known as well as its ends are.
+  const double between = (c.pose_b.translation() - c.pose_a.translation()).norm();
+  const double turn = 1e-15 * (c.a.radius() + c.b.radius() + between) / contact.depth;
+  return (p->normal - contact.normal).norm() <= 1e-6 + turn || parts(c, contact)
+             ? ""
+             : "another normal than the penetration's";
 }
 
 bool same(const std::vector<Contact>& p, const std::vector<Contact>& q) {
