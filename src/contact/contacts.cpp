@@ -47,8 +47,7 @@ std::vector<Contact> deepestContacts(const PosedPair& pair, PairFacts* cache, st
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                               PairFacts* cache, std::size_t most) {
-  requireRigid(pose_a, "pose_a");
-  requireRigid(pose_b, "pose_b");
+  requireRigid(pose_a, pose_b);
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) { return deepestContacts(PosedPair(operands...), cache, most); },

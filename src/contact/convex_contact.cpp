@@ -114,7 +114,7 @@ class ConvexPair {
     const FaceDepth face = bestFace();
     const RingInA &own = face.of_a ? a_ : b_, &other = face.of_a ? b_ : a_;
     Crossing left, right;
-    if (!findCrossing(own, other, face, true, left) || !findCrossing(own, other, face, false, right)) return {};
+    if (!findCrossing<true>(own, other, face, left) || !findCrossing<false>(own, other, face, right)) return {};
     const std::uint32_t own_passed = left.own_passed + right.own_passed,
                         other_passed = left.other_passed + right.other_passed + 1;
     if (own_passed >= own.size() || other_passed >= other.size()) return {};
@@ -147,19 +147,19 @@ class ConvexPair {
     return *best;
   }
 
-  /// From the face on counter-clockwise and from the vertex deepest behind it back, or (not forward) the other way
+  /// From the face on counter-clockwise and from the vertex deepest behind it back, or (not kForward) the other way
   /// round: the edges that cross first. False where that isn't certain.
-  bool findCrossing(const RingInA& own, const RingInA& other, const FaceDepth& face, bool forward,
-                    Crossing& crossing) const {
+  template <bool kForward>
+  bool findCrossing(const RingInA& own, const RingInA& other, const FaceDepth& face, Crossing& crossing) const {
     const std::uint32_t deepest = other.cornerNumber(face.deepest);
-    std::uint32_t i = own.edgeNumber(face.edge), j = forward ? other.before(deepest) : deepest;
+    std::uint32_t i = own.edgeNumber(face.edge), j = kForward ? other.before(deepest) : deepest;
     std::uint32_t own_passed = 0, other_passed = 0;
     // Of both edges, from here to there.
-    Vec2 own_from = forward ? own.vertex(i) : own.end(i), own_to = forward ? own.end(i) : own.vertex(i);
-    Vec2 other_from = forward ? other.end(j) : other.vertex(j), other_to = forward ? other.vertex(j) : other.end(j);
+    Vec2 own_from = kForward ? own.vertex(i) : own.end(i), own_to = kForward ? own.end(i) : own.vertex(i);
+    Vec2 other_from = kForward ? other.end(j) : other.vertex(j), other_to = kForward ? other.vertex(j) : other.end(j);
     while (own_passed + other_passed < own.size() + other.size()) {
-      const Vec2 own_way = forward ? own_to - own_from : own_from - own_to,
-                 other_way = forward ? other_from - other_to : other_to - other_from;
+      const Vec2 own_way = kForward ? own_to - own_from : own_from - own_to,
+                 other_way = kForward ? other_from - other_to : other_to - other_from;
       const double own_in = cross(other_way, own_to - other_to), other_in = cross(own_way, other_to - own_to);
       if (own_in < 0 && other_in < 0) {
         const double own_out = cross(other_way, own_from - other_to), other_out = cross(own_way, other_from - own_to);
@@ -170,14 +170,14 @@ class ConvexPair {
       }
       // One that leaves the other one's edge has to wait for it; or else the one that is ahead.
       const double ahead = (own_way - other_way).dot(own_to - other_to);
-      const bool own_waits = own_in < 0 || (other_in >= 0 && (forward ? ahead > 0 : ahead < 0));
+      const bool own_waits = own_in < 0 || (other_in >= 0 && (kForward ? ahead > 0 : ahead < 0));
       if (own_waits) {
-        j = forward ? other.before(j) : other.after(j);
-        other_from = std::exchange(other_to, forward ? other.vertex(j) : other.end(j));
+        j = kForward ? other.before(j) : other.after(j);
+        other_from = std::exchange(other_to, kForward ? other.vertex(j) : other.end(j));
         ++other_passed;
       } else {
-        i = forward ? own.after(i) : own.before(i);
-        own_from = std::exchange(own_to, forward ? own.end(i) : own.vertex(i));
+        i = kForward ? own.after(i) : own.before(i);
+        own_from = std::exchange(own_to, kForward ? own.end(i) : own.vertex(i));
         ++own_passed;
       }
     }

@@ -104,18 +104,15 @@ SeparatingAxes::Verdict SeparatingAxes::findLeast(std::uint32_t first_of_a) {
   std::uint32_t first = first_of_a, at = 0;
   for (const bool of_a : {true, false}) {
     const AxisSide& own = side(of_a);
-    const std::uint32_t size = own.ring.size();
-    FaceDepth face, best;
+    FaceDepth face, best{};
+    best.depth = std::numeric_limits<double>::infinity();
     Vec2 deepest;
-    for (std::uint32_t k = first;;) {
+    for (std::uint32_t k = first, left = own.ring.size(); left > 0; skipDeep(own, deepest, k, left)) {
       if (!lookBehind(of_a, k, at, face, deepest)) return Unsure;
       if (face.depth < -kDepthError * error_) return Apart;
       add(face);
       if (face.depth < best.depth) best = face;
       at = face.deepest;
-      k = skipDeep(own, k + 1, k < first ? first : size, deepest);
-      if (k == size) k = skipDeep(own, 0, first, deepest);
-      if (k == first) break;
     }
     first = best.deepest;
     at = best.edge;
@@ -170,22 +167,21 @@ std::uint32_t SeparatingAxes::edgeTowardsOther(const AxisSide& side) const {
   return cross(way, side.corner(foremost) - origin) > 0 ? side.ring.previous(foremost) : foremost;
 }
 
-/// From an edge on, the next face that point p of the other polygon doesn't prove to be too deep; or `end`.
-std::uint32_t SeparatingAxes::skipDeep(const AxisSide& side, std::uint32_t edge, std::uint32_t end,
-                                       const Vec2& p) const {
+/// Of the faces that are left, on to the next one that point p of the other polygon doesn't prove to be too deep.
+void SeparatingAxes::skipDeep(const AxisSide& side, const Vec2& p, std::uint32_t& edge, std::uint32_t& left) const {
   // What the point and an area are off by, of edges that are at most 2 sqrt2 sizes long; and a depth in the world is an
   // area times the determinant by the edge's length there.
   const double doubtful = 12 * error_ * (error_ / kMappingError), most = std::max(limit(), 0.0) + kDepthError * error_,
                most_square = roundedUp<8>(most * most * (1 + 8 * side.seen.scale_defect));
   const Double2 point = load2(p.data());
-  for (; edge < end; ++edge) {
+  while (--left > 0) {
+    edge = side.ring.next(edge);
     const Double2 way = side.ring.edge(edge), square = way * way;
     const double area = cross(way, point - side.ring.vertex(edge)) - doubtful;
     // What is compared has all of its digits: `most` is no less than 2^-48 of the size, and so is an edge whose area
     // is above what is doubtful.
-    if (!(area > 0 && area * area > most_square * (square[0] + square[1]))) break;
+    if (!(area > 0 && area * area > most_square * (square[0] + square[1]))) return;
   }
-  return edge;
 }
 
 /// Deeper faces are of no interest.

@@ -38,10 +38,10 @@ struct AxisSide {
 
 /// A face of either outline, and the corner of the other one that is deepest behind it.
 struct FaceDepth {
-  bool of_a = true;
-  bool certain = false;  ///< no other corner may be as deep
-  std::uint32_t edge = 0, deepest = 0;
-  double depth = std::numeric_limits<double>::infinity();  ///< in the world
+  bool of_a;
+  bool certain;  ///< no other corner may be as deep
+  std::uint32_t edge, deepest;
+  double depth;  ///< in the world
 };
 
 /// Separating axes of two convex outlines with an area, in plain doubles: how deep either one reaches behind the faces
@@ -75,7 +75,7 @@ class SeparatingAxes {
   Verdict findLeastKept(const ContactFacts& facts);
   bool lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Vec2& deepest) const;
   std::uint32_t edgeTowardsOther(const AxisSide& side) const;
-  std::uint32_t skipDeep(const AxisSide& side, std::uint32_t edge, std::uint32_t end, const Vec2& p) const;
+  void skipDeep(const AxisSide& side, const Vec2& p, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;
   void add(const FaceDepth& face);
   void keep(ContactFacts& facts);
