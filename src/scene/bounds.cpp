@@ -31,6 +31,10 @@ static_assert(kBoundsError >= kUnitRows * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 *
 /// Extents of a float box: its axis is of unit length but for floats' roundings (Box), and they are summed up here.
 constexpr double kExtentsGrowth = 1 + 0x1p-20;
 
+Double2 growth(const PolygonData& polygon, Double2 t, double reach) {
+  return kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
+}
+
 /// A box, grown; without ends where that overflows, and where `known` is false.
 Bounds roundedOutwards(Double2 low, Double2 high, Double2 grow, bool known) {
   low = low - grow, high = high + grow;
@@ -42,20 +46,31 @@ Bounds roundedOutwards(Double2 low, Double2 high, Double2 grow, bool known) {
   return bounds;
 }
 
-}  // namespace
-
-Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
+/// Around the vertices at these positions.
+Bounds boundsOfVertices(const PolygonData& polygon, std::size_t begin, std::size_t end, const Pose& pose,
+                        double reach) {
   const double* m = pose.data();  // columns of three
   const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
-  const Double2 grow = kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
   Double2 least = kInfinity - Double2{}, most = -least;
-  if (hasFewVertices(polygon)) {
-    for (const Vec2& vertex : polygon.path) {
-      const Double2 at = r0 * vertex.x() + r1 * vertex.y();  // never inf - inf: R's rows are of length 1
-      least = smaller(least, at), most = larger(most, at);
-    }
-    return roundedOutwards(t + least, t + most, grow, true);
+  for (std::size_t i = begin; i < end; ++i) {
+    const Vec2& vertex = polygon.path[i];
+    const Double2 at = r0 * vertex.x() + r1 * vertex.y();  // never inf - inf: R's rows are of length 1
+    least = smaller(least, at), most = larger(most, at);
   }
+  return roundedOutwards(t + least, t + most, growth(polygon, t, reach), true);
+}
+
+}  // namespace
+
+Bounds boundsOfEdge(const PolygonData& polygon, std::size_t edge, const Pose& pose, double reach) {
+  return boundsOfVertices(polygon, edge, edge + 2, pose, reach);
+}
+
+Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
+  if (hasFewVertices(polygon)) return boundsOfVertices(polygon, 0, polygon.path.size(), pose, reach);
+  const double* m = pose.data();  // columns of three
+  const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
+  Double2 least = kInfinity - Double2{}, most = -least;
   const Block& block = hierarchyOf(polygon).blocks.front();
   const double unit = polygon.unit, scale = unit * block.scale;
   const double x = polygon.origin.x() + unit * block.origin_x, y = polygon.origin.y() + unit * block.origin_y;
@@ -68,7 +83,7 @@ Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
     least = smaller(least, at - half), most = larger(most, at + half);
   }
   const Double2 middle = r0 * x + r1 * y + t;
-  return roundedOutwards(middle + scale * least, middle + scale * most, grow, polygon.fitsUnit());
+  return roundedOutwards(middle + scale * least, middle + scale * most, growth(polygon, t, reach), polygon.fitsUnit());
 }
 
 }  // namespace tricover::detail

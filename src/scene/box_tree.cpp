@@ -184,8 +184,7 @@ void BoxTree::reserveNodes(std::size_t more) {
 
 /// Memory for what an insertion may need at most, so that nothing throws half-way: a new node a level.
 void BoxTree::reserveFor(std::uint32_t item) {
-  constexpr std::size_t kLevels = 32;
-  if (free_.size() < kLevels) reserveNodes(std::max(kLevels, nodes_.size() / 2));
+  if (free_.size() < kLevels) reserveNodes(std::max<std::size_t>(kLevels, nodes_.size() / 2));
   if (item >= places_.size())
     places_.resize(std::max<std::size_t>(item + std::size_t{1}, places_.size() * 3 / 2), kNone);
 }

@@ -38,7 +38,7 @@ class BoxTree {
   /// Calls visit(item) for every item whose box meets `bounds`, until it returns false. Returns whether it never did.
   template <typename Visit>
   bool visit(const Bounds& bounds, const Visit& visit) const {
-    if (nodes_.empty()) return true;
+    if (root_ == kNone) return true;
     std::uint32_t stack[kStack];
     int top = 0;
     stack[top++] = root_;
@@ -55,12 +55,12 @@ class BoxTree {
     return true;
   }
 
-  /// Shows every item whose box is no farther from `bounds` than `most`, those that are near roughly first. visit(item)
-  /// returns the largest distance that is still of interest.
+  /// Shows every item whose box is no farther from `bounds` than `most`, nodes and items that are near first.
+  /// visit(item) returns the largest distance that is still of interest.
   template <typename Visit>
   void visitNear(const Bounds& bounds, double most, const Visit& visit) const;
 
-  /// Shows every item whose box the ray meets before the fraction `most`, those that it enters first roughly first.
+  /// Shows every item whose box the ray meets before the fraction `most`, nodes and items that it enters first first.
   /// visit returns the largest fraction that is still of interest. A box counts as entered by kEarlier earlier.
   template <typename Visit>
   void visitOnRay(const BoxRay& ray, double most, const Visit& visit) const;
@@ -71,8 +71,9 @@ class BoxTree {
   static constexpr Bounds kNothing = {kNaN, kNaN, kNaN, kNaN};  ///< meets nothing, not even what is infinite
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr int kLeast = 2;  ///< boxes a node, but for the root
-  /// A node has two children at least, so that a tree of 2^28 items has fewer than 32 levels.
-  static constexpr int kStack = 32 * (kLanes - 1) + 1;
+  /// A node has two children at least, so that a tree of 2^28 items has fewer levels.
+  static constexpr int kLevels = 32;
+  static constexpr int kStack = kLevels * (kLanes - 1) + 1;
 
   struct Node {
     EightBoxes boxes;             ///< beyond the count kNothing
@@ -120,32 +121,38 @@ class BoxTree {
 
 template <typename Lanes, typename Visit>
 void BoxTree::visitInOrder(double most, const Lanes& lanes, const Visit& visit) const {
-  struct Waiting {
-    double least;
-    std::uint32_t child;
-    bool item;
+  struct Level {
+    const Node* node;
+    unsigned left;  ///< lanes that haven't been entered
+    double least[kLanes];
   };
-  if (nodes_.empty()) return;
-  Waiting stack[kStack];  // of each node the first on top
-  int top = 0;
-  stack[top++] = {0, root_, false};
-  while (top > 0) {
-    const Waiting next = stack[--top];
-    if (next.least > most) continue;
-    if (next.item) {
-      most = visit(next.child);
+  if (root_ == kNone) return;
+  Level levels[kLevels];
+  const auto open = [&](Level& level, std::uint32_t index) {
+    level.node = &nodes_[index];
+    level.left = lanes(level.node->boxes, most, level.least) & ((1u << level.node->count) - 1);
+  };
+  Level* level = levels;
+  open(*level, root_);
+  for (;;) {
+    double least = most;
+    int next = -1;
+    for (unsigned left = level->left; left != 0; left &= left - 1) {
+      const int i = __builtin_ctz(left);
+      if (!(level->least[i] <= least)) continue;
+      least = level->least[i];
+      next = i;
+    }
+    if (next < 0) {
+      if (level-- == levels) return;
       continue;
     }
-    const Node& node = nodes_[next.child];
-    double least[kLanes];
-    const int first = top;
-    const unsigned used = (1u << node.count) - 1;
-    for (unsigned met = lanes(node.boxes, most, least) & used; met != 0; met &= met - 1) {
-      const int i = __builtin_ctz(met);
-      int at = top++;
-      for (; at > first && stack[at - 1].least < least[i]; --at) stack[at] = stack[at - 1];
-      stack[at] = {least[i], node.child[i], node.leaf};
-    }
+    level->left &= ~(1u << next);
+    const std::uint32_t child = level->node->child[next];
+    if (level->node->leaf)
+      most = visit(child);
+    else
+      open(*++level, child);
   }
 }
 

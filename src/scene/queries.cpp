@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "distance/options.h"
@@ -35,42 +36,50 @@ constexpr double kCacheSteps = 8;
 
 /// A posed polygon that bodies are asked about.
 class Asked {
+  static constexpr std::size_t kFew = 2 * detail::kLanes + 1;
+
  public:
   Asked(const detail::PolygonData& polygon, const Pose& pose, const CollideOptions& options)
       : polygon_(polygon), pose_(pose), options_(options), discs_(polygon, pose) {}
 
-  /// What discs know, and how far the bounding ones are from each other's centres: the less, the likelier they meet.
+  /// What discs know, and how far those inside are apart for their size: the less, the likelier the bodies meet.
   struct Glance {
     enum { Apart, Near, Meets } answer;
     double rank;
   };
   Glance glance(const SceneState::BodyState& body) const {
-    const detail::WorldDiscs discs = body.discs.of(body.polygon.data(), body.pose);
+    detail::WorldDiscs found;
+    const detail::WorldDiscs& discs = body.discs.of(body.polygon.data(), body.pose, found);
     const double margin = sumWith(body).margin;
     if (detail::areApart(discs_, discs, margin)) return {Glance::Apart, 0};
     if (detail::areWithin(discs_, discs, margin)) return {Glance::Meets, 0};
-    const double reach = discs_.radius + discs.radius;
-    return {Glance::Near, detail::squaredLength(discs.center - discs_.center) / (reach * reach)};
+    const double within = discs_.inner_radius + discs.inner_radius;
+    const double rank = detail::squaredLength(discs.inner - discs_.inner) / (within * within);
+    return {Glance::Near, within > 0 ? rank : kInfinity};
   }
 
-  /// The truth, where discs don't know it.
-  bool meetsClose(const SceneState::BodyState& body) const {
-    return detail::collideClose(polygon_, pose_, body.polygon.data(), body.pose, sumWith(body));
+  /// The truth, where discs don't know it, of a body in this box.
+  bool meetsClose(const SceneState::BodyState& body, const detail::Bounds& box) const {
+    if (!box.meets(bounds()) || body.clear.holds(bounds())) return false;
+    if (detail::collideClose(polygon_, pose_, body.polygon.data(), body.pose, sumWith(body))) return true;
+    body.clear.learn(body.polygon.data(), body.pose, body.options.margin, box, bounds());
+    return false;
   }
 
-  bool meets(const SceneState::BodyState& body) const {
+  bool meets(const SceneState::BodyState& body, const detail::Bounds& box) const {
     const auto answer = glance(body).answer;
-    return answer == Glance::Near ? meetsClose(body) : answer == Glance::Meets;
+    return answer == Glance::Near ? meetsClose(body, box) : answer == Glance::Meets;
   }
 
-  detail::Bounds bounds() const { return detail::boundsOf(polygon_, pose_, options_.margin); }
-
-  bool quickBoundsAreTight() const { return detail::hasFewVertices(polygon_); }
+  const detail::Bounds& bounds() const {
+    if (!bounds_) bounds_ = detail::boundsOf(polygon_, pose_, options_.margin);
+    return *bounds_;
+  }
 
   /// Wider, unless few vertices tell, and sooner there: around the bounding disc. In units of U, of the centre and the
   /// reach: either side's sum and difference, and the margin's sum with a body's.
   detail::Bounds quickBounds() const {
-    if (quickBoundsAreTight()) return bounds();
+    if (polygon_.path.size() <= kFew) return bounds();
     const double x = discs_.center[0], y = discs_.center[1], reach = discs_.radius + options_.margin;
     const double wide = reach + 8 * detail::kUnitRoundoff * (std::abs(x) + std::abs(y) + reach);
     const detail::Bounds box{x - wide, y - wide, x + wide, y + wide};
@@ -87,6 +96,7 @@ class Asked {
   const Pose& pose_;
   const CollideOptions& options_;
   const detail::WorldDiscs discs_;
+  mutable std::optional<detail::Bounds> bounds_;
 };
 
 /// A lower bound of the distance between points of two boxes; never NaN.
@@ -117,7 +127,8 @@ BodyHandle findMet(const SceneState& state, const Asked& asked, std::uint32_t ma
     if ((other.options.category & mask) == 0) return true;
     const Asked::Glance glance = asked.glance(other);
     if (glance.answer == Asked::Glance::Apart) return true;
-    if (glance.answer == Asked::Glance::Meets || (count == kMost && asked.meetsClose(other))) {
+    if (glance.answer == Asked::Glance::Meets ||
+        (count == kMost && asked.meetsClose(other, state.tree.boundsOf(body)))) {
       met = body;
       return false;
     }
@@ -128,10 +139,8 @@ BodyHandle findMet(const SceneState& state, const Asked& asked, std::uint32_t ma
     return true;
   });
   if (met != kNone || count == 0) return met;
-  const bool quick = asked.quickBoundsAreTight();
-  const detail::Bounds bounds = quick ? detail::Bounds{} : asked.bounds();
   const Waiting* first = std::find_if(near, near + count, [&](const Waiting& some) {
-    return (quick || state.tree.boundsOf(some.body).meets(bounds)) && asked.meetsClose(state.bodies[some.body]);
+    return asked.meetsClose(state.bodies[some.body], state.tree.boundsOf(some.body));
   });
   return first == near + count ? kNone : first->body;
 }
@@ -174,7 +183,7 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
   const Asked asked(data, pose, options);
   if (coherent && contains(cache.body)) {
     const auto& last = state.bodies[cache.body];
-    if ((last.options.category & mask) != 0 && asked.meets(last)) {
+    if ((last.options.category & mask) != 0 && asked.meets(last, state.tree.boundsOf(cache.body))) {
       cache.clearance = 0;
       return true;
     }
@@ -187,7 +196,7 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
     return met != kNone;
   }
   double clearance = lookahead;  // beyond all margins
-  const detail::Bounds bounds = asked.bounds();
+  const detail::Bounds& bounds = asked.bounds();
   const bool free = state.tree.visit(detail::grown(bounds, lookahead), [&](Body body) {
     const auto& other = state.bodies[body];
     if ((other.options.category & mask) == 0) return true;
@@ -216,9 +225,9 @@ std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& po
   const SceneState& state = impl_->settled();
   const Asked asked(polygon.data(), pose, options);
   std::vector<Body> found;
-  state.tree.visit(detail::boundsOf(polygon.data(), pose, options.margin), [&](Body body) {
+  state.tree.visit(asked.bounds(), [&](Body body) {
     const auto& other = state.bodies[body];
-    if ((other.options.category & mask) != 0 && asked.meets(other)) found.push_back(body);
+    if ((other.options.category & mask) != 0 && asked.meets(other, state.tree.boundsOf(body))) found.push_back(body);
     return true;
   });
   std::sort(found.begin(), found.end());
@@ -243,6 +252,7 @@ std::optional<BodyDistance> Scene::nearestWithin(const Polygon& polygon, const P
   state.tree.visitNear(bounds, limit, [&](Body body) {
     const auto& other = state.bodies[body];
     if ((other.options.category & mask) == 0) return limit;
+    if (best && limit == 0 && body > best->body) return limit;  // no nearer
     sum.margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());
     const auto result = distanceWithin(polygon, pose, other.polygon, other.pose, limit, sum);
     if (!result || result->distance == kInfinity) return limit;

@@ -67,7 +67,7 @@ void SceneState::makeRoomFor(std::size_t more) {
 SceneState::Body SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   const bool anew = free_bodies.empty();
   const Body body = anew ? static_cast<Body>(bodies.size()) : free_bodies.back();
-  BodyState state{polygon, pose, options, {}, 0, 0, 0, 0, {}, true, false, false, false};
+  BodyState state{polygon, pose, options, {}, {}, 0, 0, 0, 0, {}, true, false, false, false};
   if (anew) {
     bodies.push_back(std::move(state));
   } else {
@@ -125,11 +125,12 @@ void SceneState::moveBody(Body body, const Pose& pose) {
   const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
                       load2(now + 6) - load2(was + 6));
   if (!change.any()) return;
-  tree.prepareMove();
+  if (tree.holds(body)) tree.prepareMove();
   ++version;
   const double step = change.displacement(), size = sizeOf(state);
   state.pose = pose;
   state.discs.forget();
+  state.clear.forget();
   state.moved = roundedUp<1>(state.moved + step);
   const bool coherent = step <= kCoherentPart * size;
   state.step = coherent ? state.step + kOfAverage * (step - state.step) : 0;

@@ -12,6 +12,7 @@
 #include "polygon/polygon_data.h"
 #include "scene/bounds.h"
 #include "scene/box_tree.h"
+#include "scene/clear_box.h"
 #include "scene/world_discs.h"
 #include "tricover/scene.h"
 
@@ -42,6 +43,7 @@ struct SceneState {
     Pose pose;
     BodyOptions options;
     KeptDiscs discs;
+    ClearBox clear;
     double moved, due, box_until;
     double step;              ///< how far it goes at a move, as a moving average
     std::vector<Link> links;  ///< its pairs

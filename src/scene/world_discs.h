@@ -50,9 +50,10 @@ class KeptDiscs {
 
   void forget() { state_ = kNone; }
 
-  WorldDiscs of(const PolygonData& polygon, const Pose& pose) const {
+  /// `found` is where they are put if they can't be kept yet.
+  const WorldDiscs& of(const PolygonData& polygon, const Pose& pose, WorldDiscs& found) const {
     if (state_.load(std::memory_order_acquire) == kKept) return discs_;
-    const WorldDiscs found(polygon, pose);
+    found = WorldDiscs(polygon, pose);
     char none = kNone;
     if (state_.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) {
       discs_ = found;

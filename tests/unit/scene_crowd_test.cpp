@@ -105,6 +105,38 @@ TEST(SceneCrowd, SaysOfEveryFrameWhatAllPairsSay) {
   EXPECT_GT(ended, 0u);
 }
 
+/// In and about containers, which learn where they are clear: the answers are collide()'s, up to the walls.
+TEST(SceneCrowd, AnswersInContainersAsAnywhere) {
+  Random random(17);
+  int hits = 0, asked = 0, by_the_wall = 0;
+  for (int i = 0; i < scaledCount(60); ++i) {
+    const Ring hole = i % 3 == 0 ? rectangle(-7, -4, 7, 4) : star(random, i % 3 == 1 ? 9 : 40, 3, 8);
+    const Polygon container({rectangle(-9, -9, 9, 9), hole});
+    BodyOptions body;
+    if (random.oneIn(3)) body.margin = random.real(0, 0.5);
+    Scene scene;
+    const Scene::Body is_in = scene.add(container, pose(random.oneIn(2) ? 0 : random.real(0, 6), 0, 0), body);
+    const Polygon part({rectangle(-0.5, -0.5, 0.5, 0.5)});
+    for (int k = 0; k < 100; ++k) {
+      if (k == 50) scene.move(is_in, pose(random.real(0, 6), random.real(-2, 2), random.real(-2, 2)));
+      CollideOptions options;
+      if (random.oneIn(3)) options.margin = random.real(0, 0.5);
+      Pose at = pose(0, random.real(-8, 8), random.real(-5, 5));
+      if (i % 3 == 0 && random.oneIn(4)) at.translation().y() = 3.5 - body.margin - options.margin, ++by_the_wall;
+      CollideOptions sum;
+      sum.margin = options.margin + body.margin;
+      const bool hit = collide(part, at, container, scene.pose(is_in), sum);
+      ASSERT_EQ(scene.collides(part, at, options), hit) << i << " " << k;
+      ASSERT_EQ(scene.colliding(part, at, options).size(), hit ? 1u : 0u);
+      hits += hit;
+      ++asked;
+    }
+  }
+  EXPECT_GT(hits, asked / 4);
+  EXPECT_LT(hits, 3 * asked / 4);
+  EXPECT_GT(by_the_wall, 0);
+}
+
 TEST(SceneCrowd, AnswersWhatLoopsOverTheBodiesAnswer) {
   int hits = 0, free = 0, impacts = 0;
   for (const auto& [unit, away] : {std::pair(1.0, 0.0), {1.0, 1e9}, {1e-200, 0.0}}) {

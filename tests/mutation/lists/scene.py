@@ -4,6 +4,8 @@ MUTATIONS = [
     ("src/scene/bounds.cpp", "(kTiny + reach)", "(kTiny)", "scene: boxes without the margin"),
     ("src/scene/bounds.cpp", "if (!known || !finite(low[0]) || !finite(high[0]))", "if (false)", "scene: boxes that overflow"),
     ("src/scene/queries.cpp", "boundsOf(polygon.data(), pose, options.margin);\n  std::optional<BodyDistance>", "boundsOf(polygon.data(), pose, 0);\n  std::optional<BodyDistance>", "scene: the nearest is sought without the margin"),
+    ("src/scene/clear_box.cpp", "boundsOfEdge(polygon, edge, pose, margin)", "boundsOfEdge(polygon, edge, pose, 0)", "scene: where a body is clear, without its margin"),
+    ("src/scene/scene_state.cpp", "  state.clear.forget();\n", "", "scene: where a body was clear before it moved"),
     ("src/scene/queries.cpp", "boundsOf(body)); gap > 0)", "boundsOf(body)); gap >= 0)", "scene cache: boxes that meet pass for a gap"),
     ("src/scene/queries.cpp", "cache.version == state.version", "true", "scene cache: of another state"),
     ("src/scene/scene_state.cpp", "    for (Link& link : state.links) link.due = -1;\n", "", "scene: a jump leaves facts"),

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/clear_box.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "scene/bounds.h"
+
+namespace tricover::detail {
+namespace {
+
+/// A body is large if its box is so many times the seed's.
+constexpr double kLarge = 2;
+/// And so many tries, of so many edges, are worth it.
+constexpr unsigned char kTries = 8;
+constexpr std::size_t kMostEdges = 1000;
+
+double area(const Bounds& b) { return (b.max_x - b.min_x) * (b.max_y - b.min_y); }
+
+/// Takes away from `box` what is beside `edge`, so that it doesn't meet it any more, still holds the seed and is as
+/// large as possible. False if it can't.
+bool cut(Bounds& box, const Bounds& edge, const Bounds& seed) {
+  if (!edge.meets(box)) return true;
+  Bounds best = box;
+  double most = -1;
+  const auto consider = [&](bool possible, double Bounds::*side, double value) {
+    Bounds smaller = box;
+    smaller.*side = value;
+    if (!possible || !(area(smaller) > most)) return;
+    most = area(smaller);
+    best = smaller;
+  };
+  consider(edge.max_x < seed.min_x, &Bounds::min_x, edge.max_x);
+  consider(edge.max_y < seed.min_y, &Bounds::min_y, edge.max_y);
+  consider(edge.min_x > seed.max_x, &Bounds::max_x, edge.min_x);
+  consider(edge.min_y > seed.max_y, &Bounds::max_y, edge.min_y);
+  box = best;
+  return most >= 0;
+}
+
+}  // namespace
+
+/// No edge, grown by the margin, has a point inside of the box that is left. So the region's boundary, grown, has none
+/// there, and neither has the region if what was in the seed didn't meet it: the seed is inside of that box.
+void ClearBox::learn(const PolygonData& polygon, const Pose& pose, double margin, const Bounds& body,
+                     const Bounds& seed) const {
+  if (known_.load(std::memory_order_relaxed) != nullptr || tries_.load(std::memory_order_relaxed) >= kTries) return;
+  if (polygon.path.size() > kMostEdges || !(area(body) > kLarge * area(seed)) || !body.contains(seed)) return;
+  tries_.fetch_add(1, std::memory_order_relaxed);
+  Bounds box = body;
+  for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
+    for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
+      if (!cut(box, boundsOfEdge(polygon, edge, pose, margin), seed)) return;
+  auto found = std::make_unique<const Bounds>(box);
+  const Bounds* none = nullptr;
+  if (known_.compare_exchange_strong(none, found.get(), std::memory_order_release, std::memory_order_relaxed))
+    found.release();
+}
+
+}  // namespace tricover::detail
