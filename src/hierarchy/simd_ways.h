@@ -15,23 +15,23 @@ namespace tricover::detail::simd {
 template <class Lanes>
 void findEdgesOnWays(const SmallPolygon& polygon, const FewWays& ways, unsigned* near) {
   constexpr float kRounding = 16 * static_cast<float>(kFloatRoundoff);
-  for (int k = 0; k < ways.count; ++k) near[k] = 0;
-  for (int i = 0; i < polygon.lanes; i += kLanes) {
-    const Lanes nx = Lanes::load(polygon.nx + i), ny = Lanes::load(polygon.ny + i), d = Lanes::load(polygon.d + i);
-    const Lanes middle = Lanes::load(polygon.middle + i), half = Lanes::load(polygon.half + i);
-    const Lanes cx = nx * d - ny * middle, cy = ny * d + nx * middle;
-    for (int k = 0; k < ways.count; ++k) {
-      const float x = ways.x[k], y = ways.y[k], to_x = ways.to_x[k], to_y = ways.to_y[k];
-      const float wx = to_x - x, wy = to_y - y, from = wx * y - wy * x;
-      const float size = __builtin_fabsf(x) + __builtin_fabsf(y) + __builtin_fabsf(to_x) + __builtin_fabsf(to_y) + 4;
-      const float reach = (ways.reach[k] + kRounding * size) * (1 + 0x1p-20f);
+  for (int k = 0; k < ways.count; ++k) {
+    const float x = ways.x[k], y = ways.y[k], to_x = ways.to_x[k], to_y = ways.to_y[k];
+    const float wx = to_x - x, wy = to_y - y, from = wx * y - wy * x;
+    const float size = __builtin_fabsf(x) + __builtin_fabsf(y) + __builtin_fabsf(to_x) + __builtin_fabsf(to_y) + 4;
+    const float reach = (ways.reach[k] + kRounding * size) * (1 + 0x1p-20f);
+    const float way_reach = reach * (__builtin_fabsf(wx) + __builtin_fabsf(wy) + 0x1p-60f);
+    near[k] = 0;
+    for (int i = 0; i < polygon.lanes; i += kLanes) {
+      const Lanes nx = Lanes::load(polygon.nx + i), ny = Lanes::load(polygon.ny + i), d = Lanes::load(polygon.d + i);
+      const Lanes middle = Lanes::load(polygon.middle + i), half = Lanes::load(polygon.half + i);
+      const Lanes cx = nx * d - ny * middle, cy = ny * d + nx * middle;
       const Lanes n = nx * x + ny * y - d, n_end = nx * to_x + ny * to_y - d;
       const Lanes t = nx * y - ny * x - middle, t_end = nx * to_y - ny * to_x - middle;
       const Lanes beside = larger(smaller(n, n_end), Lanes::all(0) - larger(n, n_end));
       const Lanes beyond = larger(smaller(t, t_end), Lanes::all(0) - larger(t, t_end)) - half;
       const Lanes across = absolute(cy * wx - cx * wy - from) - half * absolute(nx * wx + ny * wy);
-      const Lanes way_reach = Lanes::all(reach * (__builtin_fabsf(wx) + __builtin_fabsf(wy) + 0x1p-60f));
-      const unsigned apart = above(larger(beside, beyond), Lanes::all(reach)) | above(across, way_reach);
+      const unsigned apart = above(larger(beside, beyond), Lanes::all(reach)) | above(across, Lanes::all(way_reach));
       near[k] |= (~apart & ((1u << kLanes) - 1)) << i & polygon.edges;
     }
   }

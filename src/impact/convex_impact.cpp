@@ -233,7 +233,7 @@ class ConvexAdvancement {
                         a_.reach(window.a, n.x, n.y) - b_.reach(window.b, -n.x, -n.y);
     gap_ = gap[0];
     const bool apart = cutter.cutByGap(n, gap);
-    const double time = apart ? window.end : std::min(window.begin + cutter.rest().low * window.length, window.end);
+    const double time = apart ? window.end : std::min(window.begin + cutter.restLow() * window.length, window.end);
     time_ = std::max(time, time_);
     return apart;
   }

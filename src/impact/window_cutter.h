@@ -34,6 +34,7 @@ class WindowCutter {
 
   /// What no axis has cut off; nothing, low > high, is possible, too.
   Rest rest() const { return {first_.share(), 1 - last_.share(), first_.aim()}; }
+  double restLow() const { return first_.share(); }
 
   double sagWithA() const { return sag_with_a_; }
   double sagWithB() const { return sag_with_b_; }
