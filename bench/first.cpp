@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // First answers: polygons made of raw vertices and asked k times, all in, beside what others take for the same.
-// Needs no FCL.
+// The methods are in a file of their own.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -66,30 +68,28 @@ FirstCell makeCell(std::size_t vertices, bool convex, const std::string& poses) 
   return cell;
 }
 
-struct FirstTime {
-  double ns;  ///< a query, all in
-  std::size_t hits;
-};
-
-/// One row of the table: k queries of each method that fits, in the methods' order.
+/// One row of the table: k queries of each method that fits, in the methods' order, ns a query all in.
 struct FirstRow {
   const FirstCell* cell;
   std::size_t queries;
   std::vector<const FirstMethod*> methods;
-  std::vector<FirstTime> times;
+  std::vector<double> ns;
+  std::vector<std::size_t> hits;
   double dearest_later;  ///< ns of the dearest query of tricover's behind the first one; 0 for k = 1
 
-  double ns(const char* method) const {
-    for (std::size_t i = 0; i < methods.size(); ++i)
-      if (std::string(methods[i]->name) == method) return times[i].ns;
-    return 0;
+  std::string name() const {
+    return cell->polygons + " " + std::to_string(cell->vertices) + ", " + cell->poses +
+           ", k = " + std::to_string(queries);
   }
-  double fastestLibrary() const {
+  /// Of the methods of a kind the fastest; 0 where there is none.
+  double fastest(std::initializer_list<FirstMethod::Kind> kinds) const {
     double least = 0;
-    for (std::size_t i = 1; i < methods.size(); ++i)
-      if (methods[i]->library && (least == 0 || times[i].ns < least)) least = times[i].ns;
+    for (std::size_t i = 0; i < methods.size(); ++i)
+      if (std::count(kinds.begin(), kinds.end(), methods[i]->kind) > 0 && (least == 0 || ns[i] < least)) least = ns[i];
     return least;
   }
+  double ours() const { return fastest({FirstMethod::Ours}); }
+  double library() const { return fastest({FirstMethod::Library, FirstMethod::Convex}); }
 };
 
 /// ns of each of k queries behind the first: of all visits the dearest, each the least of several rounds.
@@ -112,21 +112,31 @@ double dearestLater(const FirstCell& cell, std::size_t queries) {
   return dearest;
 }
 
+/// What polygons answer that have been asked often.
+std::size_t hitsKnown(const FirstCell& cell, std::size_t queries) {
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < cell.visits(); ++i)
+    for (std::size_t k = 0; k < queries; ++k)
+      hits += collide(cell.fixed[i % kPairs], Pose::Identity(), cell.moving[i % kPairs], cell.at[i % kPairs][i + k])
+                  ? 1
+                  : 0;
+  return hits;
+}
+
 FirstRow measureRow(const FirstCell& cell, std::size_t queries) {
-  FirstRow row{&cell, queries, {}, {}, 0};
+  FirstRow row{&cell, queries, {}, {}, {}, 0};
+  for (const FirstMethod& method : firstMethods())
+    if (method.takes(cell.convex, cell.vertices)) row.methods.push_back(&method);
+  row.hits.resize(row.methods.size());
   std::vector<std::function<void()>> tasks;
-  std::vector<std::size_t> hits(firstMethods().size());
-  for (const FirstMethod& method : firstMethods()) {
-    if (method.convex_only && (!cell.convex || cell.vertices > 8)) continue;
-    tasks.push_back([&cell, &method, queries, &counted = hits[tasks.size()]] {
-      counted = 0;
-      for (std::size_t i = 0; i < cell.visits(); ++i) counted += method.hits(cell.visit(i, queries));
+  for (std::size_t m = 0; m < row.methods.size(); ++m) {
+    tasks.push_back([&, m] {
+      row.hits[m] = 0;
+      for (std::size_t i = 0; i < cell.visits(); ++i) row.hits[m] += row.methods[m]->hits(cell.visit(i, queries));
     });
-    row.methods.push_back(&method);
   }
-  const std::vector<double> seconds = secondsInTurn(tasks, kRounds, threadSeconds);
-  const double asked = static_cast<double>(cell.visits() * queries);
-  for (std::size_t i = 0; i < tasks.size(); ++i) row.times.push_back({1e9 * seconds[i] / asked, hits[i]});
+  for (const double seconds : secondsInTurn(tasks, kRounds, threadSeconds))
+    row.ns.push_back(1e9 * seconds / static_cast<double>(cell.visits() * queries));
   row.dearest_later = dearestLater(cell, queries);
   return row;
 }
@@ -134,17 +144,17 @@ FirstRow measureRow(const FirstCell& cell, std::size_t queries) {
 std::string firstTable(const std::vector<FirstRow>& rows) {
   TextTable lines = {{"polygons", "poses", "k"}};
   for (const FirstMethod& method : firstMethods()) lines[0].push_back(method.name);
-  for (const char* column : {"library / tricover", "tricover / plain loop", "dearest later query"})
-    lines[0].push_back(column);
+  lines[0].insert(lines[0].end(), {"library / tricover", "dearest later query"});
   for (const FirstRow& row : rows) {
+    if (row.queries != 1 && row.queries != 3 && row.queries != 10 && row.queries != 100) continue;
     lines.push_back(
         {row.cell->polygons + ", " + std::to_string(row.cell->vertices), row.cell->poses, std::to_string(row.queries)});
+    std::size_t next = 0;
     for (const FirstMethod& method : firstMethods()) {
-      const double ns = row.ns(method.name);
-      lines.back().push_back(ns > 0 ? shortNumber(ns) : "");
+      const bool asked = next < row.methods.size() && row.methods[next] == &method;
+      lines.back().push_back(asked ? shortNumber(row.ns[next++]) : "");
     }
-    lines.back().push_back(formatted("%.2f", row.fastestLibrary() / row.ns("tricover")));
-    lines.back().push_back(formatted("%.2f", row.ns("tricover") / row.ns("a plain loop")));
+    lines.back().push_back(formatted("%.2f", row.library() / row.ours()));
     lines.back().push_back(row.queries > 1 ? shortNumber(row.dearest_later) : "");
   }
   return markdown(lines);
@@ -155,11 +165,48 @@ std::string firstCsv(const std::vector<FirstRow>& rows) {
   for (const FirstRow& row : rows) {
     for (std::size_t i = 0; i < row.methods.size(); ++i) {
       csv += row.cell->polygons + ',' + std::to_string(row.cell->vertices) + ',' + row.cell->poses + ',' +
-             std::to_string(row.queries) + ',' + row.methods[i]->name + ',' + shortNumber(row.times[i].ns) + ',' +
-             std::to_string(row.times[i].hits) + '\n';
+             std::to_string(row.queries) + ',' + row.methods[i]->name + ',' + shortNumber(row.ns[i]) + ',' +
+             std::to_string(row.hits[i]) + '\n';
     }
   }
   return csv;
+}
+
+/// What is wanted of the rows that `holds` names: so much of above / below.
+template <class Holds, class Above, class Below>
+void judgeRows(const std::vector<FirstRow>& rows, const std::string& subject, const std::string& compared,
+               const Wanted& wanted, Holds holds, Above above, Below below, std::vector<Target>& to) {
+  std::vector<Figure> figures;
+  for (const FirstRow& row : rows)
+    if (holds(row) && above(row) > 0) figures.push_back({above(row) / below(row), row.name()});
+  if (!figures.empty()) to.push_back(judged(subject, compared, std::move(figures), wanted));
+}
+
+std::vector<Target> judge(const std::vector<FirstRow>& rows) {
+  std::vector<Target> targets;
+  const auto ours = [](const FirstRow& row) { return row.ours(); };
+  const auto library = [](const FirstRow& row) { return row.library(); };
+  const bool through_fcl = firstMethods()[0].name != std::string("tricover");
+  const std::string what = through_fcl ? "first answers through FCL" : "first answers";
+  const auto compare = [&](const char* sizes, std::size_t least, std::size_t most, double times) {
+    judgeRows(
+        rows, what + ", " + sizes, "best library / ours", {true, through_fcl ? 2 : times},
+        [&](const FirstRow& row) { return row.cell->vertices >= least && row.cell->vertices <= most; }, library, ours,
+        targets);
+  };
+  compare("4 vertices", 4, 4, 1);
+  compare("8 vertices", 8, 8, 1.5);
+  compare("24 vertices and more", 24, 1024, 3);
+  judgeRows(
+      rows, what + ", the very first, 24 vertices and more", "core / a plain loop", {false, 4},
+      [](const FirstRow& row) {
+        return row.queries == 1 && row.cell->vertices >= 24 && row.fastest({FirstMethod::Loop}) > 0;
+      },
+      ours, [](const FirstRow& row) { return row.fastest({FirstMethod::Loop}); }, targets);
+  judgeRows(
+      rows, what + ", convex", "Box2D / core", {true, 1}, [](const FirstRow&) { return true; },
+      [](const FirstRow& row) { return row.fastest({FirstMethod::Box2d}); }, ours, targets);
+  return targets;
 }
 
 const char* const kHow =
@@ -180,16 +227,25 @@ int run(const std::string& directory, const std::string& only) {
     }
   }
   std::vector<FirstRow> rows;
-  for (const FirstCell& cell : cells)
-    for (const std::size_t queries : kQueries) rows.push_back(measureRow(cell, queries));
-  const std::string report = "# First answers\n\n" + firstTable(rows) + "\n" + kHow;
+  bool agree = true;
+  for (const FirstCell& cell : cells) {
+    for (const std::size_t queries : kQueries) {
+      rows.push_back(measureRow(cell, queries));
+      agree = agree && rows.back().hits[0] == hitsKnown(cell, queries);
+    }
+  }
+  const std::vector<Target> targets = judge(rows);
+  const std::string report = "# First answers\n\n" + targetsTable(targets) + "\n" + firstTable(rows) + "\n" + kHow;
   if (directory == "-") {
     std::fputs(report.c_str(), stdout);
   } else {
-    writeFile(directory + "/first.md", report);
-    writeFile(directory + "/first.csv", firstCsv(rows));
+    const std::string path = directory + "/" + kFirstReport;
+    writeFile(path + ".md", report);
+    writeFile(path + ".csv", firstCsv(rows));
+    writeFile(path + "_targets.csv", targetsCsv(targets));
   }
-  return 0;
+  if (!agree) std::fprintf(stderr, "first answers differ from later ones\n");
+  return agree ? 0 : 1;
 }
 
 }  // namespace

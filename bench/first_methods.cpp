@@ -188,11 +188,13 @@ std::size_t askBox2d(const FirstAsked& asked) {
 
 }  // namespace
 
+const char* const kFirstReport = "first";
+
 const std::vector<FirstMethod>& firstMethods() {
   static const std::vector<FirstMethod> methods = {
-      {"tricover", true, false, askTricover},       {"Boost", true, false, askBoost},
-      {"GEOS", true, false, askGeos<false>},        {"GEOS prepared", true, false, askGeos<true>},
-      {"a plain loop", false, false, askPlainLoop}, {"Box2D", true, true, askBox2d},
+      {"tricover", FirstMethod::Ours, askTricover},      {"Boost", FirstMethod::Library, askBoost},
+      {"GEOS", FirstMethod::Library, askGeos<false>},    {"GEOS prepared", FirstMethod::Library, askGeos<true>},
+      {"a plain loop", FirstMethod::Loop, askPlainLoop}, {"Box2D", FirstMethod::Box2d, askBox2d},
   };
   return methods;
 }

@@ -20,13 +20,19 @@ struct FirstAsked {
 
 /// Makes what it needs of the raw vertices, asks every pose whether the two collide, and forgets it all.
 struct FirstMethod {
+  enum Kind { Ours, Library, Convex, Box2d, Loop };  ///< Convex, Box2d: for convex polygons, Box2D up to 8 vertices
+
   const char* name;
-  bool library;      ///< a loop of one's own is none
-  bool convex_only;  ///< and of at most 8 vertices
+  Kind kind;
   std::size_t (*hits)(const FirstAsked& asked);
+
+  bool takes(bool convex, std::size_t vertices) const {
+    return (convex || (kind != Convex && kind != Box2d)) && (kind != Box2d || vertices <= 8);
+  }
 };
 
-/// tricover comes first.
+/// The methods of a program, ours first, and what its report is called.
 const std::vector<FirstMethod>& firstMethods();
+extern const char* const kFirstReport;
 
 }  // namespace tricover::bench

@@ -180,3 +180,33 @@ do for [p = 1:5] {
       using ($3 * 2**k):(1e3 * column(4 + k)) with points pt 7 ps 0.6 lc rgb paint[i] title k == 0 ? name(i) : ""
 }
 unset multiplot
+
+# first.svg: the rows of first.csv that are near each other, a panel a polygon: time until the k-th answer.
+reset
+set encoding utf8
+set terminal svg size 1500,700 font "sans-serif,12" background "white"
+set output report."/first.svg"
+set border lc rgb "#6b7280"
+set datafile separator ","
+array polygon[7] = ["outline,4", "outline,8", "outline,24", "outline,64", "outline,1024", "convex,4", "convex,8"]
+array method[6] = ["tricover", "Boost", "GEOS", "GEOS prepared", "a plain loop", "Box2D"]
+array paint[6] = ["#1d4ed8", "#db7093", "#a855f7", "#6d28d9", "#374151", "#f59e0b"]
+set logscale xy
+set xrange [0.9:110]
+set format y "10^{%L}"
+set tics nomirror
+set grid lt 1 lc rgb "#e5e7eb" lw 1
+set multiplot layout 2,4 margins 0.05,0.99,0.08,0.9 spacing 0.035,0.14 \
+  title "Time until the k-th answer, from raw vertices on (lower is better; dotted: the same for every answer)" font ",17"
+do for [p = 1:7] {
+  comma = strstrt(polygon[p], ",")
+  set title polygon[p][1:comma - 1].", ".polygon[p][comma + 1:*]." vertices" offset 0,-0.6
+  set xlabel "k" offset 0,0.5
+  set ylabel p % 4 == 1 ? "ns" : "" offset 1,0
+  unset key
+  if (p == 7) { set key at graph 1.2,0.95 left top Left reverse samplen 2 font ",13" }
+  plot 100 * x with lines dt 3 lc rgb "#6b7280" notitle, \
+    for [m = 1:(p > 5 ? 6 : 5)] "< grep '^".polygon[p].",near,.*,".method[m].",' '".report."/first.csv'" \
+      using 4:($4 * $6) with linespoints pt 7 ps 0.5 lw (m == 1 ? 2.6 : 1.6) lc rgb paint[m] title method[m]
+}
+unset multiplot
