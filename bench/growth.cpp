@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gaps.h"
 #include "growth_inputs.h"
 #include "measure.h"
 #include "report.h"
@@ -165,14 +166,20 @@ std::string growthCsv(const std::vector<Growth>& rows) {
 const char* const kHow =
     R"(- CPU time of one thread: the mean of the queries asked in 20 ms, after 100 ms that aren't timed. A row ends where the
   next size would take it beyond 2 s if the cost were quadratic; an empty cell is a size that wasn't reached.
+- Narrow gaps: each the least of five means of 2 ms.
 - The power is that from n to the largest size. cached: ten small steps with a cache, a tenth of their time.
 )";
 
 int run(const std::string& directory) {
   std::vector<Growth> rows;
   for (const Row& row : allRows()) rows.push_back(measureRow(row));
-  writeFile(directory + "/growth.md", "# Growth\n\n" + growthTable(rows) + "\n" + kHow);
+  const std::vector<GapCost> gaps = measureGaps();
+  const std::vector<Target> targets = judgeGaps(gaps);
+  writeFile(directory + "/growth.md", "# Growth\n\n" + growthTable(rows) + "\n# Narrow gaps\n\n" + gapTable(gaps) +
+                                          "\n" + targetsTable(targets) + "\n" + kHow);
   writeFile(directory + "/growth.csv", growthCsv(rows));
+  writeFile(directory + "/gaps.csv", gapCsv(gaps));
+  writeFile(directory + "/gap_targets.csv", targetsCsv(targets));
   return 0;
 }
 

@@ -38,7 +38,7 @@ if [ "${1-}" = --full ]; then
   mkdir -p bench/results
   # Of 29,000 rows those that the READMEs quote.
   grep -f bench/quoted.txt "$report/results.csv" > bench/results/quoted.csv
-  cp "$report"/{targets,scene_targets,first_targets,first_fcl_targets,first,first_fcl,scenes,growth,tradeoff,values,extremes,value_extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg,layout.svg} bench/results/
+  cp "$report"/{targets,scene_targets,first_targets,first_fcl_targets,first,first_fcl,scenes,growth,gaps,gap_targets,tradeoff,values,extremes,value_extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg,layout.svg} bench/results/
 fi
 echo
 echo "$report/index.html shows it all; the tables, CSV files and pictures are beside it"
