@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "hierarchy/simd_function.h"
@@ -66,6 +67,9 @@ struct BoxRay {
   double inverse[2], enter[2], leave[2];
 };
 
+/// Around points, two at least, turned by a matrix (its columns one after the other): each coordinate is two products
+/// and their sum, and no rounding more.
+extern Simd<Bounds(const Vec2* points, std::size_t count, const double* turn)> boxAround;
 /// Bit per box that meets another one; boxes of NaN meet nothing.
 extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds)> boxesMeeting;
 /// Bit per box that a ray enters before the fraction `most`, and lower bounds of the fractions.

@@ -46,18 +46,13 @@ Bounds roundedOutwards(Double2 low, Double2 high, Double2 grow, bool known) {
   return bounds;
 }
 
-/// Around the vertices at these positions.
+/// Around the vertices at these positions. What is turned is never inf - inf: R's rows are of length 1.
 Bounds boundsOfVertices(const PolygonData& polygon, std::size_t begin, std::size_t end, const Pose& pose,
                         double reach) {
-  const double* m = pose.data();  // columns of three
-  const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
-  Double2 least = kInfinity - Double2{}, most = -least;
-  for (std::size_t i = begin; i < end; ++i) {
-    const Vec2& vertex = polygon.path[i];
-    const Double2 at = r0 * vertex.x() + r1 * vertex.y();  // never inf - inf: R's rows are of length 1
-    least = smaller(least, at), most = larger(most, at);
-  }
-  return roundedOutwards(t + least, t + most, growth(polygon, t, reach), true);
+  const double columns[] = {pose(0, 0), pose(1, 0), pose(0, 1), pose(1, 1)};
+  const Double2 t = load2(pose.data() + 6);
+  const Bounds box = boxAround(&polygon.path[begin], end - begin, columns);
+  return roundedOutwards(t + load2(&box.min_x), t + load2(&box.max_x), growth(polygon, t, reach), true);
 }
 
 }  // namespace

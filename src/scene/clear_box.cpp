@@ -10,7 +10,7 @@ namespace tricover::detail {
 namespace {
 
 /// A body is large if its box is so many times the seed's.
-constexpr double kLarge = 2;
+constexpr double kLarge = 8;
 /// And so many tries, of so many edges, are worth it.
 constexpr unsigned char kTries = 8;
 constexpr std::size_t kMostEdges = 1000;

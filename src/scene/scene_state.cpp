@@ -87,12 +87,10 @@ SceneState::Body SceneState::put(const Polygon& polygon, const Pose& pose, const
   return body;
 }
 
-const SceneState& SceneState::settled() {
-  if (is_settled.load(std::memory_order_acquire)) return *this;
+void SceneState::settle() {
   const std::lock_guard<std::mutex> lock(settling);
   if (!is_settled.load(std::memory_order_relaxed)) placeWaiting();
   is_settled.store(true, std::memory_order_release);
-  return *this;
 }
 
 /// Into the tree, one by one if they are few; all are packed anew once half of the boxes have changed.

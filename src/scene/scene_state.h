@@ -64,7 +64,11 @@ struct SceneState {
 
   /// With all bodies in the tree: those that came since the last query are put there by the next one, together, so that
   /// it is well packed. Any number of threads may ask.
-  const SceneState& settled();
+  const SceneState& settled() {
+    if (!is_settled.load(std::memory_order_acquire)) settle();
+    return *this;
+  }
+  void settle();
 
   const BodyState& at(Body body) const;  ///< throws std::out_of_range
   BodyState& at(Body body);
