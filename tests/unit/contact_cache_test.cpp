@@ -52,7 +52,7 @@ void walk(int seed, bool convex, Tally& tally, PairCache& cache) {
   if (random.oneIn(6)) c.pose_a = mirrored(c.pose_a);
   if (random.oneIn(6)) c.pose_b = throughFloat(c.pose_b);
   Vec2 along = direction(random.real(0, 6.3));
-  c.pose_b.translation() = c.pose_a.translation() + random.real(0, 1 + size) * along;
+  c.pose_b.translation() = c.pose_a.translation() + random.real(0.1, 1.2 + size) * along;
   // As a body that rests on another: out of it until they only just overlap, then along the way across.
   if (const auto deep = penetration(c.a, c.pose_a, c.b, c.pose_b); deep && deep->optimal && random.coin()) {
     c.pose_b.translation() += 0.97 * deep->translation;
