@@ -46,6 +46,23 @@ struct BodyPlacement {
   BodyOptions options;  ///< And what else.
 };
 
+/// Names no body.
+constexpr BodyHandle kNoBody = ~BodyHandle{0};
+
+/// Which bodies a query is about. A mask alone is one, too.
+/// \snippet scene.cpp scene nearest
+struct BodyFilter {
+  /// Those that have a category of a mask, but for one.
+  BodyFilter(std::uint32_t categories_ = kEveryCategory, BodyHandle except_ = kNoBody)
+      : categories(categories_), except(except_) {}
+  /// All others.
+  /// \snippet scene.cpp scene nearest
+  static BodyFilter allBut(BodyHandle body) { return {kEveryCategory, body}; }
+
+  std::uint32_t categories;  ///< Bits: a body is asked for that has one of these categories,
+  BodyHandle except;         ///< unless it is this one.
+};
+
 /// Two bodies, the lower handle first.
 struct BodyPair {
   BodyHandle first;   ///< The lower handle.
@@ -95,17 +112,25 @@ namespace detail {
 struct CacheAccess;
 struct SceneState;
 
-/// "The polygon at this pose (columns of R, then t) was so far, at the least, from all bodies of `mask`, grown by their
-/// margins."
+/// "The polygon at this pose (columns of R, then t) was so far, at the least, from all bodies of `mask` but one, grown
+/// by their margins."
 struct SceneFact {
   std::uint64_t scene = 0;    ///< of which scene the fact is; 0: none
   std::uint64_t version = 0;  ///< of which of its states: any change of a body ends it
   std::uint64_t polygon = 0;  ///< Polygon::id() of the polygon that was asked for
   double pose[6] = {1, 0, 0, 1, 0, 0};
   double clearance = 0;
-  BodyHandle body = ~BodyHandle{0};  ///< the body that was hit last: tried first
+  BodyHandle body = kNoBody;  ///< the body that was hit last: tried first
   std::uint32_t mask = 0;
+  BodyHandle except = kNoBody;
   std::uint32_t uses = 0;  ///< queries answered since
+
+  // What only saves time.
+  std::int8_t balance = 0;       ///< what it has saved lately, in queries
+  std::uint8_t failed = 0;       ///< how often in a row it has cost more than that
+  std::uint8_t resting = 0;      ///< so many queries more do without it
+  BodyHandle nearest = kNoBody;  ///< of the last query for it
+  std::uint64_t nearest_scene = 0;
 };
 
 }  // namespace detail
@@ -185,55 +210,63 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& ended() const;
 
-  /// Whether a polygon at a pose collides with a body, of those alone that have a category of `mask`. Throws as
+  /// Whether a polygon at a pose collides with a body, of those that pass the filter. Throws as
   /// tricover::collide() does.
   /// \snippet scene.cpp scene queries
   bool collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
-                std::uint32_t mask = kEveryCategory) const;
+                const BodyFilter& filter = {}) const;
   /// The same, using and renewing the facts in `cache`.
   /// \snippet scene.cpp scene cache
   bool collides(const Polygon& polygon, const Pose& pose, SceneCache& cache, const CollideOptions& options = {},
-                std::uint32_t mask = kEveryCategory) const;
+                const BodyFilter& filter = {}) const;
   /// The same for many poses at once, in their order, whatever runs it.
   /// \snippet scene.cpp parallel
   std::vector<bool> collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options = {},
-                             std::uint32_t mask = kEveryCategory, const Parallel& parallel = {}) const;
-  /// A body that a polygon collides with, of those that have a category of `mask`; of several it isn't said which.
+                             const BodyFilter& filter = {}, const Parallel& parallel = {}) const;
+  /// A body that a polygon collides with, of those that pass the filter; of several it isn't said which.
   /// Throws as tricover::collide() does.
   /// \snippet scene.cpp scene queries
   std::optional<Body> anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
-                                   std::uint32_t mask = kEveryCategory) const;
-  /// All bodies that a polygon collides with, of those that have a category of `mask`, sorted. Throws as
+                                   const BodyFilter& filter = {}) const;
+  /// All bodies that a polygon collides with, of those that pass the filter, sorted. Throws as
   /// tricover::collide() does.
   /// \snippet scene.cpp scene queries
   std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
-                              std::uint32_t mask = kEveryCategory) const;
-  /// The body nearest to a polygon, of those that have a category of `mask`; of several at the same distance the one of
+                              const BodyFilter& filter = {}) const;
+  /// The body nearest to a polygon, of those that pass the filter; of several at the same distance the one of
   /// the lowest handle. Throws as tricover::distance() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options = {},
-                                      std::uint32_t mask = kEveryCategory) const;
+                                      const BodyFilter& filter = {}) const;
+  /// The same, sooner if the body that was nearest to the last polygon asked with `cache` is near to this one.
+  /// \snippet scene.cpp scene nearest
+  std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, SceneCache& cache,
+                                      const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
   /// The same, if it is no farther away than `limit`. Throws as tricover::distanceWithin() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
-                                            const DistanceOptions& options = {},
-                                            std::uint32_t mask = kEveryCategory) const;
-  /// The body that a moving polygon meets first, of those that have a category of `mask`, all at rest; of several at
+                                            const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
+  /// So many bodies, or all that there are, that are nearest to a polygon and no farther away than `limit`: by their
+  /// distances, then by their handles. Throws as tricover::distanceWithin() does.
+  /// \snippet scene.cpp scene nearest
+  std::vector<BodyDistance> nearestFew(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
+                                       const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
+  /// The body that a moving polygon meets first, of those that pass the filter, all at rest; of several at
   /// the same time the one of the lowest handle. Throws as timeOfImpact() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options = {},
-                                        std::uint32_t mask = kEveryCategory) const;
+                                        const BodyFilter& filter = {}) const;
   /// All pairs that meet while these bodies move and the others rest, each at its first time: earliest first, then by
   /// handles. Throws as timeOfImpact() and remove() do, and std::invalid_argument for a body that is named twice.
   /// \snippet scene.cpp scene
   std::vector<PairImpact> impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options = {},
                                   const Parallel& parallel = {}) const;
-  /// The body that a ray meets first on the way from `from` to `to`, as tricover::castRay(), of those that have a
-  /// category of `mask`; of several at the same fraction the one of the lowest handle. Margins of a body and of the
+  /// The body that a ray meets first on the way from `from` to `to`, as tricover::castRay(), of those that pass
+  /// the filter; of several at the same fraction the one of the lowest handle. Margins of a body and of the
   /// ray add up. Throws as tricover::castRay() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, const RayOptions& options = {},
-                                    std::uint32_t mask = kEveryCategory) const;
+                                    const BodyFilter& filter = {}) const;
 
  private:
   std::unique_ptr<detail::SceneState> impl_;

@@ -8,14 +8,14 @@
 namespace tricover {
 
 std::vector<bool> Scene::collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options,
-                                  std::uint32_t mask, const Parallel& parallel) const {
+                                  const BodyFilter& filter, const Parallel& parallel) const {
   // A task is long beside what it costs to hand it over. Threads can't share a vector of bits.
   constexpr std::size_t kPoses = 512;
   const std::size_t count = poses.size();
   std::vector<char> answers(count);
   const auto task = [&](std::size_t chunk) {
     const std::size_t begin = chunk * kPoses, end = std::min(begin + kPoses, count);
-    for (std::size_t i = begin; i < end; ++i) answers[i] = collides(polygon, poses[i], options, mask);
+    for (std::size_t i = begin; i < end; ++i) answers[i] = collides(polygon, poses[i], options, filter);
   };
   const std::size_t chunks = (count + kPoses - 1) / kPoses;
   detail::inParallel(parallel, chunks, task);

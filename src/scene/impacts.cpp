@@ -102,7 +102,7 @@ ImpactOptions withMargin(ImpactOptions options, double margin) {
 }  // namespace
 
 std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options,
-                                             std::uint32_t mask) const {
+                                             const BodyFilter& filter) const {
   detail::checkOptions(options);
   checkMotion(motion);
   const SceneState& state = impl_->settled();
@@ -115,7 +115,7 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motio
     if (best && best->impact.time < w / windows - options.time_error) break;
     near.clear();
     state.tree.visit(sweep.between(w / windows, (w + 1) / windows), [&](Body body) {
-      if ((state.bodies[body].options.category & mask) != 0) near.push_back(body);
+      if (state.passes(filter, body)) near.push_back(body);
       return true;
     });
     std::sort(near.begin(), near.end());

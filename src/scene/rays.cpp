@@ -14,7 +14,7 @@ namespace tricover {
 using detail::SceneState;
 
 std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, const RayOptions& options,
-                                         std::uint32_t mask) const {
+                                         const BodyFilter& filter) const {
   detail::requireFiniteNotNegative(options.margin, "margin");
   detail::requireFiniteRay(from, to);
   const SceneState& state = impl_->settled();
@@ -23,7 +23,7 @@ std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, const
   // A hit's fraction may be below the true one by 1e-14, and of a body with a margin by what timeOfImpact() allows.
   state.tree.visitOnRay(detail::BoxRay(from, to, options.margin), limit, [&](Body body) {
     const auto& other = state.bodies[body];
-    if ((other.options.category & mask) == 0) return limit;
+    if (!state.passes(filter, body)) return limit;
     const double margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());
     const auto hit = margin > 0 ? detail::castRoundRay(other.polygon, other.pose, from, to, margin)
                                 : detail::castPlainRay(other.polygon.data(), other.pose, from, to, limit);

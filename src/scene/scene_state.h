@@ -72,6 +72,9 @@ struct SceneState {
 
   const BodyState& at(Body body) const;  ///< throws std::out_of_range
   BodyState& at(Body body);
+  bool passes(const BodyFilter& filter, Body body) const {
+    return (bodies[body].options.category & filter.categories) != 0 && body != filter.except;
+  }
   bool mayMeet(const BodyState& p, const BodyState& q) const {
     return (p.options.category & q.options.mask) != 0 && (q.options.category & p.options.mask) != 0;
   }

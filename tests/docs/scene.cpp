@@ -110,6 +110,29 @@ TEST(Documentation, SceneQueries) {
   //! [scene queries]
 }
 
+TEST(Documentation, SceneNearest) {
+  //! [scene nearest]
+  const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  const auto at = [](double x) {
+    tricover::Pose pose = tricover::Pose::Identity();
+    pose.translation().x() = x;
+    return pose;
+  };
+  tricover::Scene scene;
+  for (int i = 0; i < 10; ++i) scene.add(square, at(3 * i));
+  const std::vector<tricover::BodyDistance> few = scene.nearestFew(square, at(7.25), 3, 10);
+  EXPECT_EQ(few.size(), 3u);
+  EXPECT_EQ(few[0].result.distance, 0.25);  // the body at x = 6
+  EXPECT_EQ(few[2].result.distance, 3.25);
+
+  tricover::SceneCache cache;  // along a path
+  for (int step = 0; step < 100; ++step)
+    EXPECT_EQ(scene.nearest(square, at(7.25 + 0.01 * step), cache)->body, step < 26 ? 2u : 3u);
+  // A body of the scene, and what is nearest to it.
+  EXPECT_EQ(scene.nearest(square, scene.pose(4), {}, tricover::BodyFilter::allBut(4))->result.distance, 2);
+  //! [scene nearest]
+}
+
 TEST(Documentation, SceneCache) {
   //! [scene cache]
   const tricover::Polygon robot({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});

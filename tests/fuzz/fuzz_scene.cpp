@@ -121,6 +121,10 @@ class Player {
     expect(scene_.collides(polygon, pose, cache_, options) == !expected.empty(), "collides, cached");
     const auto nearest = scene_.nearestWithin(polygon, pose, 1e300, {options.margin});
     const bool meets = nearest && nearest->result.distance == 0;
+    const auto few = scene_.nearestFew(polygon, pose, 5, 1e300, {options.margin});
+    const auto apart = [](const BodyDistance& body) { return body.result.distance > 0; };
+    expect(static_cast<std::size_t>(std::find_if(few.begin(), few.end(), apart) - few.begin()) == expected.size(),
+           "nearestFew");
     expect(meets != expected.empty() && (!meets || nearest->body == expected[0]), "nearest");
     castRay(bytes_.point(), bytes_.point());
   }

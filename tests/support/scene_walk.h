@@ -178,16 +178,22 @@ class SceneWalk {
   struct Question {
     const Part& part;
     Pose start;
-    std::uint32_t mask;
+    BodyFilter filter;
   };
   Question anyQuestion() {
     const Part& part = anyPart();
     const Pose start = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
-    return {part, start, random_.oneIn(4) ? static_cast<std::uint32_t>(random_.integer(1, 2)) : kEveryCategory};
+    BodyFilter filter;
+    if (random_.oneIn(4)) filter.categories = static_cast<std::uint32_t>(random_.integer(1, 2));
+    if (random_.oneIn(4)) filter.except = bodies_[index(bodies_.size())];
+    return {part, start, filter};
+  }
+  bool passes(const BodyFilter& filter, Scene::Body body) const {
+    return (scene_.options(body).category & filter.categories) != 0 && body != filter.except;
   }
 
   void collides() {
-    const auto [part, start, mask] = anyQuestion();
+    const auto [part, start, filter] = anyQuestion();
     CollideOptions options;
     if (random_.oneIn(3)) options.margin = length(part.polygon);
     Pose at = start;
@@ -196,18 +202,17 @@ class SceneWalk {
       for (const Scene::Body body : bodies_) {
         CollideOptions both = options;
         both.margin = sum(options.margin, marginOf(body));
-        if ((scene_.options(body).category & mask) != 0 &&
-            collide(part.polygon, at, scene_.polygon(body), scene_.pose(body), both))
+        if (passes(filter, body) && collide(part.polygon, at, scene_.polygon(body), scene_.pose(body), both))
           expected.push_back(body);
       }
       std::sort(expected.begin(), expected.end());
-      const std::vector<bool> answers = scene_.collides(part.polygon, std::vector<Pose>{at, start}, options, mask);
-      const auto any = scene_.anyColliding(part.polygon, at, options, mask);
+      const std::vector<bool> answers = scene_.collides(part.polygon, std::vector<Pose>{at, start}, options, filter);
+      const auto any = scene_.anyColliding(part.polygon, at, options, filter);
       expect(any.has_value() == !expected.empty(), "anyColliding");
       expect(!any || std::binary_search(expected.begin(), expected.end(), *any), "anyColliding, which");
-      expect(scene_.colliding(part.polygon, at, options, mask) == expected, "colliding");
-      expect(scene_.collides(part.polygon, at, options, mask) == !expected.empty(), "collides");
-      expect(scene_.collides(part.polygon, at, cache_, options, mask) == !expected.empty(), "collides, cached");
+      expect(scene_.colliding(part.polygon, at, options, filter) == expected, "colliding");
+      expect(scene_.collides(part.polygon, at, options, filter) == !expected.empty(), "collides");
+      expect(scene_.collides(part.polygon, at, cache_, options, filter) == !expected.empty(), "collides, cached");
       expect(answers[0] == !expected.empty(), "collides, many poses");
       ++(expected.empty() ? free : inside);
       at = near(part.polygon, at);
@@ -216,26 +221,32 @@ class SceneWalk {
   }
 
   void nearest() {
-    const auto [part, at, mask] = anyQuestion();
+    const auto [part, at, filter] = anyQuestion();
     LimitedOptions options;
     if (random_.oneIn(3)) options.margin = length(part.polygon);
     if (random_.oneIn(3)) options.limit = length(part.polygon);
-    double least = kInfinity;
-    Scene::Body first = 0;
-    std::vector<Scene::Body> sorted = bodies_;
-    std::sort(sorted.begin(), sorted.end());
-    for (const Scene::Body body : sorted) {
-      if ((scene_.options(body).category & mask) == 0) continue;
+    std::vector<std::pair<double, Scene::Body>> expected, found;
+    for (const Scene::Body body : bodies_) {
+      if (!passes(filter, body)) continue;
       LimitedOptions both = options;
       both.margin = sum(options.margin, marginOf(body));
       const double apart = distance(part.polygon, at, scene_.polygon(body), scene_.pose(body), both).distance;
-      if (!(apart < least)) continue;
-      least = apart;
-      first = body;
+      if (apart < kInfinity) expected.push_back({apart, body});
     }
-    const auto found = scene_.nearestWithin(part.polygon, at, options.limit, options, mask);
-    expect(found.has_value() == (least < kInfinity), "nearest: whether there is one");
-    if (found) expect(found->body == first && found->result.distance == least, "nearest");
+    std::sort(expected.begin(), expected.end());
+    const auto check = [&](const std::optional<BodyDistance>& nearest, const std::string& what) {
+      expect(nearest.has_value() == !expected.empty(), what + ": whether there is one");
+      if (nearest && !expected.empty())
+        expect(std::pair(nearest->result.distance, nearest->body) == expected.front(), what);
+    };
+    check(scene_.nearestWithin(part.polygon, at, options.limit, options, filter), "nearest");
+    const auto count = index(6);
+    for (const BodyDistance& near : scene_.nearestFew(part.polygon, at, count, options.limit, options, filter))
+      found.push_back({near.result.distance, near.body});
+    if (expected.size() > count) expected.resize(count);
+    expect(found == expected, "nearestFew");
+    if (options.limit < kInfinity || count == 0) return;
+    check(scene_.nearest(part.polygon, at, cache_, options, filter), "nearest, cached");
   }
 
   /// Margins aren't met exactly: see Scene::castRay().
@@ -243,15 +254,16 @@ class SceneWalk {
     const Scene::Body p = bodies_[index(bodies_.size())], q = bodies_[index(bodies_.size())];
     const Vec2 from = pointOf(p), to = random_.coin() ? pointOf(q) : Vec2(from + 2 * (pointOf(q) - from));
     if (!from.allFinite() || !to.allFinite()) return;
+    const Scene::Body except = random_.oneIn(4) ? bodies_[index(bodies_.size())] : kNoBody;
     std::optional<BodyRayHit> expected;
     std::vector<Scene::Body> sorted = bodies_;
     std::sort(sorted.begin(), sorted.end());
     for (const Scene::Body body : sorted) {
-      if (marginOf(body) > 0) continue;
+      if (marginOf(body) > 0 || body == except) continue;
       const auto hit = castRay(scene_.polygon(body), scene_.pose(body), from, to);
       if (hit && (!expected || hit->fraction < expected->hit.fraction)) expected = BodyRayHit{body, *hit};
     }
-    const auto hit = scene_.castRay(from, to, {}, 1);
+    const auto hit = scene_.castRay(from, to, {}, {1, except});
     expect(hit.has_value() == expected.has_value(), "castRay: whether there is one");
     if (!hit || !expected) return;
     expect(hit->body == expected->body && hit->hit.edge == expected->hit.edge &&
@@ -288,10 +300,13 @@ class SceneWalk {
     const Part& part = anyPart();
     if (random_.oneIn(3)) options.margin = length(part.polygon);
     const Motion motion = anyMotion(part.polygon, near(part.polygon, part.pose));
-    const auto impact = scene_.firstImpact(part.polygon, motion, options);
+    BodyFilter filter;
+    if (random_.oneIn(4)) filter.except = bodies_[index(bodies_.size())];
+    const auto impact = scene_.firstImpact(part.polygon, motion, options, filter);
     double first = kInfinity;
     Scene::Body hit = 0;
     for (const Scene::Body body : bodies_) {
+      if (!passes(filter, body)) continue;
       ImpactOptions both = options;
       both.margin = sum(options.margin, marginOf(body));
       const auto found =

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a polygon collides, with the facts of a SceneCache.
+#include <algorithm>
+#include <limits>
+
+#include "pair/facts.h"
+#include "pair/kernel_order.h"
+#include "polygon/cache_access.h"
+#include "scene/asked.h"
+
+namespace tricover {
+
+using detail::Asked;
+using detail::SceneFact;
+using detail::SceneState;
+
+namespace {
+
+/// A clearance looks ahead for so many steps: fewer than a PairCache's, because all bodies within are asked.
+constexpr double kSteps = 8;
+/// What a fact costs, in queries without a cache: it pays if it answers more.
+constexpr int kFactCost = 2;
+/// The most that facts may have answered in advance.
+constexpr int kMostSaved = 4;
+/// So many queries do without the cache when it has cost more than it saved for the first, second, third time in a
+/// row, and from then on.
+constexpr std::uint8_t kRests[] = {3, 15, 63}, kMostFailed = 2;
+
+/// Counts what the cache has saved or cost; whether it is worth trying now.
+bool isWorthIt(SceneFact& cache, int saved) {
+  const int balance = std::min(cache.balance + saved, kMostSaved);
+  cache.balance = static_cast<std::int8_t>(std::max(balance, 0));
+  if (saved > 0 && balance > 0) cache.failed = 0;
+  if (balance >= 0) return true;
+  cache.resting = kRests[cache.failed];
+  cache.failed = std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
+  return false;
+}
+
+/// A lower bound of the distance between points of two boxes; never NaN.
+double gapBetween(const detail::Bounds& p, const detail::Bounds& q) {
+  const double x = std::max({0.0, p.min_x - q.max_x, q.min_x - p.max_x});
+  const double y = std::max({0.0, p.min_y - q.max_y, q.min_y - p.max_y});
+  return std::max({x, y, detail::normBelow(x, y)}) * (1 - 4 * detail::kUnitRoundoff);
+}
+
+struct SceneOutcome {
+  BodyHandle met;    ///< kNoBody: none
+  double clearance;  ///< then from all bodies, beyond the margins, at most what was looked ahead
+};
+
+/// Asks all bodies that come near within the look ahead.
+SceneOutcome findOutcome(const SceneState& state, const detail::PolygonData& data, const Pose& pose, const Asked& asked,
+                         const CollideOptions& options, const BodyFilter& filter, double lookahead) {
+  SceneOutcome outcome{kNoBody, lookahead};
+  const detail::Bounds& bounds = asked.bounds();
+  state.tree.visit(detail::grown(bounds, lookahead), [&](BodyHandle body) {
+    const auto& other = state.bodies[body];
+    if (!state.passes(filter, body)) return true;
+    if (const double gap = gapBetween(bounds, state.tree.boundsOf(body)); gap > 0) {
+      outcome.clearance = std::min(outcome.clearance, gap);  // less than the truth, and sooner known
+      return true;
+    }
+    const CollideOptions sum = detail::withMargin(options, other.options.margin);
+    const detail::Outcome fact = detail::inKernelOrder(
+        data, pose, other.polygon.data(), other.pose,
+        [&](const auto&... operands) {
+          return detail::findFact(operands..., sum, {lookahead, true});
+        },
+        [](const detail::Outcome&) {});
+    if (fact.collides) outcome.met = body;
+    outcome.clearance = std::min(outcome.clearance, detail::roundedDown<1>(fact.clearance - sum.margin));
+    return !fact.collides;
+  });
+  return outcome;
+}
+
+/// Keeps where the polygon is; nothing is known of the bodies.
+void begin(SceneFact& cache, const SceneState& state, const detail::PolygonData& data, const Pose& pose,
+           const BodyFilter& filter) {
+  cache.scene = state.id;
+  cache.version = state.version;
+  cache.polygon = data.id;
+  detail::store(cache.pose, pose);
+  cache.clearance = 0;
+  cache.mask = filter.categories;
+  cache.except = filter.except;
+  cache.uses = 0;
+}
+
+}  // namespace
+
+bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& caller_cache, const CollideOptions& options,
+                     const BodyFilter& filter) const {
+  SceneFact& cache = detail::factsIn(caller_cache);
+  detail::checkAsked(pose, options);
+  const SceneState& state = impl_->settled();
+  const detail::PolygonData& data = polygon.data();
+  const bool follows = cache.scene == state.id && cache.polygon == data.id;
+  if (cache.resting > 0) {
+    // The last one sees where the polygon is, so that the next one knows how far it has come.
+    if (--cache.resting == 0) begin(cache, state, data, pose, filter);
+    return findMet(state, Asked(data, pose, options), filter) != kNoBody;
+  }
+  double motion = std::numeric_limits<double>::infinity();
+  if (follows) {
+    const detail::Change change(data, cache.pose, pose);
+    motion = change.any() ? change.displacement() : 0;
+    const bool known = cache.version == state.version && (filter.categories & ~cache.mask) == 0 &&
+                       (cache.except == kNoBody || cache.except == filter.except);
+    if (known && motion < detail::roundedDown<1>(cache.clearance - options.margin)) {
+      ++cache.uses;
+      return false;
+    }
+  }
+  const double lookahead = kSteps * motion / (cache.uses + 1.0);
+  const int saved = cache.clearance > 0 ? static_cast<int>(std::min(cache.uses, 1000u)) - kFactCost : 0;
+  const bool coherent = motion <= detail::kCoherentPart * data.radius;
+  // After a jump, or another polygon, more may follow; not so the first query of all.
+  bool worth = isWorthIt(cache, coherent || cache.scene == 0 ? saved : saved - kFactCost) && coherent;
+  begin(cache, state, data, pose, filter);
+  const Asked asked(data, pose, options);
+  if (coherent && contains(cache.body) && state.passes(filter, cache.body)) {
+    const detail::Bounds box = state.tree.boundsOf(cache.body);
+    if (box.meets(asked.bounds())) {
+      if (asked.meets(state.bodies[cache.body], box)) {
+        isWorthIt(cache, 1);
+        return true;
+      }
+      worth = isWorthIt(cache, -1) && worth;
+    }
+  }
+  if (!worth) {
+    const Body met = findMet(state, asked, filter);
+    if (met != kNoBody) cache.body = met;
+    return met != kNoBody;
+  }
+  const SceneOutcome outcome = findOutcome(state, data, pose, asked, options, filter, lookahead);
+  if (outcome.met != kNoBody) {
+    cache.body = outcome.met;
+    isWorthIt(cache, -1);
+    return true;
+  }
+  cache.clearance = detail::roundedDown<1>(options.margin + std::max(outcome.clearance, 0.0));
+  return false;
+}
+
+}  // namespace tricover

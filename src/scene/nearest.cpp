@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The bodies nearest to a polygon.
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "distance/options.h"
+#include "numbers/errors.h"
+#include "numbers/rigidity.h"
+#include "polygon/cache_access.h"
+#include "scene/scene_state.h"
+
+namespace tricover {
+
+using detail::SceneState;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool isNearer(const BodyDistance& p, const BodyDistance& q) {
+  return std::pair(p.result.distance, p.body) < std::pair(q.result.distance, q.body);
+}
+
+/// A posed polygon whose distances from bodies are asked.
+class AskedDistance {
+ public:
+  AskedDistance(const SceneState& state, const Polygon& polygon, const Pose& pose, const DistanceOptions& options,
+                const BodyFilter& filter)
+      : state_(state), polygon_(polygon), pose_(pose), options_(options), filter_(filter) {
+    detail::checkOptions(options);
+    detail::requireRigid(pose, "pose");
+  }
+
+  /// None if the body isn't asked for or is beyond the limit.
+  std::optional<BodyDistance> from(BodyHandle body, double limit) const {
+    if (!state_.passes(filter_, body)) return std::nullopt;
+    const auto& other = state_.bodies[body];
+    DistanceOptions sum = options_;
+    sum.margin = std::min(options_.margin + other.options.margin, std::numeric_limits<double>::max());
+    const auto result = distanceWithin(polygon_, pose_, other.polygon, other.pose, limit, sum);
+    if (!result || result->distance == kInfinity) return std::nullopt;
+    return BodyDistance{body, *result};
+  }
+
+  /// The nearest body, no farther than the limit; a guess makes the limit smaller.
+  std::optional<BodyDistance> nearest(double limit, BodyHandle guess = kNoBody) const {
+    std::optional<BodyDistance> best;
+    const auto ask = [&](BodyHandle body) {
+      if (best && (body == best->body || (limit == 0 && body > best->body))) return limit;  // no nearer
+      const auto found = from(body, limit);
+      if (found && (!best || isNearer(*found, *best))) {
+        best = found;
+        limit = std::min(limit, best->result.distance);
+      }
+      return limit;
+    };
+    if (guess != kNoBody) ask(guess);
+    state_.tree.visitNear(bounds(), limit, ask);
+    return best;
+  }
+
+  /// So many, the nearest first.
+  std::vector<BodyDistance> nearestFew(std::size_t count, double limit) const {
+    std::vector<BodyDistance> best;
+    if (count == 0) return best;
+    state_.tree.visitNear(bounds(), limit, [&](BodyHandle body) {
+      const auto found = from(body, limit);
+      if (!found || (best.size() == count && !isNearer(*found, best.back()))) return limit;
+      if (best.size() == count) best.pop_back();
+      best.insert(std::upper_bound(best.begin(), best.end(), *found, isNearer), *found);
+      if (best.size() == count) limit = std::min(limit, best.back().result.distance);
+      return limit;
+    });
+    return best;
+  }
+
+ private:
+  /// Boxes hold the bodies' margins, this one the query's own: a result is what margins leave of a distance.
+  detail::Bounds bounds() const { return detail::boundsOf(polygon_.data(), pose_, options_.margin); }
+
+  const SceneState& state_;
+  const Polygon& polygon_;
+  const Pose& pose_;
+  const DistanceOptions& options_;
+  const BodyFilter& filter_;
+};
+
+}  // namespace
+
+std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options,
+                                           const BodyFilter& filter) const {
+  return AskedDistance(impl_->settled(), polygon, pose, options, filter).nearest(kInfinity);
+}
+
+std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& pose, SceneCache& cache,
+                                           const DistanceOptions& options, const BodyFilter& filter) const {
+  detail::SceneFact& fact = detail::factsIn(cache);
+  const bool known = fact.nearest_scene == impl_->id && contains(fact.nearest);
+  const AskedDistance asked(impl_->settled(), polygon, pose, options, filter);
+  const auto best = asked.nearest(kInfinity, known ? fact.nearest : kNoBody);
+  fact.nearest_scene = impl_->id;
+  fact.nearest = best ? best->body : kNoBody;
+  return best;
+}
+
+std::optional<BodyDistance> Scene::nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
+                                                 const DistanceOptions& options, const BodyFilter& filter) const {
+  detail::requireNotNegative(limit, "limit");
+  return AskedDistance(impl_->settled(), polygon, pose, options, filter).nearest(limit);
+}
+
+std::vector<BodyDistance> Scene::nearestFew(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
+                                            const DistanceOptions& options, const BodyFilter& filter) const {
+  detail::requireNotNegative(limit, "limit");
+  return AskedDistance(impl_->settled(), polygon, pose, options, filter).nearestFew(count, limit);
+}
+
+}  // namespace tricover
