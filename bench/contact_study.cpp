@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact_study.h"
-
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "methods.h"
 #include "rivals/box2d.h"
+#include "studies.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/penetration.h"
@@ -39,28 +39,34 @@ std::vector<Pose> walk(const Polygon& fixed, const Polygon& moving, bool slides)
   throw std::runtime_error("contact study: no pose found");
 }
 
+class Core {
+ public:
+  Core(Polygon fixed, Polygon moving, bool cached)
+      : fixed_(std::move(fixed)), moving_(std::move(moving)), cached_(cached) {}
+  void prepare(const std::vector<Pose>& poses) { poses_ = poses.data(); }
+  bool collide(std::size_t i) {
+    return !(cached_ ? contacts(fixed_, Pose::Identity(), moving_, poses_[i], cache_)
+                     : contacts(fixed_, Pose::Identity(), moving_, poses_[i]))
+                .empty();
+  }
+
+ private:
+  Polygon fixed_, moving_;
+  bool cached_;
+  PairCache cache_;
+  const Pose* poses_ = nullptr;
+};
+
 Result measureWalk(workloads::Kind kind, std::size_t vertices, bool slides, const Settings& settings) {
   const Polygon fixed = workloads::makePolygon(kind, vertices, 1), moving = workloads::makePolygon(kind, vertices, 2);
+  MethodTable<Hits> table;
+  table.add("cold", Role::Ours, true, std::make_shared<Core>(fixed, moving, false));
+  table.add("cached", Role::Ours, true, std::make_shared<Core>(fixed, moving, true));
+  if (box2dTakes(fixed) && box2dTakes(moving))
+    table.add("Box2D manifold", Role::Box2d, true, std::make_shared<Box2dManifold>(fixed, moving));
   const std::vector<Pose> poses = walk(fixed, moving, slides);
-  std::vector<Contender> contenders;
-  const auto add = [&](const char* name, Role role, auto isHit) {
-    contenders.push_back({name, role, true, [=](const Sampling& sampling, Hits& hits) {
-                            forEachSample(sampling, kSteps, [&](std::size_t i) {
-                              if (isHit(i)) hits.push_back(static_cast<std::uint32_t>(i));
-                            });
-                          }});
-  };
-  add("cold", Role::Ours, [=](std::size_t i) { return !contacts(fixed, Pose::Identity(), moving, poses[i]).empty(); });
-  const auto cache = std::make_shared<PairCache>();
-  add("cached", Role::Ours,
-      [=](std::size_t i) { return !contacts(fixed, Pose::Identity(), moving, poses[i], *cache).empty(); });
-  if (box2dTakes(fixed) && box2dTakes(moving)) {
-    const auto box2d = std::make_shared<Box2dManifold>(fixed, moving);
-    box2d->prepare(poses);
-    add("Box2D manifold", Role::Box2d, [=](std::size_t i) { return box2d->collide(i); });
-  }
   const char* name = slides ? "sliding contact" : "resting contact";
-  return measure({"contacts", workloads::name(kind), name, vertices, vertices, kSteps, 1}, contenders, settings);
+  return measure({"contacts", workloads::name(kind), name, vertices, vertices, kSteps, 1}, table.on(poses), settings);
 }
 
 }  // namespace

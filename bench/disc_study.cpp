@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "disc_study.h"
-
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "random.h"
+#include "studies.h"
 #include "tricover/tricover.h"
 #include "workloads.h"
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "distance_study.h"
-
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "core.h"
+#include "methods.h"
 #include "rivals/boost_geometry.h"
 #include "rivals/box2d.h"
 #include "rivals/fcl_distance.h"
 #include "rivals/geos.h"
+#include "studies.h"
 #include "tricover_fcl/tricover_fcl.h"
 
 namespace tricover::bench {
@@ -29,55 +28,35 @@ constexpr std::size_t kLongest = 9000;
 /// Of overlapping poses: meshes and triangles take long there.
 constexpr std::size_t kOverlaps = 100;
 
-/// All methods on one pair of polygons, derived once for all workloads of theirs.
-class Methods {
- public:
-  Methods(const Polygon& fixed, const Polygon& moving) {
-    constexpr bool kColdStart = false, kWarmStart = true, kPrepared = true, kPlain = false;
-    const bool few = fixed.vertexCount() * moving.vertexCount() <= kFewPairs;
-    add("cold", Role::Ours, false, true, std::make_shared<Core>(fixed, moving));
-    add("cached", Role::Ours, true, false, std::make_shared<CachedCore>(fixed, moving));
-    add("via FCL", Role::Ours, true, true,
-        std::make_shared<FclDistanceCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
-                                          std::make_shared<tricover_fcl::PolygonShaped>(moving)));
-    add("FCL RSS", Role::Rival, false, true, std::make_shared<FclRssDistance>(fixed, moving));
-    if (few) add("FCL kIOS", Role::Rival, false, true, std::make_shared<FclKiosDistance>(fixed, moving));
-    if (isConvex(fixed) && isConvex(moving)) {
-      using Libccd = FclGjkDistance<fcl::detail::GJKSolver_libccdd>;
-      using Indep = FclGjkDistance<fcl::detail::GJKSolver_indepd>;
-      add("FCL GJK (libccd)", Role::Rival, false, true, std::make_shared<Libccd>(fixed, moving, kColdStart));
-      add("FCL GJK (indep)", Role::Rival, false, true, std::make_shared<Indep>(fixed, moving, kColdStart));
-      add("FCL GJK (indep) guess", Role::Rival, true, false, std::make_shared<Indep>(fixed, moving, kWarmStart));
-    }
-    add("GEOS prepared", Role::Rival, false, true, std::make_shared<GeosDistance>(fixed, moving, kPrepared));
-    if (few) add("GEOS", Role::Rival, false, true, std::make_shared<GeosDistance>(fixed, moving, kPlain));
-    if (few) add("Boost", Role::Rival, false, true, std::make_shared<BoostGeometry>(fixed, moving));
-    if (box2dTakes(fixed) && box2dTakes(moving)) {
-      add("Box2D", Role::Box2d, false, true, std::make_shared<Box2dDistance>(fixed, moving, kColdStart));
-      add("Box2D warm", Role::Box2d, true, false, std::make_shared<Box2dDistance>(fixed, moving, kWarmStart));
-    }
+MethodTable<Values> methodsOn(const Polygon& fixed, const Polygon& moving) {
+  constexpr bool kColdStart = false, kWarmStart = true, kPrepared = true, kPlain = false;
+  const bool few = fixed.vertexCount() * moving.vertexCount() <= kFewPairs;
+  MethodTable<Values> table;
+  table.add("cold", Role::Ours, false, std::make_shared<Core>(fixed, moving));
+  table.add("cached", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving), onSmallSteps);
+  table.add("via FCL", Role::Ours, true,
+            std::make_shared<FclDistanceCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
+                                              std::make_shared<tricover_fcl::PolygonShaped>(moving)));
+  table.add("FCL RSS", Role::Rival, false, std::make_shared<FclRssDistance>(fixed, moving));
+  if (few) table.add("FCL kIOS", Role::Rival, false, std::make_shared<FclKiosDistance>(fixed, moving));
+  if (isConvex(fixed) && isConvex(moving)) {
+    using Libccd = FclGjkDistance<fcl::detail::GJKSolver_libccdd>;
+    using Indep = FclGjkDistance<fcl::detail::GJKSolver_indepd>;
+    table.add("FCL GJK (libccd)", Role::Rival, false, std::make_shared<Libccd>(fixed, moving, kColdStart));
+    table.add("FCL GJK (indep)", Role::Rival, false, std::make_shared<Indep>(fixed, moving, kColdStart));
+    table.add("FCL GJK (indep) guess", Role::Rival, true, std::make_shared<Indep>(fixed, moving, kWarmStart),
+              onSmallSteps);
   }
-
-  std::vector<ValueContender> on(const std::vector<Pose>& poses, bool coherent) {
-    std::vector<ValueContender> contenders;
-    for (const Make& make : makers_) make(poses, coherent, contenders);
-    return contenders;
+  table.add("GEOS prepared", Role::Rival, false, std::make_shared<GeosDistance>(fixed, moving, kPrepared));
+  if (few) table.add("GEOS", Role::Rival, false, std::make_shared<GeosDistance>(fixed, moving, kPlain));
+  if (few) table.add("Boost", Role::Rival, false, std::make_shared<BoostGeometry>(fixed, moving));
+  if (box2dTakes(fixed) && box2dTakes(moving)) {
+    table.add("Box2D", Role::Box2d, false, std::make_shared<Box2dDistance>(fixed, moving, kColdStart));
+    table.add("Box2D warm", Role::Box2d, true, std::make_shared<Box2dDistance>(fixed, moving, kWarmStart),
+              onSmallSteps);
   }
-
- private:
-  using Make = std::function<void(const std::vector<Pose>& poses, bool coherent, std::vector<ValueContender>& to)>;
-
-  template <class Method>
-  void add(const char* name, Role role, bool lives_on_steps, bool always, std::shared_ptr<Method> method) {
-    makers_.push_back([=](const std::vector<Pose>& poses, bool coherent, std::vector<ValueContender>& to) {
-      if (!always && !coherent) return;
-      method->prepare(poses);
-      to.push_back(valueContender(name, role, lives_on_steps, method, poses.size()));
-    });
-  }
-
-  std::vector<Make> makers_;
-};
+  return table;
+}
 
 }  // namespace
 
@@ -94,7 +73,7 @@ std::vector<Cell> distanceCells(bool full) {
 
 std::vector<Result> measureDistances(const Cell& cell, const Settings& settings) {
   const auto [fixed, moving] = polygonsOf(cell);
-  Methods methods(fixed, moving);
+  const MethodTable<Values> methods = methodsOn(fixed, moving);
   std::vector<Result> results;
   for (const std::string& name : cell.workloads) {
     const bool coherent = isCoherent(name);
@@ -105,7 +84,7 @@ std::vector<Result> measureDistances(const Cell& cell, const Settings& settings)
     if (poses.size() > most) poses.resize(most);
     const Workload workload{
         "distance", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};
-    results.push_back(measure(workload, methods.on(poses, coherent), kAgreement, settings));
+    results.push_back(measure(workload, methods.on(poses, {coherent}), kAgreement, settings));
   }
   return results;
 }

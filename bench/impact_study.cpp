@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "impact_study.h"
-
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "methods.h"
 #include "random.h"
 #include "rivals/box2d.h"
 #include "rivals/fcl_advancement.h"
+#include "studies.h"
 #include "tricover/time_of_impact.h"
 #include "tricover_fcl/tricover_fcl.h"
 
@@ -48,12 +48,6 @@ std::vector<Motion> randomMotions(const Polygon& fixed, const Polygon& moving, b
   return motions;
 }
 
-template <class Method>
-ValueContender made(const char* name, Role role, std::shared_ptr<Method> method, const std::vector<Motion>& motions) {
-  method->prepare(motions);
-  return valueContender(name, role, false, std::move(method), motions.size());
-}
-
 }  // namespace
 
 std::vector<Cell> impactCells(bool full) {
@@ -71,24 +65,22 @@ std::vector<Result> measureImpacts(const Cell& cell, const Settings& settings) {
   const auto [fixed, moving] = polygonsOf(cell);
   const auto shape = [](const Polygon& polygon) { return std::make_shared<tricover_fcl::PolygonShaped>(polygon); };
   const std::vector<Triangle> fixed_triangles = triangulate(fixed), moving_triangles = triangulate(moving);
+  MethodTable<Values, Motion> table;
+  table.add("cold", Role::Ours, false, std::make_shared<Core>(fixed, moving));
+  table.add("via FCL", Role::Ours, false, std::make_shared<FclAdvancement>(shape(fixed), shape(moving)));
+  table.add("FCL RSS", Role::Rival, false,
+            std::make_shared<FclAdvancement>(makeFlatMesh<fcl::RSSd>(fixed_triangles),
+                                             makeFlatMesh<fcl::RSSd>(moving_triangles)));
+  table.add("FCL OBBRSS", Role::Rival, false,
+            std::make_shared<FclAdvancement>(makeFlatMesh(fixed_triangles), makeFlatMesh(moving_triangles)));
+  if (box2dTakes(fixed) && box2dTakes(moving))
+    table.add("Box2D", Role::Box2d, false, std::make_shared<Box2dImpact>(fixed, moving));
   std::vector<Result> results;
   for (const std::string& name : cell.workloads) {
     const std::vector<Motion> motions = randomMotions(fixed, moving, name == "turning");
-    std::vector<ValueContender> contenders = {
-        made("cold", Role::Ours, std::make_shared<Core>(fixed, moving), motions),
-        made("via FCL", Role::Ours, std::make_shared<FclAdvancement>(shape(fixed), shape(moving)), motions),
-        made("FCL RSS", Role::Rival,
-             std::make_shared<FclAdvancement>(makeFlatMesh<fcl::RSSd>(fixed_triangles),
-                                              makeFlatMesh<fcl::RSSd>(moving_triangles)),
-             motions),
-        made("FCL OBBRSS", Role::Rival,
-             std::make_shared<FclAdvancement>(makeFlatMesh(fixed_triangles), makeFlatMesh(moving_triangles)), motions)};
-    if (box2dTakes(fixed) && box2dTakes(moving)) {
-      contenders.push_back(made("Box2D", Role::Box2d, std::make_shared<Box2dImpact>(fixed, moving), motions));
-    }
     const Workload workload{
         "impact", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, motions.size(), 1};
-    results.push_back(measure(workload, contenders, kAgreement, settings));
+    results.push_back(measure(workload, table.on(motions), kAgreement, settings));
   }
   return results;
 }

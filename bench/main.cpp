@@ -4,21 +4,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "contact_study.h"
 #include "countries.h"
-#include "disc_study.h"
-#include "distance_study.h"
 #include "drive_study.h"
-#include "impact_study.h"
 #include "measure.h"
 #include "pictures.h"
 #include "plot_data.h"
 #include "report.h"
-#include "round_fleet.h"
-#include "round_study.h"
-#include "soup_study.h"
-#include "spline_study.h"
-#include "study.h"
+#include "studies.h"
 #include "targets.h"
 #include "tricover_fcl/tricover_fcl.h"
 #include "workloads.h"

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,22 +56,19 @@ struct ContenderFor {
 using Contender = ContenderFor<Hits>;
 using ValueContender = ContenderFor<Values>;
 
-/// `method` answers the pose with index i of those that it was last prepared for by collide(i).
-template <class Method>
-Contender contender(std::string name, Role role, bool coherent, std::shared_ptr<Method> method, std::size_t positions) {
-  return {std::move(name), role, coherent, [=](const Sampling& sampling, Hits& hits) {
+/// `method` answers the position with index i of those that it was last prepared for by collide(i) or, of values, by
+/// value(i).
+template <class Answers, class Method>
+ContenderFor<Answers> contender(std::string name, Role role, bool coherent, std::shared_ptr<Method> method,
+                                std::size_t positions) {
+  return {std::move(name), role, coherent, [=](const Sampling& sampling, Answers& answers) {
             forEachSample(sampling, positions, [&](std::size_t i) {
-              if (method->collide(i)) hits.push_back(static_cast<std::uint32_t>(i));
+              if constexpr (std::is_same_v<Answers, Values>) {
+                answers.push_back(method->value(i));
+              } else if (method->collide(i)) {
+                answers.push_back(static_cast<std::uint32_t>(i));
+              }
             });
-          }};
-}
-
-/// `method` answers with method->value(i).
-template <class Method>
-ValueContender valueContender(std::string name, Role role, bool coherent, std::shared_ptr<Method> method,
-                              std::size_t positions) {
-  return {std::move(name), role, coherent, [=](const Sampling& sampling, Values& values) {
-            forEachSample(sampling, positions, [&](std::size_t i) { values.push_back(method->value(i)); });
           }};
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "round_fleet.h"
-
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "studies.h"
 #include "tricover/segment.h"
 #include "tricover_fcl/tricover_fcl.h"
 

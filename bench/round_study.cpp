@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "round_study.h"
-
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cone.h>
@@ -17,6 +15,7 @@
 #include "prism.h"
 #include "random.h"
 #include "rivals/fcl_pair.h"
+#include "studies.h"
 #include "tricover/segment.h"
 #include "tricover_fcl/tricover_fcl.h"
 #include "workloads.h"
@@ -120,18 +119,13 @@ Motions randomMotions(double reach, const fcl::Matrix3d& tilt, bool turning) {
 /// Ours and FCL's solvers, each in both orders. `Query` is one of rivals/fcl_pair.h.
 template <class Query, class Inputs>
 auto contenders(const Body& fixed, const Body& moving, const std::shared_ptr<const Inputs>& inputs) {
-  constexpr bool kIsBoolean = std::is_same_v<Query, PairCollide>;
-  std::vector<std::conditional_t<kIsBoolean, Contender, ValueContender>> all;
+  using Answers = std::conditional_t<std::is_same_v<Query, PairCollide>, Hits, Values>;
+  std::vector<ContenderFor<Answers>> all;
   const auto add = [&](const std::string& name, Role role, const Geometry& a, const Geometry& b,
                        fcl::GJKSolverType solver) {
     for (const bool swapped : {false, true}) {
       auto query = std::make_shared<Query>(a, b, inputs, solver, swapped);
-      const std::string full_name = swapped ? name + ", swapped" : name;
-      if constexpr (kIsBoolean) {
-        all.push_back(contender(full_name, role, false, query, kPositions));
-      } else {
-        all.push_back(valueContender(full_name, role, false, query, kPositions));
-      }
+      all.push_back(contender<Answers>(swapped ? name + ", swapped" : name, role, false, query, kPositions));
     }
   };
   add("via FCL", Role::Ours, fixed.ours, moving.ours, fcl::GST_LIBCCD);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "soup_study.h"
-
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "core.h"
+#include "methods.h"
 #include "rivals/fcl_bvh.h"
 #include "rivals/fcl_call.h"
-#include "study.h"
+#include "studies.h"
 #include "tricover_fcl/tricover_fcl.h"
 
 namespace tricover::bench {
@@ -25,24 +24,17 @@ std::vector<Triangle> trianglesOfRings(const Polygon& polygon) {
 
 void measurePair(const std::string& kind, const Polygon& fixed, const Polygon& moving, const Settings& settings,
                  std::vector<Result>& to) {
-  const auto cold = std::make_shared<Core>(fixed, moving);
-  const auto cached = std::make_shared<CachedCore>(fixed, moving);
-  const auto via_fcl = std::make_shared<FclCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
-                                                 std::make_shared<tricover_fcl::PolygonShaped>(moving));
-  const auto bvh = std::make_shared<FclBvh>(trianglesOfRings(fixed), trianglesOfRings(moving));
+  MethodTable<Hits> table;
+  table.add("cold", Role::Ours, false, std::make_shared<Core>(fixed, moving));
+  table.add("cached", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving), onSmallSteps);
+  table.add("via FCL", Role::Ours, true,
+            std::make_shared<FclCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
+                                      std::make_shared<tricover_fcl::PolygonShaped>(moving)));
+  table.add("FCL BVH", Role::Rival, false, std::make_shared<FclBvh>(trianglesOfRings(fixed), trianglesOfRings(moving)));
   for (const std::string& name : workloadNames()) {
     const std::vector<Pose> poses = posesOf(name, fixed, moving);
-    std::vector<Contender> contenders;
-    const auto add = [&](const char* method_name, Role role, bool lives_on_steps, const auto& method) {
-      method->prepare(poses);
-      contenders.push_back(contender(method_name, role, lives_on_steps, method, poses.size()));
-    };
-    add("cold", Role::Ours, false, cold);
-    if (isCoherent(name)) add("cached", Role::Ours, true, cached);
-    add("via FCL", Role::Ours, true, via_fcl);
-    add("FCL BVH", Role::Rival, false, bvh);
     const Workload workload{"soups", kind, name, fixed.vertexCount(), moving.vertexCount(), poses.size(), 1};
-    to.push_back(measure(workload, contenders, settings));
+    to.push_back(measure(workload, table.on(poses, {isCoherent(name)}), settings));
   }
 }
 

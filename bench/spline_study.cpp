@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "spline_study.h"
-
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/motion/spline_motion.h>
 #include <fcl/narrowphase/continuous_collision.h>
@@ -14,6 +12,7 @@
 #include "prism.h"
 #include "random.h"
 #include "rivals/fcl_pair.h"
+#include "studies.h"
 #include "tricover/segment.h"
 #include "tricover_fcl/tricover_fcl.h"
 
@@ -90,10 +89,10 @@ Result measureBodies(const char* name, std::size_t vertices, const std::pair<Geo
                      const std::pair<Geometry, Geometry>& theirs, const char* their_name, const Settings& settings) {
   const Splines of_a = randomSplines(17), of_b = randomSplines(18);
   std::vector<ValueContender> contenders;
-  const auto add = [&](const std::string& contender, Role role, const std::pair<Geometry, Geometry>& bodies,
+  const auto add = [&](const std::string& method, Role role, const std::pair<Geometry, Geometry>& bodies,
                        fcl::CCDSolverType solver) {
-    contenders.push_back(valueContender(
-        contender, role, false, std::make_shared<Crossing>(bodies.first, bodies.second, solver, of_a, of_b), kMotions));
+    contenders.push_back(contender<Values>(
+        method, role, false, std::make_shared<Crossing>(bodies.first, bodies.second, solver, of_a, of_b), kMotions));
   };
   add("via FCL", Role::Ours, ours, fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
   add("via FCL, 15 samples", Role::Rival, ours, fcl::CCDC_NAIVE);

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "study.h"
+#include "studies.h"
 
 namespace tricover::bench {
 namespace {

@@ -112,7 +112,7 @@ class Methods {
       const auto answerer = make(scene);
       const std::vector<Pose> poses = posesOf(scene);
       answerer->prepare(poses);
-      return contender(name, Role::Rival, false, answerer, poses.size());
+      return contender<Hits>(name, Role::Rival, false, answerer, poses.size());
     };
     all.push_back(std::move(method));
   }

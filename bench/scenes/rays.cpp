@@ -66,7 +66,7 @@ std::vector<Result> measureRays(const Countries& countries, const Settings& sett
     const std::vector<Ray> rays = raysAround(bodies, robot, kPlaces, kLength, 5);
     std::vector<ValueContender> contenders;
     const auto add = [&](const std::string& title, Role role, auto method) {
-      contenders.push_back(valueContender(title, role, false, method, rays.size()));
+      contenders.push_back(contender<Values>(title, role, false, method, rays.size()));
     };
     add("cold", Role::Ours, std::make_shared<ScanRays>(bodies, rays));
     add("scene", Role::Ours, std::make_shared<SceneRays>(bodies, rays));
