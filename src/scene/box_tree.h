@@ -27,7 +27,9 @@ class BoxTree {
   void insert(std::uint32_t item, const Bounds& bounds);
   void remove(std::uint32_t item);
   /// Memory for the next move(), which doesn't throw then.
-  void prepareMove() { reserveFor(0); }
+  void prepareMove() {
+    if (free_.size() < kLevels) reserveFor(0);
+  }
   /// Another box for an item.
   void move(std::uint32_t item, const Bounds& bounds);
   bool holds(std::uint32_t item) const { return item < places_.size() && places_[item] != kNone; }

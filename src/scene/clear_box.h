@@ -26,8 +26,8 @@ class ClearBox {
   ~ClearBox() { delete known_.load(); }
 
   void forget() {
-    delete known_.exchange(nullptr);
-    tries_ = 0;
+    if (known_.load(std::memory_order_relaxed) != nullptr) delete known_.exchange(nullptr);
+    tries_.store(0, std::memory_order_relaxed);
   }
 
   /// Whether what is in `box` can't meet the body.

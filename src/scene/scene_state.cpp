@@ -123,7 +123,7 @@ void SceneState::moveBody(Body body, const Pose& pose) {
   const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
                       load2(now + 6) - load2(was + 6));
   if (!change.any()) return;
-  if (tree.holds(body)) tree.prepareMove();
+  tree.prepareMove();
   ++version;
   const double step = change.displacement(), size = sizeOf(state);
   state.pose = pose;

@@ -48,7 +48,7 @@ class KeptDiscs {
     return *this;
   }
 
-  void forget() { state_ = kNone; }
+  void forget() { state_.store(kNone, std::memory_order_relaxed); }
 
   /// `found` is where they are put if they can't be kept yet.
   const WorldDiscs& of(const PolygonData& polygon, const Pose& pose, WorldDiscs& found) const {
