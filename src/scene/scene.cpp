@@ -28,6 +28,11 @@ void checkBody(const Pose& pose, const BodyOptions& options) {
 
 Scene::Scene() : impl_(std::make_unique<detail::SceneState>()) { impl_->id = nextSceneId(); }
 Scene::~Scene() = default;
+Scene::Scene(const Scene& other) : impl_(std::make_unique<detail::SceneState>(other.impl_->settled())) {
+  impl_->id = nextSceneId();
+  impl_->makeRoomFor(0);
+}
+Scene& Scene::operator=(const Scene& other) { return *this = Scene(other); }
 Scene::Scene(Scene&& other) : Scene() { impl_.swap(other.impl_); }
 Scene& Scene::operator=(Scene&& other) {
   Scene moved(std::move(other));
@@ -55,7 +60,8 @@ void Scene::remove(Body body) {
   detail::SceneState::BodyState& state = impl.at(body);
   detail::makeRoom(impl.lost, state.links.size());
   detail::makeRoom(impl.free_pairs, state.links.size());
-  for (auto* list : {&impl.free_bodies, &impl.mourned}) detail::makeRoom(*list, 1);
+  detail::makeRoom(impl.mourned, 1);
+  detail::makeRoom(impl.free_bodies, impl.mourned.size() + 1);
   const std::size_t before = impl.lost.size();
   while (!state.links.empty()) impl.unlink(state.links.back().pair);
   if (impl.tree.holds(body)) impl.tree.remove(body);
@@ -69,17 +75,26 @@ void Scene::remove(Body body) {
 void Scene::move(Body body, const Pose& pose) {
   impl_->at(body);
   detail::requireRigid(pose, "pose");
-  impl_->moveBody(body, pose);
+  impl_->moveBody(body, pose, impl_->stepTo(body, pose));
 }
 
+void Scene::move(const std::vector<BodyPose>& poses, const Parallel& parallel) { impl_->moveBodies(poses, parallel); }
+
 std::size_t Scene::size() const { return impl_->count; }
+std::vector<Scene::Body> Scene::bodies() const {
+  std::vector<Body> all;
+  all.reserve(size());
+  for (Body body = 0; body < impl_->bodies.size(); ++body)
+    if (contains(body)) all.push_back(body);
+  return all;
+}
 bool Scene::contains(Body body) const { return body < impl_->bodies.size() && impl_->bodies[body].used; }
 const Polygon& Scene::polygon(Body body) const { return impl_->at(body).polygon; }
 const Pose& Scene::pose(Body body) const { return impl_->at(body).pose; }
 const BodyOptions& Scene::options(Body body) const { return impl_->at(body).options; }
 
-const std::vector<BodyPair>& Scene::collisions() {
-  impl_->updateCollisions();
+const std::vector<BodyPair>& Scene::collisions(const Parallel& parallel) {
+  impl_->updateCollisions(parallel);
   return impl_->collisions;
 }
 const std::vector<BodyPair>& Scene::began() const { return impl_->began; }

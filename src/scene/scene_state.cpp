@@ -11,10 +11,12 @@
 #include <utility>
 
 #include "numbers/errors.h"
+#include "numbers/rigidity.h"
 #include "numbers/rounding.h"
 #include "pair/facts.h"
 #include "pair/find_fact.h"
 #include "pair/kernel_order.h"
+#include "scene/in_parallel.h"
 
 namespace tricover::detail {
 namespace {
@@ -62,12 +64,13 @@ void SceneState::makeRoomFor(std::size_t more) {
   if (bodies.size() + anew > kMostBodies) throw std::length_error(refusal("scene", "more than 2^28 bodies"));
   makeRoom(bodies, anew);
   for (auto* list : {&waiting, &fresh, &due}) list->reserve(bodies.capacity());
+  makeRoom(free_bodies, mourned.size());
 }
 
 SceneState::Body SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   const bool anew = free_bodies.empty();
   const Body body = anew ? static_cast<Body>(bodies.size()) : free_bodies.back();
-  BodyState state{polygon, pose, options, {}, {}, 0, 0, 0, 0, {}, true, false, false, false};
+  BodyState state{polygon, pose, options, {}, {}, 0, 0, 0, 0, {}, 0, true, false, false, false};
   if (anew) {
     bodies.push_back(std::move(state));
   } else {
@@ -79,7 +82,7 @@ SceneState::Body SceneState::put(const Polygon& polygon, const Pose& pose, const
   }
   if (!bodies[body].waits) waiting.push_back(body);
   bodies[body].waits = true;
-  is_settled.store(false, std::memory_order_relaxed);
+  settling.is_done.store(false, std::memory_order_relaxed);
   listFresh(body);
   listDue(body);
   ++count;
@@ -88,9 +91,9 @@ SceneState::Body SceneState::put(const Polygon& polygon, const Pose& pose, const
 }
 
 void SceneState::settle() {
-  const std::lock_guard<std::mutex> lock(settling);
-  if (!is_settled.load(std::memory_order_relaxed)) placeWaiting();
-  is_settled.store(true, std::memory_order_release);
+  const std::lock_guard<std::mutex> lock(settling.turn);
+  if (!settling.is_done.load(std::memory_order_relaxed)) placeWaiting();
+  settling.is_done.store(true, std::memory_order_release);
 }
 
 /// Into the tree, one by one if they are few; all are packed anew once half of the boxes have changed.
@@ -117,15 +120,21 @@ Bounds SceneState::newBox(Body body) {
   return boundsOf(state.polygon.data(), state.pose, state.options.margin + grow);
 }
 
-void SceneState::moveBody(Body body, const Pose& pose) {
-  BodyState& state = bodies[body];
+/// How far the points of a body go at the most that moves there; negative if it doesn't move.
+double SceneState::stepTo(Body body, const Pose& pose) const {
+  const BodyState& state = bodies[body];
   const double *was = state.pose.data(), *now = pose.data();
   const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
                       load2(now + 6) - load2(was + 6));
-  if (!change.any()) return;
+  return change.any() ? change.displacement() : -1;
+}
+
+void SceneState::moveBody(Body body, const Pose& pose, double step) {
+  if (step < 0) return;
   tree.prepareMove();
   ++version;
-  const double step = change.displacement(), size = sizeOf(state);
+  BodyState& state = bodies[body];
+  const double size = sizeOf(state);
   state.pose = pose;
   state.discs.forget();
   state.clear.forget();
@@ -142,6 +151,24 @@ void SceneState::moveBody(Body body, const Pose& pose) {
   if (state.moved <= state.box_until || !tree.holds(body)) return;
   tree.move(body, newBox(body));
   listFresh(body);
+}
+
+/// Checks all and finds their steps on the user's threads, then moves one after the other.
+void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel) {
+  steps.resize(poses.size());
+  inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
+    const auto& [body, pose] = poses[i];
+    at(body);
+    requireRigid(pose, "pose", i);
+    steps[i] = stepTo(body, pose);
+  });
+  ++turn;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto& [body, pose] = poses[i];
+    const bool again = bodies[body].turn == turn;
+    bodies[body].turn = turn;
+    moveBody(body, pose, again ? stepTo(body, pose) : steps[i]);
+  }
 }
 
 /// The pairs of a body whose box is new.
@@ -212,28 +239,51 @@ void SceneState::schedule(std::uint32_t index, double room) {
   q.due = std::min(q.due, until_q);
 }
 
-void SceneState::look(std::uint32_t index) {
-  Pair& pair = pairs[index];
+SceneState::Finding SceneState::look(const Pair& pair) const {
   const BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
-  if (!tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return unlink(index);
+  if (!tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false, {-1, -1}, 0};
   const double pace = p.step + q.step;
   const CollideOptions options = withMargin({}, p.options.margin, q.options.margin);
-  Outcome fact = inKernelOrder(
+  const Outcome fact = inKernelOrder(
       p.polygon.data(), p.pose, q.polygon.data(), q.pose,
       [&](const auto&... operands) {
         return findFact(operands..., options, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
       },
       [](const Outcome&) {});
-  pair.edge[0] = fact.edge_a;
-  pair.edge[1] = fact.edge_b;
-  if (fact.collides != pair.collides) changed.push_back(index);
-  pair.collides = fact.collides;
   const double room = fact.collides ? fact.clearance : roundedDown<1>(fact.clearance - options.margin);
-  schedule(index, std::max(room, 0.0));
+  return {true, fact.collides, {fact.edge_a, fact.edge_b}, std::max(room, 0.0)};
+}
+
+void SceneState::keep(std::uint32_t index, const Finding& found) {
+  Pair& pair = pairs[index];
+  if (!pair.used) return;
+  if (!found.are_near) return unlink(index);
+  pair.edge[0] = found.edge[0];
+  pair.edge[1] = found.edge[1];
+  if (found.collide != pair.collides) changed.push_back(index);
+  pair.collides = found.collide;
+  schedule(index, found.room);
+}
+
+/// Looks at those that are listed on the user's threads, and then keeps what was found in the order of the list: what
+/// is found of one doesn't depend on what is kept of others.
+void SceneState::lookAtPairs(const Parallel& parallel) {
+  findings.resize(listed_pairs.size());
+  inParallelTasks(parallel, listed_pairs.size(), [&](std::size_t i) {
+    const Pair& pair = pairs[listed_pairs[i]];
+    if (pair.used) findings[i] = look(pair);
+  });
+  makeRoom(changed, listed_pairs.size());
+  for (std::size_t i = 0; i < listed_pairs.size(); ++i) {
+    keep(listed_pairs[i], findings[i]);
+    pairs[listed_pairs[i]].listed = false;
+  }
+  listed_pairs.clear();
+  findings.clear();
 }
 
 /// Brings all facts and `collisions` up to now.
-void SceneState::updateCollisions() {
+void SceneState::updateCollisions(const Parallel& parallel) {
   settled();
   for (const Body body : fresh)
     if (bodies[body].used) findPairs(body);
@@ -243,15 +293,7 @@ void SceneState::updateCollisions() {
     for (const Link& link : state.links)
       if (!(state.moved < link.due)) listPair(link.pair);
   }
-  while (!listed_pairs.empty()) {
-    const std::uint32_t pair = listed_pairs.back();
-    if (pairs[pair].used) {
-      makeRoom(changed, 1);
-      look(pair);
-    }
-    pairs[pair].listed = false;
-    listed_pairs.pop_back();
-  }
+  lookAtPairs(parallel);
   for (const Body body : due) {
     BodyState& state = bodies[body];
     state.listed = false;

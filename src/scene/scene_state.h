@@ -47,6 +47,7 @@ struct SceneState {
     double moved, due, box_until;
     double step;              ///< how far it goes at a move, as a moving average
     std::vector<Link> links;  ///< its pairs
+    std::uint32_t turn;       ///< the last call of moveBodies() that moved it
     bool used;                ///< false: the handle is free
     bool waits;               ///< in the list of these, and not in the tree
     bool fresh;               ///< in the list of these
@@ -65,10 +66,18 @@ struct SceneState {
   /// With all bodies in the tree: those that came since the last query are put there by the next one, together, so that
   /// it is well packed. Any number of threads may ask.
   const SceneState& settled() {
-    if (!is_settled.load(std::memory_order_acquire)) settle();
+    if (!settling.is_done.load(std::memory_order_acquire)) settle();
     return *this;
   }
   void settle();
+
+  /// Whose turn it is to settle, and whether nobody waits.
+  struct Settling {
+    Settling() = default;
+    Settling(const Settling& other) : is_done(other.is_done.load()) {}
+    std::atomic<bool> is_done{true};
+    std::mutex turn;
+  };
 
   const BodyState& at(Body body) const;  ///< throws std::out_of_range
   BodyState& at(Body body);
@@ -85,15 +94,25 @@ struct SceneState {
   Bounds newBox(Body body);
 
   // Kinetic facts.
-  void moveBody(Body body, const Pose& pose);
+  double stepTo(Body body, const Pose& pose) const;
+  void moveBody(Body body, const Pose& pose, double step);
+  void moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel);
   void listFresh(Body body);
   void listDue(Body body);
   void unlink(std::uint32_t index);
   void findPairs(Body body);
   void listPair(std::uint32_t pair);
-  void look(std::uint32_t index);
+  /// What is found of a pair.
+  struct Finding {
+    bool are_near, collide;
+    std::ptrdiff_t edge[2];
+    double room;  ///< how much both may move until it is to be looked at again
+  };
+  Finding look(const Pair& pair) const;
+  void keep(std::uint32_t index, const Finding& found);
+  void lookAtPairs(const Parallel& parallel);
   void schedule(std::uint32_t index, double room);
-  void updateCollisions();
+  void updateCollisions(const Parallel& parallel);
   void report();
 
   std::uint64_t id;           ///< of this scene; see SceneCache
@@ -103,14 +122,16 @@ struct SceneState {
   std::vector<Body> mourned;  ///< removed, but their pairs haven't been reported as ended
   std::size_t count = 0;
   BoxTree tree;
-  std::vector<Body> waiting;           ///< bodies that are to be put into the tree
-  std::atomic<bool> is_settled{true};  ///< nobody waits
-  std::mutex settling;
+  std::vector<Body> waiting;  ///< bodies that are to be put into the tree
+  Settling settling;
   std::vector<Pair> pairs;
   std::vector<std::uint32_t> free_pairs;
   std::vector<Body> fresh, due;             ///< bodies; see above
   std::vector<std::uint32_t> listed_pairs;  ///< to be looked at
   std::vector<std::uint32_t> changed;       ///< pairs whose `collides` may differ from what was reported
+  std::vector<Finding> findings;            ///< of listed pairs, while they are looked at
+  std::vector<double> steps;                ///< of bodies that are moved together
+  std::uint32_t turn = 0;                   ///< of moving bodies together
   std::vector<BodyPair> lost;               ///< reported pairs that are no pairs any more
   std::vector<BodyPair> collisions, began, ended;
 };

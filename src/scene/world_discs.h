@@ -41,10 +41,11 @@ struct WorldDiscs {
 class KeptDiscs {
  public:
   KeptDiscs() = default;
-  KeptDiscs(const KeptDiscs& other) : state_(other.state_ == kKept ? kKept : kNone), discs_(other.discs_) {}
+  KeptDiscs(const KeptDiscs& other) { *this = other; }
   KeptDiscs& operator=(const KeptDiscs& other) {
-    discs_ = other.discs_;
-    state_ = other.state_ == kKept ? kKept : kNone;
+    const bool kept = other.state_.load(std::memory_order_acquire) == kKept;
+    if (kept) discs_ = other.discs_;
+    state_.store(kept ? kKept : kNone, std::memory_order_relaxed);
     return *this;
   }
 

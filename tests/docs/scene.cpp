@@ -64,6 +64,7 @@ TEST(Documentation, SceneBodies) {
   }
   const std::vector<tricover::Scene::Body> bodies = scene.add(map);
   EXPECT_EQ(scene.pose(bodies[7]).translation().x(), 14);
+  for (const tricover::Scene::Body one : scene.bodies()) EXPECT_EQ(scene.polygon(one).id(), square.id());
   //! [scene bodies]
 }
 
@@ -81,6 +82,11 @@ TEST(Documentation, SceneFrames) {
     EXPECT_EQ(scene.began().size(), frame == 0 ? 1u : 0u);
     EXPECT_EQ(scene.ended().size(), frame == 2 ? 1u : 0u);
   }
+  const tricover::Scene now(scene);  // a copy, to go back to
+  scene.move({{0, pose}, {other, pose}});
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  scene = now;
+  EXPECT_EQ(scene.collisions().size(), 0u);
   //! [scene frames]
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -35,8 +37,16 @@ class SceneWalk {
   }
 
   void frame() {
+    if (random_.oneIn(8)) scene_ = Scene(scene_);
+    std::vector<BodyPose> together;
     for (const Scene::Body body : bodies_)
-      if (!random_.oneIn(3)) move(body);
+      if (!random_.oneIn(3)) together.push_back({body, moved(body)});
+    if (random_.coin()) {
+      for (const BodyPose& one : together) scene_.move(one.body, one.pose);
+    } else {
+      if (!together.empty() && random_.coin()) together.push_back(together.front());
+      scene_.move(together, random_.coin() ? backwards : Parallel());
+    }
     if (random_.oneIn(6) && bodies_.size() > most_ / 3) remove();
     if (random_.oneIn(6) && bodies_.size() < most_) add();
     if (random_.oneIn(3)) return;  // nobody asks
@@ -119,11 +129,17 @@ class SceneWalk {
     return anyPart().pose;
   }
 
-  void move(Scene::Body body) {
+  /// Where a body moves.
+  Pose moved(Scene::Body body) {
     const Polygon& polygon = scene_.polygon(body);
-    if (random_.oneIn(20)) return scene_.move(body, away(anyPart().pose));
-    if (random_.oneIn(8)) return scene_.move(body, scenePose(polygon));
-    scene_.move(body, near(polygon, scene_.pose(body)));
+    if (random_.oneIn(20)) return away(anyPart().pose);
+    if (random_.oneIn(8)) return scenePose(polygon);
+    return near(polygon, scene_.pose(body));
+  }
+
+  /// Whatever runs the tasks, in whatever order.
+  static void backwards(std::size_t count, const std::function<void(std::size_t)>& task) {
+    while (count > 0) task(--count);
   }
 
   void expect(bool right, const std::string& what) {
@@ -166,7 +182,7 @@ class SceneWalk {
     }
     std::set_difference(now.begin(), now.end(), before_.begin(), before_.end(), std::back_inserter(news));
     std::set_difference(before_.begin(), before_.end(), now.begin(), now.end(), std::back_inserter(gone));
-    expect(scene_.collisions() == now, "collisions");
+    expect(scene_.collisions(random_.coin() ? backwards : Parallel()) == now, "collisions");
     expect(scene_.began() == news, "began");
     expect(scene_.ended() == gone, "ended");
     before_ = now;

@@ -270,6 +270,50 @@ TEST(Scene, TakesManyBodiesAtOnce) {
   EXPECT_EQ(scene.size(), before);
 }
 
+/// What happens to a copy doesn't happen to the other one; caches know which is which.
+TEST(Scene, IsCopied) {
+  Scene scene;
+  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0)), b = scene.add(kSquare, pose(0, 0.5, 0));
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  SceneCache cache;
+  for (const double x : {5.0, 5.1, 5.2}) EXPECT_FALSE(scene.collides(kSquare, pose(0, x, 0), cache));
+  Scene branch(scene);
+  branch.move(b, pose(0, 5, 0));
+  EXPECT_EQ(branch.collisions().size(), 0u);
+  EXPECT_EQ(branch.ended(), (std::vector<BodyPair>{{a, b}}));
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  EXPECT_TRUE(branch.collides(kSquare, pose(0, 5.2, 0), cache));
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 5.2, 0), cache));
+  const Scene::Body c = branch.add(kSquare, pose(0, 9, 0));
+  EXPECT_EQ(branch.bodies(), (std::vector<Scene::Body>{a, b, c}));
+  EXPECT_EQ(scene.bodies(), (std::vector<Scene::Body>{a, b}));
+  scene = branch;
+  EXPECT_EQ(scene.size(), 3u);
+  EXPECT_TRUE(scene.collides(kSquare, pose(0, 9, 0)));
+}
+
+TEST(Scene, SaysWhichOfManyPosesIsWrong) {
+  Scene scene;
+  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0)), b = scene.add(kSquare, pose(0, 5, 0));
+  Pose bad = pose(0, 1, 0);
+  bad.linear() *= 2;
+  const auto textOf = [](const auto& call) -> std::string {
+    try {
+      call();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(textOf([&] {
+              scene.collides(kSquare, std::vector<Pose>{pose(0, 0, 0), bad});
+            }).find("tricover: poses[1]: "),
+            0u);
+  EXPECT_EQ(textOf([&] { scene.move({{a, pose(0, 7, 0)}, {b, bad}}); }).find("tricover: pose[1]: "), 0u);
+  EXPECT_THROW(scene.move({{a, pose(0, 7, 0)}, {b + 1, bad}}), std::out_of_range);
+  EXPECT_EQ(scene.pose(a).translation().x(), 0);
+}
+
 TEST(Scene, OfAPolygonThatIsTooLargeForItsBoxes) {
   const Polygon huge({rectangle(-1.7e308, -1.7e308, 1.7e308, 1.7e308)}),
       far({rectangle(1.6e308, 1.6e308, 1.65e308, 1.65e308)});

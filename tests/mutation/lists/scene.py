@@ -11,5 +11,6 @@ MUTATIONS = [
     ("src/scene/cached.cpp", "cache.version == state.version", "true", "scene cache: of another state"),
     ("src/scene/scene_state.cpp", "    for (Link& link : state.links) link.due = -1;\n", "", "scene: a jump leaves facts"),
     ("src/scene/scene_state.cpp", "roundedDown<3>(room * (1 - part))", "roundedDown<3>(room)", "scene: shares are more than the room"),
+    ("src/scene/scene_state.cpp", "again ? stepTo(body, pose) : steps[i]", "steps[i]", "scene: a body's second move is measured from where it was before the first"),
     ("src/scene/scene_state.cpp", "fact.collides ? fact.clearance : roundedDown<1>(fact.clearance - options.margin)", "fact.clearance", "scene: facts forget margins"),
 ]
