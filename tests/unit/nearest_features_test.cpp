@@ -270,6 +270,20 @@ TEST(NearestFeatures, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   EXPECT_EQ(shows(square, square, {1e15, 0}), kUnknown) << "an axis in doubles leads past the features";
 }
 
+/// A neighbour that is behind by enough of the distance, but by too little of the way there, may hold it too.
+TEST(NearestFeatures, AreUniqueWhereBothNeighboursFallAwaySteeplyEnough) {
+  const Polygon b({{{0, 0.5}, {1, 3}, {-1, 3}}});
+  for (const double before : {0x1p-17, 0x1p-23}) {
+    for (const double after : {0x1p-17, 0x1p-23}) {
+      const Polygon a({{{-1, -4}, {1, -4}, {1, -before}, {0, 0}, {-1, -after}}});
+      const Pose still = Pose::Identity();
+      const NearestFeatures nearest = findNearestFeatures(PosedVertices(a.data(), still, b.data(), still), {});
+      ASSERT_TRUE(nearest.are_apart);
+      EXPECT_EQ(nearest.is_unique, before > 0x1p-20 && after > 0x1p-20) << before << ", " << after;
+    }
+  }
+}
+
 TEST(NearestFeatures, IsNeverMoreThanTheDistance) {
   Random random(97);
   const int cases = scaledCount(4000);
