@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cache_costs.h"
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "measure.h"
+#include "random.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "workloads.h"
+
+namespace tricover::bench {
+namespace {
+
+using workloads::Kind;
+
+/// Of polygons of 100 units.
+constexpr double kSize = 100, kDepth = 0.1, kBeside = 1;
+constexpr std::size_t kPoses = 200;
+constexpr int kRounds = 7;
+
+struct Pair {
+  std::string name;
+  Polygon fixed, moving;
+};
+
+std::vector<Pair> pairs() {
+  const Polygon triangle({{{-40, -30}, {60, -20}, {-10, 50}}}), box({{{-50, -20}, {50, -20}, {50, 20}, {-50, 20}}});
+  std::vector<Pair> pairs = {{"triangles", triangle, triangle}, {"boxes", box, box}};
+  for (const auto& [kind, vertices] : {std::pair(Kind::Convex, 8u),
+                                       {Kind::Convex, 64u},
+                                       {Kind::Contour, 12u},
+                                       {Kind::Contour, 64u},
+                                       {Kind::Contour, 512u}})
+    pairs.push_back({workloads::name(kind) + " " + std::to_string(vertices), workloads::makePolygon(kind, vertices, 1),
+                     workloads::makePolygon(kind, vertices, 2)});
+  return pairs;
+}
+
+Pose at(double x, double y) {
+  Pose pose = Pose::Identity();
+  pose.linear() = Eigen::Rotation2Dd(0.3).toRotationMatrix();
+  pose.translation() = Vec2(x, y);
+  return pose;
+}
+
+/// Where they touch, coming from the right.
+double contactOf(const Pair& pair) {
+  double meets = 0, apart = 4 * kSize;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (meets + apart);
+    (collide(pair.fixed, Pose::Identity(), pair.moving, at(middle, 0)) ? meets : apart) = middle;
+  }
+  return apart;
+}
+
+/// To and fro across, by steps of so much.
+std::vector<Pose> toAndFro(double x, double step) {
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < kPoses; ++i) {
+    const std::size_t phase = i % 40;
+    poses.push_back(at(x, step * static_cast<double>(phase < 20 ? phase : 40 - phase)));
+  }
+  return poses;
+}
+
+std::vector<std::pair<std::string, std::vector<Pose>>> walksOf(const Pair& pair) {
+  const double contact = contactOf(pair);
+  return {{"resting", toAndFro(contact - kDepth, 1e-6 * kSize)},
+          {"beside", toAndFro(contact + kBeside, 1e-6 * kSize)},
+          {"steps of 0.1 %", toAndFro(contact + kBeside, 1e-3 * kSize)},
+          {"steps of 1 %", toAndFro(contact + kBeside, 1e-2 * kSize)},
+          {"steps of 5 %", toAndFro(contact + kBeside, 5e-2 * kSize)},
+          {"jumps", workloads::nearPoses(pair.fixed, pair.moving, 1, kPoses)}};
+}
+
+/// ask(pose) without a cache and ask(pose, cache).
+template <class Ask>
+CacheCost measured(const Pair& pair, const std::string& walk, const std::vector<Pose>& poses, const char* query,
+                   Ask ask) {
+  double sum = 0;  // so that nothing is left out
+  PairCache cache;
+  const std::vector<std::function<void()>> tasks = {[&] {
+                                                      for (const Pose& pose : poses) sum += ask(pose);
+                                                    },
+                                                    [&] {
+                                                      for (const Pose& pose : poses) sum += ask(pose, cache);
+                                                    }};
+  const std::vector<double> seconds = secondsInTurn(tasks, kRounds, threadSeconds);
+  return {pair.name, walk, query, 1e9 * seconds[0] / kPoses, 1e9 * seconds[1] / kPoses};
+}
+
+}  // namespace
+
+std::vector<CacheCost> measureCaches() {
+  std::vector<CacheCost> costs;
+  const Pose still = Pose::Identity();
+  for (const Pair& pair : pairs()) {
+    for (const auto& [walk, poses] : walksOf(pair)) {
+      const Polygon &a = pair.fixed, &b = pair.moving;
+      costs.push_back(measured(pair, walk, poses, "collide", [&](const Pose& pose, auto&... cache) {
+        return collide(a, still, b, pose, cache...) ? 1.0 : 0.0;
+      }));
+      costs.push_back(measured(pair, walk, poses, "distance", [&](const Pose& pose, auto&... cache) {
+        return distance(a, still, b, pose, cache...).distance;
+      }));
+      costs.push_back(measured(pair, walk, poses, "contacts", [&](const Pose& pose, auto&... cache) {
+        return static_cast<double>(contacts(a, still, b, pose, cache...).size());
+      }));
+    }
+  }
+  return costs;
+}
+
+std::vector<Target> judgeCaches(const std::vector<CacheCost>& costs) {
+  std::vector<Target> targets;
+  for (const char* query : {"collide", "distance", "contacts"}) {
+    std::vector<Figure> figures;
+    for (const CacheCost& cost : costs)
+      if (cost.query == query) figures.push_back({cost.cached_ns / cost.none_ns, cost.polygons + ", " + cost.walk});
+    targets.push_back(judged(std::string("a cache, ") + query, "cached / without", figures, {false, 1.05}));
+  }
+  return targets;
+}
+
+}  // namespace tricover::bench
