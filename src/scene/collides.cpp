@@ -18,7 +18,7 @@ BodyHandle findMet(const SceneState& state, const Asked& asked, const BodyFilter
   } near[kMost];
   int count = 0;
   BodyHandle met = kNoBody;
-  state.tree.visit(asked.quickBounds(), [&](BodyHandle body) {
+  state.tree.visit(asked.bounds(), [&](BodyHandle body) {
     const auto& other = state.bodies[body];
     if (!state.passes(filter, body)) return true;
     const Asked::Glance glance = asked.glance(other);
