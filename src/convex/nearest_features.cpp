@@ -104,38 +104,7 @@ class FeatureSearch {
   FeatureSearch(const PosedVertices& vertices, NearestFeatures& found)
       : vertices_(vertices), a_(convexRing(vertices.a)), b_(convexRing(vertices.b)), found_(found) {}
 
-  void find(const FeaturePair& tried) {
-    if (!vertices_.isUnscaled()) return;
-    found_.were_tried = proveOnWay(tried);
-    if (!found_.were_tried) findAnew();
-  }
-
- private:
-  void findAnew() {
-    const Hierarchy &a = hierarchyOf(vertices_.a), &b = hierarchyOf(vertices_.b);
-    if (innerDiscsMeet(a, b)) {
-      found_.seem_to_meet = true;
-      return;
-    }
-    if (a.small_convex != nullptr && b.small_convex != nullptr) {
-      const ConvexGap gap = convexGap(*a.small_convex, *b.small_convex, vertices_.inUnits(0).map);
-      if (!(gap.gap > 0)) {
-        found_.seem_to_meet = true;
-        return;
-      }
-      const auto edge = static_cast<std::uint32_t>(gap.edge), vertex = static_cast<std::uint32_t>(gap.vertex);
-      if (gap.of_a ? proveBeside<true>(edge, vertex) : proveBeside<false>(edge, vertex)) return;
-    }
-    prove(walkToNearest(vertices_));
-  }
-
-  bool innerDiscsMeet(const Hierarchy& a, const Hierarchy& b) const {
-    const double reach = a.inner_radius + b.inner_radius;
-    const Double2 way = vertices_.way(a.inner_center, b.inner_center);
-    return dot(way, way) < reach * reach;
-  }
-
-  /// The same of features that these lead to by a few neighbours.
+  /// Whether these are the nearest, or features that they lead to by a few neighbours.
   bool proveOnWay(FeaturePair features) {
     for (int step = 0; step <= kMostSteps && features.kind != FeaturePair::kNone; ++step) {
       ahead_ = {};
@@ -143,6 +112,11 @@ class FeatureSearch {
       features = ahead_;
     }
     return false;
+  }
+
+  bool prove(const ConvexGap& guess) {
+    const auto edge = static_cast<std::uint32_t>(guess.edge), vertex = static_cast<std::uint32_t>(guess.vertex);
+    return guess.of_a ? proveBeside<true>(edge, vertex) : proveBeside<false>(edge, vertex);
   }
 
   bool prove(const FeaturePair& features) {
@@ -159,6 +133,7 @@ class FeatureSearch {
     }
   }
 
+ private:
   /// Whether edge e of one and vertex v of the other, or an end of that edge, are the nearest features.
   template <bool kEdgeOfA>
   bool proveBeside(std::uint32_t e, std::uint32_t v) {
@@ -219,11 +194,30 @@ class FeatureSearch {
   FeaturePair ahead_;  ///< of features that weren't proven
 };
 
+bool innerDiscsMeet(const PosedVertices& vertices) {
+  const Hierarchy &a = hierarchyOf(vertices.a), &b = hierarchyOf(vertices.b);
+  const double reach = a.inner_radius + b.inner_radius;
+  const Double2 way = vertices.way(a.inner_center, b.inner_center);
+  return dot(way, way) < reach * reach;
+}
+
 }  // namespace
 
 NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried) {
   NearestFeatures found;
-  FeatureSearch(vertices, found).find(tried);
+  if (!vertices.isUnscaled()) return found;
+  if (tried.kind != FeaturePair::kNone) found.were_tried = FeatureSearch(vertices, found).proveOnWay(tried);
+  if (found.were_tried) return found;
+  found.seem_to_meet = innerDiscsMeet(vertices);
+  if (found.seem_to_meet) return found;
+  const SmallPolygon *a = hierarchyOf(vertices.a).small_convex, *b = hierarchyOf(vertices.b).small_convex;
+  const bool are_small = a != nullptr && b != nullptr;
+  ConvexGap guess{};
+  if (are_small) guess = convexGap(*a, *b, vertices.inUnits(0).map);  // a guess needs no bounds
+  found.seem_to_meet = are_small && !(guess.gap > 0);
+  if (found.seem_to_meet) return found;
+  FeatureSearch search(vertices, found);
+  if (!(are_small && search.prove(guess))) search.prove(walkToNearest(vertices));
   return found;
 }
 

@@ -78,14 +78,13 @@ bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const Distan
                     DistanceResult& result) {
   if (pair.a.isDegenerate() || pair.b.isDegenerate()) return false;
   if (!convexityOf(pair.a).is_strict || !convexityOf(pair.b).is_strict) return false;
-  if (!pair.isUnscaled()) return false;
   const FeaturePair tried = cache != nullptr ? recallFeatures(*cache) : FeaturePair();
   const auto store = [&](bool were_right, const FeaturePair& found) {
     if (cache != nullptr) storeFeatures(*cache, tried, were_right, found);
   };
   ConvexOverlap overlap;
-  const bool was_right =
-      tried.kind == FeaturePair::kCrossing && EdgeDistances(pair).cross(tried.edge_a, tried.edge_b, overlap.point);
+  const bool was_right = tried.kind == FeaturePair::kCrossing && pair.isUnscaled() &&
+                         EdgeDistances(pair).cross(tried.edge_a, tried.edge_b, overlap.point);
   if (was_right) {
     overlap.edges = tried;
   } else {

@@ -15,7 +15,7 @@ bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const Distan
 /// Where two strictly convex polygons meet.
 struct ConvexOverlap {
   FeaturePair edges;               ///< that cross, or none
-  EdgeDistance point{};            ///< where they do
+  EdgeDistance point;              ///< where they do
   int inner_a = -1, inner_b = -1;  ///< otherwise: an edge of the polygon that lies in the other one
 
   bool isInside() const { return inner_a >= 0 || inner_b >= 0; }
