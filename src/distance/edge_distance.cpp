@@ -70,13 +70,15 @@ static_assert(kProductError >=
 
 EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vertices), scale_(1), inverse_(1) {
   if (!isUnscaled()) {
-    // So that M is between 2^-400 and 2^400. An extent that overflowed is below 2^1025, hence the factor.
-    constexpr double kLargest = std::numeric_limits<double>::max();
+    // So that M is between 2^-400 and 2^400. An extent that overflowed is below 2^1025.
     scale_ = size_ < 1 ? 0x1p700 : 0x1p-700;
     inverse_ = size_ < 1 ? 0x1p-700 : 0x1p700;
     const Double2 from = load2(pose_a.data() + 6) * scale_, to = load2(pose_b.data() + 6) * scale_;
     const Double2 away = absolute(from) + absolute(to);
-    size_ = 4 * (std::min(a.extent, kLargest) * scale_ + std::min(b.extent, kLargest) * scale_ + (away[0] + away[1]));
+    const auto scaled = [&](double extent) {
+      return extent < std::numeric_limits<double>::infinity() ? extent * scale_ : 0x1p325;
+    };
+    size_ = roundedUp<4>(scaled(a.extent) + scaled(b.extent) + (away[0] + away[1]));
     const Twofold2 shift = twoSum(to, -from);
     shift_ = shift.high;
     shift_rest_ = shift.low;
