@@ -13,6 +13,7 @@
 #include "tricover/penetration.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
+#include "tricover/prepare.h"
 #include "tricover/ray.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"

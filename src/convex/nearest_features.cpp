@@ -195,9 +195,10 @@ class FeatureSearch {
 };
 
 bool innerDiscsMeet(const PosedVertices& vertices) {
-  const Hierarchy &a = hierarchyOf(vertices.a), &b = hierarchyOf(vertices.b);
-  const double reach = a.inner_radius + b.inner_radius;
-  const Double2 way = vertices.way(a.inner_center, b.inner_center);
+  const InnerDiscs *a = innerDiscsIfPaid(vertices.a), *b = innerDiscsIfPaid(vertices.b);
+  if (a == nullptr || b == nullptr) return false;
+  const double reach = a->largest + b->largest;
+  const Double2 way = vertices.way(a->center, b->center);
   return dot(way, way) < reach * reach;
 }
 
@@ -217,7 +218,8 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
   found.seem_to_meet = are_small && !(guess.gap > 0);
   if (found.seem_to_meet) return found;
   FeatureSearch search(vertices, found);
-  if (!(are_small && search.prove(guess))) search.prove(walkToNearest(vertices));
+  // So that it doesn't depend on discs being there whether they seem to meet.
+  if (!(are_small && search.prove(guess))) found.seem_to_meet = !search.prove(walkToNearest(vertices));
   return found;
 }
 

@@ -59,8 +59,11 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
   return outcome;
 }
 
-/// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region.
+/// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region. The
+/// discs are built for it, because where they meet another common point is found.
 Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
+  for (const PolygonData* polygon : {&pair.a, &pair.b})
+    if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
   if (depthOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), 0) > 0) return findMeeting(pair, search);
   if (showSmall(pair, search)) return Outcome();
   return descend(pair, search) ? findContainment(pair) : Outcome();

@@ -155,7 +155,7 @@ void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, cons
 
 void SvgDrawing::innerDiscs(const Polygon& polygon, const Pose& pose, const std::string& fill) {
   const detail::PolygonData& data = polygon.data();
-  const detail::InnerDiscs& discs = hierarchyOf(data).inner_discs;
+  const detail::InnerDiscs& discs = innerDiscsOf(data);
   for (int i = 0; i < discs.count; ++i) {
     const Vec2 center = pose * Vec2(data.origin + Vec2(discs.x[i], discs.y[i]) * data.unit);
     const double radius = discs.radius[i] * data.unit;

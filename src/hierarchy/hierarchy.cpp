@@ -7,7 +7,6 @@
 #include <limits>
 #include <numeric>
 
-#include "hierarchy/inner_discs.h"
 #include "hierarchy/small_polygon.h"
 #include "numbers/rounding.h"
 #include "polygon/convexity.h"
@@ -338,14 +337,13 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   const Builder builder(polygon, local, *this);
   blocks.shrink_to_fit();
   assert(isTree(*this, polygon));
-  findInnerDiscs(polygon, local, *this);
   small = makeSmallPolygon(polygon, local);
-  small_convex = convexityOf(polygon).is_strict ? small.get() : nullptr;
+  small_convex = small && convexityOf(polygon).is_strict ? small.get() : nullptr;
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {
   return *static_cast<const Hierarchy*>(
-      polygon.derived.built([&] { return std::make_unique<const Hierarchy>(polygon); }));
+      polygon.hierarchy.built([&] { return std::make_unique<const Hierarchy>(polygon); }));
 }
 
 }  // namespace tricover::detail

@@ -32,11 +32,19 @@ struct alignas(64) Block {
 };
 static_assert(sizeof(Block) == 256, "four cache lines");
 
-/// Discs that are proven to lie in the region, in units; lanes beyond the count are no discs.
-struct InnerDiscs {
-  float x[kLanes], y[kLanes], radius[kLanes];
-  float reach;  ///< no point of a disc is farther from S
-  int count;
+/// Discs that are proven to lie in the region, in units, as large as a short search finds, spread over the region, the
+/// largest first; lanes beyond the count are no discs.
+struct InnerDiscs : Derived::Thing {
+  InnerDiscs() = default;  ///< none
+  /// Found by the hierarchy, which is built for it.
+  explicit InnerDiscs(const PolygonData& polygon);
+
+  float x[kLanes] = {}, y[kLanes] = {};
+  float radius[kLanes] = {-1e15f, -1e15f, -1e15f, -1e15f, -1e15f, -1e15f, -1e15f, -1e15f};
+  float reach = 0;  ///< no point of a disc is farther from S
+  int count = 0;
+  Vec2 center = Vec2::Zero();  ///< the first of them once more, in the polygon's frame
+  double largest = 0;          ///< its radius; 0 if there is none
 };
 
 /// The few edges of a polygon, of any number of rings, in units from S. Edge i begins at vertex i; lanes beyond repeat
@@ -74,10 +82,6 @@ struct Hierarchy : Derived::Thing {
   Box root;  ///< around everything, in units
   bool root_spanned;
 
-  InnerDiscs inner_discs;  ///< as large as a short search finds, spread over the region, the largest first
-  Vec2 inner_center;       ///< the first of them once more, in the polygon's frame
-  double inner_radius;     ///< 0 if there is none
-
   std::unique_ptr<const SmallPolygon> small;  ///< null unless the polygon has few edges
   const SmallPolygon* small_convex;           ///< the same if it is convex, otherwise null
 };
@@ -86,7 +90,7 @@ static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, 
 
 /// The hierarchy if it has been built, otherwise null.
 inline const Hierarchy* hierarchyIfBuilt(const PolygonData& polygon) {
-  return static_cast<const Hierarchy*>(polygon.derived.ifBuilt());
+  return static_cast<const Hierarchy*>(polygon.hierarchy.ifBuilt());
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon);
@@ -95,6 +99,24 @@ const Hierarchy& buildHierarchy(const PolygonData& polygon);
 inline const Hierarchy& hierarchyOf(const PolygonData& polygon) {
   const Hierarchy* ready = hierarchyIfBuilt(polygon);
   return ready != nullptr ? *ready : buildHierarchy(polygon);
+}
+
+/// What building the hierarchy costs, see Rent.
+inline std::size_t hierarchyPrice(const PolygonData& polygon) { return 16 * polygon.path.size(); }
+
+/// The discs if they have been built, otherwise null.
+inline const InnerDiscs* innerDiscsIfBuilt(const PolygonData& polygon) {
+  return static_cast<const InnerDiscs*>(polygon.discs.ifBuilt());
+}
+
+/// Built at the first call.
+const InnerDiscs& innerDiscsOf(const PolygonData& polygon);
+
+/// For a query that discs may answer: builds them once such queries have paid for them, until then null.
+const InnerDiscs* payForDiscs(const PolygonData& polygon);
+inline const InnerDiscs* innerDiscsIfPaid(const PolygonData& polygon) {
+  const InnerDiscs* ready = innerDiscsIfBuilt(polygon);
+  return ready != nullptr ? ready : payForDiscs(polygon);
 }
 
 /// Blocks above each other: one for each halving of up to 2^31 rings, and 8^11 edges.

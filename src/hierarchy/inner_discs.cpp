@@ -4,73 +4,15 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
-#include <limits>
+#include <memory>
 #include <utility>
 
+#include "hierarchy/inclusion.h"
+#include "hierarchy/simd.h"
 #include "numbers/segment.h"
-#include "polygon/covering.h"
 
 namespace tricover::detail {
 namespace {
-
-/// Numbers of points that are asked about together (GCC's and Clang's vectors, see Double2), and truths, -1 or 0.
-typedef float Floats __attribute__((vector_size(16)));
-typedef std::int32_t Truths __attribute__((vector_size(16)));
-constexpr int kProbes = 4;
-
-struct Probes {
-  Floats x, y;
-  Floats depth;  ///< distance to the boundary, negative outside the region
-};
-
-/// Edges in floats; of a large polygon those between every `stride`-th vertex only.
-class ThinnedOutline {
- public:
-  ThinnedOutline(const PolygonData& polygon, const std::vector<Vec2>& local) : fill_(polygon.fill) {
-    constexpr std::size_t kSearched = 128;
-    const std::size_t stride = local.size() / kSearched + 1;
-    edges_.reserve(local.size() / stride + polygon.ringCount());
-    for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
-      const std::size_t end = polygon.edgeEnd(r);
-      for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
-        const Vec2 &v = local[e], &w = local[std::min(e + stride, end)], along = w - v;
-        const double square = along.squaredNorm();
-        const auto narrow = [](double value) { return static_cast<float>(value); };
-        edges_.push_back({narrow(v.x()), narrow(v.y()), narrow(w.y()), narrow(along.x()), narrow(along.y()),
-                          square > 1e-20 ? narrow(1 / square) : 0});
-      }
-    }
-  }
-
-  void measure(Probes& probes) const {
-    const Floats zero{}, one = zero + 1;
-    Floats square = zero + 1e30f;
-    Truths winding{};
-    for (const Edge& e : edges_) {
-      const Floats x = probes.x - e.x, y = probes.y - e.y;
-      Floats part = (x * e.along_x + y * e.along_y) * e.inverse_square;
-      part = part > zero ? part : zero;
-      part = part < one ? part : one;
-      const Floats dx = x - part * e.along_x, dy = y - part * e.along_y, distance = dx * dx + dy * dy;
-      square = distance < square ? distance : square;
-      const Floats side = e.along_x * y - e.along_y * x;
-      const Truths after_start = y >= zero, after_end = probes.y >= zero + e.end_y;
-      winding -= (after_start & ~after_end & (side > zero)) - (~after_start & after_end & (side < zero));
-    }
-    for (int i = 0; i < kProbes; ++i) {
-      const bool inside = fill_ == FillRule::EvenOdd ? winding[i] % 2 != 0 : winding[i] != 0;
-      probes.depth[i] = inside ? std::sqrt(square[i]) : -std::sqrt(square[i]);
-    }
-  }
-
- private:
-  struct Edge {
-    float x, y, end_y, along_x, along_y, inverse_square;
-  };
-  std::vector<Edge> edges_;
-  FillRule fill_;
-};
 
 /// A disc that may be in the region.
 struct Guess {
@@ -80,10 +22,10 @@ struct Guess {
 /// Up to kLanes large discs, the first one the largest. A search in floats: what it finds has to be proven.
 class DiscSearch {
  public:
-  DiscSearch(const PolygonData& polygon, const std::vector<Vec2>& local, const Box& root)
-      : outline_(polygon, local), root_(root), few_(local.size() < 32) {
-    climb();
+  DiscSearch(const PolygonData& polygon, const Box& root)
+      : outline_(polygon), root_(root), few_(polygon.path.size() < 32) {
     lookAround();
+    climb();
     choose();
   }
 
@@ -93,40 +35,38 @@ class DiscSearch {
  private:
   static constexpr int kMostPlaces = 40;
 
-  /// The largest, uphill from near S (but not where symmetry would need the exact stage).
-  void climb() {
-    constexpr Floats kWayX{1, -1, 0, 0}, kWayY{0, 0, 1, -1};
-    best_ = {0x1.8p-11f, 0x1.2p-12f, -1e30f};
-    const auto tryAround = [&](float step) {
-      Probes probes{best_.x + step * kWayX, best_.y + step * kWayY, {}};
-      outline_.measure(probes);
-      for (int i = 0; i < kProbes; ++i) keepBetter({probes.x[i], probes.y[i], probes.depth[i]});
-    };
-    tryAround(0);
-    for (float step = 0.4f; step > 0.02f; step *= best_.depth > 0 ? 0.5f : 0.7f) tryAround(step);
-  }
-
-  /// The others, from a grid over the box around everything.
+  /// From a grid over the box around everything.
   void lookAround() {
-    const int along = few_ ? 6 : 10, across = few_ ? 2 : 4;
-    for (int k = 0; k < along * across; k += kProbes) {
-      Probes probes;
-      for (int i = 0; i < kProbes; ++i) {
+    const int along = few_ ? 8 : 10, across = few_ ? 2 : 4;
+    for (int k = 0; k < along * across; k += kLanes) {
+      DepthProbes probes;
+      for (int i = 0; i < kLanes; ++i) {
         const int row = (k + i) / along, column = (k + i) % along;
         const double u = root_.along * ((2.0 * column + 1) / along - 1);
         const double v = root_.across * ((2.0 * row + 1) / across - 1);
         probes.x[i] = static_cast<float>(root_.x + u * root_.ux - v * root_.uy);
         probes.y[i] = static_cast<float>(root_.y + u * root_.uy + v * root_.ux);
       }
-      outline_.measure(probes);
-      for (int i = 0; i < kProbes; ++i) {
-        const Guess found{probes.x[i], probes.y[i], probes.depth[i]};
+      measure(probes, [&](const Guess& found) {
         if (found.depth > 0) places_[place_count_++] = found;
-        keepBetter(found);
-      }
+      });
     }
   }
-  static_assert(6 * 2 % kProbes == 0 && 10 * 4 % kProbes == 0 && kMostPlaces == 10 * 4);
+  static_assert(8 * 2 % kLanes == 0 && 10 * 4 % kLanes == 0 && kMostPlaces == 10 * 4);
+
+  /// The largest, uphill from near S (but not where symmetry would need the exact stage) or from the best place.
+  void climb() {
+    constexpr float kWay[kLanes][2] = {{1, 0},       {-1, 0},       {0, 1},        {0, -1},
+                                       {0.7f, 0.7f}, {-0.7f, 0.7f}, {0.7f, -0.7f}, {-0.7f, -0.7f}};
+    const auto tryAround = [&](const Guess& from, float step) {
+      DepthProbes probes;
+      for (int i = 0; i < kLanes; ++i)
+        probes.x[i] = from.x + step * kWay[i][0], probes.y[i] = from.y + step * kWay[i][1];
+      measure(probes, [](const Guess&) {});
+    };
+    tryAround({0x1.8p-11f, 0x1.2p-12f, 0}, 0x1p-4f);
+    for (float step = 0.25f; step > 0.02f; step *= best_.depth > 0 ? 0.5f : 0.7f) tryAround(best_, step);
+  }
 
   /// Each time the largest whose centre no disc holds yet.
   void choose() {
@@ -143,92 +83,103 @@ class DiscSearch {
     }
   }
 
-  void keepBetter(const Guess& guess) {
-    if (guess.depth > best_.depth) best_ = guess;
+  template <typename Show>
+  void measure(DepthProbes& probes, Show show) {
+    measureDepths(outline_, probes);
+    for (int i = 0; i < kLanes; ++i) {
+      const Guess found{probes.x[i], probes.y[i], probes.depth[i]};
+      show(found);
+      if (found.depth > best_.depth) best_ = found;
+    }
   }
 
   const ThinnedOutline outline_;
   const Box& root_;
   bool few_;
-  Guess best_{}, places_[kMostPlaces], chosen_[kLanes];
+  Guess best_{0, 0, -1e30f}, places_[kMostPlaces], chosen_[kLanes];
   int place_count_ = 0, count_ = 0;
 };
 
 /// Exactly, as far as a radius less an ulp is the radius. Edges that are farther away by a 2^-10 need no exact number.
-[[maybe_unused]] bool isInRegion(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& center,
-                                 double radius) {
+[[maybe_unused]] bool isInRegion(const PolygonData& polygon, const Vec2& center, double radius) {
   const double within = std::nextafter(radius, 0), near = radius / polygon.unit * (1 + 0x1p-10);
   const Vec2 local_center = polygon.inUnits(center);
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-      if (squaredDistanceToSegment(local_center, local[e], local[e + 1]) > near * near) continue;
-      if (withinExact({nullptr, center}, {nullptr, polygon.path[e]}, {nullptr, polygon.path[e + 1]}, within))
-        return false;
+      const Vec2 &v = polygon.path[e], &w = polygon.path[e + 1];
+      if (squaredDistanceToSegment(local_center, polygon.inUnits(v), polygon.inUnits(w)) > near * near) continue;
+      if (withinExact({nullptr, center}, {nullptr, v}, {nullptr, w}, within)) return false;
     }
   return includeInCovering(polygon, IncludedPoint::ofFrame(center)).location == Location::Inside;
 }
 
 }  // namespace
 
-std::vector<double> thinnedDepths(const PolygonData& polygon, const std::vector<Vec2>& local,
-                                  const std::vector<Vec2>& points) {
-  const ThinnedOutline outline(polygon, local);
-  std::vector<double> depths;
-  while (depths.size() < points.size()) {
-    const std::size_t first = depths.size(), count = std::min<std::size_t>(kProbes, points.size() - first);
-    Probes probes{};
-    for (std::size_t i = 0; i < count; ++i) {
-      probes.x[i] = static_cast<float>(points[first + i].x());
-      probes.y[i] = static_cast<float>(points[first + i].y());
+ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : fill(polygon.fill) {
+  constexpr std::size_t kSearched = 128;
+  const std::size_t stride = polygon.path.size() / kSearched + 1;
+  edges.reserve(polygon.path.size() / stride + polygon.ringCount());
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
+    const std::size_t end = polygon.edgeEnd(r);
+    Vec2 v = polygon.inUnits(polygon.path[polygon.edgeBegin(r)]);
+    for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
+      const Vec2 w = polygon.inUnits(polygon.path[std::min(e + stride, end)]), along = w - v;
+      const double square = along.squaredNorm();
+      edges.push_back({narrow(v.x()), narrow(v.y()), narrow(along.x()), narrow(along.y()),
+                       square > 1e-20 ? narrow(1 / square) : 0});
+      v = w;
     }
-    outline.measure(probes);
-    for (std::size_t i = 0; i < count; ++i) depths.push_back(probes.depth[i]);
   }
-  return depths;
 }
 
-double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& center) {
-  double square = std::numeric_limits<double>::infinity();
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
-      square = std::min(square, squaredDistanceToSegment(center, local[e], local[e + 1]));
-  // Distances of points below 2 units are computed with less than 32 U of error. Taking the centre back to the
-  // polygon's frame rounds it, in either coordinate, by U of the product and of the sum with S, which may be far off.
-  constexpr double kRoom = 0x1p-22;
-  static_assert(32 * kUnitRoundoff <= kRoom);
-  const double radius = std::sqrt(square) - kRoom - 4 * kUnitRoundoff * (polygon.extent / polygon.unit);
+double provenRadius(const PolygonData& polygon, const Vec2& center, double most) {
   const Vec2 p = polygon.origin + center * polygon.unit;
-  if (!(radius > 0) || !std::isfinite(radius * polygon.unit) || !p.allFinite()) return 0;
-  return includeInCovering(polygon, IncludedPoint::ofFrame(p)).location == Location::Inside ? radius : 0;
+  if (!polygon.fitsUnit() || !p.allFinite()) return 0;
+  // Taking the centre to the polygon's frame rounds it, in either coordinate, by U of the product and of the sum with
+  // S, which may be far off.
+  const Place place{center.x(), center.y(), 4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)};
+  const double radius = clearanceAt(hierarchyOf(polygon), place, most);
+  if (!(radius > 0) || !std::isfinite(radius * polygon.unit)) return 0;
+  return locateInPolygon(polygon, IncludedPoint::ofFrame(p)) == Location::Inside ? radius : 0;
 }
 
-void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, Hierarchy& hierarchy) {
-  InnerDiscs& discs = hierarchy.inner_discs;
-  for (int i = 0; i < kLanes; ++i) discs.x[i] = discs.y[i] = 0, discs.radius[i] = -1e15f;
-  discs.reach = 0;
-  discs.count = 0;
-  hierarchy.inner_center = polygon.origin;
-  hierarchy.inner_radius = 0;
-  int largest = 0;
-  for (const Guess& guess : DiscSearch(polygon, local, hierarchy.root)) {
-    const int k = discs.count;
-    discs.x[k] = guess.x;
-    discs.y[k] = guess.y;
-    const double radius = provenRadius(polygon, local, Vec2(discs.x[k], discs.y[k]));
-    if (!(radius > 0)) continue;
-    discs.radius[k] = static_cast<float>(radius * (1 - 0x1p-22));
-    discs.reach = std::max(discs.reach, std::hypot(discs.x[k], discs.y[k]) + discs.radius[k]) * (1 + 0x1p-20f);
-    if (discs.radius[k] > discs.radius[largest]) largest = k;
-    ++discs.count;
+InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
+  int first = 0;
+  for (const Guess& guess : DiscSearch(polygon, hierarchyOf(polygon).root)) {
+    // What the thinned outline overlooks makes a disc smaller, rounding perhaps larger.
+    const double proven = provenRadius(polygon, Vec2(guess.x, guess.y), guess.depth * (1 + 0x1p-10));
+    if (!(proven > 0)) continue;
+    const int k = count++;
+    x[k] = guess.x;
+    y[k] = guess.y;
+    radius[k] = static_cast<float>(proven * (1 - 0x1p-22));
+    reach = std::max(reach, std::hypot(x[k], y[k]) + radius[k]) * (1 + 0x1p-20f);
+    if (radius[k] > radius[first]) first = k;
   }
-  if (discs.count == 0) return;
+  if (count == 0) return;
   // What the thinned outline overlooked may have turned their order.
-  std::swap(discs.x[0], discs.x[largest]);
-  std::swap(discs.y[0], discs.y[largest]);
-  std::swap(discs.radius[0], discs.radius[largest]);
-  hierarchy.inner_center = polygon.origin + Vec2(discs.x[0], discs.y[0]) * polygon.unit;
-  hierarchy.inner_radius = discs.radius[0] * polygon.unit;
-  assert(isInRegion(polygon, local, hierarchy.inner_center, hierarchy.inner_radius));
+  std::swap(x[0], x[first]);
+  std::swap(y[0], y[first]);
+  std::swap(radius[0], radius[first]);
+  center = polygon.origin + Vec2(x[0], y[0]) * polygon.unit;
+  largest = radius[0] * polygon.unit;
+  assert(isInRegion(polygon, center, largest));
+}
+
+const InnerDiscs& innerDiscsOf(const PolygonData& polygon) {
+  if (const InnerDiscs* ready = innerDiscsIfBuilt(polygon)) return *ready;
+  return *static_cast<const InnerDiscs*>(
+      polygon.discs.built([&] { return std::make_unique<const InnerDiscs>(polygon); }));
+}
+
+const InnerDiscs* payForDiscs(const PolygonData& polygon) {
+  // Of more edges than a thinned outline has nothing is looked at but what the hierarchy finds.
+  constexpr std::size_t kOfEdge = 16, kMostEdges = 128, kOfQuery = 32;
+  if (polygon.discs_rent.left(kOfEdge * std::min(polygon.path.size(), kMostEdges)) <= kOfQuery)
+    return &innerDiscsOf(polygon);
+  polygon.discs_rent.pay(kOfQuery);
+  return nullptr;
 }
 
 }  // namespace tricover::detail

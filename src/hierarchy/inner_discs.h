@@ -7,15 +7,25 @@
 
 namespace tricover::detail {
 
-/// Finds discs in the region, proves them, and puts them into the hierarchy, whose root box must be there; `local` is
-/// the polygon's path in units, from S. O(n).
-void findInnerDiscs(const PolygonData& polygon, const std::vector<Vec2>& local, Hierarchy& hierarchy);
+/// Edges in floats, in units; of a large polygon those between every few vertices only.
+struct ThinnedOutline {
+  explicit ThinnedOutline(const PolygonData& polygon);
 
-/// How deep in the region points (in units) are, negative outside: of a thinned outline, in floats.
-std::vector<double> thinnedDepths(const PolygonData& polygon, const std::vector<Vec2>& local,
-                                  const std::vector<Vec2>& points);
+  struct Edge {
+    float x, y, along_x, along_y, inverse_square;
+  };
+  std::vector<Edge> edges;
+  FillRule fill;
+};
 
-/// The radius, in units, of a disc around `center` (also in units) that lies in the region; 0 if that can't be shown.
-double provenRadius(const PolygonData& polygon, const std::vector<Vec2>& local, const Vec2& center);
+/// Points, in units, and how deep in the region they are as far as floats and a thinned outline tell, negative outside.
+struct DepthProbes {
+  float x[kLanes], y[kLanes], depth[kLanes];
+};
+extern Simd<void(const ThinnedOutline& outline, DepthProbes& probes)> measureDepths;
+
+/// The radius, in units, of a disc around `center` (also in units) that lies in the region, at most `most`; 0 if that
+/// can't be shown.
+double provenRadius(const PolygonData& polygon, const Vec2& center, double most);
 
 }  // namespace tricover::detail

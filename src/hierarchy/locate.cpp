@@ -15,12 +15,14 @@ namespace {
 
 void checkPoint(const Vec2& point) { detail::requireFinite(point, "point"); }
 
-/// A scan costs a twentieth of a hierarchy: the first few points are no reason to build one.
+/// Null where the first few points are no reason to build one.
 const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
-  constexpr unsigned kScans = 16;
   const detail::Hierarchy* built = detail::hierarchyIfBuilt(polygon);
-  if (built != nullptr || polygon.scans.fetch_add(1, std::memory_order_relaxed) < kScans) return built;
-  return &detail::hierarchyOf(polygon);
+  if (built != nullptr) return built;
+  if (polygon.hierarchy_rent.left(detail::hierarchyPrice(polygon)) <= polygon.path.size())
+    return &detail::hierarchyOf(polygon);
+  polygon.hierarchy_rent.pay(polygon.path.size());
+  return nullptr;
 }
 
 Location locateUnchecked(const detail::PolygonData& polygon, const Vec2& point) {
@@ -32,9 +34,7 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
   if (!polygon.fitsUnit()) return 0;
   const Vec2 at = polygon.inUnits(point);
   const detail::Place place{at.x(), at.y(), 2 * detail::kUnitRoundoff * (std::abs(at.x()) + std::abs(at.y()))};
-  constexpr double kNone = -1;
-  const detail::NearEdgeTest no_hits{nullptr, nullptr, kNone, kNone};
-  return detail::findEdgeNear(tree, place, most * polygon.inverse_unit, no_hits).clearance * polygon.unit;
+  return detail::clearanceAt(tree, place, most * polygon.inverse_unit) * polygon.unit;
 }
 
 }  // namespace

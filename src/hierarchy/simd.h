@@ -73,6 +73,12 @@ struct NearEdgeTest {
 extern Simd<DescentResult(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test)>
     findEdgeNear;
 
+/// A lower bound of that distance, looked for within `most`.
+inline double clearanceAt(const Hierarchy& hierarchy, const Place& place, double most) {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  return findEdgeNear(hierarchy, place, most, {nullptr, nullptr, kNone, kNone}).clearance;
+}
+
 /// The edges that may be the nearest to a point, as floats see it; how many, 0 if that isn't known or there are more.
 constexpr int kMostNearest = 8;
 extern Simd<int(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest])> findNearestEdges;

@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "hierarchy/axis_boxes.h"
+#include "hierarchy/inner_discs.h"
 #include "hierarchy/simd.h"
 
 #ifdef __x86_64__

@@ -39,7 +39,8 @@ class Simd<Result(Arguments...)> {
   X(showEdgesNear) X(visitEdgesOnWay) X(visitEdgesOnRay) X(findEdgesOnWays) \
   X(cutWindows) X(depthInDiscs) X(innerDepth) X(convexMeet) \
   X(convexGap) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
-  X(smallGaps) X(nearEdges) X(boxAround) X(boxesMeeting) X(boxesOnRay) X(boxesNear)
+  X(smallGaps) X(nearEdges) X(boxAround) X(boxesMeeting) X(boxesOnRay) X(boxesNear) \
+  X(measureDepths)
 // clang-format on
 
 #ifdef __x86_64__

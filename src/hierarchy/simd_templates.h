@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hierarchy/simd_boxes.h"
+#include "hierarchy/simd_depths.h"
 #include "hierarchy/simd_descent.h"
 #include "hierarchy/simd_point.h"
 #include "hierarchy/simd_ray.h"

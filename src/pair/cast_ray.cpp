@@ -148,7 +148,8 @@ class RayCast {
       const Hierarchy& tree = hierarchyOf(polygon_);
       const Place place{ray_.x, ray_.y, start_error_};
       if (distanceFromRoot(tree.root, place) > 0) return false;
-      if (depthInDiscs(tree.inner_discs, place) > 0) return true;
+      const InnerDiscs* discs = innerDiscsIfPaid(polygon_);
+      if (discs != nullptr && depthInDiscs(*discs, place) > 0) return true;
     }
     const IncludedPoint start{&into_frame_.pose, from_, exact_.start, into_frame_.handed()};
     return locateInPolygon(polygon_, start) != Location::Outside;

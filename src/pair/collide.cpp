@@ -8,6 +8,7 @@
 #include "convex/nearest_features.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/collide_by_edges.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
@@ -50,6 +51,9 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   if (wish.edge_a >= 0 && wish.edge_b >= 0)
     if (test(static_cast<std::size_t>(wish.edge_a), static_cast<std::size_t>(wish.edge_b)))
       return hit(wish.edge_a, wish.edge_b);
+  if (!haveHierarchies(placement.a, placement.b))
+    if (const auto outcome = collideByEdges(test))
+      return outcome->edge_a >= 0 && outcome->edge_b >= 0 ? hit(outcome->edge_a, outcome->edge_b) : *outcome;
   const Wanted wanted = wish.wants_clearance ? Wanted::Clearance : Wanted::Answer;
   const UnitPlacement at = placement.inUnits();
   const Outcome outcome = collideByHierarchy(at, test, wish.lookahead, wanted);
@@ -62,6 +66,8 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
 [[gnu::always_inline]] inline bool collideClose(const Placement& placement, double defect,
                                                 const CollideOptions& options) {
   const EdgeTest test(placement, options);
+  if (!haveHierarchies(placement.a, placement.b))
+    if (const auto outcome = collideByEdges(test)) return outcome->collides;
   return collideByHierarchy(placement.inUnits(defect), test, 0, Wanted::Answer).collides;
 }
 

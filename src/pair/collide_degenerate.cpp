@@ -20,8 +20,10 @@ Outcome collidePoint(const UnitPlacement& at, const EdgeTest& test, double looka
   if (outside > limit) return {false, outside * unit, -1, -1};
   const bool may_be_inside = !(outside > 0);
   if (may_be_inside && wanted != Wanted::Edges) {
-    const double depth = depthInDiscs(tree.inner_discs, place);
-    if (depth > 0 || -depth < accept) return {true, std::max(depth, 0.0) * unit, -1, -1};
+    if (const InnerDiscs* discs = innerDiscsIfPaid(test.a)) {
+      const double depth = depthInDiscs(*discs, place);
+      if (depth > 0 || -depth < accept) return {true, std::max(depth, 0.0) * unit, -1, -1};
+    }
   }
   const DescentResult found = findEdgeNear(tree, place, limit, {&test, &EdgeTest::meetDegenerate, reach, accept});
   if (found.hit) return hit(found.edge_a, static_cast<std::int64_t>(test.b.degenerate_edge));

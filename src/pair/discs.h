@@ -20,10 +20,12 @@ struct InnerDisc {
     if (polygon.isDegenerate()) {
       center = polygon.origin;
       radius = 0;
+    } else if (const InnerDiscs* discs = innerDiscsIfBuilt(polygon)) {
+      center = discs->center;
+      radius = discs->largest > 0 ? discs->largest : -1;  // the centre needn't be in the region
     } else {
-      const Hierarchy& tree = hierarchyOf(polygon);
-      center = tree.inner_center;
-      radius = tree.inner_radius > 0 ? tree.inner_radius : -1;  // the centre needn't be in the region
+      center = polygon.origin;
+      radius = -1;
     }
   }
 

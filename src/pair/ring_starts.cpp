@@ -43,19 +43,29 @@ std::vector<std::uint32_t> RingStarts::between(double low, double high) const {
   return rings;
 }
 
+namespace {
+
+bool hasFewRings(const PolygonData& polygon) { return polygon.ringCount() <= 4; }
+
+}  // namespace
+
+void buildRingStarts(const PolygonData& polygon) {
+  if (!hasFewRings(polygon)) polygon.starts.built([&] { return std::make_unique<const RingStarts>(polygon); });
+}
+
 const RingStarts* ringStarts(const PolygonData& polygon) {
   // In the cost of looking at a ring: an edge's part in finding the starts.
   constexpr std::size_t kPerEdge = 32;
   if (const Derived::Thing* ready = polygon.starts.ifBuilt()) return static_cast<const RingStarts*>(ready);
-  if (polygon.rings_asked.load(std::memory_order_relaxed) < kPerEdge * polygon.path.size()) return nullptr;
-  return static_cast<const RingStarts*>(
-      polygon.starts.built([&] { return std::make_unique<const RingStarts>(polygon); }));
+  if (polygon.starts_rent.left(kPerEdge * polygon.path.size()) > 0) return nullptr;
+  buildRingStarts(polygon);
+  return static_cast<const RingStarts*>(polygon.starts.ifBuilt());
 }
 
 void countRings(const PolygonData& polygon, std::size_t rings, std::size_t located) {
-  constexpr std::size_t kPerLocation = 1000, kFewRings = 4;
-  if (polygon.ringCount() <= kFewRings || hierarchyIfBuilt(polygon) == nullptr) return;
-  polygon.rings_asked.fetch_add(rings + kPerLocation * located, std::memory_order_relaxed);
+  constexpr std::size_t kPerLocation = 1000;
+  if (hasFewRings(polygon) || hierarchyIfBuilt(polygon) == nullptr) return;
+  polygon.starts_rent.pay(rings + kPerLocation * located);
 }
 
 }  // namespace tricover::detail

@@ -29,6 +29,9 @@ class RingStarts : public Derived::Thing {
   std::vector<Start> by_x_;
 };
 
+/// Builds them, unless there are few rings.
+void buildRingStarts(const PolygonData& polygon);
+
 /// Null where every ring is to be asked: of few rings, and until that has cost about as much as finding them does.
 /// Which ring is the first to be in a region doesn't depend on it.
 const RingStarts* ringStarts(const PolygonData& polygon);

@@ -13,6 +13,8 @@ struct Turns {
   std::condition_variable ended;
 };
 
+std::atomic<Stages> used_stages{Stages::Paid};
+
 /// Never destroyed: polygons may be asked while the program ends.
 Turns& turns() {
   static Turns& all = *new Turns;
@@ -20,6 +22,16 @@ Turns& turns() {
 }
 
 }  // namespace
+
+void useStages(Stages stages) { used_stages.store(stages, std::memory_order_relaxed); }
+
+std::size_t Rent::left(std::size_t price) const {
+  constexpr std::size_t kNeverPaid = std::size_t{1} << 60;
+  const Stages used = used_stages.load(std::memory_order_relaxed);
+  if (used != Stages::Paid && stage_ != Stages::Paid) return used < stage_ ? kNeverPaid : 0;
+  const std::size_t paid = paid_.load(std::memory_order_relaxed);
+  return paid < price ? price - paid : 0;
+}
 
 /// Whether it is this thread's turn to build. Otherwise it has been built, by another one that may have been waited
 /// for.

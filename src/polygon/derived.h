@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace tricover::detail {
 
@@ -41,6 +45,32 @@ class Derived {
 
   mutable std::atomic<const Thing*> ready_{nullptr};
   mutable bool is_building_ = false;
+};
+
+/// Up to which stage polygons' data is derived: by what has been paid, or, for tests, whatever has been.
+enum class Stages { Paid, Edges, Hierarchy, All };
+/// Chooses for the whole process. What has been built stays.
+void useStages(Stages stages);
+
+/// What queries have paid so far for doing without something that is derived. It is built when that adds up to what
+/// building costs: so who asks once doesn't pay for it, and all queries together pay at most twice what the best of
+/// both ways would have cost. In the cost of looking at an edge. Threads may lose each other's payments, which only
+/// puts building off.
+class Rent {
+ public:
+  explicit Rent(Stages stage) : stage_(stage) {}
+
+  /// What is still to be paid of a price.
+  std::size_t left(std::size_t price) const;
+  void pay(std::size_t cost) const {
+    constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+    const std::size_t paid = paid_.load(std::memory_order_relaxed);
+    paid_.store(static_cast<std::uint32_t>(std::min(paid + std::min(cost, kMost), kMost)), std::memory_order_relaxed);
+  }
+
+ private:
+  mutable std::atomic<std::uint32_t> paid_{0};
+  const Stages stage_;
 };
 
 }  // namespace tricover::detail

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -63,14 +62,14 @@ struct PolygonData {
   /// disc of. S is on it but for rounding, and on a point exactly.
   static constexpr std::size_t kNotDegenerate = static_cast<std::size_t>(-1);
   std::size_t degenerate_edge;
-  bool is_point;                                    ///< whether that edge has no length
-  mutable std::atomic<unsigned> scans{0};           ///< points located edge by edge so far
-  Derived derived;                                  ///< the hierarchy's place
-  mutable std::atomic<std::size_t> rings_asked{0};  ///< what looking at all rings' starts has cost so far
-  Derived convexity;                                ///< the place of whether it is convex
-  Derived starts;                                   ///< the place of the starts that need be asked for
-  Derived cover;                                    ///< the place of the discs that a search for a way apart asks first
-  Derived outline;                                  ///< the place of the convex outline that contacts go by
+  bool is_point;  ///< whether that edge has no length
+  // The places of what is derived, and what has been paid for doing without.
+  Derived hierarchy, discs;  ///< boxes around edges; discs in the region
+  Rent hierarchy_rent{Stages::Hierarchy}, discs_rent{Stages::All}, starts_rent{Stages::Paid};
+  Derived convexity;  ///< whether it is convex
+  Derived starts;     ///< the starts of rings that need be asked for
+  Derived cover;      ///< the discs that a search for a way apart asks first
+  Derived outline;    ///< the convex outline that contacts go by
 };
 
 }  // namespace tricover::detail

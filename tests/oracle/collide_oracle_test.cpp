@@ -11,6 +11,7 @@
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
+#include "stages.h"
 #include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
@@ -34,6 +35,15 @@ Pose elsewhere(Random& random, const Case& c) {
 /// The first way of asking that gives another answer than `truth`; empty if there is none.
 std::string wrongWay(const Case& c, std::uint64_t seed, bool truth, StrategyCaches& old) {
   Random random(~seed);
+  for (const auto stages : {detail::Stages::Edges, detail::Stages::Hierarchy}) {
+    const UpTo these(stages);
+    const std::string name = stages == detail::Stages::Edges ? "edges alone" : "without discs";
+    if (collide(c.a, c.pose_a, c.b, c.pose_b) != truth) return name;
+    if (collide(c.b, c.pose_b, c.a, c.pose_a) != truth) return name + ", swapped";
+    PairCache fresh;
+    for (int i = 0; i < 2; ++i)
+      if (collide(c.a, c.pose_a, c.b, c.pose_b, fresh) != truth) return name + ", with a cache";
+  }
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
     const std::string name = nameOf(strategy);
     if (collide(strategy, c.a, c.pose_a, c.b, c.pose_b) != truth) return name + ", cold";

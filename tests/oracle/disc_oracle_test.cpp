@@ -15,6 +15,7 @@
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
+#include "stages.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
@@ -75,6 +76,10 @@ std::string wrongCollide(const Case& c, const mpq_class& squared, double margin,
   CollideOptions options;
   options.margin = margin;
   const bool truth = exact::within(squared, mpq_class(margin));
+  {
+    const UpTo edges(detail::Stages::Edges);
+    if (collide(afresh(c.a), c.pose_a, afresh(c.b), c.pose_b, options) != truth) return "collide by edges alone";
+  }
   if (collide(c.a, c.pose_a, c.b, c.pose_b, options) != truth) return "collide";
   if (collide(c.b, c.pose_b, c.a, c.pose_a, options) != truth) return "collide, swapped";
   if (collide(c.a, c.pose_a, c.b, c.pose_b, cache, options) != truth) return "collide, cached";

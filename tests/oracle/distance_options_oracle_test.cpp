@@ -11,6 +11,7 @@
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
+#include "stages.h"
 #include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
@@ -27,6 +28,17 @@ struct Tally {
 
 /// The question asked in every way, `cache` being one that saw other margins; the truth lies between `must` and `may`.
 void ask(const Case& c, const CollideOptions& options, bool must, bool may, StrategyCaches& cache, Tally& tally) {
+  {
+    const UpTo edges(detail::Stages::Edges);
+    const Polygon a = afresh(c.a), b = afresh(c.b);
+    for (const bool answer : {collide(a, c.pose_a, b, c.pose_b, options), collide(b, c.pose_b, a, c.pose_a, options)}) {
+      if ((answer || !must) && (!answer || may)) continue;
+      ++tally.disagreements;
+      ADD_FAILURE() << "by edges alone, margin " << hex(options.margin) << ", tolerance " << hex(options.tolerance)
+                    << "\n"
+                    << reproduction(c);
+    }
+  }
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
     const bool answers[] = {collide(strategy, c.a, c.pose_a, c.b, c.pose_b, options),
                             collide(strategy, c.b, c.pose_b, c.a, c.pose_a, options),

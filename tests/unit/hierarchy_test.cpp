@@ -102,11 +102,11 @@ TEST(InnerDiscs, AreInTheRegion) {
   for (int i = 0; i < scaledCount(400); ++i) {
     const Polygon polygon = outline(random);
     const PolygonData& data = polygon.data();
-    const Hierarchy& hierarchy = hierarchyOf(data);
-    if (hierarchy.inner_radius > 0) expectInside(polygon, hierarchy.inner_center, hierarchy.inner_radius);
-    for (int k = 0; k < hierarchy.inner_discs.count; ++k, ++discs) {
-      const float radius = hierarchy.inner_discs.radius[k];
-      const Vec2 center = data.origin + Vec2(hierarchy.inner_discs.x[k], hierarchy.inner_discs.y[k]) * data.unit;
+    const detail::InnerDiscs& inner = innerDiscsOf(data);
+    if (inner.largest > 0) expectInside(polygon, inner.center, inner.largest);
+    for (int k = 0; k < inner.count; ++k, ++discs) {
+      const float radius = inner.radius[k];
+      const Vec2 center = data.origin + Vec2(inner.x[k], inner.y[k]) * data.unit;
       expectInside(polygon, center, mpq_class(radius) * mpq_class(data.unit));
     }
   }
@@ -121,7 +121,7 @@ TEST(InnerDiscs, TheFirstIsTheLargest) {
     for (int k = random.integer(0, 4); k > 0; --k)
       rings.push_back(shifted(star(random, random.integer(3, 8), 0.5, 2), {random.real(-5, 5), random.real(-5, 5)}));
     const Polygon polygon(rings);
-    const detail::InnerDiscs& discs = hierarchyOf(polygon.data()).inner_discs;
+    const detail::InnerDiscs& discs = innerDiscsOf(polygon.data());
     for (int k = 1; k < discs.count; ++k) ASSERT_LE(discs.radius[k], discs.radius[0]);
   }
 }
@@ -129,11 +129,10 @@ TEST(InnerDiscs, TheFirstIsTheLargest) {
 /// A frame of a great many vertices whose hole has four: the search, on a thinned outline, doesn't see the hole.
 TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
   const Polygon frame({regular(2000, 10), rectangle(-5, -5, 5, 5)}), peg({regular(40, 1)});
-  const Hierarchy& hierarchy = hierarchyOf(frame.data());
-  for (int k = 0; k < hierarchy.inner_discs.count; ++k)
-    EXPECT_EQ(
-        locate(frame, {hierarchy.inner_discs.x[k] * frame.data().unit, hierarchy.inner_discs.y[k] * frame.data().unit}),
-        Location::Inside);
+  const detail::InnerDiscs& discs = innerDiscsOf(frame.data());
+  ASSERT_GT(discs.count, 0);
+  for (int k = 0; k < discs.count; ++k)
+    EXPECT_EQ(locate(frame, {discs.x[k] * frame.data().unit, discs.y[k] * frame.data().unit}), Location::Inside);
   EXPECT_FALSE(collide(frame, Pose::Identity(), peg, pose(0, 0.3, 0.2)));
 }
 
@@ -142,9 +141,9 @@ TEST(InnerDiscs, OfATriangleFarAway) {
   for (int k = 0; k < 200; ++k) {
     const double far = 0x1p30 * (1 + 0.013 * k);
     const Polygon triangle({{{far, far}, {far + 1, far + 0.25}, {far + 0.125 * (k % 7), far + 1}}});
-    const Hierarchy& hierarchy = hierarchyOf(triangle.data());
-    ASSERT_GT(hierarchy.inner_radius, 0);
-    expectInside(triangle, hierarchy.inner_center, hierarchy.inner_radius);
+    const detail::InnerDiscs& discs = innerDiscsOf(triangle.data());
+    ASSERT_GT(discs.largest, 0);
+    expectInside(triangle, discs.center, discs.largest);
   }
 }
 

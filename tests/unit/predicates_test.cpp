@@ -406,15 +406,15 @@ TEST(InnerDisc, LiesInTheRegionAndIsNotSmall) {
       }
     }
     const Polygon polygon(rings);
-    const Hierarchy& tree = hierarchyOf(polygon.data());
-    if (!(tree.inner_radius > 0)) continue;
+    const InnerDiscs& discs = innerDiscsOf(polygon.data());
+    if (!(discs.largest > 0)) continue;
     ++found;
-    large += tree.inner_radius > 0.2 * scale;
-    ASSERT_EQ(exact::locate(polygon, tree.inner_center), Location::Inside);
-    const mpq_class square = mpq_class(tree.inner_radius) * tree.inner_radius;
+    large += discs.largest > 0.2 * scale;
+    ASSERT_EQ(exact::locate(polygon, discs.center), Location::Inside);
+    const mpq_class square = mpq_class(discs.largest) * discs.largest;
     for (const Ring& ring : rings)
       for (std::size_t k = 0; k < ring.size(); ++k)
-        ASSERT_GE(exact::distanceSquared(tree.inner_center, ring[k], ring[(k + 1) % ring.size()]), square);
+        ASSERT_GE(exact::distanceSquared(discs.center, ring[k], ring[(k + 1) % ring.size()]), square);
   }
   EXPECT_GE(found, 290);
   EXPECT_GE(large, 150);

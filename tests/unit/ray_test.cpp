@@ -149,7 +149,7 @@ TEST(Ray, FiltersDecideOrdinaryRays) {
     const Polygon polygon({shifted(star(random, 20, 0.5, 1), {offset, offset})});
     const Vec2 from = Vec2(offset, offset) + Vec2(random.real(-3, 3), random.real(-3, 3));
     const double angle = random.real(0, 2 * M_PI), length = random.coin() ? 10 : 1e30;
-    detail::hierarchyOf(polygon.data());  // whose asserts ask exact questions
+    detail::innerDiscsOf(polygon.data());  // whose asserts ask exact questions
     const std::uint64_t before = detail::exactCalls();
     const auto hit = castRay(polygon, Pose::Identity(), from, from + length * Vec2(std::cos(angle), std::sin(angle)));
     exact_calls += detail::exactCalls() - before;

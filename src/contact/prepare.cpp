@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/prepare.h"
+
+#include "contact/disc_cover.h"
+#include "convex/convex_outline.h"
+#include "hierarchy/hierarchy.h"
+#include "pair/ring_starts.h"
+#include "polygon/convexity.h"
+
+namespace tricover {
+
+void prepare(const Polygon& polygon) {
+  const detail::PolygonData& data = polygon.data();
+  detail::hierarchyOf(data);
+  if (data.isDegenerate()) return;
+  detail::innerDiscsOf(data);
+  if (detail::convexityOf(data).direction != 0)
+    detail::convexOutlineOf(data);
+  else
+    detail::discCoverOf(data);
+  detail::buildRingStarts(data);
+}
+
+}  // namespace tricover

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How deep points are in a region, a guess. See simd_gaps.h for Lanes.
+#pragma once
+
+#include "hierarchy/inner_discs.h"
+#include "hierarchy/simd_gaps.h"
+
+namespace tricover::detail::simd {
+
+/// A number below 8 for each lane, bit by bit: what it counts is counted modulo 8.
+struct LaneCounts {
+  unsigned ones = 0, twos = 0, fours = 0;
+
+  [[gnu::always_inline]] void add(unsigned lanes) {
+    const unsigned carry = ones & lanes;
+    ones ^= lanes;
+    fours ^= twos & carry;
+    twos ^= carry;
+  }
+};
+
+template <class Lanes>
+void measureDepths(const ThinnedOutline& outline, DepthProbes& probes) {
+  const Lanes at_x = Lanes::load(probes.x), at_y = Lanes::load(probes.y), zero = Lanes::all(0), one = Lanes::all(1);
+  Lanes square = Lanes::all(1e30f);
+  LaneCounts ups, downs;
+  for (const ThinnedOutline::Edge& e : outline.edges) {
+    const Lanes x = at_x - e.x, y = at_y - e.y;
+    const Lanes part = smaller(larger((x * e.along_x + y * e.along_y) * e.inverse_square, zero), one);
+    const Lanes dx = x - part * e.along_x, dy = y - part * e.along_y;
+    square = smaller(square, dx * dx + dy * dy);
+    const unsigned above_start = above(y, zero), above_end = above(y - e.along_y, zero);
+    const unsigned left = above(y * -e.along_x + x * e.along_y, zero);
+    ups.add(above_start & ~above_end & ~left);
+    downs.add(~above_start & above_end & left);
+  }
+  const unsigned odd = ups.ones ^ downs.ones;
+  const unsigned wound = odd | (ups.twos ^ downs.twos) | (ups.fours ^ downs.fours);
+  const unsigned inside = outline.fill == FillRule::EvenOdd ? odd : wound;
+  root(square).store(probes.depth);
+  for (int i = 0; i < kLanes; ++i)
+    if ((inside >> i & 1) == 0) probes.depth[i] = -probes.depth[i];
+}
+
+}  // namespace tricover::detail::simd
