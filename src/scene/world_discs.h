@@ -51,10 +51,12 @@ class KeptDiscs {
 
   void forget() { state_.store(kNone, std::memory_order_relaxed); }
 
-  /// `found` is where they are put if they can't be kept yet.
+  /// `found` is where they are put if they can't be kept yet: not before the polygon's discs have been built.
   const WorldDiscs& of(const PolygonData& polygon, const Pose& pose, WorldDiscs& found) const {
     if (state_.load(std::memory_order_acquire) == kKept) return discs_;
+    const bool is_known = polygon.isDegenerate() || innerDiscsIfBuilt(polygon) != nullptr;
     found = WorldDiscs(polygon, pose);
+    if (!is_known) return found;
     char none = kNone;
     if (state_.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) {
       discs_ = found;
