@@ -43,7 +43,7 @@ double nsPerEdge(const Polygon& model, const Settings& settings) {
     polygons.reserve(count);
     shapes.assign(count, model.rings());
   };
-  const auto build = [&](std::size_t i) { hierarchyOf(polygons.emplace_back(std::move(shapes[i])).data()); };
+  const auto build = [&](std::size_t i) { innerDiscsOf(polygons.emplace_back(std::move(shapes[i])).data()); };
   return 1e9 * measureBuild("build", count, make, build, settings) / static_cast<double>(model.vertexCount());
 }
 

@@ -55,6 +55,9 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
       unit_(std::max(a.unit, b.unit)),
       inverse_unit_(std::min(a.inverse_unit, b.inverse_unit)),
       quarter_origin_(pose_a.linear() * (a.origin / 4) + pose_a.translation() / 4) {
+  // How far discs overlap steers a search of this plane: so they are there, whatever has been paid for.
+  for (const PolygonData* polygon : {&a, &b})
+    if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
   const auto& ra = pose_a.matrix();
   const auto& rb = pose_b.matrix();
   for (int row = 0; row < 2; ++row) {
