@@ -54,7 +54,7 @@ struct Row {
 const Pose kIdentity = Pose::Identity();
 
 void askContacts(const Input& in) { contacts(in.a, kIdentity, in.b, in.motion.start); }
-void askOneContact(const Input& in) { contacts(in.a, kIdentity, in.b, in.motion.start, 1); }
+void askOneContact(const Input& in) { contacts(in.a, kIdentity, in.b, in.motion.start, {0, 1}); }
 void askPenetration(const Input& in) { penetration(in.a, kIdentity, in.b, in.motion.start); }
 void askDistance(const Input& in) { distance(in.a, kIdentity, in.b, in.motion.start); }
 void askCollide(const Input& in) { collide(in.a, kIdentity, in.b, in.motion.start); }

@@ -92,7 +92,7 @@ void addFclDepths(std::vector<ValueMethod>& to, const Scene& scene, const std::v
 /// The deepest contact's depth.
 Asker deepestContact(const Scene& scene, const std::vector<Pose>& poses, double none) {
   return [=, &scene](std::size_t i) {
-    const auto all = contacts(scene.fixed, scene.fixed_pose, scene.moving, poses[i], 1);
+    const auto all = contacts(scene.fixed, scene.fixed_pose, scene.moving, poses[i], {0, 1});
     return all.empty() ? none : all.front().depth;
   };
 }

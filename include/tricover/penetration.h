@@ -9,8 +9,11 @@
 
 namespace tricover {
 
-/// How much a penetration may cost.
 struct PenetrationOptions {
+  /// A world length, not negative: a and b are grown by it together, as collide()'s margin says. What they overlap by
+  /// then is asked for: after the translation they are the margin apart. Of convex polygons that overlap, the depth is
+  /// the margin more; of any that are apart by d, it is at least margin - d.
+  double margin = 0;
   /// How many translations may be tried for a pair that isn't convex; the last step may take some more. With 0 none is
   /// tried, and the depth is that of the two convex hulls.
   std::size_t budget = 20000;
@@ -29,20 +32,23 @@ struct Penetration {
   /// After this translation of b (or its opposite of a) they are proven to be apart, even though adding it to the
   /// pose's translation rounds. It differs from depth * normal by as little as that takes.
   Vec2 translation;
-  Vec2 point_a;      ///< The point on a's outline that parts last, where it is now.
-  Vec2 point_b;      ///< The same on b's. If optimal, point_a is point_b + depth * normal, otherwise near it.
+  Vec2 point_a;  ///< The point on a's outline that parts last, where it is now.
+  /// The same on b's. If optimal, point_a is point_b + depth * normal, otherwise near it. With a margin, these are the
+  /// points that are nearest to each other after the translation, and the margin apart.
+  Vec2 point_b;
   EdgeIndex edge_a;  ///< The edge that point_a lies on, numbered as in Polygon::edgeStart().
   EdgeIndex edge_b;  ///< The edge that point_b lies on.
 };
 
-/// The shortest translation that parts two overlapping regions, or nothing if they are apart.
+/// The shortest translation that parts two overlapping regions, or nothing if they are apart, by more than the margin.
 ///
 /// It is the global one: b may also leave into a hole or a gap. Its depth is 0 where they only touch. Where they are
 /// wedged it isn't: a peg exactly as wide as its slot has to leave through the mouth. Swapping the operands gives the
 /// same depth and the opposite normal.
 ///
 /// Precision of a convex pair: 1e-15 of the depth, as long as that is above 1e-14 of the coordinates. Of other pairs:
-/// 1e-12 of the smaller radius(), plus 1e-13 of both radii and of the distance between the poses' translations.
+/// 1e-12 of the smaller radius(), plus 1e-13 of both radii, of the margin and of the distance between the poses'
+/// translations.
 ///
 /// Cost of a convex pair: O(n + m); 2 us for 8 vertices each, 6 us for 64. Other pairs take a search. For 64 vertices
 /// each, that typically takes 15 to 40 us where they overlap by little, and 0.2 to 1 ms where they overlap by a third

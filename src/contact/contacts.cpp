@@ -6,8 +6,11 @@
 #include <utility>
 
 #include "contact/convex_contact.h"
+#include "contact/nearest_contact.h"
 #include "contact/part_contacts.h"
+#include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/find_fact.h"
@@ -18,39 +21,55 @@ namespace tricover {
 namespace detail {
 namespace {
 
-std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache) {
-  if (gapOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), 0) >= 0) return {};
+/// Of regions that don't overlap.
+std::vector<Contact> contactsBeside(const PosedPair& pair, double margin) {
+  const CollideOptions grown{margin, 0};
+  if (margin == 0 || !collideByHierarchy(pair, grown, 0, Wanted::Answer).collides) return {};
+  const auto [nearest, normal] = nearestContact(pair);
+  return {{nearest.point_a / 2 + nearest.point_b / 2, normal, std::max(margin - nearest.distance, 0.0), nearest.edge_a,
+           nearest.edge_b}};
+}
+
+std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, double margin) {
+  if (gapOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), margin) >= 0) return {};
   if (!convexOutlineOf(pair.a).isConvexRegion() || !convexOutlineOf(pair.b).isConvexRegion())
-    return partContacts(pair, nullptr);
+    return partContacts(pair, nullptr, margin);
   const SeparatingAxes axes(pair, cache != nullptr ? &cache->contact : nullptr);
   if (axes.verdict() == SeparatingAxes::Apart) return {};
   if (axes.verdict() == SeparatingAxes::Meet)
-    if (const std::optional<Contact> contact = convexContact(pair, axes)) return {*contact};
-  return partContacts(pair, &axes);
+    if (std::optional<Contact> contact = convexContact(pair, axes)) {
+      contact->depth += margin;
+      return {*contact};
+    }
+  return partContacts(pair, &axes, margin);
 }
 
-std::vector<Contact> deepestContacts(const PosedPair& pair, PairFacts* cache, std::size_t most) {
+std::vector<Contact> deepestContacts(const PosedPair& pair, PairFacts* cache, const ContactOptions& options) {
   Recollection known{};
   if (cache != nullptr && cache->contact.count == 0)
-    known = recall(cache->collision, pair.a, pair.pose_a, pair.b, pair.pose_b, 0);
+    known = recall(cache->collision, pair.a, pair.pose_a, pair.b, pair.pose_b, options.margin);
   if (known.certain && !known.collides) return {};
-  std::vector<Contact> result = allContacts(pair, cache);
+  std::vector<Contact> result = allContacts(pair, cache, options.margin);
+  if (result.empty()) result = contactsBeside(pair, options.margin);
   if (cache != nullptr && result.empty()) {
     Outcome fact{};  // after a jump another may follow: then only the poses are of use
-    if (known.coherent) fact = findFact(pair.a, pair.pose_a, pair.b, pair.pose_b, {}, {known.lookahead, true});
+    if (known.coherent)
+      fact = findFact(pair.a, pair.pose_a, pair.b, pair.pose_b, {options.margin, 0}, {known.lookahead, true});
     remember(cache->collision, pair.a, pair.pose_a, pair.b, pair.pose_b, false, fact.clearance);
   }
   std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
-  if (result.size() > most) result.erase(result.begin() + static_cast<std::ptrdiff_t>(most), result.end());
+  if (result.size() > options.most)
+    result.erase(result.begin() + static_cast<std::ptrdiff_t>(options.most), result.end());
   return result;
 }
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                              PairFacts* cache, std::size_t most) {
+                              PairFacts* cache, const ContactOptions& options) {
+  requireFiniteNotNegative(options.margin, "margin");
   requireRigid(pose_a, pose_b);
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return deepestContacts(PosedPair(operands...), cache, most); },
+      [&](const auto&... operands) { return deepestContacts(PosedPair(operands...), cache, options); },
       [](std::vector<Contact>& contacts) {
         for (Contact& contact : contacts) {
           contact.normal = -contact.normal;
@@ -63,13 +82,13 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
 }  // namespace detail
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                              std::size_t most) {
-  return detail::contacts(a, pose_a, b, pose_b, nullptr, most);
+                              const ContactOptions& options) {
+  return detail::contacts(a, pose_a, b, pose_b, nullptr, options);
 }
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                              PairCache& cache, std::size_t most) {
-  return detail::contacts(a, pose_a, b, pose_b, &detail::factsIn(cache), most);
+                              PairCache& cache, const ContactOptions& options) {
+  return detail::contacts(a, pose_a, b, pose_b, &detail::factsIn(cache), options);
 }
 
 }  // namespace tricover

@@ -2,10 +2,12 @@
 #include "contact/crossings.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "contact/coincident_vertices.h"
+#include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
 #include "pair/edge_pairs.h"
@@ -16,14 +18,24 @@ namespace tricover {
 namespace detail {
 namespace {
 
-std::vector<Crossing> crossingsInWorld(const PosedPair& pair) {
+std::vector<Crossing> crossingsInWorld(const PosedPair& pair, double margin) {
   const WorldFrame frame(pair);
   std::vector<Crossing> result;
-  for (const EdgeCrossing& crossing : findCrossings(pair, frame, Coincident::All)) {
-    const auto first = static_cast<std::ptrdiff_t>(pair.a.edgeNumber(crossing.edge_a));
-    const auto second = static_cast<std::ptrdiff_t>(pair.b.edgeNumber(crossing.edge_b));
-    result.push_back({first, second, frame.toWorld(crossing.point)});
-  }
+  const auto add = [&](std::size_t i, std::size_t j, const Vec2& point) {
+    result.push_back({static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
+                      static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)), frame.toWorld(point)});
+  };
+  for (const EdgeCrossing& crossing : findCrossings(pair, frame, Coincident::All))
+    add(crossing.edge_a, crossing.edge_b, crossing.point);
+  if (margin == 0) return result;
+  const double reach = pair.reach(margin);
+  forEachPair(pair, reach, [&](double, std::size_t i, std::size_t j) {
+    if (!edgesMeet(pair, i, j) && edgesWithin(pair, i, j, margin, 0)) {
+      const auto [on_a, on_b] = nearestPlaces(frame.edgeEndsOfA(i), frame.edgeEndsOfB(j));
+      add(i, j, 0.5 * on_a + 0.5 * on_b);
+    }
+    return reach;
+  });
   return result;
 }
 
@@ -52,6 +64,20 @@ Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, doubl
   }
   if (span.low > span.high) span.low = span.high = std::clamp(span.middle(), 0.0, 1.0);
   return span;
+}
+
+NearestPlaces nearestPlaces(const WorldFrame::Ends& edge_a, const WorldFrame::Ends& edge_b) {
+  NearestPlaces nearest{edge_a.v, edge_b.v};
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Vec2& on_a, const Vec2& on_b) {
+    const double square = (on_b - on_a).squaredNorm();
+    if (!(square < least)) return;
+    least = square;
+    nearest = {on_a, on_b};
+  };
+  for (const Vec2& p : {edge_a.v, edge_a.w}) offer(p, nearestOnSegment(p, edge_b.v, edge_b.w));
+  for (const Vec2& q : {edge_b.v, edge_b.w}) offer(nearestOnSegment(q, edge_a.v, edge_a.w), q);
+  return nearest;
 }
 
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Coincident coincident) {
@@ -84,12 +110,14 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
 
 }  // namespace detail
 
-std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                const CrossingOptions& options) {
+  detail::requireFiniteNotNegative(options.margin, "margin");
   detail::requireRigid(pose_a, "pose_a");
   detail::requireRigid(pose_b, "pose_b");
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
-      [](const auto&... operands) { return detail::crossingsInWorld(detail::PosedPair(operands...)); },
+      [&](const auto&... operands) { return detail::crossingsInWorld(detail::PosedPair(operands...), options.margin); },
       [](std::vector<Crossing>& crossings) {
         for (Crossing& crossing : crossings) std::swap(crossing.edge_a, crossing.edge_b);
       });

@@ -26,6 +26,12 @@ struct EdgeCrossing {
 /// Where `edge` is no farther than `error` from `other`, which it meets, but for rounding.
 Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, double error);
 
+/// Where two edges are nearest to each other, rounded, of those that don't cross.
+struct NearestPlaces {
+  Vec2 on_a, on_b;
+};
+NearestPlaces nearestPlaces(const WorldFrame::Ends& edge_a, const WorldFrame::Ends& edge_b);
+
 /// All that share a point, exactly; or without those that are known by others, where many edges end in one point.
 enum class Coincident { All, Thinned };
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Coincident coincident);

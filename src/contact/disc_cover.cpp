@@ -65,11 +65,11 @@ const std::vector<Disc>& discCoverOf(const PolygonData& polygon) {
   return static_cast<const DiscCover*>(cover)->discs;
 }
 
-DiscSums::DiscSums(const std::vector<Disc>& a, const std::vector<Disc>& b, double error, std::size_t most) {
+DiscSums::DiscSums(const std::vector<Disc>& a, const std::vector<Disc>& b, double grown, std::size_t most) {
   // Small ones of both hold less than either with a large one.
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size() && (i + 1) * (j + 1) <= most; ++j)
-      add(a[i].center.x() - b[j].center.x(), a[i].center.y() - b[j].center.y(), a[i].radius + b[j].radius - error);
+      add(a[i].center.x() - b[j].center.x(), a[i].center.y() - b[j].center.y(), a[i].radius + b[j].radius + grown);
 }
 
 void DiscSums::add(double x, double y, double radius) {

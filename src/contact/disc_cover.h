@@ -22,8 +22,8 @@ const std::vector<Disc>& discCoverOf(const PolygonData& polygon);
 class DiscSums {
  public:
   DiscSums() = default;
-  /// Of discs in the order of their sizes; each is smaller by `error`. The largest with up to `most`, and so on.
-  DiscSums(const std::vector<Disc>& a, const std::vector<Disc>& b, double error, std::size_t most);
+  /// Of discs in the order of their sizes; each is grown by so much. The largest with up to `most`, and so on.
+  DiscSums(const std::vector<Disc>& a, const std::vector<Disc>& b, double grown, std::size_t most);
 
   /// Whether one of them holds all within `radius` of t.
   bool hold(const Vec2& t, double radius) const;

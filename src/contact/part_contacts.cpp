@@ -19,9 +19,10 @@ namespace {
 
 class ContactFinder {
  public:
-  ContactFinder(const PosedPair& pair, const SeparatingAxes* axes)
+  ContactFinder(const PosedPair& pair, const SeparatingAxes* axes, double margin)
       : pair_(pair),
         axes_(axes),
+        margin_(margin),
         frame_(pair),
         crossings_(findCrossings(pair, frame_, Coincident::Thinned)),
         exits_(pair, frame_, crossings_) {}
@@ -31,10 +32,11 @@ class ContactFinder {
     const std::vector<OverlapComponent> components = findComponents(pair_, frame_, crossings_);
     std::vector<Contact> result;
     for (const OverlapComponent& component : components) {
-      Exit exit = axes_ != nullptr         ? exits_.exitOfConvex(component, *axes_)
-                  : components.size() == 1 ? exitOfOnly(component)
-                                           : exits_.exitOf(component);
-      if (!component.inner || !(exit.depth > 0)) exit.depth = 0;
+      Exit exit = axes_ != nullptr ? exits_.exitOfConvex(component, *axes_) : exits_.exitOf(component);
+      const double margin = margin_ / frame_.unit();
+      exit.depth += margin;
+      if (axes_ == nullptr && components.size() == 1) exit = exitOfOnly(component, exit);
+      if (!component.inner || !(exit.depth > margin)) exit.depth = margin;
       result.push_back(inWorld(exit, pointOf(component, exit)));
     }
     return result;
@@ -45,7 +47,7 @@ class ContactFinder {
   bool parts(const Exit& exit) const {
     const double more = 16 * frame_.error() + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
     return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,
-                         (exit.depth + more) * frame_.unit() * exit.normal);
+                         (exit.depth + more) * frame_.unit() * exit.normal, margin_);
   }
 
   /// The same for directions near the normal: it doesn't just slide along a wall.
@@ -59,7 +61,7 @@ class ContactFinder {
     return parts(exit) && parts(turned(aside)) && parts(turned(-aside));
   }
 
-  Exit exitOfOnly(const OverlapComponent& component) const;
+  Exit exitOfOnly(const OverlapComponent& component, Exit exit) const;
   Exit freed(const Exit& exit) const;
   Vec2 pointOf(const OverlapComponent& component, const Exit& exit) const;
   Vec2 pointOfTouch(const OverlapComponent& component, const Vec2& middle) const;
@@ -67,6 +69,7 @@ class ContactFinder {
 
   const PosedPair& pair_;
   const SeparatingAxes* axes_;
+  const double margin_;  ///< world length
   const WorldFrame frame_;
   const std::vector<EdgeCrossing> crossings_;
   const PartExits exits_;
@@ -76,11 +79,11 @@ class ContactFinder {
 /// all. Up to some 200 vertices that is all of a penetration's budget; with less than the least nothing would be found.
 constexpr std::size_t kMostWork = std::size_t{1} << 22, kLeastBudget = std::size_t{1} << 10;
 
-/// The only part of the overlap: the shortest way out of it parts the regions.
-Exit ContactFinder::exitOfOnly(const OverlapComponent& component) const {
-  Exit exit = exits_.exitOf(component);
+/// The only part of the overlap, which has an exit of its own: the shortest way out of it parts the regions.
+Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) const {
   if (!component.inner) return exit.separates || partsFreely(exit) ? exit : freed(exit);
   PenetrationOptions options;
+  options.margin = margin_;
   options.budget = std::min(options.budget, kMostWork / (pair_.a.path.size() + pair_.b.path.size()));
   if (options.budget < kLeastBudget) return exit;
   const Penetration p = penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, options);
@@ -165,8 +168,8 @@ Contact ContactFinder::inWorld(const Exit& exit, const Vec2& point) const {
 
 }  // namespace
 
-std::vector<Contact> partContacts(const PosedPair& pair, const SeparatingAxes* axes) {
-  return ContactFinder(pair, axes).contacts();
+std::vector<Contact> partContacts(const PosedPair& pair, const SeparatingAxes* axes, double margin) {
+  return ContactFinder(pair, axes, margin).contacts();
 }
 
 }  // namespace tricover::detail

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact/convex_penetration.h"
+#include "contact/nearest_contact.h"
 #include "contact/translation_search.h"
 #include "convex/convex_outline.h"
 #include "numbers/segment.h"
@@ -61,7 +62,8 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   const PosedPair pair = space.at(at);
   double least = std::numeric_limits<double>::infinity();
   TranslationSpace::Segment nearest{};
-  for (double radius = 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
+  const double margin = space.margin();
+  for (double radius = margin + 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
     space.forEachSegment(
         pair, at, radius, [](std::size_t, std::size_t) { return true; },
         [&](const TranslationSpace::Segment& segment) {
@@ -70,14 +72,15 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
           least = std::min(apart, least);
           return true;
         });
-  const Vec2 parted = least > 64 * noise ? nearestOnSegment(t, nearest.v, nearest.w) : t;
+  const bool is_on = std::abs(least - margin) <= 64 * noise;
+  const Vec2 parted = !is_on || margin > 0 ? nearestOnSegment(t, nearest.v, nearest.w) : t;
   Features features = nearest.vertex_of_a
                           ? featuresOf(space, parted, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
                           : featuresOf(space, parted, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
   const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
   features.normal = way.stableNormalized();
   // Over a short way the segment's normal is known better than the way's direction.
-  if (along.norm() > 0 && least <= 64 * noise && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
+  if (along.norm() > 0 && is_on && std::abs(t.dot(along)) <= 4 * noise * along.norm()) {
     features.normal = Vec2(along.y(), -along.x()).stableNormalized();
     if (features.normal.dot(way) < 0) features.normal = -features.normal;
   }
@@ -90,35 +93,64 @@ Penetration noAnswer(const Vec2& normal) {
   return {kInfinity, normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
 }
 
+/// The shortest translation that is proven to part them, of those that go on from the limit along `way`. Of either one:
+/// both poses' translations are rounded. False if there is none.
+bool findTranslation(const PosedPair& pair, const Vec2& limit, const Vec2& way, double step, double margin,
+                     Penetration& result) {
+  for (; std::isfinite(step); step *= 2) {
+    const Vec2 t = limit + step * way;
+    if (areApartMoved(pair.a, pair.pose_a, Vec2::Zero(), pair.b, pair.pose_b, t, margin) &&
+        areApartMoved(pair.a, pair.pose_a, -t, pair.b, pair.pose_b, Vec2::Zero(), margin)) {
+      result.translation = t;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Of convex regions that are apart, and within the margin.
+Penetration ofNearest(const PosedPair& pair, double margin) {
+  const auto [nearest, normal] = nearestContact(pair);
+  const double depth = std::max(margin - nearest.distance, 0.0);
+  Penetration result{depth,           normal,          depth,          true,          Vec2::Zero(),
+                     nearest.point_a, nearest.point_b, nearest.edge_a, nearest.edge_b};
+  const double size = pair.a.radius + pair.b.radius + margin, step = 64 * kUnitRoundoff * size + kTiny;
+  return findTranslation(pair, depth * normal, normal, step, margin, result) ? result : noAnswer(normal);
+}
+
 }  // namespace
 
 bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const PolygonData& b, Pose pose_b,
-                   const Vec2& by_b) {
+                   const Vec2& by_b, double margin) {
   pose_a.translation() += by_a;
   pose_b.translation() += by_b;
   return pose_a.translation().allFinite() && pose_b.translation().allFinite() &&
-         !collideByHierarchy(PosedPair(a, pose_a, b, pose_b), {}, 0, Wanted::Answer).collides;
+         !collideByHierarchy(PosedPair(a, pose_a, b, pose_b), {margin, 0}, 0, Wanted::Answer).collides;
 }
 
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                const PenetrationOptions& options) {
   const ConvexOutline &outline_a = convexOutlineOf(a), &outline_b = convexOutlineOf(b);
   const PosedPair pair(a, pose_a, b, pose_b);
+  const double margin = options.margin;
+  const bool are_convex = outline_a.is_region && outline_b.is_region;
+  if (margin > 0 && are_convex && areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, Vec2::Zero(), 0))
+    return ofNearest(pair, margin);
   std::optional<SeparatingAxes> axes;
   if (outline_a.corners.size() > 2 && outline_b.corners.size() > 2) axes.emplace(pair);
   const SupportGap gap = leastSupportGap(pair, axes ? &*axes : nullptr, 0);
-  TranslationSpace space(a, pose_a, b, pose_b);
+  TranslationSpace space(a, pose_a, b, pose_b, margin);
   if (!space.isFinite()) return noAnswer(gap.normal);
-  Penetration result{gap.depth, gap.normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
+  Penetration result{gap.depth + margin, gap.normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
   const double unit = space.unit();
-  const Vec2 known = gap.normal * (gap.depth / unit);
+  const Vec2 known = gap.normal * (gap.depth / unit + margin / unit);
   ShortestParting shortest{known, known, known.norm()};
   Features features;
-  if (outline_a.is_region && outline_b.is_region) {
+  if (are_convex) {
     const ConvexOutline &own = gap.edge_of_a ? outline_a : outline_b, &other = gap.edge_of_a ? outline_b : outline_a;
     const std::size_t start = own.corners[gap.edge], end = own.corners[(gap.edge + 1) % own.corners.size()];
-    features = featuresOf(space, known, gap.edge_of_a, start, end, other.corners[gap.corner]);
-    result.lower_bound = gap.depth;
+    features = featuresOf(space, gap.normal * (gap.depth / unit), gap.edge_of_a, start, end, other.corners[gap.corner]);
+    result.lower_bound = result.depth;
     result.optimal = true;
   } else {
     shortest = searchShortestParting(space, known, options.budget);
@@ -131,23 +163,15 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.lower_bound = std::min(shortest.lower_bound * unit, result.depth);
     // What tricover/penetration.h calls the precision.
     const double between = (pose_b.translation() / unit - pose_a.translation() / unit).norm();
-    const double precision = std::max(32 * space.noise(), 1e-13 * (a.radius / unit + b.radius / unit + between));
+    const double size = a.radius / unit + b.radius / unit + space.margin() + between;
+    const double precision = std::max(32 * space.noise(), 1e-13 * size);
     result.optimal = result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + precision * unit;
   }
   const Vec2 aside = shortest.parting - shortest.limit;
   const Vec2 way = !aside.isZero(0) ? Vec2(aside.stableNormalized()) : result.normal;
-  // Of either one: both translations are rounded.
-  const auto parts = [&](const Vec2& t) {
-    return areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, t) &&
-           areApartMoved(a, pose_a, -t, b, pose_b, Vec2::Zero());
-  };
   // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
-  double step = 8 * space.noise();
-  do {
-    if (!std::isfinite(step * unit)) return noAnswer(result.normal);
-    result.translation = (shortest.limit + step * way) * unit;
-    step *= 2;
-  } while (!parts(result.translation));
+  if (!findTranslation(pair, shortest.limit * unit, way, 8 * space.noise() * unit, margin, result))
+    return noAnswer(result.normal);
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
   result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);
@@ -161,7 +185,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                        const PenetrationOptions& options) {
-  if (!collide(a, pose_a, b, pose_b)) return std::nullopt;
+  if (!collide(a, pose_a, b, pose_b, {options.margin, 0})) return std::nullopt;
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) { return detail::penetrationInOrder(operands..., options); },

@@ -7,6 +7,9 @@
 // few enough do for all their candidates to be tried; otherwise it is split in four. Nearer cells are done with before
 // farther ones, so the least distance of those left is a lower bound.
 //
+// With a margin, what is free is farther from the segments than that, and bounded by lines beside them and by circles
+// around their ends; the shortest translation ends at 0's projection on one of these, or where two cross.
+//
 // Segments within `resolution_` of each other are taken for one: outlines that run parallel but for rounding would make
 // slivers without end. So a free slit narrower than twice that may be missed, and nothing else.
 //
@@ -28,6 +31,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/boundary_curves.h"
 #include "contact/uncovered.h"
 #include "numbers/segment.h"
 #include "pair/collide_by_hierarchy.h"
@@ -37,8 +41,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDiagonal = 1.4142135623730951;
-/// Cells with no more segments than this are decided; others are split.
-constexpr std::size_t kMostSegments = 8;
 /// A search of more queries than this begins again with both regions covered by discs.
 constexpr std::size_t kLong = 24;
 /// Beyond so many segments on lines that are known already, a cell is tried to be covered; by about so many
@@ -69,43 +71,15 @@ struct PossibleLimit {
   double error;  ///< of p, along the lines that cross there
 };
 
-/// A segment or several ones that lie on a line within the resolution, clipped to what is looked at.
-struct Line {
-  Vec2 v, w;
-};
-
-Line clipped(const Line& line, const Vec2& center, double radius) {
-  const Vec2 u = line.w - line.v;
-  const double length = u.norm();
-  if (!(length > 0)) return line;
-  const Vec2 axis = u / length;
-  const double middle = (center - line.v).dot(axis);
-  const double low = std::clamp(middle - radius, 0.0, length), high = std::clamp(middle + radius, 0.0, length);
-  return {low > 0 ? Vec2(line.v + low * axis) : line.v, high < length ? Vec2(line.v + high * axis) : line.w};
-}
-
-/// Whether the shorter one lies on the longer one's line to within `resolution`; if so, `into` becomes both.
-bool merged(Line& into, const Line& line, double resolution) {
-  const bool longer = (line.w - line.v).squaredNorm() > (into.w - into.v).squaredNorm();
-  const Line &base = longer ? line : into, &other = longer ? into : line;
-  const Vec2 u = base.w - base.v;
-  const double length = u.norm();
-  if (!(length > 0)) return !((other.v - base.v).norm() > resolution);
-  const Vec2 axis = u / length;
-  if (std::abs(cross(axis, other.v - base.v)) > resolution || std::abs(cross(axis, other.w - base.v)) > resolution)
-    return false;
-  const double p = (other.v - base.v).dot(axis), q = (other.w - base.v).dot(axis);
-  const double low = std::min({0.0, p, q}), high = std::max({length, p, q});
-  into = {low < 0 ? Vec2(base.v + low * axis) : base.v, high > length ? Vec2(base.v + high * axis) : base.w};
-  return true;
-}
-
 class PartingSearch {
  public:
   PartingSearch(TranslationSpace& space, const Vec2& known, std::size_t budget)
       : space_(space),
         budget_(budget),
+        margin_(space.margin()),
+        options_{margin_ * space.unit(), 0},
         resolution_(16 * space.noise()),
+        curves_(margin_, space.noise(), resolution_),
         found_{known, known, 0},
         upper_(known.norm()) {}
 
@@ -146,10 +120,18 @@ class PartingSearch {
     return roundedDown<2>(length * (1 - pair.scale_defect)) / space_.unit();
   }
 
-  double depthOf(const PosedPair& pair, const Outcome& outcome) const {
-    if (outcome.edge_a < 0 || outcome.edge_b < 0) return inUnits(pair, outcome.clearance);
-    return inUnits(
-        pair, crossingDepth(pair, static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
+  /// How far the translation t may change until two edges are farther apart than the margin, at least.
+  double depthOf(const PosedPair& pair, const Vec2& t, std::size_t i, std::size_t j) const {
+    const double depth = inUnits(pair, crossingDepth(pair, i, j));
+    if (margin_ == 0) return depth;
+    return depth > 0 ? depth + margin_ - 4 * space_.noise() : margin_ - space_.gap(t, i, j) - 4 * space_.noise();
+  }
+  double depthOf(const PosedPair& pair, const Vec2& t, const Outcome& outcome) const {
+    if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
+      return depthOf(pair, t, static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b));
+    // Boxes within the margin tell of no depth.
+    if (outcome.edge_a < 0 && outcome.edge_b < 0 && outcome.clearance == 0) return 0;
+    return inUnits(pair, outcome.clearance) + margin_ * (1 - 0x1p-40);
   }
 
   void improve(const Vec2& limit, const Vec2& parting, double error = 0) {
@@ -163,7 +145,7 @@ class PartingSearch {
 
   bool isFree(Vec2& t) {
     ++queries_;
-    return !collideByHierarchy(space_.at(t), {}, 0, Wanted::Answer).collides;
+    return !collideByHierarchy(space_.at(t), options_, 0, Wanted::Answer).collides;
   }
 
   /// Whether nothing shorter than the best is left to be found in the cell.
@@ -174,11 +156,12 @@ class PartingSearch {
     const double radius = (cell.half * kDiagonal + (t - cell.center).norm()) * (1 + 0x1p-40);
     if (cell.sums->hold(t, radius)) return true;
     if (cell.half > coarse_) return false;
-    const Outcome outcome = collideByHierarchy(pair, {}, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
+    const Outcome outcome =
+        collideByHierarchy(pair, options_, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
     if (outcome.collides) {
-      if (depthOf(pair, outcome) >= radius) return true;
+      if (depthOf(pair, t, outcome) >= radius) return true;
     } else {
-      const double clearance = inUnits(pair, outcome.clearance), length = t.norm();
+      const double clearance = inUnits(pair, outcome.clearance) - margin_, length = t.norm();
       const double back = std::clamp(clearance - space_.noise(), 0.0, length);
       const Vec2 nearest = length > 0 ? Vec2(t * (1 - back / length)) : t;
       improve(nearest, nearest);
@@ -199,7 +182,7 @@ class PartingSearch {
     }
     if (gathered != Gathered::Lines) return gathered == Gathered::Deep;
     // No line: the answer at the centre is that of the whole cell.
-    return lines_.empty() || decideByLines(cell, radius);
+    return curves_.isEmpty() || decideByCurves(cell, radius);
   }
 
   /// All lines around a cell; or why it needs no more: edges cross deeper than the cell reaches, the lines are too
@@ -208,25 +191,20 @@ class PartingSearch {
   Gathered gather(const PosedPair& pair, const Vec2& t, double radius, std::size_t most) {
     Gathered result = Gathered::Lines;
     std::size_t repeated = 0;
-    lines_.clear();
+    curves_.clear();
     const double around = kSurroundings * radius;
+    const auto note = [&](BoundaryCurves::Added added) {
+      if (added == BoundaryCurves::Repeated && ++repeated > most) result = Gathered::Repeated;
+      if (added == BoundaryCurves::TooMany) result = Gathered::Many;
+    };
     space_.forEachSegment(
-        pair, t, around,
+        pair, t, around + margin_,
         [&](std::size_t i, std::size_t j) {
-          if (inUnits(pair, crossingDepth(pair, i, j)) >= radius) result = Gathered::Deep;
+          if (depthOf(pair, t, i, j) >= radius) result = Gathered::Deep;
           return result == Gathered::Lines;
         },
         [&](const TranslationSpace::Segment& segment) {
-          const Line line = clipped({segment.v, segment.w}, t, around);
-          for (Line& other : lines_)
-            if (merged(other, line, resolution_)) {
-              if (++repeated > most) result = Gathered::Repeated;
-              return result == Gathered::Lines;
-            }
-          if (lines_.size() == kMostSegments)
-            result = Gathered::Many;
-          else
-            lines_.push_back(line);
+          curves_.add({segment.v, segment.w}, t, around, note);
           return result == Gathered::Lines;
         });
     return result;
@@ -243,7 +221,7 @@ class PartingSearch {
       ++queries_;
       Vec2 t = rest.point();
       const PosedPair pair = space_.at(t);
-      const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Clearance);
+      const Outcome outcome = collideByHierarchy(pair, options_, 0, Wanted::Clearance);
       if (!outcome.collides) return Cover::Little;
       if (outcome.edge_a >= 0 && outcome.edge_b >= 0) {
         rest.takeAway(
@@ -258,34 +236,24 @@ class PartingSearch {
     return Cover::Whole;
   }
 
-  /// The nearest point of a free face of the lines' arrangement is the nearest point, an end or a crossing of lines.
-  bool decideByLines(const Cell& cell, double radius) {
+  /// The nearest point of a free face of the curves' arrangement is the nearest point, an end or a crossing of them.
+  bool decideByCurves(const Cell& cell, double radius) {
     limits_.clear();
-    const auto offer = [&](const Vec2& p, double error = 0) {
-      if ((p - cell.center).lpNorm<Eigen::Infinity>() > cell.half + resolution_ || !(p.norm() < upper_)) return;
+    const auto isWanted = [&](const Vec2& p) {
+      return (p - cell.center).lpNorm<Eigen::Infinity>() <= cell.half + resolution_ && p.norm() < upper_;
+    };
+    const auto offer = [&](const Vec2& p, double error) {
+      if (!isWanted(p)) return;
       for (const PossibleLimit& other : limits_)
         if ((p - other.p).norm() <= space_.noise()) return;
       limits_.push_back({p, error});
     };
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      const Line& line = lines_[i];
-      offer(nearestOnSegment(Vec2::Zero(), line.v, line.w));
-      offer(line.v);
-      offer(line.w);
-      for (std::size_t j = 0; j < i; ++j) {
-        const Vec2 u = line.w - line.v, other = lines_[j].w - lines_[j].v;
-        const double area = cross(u, other);
-        if (area == 0) continue;
-        const double s = cross(lines_[j].v - line.v, other) / area;
-        const Vec2 p = line.v + s * u;
-        if (s >= -0x1p-20 && s <= 1 + 0x1p-20 &&
-            (nearestOnSegment(p, lines_[j].v, lines_[j].w) - p).norm() <= resolution_)
-          offer(p, 2 * space_.noise() * u.norm() * other.norm() / std::abs(area));
-      }
-    }
+    bool resolved = true;
+    curves_.forEachPossibleLimit(offer, [&](const Vec2& p, const Vec2& along) {
+      if (isWanted(p)) resolved = decideTouch(p, along, radius) && resolved;
+    });
     std::sort(limits_.begin(), limits_.end(),
               [](const PossibleLimit& c, const PossibleLimit& d) { return c.p.squaredNorm() < d.p.squaredNorm(); });
-    bool resolved = true;
     for (const PossibleLimit& limit : limits_) {
       if (!(limit.p.norm() < upper_)) break;
       resolved &= decideLimit(limit, radius);
@@ -293,39 +261,42 @@ class PartingSearch {
     return resolved;
   }
 
-  /// Samples each sector between the lines through p. False if one is too narrow for that.
+  /// Samples the two cusps that circles, or a circle and a line, leave where they touch: at s along them they are
+  /// s^2 / (2 margin) wide, and what is narrower than some resolutions isn't seen. False if they are yet to be found.
+  bool decideTouch(const Vec2& p, const Vec2& along, double radius) {
+    const double first = 8 * std::sqrt(resolution_ * margin_);
+    for (const Vec2& way : {along, Vec2(-along)})
+      for (double step = first; step < 0.2 * radius; step *= 2) {
+        Vec2 sample = p + step * way;
+        if (!isFree(sample)) continue;
+        improve(sample, sample);
+        break;
+      }
+    return first >= 0.2 * radius || !(p.norm() + first < upper_);
+  }
+
+  /// Samples each sector between the curves through p. False if one is too narrow for that.
   bool decideLimit(const PossibleLimit& limit, double radius) {
     const Vec2& p = limit.p;
     double room = 0.2 * radius;
     rays_.clear();
-    for (const Line& line : lines_) {
-      const double apart = (nearestOnSegment(p, line.v, line.w) - p).norm();
-      if (apart > 2 * resolution_) {
-        room = std::min(room, apart / 2);
-        continue;
-      }
-      for (const Vec2& end : {line.v, line.w}) {
-        const Vec2 ray = end - p;
-        const double length = ray.norm();
-        if (length <= 2 * resolution_) continue;
-        room = std::min(room, length / 2);
-        rays_.push_back(std::atan2(ray.y(), ray.x()));
-      }
-    }
+    const bool is_curved = curves_.addRays(p, rays_, room);
     if (rays_.empty()) rays_.push_back(std::atan2(-p.y(), -p.x()));
     std::sort(rays_.begin(), rays_.end());
     bool resolved = true;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
       const double gap = i + 1 < rays_.size() ? rays_[i + 1] - rays_[i] : rays_[0] + 2 * kPi - rays_[i];
       const double middle = rays_[i] + gap / 2, width = std::sin(std::min(gap, kPi) / 2);
-      if (room * width < 3 * resolution_) {
+      // On a way s a circle leaves its tangent by s^2 / (2 margin): no more than half of the sector's width.
+      const double reach = is_curved ? std::min(room, margin_ * width) : room;
+      if (reach * width < 3 * resolution_) {
         resolved = false;
         continue;
       }
       const Vec2 way(std::cos(middle), std::sin(middle));
-      Vec2 sample = p + room * way;
+      Vec2 sample = p + reach * way;
       if (!isFree(sample)) continue;
-      for (double step = space_.noise() / width; step < room; step *= 2) {
+      for (double step = space_.noise() / width; step < reach; step *= 2) {
         Vec2 beside = p + step * way;
         if (!isFree(beside)) continue;
         improve(p, beside, limit.error);
@@ -339,14 +310,16 @@ class PartingSearch {
 
   TranslationSpace& space_;
   const std::size_t budget_;
+  const double margin_;
+  const CollideOptions options_;
   /// Segments nearer to each other than this are one; slits between them are not seen.
   const double resolution_;
+  BoundaryCurves curves_;
   ShortestParting found_;
   double upper_, error_ = 0;
   std::size_t queries_ = 0;
   /// In a long search cells larger than this are divided without a query.
   double coarse_ = std::numeric_limits<double>::infinity();
-  std::vector<Line> lines_;
   std::vector<PossibleLimit> limits_;
   std::vector<double> rays_;
 };

@@ -42,18 +42,21 @@ TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polyg
 //   a vertex of a     p - q 1, products 1, sum 1                           3 r_a in either coordinate
 //   one of b          the same, the sum with c 1, c itself 1               4 r_b + 2 c
 //   a segment's end   their difference 1                                   4 r_a + 5 r_b + 3 c
-// which is sqrt2 5 reach in any direction. at() rounds a translation to the spacing of doubles at t_b - t_a + t, of
-// which no component is larger than reach and shift: two sums there and two differences back, 4.
+// which is sqrt2 5 reach in any direction; the margin is part of it, too. at() rounds a translation to the spacing of
+// doubles at t_b - t_a + t, of which no component is larger than reach and shift: two sums there and two differences
+// back, 4.
 constexpr double kVertexError = 16 * kUnitRoundoff, kShiftError = 4 * kUnitRoundoff;
 static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 
-TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                                   double margin)
     : polygon_a_(a),
       polygon_b_(b),
       pose_a_(pose_a),
       pose_b_(pose_b),
       unit_(std::max(a.unit, b.unit)),
       inverse_unit_(std::min(a.inverse_unit, b.inverse_unit)),
+      margin_(margin / unit_),
       quarter_origin_(pose_a.linear() * (a.origin / 4) + pose_a.translation() / 4) {
   // How far discs overlap steers a search of this plane: so they are there, whatever has been paid for.
   for (const PolygonData* polygon : {&a, &b})
@@ -72,8 +75,8 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
   }
   pose_a_.translation().setZero();
   const double radii = (a.radius * inverse_unit_ + b.radius * inverse_unit_) * (1 + kLargestDefect);
-  reach_ = radii + between_.norm();
-  noise_ = kVertexError * reach_ + kShiftError * (shift_.lpNorm<1>() * inverse_unit_) + 0x1p-1073 * inverse_unit_;
+  noise_ = kVertexError * (radii + between_.norm() + margin_) + kShiftError * (shift_.lpNorm<1>() * inverse_unit_) +
+           0x1p-1073 * inverse_unit_;
   if (!isFinite()) return;
   a_ = verticesOf(a, pose_a, Vec2::Zero(), inverse_unit_);
   b_ = verticesOf(b, pose_b, between_, inverse_unit_);
@@ -88,7 +91,7 @@ DiscSums TranslationSpace::discSums() const {
     return discs;
   };
   // A centre is no less precise than a vertex, and so is t; the fourth is for the roundings where they are compared.
-  return DiscSums(posed(polygon_a_, pose_a_, Vec2::Zero()), posed(polygon_b_, pose_b_, between_), 4 * noise_,
+  return DiscSums(posed(polygon_a_, pose_a_, Vec2::Zero()), posed(polygon_b_, pose_b_, between_), margin_ - 4 * noise_,
                   polygon_a_.path.size() + polygon_b_.path.size());
 }
 

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "contact/disc_cover.h"
+#include "numbers/segment.h"
 #include "pair/edge_pairs.h"
 
 namespace tricover::detail {
 
-/// The plane of b's translations, in which the regions overlap on M = A + (-B). Axes are the world's, the origin is b
-/// where it is, lengths are in units.
+/// The plane of b's translations, in which the regions overlap on M = A + (-B), and are within the margin of each other
+/// on M grown by that. Axes are the world's, the origin is b where it is, lengths are in units.
 ///
 /// The boundary of M lies on convolution segments: a vertex of a less an edge of b, or an edge of a less a vertex of b;
 /// and of these only where the edges at the vertex don't leave to both sides of the other's line, since otherwise the
 /// translations around a segment's inner point overlap, too.
 class TranslationSpace {
  public:
-  TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
+  TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double margin);
 
   struct Segment {
     Vec2 v, w;
@@ -46,6 +49,13 @@ class TranslationSpace {
     return {a_.at[i] - b_.at[j], a_.at[i + 1] - b_.at[j], a_.at[i + 1] - b_.at[j + 1], a_.at[i] - b_.at[j + 1]};
   }
 
+  /// How far apart two edges that don't cross are after the translation t, but for a few of noise().
+  double gap(const Vec2& t, std::size_t i, std::size_t j) const {
+    const auto [p, q, r, s] = meetings(i, j);
+    return std::sqrt(std::min({squaredDistanceToSegment(t, p, q), squaredDistanceToSegment(t, q, r),
+                               squaredDistanceToSegment(t, r, s), squaredDistanceToSegment(t, s, p)}));
+  }
+
   /// Translations at which discs in the regions overlap: worth their while in a long search.
   DiscSums discSums() const;
 
@@ -53,8 +63,7 @@ class TranslationSpace {
   bool isFinite() const { return noise_ < 1; }
   /// At least what an end of a segment is wrong by, and t in at().
   double noise() const { return noise_; }
-  /// A bound of the length of any translation that leaves them overlapping.
-  double reach() const { return reach_; }
+  double margin() const { return margin_; }
 
   /// Vertices, by position, in the world from a's origin S, in units; b's where it is.
   const std::vector<Vec2>& verticesOfA() const { return a_.at; }
@@ -91,7 +100,7 @@ class TranslationSpace {
   const PolygonData &polygon_a_, &polygon_b_;
   Pose pose_a_, pose_b_;     ///< less a's translation
   Vec2 shift_, shift_rest_;  ///< t_b - t_a, as a rounded part and the rest
-  double unit_, inverse_unit_, noise_, reach_;
+  double unit_, inverse_unit_, margin_, noise_;
   Vec2 quarter_origin_;  ///< of a's S in the world
   Vec2 between_;         ///< b's S, as vertices
   Vertices a_, b_;

@@ -12,7 +12,6 @@
 
 namespace tricover {
 namespace detail {
-namespace {
 
 /// By the first solver that is certain of its answer; the last one always is.
 DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
@@ -22,6 +21,8 @@ DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, c
   if (!convexDistance(pair, cache, options, result)) result = treeDistance(pair, cache, options);
   return result;
 }
+
+namespace {
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         DistanceFacts* cache, const DistanceQuery& options) {

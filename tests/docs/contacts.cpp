@@ -37,6 +37,22 @@ TEST(Documentation, ContactsWithCache) {
   //! [contacts with cache]
 }
 
+TEST(Documentation, ContactsWithMargin) {
+  //! [contacts with margin]
+  const tricover::Polygon floor({{{0, 0}, {9, 0}, {9, 1}, {0, 1}}}), box({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  tricover::Pose above = tricover::Pose::Identity();
+  above.translation() << 4, 1.25;
+  const tricover::Pose still = tricover::Pose::Identity();
+  EXPECT_TRUE(tricover::contacts(floor, still, box, above).empty());
+  // Half a length of safety, of which a quarter is left.
+  const std::vector<tricover::Contact> found = tricover::contacts(floor, still, box, above, {/*margin*/ 0.5});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].depth, 0.25, 1e-12);
+  EXPECT_NEAR(found[0].normal.y(), 1, 1e-12);
+  EXPECT_NEAR(found[0].point.y(), 1.125, 1e-12);  // in the middle of the gap
+  //! [contacts with margin]
+}
+
 TEST(Documentation, Crossings) {
   //! [crossings]
   const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});

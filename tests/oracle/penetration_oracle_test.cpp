@@ -159,7 +159,7 @@ TEST(PenetrationOracle, SmallPolygonsAgreeWithBruteForce) {
     ASSERT_EQ(p.has_value(), exact::collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
     if (!p) continue;
     ++overlapping;
-    const double bound = penetration(c.a, c.pose_a, c.b, c.pose_b, {0})->depth;
+    const double bound = penetration(c.a, c.pose_a, c.b, c.pose_b, {0, 0})->depth;
     below_hulls += p->depth < bound;
     EXPECT_TRUE(p->optimal) << reproduction(c);
     const double truth = exact::penetrationDepth(c.a, c.pose_a, c.b, c.pose_b, bound);
@@ -184,7 +184,7 @@ TEST(PenetrationOracle, ManyVerticesDeepInEachOther) {
     Random random(static_cast<std::uint64_t>(i) + 1);
     const auto outline = [&] { return Polygon({star(random, 250, 1.9, 2), reversed(star(random, 20, 0.2, 0.5))}); };
     const Case c{outline(), pose(1, 3e5, -2e5), outline(), pose(random.real(0, 6.3), 3e5, -2e5 + random.unit())};
-    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b), q = penetration(c.a, c.pose_a, c.b, c.pose_b, {1600});
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b), q = penetration(c.a, c.pose_a, c.b, c.pose_b, {0, 1600});
     ASSERT_TRUE(p && q);
     EXPECT_TRUE(p->optimal);
     EXPECT_FALSE(q->optimal) << "a short search";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,18 @@ bool isCommon(const Case& c, const Crossing& crossing) {
   return Reference(of_a).within(error) && Reference(of_b).within(error);
 }
 
+/// One pair of edges is listed if and only if it is within the margin.
+bool areWithin(Random& random, const Case& c, double margin) {
+  const auto anyEdge = [&](const Polygon& polygon) {
+    return static_cast<EdgeIndex>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  };
+  const EdgeIndex i = anyEdge(c.a), j = anyEdge(c.b);
+  const std::vector<Crossing> found = crossings(c.a, c.pose_a, c.b, c.pose_b, {margin});
+  const auto count =
+      std::count_if(found.begin(), found.end(), [&](const Crossing& x) { return x.edge_a == i && x.edge_b == j; });
+  return count == (Reference({edgeOf(c.a, i), c.pose_a, edgeOf(c.b, j), c.pose_b}).within(margin) ? 1 : 0);
+}
+
 }  // namespace
 
 /// crossings() lists exactly the pairs of edges that share a point.
@@ -47,6 +60,10 @@ void soakCrossings(Run& run) {
     if (problem.empty() && !turned && !found.empty() && support::rounding(c) < 1e285 && random.oneIn(4) &&
         !isCommon(c, found[static_cast<std::size_t>(random.integer(0, static_cast<int>(found.size()) - 1))]))
       problem = "a point beside its edges";
+    if (problem.empty() && random.oneIn(8)) {
+      const double margin = random.unit() * std::max(c.a.radius(), c.b.radius());
+      if (std::isfinite(margin) && !areWithin(random, c, margin)) problem = "edges within " + support::hex(margin);
+    }
     if (!problem.empty()) run.fail(drawn.family, problem, support::reproduction(c));
   }
 }

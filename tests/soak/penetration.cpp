@@ -92,6 +92,30 @@ std::string wrongWith(Random& random, const Drawn& drawn, const Penetration& p) 
   return is_small && random.oneIn(300) ? wrongByBruteForce(c, p) : "";
 }
 
+/// With a margin the way leads to where they are farther apart than that, and none that is shorter does.
+std::string wrongWithMargin(Random& random, const Case& c) {
+  const double margin = random.unit() * std::max(c.a.radius(), c.b.radius());
+  if (!std::isfinite(margin)) return "";
+  const bool truth = Reference(c).within(margin);
+  const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b, {margin, 500});
+  const std::string of = " with the margin " + support::hex(margin);
+  if (p.has_value() != truth) return "a penetration, or none," + of;
+  if (!p || std::isinf(p->depth)) return "";
+  const auto areWithinAfter = [&](const Vec2& way) {
+    Case moved = c;
+    moved.pose_b.translation() += way;
+    return Reference(moved).within(margin);
+  };
+  if (areWithinAfter(p->translation)) return "translation doesn't part them" + of;
+  for (int i = 0; i < 4; ++i) {
+    const double way =
+        (i % 2 == 0 ? 0.999 : random.unit()) * p->lower_bound - precision(c) - 1e-12 * margin - spacing(c);
+    if (way > 0 && !areWithinAfter(way * support::direction(random.real(0, 6.3))))
+      return "a shorter one parts them" + of;
+  }
+  return "";
+}
+
 }  // namespace
 
 /// penetration(): its way parts them, none that is shorter is found; convex pairs against the exact depth, small ones
@@ -120,6 +144,7 @@ void soakPenetration(Run& run) {
       if (!q || q->depth != p->depth || q->normal != -p->normal || q->translation != -p->translation)
         problem = "swapped, it differs";
     }
+    if (problem.empty() && random.oneIn(4)) problem = wrongWithMargin(random, c);
     if (problem.empty()) continue;
     const std::string found = p ? ", depth " + support::hex(p->depth) + ", bound " + support::hex(p->lower_bound) : "";
     run.fail(drawn.family, problem + found, support::reproduction(c));

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "contacts_by_hand.h"
+#include "tricover/segment.h"
 
 namespace tricover::support {
 namespace {
@@ -55,9 +56,33 @@ TEST(Contacts, OfTeethThroughAThinBarPullThemOut) {
 
 TEST(Contacts, AreAtMostAsManyAsAskedFor) {
   const Polygon above({rectangle(-10, 4.75, 100, 9)}), teeth({comb(7, 3, 1, 5)});
-  EXPECT_EQ(contacts(above, kHere, teeth, kHere, 3).size(), 3u);
-  EXPECT_EQ(contacts(above, kHere, teeth, kHere, 0).size(), 0u);
-  EXPECT_EQ(contacts(above, kHere, teeth, kHere, 100).size(), 7u);
+  EXPECT_EQ(contacts(above, kHere, teeth, kHere, {0, 3}).size(), 3u);
+  EXPECT_EQ(contacts(above, kHere, teeth, kHere, {0, 0}).size(), 0u);
+  EXPECT_EQ(contacts(above, kHere, teeth, kHere, {0, 100}).size(), 7u);
+}
+
+TEST(Contacts, WithAMarginAreOfWhatIsGrown) {
+  const Polygon square({rectangle(-1, -1, 1, 1)}), far({rectangle(0x1p700, -1, 0x1p701, 1)});
+  const auto beside = [&](double gap, double margin) {
+    return contacts(square, kHere, square, pose(0, 2 + gap, 0.5), {margin});
+  };
+  ASSERT_EQ(beside(-0.25, 0.5).size(), 1u);
+  EXPECT_EQ(beside(-0.25, 0.5)[0].depth, 0.75);
+  ASSERT_EQ(beside(0, 0.5).size(), 1u);
+  EXPECT_EQ(beside(0, 0.5)[0].depth, 0.5);
+  EXPECT_EQ(beside(0.25, 0.5)[0].depth, 0.25);
+  EXPECT_EQ(beside(0.25, 0.5)[0].normal, Vec2(1, 0));
+  EXPECT_EQ(beside(0.25, 0.5)[0].point.x(), 1.125);
+  // They touch exactly there, and not beyond.
+  ASSERT_EQ(beside(0.5, 0.5).size(), 1u);
+  EXPECT_EQ(beside(0.5, 0.5)[0].depth, 0);
+  EXPECT_EQ(beside(0.5, 0.5)[0].normal, Vec2(1, 0));
+  EXPECT_TRUE(beside(0.5, nudged(0.5, -1)).empty());
+  EXPECT_TRUE(contacts(square, kHere, far, kHere, {0x1p699}).empty());
+  ASSERT_EQ(contacts(square, kHere, far, kHere, {0x1p702}).size(), 1u);
+  EXPECT_EQ(contacts(square, kHere, far, kHere, {0x1p702})[0].depth, 0x1.8p701);
+  EXPECT_EQ(contacts(point({0, 0}), kHere, point({3, 4}), kHere, {6})[0].depth, 1);
+  EXPECT_EQ(contacts(point({0, 0}), kHere, point({3, 4}), kHere, {6})[0].normal, Vec2(0.6, 0.8));
 }
 
 TEST(Contacts, OfTwoAnnuliAreTheirTwoLenses) {

@@ -111,5 +111,19 @@ TEST(Crossings, RefuseWhatCollideRefuses) {
   EXPECT_THROW(crossings(a, kHere, a, bad), std::invalid_argument);
 }
 
+TEST(Crossings, WithAMarginAreOfEdgesWithinIt) {
+  const Polygon square({rectangle(0, 0, 4, 4)});
+  const auto beside = [&](double x, double margin) {
+    return crossings(square, Pose::Identity(), square, pose(0, x, 1), {margin});
+  };
+  EXPECT_TRUE(beside(5, 0.5).empty());
+  EXPECT_TRUE(beside(5, nudged(1, -1)).empty());
+  const std::vector<Crossing> found = beside(5, 1);
+  ASSERT_FALSE(found.empty());
+  for (const Crossing& crossing : found) EXPECT_EQ(crossing.point.x(), 4.5);
+  EXPECT_EQ(beside(5, 100).size(), 16u);
+  EXPECT_EQ(beside(5, 1e300).size(), 16u);
+}
+
 }  // namespace
 }  // namespace tricover::support

@@ -203,6 +203,34 @@ TEST(NotConvex, SeveralParts) {
   expectPenetration(posts, kIdentity, rake, at(4.375, 4), {0.625, {-1, 0}});
 }
 
+TEST(Margin, IsAddedToTheDepthOfConvexPolygons) {
+  const auto p = penetration(square(), kIdentity, square(), at(1.5, 0.25), {0.5});
+  EXPECT_EQ(p->depth, 1);
+  EXPECT_EQ(p->normal, Vec2(1, 0));
+  EXPECT_NEAR((p->point_b + (p->depth - 0.5) * p->normal - p->point_a).norm(), 0, 1e-15);
+  // A corner beside a corner.
+  const auto q = penetration(square(), kIdentity, square(), at(5, 6), {6});
+  EXPECT_EQ(q->depth, 1);
+  EXPECT_NEAR((q->normal - Vec2(0.6, 0.8)).norm(), 0, 1e-15);
+  EXPECT_FALSE(penetration(square(), kIdentity, square(), at(5, 6), {nudged(5, -1)}));
+  EXPECT_EQ(penetration(square(), kIdentity, square(), at(5, 6), {5})->depth, 0);
+}
+
+TEST(Margin, OutOfACup) {
+  // A peg of two in a cup of three has half to either side, and one below: three above it are the way out, and the
+  // margin.
+  const Polygon peg({rectangle(0, 0, 2, 9)});
+  const auto p = penetration(cup(), kIdentity, peg, at(1.5, 1.5), {0.75});
+  ASSERT_TRUE(p && p->optimal);
+  EXPECT_NEAR(p->depth, 3.5 + std::sqrt(0.75 * 0.75 - 0.5 * 0.5), 1e-12);
+  EXPECT_NEAR((p->normal - Vec2(0, 1)).norm(), 0, 1e-7);
+  EXPECT_FALSE(penetration(cup(), kIdentity, peg, at(1.5, 1.5), {0.49}));
+  // As wide as the margin: up along the wall.
+  const auto q = penetration(cup(), kIdentity, peg, at(1.5, 1.5), {0.5});
+  ASSERT_TRUE(q);
+  EXPECT_NEAR(q->depth, 3.5, 1e-5);
+}
+
 TEST(Touching, HasDepthZeroAndAWayOut) {
   for (const auto& [polygon, where, way] :
        {std::tuple{cup(), at(6, 2), Vec2(1, 0)}, {frame(), at(3, 5), Vec2(1, 0)}, {cup(), at(2.5, 2), Vec2(0, 1)}}) {
@@ -289,7 +317,7 @@ TEST(Sizes, OfHugeAndTinyEdgesTheDirectionIsAUnitVector) {
       0x1.e0261549b2ae3p-1, -1;
   pose_b.matrix().topRows<2>() << 0x1.c0bb3ab786c7ep-2, 0x1.cc38c348d1356p-1, 0, -0x1.cc38c348d1356p-1,
       0x1.c0bb3ab786c7ep-2, 0;
-  const auto found = penetration(a, pose_a, b, pose_b, {20});
+  const auto found = penetration(a, pose_a, b, pose_b, {0, 20});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->normal.norm(), 1, 1e-15);
 }
@@ -303,7 +331,7 @@ TEST(FarAway, OnlyWhatTheirPosesShareIsLost) {
 
 TEST(Budget, EveryResultIsABound) {
   for (const std::size_t budget : {0u, 1u, 2u, 5u, 20u, 1000u}) {
-    const auto p = penetration(frame(), kIdentity, square(), at(1.5, 5), {budget});
+    const auto p = penetration(frame(), kIdentity, square(), at(1.5, 5), {0, budget});
     ASSERT_TRUE(p);
     EXPECT_GE(p->depth, 1.5 - 1e-12);
     EXPECT_LE(p->depth, 2.5 + 1e-12);
@@ -315,12 +343,12 @@ TEST(Budget, EveryResultIsABound) {
     EXPECT_LE(p->translation.norm(), p->depth + 1e-11);
   }
   // The hulls' separating axes.
-  const auto none = penetration(frame(), kIdentity, square(), at(1.5, 5), {0});
+  const auto none = penetration(frame(), kIdentity, square(), at(1.5, 5), {0, 0});
   EXPECT_NEAR(none->depth, 2.5, 1e-14);
   EXPECT_EQ(none->lower_bound, 0);
   EXPECT_FALSE(none->optimal);
   // Convex pairs need none.
-  EXPECT_TRUE(penetration(square(), kIdentity, square(), kIdentity, {0})->optimal);
+  EXPECT_TRUE(penetration(square(), kIdentity, square(), kIdentity, {0, 0})->optimal);
 }
 
 TEST(Budget, MoreOfItIsNoWorse) {
@@ -328,9 +356,9 @@ TEST(Budget, MoreOfItIsNoWorse) {
   const Polygon a({star(random, 60, 1, 3)}), b({star(random, 60, 1, 3)});
   const auto best = penetration(a, kIdentity, b, at(0.5, 0.25));
   ASSERT_TRUE(best->optimal);
-  Penetration last = *penetration(a, kIdentity, b, at(0.5, 0.25), {0});
+  Penetration last = *penetration(a, kIdentity, b, at(0.5, 0.25), {0, 0});
   for (const std::size_t budget : {10u, 30u, 100u, 300u}) {
-    const auto p = penetration(a, kIdentity, b, at(0.5, 0.25), {budget});
+    const auto p = penetration(a, kIdentity, b, at(0.5, 0.25), {0, budget});
     EXPECT_FALSE(p->optimal);
     EXPECT_LE(p->depth, last.depth);
     EXPECT_GE(p->depth, best->depth);

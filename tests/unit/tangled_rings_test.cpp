@@ -97,7 +97,7 @@ bool expectAllQueriesRight(const Polygon& a, const Pose& pose_a, const Polygon& 
   const bool hit = truth == 0;
   EXPECT_EQ(collide(a, pose_a, b, pose_b), hit);
   EXPECT_EQ(collide(b, pose_b, a, pose_a), hit);
-  EXPECT_EQ(!contacts(a, pose_a, b, pose_b, 1).empty(), hit);
+  EXPECT_EQ(!contacts(a, pose_a, b, pose_b, {0, 1}).empty(), hit);
   EXPECT_NEAR(distance(a, pose_a, b, pose_b).distance, truth, 1e-10);
   for (const double share : {0.9, 1.1}) {
     EXPECT_EQ(collide(a, pose_a, b, pose_b, CollideOptions{share * truth, 0}), hit || share > 1) << share;

@@ -50,7 +50,7 @@ void measureOverlap(Span& span, const MixedPair<S>& pair, const Shadow& shadow, 
       return !deepest.empty() && deepest.front().depth > touch;
     };
     if ((shadow.isSurface() && shadow.meets(pair.polygon(), 0)) ||
-        overlaps(tricover::contacts(pair.polygon(), Pose::Identity(), shadow.core(), Pose::Identity(), 1)) ||
+        overlaps(tricover::contacts(pair.polygon(), Pose::Identity(), shadow.core(), Pose::Identity(), {0, 1})) ||
         overlaps(shadow.contacts(pair.polygon(), 1)))
       span.distance = -1;
   }

@@ -104,7 +104,7 @@ std::optional<tricover::Penetration> Shadow::penetration(const Polygon& polygon)
 std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, std::size_t most) const {
   if (!smooth_) return with(polygon).contacts(most);
   const auto of = [&](const Polygon& region) {
-    return tricover::contacts(polygon, Pose::Identity(), region, Pose::Identity(), most);
+    return tricover::contacts(polygon, Pose::Identity(), region, Pose::Identity(), {0, most});
   };
   SmoothShadow fine = roughly(*smooth_);
   Normals normals;

@@ -34,7 +34,7 @@ struct PlanarPair {
   tricover::DistanceResult distance() const { return tricover::distance(*a, pose_a, *b, pose_b); }
   std::optional<tricover::Penetration> penetration() const { return tricover::penetration(*a, pose_a, *b, pose_b); }
   std::vector<tricover::Contact> contacts(std::size_t most) const {
-    return tricover::contacts(*a, pose_a, *b, pose_b, most);
+    return tricover::contacts(*a, pose_a, *b, pose_b, {0, most});
   }
 
  private:

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/world_frame.h"
+#include "tricover/distance.h"
+
+namespace tricover::detail {
+
+/// Where two regions that are apart are nearest, and the unit vector from a to b there.
+struct NearestContact {
+  DistanceResult nearest;
+  Vec2 normal;
+};
+
+NearestContact nearestContact(const PosedPair& pair);
+
+}  // namespace tricover::detail
