@@ -51,8 +51,11 @@ class TRICOVER_EXPORT Polygon {
   /// in another process.
   std::uint64_t id() const;
 
-  /// How many vertices all rings have, and so how many edges.
+  /// How many vertices all rings have.
   std::size_t vertexCount() const;
+
+  /// How many edges there are, as many as vertices: the end of the edges' numbers.
+  EdgeIndex edgeCount() const { return static_cast<EdgeIndex>(vertexCount()); }
 
   /// Where an edge starts. Throws std::out_of_range for an edge that isn't there.
   Vec2 edgeStart(EdgeIndex edge) const;

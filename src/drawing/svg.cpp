@@ -117,7 +117,7 @@ void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
 }
 
 void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill) {
-  const auto count = static_cast<EdgeIndex>(polygon.vertexCount());
+  const EdgeIndex count = polygon.edgeCount();
   for (EdgeIndex edge = 0; edge < count; ++edge) {
     std::string points;
     for (const Vec2& corner : paper::boundedInfluenceArea(polygon, edge, length)) {

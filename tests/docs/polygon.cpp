@@ -12,6 +12,7 @@ TEST(Documentation, Polygon) {
   // A square with a square hole. Rings run in either direction and aren't closed by a repeated vertex.
   const tricover::Polygon frame({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}});
   EXPECT_EQ(frame.vertexCount(), 8u);
+  EXPECT_EQ(frame.edgeCount(), 8);                      // as signed as the edges' numbers are
   EXPECT_EQ(frame.edgeStart(5), tricover::Vec2(3, 1));  // edges are numbered through the rings
   EXPECT_EQ(frame.edgeEnd(5), tricover::Vec2(3, 3));
 

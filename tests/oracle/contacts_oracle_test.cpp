@@ -29,9 +29,7 @@ Pairs pairsOf(const std::vector<Crossing>& crossings, bool swapped) {
   return pairs;
 }
 
-bool isEdge(const Polygon& polygon, std::ptrdiff_t edge) {
-  return edge >= 0 && edge < static_cast<std::ptrdiff_t>(polygon.vertexCount());
-}
+bool isEdge(const Polygon& polygon, std::ptrdiff_t edge) { return edge >= 0 && edge < polygon.edgeCount(); }
 
 /// What is wrong with a pair's contacts whatever their number; empty if nothing is.
 std::string wrongContacts(const Case& c, const std::vector<Contact>& found, bool crossed) {

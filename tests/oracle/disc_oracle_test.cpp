@@ -30,7 +30,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 
 /// A place that is likely to be degenerate: a vertex, on an edge, beside either, deep inside, or anywhere.
 Vec2 placeNear(Random& random, const Polygon& polygon) {
-  const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  const EdgeIndex edge = anyEdge(random, polygon);
   const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
   const double size = std::min(polygon.radius(), kLargest / 4);
   switch (random.integer(0, 5)) {

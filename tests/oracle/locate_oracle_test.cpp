@@ -31,7 +31,7 @@ struct Tally {
 Vec2 degeneratePoint(Random& random, const Polygon& polygon) {
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   constexpr double kLargest = std::numeric_limits<double>::max();
-  const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  const EdgeIndex edge = anyEdge(random, polygon);
   const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
   const int ulps = random.integer(0, 2);
   switch (random.integer(0, 8)) {

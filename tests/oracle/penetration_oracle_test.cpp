@@ -48,13 +48,10 @@ std::string brokenPromise(Random& random, const Case& c, const Penetration& p) {
   if (exact::collide(c.a, c.pose_a, c.b, moved(c.pose_b, p.translation))) return "translation doesn't part them";
   if (p.optimal && !(p.depth - p.lower_bound <= tiny)) return "not optimal";
   if (p.optimal && !(length(p.point_a - p.point_b - p.depth * p.normal) <= tiny)) return "points don't meet";
-  const auto inRange = [](std::ptrdiff_t edge, const Polygon& polygon) {
-    return edge >= 0 && edge < static_cast<std::ptrdiff_t>(polygon.vertexCount());
-  };
+  const auto inRange = [](EdgeIndex edge, const Polygon& polygon) { return edge >= 0 && edge < polygon.edgeCount(); };
   if (!inRange(p.edge_a, c.a) || !inRange(p.edge_b, c.b)) return "edges";
-  const auto apart = [](const Vec2& point, const Polygon& polygon, const Pose& pose, std::ptrdiff_t edge) {
-    const Vec2 v = pose * polygon.edgeStart(static_cast<std::size_t>(edge)),
-               w = pose * polygon.edgeEnd(static_cast<std::size_t>(edge));
+  const auto apart = [](const Vec2& point, const Polygon& polygon, const Pose& pose, EdgeIndex edge) {
+    const Vec2 v = pose * polygon.edgeStart(edge), w = pose * polygon.edgeEnd(edge);
     return exact::distanceBelow(exact::distanceSquared(point, v, w));
   };
   if (apart(p.point_a, c.a, c.pose_a, p.edge_a) > tiny) return "point_a isn't on edge_a";

@@ -160,11 +160,10 @@ std::string wrongWith(const Flight& f, const std::optional<Impact>& impact, cons
 std::string wrongFeatures(const Flight& f, const Impact& impact, const ImpactOptions& options) {
   if (!(std::abs(impact.normal.norm() - 1) < 1e-12)) return "normal isn't of unit length";
   const double near = 3 * sizeOf(f) * (options.time_error + 1e-7) + options.margin;
-  const auto offEdge = [&](const Polygon& polygon, const Pose& at, std::ptrdiff_t edge) {
+  const auto offEdge = [&](const Polygon& polygon, const Pose& at, EdgeIndex edge) {
     if (edge < 0) return 0.0;
-    const auto e = static_cast<std::size_t>(edge);
     return exact::distanceBelow(
-        exact::distanceSquared(impact.point, at * polygon.edgeStart(e), at * polygon.edgeEnd(e)));
+        exact::distanceSquared(impact.point, at * polygon.edgeStart(edge), at * polygon.edgeEnd(edge)));
   };
   if (offEdge(f.a, f.motion_a.at(impact.time), impact.edge_a) > near) return "point isn't near a's edge";
   if (offEdge(f.b, f.motion_b.at(impact.time), impact.edge_b) > near) return "point isn't near b's edge";
@@ -238,7 +237,7 @@ ExactEdges exactEdges(const Polygon& polygon, const Pose& pose) {
                        mpq_class(m(1, 0)) * q.x + mpq_class(m(1, 1)) * q.y + mpq_class(m(1, 2))};
   };
   ExactEdges edges;
-  for (std::size_t e = 0; e < polygon.vertexCount(); ++e)
+  for (EdgeIndex e = 0; e < polygon.edgeCount(); ++e)
     edges.emplace_back(place(polygon.edgeStart(e)), place(polygon.edgeEnd(e)));
   return edges;
 }

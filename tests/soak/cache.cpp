@@ -62,7 +62,7 @@ void soakCache(Run& run) {
     if (random.oneIn(3)) walks[1].c.a = walks[0].c.a;
     std::array<Caches, 3> caches;
     for (int i = random.integer(10, 80); i > 0; --i)
-      for (const std::size_t k : {0, 1}) {
+      for (const std::size_t k : {0u, 1u}) {
         Drawn& drawn = walks[k];
         const std::string problem = wrongAnswer(random, drawn.c, drawn.size, caches[random.oneIn(4) ? 2 : k]);
         run.count(drawn.family, collide(drawn.c.a, drawn.c.pose_a, drawn.c.b, drawn.c.pose_b));

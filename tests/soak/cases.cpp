@@ -113,7 +113,7 @@ Polygon resized(const Polygon& polygon, double factor) {
 }
 
 Vec2 pointOf(Random& random, const Polygon& polygon) {
-  const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  const EdgeIndex edge = anyEdge(random, polygon);
   const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
   return random.coin() ? v : Vec2(v + random.integer(1, 7) / 8.0 * (w - v));
 }

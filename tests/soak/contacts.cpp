@@ -29,7 +29,7 @@ bool isCommon(const Case& c, const Vec2& p) {
 bool isThin(const Polygon& polygon, double width) {
   long double area = 0;
   const Vec2 s = polygon.edgeStart(0);
-  for (std::size_t i = 0; i < polygon.vertexCount(); ++i) {
+  for (EdgeIndex i = 0; i < polygon.edgeCount(); ++i) {
     const Vec2 v = polygon.edgeStart(i) - s, w = polygon.edgeEnd(i) - s;
     area += static_cast<long double>(v.x()) * w.y() - static_cast<long double>(v.y()) * w.x();
   }

@@ -15,9 +15,8 @@
 namespace tricover::soak {
 namespace {
 
-Polygon edgeOf(const Polygon& polygon, std::ptrdiff_t edge) {
-  const auto number = static_cast<std::size_t>(edge);
-  return Polygon({{polygon.edgeStart(number), polygon.edgeEnd(number), polygon.edgeEnd(number)}});
+Polygon edgeOf(const Polygon& polygon, EdgeIndex edge) {
+  return Polygon({{polygon.edgeStart(edge), polygon.edgeEnd(edge), polygon.edgeEnd(edge)}});
 }
 
 /// The point is on both edges, but for rounding.
@@ -52,7 +51,7 @@ void soakCrossings(Run& run) {
     const bool turned = random.oneIn(4);
     const std::vector<Crossing> found =
         turned ? crossings(c.b, c.pose_b, c.a, c.pose_a) : crossings(c.a, c.pose_a, c.b, c.pose_b);
-    std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> pairs;
+    std::vector<std::pair<EdgeIndex, EdgeIndex>> pairs;
     for (const Crossing& x : found) pairs.emplace_back(turned ? x.edge_b : x.edge_a, turned ? x.edge_a : x.edge_b);
     std::sort(pairs.begin(), pairs.end());
     run.count(drawn.family, !pairs.empty());

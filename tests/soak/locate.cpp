@@ -15,7 +15,7 @@ namespace {
 
 /// On a vertex, on an edge or beside one by hardly anything, anywhere, or far away.
 Vec2 anyPoint(Random& random, const Polygon& polygon) {
-  const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  const EdgeIndex edge = support::anyEdge(random, polygon);
   const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
   switch (random.integer(0, 4)) {
     case 0:

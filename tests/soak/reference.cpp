@@ -16,11 +16,14 @@ constexpr long double kEpsilon = std::numeric_limits<long double>::epsilon();
 /// What underflow loses of a sum of products.
 constexpr long double kTiny = 16 * std::numeric_limits<long double>::min();
 
-Polygon edgeOf(const Polygon& polygon, std::size_t edge) {
+Polygon edgeOf(const Polygon& polygon, std::size_t position) {
+  const auto edge = static_cast<EdgeIndex>(position);
   return Polygon({{polygon.edgeStart(edge), polygon.edgeEnd(edge), polygon.edgeEnd(edge)}});
 }
 
-Polygon vertexOf(const Polygon& polygon, std::size_t edge) { return Polygon({Ring(3, polygon.edgeStart(edge))}); }
+Polygon vertexOf(const Polygon& polygon, std::size_t position) {
+  return Polygon({Ring(3, polygon.edgeStart(static_cast<EdgeIndex>(position)))});
+}
 
 }  // namespace
 
@@ -133,8 +136,8 @@ bool Reference::collide() const {
   return *(collides_ = holdsRing(true) || holdsRing(false));
 }
 
-std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> Reference::meetingEdges() const {
-  std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> result;
+std::vector<std::pair<EdgeIndex, EdgeIndex>> Reference::meetingEdges() const {
+  std::vector<std::pair<EdgeIndex, EdgeIndex>> result;
   for (std::size_t i = 0; i < a_.edges.size(); ++i)
     for (std::size_t j = 0; j < b_.edges.size(); ++j) {
       const Answer answer = meet(a_.edges[i], b_.edges[j]);

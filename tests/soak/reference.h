@@ -23,7 +23,7 @@ class Reference {
 
   bool collide() const;
   /// Numbered as in Polygon::edgeStart, in order.
-  std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> meetingEdges() const;
+  std::vector<std::pair<EdgeIndex, EdgeIndex>> meetingEdges() const;
 
   /// Where a point of the polygon's own frame lies.
   static Location locate(const Polygon& polygon, const Vec2& point);

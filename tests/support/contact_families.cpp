@@ -14,10 +14,6 @@ bool adjacent(const Vec2& p, const Vec2& q) {
   return std::nextafter(p.x(), q.x()) == q.x() && std::nextafter(p.y(), q.y()) == q.y();
 }
 
-EdgeIndex anyEdge(Random& random, const Polygon& polygon) {
-  return random.integer(0, static_cast<int>(polygon.vertexCount()) - 1);
-}
-
 Vec2 anyDirection(Random& random, double length) { return pose(random.real(0, 6.3), 0, 0).linear().col(0) * length; }
 
 /// Two rings on either side of a common line, whose edges on it overlap, touch at their ends, or leave a gap.

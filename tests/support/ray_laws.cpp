@@ -9,10 +9,6 @@
 namespace tricover::support {
 namespace {
 
-EdgeIndex anyEdge(Random& random, const Polygon& polygon) {
-  return random.integer(0, static_cast<int>(polygon.vertexCount()) - 1);
-}
-
 /// A point of the world on or about an edge or a vertex, or near S.
 Vec2 nearPoint(Random& random, const Polygon& polygon, const Pose& pose) {
   const EdgeIndex edge = anyEdge(random, polygon);

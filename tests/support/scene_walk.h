@@ -295,7 +295,7 @@ class SceneWalk {
   }
   Vec2 pointOf(Scene::Body body) {
     const Polygon& polygon = scene_.polygon(body);
-    const Vec2 v = polygon.edgeStart(index(polygon.vertexCount())), s = polygon.origin();
+    const Vec2 v = polygon.edgeStart(anyEdge(random_, polygon)), s = polygon.origin();
     return scene_.pose(body) * (s + random_.integer(0, 8) / 4.0 * (v - s));
   }
 

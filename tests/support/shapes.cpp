@@ -57,6 +57,10 @@ Ring wedge(Random& random, const Vec2& direction, double length) {
   return {{0, 0}, along - random.real(0.1, 0.9) * across, along + random.real(0.1, 0.9) * across};
 }
 
+EdgeIndex anyEdge(Random& random, const Polygon& polygon) {
+  return random.integer(0, static_cast<int>(polygon.edgeCount()) - 1);
+}
+
 Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 Ring reversed(Ring ring) {

@@ -30,6 +30,8 @@ Ring comb(int teeth, double pitch, double width, double height);
 /// A narrow triangle with its apex at the origin and the rest of it around `direction`.
 Ring wedge(Random& random, const Vec2& direction, double length);
 
+EdgeIndex anyEdge(Random& random, const Polygon& polygon);
+
 Vec2 direction(double angle);
 Ring reversed(Ring ring);
 Ring eitherWay(Random& random, Ring ring);

@@ -174,7 +174,7 @@ struct Edge {
 
 std::vector<Edge> edgesAroundOrigin(const Polygon& polygon) {
   std::vector<Edge> edges;
-  for (EdgeIndex i = 0, count = static_cast<EdgeIndex>(polygon.vertexCount()); i < count; ++i) {
+  for (EdgeIndex i = 0; i < polygon.edgeCount(); ++i) {
     edges.push_back({polygon.edgeStart(i) - polygon.origin(), polygon.edgeEnd(i) - polygon.origin()});
   }
   return edges;

@@ -45,7 +45,7 @@ double pointToSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
 
 std::vector<std::pair<Vec2, Vec2>> edges(const Polygon& polygon, const Pose& pose) {
   std::vector<std::pair<Vec2, Vec2>> result;
-  for (EdgeIndex i = 0, count = static_cast<EdgeIndex>(polygon.vertexCount()); i < count; ++i) {
+  for (EdgeIndex i = 0; i < polygon.edgeCount(); ++i) {
     result.emplace_back(pose * polygon.edgeStart(i), pose * polygon.edgeEnd(i));
   }
   return result;
@@ -109,7 +109,7 @@ TEST_P(EveryKind, DependsOnItsSeedAlone) {
 }
 
 TEST_P(EveryKind, CircularTrajectoryComesWithinTheGapAndNoNearer) {
-  for (const std::size_t n : {8, 32, 128}) {
+  for (const std::size_t n : {8u, 32u, 128u}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE("vertices " + std::to_string(n) + " seed " + std::to_string(seed));
       const Polygon fixed = makePolygon(GetParam(), n, seed), moving = makePolygon(GetParam(), n, seed + 100);
@@ -148,7 +148,7 @@ TEST_P(EveryKind, LinearTrajectoryStartsAtTheGapAndEndsInCollision) {
 
 TEST_P(EveryKind, CircularTrajectoryMayComeAsNearAsAsked) {
   for (const double gap : {0.1, 0.01}) {
-    for (const std::size_t n : {8, 64, 1024}) {
+    for (const std::size_t n : {8u, 64u, 1024u}) {
       SCOPED_TRACE("vertices " + std::to_string(n) + " gap " + std::to_string(gap));
       const Polygon fixed = makePolygon(GetParam(), n, 1), moving = makePolygon(GetParam(), n, 2);
       const auto poses = circularTrajectory(fixed, moving, gap);
@@ -246,24 +246,29 @@ TEST(Workloads, HoleLiesInsideTheContour) {
 }
 
 TEST(Workloads, RefusesOddAndFarVertexCounts) {
-  for (const std::size_t n : {0, 6, 9, 1026})
+  for (const std::size_t n : {0u, 6u, 9u, 1026u})
     EXPECT_THROW(makePolygon(Kind::Contour, n, 1), std::invalid_argument) << n;
 }
 
 TEST(Workloads, OverlappingRingsDoOverlap) {
-  for (const auto& [rings, corners, squeeze] : {std::tuple{21, 3, 1.0}, {341, 3, 1.0}, {341, 3, 0.1}, {8, 8, 1.0}}) {
+  struct Soup {
+    std::size_t rings, corners;
+    double squeeze;
+  };
+  for (const Soup& soup : {Soup{21, 3, 1}, {341, 3, 1}, {341, 3, 0.1}, {8, 8, 1}}) {
+    const auto [rings, corners, squeeze] = soup;
     SCOPED_TRACE(std::to_string(rings) + " rings of " + std::to_string(corners));
-    const auto make = [&](std::uint64_t seed) {
-      return makeOverlapping(static_cast<std::size_t>(rings), static_cast<std::size_t>(corners), squeeze, seed);
+    const auto make = [&soup](std::uint64_t seed) {
+      return makeOverlapping(soup.rings, soup.corners, soup.squeeze, seed);
     };
     const Polygon polygon = make(1);
     EXPECT_EQ(polygon.rings(), make(1).rings());
     EXPECT_NE(polygon.rings(), make(2).rings());
-    ASSERT_EQ(polygon.rings().size(), static_cast<std::size_t>(rings));
-    int covered = 0;  // rings whose first vertex lies in another one
+    ASSERT_EQ(polygon.rings().size(), rings);
+    std::size_t covered = 0;  // rings whose first vertex lies in another one
     for (std::size_t r = 0; r < polygon.rings().size(); ++r) {
       const Ring& ring = polygon.rings()[r];
-      ASSERT_EQ(ring.size(), static_cast<std::size_t>(corners));
+      ASSERT_EQ(ring.size(), corners);
       EXPECT_GT(area(ring), 0);
       for (const Vec2& v : ring)
         for (const double x : {v.x(), v.y()}) ASSERT_TRUE(std::abs(x) < 128 && std::fmod(x, kGrid) == 0);

@@ -35,8 +35,8 @@ inline std::vector<Contact> ask(const Polygon& a, const Pose& pose_a, const Poly
     EXPECT_GE(found[i].depth, 0);
     EXPECT_TRUE(i == 0 || found[i].depth <= found[i - 1].depth);
     EXPECT_TRUE(found[i].edge_a >= 0 || found[i].edge_b >= 0);
-    EXPECT_LT(found[i].edge_a, static_cast<std::ptrdiff_t>(a.vertexCount()));
-    EXPECT_LT(found[i].edge_b, static_cast<std::ptrdiff_t>(b.vertexCount()));
+    EXPECT_LT(found[i].edge_a, a.edgeCount());
+    EXPECT_LT(found[i].edge_b, b.edgeCount());
   }
   return found;
 }

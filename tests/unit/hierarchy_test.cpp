@@ -92,7 +92,7 @@ TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
 /// Exactly: the centre is inside, and no edge is nearer than the radius.
 void expectInside(const Polygon& polygon, const Vec2& center, const mpq_class& radius) {
   ASSERT_EQ(exact::locate(polygon, center), Location::Inside);
-  for (std::size_t e = 0; e < polygon.vertexCount(); ++e)
+  for (EdgeIndex e = 0; e < polygon.edgeCount(); ++e)
     ASSERT_TRUE(exact::distanceSquared(center, polygon.edgeStart(e), polygon.edgeEnd(e)) >= radius * radius);
 }
 

@@ -45,7 +45,7 @@ TEST_P(InfluenceArea, HoldsEveryPointWithinItsLengthAndFewBeyond) {
   for (int i = 0; i < samples; ++i) {
     const Sample s = sample(random, GetParam());
     const std::vector<std::uint64_t> mask = paper::influenceMask(s.polygon, s.point, s.length);
-    for (std::size_t edge = 0; edge < 3; ++edge) {
+    for (EdgeIndex edge = 0; edge < 3; ++edge) {
       const Vec2 v = s.polygon.edgeStart(edge), w = s.polygon.edgeEnd(edge);
       const mpq_class squared = exact::distanceSquared(s.point, v, w);
       const bool extended = paper::inInfluenceArea(s.polygon, edge, s.point, s.length, paper::InfluenceKind::Extended);

@@ -405,8 +405,7 @@ TEST(Budget, WhereItRunsOutThePointsAreOnTheEdges) {
     const auto found = penetration(a, Pose::Identity(), b, at, options);
     if (!found || found->optimal) continue;
     ++unproven;
-    const auto fromEdge = [](const Polygon& polygon, const Pose& of, std::ptrdiff_t edge, const Vec2& p) {
-      const auto e = static_cast<std::size_t>(edge);
+    const auto fromEdge = [](const Polygon& polygon, const Pose& of, EdgeIndex e, const Vec2& p) {
       const Vec2 v = of * polygon.edgeStart(e), w = of * polygon.edgeEnd(e), u = w - v;
       return (v + std::clamp((p - v).dot(u) / u.squaredNorm(), 0.0, 1.0) * u - p).norm();
     };

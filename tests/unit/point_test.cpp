@@ -36,7 +36,7 @@ using detail::PosedVertices;
 /// A family's polygon and a point on it, just beside it, or anywhere around.
 Case besidePoint(Random& random, const Case& c) {
   const Polygon& polygon = random.coin() ? c.a : c.b;
-  const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
+  const EdgeIndex edge = anyEdge(random, polygon);
   const Vec2 on_edge = 0.5 * polygon.edgeStart(edge) + 0.5 * polygon.edgeEnd(edge);
   const double size = std::min(polygon.radius(), 1e300);
   const double reach = random.oneIn(4) ? 3000 : 2;  // far away, floats round by more than boxes are padded
@@ -52,7 +52,7 @@ Case besidePoint(Random& random, const Case& c) {
 std::string wrongEdge(const Case& c, const PointFoot& nearest, const mpq_class& squared) {
   const mpq_class error = mpq_class(nearest.distance) * 0x1p-48, d(nearest.distance);
   if (!nearest.may_be_inside && sgn(squared) == 0) return "outside";
-  const auto edge = c.a.data().edgeNumber(nearest.edge);
+  const auto edge = static_cast<EdgeIndex>(c.a.data().edgeNumber(nearest.edge));
   const Polygon alone = segment(c.a.edgeStart(edge), c.a.edgeEnd(edge));
   const mpq_class of_edge = exact::distanceSquared(alone, c.pose_a, c.b, c.pose_b);
   if (of_edge < (d - error) * (d - error) || of_edge > (d + error) * (d + error)) return "distance";

@@ -68,7 +68,8 @@ TEST(Polygon, KeepsItsRingsAndNumbersItsEdgesThroughThem) {
   EXPECT_EQ(polygon.rings(), rings);
   EXPECT_EQ(polygon.fillRule(), FillRule::NonZero);
   ASSERT_EQ(polygon.vertexCount(), 11u);
-  std::size_t edge = 0;
+  EXPECT_EQ(polygon.edgeCount(), 11);
+  EdgeIndex edge = 0;
   for (const Ring& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i, ++edge) {
       EXPECT_EQ(polygon.edgeStart(edge), ring[i]);
@@ -125,8 +126,8 @@ TEST(Polygon, CoveringHasOneTriangleAnEdgeWithTheSignOfItsArea) {
   const Polygon polygon({rectangle(-3, -3, 3, 3), reversed(rectangle(1, 1, 2, 2))});
   const std::vector<paper::CoveringTriangle> covering = paper::covering(polygon);
   ASSERT_EQ(covering.size(), polygon.vertexCount());
-  for (std::size_t edge = 0; edge < covering.size(); ++edge) {
-    const paper::CoveringTriangle& t = covering[edge];
+  for (EdgeIndex edge = 0; edge < polygon.edgeCount(); ++edge) {
+    const paper::CoveringTriangle& t = covering[static_cast<std::size_t>(edge)];
     EXPECT_EQ(t.s, polygon.origin());
     EXPECT_EQ(t.v, polygon.edgeStart(edge));
     EXPECT_EQ(t.w, polygon.edgeEnd(edge));

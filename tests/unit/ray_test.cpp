@@ -102,8 +102,7 @@ TEST(Ray, NormalsFaceTheRayUnderMirroredPoses) {
     const auto hit = castRay(polygon, placed, from, to);
     if (!hit || hit->edge < 0) continue;
     ++hits;
-    const auto edge = static_cast<std::size_t>(hit->edge);
-    const Vec2 v = placed * polygon.edgeStart(edge), w = placed * polygon.edgeEnd(edge);
+    const Vec2 v = placed * polygon.edgeStart(hit->edge), w = placed * polygon.edgeEnd(hit->edge);
     EXPECT_LT(hit->normal.dot(to - from), 0);
     EXPECT_GT(hit->normal.dot(from - v), 0);
     EXPECT_NEAR(hit->normal.dot((w - v).normalized()), 0, 1e-14);

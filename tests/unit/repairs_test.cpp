@@ -82,8 +82,8 @@ TEST(Repair3NegativeTriangles, HoleEdgesHaveTheirOuterSideTowardsS) {
   const Polygon frame({rectangle(-10, -10, 10, 10), reversed(rectangle(-5, -5, 5, 5))});
   ASSERT_EQ(frame.origin(), Vec2(0, 0));
   std::size_t tested = 0;
-  for (std::size_t edge = 4; edge < 8; ++edge) {
-    ASSERT_EQ(paper::covering(frame)[edge].sign, -1);
+  for (EdgeIndex edge = 4; edge < 8; ++edge) {
+    ASSERT_EQ(paper::covering(frame)[static_cast<std::size_t>(edge)].sign, -1);
     const Vec2 middle = 0.5 * (frame.edgeStart(edge) + frame.edgeEnd(edge));
     EXPECT_TRUE(paper::inInfluenceArea(frame, edge, 0.9 * middle, 1, paper::InfluenceKind::OneSided))
         << "in the hole, near " << edge;

@@ -153,7 +153,7 @@ TEST(Svg, BoxesOfEachLevelHoldAllVertices) {
     boxes_above = lists.size();
     std::vector<Polygon> boxes;
     for (const std::string& list : lists) boxes.emplace_back(std::vector<Ring>{points(list)});
-    for (std::size_t edge = 0; edge < frame.vertexCount(); ++edge) {
+    for (EdgeIndex edge = 0; edge < frame.edgeCount(); ++edge) {
       const Vec2 vertex = pose_frame * frame.edgeStart(edge), inwards = (pose_frame * frame.origin() - vertex) * 1e-6;
       // Boxes are rounded outwards by less than a millionth of what they hold; a thin one is as thin as its rounding.
       EXPECT_TRUE(std::any_of(boxes.begin(), boxes.end(),

@@ -76,9 +76,9 @@ double signOfTurn(const Vec2& p, const Vec2& q, const Vec2& r) { return detail::
 double leastDistance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
   const Pose to_a = pose_a.inverse() * pose_b;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t j = 0; j < b.vertexCount(); ++j) {
+  for (EdgeIndex j = 0; j < b.edgeCount(); ++j) {
     const Vec2 r = to_a * b.edgeStart(j), s = to_a * b.edgeEnd(j);
-    for (std::size_t i = 0; i < a.vertexCount(); ++i) {
+    for (EdgeIndex i = 0; i < a.edgeCount(); ++i) {
       const Vec2 p = a.edgeStart(i), q = a.edgeEnd(i);
       const Vec2 gap = p.cwiseMin(q).cwiseMax(r.cwiseMin(s)) - p.cwiseMax(q).cwiseMin(r.cwiseMax(s));  // of their boxes
       if (gap.maxCoeff() > least) continue;

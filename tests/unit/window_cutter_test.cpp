@@ -78,7 +78,8 @@ TEST(WindowCutter, NeverCutsContactOff) {
     const double share = random.unit(), met = begin + share * length;
     const std::size_t edge_a = static_cast<std::size_t>(random.integer(0, 2)),
                       edge_b = static_cast<std::size_t>(random.integer(0, 2));
-    const auto on = [&](const Polygon& polygon, std::size_t edge, bool vertex) -> Vec2 {
+    const auto on = [&](const Polygon& polygon, std::size_t position, bool vertex) -> Vec2 {
+      const auto edge = static_cast<EdgeIndex>(position);
       const double at = vertex ? random.integer(0, 1) : random.unit();
       return (1 - at) * polygon.edgeStart(edge) + at * polygon.edgeEnd(edge);
     };
