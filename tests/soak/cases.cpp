@@ -21,6 +21,12 @@ double powerOf10(Random& random, double low, double high) { return std::pow(10, 
 
 Vec2 anyVector(Random& random, double reach) { return {random.real(-reach, reach), random.real(-reach, reach)}; }
 
+/// Flat as needles, some of them.
+Ring convex(Random& random, int most_vertices) {
+  const int most = random.oneIn(3) ? 4 : most_vertices;
+  return eitherWay(random, random.oneIn(8) ? regular(random.integer(3, most), 1) : anyConvex(random, 1, most, 1e-6));
+}
+
 /// A corner cut off by hardly anything, down to an ulp.
 Ring chamfered(Random& random, Ring ring) {
   for (int k = random.integer(1, 2); k > 0; --k) {
@@ -81,8 +87,7 @@ std::vector<Ring> severalRings(Random& random) {
   }
   std::vector<Ring> rings;
   for (int n = random.integer(2, 4); n > 0; --n)
-    rings.push_back(
-        shifted(scaled(random.oneIn(3) ? soup(random) : anyConvex(random, 6), 0.5), anyVector(random, 0.6)));
+    rings.push_back(shifted(scaled(random.oneIn(3) ? soup(random) : convex(random, 6), 0.5), anyVector(random, 0.6)));
   return rings;
 }
 
@@ -95,9 +100,9 @@ struct Shape {
 };
 
 constexpr Shape kShapes[] = {
-    {"convex", true, [](Random& r, int most) { return Rings{anyConvex(r, most)}; }},
-    {"chamfered", true, [](Random& r, int most) { return Rings{chamfered(r, anyConvex(r, most))}; }},
-    {"straightened", false, [](Random& r, int) { return Rings{straightened(r, anyConvex(r, 10))}; }},
+    {"convex", true, [](Random& r, int most) { return Rings{convex(r, most)}; }},
+    {"chamfered", true, [](Random& r, int most) { return Rings{chamfered(r, convex(r, most))}; }},
+    {"straightened", false, [](Random& r, int) { return Rings{straightened(r, convex(r, 10))}; }},
     {"flat", false, [](Random& r, int) { return Rings{flat(r)}; }},
     {"starred", false, [](Random& r, int most) { return Rings{star(r, r.integer(4, std::min(most, 24)), 0.2, 1)}; }},
     {"comb", false, [](Random& r, int) { return Rings{scaled(comb(r.integer(2, 4), 0.5, 0.25, 1), 0.5)}; }},
@@ -127,15 +132,6 @@ void toContact(Random& random, Case& c, double size) {
 }
 
 }  // namespace
-
-Ring anyConvex(Random& random, int most_vertices) {
-  const int n = random.oneIn(3) ? random.integer(3, 4)
-                                : random.integer(3, random.oneIn(5) ? most_vertices : std::min(12, most_vertices));
-  Ring ring = random.oneIn(8) ? regular(n, 1) : star(random, n, 1, 1);
-  const double squeeze = random.oneIn(5) ? powerOf10(random, -6, 0) : random.real(0.3, 1);
-  for (Vec2& p : ring) p.y() *= squeeze;
-  return random.oneIn(3) ? reversed(ring) : ring;
-}
 
 Polygon anyShape(Random& random, const char*& family, const Limits& limits) {
   const auto count = static_cast<int>(std::size(kShapes));

@@ -27,7 +27,6 @@ Drawn anyCase(Random& random, const Limits& limits = {});
 
 /// Of one of the families, of a size of about 1, around the origin.
 Polygon anyShape(Random& random, const char*& family, const Limits& limits = {});
-Ring anyConvex(Random& random, int most_vertices);
 
 /// As they come: exact, turned, mirrored, made of floats, hardly rigid any more.
 Pose anyRotation(Random& random);
