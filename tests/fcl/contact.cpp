@@ -36,7 +36,7 @@ TEST_F(Contact, isAddedWithoutDetailsUnlessAskedFor) {
 }
 
 TEST_F(Contact, hasPlaceNormalDepthAndEdgesInTheWorld) {
-  for (const std::size_t most : {1, 9}) {
+  for (const std::size_t most : {1u, 9u}) {
     fcl::CollisionResultd result;
     ASSERT_EQ(fcl::collide(square_.get(), lifted(tricover::support::pose(0, 10, 20), 5), other_.get(),
                            lifted(tricover::support::pose(0, 11.5, 20), 5), fcl::CollisionRequestd(most, true), result),
@@ -96,7 +96,7 @@ TEST_F(Contact, ofEachPartOfTheOverlapDeepestFirst) {
   teeth.emplace_back(10, 2);
   const Shape<double> comb = shapeOf(tricover::Polygon({teeth}));
   const Shape<double> bar = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -5, 11, 0)}));
-  for (const std::size_t most : {2, 3, 5, 100}) {
+  for (const std::size_t most : {2u, 3u, 5u, 100u}) {
     fcl::CollisionResultd result;
     fcl::collide(bar.get(), fcl::Transform3d::Identity(), comb.get(), fcl::Transform3d::Identity(),
                  fcl::CollisionRequestd(most, true), result);
@@ -137,7 +137,7 @@ TEST_F(Contact, movingTheSecondByDepthAlongTheNormalPartsThem) {
 
 TEST_F(Contact, ofContainmentHasDepth) {
   const Shape<double> small = shapeOf(tricover::Polygon({tricover::support::rectangle(0.5, 0.75, 1, 1)}));
-  for (const std::size_t most : {1, 9}) {
+  for (const std::size_t most : {1u, 9u}) {
     fcl::CollisionResultd result;
     ASSERT_EQ(fcl::collide(square_.get(), fcl::Transform3d::Identity(), small.get(), fcl::Transform3d::Identity(),
                            fcl::CollisionRequestd(most, true), result),
@@ -149,7 +149,7 @@ TEST_F(Contact, ofContainmentHasDepth) {
 }
 
 TEST_F(Contact, ofATouchHasDepthZero) {
-  for (const std::size_t most : {1, 9}) {
+  for (const std::size_t most : {1u, 9u}) {
     fcl::CollisionResultd result;
     ASSERT_EQ(fcl::collide(square_.get(), fcl::Transform3d::Identity(), other_.get(),
                            lifted(tricover::support::pose(0, 2, 0)), fcl::CollisionRequestd(most, true), result),
@@ -162,7 +162,7 @@ TEST_F(Contact, ofATouchHasDepthZero) {
 
 TEST_F(Contact, ofHugePolygonsIsFinite) {
   const Shape<double> huge = shapeOf(tricover::Polygon({tricover::support::rectangle(-1e300, -1e300, 1e300, 1e300)}));
-  for (const std::size_t most : {1, 9}) {
+  for (const std::size_t most : {1u, 9u}) {
     fcl::CollisionResultd result;
     ASSERT_EQ(fcl::collide(huge.get(), lifted(tricover::support::pose(0, -9e299, 0)), huge.get(),
                            lifted(tricover::support::pose(0, 9e299, 0)), fcl::CollisionRequestd(most, true), result),

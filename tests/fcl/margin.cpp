@@ -119,7 +119,7 @@ TEST(Margin, toleranceNeverMisses) {
 
 TEST(Margin, contactOfANearMissIsBetweenTheNearestPoints) {
   const Shape<double> a = withMargin(kSquare, 1), b = withMargin(kSquare, 0);
-  for (const std::size_t most : {1, 5}) {
+  for (const std::size_t most : {1u, 5u}) {
     fcl::CollisionResultd result;
     ASSERT_EQ(
         fcl::collide(a.get(), lifted(tricover::Pose::Identity(), 3), b.get(),
@@ -139,7 +139,7 @@ TEST(Margin, contactOfANearMissIsBetweenTheNearestPoints) {
 
 TEST(Margin, depthsAreThoseOfThePolygons) {
   const Shape<double> a = withMargin(kSquare, 1), plain = shapeOf(kSquare);
-  for (const std::size_t most : {1, 5}) {
+  for (const std::size_t most : {1u, 5u}) {
     fcl::CollisionResultd result;
     ASSERT_EQ(fcl::collide(a.get(), lifted(tricover::Pose::Identity()), plain.get(),
                            lifted(tricover::support::pose(0, 0.75, 0)), fcl::CollisionRequestd(most, true), result),

@@ -50,8 +50,7 @@ inline tricover::Polygon randomPolygon(tricover::support::Random& random, double
 template <typename S>
 void expectOnEdge(const PolygonShape<S>& shape, std::intptr_t edge, const tricover::Vec2& point) {
   ASSERT_GE(edge, 0);
-  const auto number = static_cast<std::size_t>(edge);
-  const tricover::Vec2 start = shape.polygon().edgeStart(number), end = shape.polygon().edgeEnd(number);
+  const tricover::Vec2 start = shape.polygon().edgeStart(edge), end = shape.polygon().edgeEnd(edge);
   EXPECT_NEAR((point - start).norm() + (end - point).norm(), (end - start).norm(), 1e-12);
 }
 
