@@ -18,7 +18,7 @@ step "configuring"
 quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_BENCH=ON \
   -DTRICOVER_WERROR=ON
 step "building (FCL's headers take their time)"
-quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff bench_modelled bench_growth bench_first bench_first_fcl bench_asked bench_pages
+quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff bench_modelled bench_growth bench_first bench_first_fcl bench_asked bench_still bench_pages
 step ""
 "$build/bench/bench_main" bench/data/countries_110m.txt "$report" "$@"
 step "scenes"
@@ -31,6 +31,8 @@ step "first answers"
 "$build/bench/bench_first_fcl" "$report"
 step "contacts, caches and islands"
 "$build/bench/bench_asked" "$report"
+step "still maps and containers"
+"$build/bench/bench_still" "$report"
 step "asking what is hard"
 "$build/bench/bench_growth" "$report"
 step ""
@@ -40,7 +42,7 @@ if [ "${1-}" = --full ]; then
   mkdir -p bench/results
   # Of 29,000 rows those that the READMEs quote.
   grep -f bench/quoted.txt "$report/results.csv" > bench/results/quoted.csv
-  cp "$report"/{targets,scene_targets,first_targets,first_fcl_targets,first,first_fcl,scenes,growth,gaps,gap_targets,asked,asked_targets,tradeoff,values,extremes,value_extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg,layout.svg} bench/results/
+  cp "$report"/{targets,scene_targets,first_targets,first_fcl_targets,first,first_fcl,scenes,growth,gaps,gap_targets,asked,asked_targets,still_targets,tradeoff,values,extremes,value_extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg,layout.svg} bench/results/
 fi
 echo
 echo "$report/index.html shows it all; the tables, CSV files and pictures are beside it"

@@ -178,7 +178,7 @@ std::vector<Pose> placings(const Placed& part, const Placement& others, Placing 
                  random.real(0, kTurn)));
       continue;
     }
-    Pose pose = near(0.2);
+    Pose pose = near(placing == Placing::LocalWide ? 1.0 : 0.2);
     for (double size = 0.1; placing == Placing::Free && scan.collides(part.polygon, pose); size /= 2) pose = near(size);
     poses.push_back(pose);
   }

@@ -15,9 +15,10 @@ namespace tricover::bench {
 Placement makeLayout(std::size_t parts, int least, int most, std::uint64_t seed);
 
 enum class Placing {
-  Free,    ///< Close to the part's own place, and free.
-  Local,   ///< Around its own place, by a tenth of its size and a few degrees.
-  Uniform  ///< Anywhere in the layout, turned anyhow.
+  Free,       ///< Close to the part's own place, and free.
+  Local,      ///< Around its own place, by a tenth of its size and a few degrees.
+  LocalWide,  ///< By half of its size.
+  Uniform     ///< Anywhere in the layout, turned anyhow.
 };
 
 /// Poses for a part that was taken out of the layout, of which `others` is the rest.

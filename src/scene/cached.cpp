@@ -19,8 +19,8 @@ namespace {
 /// A clearance looks ahead for so many steps: fewer than a PairCache's, because all bodies within are asked.
 constexpr double kSteps = 8;
 /// What a fact costs, in queries without a cache: it pays if it answers more.
-constexpr int kFactCost = 2;
-/// The most that facts may have answered in advance.
+constexpr int kFactCost = 4;
+/// The most that facts may have answered in advance; whoever has that counts as new again.
 constexpr int kMostSaved = 4;
 /// So many queries do without the cache when it has cost more than it saved for the first, second, third time in a
 /// row, and from then on.
@@ -30,7 +30,7 @@ constexpr std::uint8_t kRests[] = {3, 15, 63}, kMostFailed = 2;
 bool isWorthIt(SceneFact& cache, int saved) {
   const int balance = std::min(cache.balance + saved, kMostSaved);
   cache.balance = static_cast<std::int8_t>(std::max(balance, 0));
-  if (saved > 0 && balance > 0) cache.failed = 0;
+  if (balance == kMostSaved) cache.failed = 0;
   if (balance >= 0) return true;
   cache.resting = kRests[cache.failed];
   cache.failed = std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
@@ -141,7 +141,11 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
     isWorthIt(cache, -1);
     return true;
   }
-  cache.clearance = detail::roundedDown<1>(options.margin + std::max(outcome.clearance, 0.0));
+  if (!(outcome.clearance > 0)) {
+    isWorthIt(cache, -kFactCost);
+    return false;
+  }
+  cache.clearance = detail::roundedDown<1>(options.margin + outcome.clearance);
   return false;
 }
 
