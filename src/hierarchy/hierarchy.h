@@ -93,7 +93,7 @@ inline const Hierarchy* hierarchyIfBuilt(const PolygonData& polygon) {
   return static_cast<const Hierarchy*>(polygon.hierarchy.ifBuilt());
 }
 
-const Hierarchy& buildHierarchy(const PolygonData& polygon);
+[[gnu::cold]] const Hierarchy& buildHierarchy(const PolygonData& polygon);
 
 /// Built at the first call, once for all copies and threads.
 inline const Hierarchy& hierarchyOf(const PolygonData& polygon) {
@@ -113,7 +113,7 @@ inline const InnerDiscs* innerDiscsIfBuilt(const PolygonData& polygon) {
 const InnerDiscs& innerDiscsOf(const PolygonData& polygon);
 
 /// For a query that discs may answer: builds them once such queries have paid for them, until then null.
-const InnerDiscs* payForDiscs(const PolygonData& polygon);
+[[gnu::cold]] const InnerDiscs* payForDiscs(const PolygonData& polygon);
 inline const InnerDiscs* innerDiscsIfPaid(const PolygonData& polygon) {
   const InnerDiscs* ready = innerDiscsIfBuilt(polygon);
   return ready != nullptr ? ready : payForDiscs(polygon);

@@ -40,6 +40,15 @@ std::optional<Outcome> findConvexFact(const PolygonData& a, const Pose& pose_a, 
                  static_cast<std::ptrdiff_t>(nearest.features.edge_b)};
 }
 
+/// Of polygons of which one lacks a hierarchy, for now or until now.
+[[gnu::cold, gnu::noinline]] Outcome collideAnew(const EdgeTest& test, double lookahead, Wanted wanted) {
+  if (const std::optional<Outcome> outcome = collideByEdges(test)) return *outcome;
+  return collideByHierarchy(test.pair(), test.options, lookahead, wanted);
+}
+[[gnu::cold, gnu::noinline]] bool collideAnew(const Placement& placement, const CollideOptions& options) {
+  return collideAnew(EdgeTest(placement, options), 0, Wanted::Answer).collides;
+}
+
 /// What the hierarchy finds, or the edges that answered last.
 Outcome findCloseFact(const Placement& placement, const CollideOptions& options, const FactWish& wish) {
   const EdgeTest test(placement, options);
@@ -51,12 +60,11 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   if (wish.edge_a >= 0 && wish.edge_b >= 0)
     if (test(static_cast<std::size_t>(wish.edge_a), static_cast<std::size_t>(wish.edge_b)))
       return hit(wish.edge_a, wish.edge_b);
-  if (!haveHierarchies(placement.a, placement.b))
-    if (const auto outcome = collideByEdges(test))
-      return outcome->edge_a >= 0 && outcome->edge_b >= 0 ? hit(outcome->edge_a, outcome->edge_b) : *outcome;
   const Wanted wanted = wish.wants_clearance ? Wanted::Clearance : Wanted::Answer;
   const UnitPlacement at = placement.inUnits();
-  const Outcome outcome = collideByHierarchy(at, test, wish.lookahead, wanted);
+  const Outcome outcome = haveHierarchies(placement.a, placement.b)
+                              ? collideByHierarchy(at, test, wish.lookahead, wanted)
+                              : collideAnew(test, wish.lookahead, wanted);
   assert(!(outcome.clearance < 0));
   if (outcome.edge_a >= 0 && outcome.edge_b >= 0) return hit(outcome.edge_a, outcome.edge_b);
   return {outcome.collides, inWorld(outcome.clearance, at.scale_defect), outcome.edge_a, outcome.edge_b};
@@ -65,9 +73,8 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
 /// What discs leave open; `defect` is defectOf() the poses.
 [[gnu::always_inline]] inline bool collideClose(const Placement& placement, double defect,
                                                 const CollideOptions& options) {
+  if (!haveHierarchies(placement.a, placement.b)) return collideAnew(placement, options);
   const EdgeTest test(placement, options);
-  if (!haveHierarchies(placement.a, placement.b))
-    if (const auto outcome = collideByEdges(test)) return outcome->collides;
   return collideByHierarchy(placement.inUnits(defect), test, 0, Wanted::Answer).collides;
 }
 

@@ -28,15 +28,18 @@ inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted, 
     clearance = gap;
     return Meeting::Apart;
   }
-  const InnerDiscs *discs_a = innerDiscsIfPaid(test.a), *discs_b = innerDiscsIfPaid(test.b);
   const bool near = std::abs(at.map.tx) + std::abs(at.map.ty) < 4;  // false for NaN
   if (!near || wanted == Wanted::Edges) return Meeting::Unknown;
-  if (wanted == Wanted::Answer && limit == 0 && a.small && b.small)
+  if (wanted == Wanted::Answer && limit == 0 && a.small && b.small) {
+    // They serve the next query, before its boxes.
+    innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
     return smallMeet(a, b, at.map, at.rounding, {&test, &EdgeTest::meet});
-  if (discs_a == nullptr || discs_b == nullptr) return Meeting::Unknown;
+  }
   // Inner discs hardly meet unless the boxes are deep in each other.
   const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * at.map.scale);
   if (!(gap < -deep)) return Meeting::Unknown;
+  const InnerDiscs *discs_a = innerDiscsIfPaid(test.a), *discs_b = innerDiscsIfPaid(test.b);
+  if (discs_a == nullptr || discs_b == nullptr) return Meeting::Unknown;
   const double depth = innerDepth(*discs_a, *discs_b, at.map, at.rounding);
   if (!(depth > 0)) return Meeting::Unknown;
   clearance = depth;
