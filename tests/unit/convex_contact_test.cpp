@@ -66,7 +66,7 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
     const SeparatingAxes axes(pair);
     const bool meets = axes.verdict() == SeparatingAxes::Meet, apart = axes.verdict() == SeparatingAxes::Apart;
     const std::optional<Contact> found = meets ? convexContact(pair, axes) : std::nullopt;
-    const std::vector<Contact> general = partContacts(pair, &axes);
+    const std::vector<Contact> general = partContacts(pair, &axes, 0);
     (found ? overlaps : apart ? aparts : unsure)++;
     missed += !found && !apart && !general.empty() && general[0].depth > 1e-9;
     std::string problem;
