@@ -264,7 +264,7 @@ class PartingSearch {
   /// Samples the two cusps that circles, or a circle and a line, leave where they touch: at s along them they are
   /// s^2 / (2 margin) wide, and what is narrower than some resolutions isn't seen. False if they are yet to be found.
   bool decideTouch(const Vec2& p, const Vec2& along, double radius) {
-    const double first = 8 * std::sqrt(resolution_ * margin_);
+    const double first = std::max(8 * std::sqrt(resolution_ * margin_), resolution_);  // the product may underflow
     for (const Vec2& way : {along, Vec2(-along)})
       for (double step = first; step < 0.2 * radius; step *= 2) {
         Vec2 sample = p + step * way;

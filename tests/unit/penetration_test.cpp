@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Penetrations that can be worked out by hand.
 #include "tricover/penetration.h"
+#include "tricover/segment.h"
 
 #include <gtest/gtest.h>
 
@@ -413,6 +414,19 @@ TEST(Budget, WhereItRunsOutThePointsAreOnTheEdges) {
     EXPECT_LE(fromEdge(b, at, found->edge_b, found->point_b), 1e-12) << i;
   }
   EXPECT_GE(unproven, 10);
+}
+
+/// A margin so small that its product with a length underflows.
+TEST(Margin, OfNextToNothingIsNone) {
+  Random random(3);
+  const Polygon ring({star(random, 12, 0.4, 1)}), dot = point(ring.origin());
+  const auto without = penetration(ring, kIdentity, dot, kIdentity);
+  ASSERT_TRUE(without);
+  for (const double margin : {1e-200, 1e-300, 5e-324}) {
+    const auto with = penetration(ring, kIdentity, dot, kIdentity, {margin});
+    ASSERT_TRUE(with);
+    EXPECT_NEAR(with->depth, without->depth, 1e-12);
+  }
 }
 
 }  // namespace
