@@ -218,7 +218,8 @@ class TRICOVER_EXPORT Scene {
   const BodyOptions& options(Body body) const;
 
   /// The pairs that collide now, sorted, whatever runs it. The reference is good until the next call of a function that
-  /// isn't const. \snippet scene.cpp scene frames
+  /// isn't const.
+  /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& collisions(const Parallel& parallel = {});
   /// Of the last two calls of collisions(): the pairs that collide since, sorted.
   /// \snippet scene.cpp scene frames

@@ -13,6 +13,7 @@
 #include "families.h"
 #include "random.h"
 #include "shapes.h"
+#include "stages.h"
 #include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
@@ -68,6 +69,8 @@ TEST(Threads, ShareFreshPolygons) {
   int hits = 0, queries = 0;
   std::atomic<int> wrong{0};
   for (int r = 0; r < scaledCount(kRounds); ++r) {
+    // Everything by all at the first query, or in stages, as users do.
+    const UpTo stages(r % 2 == 0 ? detail::Stages::All : detail::Stages::Paid);
     const Round round = makeRound(static_cast<std::uint64_t>(r));
     for (const Query& query : round.queries) hits += query.truth, ++queries;
     std::atomic<bool> go{false};
@@ -138,6 +141,7 @@ SceneAnswers ask(const Scene& scene, const Polygon& robot, std::uint64_t seed, c
 }
 
 TEST(Threads, AskOneScene) {
+  const UpTo stages(detail::Stages::Paid);
   const Parallel by_threads = [](std::size_t count, const std::function<void(std::size_t)>& task) {
     std::atomic<std::size_t> next{0};
     std::vector<std::thread> threads;

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is derived from a polygon, when it is, and that nobody sees it in an answer.
+#include "stages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "hierarchy/hierarchy.h"
+#include "pair/ring_starts.h"
+#include "polygon/convexity.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/penetration.h"
+#include "tricover/prepare.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::hierarchyIfBuilt;
+using detail::innerDiscsIfBuilt;
+using detail::Stages;
+
+const Pose kIdentity = Pose::Identity();
+
+TEST(Stages, ComeWhenQueriesHavePaidForThem) {
+  const UpTo paid(Stages::Paid);
+  Random random(1);
+  const Polygon a({star(random, 64, 0.5, 1)}), b({star(random, 64, 0.5, 1)});
+  int by_edges = 0, by_hierarchy = 0;
+  for (int i = 0; i < 1000 && innerDiscsIfBuilt(a.data()) == nullptr; ++i) {
+    collide(a, kIdentity, b, pose(random.real(0, 6), random.real(0.8, 1.2), 0));
+    ++(hierarchyIfBuilt(a.data()) == nullptr ? by_edges : by_hierarchy);
+  }
+  EXPECT_GE(by_edges, 3);
+  EXPECT_LE(by_edges, 100);
+  EXPECT_GE(by_hierarchy, 3);
+  EXPECT_NE(innerDiscsIfBuilt(a.data()), nullptr);
+  EXPECT_NE(innerDiscsIfBuilt(b.data()), nullptr);
+}
+
+/// A map that is asked about robots that are new each time is worth a hierarchy, sooner than they are.
+TEST(Stages, AreOfThePolygonThatIsAskedOften) {
+  const UpTo paid(Stages::Paid);
+  Random random(2);
+  const Polygon map({star(random, 500, 5, 10)});
+  for (int i = 0; i < 40; ++i)
+    collide(map, kIdentity, Polygon({star(random, 8, 0.5, 1)}), pose(0, random.real(4, 8), random.real(-3, 3)));
+  EXPECT_NE(hierarchyIfBuilt(map.data()), nullptr);
+}
+
+TEST(Stages, WhatDiscsDecideDerivesNothing) {
+  const UpTo paid(Stages::Paid);
+  const Polygon a({regular(30, 1)}), b({regular(30, 1)});
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(collide(a, kIdentity, b, pose(0, 2.5, 0)));
+  EXPECT_EQ(hierarchyIfBuilt(a.data()), nullptr);
+}
+
+TEST(Stages, PrepareBuildsAll) {
+  const UpTo paid(Stages::Paid);
+  Random random(3);
+  std::vector<Ring> rings;
+  for (int i = 0; i < 9; ++i) rings.push_back(star(random, 9, 0.2, 0.4, {i % 3, i / 3}));
+  const Polygon islands(rings), round({regular(12, 1)});
+  for (const Polygon& polygon : {islands, round}) {
+    prepare(polygon);
+    EXPECT_NE(hierarchyIfBuilt(polygon.data()), nullptr);
+    EXPECT_NE(innerDiscsIfBuilt(polygon.data()), nullptr);
+    EXPECT_NE(polygon.data().convexity.ifBuilt(), nullptr);
+  }
+  EXPECT_NE(islands.data().starts.ifBuilt(), nullptr);
+  EXPECT_NE(islands.data().cover.ifBuilt(), nullptr);
+  EXPECT_NE(round.data().outline.ifBuilt(), nullptr);
+}
+
+/// Large outlines of one or more rings, beside, in and around each other or in part, with margins and tolerances: more
+/// chains of edges than are kept without an allocation, chains that end with a ring, rings without a hit of their own.
+TEST(Stages, AreSeenInNoAnswer) {
+  Random random(4);
+  int hits = 0, contained = 0;
+  const int cases = scaledCount(600);
+  for (int i = 0; i < cases; ++i) {
+    const double size = std::pow(10, random.real(-1.5, 0.3));
+    std::vector<Ring> of_a = {star(random, random.integer(3, 700), 6, 10)}, of_b;
+    if (random.coin()) of_a.push_back(star(random, random.integer(3, 40), 2, 5));
+    of_b.push_back(star(random, random.integer(3, 700), 3 * size, 5 * size));
+    if (random.coin()) of_b.push_back(star(random, random.integer(3, 40), size, 2 * size));
+    if (random.oneIn(3)) of_b.push_back(star(random, 5, size, 2 * size, {random.real(-20, 20), random.real(-20, 20)}));
+    const Polygon a(of_a), b(of_b);
+    const double away = random.real(0, 20 + 5 * size), towards = random.real(0, 6.28);
+    const Pose at = pose(random.real(0, 6.28), away * std::cos(towards), away * std::sin(towards));
+    CollideOptions options;
+    if (random.oneIn(3)) options.margin = random.real(0, 1);
+    bool answers[3];
+    for (const auto& [stage, answer] :
+         {std::pair{Stages::Edges, answers}, {Stages::Hierarchy, answers + 1}, {Stages::All, answers + 2}}) {
+      const UpTo these(stage);
+      *answer = collide(a, kIdentity, b, at, options);
+      ASSERT_EQ(collide(b, at, a, kIdentity, options), *answer);
+      ASSERT_TRUE(stage != Stages::Edges || hierarchyIfBuilt(a.data()) == nullptr);
+    }
+    ASSERT_EQ(answers[0], answers[1]) << i;
+    ASSERT_EQ(answers[1], answers[2]) << i;
+    hits += answers[0];
+    contained += answers[0] && options.margin == 0 && crossings(a, kIdentity, b, at).empty();
+  }
+  std::printf("%d hits, %d of them contained\n", hits, contained);
+  EXPECT_GE(hits, cases / 5);
+  EXPECT_LE(hits, 4 * cases / 5);
+  EXPECT_GE(contained, cases / 50);
+}
+
+/// Points and directions, too: asked of polygons from which nothing, or all, has been derived.
+TEST(Stages, AreSeenInNoPoint) {
+  Random random(5);
+  int overlaps = 0;
+  const int cases = scaledCount(200);
+  for (int i = 0; i < cases; ++i) {
+    const bool is_convex = random.coin();
+    const Ring of_a = is_convex ? regular(random.integer(3, 20), 1) : star(random, random.integer(3, 30), 0.4, 1);
+    const Ring of_b = is_convex ? regular(random.integer(3, 20), 0.7) : star(random, random.integer(3, 30), 0.3, 0.7);
+    const Polygon new_a({of_a}), new_b({of_b}), a({of_a}), b({of_b});
+    prepare(a);
+    prepare(b);
+    const UpTo paid(Stages::Paid);
+    const Pose at = pose(random.real(0, 6.28), random.real(0, 2), random.real(-0.5, 0.5));
+    const auto apart = distance(new_a, kIdentity, new_b, at), apart_prepared = distance(a, kIdentity, b, at);
+    ASSERT_EQ(apart.distance, apart_prepared.distance) << i;
+    ASSERT_EQ(apart.point_a, apart_prepared.point_a) << i;
+    ASSERT_EQ(apart.point_b, apart_prepared.point_b) << i;
+    const auto out = penetration(new_a, kIdentity, new_b, at), out_prepared = penetration(a, kIdentity, b, at);
+    ASSERT_EQ(out.has_value(), out_prepared.has_value());
+    if (!out) continue;
+    ++overlaps;
+    ASSERT_EQ(out->translation, out_prepared->translation) << i;
+  }
+  EXPECT_GE(overlaps, cases / 5);
+  EXPECT_LE(overlaps, 4 * cases / 5);
+}
+
+}  // namespace
+}  // namespace tricover::support
