@@ -11,6 +11,7 @@
 
 namespace tricover {
 
+/// Which edges are listed as crossing.
 struct CrossingOptions {
   /// A world length, not negative: how far apart two edges may be.
   double margin = 0;
@@ -35,6 +36,7 @@ struct Crossing {
 TRICOVER_EXPORT std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b,
                                                 const Pose& pose_b, const CrossingOptions& options = {});
 
+/// What counts as a contact, and how many are wanted.
 struct ContactOptions {
   /// A world length, not negative: a and b are grown by it together, as collide()'s margin says. The regions' overlap
   /// then counts for as much deeper; where they are apart, by d, there is one contact, of the depth margin - d.

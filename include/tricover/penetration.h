@@ -9,6 +9,7 @@
 
 namespace tricover {
 
+/// What is to be parted, and how much that may cost.
 struct PenetrationOptions {
   /// A world length, not negative: a and b are grown by it together, as collide()'s margin says. What they overlap by
   /// then is asked for: after the translation they are the margin apart. Of convex polygons that overlap, the depth is
