@@ -84,7 +84,7 @@ class Askers {
   void add(const std::string& name, Role role, std::shared_ptr<Asker> asker) {
     methods_.push_back(
         {name, [=](const PosesOfEach& poses) { asker->prepare(poses); },
-         [=](std::size_t positions) { return bench::contender(name, role, name == kCached, asker, positions); }});
+         [=](std::size_t positions) { return bench::contender<Hits>(name, role, name == kCached, asker, positions); }});
   }
 
   std::vector<Method> methods_;
