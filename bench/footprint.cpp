@@ -11,7 +11,7 @@ namespace {
 
 using Shapes = std::vector<std::vector<Ring>>;
 
-/// Apart, near each other and meeting; with and without coherence; and an inclusion.
+/// Apart, near each other and meeting; with and without coherence; and an inclusion. And what many more would build.
 void askEverything(const Polygon& polygon, const Polygon& other) {
   PairCache cache;
   for (const double x : {300.0, 100.0, 60.0, 0.0}) {
@@ -21,6 +21,7 @@ void askEverything(const Polygon& polygon, const Polygon& other) {
     collide(polygon, Pose::Identity(), other, pose, cache);
   }
   locate(polygon, Vec2(1, 1));
+  innerDiscsOf(polygon.data());
 }
 
 double bytesPerEdge(const Polygon& model) {
