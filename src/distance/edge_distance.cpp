@@ -73,15 +73,17 @@ EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vert
     // So that M is between 2^-400 and 2^400. An extent that overflowed is below 2^1025.
     scale_ = size_ < 1 ? 0x1p700 : 0x1p-700;
     inverse_ = size_ < 1 ? 0x1p-700 : 0x1p700;
-    const Double2 from = load2(pose_a.data() + 6) * scale_, to = load2(pose_b.data() + 6) * scale_;
-    const Double2 away = absolute(from) + absolute(to);
+    // Translations may be large where their difference is small.
+    const double first = std::min(scale_, 1.0), then = std::max(scale_, 1.0);
+    const Double2 from = load2(pose_a.data() + 6) * first, to = load2(pose_b.data() + 6) * first;
+    const Twofold2 shift = twoSum(to, -from);
+    shift_ = shift.high * then;
+    shift_rest_ = shift.low * then;
+    const Double2 away = absolute(shift_);
     const auto scaled = [&](double extent) {
       return extent < std::numeric_limits<double>::infinity() ? extent * scale_ : 0x1p325;
     };
     size_ = roundedUp<4>(scaled(a.extent) + scaled(b.extent) + (away[0] + away[1]));
-    const Twofold2 shift = twoSum(to, -from);
-    shift_ = shift.high;
-    shift_rest_ = shift.low;
     for (int i = 0; i < 2; ++i) {
       columns_a_[i] *= scale_;
       columns_b_[i] *= scale_;

@@ -294,6 +294,25 @@ TEST(MixedRound, contactsWhereManyWaysAreAsShort) {
   EXPECT_NEAR(result.getContact(0).penetration_depth, 0.75, 3e-6);
 }
 
+/// The polygon's point that is nearest to the middle of a tiny cylinder's shadow rounds to that, without being it: no
+/// way leads there.
+TEST(MixedRound, aNearestPointThatRoundsToTheMiddle) {
+  const PolygonShaped needle(Polygon({{{-0x1.7926829de359p-1, 0x1.4a02014a2183bp-1},
+                                       {0x1.f6de037d2f216p-3, -0x1.b802ac62d75a4p-3},
+                                       {0x1.f6de037d2f216p-1, -0x1.b802ac62d75a4p-1}}}),
+                             PolygonOptions::atAllHeights());
+  const fcl::Cylinderd cylinder(0x1.13cae9b42da9p-35, 0x1.df71f2447fd87p-35);
+  fcl::Transform3d there, leaning;
+  there.setIdentity();
+  there.linear().topLeftCorner<2, 2>() << -0x1.d8868afea61bep-1, -0x1.8a46ec4aed5acp-2, -0x1.8a46ec4aed5acp-2,
+      0x1.d8868afea61bep-1;
+  there.linear()(2, 2) = -1;
+  leaning.linear() << 0x1.f9609f900737ep-1, 0x1.47154aa3b3825p-3, 0x1.c9e246808e1cdp-7, -0x1.45270f06d177dp-3,
+      0x1.f8c61c5f90922p-1, -0x1.b31f6eaea2adcp-5, -0x1.6cb24a5871ad6p-6, 0x1.9b520d2bd6dbp-5, 0x1.ff3a28eab1e36p-1;
+  there.translation() = leaning.translation() = Vec3(-0x1.442c77ba80f16p+2, 0x1.c023f0f8d381p+0, 0);
+  EXPECT_TRUE(hits(needle, there, cylinder, leaning));
+}
+
 TEST(MixedRound, motionsMeetDiscsOnTime) {
   // A corner goes straight to a stadium's end, and past it by less than its radius.
   const PolygonShaped square(Polygon({tricover::support::rectangle(0, 0, 1, 1)}));

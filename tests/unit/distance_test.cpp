@@ -62,6 +62,12 @@ TEST(Distance, OfTwoPolygonsThatAreOnePoint) {
     EXPECT_EQ(r.point_b, Vec2(0, 0));
   }
   EXPECT_EQ(distance(a, at(0, 0), b, at(3, 4)).distance, 5);
+  // Far off, too, where what is scaled by their size would overflow.
+  const Pose far = at(0x1p354, -0x1p353);
+  const DistanceResult same = distance(a, far, b, far);
+  EXPECT_EQ(same.distance, 0);
+  EXPECT_EQ(same.point_a, far.translation());
+  EXPECT_EQ(same.point_b, far.translation());
 }
 
 /// A gap of one unit in the last place, and of far less than that of any coordinate.

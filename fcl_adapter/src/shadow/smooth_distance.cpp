@@ -107,7 +107,9 @@ SmoothShadow::Approach SmoothShadow::approach(const Polygon& polygon, double mar
   };
   if (isDecided()) return found;
 
-  const Vec2 towards = (nearest.point_a - center).stableNormalized(), aside(-towards.y(), towards.x());
+  // Points that round to the same have no way between them: any will do.
+  const Vec2 way = nearest.point_a - center, towards = way.isZero(0) ? side : Vec2(way.stableNormalized());
+  const Vec2 aside(-towards.y(), towards.x());
   Tangents tangents;
   for (const Vec2& normal : {towards, aside, Vec2(-towards), Vec2(-aside)}) tangents.push_back(tangent(normal, enough));
   if (polygon.vertexCount() <= kFewVertices) {
