@@ -9,6 +9,13 @@ namespace detail {
 
 struct CacheAccess;
 
+/// Whether a cache's facts pay: what they have saved lately beyond what they cost.
+struct FactBalance {
+  std::int8_t saved = 16;    ///< in quarters of a query; a new cache may try some
+  std::uint8_t failed = 0;   ///< how often in a row they cost more
+  std::uint8_t resting = 0;  ///< so many queries more do without facts
+};
+
 /// "With the polygons at these poses (columns of R, then t) the answer was `overlapping`, and whether the regions
 /// overlap stays so while no point is moved against the other polygon by `clearance`, a world length, or more." A hit
 /// by the margin or the tolerance alone is kept as overlapping, too, with a clearance of 0, by which nothing stays so.
@@ -19,7 +26,10 @@ struct CollisionFact {
   double second_pose[6] = {1, 0, 0, 1, 0, 0};
   double clearance = 0;
   bool overlapping = false;
+  std::int8_t cost = 0;  ///< of finding it, beside the answer, in quarters of a query
+  FactBalance balance;
   std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next fact looks ahead
+  float looked_ahead = 0;  ///< the last clearance that was found, kept while facts rest
 
   /// The edges that answered the last hit, or those that are or start with the nearest features of two convex polygons
   /// (as the kernel numbers both), -1 if there were none: tried first at the next pose.
@@ -45,8 +55,7 @@ struct DistanceFacts {
   // What only saves time.
   std::uint8_t hint = 0;      ///< where to look first, by the first pair of edges in the lists above; 0: nothing
   std::uint8_t answered = 0;  ///< queries that the facts have answered since they were found, if they looked ahead
-  std::uint8_t failed = 0;    ///< how often in a row facts were found that answered hardly any
-  std::uint8_t resting = 0;   ///< so many queries more do without facts, which wouldn't last
+  FactBalance balance;
 };
 
 /// "With the second polygon at this pose in the first one's frame, the other polygon reached at least `deeper` behind
@@ -77,7 +86,7 @@ struct PairFacts {
 /// happens in between, and names the polygons and poses that it is about. So a cache may be copied, shared between
 /// calls of other pairs, lost or stale: no answer changes, only its cost.
 ///
-/// A value of 528 bytes, to be copied like any other; PairCache{} is empty. Not to be used by two threads at once. It
+/// A value of 544 bytes, to be copied like any other; PairCache{} is empty. Not to be used by two threads at once. It
 /// is of no use to another process, nor to this program when it runs again: Polygon::id() starts anew, so that a cache
 /// that was written to a file would be taken for one of other polygons. Don't keep one longer than the process lives.
 ///

@@ -132,9 +132,7 @@ struct SceneFact {
   std::uint32_t uses = 0;  ///< queries answered since
 
   // What only saves time.
-  std::int8_t balance = 0;       ///< what it has saved lately, in queries
-  std::uint8_t failed = 0;       ///< how often in a row it has cost more than that
-  std::uint8_t resting = 0;      ///< so many queries more do without it
+  FactBalance balance;
   BodyHandle nearest = kNoBody;  ///< of the last query for it
   std::uint64_t nearest_scene = 0;
 };

@@ -31,7 +31,6 @@ std::vector<Contact> contactsBeside(const PosedPair& pair, double margin) {
 }
 
 std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, double margin) {
-  if (gapOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), margin) >= 0) return {};
   if (!convexOutlineOf(pair.a).isConvexRegion() || !convexOutlineOf(pair.b).isConvexRegion())
     return partContacts(pair, nullptr, margin);
   const SeparatingAxes axes(pair, cache != nullptr ? &cache->contact : nullptr);
@@ -44,18 +43,26 @@ std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, double
   return partContacts(pair, &axes, margin);
 }
 
-std::vector<Contact> deepestContacts(const PosedPair& pair, PairFacts* cache, const ContactOptions& options) {
+std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                                     PairFacts* cache, const ContactOptions& options) {
+  if (gapOfDiscs(Placement(a, pose_a, b, pose_b), options.margin) >= 0) return {};
+  CollisionFact* facts = cache != nullptr && cache->contact.count == 0 ? &cache->collision : nullptr;
   Recollection known{};
-  if (cache != nullptr && cache->contact.count == 0)
-    known = recall(cache->collision, pair.a, pair.pose_a, pair.b, pair.pose_b, options.margin);
+  if (facts != nullptr && facts->balance.resting > 0) {
+    rest(*facts, a, pose_a, b, pose_b);
+    facts = nullptr;
+  } else if (facts != nullptr) {
+    known = recall(*facts, a, pose_a, b, pose_b, options.margin);
+  }
   if (known.certain && !known.collides) return {};
+  const PosedPair pair(a, pose_a, b, pose_b);
   std::vector<Contact> result = allContacts(pair, cache, options.margin);
   if (result.empty()) result = contactsBeside(pair, options.margin);
-  if (cache != nullptr && result.empty()) {
-    Outcome fact{};  // after a jump another may follow: then only the poses are of use
-    if (known.coherent)
-      fact = findFact(pair.a, pair.pose_a, pair.b, pair.pose_b, {options.margin, 0}, {known.lookahead, true});
-    remember(cache->collision, pair.a, pair.pose_a, pair.b, pair.pose_b, false, fact.clearance);
+  if (facts != nullptr && result.empty()) {
+    renewFact(a, pose_a, b, pose_b, *facts, known, {options.margin, 0});
+    facts->cost += kQuery;  // all of it is beside the answer
+  } else if (facts != nullptr) {
+    isWorthIt(facts->balance, -1);
   }
   std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > options.most)
@@ -69,7 +76,7 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
   requireRigid(pose_a, pose_b);
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return deepestContacts(PosedPair(operands...), cache, options); },
+      [&](const auto&... operands) { return deepestContacts(operands..., cache, options); },
       [](std::vector<Contact>& contacts) {
         for (Contact& contact : contacts) {
           contact.normal = -contact.normal;

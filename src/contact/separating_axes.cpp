@@ -73,7 +73,8 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
       within_(tie() + 3 * kDepthError * error_) {
   static_assert(kDepthError >= kUnitRows * kSumOfDepthErrors);
   if (!areSquarable(error_ / kMappingError)) return;
-  if (facts != nullptr && keepsLengths(pair)) {
+  const bool remembers = facts != nullptr && keepsLengths(pair);
+  if (remembers) {
     const bool known = facts->first_id == pair.a.id && facts->second_id == pair.b.id;
     const double motion = known ? motionSince(*facts, pair) : std::numeric_limits<double>::infinity();
     if (facts->count > 0 && motion < facts->deeper) {
@@ -86,16 +87,13 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
       count_ = 0;
     }
     facts->count = 0;
-    facts->first_id = pair.a.id;
-    facts->second_id = pair.b.id;
-    std::copy(&pair.m00, &pair.m00 + 6, facts->second_in_first);
-    facts->error = pair.error;
+    facts->first_id = 0;
     // After a jump another may follow.
     if (motion < kCoherentPart * pair.b.radius) lookahead_ = kLookahead * pair.b.radius;
   }
   verdict_ = findLeast(edgeTowardsOther(a_));
   if (verdict_ != Meet) return;
-  if (lookahead_ > 0) keep(*facts);
+  if (remembers) keep(*facts, pair);
   removeDeep();
 }
 
@@ -209,8 +207,13 @@ void SeparatingAxes::removeDeep() {
               [](const FaceDepth& f, const FaceDepth& g) { return f.of_a != g.of_a ? f.of_a : f.edge < g.edge; });
 }
 
-/// The least ones, and how deep all others are at least.
-void SeparatingAxes::keep(ContactFacts& facts) {
+/// Where they are, and if it may be of use the least faces, and how deep all others are at least.
+void SeparatingAxes::keep(ContactFacts& facts, const PosedPair& pair) {
+  facts.first_id = pair.a.id;
+  facts.second_id = pair.b.id;
+  std::copy(&pair.m00, &pair.m00 + 6, facts.second_in_first);
+  facts.error = pair.error;
+  if (!(lookahead_ > 0)) return;
   const auto begin = least_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
   std::sort(begin, end, isLessDeep);
   double deeper = limit();

@@ -78,7 +78,7 @@ class SeparatingAxes {
   void skipDeep(const AxisSide& side, const Vec2& p, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;
   void add(const FaceDepth& face);
-  void keep(ContactFacts& facts);
+  void keep(ContactFacts& facts, const PosedPair& pair);
   void removeDeep();
 
   /// What a depth is off by, at most, in units of error().

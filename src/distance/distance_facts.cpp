@@ -23,13 +23,6 @@ void storePoses(DistanceFacts& cache, const DistancePair& pair) {
   cache.uses = 0;
 }
 
-/// After facts that didn't answer: whether to find new ones.
-void judgeFacts(DistanceFacts& cache, bool jumped, std::uint8_t paying) {
-  if (!jumped && cache.answered == kUnjudged) return;
-  cache.failed = !jumped && cache.answered >= paying ? 0 : onceMore(cache.failed);
-  cache.resting = kRests[cache.failed];
-}
-
 Remainder remainderOf(const DistanceFacts& cache, const DistancePair& pair, bool& both_moved) {
   const bool a_moved = !sameAs(cache.first_pose, pair.pose_a), b_moved = !sameAs(cache.second_pose, pair.pose_b);
   both_moved = a_moved && b_moved;
@@ -58,8 +51,9 @@ double lookaheadAfter(DistanceFacts& cache, const DistancePair& pair, double mot
   const bool are_rings = areSmall(pair.a, pair.b);
   const double most = are_rings ? kCoherentPartOfRings * (cache.uses + 1.0) : kCoherentPart;
   const bool jumped = !(motion <= most * pair.b.radius);
-  judgeFacts(cache, jumped, are_rings ? kPayingOfRings : kPaying);
-  if (jumped || cache.resting > 0) return 0;
+  const bool are_paid = !jumped && cache.answered >= (are_rings ? kPayingOfRings : kPaying);
+  if (jumped || cache.answered != kUnjudged) isWorthIt(cache.balance, are_paid ? kMostSaved : -kMostSaved - 1);
+  if (jumped || cache.balance.resting > 0) return 0;
   return std::min(kStepsAhead * motion / (cache.uses + 1.0), pair.b.radius);
 }
 
@@ -90,8 +84,8 @@ std::optional<Outcome> recallFacts(const DistancePair& pair, DistanceFacts& cach
 
 std::optional<Outcome> recallNearest(const DistancePair& pair, DistanceFacts& cache, DistanceSearch& search) {
   if (knowsFacts(cache)) return recallFacts(pair, cache, search);
-  if (cache.resting == 0) return std::nullopt;
-  --cache.resting;
+  if (cache.balance.resting == 0) return std::nullopt;
+  --cache.balance.resting;
   const bool meets = cache.hint == kNearEdges && !search.show(cache.first_edge[0], cache.second_edge[0]);
   return meets ? std::optional(Outcome()) : std::nullopt;
 }
@@ -100,7 +94,7 @@ void storeNearest(const DistancePair& pair, DistanceFacts& cache, const Distance
                   const Outcome& outcome) {
   if (outcome.collides && !search.meets()) {
     storeHint(cache, kNoHint, 0, 0);
-  } else if (cache.resting > 0) {
+  } else if (cache.balance.resting > 0) {
     const ShownPair& upper = search.upperPair();
     const bool is_hint = search.hasUpper() && !areSmall(pair.a, pair.b);  // all of whose edges are asked anyway
     storeHint(cache, is_hint ? kNearEdges : kNoHint, upper.i, upper.j);

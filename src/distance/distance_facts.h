@@ -8,6 +8,7 @@
 #include "convex/feature_walk.h"
 #include "distance/distance_result.h"
 #include "distance/distance_search.h"
+#include "pair/fact_balance.h"
 #include "pair/outcome.h"
 #include "tricover/distance.h"
 
@@ -15,8 +16,6 @@ namespace tricover::detail {
 
 /// DistanceFacts::hint: a kind of features of two convex polygons, or a pair of edges that may be near.
 constexpr std::uint8_t kNoHint = FeaturePair::kNone, kNearEdges = FeaturePair::kCrossing + 1;
-/// DistanceFacts::resting after facts have failed for the first, second, third time in a row, and from then on.
-constexpr std::uint8_t kRests[] = {0, 3, 15, 63}, kMostFailed = 3;
 
 /// Keeps no facts, but where it was nearest.
 inline void storeHint(DistanceFacts& cache, std::uint8_t hint, std::uint32_t edge_a, std::uint32_t edge_b) {
@@ -26,8 +25,6 @@ inline void storeHint(DistanceFacts& cache, std::uint8_t hint, std::uint32_t edg
   cache.first_edge[0] = edge_a;
   cache.second_edge[0] = edge_b;
 }
-
-inline std::uint8_t onceMore(std::uint8_t failed) { return std::min<std::uint8_t>(failed + 1, kMostFailed); }
 
 /// Makes the cache one of this pair; empties it if it was another's.
 inline void claim(DistanceFacts& cache, const DistancePair& pair) {
@@ -40,8 +37,8 @@ inline void claim(DistanceFacts& cache, const DistancePair& pair) {
 /// The nearest features of two convex polygons that the cache keeps; none while those would seldom be right.
 inline FeaturePair recallFeatures(DistanceFacts& cache) {
   if (cache.hint == kNoHint || cache.hint >= kNearEdges) return {};
-  if (cache.resting > 0) {
-    --cache.resting;
+  if (cache.balance.resting > 0) {
+    --cache.balance.resting;
     return {};
   }
   return {static_cast<FeaturePair::Kind>(cache.hint), cache.first_edge[0], cache.second_edge[0]};
@@ -49,11 +46,8 @@ inline FeaturePair recallFeatures(DistanceFacts& cache) {
 
 /// Keeps those that were found; `were_right` tells of those that were tried.
 inline void storeFeatures(DistanceFacts& cache, const FeaturePair& tried, bool were_right, const FeaturePair& found) {
-  if (tried.kind != FeaturePair::kNone) {
-    // One failure is nothing: features change now and then.
-    cache.resting = kRests[cache.failed];
-    cache.failed = were_right ? 0 : onceMore(cache.failed);
-  }
+  // A few failures are nothing: features change now and then.
+  if (tried.kind != FeaturePair::kNone) isWorthIt(cache.balance, were_right ? kQuery / 2 : -kQuery);
   storeHint(cache, found.kind, found.edge_a, found.edge_b);
 }
 

@@ -67,7 +67,7 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
                               : collideAnew(test, wish.lookahead, wanted);
   assert(!(outcome.clearance < 0));
   if (outcome.edge_a >= 0 && outcome.edge_b >= 0) return hit(outcome.edge_a, outcome.edge_b);
-  return {outcome.collides, inWorld(outcome.clearance, at.scale_defect), outcome.edge_a, outcome.edge_b};
+  return {outcome.collides, inWorld(outcome.clearance, at.scale_defect), outcome.edge_a, outcome.edge_b, outcome.by};
 }
 
 /// What discs leave open; `defect` is defectOf() the poses.
@@ -78,26 +78,26 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   return collideByHierarchy(placement.inUnits(defect), test, 0, Wanted::Answer).collides;
 }
 
-bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
-                   const CollideOptions& options) {
+/// `resting` is a cache whose facts rest: until discs don't answer any more, which are sooner asked, and then for so
+/// many queries.
+[[gnu::always_inline]] inline bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
+                                                 const Pose& pose_b, double defect, const CollideOptions& options,
+                                                 CollisionFact* resting) {
   const Placement placement(a, pose_a, b, pose_b);
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
-  return depthOfDiscs(placement, options.margin) >= 0 || collideClose(placement, defect, options);
+  if (depthOfDiscs(placement, options.margin) >= 0) return true;
+  if (resting != nullptr) rest(*resting, a, pose_a, b, pose_b);
+  return collideClose(placement, defect, options);
 }
 
-/// The same, and keeps what it found.
-bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, CollisionFact& cache,
-               const Recollection& recollection, const CollideOptions& options) {
-  claim(cache, a, b);
-  // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
-  const Outcome fact =
-      findFact(a, pose_a, b, pose_b, options,
-               {recollection.lookahead, recollection.coherent, static_cast<std::ptrdiff_t>(cache.first_edge),
-                static_cast<std::ptrdiff_t>(cache.second_edge), cache.clearance > 0 && !cache.overlapping});
-  cache.first_edge = fact.edge_a;
-  cache.second_edge = fact.edge_b;
-  remember(cache, a, pose_a, b, pose_b, fact.collides, fact.clearance);
-  return fact.collides;
+/// What finding it has cost, in quarters of the query: more than by boxes, or by few edges, which are asked at once,
+/// than by trees. The edges that met last and do again are sooner asked than those.
+std::int8_t costOf(const Outcome& fact, const CollisionFact& cache, const PolygonData& a) {
+  const bool is_known =
+      fact.collides && fact.edge_b >= 0 && fact.edge_a == cache.first_edge && fact.edge_b == cache.second_edge;
+  if (fact.by == Outcome::By::Boxes) return 4;
+  if (a.path.size() <= SmallPolygon::kMost + 1) return is_known ? 5 : 8;
+  return is_known ? -1 : 1;
 }
 
 /// A point beside so few edges that they are asked sooner than a fact is found.
@@ -112,9 +112,10 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   requireFiniteNotNegative(options.tolerance, "tolerance");
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
   const auto inOrder = [&](auto query) { return inKernelOrder(a, pose_a, b, pose_b, query, [](bool) {}); };
-  if (cache == nullptr || isQuickPoint(a, b)) {
+  CollisionFact* const resting = cache != nullptr && cache->balance.resting > 0 ? cache : nullptr;
+  if (cache == nullptr || resting != nullptr || isQuickPoint(a, b)) {
     const double defect = requireRigid(pose_a, pose_b);
-    return inOrder([&](const auto&... operands) { return collideAfresh(operands..., defect, options); });
+    return inOrder([&](const auto&... operands) { return collideAfresh(operands..., defect, options, resting); });
   }
   const Recollection recollection = recall(*cache, a, pose_a, b, pose_b, options.margin);
   if (recollection.certain) return recollection.collides;
@@ -127,12 +128,36 @@ Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                  const CollideOptions& options, const FactWish& wish) {
   const Placement placement(a, pose_a, b, pose_b);
   const double gap = gapOfDiscs(placement, options.margin);
-  if (gap >= 0) return {false, gap, wish.edge_a, wish.edge_b};
+  if (gap >= 0) return {false, gap, wish.edge_a, wish.edge_b, Outcome::By::Discs};
   const double depth = depthOfDiscs(placement, options.margin);
-  if (depth >= 0) return {true, depth, wish.edge_a, wish.edge_b};
+  if (depth >= 0) return {true, depth, wish.edge_a, wish.edge_b, Outcome::By::Discs};
   if (wish.was_apart && wish.wants_clearance)
     if (const auto fact = findConvexFact(a, pose_a, b, pose_b, options.margin, wish)) return *fact;
   return findCloseFact(placement, options, wish);
+}
+
+bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, CollisionFact& cache,
+               const Recollection& recollection, const CollideOptions& options) {
+  claim(cache, a, b);
+  if (!isWorthRenewing(cache, recollection.coherent))
+    return collideAfresh(a, pose_a, b, pose_b, defectOf(pose_a, pose_b), options, nullptr);
+  // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
+  const Outcome fact =
+      findFact(a, pose_a, b, pose_b, options,
+               {recollection.lookahead, recollection.coherent, static_cast<std::ptrdiff_t>(cache.first_edge),
+                static_cast<std::ptrdiff_t>(cache.second_edge), cache.clearance > 0 && !cache.overlapping});
+  const bool is_by_discs = fact.by == Outcome::By::Discs;
+  const std::int8_t cost = recollection.coherent ? costOf(fact, cache, a) : std::int8_t{0};
+  cache.first_edge = fact.edge_a;
+  cache.second_edge = fact.edge_b;
+  remember(cache, a, pose_a, b, pose_b, fact.collides, is_by_discs ? 0 : fact.clearance);
+  if (is_by_discs) {
+    if (isWorthIt(cache.balance, -1)) cache.balance.resting = 1;
+  } else if (recollection.coherent) {
+    cache.cost = cost;
+    cache.looked_ahead = static_cast<float>(fact.clearance);
+  }
+  return fact.collides;
 }
 
 bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,

@@ -65,6 +65,7 @@ Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double 
   if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
   outcome.collides = meeting == Meeting::Meet;
   outcome.clearance *= test.a.unit;
+  outcome.by = Outcome::By::Boxes;
   return outcome;
 }
 

@@ -55,7 +55,7 @@ Recollection recallMoved(CollisionFact& cache, const PolygonData& first, const P
   const double ahead = kStepsAhead * motion / (cache.uses + 1.0);
   const double most = kCoherentPart * std::min(first.radius, second.radius);
   // Nor does it pay to look for much more than there was, as in a narrow gap.
-  return {false, false, motion <= most, ahead <= most ? std::min(ahead, 2 * cache.clearance) : 0};
+  return {false, false, motion <= most, ahead <= most ? std::min(ahead, 2.0 * cache.looked_ahead) : 0};
 }
 
 void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& second) {
@@ -65,6 +65,12 @@ void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& se
   cache.second_id = second.id;
 }
 
+bool isWorthRenewing(CollisionFact& cache, bool coherent) {
+  constexpr int kSaved = kQuery - 1;  // by a fact that answers
+  const int uses = static_cast<int>(std::min<std::uint32_t>(cache.uses, kMostSaved));
+  return isWorthIt(cache.balance, kSaved * uses - cache.cost - (coherent ? 0 : kQuery));
+}
+
 void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
               const Pose& second_pose, bool overlapping, double clearance) {
   claim(cache, first, second);
@@ -72,6 +78,7 @@ void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_
   store(cache.second_pose, second_pose);
   cache.clearance = clearance > 0 ? clearance : 0;
   cache.overlapping = overlapping;
+  cache.cost = 0;
   cache.uses = 0;
   assert(cache.first_id == first.id && cache.second_id == second.id && cache.clearance >= 0);
 }

@@ -9,6 +9,7 @@
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
+#include "pair/fact_balance.h"
 #include "polygon/polygon_data.h"
 #include "tricover/collide.h"
 
@@ -132,8 +133,17 @@ inline Recollection recall(CollisionFact& cache, const PolygonData& a, const Pos
 /// Makes the cache one of these two polygons; empties it if it was another pair's.
 void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& second);
 
+/// Whether another fact is worth finding, now that this one doesn't answer.
+bool isWorthRenewing(CollisionFact& cache, bool coherent);
+
 /// Keeps a new fact of these poses.
 void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
               const Pose& second_pose, bool overlapping, double clearance);
+
+/// Counts a query while facts rest; of the last one the poses, so that the next one knows how far the polygons came.
+inline void rest(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                 const Pose& second_pose) {
+  if (--cache.balance.resting == 0) remember(cache, first, first_pose, second, second_pose, false, 0);
+}
 
 }  // namespace tricover::detail

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "pair/facts.h"
 #include "pair/outcome.h"
 #include "polygon/polygon_data.h"
 #include "tricover/collide.h"
@@ -22,6 +23,10 @@ struct FactWish {
 /// order, all arguments checked.
 Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                  const CollideOptions& options, const FactWish& wish);
+
+/// collide() after recall(), and keeps what it found, if that may be of use.
+bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, CollisionFact& cache,
+               const Recollection& recollection, const CollideOptions& options);
 
 /// collide() of arguments that have been checked, in any order, by what comes after discs have been asked.
 bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "pair/fact_balance.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
@@ -18,24 +19,8 @@ namespace {
 
 /// A clearance looks ahead for so many steps: fewer than a PairCache's, because all bodies within are asked.
 constexpr double kSteps = 8;
-/// What a fact costs, in queries without a cache: it pays if it answers more.
-constexpr int kFactCost = 4;
-/// The most that facts may have answered in advance; whoever has that counts as new again.
-constexpr int kMostSaved = 4;
-/// So many queries do without the cache when it has cost more than it saved for the first, second, third time in a
-/// row, and from then on.
-constexpr std::uint8_t kRests[] = {3, 15, 63}, kMostFailed = 2;
-
-/// Counts what the cache has saved or cost; whether it is worth trying now.
-bool isWorthIt(SceneFact& cache, int saved) {
-  const int balance = std::min(cache.balance + saved, kMostSaved);
-  cache.balance = static_cast<std::int8_t>(std::max(balance, 0));
-  if (balance == kMostSaved) cache.failed = 0;
-  if (balance >= 0) return true;
-  cache.resting = kRests[cache.failed];
-  cache.failed = std::min<std::uint8_t>(cache.failed + 1, kMostFailed);
-  return false;
-}
+/// What a fact costs: it pays if it answers more.
+constexpr int kFactCost = 4 * detail::kQuery;
 
 /// A lower bound of the distance between points of two boxes; never NaN.
 double gapBetween(const detail::Bounds& p, const detail::Bounds& q) {
@@ -97,9 +82,9 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
   const SceneState& state = impl_->settled();
   const detail::PolygonData& data = polygon.data();
   const bool follows = cache.scene == state.id && cache.polygon == data.id;
-  if (cache.resting > 0) {
+  if (cache.balance.resting > 0) {
     // The last one sees where the polygon is, so that the next one knows how far it has come.
-    if (--cache.resting == 0) begin(cache, state, data, pose, filter);
+    if (--cache.balance.resting == 0) begin(cache, state, data, pose, filter);
     return findMet(state, Asked(data, pose, options), filter) != kNoBody;
   }
   double motion = std::numeric_limits<double>::infinity();
@@ -114,20 +99,21 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
     }
   }
   const double lookahead = kSteps * motion / (cache.uses + 1.0);
-  const int saved = cache.clearance > 0 ? static_cast<int>(std::min(cache.uses, 1000u)) - kFactCost : 0;
+  const int saved =
+      cache.clearance > 0 ? detail::kQuery * static_cast<int>(std::min(cache.uses, 1000u)) - kFactCost : 0;
   const bool coherent = motion <= detail::kCoherentPart * data.radius;
-  // After a jump, or another polygon, more may follow; not so the first query of all.
-  bool worth = isWorthIt(cache, coherent || cache.scene == 0 ? saved : saved - kFactCost) && coherent;
+  // After a jump, or another polygon, more may follow.
+  bool worth = isWorthIt(cache.balance, coherent ? saved : saved - kFactCost) && coherent;
   begin(cache, state, data, pose, filter);
   const Asked asked(data, pose, options);
   if (coherent && contains(cache.body) && state.passes(filter, cache.body)) {
     const detail::Bounds box = state.tree.boundsOf(cache.body);
     if (box.meets(asked.bounds())) {
       if (asked.meets(state.bodies[cache.body], box)) {
-        isWorthIt(cache, 1);
+        isWorthIt(cache.balance, detail::kQuery);
         return true;
       }
-      worth = isWorthIt(cache, -1) && worth;
+      worth = isWorthIt(cache.balance, -detail::kQuery) && worth;
     }
   }
   if (!worth) {
@@ -138,11 +124,11 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
   const SceneOutcome outcome = findOutcome(state, data, pose, asked, options, filter, lookahead);
   if (outcome.met != kNoBody) {
     cache.body = outcome.met;
-    isWorthIt(cache, -1);
+    isWorthIt(cache.balance, -detail::kQuery);
     return true;
   }
   if (!(outcome.clearance > 0)) {
-    isWorthIt(cache, -kFactCost);
+    isWorthIt(cache.balance, -kFactCost);
     return false;
   }
   cache.clearance = detail::roundedDown<1>(options.margin + outcome.clearance);

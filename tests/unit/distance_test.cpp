@@ -279,12 +279,12 @@ TEST(DistanceFacts, RestsWhileFactsWouldNotLast) {
   int rests = 0;
   for (int i = 0; i < 100; ++i) {
     asks(2.4 * i);
-    rests += factsOf(cache).resting > 0;
+    rests += factsOf(cache).balance.resting > 0;
   }
   EXPECT_GT(rests, 80) << "jumps";
-  for (int i = 0; i < 100; ++i) asks(1e-5 * i);
+  for (int i = 0; i < 300; ++i) asks(1e-5 * i);
   const std::uint32_t uses = factsOf(cache).uses;
-  asks(1.0001e-3);
+  asks(3.0001e-3);
   EXPECT_GT(factsOf(cache).uses, uses) << "not answered by a fact";
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "pair/fact_balance.h"
 #include "polygon/cache_access.h"
 #include "random.h"
 #include "shapes.h"
@@ -77,8 +78,9 @@ TEST(Recollection, CountsAMirrorOfTheRelativePose) {
     const auto ask = [&](const Pose& pose_a, const Pose& pose_b) {
       return swapped ? collide(b, pose_b, a, pose_a, cache) : collide(a, pose_a, b, pose_b, cache);
     };
+    detail::remember(detail::factsIn(cache).collision, a.data(), Pose::Identity(), b.data(), Pose::Identity(), false,
+                     2.99);
     EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
-    EXPECT_GT(detail::factsIn(cache).collision.clearance, 2);  // the fact that is to be used
     EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
     EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
     EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
@@ -128,7 +130,95 @@ TEST(Claim, EmptiesAnotherPairsCache) {
 }
 
 /// What pair_cache.h says.
-TEST(PairCache, IsOfThatSize) { EXPECT_EQ(sizeof(PairCache), 528u); }
+TEST(PairCache, IsOfThatSize) { EXPECT_EQ(sizeof(PairCache), 544u); }
+
+/// What costs more than it saves rests longer each time, and not at all again once it has paid well.
+TEST(FactBalance, RestsLongerEachTime) {
+  detail::FactBalance balance;
+  EXPECT_TRUE(detail::isWorthIt(balance, -detail::kMostSaved)) << "a new one may try some";
+  for (const int rest : {3, 15, 63, 255, 255}) {
+    EXPECT_TRUE(detail::isWorthIt(balance, 0));
+    EXPECT_FALSE(detail::isWorthIt(balance, -1));
+    EXPECT_EQ(balance.resting, rest);
+    EXPECT_EQ(balance.saved, 0) << "what was lost is forgiven";
+  }
+  balance.resting = 0;
+  EXPECT_TRUE(detail::isWorthIt(balance, detail::kMostSaved - 1));
+  EXPECT_FALSE(detail::isWorthIt(balance, -detail::kMostSaved));
+  EXPECT_EQ(balance.resting, 255);
+  EXPECT_TRUE(detail::isWorthIt(balance, 1000));
+  EXPECT_EQ(balance.saved, detail::kMostSaved) << "no more in advance";
+  EXPECT_FALSE(detail::isWorthIt(balance, -detail::kMostSaved - 1));
+  EXPECT_EQ(balance.resting, 3);
+}
+
+/// Two outlines beside each other, whose discs overlap; and what a cache of theirs tells.
+struct Walk {
+  const Polygon a{{scaled(regular(40, 1), 3), regular(5, 1)}}, b{{rectangle(-1, -4, 1, 4)}};
+  PairCache cache;
+  int answered = 0, rested = 0;
+
+  const detail::CollisionFact& fact() { return detail::factsIn(cache).collision; }
+  void ask(double x, double y) {
+    const std::uint32_t uses = fact().uses;
+    const bool rests = fact().balance.resting > 0;
+    EXPECT_EQ(collide(a, Pose::Identity(), b, pose(0, x, y), cache), collide(a, Pose::Identity(), b, pose(0, x, y)));
+    answered += fact().uses > uses;
+    rested += rests;
+  }
+};
+
+TEST(FactBalance, JumpsDoWithoutFacts) {
+  Walk walk;
+  for (int i = 0; i < 400; ++i) walk.ask(4.1, i % 2 == 0 ? -1.5 : 1.5);
+  EXPECT_EQ(walk.answered, 0);
+  EXPECT_GT(walk.rested, 380);
+}
+
+/// After the rest, too, though the walk has gone on meanwhile.
+TEST(FactBalance, SlowStepsAreAnsweredByFacts) {
+  Walk walk;
+  for (int i = 0; i < 500; ++i) walk.ask(4.1, i % 2 == 0 ? -1.5 : 1.5);
+  while (walk.fact().balance.resting > 0) walk.ask(4.1, 0);
+  walk.answered = walk.rested = 0;
+  for (int i = 0; i < 1000; ++i) walk.ask(4.1, 1e-3 * i);
+  EXPECT_GT(walk.answered, 900);
+  EXPECT_LT(walk.rested, 10);
+}
+
+/// A rest leaves what was found before: how far it pays to look ahead.
+TEST(FactBalance, ARestKeepsTheLookahead) {
+  Walk walk;
+  for (int i = 0; i < 20; ++i) walk.ask(4.1, 1e-3 * i);
+  const float before = walk.fact().looked_ahead;
+  EXPECT_GT(before, 0);
+  detail::factsIn(walk.cache).collision.balance.resting = 2;
+  walk.ask(4.1, 0.02);
+  EXPECT_GT(walk.fact().clearance, 0);
+  walk.ask(4.1, 0.021);
+  EXPECT_EQ(walk.fact().balance.resting, 0);
+  EXPECT_EQ(walk.fact().clearance, 0);
+  EXPECT_EQ(walk.fact().looked_ahead, before);
+  const Pose last = pose(0, 4.1, 0.021);
+  EXPECT_TRUE(
+      detail::sameAs(walk.fact().first_id == walk.a.id() ? walk.fact().second_pose : walk.fact().first_pose, last));
+}
+
+/// Discs are asked first as long as they answer, and facts again from the second query that they leave open.
+TEST(FactBalance, WhatDiscsDecideAsksNoFact) {
+  Walk walk;
+  for (int i = 0; i < 100; ++i) walk.ask(20, 1e-3 * i);
+  EXPECT_EQ(walk.answered, 0);
+  EXPECT_GT(walk.rested, 95);
+  EXPECT_EQ(walk.fact().balance.resting, 1);
+  EXPECT_EQ(walk.fact().clearance, 0);
+  walk.ask(4.1, 0);
+  EXPECT_EQ(walk.fact().balance.resting, 0);
+  walk.ask(4.1, 1e-5);
+  EXPECT_GT(walk.fact().clearance, 0);
+  walk.ask(4.1, 2e-5);
+  EXPECT_EQ(walk.answered, 1);
+}
 
 }  // namespace
 }  // namespace tricover::support

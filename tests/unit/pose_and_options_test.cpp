@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "pair/facts.h"
 #include "polygon/cache_access.h"
 #include "random.h"
 #include "refusal.h"
@@ -60,9 +61,10 @@ TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
   const Pose here = Pose::Identity(), far = pose(0, 1e6, 0);
   PairCache of_pair, of_another;
-  collide(a, here, b, far, of_pair);
-  collide(a, here, a, far, of_another);
-  ASSERT_GT(detail::factsIn(of_pair).collision.clearance, 9e5);
+  detail::remember(detail::factsIn(of_pair).collision, a.data(), here, b.data(), far, false, 9e5);
+  detail::remember(detail::factsIn(of_another).collision, a.data(), here, a.data(), far, false, 9e5);
+  ASSERT_FALSE(collide(a, here, b, far, of_pair));
+  ASSERT_EQ(detail::factsIn(of_pair).collision.uses, 1u);
   for (const PairCache& given : {of_pair, of_another, PairCache()}) {
     for (const Pose& bad : badPoses()) {
       PairCache cache = given;

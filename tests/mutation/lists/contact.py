@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
-    ("src/contact/contacts.cpp", "false, fact.clearance);", "false, 2 * fact.clearance);", "contact cache: apart for too long"),
     ("src/contact/convex_contact.cpp", "mirrored_(side.mirrors != a.mirrors)", "mirrored_(false)", "convex contact: b mirrored"),
     ("src/contact/separating_axes.cpp", "area * area > most_square * (square[0]", "area * area > 0.5 * most_square * (square[0]", "separating axes: the least face is skipped"),
     ("src/contact/separating_axes.cpp", "if (face.depth < -kDepthError * error_) return Apart;", "if (face.depth < 0.1) return Apart;", "separating axes: what overlaps is apart"),
