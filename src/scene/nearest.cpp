@@ -27,9 +27,9 @@ bool isNearer(const BodyDistance& p, const BodyDistance& q) {
 /// A posed polygon whose distances from bodies are asked.
 class AskedDistance {
  public:
-  AskedDistance(const SceneState& state, const Polygon& polygon, const Pose& pose, const DistanceOptions& options,
-                const BodyFilter& filter)
-      : state_(state), polygon_(polygon), pose_(pose), options_(options), filter_(filter) {
+  AskedDistance(const SceneState& state, const Polygon& polygon, const Pose& pose, double limit,
+                const DistanceOptions& options, const BodyFilter& filter)
+      : state_(state), polygon_(polygon), pose_(pose), limit_(limit), options_(options), filter_(filter) {
     detail::checkOptions(options);
     detail::requireRigid(pose, "pose");
   }
@@ -40,14 +40,19 @@ class AskedDistance {
     const auto& other = state_.bodies[body];
     DistanceOptions sum = options_;
     sum.margin = std::min(options_.margin + other.options.margin, std::numeric_limits<double>::max());
-    const auto result = distanceWithin(polygon_, pose_, other.polygon, other.pose, limit, sum);
+    auto result = distanceWithin(polygon_, pose_, other.polygon, other.pose, limit, sum);
+    // Another body's distance cuts off what this one's was rounded up by: which one is told shouldn't depend on who
+    // comes first.
+    if (result && result->distance == limit && 0 < limit && limit < limit_)
+      result = distanceWithin(polygon_, pose_, other.polygon, other.pose, limit_, sum);
     if (!result || result->distance == kInfinity) return std::nullopt;
     return BodyDistance{body, *result};
   }
 
-  /// The nearest body, no farther than the limit; a guess makes the limit smaller.
-  std::optional<BodyDistance> nearest(double limit, BodyHandle guess = kNoBody) const {
+  /// The nearest body; a guess makes the limit smaller.
+  std::optional<BodyDistance> nearest(BodyHandle guess = kNoBody) const {
     std::optional<BodyDistance> best;
+    double limit = limit_;
     const auto ask = [&](BodyHandle body) {
       if (best && (body == best->body || (limit == 0 && body > best->body))) return limit;  // no nearer
       const auto found = from(body, limit);
@@ -63,9 +68,10 @@ class AskedDistance {
   }
 
   /// So many, the nearest first.
-  std::vector<BodyDistance> nearestFew(std::size_t count, double limit) const {
+  std::vector<BodyDistance> nearestFew(std::size_t count) const {
     std::vector<BodyDistance> best;
     if (count == 0) return best;
+    double limit = limit_;
     state_.tree.visitNear(bounds(), limit, [&](BodyHandle body) {
       const auto found = from(body, limit);
       if (!found || (best.size() == count && !isNearer(*found, best.back()))) return limit;
@@ -84,6 +90,7 @@ class AskedDistance {
   const SceneState& state_;
   const Polygon& polygon_;
   const Pose& pose_;
+  const double limit_;
   const DistanceOptions& options_;
   const BodyFilter& filter_;
 };
@@ -92,15 +99,15 @@ class AskedDistance {
 
 std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options,
                                            const BodyFilter& filter) const {
-  return AskedDistance(impl_->settled(), polygon, pose, options, filter).nearest(kInfinity);
+  return AskedDistance(impl_->settled(), polygon, pose, kInfinity, options, filter).nearest();
 }
 
 std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& pose, SceneCache& cache,
                                            const DistanceOptions& options, const BodyFilter& filter) const {
   detail::SceneFact& fact = detail::factsIn(cache);
   const bool known = fact.nearest_scene == impl_->id && contains(fact.nearest);
-  const AskedDistance asked(impl_->settled(), polygon, pose, options, filter);
-  const auto best = asked.nearest(kInfinity, known ? fact.nearest : kNoBody);
+  const AskedDistance asked(impl_->settled(), polygon, pose, kInfinity, options, filter);
+  const auto best = asked.nearest(known ? fact.nearest : kNoBody);
   fact.nearest_scene = impl_->id;
   fact.nearest = best ? best->body : kNoBody;
   return best;
@@ -109,13 +116,13 @@ std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& p
 std::optional<BodyDistance> Scene::nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
                                                  const DistanceOptions& options, const BodyFilter& filter) const {
   detail::requireNotNegative(limit, "limit");
-  return AskedDistance(impl_->settled(), polygon, pose, options, filter).nearest(limit);
+  return AskedDistance(impl_->settled(), polygon, pose, limit, options, filter).nearest();
 }
 
 std::vector<BodyDistance> Scene::nearestFew(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
                                             const DistanceOptions& options, const BodyFilter& filter) const {
   detail::requireNotNegative(limit, "limit");
-  return AskedDistance(impl_->settled(), polygon, pose, options, filter).nearestFew(count, limit);
+  return AskedDistance(impl_->settled(), polygon, pose, limit, options, filter).nearestFew(count);
 }
 
 }  // namespace tricover

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -149,6 +150,32 @@ TEST(Scene, AsksMoreBodiesThanAreKeptInOrder) {
   }
   for (Scene::Body body = 0; body < 40; ++body) scene.remove(body);
   EXPECT_FALSE(scene.collides(dot, pose(0, 1.25, 0)));
+}
+
+/// Two bodies whose distances differ by an ulp that rounding makes: whichever comes first, the nearest is the one that
+/// distance() says.
+TEST(Scene, NearestIsNoMatterOfWhoComesFirst) {
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  const Pose asked = Pose::Identity();
+  DistanceOptions options;
+  options.margin = 1.25;
+  Pose nearer = asked;
+  nearer.linear() = Eigen::Rotation2Dd(38 * 0.1).toRotationMatrix();
+  nearer.translation() = Vec2(std::nextafter(18.0, 0.0), 15);
+  Pose farther = nearer;
+  farther.translation().x() = 18;
+  const double least = distance(square, asked, square, nearer, options).distance;
+  ASSERT_LT(least, distance(square, asked, square, farther, options).distance);
+  for (const bool first : {false, true}) {
+    Scene scene;
+    const Scene::Body one = scene.add(square, first ? nearer : farther),
+                      other = scene.add(square, first ? farther : nearer), expected = first ? one : other;
+    const std::optional<BodyDistance> found = scene.nearest(square, asked, options);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->body, expected);
+    EXPECT_EQ(found->result.distance, least);
+    EXPECT_EQ(scene.nearestFew(square, asked, 1, 100, options).front().body, expected);
+  }
 }
 
 TEST(Scene, OfNothing) {
