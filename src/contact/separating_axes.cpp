@@ -27,9 +27,6 @@ static_assert(kClimbError >= kUnitRows * (Gram::kMatrixError + errorOf(4) + 2 * 
 //   cross product, determinant, the edge's length, quotient: 13U     2.9
 constexpr double kSumOfDepthErrors = 6.4 + kRoot2 + 0.7 + 2.9;
 
-/// Sizes whose areas' squares neither overflow nor lose digits.
-bool areSquarable(double size) { return size > 0x1p-200 && size < 0x1p200; }
-
 /// A part of the smaller one's radius: faces that are deeper by less are kept, for steps of a hundredth of that and
 /// more.
 constexpr double kLookahead = 1.0 / 32;
@@ -72,7 +69,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
       error_(std::max(pair.error, swapped_.error)),
       within_(tie() + 3 * kDepthError * error_) {
   static_assert(kDepthError >= kUnitRows * kSumOfDepthErrors);
-  if (!areSquarable(error_ / kMappingError)) return;
+  if (!(error_ / kMappingError < 0x1p200)) return;  // areas or their squares may overflow
   const bool remembers = facts != nullptr && keepsLengths(pair);
   if (remembers) {
     const bool known = facts->first_id == pair.a.id && facts->second_id == pair.b.id;

@@ -135,13 +135,25 @@ TEST(ConvexContact, IsAsDeepAsThePenetration) {
   EXPECT_GE(overlaps, 0.3 * cases);
 }
 
-/// Areas of such sizes have no squares.
-TEST(ConvexContact, OfHugeTriangles) {
-  const Polygon a({{{-1e100, -1e100}, {1e100, 2e100}, {-3e100, 1e100}}}),
-      b({{{-2e100, -3e100}, {-1e100, 1e100}, {1e100, 0}}});
-  const auto found = contacts(a, Pose::Identity(), b, Pose::Identity());
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].depth / 1e100, 1.1094003924504583, 1e-12);  // 4 / sqrt(13)
+/// Areas of such sizes have no squares, or a diagonal has none and areas are still numbers.
+TEST(ConvexContact, OfHugeAndTinyTriangles) {
+  const auto scaled = [](double size, Ring ring) {
+    for (Vec2& p : ring) p *= size;
+    return Polygon({ring});
+  };
+  const auto expectDepth = [&](const Ring& a, const Ring& b, double size, double depth) {
+    const Polygon p = scaled(size, a), q = scaled(size, b);
+    const auto found = contacts(p, Pose::Identity(), q, Pose::Identity());
+    const auto way = penetration(p, Pose::Identity(), q, Pose::Identity());
+    ASSERT_EQ(found.size(), 1u);
+    ASSERT_TRUE(way);
+    EXPECT_NEAR(found[0].depth / size, depth, 1e-12) << size;
+    EXPECT_NEAR(way->depth / size, depth, 1e-12) << size;
+  };
+  for (const double size : {1e100, 1.2e154, 1e300, 1e-100, 1e-170, 1e-280}) {
+    expectDepth({{-1, -1}, {1, 2}, {-3, 1}}, {{-2, -3}, {-1, 1}, {1, 0}}, size, 4 / std::sqrt(13));
+    expectDepth({{0, 0}, {1, 1}, {0, 1}}, {{0.05, 0.6}, {-0.3, 0.7}, {-0.3, 0.5}}, size, 0.05);
+  }
 }
 
 /// Of the edges at the deepest vertex the one that is more across the normal, whichever way round the ring runs.

@@ -6,6 +6,7 @@ MUTATIONS = [
     ("src/contact/separating_axes.cpp", "if (face.depth < -kDepthError * error_) return Apart;", "if (face.depth < 0.1) return Apart;", "separating axes: what overlaps is apart"),
     ("src/contact/convex_penetration.cpp", "pose.linear().determinant() < 0", "false", "convex penetration: mirrored poses"),
     ("src/contact/convex_penetration.cpp", "dot(normal, own.at(face) - other.at(at)).high / length", "dot(normal, own.at(face) - other.at(at)).high * (1 + 1e-14) / length", "convex penetration: plain doubles"),
+    ("src/contact/separating_axes.cpp", "kMappingError < 0x1p200", "kMappingError < 0x1p600", "separating axes: a diagonal of an infinite square is no depth at all"),
     ("src/contact/separating_axes.cpp", "facts->deeper - motion > least_depth_", "facts->deeper > least_depth_", "contact facts: faces that aren't kept may be the best by now"),
     ("src/contact/separating_axes.cpp", "  double deeper = limit();", "  double deeper = 1e300;", "contact facts: faces that weren't looked behind are deep for ever"),
     ("src/contact/separating_axes.cpp", "within_(tie() + 3 * kDepthError * error_)", "within_(0)", "convex penetration: the least depth is left out"),
