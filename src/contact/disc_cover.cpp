@@ -16,13 +16,11 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon) {
   constexpr int kGrid = 20;
   static_assert(kGrid * kGrid % kLanes == 0);
   constexpr std::size_t kMost = 64;
-  std::vector<Vec2> local;
-  local.reserve(polygon.path.size());
-  for (const Vec2& p : polygon.path) local.push_back(polygon.inUnits(p));
-  Vec2 low = local[0], high = low;
-  for (const Vec2& p : local) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+  Vec2 low = polygon.inUnits(polygon.path[0]), high = low;
+  for (const Vec2& p : polygon.path) {
+    const Vec2 at = polygon.inUnits(p);
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
   }
   std::vector<Vec2> centers;
   for (int row = 0; row < kGrid; ++row)

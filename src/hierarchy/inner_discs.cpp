@@ -176,10 +176,8 @@ const InnerDiscs& innerDiscsOf(const PolygonData& polygon) {
 const InnerDiscs* payForDiscs(const PolygonData& polygon) {
   // Of more edges than a thinned outline has nothing is looked at but what the hierarchy finds.
   constexpr std::size_t kOfEdge = 16, kMostEdges = 128, kOfQuery = 32;
-  if (polygon.discs_rent.left(kOfEdge * std::min(polygon.path.size(), kMostEdges)) <= kOfQuery)
-    return &innerDiscsOf(polygon);
-  polygon.discs_rent.pay(kOfQuery);
-  return nullptr;
+  const bool is_due = polygon.discs_rent.isDue(kOfQuery, kOfEdge * std::min(polygon.path.size(), kMostEdges));
+  return is_due ? &innerDiscsOf(polygon) : nullptr;
 }
 
 }  // namespace tricover::detail

@@ -19,10 +19,8 @@ void checkPoint(const Vec2& point) { detail::requireFinite(point, "point"); }
 const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
   const detail::Hierarchy* built = detail::hierarchyIfBuilt(polygon);
   if (built != nullptr) return built;
-  if (polygon.hierarchy_rent.left(detail::hierarchyPrice(polygon)) <= polygon.path.size())
-    return &detail::hierarchyOf(polygon);
-  polygon.hierarchy_rent.pay(polygon.path.size());
-  return nullptr;
+  const bool is_due = polygon.hierarchy_rent.isDue(polygon.path.size(), detail::hierarchyPrice(polygon));
+  return is_due ? &detail::hierarchyOf(polygon) : nullptr;
 }
 
 Location locateUnchecked(const detail::PolygonData& polygon, const Vec2& point) {

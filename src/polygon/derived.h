@@ -62,6 +62,12 @@ class Rent {
 
   /// What is still to be paid of a price.
   std::size_t left(std::size_t price) const;
+  /// Whether what has this price is to be built now; otherwise pays what doing without it costs.
+  bool isDue(std::size_t cost, std::size_t price) const {
+    if (left(price) <= cost) return true;
+    pay(cost);
+    return false;
+  }
   void pay(std::size_t cost) const {
     constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
     const std::size_t paid = paid_.load(std::memory_order_relaxed);
