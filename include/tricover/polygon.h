@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "tricover/export.h"
@@ -39,13 +38,15 @@ class TRICOVER_EXPORT Polygon {
   /// Of rings and a fill rule. Throws std::invalid_argument, naming ring and vertex, for no ring, fewer than three
   /// vertices in a ring, a coordinate that is not finite, or more than 2^29 vertices in all (one more counted for each
   /// ring).
-  explicit Polygon(std::vector<Ring> rings, FillRule fill = FillRule::EvenOdd);
+  explicit Polygon(const std::vector<Ring>& rings, FillRule fill = FillRule::EvenOdd);
 
-  Polygon(const Polygon&) = default;             ///< Moving copies, too, so that no polygon is ever without its data.
-  Polygon& operator=(const Polygon&) = default;  ///< Copies, too.
+  Polygon(const Polygon& other) noexcept;             ///< Moving copies, too, so that no polygon is without its data.
+  Polygon& operator=(const Polygon& other) noexcept;  ///< Copies, too.
+  ~Polygon();
 
-  const std::vector<Ring>& rings() const;  ///< As they were given.
-  FillRule fillRule() const;               ///< As it was given.
+  /// As they were given. A polygon keeps its vertices otherwise: the first call makes these, for all copies.
+  const std::vector<Ring>& rings() const;
+  FillRule fillRule() const;  ///< As it was given.
 
   /// What tells polygons apart. Copies share it, and no other polygon has it while the process lives. It means nothing
   /// in another process.
@@ -72,7 +73,7 @@ class TRICOVER_EXPORT Polygon {
   const detail::PolygonData& data() const { return *data_; }  ///< For the kernel.
 
  private:
-  std::shared_ptr<const detail::PolygonData> data_;
+  const detail::PolygonData* data_;
 };
 
 }  // namespace tricover

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/boundary_point.h"
 
-#include <algorithm>
-
 namespace tricover::detail {
 
-std::size_t ringOf(const PolygonData& polygon, std::size_t edge) {
-  const auto& begin = polygon.ring_begin;
-  return static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), edge) - begin.begin()) - 1;
-}
-
 std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge) {
-  const std::size_t ring = ringOf(polygon, edge);
+  const std::size_t ring = polygon.ringOf(edge);
   return edge + 1 == polygon.edgeEnd(ring) ? polygon.edgeBegin(ring) : edge + 1;
 }
 
 std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge) {
-  const std::size_t ring = ringOf(polygon, edge);
+  const std::size_t ring = polygon.ringOf(edge);
   return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
 }
 

@@ -14,9 +14,6 @@ struct BoundaryPoint {
   std::ptrdiff_t a, a_before, b, b_before;
 };
 
-/// The ring that an edge belongs to.
-std::size_t ringOf(const PolygonData& polygon, std::size_t edge);
-
 /// The next edge of a ring, all around, and the one before; positions in the path.
 std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
 std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);

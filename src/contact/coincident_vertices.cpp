@@ -11,7 +11,7 @@
 namespace tricover::detail {
 namespace {
 
-std::vector<std::uint32_t> placesOf(const std::vector<Vec2>& path) {
+std::vector<std::uint32_t> placesOf(const Path& path) {
   const std::vector<std::uint32_t> order = sortedByPlace(path);
   std::vector<std::uint32_t> places(path.size());
   for (std::size_t k = 0; k < order.size(); ++k)
@@ -61,7 +61,7 @@ std::vector<bool> alone(const PolygonData& polygon, const std::vector<IncidentEd
 
 }  // namespace
 
-std::vector<std::uint32_t> sortedByPlace(const std::vector<Vec2>& path) {
+std::vector<std::uint32_t> sortedByPlace(const Path& path) {
   std::vector<std::uint32_t> order(path.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) { return isBefore(path[v], path[w]); });

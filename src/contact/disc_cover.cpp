@@ -58,8 +58,9 @@ struct DiscCover : Derived::Thing {
 }  // namespace
 
 const std::vector<Disc>& discCoverOf(const PolygonData& polygon) {
-  const Derived::Thing* cover = polygon.cover.ifBuilt();
-  if (cover == nullptr) cover = polygon.cover.built([&] { return std::make_unique<const DiscCover>(polygon); });
+  const Derived& place = innerDiscsOf(polygon).cover;
+  const Derived::Thing* cover = place.ifBuilt();
+  if (cover == nullptr) cover = place.built([&] { return std::make_unique<const DiscCover>(polygon); });
   return static_cast<const DiscCover*>(cover)->discs;
 }
 

@@ -150,7 +150,7 @@ class Grouping {
   }
 
   /// Whether two edges of a polygon have an end in common and nothing else.
-  static bool meetAtVertex(const std::vector<Vec2>& path, std::size_t e, std::size_t f) {
+  static bool meetAtVertex(const Path& path, std::size_t e, std::size_t f) {
     for (const std::size_t i : {e, e + 1})
       for (const std::size_t j : {f, f + 1})
         if (path[i] == path[j]) return orientation(path[i], path[2 * e + 1 - i], path[2 * f + 1 - j]) != 0;
@@ -164,9 +164,9 @@ class Grouping {
     std::ptrdiff_t star = -1;
     std::size_t most = kMany;
     Side& own = sides_[side];
-    const std::vector<Vec2>& path = own.polygon.path;
+    const Path& path = own.polygon.path;
     std::vector<std::uint32_t> order = sortedByPlace(path);
-    const auto closes = [&](std::uint32_t v) { return v == own.polygon.edgeEnd(ringOf(own.polygon, v)); };
+    const auto closes = [&](std::uint32_t v) { return v == own.polygon.edgeEnd(own.polygon.ringOf(v)); };
     order.erase(std::remove_if(order.begin(), order.end(), closes), order.end());
     for (std::size_t k = 0, next = 0; k < order.size(); k = next) {
       while (next < order.size() && path[order[next]] == path[order[k]]) ++next;
@@ -175,7 +175,7 @@ class Grouping {
       most = std::max(most, next - k);
       const std::size_t node = addNode(false);
       for (std::size_t i = k; i < next; ++i) {
-        own.rings[ringOf(own.polygon, order[i])].meets_own = true;
+        own.rings[own.polygon.ringOf(order[i])].meets_own = true;
         own.stops.push_back({order[i], {0, 0}, node, {true, 0}, false});
         own.stops.push_back({edgeBefore(own.polygon, order[i]), {1, 1}, node, {true, 0}, false});
       }
@@ -186,7 +186,7 @@ class Grouping {
   /// Two nodes, where they cover each other: what is between needn't be in the overlap.
   void addOwnCrossing(int side, std::size_t e, std::size_t f) {
     Side& own = sides_[side];
-    own.rings[ringOf(own.polygon, e)].meets_own = own.rings[ringOf(own.polygon, f)].meets_own = true;
+    own.rings[own.polygon.ringOf(e)].meets_own = own.rings[own.polygon.ringOf(f)].meets_own = true;
     const Ends of_e = ends(side, e), of_f = ends(side, f);
     const Span on_e = spanNear(of_e, of_f, frame_.error()), on_f = spanNear(of_f, of_e, frame_.error());
     const bool alike = (of_e.w - of_e.v).dot(of_f.w - of_f.v) > 0;
@@ -240,7 +240,7 @@ class Grouping {
 
   /// Whether v begins a ring that is one point.
   static bool isPoint(const PolygonData& polygon, std::size_t v) {
-    const std::size_t ring = ringOf(polygon, v);
+    const std::size_t ring = polygon.ringOf(v);
     if (v != polygon.edgeBegin(ring)) return false;
     const auto begin = polygon.path.begin() + static_cast<std::ptrdiff_t>(v);
     return std::all_of(begin, polygon.path.begin() + static_cast<std::ptrdiff_t>(polygon.edgeEnd(ring)),
@@ -272,7 +272,7 @@ class Grouping {
     if (stop.node < crossings_.size()) {
       const EdgeCrossing& crossing = crossings_[stop.node];
       Side& crossed = sides_[other];
-      const std::size_t ring = ringOf(crossed.polygon, other == 0 ? crossing.edge_a : crossing.edge_b);
+      const std::size_t ring = crossed.polygon.ringOf(other == 0 ? crossing.edge_a : crossing.edge_b);
       crossed.rings[ring].left = {true, std::max(before, winding.number)};
     }
   }
@@ -354,7 +354,7 @@ class Grouping {
       const int side = p.b < 0 ? 0 : 1;
       const std::ptrdiff_t edge = side == 0 ? p.a : p.b, before = side == 0 ? p.a_before : p.b_before;
       const Side& own = sides_[side];
-      const Side::RingStops& ring = own.rings[ringOf(own.polygon, static_cast<std::size_t>(edge))];
+      const Side::RingStops& ring = own.rings[own.polygon.ringOf(static_cast<std::size_t>(edge))];
       // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
       const Ends to = ends(side, static_cast<std::size_t>(edge)), from = ends(side, static_cast<std::size_t>(before));
       const double turn = cross(from.v - from.w, to.w - to.v);
@@ -399,7 +399,7 @@ class Grouping {
   /// A node that the point t of an edge is joined to; -1 if it isn't in the other region.
   std::ptrdiff_t nodeAt(int side, std::size_t edge, double t) const {
     const Side& own = sides_[side];
-    const Side::RingStops& ring = own.rings[ringOf(own.polygon, edge)];
+    const Side::RingStops& ring = own.rings[own.polygon.ringOf(edge)];
     if (ring.node >= 0 || ring.begin == ring.end) return ring.node;
     const auto begin = own.stops.begin() + static_cast<std::ptrdiff_t>(ring.begin);
     const auto end = own.stops.begin() + static_cast<std::ptrdiff_t>(ring.end);

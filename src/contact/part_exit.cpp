@@ -144,18 +144,19 @@ Exit PartExits::ofTouch(const OverlapComponent& component) const {
 }
 
 /// The rings that a containment is made of, as a polygon of their own.
-PolygonData PartExits::ringsOf(const OverlapComponent& component, bool of_b) const {
+Polygon PartExits::ringsOf(const OverlapComponent& component, bool of_b) const {
   const PolygonData& polygon = of_b ? pair_.b : pair_.a;
   std::vector<Ring> rings;
   std::size_t last = polygon.ringCount();
   for (const BoundaryPoint& point : component.points) {
     const std::ptrdiff_t edge = of_b ? point.b : point.a;
     if (edge < 0) continue;
-    const std::size_t ring = ringOf(polygon, static_cast<std::size_t>(edge));
-    if (ring != last) rings.push_back(polygon.rings[ring]);
+    const std::size_t ring = polygon.ringOf(static_cast<std::size_t>(edge));
+    if (ring != last)
+      rings.emplace_back(polygon.path.begin() + polygon.edgeBegin(ring), polygon.path.begin() + polygon.edgeEnd(ring));
     last = ring;
   }
-  return PolygonData(std::move(rings), polygon.fill);
+  return Polygon(rings, polygon.fill);
 }
 
 /// In a containment: past the nearest of the outer polygon's edges.
@@ -163,7 +164,8 @@ Exit PartExits::byNearestEdge(const OverlapComponent& component) const {
   const BoundaryPoint& leftmost = leftmostOf(component);
   const bool b_inside = leftmost.b >= 0;
   // Only what is inside is searched from, so that many parts don't cost their number squared.
-  const PolygonData inside = ringsOf(component, b_inside), &outside = b_inside ? pair_.a : pair_.b;
+  const Polygon own_rings = ringsOf(component, b_inside);
+  const PolygonData &inside = own_rings.data(), &outside = b_inside ? pair_.a : pair_.b;
   const Pose &pose_inside = b_inside ? pair_.pose_b : pair_.pose_a,
              &pose_outside = b_inside ? pair_.pose_a : pair_.pose_b;
   // Edges of the component's own rings are no way out of it.

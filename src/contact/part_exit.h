@@ -44,7 +44,7 @@ class PartExits {
   Exit byFaces(const OverlapComponent& component) const;
   void completeEdges(const OverlapComponent& component, Exit& exit) const;
   Exit ofTouch(const OverlapComponent& component) const;
-  PolygonData ringsOf(const OverlapComponent& component, bool of_b) const;
+  Polygon ringsOf(const OverlapComponent& component, bool of_b) const;
   Exit byNearestEdge(const OverlapComponent& component) const;
 
   const PosedPair& pair_;

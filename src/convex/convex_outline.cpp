@@ -9,7 +9,6 @@
 #include "numbers/convex_hull.h"
 #include "numbers/predicates.h"
 #include "numbers/segment.h"
-#include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
@@ -25,10 +24,10 @@ std::vector<std::size_t> hullCorners(const PolygonData& polygon) {
 }
 
 ConvexOutline makeOutline(const PolygonData& polygon) {
-  Convexity convexity = convexityOf(polygon);
+  const Convexity& convexity = convexityOf(polygon);
   ConvexOutline outline;
   if (convexity.direction != 0) {
-    outline.corners = std::move(convexity.corners);
+    outline.corners = convexity.corners;
     outline.forward = convexity.direction > 0;
     if (!outline.forward) std::reverse(outline.corners.begin(), outline.corners.end());
     const auto leftmost =
@@ -51,7 +50,7 @@ ConvexOutline makeOutline(const PolygonData& polygon) {
 
 const ConvexOutline& findConvexOutline(const PolygonData& polygon) {
   const Derived::Thing* outline =
-      polygon.outline.built([&] { return std::make_unique<const ConvexOutline>(makeOutline(polygon)); });
+      convexityOf(polygon).outline.built([&] { return std::make_unique<const ConvexOutline>(makeOutline(polygon)); });
   return *static_cast<const ConvexOutline*>(outline);
 }
 

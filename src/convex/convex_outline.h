@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "polygon/polygon_data.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 
@@ -23,7 +23,7 @@ const ConvexOutline& findConvexOutline(const PolygonData& polygon);
 
 /// Found at the first call, once for all copies and threads: O(n) for a convex polygon, O(n log n) for others. Exact.
 inline const ConvexOutline& convexOutlineOf(const PolygonData& polygon) {
-  const auto* ready = static_cast<const ConvexOutline*>(polygon.outline.ifBuilt());
+  const auto* ready = static_cast<const ConvexOutline*>(convexityOf(polygon).outline.ifBuilt());
   return ready != nullptr ? *ready : findConvexOutline(polygon);
 }
 

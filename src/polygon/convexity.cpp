@@ -44,7 +44,10 @@ bool findCorners(const PolygonData& polygon, Convexity& convexity) {
 const Convexity& findConvexity(const PolygonData& polygon) {
   const Derived::Thing* convexity = polygon.convexity.built([&] {
     auto found = std::make_unique<Convexity>();
-    if (!findCorners(polygon, *found)) *found = {};
+    if (!findCorners(polygon, *found)) {
+      found->direction = 0;
+      found->corners.clear();
+    }
     found->is_strict = found->corners.size() + 1 == polygon.path.size();
     return found;
   });

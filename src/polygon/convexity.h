@@ -14,6 +14,7 @@ struct Convexity : Derived::Thing {
   int direction = 0;                 ///< 1 counter-clockwise, -1 clockwise, 0 not convex
   bool is_strict = false;            ///< convex, and all vertices are corners
   std::vector<std::size_t> corners;  ///< in the ring's order, as positions in the path; none unless convex
+  Derived outline;                   ///< by its corners alone, or of its hull
 };
 
 const Convexity& findConvexity(const PolygonData& polygon);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polygon/derived.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
+#include <vector>
 
 namespace tricover::detail {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 struct Turns {
   std::mutex mutex;
   std::condition_variable ended;
+  std::vector<const Derived*> building;
 };
 
 std::atomic<Stages> used_stages{Stages::Paid};
@@ -25,27 +28,29 @@ Turns& turns() {
 
 void useStages(Stages stages) { used_stages.store(stages, std::memory_order_relaxed); }
 
-std::size_t Rent::left(std::size_t price) const {
+std::size_t leftOf(Stages stage, std::size_t price, std::size_t paid) {
   constexpr std::size_t kNeverPaid = std::size_t{1} << 60;
   const Stages used = used_stages.load(std::memory_order_relaxed);
-  if (used != Stages::Paid && stage_ != Stages::Paid) return used < stage_ ? kNeverPaid : 0;
-  const std::size_t paid = paid_.load(std::memory_order_relaxed);
+  if (used != Stages::Paid && stage != Stages::Paid) return used < stage ? kNeverPaid : 0;
   return paid < price ? price - paid : 0;
 }
 
 /// Whether it is this thread's turn to build. Otherwise it has been built, by another one that may have been waited
 /// for.
 bool Derived::begin() const {
+  std::vector<const Derived*>& building = turns().building;
   std::unique_lock<std::mutex> lock(turns().mutex);
-  turns().ended.wait(lock, [&] { return !is_building_; });
-  is_building_ = ifBuilt() == nullptr;
-  return is_building_;
+  turns().ended.wait(lock, [&] { return std::find(building.begin(), building.end(), this) == building.end(); });
+  if (ifBuilt() != nullptr) return false;
+  building.push_back(this);
+  return true;
 }
 
 void Derived::end(const Thing* thing) const {
   {
     const std::lock_guard<std::mutex> lock(turns().mutex);
-    is_building_ = false;
+    std::vector<const Derived*>& building = turns().building;
+    building.erase(std::find(building.begin(), building.end(), this));
     ready_.store(thing, std::memory_order_release);
   }
   turns().ended.notify_all();

@@ -44,7 +44,6 @@ class Derived {
   void end(const Thing* thing) const;
 
   mutable std::atomic<const Thing*> ready_{nullptr};
-  mutable bool is_building_ = false;
 };
 
 /// Up to which stage polygons' data is derived: by what has been paid, or, for tests, whatever has been.
@@ -52,16 +51,18 @@ enum class Stages { Paid, Edges, Hierarchy, All };
 /// Chooses for the whole process. What has been built stays.
 void useStages(Stages stages);
 
+/// What is still to be paid of the price of a stage.
+std::size_t leftOf(Stages stage, std::size_t price, std::size_t paid);
+
 /// What queries have paid so far for doing without something that is derived. It is built when that adds up to what
 /// building costs: so who asks once doesn't pay for it, and all queries together pay at most twice what the best of
 /// both ways would have cost. In the cost of looking at an edge. Threads may lose each other's payments, which only
 /// puts building off.
+template <Stages kStage>
 class Rent {
  public:
-  explicit Rent(Stages stage) : stage_(stage) {}
-
   /// What is still to be paid of a price.
-  std::size_t left(std::size_t price) const;
+  std::size_t left(std::size_t price) const { return leftOf(kStage, price, paid_.load(std::memory_order_relaxed)); }
   /// Whether what has this price is to be built now; otherwise pays what doing without it costs.
   bool isDue(std::size_t cost, std::size_t price) const {
     if (left(price) <= cost) return true;
@@ -76,7 +77,6 @@ class Rent {
 
  private:
   mutable std::atomic<std::uint32_t> paid_{0};
-  const Stages stage_;
 };
 
 }  // namespace tricover::detail

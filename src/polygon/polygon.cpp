@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,13 +23,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void validate(const std::vector<Ring>& rings) {
   if (rings.empty()) refuse("rings", "a polygon needs at least one ring");
+  const auto name = [](std::size_t ring) { return "rings: ring " + std::to_string(ring); };
   for (std::size_t r = 0; r < rings.size(); ++r) {
-    const std::string ring = "rings: ring " + std::to_string(r);
     if (rings[r].size() < 3)
-      refuse(ring, "it has " + std::to_string(rings[r].size()) + " vertices",
+      refuse(name(r), "it has " + std::to_string(rings[r].size()) + " vertices",
              "it needs at least 3, which may be equal ones");
     for (std::size_t i = 0; i < rings[r].size(); ++i)
-      if (!rings[r][i].allFinite()) refuseCoordinate(ring + ", vertex " + std::to_string(i));
+      if (!rings[r][i].allFinite()) refuseCoordinate(name(r) + ", vertex " + std::to_string(i));
   }
 }
 
@@ -35,10 +38,18 @@ std::uint64_t nextId() {
   return ++last;
 }
 
+/// 2^exponent, of a normal double's exponent.
+double powerOfTwo(int exponent) {
+  constexpr int kBias = 1023, kFraction = 52;
+  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + kBias) << kFraction;
+  double power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+
 /// 2^exponent as two factors, either of them finite where the power itself would overflow or underflow.
 struct PowerOfTwo {
-  explicit PowerOfTwo(int exponent)
-      : first(std::ldexp(1, exponent / 2)), second(std::ldexp(1, exponent - exponent / 2)) {}
+  explicit PowerOfTwo(int exponent) : first(powerOfTwo(exponent / 2)), second(powerOfTwo(exponent - exponent / 2)) {}
   template <typename T>
   T operator()(const T& x) const {
     return x * first * second;
@@ -49,7 +60,7 @@ struct PowerOfTwo {
 /// A bounding box whose size is brought near 1 by a power of two, so that areas and squares neither overflow nor
 /// underflow.
 struct Frame {
-  explicit Frame(const std::vector<Vec2>& path) : low(path[0]), high(path[0]), center(path[0]), exponent(0) {
+  explicit Frame(const Path& path) : low(path[0]), high(path[0]), center(path[0]), exponent(0) {
     for (const Vec2& p : path) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
@@ -94,12 +105,20 @@ double boundingRadius(const PolygonData& polygon, const Frame& frame) {
 }
 
 /// A ring of three vertices of which two are equal is a segment there and back.
-std::size_t degenerateEdgeOf(const std::vector<Ring>& rings) {
-  if (rings.size() != 1 || rings[0].size() != 3) return PolygonData::kNotDegenerate;
-  const Ring& ring = rings[0];
-  if (ring[1] == ring[2] || ring[0] == ring[2]) return 0;
-  return ring[0] == ring[1] ? 1 : PolygonData::kNotDegenerate;
+std::uint8_t degenerateEdgeOf(const Path& path) {
+  if (path.size() != 4) return PolygonData::kNotDegenerate;
+  if (path[1] == path[2] || path[0] == path[2]) return 0;
+  return path[0] == path[1] ? 1 : PolygonData::kNotDegenerate;
 }
+
+struct GivenRings : Derived::Thing {
+  explicit GivenRings(const PolygonData& polygon) {
+    all.reserve(polygon.ringCount());
+    for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+      all.emplace_back(polygon.path.begin() + polygon.edgeBegin(r), polygon.path.begin() + polygon.edgeEnd(r));
+  }
+  std::vector<Ring> all;
+};
 
 }  // namespace
 
@@ -108,24 +127,37 @@ void requireCapacity(std::size_t positions) {
     refuse("rings", "more than 2^29 vertices, one more counted for each ring", "divide the polygon");
 }
 
-PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_), rings(std::move(rings_)) {
+const PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
   validate(rings);
-  id = nextId();
   std::size_t total = 0;
   for (const Ring& ring : rings) total += ring.size() + 1;
   requireCapacity(total);
-  path.reserve(total);
-  ring_begin.reserve(rings.size() + 1);
-  extent = 0;
+  static_assert(sizeof(PolygonData) % alignof(Vec2) == 0 && alignof(PolygonData) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+  const std::size_t of_path = total * sizeof(Vec2) + (rings.size() + 1) * sizeof(std::uint32_t);
+  auto* const memory = static_cast<std::byte*>(::operator new(sizeof(PolygonData) + of_path));
+  auto* const vertices = reinterpret_cast<Vec2*>(memory + sizeof(PolygonData));
+  auto* ring_begin = reinterpret_cast<std::uint32_t*>(vertices + total);
+  Vec2* end = vertices;
   for (const Ring& ring : rings) {
-    ring_begin.push_back(path.size());
-    path.insert(path.end(), ring.begin(), ring.end());
-    path.push_back(ring.front());
-    for (const Vec2& p : ring) extent = std::max(extent, std::abs(p.x()) + std::abs(p.y()));
+    *ring_begin++ = static_cast<std::uint32_t>(end - vertices);
+    end = std::uninitialized_copy(ring.begin(), ring.end(), end);
+    new (end++) Vec2(ring.front());
   }
-  ring_begin.push_back(path.size());
-  degenerate_edge = degenerateEdgeOf(rings);
-  is_point = isDegenerate() && path[degenerate_edge] == path[degenerate_edge + 1];
+  *ring_begin = static_cast<std::uint32_t>(total);
+  return new (memory) PolygonData(Path(vertices, total, rings.size()), fill);
+}
+
+void PolygonData::release() const {
+  if (users.fetch_sub(1, std::memory_order_acq_rel) > 1) return;
+  auto* const memory = const_cast<PolygonData*>(this);
+  memory->~PolygonData();
+  ::operator delete(memory);
+}
+
+PolygonData::PolygonData(const Path& path_, FillRule fill_) : extent(0), id(nextId()), path(path_), fill(fill_) {
+  for (const Vec2& p : path) extent = std::max(extent, std::abs(p.x()) + std::abs(p.y()));
+  degenerate_edge = degenerateEdgeOf(path);
+  is_point = isDegenerate() && path[degenerate_edge] == path[degenerate_edge + std::size_t{1}];
   const Frame frame(path);
   origin = centroid(*this, frame);
   extent = std::max(extent, std::abs(origin.x()) + std::abs(origin.y()));
@@ -134,20 +166,20 @@ PolygonData::PolygonData(std::vector<Ring> rings_, FillRule fill_) : fill(fill_)
   const int exponent = std::isfinite(radius) && radius > 0x1p-1000 ? std::min(std::ilogb(radius) + 1, 1020)
                        : std::isfinite(radius)                     ? -1000
                                                                    : 1020;
-  unit = std::ldexp(1, exponent);
-  inverse_unit = std::ldexp(1, -exponent);
+  unit = powerOfTwo(exponent);
+  inverse_unit = powerOfTwo(-exponent);
 }
 
-std::size_t PolygonData::edgeNumberOfRings(std::size_t position) const {
-  const auto next = std::upper_bound(ring_begin.begin(), ring_begin.end(), position);
-  return position - static_cast<std::size_t>(next - ring_begin.begin() - 1);
+std::size_t PolygonData::ringOf(std::size_t position) const {
+  const std::uint32_t* begin = path.ringBegin();
+  return static_cast<std::size_t>(std::upper_bound(begin, begin + ringCount(), position) - begin) - 1;
 }
 
 std::size_t PolygonData::edgePosition(std::size_t number) const {
   std::size_t low = 0, high = ringCount();
   while (high - low > 1) {
     const std::size_t mid = (low + high) / 2;
-    (ring_begin[mid] - mid <= number ? low : high) = mid;
+    (edgeBegin(mid) - mid <= number ? low : high) = mid;
   }
   return number + low;
 }
@@ -163,10 +195,24 @@ std::size_t PolygonData::checkedEdgePosition(EdgeIndex number) const {
 
 }  // namespace detail
 
-Polygon::Polygon(std::vector<Ring> rings, FillRule fill)
-    : data_(std::make_shared<const detail::PolygonData>(std::move(rings), fill)) {}
+Polygon::Polygon(const std::vector<Ring>& rings, FillRule fill) : data_(detail::PolygonData::make(rings, fill)) {}
 
-const std::vector<Ring>& Polygon::rings() const { return data_->rings; }
+Polygon::Polygon(const Polygon& other) noexcept : data_(other.data_) { data_->hold(); }
+
+Polygon& Polygon::operator=(const Polygon& other) noexcept {
+  other.data_->hold();
+  data_->release();
+  data_ = other.data_;
+  return *this;
+}
+
+Polygon::~Polygon() { data_->release(); }
+
+const std::vector<Ring>& Polygon::rings() const {
+  const detail::Derived::Thing* rings = data_->rings.ifBuilt();
+  if (rings == nullptr) rings = data_->rings.built([&] { return std::make_unique<const detail::GivenRings>(*data_); });
+  return static_cast<const detail::GivenRings*>(rings)->all;
+}
 FillRule Polygon::fillRule() const { return data_->fill; }
 std::uint64_t Polygon::id() const { return data_->id; }
 std::size_t Polygon::vertexCount() const { return data_->path.size() - data_->ringCount(); }

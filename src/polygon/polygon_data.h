@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,25 +17,51 @@ constexpr std::size_t kMostPositions = std::size_t{1} << 29;
 /// Throws std::invalid_argument for a path that is longer.
 void requireCapacity(std::size_t positions);
 
-/// What all copies of a polygon share. Rings lie one after another in `path`, each closed by a copy of its first
-/// vertex, so that the edge at position e joins path[e] and path[e + 1]; ring r takes positions [ring_begin[r],
-/// ring_begin[r + 1] - 1) and the closing vertex after them is no edge.
-struct PolygonData {
-  PolygonData(std::vector<Ring> rings_, FillRule fill_);
+/// Rings one after another, each closed by a copy of its first vertex. A view: where the rings begin, and where the
+/// last one ends, lies behind the vertices.
+class Path {
+ public:
+  Path(const Vec2* vertices, std::size_t size, std::size_t ring_count)
+      : vertices_(vertices),
+        size_(static_cast<std::uint32_t>(size)),
+        ring_count_(static_cast<std::uint32_t>(ring_count)) {}
 
-  std::size_t ringCount() const { return rings.size(); }
-  std::size_t edgeBegin(std::size_t ring) const { return ring_begin[ring]; }
-  std::size_t edgeEnd(std::size_t ring) const { return ring_begin[ring + 1] - 1; }
+  std::size_t size() const { return size_; }
+  const Vec2* data() const { return vertices_; }
+  const Vec2* begin() const { return vertices_; }
+  const Vec2* end() const { return vertices_ + size_; }
+  const Vec2& operator[](std::size_t position) const { return vertices_[position]; }
+  const Vec2& front() const { return vertices_[0]; }
+
+  std::size_t ringCount() const { return ring_count_; }
+  const std::uint32_t* ringBegin() const { return reinterpret_cast<const std::uint32_t*>(vertices_ + size_); }
+
+ private:
+  const Vec2* vertices_;
+  std::uint32_t size_, ring_count_;
+};
+
+/// What all copies of a polygon share, in one allocation with its path: the edge at position e joins path[e] and
+/// path[e + 1]; ring r takes positions [edgeBegin(r), edgeEnd(r)) and the closing vertex after them is no edge.
+struct PolygonData {
+  /// The last of its users destroys it.
+  static const PolygonData* make(const std::vector<Ring>& rings, FillRule fill);
+  void hold() const { users.fetch_add(1, std::memory_order_relaxed); }
+  void release() const;
+
+  std::size_t ringCount() const { return path.ringCount(); }
+  std::size_t edgeBegin(std::size_t ring) const { return path.ringBegin()[ring]; }
+  std::size_t edgeEnd(std::size_t ring) const { return path.ringBegin()[ring + 1] - std::size_t{1}; }
+  /// The ring of a position.
+  std::size_t ringOf(std::size_t position) const;
 
   /// Between positions in the path and the public numbering, which skips the closing vertices.
   std::size_t edgeNumber(std::size_t position) const {
-    return ringCount() == 1 ? position : edgeNumberOfRings(position);
+    return ringCount() == 1 ? position : position - ringOf(position);
   }
   std::size_t edgePosition(std::size_t number) const;
   /// Throws std::out_of_range for what is no edge's number.
   std::size_t checkedEdgePosition(EdgeIndex number) const;
-
-  std::size_t edgeNumberOfRings(std::size_t position) const;
 
   bool isDegenerate() const { return degenerate_edge != kNotDegenerate; }
   bool isPoint() const { return is_point; }
@@ -48,28 +75,31 @@ struct PolygonData {
     return extent < 0x1p1000 ? Vec2((p - origin) * inverse_unit) : Vec2((0.25 * p - 0.25 * origin) * inverse_unit * 4);
   }
 
-  std::uint64_t id;
   Vec2 origin;    ///< S
   double radius;  ///< at least the distance from S to any vertex
   double extent;  ///< the largest |x| + |y| of a vertex or of S: scales the rounding errors
   /// A power of two, at least the radius (where that is finite and above 2^-1000) and below 2 radii; and 1 / unit.
   double unit, inverse_unit;
-  FillRule fill;
-  std::vector<Vec2> path;
-  std::vector<std::size_t> ring_begin;
-  std::vector<Ring> rings;
-  /// The position of the one edge of a degenerate polygon, a segment or a point: what a margin makes a stadium or a
-  /// disc of. S is on it but for rounding, and on a point exactly.
-  static constexpr std::size_t kNotDegenerate = static_cast<std::size_t>(-1);
-  std::size_t degenerate_edge;
-  bool is_point;  ///< whether that edge has no length
+  std::uint64_t id;
+  Path path;
   // The places of what is derived, and what has been paid for doing without.
   Derived hierarchy, discs;  ///< boxes around edges; discs in the region
-  Rent hierarchy_rent{Stages::Hierarchy}, discs_rent{Stages::All}, starts_rent{Stages::Paid};
-  Derived convexity;  ///< whether it is convex
-  Derived starts;     ///< the starts of rings that need be asked for
-  Derived cover;      ///< the discs that a search for a way apart asks first
-  Derived outline;    ///< the convex outline that contacts go by
+  Derived convexity;         ///< whether it is convex, and what of
+  Derived starts;            ///< the starts of rings that need be asked for
+  Derived rings;             ///< as they were given
+  Rent<Stages::Hierarchy> hierarchy_rent;
+  Rent<Stages::All> discs_rent;
+  Rent<Stages::Paid> starts_rent;
+  mutable std::atomic<std::uint32_t> users{1};
+  FillRule fill;
+  bool is_point;  ///< whether it is a degenerate polygon whose edge has no length
+  /// The position of the one edge of a degenerate polygon, a segment or a point: what a margin makes a stadium or a
+  /// disc of. S is on it but for rounding, and on a point exactly.
+  static constexpr std::uint8_t kNotDegenerate = 255;
+  std::uint8_t degenerate_edge;
+
+ private:
+  PolygonData(const Path& path, FillRule fill);
 };
 
 }  // namespace tricover::detail

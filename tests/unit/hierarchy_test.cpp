@@ -78,9 +78,7 @@ TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
           last = std::max(last, e);
           ++edges;
         });
-        const bool one_chain = std::upper_bound(data.ring_begin.begin(), data.ring_begin.end(), first) ==
-                                   std::upper_bound(data.ring_begin.begin(), data.ring_begin.end(), last) &&
-                               last - first + 1 == edges;
+        const bool one_chain = data.ringOf(first) == data.ringOf(last) && last - first + 1 == edges;
         ASSERT_TRUE(one_chain || (block.spanned >> lane & 1) == 0);
       }
       for (int lane = block.count; lane < kLanes; ++lane) ASSERT_LT(block.along[lane], -1e20f) << "an unused lane";

@@ -76,8 +76,8 @@ TEST(Stages, PrepareBuildsAll) {
     EXPECT_NE(polygon.data().convexity.ifBuilt(), nullptr);
   }
   EXPECT_NE(islands.data().starts.ifBuilt(), nullptr);
-  EXPECT_NE(islands.data().cover.ifBuilt(), nullptr);
-  EXPECT_NE(round.data().outline.ifBuilt(), nullptr);
+  EXPECT_NE(innerDiscsIfBuilt(islands.data())->cover.ifBuilt(), nullptr);
+  EXPECT_NE(convexityOf(round.data()).outline.ifBuilt(), nullptr);
 }
 
 /// Large outlines of one or more rings, beside, in and around each other or in part, with margins and tolerances: more
