@@ -51,7 +51,7 @@ Footprint footprintOfPolygon(const PolygonShape<S>& shape, const fcl::Transform3
 }
 
 /// Half the size of a polygon that rectangle() made.
-tricover::Vec2 halfOf(const tricover::Polygon& rectangle) { return rectangle.rings()[0][2]; }
+tricover::Vec2 halfOf(const tricover::Polygon& rectangle) { return rectangle.edgeStart(2); }
 
 tricover::Polygon rectangle(const tricover::Vec2& half) {
   return tricover::Polygon({{-half, {half.x(), -half.y()}, half, {-half.x(), half.y()}}});

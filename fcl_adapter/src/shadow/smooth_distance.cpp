@@ -30,12 +30,10 @@ DistanceResult distanceTo(const Polygon& polygon, const Vec2& point) {
 double distanceBeyond(const Polygon& polygon, const Vec2& point, const Vec2& normal) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double least = kInfinity;
-  for (const tricover::Ring& ring : polygon.rings()) {
-    for (const Vec2& vertex : ring) {
-      const Vec2 way = vertex - point;
-      const double ahead = normal.dot(way) - 0x1p-50 * way.lpNorm<1>();
-      least = std::min(least, std::isnan(ahead) ? -kInfinity : ahead);
-    }
+  for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e) {
+    const Vec2 way = polygon.edgeStart(e) - point;
+    const double ahead = normal.dot(way) - 0x1p-50 * way.lpNorm<1>();
+    least = std::min(least, std::isnan(ahead) ? -kInfinity : ahead);
   }
   return least;
 }

@@ -11,9 +11,7 @@ namespace tricover_fcl {
 inline Eigen::AlignedBox2d boundsOf(const tricover::Polygon& polygon,
                                     const tricover::Pose& pose = tricover::Pose::Identity()) {
   Eigen::AlignedBox2d box;
-  for (const tricover::Ring& ring : polygon.rings()) {
-    for (const tricover::Vec2& vertex : ring) box.extend(pose * vertex);
-  }
+  for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e) box.extend(pose * polygon.edgeStart(e));
   return box;
 }
 

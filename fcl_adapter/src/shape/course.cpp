@@ -96,9 +96,8 @@ double speedOf(const Motion& motion, double radius, double time) {
 
 double radiusAround(const Polygon& polygon, const Vec2& center) {
   double radius = 0;
-  for (const tricover::Ring& ring : polygon.rings()) {
-    for (const Vec2& vertex : ring) radius = std::max(radius, (vertex - center).norm());
-  }
+  for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e)
+    radius = std::max(radius, (polygon.edgeStart(e) - center).norm());
   return radius;
 }
 

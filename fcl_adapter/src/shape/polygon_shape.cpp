@@ -34,8 +34,8 @@ S roundUp(double value) {
 }
 
 bool isPointAtOrigin(const tricover::Polygon& polygon) {
-  const tricover::Ring& ring = polygon.rings().front();
-  return polygon.vertexCount() == 3 && ring[0].isZero(0) && ring[1].isZero(0) && ring[2].isZero(0);
+  if (polygon.vertexCount() != 3) return false;
+  return polygon.edgeStart(0).isZero(0) && polygon.edgeStart(1).isZero(0) && polygon.edgeStart(2).isZero(0);
 }
 
 void check(bool valid, const char* field, const char* rule) {
@@ -68,12 +68,11 @@ PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& o
 
   tricover::Vec2 low(infinity, infinity), high(-infinity, -infinity);
   double reach = 0;
-  for (const tricover::Ring& ring : polygon_.rings()) {
-    for (const tricover::Vec2& vertex : ring) {
-      low = low.cwiseMin(vertex);
-      high = high.cwiseMax(vertex);
-      reach = std::max(reach, std::hypot(vertex.x(), vertex.y()));  // infinity where it overflows: a box too wide
-    }
+  for (tricover::EdgeIndex e = 0; e < polygon_.edgeCount(); ++e) {
+    const tricover::Vec2 vertex = polygon_.edgeStart(e);
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+    reach = std::max(reach, std::hypot(vertex.x(), vertex.y()));  // infinity where it overflows: a box too wide
   }
 
   // CollisionObject::computeAABB leaves out a rotation within dummy_precision of the identity, entry by entry: a vertex
@@ -96,7 +95,7 @@ template <typename S>
 fcl::AABB<S> PolygonShape<S>::boxAt(const fcl::Transform3<S>& pose) const {
   std::call_once(hull_->once, [&] {
     std::vector<tricover::Vec2> vertices;
-    for (const tricover::Ring& ring : polygon_.rings()) vertices.insert(vertices.end(), ring.begin(), ring.end());
+    for (tricover::EdgeIndex e = 0; e < polygon_.edgeCount(); ++e) vertices.push_back(polygon_.edgeStart(e));
     hull_->corners = convexHull(vertices);
   });
   // Along all axes at once; the fourth is nothing.
