@@ -108,8 +108,6 @@ class EdgeDistances : public PosedVertices {
     const Double2 way = between(p, q), squares = way * way;
     return squares[0] + squares[1];
   }
-  /// Whether at() needs no exact numbers for a distance of that square.
-  bool isPlain(double square) const { return square > 0x1p-80 * size_ * size_; }
 
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   EdgeDistance whereTheyMeet(const View& view) const;

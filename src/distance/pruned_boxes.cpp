@@ -27,7 +27,6 @@ PrunedBoxes::PrunedBoxes(const EdgeDistances& edges, std::size_t i, std::size_t 
   for (const std::size_t v : {i, i + 1})
     for (const std::size_t w : {j, j + 1})
       if (const double square = edges.squareBetween(v, w); square < least) p = v, q = w, least = square;
-  if (!edges.isPlain(least)) return;
 
   const PolygonData &a = edges.a, &b = edges.b;
   const Double2 way = edges.between(p, q);
