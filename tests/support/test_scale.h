@@ -12,4 +12,7 @@ inline int scaledCount(int full) {
   return scale ? std::max(1, static_cast<int>(full * std::atof(scale))) : full;
 }
 
+/// Whether that is less than all.
+inline bool isScaledDown() { return scaledCount(1000) < 1000; }
+
 }  // namespace tricover::support
