@@ -100,12 +100,6 @@ std::int8_t costOf(const Outcome& fact, const CollisionFact& cache, const Polygo
   return is_known ? -1 : 1;
 }
 
-/// A point beside so few edges that they are asked sooner than a fact is found.
-bool isQuickPoint(const PolygonData& a, const PolygonData& b) {
-  constexpr std::size_t kFew = kLanes * kLanes + 1;
-  return (a.isPoint() && b.path.size() <= kFew) || (b.isPoint() && a.path.size() <= kFew);
-}
-
 bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,
              CollisionFact* cache, const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
@@ -113,7 +107,7 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
   const auto inOrder = [&](auto query) { return inKernelOrder(a, pose_a, b, pose_b, query, [](bool) {}); };
   CollisionFact* const resting = cache != nullptr && cache->balance.resting > 0 ? cache : nullptr;
-  if (cache == nullptr || resting != nullptr || isQuickPoint(a, b)) {
+  if (cache == nullptr || resting != nullptr) {
     const double defect = requireRigid(pose_a, pose_b);
     return inOrder([&](const auto&... operands) { return collideAfresh(operands..., defect, options, resting); });
   }
