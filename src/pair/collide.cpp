@@ -89,6 +89,10 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   if (resting != nullptr) rest(*resting, a, pose_a, b, pose_b);
   return collideClose(placement, defect, options);
 }
+[[gnu::noinline]] bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                                     const CollideOptions& options) {
+  return collideAfresh(a, pose_a, b, pose_b, defectOf(pose_a, pose_b), options, nullptr);
+}
 
 /// What finding it has cost, in quarters of the query: more than by boxes, or by few edges, which are asked at once,
 /// than by trees. The edges that met last and do again are sooner asked than those.
@@ -133,21 +137,24 @@ Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
 bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, CollisionFact& cache,
                const Recollection& recollection, const CollideOptions& options) {
   claim(cache, a, b);
-  if (!isWorthRenewing(cache, recollection.coherent))
-    return collideAfresh(a, pose_a, b, pose_b, defectOf(pose_a, pose_b), options, nullptr);
-  // After a jump another may follow: then a clearance would be of no use, only the poses to see that by.
+  if (!isWorthRenewing(cache, recollection.coherent)) return collideAfresh(a, pose_a, b, pose_b, options);
+  if (!recollection.coherent) {
+    // After a jump another may follow: only the poses are of use, to see that by.
+    remember(cache, a, pose_a, b, pose_b, false, 0);
+    return collideAfresh(a, pose_a, b, pose_b, options);
+  }
   const Outcome fact =
       findFact(a, pose_a, b, pose_b, options,
-               {recollection.lookahead, recollection.coherent, static_cast<std::ptrdiff_t>(cache.first_edge),
+               {recollection.lookahead, true, static_cast<std::ptrdiff_t>(cache.first_edge),
                 static_cast<std::ptrdiff_t>(cache.second_edge), cache.clearance > 0 && !cache.overlapping});
-  const bool is_by_discs = fact.by == Outcome::By::Discs;
-  const std::int8_t cost = recollection.coherent ? costOf(fact, cache, a) : std::int8_t{0};
+  const std::int8_t cost = costOf(fact, cache, a);
   cache.first_edge = fact.edge_a;
   cache.second_edge = fact.edge_b;
+  const bool is_by_discs = fact.by == Outcome::By::Discs;
   remember(cache, a, pose_a, b, pose_b, fact.collides, is_by_discs ? 0 : fact.clearance);
   if (is_by_discs) {
     if (isWorthIt(cache.balance, -1)) cache.balance.resting = 1;
-  } else if (recollection.coherent) {
+  } else {
     cache.cost = cost;
     cache.looked_ahead = static_cast<float>(fact.clearance);
   }
