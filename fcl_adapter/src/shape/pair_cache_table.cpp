@@ -12,12 +12,17 @@ namespace {
 constexpr int kSlotBits = 13;  // a thousand live pairs lose one in ten to a shared slot
 
 struct alignas(64) Slot {
-  std::uint64_t places = 0;  ///< key of the pair and places that came here last
   tricover::PairCache facts;
 };
 static_assert(sizeof(Slot) == 576);  // so 4.5 MiB a thread
 
-using Table = std::array<Slot, std::size_t{1} << kSlotBits>;
+/// Keys are apart from the facts: places that are new all the time then touch little memory.
+struct Table {
+  static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
+
+  std::array<std::uint64_t, kSlots> keys{};  ///< of the pair and places that came here last
+  std::array<Slot, kSlots> slots;
+};
 
 /// A plain pointer beside its owner, because a thread_local with a destructor is asked for its state at every use.
 thread_local Table* table = nullptr;
@@ -26,9 +31,9 @@ thread_local Table* table = nullptr;
 thread_local bool ended = false;
 
 struct TableOwner {
-  std::unique_ptr<Table> slots = std::make_unique<Table>();
+  std::unique_ptr<Table> all{new Table};  // whose slots needn't be zeroed first
 
-  TableOwner() { table = slots.get(); }
+  TableOwner() { table = all.get(); }
   ~TableOwner() {
     table = nullptr;
     ended = true;
@@ -46,26 +51,24 @@ std::uint64_t mix(std::uint64_t id, const void* place) {
   return h ^ (h >> 29);
 }
 
-/// The sum makes it order-free.
+/// The sum makes it order-free; mixed once more, so that of two places that are alike not all pairs are.
 std::uint64_t keyOf(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b, const void* place_b) {
-  return (mix(a.id() * 0xBF58476D1CE4E5B9u, place_a) + mix(b.id() * 0xBF58476D1CE4E5B9u, place_b)) *
-         0x9E3779B97F4A7C15u;
+  const std::uint64_t sum = mix(a.id() * 0xBF58476D1CE4E5B9u, place_a) + mix(b.id() * 0xBF58476D1CE4E5B9u, place_b);
+  return (sum ^ (sum >> 32)) * 0x9E3779B97F4A7C15u;
 }
 
 }  // namespace
 
 tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b,
                                const void* place_b) {
-  Table* const slots = table != nullptr ? table : makeTable();
-  if (slots == nullptr) return nullptr;
-  const auto slot = [&](std::uint64_t key) -> Slot& {
-    return (*slots)[static_cast<std::size_t>(key >> (64 - kSlotBits))];
-  };
+  Table* const all = table != nullptr ? table : makeTable();
+  if (all == nullptr) return nullptr;
+  const auto slotOf = [](std::uint64_t key) { return static_cast<std::size_t>(key >> (64 - kSlotBits)); };
   const std::uint64_t key = keyOf(a, place_a, b, place_b);
-  Slot& own = slot(key);
-  if (own.places == key) return &own.facts;
-  own.places = key;
-  return &slot(keyOf(a, nullptr, b, nullptr)).facts;
+  const std::size_t own = slotOf(key);
+  if (all->keys[own] == key) return &all->slots[own].facts;
+  all->keys[own] = key;
+  return &all->slots[slotOf(keyOf(a, nullptr, b, nullptr))].facts;
 }
 
 }  // namespace tricover_fcl
