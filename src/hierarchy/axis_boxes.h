@@ -8,26 +8,29 @@
 #include <limits>
 
 #include "hierarchy/simd_function.h"
+#include "numbers/double2.h"
 #include "numbers/rounding.h"
 #include "tricover/pose.h"
 
 namespace tricover::detail {
 
-/// A box along the world's axes.
+/// A box along the axes: the world's, if nothing else is said.
 struct Bounds {
   double min_x, min_y, max_x, max_y;
 
-  bool meets(const Bounds& other) const {
-    return min_x <= other.max_x && other.min_x <= max_x && min_y <= other.max_y && other.min_y <= max_y;
-  }
+  static Bounds between(Double2 low, Double2 high) { return {low[0], low[1], high[0], high[1]}; }
+  Double2 low() const { return load2(&min_x); }
+  Double2 high() const { return load2(&max_x); }
+
+  bool meets(const Bounds& other) const { return (bitsOf(low() <= other.high()) & bitsOf(other.low() <= high())) == 3; }
   bool contains(const Bounds& other) const {
-    return min_x <= other.min_x && other.max_x <= max_x && min_y <= other.min_y && other.max_y <= max_y;
+    return (bitsOf(low() <= other.low()) & bitsOf(other.high() <= high())) == 3;
   }
+  Bounds grown(double length) const { return between(low() - length, high() + length); }
 };
 
 inline Bounds unite(const Bounds& p, const Bounds& q) {
-  return {std::min(p.min_x, q.min_x), std::min(p.min_y, q.min_y), std::max(p.max_x, q.max_x),
-          std::max(p.max_y, q.max_y)};
+  return Bounds::between(smaller(q.low(), p.low()), larger(q.high(), p.high()));
 }
 
 /// Eight of them side by side.

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "hierarchy/axis_boxes.h"
 #include "numbers/double2.h"
 #include "pair/containment.h"
 
@@ -25,32 +25,12 @@ bool arePaidFor(const PolygonData& a, const PolygonData& b) {
   return false;
 }
 
-/// A box along the axes of a's frame.
-struct AxisBox {
-  Double2 low = std::numeric_limits<double>::infinity() - Double2{}, high = -low;
-
-  void add(Double2 p) {
-    low = smaller(low, p);
-    high = larger(high, p);
-  }
-  void add(const AxisBox& box) {
-    low = smaller(low, box.low);
-    high = larger(high, box.high);
-  }
-  void grow(double length) {
-    low -= length;
-    high += length;
-  }
-  bool meets(const AxisBox& other) const { return (bitsOf(low > other.high) | bitsOf(other.low > high)) == 0; }
-  bool holds(const AxisBox& other) const { return (bitsOf(low > other.low) | bitsOf(other.high > high)) == 0; }
-};
-
-/// Edges [begin, end) of one ring, at most kMost.
+/// Edges [begin, end) of one ring, at most kMost; boxes are along the axes of a's frame.
 struct Chain {
   static constexpr std::size_t kMost = 8;
 
   std::uint32_t begin, end;
-  AxisBox box;
+  Bounds box;
 };
 
 /// a's vertices, and b's as a sees them.
@@ -79,11 +59,15 @@ class Chains {
       Double2 p = point(polygon.edgeBegin(ring));
       for (std::size_t e = polygon.edgeBegin(ring); e < end; ++chain) {
         const std::size_t last = std::min(e + Chain::kMost, end);
-        *chain = {static_cast<std::uint32_t>(e), static_cast<std::uint32_t>(last), {}};
-        chain->box.add(p);
-        while (e < last) chain->box.add(p = point(++e));
-        chain->box.grow(grown);
-        box_.add(chain->box);
+        const auto begin = static_cast<std::uint32_t>(e);
+        Double2 low = p, high = p;
+        while (e < last) {
+          p = point(++e);
+          low = smaller(low, p);
+          high = larger(high, p);
+        }
+        *chain = {begin, static_cast<std::uint32_t>(last), Bounds::between(low - grown, high + grown)};
+        box_ = chain == begin_ ? chain->box : unite(box_, chain->box);
       }
     }
     end_ = chain;
@@ -91,10 +75,10 @@ class Chains {
 
   const Chain* begin() const { return begin_; }
   const Chain* end() const { return end_; }
-  const AxisBox& box() const { return box_; }
+  const Bounds& box() const { return box_; }
 
   /// Leaves those that meet a box.
-  void keepMeeting(const AxisBox& box) {
+  void keepMeeting(const Bounds& box) {
     Chain* kept = begin_;
     for (const Chain* chain = begin_; chain != end_; ++chain)
       if (chain->box.meets(box)) *kept++ = *chain;
@@ -106,24 +90,23 @@ class Chains {
 
   Chain few_[kFew], *begin_, *end_;
   std::vector<Chain> many_;
-  AxisBox box_;
+  Bounds box_;
 };
 
 /// The edges of one chain that meet a box.
 template <typename Points>
 struct NearEdges {
-  NearEdges(const Chain& chain, Points point, double grown, const AxisBox& near) {
+  NearEdges(const Chain& chain, Points point, double grown, const Bounds& near) {
     Double2 p = point(chain.begin);
     for (std::size_t e = chain.begin; e < chain.end; ++e) {
       const Double2 q = point(e + 1);
-      AxisBox box{smaller(p, q), larger(p, q)};
-      box.grow(grown);
+      const Bounds box = Bounds::between(smaller(p, q) - grown, larger(p, q) + grown);
       if (box.meets(near)) boxes[count] = box, edges[count++] = e;
       p = q;
     }
   }
 
-  AxisBox boxes[Chain::kMost];
+  Bounds boxes[Chain::kMost];
   std::size_t edges[Chain::kMost], count = 0;
 };
 
@@ -154,7 +137,7 @@ std::optional<Outcome> collideByEdges(const EdgeTest& test) {
   if (!(grown < 0x1p900 && test.a.extent < 0x1p900)) return std::nullopt;
   Outcome outcome;
   Chains of_a(test.a, PointsOfA{pair}, 0), of_b(test.b, PointsOfB{pair}, grown);
-  const AxisBox box_a = of_a.box(), box_b = of_b.box();
+  const Bounds box_a = of_a.box(), box_b = of_b.box();
   if (!box_a.meets(box_b)) return outcome;
   of_a.keepMeeting(box_b);
   of_b.keepMeeting(box_a);
@@ -162,9 +145,7 @@ std::optional<Outcome> collideByEdges(const EdgeTest& test) {
     for (const Chain& chain_b : of_b)
       if (chain_a.box.meets(chain_b.box) && findMeetingEdges(test, chain_a, chain_b, grown, outcome)) return outcome;
   // What is inside of a region is inside of the box around it.
-  AxisBox grown_a = box_a;
-  grown_a.grow(2 * grown);
-  return box_b.holds(box_a) || grown_a.holds(box_b) || test.a.ringCount() + test.b.ringCount() > 2
+  return box_b.contains(box_a) || box_a.grown(2 * grown).contains(box_b) || test.a.ringCount() + test.b.ringCount() > 2
              ? findContainment(pair)
              : outcome;
 }

@@ -7,7 +7,7 @@ MUTATIONS = [
     ("src/pair/cast_ray.cpp", "shorten(std::min(fraction, limit_));", "shorten(0.5 * fraction);", "ray: shortened by too much"),
     ("src/pair/collide.cpp", "if (!(apart > margin)) return std::nullopt;", "if (!(apart > 0)) return std::nullopt;", "facts: features apart, but within the margin"),
     ("src/pair/collide_by_edges.cpp", "(2 * pair.error + pair.reach(test.options.margin)) * (1 + 4 * kUnitRoundoff)", "0.9 * pair.reach(test.options.margin)", "edges alone: boxes grown by too little"),
-    ("src/pair/collide_by_edges.cpp", "return box_b.holds(box_a) || grown_a.holds(box_b)", "return box_b.holds(box_a)", "edges alone: what is inside"),
+    ("src/pair/collide_by_edges.cpp", "return box_b.contains(box_a) || box_a.grown(2 * grown).contains(box_b)", "return box_b.contains(box_a)", "edges alone: what is inside"),
     ("src/pair/collide_by_edges.cpp", " || test.a.ringCount() + test.b.ringCount() > 2", "", "edges alone: one of several rings inside"),
     ("src/pair/collide_by_hierarchy.cpp", "outcome = findContainment(test.pair());", "", "repair 2: hierarchy"),
     ("src/pair/collide_by_hierarchy.cpp", "limit = reach + lookahead * at.inverse_unit;", "limit = lookahead * at.inverse_unit;", "descent: margin not entered"),
