@@ -187,10 +187,10 @@ void MovingPair::findTrees() {
 // A way of acceleration A or less leaves the line between its ends by at most A / 8.
 bool MovingPair::discsStayApart() const {
   const Vec2 chord = b.way.at(1);
-  const double square = chord.squaredNorm(), sag = b.way.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
-  const double share = square > 0 ? std::clamp(-b.base.dot(chord) / square, 0.0, 1.0) : 0;
-  // Rounding the share moves the point along the way, by so little that the distance differs in the second order only.
-  return (b.base + share * chord).norm() - sag > a.reach + b.reach + margin + still_error;
+  const double sag = b.way.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
+  // Rounding moves the nearest point along the way, by so little that the distance differs in the second order only.
+  const Vec2 nearest = b.base + nearestOnSegment(-b.base, Vec2::Zero(), chord);
+  return nearest.norm() - sag > a.reach + b.reach + margin + still_error;
 }
 
 NearestPoints::NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)

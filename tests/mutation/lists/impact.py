@@ -3,7 +3,7 @@
 MUTATIONS = [
     ("src/impact/convex_impact.cpp", "end - time_ <= time_error_ && !(distanceAtEnd", "!(distanceAtEnd", "convex impact: as early as the window is long"),
     ("src/impact/convex_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(4 * pair.error)", "convex impact: touches without the margin"),
-    ("src/impact/moving_pair.cpp", "std::clamp(-b.base.dot(chord) / square, 0.0, 1.0)", "0.0", "impact: discs at the start only"),
+    ("src/impact/moving_pair.cpp", "nearestOnSegment(-b.base, Vec2::Zero(), chord)", "Vec2(0 * chord)", "impact: discs at the start only"),
     ("src/impact/moving_pair.cpp", "mover.arm.lpNorm<1>() + shrink * polygon.radius", "shrink * polygon.radius", "impact: reach without the arm"),
     ("src/impact/moving_pair.cpp", "relative.mostAcceleration(begin, end) + between * between,", "relative.mostAcceleration(begin, end),", "window: sag by the relative turn"),
     ("src/impact/moving_pair.cpp", "!(polygon.isPoint() && motion.pivot == polygon.origin)", "!polygon.isPoint()", "impact: a point turns about another pivot"),
