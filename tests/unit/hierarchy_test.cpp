@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "exact_reference.h"
+#include "hierarchy/inner_discs.h"
 #include "polygon/polygon_data.h"
 #include "random.h"
 #include "shapes.h"
@@ -104,8 +105,10 @@ TEST(InnerDiscs, AreInTheRegion) {
     if (inner.largest > 0) expectInside(polygon, inner.center, inner.largest);
     for (int k = 0; k < inner.count; ++k, ++discs) {
       const float radius = inner.radius[k];
-      const Vec2 center = data.origin + Vec2(inner.x[k], inner.y[k]) * data.unit;
+      const Vec2 place(inner.x[k], inner.y[k]), center = data.origin + place * data.unit;
       expectInside(polygon, center, mpq_class(radius) * mpq_class(data.unit));
+      // Rounded inwards, whatever the proof leaves.
+      EXPECT_LE(radius, detail::provenRadius(data, place, 2.0 * radius));
     }
   }
   EXPECT_GT(discs, scaledCount(400));
