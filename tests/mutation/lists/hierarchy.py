@@ -6,7 +6,6 @@ MUTATIONS = [
     ("src/hierarchy/inclusion.cpp", "error * (2 + 16 / distance)}", "0}", "ray: known exactly"),
     ("src/hierarchy/inner_discs.cpp", "proven * (1 - 0x1p-22)", "proven / (1 - 0x1p-22)", "inner discs: rounded outwards"),
     ("src/hierarchy/inner_discs.cpp", "4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)", "0", "inner discs: an ulp of S"),
-    ("src/hierarchy/inner_discs.cpp", "static_cast<float>(proven * (1 - 0x1p-22))", "static_cast<float>(proven * (1 + 0x1p-12))", "inner discs: radius rounded upwards"),
     ("src/hierarchy/locate.cpp", "moved < cache.clearance", "moved < 2 * cache.clearance", "point cache: trusted for too long"),
     ("src/hierarchy/simd_boxes.h", "noLarger(min_x, Doubles::load(boxes.max_x + i))", "noLarger(max_x, Doubles::load(boxes.max_x + i))", "scene: boxes that end within another"),
     ("src/hierarchy/simd_boxes.h", "begin.store(least + i);", "(begin - Doubles::all(-0.1)).store(least + i);", "scene: a ray enters boxes too late"),
