@@ -30,10 +30,15 @@ struct DiscOfB {
     return !(squarable(radius) && dx * dx + dy * dy > radius * radius);
   }
 
-  /// A coordinate of what it holds is no farther from its centre's.
-  double reach() const { return radius + 4 * kUnitRoundoff * (std::abs(x) + radius); }
+  /// The box that holds what it holds.
+  Vec2 low() const { return {x - reach(x), y - reach(y)}; }
+  Vec2 high() const { return {x + reach(x), y + reach(y)}; }
 
   double x, y, radius;
+
+ private:
+  /// A coordinate of what it holds is no farther from its centre's, `c`.
+  double reach(double c) const { return radius + 4 * kUnitRoundoff * (std::abs(c) + radius); }
 };
 
 /// The position of the first edge of the first ring that starts inside; -1 if there is none. `disc()` is around all
@@ -48,7 +53,7 @@ std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isN
   const auto position = [&](std::size_t ring) { return static_cast<std::ptrdiff_t>(polygon.edgeBegin(ring)); };
   if (const RingStarts* starts = ringStarts(polygon)) {
     const DiscOfB around = disc();
-    for (const std::uint32_t ring : starts->between(around.x - around.reach(), around.x + around.reach()))
+    for (const std::uint32_t ring : starts->within(around.low(), around.high()))
       if (starts_inside(ring)) return position(ring);
     return -1;
   }

@@ -28,17 +28,40 @@ RingStarts::RingStarts(const PolygonData& polygon) {
     }
     return --pairs_left == 0 || count == 1 ? -1 : 0;
   });
-  by_x_.reserve(count);
+  starts_.reserve(count);
   for (std::uint32_t r = 0; r < polygon.ringCount(); ++r)
-    if (connected.find(r) == r) by_x_.push_back({polygon.path[polygon.edgeBegin(r)].x(), r});
-  std::sort(by_x_.begin(), by_x_.end(), [](const Start& p, const Start& q) { return p.x < q.x; });
+    if (connected.find(r) == r) starts_.push_back({polygon.path[polygon.edgeBegin(r)], r});
+  arrange(0, starts_.size(), 0);
 }
 
-std::vector<std::uint32_t> RingStarts::between(double low, double high) const {
-  const auto begin = std::partition_point(by_x_.begin(), by_x_.end(), [&](const Start& s) { return s.x < low; });
-  const auto end = std::partition_point(begin, by_x_.end(), [&](const Start& s) { return !(s.x > high); });
+void RingStarts::arrange(std::size_t begin, std::size_t end, int axis) {
+  if (end - begin < 2) return;
+  const auto at = [&](std::size_t i) { return starts_.begin() + static_cast<std::ptrdiff_t>(i); };
+  const std::size_t middle = begin + (end - begin) / 2;
+  std::nth_element(at(begin), at(middle), at(end),
+                   [&](const Start& p, const Start& q) { return p.at[axis] < q.at[axis]; });
+  arrange(begin, middle, 1 - axis);
+  arrange(middle + 1, end, 1 - axis);
+}
+
+template <typename Show>
+void RingStarts::visit(std::size_t begin, std::size_t end, int axis, const Vec2& low, const Vec2& high,
+                       Show show) const {
+  while (begin < end) {
+    const std::size_t middle = begin + (end - begin) / 2;
+    const Start& start = starts_[middle];
+    const bool below = start.at[axis]<low[axis], above = start.at[axis]> high[axis];  // false for NaN
+    if (!below && !above && !(start.at[1 - axis] < low[1 - axis]) && !(start.at[1 - axis] > high[1 - axis]))
+      show(start.ring);
+    axis = 1 - axis;
+    if (!below && !above) visit(begin, middle, axis, low, high, show);
+    (above ? end : begin) = above ? middle : middle + 1;
+  }
+}
+
+std::vector<std::uint32_t> RingStarts::within(const Vec2& low, const Vec2& high) const {
   std::vector<std::uint32_t> rings;
-  for (auto it = begin; it != end; ++it) rings.push_back(it->ring);
+  visit(0, starts_.size(), 0, low, high, [&](std::uint32_t ring) { rings.push_back(ring); });
   std::sort(rings.begin(), rings.end());
   return rings;
 }

@@ -16,17 +16,22 @@ class RingStarts : public Derived::Thing {
   /// Exact as far as it goes: where edges of very many rings meet, some are left unconnected.
   explicit RingStarts(const PolygonData& polygon);
 
-  std::size_t count() const { return by_x_.size(); }
+  std::size_t count() const { return starts_.size(); }
 
-  /// Those with x in [low, high], as numbers of rings, in order; NaN stands for no bound.
-  std::vector<std::uint32_t> between(double low, double high) const;
+  /// Those in the box from `low` to `high`, as numbers of rings, in order; NaN stands for no bound.
+  std::vector<std::uint32_t> within(const Vec2& low, const Vec2& high) const;
 
  private:
   struct Start {
-    double x;
+    Vec2 at;
     std::uint32_t ring;
   };
-  std::vector<Start> by_x_;
+
+  void arrange(std::size_t begin, std::size_t end, int axis);
+  template <typename Show>
+  void visit(std::size_t begin, std::size_t end, int axis, const Vec2& low, const Vec2& high, Show show) const;
+
+  std::vector<Start> starts_;  ///< a k-d tree: the middle one of a range parts the others, by x and by y in turn
 };
 
 /// Builds them, unless there are few rings.

@@ -23,7 +23,8 @@
 namespace tricover::support {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// NaN is no bound.
+const Vec2 kNone = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
 
 /// Each group of rings whose edges meet, by its first.
 std::vector<std::uint32_t> firstRings(const Polygon& polygon) {
@@ -61,7 +62,7 @@ TEST(RingStarts, AreOneAComponent) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon polygon = triangles(random);
     const std::vector<std::uint32_t> truth = firstRings(polygon);
-    EXPECT_EQ(detail::RingStarts(polygon.data()).between(-kInfinity, kInfinity), truth) << i;
+    EXPECT_EQ(detail::RingStarts(polygon.data()).within(kNone, kNone), truth) << i;
     rings += static_cast<int>(polygon.rings().size());
     starts += static_cast<int>(truth.size());
   }
@@ -76,12 +77,43 @@ TEST(RingStarts, AreFoundByPlace) {
   const detail::RingStarts starts(polygon.data());
   EXPECT_EQ(starts.count(), 20u);
   // At 14, 0, 7 and 1; bounds are included.
-  EXPECT_EQ(starts.between(14, 14), (std::vector<std::uint32_t>{2}));
-  EXPECT_EQ(starts.between(-1, 1), (std::vector<std::uint32_t>{0, 3}));
-  EXPECT_TRUE(starts.between(1.25, 1.75).empty());
-  EXPECT_TRUE(starts.between(2, 1).empty());
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(starts.between(nan, nan).size(), 20u);
+  EXPECT_EQ(starts.within({14, 0}, {14, 0}), (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(starts.within({-1, -1}, {1, 1}), (std::vector<std::uint32_t>{0, 3}));
+  EXPECT_TRUE(starts.within({1.25, -1}, {1.75, 1}).empty());
+  EXPECT_TRUE(starts.within({-1, 0.25}, {30, 0.75}).empty());
+  EXPECT_TRUE(starts.within({2, -1}, {1, 1}).empty());
+  EXPECT_EQ(starts.within(kNone, kNone).size(), 20u);
+}
+
+/// Starts on a small grid, many of them at one place, and boxes that end at them.
+TEST(RingStarts, AreThoseInTheBox) {
+  int found = 0, all = 0;
+  for (int i = 0; i < scaledCount(300); ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 9000);
+    const double hardly_apart = 1e-9;  // rings of different places don't touch
+    std::vector<Ring> rings;
+    for (int k = random.integer(1, 60); k > 0; --k) {
+      const Vec2 at(random.integer(0, 6), random.integer(0, 6));
+      rings.push_back({at, at + Vec2(hardly_apart, 0), at + Vec2(0, hardly_apart)});
+    }
+    const Polygon polygon(rings);
+    const detail::RingStarts starts(polygon.data());
+    const std::vector<std::uint32_t> firsts = firstRings(polygon);
+    for (int k = 0; k < 10; ++k) {
+      const Vec2 low(random.integer(-1, 6), random.integer(-1, 6)),
+          high = low + Vec2(random.integer(-1, 4), random.integer(-1, 4));
+      std::vector<std::uint32_t> truth;
+      for (const std::uint32_t ring : firsts) {
+        const Vec2& p = rings[ring].front();
+        if (p.x() >= low.x() && p.x() <= high.x() && p.y() >= low.y() && p.y() <= high.y()) truth.push_back(ring);
+      }
+      EXPECT_EQ(starts.within(low, high), truth) << i;
+      found += static_cast<int>(truth.size());
+      all += static_cast<int>(firsts.size());
+    }
+  }
+  EXPECT_GE(found, 0.05 * all);
+  EXPECT_LE(found, 0.5 * all);
 }
 
 /// Asked until the starts are known, and after.
@@ -147,7 +179,7 @@ TEST(RingStarts, OfVeryManyCrossings) {
   }
   const detail::RingStarts starts(Polygon(rings).data());
   EXPECT_GE(starts.count(), 1u);
-  EXPECT_EQ(starts.between(-kInfinity, kInfinity).front(), 0u);
+  EXPECT_EQ(starts.within(kNone, kNone).front(), 0u);
 }
 
 /// S itself, where the vertices that the covering might be taken from are near S, too.
