@@ -4,6 +4,7 @@
 #include "contact/disc_cover.h"
 #include "convex/convex_outline.h"
 #include "hierarchy/hierarchy.h"
+#include "hierarchy/inclusion.h"
 #include "pair/ring_starts.h"
 #include "polygon/convexity.h"
 
@@ -18,6 +19,7 @@ void prepare(const Polygon& polygon) {
     detail::convexOutlineOf(data);
   else
     detail::discCoverOf(data);
+  detail::buildPlaces(data);
   detail::buildRingStarts(data);
 }
 

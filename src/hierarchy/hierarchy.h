@@ -85,6 +85,9 @@ struct Hierarchy : Derived::Thing {
 
   std::unique_ptr<const SmallPolygon> small;  ///< null unless the polygon has few edges
   const SmallPolygon* small_convex;           ///< the same if it is convex, otherwise null
+
+  Derived places;  ///< known places, see inclusion.h
+  Rent<Stages::All> places_rent;
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

@@ -83,6 +83,9 @@ inline double clearanceAt(const Hierarchy& hierarchy, const Place& place, double
 constexpr int kMostNearest = 8;
 extern Simd<int(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest])> findNearestEdges;
 
+/// The leaf that is reached by the nearest box of each block, as floats see it: no edge near the place need be in it.
+extern Simd<std::uint32_t(const Hierarchy& hierarchy, const Place& place)> findBlockNear;
+
 /// A point that moves from `start` by (dx, dy), in a hierarchy's units.
 struct Way {
   Place start;
