@@ -366,8 +366,9 @@ template <class Lanes, class Goal>
     if (Goal::kNarrows && visits.gap[visits.top] > goal.limit) continue;
     const std::uint32_t visit_a = visits.a[visits.top], visit_b = visits.b[visits.top];
     const Item a = itemAt(d.a, visit_a, edge_a), b = itemAt(d.b, visit_b, edge_b);
-    // Beyond this ratio of sizes floats couldn't tell the smaller one's boxes apart in the larger one's frame.
-    constexpr double kAlike = 32;
+    // What is so much smaller stays whole: divided, each part of it would go all the way down the larger one. Beyond
+    // 32 floats couldn't tell its boxes apart in the larger one's frame, either.
+    constexpr double kAlike = 4;
     const double size_a = a.along + a.across, size_b = (b.along + b.across) * d.to_a.scale;
     const bool both = !a.leaf && !b.leaf && size_a < kAlike * size_b && size_b < kAlike * size_a;
     const bool into_a = b.leaf || (!a.leaf && size_a >= size_b);

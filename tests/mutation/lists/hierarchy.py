@@ -4,6 +4,8 @@ MUTATIONS = [
     ("src/hierarchy/hierarchy.cpp", "constexpr double kOutwards = 0x1p-21;", "constexpr double kOutwards = 0;", "boxes: not rounded outwards"),
     ("src/hierarchy/hierarchy.cpp", "constexpr double kOutwards = 0x1p-21;", "constexpr double kOutwards = -0x1p-12;", "boxes: rounded inwards"),
     ("src/hierarchy/inclusion.cpp", "error * (2 + 16 / distance)}", "0}", "ray: known exactly"),
+    ("src/hierarchy/inclusion.cpp", "1.5 * errorInUnits(polygon, point.approx) + 0x1p-48", "0", "known places: the way known exactly"),
+    ("src/hierarchy/inclusion.cpp", "if (found.location != Location::Boundary) winding_", "winding_", "known places: on an edge"),
     ("src/hierarchy/inner_discs.cpp", "proven * (1 - 0x1p-22)", "proven / (1 - 0x1p-22)", "inner discs: rounded outwards"),
     ("src/hierarchy/inner_discs.cpp", "4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)", "0", "inner discs: an ulp of S"),
     ("src/hierarchy/locate.cpp", "moved < cache.clearance", "moved < 2 * cache.clearance", "point cache: trusted for too long"),
