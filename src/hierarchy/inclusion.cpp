@@ -132,14 +132,19 @@ std::optional<KnownPlace> placeNear(const PolygonData& polygon, const Hierarchy&
   return places->ofBlock(findBlockNear(hierarchy, {at.x(), at.y(), error}));
 }
 
+/// What bounding discs leave open; not inlined, because most points are far away.
+[[gnu::noinline]] Inclusion includeByHierarchy(const PolygonData& polygon, const Hierarchy& hierarchy,
+                                               const IncludedPoint& point) {
+  const std::optional<KnownPlace> near = placeNear(polygon, hierarchy, point.approx);
+  return near ? includeFrom(*near, polygon, hierarchy, point) : includeByRay(polygon, hierarchy, point);
+}
+
 }  // namespace
 
 Inclusion includeInPolygon(const PolygonData& polygon, const IncludedPoint& point) {
   if (outsideBoundingDisc(polygon, point.approx)) return {Location::Outside, 0};
   const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
-  if (hierarchy == nullptr) return includeInCovering(polygon, point);
-  const std::optional<KnownPlace> near = placeNear(polygon, *hierarchy, point.approx);
-  return near ? includeFrom(*near, polygon, *hierarchy, point) : includeByRay(polygon, *hierarchy, point);
+  return hierarchy != nullptr ? includeByHierarchy(polygon, *hierarchy, point) : includeInCovering(polygon, point);
 }
 
 void buildPlaces(const PolygonData& polygon) {
