@@ -152,8 +152,7 @@ Polygon PartExits::ringsOf(const OverlapComponent& component, bool of_b) const {
     const std::ptrdiff_t edge = of_b ? point.b : point.a;
     if (edge < 0) continue;
     const std::size_t ring = polygon.ringOf(static_cast<std::size_t>(edge));
-    if (ring != last)
-      rings.emplace_back(polygon.path.begin() + polygon.edgeBegin(ring), polygon.path.begin() + polygon.edgeEnd(ring));
+    if (ring != last) rings.push_back(polygon.vertices(ring));
     last = ring;
   }
   return Polygon(rings, polygon.fill);

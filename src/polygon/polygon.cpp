@@ -114,8 +114,7 @@ std::uint8_t degenerateEdgeOf(const Path& path) {
 struct GivenRings : Derived::Thing {
   explicit GivenRings(const PolygonData& polygon) {
     all.reserve(polygon.ringCount());
-    for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-      all.emplace_back(polygon.path.begin() + polygon.edgeBegin(r), polygon.path.begin() + polygon.edgeEnd(r));
+    for (std::size_t r = 0; r < polygon.ringCount(); ++r) all.push_back(polygon.vertices(r));
   }
   std::vector<Ring> all;
 };

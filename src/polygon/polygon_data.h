@@ -54,6 +54,8 @@ struct PolygonData {
   std::size_t edgeEnd(std::size_t ring) const { return path.ringBegin()[ring + 1] - std::size_t{1}; }
   /// The ring of a position.
   std::size_t ringOf(std::size_t position) const;
+  /// A ring as it was given.
+  Ring vertices(std::size_t ring) const { return {path.begin() + edgeBegin(ring), path.begin() + edgeEnd(ring)}; }
 
   /// Between positions in the path and the public numbering, which skips the closing vertices.
   std::size_t edgeNumber(std::size_t position) const {
