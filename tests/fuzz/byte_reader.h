@@ -11,15 +11,18 @@
 #include <vector>
 
 #include "shapes.h"
+#include "stages.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
 
 namespace tricover::fuzz {
 
-/// Makes degenerate polygons and poses of bytes; zeros follow the last one, so every input is a case.
+/// Makes degenerate polygons and poses of bytes; zeros follow the last one, so every input is a case. While it lives,
+/// polygons derive what that last one says.
 class ByteReader {
  public:
-  ByteReader(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+  ByteReader(const std::uint8_t* data, std::size_t size)
+      : data_(data), size_(size), up_to_(static_cast<detail::Stages>(size > 0 ? data[size - 1] % 4 : 0)) {}
 
   std::uint8_t byte() { return at_ < size_ ? data_[at_++] : 0; }
   int integer(int low, int high) { return low + byte() % (high - low + 1); }
@@ -78,6 +81,7 @@ class ByteReader {
  private:
   const std::uint8_t* data_;
   std::size_t size_, at_ = 0;
+  support::UpTo up_to_;
 };
 
 /// Prints the case and ends the process, which is how a fuzz target reports.

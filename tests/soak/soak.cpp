@@ -45,6 +45,8 @@ Run::Run(const char* query, std::uint64_t seed, double seconds)
 
 bool Run::next() {
   random_ = Random(Random(seed_).bits() + case_++);
+  up_to_.reset();
+  up_to_.emplace(static_cast<detail::Stages>(Random(case_).integer(0, 3)));
   return std::chrono::steady_clock::now() < end_;
 }
 

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "random.h"
+#include "stages.h"
 
 /// Random cases without end, each against a reference that shares nothing with the kernel, or against a law where there
 /// is no reference.
@@ -19,7 +21,7 @@ class Run {
  public:
   Run(const char* query, std::uint64_t seed, double seconds);
 
-  /// Begins another case, as long as there is time.
+  /// Begins another case, as long as there is time: with as much derived as queries have paid for, or up to any stage.
   bool next();
   /// The case's own.
   Random& random() { return random_; }
@@ -41,6 +43,7 @@ class Run {
   std::uint64_t seed_, case_ = 0;
   std::chrono::steady_clock::time_point end_;
   Random random_;
+  std::optional<support::UpTo> up_to_;
   std::map<std::string, Tally> families_;
 };
 
