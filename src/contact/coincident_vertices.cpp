@@ -128,7 +128,7 @@ bool CoincidentVertices::isKnown(std::size_t i, std::size_t j) {
       const ApproxPoint q = pair_.fromB(pair_.b.path[v]);
       if (!(std::abs(q.x - p.x()) <= q.error && std::abs(q.y - p.y()) <= q.error)) continue;
       const PosedPoint at_a{&pair_.pose_a, p}, at_b{&pair_.pose_b, pair_.b.path[v]};
-      Meeting& meeting = meetings_[std::uint64_t{place_a_[u]} << 32 | place_b_[v]];
+      MetEdges& meeting = meetings_[std::uint64_t{place_a_[u]} << 32 | place_b_[v]];
       if (meeting.state == New) meeting = {betweenExact(at_a, at_b, at_b) ? Met : Apart, i, j};
       if (meeting.state != Met || i == meeting.edge_a || j == meeting.edge_b) return false;
       const Vec2 &of_a = pair_.a.path[2 * i + 1 - u], &of_b = pair_.b.path[2 * j + 1 - v];

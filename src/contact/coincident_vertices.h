@@ -33,7 +33,7 @@ class CoincidentVertices {
 
  private:
   enum State : char { New, Apart, Met };
-  struct Meeting {
+  struct MetEdges {
     State state = New;
     std::size_t edge_a = 0, edge_b = 0;  ///< those whose pairs count
   };
@@ -42,7 +42,7 @@ class CoincidentVertices {
 
   const PosedPair& pair_;
   std::vector<std::uint32_t> place_a_, place_b_;  ///< by position: equal for equal vertices
-  std::unordered_map<std::uint64_t, Meeting> meetings_;
+  std::unordered_map<std::uint64_t, MetEdges> meetings_;
 };
 
 /// The boxes of edges that end in one point of many, for two polygons or for one with itself: met with each other they

@@ -29,12 +29,12 @@ static_assert(kNear / 4 >= 0x1p-46 + 2 * (16 + 64) * kUnitRoundoff);
 //   kLeastDepth               of the height between them, where x is a neighbour or beyond;
 //   kInside kLeastSlope / 2   of that height, where both x and y are aside from the foot by kInside d / 2;
 //   kInside^2 / 8             of a slant way, where one of them is so, and the other isn't.
-// All are more than kLeastShare, and that is more than EdgeDistances is wrong by, whichever edges it evaluates. In the
-// slopes n may be wrong by 2^-31: where d isn't plain, it is kClear of the size.
+// All are more than kLeastFarther, and that is more than EdgeDistances is wrong by, whichever edges it evaluates. In
+// the slopes n may be wrong by 2^-31: where d isn't plain, it is kClear of the size.
 constexpr double kLeastDepth = 0x1p-38, kLeastSlope = 0x1p-20, kInside = 0x1p-18, kClear = 0x1p-18;
-constexpr double kLeastShare = 0x1p-40;
-static_assert(kLeastDepth > kLeastShare && kInside * kLeastSlope / 2 > kLeastShare &&
-              kInside * kInside / 8 > kLeastShare && kLeastShare > 4 * PosedVertices::kRelativeError);
+constexpr double kLeastFarther = 0x1p-40;
+static_assert(kLeastDepth > kLeastFarther && kInside * kLeastSlope / 2 > kLeastFarther &&
+              kInside * kInside / 8 > kLeastFarther && kLeastFarther > 4 * PosedVertices::kRelativeError);
 
 // Where d isn't plain, EdgeDistances is certain of where the foot is: products of lengths are above what it is unsure
 // of.

@@ -118,7 +118,7 @@ class RayCast {
     const double square = way.squaredNorm(), away = at.lpNorm<1>() + 4;
     const double length = square > 0x1p-960 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(way.x(), way.y());
     length_ = length * polygon_.inverse_unit;  // may overflow: nothing is left out by it then
-    share_ = std::clamp(2 * away * polygon_.unit / length, kLeastShare, 1.0);
+    share_ = std::clamp(2 * away * polygon_.unit / length, kLeastFraction, 1.0);
     constexpr double kAnyDirection = 1.5;
     start_error_ = kAnyDirection * from_.error * polygon_.inverse_unit + 0x1p-46 * away;
     ray_ = {at.x(), at.y(), 1, 0, start_error_ + kAnyDirection * share_ * to_.error * polygon_.inverse_unit};
@@ -197,7 +197,7 @@ class RayCast {
     return side * Vec2(-along.y(), along.x()).normalized();
   }
 
-  static constexpr double kLeastShare = 1e-300;  ///< far above what underflow takes from fractions
+  static constexpr double kLeastFraction = 1e-300;  ///< far above what underflow takes from fractions
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const PolygonData& polygon_;
