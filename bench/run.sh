@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian, as root or with sudo), builds, and times tricover beside what people use. Prints the
-# targets' tables; build/report/ gets all tables, CSV and SVG. --full: every kind on the whole grid, which measures for about half
-# an hour, and bench/results/ keeps the figures.
+# targets' tables; build/report/ gets all tables, CSV and SVG. --full: every kind on the whole grid, which measures for about 20
+# minutes, and bench/results/ keeps the figures.
 set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgeos++-dev libbox2d-dev \

@@ -19,7 +19,16 @@ DETAIL = re.compile(r"^namespace detail \{.*?^\}  // namespace detail$", re.MULT
 CLASS = re.compile(r"((?:^///[^\n]*\n)+)(?:^template[^\n]*\n)?^class (?:TRICOVER\w* )?(\w+)", re.MULTILINE)
 
 INVENTED = {"app.cpp", "src/room/file.cpp"}  # in commands that a user types
-DOCUMENTS = ("README.md", "src/README.md", "src/mainpage.md", "bench/README.md", "fcl_adapter/README.md", ".github/CONTRIBUTING.md")
+DOCUMENTS = (
+    "README.md",
+    "CHANGELOG.md",
+    "src/README.md",
+    "src/mainpage.md",
+    "bench/README.md",
+    "bench/data/README.md",
+    "fcl_adapter/README.md",
+    ".github/CONTRIBUTING.md",
+)
 FRONT_PAGE = 200  # lines, at the most
 NAMED = re.compile(r"(?<![\w/<>*.-])((?:[\w.]+/)*\w+\.(?:h|cpp|py|sh|cmake|md))(?![\w.-])")
 METHOD = re.compile(r"((?:^  ///[^\n]*\n)+)^  (?:const )?[\w:<>&]+ (\w+)\(", re.MULTILINE)
