@@ -21,7 +21,6 @@ CLASS = re.compile(r"((?:^///[^\n]*\n)+)(?:^template[^\n]*\n)?^class (?:TRICOVER
 INVENTED = {"app.cpp", "src/room/file.cpp"}  # in commands that a user types
 DOCUMENTS = (
     "README.md",
-    "CHANGELOG.md",
     "src/README.md",
     "src/mainpage.md",
     "bench/README.md",
