@@ -3,6 +3,9 @@
 #include <utility>
 
 #include "contacts_by_hand.h"
+#include "exact_reference.h"
+#include "random.h"
+#include "test_scale.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -228,6 +231,32 @@ TEST(Contacts, AreBesideTheDeepestPointWhicheverPolygonHasIt) {
     ASSERT_EQ(other.size(), 1u);
     expectContact(other[0], {0, -0.5}, {0, 1}, 1);
   }
+}
+
+/// As contacts.h says: a common point but for 2^-1042, of coordinates without a full fraction.
+TEST(Contacts, OfDenormalCoordinates) {
+  int overlaps = 0, all = 0;
+  for (int i = 0; i < scaledCount(400); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const double size = std::pow(10, random.integer(-314, -308));
+    const auto shape = [&] {
+      const int corners = random.integer(3, 9);
+      Ring ring = random.coin() ? anyConvex(random, 1) : star(random, corners, 0.3, 1);
+      for (Vec2& p : ring) p *= size;
+      return Polygon({ring});
+    };
+    const Polygon a = shape(), b = shape();
+    const Pose there = pose(random.real(0, 6.28), size * random.real(-1.5, 1.5), size * random.real(-1.5, 1.5));
+    for (const Contact& contact : contacts(a, kHere, b, there)) {
+      const Polygon at = point(contact.point);
+      const mpq_class off(0x1p-1042 * (1 + 1e-9));
+      EXPECT_TRUE(exact::within(exact::distanceSquared(at, kHere, a, kHere), off)) << i;
+      EXPECT_TRUE(exact::within(exact::distanceSquared(at, kHere, b, there), off)) << i;
+      ++overlaps;
+    }
+    ++all;
+  }
+  EXPECT_GE(overlaps, all / 5);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Penetrations that can be worked out by hand.
 #include "tricover/penetration.h"
-#include "tricover/segment.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +13,9 @@
 
 #include "random.h"
 #include "shapes.h"
+#include "test_scale.h"
 #include "tricover/collide.h"
+#include "tricover/segment.h"
 
 namespace tricover::support {
 namespace {
@@ -328,6 +329,32 @@ TEST(FarAway, OnlyWhatTheirPosesShareIsLost) {
   const auto p = penetration(cup(), at(far, -far), square(), at(far + 2.5, -far + 1.5));
   ASSERT_TRUE(p);
   EXPECT_NEAR(p->depth, 0.5, 1e-12);
+}
+
+/// Wherever depth and bound agree to the stated precision, and nowhere else; of pairs of any ratio of sizes.
+TEST(Penetration, IsOptimalWhereDepthAndBoundAgree) {
+  int deep = 0, all = 0;
+  for (int i = 0; i < scaledCount(300); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const double ratio = std::pow(10, random.integer(-6, -1));
+    const auto shape = [&](double size) {
+      const int corners = random.integer(3, 7);
+      Ring ring = random.coin() ? anyConvex(random, 1) : star(random, corners, 0.3, 1);
+      for (Vec2& p : ring) p *= size;
+      return Polygon({ring});
+    };
+    const Polygon a = shape(1), b = shape(ratio);
+    const Pose there = pose(random.real(0, 6.28), random.real(-1, 1), random.real(-1, 1));
+    const auto p = penetration(a, kIdentity, b, there);
+    ++all;
+    if (!p) continue;
+    ++deep;
+    const double precision = 1e-12 * b.radius() + 1e-13 * (a.radius() + b.radius() + there.translation().norm());
+    EXPECT_LE(p->lower_bound, p->depth) << i;
+    EXPECT_TRUE(p->optimal) << i;
+    EXPECT_LE(p->depth - p->lower_bound, 1.2 * precision) << i;
+  }
+  EXPECT_GE(deep, all / 10);
 }
 
 TEST(Budget, EveryResultIsABound) {
