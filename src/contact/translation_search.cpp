@@ -275,7 +275,8 @@ class PartingSearch {
     return first >= 0.2 * radius || !(p.norm() + first < upper_);
   }
 
-  /// Samples each sector between the curves through p. False if one is too narrow for that.
+  /// Samples each sector between the curves through p. False if one is too narrow to be certain of it: what is free
+  /// there is found, and what isn't may be so for curves that are taken for one.
   bool decideLimit(const PossibleLimit& limit, double radius) {
     const Vec2& p = limit.p;
     double room = 0.2 * radius;
@@ -289,10 +290,8 @@ class PartingSearch {
       const double middle = rays_[i] + gap / 2, width = std::sin(std::min(gap, kPi) / 2);
       // On a way s a circle leaves its tangent by s^2 / (2 margin): no more than half of the sector's width.
       const double reach = is_curved ? std::min(room, margin_ * width) : room;
-      if (reach * width < 3 * resolution_) {
-        resolved = false;
-        continue;
-      }
+      resolved &= reach * width >= 3 * resolution_;
+      if (reach * width < 3 * space_.noise()) continue;
       const Vec2 way(std::cos(middle), std::sin(middle));
       Vec2 sample = p + reach * way;
       if (!isFree(sample)) continue;

@@ -237,6 +237,74 @@ TEST(PenetrationOracle, OfRepeatedPartsLeadsToTheNearestCellThatIsFree) {
   }
 }
 
+/// A polygon of 1e-11 beside one of 1, of which soak found that a shorter way than the one that was said to be optimal
+/// parts them: between edges so close together that what lies between them was never sampled.
+TEST(PenetrationOracle, AWayBetweenEdgesThatAreCloseTogetherIsFound) {
+  const Polygon a({{{-0x1.00f8dd2c678a6p-41, 0x1.bc2d38ad0ed9cp-41},
+                    {-0x1.7ba2bb4aae467p-39, 0x1.c049f42ddd318p-41},
+                    {-0x1.14aa9de57e3ecp-37, 0x1.bc1b15702f636p-41},
+                    {-0x1.1ee36f5ee6551p-37, 0x1.b6dabb11a988p-41},
+                    {-0x1.5f0ff0c765ae4p-38, 0x1.b09b3a8efdbdbp-41},
+                    {-0x1.c6520f3a68e84p-40, 0x1.b2311b5527982p-41}},
+                   {{0x1.738922b887af1p-40, -0x1.4f6a94a8f6398p-39},
+                    {-0x1.02386faf6ce2cp-38, 0x1.4a2a9ff617a36p-40},
+                    {-0x1.3b903ec5d76f7p-38, 0x1.83bce2d17a15fp-40},
+                    {-0x1.64472a1a86899p-38, 0x1.ab6035e21e491p-40},
+                    {-0x1.3b990f2be4387p-39, -0x1.0073eebccb683p-39},
+                    {0x1.e3fd9d2dc9fd8p-40, 0x1.7908851848953p-40},
+                    {-0x1.7d19d1d6bd1eep-43, 0x1.5f9312576c341p-41},
+                    {0x1.208dac988a35dp-40, 0x1.84135534da99p-39},
+                    {-0x1.d5962760d6209p-40, 0x1.eb9c2988e2273p-40}},
+                   {{0x1.1108d1d45d67ep-39, 0x1.716eac8be9c7bp-39},
+                    {-0x1.888a7d4a82f86p-38, 0x1.57592bb8a4a7ep-38},
+                    {0x1.7ba219ad2870cp-40, 0x1.17520895fa426p-41}}},
+                  FillRule::EvenOdd);
+  Pose pose_a = Pose::Identity();
+  pose_a.matrix().topRows<2>() << 0x1.1a62633145c07p-54, 0x1p+0, -0x1.0495fbd43a622p+1, 0x1p+0, -0x1.1a62633145c07p-54,
+      0x1.91682f665e0aap+2;
+  const Polygon b({{{0x1.8f38a723df3f6p-1, 0x1.db0e6109bfba8p-1},
+                    {-0x1.17ac29407c11p-3, -0x1.fe95c008ecf18p-2},
+                    {0x1.1d2cbccaefe64p-1, 0x1.3b082cddba532p-1},
+                    {-0x1.464fef9f350ap-3, 0x1.0426dbca9c4dp-1},
+                    {0x1.9b29bc668ae7p-3, 0x1.6a67be2acfd1p-2},
+                    {-0x1.f5171869325ap-4, 0x1.3d089fa3cee02p-1},
+                    {-0x1.d6e999cb73394p-1, -0x1.41ae0fc08192p-3}}},
+                  FillRule::NonZero);
+  Pose pose_b = Pose::Identity();
+  pose_b.matrix().topRows<2>() << 0x1p+0, 0x0p+0, -0x1.4be12b06f59f3p+1, 0x0p+0, 0x1p+0, 0x1.6a0729caa7394p+2;
+  const auto p = penetration(a, pose_a, b, pose_b);
+  ASSERT_TRUE(p);
+  const Vec2 way = 9.75e-12 * Vec2(std::cos(0.2), std::sin(0.2));
+  ASSERT_FALSE(exact::collide(a, pose_a, b, moved(pose_b, way)));
+  EXPECT_LE(p->depth, way.norm());
+  EXPECT_LE(p->lower_bound, way.norm());
+}
+
+/// Beside an edge of 1e-9: brute force has to look nearer than that.
+TEST(PenetrationOracle, BruteForceSeesTheNextFaceAsAnother) {
+  const Polygon a({{{0x1.3f0a7b3c0c3c4p-3, -0x1.f9bfcee85dc07p-1},
+                    {-0x1.dda3c39fd0a9dp-1, 0x1.70ce109c008acp-2},
+                    {-0x1.dda3c21a14b97p-1, 0x1.70ce142e33bc4p-2},
+                    {0x1.fffbce3af32dcp-1, 0x1.3461798049ea8p-9},
+                    {0x1.fffdf6f2e55a3p-1, 0x1.31b51e8205fcp-9}}},
+                  FillRule::NonZero);
+  Pose pose_a = Pose::Identity();
+  pose_a.matrix().topRows<2>() << 0x1.c94344a253c13p-1, -0x1.ccac21c639c3p-2, 0x0p+0, 0x1.ccac21c639c3p-2,
+      0x1.c94344a253c13p-1, 0x0p+0;
+  const Polygon b({{{-0x1.b2cb9415a91eep-3, -0x1.b2cb9415a91eep-1},
+                    {0x1.b2cb9415a91eep-3, 0x1.b2cb9415a91eep-2},
+                    {-0x1.b2cb9415a91eep-3, 0x1.b2cb9415a91eep-3},
+                    {-0x1.b2cb9415a91eep-1, -0x1.b2cb9415a91eep-1},
+                    {-0x1.b2cb9415a91eep-1, 0x1.b2cb9415a91eep-2},
+                    {-0x1.4618af103ed72p-1, 0x0p+0}}},
+                  FillRule::EvenOdd);
+  Pose pose_b = Pose::Identity();
+  pose_b.matrix().topRows<2>() << 0x1p+0, 0x0p+0, -0x1.90d5cfbfa4c9ep-1, 0x0p+0, 0x1p+0, 0x1.809aebc50cf3cp-1;
+  const auto p = penetration(a, pose_a, b, pose_b);
+  ASSERT_TRUE(p);
+  EXPECT_NEAR(p->depth, exact::penetrationDepth(a, pose_a, b, pose_b, 1), 1e-16);
+}
+
 TEST(PenetrationOracle, ConvexPairsAreExactToRounding) {
   int overlapping = 0, shallow = 0;
   double worst = 0;

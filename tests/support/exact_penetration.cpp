@@ -81,12 +81,17 @@ double distance(const Vec2& p, const Vec2& v, const Vec2& w) {
   return (p - v - k * u).norm();
 }
 
-/// Whether some translation beside p is free.
+/// Whether some translation beside p is free: as far from it as the lines that don't pass it allow, so that it isn't
+/// one of another face.
 bool isFreeBeside(const Vec2& p, const std::vector<std::pair<Vec2, Vec2>>& segments, double size, const Polygon& a,
                   const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
   std::vector<double> rays;
+  double room = 1e-9 * size;
   for (const auto& [v, w] : segments) {
-    if (distance(p, v, w) > 1e-12 * size) continue;
+    if (const double apart = distance(p, v, w); apart > 1e-12 * size) {
+      room = std::min(room, apart / 4);
+      continue;
+    }
     for (const Vec2& end : {v, w})
       if ((end - p).norm() > 1e-12 * size) rays.push_back(std::atan2(end.y() - p.y(), end.x() - p.x()));
   }
@@ -97,7 +102,7 @@ bool isFreeBeside(const Vec2& p, const std::vector<std::pair<Vec2, Vec2>>& segme
     if (rays[i + 1] - rays[i] < 1e-5) continue;
     const double middle = (rays[i] + rays[i + 1]) / 2;
     Pose moved = pose_b;
-    moved.translation() += p + 1e-9 * size * Vec2(std::cos(middle), std::sin(middle));
+    moved.translation() += p + room * Vec2(std::cos(middle), std::sin(middle));
     if (!collide(a, pose_a, b, moved)) return true;
   }
   return false;

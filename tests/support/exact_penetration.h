@@ -11,8 +11,9 @@ namespace tricover::exact {
 
 /// The length of the shortest translation of b that parts the regions, which overlap; at most `known`. All convolution
 /// segments, none left out; of the projections of 0, ends and crossings of two, sorted by length, the first that the
-/// exact reference finds a free translation beside: at 1e-9 of the polygons' size in a sector between the segments.
-/// O(n^2 m^2) crossings: for small polygons. Faces of free translations smaller than 1e-9 of the size may be missed.
+/// exact reference finds a free translation beside: in a sector between the segments, nearer than any other segment and
+/// at most 1e-9 of the polygons' size away. O(n^2 m^2) crossings: for small polygons. Segments within 1e-12 of the size
+/// are taken for one.
 double penetrationDepth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, double known);
 
 /// Its square for two convex rings: the least support gap over the normals of all edges.
