@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "impact/tight_nodes.h"
+#include "impact/vertex_ways.h"
 #include "impact/window_cutter.h"
 
 namespace tricover::detail {
@@ -36,7 +37,8 @@ class ImpactSearch {
       : pair_(pair),
         time_error_(time_error),
         touch_distance_(pair.margin + 4 * pair.error),
-        keeps_lengths_(pair.a.keepsLengths() && pair.b.keepsLengths()) {
+        keeps_lengths_(pair.a.keepsLengths() && pair.b.keepsLengths()),
+        have_vertex_ways_(haveVertexWays(pair)) {
     encounters_.reserve(128);
   }
 
@@ -202,6 +204,9 @@ class ImpactSearch {
     }
   }
 
+  /// Where so small a share of a window is cut off two edges, their ends are looked at one by one.
+  static constexpr double kLittle = 1.0 / 64;
+
   void touch(double when, std::size_t position_a, std::size_t position_b) {
     if (!(when < upper_bound_)) return;
     upper_bound_ = when;
@@ -220,7 +225,9 @@ class ImpactSearch {
     // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
     WindowCutter cutter(window, a, b);
     if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
-    const Rest rest = cutter.rest();
+    Rest rest = cutter.rest();
+    if (rest.low < kLittle && cutter.bend() > 0 && have_vertex_ways_)
+      rest = restOfEdges(window, position_a, position_b);
     if (rest.low > rest.high) return;
 
     // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a window up to
@@ -241,7 +248,7 @@ class ImpactSearch {
 
   const MovingPair& pair_;
   double time_error_, touch_distance_;
-  bool keeps_lengths_;
+  bool keeps_lengths_, have_vertex_ways_;
   double upper_bound_ = kInfinity;
   std::size_t edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound
   std::vector<Encounter> encounters_;

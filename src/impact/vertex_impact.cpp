@@ -79,10 +79,7 @@ struct FewVertices {
       for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) addRing(polygon, ring);
     }
     if (!turns) return;
-    for (int i = 0; i < count; ++i) {
-      const Vec2 lever = mover.arm + mover.scale * (mover.linear * vertex[i]);
-      levers[i] = lengthAbove(lever.x(), lever.y());
-    }
+    for (int i = 0; i < count; ++i) levers[i] = leverOf(mover, vertex[i]);
   }
 
   VertexWay wayIn(const VertexView& view, std::uint32_t i) const {
@@ -225,21 +222,13 @@ FirstContact follow(Ways ways, const MovingPair& pair, double begin, double time
   return FirstContact::unknown(time);
 }
 
-/// Whether units and poses keep lengths but for rounding, and squares don't overflow.
-bool keepsLengths(const Mover& mover) {
-  return mover.polygon->fitsUnit() && (mover.polygon->isPoint() || mover.scale > 0x1p-200) && mover.keepsLengths();
-}
-
 }  // namespace
 
 bool haveFewVertexWays(const MovingPair& pair) {
-  const auto fits = [](const Mover& mover) {
-    const PolygonData& polygon = *mover.polygon;
-    return polygon.path.size() - polygon.ringCount() <= static_cast<std::size_t>(kMost) && !polygon.isPoint() &&
-           keepsLengths(mover);
+  const auto areFew = [](const PolygonData& polygon) {
+    return polygon.path.size() - polygon.ringCount() <= static_cast<std::size_t>(kMost) && !polygon.isPoint();
   };
-  if (!(pair.error < 1)) return false;
-  return pair.b.polygon->isPoint() ? keepsLengths(pair.a) : fits(pair.a) && fits(pair.b);
+  return haveVertexWays(pair) && (pair.b.polygon->isPoint() || (areFew(*pair.a.polygon) && areFew(*pair.b.polygon)));
 }
 
 FirstContact followVertices(const MovingPair& pair, double begin, double time_error) {

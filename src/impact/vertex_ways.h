@@ -66,6 +66,10 @@ class VertexView {
     ty_ = p.m01 * dx + p.m11 * dy;
     room_ = (pair.margin + 2 * pair.error) * inverse_;
     touch_ = (pair.margin + 4 * pair.error) * inverse_;
+    if (window.pull.most > 0 && (of_b ? window.rates.a : window.rates.b) == 0) {
+      const Double2 x = window.pull.x * inverse_, y = window.pull.y * inverse_;
+      pull_ = {window.pull.most * inverse_, p.m00 * x + p.m10 * y, p.m01 * x + p.m11 * y};
+    }
     if (sag_.by_distance > 0) pivot_ = from_.linear.transpose() * from_.arm * -inverse_;
   }
 
@@ -92,7 +96,8 @@ class VertexView {
     Approach found{0, apart, 0, !(apart > touch_), way.sag == 0, of_b_, vertex, edge_number};
     if (way.sag == 0) {
       if (apart > room_) found.share = entryOf(t, n, half);
-    } else if (cutByAxes(t, n, half, apart, way.sag, found)) {
+    } else if (pull_.most == 0 ? cutByAxes(t, n, half, apart, room_, {way.sag, way.sag, way.sag}, found)
+                               : cutByAxes(t, n, half, apart, room_, sagsBeside(edge, beyond, n[0], way.sag), found)) {
       return false;
     }
     if (!(found.share <= 1)) return false;
@@ -132,21 +137,35 @@ class VertexView {
     return std::max((ahead / length - std::sqrt((room_ - past) * (room_ + past))) / length, 0.0);
   }
 
+  /// How far a way bends along an edge's normal, its axis, and from its end to the way's begin.
+  struct Sags {
+    double aside, along, ahead;
+  };
+  /// Where the polygon stands still.
+  [[gnu::noinline]] Sags sagsBeside(const EdgeInUnits& edge, double beyond, double aside, double sag) const {
+    const Vec2 u(edge.ux, edge.uy), v(-edge.uy, edge.ux), along = beyond * u, up = aside * v;
+    // On which side of the edge's middle and line the way begins isn't known any more: so either slope.
+    const auto spared = [&](const Vec2& axis) { return pull_.sparedAlong(axis.x(), axis.y()); };
+    return {sag - spared(v), sag - spared(u),
+            sag - std::min(spared((along + up).normalized()), spared((along - up).normalized()))};
+  }
+
   /// Whether a bent way is parted from such an edge by its normal, its axis, or that from its end to the way's begin;
   /// or else from where on it may not be.
-  bool cutByAxes(Double2 t, Double2 n, double half, double apart, double sag, Approach& found) const {
+  static bool cutByAxes(Double2 t, Double2 n, double half, double apart, double room, const Sags& sags,
+                        Approach& found) {
     CutSide first, last;
     const double beyond = t[0] - half;
-    if (first.offer(n[0] - room_, n[1] - room_, sag)) return true;
-    if (first.offer(beyond - room_, t[1] - half - room_, sag)) return true;
+    if (first.offer(n[0] - room, n[1] - room, sags.aside)) return true;
+    if (first.offer(beyond - room, t[1] - half - room, sags.along)) return true;
     if (beyond > 0) {
       const double end = (beyond * (t[1] - half) + n[0] * n[1]) / apart;
-      if (first.offer(apart - room_, end - room_, sag)) return true;
+      if (first.offer(apart - room, end - room, sags.ahead)) return true;
     }
     if (n[1] < 0) n = -n;
     if (t[1] < 0) t = -t;
-    if (last.offer(n[1] - room_, n[0] - room_, sag)) return true;
-    if (last.offer(t[1] - half - room_, t[0] - half - room_, sag)) return true;
+    if (last.offer(n[1] - room, n[0] - room, sags.aside)) return true;
+    if (last.offer(t[1] - half - room, t[0] - half - room, sags.along)) return true;
     found.share = first.share();
     found.aim = first.aim();
     return found.share > 1 - last.share();
@@ -158,6 +177,17 @@ class VertexView {
   double unit_, inverse_, room_, touch_;  ///< in units: what a gap must exceed, and what is near enough
   Double2 m00_, m01_, m10_, m11_, tx_, ty_;
   Vec2 pivot_;  ///< of the polygon that is looked from
+  Pull pull_;   ///< in its units, where it stands still
 };
+
+/// Whether units and poses of both keep lengths but for rounding, and squares don't overflow.
+bool haveVertexWays(const MovingPair& pair);
+
+/// How far a vertex, in units, is from its polygon's pivot, at the most; in the pair's length.
+double leverOf(const Mover& mover, const Vec2& vertex);
+
+/// The share of the window that contact of two edges may lie in, which are apart at its begin; none if low > high. By
+/// their ends one by one: an end near its pivot moves by little, however far the other one does.
+Rest restOfEdges(const Window& window, std::size_t edge_a, std::size_t edge_b);
 
 }  // namespace tricover::detail

@@ -65,8 +65,8 @@ struct CutSide {
 // or, by D = (p_b - c_a) - r_b for a's pivot c_a, with the first two terms replaced by
 //   (|beta'| + |beta| |beta - 2 alpha|) |r_b| + (|alpha'| + alpha^2) |p_b - c_a|;
 // and likewise for an axis that turns with b. |D| and |p_b - c_a| are bounded over the window by their value at its
-// begin and how fast they change. kSagGrowth pays for rounding, for axes that a pose off rigid makes longer than 1,
-// and for extents that it stretches.
+// begin and how fast they change. Where the axis n stands still, |W| is |n . W|. kSagGrowth pays for rounding, for axes
+// that a pose off rigid makes longer than 1, and for extents that it stretches.
 
 /// The sag along axes that turn with one polygon, of points of the other one: the smaller of two bounds, both linear.
 struct TurningSag {
@@ -77,6 +77,21 @@ struct TurningSag {
   /// `distance`.
   double of(double lever, double distance) const {
     return std::min(always + by_lever * lever, other_always + other_by_lever * lever + by_distance * distance);
+  }
+};
+
+/// What W makes of the sag: along any axis at most so much, and its values at both ends of the window, between which it
+/// is linear, as W is of a cubic way.
+struct Pull {
+  double most = 0;
+  Double2 x, y;  ///< unless the most is 0
+
+  /// By how much less the sag is along an axis of length 1 that stands still. Rounding is below 16U of the most: 4U of
+  /// x and y, as much once they are turned into a frame, 3U of their product with an axis that is wrong by 3U itself.
+  double sparedAlong(double nx, double ny) const {
+    if (most == 0) return 0;
+    const Double2 along = absolute(nx * x + ny * y);
+    return std::max(most * (1 - 16 * kUnitRoundoff) - std::max(along[0], along[1]), 0.0);
   }
 };
 
@@ -107,7 +122,7 @@ struct Window {
 
   /// Along axes that stand still.
   double fixedSag(double lever_a, double lever_b) const {
-    return half_square * (rates.bend_a * lever_a + rates.bend_b * lever_b + rates.pull);
+    return half_square * (rates.bend_a * lever_a + rates.bend_b * lever_b) + pull.most;
   }
 
   const MovingPair& pair;
@@ -116,13 +131,19 @@ struct Window {
   Rates own_rates;             ///< where the pair's aren't steady
   const Rates& rates;
   Places a, b;
+  Pull pull;
   TurningSag with_a, with_b;
 
  private:
   void boundSags() {
     half_square = 0.5 * kSagGrowth * length * length;
+    if (rates.pull > 0) {
+      const Vec2 from = pair.b.way.accelerationAt(begin), to = pair.b.way.accelerationAt(end);
+      pull = {half_square * rates.pull, half_square * Double2{from.x(), to.x()},
+              half_square * Double2{from.y(), to.y()}};
+    }
     if (!rates.turns()) {
-      with_a = with_b = {half_square * rates.pull, 0, half_square * rates.pull, 0, 0};
+      with_a = with_b = {pull.most, 0, pull.most, 0, 0};
       return;
     }
     const double apart = lengthAbove(b.pivot_x[0] - a.pivot_x[0], b.pivot_y[0] - a.pivot_y[0]) + length * rates.speed;

@@ -48,6 +48,7 @@ class WindowCutter {
   Double2 allowance(Double2 nx, Double2 ny) const;
 
   const MovingBox &a_, &b_;
+  const Pull& pull_;
   double error_, margin_;
   double sag_fixed_ = 0, sag_with_a_ = 0, sag_with_b_ = 0;
   bool turns_with_a_ = false, turns_with_b_ = false;
@@ -56,7 +57,7 @@ class WindowCutter {
 
 // The gap along an axis is the least of n . (p_b - p_a) over points of both boxes: see TurningSag.
 inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, const MovingBox& b)
-    : a_(a), b_(b), error_(window.pair.error), margin_(window.pair.margin) {
+    : a_(a), b_(b), pull_(window.pull), error_(window.pair.error), margin_(window.pair.margin) {
   const Rates& rates = window.rates;
   if (!rates.turns()) {
     sag_fixed_ = sag_with_a_ = sag_with_b_ = window.with_a.always;
@@ -76,7 +77,8 @@ inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, cons
 }
 
 inline WindowCutter::Axis WindowCutter::turning(const Vec2& axis) const {
-  if (sag_fixed_ <= std::min(sag_with_a_, sag_with_b_)) return {axis.x() - Double2{}, axis.y() - Double2{}, sag_fixed_};
+  const double sag_fixed = sag_fixed_ - pull_.sparedAlong(axis.x(), axis.y());
+  if (sag_fixed <= std::min(sag_with_a_, sag_with_b_)) return {axis.x() - Double2{}, axis.y() - Double2{}, sag_fixed};
   const bool with_a = sag_with_a_ <= sag_with_b_;
   const MovingBox& box = with_a ? a_ : b_;
   const double u = axis.x() * box.ux[0] + axis.y() * box.uy[0], v = axis.x() * box.vx[0] + axis.y() * box.vy[0];
@@ -90,8 +92,11 @@ inline bool WindowCutter::cutByAxis(const Vec2& axis) {
 
 inline bool WindowCutter::cutByAxesOf(const MovingBox& box, bool turns, double sag) {
   if (turns) return cut(box.ux, box.uy, sag) || cut(box.vx, box.vy, sag);
-  const auto middle = [](Double2 p) { return 0.5 * (p + swapped(p)); };
-  return cut(middle(box.ux), middle(box.uy), sag) || cut(middle(box.vx), middle(box.vy), sag);
+  const auto cutInTheMiddle = [&](Double2 x, Double2 y) {
+    const Double2 nx = 0.5 * (x + swapped(x)), ny = 0.5 * (y + swapped(y));
+    return cut(nx, ny, sag - pull_.sparedAlong(nx[0], ny[0]));
+  };
+  return cutInTheMiddle(box.ux, box.uy) || cutInTheMiddle(box.vx, box.vy);
 }
 
 /// What a gap must exceed. Gaps are as much longer than distances as the axis, by a pose off rigid, is than 1.

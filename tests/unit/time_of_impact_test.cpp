@@ -227,6 +227,38 @@ TEST(TimeOfImpact, TurningTogetherIsFree) {
                turning(pose(0, 1 + gap, 0), kPi, Vec2::Zero(), {-1 - gap, 0}));
 }
 
+/// Bodies that stand on a point close to the floor and tip about it, or slide along it, faster and faster: near the
+/// point nothing comes nearer, however long that takes to see. (This one hung: tipping and sliding, 1e-9 above.)
+TEST(TimeOfImpact, OfWhatMovesAlongCloseToAnother) {
+  const Polygon floor({rectangle(-9, -2, 9, 0)}), triangle({{{0, 0}, {1, 1}, {-0.5, 1}}});
+  Ring bent = {{0, 0}};  // twenty vertices and two, strictly convex
+  for (int i = 0; i < 10; ++i) bent.emplace_back(0.02 + 1e-3 * i * (9 - i), 0.1 + 0.1 * i);
+  bent.emplace_back(0, 1.1);
+  for (int i = 10; i-- > 0;) bent.emplace_back(-0.02 - 1e-3 * i * (9 - i), 0.1 + 0.1 * i);
+  const Polygon rod({bent}), notched({{{0, 0}, {0.02, 0.3}, {0.01, 0.5}, {0.02, 0.7}, {0, 1.1}, {-0.02, 0.7}}});
+  const double corner = std::hypot(0.5, 1), up = kPi - std::atan2(1, -0.5) - 0.1;
+  for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12})
+    for (const double time_error : {1e-3, 1e-6, 1e-12})
+      for (const bool speeds_up : {false, true}) {
+        Motion slides = Motion::still(pose(0.1, 0.3, gap));
+        slides.shift = Vec2(0.5, 0);
+        if (speeds_up) slides.shift_2 = Vec2(1, 0);
+        Motion tips = slides;
+        tips.angle = 1.2;
+        const ImpactOptions options{0, time_error};
+        for (const Polygon& body : {triangle, rod, notched}) {
+          EXPECT_FALSE(timeOfImpact(floor, kStill, body, slides, options)) << gap;
+          const auto tipped = timeOfImpact(floor, kStill, body, tips, options);
+          EXPECT_EQ(tipped.has_value(), body.id() == triangle.id()) << gap;
+        }
+        const auto impact = timeOfImpact(floor, kStill, triangle, tips, options);
+        ASSERT_TRUE(impact);
+        const double met = (up + std::asin(gap / corner)) / 1.2;
+        EXPECT_LE(impact->time, met + 1e-12);
+        EXPECT_GE(impact->time, met - time_error - 1e-12);
+      }
+}
+
 TEST(TimeOfImpact, MirroredTurnsCounterClockwise) {
   // An arm that points down in its own frame and up in the world.
   const Polygon arm({{{0, 0}, {-0.1, -2}, {0.1, -2}}}), wall({rectangle(-3, -3, -1.5, 3)});

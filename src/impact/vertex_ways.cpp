@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "impact/vertex_ways.h"
+
+namespace tricover::detail {
+
+bool haveVertexWays(const MovingPair& pair) {
+  const auto keepsLengths = [](const Mover& mover) {
+    return mover.polygon->fitsUnit() && (mover.polygon->isPoint() || mover.scale > 0x1p-200) && mover.keepsLengths();
+  };
+  return pair.error < 1 && keepsLengths(pair.a) && (pair.b.polygon->isPoint() || keepsLengths(pair.b));
+}
+
+double leverOf(const Mover& mover, const Vec2& vertex) {
+  const Vec2 lever = mover.arm + mover.scale * (mover.linear * vertex);
+  return lengthAbove(lever.x(), lever.y());
+}
+
+Rest restOfEdges(const Window& window, std::size_t edge_a, std::size_t edge_b) {
+  Approach first;
+  for (const bool of_b : {false, true}) {
+    const VertexView view(window, of_b);
+    const Mover &of = of_b ? window.pair.b : window.pair.a, &from = of_b ? window.pair.a : window.pair.b;
+    const std::size_t own = of_b ? edge_b : edge_a, other = of_b ? edge_a : edge_b;
+    const EdgeInUnits edge(from.polygon->inUnits(from.polygon->path[other]),
+                           from.polygon->inUnits(from.polygon->path[other + 1]));
+    for (std::uint32_t end = 0; end < 2; ++end) {
+      const Vec2 vertex = of.polygon->inUnits(of.polygon->path[own + end]);
+      view.approach(view.wayOf(vertex.x(), vertex.y(), leverOf(of, vertex)), edge, end, 0, first);
+    }
+  }
+  return {first.share, 1, first.aim};
+}
+
+}  // namespace tricover::detail
