@@ -48,6 +48,12 @@ Motion accelerating(double gap) {
   return motion;
 }
 
+Motion tippingAndAccelerating(double gap) {
+  Motion motion = accelerating(gap);
+  motion.angle = 1.2;
+  return motion;
+}
+
 struct Row {
   const char* input;
   Polygon body;
@@ -60,7 +66,9 @@ std::vector<Row> impactRows() {
           {"a rod of 22 vertices tips about its end", rod(), 0, tipping},
           {"a stadium tips about its end", segment({0, 0}, {0, 1}), 0.1, tipping},
           {"a triangle tips and drifts along the floor", triangle(), 0, drifting},
-          {"a triangle slides along the floor, faster and faster", triangle(), 0, accelerating}};
+          {"a triangle slides along the floor, faster and faster", triangle(), 0, accelerating},
+          {"a triangle tips and slides, faster and faster", triangle(), 0, tippingAndAccelerating},
+          {"a rod of 22 vertices tips and slides, faster and faster", rod(), 0, tippingAndAccelerating}};
 }
 
 /// The least of several means, since these are no averages: one hard query each.
