@@ -209,8 +209,7 @@ class ConvexAdvancement {
   double windowFor(const NearestPoints& points, const Vec2& axis) const {
     const Rates rates = pair_.rates(time_, 1);
     const auto pullAt = [&](double time) { return std::abs(axis.dot(pair_.b.way.accelerationAt(time))); };
-    const double bend =
-        rates.bend_a * pair_.a.reach + rates.bend_b * pair_.b.reach + std::max(pullAt(time_), pullAt(1));
+    const double bend = rates.bend(pair_.a.reach, pair_.b.reach) + std::max(pullAt(time_), pullAt(1));
     if (bend == 0) return 1;
     const auto turning = [&](const Mover& mover, const Places& at, const Vec2& p) {
       return mover.turn.rateAt(time_) * ((p.x() - at.pivot_x[0]) * axis.y() - (p.y() - at.pivot_y[0]) * axis.x());

@@ -82,6 +82,8 @@ struct Rates {
   double speed, pull;       ///< of b's pivot, as seen from a's: velocity and acceleration
 
   bool turns() const { return a != 0 || b != 0; }
+  /// What turning adds to the second derivative along an axis that stands still.
+  double bend(double lever_a, double lever_b) const { return bend_a * lever_a + bend_b * lever_b; }
 };
 
 /// Two moving polygons in a frame that goes with a's pivot without turning, so that only differences of positions

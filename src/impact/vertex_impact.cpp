@@ -190,7 +190,7 @@ class FewBesideFew {
 /// Ways bend little in the first window.
 double firstLength(const MovingPair& pair, double size) {
   const Rates rates = pair.rates(0, 1);
-  const double bend = rates.bend_a * pair.a.reach + rates.bend_b * pair.b.reach + rates.pull;
+  const double bend = rates.bend(pair.a.reach, pair.b.reach) + rates.pull;
   return bend > 0 ? std::min(1.0, 0.5 * std::sqrt(size / bend)) : 1;
 }
 

@@ -122,7 +122,7 @@ struct Window {
 
   /// Along axes that stand still.
   double fixedSag(double lever_a, double lever_b) const {
-    return half_square * (rates.bend_a * lever_a + rates.bend_b * lever_b) + pull.most;
+    return half_square * rates.bend(lever_a, lever_b) + pull.most;
   }
 
   const MovingPair& pair;
