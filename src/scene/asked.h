@@ -19,6 +19,8 @@ inline void checkAsked(const Pose& pose, const CollideOptions& options) {
 /// A posed polygon that bodies are asked about: whether they collide with it.
 class Asked {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  /// So many vertices cost no more than the bodies that a wider box meets.
+  static constexpr std::size_t kFew = 17;
 
  public:
   Asked(const PolygonData& polygon, const Pose& pose, const CollideOptions& options)
@@ -26,7 +28,9 @@ class Asked {
         pose_(pose),
         options_(options),
         discs_(polygon, pose),
-        bounds_(boundsOf(polygon, pose, options.margin)) {}
+        is_close_(polygon.path.size() <= kFew),
+        bounds_(is_close_ ? boundsOf(polygon, pose, options.margin)
+                          : boundsOfDisc(discs_.center, discs_.radius, options.margin)) {}
 
   /// What discs know, and how far those inside are apart for their size: the less, the likelier the bodies meet.
   struct Glance {
@@ -46,7 +50,7 @@ class Asked {
 
   /// The truth, where discs don't know it, of a body whose box this is.
   bool meetsClose(const SceneState::BodyState& body, const Bounds& box) const {
-    if (body.clear.holds(bounds_)) return false;
+    if (!box.meets(bounds()) || body.clear.holds(bounds_)) return false;
     if (collideClose(polygon_, pose_, body.polygon.data(), body.pose, sumWith(body))) return true;
     body.clear.learn(body.polygon.data(), body.pose, body.options.margin, box, bounds_);
     return false;
@@ -57,8 +61,14 @@ class Asked {
     return answer == Glance::Near ? meetsClose(body, box) : answer == Glance::Meets;
   }
 
-  /// Around all that is within the margin.
-  const Bounds& bounds() const { return bounds_; }
+  /// Around all that is within the margin: found by the first body that is near, or in any case where vertices are few.
+  const Bounds& bounds() const {
+    if (!is_close_) bounds_ = boundsOf(polygon_, pose_, options_.margin);
+    is_close_ = true;
+    return bounds_;
+  }
+  /// The same for the tree: the bounding disc's, until it is found.
+  const Bounds& surroundings() const { return bounds_; }
 
  private:
   CollideOptions sumWith(const SceneState::BodyState& body) const { return withMargin(options_, body.options.margin); }
@@ -67,7 +77,8 @@ class Asked {
   const Pose& pose_;
   const CollideOptions& options_;
   const WorldDiscs discs_;
-  const Bounds bounds_;
+  mutable bool is_close_;
+  mutable Bounds bounds_;
 };
 
 /// A body that collides; kNoBody if none does.

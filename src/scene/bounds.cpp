@@ -35,24 +35,13 @@ Double2 growth(const PolygonData& polygon, Double2 t, double reach) {
   return kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
 }
 
-/// A box, grown; without ends where that overflows, and where `known` is false.
-Bounds roundedOutwards(Double2 low, Double2 high, Double2 grow, bool known) {
-  low = low - grow, high = high + grow;
-  Bounds bounds{low[0], low[1], high[0], high[1]};
-  // Negated for NaN.
-  const auto finite = [](double value) { return std::abs(value) <= std::numeric_limits<double>::max(); };
-  if (!known || !finite(low[0]) || !finite(high[0])) bounds.min_x = -kInfinity, bounds.max_x = kInfinity;
-  if (!known || !finite(low[1]) || !finite(high[1])) bounds.min_y = -kInfinity, bounds.max_y = kInfinity;
-  return bounds;
-}
-
 /// Around the vertices at these positions. What is turned is never inf - inf: R's rows are of length 1.
 Bounds boundsOfVertices(const PolygonData& polygon, std::size_t begin, std::size_t end, const Pose& pose,
                         double reach) {
   const double columns[] = {pose(0, 0), pose(1, 0), pose(0, 1), pose(1, 1)};
   const Double2 t = load2(pose.data() + 6);
   const Bounds box = boxAround(&polygon.path[begin], end - begin, columns);
-  return roundedOutwards(t + load2(&box.min_x), t + load2(&box.max_x), growth(polygon, t, reach), true);
+  return grownBox(t + load2(&box.min_x), t + load2(&box.max_x), growth(polygon, t, reach));
 }
 
 }  // namespace
@@ -78,7 +67,8 @@ Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
     least = smaller(least, at - half), most = larger(most, at + half);
   }
   const Double2 middle = r0 * x + r1 * y + t;
-  return roundedOutwards(middle + scale * least, middle + scale * most, growth(polygon, t, reach), polygon.fitsUnit());
+  return grownBox(middle + scale * least, middle + scale * most,
+                  polygon.fitsUnit() ? growth(polygon, t, reach) : Double2{} + kInfinity);
 }
 
 }  // namespace tricover::detail

@@ -10,15 +10,18 @@ namespace tricover {
 namespace detail {
 
 BodyHandle findMet(const SceneState& state, const Asked& asked, const BodyFilter& filter) {
-  // All discs first: one that is met spares all that is near. What is near waits in order.
-  constexpr int kMost = 16;
+  // All discs first: one that is met spares all that is near. What is near waits in order. Where bodies are many, the
+  // polygon's own box leaves more of them out than its disc's.
+  constexpr int kMost = 16, kSparse = 2;
   struct Waiting {
     double rank;
     BodyHandle body;
   } near[kMost];
   int count = 0;
   BodyHandle met = kNoBody;
-  state.tree.visit(asked.bounds(), [&](BodyHandle body) {
+  int seen = 0;
+  state.tree.visit(asked.surroundings(), [&](BodyHandle body) {
+    if (++seen > kSparse && !state.tree.boundsOf(body).meets(asked.bounds())) return true;
     const auto& other = state.bodies[body];
     if (!state.passes(filter, body)) return true;
     const Asked::Glance glance = asked.glance(other);
@@ -48,7 +51,8 @@ using detail::SceneState;
 
 bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                      const BodyFilter& filter) const {
-  return anyColliding(polygon, pose, options, filter).has_value();
+  detail::checkAsked(pose, options);
+  return findMet(impl_->settled(), Asked(polygon.data(), pose, options), filter) != kNoBody;
 }
 
 std::optional<Scene::Body> Scene::anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
@@ -64,7 +68,7 @@ std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& po
   const SceneState& state = impl_->settled();
   const Asked asked(polygon.data(), pose, options);
   std::vector<Body> found;
-  state.tree.visit(asked.bounds(), [&](Body body) {
+  state.tree.visit(asked.surroundings(), [&](Body body) {
     if (state.passes(filter, body) && asked.meets(state.bodies[body], state.tree.boundsOf(body))) found.push_back(body);
     return true;
   });
