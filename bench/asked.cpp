@@ -37,10 +37,10 @@ std::string cacheTable(const std::vector<CacheCost>& costs) {
 }
 
 std::string islandTable(const std::vector<IslandCost>& costs) {
-  TextTable lines = {{"islands", "query", "one polygon: ns", "Scene: ns", "times", "dearest query but the first: ms"}};
+  TextTable lines = {{"islands", "query", "one polygon: ns", "Scene: ns", "times", "dearest query, prepared: ms"}};
   for (const IslandCost& cost : costs) {
     lines.push_back({std::to_string(cost.islands), cost.query, shortNumber(cost.polygon_ns), shortNumber(cost.scene_ns),
-                     formatted("%.2f", cost.polygon_ns / cost.scene_ns), shortNumber(cost.dearest_later_ms)});
+                     formatted("%.2f", cost.polygon_ns / cost.scene_ns), shortNumber(cost.dearest_ms)});
   }
   return markdown(lines);
 }

@@ -82,16 +82,17 @@ std::vector<Pose> anyPoses(double size) {
   return poses;
 }
 
-/// Milliseconds of the dearest but the first, on a polygon that nobody has asked yet; of two such the cheaper.
-double dearestLater(const Polygon& map, const Query& query, const std::vector<Pose>& poses) {
+/// Milliseconds of the dearest, on a polygon that is prepared and that nobody has asked yet; of two such the cheaper.
+double dearest(const Polygon& map, const Query& query, const std::vector<Pose>& poses) {
   double least = 1e9;
   for (int round = 0; round < 2; ++round) {
     const Polygon fresh(map.rings());
+    prepare(fresh);
     double most = 0;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (const Pose& pose : poses) {
       const double start = threadSeconds();
-      query.of_polygon(fresh, poses[i]);
-      if (i > 0) most = std::max(most, 1e3 * (threadSeconds() - start));
+      query.of_polygon(fresh, pose);
+      most = std::max(most, 1e3 * (threadSeconds() - start));
     }
     least = std::min(least, most);
   }
@@ -121,19 +122,19 @@ std::vector<IslandCost> measureIslands() {
       if (of_polygon != of_scene)
         throw std::runtime_error(std::string("islands: polygon and scene differ: ") + query.name);
       costs.push_back({map.polygon.rings().size(), query.name, 1e9 * seconds[0] / kQueries, 1e9 * seconds[1] / kQueries,
-                       dearestLater(map.polygon, query, poses)});
+                       dearest(map.polygon, query, poses)});
     }
   }
   return costs;
 }
 
 std::vector<Target> judgeIslands(const std::vector<IslandCost>& costs) {
-  std::vector<Figure> times, growth, later;
+  std::vector<Figure> times, growth, dearest_of;
   std::map<std::string, const IslandCost*> first, last;
   for (const IslandCost& cost : costs) {
     const std::string cell = std::to_string(cost.islands) + " islands, " + cost.query;
     times.push_back({cost.polygon_ns / cost.scene_ns, cell});
-    later.push_back({cost.dearest_later_ms, cell});
+    dearest_of.push_back({cost.dearest_ms, cell});
     first.emplace(cost.query, &cost);
     last[cost.query] = &cost;
   }
@@ -144,7 +145,7 @@ std::vector<Target> judgeIslands(const std::vector<IslandCost>& costs) {
   }
   return {judged("a map of islands", "one polygon / a Scene", times, {false, 2}),
           judged("a map of islands", "power of their number", growth, {false, 0.25, 0, ""}),
-          judged("a map of islands", "the dearest query but the first", later, {false, 1, 0, "ms"})};
+          judged("a map of islands", "the dearest query, prepared", dearest_of, {false, 1, 0, "ms"})};
 }
 
 }  // namespace tricover::bench

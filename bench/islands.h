@@ -13,7 +13,7 @@ struct IslandCost {
   std::size_t islands;
   std::string query;
   double polygon_ns, scene_ns;
-  double dearest_later_ms;  ///< of the polygon's queries behind the first
+  double dearest_ms;  ///< of the polygon's queries, prepared before the first
 };
 
 std::vector<IslandCost> measureIslands();

@@ -91,6 +91,19 @@ std::vector<Ring> severalRings(Random& random) {
   return rings;
 }
 
+/// Islands of a map, some of which touch: so many that known places lie among them, where as many are asked for.
+std::vector<Ring> map(Random& random, int most_vertices) {
+  std::vector<Ring> rings;
+  const int side = most_vertices < 40 ? 2 : random.integer(4, 5);
+  for (int i = 0; i < side * side; ++i) {
+    const double x = i % side, y = i / side, reach = random.oneIn(4) ? 1 : random.real(0.1, 0.9);
+    rings.push_back(scaled(random.coin() ? Ring{{x, y}, {x + reach, y}, {x + reach, y + reach}, {x, y + reach}}
+                                         : Ring{{x, y}, {x + reach, y}, {x, y + reach}},
+                           1.0 / side));
+  }
+  return rings;
+}
+
 using Rings = std::vector<Ring>;
 
 struct Shape {
@@ -109,6 +122,7 @@ constexpr Shape kShapes[] = {
     {"grid", false, [](Random& r, int) { return Rings{onGrid(r)}; }},
     {"soup", false, [](Random& r, int) { return Rings{soup(r)}; }},
     {"rings", false, [](Random& r, int) { return severalRings(r); }},
+    {"map", false, [](Random& r, int most) { return map(r, most); }},
 };
 
 Polygon resized(const Polygon& polygon, double factor) {

@@ -18,6 +18,7 @@
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
+#include "tricover/locate.h"
 #include "tricover/penetration.h"
 #include "tricover/prepare.h"
 
@@ -115,6 +116,36 @@ TEST(Stages, AreSeenInNoAnswer) {
   EXPECT_GE(hits, cases / 5);
   EXPECT_LE(hits, 4 * cases / 5);
   EXPECT_GE(contained, cases / 50);
+}
+
+/// Of many rings, in and beside each other: the places that are known among them tell what all edges do.
+TEST(Stages, AreSeenInNoInclusion) {
+  Random random(6);
+  int inside = 0, points = 0;
+  for (int i = 0; i < scaledCount(60); ++i) {
+    std::vector<Ring> rings;
+    const int side = random.integer(4, 12);
+    for (int k = 0; k < side * side; ++k)
+      rings.push_back(star(random, random.integer(3, 9), 0.2, random.real(0.3, 0.8), {k % side, k / side}));
+    if (random.coin()) rings.push_back(rectangle(-1, -1, side, side));
+    const Polygon map(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
+    std::vector<Vec2> asked;
+    for (const Ring& ring : rings)
+      asked.insert(asked.end(), {ring[0], 0.5 * (ring[0] + ring[1]), {random.real(-1.0, side), random.real(-1.0, side)}});
+    std::vector<Location> answers[3];
+    for (const auto& [stage, answer] :
+         {std::pair{Stages::Edges, answers}, {Stages::Hierarchy, answers + 1}, {Stages::All, answers + 2}}) {
+      const UpTo these(stage);
+      for (const Vec2& point : asked) answer->push_back(locate(map, point));
+      ASSERT_EQ(stage == Stages::Edges, hierarchyIfBuilt(map.data()) == nullptr);
+      ASSERT_TRUE(stage != Stages::All || hierarchyIfBuilt(map.data())->places.ifBuilt() != nullptr);
+    }
+    ASSERT_EQ(answers[0], answers[1]) << i;
+    ASSERT_EQ(answers[0], answers[2]) << i;
+    for (const Location answer : answers[0]) inside += answer == Location::Inside, ++points;
+  }
+  EXPECT_GE(inside, points / 10);
+  EXPECT_LE(inside, points / 2);
 }
 
 /// Points and directions, too: asked of polygons from which nothing, or all, has been derived.
