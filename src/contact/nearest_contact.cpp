@@ -13,7 +13,7 @@ namespace tricover::detail {
 NearestContact nearestContact(const PosedPair& pair) {
   const double defect = defectOf(pair.pose_a, pair.pose_b);
   const DistanceResult nearest =
-      distanceInOrder(DistancePair(pair.a, pair.pose_a, pair.b, pair.pose_b, false, defect), nullptr, {});
+      distanceInOrder(DistancePair(pair.a, pair.pose_a, pair.b, pair.pose_b, false, defect), {});
   const auto position = [](const PolygonData& polygon, EdgeIndex edge) {
     return polygon.edgePosition(static_cast<std::size_t>(edge));
   };

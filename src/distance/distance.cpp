@@ -13,16 +13,17 @@
 namespace tricover {
 namespace detail {
 
+namespace {
+
 /// By the first solver that is certain of its answer; the last one always is.
-DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
+[[gnu::always_inline]] inline DistanceResult solve(const DistancePair& pair, DistanceFacts* cache,
+                                                   const DistanceQuery& options) {
   DistanceResult result;
   if (pair.b.isPoint() && pointDistance(pair, options, result)) return result;
   if (cache != nullptr) claim(*cache, pair);
   if (!convexDistance(pair, cache, options, result)) result = treeDistance(pair, cache, options);
   return result;
 }
-
-namespace {
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                         DistanceFacts* cache, const DistanceQuery& options) {
@@ -31,9 +32,9 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   requireNotNegative(options.limit, "limit");
   const PolygonData &first = a.data(), &second = b.data();
   const bool is_swapped = !inOrder(first, pose_a, second, pose_b);
-  return distanceInOrder({is_swapped ? second : first, is_swapped ? pose_b : pose_a, is_swapped ? first : second,
-                          is_swapped ? pose_a : pose_b, is_swapped, defect},
-                         cache, options);
+  return solve({is_swapped ? second : first, is_swapped ? pose_b : pose_a, is_swapped ? first : second,
+                is_swapped ? pose_a : pose_b, is_swapped, defect},
+               cache, options);
 }
 
 std::optional<DistanceResult> ifWithin(double limit, const DistanceResult& result) {
@@ -41,6 +42,11 @@ std::optional<DistanceResult> ifWithin(double limit, const DistanceResult& resul
 }
 
 }  // namespace
+
+DistanceResult distanceInOrder(const DistancePair& pair, const DistanceQuery& options) {
+  return solve(pair, nullptr, options);
+}
+
 }  // namespace detail
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

@@ -48,8 +48,8 @@ inline DistanceResult inCallersOrder(const DistancePair& pair, double distance, 
 /// Of what is beyond the limit.
 DistanceResult farResult();
 
-/// distance(), of checked options.
-DistanceResult distanceInOrder(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options);
+/// distance(), without a cache and of checked options.
+DistanceResult distanceInOrder(const DistancePair& pair, const DistanceQuery& options);
 
 /// Of edges i and j, where they are nearest; or their common point, if they meet.
 DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, bool meets, std::size_t i, std::size_t j,

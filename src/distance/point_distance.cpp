@@ -26,16 +26,16 @@ std::optional<PointFoot> nearestFoot(const PosedVertices& vertices, double defec
   std::uint32_t edges[kMostNearest], nearest = 0;
   const int count = findNearestEdges(tree, place, edges);
   if (count == 0) return std::nullopt;
-  Foot best{};
-  best.distance = std::numeric_limits<double>::infinity();
+  double distance = std::numeric_limits<double>::infinity(), part = 0;
   for (int i = 0; i < count; ++i) {
     const Foot foot = vertices.foot<true>(edges[i], b.degenerate_edge);
     if (!foot.is_plain) return std::nullopt;
-    if (!(foot.distance < best.distance)) continue;
+    if (!(foot.distance < distance)) continue;
     nearest = edges[i];
-    best = foot;
+    distance = foot.distance;
+    part = foot.part();
   }
-  return PointFoot{nearest, best.distance, best.part(), !(distanceFromRoot(tree.root, place) > 0)};
+  return PointFoot{nearest, distance, part, !(distanceFromRoot(tree.root, place) > 0)};
 }
 
 bool pointDistance(const DistancePair& pair, const DistanceQuery& options, DistanceResult& result) {

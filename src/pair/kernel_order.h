@@ -54,9 +54,10 @@ bool inOrder(const PolygonData& a, const PoseOrMotion& pose_a, const PolygonData
 template <typename PoseOrMotion, typename Query, typename SwapOperands>
 auto inKernelOrder(const PolygonData& a, const PoseOrMotion& pose_a, const PolygonData& b, const PoseOrMotion& pose_b,
                    Query query, SwapOperands swapOperands) {
-  if (inOrder(a, pose_a, b, pose_b)) return query(a, pose_a, b, pose_b);
-  auto result = query(b, pose_b, a, pose_a);
-  swapOperands(result);
+  // One call, so that it can be inlined.
+  const bool in_order = inOrder(a, pose_a, b, pose_b);
+  auto result = query(in_order ? a : b, in_order ? pose_a : pose_b, in_order ? b : a, in_order ? pose_b : pose_a);
+  if (!in_order) swapOperands(result);
   return result;
 }
 
