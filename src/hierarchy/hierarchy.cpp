@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "hierarchy/small_polygon.h"
+#include "numbers/float4.h"
 #include "numbers/rounding.h"
 #include "polygon/convexity.h"
 
@@ -32,12 +33,13 @@ constexpr double kOutwards = 0x1p-21;
 constexpr double kSpared = 0x1p-23;
 static_assert(kOfCenter + kOfAxis + kOfExtent + kOfFit + kSpared <= kOutwards);
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /// A shorter chord gives its box no direction, in units.
 constexpr double kShortestChord = 0x1p-60;
 
 struct FittedBox {
-  Vec2 center, axis;
-  double along, across;
+  Double2 center, axis, extents;  ///< half of what it is along and across its axis
 };
 
 /// A part of the polygon that one box stands for: rings order[begin, end), a chain of edges [begin, end) of one ring,
@@ -45,6 +47,21 @@ struct FittedBox {
 struct Part {
   enum Kind { Rings, Chain, Edges } kind;
   std::size_t begin, end;
+};
+
+/// What a part is divided into.
+class Parts {
+ public:
+  void add(const Part& part) { parts_[size_++] = part; }
+  std::size_t size() const { return size_; }
+  Part& operator[](std::size_t i) { return parts_[i]; }
+  const Part& operator[](std::size_t i) const { return parts_[i]; }
+  const Part* begin() const { return parts_; }
+  const Part* end() const { return parts_ + size_; }
+
+ private:
+  Part parts_[kLanes];
+  std::size_t size_ = 0;
 };
 
 /// Long edges beside each other, as in a spiral's outer turns, are near each other but far along their chain. Rings of
@@ -59,14 +76,25 @@ class Builder {
       : polygon_(polygon), local_(local), blocks_(hierarchy.blocks), order_(polygon.ringCount()) {
     std::iota(order_.begin(), order_.end(), 0u);
     const Part all = rings(0, order_.size());
-    const Vec2& farthest = *std::max_element(
-        local_.begin(), local_.end(), [](const Vec2& p, const Vec2& q) { return p.squaredNorm() < q.squaredNorm(); });
-    hierarchy.root = rounded(fit(all, farthest), Vec2::Zero(), 1);
+    hierarchy.root = rounded(fit(all, farthest()), Double2{}, 1);
     hierarchy.root_spanned = all.kind == Part::Chain;
     addBlock(all);
   }
 
  private:
+  /// The vertex that is farthest from S.
+  Double2 farthest() const {
+    Double2 found{};
+    double most = -1;
+    for (const Vec2& p : local_) {
+      const double square = p.squaredNorm();
+      if (!(square > most)) continue;
+      most = square;
+      found = load2(p.data());
+    }
+    return found;
+  }
+
   /// A single ring is a chain, or edges.
   Part rings(std::size_t begin, std::size_t end) {
     if (end - begin > 1) return {Part::Rings, begin, end};
@@ -94,7 +122,7 @@ class Builder {
     return covered;
   }
 
-  static double area(const FittedBox& box) { return box.along * box.across; }
+  static double area(const FittedBox& box) { return box.extents[0] * box.extents[1]; }
 
   template <typename Visit>
   void forEachChain(const Part& part, Visit visit) const {
@@ -114,57 +142,58 @@ class Builder {
     return count;
   }
 
-  FittedBox fit(const Part& part, const Vec2& direction) const {
-    const double length = direction.norm();
-    const Vec2 axis = length > kShortestChord ? Vec2(direction / length) : Vec2(1, 0);
-    double low_u = std::numeric_limits<double>::infinity(), high_u = -low_u, low_v = low_u, high_v = -low_u;
+  FittedBox fit(const Part& part, Double2 direction) const {
+    const double length = std::sqrt(dot(direction, direction));
+    const Double2 axis = length > kShortestChord ? direction / length : Double2{1, 0};
+    // Along and across: the product of a point and the axis, and their cross product.
+    const Double2 of_x{axis[0], -axis[1]}, of_y{axis[1], axis[0]};
+    Double2 low{kInfinity, kInfinity}, high = -low;
     forEachChain(part, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i <= end; ++i) {
-        const double u = local_[i].x() * axis.x() + local_[i].y() * axis.y();
-        const double v = local_[i].y() * axis.x() - local_[i].x() * axis.y();
-        low_u = std::min(low_u, u);
-        high_u = std::max(high_u, u);
-        low_v = std::min(low_v, v);
-        high_v = std::max(high_v, v);
+        const Double2 at = local_[i].x() * of_x + local_[i].y() * of_y;
+        low = smaller(at, low);
+        high = larger(at, high);
       }
     });
-    const double u = 0.5 * (low_u + high_u), v = 0.5 * (low_v + high_v);
-    return {{u * axis.x() - v * axis.y(), u * axis.y() + v * axis.x()},
-            axis,
-            0.5 * (high_u - low_u),
-            0.5 * (high_v - low_v)};
+    const Double2 middle = 0.5 * (low + high), extents = 0.5 * (high - low);
+    return {middle[0] * axis + middle[1] * Double2{-axis[1], axis[0]}, axis, extents};
+  }
+
+  /// An edge's box is the edge itself: off by the middle's rounding and the axis', which are less than kOfFit.
+  FittedBox fitEdge(std::size_t edge) const {
+    const Double2 v = load2(local_[edge].data()), w = load2(local_[edge + 1].data()), along = w - v;
+    const double length = std::sqrt(dot(along, along));
+    const bool is_short = !(length > kShortestChord);
+    return {0.5 * (v + w), is_short ? Double2{1, 0} : along / length,
+            Double2{0.5 * length, is_short ? 0.5 * length : 0}};
   }
 
   /// A chain's box lies along its chord or, if that is smaller, along the sum of its edges, each taken the way round
   /// that makes the sum longer; so does the box of edges.
   FittedBox fit(const Part& part) const {
-    if (part.kind == Part::Rings) return fit(part, Vec2(1, 0));
+    if (part.kind == Part::Rings) return fit(part, Double2{1, 0});
     if (part.kind == Part::Edges) return fit(part, sumOfEdges(part));
-    const FittedBox along_chord = fit(part, local_[part.end] - local_[part.begin]);
-    if (part.end - part.begin == 1) return along_chord;
+    if (part.end - part.begin == 1) return fitEdge(part.begin);
+    const FittedBox along_chord = fit(part, load2(local_[part.end].data()) - load2(local_[part.begin].data()));
     const FittedBox along_sum = fit(part, sumOfEdges(part));
     return area(along_sum) < area(along_chord) ? along_sum : along_chord;
   }
 
-  Vec2 sumOfEdges(const Part& part) const {
-    Vec2 sum = Vec2::Zero();
+  Double2 sumOfEdges(const Part& part) const {
+    Double2 sum{};
     forEachChain(part, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Vec2 edge = local_[i + 1] - local_[i];
-        sum += edge.dot(sum) < 0 ? Vec2(-edge) : edge;
+        const Double2 edge = load2(local_[i + 1].data()) - load2(local_[i].data());
+        sum = dot(edge, sum) < 0 ? sum - edge : sum + edge;
       }
     });
     return sum;
   }
 
-  static Box rounded(const FittedBox& box, const Vec2& origin, double inverse) {
-    const Vec2 center = (box.center - origin) * inverse;
-    return {static_cast<float>(center.x()),
-            static_cast<float>(center.y()),
-            static_cast<float>(box.axis.x()),
-            static_cast<float>(box.axis.y()),
-            static_cast<float>(box.along * inverse + kOutwards),
-            static_cast<float>(box.across * inverse + kOutwards)};
+  static Box rounded(const FittedBox& box, Double2 origin, double inverse) {
+    const Float2 center = narrowed((box.center - origin) * inverse), axis = narrowed(box.axis);
+    const Float2 extents = narrowed(box.extents * inverse + kOutwards);
+    return {center[0], center[1], axis[0], axis[1], extents[0], extents[1]};
   }
 
   /// Whether a lane's box holds its part, and has room to spare.
@@ -203,44 +232,44 @@ class Builder {
   }
 
   /// Up to kLanes parts. Rings are taken apart before any is cut.
-  std::vector<Part> divideRings(const Part& whole) {
-    std::vector<Part> parts = {whole};
+  Parts divideRings(const Part& whole) {
+    Parts parts;
+    parts.add(whole);
     while (parts.size() < kLanes) {
-      auto largest = parts.end();
-      for (auto it = parts.begin(); it != parts.end(); ++it)
-        if (it->kind == Part::Rings && edgeCount(*it) > kLanes &&
-            (largest == parts.end() || edgeCount(*it) > edgeCount(*largest)))
-          largest = it;
-      if (largest == parts.end()) break;
-      const Part halved = *largest;
+      std::size_t largest = parts.size(), most = kLanes;
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t count = parts[i].kind == Part::Rings ? edgeCount(parts[i]) : 0;
+        if (count > most) largest = i, most = count;
+      }
+      if (largest == parts.size()) break;
+      const Part halved = parts[largest];
       const std::size_t mid = (halved.begin + halved.end) / 2;
       halve(halved, mid);
-      *largest = rings(halved.begin, mid);
-      parts.push_back(rings(mid, halved.end));
+      parts[largest] = rings(halved.begin, mid);
+      parts.add(rings(mid, halved.end));
     }
     return parts;
   }
 
   /// Edges evenly into as few parts, up to kLanes, as let the blocks below be full.
-  static std::vector<Part> cut(const Part& edges) {
+  static Parts cut(const Part& edges) {
     const std::size_t n = edges.end - edges.begin;
     std::size_t below = kLanes;
     while (below * kLanes < n) below *= kLanes;
     const std::size_t k = (n + below - 1) / below;
-    std::vector<Part> parts;
-    for (std::size_t i = 0; i < k; ++i)
-      parts.push_back({edges.kind, edges.begin + i * n / k, edges.begin + (i + 1) * n / k});
+    Parts parts;
+    for (std::size_t i = 0; i < k; ++i) parts.add({edges.kind, edges.begin + i * n / k, edges.begin + (i + 1) * n / k});
     return parts;
   }
 
   /// Puts edges in an order in which those that are cut apart lie apart.
   void arrange(const Part& edges) {
-    const std::vector<Part> parts = cut(edges);
+    const Parts parts = cut(edges);
     if (parts.size() == 1) return;
     arrange(parts, 0, parts.size());
     for (const Part& part : parts) arrange(part);
   }
-  void arrange(const std::vector<Part>& parts, std::size_t first, std::size_t last) {
+  void arrange(const Parts& parts, std::size_t first, std::size_t last) {
     if (last - first == 1) return;
     const std::size_t mid = (first + last) / 2;
     halve({Part::Edges, parts[first].begin, parts[last - 1].end}, parts[mid].begin);
@@ -248,34 +277,35 @@ class Builder {
     arrange(parts, mid, last);
   }
 
+  Parts edgesOf(const Part& part) const {
+    Parts edges;
+    forEachChain(part, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e) edges.add({Part::Chain, e, e + 1});
+    });
+    return edges;
+  }
+
   std::uint32_t addBlock(const Part& whole) {
     const bool leaf = edgeCount(whole) <= kLanes;
-    std::vector<Part> parts;
-    if (leaf) {
-      forEachChain(whole, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e) parts.push_back({Part::Chain, e, e + 1});
-      });
-    } else {
-      parts = whole.kind == Part::Rings ? divideRings(whole) : cut(whole);
+    const Parts parts = leaf ? edgesOf(whole) : whole.kind == Part::Rings ? divideRings(whole) : cut(whole);
+    FittedBox boxes[kLanes];
+    for (std::size_t i = 0; i < parts.size(); ++i) boxes[i] = fit(parts[i]);
+    Double2 low{kInfinity, kInfinity}, high = -low;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      low = smaller(boxes[i].center, low);
+      high = larger(boxes[i].center, high);
     }
-    std::vector<FittedBox> boxes;
-    boxes.reserve(parts.size());
-    for (const Part& p : parts) boxes.push_back(fit(p));
-
-    Vec2 low = boxes[0].center, high = low;
-    for (const FittedBox& box : boxes) {
-      low = low.cwiseMin(box.center);
-      high = high.cwiseMax(box.center);
-    }
-    const Vec2 origin = 0.5 * (low + high);
+    const Double2 origin = 0.5 * (low + high);
     double size = kSmallestSize;
-    for (const FittedBox& box : boxes)
-      size = std::max(size, (box.center - origin).lpNorm<Eigen::Infinity>() + box.along + box.across);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Double2 away = absolute(boxes[i].center - origin);
+      size = std::max(size, std::max(away[0], away[1]) + boxes[i].extents[0] + boxes[i].extents[1]);
+    }
     const double scale = std::ldexp(1, std::ilogb(size) + 1);
 
     Block block{};
-    block.origin_x = origin.x();
-    block.origin_y = origin.y();
+    block.origin_x = origin[0];
+    block.origin_y = origin[1];
     block.scale = static_cast<float>(scale);
     block.inverse = static_cast<float>(1 / scale);
     block.leaf = leaf;
@@ -309,6 +339,14 @@ class Builder {
   std::vector<std::uint32_t> order_, tangled_;
 };
 
+/// Of as many edges, if all blocks but one a level are full.
+std::size_t leastBlocks(std::size_t edges) {
+  std::size_t count = 0;
+  do count += edges = (edges + kLanes - 1) / kLanes;
+  while (edges > 1);
+  return count;
+}
+
 /// Whether every block but the first is the child of one before it, and every lane of a leaf an edge of its own.
 [[maybe_unused]] bool isTree(const Hierarchy& hierarchy, const PolygonData& polygon) {
   std::vector<bool> is_child(hierarchy.blocks.size(), false), has_leaf(polygon.path.size(), false);
@@ -333,7 +371,7 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   std::vector<Vec2> local;
   local.reserve(polygon.path.size());
   for (const Vec2& p : polygon.path) local.push_back(polygon.inUnits(p));
-  blocks.reserve(polygon.path.size() / (kLanes / 2) + 1);
+  blocks.reserve(leastBlocks(polygon.path.size() - polygon.ringCount()));
   const Builder builder(polygon, local, *this);
   blocks.shrink_to_fit();
   assert(isTree(*this, polygon));
