@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "tricover/export.h"
+#include "tricover/pair_cache.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -22,6 +23,7 @@ struct PointFact {
   double point[2] = {0, 0};  ///< in the polygon's frame
   double clearance = 0;
   std::uint32_t uses = 0;  ///< queries answered since
+  FactBalance balance;
 };
 
 }  // namespace detail

@@ -8,8 +8,8 @@
 #include "convex/feature_walk.h"
 #include "distance/distance_result.h"
 #include "distance/distance_search.h"
-#include "pair/fact_balance.h"
 #include "pair/outcome.h"
+#include "polygon/fact_balance.h"
 #include "tricover/distance.h"
 
 namespace tricover::detail {

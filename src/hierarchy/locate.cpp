@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/locate.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hierarchy/hierarchy.h"
@@ -9,6 +10,7 @@
 #include "numbers/errors.h"
 #include "numbers/rounding.h"
 #include "polygon/cache_access.h"
+#include "polygon/fact_balance.h"
 
 namespace tricover {
 namespace {
@@ -47,6 +49,16 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
   detail::PointFact& cache = detail::factsIn(caller_cache);
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
+  const auto keep = [&](Location location, double clearance) {
+    cache = {data.id, location, {point.x(), point.y()}, clearance, 0, cache.balance};
+    return location;
+  };
+  // The last of those that do without facts sees where the point is, so that the next one knows how far it has come.
+  if (cache.balance.resting > 0) {
+    hierarchyInTime(data);
+    const Location location = locateUnchecked(data, point);
+    return --cache.balance.resting == 0 ? keep(location, 0) : location;
+  }
   const Vec2 way = point - Vec2(cache.point[0], cache.point[1]);
   // At least as long: no squares, which might be 0.
   const double moved = (std::abs(way.x()) + std::abs(way.y())) * (1 + 4 * detail::kUnitRoundoff);
@@ -56,12 +68,15 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
     return cache.location;
   }
   const detail::Hierarchy* tree = hierarchyInTime(data);
-  constexpr double kSteps = 16;  // that a fact is to last for
+  constexpr double kSteps = 16;               // that a fact is to last for
+  constexpr int kFactCost = 2, kLooking = 1;  // in quarters of a query
   const double most = known ? kSteps * moved / (cache.uses + 1.0) : 0;
+  const int uses = static_cast<int>(std::min(cache.uses, 1000u));
+  const int saved = !known ? 0 : cache.clearance > 0 ? detail::kQuery * uses - kFactCost : -kLooking;
+  const bool worth = isWorthIt(cache.balance, saved);
   const Location location = locateUnchecked(data, point);
-  const bool may_last = tree != nullptr && most > 0 && most < data.radius && location != Location::Boundary;
-  cache = {data.id, location, {point.x(), point.y()}, may_last ? clearanceOf(data, *tree, point, most) : 0, 0};
-  return location;
+  const bool may_last = worth && tree != nullptr && most > 0 && most < data.radius && location != Location::Boundary;
+  return keep(location, may_last ? clearanceOf(data, *tree, point, most) : 0);
 }
 
 }  // namespace tricover

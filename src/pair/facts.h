@@ -9,7 +9,7 @@
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
-#include "pair/fact_balance.h"
+#include "polygon/fact_balance.h"
 #include "polygon/polygon_data.h"
 #include "tricover/collide.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "pair/fact_balance.h"
 #include "pair/facts.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
+#include "polygon/fact_balance.h"
 #include "scene/asked.h"
 
 namespace tricover {

@@ -164,14 +164,35 @@ TEST(PointCacheWalk, FactsAnswerSlowSteps) {
   for (int i = 0; i < kSteps; ++i) {
     const Vec2 point(-5 + 10.0 * i / kSteps, 0.3);
     const Location location = locate(polygon, point, cache);
-    std::uint32_t& count = detail::factsIn(cache).uses;
-    const std::uint32_t uses = count;
+    const std::uint32_t uses = detail::factsIn(cache).uses;
     answered += uses > 0;
-    EXPECT_EQ(locate(polygon, point, cache), location);
-    EXPECT_EQ(count, uses + 1) << "a point that stays where its fact is from, or within reach of it";
-    count = uses;
+    PointCache copy = cache;
+    EXPECT_EQ(locate(polygon, point, copy), location);
+    EXPECT_EQ(detail::factsIn(copy).uses, uses + 1)
+        << "a point that stays where its fact is from, or within reach of it";
   }
   EXPECT_GT(answered, kSteps / 2);
+}
+
+/// Of a point that jumps nothing is kept, until it moves slowly again.
+TEST(PointCacheWalk, FactsRestWhileTheyDoNotPay) {
+  Random random(6);
+  const Polygon polygon({star(random, 300, 2, 4)});
+  PointCache cache;
+  int rested = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 point(random.real(-4, 4), random.real(-4, 4));
+    EXPECT_EQ(locate(polygon, point, cache), locate(polygon, point));
+    rested += detail::factsIn(cache).balance.resting > 0;
+  }
+  EXPECT_GT(rested, 400);
+  int answered = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 point(0.002 * i - 2, 0.3);
+    EXPECT_EQ(locate(polygon, point, cache), locate(polygon, point));
+    answered += detail::factsIn(cache).uses > 0;
+  }
+  EXPECT_GT(answered, 1000);
 }
 
 /// The same edges, and yet another answer: the middle of a pentagram under either fill rule.

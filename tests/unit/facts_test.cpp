@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "pair/fact_balance.h"
 #include "polygon/cache_access.h"
+#include "polygon/fact_balance.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
