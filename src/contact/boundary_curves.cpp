@@ -3,29 +3,29 @@
 
 namespace tricover::detail {
 
-BoundaryCurves::Line BoundaryCurves::clipped(const Line& line, const Vec2& center, double radius) {
+BoundaryCurves::Line BoundaryCurves::clipped(const Ends& line, const Vec2& center, double radius) {
   const Vec2 u = line.w - line.v;
   const double length = u.norm();
-  if (!(length > 0)) return line;
+  if (!(length > 0)) return {line.v, line.w, Vec2::Zero(), 0};
   const Vec2 axis = u / length;
   const double middle = (center - line.v).dot(axis);
   const double low = std::clamp(middle - radius, 0.0, length), high = std::clamp(middle + radius, 0.0, length);
-  return {low > 0 ? Vec2(line.v + low * axis) : line.v, high < length ? Vec2(line.v + high * axis) : line.w};
+  return {low > 0 ? Vec2(line.v + low * axis) : line.v, high < length ? Vec2(line.v + high * axis) : line.w, axis,
+          high - low};
 }
 
 /// Whether the shorter one lies on the longer one's line; if so, `into` becomes both.
 bool BoundaryCurves::merged(Line& into, const Line& line) const {
-  const bool longer = (line.w - line.v).squaredNorm() > (into.w - into.v).squaredNorm();
+  const bool longer = line.length > into.length;
   const Line &base = longer ? line : into, &other = longer ? into : line;
-  const Vec2 u = base.w - base.v;
-  const double length = u.norm();
-  if (!(length > 0)) return !((other.v - base.v).norm() > resolution_);
-  const Vec2 axis = u / length;
-  if (std::abs(cross(axis, other.v - base.v)) > resolution_ || std::abs(cross(axis, other.w - base.v)) > resolution_)
+  if (!(base.length > 0)) return !((other.v - base.v).norm() > resolution_);
+  if (std::abs(cross(base.axis, other.v - base.v)) > resolution_ ||
+      std::abs(cross(base.axis, other.w - base.v)) > resolution_)
     return false;
-  const double p = (other.v - base.v).dot(axis), q = (other.w - base.v).dot(axis);
-  const double low = std::min({0.0, p, q}), high = std::max({length, p, q});
-  into = {low < 0 ? Vec2(base.v + low * axis) : base.v, high > length ? Vec2(base.v + high * axis) : base.w};
+  const double p = (other.v - base.v).dot(base.axis), q = (other.w - base.v).dot(base.axis);
+  const double low = std::min({0.0, p, q}), high = std::max({base.length, p, q});
+  into = {low < 0 ? Vec2(base.v + low * base.axis) : base.v,
+          high > base.length ? Vec2(base.v + high * base.axis) : base.w, base.axis, high - low};
   return true;
 }
 

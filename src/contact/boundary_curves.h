@@ -18,9 +18,13 @@ class BoundaryCurves {
   BoundaryCurves(double margin, double noise, double resolution)
       : margin_(margin), noise_(noise), resolution_(resolution) {}
 
-  /// A segment, or several ones that lie on a line within the resolution.
-  struct Line {
+  struct Ends {
     Vec2 v, w;
+  };
+  /// A segment, or several ones that lie on a line within the resolution; axis: a unit vector, unless v and w are one.
+  struct Line : Ends {
+    Vec2 axis;
+    double length;
   };
   enum Added { New, Repeated, TooMany };
 
@@ -32,11 +36,11 @@ class BoundaryCurves {
 
   /// What a segment adds within `radius` of t, clipped to that; note(Added) is called for each curve.
   template <typename Note>
-  void add(const Line& segment, const Vec2& t, double radius, Note note) {
+  void add(const Ends& segment, const Vec2& t, double radius, Note note) {
     if (margin_ == 0) return note(addLine(clipped(segment, t, radius)));
     const Vec2 along = segment.w - segment.v, aside = margin_ * Vec2(-along.y(), along.x()).stableNormalized();
     for (const Vec2& by : {aside, Vec2(-aside)}) {
-      const Line line{segment.v + by, segment.w + by};
+      const Ends line{segment.v + by, segment.w + by};
       if (!along.isZero(0) && squaredDistanceToSegment(t, line.v, line.w) <= radius * radius)
         note(addLine(clipped(line, t, radius)));
     }
@@ -73,9 +77,9 @@ class BoundaryCurves {
 
  private:
   /// Cells with no more curves than this are decided; others are split.
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMost = 12;
 
-  static Line clipped(const Line& line, const Vec2& center, double radius);
+  static Line clipped(const Ends& line, const Vec2& center, double radius);
   bool merged(Line& into, const Line& line) const;
   Added addLine(const Line& line);
   Added addCircle(const Vec2& center);

@@ -65,7 +65,7 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   const double margin = space.margin();
   for (double radius = margin + 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
     space.forEachSegment(
-        pair, at, radius, [](std::size_t, std::size_t) { return true; },
+        pair, at, radius, [](const TranslationSpace::Meeting&) { return true; },
         [&](const TranslationSpace::Segment& segment) {
           const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
           if (apart < least) nearest = segment;

@@ -3,9 +3,10 @@
 // convolution segment, an end of one or a crossing of two (on the boundary of a free face of the segments' arrangement
 // no other point is nearest), and which of these are limits of free translations the kernel tells, by samples beside
 // them. Looking at all would cost (n m)^2, so the plane is searched from 0 outwards by square cells. A cell is done
-// with where the kernel's clearance or depth at its centre reaches beyond it, where no segment comes near it, and where
-// few enough do for all their candidates to be tried; otherwise it is split in four. Nearer cells are done with before
-// farther ones, so the least distance of those left is a lower bound.
+// with where the kernel's clearance or depth at its centre reaches beyond it, where two edges meet on all of it, where
+// no segment comes near it, and where few enough do for all their candidates to be tried; otherwise it is split in
+// four, and edges that meet on part of it are tried first on its parts. Nearer cells are done with before farther ones,
+// so the least distance of those left is a lower bound.
 //
 // With a margin, what is free is farther from the segments than that, and bounded by lines beside them and by circles
 // around their ends; the shortest translation ends at 0's projection on one of these, or where two cross.
@@ -41,8 +42,10 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDiagonal = 1.4142135623730951;
-/// A search of more queries than this begins again with both regions covered by discs.
-constexpr std::size_t kLong = 24;
+/// A search of more queries than this goes on with both regions covered by discs.
+constexpr std::size_t kLong = 10;
+/// So many pairs of edges that meet near a cell are kept for its parts.
+constexpr std::size_t kMostMeetings = 32;
 /// Beyond so many segments on lines that are known already, a cell is tried to be covered; by about so many
 /// parallelograms.
 constexpr std::size_t kMostRepeated = 128;
@@ -50,19 +53,24 @@ constexpr int kMostTries = 24;
 /// How far beyond a cell's circumcircle its segments are gathered, so that samples around a point of it are understood.
 constexpr double kSurroundings = 1.25;
 
+using Meeting = TranslationSpace::Meeting;
+using Meetings = std::vector<Meeting>;
+
 struct Cell {
   double least;  ///< distance of 0
   Vec2 center;
   double half;
-  std::shared_ptr<const DiscSums> sums;  ///< that may hold parts of it
+  std::shared_ptr<const DiscSums> sums;      ///< that may hold parts of it; nothing if all may
+  std::shared_ptr<const Meetings> meetings;  ///< that may hold parts of it
 };
 struct Farther {
   bool operator()(const Cell& c, const Cell& d) const { return c.least > d.least; }
 };
 
-Cell makeCell(const Vec2& center, double half, std::shared_ptr<const DiscSums> sums) {
+Cell makeCell(const Vec2& center, double half, std::shared_ptr<const DiscSums> sums,
+              std::shared_ptr<const Meetings> meetings) {
   return {std::hypot(std::max(std::abs(center.x()) - half, 0.0), std::max(std::abs(center.y()) - half, 0.0)), center,
-          half, std::move(sums)};
+          half, std::move(sums), std::move(meetings)};
 }
 
 /// Where a free face of the lines' arrangement may be nearest to 0.
@@ -85,30 +93,28 @@ class PartingSearch {
 
   ShortestParting run() {
     std::priority_queue<Cell, std::vector<Cell>, Farther> cells;
-    auto sums = std::make_shared<const DiscSums>();
-    const auto begin = [&] {
-      cells = {};
-      cells.push(makeCell(Vec2::Zero(), upper_ * (1 + 0x1p-20), sums));
-    };
-    begin();
-    bool covered = false;
+    auto all_sums = std::make_shared<const DiscSums>();
+    bool are_covered = false;
+    cells.push(makeCell(Vec2::Zero(), upper_ * (1 + 0x1p-20), nullptr, std::make_shared<const Meetings>()));
     while (!cells.empty() && cells.top().least < upper_) {
-      if (queries_ > kLong && !covered) {
-        covered = true;
-        sums = std::make_shared<const DiscSums>(space_.discSums());
-        coarse_ = upper_ / 8;
-        begin();
-      }
-      const Cell cell = cells.top();
+      Cell cell = cells.top();
       found_.lower_bound = std::max(found_.lower_bound, cell.least);
       if (queries_ >= budget_) return found_;
       cells.pop();
+      if (queries_ > kLong && !are_covered) {
+        are_covered = true;
+        all_sums = std::make_shared<const DiscSums>(space_.discSums());
+      }
+      if (cell.sums == nullptr) cell.sums = all_sums;
       if (decide(cell)) continue;
       const double half = cell.half / 2, radius = cell.half * kDiagonal;
-      const auto near =
-          cell.sums->areMany() ? std::make_shared<const DiscSums>(cell.sums->near(cell.center, radius)) : cell.sums;
-      for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)})
-        cells.push(makeCell(cell.center + way, half, near));
+      auto sums = are_covered ? cell.sums : nullptr;
+      if (cell.sums->areMany()) sums = std::make_shared<const DiscSums>(cell.sums->near(cell.center, radius));
+      const auto meetings = std::make_shared<const Meetings>(near_);
+      for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)}) {
+        Cell part = makeCell(cell.center + way, half, sums, meetings);
+        if (part.least < upper_) cells.push(std::move(part));
+      }
     }
     found_.lower_bound = std::max(0.0, upper_ - resolution_ - error_);
     return found_;
@@ -125,6 +131,11 @@ class PartingSearch {
     const double depth = inUnits(pair, crossingDepth(pair, i, j));
     if (margin_ == 0) return depth;
     return depth > 0 ? depth + margin_ - 4 * space_.noise() : margin_ - space_.gap(t, i, j) - 4 * space_.noise();
+  }
+  double depthOf(const Meeting& meeting, const Vec2& t) const {
+    const double depth = meeting.depth(t) - 4 * space_.noise();
+    if (margin_ == 0 || depth > 0 || depth < -margin_) return depth + margin_;
+    return margin_ - space_.gap(t, meeting.edge_a, meeting.edge_b) - 4 * space_.noise();
   }
   double depthOf(const PosedPair& pair, const Vec2& t, const Outcome& outcome) const {
     if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
@@ -143,7 +154,18 @@ class PartingSearch {
     found_.parting = parting;
   }
 
+  /// Whether one of the meetings that are kept holds all within `radius` of t. Who asks next asks nearby.
+  bool overlapAround(const Vec2& t, double radius) {
+    for (Meeting& meeting : near_) {
+      if (depthOf(meeting, t) <= radius) continue;
+      std::swap(meeting, near_.front());
+      return true;
+    }
+    return false;
+  }
+
   bool isFree(Vec2& t) {
+    if (overlapAround(t, 0)) return false;
     ++queries_;
     return !collideByHierarchy(space_.at(t), options_, 0, Wanted::Answer).collides;
   }
@@ -151,25 +173,14 @@ class PartingSearch {
   /// Whether nothing shorter than the best is left to be found in the cell.
   bool decide(const Cell& cell) {
     ++queries_;
-    Vec2 t = cell.center;
-    const PosedPair pair = space_.at(t);
-    const double radius = (cell.half * kDiagonal + (t - cell.center).norm()) * (1 + 0x1p-40);
-    if (cell.sums->hold(t, radius)) return true;
-    if (cell.half > coarse_) return false;
-    const Outcome outcome =
-        collideByHierarchy(pair, options_, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
-    if (outcome.collides) {
-      if (depthOf(pair, t, outcome) >= radius) return true;
-    } else {
-      const double clearance = inUnits(pair, outcome.clearance) - margin_, length = t.norm();
-      const double back = std::clamp(clearance - space_.noise(), 0.0, length);
-      const Vec2 nearest = length > 0 ? Vec2(t * (1 - back / length)) : t;
-      improve(nearest, nearest);
-      if (clearance >= radius) return true;
-    }
-    if (cell.half <= resolution_) return true;
-
-    Gathered gathered = gather(pair, t, radius, kMostRepeated);
+    const double radius = cell.half * kDiagonal * (1 + 0x1p-40);
+    near_.clear();
+    if (cell.sums->hold(cell.center, radius)) return true;
+    overlaps_ = false;
+    for (const Meeting& meeting : *cell.meetings)
+      if (see(meeting, cell.center, radius)) return true;
+    if ((!overlaps_ && ask(cell.center, radius)) || cell.half <= resolution_) return true;
+    Gathered gathered = gather(cell.center, radius, kMostRepeated);
     if (gathered == Gathered::Repeated) {
       switch (cover(cell)) {
         case Cover::Whole:
@@ -177,7 +188,7 @@ class PartingSearch {
         case Cover::Most:
           return false;
         case Cover::Little:
-          gathered = gather(space_.at(t), t, radius, std::numeric_limits<std::size_t>::max());
+          gathered = gather(cell.center, radius, std::numeric_limits<std::size_t>::max());
       }
     }
     if (gathered != Gathered::Lines) return gathered == Gathered::Deep;
@@ -185,22 +196,47 @@ class PartingSearch {
     return curves_.isEmpty() || decideByCurves(cell, radius);
   }
 
-  /// All lines around a cell; or why it needs no more: edges cross deeper than the cell reaches, the lines are too
-  /// many, or more segments than `most` have been on lines that were known.
+  /// Whether two edges meet after all translations within `radius` of t; if they may after some, they are kept.
+  bool see(const Meeting& meeting, const Vec2& t, double radius) {
+    const double depth = depthOf(meeting, t);
+    overlaps_ |= depth > 0;
+    if (depth > -radius && near_.size() < kMostMeetings) near_.push_back(meeting);
+    return depth >= radius;
+  }
+
+  /// Whether the kernel's answer at a cell's centre is that of the whole cell.
+  bool ask(const Vec2& center, double radius) {
+    Vec2 t = center;
+    const PosedPair pair = space_.at(t);
+    radius += (t - center).norm() * (1 + 0x1p-40);
+    const Outcome outcome =
+        collideByHierarchy(pair, options_, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
+    if (outcome.collides) return depthOf(pair, t, outcome) >= radius;
+    const double clearance = inUnits(pair, outcome.clearance) - margin_, length = t.norm();
+    const double back = std::clamp(clearance - space_.noise(), 0.0, length);
+    const Vec2 nearest = length > 0 ? Vec2(t * (1 - back / length)) : t;
+    improve(nearest, nearest);
+    return clearance >= radius;
+  }
+
+  /// All lines around a cell; or why it is divided: they are too many, or more segments than `most` have been on lines
+  /// that were known.
   enum class Gathered { Lines, Deep, Many, Repeated };
-  Gathered gather(const PosedPair& pair, const Vec2& t, double radius, std::size_t most) {
+  Gathered gather(const Vec2& center, double radius, std::size_t most) {
     Gathered result = Gathered::Lines;
     std::size_t repeated = 0;
     curves_.clear();
-    const double around = kSurroundings * radius;
+    Vec2 t = center;
+    const PosedPair pair = space_.at(t);
+    const double around = kSurroundings * radius + (t - center).norm();
     const auto note = [&](BoundaryCurves::Added added) {
       if (added == BoundaryCurves::Repeated && ++repeated > most) result = Gathered::Repeated;
       if (added == BoundaryCurves::TooMany) result = Gathered::Many;
     };
     space_.forEachSegment(
         pair, t, around + margin_,
-        [&](std::size_t i, std::size_t j) {
-          if (depthOf(pair, t, i, j) >= radius) result = Gathered::Deep;
+        [&](const Meeting& meeting) {
+          if (see(meeting, center, radius)) result = Gathered::Deep;
           return result == Gathered::Lines;
         },
         [&](const TranslationSpace::Segment& segment) {
@@ -256,6 +292,7 @@ class PartingSearch {
               [](const PossibleLimit& c, const PossibleLimit& d) { return c.p.squaredNorm() < d.p.squaredNorm(); });
     for (const PossibleLimit& limit : limits_) {
       if (!(limit.p.norm() < upper_)) break;
+      if (overlapAround(limit.p, limit.error + 4 * space_.noise())) continue;
       resolved &= decideLimit(limit, radius);
     }
     return resolved;
@@ -317,8 +354,9 @@ class PartingSearch {
   ShortestParting found_;
   double upper_, error_ = 0;
   std::size_t queries_ = 0;
-  /// In a long search cells larger than this are divided without a query.
-  double coarse_ = std::numeric_limits<double>::infinity();
+  Meetings near_;  ///< that may hold parts of the cell
+  bool overlaps_ = false;
+
   std::vector<PossibleLimit> limits_;
   std::vector<double> rays_;
 };

@@ -14,8 +14,8 @@ TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polyg
                                                         const Vec2& origin, double inverse_unit) {
   const std::size_t n = polygon.path.size();
   const Eigen::Matrix2d turn = pose.linear();
-  Vertices result{std::vector<Vec2>(n), std::vector<Vec2>(n, Vec2::Zero()), std::vector<Vec2>(n, Vec2::Zero()),
-                  std::vector<char>(n, 0)};
+  Vertices result{std::vector<Vec2>(n),      std::vector<Vec2>(n, Vec2::Zero()), std::vector<Vec2>(n, Vec2::Zero()),
+                  std::vector<double>(n, 0), std::vector<double>(n, 0),          std::vector<char>(n, 0)};
   const auto inUnits = [&](const Vec2& p, const Vec2& q) { return Vec2(turn * (p * inverse_unit - q * inverse_unit)); };
   for (std::size_t i = 0; i < n; ++i) result.at[i] = origin + inUnits(polygon.path[i], polygon.origin);
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
@@ -25,6 +25,7 @@ TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polyg
       if (polygon.path[i] == polygon.path[i + 1]) continue;
       result.is_edge[i] = 1;
       result.outgoing[i] = inUnits(polygon.path[i + 1], polygon.path[i]);
+      result.out_of[i] = result.outgoing[i].lpNorm<1>();
       last = i;
     }
     // A ring that is one point is one edge without a length.
@@ -32,21 +33,12 @@ TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polyg
     for (std::size_t i = begin; i < end && last != end; ++i) {
       if (!result.is_edge[i]) continue;
       result.incoming[i] = result.outgoing[last];
+      result.into[i] = result.out_of[last];
       last = i;
     }
   }
   return result;
 }
-
-// In units of U, r_a and r_b the radii, c the way between the origins; reach is their sum:
-//   a vertex of a     p - q 1, products 1, sum 1                           3 r_a in either coordinate
-//   one of b          the same, the sum with c 1, c itself 1               4 r_b + 2 c
-//   a segment's end   their difference 1                                   4 r_a + 5 r_b + 3 c
-// which is sqrt2 5 reach in any direction; the margin is part of it, too. at() rounds a translation to the spacing of
-// doubles at t_b - t_a + t, of which no component is larger than reach and shift: two sums there and two differences
-// back, 4.
-constexpr double kVertexError = 16 * kUnitRoundoff, kShiftError = 4 * kUnitRoundoff;
-static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 
 TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                    double margin)
@@ -92,7 +84,7 @@ DiscSums TranslationSpace::discSums() const {
   };
   // A centre is no less precise than a vertex, and so is t; the fourth is for the roundings where they are compared.
   return DiscSums(posed(polygon_a_, pose_a_, Vec2::Zero()), posed(polygon_b_, pose_b_, between_), margin_ - 4 * noise_,
-                  polygon_a_.path.size() + polygon_b_.path.size());
+                  (polygon_a_.path.size() + polygon_b_.path.size()) / 2);
 }
 
 PosedPair TranslationSpace::at(Vec2& t) {
@@ -102,19 +94,16 @@ PosedPair TranslationSpace::at(Vec2& t) {
   return PosedPair(polygon_a_, pose_a_, polygon_b_, pose_b_);
 }
 
-/// False only if the edges at the vertex certainly leave to both sides of the other's line. A direction's coordinates
-/// err by a difference, a product and a sum, their cross product by these of both, a product and a difference: 8U.
-bool TranslationSpace::mayBound(const Vertices& polygon, std::size_t i, const Vec2& edge) {
-  const Vec2 &in = polygon.incoming[i], &out = polygon.outgoing[i];
-  static_assert(kVertexError >= kUnitRows * errorOf(3 + 3 + 2));
-  const double bound = kVertexError * edge.lpNorm<1>(), from = cross(edge, in), to = cross(edge, out);
-  const bool passes = (from > bound * in.lpNorm<1>() && to > bound * out.lpNorm<1>()) ||
-                      (-from > bound * in.lpNorm<1>() && -to > bound * out.lpNorm<1>());
-  return !passes;
-}
-
-bool TranslationSpace::isNear(const Vec2& t, double radius, const Segment& segment) {
-  return squaredDistanceToSegment(t, segment.v, segment.w) <= radius * radius;
+TranslationSpace::Meeting TranslationSpace::meetingOf(std::size_t i, std::size_t j) const {
+  const Vec2 &of_a = a_.outgoing[i], of_b = -b_.outgoing[j];
+  Vec2 up_a = Vec2(-of_a.y(), of_a.x()).stableNormalized(), up_b = Vec2(of_b.y(), -of_b.x()).stableNormalized();
+  if (up_a.dot(of_b) < 0) {
+    up_a = -up_a;
+    up_b = -up_b;
+  }
+  return {
+      a_.at[i] - b_.at[j],          up_a, up_b, up_a.dot(of_b), std::abs(up_b.dot(of_a)), static_cast<std::uint32_t>(i),
+      static_cast<std::uint32_t>(j)};
 }
 
 }  // namespace tricover::detail

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "contact/disc_cover.h"
@@ -12,6 +13,16 @@
 #include "pair/edge_pairs.h"
 
 namespace tricover::detail {
+
+// In units of U, r_a and r_b the radii, c the way between the origins; reach is their sum:
+//   a vertex of a     p - q 1, products 1, sum 1                           3 r_a in either coordinate
+//   one of b          the same, the sum with c 1, c itself 1               4 r_b + 2 c
+//   a segment's end   their difference 1                                   4 r_a + 5 r_b + 3 c
+// which is sqrt2 5 reach in any direction; the margin is part of it, too. at() rounds a translation to the spacing of
+// doubles at t_b - t_a + t, of which no component is larger than reach and shift: two sums there and two differences
+// back, 4.
+constexpr double kVertexError = 16 * kUnitRoundoff, kShiftError = 4 * kUnitRoundoff;
+static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 
 /// The plane of b's translations, in which the regions overlap on M = A + (-B), and are within the margin of each other
 /// on M grown by that. Axes are the world's, the origin is b where it is, lengths are in units.
@@ -33,13 +44,30 @@ class TranslationSpace {
   /// pair made is the valid one.
   PosedPair at(Vec2& t);
 
-  /// Calls meet(edge_a, edge_b), positions, for each pair of edges that may cross, and visit(segment) for each
-  /// convolution segment within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
+  /// Two edges, by position, and the parallelogram of those translations that let them meet. Its sides are convolution
+  /// segments.
+  struct Meeting {
+    Vec2 corner;            ///< where their starts meet
+    Vec2 up_a, up_b;        ///< unit normals of the sides along a's and along b's edge, into the parallelogram
+    double high_a, high_b;  ///< how far the opposite sides are from these
+    std::uint32_t edge_a, edge_b;
+
+    /// How deep t is in it; outside, no more than its distance with the opposite sign. But for three of noise().
+    double depth(const Vec2& t) const {
+      const double from_a = heightFromA(t), from_b = heightFromB(t);
+      return std::min({from_a, high_a - from_a, from_b, high_b - from_b});
+    }
+    double heightFromA(const Vec2& t) const { return up_a.dot(t - corner); }
+    double heightFromB(const Vec2& t) const { return up_b.dot(t - corner); }
+  };
+
+  /// Calls meet(meeting) for each pair of edges that may meet at t, and visit(segment) for each convolution segment
+  /// within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
   template <typename Meet, typename Visit>
   void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) const {
     const double limit = pair.reach((radius + noise_) * unit_);
     forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
-      const bool goes_on = (gap > 0 || meet(i, j)) && show(i, j, t, radius, visit);
+      const bool goes_on = (gap > 0 || meet(meetingOf(i, j))) && show(i, j, t, radius, visit);
       return goes_on ? limit : -1;
     });
   }
@@ -75,24 +103,37 @@ class TranslationSpace {
   struct Vertices {
     std::vector<Vec2> at;
     std::vector<Vec2> incoming, outgoing;  ///< edges at a vertex, beyond repetitions of it
+    std::vector<double> into, out_of;      ///< their lengths by the sum of coordinates
     std::vector<char> is_edge;             ///< not a repetition of its start
   };
 
   static Vertices verticesOf(const PolygonData& polygon, const Pose& pose, const Vec2& origin, double inverse_unit);
-  static bool mayBound(const Vertices& polygon, std::size_t i, const Vec2& edge);
-  static bool isNear(const Vec2& t, double radius, const Segment& segment);
+  /// False only if the edges at vertex i certainly leave to both sides of the other's edge j's line. A direction's
+  /// coordinates err by a difference, a product and a sum, their cross product by these of both, a product and a
+  /// difference: 8U.
+  static bool mayBound(const Vertices& polygon, std::size_t i, const Vertices& other, std::size_t j) {
+    static_assert(kVertexError >= kUnitRows * errorOf(3 + 3 + 2));
+    const Vec2& edge = other.outgoing[j];
+    const double from = cross(edge, polygon.incoming[i]), to = cross(edge, polygon.outgoing[i]);
+    const double error = kVertexError * other.out_of[j];
+    const double from_error = error * polygon.into[i], to_error = error * polygon.out_of[i];
+    const bool passes = (from > from_error && to > to_error) || (from < -from_error && to < -to_error);
+    return !passes;
+  }
+  Meeting meetingOf(std::size_t i, std::size_t j) const;
 
   template <typename Visit>
   bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
     if (!a_.is_edge[i] || !b_.is_edge[j]) return true;
+    const double within = (radius + noise_) * (radius + noise_);
     const Vec2 start = a_.at[i] - b_.at[j];
-    if (mayBound(a_, i, b_.outgoing[j])) {
+    if (mayBound(a_, i, b_, j)) {
       const Segment segment{start, a_.at[i] - b_.at[j + 1], i, j, true};
-      if (isNear(t, radius + noise_, segment) && !visit(segment)) return false;
+      if (squaredDistanceToSegment(t, segment.v, segment.w) <= within && !visit(segment)) return false;
     }
-    if (mayBound(b_, j, a_.outgoing[i])) {
+    if (mayBound(b_, j, a_, i)) {
       const Segment segment{start, a_.at[i + 1] - b_.at[j], i, j, false};
-      if (isNear(t, radius + noise_, segment) && !visit(segment)) return false;
+      if (squaredDistanceToSegment(t, segment.v, segment.w) <= within && !visit(segment)) return false;
     }
     return true;
   }
