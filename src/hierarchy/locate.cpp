@@ -71,11 +71,12 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
   constexpr double kSteps = 16;               // that a fact is to last for
   constexpr int kFactCost = 2, kLooking = 1;  // in quarters of a query
   const double most = known ? kSteps * moved / (cache.uses + 1.0) : 0;
-  const int uses = static_cast<int>(std::min(cache.uses, 1000u));
-  const int saved = !known ? 0 : cache.clearance > 0 ? detail::kQuery * uses - kFactCost : -kLooking;
-  const bool worth = isWorthIt(cache.balance, saved);
+  const bool jumped = !(most < data.radius);
+  const int uses = static_cast<int>(std::min(cache.uses, 1000u)), lost = known && jumped ? kLooking : 0;
+  const int saved = known && cache.clearance > 0 ? detail::kQuery * uses - kFactCost : 0;
+  const bool worth = isWorthIt(cache.balance, saved - lost);
   const Location location = locateUnchecked(data, point);
-  const bool may_last = worth && tree != nullptr && most > 0 && most < data.radius && location != Location::Boundary;
+  const bool may_last = worth && tree != nullptr && most > 0 && !jumped && location != Location::Boundary;
   return keep(location, may_last ? clearanceOf(data, *tree, point, most) : 0);
 }
 

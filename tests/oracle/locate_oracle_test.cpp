@@ -168,7 +168,7 @@ TEST(PointCacheWalk, FactsAnswerSlowSteps) {
     answered += uses > 0;
     PointCache copy = cache;
     EXPECT_EQ(locate(polygon, point, copy), location);
-    EXPECT_EQ(detail::factsIn(copy).uses, uses + 1)
+    EXPECT_EQ(detail::factsIn(copy).uses, uses + (detail::factsIn(cache).balance.resting == 0))
         << "a point that stays where its fact is from, or within reach of it";
   }
   EXPECT_GT(answered, kSteps / 2);
