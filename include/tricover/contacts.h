@@ -71,10 +71,10 @@ struct Contact {
 /// One contact for each connected part of the overlap, the deepest first; or, where the regions are apart and within
 /// the margin, one where they are nearest. Empty exactly where collide() with that margin is false, or `most` is 0.
 ///
-/// Cost of a convex pair whose edges cross twice: 0.3 us for 8 vertices each, 1 us for 64; of other convex ones 3 and
-/// 12 us. Of others, with one part, that of a penetration() more: 15 and 30 us where they overlap by little, 30 and 250
-/// us where by a third of their size; for 1024 vertices up to 0.2 s. It grows with the number of parts, and with that
-/// of pairs of edges that meet.
+/// Cost of a convex pair: 0.3 us for 8 vertices each, 1 us for 64, twice that where they are deep in each other. Of
+/// others, with one part, that of a penetration() more: 15 and 30 us where they overlap by little, 30 and 250 us where
+/// by a third of their size; for 1024 vertices up to 0.2 s. It grows with the number of parts, and with that of pairs
+/// of edges that meet.
 ///
 /// Throws as collide() does.
 ///

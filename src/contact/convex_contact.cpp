@@ -1,81 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the best face and the vertex deepest behind it both boundaries are followed, to either side, to where they
-// cross.
+// Depth, normal and edges are those of the least face. Both outlines are turned so that its normal leads upwards, and
+// followed from the face down and from the vertex deepest behind it up, as far as it takes: level lines tell where the
+// overlap is deepest, and the upright line through there its middle.
 //
-// Why there is nothing else: two pairs of edges are proven to cross properly, one at either end of a chain of vertices
-// of one polygon that are proven to be inside the other, and of a chain of the other one's likewise. The two chains
-// with their ends are in both regions and on their own one's boundary, so on that of the overlap, which is convex; they
-// meet at their ends alone. They are a closed curve on a closed curve, so all of it.
+// The edges of two convex regions that meet share a point unless one region lies within the other: each has to have a
+// corner that is certainly outside the other.
 #include "contact/convex_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <utility>
-#include <vector>
+#include <limits>
 
-#include "contact/part_middle.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
 namespace {
 
-/// So many points need no memory but the stack's.
-template <std::size_t kFew>
-class PointList {
- public:
-  explicit PointList(std::size_t most) {
-    if (most <= kFew) return;
-    many_.resize(most);
-    points_ = many_.data();
+/// Corners in the world less a's translation, turned so that a face's normal leads upwards.
+struct TurnedOutline {
+  Double2 corner(std::uint32_t k) const {
+    const Double2 p = ring.vertex(k);
+    return column_x * p[0] + column_y * p[1] + shift;
   }
-  PointList(const PointList&) = delete;
-  PointList& operator=(const PointList&) = delete;
 
-  void add(const Vec2& p) { points_[size_++] = p; }
-  std::size_t size() const { return size_; }
-  const Vec2& operator[](std::size_t k) const { return points_[k]; }
-
- private:
-  std::array<Vec2, kFew> few_;
-  std::vector<Vec2> many_;
-  Vec2* points_ = few_.data();
-  std::size_t size_ = 0;
+  const ConvexRing& ring;
+  const bool is_mirrored;
+  const Double2 column_x, column_y, shift;
 };
 
-/// An outline as a's frame sees it, counter-clockwise there.
-class RingInA {
+/// Edge by edge around an outline.
+class Walk {
  public:
-  RingInA(const AxisSide& side, const AxisSide& a)
-      : side_(side), a_(a), n_(side.ring.size()), mirrored_(side.mirrors != a.mirrors) {}
+  Walk(const TurnedOutline& outline, std::uint32_t corner, bool is_forward)
+      : to(outline.corner(corner)), outline_(outline), corner_(corner), is_forward_(is_forward) {
+    advance();
+  }
 
-  std::uint32_t size() const { return n_; }
-  std::uint32_t after(std::uint32_t k) const { return k + 1 < n_ ? k + 1 : 0; }
-  std::uint32_t before(std::uint32_t k) const { return k > 0 ? k - 1 : n_ - 1; }
+  void advance() {
+    corner_ = is_forward_ ? outline_.ring.next(corner_) : outline_.ring.previous(corner_);
+    from = to;
+    to = outline_.corner(corner_);
+  }
 
-  /// In its polygon's own frame.
-  const Vec2& corner(std::uint32_t k) const { return side_.corner(mirrored_ ? n_ - k : k); }
-  Vec2 vertex(std::uint32_t k) const { return &side_ == &a_ ? corner(k) : a_.fromOther(corner(k)); }
-  Vec2 end(std::uint32_t k) const { return vertex(k + 1); }
-  /// Between the outline's numbers of corners and of edges and those here, either way.
-  std::uint32_t cornerNumber(std::uint32_t k) const { return mirrored_ && k > 0 ? n_ - k : k; }
-  std::uint32_t edgeNumber(std::uint32_t k) const { return mirrored_ ? n_ - 1 - k : k; }
+  /// Of the edge's point, or the next to it, where one coordinate is as given the other one.
+  double at(int axis, double coordinate) const {
+    const Double2 way = to - from;
+    const double t = (coordinate - from[axis]) / way[axis];
+    if (!(t > 0)) return from[1 - axis];
+    if (!(t < 1)) return to[1 - axis];
+    return t < 0.5 ? from[1 - axis] + t * way[1 - axis] : to[1 - axis] + (t - 1) * way[1 - axis];
+  }
+
+  Double2 from, to;
 
  private:
-  const AxisSide &side_, &a_;
-  std::uint32_t n_;
-  bool mirrored_;
+  const TurnedOutline& outline_;
+  std::uint32_t corner_;
+  bool is_forward_;
 };
 
-/// Whether p, in an outline's own frame, is inside for certain, areas of up to `doubtful` being in doubt. O(log n).
-bool holds(const AxisSide& side, const Vec2& p, double doubtful) {
-  const Vec2 corner = side.corner(0);
-  const Vec2 way = p - corner;
+enum class Place { Inside, Outside, Unsure };
+
+/// Where p is, in an outline's own frame, areas of up to `doubtful` being in doubt. O(log n).
+Place placeOf(const Vec2& p, const AxisSide& side, double doubtful) {
+  const Vec2 corner = side.corner(0), way = p - corner;
+  bool is_unsure = false;
+  const auto isBeyond = [&](std::size_t edge) {
+    const double area = cross(side.corner(edge + 1) - side.corner(edge), p - side.corner(edge));
+    is_unsure = is_unsure || !(area > doubtful);
+    return area < -doubtful;
+  };
   // Between the ways from a corner to corners `low` and `high`.
   std::size_t low = 1, high = side.ring.size() - 1;
-  if (!(cross(side.corner(1) - corner, way) > doubtful && cross(side.corner(high) - corner, way) < -doubtful))
-    return false;
+  if (isBeyond(0) || isBeyond(high)) return Place::Outside;
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     const double turn = cross(side.corner(middle) - corner, way);
@@ -83,21 +81,116 @@ bool holds(const AxisSide& side, const Vec2& p, double doubtful) {
     (turn > 0 ? low : high) = middle;
   }
   for (std::size_t k = low; k < high; ++k)
-    if (!(cross(side.corner(k + 1) - side.corner(k), p - side.corner(k)) > doubtful)) return false;
-  return true;
+    if (isBeyond(k)) return Place::Outside;
+  return is_unsure ? Place::Unsure : Place::Inside;
 }
 
-/// Where two edges cross: an edge of the face's polygon and one of the other.
-struct Crossing {
-  std::uint32_t own = 0, other = 0;
-  std::uint32_t own_passed = 0, other_passed = 0;  ///< vertices on the way there
-  Vec2 point = Vec2::Zero();                       ///< on b's edge
+/// The middle of two outlines' overlap along the normal of a face of `own`, behind which `other` is deepest with its
+/// corner `deepest`.
+class OverlapMiddle {
+ public:
+  OverlapMiddle(const TurnedOutline& own, const TurnedOutline& other, const FaceDepth& face, double error, double tie)
+      : own_(own), other_(other), face_(face), error_(error), tie_(tie) {}
+
+  /// False where doubles don't tell.
+  bool find() {
+    double across, bottom;
+    if (!findDeepest(across, bottom)) return false;
+    const double top = topAt(across);
+    // Otherwise edges are so steep that one of them is hardly known.
+    if (top < bottom - error_) return false;
+    point = Vec2(across, 0.5 * bottom + 0.5 * top);
+    return true;
+  }
+
+  Vec2 point;
+  bool own_reaches_beyond = false, other_reaches_beyond = false;  ///< certainly; otherwise it isn't known
+
+ private:
+  struct Side {
+    double at, slope, lowest;
+  };
+
+  Walk fromFace(bool to_right) const {
+    const bool forward = to_right == own_.is_mirrored;
+    return {own_, forward ? own_.ring.next(face_.edge) : face_.edge, forward};
+  }
+  Walk fromDeepest(bool to_right) const { return {other_, face_.deepest, to_right != other_.is_mirrored}; }
+
+  /// Where an outline's side is at a level, or at corners that are above it by no more than a tie, if it comes there.
+  Side sideAt(Walk walk, std::uint32_t size, bool leads_down, double level) const {
+    const double passed = level + tie_;
+    double lowest = walk.to[1];
+    for (; size > 0 && (leads_down ? walk.to[1] > passed : walk.to[1] < passed); --size) {
+      walk.advance();
+      lowest = std::min(lowest, walk.to[1]);
+    }
+    const Double2 way = walk.to - walk.from;
+    return {walk.at(1, level), way[0] / way[1], lowest};
+  }
+
+  /// Where the overlap is deepest, or the middle of that. From its bottom on upwards, what the outlines have of a level
+  /// line has a part in common. How far these are apart below is convex, so that its tangents lead there from below
+  /// (Newton's method), edge by edge.
+  bool findDeepest(double& across, double& level) {
+    const std::uint32_t own_size = own_.ring.size(), other_size = other_.ring.size();
+    level = other_.corner(face_.deepest)[1];
+    const double beyond = level - 8 * error_;
+    for (std::uint32_t steps = own_size + other_size; steps > 0; --steps) {
+      const Side own_right = sideAt(fromFace(true), own_size, true, level);
+      own_reaches_beyond = own_reaches_beyond || own_right.lowest < beyond;
+      if (own_right.lowest > level + tie_) {
+        level = own_right.lowest;
+        continue;
+      }
+      const Side own_left = sideAt(fromFace(false), own_size, true, level),
+                 other_right = sideAt(fromDeepest(true), other_size, false, level),
+                 other_left = sideAt(fromDeepest(false), other_size, false, level);
+      const Side &right = own_right.at < other_right.at ? own_right : other_right,
+                 &left = own_left.at > other_left.at ? own_left : other_left;
+      across = 0.5 * left.at + 0.5 * right.at;
+      if (left.at <= right.at) return true;
+      const double closing = right.slope - left.slope, step = (left.at - right.at) / closing;
+      if (!(closing > 0)) return false;
+      if (step <= error_) {
+        // The flatter one's point of a level line is hardly known.
+        across = std::abs(right.slope) < std::abs(left.slope) ? right.at : left.at;
+        return true;
+      }
+      level += step;
+    }
+    return false;
+  }
+
+  /// The upper end of what the overlap has of an upright line.
+  double topAt(double across) {
+    const double face_at = own_.corner(face_.edge)[1], beyond = face_at + 8 * error_;
+    double top = face_at;
+    for (const double sign : {1, -1}) {
+      const auto ahead = [&](Double2 p) { return sign * (p[0] - across); };
+      Walk own = fromFace(sign > 0), other = fromDeepest(sign > 0);
+      std::uint32_t own_left = own_.ring.size(), other_left = other_.ring.size();
+      if (ahead(own.from) < 0) {
+        while (ahead(own.to) < 0 && --own_left > 0) own.advance();
+        top = std::min(top, own.at(0, across));
+      }
+      const auto returns = [&] { return ahead(other.to) <= 0 && ahead(other.to) < ahead(other.from); };
+      while (!returns() && other.to[1] <= beyond && --other_left > 0) other.advance();
+      other_reaches_beyond = other_reaches_beyond || other.to[1] > beyond;
+      if (returns()) top = std::min(top, other.at(0, across));
+    }
+    return top;
+  }
+
+  const TurnedOutline &own_, &other_;
+  const FaceDepth& face_;
+  const double error_, tie_;
 };
 
 class ConvexPair {
  public:
   explicit ConvexPair(const PosedPair& pair, const SeparatingAxes& axes)
-      : pair_(pair), axes_(axes), a_(axes_.side(true), axes_.side(true)), b_(axes_.side(false), axes_.side(true)) {
+      : pair_(pair), axes_(axes), face_(bestFace()), up_(axes_.side(face_.of_a).normalOf(face_.edge)) {
     // In either coordinate a corner is at most r = kUnitRows size, and errs by at most e = error, which is at least
     // 16U size; a difference d of two is at most 2 r, and errs by 2 e and its own U d. An area, the product of two:
     //   the differences' roundings       two in each of two products     4U (2 r)^2
@@ -109,34 +202,33 @@ class ConvexPair {
 
   /// What is proven of a pair that meets.
   std::optional<Contact> contact() const {
-    // Less may be a touch.
-    if (!(axes_.leastDepth() > 64 * axes_.error())) return {};
-    const FaceDepth face = bestFace();
-    const RingInA &own = face.of_a ? a_ : b_, &other = face.of_a ? b_ : a_;
-    Crossing left, right;
-    if (!findCrossing<true>(own, other, face, left) || !findCrossing<false>(own, other, face, right)) return {};
-    const std::uint32_t own_passed = left.own_passed + right.own_passed,
-                        other_passed = left.other_passed + right.other_passed + 1;
-    if (own_passed >= own.size() || other_passed >= other.size()) return {};
-    PointList<36> part(own_passed + other_passed + 2);
-    part.add(inWorld(left.point));
-    if (!addChain(other, !face.of_a, other.after(left.other), other_passed, part)) return {};
-    part.add(inWorld(right.point));
-    if (!addChain(own, face.of_a, own.after(right.own), own_passed, part)) return {};
-    // Outwards from the face.
-    const Vec2 up = axes_.side(face.of_a).normalOf(face.edge);
-    const Vec2 middle = partMiddle(part, part, up, 4 * axes_.error()).middle;
-    return contactOf(face, up, middle + pair_.pose_a.translation());
+    const TurnedOutline own = turned(face_.of_a), other = turned(!face_.of_a);
+    OverlapMiddle middle(own, other, face_, axes_.error(), axes_.tie());
+    if (!middle.find()) return {};
+    const Place own_place = middle.own_reaches_beyond ? Place::Outside : placeOfRegion(face_.of_a),
+                other_place = middle.other_reaches_beyond ? Place::Outside : placeOfRegion(!face_.of_a);
+    if (own_place == Place::Unsure || other_place == Place::Unsure) return {};
+    const Vec2 point = middle.point.x() * right() + middle.point.y() * up_;
+    return contactAt(point + pair_.pose_a.translation(), other_place == Place::Inside, own_place == Place::Inside);
   }
 
  private:
-  /// Less a's translation.
-  Vec2 inWorld(const Vec2& p) const { return axes_.side(true).inWorld(p); }
+  Vec2 right() const { return {up_.y(), -up_.x()}; }
+
+  TurnedOutline turned(bool of_a) const {
+    const auto turn = [&](double x, double y) {
+      const Vec2 way = axes_.side(true).inWorld({x, y});
+      return Double2{right().dot(way), up_.dot(way)};
+    };
+    const AxisSide& side = axes_.side(of_a);
+    if (of_a) return {side.ring, side.mirrors, turn(1, 0), turn(0, 1), Double2{}};
+    return {side.ring, side.mirrors, turn(pair_.m00, pair_.m10), turn(pair_.m01, pair_.m11), turn(pair_.tx, pair_.ty)};
+  }
 
   /// Of those that are equally deep but for rounding, the one that leads b's S away from a's.
   FaceDepth bestFace() const {
     if (axes_.end() - axes_.begin() == 1) return *axes_.begin();
-    const Vec2 towards_b = inWorld(Vec2(pair_.center_x, pair_.center_y) - pair_.a.origin);
+    const Vec2 towards_b = axes_.side(true).inWorld(Vec2(pair_.center_x, pair_.center_y) - pair_.a.origin);
     const auto along = [&](const FaceDepth& face) {
       return (face.of_a ? 1 : -1) * axes_.side(face.of_a).normalOf(face.edge).dot(towards_b);
     };
@@ -147,57 +239,16 @@ class ConvexPair {
     return *best;
   }
 
-  /// From the face on counter-clockwise and from the vertex deepest behind it back, or (not kForward) the other way
-  /// round: the edges that cross first. False where that isn't certain.
-  template <bool kForward>
-  bool findCrossing(const RingInA& own, const RingInA& other, const FaceDepth& face, Crossing& crossing) const {
-    const std::uint32_t deepest = other.cornerNumber(face.deepest);
-    std::uint32_t i = own.edgeNumber(face.edge), j = kForward ? other.before(deepest) : deepest;
-    std::uint32_t own_passed = 0, other_passed = 0;
-    // Of both edges, from here to there.
-    Vec2 own_from = kForward ? own.vertex(i) : own.end(i), own_to = kForward ? own.end(i) : own.vertex(i);
-    Vec2 other_from = kForward ? other.end(j) : other.vertex(j), other_to = kForward ? other.vertex(j) : other.end(j);
-    while (own_passed + other_passed < own.size() + other.size()) {
-      const Vec2 own_way = kForward ? own_to - own_from : own_from - own_to,
-                 other_way = kForward ? other_from - other_to : other_to - other_from;
-      const double own_in = cross(other_way, own_to - other_to), other_in = cross(own_way, other_to - own_to);
-      if (own_in < 0 && other_in < 0) {
-        const double own_out = cross(other_way, own_from - other_to), other_out = cross(own_way, other_from - own_to);
-        crossing = {i, j, own_passed, other_passed,
-                    face.of_a ? crossingPoint(other_from, other_to, other_out, other_in)
-                              : crossingPoint(own_from, own_to, own_out, own_in)};
-        return own_in < -doubtful_ && other_in < -doubtful_ && own_out > doubtful_ && other_out > doubtful_;
-      }
-      // One that leaves the other one's edge has to wait for it; or else the one that is ahead.
-      const double ahead = (own_way - other_way).dot(own_to - other_to);
-      const bool own_waits = own_in < 0 || (other_in >= 0 && (kForward ? ahead > 0 : ahead < 0));
-      if (own_waits) {
-        j = kForward ? other.before(j) : other.after(j);
-        other_from = std::exchange(other_to, kForward ? other.vertex(j) : other.end(j));
-        ++other_passed;
-      } else {
-        i = kForward ? own.after(i) : own.before(i);
-        own_from = std::exchange(own_to, kForward ? own.end(i) : own.vertex(i));
-        ++own_passed;
-      }
+  /// Where one region is as seen from the other one: inside if all of it is.
+  Place placeOfRegion(bool of_a) const {
+    const AxisSide &own = axes_.side(of_a), &other = axes_.side(!of_a);
+    bool is_unsure = false;
+    for (std::uint32_t k = 0; k < own.ring.size(); ++k) {
+      const Place place = placeOf(other.fromOther(own.corner(k)), other, doubtful_);
+      if (place == Place::Outside) return place;
+      is_unsure = is_unsure || place == Place::Unsure;
     }
-    return false;
-  }
-
-  /// The point of a way where it crosses another edge, by the areas that its ends span with that.
-  static Vec2 crossingPoint(const Vec2& from, const Vec2& to, double from_area, double to_area) {
-    const double t = from_area / (from_area - to_area);
-    return t < 0.5 ? Vec2(from + t * (to - from)) : Vec2(to + (t - 1) * (to - from));
-  }
-
-  /// Vertices in a row; false unless they are inside the other for certain.
-  bool addChain(const RingInA& ring, bool of_a, std::uint32_t first, std::uint32_t count, PointList<36>& points) const {
-    const AxisSide& other = axes_.side(!of_a);
-    for (std::uint32_t v = first; count > 0; --count, v = ring.after(v)) {
-      if (!holds(other, other.fromOther(ring.corner(v)), doubtful_)) return false;
-      points.add(inWorld(ring.vertex(v)));
-    }
-    return true;
+    return is_unsure ? Place::Unsure : Place::Inside;
   }
 
   /// Of the path's edges at a corner the one that is more across `up`.
@@ -213,26 +264,31 @@ class ConvexPair {
     return arriving ? pathEdgeTo(side.seen.a, side.outline, corner) : side.outline.corners[corner];
   }
 
-  Contact contactOf(const FaceDepth& face, const Vec2& up, const Vec2& point) const {
-    const AxisSide &own = axes_.side(face.of_a), &other = axes_.side(!face.of_a);
-    const Vec2 deepest = own.fromOther(other.corner(face.deepest));
+  Contact contactAt(const Vec2& point, bool other_is_inside, bool own_is_inside) const {
+    const AxisSide &own = axes_.side(face_.of_a), &other = axes_.side(!face_.of_a);
+    const Vec2 deepest = own.fromOther(other.corner(face_.deepest));
     // One ring: positions are numbers.
-    const auto own_edge = static_cast<std::ptrdiff_t>(pathEdge(own.seen.a, own.outline, face.edge, deepest)),
-               other_edge = static_cast<std::ptrdiff_t>(flatterEdge(other, face.deepest, up));
-    assert(face.depth > 0 && std::abs(up.norm() - 1) < 0x1p-40);
-    return {point, face.of_a ? up : Vec2(-up), face.depth, face.of_a ? own_edge : other_edge,
-            face.of_a ? other_edge : own_edge};
+    const auto own_edge = other_is_inside
+                              ? -1
+                              : static_cast<std::ptrdiff_t>(pathEdge(own.seen.a, own.outline, face_.edge, deepest)),
+               other_edge = own_is_inside ? -1 : static_cast<std::ptrdiff_t>(flatterEdge(other, face_.deepest, up_));
+    assert(face_.depth > 0 && std::abs(up_.norm() - 1) < 0x1p-40);
+    return {point, face_.of_a ? up_ : Vec2(-up_), face_.depth, face_.of_a ? own_edge : other_edge,
+            face_.of_a ? other_edge : own_edge};
   }
 
   const PosedPair& pair_;
   const SeparatingAxes& axes_;
-  const RingInA a_, b_;
+  const FaceDepth face_;
+  const Vec2 up_;    ///< outwards from the face
   double doubtful_;  ///< areas of corners, up to this
 };
 
 }  // namespace
 
 std::optional<Contact> convexContact(const PosedPair& pair, const SeparatingAxes& axes) {
+  // Less may be a touch.
+  if (!(axes.leastDepth() > 64 * axes.error())) return {};
   return ConvexPair(pair, axes).contact();
 }
 

@@ -7,9 +7,7 @@
 #include <limits>
 
 #include "contact/contact_point.h"
-#include "contact/hull_faces.h"
 #include "contact/part_exit.h"
-#include "contact/part_middle.h"
 #include "contact/penetration.h"
 #include "contact/touch_normal.h"
 #include "numbers/segment.h"
@@ -36,7 +34,9 @@ class ContactFinder {
       const double margin = margin_ / frame_.unit();
       exit.depth += margin;
       if (axes_ == nullptr && components.size() == 1) exit = exitOfOnly(component, exit);
-      if (!component.inner || !(exit.depth > margin)) exit.depth = margin;
+      // Of convex regions the depth is known better than whether there is an inside.
+      const bool touches = !component.inner && !(axes_ != nullptr && exit.depth > margin + frame_.error());
+      if (touches || !(exit.depth > margin)) exit.depth = margin;
       result.push_back(inWorld(exit, pointOf(component, exit)));
     }
     return result;
@@ -133,17 +133,11 @@ Exit ContactFinder::freed(const Exit& exit) const {
 /// The middle of the overlap along the normal through the deepest point, or through the middle of those, where that is
 /// in it.
 Vec2 ContactFinder::pointOf(const OverlapComponent& component, const Exit& exit) const {
-  struct Places {
-    std::size_t size() const { return points.size(); }
-    const Vec2& operator[](std::size_t k) const { return points[k].at; }
-    const std::vector<BoundaryPoint>& points;
-  };
   // Heights above the end where the deepest points are, towards the other.
   const Vec2 up = exit.from_a ? exit.normal : Vec2(-exit.normal);
-  const Hull hull = hullOf(component.points);
-  const auto [deepest, middle] = partMiddle(Places{component.points}, Places{hull}, up, 4 * frame_.error());
-  if (axes_ != nullptr) return middle;
-  return component.inner ? pointOfPart(pair_, frame_, deepest, up, middle) : pointOfTouch(component, middle);
+  const PartMiddle part = partMiddle(component, up, 4 * frame_.error());
+  if (axes_ != nullptr) return part.middle;
+  return component.inner ? pointOfPart(pair_, frame_, part, up) : pointOfTouch(component, part.middle);
 }
 
 /// The middle, if it is on a common stretch of two edges; otherwise that of the longest one.
