@@ -134,7 +134,7 @@ std::vector<ValueProblem> problemsAt(const Scene& scene, bool convex) {
 /// What users who want the best would choose, and what is there by default.
 bool isShown(const ValueMethod& method) {
   for (const char* setting :
-       {"", "exact", "1e-6", "1e-10", "time_error 1e-6", "time_error 1e-12", "1000", "budget 20000"})
+       {"", "exact", "1e-6", "1e-10", "time_error 1e-6", "time_error 1e-12", "1000", "depth_error 0"})
     if (method.setting == setting) return true;
   return false;
 }

@@ -168,13 +168,13 @@ std::vector<ValueMethod> impactMethods(const Scene& scene, const std::vector<Mot
 
 std::vector<ValueMethod> penetrationMethods(const Scene& scene, const std::vector<Pose>& poses, bool convex) {
   std::vector<ValueMethod> methods;
-  for (const std::size_t budget : {0u, 10u, 100u, 1000u, 20000u}) {
-    const bool best = budget == 20000;
-    if (convex && !best) continue;
+  for (const char* error : {"inf", "1", "0.3", "0.1", "0"}) {
     PenetrationOptions options;
-    options.budget = budget;
+    options.depth_error = std::stod(error);
+    const bool best = options.depth_error == 0;
+    if (convex && !best) continue;
     methods.push_back(
-        plain("tricover", "budget " + std::to_string(budget), best ? 1e-11 : kNothing, [=, &scene](std::size_t i) {
+        plain("tricover", std::string("depth_error ") + error, best ? 1e-11 : kNothing, [=, &scene](std::size_t i) {
           const auto found = penetration(scene.fixed, scene.fixed_pose, scene.moving, poses[i], options);
           return found ? found->depth : 0;
         }));

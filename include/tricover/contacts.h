@@ -54,11 +54,10 @@ struct Contact {
   Vec2 point;
   /// A unit vector, from a towards where b leaves it. For two convex polygons moving b along it by `depth` is the
   /// shortest way apart, and so it is wherever the overlap is a single part: they are penetration()'s, unless that
-  /// exhausts its budget, which here is at most 2^22 translations divided by the number of vertices (less than the
-  /// default from 210 on, and none beyond 4096). Of several parts it takes the edges around this one past each other,
-  /// or, where one polygon lies within the other, past the nearest edge: good for a response that is repeated, not for
-  /// one step. Where they only touch, moving b along it by a little parts them, unless they are wedged or touch at
-  /// several parts.
+  /// search is given up, which here is after 2^22 translations divided by the number of vertices (sooner than there
+  /// from 210 on, at once beyond 4096). Of several parts it takes the edges around this one past each other, or, where
+  /// one polygon lies within the other, past the nearest edge: good for a response that is repeated, not for one step.
+  /// Where they only touch, moving b along it by a little parts them, unless they are wedged or touch at several parts.
   Vec2 normal;
   /// At least 0, and of two convex polygons as precise as coordinates are, however short their edges. It is 0 where
   /// they only touch, and may be 0 where the overlap is thinner than coordinates are rounded, as of regions without

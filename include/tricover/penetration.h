@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <optional>
 
 #include "tricover/export.h"
@@ -15,9 +14,10 @@ struct PenetrationOptions {
   /// then is asked for: after the translation they are the margin apart. Of convex polygons that overlap, the depth is
   /// the margin more; of any that are apart by d, it is at least margin - d.
   double margin = 0;
-  /// How many translations may be tried for a pair that isn't convex; the last step may take some more. With 0 none is
-  /// tried, and the depth is that of the two convex hulls.
-  std::size_t budget = 20000;
+  /// Not negative: the depth may be larger than that of the shortest way by this share of it, which saves time for
+  /// pairs that aren't convex. It is at most (1 + depth_error) lower_bound, but for the precision of penetration().
+  /// With infinity nothing is searched: the depth is that of the two convex hulls.
+  double depth_error = 0;
 };
 
 /// The shortest translation of b that parts two overlapping regions, in the world.
@@ -29,7 +29,7 @@ struct Penetration {
   Vec2 normal;  ///< A unit vector, from a towards where b leaves it.
   /// No shorter translation parts them, but one into a slit that is narrower than the precision of penetration().
   double lower_bound;
-  bool optimal;  ///< Whether depth and lower_bound agree to that precision: the budget sufficed.
+  bool optimal;  ///< Whether depth and lower_bound agree to that precision.
   /// After this translation of b (or its opposite of a) they are proven to be apart, even though adding it to the
   /// pose's translation rounds. It differs from depth * normal by as little as that takes.
   Vec2 translation;
@@ -53,10 +53,10 @@ struct Penetration {
 ///
 /// Cost of a convex pair: O(n + m); 2 us for 8 vertices each, 6 us for 64. Other pairs take a search. For 64 vertices
 /// each, that typically takes 15 to 40 us where they overlap by little, and 0.2 to 1 ms where they overlap by a third
-/// of their size; for 1024 vertices up to 0.2 s. Outlines that are nearly, but not quite, parallel over a long way may
-/// exhaust the budget.
+/// of their size; for 1024 vertices up to 0.2 s. A search ends after 20,000 translations, as it may be of outlines that
+/// are nearly, but not quite, parallel over a long way: then lower_bound says how deep they are at least.
 ///
-/// Throws as collide() does.
+/// Throws as collide() does, and for a depth_error that is negative or NaN.
 ///
 /// \snippet penetration.cpp penetration
 TRICOVER_EXPORT std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b,

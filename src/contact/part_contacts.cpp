@@ -76,17 +76,16 @@ class ContactFinder {
 };
 
 /// Translations times vertices that a contact may cost: a translation asks each edge that is near, in the worst case
-/// all. Up to some 200 vertices that is all of a penetration's budget; with less than the least nothing would be found.
-constexpr std::size_t kMostWork = std::size_t{1} << 22, kLeastBudget = std::size_t{1} << 10;
+/// all. Up to some 200 vertices that is all that a penetration may try; with less than the least nothing would be
+/// found.
+constexpr std::size_t kMostWork = std::size_t{1} << 22, kLeastTranslations = std::size_t{1} << 10;
 
 /// The only part of the overlap, which has an exit of its own: the shortest way out of it parts the regions.
 Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) const {
   if (!component.inner) return exit.separates || partsFreely(exit) ? exit : freed(exit);
-  PenetrationOptions options;
-  options.margin = margin_;
-  options.budget = std::min(options.budget, kMostWork / (pair_.a.path.size() + pair_.b.path.size()));
-  if (options.budget < kLeastBudget) return exit;
-  const Penetration p = penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, options);
+  const std::size_t most = std::min(kMostTranslations, kMostWork / (pair_.a.path.size() + pair_.b.path.size()));
+  if (most < kLeastTranslations) return exit;
+  const Penetration p = penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, {margin_}, most);
   if (!p.optimal) return exit;
   const double depth = p.depth / frame_.unit(), radius = std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
   const bool agrees = std::abs(depth - exit.depth) <= 1e-12 * radius + 64 * frame_.error();

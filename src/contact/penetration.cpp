@@ -12,6 +12,7 @@
 #include "contact/nearest_contact.h"
 #include "contact/translation_search.h"
 #include "convex/convex_outline.h"
+#include "numbers/errors.h"
 #include "numbers/segment.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
@@ -54,7 +55,7 @@ Features featuresOf(const TranslationSpace& space, const Vec2& t, bool edge_of_a
 }
 
 /// The same for what the search found, by the convolution segment that is nearest to its limit: it is on one, unless
-/// the budget ran out.
+/// it ended early.
 Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   const Vec2 t = shortest.limit;
   const double noise = space.noise();
@@ -129,7 +130,7 @@ bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const Po
 }
 
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                               const PenetrationOptions& options) {
+                               const PenetrationOptions& options, std::size_t most) {
   const ConvexOutline &outline_a = convexOutlineOf(a), &outline_b = convexOutlineOf(b);
   const PosedPair pair(a, pose_a, b, pose_b);
   const double margin = options.margin;
@@ -153,7 +154,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.lower_bound = result.depth;
     result.optimal = true;
   } else {
-    shortest = searchShortestParting(space, known, options.budget);
+    shortest = searchShortestParting(space, known, options.depth_error, most);
     features = featuresOf(space, shortest);
     if (shortest.limit != known) {
       const double length = shortest.limit.norm();
@@ -185,6 +186,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                        const PenetrationOptions& options) {
+  detail::requireNotNegative(options.depth_error, "depth_error");
   if (!collide(a, pose_a, b, pose_b, {options.margin, 0})) return std::nullopt;
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+
 #include "polygon/polygon_data.h"
 #include "tricover/penetration.h"
 
 namespace tricover::detail {
+
+/// So many translations are tried at most.
+constexpr std::size_t kMostTranslations = 20000;
 
 /// Whether the regions are farther apart than the margin once the poses, in the kernel's order, have been translated
 /// so. Exact.
 bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const PolygonData& b, Pose pose_b,
                    const Vec2& by_b, double margin);
 
-/// penetration() of operands that are known to overlap, but for the margin, in the kernel's order.
+/// penetration() of operands that are known to overlap, but for the margin, in the kernel's order. The last step may
+/// try some translations more than `most`.
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                               const PenetrationOptions& options);
+                               const PenetrationOptions& options, std::size_t most = kMostTranslations);
 
 }  // namespace tricover::detail

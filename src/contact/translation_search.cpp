@@ -21,7 +21,8 @@
 // paper's polygons of size 100, overlapping by 0.5 / by 30 on the mean: contour of 64 vertices 25 / 250 us, with hole
 // 23 / 170 us, starred 45 us / 1 ms; of 256 vertices 75 us / 2.2 ms, 50 us / 0.7 ms, 125 us / 6 ms. Worst case:
 // outlines that are nearly parallel by more than the resolution over a long way, as combs turned by 1e-9 against each
-// other are, need cells as small as their gaps are narrow; only the budget ends that.
+// other are, need cells as small as their gaps are narrow; only the number of
+// translations ends that.
 #include "contact/translation_search.h"
 
 #include <algorithm>
@@ -81,9 +82,10 @@ struct PossibleLimit {
 
 class PartingSearch {
  public:
-  PartingSearch(TranslationSpace& space, const Vec2& known, std::size_t budget)
+  PartingSearch(TranslationSpace& space, const Vec2& known, double error, std::size_t most)
       : space_(space),
-        budget_(budget),
+        enough_(1 / (1 + error)),
+        most_(most),
         margin_(space.margin()),
         options_{margin_ * space.unit(), 0},
         resolution_(16 * space.noise()),
@@ -96,10 +98,10 @@ class PartingSearch {
     auto all_sums = std::make_shared<const DiscSums>();
     bool are_covered = false;
     cells.push(makeCell(Vec2::Zero(), upper_ * (1 + 0x1p-20), nullptr, std::make_shared<const Meetings>()));
-    while (!cells.empty() && cells.top().least < upper_) {
+    while (!cells.empty() && cells.top().least < enough_ * upper_) {
       Cell cell = cells.top();
       found_.lower_bound = std::max(found_.lower_bound, cell.least);
-      if (queries_ >= budget_) return found_;
+      if (queries_ >= most_) return found_;
       cells.pop();
       if (queries_ > kLong && !are_covered) {
         are_covered = true;
@@ -116,7 +118,8 @@ class PartingSearch {
         if (part.least < upper_) cells.push(std::move(part));
       }
     }
-    found_.lower_bound = std::max(0.0, upper_ - resolution_ - error_);
+    const double left = cells.empty() ? upper_ : cells.top().least;
+    found_.lower_bound = std::max(0.0, std::min(left, upper_ - resolution_ - error_));
     return found_;
   }
 
@@ -345,7 +348,8 @@ class PartingSearch {
   }
 
   TranslationSpace& space_;
-  const std::size_t budget_;
+  const double enough_;  ///< of the limit's length, as a lower bound
+  const std::size_t most_;
   const double margin_;
   const CollideOptions options_;
   /// Segments nearer to each other than this are one; slits between them are not seen.
@@ -363,8 +367,8 @@ class PartingSearch {
 
 }  // namespace
 
-ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, std::size_t budget) {
-  return PartingSearch(space, known, budget).run();
+ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, double error, std::size_t most) {
+  return PartingSearch(space, known, error, most).run();
 }
 
 }  // namespace tricover::detail

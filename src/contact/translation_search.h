@@ -14,8 +14,9 @@ struct ShortestParting {
   double lower_bound;  ///< no shorter translation parts the regions by more than a slit of the search's resolution
 };
 
-/// Best first over square cells of translations, from one that is known to be free. Stops after `budget` queries of the
-/// kernel; lower_bound is then that of the cells left.
-ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, std::size_t budget);
+/// Best first over square cells of translations, from one that is known to be free. Stops where the limit is longer
+/// than lower_bound by no more than `error` of it, and after `most` translations; lower_bound is then that of the cells
+/// left.
+ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, double error, std::size_t most);
 
 }  // namespace tricover::detail

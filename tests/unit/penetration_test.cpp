@@ -21,6 +21,7 @@ namespace tricover::support {
 namespace {
 
 const Pose kIdentity = Pose::Identity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Vec2 kAnyWay(0, 0);
 
 Pose at(double x, double y) { return pose(0, x, y); }
@@ -319,7 +320,7 @@ TEST(Sizes, OfHugeAndTinyEdgesTheDirectionIsAUnitVector) {
       0x1.e0261549b2ae3p-1, -1;
   pose_b.matrix().topRows<2>() << 0x1.c0bb3ab786c7ep-2, 0x1.cc38c348d1356p-1, 0, -0x1.cc38c348d1356p-1,
       0x1.c0bb3ab786c7ep-2, 0;
-  const auto found = penetration(a, pose_a, b, pose_b, {0, 20});
+  const auto found = penetration(a, pose_a, b, pose_b, {0, kInfinity});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->normal.norm(), 1, 1e-15);
 }
@@ -357,13 +358,14 @@ TEST(Penetration, IsOptimalWhereDepthAndBoundAgree) {
   EXPECT_GE(deep, all / 10);
 }
 
-TEST(Budget, EveryResultIsABound) {
-  for (const std::size_t budget : {0u, 1u, 2u, 5u, 20u, 1000u}) {
-    const auto p = penetration(frame(), kIdentity, square(), at(1.5, 5), {0, budget});
+TEST(DepthError, EveryResultIsABound) {
+  for (const double error : {kInfinity, 10.0, 1.0, 0.3, 0.1, 1e-3, 1e-15, 0.0}) {
+    const auto p = penetration(frame(), kIdentity, square(), at(1.5, 5), {0, error});
     ASSERT_TRUE(p);
     EXPECT_GE(p->depth, 1.5 - 1e-12);
     EXPECT_LE(p->depth, 2.5 + 1e-12);
     EXPECT_LE(p->lower_bound, 1.5);
+    EXPECT_LE(p->depth / (1 + error), p->lower_bound + 1e-11);
     EXPECT_EQ(p->optimal, p->depth - p->lower_bound <= 1e-11);
     Pose moved = at(1.5, 5);
     moved.translation() += p->translation;
@@ -371,30 +373,35 @@ TEST(Budget, EveryResultIsABound) {
     EXPECT_LE(p->translation.norm(), p->depth + 1e-11);
   }
   // The hulls' separating axes.
-  const auto none = penetration(frame(), kIdentity, square(), at(1.5, 5), {0, 0});
+  const auto none = penetration(frame(), kIdentity, square(), at(1.5, 5), {0, kInfinity});
   EXPECT_NEAR(none->depth, 2.5, 1e-14);
   EXPECT_EQ(none->lower_bound, 0);
   EXPECT_FALSE(none->optimal);
-  // Convex pairs need none.
-  EXPECT_TRUE(penetration(square(), kIdentity, square(), kIdentity, {0, 0})->optimal);
+  // Convex pairs take no search.
+  EXPECT_TRUE(penetration(square(), kIdentity, square(), kIdentity, {0, kInfinity})->optimal);
 }
 
-TEST(Budget, MoreOfItIsNoWorse) {
+TEST(DepthError, LessOfItIsNoWorse) {
   Random random(5);
   const Polygon a({star(random, 60, 1, 3)}), b({star(random, 60, 1, 3)});
   const auto best = penetration(a, kIdentity, b, at(0.5, 0.25));
   ASSERT_TRUE(best->optimal);
-  Penetration last = *penetration(a, kIdentity, b, at(0.5, 0.25), {0, 0});
-  for (const std::size_t budget : {10u, 30u, 100u, 300u}) {
-    const auto p = penetration(a, kIdentity, b, at(0.5, 0.25), {0, budget});
-    EXPECT_FALSE(p->optimal);
+  Penetration last = *penetration(a, kIdentity, b, at(0.5, 0.25), {0, kInfinity});
+  for (const double error : {2.0, 1.0, 0.3, 0.1, 0.03}) {
+    const auto p = penetration(a, kIdentity, b, at(0.5, 0.25), {0, error});
     EXPECT_LE(p->depth, last.depth);
     EXPECT_GE(p->depth, best->depth);
     EXPECT_GE(p->lower_bound, last.lower_bound);
     EXPECT_LE(p->lower_bound, best->depth);
+    EXPECT_LE(p->depth, (1 + error) * p->lower_bound + 1e-11);
     last = *p;
   }
-  EXPECT_GT(last.lower_bound, 0.2 * best->depth);
+  EXPECT_LT(penetration(a, kIdentity, b, at(0.5, 0.25), {0, 1})->lower_bound, 0.9 * best->depth) << "it saves nothing";
+}
+
+TEST(DepthError, IsANumberThatIsNotNegative) {
+  for (const double error : {-1e-9, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(penetration(square(), kIdentity, square(), kIdentity, {0, error}), std::invalid_argument);
 }
 
 /// A polygon and itself, at places that differ by the sign of a zero only.
@@ -422,14 +429,14 @@ TEST(Arguments, PosesAreChecked) {
 }
 
 /// The named ones, as where it suffices.
-TEST(Budget, WhereItRunsOutThePointsAreOnTheEdges) {
+TEST(DepthError, ThePointsAreOnTheEdges) {
   int unproven = 0;
   for (int i = 0; i < 40; ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon a({star(random, 30, 0.4, 1)}), b({star(random, 20, 0.4, 1)});
     const Pose at = pose(random.real(0, 6), random.real(-0.5, 0.5), random.real(-0.5, 0.5));
     PenetrationOptions options;
-    options.budget = static_cast<std::size_t>(random.integer(1, 60));
+    options.depth_error = random.real(0.05, 1);
     const auto found = penetration(a, Pose::Identity(), b, at, options);
     if (!found || found->optimal) continue;
     ++unproven;
