@@ -85,6 +85,7 @@ const std::vector<Row>& allRows() {
       {"islands inside a polygon", growth::islandsOnPlate, "contacts, most = 1", 1000, askOneContact},
       {"islands upon themselves, shifted", growth::islandsOnIslands, "contacts", 1000, askContacts},
       {"islands upon themselves, shifted", growth::islandsOnIslands, "penetration", 100, askPenetration},
+      {"jagged outlines deep in each other", growth::jaggedOutlines, "penetration", 32, askPenetration},
       {"a row of islands upon itself, shifted", growth::islandsInRow, "contacts", 1000, askContacts},
       {"a nearest corner, n times", growth::repeatedCorners, "distance", 1000, askDistance},
       {"a nearest corner, n times", growth::repeatedCorners, "distance, cached", 1000, askPairCached, kSteps},

@@ -59,6 +59,17 @@ Ring circle(std::size_t n, double radius) {
   return ring;
 }
 
+/// Radii between 0.5 and 1, no two alike, spread as multiples of the golden ratio are.
+Ring jagged(std::size_t n, double turn) {
+  Ring ring;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double at = static_cast<double>(i), angle = 2 * kPi * at / static_cast<double>(n) + turn;
+    const double radius = 0.5 + 0.5 * std::fmod(0.61803398874989485 * at, 1.0);
+    ring.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return ring;
+}
+
 /// A band of width 1, its sides n / 2 edges each, along a spiral that grows by 4 a turn. step(radius) is the angle from
 /// vertex to vertex.
 template <class Step>
@@ -107,6 +118,10 @@ Input islandsInRow(std::size_t n) {
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < n; ++i) rings.push_back(square(2.0 * static_cast<double>(i) * Vec2(1, 1), 1));
   return {Polygon(rings), Polygon(rings), Motion::still(shiftedBy({0.25, 0.25}))};
+}
+
+Input jaggedOutlines(std::size_t n) {
+  return {Polygon({jagged(n, 0)}), Polygon({jagged(n, 1)}), Motion::still(shiftedBy({0.4, 0.3}))};
 }
 
 Input repeatedCorners(std::size_t k) {
@@ -177,6 +192,7 @@ const std::vector<Kind>& allKinds() {
       {"islands on a plate", islandsOnPlate},
       {"islands on islands", islandsOnIslands},
       {"islands in a row", islandsInRow},
+      {"jagged outlines", jaggedOutlines},
       {"repeated corners", repeatedCorners},
       {"equal points", equalPoints},
       {"fans", fans},

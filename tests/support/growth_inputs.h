@@ -24,6 +24,9 @@ Input islandsOnIslands(std::size_t n);
 /// A diagonal row of them upon itself, likewise shifted.
 Input islandsInRow(std::size_t n);
 
+/// Two outlines of n vertices that are as jagged as they are fine, half a radius off each other's middle.
+Input jaggedOutlines(std::size_t n);
+
 /// Two triangles that point at each other, 1 apart, with the nearest corner of either given k times.
 Input repeatedCorners(std::size_t k);
 /// Two rings of n equal points each, 1 apart.
