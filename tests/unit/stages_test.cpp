@@ -131,7 +131,8 @@ TEST(Stages, AreSeenInNoInclusion) {
     const Polygon map(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
     std::vector<Vec2> asked;
     for (const Ring& ring : rings)
-      asked.insert(asked.end(), {ring[0], 0.5 * (ring[0] + ring[1]), {random.real(-1.0, side), random.real(-1.0, side)}});
+      asked.insert(asked.end(),
+                   {ring[0], 0.5 * (ring[0] + ring[1]), {random.real(-1.0, side), random.real(-1.0, side)}});
     std::vector<Location> answers[3];
     for (const auto& [stage, answer] :
          {std::pair{Stages::Edges, answers}, {Stages::Hierarchy, answers + 1}, {Stages::All, answers + 2}}) {

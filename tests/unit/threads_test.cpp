@@ -18,6 +18,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
+#include "tricover/distance.h"
 #include "tricover/locate.h"
 #include "tricover/scene.h"
 
@@ -87,6 +88,35 @@ TEST(Threads, ShareFreshPolygons) {
   EXPECT_EQ(wrong, 0);
   EXPECT_GE(hits, 0.2 * queries);
   EXPECT_LE(hits, 0.8 * queries);
+}
+
+/// Many rings, whose hierarchy, known places and starts are built by whichever thread pays for them last.
+TEST(Threads, ShareAFreshMap) {
+  for (int r = 0; r < scaledCount(20); ++r) {
+    const UpTo stages(r % 2 == 0 ? detail::Stages::All : detail::Stages::Paid);
+    Random random(static_cast<std::uint64_t>(r));
+    std::vector<Ring> rings;
+    for (int i = 0; i < 36; ++i) rings.push_back(star(random, 8, 0.2, 0.6, {i % 6, i / 6}));
+    std::vector<Pose> poses;
+    for (int i = 0; i < 200; ++i) poses.push_back(pose(random.real(0, 6), random.real(-1, 6), random.real(-1, 6)));
+    const auto answers = [&](const Polygon& map) {
+      const Polygon robot({rectangle(-0.2, -0.1, 0.2, 0.1)});
+      std::vector<double> all;
+      for (const Pose& at : poses) {
+        all.push_back(static_cast<double>(locate(map, at.translation())));
+        all.push_back(collide(map, Pose::Identity(), robot, at));
+        all.push_back(distance(map, Pose::Identity(), robot, at).distance);
+      }
+      return all;
+    };
+    const Polygon map(rings);
+    const std::vector<double> expected = answers(Polygon(rings));
+    std::atomic<int> wrong{0};
+    std::vector<std::thread> threads;
+    for (int t = 0; t < kThreads; ++t) threads.emplace_back([&] { wrong += answers(map) != expected; });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, 0);
+  }
 }
 
 /// The same bodies for the same seed, of polygons that nobody has asked anything yet.

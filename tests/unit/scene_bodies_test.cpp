@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies that come, go, are copied and moved with their scene.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "random.h"
+#include "shapes.h"
+#include "tricover/scene.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+const Polygon kSquare({rectangle(-1, -1, 1, 1)});
+
+TEST(Scene, RefusesDeadHandlesAndBadNumbersAndStaysAsItWas) {
+  Scene scene;
+  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0)), b = scene.add(kSquare, pose(0, 1, 0));
+  scene.remove(a);
+  EXPECT_FALSE(scene.contains(a));
+  EXPECT_THROW(scene.remove(a), std::out_of_range);
+  EXPECT_THROW(scene.move(a, pose(0, 0, 0)), std::out_of_range);
+  EXPECT_THROW(scene.pose(7), std::out_of_range);
+  Pose bad = pose(0, 0, 0);
+  bad.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(scene.move(b, bad), std::invalid_argument);
+  EXPECT_THROW(scene.add(kSquare, bad), std::invalid_argument);
+  BodyOptions negative;
+  negative.margin = -1;
+  EXPECT_THROW(scene.add(kSquare, pose(0, 0, 0), negative), std::invalid_argument);
+  EXPECT_THROW(scene.impacts({{b, Motion()}, {b, Motion()}}), std::invalid_argument);
+  EXPECT_THROW(scene.impacts({{a, Motion()}}), std::out_of_range);
+  EXPECT_EQ(scene.size(), 1u);
+  EXPECT_EQ(scene.pose(b).translation().x(), 1);
+  EXPECT_TRUE(scene.collisions().empty());
+  try {
+    scene.remove(5);
+  } catch (const std::out_of_range& error) {
+    EXPECT_STREQ(error.what(), "tricover: body: the scene has none of the handle 5");
+  }
+}
+
+TEST(Scene, GivesHandlesAgain) {
+  Scene scene;
+  std::vector<Scene::Body> bodies;
+  for (int i = 0; i < 300; ++i) bodies.push_back(scene.add(kSquare, pose(0, 3 * i, 0)));
+  for (int round = 0; round < 3; ++round) {
+    for (const Scene::Body body : bodies) scene.remove(body);
+    EXPECT_EQ(scene.size(), 0u);
+    bodies.clear();
+    for (int i = 0; i < 300; ++i) bodies.push_back(scene.add(kSquare, pose(0, 1.5 * i, 0)));
+    EXPECT_LT(*std::max_element(bodies.begin(), bodies.end()), 600u);
+    EXPECT_EQ(scene.collisions().size(), 299u);
+  }
+}
+
+TEST(Scene, FindsWhoIsLeft) {
+  Random random(14);
+  Scene scene;
+  std::vector<std::pair<Scene::Body, Pose>> left;
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 20; ++k) {
+      const Pose at = pose(0, 3 * i + random.real(0, 0.9), 3 * k + random.real(0, 0.9));
+      left.push_back({scene.add(kSquare, at), at});
+    }
+  const Polygon dot = point({0, 0});
+  while (left.size() > 1) {
+    const auto gone = left.begin() + random.integer(0, static_cast<int>(left.size()) - 1);
+    scene.remove(gone->first);
+    left.erase(gone);
+    if (left.size() % 10 != 0) continue;
+    for (const auto& [body, at] : left)
+      ASSERT_EQ(scene.colliding(dot, at), std::vector<Scene::Body>{body}) << left.size();
+  }
+  EXPECT_EQ(scene.size(), 1u);
+}
+
+TEST(Scene, TakesManyBodiesAtOnce) {
+  Random random(15);
+  Scene scene;
+  std::vector<std::pair<Scene::Body, Pose>> all;
+  for (const int count : {1, 0, 7, 2, 900, 64, 3, 300}) {
+    std::vector<BodyPlacement> more;
+    for (int i = 0; i < count; ++i)
+      more.push_back({kSquare, pose(random.real(0, 6), random.real(0, 60), random.real(0, 60)), {}});
+    const std::vector<Scene::Body> bodies = scene.add(more);
+    ASSERT_EQ(bodies.size(), more.size());
+    for (std::size_t i = 0; i < more.size(); ++i) all.push_back({bodies[i], more[i].pose});
+    if (count == 64)
+      for (int i = 0; i < 10; ++i) {
+        const auto gone = all.end() - 1 - random.integer(0, 70);
+        scene.remove(gone->first);
+        all.erase(gone);
+      }
+    for (auto& [body, at] : all)
+      if (random.oneIn(20)) scene.move(body, at = pose(0, random.real(0, 60), random.real(0, 60)));
+    for (int i = 0; i < 30; ++i) {
+      const Pose asked = pose(random.real(0, 6), random.real(0, 60), random.real(0, 60));
+      std::vector<Scene::Body> expected;
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& [body, at] : all) {
+        if (collide(kSquare, asked, kSquare, at)) expected.push_back(body);
+        least = std::min(least, distance(kSquare, asked, kSquare, at).distance);
+      }
+      std::sort(expected.begin(), expected.end());
+      ASSERT_EQ(scene.colliding(kSquare, asked), expected);
+      ASSERT_EQ(scene.nearest(kSquare, asked)->result.distance, least);
+    }
+  }
+  const std::size_t before = scene.size();
+  BodyOptions negative;
+  negative.margin = -1;
+  EXPECT_THROW(scene.add({{kSquare, pose(0, 0, 0), {}}, {kSquare, pose(0, 0, 0), negative}}), std::invalid_argument);
+  EXPECT_EQ(scene.size(), before);
+}
+
+TEST(Scene, IsCopied) {
+  Scene scene;
+  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0)), b = scene.add(kSquare, pose(0, 0.5, 0));
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  SceneCache cache;
+  for (const double x : {5.0, 5.1, 5.2}) EXPECT_FALSE(scene.collides(kSquare, pose(0, x, 0), cache));
+  Scene branch(scene);
+  branch.move(b, pose(0, 5, 0));
+  EXPECT_EQ(branch.collisions().size(), 0u);
+  EXPECT_EQ(branch.ended(), (std::vector<BodyPair>{{a, b}}));
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  EXPECT_TRUE(branch.collides(kSquare, pose(0, 5.2, 0), cache));
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 5.2, 0), cache));
+  const Scene::Body c = branch.add(kSquare, pose(0, 9, 0));
+  EXPECT_EQ(branch.bodies(), (std::vector<Scene::Body>{a, b, c}));
+  EXPECT_EQ(scene.bodies(), (std::vector<Scene::Body>{a, b}));
+  scene = branch;
+  EXPECT_EQ(scene.size(), 3u);
+  EXPECT_TRUE(scene.collides(kSquare, pose(0, 9, 0)));
+}
+
+TEST(Scene, SaysWhichOfManyPosesIsWrong) {
+  Scene scene;
+  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0)), b = scene.add(kSquare, pose(0, 5, 0));
+  Pose bad = pose(0, 1, 0);
+  bad.linear() *= 2;
+  const auto textOf = [](const auto& call) -> std::string {
+    try {
+      call();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(textOf([&] {
+              scene.collides(kSquare, std::vector<Pose>{pose(0, 0, 0), bad});
+            }).find("tricover: poses[1]: "),
+            0u);
+  EXPECT_EQ(textOf([&] { scene.move({{a, pose(0, 7, 0)}, {b, bad}}); }).find("tricover: pose[1]: "), 0u);
+  EXPECT_THROW(scene.move({{a, pose(0, 7, 0)}, {b + 1, bad}}), std::out_of_range);
+  EXPECT_EQ(scene.pose(a).translation().x(), 0);
+}
+
+TEST(Scene, IsEmptyWhenMovedFrom) {
+  Scene scene;
+  const Scene::Body body = scene.add(kSquare, pose(0, 0, 0));
+  Scene moved(std::move(scene));
+  EXPECT_TRUE(moved.collides(kSquare, moved.pose(body)));
+  EXPECT_EQ(scene.size(), 0u);  // NOLINT
+  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0)));
+  EXPECT_TRUE(scene.collisions().empty());
+  EXPECT_THROW(scene.remove(body), std::out_of_range);
+  scene.add(kSquare, pose(0, 5, 0));
+  scene = std::move(moved);
+  EXPECT_TRUE(scene.contains(body));
+  EXPECT_EQ(scene.size(), 1u);
+  EXPECT_EQ(moved.size(), 0u);  // NOLINT
+  moved.add(kSquare, pose(0, 1, 0));
+  EXPECT_EQ(moved.size(), 1u);
+}
+}  // namespace
+}  // namespace tricover::support
