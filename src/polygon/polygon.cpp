@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "numbers/double2.h"
 #include "numbers/errors.h"
 #include "numbers/predicates.h"
 #include "polygon/polygon_data.h"
@@ -21,17 +22,46 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void validate(const std::vector<Ring>& rings) {
-  if (rings.empty()) refuse("rings", "a polygon needs at least one ring");
-  const auto name = [](std::size_t ring) { return "rings: ring " + std::to_string(ring); };
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    if (rings[r].size() < 3)
-      refuse(name(r), "it has " + std::to_string(rings[r].size()) + " vertices",
-             "it needs at least 3, which may be equal ones");
+std::string nameOf(std::size_t ring) { return "rings: ring " + std::to_string(ring); }
+
+[[noreturn]] void refuseNotFinite(const std::vector<Ring>& rings) {
+  for (std::size_t r = 0; r < rings.size(); ++r)
     for (std::size_t i = 0; i < rings[r].size(); ++i)
-      if (!rings[r][i].allFinite()) refuseCoordinate(name(r) + ", vertex " + std::to_string(i));
-  }
+      if (!rings[r][i].allFinite()) refuseCoordinate(nameOf(r) + ", vertex " + std::to_string(i));
+  std::abort();
 }
+
+}  // namespace
+
+/// Of all vertices.
+struct Extremes {
+  /// Throws for rings that are no polygon's.
+  explicit Extremes(const std::vector<Ring>& rings) {
+    if (rings.empty()) refuse("rings", "a polygon needs at least one ring");
+    Double2 rest{};  // 0, or NaN
+    for (const Ring& ring : rings) {
+      if (ring.size() < 3)
+        refuse(nameOf(static_cast<std::size_t>(&ring - rings.data())),
+               "it has " + std::to_string(ring.size()) + " vertices", "it needs at least 3, which may be equal ones");
+      positions += ring.size() + 1;
+      for (const Vec2& vertex : ring) {
+        const Double2 p = load2(vertex.data()), size = absolute(p);
+        low = smaller(p, low);
+        high = larger(p, high);
+        extent = std::max(extent, size[0] + size[1]);
+        rest += p - p;
+      }
+    }
+    if (rest[0] + rest[1] != 0) refuseNotFinite(rings);
+    requireCapacity(positions);
+  }
+
+  Double2 low{kInfinity, kInfinity}, high = -low;
+  double extent = 0;          ///< the largest |x| + |y|
+  std::size_t positions = 0;  ///< in the path
+};
+
+namespace {
 
 std::uint64_t nextId() {
   static std::atomic<std::uint64_t> last{0};
@@ -60,30 +90,29 @@ struct PowerOfTwo {
 /// A bounding box whose size is brought near 1 by a power of two, so that areas and squares neither overflow nor
 /// underflow.
 struct Frame {
-  explicit Frame(const Path& path) : low(path[0]), high(path[0]), center(path[0]), exponent(0) {
-    for (const Vec2& p : path) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+  explicit Frame(const Extremes& extremes) : low(extremes.low), high(extremes.high) {
     // Halved last, because half a denormal may be 0; first, where the difference overflows.
-    const Vec2 size = high - low;
-    center = low + (size.allFinite() ? Vec2(0.5 * size) : Vec2(0.5 * high - 0.5 * low));
-    if (size.maxCoeff() > 0) exponent = std::min(std::ilogb(size.maxCoeff()) - 1, 1023);
+    const Double2 size = high - low;
+    const double most = std::max(size[0], size[1]);
+    center = low + (most < kInfinity ? 0.5 * size : 0.5 * high - 0.5 * low);
+    if (most > 0) exponent = std::min(std::ilogb(most) - 1, 1023);
   }
-  Vec2 low, high, center;
-  int exponent;
+  Double2 low, high, center;
+  int exponent = 0;
 };
 
 /// The centroid by the covering's signed areas; the box's centre where they cancel or it falls outside the box.
-Vec2 centroid(const PolygonData& polygon, const Frame& frame) {
+Double2 centroid(const PolygonData& polygon, const Frame& frame) {
   const PowerOfTwo shrink(-frame.exponent), grow(frame.exponent);
+  const Vec2* path = polygon.path.data();
   double area = 0, total = 0;
-  Vec2 moment = Vec2::Zero();
+  Double2 moment{};
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
-    Vec2 v = shrink(Vec2(polygon.path[polygon.edgeBegin(r)] - frame.center));
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-      const Vec2 w = shrink(Vec2(polygon.path[e + 1] - frame.center));
-      const double twice = v.x() * w.y() - v.y() * w.x();
+    const std::size_t end = polygon.edgeEnd(r);
+    Double2 v = shrink(load2(path[polygon.edgeBegin(r)].data()) - frame.center);
+    for (std::size_t e = polygon.edgeBegin(r); e < end; ++e) {
+      const Double2 w = shrink(load2(path[e + 1].data()) - frame.center);
+      const double twice = cross(v, w);
       area += twice;
       total += std::abs(twice);
       moment += twice * (v + w);
@@ -91,15 +120,18 @@ Vec2 centroid(const PolygonData& polygon, const Frame& frame) {
     }
   }
   if (std::abs(area) <= 1e-9 * total) return frame.center;
-  const Vec2 s = frame.center + grow(Vec2(moment / (3 * area)));
-  const bool inside = (s.array() >= frame.low.array()).all() && (s.array() <= frame.high.array()).all();
-  return inside ? s : frame.center;
+  const Double2 s = frame.center + grow(moment / (3 * area));
+  return bitsOf(s >= frame.low) == 3 && bitsOf(s <= frame.high) == 3 ? s : frame.center;
 }
 
 double boundingRadius(const PolygonData& polygon, const Frame& frame) {
   const PowerOfTwo shrink(-frame.exponent), grow(frame.exponent);
+  const Double2 origin = load2(polygon.origin.data());
   double square = 0;
-  for (const Vec2& p : polygon.path) square = std::max(square, shrink(Vec2(p - polygon.origin)).squaredNorm());
+  for (const Vec2& p : polygon.path) {
+    const Double2 way = shrink(load2(p.data()) - origin);
+    square = std::max(square, dot(way, way));
+  }
   // Each step up to here rounds by half an ulp or, scaled back, by half the smallest denormal.
   return std::nextafter(grow(std::sqrt(square) * (1 + 16 * kUnitRoundoff)), kInfinity);
 }
@@ -127,10 +159,8 @@ void requireCapacity(std::size_t positions) {
 }
 
 const PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
-  validate(rings);
-  std::size_t total = 0;
-  for (const Ring& ring : rings) total += ring.size() + 1;
-  requireCapacity(total);
+  const Extremes extremes(rings);
+  const std::size_t total = extremes.positions;
   static_assert(sizeof(PolygonData) % alignof(Vec2) == 0 && alignof(PolygonData) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
   const std::size_t of_path = total * sizeof(Vec2) + (rings.size() + 1) * sizeof(std::uint32_t);
   auto* const memory = static_cast<std::byte*>(::operator new(sizeof(PolygonData) + of_path));
@@ -139,11 +169,11 @@ const PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fi
   Vec2* end = vertices;
   for (const Ring& ring : rings) {
     *ring_begin++ = static_cast<std::uint32_t>(end - vertices);
-    end = std::uninitialized_copy(ring.begin(), ring.end(), end);
+    for (const Vec2& vertex : ring) new (end++) Vec2(vertex);
     new (end++) Vec2(ring.front());
   }
   *ring_begin = static_cast<std::uint32_t>(total);
-  return new (memory) PolygonData(Path(vertices, total, rings.size()), fill);
+  return new (memory) PolygonData(Path(vertices, total, rings.size()), fill, extremes);
 }
 
 void PolygonData::release() const {
@@ -153,12 +183,12 @@ void PolygonData::release() const {
   ::operator delete(memory);
 }
 
-PolygonData::PolygonData(const Path& path_, FillRule fill_) : extent(0), id(nextId()), path(path_), fill(fill_) {
-  for (const Vec2& p : path) extent = std::max(extent, std::abs(p.x()) + std::abs(p.y()));
+PolygonData::PolygonData(const Path& path_, FillRule fill_, const Extremes& extremes)
+    : extent(extremes.extent), id(nextId()), path(path_), fill(fill_) {
   degenerate_edge = degenerateEdgeOf(path);
   is_point = isDegenerate() && path[degenerate_edge] == path[degenerate_edge + std::size_t{1}];
-  const Frame frame(path);
-  origin = centroid(*this, frame);
+  const Frame frame(extremes);
+  store2(origin.data(), centroid(*this, frame));
   extent = std::max(extent, std::abs(origin.x()) + std::abs(origin.y()));
   radius = boundingRadius(*this, frame);
   // Below and above these the powers of two themselves would leave the range of normal doubles.

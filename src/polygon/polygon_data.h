@@ -41,6 +41,8 @@ class Path {
   std::uint32_t size_, ring_count_;
 };
 
+struct Extremes;
+
 /// What all copies of a polygon share, in one allocation with its path: the edge at position e joins path[e] and
 /// path[e + 1]; ring r takes positions [edgeBegin(r), edgeEnd(r)) and the closing vertex after them is no edge.
 struct PolygonData {
@@ -101,7 +103,7 @@ struct PolygonData {
   std::uint8_t degenerate_edge;
 
  private:
-  PolygonData(const Path& path, FillRule fill);
+  PolygonData(const Path& path, FillRule fill, const Extremes& extremes);
 };
 
 }  // namespace tricover::detail
