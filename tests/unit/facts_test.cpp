@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "polygon/cache_access.h"
 #include "polygon/fact_balance.h"
@@ -173,6 +174,14 @@ TEST(FactBalance, JumpsDoWithoutFacts) {
   for (int i = 0; i < 400; ++i) walk.ask(4.1, i % 2 == 0 ? -1.5 : 1.5);
   EXPECT_EQ(walk.answered, 0);
   EXPECT_GT(walk.rested, 380);
+}
+
+/// No fact lasts for a step, though none is a jump.
+TEST(FactBalance, StepsThatUseUpEveryFactDoWithout) {
+  Walk walk;
+  for (int i = 0; i < 400; ++i) walk.ask(4.1, 0.3 * std::abs(i % 8 - 4));
+  EXPECT_EQ(walk.answered, 0);
+  EXPECT_GT(walk.rested, 300);
 }
 
 /// After the rest, too, though the walk has gone on meanwhile.
