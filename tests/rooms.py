@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds the sources to the drawing: every room includes only the rooms above it.
+"""Holds the sources to the drawing: every room includes only the rooms above it, and nothing is longer than it may be.
 
 usage: tests/rooms.py [ROOT]
 
 Fails on an #include that leads to a later room, between two rooms that must not see each other, or from the adapter
-into the core's private headers, but for numbers; on a cycle between files; and on a function that one room declares and another defines.
+into the core's private headers, but for numbers; on a cycle between files; on a function that one room declares and another defines; on a
+file or a function that is too long.
 """
 import pathlib
 import re
@@ -22,6 +23,9 @@ FUNCTION = re.compile(
     r"(?:: [^;{}]*(?:\{[^{}]*\}[^;{}]*)*)?([;{])", re.M)
 CLASS = re.compile(r"^(?:struct|class) (?:alignas\(\w+\) )?(\w+)[^;{]*\{(.*?)^\};", re.M | re.S)
 MEMBER = re.compile(r"^  (?:[\w:&*<>, ]+[ &*>])?(~?\w+)\([^;{}]*\)(?: const| noexcept)*;", re.M)
+MOST_LINES = {"file": 500, "function": 65}
+# Where a function's body begins, and its last line, indented alike.
+BODY = re.compile(r"^( *)(?![ :}]|namespace|struct|class|enum|extern|union|#)[^\n;{}]*\([^;]*?\{\n.*?^\1\}", re.M | re.S)
 
 
 def uncommented(text):
@@ -116,11 +120,27 @@ def without_unnamed(text):
     return result + text[at:]
 
 
+def too_long(root):
+    """Files, and functions of the libraries; in tests and bench a function may be a table."""
+    for folder in ("src", "include", "fcl_adapter", "tests", "bench"):
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix not in (".h", ".cpp", ".py", ".cmake"):
+                continue
+            text = path.read_text()
+            if text.count("\n") > MOST_LINES["file"]:
+                yield f"{path.relative_to(root)} has {text.count(chr(10))} lines"
+            if folder in ("src", "fcl_adapter"):
+                for found in BODY.finditer(uncommented(text)):
+                    if (lines := found.group(0).count("\n") + 1) > MOST_LINES["function"]:
+                        yield f"{path.relative_to(root)}: a function of {lines} lines, {found.group(0).split(chr(10))[0].strip()}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[1])
     own, fcl = root / "include", root / "fcl_adapter/include"
     faults = list(House(root / "src", CORE).faults([own]))
     faults += House(root / "fcl_adapter/src", ADAPTER, root / "src/numbers").faults([own, fcl])
+    faults += too_long(root)
     for fault in faults:
         print(fault)
     return 1 if faults else 0
