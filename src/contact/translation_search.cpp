@@ -295,7 +295,8 @@ class PartingSearch {
               [](const PossibleLimit& c, const PossibleLimit& d) { return c.p.squaredNorm() < d.p.squaredNorm(); });
     for (const PossibleLimit& limit : limits_) {
       if (!(limit.p.norm() < upper_)) break;
-      if (overlapAround(limit.p, limit.error + 4 * space_.noise())) continue;
+      // Its lines may stand for others beside them.
+      if (overlapAround(limit.p, limit.error + 2 * resolution_)) continue;
       resolved &= decideLimit(limit, radius);
     }
     return resolved;

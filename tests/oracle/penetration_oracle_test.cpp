@@ -292,6 +292,37 @@ TEST(PenetrationOracle, AWayBetweenEdgesThatAreCloseTogetherIsFound) {
   EXPECT_LE(p->lower_bound, way.norm());
 }
 
+/// A polygon of 4e-11, whose edges make lines that are taken for one, in one of 80: it leaves past its nearest edge.
+TEST(PenetrationOracle, AWayPastLinesThatAreTakenForOneIsFound) {
+  const Polygon a({{{0x1.31562653a5387p+5, 0x1.ca01397d77d4ap+4},
+                    {0x1.31562653a5387p+5, -0x1.31562653a5387p+5},
+                    {0x1.31562653a5387p+3, -0x1.31562653a5387p+3},
+                    {0x0p+0, 0x1.ca01397d77d4ap+4},
+                    {-0x1.ca01397d77d4ap+4, -0x1.ca01397d77d4ap+4},
+                    {-0x1.ca01397d77d4ap+4, 0x1.ca01397d77d4ap+4},
+                    {-0x1.ca01397d77d4ap+4, 0x1.31562653a5387p+3},
+                    {0x1.31562653a5387p+4, -0x1.31562653a5387p+4}}},
+                  FillRule::EvenOdd);
+  Pose pose_a = Pose::Identity();
+  pose_a.matrix().topRows<2>() << 0x1p+0, -0x0p+0, 0x1.3397f83709da6p+7, 0x0p+0, 0x1p+0, 0x1.15d13e9afa134p+6;
+  const Polygon b({{{-0x1.7e4bbfc970b09p-36, 0x1.75bf4a6f6e2b8p-40},
+                    {0x1.e4781ada59ed2p-36, -0x1.726607e9a004fp-41},
+                    {-0x1.95c0d8aba319ap-39, -0x1.2ba75b13f5896p-36},
+                    {0x1.003c110a1eae5p-35, -0x1.956ce4494df8cp-38},
+                    {0x1.08caef9321663p-35, 0x1.5d3cadb65ec1fp-35},
+                    {0x1.bd1b5c7567316p-36, -0x1.338228c8d5ee7p-37},
+                    {0x1.32e298c768353p-37, -0x1.cfd3424fd530cp-40}}},
+                  FillRule::EvenOdd);
+  Pose pose_b = Pose::Identity();
+  pose_b.matrix().topRows<2>() << 0x1.ffd3c2076e867p-1, -0x1.a9a88387cde2dp-6, 0x1.2c40a706d47d7p+7,
+      0x1.a9a88387cde2dp-6, 0x1.ffd3c2076e867p-1, 0x1.6ac6ad402f2f2p+6;
+  const auto p = penetration(a, pose_a, b, pose_b);
+  ASSERT_TRUE(p);
+  const Vec2 way = 0.02 * Vec2(-0.894427191, 0.4472135955);
+  ASSERT_FALSE(exact::collide(a, pose_a, b, moved(pose_b, way)));
+  EXPECT_LE(p->depth, way.norm());
+}
+
 /// Beside an edge of 1e-9: brute force has to look nearer than that.
 TEST(PenetrationOracle, BruteForceSeesTheNextFaceAsAnother) {
   const Polygon a({{{0x1.3f0a7b3c0c3c4p-3, -0x1.f9bfcee85dc07p-1},

@@ -21,6 +21,7 @@ MUTATIONS = [
     ("src/contact/penetration.cpp", "if (areApartMoved(pair.a, pair.pose_a, Vec2::Zero(), pair.b, pair.pose_b, t, margin) &&", "if (", "penetration: the translation of b isn't proven"),
     ("src/contact/penetration.cpp", "std::min(shortest.lower_bound * unit, result.depth)", "result.depth", "penetration: the lower bound is the depth"),
     ("src/contact/translation_search.cpp", "std::min(left, upper_ - resolution_ - error_)", "upper_ - resolution_ - error_", "penetration: cells that an error leaves are no bound"),
+    ("src/contact/translation_search.cpp", "limit.error + 2 * resolution_", "limit.error", "penetration: lines that are taken for one are where they are"),
     ("src/contact/translation_search.cpp", "return depth >= radius;", "return depth >= 0;", "penetration: a cell on part of which two edges meet is done with"),
     ("src/contact/translation_search.cpp", "if (overlapAround(t, 0)) return false;", "if (overlapAround(t, -resolution_)) return false;", "penetration: what is beside two edges that meet is not free"),
     ("src/contact/translation_space.h", "return std::min({from_a, high_a - from_a, from_b, high_b - from_b});", "return std::min(from_a, from_b);", "penetration: edges meet on half a plane"),
