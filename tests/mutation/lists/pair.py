@@ -34,7 +34,7 @@ MUTATIONS = [
     ("src/polygon/fact_balance.h", "if (sum == kMostSaved) balance.failed = 0;", "", "facts: rests that stay long"),
     ("src/polygon/fact_balance.h", "balance.resting = kRests[balance.failed];", "balance.resting = kRests[0];", "facts: rests that stay short"),
     ("src/pair/facts.cpp", "kSaved * uses - cache.cost", "kSaved * uses", "facts: what finding them costs isn't counted"),
-    ("src/pair/facts.cpp", " - (coherent ? 0 : kQuery)", "", "facts: what jumps cost isn't counted"),
+    ("src/pair/facts.cpp", " - (coherent ? 0 : kQuery)", " - (coherent ? 0 : 0)", "facts: what jumps cost isn't counted"),
     ("src/pair/facts.h", "if (--cache.balance.resting == 0)", "if (--cache.balance.resting > 999)", "facts: after a rest, another for want of poses"),
     ("src/pair/facts.h", "std::max(norms[0], norms[1]) + std::abs(product[0] + product[1]) + 0x1p-1000", "0x1p-1000", "facts: rotation ignored"),
     ("src/pair/facts.h", "std::max(norms[0], norms[1]) + std::abs(product[0] + product[1])", "std::max(norms[0], norms[1])", "facts: shear ignored"),
