@@ -42,9 +42,16 @@ ContactCost measured(const std::string& polygons, const std::string& name, const
       for (const Pose& pose : poses) found += ask(pose);
     };
   };
+  const auto askContacts = [&](const Pose& pose, ContactDetail detail) {
+    ContactOptions options;
+    options.detail = detail;
+    return contacts(fixed, still, moving, pose, options).size();
+  };
   const std::vector<std::function<void()>> tasks = {
       each([&](const Pose& pose) { return crossings(fixed, still, moving, pose).size(); }),
-      each([&](const Pose& pose) { return contacts(fixed, still, moving, pose).size(); }),
+      each([&](const Pose& pose) { return askContacts(pose, ContactDetail::Points); }),
+      each([&](const Pose& pose) { return askContacts(pose, ContactDetail::LocalDepth); }),
+      each([&](const Pose& pose) { return askContacts(pose, ContactDetail::WayOut); }),
       each([&](const Pose& pose) { return std::size_t{penetration(fixed, still, moving, pose).has_value()}; }),
       each([&](const Pose& pose) { return region->intersection(moved.at(pose))->getNumPoints(); })};
   ContactCost cost{polygons, name, {}};
@@ -58,7 +65,8 @@ const char *const kTwice = "crossing twice", *const kOften = "crossing more ofte
 }  // namespace
 
 const std::vector<std::string>& contactQuestions() {
-  static const std::vector<std::string> questions = {"crossings", "contacts", "penetration", "GEOS overlay"};
+  static const std::vector<std::string> questions = {"crossings", "points",      "local depths",
+                                                     "contacts",  "penetration", "GEOS overlay"};
   return questions;
 }
 
@@ -81,12 +89,18 @@ std::vector<ContactCost> measureContactCosts() {
 }
 
 std::vector<Target> judgeContactCosts(const std::vector<ContactCost>& costs) {
-  std::vector<Figure> figures;
-  for (const ContactCost& twice : costs)
+  constexpr std::size_t kCrossings = 0, kPoints = 1, kLocal = 2, kContacts = 3;
+  std::vector<Figure> often_times, points, local;
+  for (const ContactCost& cost : costs) {
+    points.push_back({cost.ns[kPoints] / cost.ns[kCrossings], cost.polygons + ", " + cost.poses});
+    local.push_back({cost.ns[kLocal] / cost.ns[kCrossings], cost.polygons + ", " + cost.poses});
     for (const ContactCost& often : costs)
-      if (twice.polygons == often.polygons && twice.poses == kTwice && often.poses == kOften)
-        figures.push_back({often.ns[1] / twice.ns[1], often.polygons});
-  return {judged("contacts of convex pairs", "crossing more often / crossing twice", figures, {false, 1.5})};
+      if (cost.polygons == often.polygons && cost.poses == kTwice && often.poses == kOften)
+        often_times.push_back({often.ns[kContacts] / cost.ns[kContacts], often.polygons});
+  }
+  return {judged("contacts of convex pairs", "crossing more often / crossing twice", often_times, {false, 1.5}),
+          judged("contacts, points alone", "/ crossings", points, {false, 2}),
+          judged("contacts, local depths", "/ crossings", local, {false, 4})};
 }
 
 }  // namespace tricover::bench

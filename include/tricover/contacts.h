@@ -36,13 +36,28 @@ struct Crossing {
 TRICOVER_EXPORT std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b,
                                                 const Pose& pose_b, const CrossingOptions& options = {});
 
-/// What counts as a contact, and how many are wanted.
+/// What of a contact is worked out. Each costs more than the one before, except of convex pairs.
+enum class ContactDetail {
+  /// A point, and the edges there, which meet in it; of what lies within the other region a vertex, which only one of
+  /// the edges is at. Depth and normal are 0. Costs little more than crossings().
+  Points,
+  /// And a depth and a normal, by this part of the overlap and the edges around it as if there were no others: what a
+  /// step of a simulation needs, which asks again at the next one.
+  LocalDepth,
+  /// And of an overlap in one part the shortest way apart, whatever stands in the way: for who wants to be free at
+  /// once.
+  /// Costs a penetration().
+  WayOut
+};
+
+/// What counts as a contact, how many are wanted, and what of them.
 struct ContactOptions {
   /// A world length, not negative: a and b are grown by it together, as collide()'s margin says. The regions' overlap
   /// then counts for as much deeper; where they are apart, by d, there is one contact, of the depth margin - d.
   double margin = 0;
   /// How many contacts are returned, the deepest ones.
   std::size_t most = std::numeric_limits<std::size_t>::max();
+  ContactDetail detail = ContactDetail::WayOut;
 };
 
 /// One connected part of the regions' overlap, in the world. Coordinates are rounded: they are off by at most 128 units
@@ -55,9 +70,10 @@ struct Contact {
   /// A unit vector, from a towards where b leaves it. For two convex polygons moving b along it by `depth` is the
   /// shortest way apart, and so it is wherever the overlap is a single part: they are penetration()'s, unless that
   /// search is given up, which here is after 2^22 translations divided by the number of vertices (sooner than there
-  /// from 210 on, at once beyond 4096). Of several parts it takes the edges around this one past each other, or, where
-  /// one polygon lies within the other, past the nearest edge: good for a response that is repeated, not for one step.
-  /// Where they only touch, moving b along it by a little parts them, unless they are wedged or touch at several parts.
+  /// from 210 on, at once beyond 4096). Of several parts, and with LocalDepth, it takes the edges around this one past
+  /// each other, or, where one polygon lies within the other, past the nearest edge: good for a response that is
+  /// repeated, not for one step. Where they only touch, moving b along it by a little parts them, unless they are
+  /// wedged or touch at several parts; with LocalDepth that isn't tried.
   Vec2 normal;
   /// At least 0, and of two convex polygons as precise as coordinates are, however short their edges. It is 0 where
   /// they only touch, and may be 0 where the overlap is thinner than coordinates are rounded, as of regions without

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "contact/boundary_ray.h"
-#include "contact/hull_faces.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
@@ -34,25 +33,24 @@ double wayToNextEdge(const PosedPair& pair, const WorldFrame& frame, const Vec2&
 
 }  // namespace
 
-PartMiddle partMiddle(const OverlapComponent& component, const Vec2& up, double error) {
+PartMiddle partMiddle(const Hull& part, const Vec2& up, double error) {
   const Vec2 side(-up.y(), up.x());
   double lowest = std::numeric_limits<double>::infinity(), first = lowest, last = -lowest;
   Vec2 deepest = Vec2::Zero();
-  for (const BoundaryPoint& p : component.points) {
+  for (const BoundaryPoint& p : part) {
     const double height = up.dot(p.at);
     if (height < lowest) deepest = p.at;
     lowest = std::min(lowest, height);
   }
-  for (const BoundaryPoint& p : component.points) {
+  for (const BoundaryPoint& p : part) {
     if (up.dot(p.at) > lowest + error) continue;
     first = std::min(first, side.dot(p.at));
     last = std::max(last, side.dot(p.at));
   }
   const double across = 0.5 * first + 0.5 * last;
   double highest = lowest;
-  const Hull hull = hullOf(component.points);
-  for (std::size_t k = 0; k < hull.size(); ++k) {
-    const Vec2 &p = hull[k].at, &q = hull[k + 1 < hull.size() ? k + 1 : 0].at;
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const Vec2 &p = part[k].at, &q = part[k + 1 < part.size() ? k + 1 : 0].at;
     const double from = side.dot(p) - across, to = side.dot(q) - across;
     if ((from > 0 && to > 0) || (from < 0 && to < 0)) continue;
     highest = std::max(highest, up.dot(from != to ? Vec2(p + from / (from - to) * (q - p)) : p));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/overlap_components.h"
+#include "contact/hull_faces.h"
+#include "contact/world_frame.h"
 
 namespace tricover::detail {
 
@@ -11,8 +12,8 @@ struct PartMiddle {
   Vec2 middle;   ///< of what its hull has of the line along `up` through the deepest point, or the middle of those
 };
 
-/// What is less than `error` apart counts as equally deep.
-PartMiddle partMiddle(const OverlapComponent& component, const Vec2& up, double error);
+/// By its hull. What is less than `error` apart counts as equally deep.
+PartMiddle partMiddle(const Hull& part, const Vec2& up, double error);
 
 /// A point of a part of the overlap: its middle, if no edge is between that and the deepest point. Or else the middle
 /// of what the part has of the line from `deepest` along the unit vector `up`; or else `deepest`. All in the

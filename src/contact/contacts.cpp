@@ -22,25 +22,31 @@ namespace detail {
 namespace {
 
 /// Of regions that don't overlap.
-std::vector<Contact> contactsBeside(const PosedPair& pair, double margin) {
+std::vector<Contact> contactsBeside(const PosedPair& pair, const ContactOptions& options) {
+  const double margin = options.margin;
   const CollideOptions grown{margin, 0};
   if (margin == 0 || !collideByHierarchy(pair, grown, 0, Wanted::Answer).collides) return {};
   const auto [nearest, normal] = nearestContact(pair);
-  return {{nearest.point_a / 2 + nearest.point_b / 2, normal, std::max(margin - nearest.distance, 0.0), nearest.edge_a,
-           nearest.edge_b}};
+  Contact contact{nearest.point_a / 2 + nearest.point_b / 2, Vec2::Zero(), 0, nearest.edge_a, nearest.edge_b};
+  if (options.detail != ContactDetail::Points) {
+    contact.normal = normal;
+    contact.depth = std::max(margin - nearest.distance, 0.0);
+  }
+  return {contact};
 }
 
-std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, double margin) {
-  if (!convexOutlineOf(pair.a).isConvexRegion() || !convexOutlineOf(pair.b).isConvexRegion())
-    return partContacts(pair, nullptr, margin);
+std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, const ContactOptions& options) {
+  if (options.detail == ContactDetail::Points || !convexOutlineOf(pair.a).isConvexRegion() ||
+      !convexOutlineOf(pair.b).isConvexRegion())
+    return partContacts(pair, nullptr, options);
   const SeparatingAxes axes(pair, cache != nullptr ? &cache->contact : nullptr);
   if (axes.verdict() == SeparatingAxes::Apart) return {};
   if (axes.verdict() == SeparatingAxes::Meet)
     if (std::optional<Contact> contact = convexContact(pair, axes)) {
-      contact->depth += margin;
+      contact->depth += options.margin;
       return {*contact};
     }
-  return partContacts(pair, &axes, margin);
+  return partContacts(pair, &axes, options);
 }
 
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
@@ -56,8 +62,8 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   }
   if (known.certain && !known.collides) return {};
   const PosedPair pair(a, pose_a, b, pose_b);
-  std::vector<Contact> result = allContacts(pair, cache, options.margin);
-  if (result.empty()) result = contactsBeside(pair, options.margin);
+  std::vector<Contact> result = allContacts(pair, cache, options);
+  if (result.empty()) result = contactsBeside(pair, options);
   if (facts != nullptr && result.empty()) {
     renewFact(a, pose_a, b, pose_b, *facts, known, {options.margin, 0});
     facts->cost += kQuery;  // all of it is beside the answer

@@ -10,12 +10,10 @@
 #include <limits>
 
 #include "contact/boundary_ray.h"
-#include "contact/coincident_vertices.h"
+#include "contact/own_crossings.h"
 #include "hierarchy/inclusion.h"
-#include "numbers/predicates.h"
 #include "numbers/segment.h"
 #include "numbers/union_find.h"
-#include "pair/edge_pairs.h"
 
 namespace tricover::detail {
 namespace {
@@ -76,7 +74,7 @@ class Grouping {
   std::vector<OverlapComponent> components() {
     join(false);
     // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
-    if (countSets() > 1) join(true);
+    if (countSets() > 1 && (meetsItself(pair_.a) || meetsItself(pair_.b))) join(true);
     if (countSets() > 1) joinHoles();
     return collect();
   }
@@ -133,28 +131,11 @@ class Grouping {
   }
 
   void addOwnCrossings(int side) {
-    Side& own = sides_[side];
-    const Pose identity = Pose::Identity();
-    const PosedPair with_itself(own.polygon, identity, own.polygon, identity);
     const std::ptrdiff_t star = addRepeatedVertices(side);
-    const auto visit = [&](double, std::size_t e, std::size_t f) {
-      if (e < f && own.after(e) != f && own.after(f) != e && !meetAtVertex(own.polygon.path, e, f) &&
-          edgesMeet(with_itself, e, f))
-        addOwnCrossing(side, e, f);
-      return 0.0;
-    };
-    if (star < 0)
-      forEachPair(with_itself, 0, visit);
-    else
-      forEachPair(with_itself, 0, visit, IncidentEdgeBoxes(own.polygon, static_cast<std::size_t>(star)).pairs());
-  }
-
-  /// Whether two edges of a polygon have an end in common and nothing else.
-  static bool meetAtVertex(const Path& path, std::size_t e, std::size_t f) {
-    for (const std::size_t i : {e, e + 1})
-      for (const std::size_t j : {f, f + 1})
-        if (path[i] == path[j]) return orientation(path[i], path[2 * e + 1 - i], path[2 * f + 1 - j]) != 0;
-    return false;
+    forEachOwnCrossing(sides_[side].polygon, star, [&](std::size_t e, std::size_t f) {
+      addOwnCrossing(side, e, f);
+      return true;
+    });
   }
 
   /// A node for each point that several vertices are at: however many edges end there, it takes no pairs of them.
@@ -165,9 +146,7 @@ class Grouping {
     std::size_t most = kMany;
     Side& own = sides_[side];
     const Path& path = own.polygon.path;
-    std::vector<std::uint32_t> order = sortedByPlace(path);
-    const auto closes = [&](std::uint32_t v) { return v == own.polygon.edgeEnd(own.polygon.ringOf(v)); };
-    order.erase(std::remove_if(order.begin(), order.end(), closes), order.end());
+    const std::vector<std::uint32_t> order = verticesByPlace(own.polygon);
     for (std::size_t k = 0, next = 0; k < order.size(); k = next) {
       while (next < order.size() && path[order[next]] == path[order[k]]) ++next;
       if (next - k < 2) continue;

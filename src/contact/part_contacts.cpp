@@ -17,10 +17,11 @@ namespace {
 
 class ContactFinder {
  public:
-  ContactFinder(const PosedPair& pair, const SeparatingAxes* axes, double margin)
+  ContactFinder(const PosedPair& pair, const SeparatingAxes* axes, const ContactOptions& options)
       : pair_(pair),
         axes_(axes),
-        margin_(margin),
+        margin_(options.margin),
+        detail_(options.detail),
         frame_(pair),
         crossings_(findCrossings(pair, frame_, Coincident::Thinned)),
         exits_(pair, frame_, crossings_) {}
@@ -30,14 +31,21 @@ class ContactFinder {
     const std::vector<OverlapComponent> components = findComponents(pair_, frame_, crossings_);
     std::vector<Contact> result;
     for (const OverlapComponent& component : components) {
-      Exit exit = axes_ != nullptr ? exits_.exitOfConvex(component, *axes_) : exits_.exitOf(component);
+      if (detail_ == ContactDetail::Points) {
+        result.push_back(anyPointOf(component));
+        continue;
+      }
+      const Hull part = hullOf(component.points);
+      Exit exit = axes_ != nullptr ? exits_.exitOfConvex(component, *axes_) : exits_.exitOf(component, part);
       const double margin = margin_ / frame_.unit();
       exit.depth += margin;
-      if (axes_ == nullptr && components.size() == 1) exit = exitOfOnly(component, exit);
+      if (detail_ == ContactDetail::WayOut && axes_ == nullptr && components.size() == 1)
+        exit = exitOfOnly(component, exit);
       // Of convex regions the depth is known better than whether there is an inside.
       const bool touches = !component.inner && !(axes_ != nullptr && exit.depth > margin + frame_.error());
       if (touches || !(exit.depth > margin)) exit.depth = margin;
-      result.push_back(inWorld(exit, pointOf(component, exit)));
+      assert(exit.depth >= 0 && std::abs(exit.normal.norm() - 1) < 0x1p-40);
+      result.push_back(contactAt(pointOf(component, part, exit), exit.normal, exit.depth, exit.edge_a, exit.edge_b));
     }
     return result;
   }
@@ -63,13 +71,17 @@ class ContactFinder {
 
   Exit exitOfOnly(const OverlapComponent& component, Exit exit) const;
   Exit freed(const Exit& exit) const;
-  Vec2 pointOf(const OverlapComponent& component, const Exit& exit) const;
+  Contact anyPointOf(const OverlapComponent& component) const;
+  Vec2 pointOf(const OverlapComponent& component, const Hull& hull, const Exit& exit) const;
   Vec2 pointOfTouch(const OverlapComponent& component, const Vec2& middle) const;
-  Contact inWorld(const Exit& exit, const Vec2& point) const;
+  /// In the world, edges by number.
+  Contact contactAt(const Vec2& point, const Vec2& normal, double depth, std::ptrdiff_t edge_a,
+                    std::ptrdiff_t edge_b) const;
 
   const PosedPair& pair_;
   const SeparatingAxes* axes_;
   const double margin_;  ///< world length
+  const ContactDetail detail_;
   const WorldFrame frame_;
   const std::vector<EdgeCrossing> crossings_;
   const PartExits exits_;
@@ -129,12 +141,26 @@ Exit ContactFinder::freed(const Exit& exit) const {
   return longest > 0 ? at(end - 0.5 * (longest - 1)) : exit;
 }
 
+/// Of its crossings the one of the first edges, or else its first vertex.
+Contact ContactFinder::anyPointOf(const OverlapComponent& component) const {
+  const auto isFirst = [&](std::size_t j, std::size_t k) {
+    const EdgeCrossing &c = crossings_[j], &d = crossings_[k];
+    return c.edge_a != d.edge_a ? c.edge_a < d.edge_a : c.edge_b < d.edge_b;
+  };
+  const auto first = std::min_element(component.crossings.begin(), component.crossings.end(), isFirst);
+  const BoundaryPoint& vertex = component.points.front();
+  if (first == component.crossings.end()) return contactAt(vertex.at, Vec2::Zero(), 0, vertex.a, vertex.b);
+  const EdgeCrossing& c = crossings_[*first];
+  return contactAt(c.point, Vec2::Zero(), 0, static_cast<std::ptrdiff_t>(c.edge_a),
+                   static_cast<std::ptrdiff_t>(c.edge_b));
+}
+
 /// The middle of the overlap along the normal through the deepest point, or through the middle of those, where that is
 /// in it.
-Vec2 ContactFinder::pointOf(const OverlapComponent& component, const Exit& exit) const {
+Vec2 ContactFinder::pointOf(const OverlapComponent& component, const Hull& hull, const Exit& exit) const {
   // Heights above the end where the deepest points are, towards the other.
   const Vec2 up = exit.from_a ? exit.normal : Vec2(-exit.normal);
-  const PartMiddle part = partMiddle(component, up, 4 * frame_.error());
+  const PartMiddle part = partMiddle(hull, up, 4 * frame_.error());
   if (axes_ != nullptr) return part.middle;
   return component.inner ? pointOfPart(pair_, frame_, part, up) : pointOfTouch(component, part.middle);
 }
@@ -149,20 +175,19 @@ Vec2 ContactFinder::pointOfTouch(const OverlapComponent& component, const Vec2& 
   return crossings_[longestStretch(frame_, crossings_, component)].point;
 }
 
-Contact ContactFinder::inWorld(const Exit& exit, const Vec2& point) const {
+Contact ContactFinder::contactAt(const Vec2& point, const Vec2& normal, double depth, std::ptrdiff_t edge_a,
+                                 std::ptrdiff_t edge_b) const {
   const auto number = [](const PolygonData& polygon, std::ptrdiff_t position) {
     return position < 0 ? position
                         : static_cast<std::ptrdiff_t>(polygon.edgeNumber(static_cast<std::size_t>(position)));
   };
-  assert(exit.depth >= 0 && std::abs(exit.normal.norm() - 1) < 0x1p-40);
-  return {frame_.toWorld(point), exit.normal, exit.depth * frame_.unit(), number(pair_.a, exit.edge_a),
-          number(pair_.b, exit.edge_b)};
+  return {frame_.toWorld(point), normal, depth * frame_.unit(), number(pair_.a, edge_a), number(pair_.b, edge_b)};
 }
 
 }  // namespace
 
-std::vector<Contact> partContacts(const PosedPair& pair, const SeparatingAxes* axes, double margin) {
-  return ContactFinder(pair, axes, margin).contacts();
+std::vector<Contact> partContacts(const PosedPair& pair, const SeparatingAxes* axes, const ContactOptions& options) {
+  return ContactFinder(pair, axes, options).contacts();
 }
 
 }  // namespace tricover::detail

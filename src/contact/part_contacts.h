@@ -8,8 +8,8 @@
 
 namespace tricover::detail {
 
-/// One contact for each connected part of the overlap, of any two polygons, deeper by the margin; none if they are
-/// apart. axes: those of two convex regions, otherwise null.
-std::vector<Contact> partContacts(const PosedPair& pair, const SeparatingAxes* axes, double margin);
+/// One contact for each connected part of the overlap, of any two polygons, deeper by the margin, as many as there are;
+/// none if they are apart. axes: those of two convex regions, otherwise null.
+std::vector<Contact> partContacts(const PosedPair& pair, const SeparatingAxes* axes, const ContactOptions& options);
 
 }  // namespace tricover::detail

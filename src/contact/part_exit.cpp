@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "contact/convex_penetration.h"
-#include "contact/hull_faces.h"
 #include "contact/touch_normal.h"
 #include "numbers/segment.h"
 #include "pair/edge_pairs.h"
@@ -36,10 +35,10 @@ const BoundaryPoint& leftmostOf(const OverlapComponent& component) {
                            [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.at.x() < q.at.x(); });
 }
 
-Exit PartExits::exitOf(const OverlapComponent& component) const {
+Exit PartExits::exitOf(const OverlapComponent& component, const Hull& part) const {
   if (component.crossings.empty()) return byNearestEdge(component);
   if (!component.inner) return ofTouch(component);
-  const Exit exit = byFaces(component);
+  const Exit exit = byFaces(component, part);
   // All of it may be one rounded point.
   return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
 }
@@ -90,31 +89,37 @@ Exit PartExits::exitOfConvex(const OverlapComponent& component, const Separating
 
 /// As if this part of the overlap and the edges around it were all there is: by the faces of their hulls that are
 /// edges, or by any faces if none is.
-Exit PartExits::byFaces(const OverlapComponent& component) const {
-  std::vector<BoundaryPoint> of_a = component.points, of_b = component.points;
-  for (const BoundaryPoint& point : component.points) {
-    for (const std::ptrdiff_t edge : {point.a, point.a_before}) {
-      if (edge < 0) continue;
-      const auto v = static_cast<std::size_t>(edge);
-      of_a.insert(of_a.end(), {vertexOfA(v), vertexOfA(edgeAfter(pair_.a, v))});
-    }
-    for (const std::ptrdiff_t edge : {point.b, point.b_before}) {
-      if (edge < 0) continue;
-      const auto v = static_cast<std::size_t>(edge);
-      of_b.insert(of_b.end(), {vertexOfB(v), vertexOfB(edgeAfter(pair_.b, v))});
-    }
+Exit PartExits::byFaces(const OverlapComponent& component, const Hull& part) const {
+  std::vector<BoundaryPoint> of_a = part, of_b = part;
+  for (const std::size_t k : component.crossings) {
+    const EdgeCrossing& c = crossings_[k];
+    of_a.insert(of_a.end(), {vertexOfA(c.edge_a), vertexOfA(edgeAfter(pair_.a, c.edge_a))});
+    of_b.insert(of_b.end(), {vertexOfB(c.edge_b), vertexOfB(edgeAfter(pair_.b, c.edge_b))});
   }
   const Hull a = hullOf(std::move(of_a)), b = hullOf(std::move(of_b));
-  Exit best, bridging;
+  struct Found {
+    Exit exit;
+    BoundaryPoint deepest;
+  } best, bridging;
+  const auto offer = [&](std::ptrdiff_t edge, const Exit& exit, const BoundaryPoint& deepest) {
+    Found& found = edge >= 0 ? best : bridging;
+    if (consider(exit, found.exit)) found.deepest = deepest;
+  };
   forEachFace(a, b, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
     const std::ptrdiff_t edge = commonOfA(from, to);
-    consider({normal, depth, edge, flatterOfB(deepest, normal), true}, edge >= 0 ? best : bridging);
+    offer(edge, {normal, depth, edge, -1, true}, deepest);
   });
   forEachFace(b, a, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
     const std::ptrdiff_t edge = commonOfB(from, to);
-    consider({-normal, depth, flatterOfA(deepest, normal), edge, false}, edge >= 0 ? best : bridging);
+    offer(edge, {-normal, depth, -1, edge, false}, deepest);
   });
-  Exit& exit = best.depth < std::numeric_limits<double>::infinity() ? best : bridging;
+  Found& found = best.exit.depth < std::numeric_limits<double>::infinity() ? best : bridging;
+  Exit& exit = found.exit;
+  if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;
+  if (exit.from_a)
+    exit.edge_b = flatterOfB(found.deepest, exit.normal);
+  else
+    exit.edge_a = flatterOfA(found.deepest, exit.normal);
   // What is deepest may be a vertex of the other polygon.
   if (exit.edge_a < 0 || exit.edge_b < 0) completeEdges(component, exit);
   return exit;

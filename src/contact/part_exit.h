@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "contact/hull_faces.h"
 #include "contact/overlap_components.h"
 #include "contact/separating_axes.h"
 
@@ -28,7 +29,8 @@ class PartExits {
   PartExits(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
       : pair_(pair), frame_(frame), crossings_(crossings), towards_b_(-frame.originOfA()) {}
 
-  Exit exitOf(const OverlapComponent& component) const;
+  /// part: the component's hull.
+  Exit exitOf(const OverlapComponent& component, const Hull& part) const;
   /// The only part of two convex regions: the least depth of their separating axes, which no translation that parts
   /// them is shorter than.
   Exit exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const;
@@ -41,7 +43,7 @@ class PartExits {
   std::ptrdiff_t flatterOfB(const BoundaryPoint& p, const Vec2& normal) const;
   BoundaryPoint vertexOfA(std::size_t v) const { return vertexPoint(pair_.a, 0, v, frame_.fromA(pair_.a.path[v])); }
   BoundaryPoint vertexOfB(std::size_t v) const { return vertexPoint(pair_.b, 1, v, frame_.fromB(pair_.b.path[v])); }
-  Exit byFaces(const OverlapComponent& component) const;
+  Exit byFaces(const OverlapComponent& component, const Hull& part) const;
   void completeEdges(const OverlapComponent& component, Exit& exit) const;
   Exit ofTouch(const OverlapComponent& component) const;
   Polygon ringsOf(const OverlapComponent& component, bool of_b) const;

@@ -2,6 +2,7 @@
 #include "tricover/prepare.h"
 
 #include "contact/disc_cover.h"
+#include "contact/own_crossings.h"
 #include "convex/convex_outline.h"
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/inclusion.h"
@@ -19,6 +20,7 @@ void prepare(const Polygon& polygon) {
     detail::convexOutlineOf(data);
   else
     detail::discCoverOf(data);
+  detail::meetsItself(data);
   detail::buildPlaces(data);
   detail::buildRingStarts(data);
 }

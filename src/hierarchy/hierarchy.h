@@ -88,6 +88,7 @@ struct Hierarchy : Derived::Thing {
 
   Derived places;  ///< known places, see inclusion.h
   Rent<Stages::All> places_rent;
+  Derived tangles;  ///< whether its edges meet each other, see meetsItself()
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <set>
 
+#include "contact_laws.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "random.h"
@@ -48,6 +49,37 @@ std::string wrongContacts(const Case& c, const std::vector<Contact>& found, bool
   return {};
 }
 
+std::vector<Contact> contactsOf(const Case& c, ContactDetail detail) {
+  ContactOptions options;
+  options.detail = detail;
+  return contacts(c.a, c.pose_a, c.b, c.pose_b, options);
+}
+
+/// What is wrong with contacts of less detail, given all pairs of edges that meet; empty if nothing is.
+std::string wrongDetail(const Case& c, const std::vector<Contact>& found, const Pairs& pairs) {
+  const std::vector<Contact> points = contactsOf(c, ContactDetail::Points),
+                             local = contactsOf(c, ContactDetail::LocalDepth);
+  if (points.size() != found.size() || local.size() != found.size()) return "how many there are by less detail";
+  for (const Contact& contact : points) {
+    if (contact.depth != 0 || contact.normal != Vec2::Zero()) return "a depth of a point";
+    const bool crosses = contact.edge_a >= 0 && contact.edge_b >= 0;
+    if (crosses ? !std::binary_search(pairs.begin(), pairs.end(), std::pair(contact.edge_a, contact.edge_b))
+                : !isEdge(c.a, contact.edge_a) && !isEdge(c.b, contact.edge_b))
+      return "a point's edges";
+  }
+  const std::string wrong = wrongContacts(c, local, !pairs.empty());
+  if (!wrong.empty()) return wrong + ", local";
+  const double error = 4 * rounding(c);
+  if (local.size() != 1 || !(local[0].depth > 1e3 * error && std::isfinite(local[0].depth + 1e3 * error))) return {};
+  // What crosses now doesn't when b has gone its way out of this part.
+  Case moved = c;
+  moved.pose_b.translation() += (local[0].depth * (1 + 1e-9) + error) * local[0].normal;
+  const Pairs left = exact::meetingEdges(moved.a, moved.pose_a, moved.b, moved.pose_b);
+  return std::find_first_of(pairs.begin(), pairs.end(), left.begin(), left.end()) == pairs.end()
+             ? ""
+             : "edges that still cross beyond the local depth";
+}
+
 std::string wrongWay(const Case& c, bool truth) {
   const Pairs pairs = exact::meetingEdges(c.a, c.pose_a, c.b, c.pose_b);
   if (pairsOf(crossings(c.a, c.pose_a, c.b, c.pose_b), false) != pairs) return "crossings";
@@ -62,7 +94,8 @@ std::string wrongWay(const Case& c, bool truth) {
         p.edge_b != q.edge_a)
       return "a contact, swapped";
   }
-  return wrongContacts(c, found, !pairs.empty());
+  const std::string wrong = wrongContacts(c, found, !pairs.empty());
+  return wrong.empty() ? wrongDetail(c, found, pairs) : wrong;
 }
 
 class ContactsOracle : public testing::TestWithParam<Family> {};
@@ -229,13 +262,17 @@ TEST(ContactsOracleGrid, AreAsManyAsTheOverlapHasComponents) {
     Pose both = randomPose(random, 9);
     if (random.oneIn(3)) both.linear().setIdentity();
     if (random.oneIn(3)) both = mirrored(both);
-    const std::vector<Contact> found = contacts(a, both, b, both);
+    // Points and local depths are told as they are of several parts.
+    const ContactDetail detail = random.oneIn(3) ? ContactDetail::Points : ContactDetail::LocalDepth;
+    const std::vector<Contact> found = contacts(a, both, b, both), other = contactsOf({a, both, b, both}, detail);
+    std::set<std::size_t> other_parts;
+    for (const Contact& contact : other) other_parts.insert(count.partAt(both.inverse() * contact.point));
     const auto deep = static_cast<std::size_t>(
         std::count_if(found.begin(), found.end(), [](const Contact& contact) { return contact.depth > 0; }));
     std::set<std::size_t> parts;
     for (const Contact& contact : found) parts.insert(count.partAt(both.inverse() * contact.point));
     const bool counted = found.size() == count.all && deep >= count.with_cells && deep <= count.entering;
-    const bool placed = parts.size() == found.size() && parts.count(0) == 0;
+    const bool placed = parts.size() == found.size() && parts.count(0) == 0 && other_parts == parts;
     if (!(counted && placed) && ++wrong <= 3)
       ADD_FAILURE() << "seed " << i << ": " << found.size() << " contacts, " << deep << " of them deep, not "
                     << count.all << " and " << count.with_cells << " to " << count.entering << ", their points in "

@@ -67,7 +67,7 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
     const SeparatingAxes axes(pair);
     const bool meets = axes.verdict() == SeparatingAxes::Meet, apart = axes.verdict() == SeparatingAxes::Apart;
     const std::optional<Contact> found = meets ? convexContact(pair, axes) : std::nullopt;
-    const std::vector<Contact> general = partContacts(pair, &axes, 0);
+    const std::vector<Contact> general = partContacts(pair, &axes, {});
     (found ? overlaps : apart ? aparts : unsure)++;
     contained += found && (found->edge_a < 0 || found->edge_b < 0);
     missed += !found && !apart && !general.empty() && general[0].depth > 1e-9;

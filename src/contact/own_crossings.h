@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "contact/boundary_point.h"
+#include "contact/coincident_vertices.h"
+#include "numbers/predicates.h"
+#include "pair/edge_pairs.h"
+
+namespace tricover::detail {
+
+/// The vertices' positions, but for those that close a ring; equal ones side by side.
+std::vector<std::uint32_t> verticesByPlace(const PolygonData& polygon);
+
+/// Whether edges of a polygon meet beyond the ends that they share in their ring, or vertices are repeated. Found at
+/// the first call, once for all copies and threads.
+bool meetsItself(const PolygonData& polygon);
+
+/// Whether two edges of a path have an end in common and nothing else.
+inline bool meetAtVertex(const Path& path, std::size_t e, std::size_t f) {
+  for (const std::size_t i : {e, e + 1})
+    for (const std::size_t j : {f, f + 1})
+      if (path[i] == path[j]) return orientation(path[i], path[2 * e + 1 - i], path[2 * f + 1 - j]) != 0;
+  return false;
+}
+
+/// Calls visit(e, f), e < f, for a polygon's edges that meet in more than an end; of those that end in the vertex
+/// `star`, unless it is -1, not for all. visit returns whether to go on.
+template <typename Visit>
+void forEachOwnCrossing(const PolygonData& polygon, std::ptrdiff_t star, Visit visit) {
+  const Pose still = Pose::Identity();
+  const PosedPair itself(polygon, still, polygon, still);
+  const auto show = [&](double, std::size_t e, std::size_t f) {
+    const bool meets = e < f && edgeAfter(polygon, e) != f && edgeAfter(polygon, f) != e &&
+                       !meetAtVertex(polygon.path, e, f) && edgesMeet(itself, e, f);
+    return meets && !visit(e, f) ? -1.0 : 0.0;
+  };
+  if (star < 0)
+    forEachPair(itself, 0, show);
+  else
+    forEachPair(itself, 0, show, IncidentEdgeBoxes(polygon, static_cast<std::size_t>(star)).pairs());
+}
+
+}  // namespace tricover::detail
