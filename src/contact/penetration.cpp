@@ -97,8 +97,8 @@ Penetration noAnswer(const Vec2& normal) {
 /// The shortest translation that is proven to part them, of those that go on from the limit along `way`. Of either one:
 /// both poses' translations are rounded. False if there is none.
 bool findTranslation(const PosedPair& pair, const Vec2& limit, const Vec2& way, double step, double margin,
-                     Penetration& result) {
-  for (; std::isfinite(step); step *= 2) {
+                     Penetration& result, double most = std::numeric_limits<double>::max()) {
+  for (; step <= most; step *= 2) {
     const Vec2 t = limit + step * way;
     if (areApartMoved(pair.a, pair.pose_a, Vec2::Zero(), pair.b, pair.pose_b, t, margin) &&
         areApartMoved(pair.a, pair.pose_a, -t, pair.b, pair.pose_b, Vec2::Zero(), margin)) {
@@ -109,14 +109,23 @@ bool findTranslation(const PosedPair& pair, const Vec2& limit, const Vec2& way, 
   return false;
 }
 
-/// Of convex regions that are apart, and within the margin.
-Penetration ofNearest(const PosedPair& pair, double margin) {
+/// Of regions that are apart, and within the margin.
+Penetration nearestWithout(const PosedPair& pair) {
   const auto [nearest, normal] = nearestContact(pair);
-  const double depth = std::max(margin - nearest.distance, 0.0);
-  Penetration result{depth,           normal,          depth,          true,          Vec2::Zero(),
-                     nearest.point_a, nearest.point_b, nearest.edge_a, nearest.edge_b};
+  return {-nearest.distance, normal,          -nearest.distance, true,          Vec2::Zero(),
+          nearest.point_a,   nearest.point_b, nearest.edge_a,    nearest.edge_b};
+}
+
+/// Grown by a margin, from the shortest way without one, whose depth is negative where the regions are apart. None is
+/// shorter than both together: back by the margin from its end there is one without. As long is the one straight on; of
+/// regions that aren't convex something else may be met there, and there is no answer.
+std::optional<Penetration> straightOn(const PosedPair& pair, Penetration way, double margin, bool are_convex) {
+  way.depth = std::max(way.depth + margin, 0.0);
+  way.lower_bound = std::max(way.lower_bound + margin, 0.0);
   const double size = pair.a.radius + pair.b.radius + margin, step = 64 * kUnitRoundoff * size + kTiny;
-  return findTranslation(pair, depth * normal, normal, step, margin, result) ? result : noAnswer(normal);
+  const double most = are_convex ? std::numeric_limits<double>::max() : step;
+  if (findTranslation(pair, way.depth * way.normal, way.normal, step, margin, way, most)) return way;
+  return are_convex ? std::optional(noAnswer(way.normal)) : std::nullopt;
 }
 
 }  // namespace
@@ -135,8 +144,15 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   const PosedPair pair(a, pose_a, b, pose_b);
   const double margin = options.margin;
   const bool are_convex = outline_a.is_region && outline_b.is_region;
-  if (margin > 0 && are_convex && areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, Vec2::Zero(), 0))
-    return ofNearest(pair, margin);
+  if (margin > 0) {
+    const bool are_apart = areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, Vec2::Zero(), 0);
+    if (are_apart || !are_convex) {
+      const Penetration way =
+          are_apart ? nearestWithout(pair) : penetrationInOrder(a, pose_a, b, pose_b, {0, options.budget});
+      if (way.optimal)
+        if (const auto result = straightOn(pair, way, margin, are_convex)) return *result;
+    }
+  }
   std::optional<SeparatingAxes> axes;
   if (outline_a.corners.size() > 2 && outline_b.corners.size() > 2) axes.emplace(pair);
   const SupportGap gap = leastSupportGap(pair, axes ? &*axes : nullptr, 0);
