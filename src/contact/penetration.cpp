@@ -144,12 +144,12 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   const PosedPair pair(a, pose_a, b, pose_b);
   const double margin = options.margin;
   const bool are_convex = outline_a.is_region && outline_b.is_region;
-  if (margin > 0) {
+  if (margin > 0 && (are_convex || std::isfinite(options.depth_error))) {
     const bool are_apart = areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, Vec2::Zero(), 0);
     if (are_apart || !are_convex) {
       const Penetration way =
-          are_apart ? nearestWithout(pair) : penetrationInOrder(a, pose_a, b, pose_b, {0, options.budget});
-      if (way.optimal)
+          are_apart ? nearestWithout(pair) : penetrationInOrder(a, pose_a, b, pose_b, {0, options.depth_error}, most);
+      if (way.optimal || options.depth_error > 0)
         if (const auto result = straightOn(pair, way, margin, are_convex)) return *result;
     }
   }

@@ -3,6 +3,8 @@
 
 #include <fcl/narrowphase/collision.h>
 
+#include <algorithm>
+
 #include "families.h"
 #include "reproduction.h"
 #include "scene.h"
@@ -40,7 +42,8 @@ void expectEverywhere(const tricover::support::Case& c, bool expected) {
 TEST(Collide, agreesWithTheCoreOnEveryFamily) {
   for (const tricover::support::Family& family : tricover::support::families()) {
     SCOPED_TRACE(family.name);
-    const int count = tricover::support::scaledCount(200);
+    // The first of some families all overlap.
+    const int count = std::max(20, tricover::support::scaledCount(200));
     int hits = 0;
     for (int i = 0; i < count; ++i) {
       const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));

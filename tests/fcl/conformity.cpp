@@ -250,8 +250,19 @@ TEST_F(Conformity, distance) {
          return text(result.min_distance) + ", " + text(result.nearest_points[0].x()) + ", " +
                 text(result.nearest_points[1].x());
        });
-  differs("the same, where only the margins meet", "-1", "0", "no depth, as in collide's contact",
-          [](const Pair& pair) { return text(distance(grown(pair, 0.25), 2.25, kDefault).returned); });
+  same("the same, where only the margins meet: min_distance, signed", "-1, -0.25", [](const Pair& pair) {
+    const Pair wider = grown(pair, 0.25);
+    return text(distance(wider, 2.25, kDefault).result.min_distance) + ", " +
+           text(distance(wider, 2.25, asking(true)).result.min_distance);
+  });
+  same("... signed: nearest_points, x", "1.25, 1", [](const Pair& pair) {
+    const fcl::DistanceResultd result = distance(grown(pair, 0.25), 2.25, asking(true)).result;
+    return text(result.nearest_points[0].x()) + ", " + text(result.nearest_points[1].x());
+  });
+  same("... collide: normal, penetration_depth, pos.x()", "(1, 0, 0), 0.25, 1.125", [](const Pair& pair) {
+    const fcl::Contactd contact = collide(grown(pair, 0.25), 2.25, {1, true}).getContact(0);
+    return text(contact.normal) + ", " + text(contact.penetration_depth) + ", " + text(contact.pos.x());
+  });
   same("a result that is nearer already: returned, o1 kept", "0.5, yes", [](const Pair& pair) {
     const Measured m = distance(pair, 3, kDefault, 0, fcl::DistanceResultd(0.5));
     return text(m.returned) + (m.result.o1 == nullptr ? ", yes" : ", no");

@@ -3,6 +3,8 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "exact_reference.h"
@@ -10,7 +12,9 @@
 #include "reproduction.h"
 #include "scene.h"
 #include "test_scale.h"
+#include "tricover/collide.h"
 #include "tricover/distance.h"
+#include "tricover/segment.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -94,7 +98,8 @@ TEST(Margin, ofShapesAndOptionsAddUp) {
 
 TEST(Margin, toleranceNeverMisses) {
   Random random(5);
-  int hits = 0, alarms = 0, count = tricover::support::scaledCount(1000);
+  int hits = 0, alarms = 0;
+  const int count = std::max(100, tricover::support::scaledCount(1000));  // few are alarms
   for (int i = 0; i < count; ++i) {
     // Of many edges, so that boxes around several are thinner than the tolerance.
     const tricover::Polygon a({tricover::support::star(random, 200, 0.9, 1)});
@@ -117,7 +122,7 @@ TEST(Margin, toleranceNeverMisses) {
   EXPECT_GT(alarms, 0);
 }
 
-TEST(Margin, contactOfANearMissIsBetweenTheNearestPoints) {
+TEST(Margin, contactOfANearMissIsBetweenTheGrownSurfaces) {
   const Shape<double> a = withMargin(kSquare, 1), b = withMargin(kSquare, 0);
   for (const std::size_t most : {1u, 5u}) {
     fcl::CollisionResultd result;
@@ -126,9 +131,9 @@ TEST(Margin, contactOfANearMissIsBetweenTheNearestPoints) {
                      lifted(tricover::support::pose(0, 1.5, 0.25), 3), fcl::CollisionRequestd(most, true), result),
         1u);
     const fcl::Contactd& contact = result.getContact(0);
-    EXPECT_EQ(contact.penetration_depth, 0);
+    EXPECT_EQ(contact.penetration_depth, 0.5);
     EXPECT_EQ(contact.normal, fcl::Vector3d::UnitX());
-    EXPECT_EQ(contact.pos.x(), 1.25);
+    EXPECT_EQ(contact.pos.x(), 1.75);
     EXPECT_GE(contact.pos.y(), 0.25);
     EXPECT_LE(contact.pos.y(), 1);
     EXPECT_EQ(contact.pos.z(), 3);
@@ -137,47 +142,114 @@ TEST(Margin, contactOfANearMissIsBetweenTheNearestPoints) {
   }
 }
 
-TEST(Margin, depthsAreThoseOfThePolygons) {
+TEST(Margin, depthsAreThoseOfTheGrownPolygons) {
   const Shape<double> a = withMargin(kSquare, 1), plain = shapeOf(kSquare);
   for (const std::size_t most : {1u, 5u}) {
-    fcl::CollisionResultd result;
-    ASSERT_EQ(fcl::collide(a.get(), lifted(tricover::Pose::Identity()), plain.get(),
-                           lifted(tricover::support::pose(0, 0.75, 0)), fcl::CollisionRequestd(most, true), result),
-              1u);
-    EXPECT_NEAR(result.getContact(0).penetration_depth, 0.25, 1e-12);
-    EXPECT_NEAR(result.getContact(0).normal.x(), 1, 1e-12);
+    for (const double of_options : {0.0, 0.5}) {
+      fcl::CollisionResultd result;
+      ASSERT_EQ(tricover_fcl::collide<double>(a.get(), lifted(tricover::Pose::Identity()), plain.get(),
+                                              lifted(tricover::support::pose(0, 0.75, 0)),
+                                              fcl::CollisionRequestd(most, true), {of_options}, result),
+                1u);
+      EXPECT_NEAR(result.getContact(0).penetration_depth, 1.25 + of_options, 1e-12);
+      EXPECT_NEAR(result.getContact(0).normal.x(), 1, 1e-12);
+      EXPECT_NEAR(result.getContact(0).pos.x(), 0.875 + 0.5, 1e-12);
+    }
   }
+}
+
+TEST(Margin, depthsAreTheShortestWaysOfTheGrownPolygons) {
+  Random random(7);
+  constexpr double kError = 1e-9;
+  const int count = tricover::support::scaledCount(300);
+  int near = 0, deep = 0;
+  while (near + deep < count) {
+    SCOPED_TRACE(near + deep);
+    const bool are_convex = random.coin();
+    const auto polygon = [&] {
+      return are_convex ? tricover::Polygon({tricover::support::star(random, random.integer(3, 9), 1, 1)})
+                        : randomPolygon(random, 1);
+    };
+    const double of_a = random.coin() ? random.real(0, 0.5) : 0, of_b = random.real(0.01, 0.5), both = of_a + of_b;
+    const Shape<double> a = withMargin(polygon(), of_a), b = withMargin(polygon(), of_b);
+    const tricover::Pose pose_a = tricover::support::randomPose(random, 0.5),
+                         pose_b = tricover::support::randomPose(random, random.coin() ? 1 : 3);
+    const double gap = tricover::distance(a->polygon(), pose_a, b->polygon(), pose_b).distance;
+    if (gap >= both) continue;
+    const auto moved = [&](const tricover::Vec2& way) {
+      tricover::Pose there = pose_b;
+      there.translation() += way;
+      return there;
+    };
+
+    fcl::CollisionResultd result;
+    ASSERT_EQ(fcl::collide(a.get(), lifted(pose_a), b.get(), lifted(pose_b), fcl::CollisionRequestd(1, true), result),
+              1u);
+    const fcl::Contactd& contact = result.getContact(0);
+    const tricover::Vec2 normal = contact.normal.head<2>();
+    const double depth = contact.penetration_depth;
+    ASSERT_NEAR(tricover::distance(a->polygon(), pose_a, b->polygon(), moved(depth * normal)).distance, both, kError);
+    // No way that is shorter.
+    for (int i = 0; i < 64; ++i)
+      for (const double part : {0.3, 0.9, 0.999}) {
+        const double angle = 2 * M_PI * (i + random.unit()) / 64;
+        const tricover::Vec2 way = part * depth * tricover::Vec2(std::cos(angle), std::sin(angle));
+        ASSERT_TRUE(tricover::collide(a->polygon(), pose_a, b->polygon(), moved(way), {both}));
+      }
+
+    fcl::DistanceRequestd request;
+    request.enable_signed_distance = true;
+    fcl::DistanceResultd overlap;
+    EXPECT_EQ(fcl::distance(a.get(), lifted(pose_a), b.get(), lifted(pose_b), request, overlap), -depth);
+    const tricover::Vec2 on_a = overlap.nearest_points[0].head<2>(), on_b = overlap.nearest_points[1].head<2>();
+    ASSERT_LT((on_a - on_b - depth * normal).norm(), kError);
+    ASSERT_LT((contact.pos.head<2>() - (on_a + on_b) / 2).norm(), kError);
+    ASSERT_NEAR(tricover::distance(a->polygon(), pose_a, tricover::point(on_a), tricover::Pose::Identity()).distance,
+                of_a, kError);
+    ASSERT_NEAR(tricover::distance(b->polygon(), pose_b, tricover::point(on_b), tricover::Pose::Identity()).distance,
+                of_b, kError);
+    ++(gap > 0 ? near : deep);
+  }
+  EXPECT_GT(near, count / 20);
+  EXPECT_GT(deep, count / 10);
 }
 
 TEST(Margin, distancesAreThoseOfTheGrownPolygons) {
   const Shape<double> a = withMargin(kSquare, 1), b = withMargin(kSquare, 2);
+  const auto at = [](double x) { return lifted(tricover::support::pose(0, x, 0)); };
   for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
     fcl::DistanceRequestd request;
     request.gjk_solver_type = solver;
-    request.enable_signed_distance = true;
-    fcl::DistanceResultd apart, overlap;
-    EXPECT_EQ(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(), lifted(tricover::support::pose(0, 5, 0)),
-                            request, apart),
-              1);
+    const auto ask = [&](double x, bool is_signed, fcl::DistanceResultd& result) {
+      request.enable_signed_distance = is_signed;
+      fcl::distance(a.get(), at(0), b.get(), at(x), request, result);
+      return result.min_distance;
+    };
+    fcl::DistanceResultd apart;
+    EXPECT_EQ(ask(5, true, apart), 1);
     EXPECT_EQ(apart.nearest_points[0].x(), 2);
     EXPECT_EQ(apart.nearest_points[1].x(), 3);
-    // Where only margins meet it is 0, as the depth of a contact is, and the point is common to the grown polygons.
-    for (const double x : {4.0, 2.5}) {
-      fcl::DistanceResultd margins_meet;
-      EXPECT_EQ(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(), lifted(tricover::support::pose(0, x, 0)),
-                              request, margins_meet),
-                0);
-      EXPECT_NEAR(margins_meet.nearest_points[0].x(), 1 + (x - 1) / 3, 1e-15);
-      EXPECT_EQ(margins_meet.nearest_points[0], margins_meet.nearest_points[1]);
+    // The grown polygons touch.
+    for (const bool is_signed : {false, true}) {
+      fcl::DistanceResultd touch;
+      EXPECT_EQ(ask(4, is_signed, touch), 0);
+      EXPECT_NEAR(touch.nearest_points[0].x(), 2, 1e-15);
+      EXPECT_EQ(touch.nearest_points[0], touch.nearest_points[1]);
+    }
+    // They overlap, the polygons don't, and do. Unsigned, both points are one that the grown polygons share.
+    for (const double x : {2.5, 0.75}) {
+      fcl::DistanceResultd overlap, depth;
+      EXPECT_EQ(ask(x, false, overlap), -1);
+      EXPECT_EQ(overlap.nearest_points[0], overlap.nearest_points[1]);
+      EXPECT_GE(overlap.nearest_points[0].x(), x - 2);
+      EXPECT_LE(overlap.nearest_points[0].x(), 2);
+      EXPECT_NEAR(ask(x, true, depth), x - 4, 1e-12);
+      if (solver == fcl::GST_INDEP) continue;  // puts their middle in place of both
+      EXPECT_NEAR(depth.nearest_points[0].x(), 2, 1e-12);
+      EXPECT_NEAR(depth.nearest_points[1].x(), x - 2, 1e-12);
     }
     fcl::DistanceResultd nearer(0.5);
-    EXPECT_EQ(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(), lifted(tricover::support::pose(0, 5, 0)),
-                            request, nearer),
-              0.5);
-    EXPECT_NEAR(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(),
-                              lifted(tricover::support::pose(0, 0.75, 0)), request, overlap),
-                -0.25, 1e-12);
-    EXPECT_NEAR(overlap.min_distance, -0.25, 1e-12);
+    EXPECT_EQ(ask(5, true, nearer), 0.5);
   }
 }
 

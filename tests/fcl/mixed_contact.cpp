@@ -161,8 +161,8 @@ TEST_F(MixedContact, marginsCount) {
     EXPECT_TRUE(contacts(square_, here_, *other, shifted<double>(2.01, 0, 0), 1).empty());
     const auto found = contacts(wide, here_, *other, shifted<double>(2.5 - 1e-8, 0, 0), 1);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].penetration_depth, 0);
-    EXPECT_NEAR(found[0].pos.x(), 1.25, 1e-6);
+    EXPECT_NEAR(found[0].penetration_depth, 1e-8, 1e-14);
+    EXPECT_NEAR(found[0].pos.x(), 1.5, 1e-7);
     EXPECT_TRUE(contacts(wide, here_, *other, shifted<double>(2.5 + 1e-8, 0, 0), 1).empty());
   }
 }

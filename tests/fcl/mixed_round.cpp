@@ -152,7 +152,7 @@ TEST(MixedRound, sectionsDistancesAndNearestPoints) {
       fcl::DistanceResultd result;
       const double measured =
           fcl::distance<double>(&shape, there, scene.geometry.get(), other, fcl::DistanceRequestd(), result);
-      ASSERT_NEAR(measured, left > 0 ? left : gap < scene.radius ? -1 : 0, 1e-11) << i;
+      ASSERT_NEAR(measured, left > 0 ? left : -1, 1e-11) << i;
       const fcl::Transform3d back = by.inverse();
       const Vec3 on_shape = back * result.nearest_points[0], on_other = back * result.nearest_points[1];
       ASSERT_NEAR((on_shape - on_other).norm(), std::max(left, 0.0), 1e-11) << i;
@@ -190,12 +190,14 @@ TEST(MixedRound, contactsPartThemByTheShortestWay) {
   int direct = 0, searched = 0, whole = 0;
   while (direct + searched < cases) {
     SCOPED_TRACE(direct + searched);
-    const PolygonShaped shape(randomPolygon(random, 2));
+    const double margin = random.coin() ? 0 : random.real(0, 1);
+    const PolygonShaped shape(randomPolygon(random, 2), PolygonOptions{0, 0, margin});
     const Scene scene = anyRound(random, 0, 0);
     const Pose pose = tricover::support::randomPose(random, 2), identity = Pose::Identity();
     if (scene.radius < 0) continue;
+    const double both = scene.radius + margin;  // parts the polygon from the segment
     const double gap = tricover::distance(shape.polygon(), pose, scene.segment, identity).distance;
-    if (!(gap < scene.radius - 1e-9)) continue;
+    if (!(gap < both - 1e-9)) continue;
     const Vec3 elsewhere(random.real(-9, 9), random.real(-9, 9), random.real(-9, 9));
     const fcl::Transform3d by = random.coin() ? fcl::Transform3d(fcl::Transform3d::Identity())
                                               : placed<double>(elsewhere, turned(random.real(0, 6), elsewhere));
@@ -206,11 +208,10 @@ TEST(MixedRound, contactsPartThemByTheShortestWay) {
     };
     ASSERT_EQ(ask(1, one), 1u);
     const fcl::Contactd& contact = one.getContact(0);
-    const double depth = contact.penetration_depth, error = 3e-6 * (scene.radius + 2);  // reaches are up to 4
+    const double depth = contact.penetration_depth, error = 3e-6 * (both + 2);  // reaches are up to 4
     const auto outermost = tricover::penetration(
-        shape.polygon(), pose, around(scene.segment, scene.radius / std::cos(M_PI / corners), corners), identity);
-    const auto innermost =
-        tricover::penetration(shape.polygon(), pose, around(scene.segment, scene.radius, corners), identity);
+        shape.polygon(), pose, around(scene.segment, both / std::cos(M_PI / corners), corners), identity);
+    const auto innermost = tricover::penetration(shape.polygon(), pose, around(scene.segment, both, corners), identity);
     ASSERT_TRUE(outermost);
     ASSERT_LE(depth, outermost->depth + error);
     ASSERT_GE(depth, (innermost ? innermost->depth : 0) - error);
@@ -219,7 +220,7 @@ TEST(MixedRound, contactsPartThemByTheShortestWay) {
     ASSERT_NEAR(normal.norm(), 1, 1e-12);
     Pose moved = identity;
     moved.translation() = -depth * normal.head<2>();
-    ASSERT_NEAR(tricover::distance(shape.polygon(), pose, scene.segment, moved).distance, scene.radius, error);
+    ASSERT_NEAR(tricover::distance(shape.polygon(), pose, scene.segment, moved).distance, both, error);
     fcl::DistanceRequestd request;
     request.enable_signed_distance = true;
     fcl::DistanceResultd result;
@@ -233,12 +234,13 @@ TEST(MixedRound, contactsPartThemByTheShortestWay) {
       ASSERT_NEAR(all.getContact(0).penetration_depth, depth, error);
       ++whole;
     }
-    const bool is_direct = gap > 0 && std::abs(depth - (scene.radius - gap)) < 1e-9;
+    const bool is_direct = gap > 0 && std::abs(depth - (both - gap)) < 1e-9;
     if (is_direct) {  // in the middle of what they share
       const Polygon there = tricover::point((by.inverse() * contact.pos).head<2>());
-      ASSERT_NEAR(tricover::distance(scene.segment, identity, there, identity).distance, scene.radius - depth / 2,
-                  1e-9);
-      ASSERT_LE(tricover::distance(shape.polygon(), pose, there, identity).distance, depth / 2 + 1e-9);
+      ASSERT_NEAR(tricover::distance(scene.segment, identity, there, identity).distance,
+                  std::abs(scene.radius - depth / 2), 1e-9);
+      ASSERT_LE(std::abs(tricover::distance(shape.polygon(), pose, there, identity).distance - margin),
+                depth / 2 + 1e-9);
     }
     ++(is_direct ? direct : searched);
   }

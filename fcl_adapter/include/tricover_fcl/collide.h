@@ -26,8 +26,8 @@ namespace tricover_fcl {
 /// of that part and of the heights that the shapes share; moving the second polygon by penetration_depth along normal,
 /// a unit vector in the plane, clears it; b1 and b2 are edges (tricover::Contact::edge_a, edge_b). Where
 /// num_max_contacts is 1, that contact is the way to part the polygons altogether (tricover::penetration). Depths are
-/// those of the polygons, in the plane: where only margins meet, depth is 0, normal points between the nearest points
-/// and pos is their middle.
+/// in the plane, and those of the polygons grown by their margins (and by options.margin); so is pos. Where only margins
+/// meet, it is between the nearest points, along which the normal points.
 ///
 /// Other geometries: a polygon may have any rigid pose in space, and so may a geometry of FCL's own. They collide if
 /// and only if they share a point within the polygon's plane (a prism's heights), decided in the polygon's frame, where

@@ -13,10 +13,10 @@ namespace tricover_fcl {
 /// float and double.
 ///
 /// The distance in space of two flat polygons or prisms: tricover::distance in the plane, whose errors it shares, and
-/// the gap between their heights. The polygons are those grown by their margins, and nearest points are moved by these
-/// towards each other; where only margins meet, the distance is 0, as the depth of collide()'s contact is, and both
-/// points are one. It is 0 or below exactly where collide() is true. request.rel_err and abs_err are what it may be
-/// above the truth by, 0 unless set; distance_tolerance and the solver change nothing.
+/// the gap between their heights. The polygons, and the nearest points, are those grown by their margins. It is 0 or
+/// below exactly where collide() is true. request.rel_err and abs_err are what it may be above the truth by, 0 unless
+/// set; distance_tolerance and the solver change nothing. Margins that overlap by less than 1e-13 of themselves count as
+/// touching.
 /// - result keeps the least of the distances that it is given, with its geometries, its nearest points in the world
 ///   (nearest_points[0] on o1, always filled), and edges in b1 and b2 (tricover::DistanceResult). Returned is
 ///   result.min_distance. A pair that is farther apart than that already costs little, and changes nothing.

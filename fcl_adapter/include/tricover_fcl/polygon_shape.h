@@ -18,8 +18,8 @@ struct PolygonOptions {
   double z_low = 0;
   double z_high = 0;  ///< see z_low
   /// Safety distance >= 0 in the plane: two shapes collide if and only if their heights overlap and their polygons come
-  /// as close as the sum of their margins (rounded to a double) or closer. Distances are those of the polygons grown by
-  /// their margins, depths those of the polygons themselves.
+  /// as close as the sum of their margins (rounded to a double) or closer. Distances and depths are those of the
+  /// polygons grown by their margins.
   double margin = 0;
 
   /// The options of a shape at all heights, for scenes in which z means nothing: z_low and z_high are -infinity and

@@ -33,21 +33,19 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
                          fcl::CollisionResult<S>& result) {
   if (request.isSatisfied(result)) return result.numContacts();
   const Wanted of_hit = wanted(o1, o2, request);
-  const StadiumPair<S> round(o1, tf1, o2, tf2);
+  const StadiumPair<S> round(o1, tf1, o2, tf2, options.margin);
   const bool is_round = round.found != StadiumCase::None;
   if (is_round) {
-    if (!(of_hit.contacts || of_hit.costs) || round.found == StadiumCase::OutOfSlab ||
-        !round.collide({round.grown(options.margin + round.shape.options().margin)}))
+    if (!(of_hit.contacts || of_hit.costs) || round.found == StadiumCase::OutOfSlab || !round.collide())
       return result.numContacts();
     if (!request.enable_contact && !of_hit.costs) {
       if (room(request, result) > 0) addContact(o1, o2, result);
       return result.numContacts();
     }
     if (!of_hit.costs && room(request, result) == 1) {
-      if (const auto found = contactOf(round)) {
-        addContact(o1, o2, found->plane, found->contact, result);
-        return result.numContacts();
-      }
+      const MixedContact found = contactOf(round);
+      addContact(o1, o2, found.plane, found.contact, result);
+      return result.numContacts();
     }
   }
 
@@ -65,7 +63,7 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
   if (most > 0 && (!request.enable_contact || !shadow)) {
     addContact(o1, o2, result);
   } else if (most > 0) {
-    for (const MixedContact& found : contactsOf(pair, *shadow, most)) {
+    for (const MixedContact& found : contactsOf(pair, *shadow, margin, most)) {
       addContact(o1, o2, found.plane, found.contact, result);
     }
   }

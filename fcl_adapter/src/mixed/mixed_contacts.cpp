@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mixed/mixed_contacts.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
-
-#include "mixed/stadium_penetration.h"
 
 namespace tricover_fcl {
 namespace {
@@ -30,24 +26,12 @@ MixedContact liftContact(const MixedPair<S>& pair, const Shadow::Lift& lift) {
   return inOrder(pair.polygon_first, along, {Vec2::Zero(), Vec2::UnitX(), lift.depth, -1, -1});
 }
 
-/// As contactsOf() asks.
-struct ShadowPair {
-  std::optional<tricover::Penetration> penetration() const { return shadow.penetration(polygon); }
-  std::vector<tricover::Contact> contacts(std::size_t most) const { return shadow.contacts(polygon, most); }
-  tricover::DistanceResult distance() const {
-    return *shadow.distance(polygon, std::numeric_limits<double>::infinity(), {});
-  }
-
-  const tricover::Polygon& polygon;
-  const Shadow& shadow;
-};
-
 }  // namespace
 
 template <typename S>
-std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& shadow, std::size_t most) {
+std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& shadow, double margin, std::size_t most) {
   if (shadow.lift()) return {liftContact(pair, *shadow.lift())};
-  const ShadowPair planar{pair.polygon(), shadow};
+  const ShadowPair planar{pair.polygon(), shadow, pair.shape.options().margin, margin};
   std::vector<MixedContact> found;
   for (PlanarContact& contact : tricover_fcl::contactsOf(planar, most == 1, most, Vec2::UnitX())) {
     contact.edge2 = shadow.partOf(contact.edge2);
@@ -57,16 +41,15 @@ std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& sha
 }
 
 template <typename S>
-std::optional<MixedContact> contactOf(const StadiumPair<S>& pair) {
-  const auto way = penetrationOf(pair);
-  if (!way) return std::nullopt;
-  return inOrder(pair.polygon_first, pair.plane(),
-                 {middle(way->point_a, way->point_b()), way->normal, std::max(way->depth, 0.0), way->edge_a, -1});
+MixedContact contactOf(const StadiumPair<S>& pair) {
+  PlanarContact contact = tricover_fcl::contactsOf(pair, true, 1, Vec2::UnitX()).front();
+  contact.edge2 = -1;
+  return inOrder(pair.polygon_first, pair.plane(), contact);
 }
 
-template std::vector<MixedContact> contactsOf(const MixedPair<float>&, const Shadow&, std::size_t);
-template std::vector<MixedContact> contactsOf(const MixedPair<double>&, const Shadow&, std::size_t);
-template std::optional<MixedContact> contactOf(const StadiumPair<float>&);
-template std::optional<MixedContact> contactOf(const StadiumPair<double>&);
+template std::vector<MixedContact> contactsOf(const MixedPair<float>&, const Shadow&, double, std::size_t);
+template std::vector<MixedContact> contactsOf(const MixedPair<double>&, const Shadow&, double, std::size_t);
+template MixedContact contactOf(const StadiumPair<float>&);
+template MixedContact contactOf(const StadiumPair<double>&);
 
 }  // namespace tricover_fcl

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "mixed/mixed_pair.h"
@@ -17,14 +16,14 @@ struct MixedContact {
   Plane plane;
 };
 
-/// Of a pair that meets: at least one and at most `most` (not 0), deepest first. A single one is of the whole overlap:
-/// its depth is the shortest way that parts the two. Where they don't overlap but for rounding or a margin, it is
-/// between the nearest points.
+/// Of a pair that comes within the margin: at least one and at most `most` (not 0), deepest first. A single one is of
+/// the whole overlap: its depth is the shortest way that parts the two. Where they don't overlap but for rounding, it
+/// is between the nearest points.
 template <typename S>
-std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& shadow, std::size_t most);
+std::vector<MixedContact> contactsOf(const MixedPair<S>& pair, const Shadow& shadow, double margin, std::size_t most);
 
-/// The same of a disc or stadium, of the whole overlap; nothing where its section has to be asked.
+/// The same of a disc or stadium, of the whole overlap.
 template <typename S>
-std::optional<MixedContact> contactOf(const StadiumPair<S>& pair);
+MixedContact contactOf(const StadiumPair<S>& pair);
 
 }  // namespace tricover_fcl

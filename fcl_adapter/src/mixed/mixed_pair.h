@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "shadow/shadow.h"
 #include "shape/plane.h"
 #include "tricover_fcl/polygon_shape.h"
@@ -18,6 +20,24 @@ struct MixedPair {
   View view;
 
   const tricover::Polygon& polygon() const { return shape.polygon(); }
+};
+
+/// A polygon and a shadow in its frame, as contactsOf() and overlapOf() ask.
+struct ShadowPair {
+  const tricover::Polygon& polygon;
+  const Shadow& shadow;
+  const double margin_a;  ///< the polygon's
+  const double margin;    ///< and what else was asked for
+  static constexpr double margin_b = 0;
+
+  std::optional<tricover::Penetration> penetration() const { return shadow.penetration(polygon, margin); }
+  std::vector<tricover::Contact> contacts(std::size_t most) const { return shadow.contacts(polygon, margin, most); }
+  tricover::DistanceResult nearest() const {
+    return *shadow.distance(polygon, std::numeric_limits<double>::infinity(), {});
+  }
+  /// A surface that is met is overlapped, if only touched.
+  bool areWithin(double length) const { return shadow.isSurface() || shadow.meets(polygon, length); }
+  bool areDeeper(double depth, const tricover::DistanceResult&) const;
 };
 
 /// Throws std::invalid_argument, naming it, for a pose that isn't rigid within tricover::kRigidTolerance or isn't

@@ -80,7 +80,7 @@ bool StadiumPair<S>::placeBall(const fcl::Transform3<S>& of_polygon, const fcl::
   setPlanarPart(pose_a, of_polygon);
   requireRigid(pose_a, polygon_first ? "pose_a" : "pose_b");
   height_ = z + slab.middle();
-  radius = of_radius;
+  setRadius(of_radius);
   constexpr double kX[] = {1, 0}, kY[] = {0, 1};
   const double center[] = {static_cast<double>(of_ball.matrix()(0, 3)), static_cast<double>(of_ball.matrix()(1, 3))};
   setColumns(pose_b, kX, kY, center);
@@ -88,12 +88,20 @@ bool StadiumPair<S>::placeBall(const fcl::Transform3<S>& of_polygon, const fcl::
 }
 
 template <typename S>
+void StadiumPair<S>::setRadius(double radius) {
+  margin_b = radius;
+  const double beside = margin + margin_a;
+  margin = beside == 0 ? radius : (radius + beside) * (1 + 0x1p-52);
+}
+
+template <typename S>
 StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
-                            const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2)
-    : PlanarPair{nullptr, &Stadium::point(), {}, {}},
+                            const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2, double more)
+    : PlanarPair{nullptr, &Stadium::point(), {}, {}, 0, 0, more},
       polygon_first(isPolygon(o1)),
       shape(static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2)) {
   a = &shape.polygon();
+  margin_a = shape.options().margin;
   const fcl::CollisionGeometry<S>& other = polygon_first ? o2 : o1;
   const fcl::NODE_TYPE type = other.getNodeType();
   if (!isRound(type)) return;
@@ -114,7 +122,7 @@ StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   requireRigid(pose_a, polygon_first ? "pose_a" : "pose_b");
   found = stadium->in_slab ? StadiumCase::Pair : StadiumCase::OutOfSlab;
   stadium->setPose(pose_b);
-  radius = stadium->radius;
+  setRadius(stadium->radius);
   if (stadium->half_length == 0) return;
   b = &segment_.emplace(stadium->segment());
   keepFacts();

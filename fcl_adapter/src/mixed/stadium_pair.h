@@ -16,22 +16,17 @@ namespace tricover_fcl {
 /// doesn't reach the polygon's heights.
 enum class StadiumCase { None, OutOfSlab, Pair };
 
-/// A polygon, `a`, and a geometry that is a disc or a stadium in the polygon's plane, as a segment, `b`, with a radius:
-/// so the kernel answers, exactly, without an outline.
+/// A polygon, `a`, and a geometry that is a disc or a stadium in the polygon's plane, as a segment, `b`, with a margin,
+/// its radius: so the kernel answers, exactly, without an outline.
 template <typename S>
 class StadiumPair : public PlanarPair {
  public:
-  /// Throws as mixedPair() does.
+  /// `more` is a length added to the margin, upwards. Throws as mixedPair() does.
   StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,
-              const fcl::Transform3<S>& tf2);
+              const fcl::Transform3<S>& tf2, double more = 0);
 
   StadiumPair(const StadiumPair&) = delete;  // b is its own
   StadiumPair& operator=(const StadiumPair&) = delete;
-
-  bool isDisc() const { return !segment_; }
-
-  /// `more` is a length added to the radius, upwards.
-  double grown(double more) const { return more == 0 ? radius : (radius + more) * (1 + 0x1p-52); }
 
   /// The plane in which both poses are, at the middle of the polygon's heights.
   Plane plane() const { return is_level_ ? planeAt(height_) : plane_; }
@@ -43,7 +38,6 @@ class StadiumPair : public PlanarPair {
   const bool polygon_first;
   const PolygonShape<S>& shape;
   StadiumCase found = StadiumCase::None;  ///< what follows is there for a pair alone
-  double radius = 0;                      ///< of the segment's margin, beside the polygon's
 
  private:
   /// Where the other one is: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.
@@ -56,6 +50,7 @@ class StadiumPair : public PlanarPair {
   /// stadiumOf() that it needs.
   bool placeBall(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_ball, double of_radius);
   Other place(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_other);
+  void setRadius(double radius);
 
   std::optional<tricover::Polygon> segment_;  ///< none for a disc
   bool is_level_ = true;

@@ -37,8 +37,8 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   if (request.isSatisfied(result)) return result.numContacts();
   const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
   const Wanted want = wanted(o1, o2, request);
-  const double margin = options.margin + (shape_a.options().margin + shape_b.options().margin);
   if (DiscPair<S>::areDiscs(shape_a, shape_b) && options.tolerance == 0 && !want.costs) {
+    const double margin = options.margin + (shape_a.options().margin + shape_b.options().margin);
     const std::optional<bool> hit = DiscPair<S>(shape_a, tf1, shape_b, tf2).areWithin(margin);
     if (hit && !(*hit && want.contacts && request.enable_contact)) {
       if (*hit && want.contacts && room(request, result) > 0) addContact(o1, o2, result);
@@ -46,9 +46,9 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
     }
   }
 
-  const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2);
+  const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2, options.margin);
   if (!want.contacts && !want.costs) return result.numContacts();
-  if (!(pair.heightsMeet() && pair.collide({margin, options.tolerance}))) return result.numContacts();
+  if (!(pair.heightsMeet() && pair.collide(options.tolerance))) return result.numContacts();
 
   const std::size_t most = want.contacts ? room(request, result) : 0;
   if (most > 0 && !request.enable_contact) {

@@ -6,9 +6,7 @@
 
 #include "polygons/disc_pair.h"
 #include "polygons/polygon_pair.h"
-#include "shape/crossing.h"
 #include "shape/fcl_results.h"
-#include "shape/nearest_points.h"
 
 namespace tricover_fcl {
 namespace {
@@ -16,8 +14,7 @@ namespace {
 /// Planar points of a and b, each at a height of its own shape: as near to each other as the heights allow.
 template <typename S>
 struct NearestPoints {
-  NearestPoints(const PolygonPair<S>& pair, bool heights_meet, const tricover::Vec2& point_a,
-                const tricover::Vec2& point_b) {
+  NearestPoints(const PolygonPair<S>& pair, bool heights_meet, const tricover::DistanceResult& found) {
     const Heights a = pair.heights_a, b = pair.heights_b;
     double z_a, z_b;
     if (heights_meet) {
@@ -27,37 +24,12 @@ struct NearestPoints {
       z_a = (below ? a.high : a.low).rounded();
       z_b = (below ? b.low : b.high).rounded();
     }
-    on_a = {point_a.x(), point_a.y(), z_a};
-    on_b = {point_b.x(), point_b.y(), z_b};
+    on_a = {found.point_a.x(), found.point_a.y(), z_a};
+    on_b = {found.point_b.x(), found.point_b.y(), z_b};
   }
 
   fcl::Vector3<double> on_a, on_b;
 };
-
-/// What FCL reports of regions that share a point.
-template <typename S>
-void updateOverlap(const PolygonPair<S>& pair, bool is_signed, const tricover::DistanceResult& common,
-                   fcl::DistanceResult<S>& result) {
-  const auto report = [&](double distance, const auto& from) {
-    const NearestPoints<S> points(pair, true, from.point_a, from.point_b);
-    updateDistance(pair.shape_a, pair.shape_b, distance, points.on_a, points.on_b, from.edge_a, from.edge_b, result);
-  };
-  // FCL takes a depth below the smallest normal number for none, and asserts that there is one.
-  const auto isDepth = [](double depth) { return depth > static_cast<double>(std::numeric_limits<S>::min()); };
-  if (is_signed) {
-    const auto penetration = pair.penetration();
-    if (penetration && isDepth(penetration->depth)) return report(-penetration->depth, *penetration);
-  } else {
-    // Edges that cross and rings that lie inside without meeting an edge go on overlapping when moved a little.
-    // Contacts are needed of the others only, which mostly touch.
-    const bool holds_ring = common.edge_a < 0 || common.edge_b < 0;
-    if (holds_ring || crossDeeply(*pair.a, pair.pose_a, common.edge_a, *pair.b, pair.pose_b, common.edge_b, 0))
-      return report(-1, common);
-    const auto deepest = pair.contacts(1);
-    if (!deepest.empty() && isDepth(deepest.front().depth)) return report(-1, common);
-  }
-  report(0, common);
-}
 
 /// Of two discs, if these are plainly apart: where they aren't, more is to be told.
 template <typename S>
@@ -88,9 +60,7 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
 
   // Nothing above the distance that the result already holds is of interest, and no pair is nearer than its heights.
-  tricover::DistanceOptions options;
-  options.relative_error = static_cast<double>(request.rel_err);
-  options.absolute_error = static_cast<double>(request.abs_err);
+  tricover::DistanceOptions options = errorsOf(request);
   options.margin = shape_a.options().margin + shape_b.options().margin;
   if (DiscPair<S>::areDiscs(shape_a, shape_b) && updateApart(shape_a, tf1, shape_b, tf2, options, result))
     return result.min_distance;
@@ -99,18 +69,18 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   const auto limit = static_cast<double>(result.min_distance);
   if (apart >= limit) return result.min_distance;
 
-  const auto found = pair.distanceWithin(limit, options);
+  auto found = pair.distanceWithin(limit, options);
   if (!found) return result.min_distance;
-  tricover::DistanceResult planar = *found;
-  if (options.margin > 0) moveByMargins(planar, shape_a.options().margin, shape_b.options().margin);
-  if (planar.distance == 0 && apart == 0) {
+  moveByMargins(pair, *found);
+  if (found->distance == 0 && apart == 0) {
     requireContactsIfSigned(o1, o2, request);
-    updateOverlap(pair, request.enable_signed_distance, planar, result);
-  } else {
-    const NearestPoints<S> points(pair, apart == 0, planar.point_a, planar.point_b);
-    const double distance_in_space = apart == 0 ? planar.distance : std::hypot(planar.distance, apart);
-    updateDistance(o1, o2, distance_in_space, points.on_a, points.on_b, planar.edge_a, planar.edge_b, result);
+    // FCL takes a depth below the smallest normal number for none, and asserts that there is one.
+    *found =
+        overlapOf(pair, request.enable_signed_distance, static_cast<double>(std::numeric_limits<S>::min()), *found);
   }
+  const NearestPoints<S> points(pair, apart == 0, *found);
+  const double distance = apart == 0 ? found->distance : std::hypot(found->distance, apart);
+  updateDistance(o1, o2, distance, points.on_a, points.on_b, found->edge_a, found->edge_b, result);
   return result.min_distance;
 }
 

@@ -14,13 +14,15 @@ struct PolygonPair : PlanarPair {
   const PolygonShape<S>&shape_a, &shape_b;
   const Heights heights_a, heights_b;
 
+  /// `more` is a length added to the margins.
   PolygonPair(const PolygonShape<S>& a_, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b_,
-              const fcl::Transform3<S>& tf2)
-      : PlanarPair{&a_.polygon(), &b_.polygon(), {}, {}},
+              const fcl::Transform3<S>& tf2, double more = 0)
+      : PlanarPair{&a_.polygon(), &b_.polygon(), {}, {}, a_.options().margin, b_.options().margin},
         shape_a(a_),
         shape_b(b_),
         heights_a(heightsOf(a_.options(), tf1)),
         heights_b(heightsOf(b_.options(), tf2)) {
+    margin = more + (margin_a + margin_b);
     requirePlanar(tf1, "pose_a");
     requirePlanar(tf2, "pose_b");
     setPlanarPart(pose_a, tf1);

@@ -7,15 +7,13 @@
 
 namespace tricover_fcl {
 
-PlanarPair Shadow::with(const tricover::Polygon& polygon) const {
-  return {&polygon, &*region_, tricover::Pose::Identity(), tricover::Pose::Identity()};
+PlanarPair Shadow::with(const tricover::Polygon& polygon, double margin) const {
+  return {&polygon, &*region_, tricover::Pose::Identity(), tricover::Pose::Identity(), 0, 0, margin};
 }
 
 bool Shadow::meets(const tricover::Polygon& polygon, double margin) const {
   if (smooth_) return smooth_->meets(polygon, margin);
-  tricover::CollideOptions options;
-  options.margin = margin + rounding_;
-  return with(polygon).collide(options);
+  return with(polygon, margin + rounding_).collide();
 }
 
 std::optional<tricover::DistanceResult> Shadow::distance(const tricover::Polygon& polygon, double limit,
@@ -23,7 +21,8 @@ std::optional<tricover::DistanceResult> Shadow::distance(const tricover::Polygon
   // Regions that meet up to rounding are a little apart: a limit below that must not cost them their nearest points.
   if (smooth_) return smooth_->distance(polygon, options.margin);
   const bool touching = meets(polygon, options.margin);
-  auto found = with(polygon).distanceWithin(touching ? std::numeric_limits<double>::infinity() : limit, options);
+  auto found =
+      with(polygon, options.margin).distanceWithin(touching ? std::numeric_limits<double>::infinity() : limit, options);
   if (touching && found) found->distance = 0;
   return found;
 }
@@ -49,11 +48,12 @@ SmoothShadow roughly(SmoothShadow shadow) {
 
 using Normals = std::vector<Vec2>;
 
-/// Adds the shadow's where its outline, moved by `way`, crosses the polygon's.
-void addCrossed(Normals& normals, const SmoothShadow& shadow, const Polygon& polygon, const Vec2& way) {
+/// Adds the shadow's where its outline, moved by `way`, comes as near to the polygon's as the margin.
+void addCrossed(Normals& normals, const SmoothShadow& shadow, const Polygon& polygon, const Vec2& way, double margin) {
   Pose there = Pose::Identity();
   there.translation() = way;
-  for (const tricover::Crossing& crossing : tricover::crossings(polygon, Pose::Identity(), shadow.outline(), there))
+  const auto crossed = tricover::crossings(polygon, Pose::Identity(), shadow.outline(), there, {margin});
+  for (const tricover::Crossing& crossing : crossed)
     normals.push_back(shadow.normalNear(crossing.edge_b, crossing.point - way));
 }
 
@@ -68,11 +68,13 @@ bool sharpen(SmoothShadow& shadow, const Normals& normals) {
 /// out of a polygon within. They are made fine where either way's length depends on it: in its direction, and where it
 /// touches the polygon at its end, which moving back or aside by a little shows. Where that takes long, as of a disc
 /// around a needle's tip, many ways are as short, and they are made fine everywhere.
-std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Polygon& polygon) {
+std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Polygon& polygon, double margin) {
   constexpr int kOneByOne = 16;
   const double error = shadow.outlineError(Shadow::kOutlineError);
   const auto into = [&](const Polygon& region) {
-    return tricover::penetration(polygon, Pose::Identity(), region, Pose::Identity());
+    tricover::PenetrationOptions options;
+    options.margin = margin;
+    return tricover::penetration(polygon, Pose::Identity(), region, Pose::Identity(), options);
   };
   for (int i = 0;; ++i) {
     const auto around = into(shadow.outline());
@@ -84,7 +86,7 @@ std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Po
       if (!way) continue;
       const Vec2 back = -error * way->normal, aside(-back.y(), back.x());
       for (const Vec2& move : {back, aside, Vec2(-aside)})
-        addCrossed(normals, shadow, polygon, way->translation + move);
+        addCrossed(normals, shadow, polygon, way->translation + move, margin);
       normals.push_back(-way->normal);
     }
     const bool sharpened = i < kOneByOne ? sharpen(shadow, normals) : shadow.refine(-1, Shadow::kOutlineError);
@@ -94,29 +96,29 @@ std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Po
 
 }  // namespace
 
-std::optional<tricover::Penetration> Shadow::penetration(const Polygon& polygon) const {
-  if (!smooth_) return with(polygon).penetration();
+std::optional<tricover::Penetration> Shadow::penetration(const Polygon& polygon, double margin) const {
+  if (!smooth_) return with(polygon, margin).penetration();
   SmoothShadow fine = roughly(*smooth_);
-  return sharpenedWay(fine, polygon);
+  return sharpenedWay(fine, polygon, margin);
 }
 
 /// With an outline that is fine where it crosses the polygon, and where a part's way leads.
-std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, std::size_t most) const {
-  if (!smooth_) return with(polygon).contacts(most);
+std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, double margin, std::size_t most) const {
+  if (!smooth_) return with(polygon, margin).contacts(most);
   const auto of = [&](const Polygon& region) {
-    return tricover::contacts(polygon, Pose::Identity(), region, Pose::Identity(), {0, most});
+    return tricover::contacts(polygon, Pose::Identity(), region, Pose::Identity(), {margin, most});
   };
   SmoothShadow fine = roughly(*smooth_);
   Normals normals;
   do {
     normals.clear();
-    addCrossed(normals, fine, polygon, Vec2::Zero());
+    addCrossed(normals, fine, polygon, Vec2::Zero(), 0);
   } while (sharpen(fine, normals));
   const std::vector<tricover::Contact> found = of(fine.outline());
   normals.clear();
   for (const tricover::Contact& part : found) normals.push_back(-part.normal);
   if (found.size() != 1) return sharpen(fine, normals) ? of(fine.outline()) : found;
-  const auto way = sharpenedWay(fine, polygon);
+  const auto way = sharpenedWay(fine, polygon, margin);
   std::vector<tricover::Contact> whole = of(fine.outline());
   if (way && whole.size() == 1) {  // finer outlines may have more vertices than contacts() searches for it
     tricover::Contact& part = whole.front();

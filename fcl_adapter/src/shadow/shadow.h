@@ -55,12 +55,13 @@ class Shadow {
   /// Makes that finer at one of its edges, to kOutlineError of the body's reach; false if it is so fine.
   bool refine(std::ptrdiff_t edge);
   static constexpr double kOutlineError = 1e-6;
-  /// Of the polygon (a) and the shadow (b). The way is right to kOutlineError of the body's reach for its direction; of
-  /// two ways out of a smooth body that differ by less than kFarOutlineError the longer one may be taken.
-  std::optional<tricover::Penetration> penetration(const tricover::Polygon& polygon) const;
+  /// Of the polygon (a), grown by the margin, and the shadow (b). The way is right to kOutlineError of the body's reach
+  /// for its direction; of two ways out of a smooth body that differ by less than kFarOutlineError the longer one may
+  /// be taken.
+  std::optional<tricover::Penetration> penetration(const tricover::Polygon& polygon, double margin) const;
   static constexpr double kFarOutlineError = 1e-3;
   /// One for each part of their overlap, as right.
-  std::vector<tricover::Contact> contacts(const tricover::Polygon& polygon, std::size_t most) const;
+  std::vector<tricover::Contact> contacts(const tricover::Polygon& polygon, double margin, std::size_t most) const;
 
   /// Within the shadow: itself, or, of a smooth body, a polygon of few vertices.
   tricover::Polygon core() const { return smooth_ ? smooth_->inscribed() : *region_; }
@@ -73,7 +74,7 @@ class Shadow {
 
  private:
   /// Of a shadow that is a polygon.
-  PlanarPair with(const tricover::Polygon& polygon) const;
+  PlanarPair with(const tricover::Polygon& polygon, double margin) const;
 
   std::optional<tricover::Polygon> region_;
   double rounding_ = 0;

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "shape/plane.h"
-#include "tricover/polygon.h"
+#include "tricover/distance.h"
 
 /// How planar answers are written into FCL's results, by FCL's rules.
 namespace tricover_fcl {
@@ -31,6 +31,15 @@ Wanted wanted(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<
 template <typename S>
 std::size_t room(const fcl::CollisionRequest<S>& request, const fcl::CollisionResult<S>& result) {
   return request.num_max_contacts > result.numContacts() ? request.num_max_contacts - result.numContacts() : 0;
+}
+
+/// What distances may be wrong by.
+template <typename S>
+tricover::DistanceOptions errorsOf(const fcl::DistanceRequest<S>& request) {
+  tricover::DistanceOptions options;
+  options.relative_error = static_cast<double>(request.rel_err);
+  options.absolute_error = static_cast<double>(request.abs_err);
+  return options;
 }
 
 /// FCL's dispatcher asks collide for a contact where a signed distance is negative (under GST_INDEP, and of meshes and
