@@ -94,7 +94,7 @@ Contender fleetContender(const char* name, Role role, const Geometry& geometry) 
 
 Result measureRoundFleet(const Settings& settings) {
   const Geometry discs = std::make_shared<tricover_fcl::PolygonShaped>(
-      point({0, 0}), tricover_fcl::PolygonOptions{-kRadius, kRadius, kRadius});
+      point({0, 0}), tricover_fcl::PolygonOptions{kRadius, -kRadius, kRadius});
   const Geometry spheres = std::make_shared<fcl::Sphered>(kRadius);
   const Workload workload{"round", "fleet of 500 discs", "crowd", 1, 1, kFrames, kRobots * kRobots};
   return measure(workload,

@@ -46,7 +46,7 @@ struct Body {
 };
 
 Geometry shape(const Polygon& polygon, double up, double margin = 0) {
-  return std::make_shared<tricover_fcl::PolygonShaped>(polygon, tricover_fcl::PolygonOptions{-up, up, margin});
+  return std::make_shared<tricover_fcl::PolygonShaped>(polygon, tricover_fcl::PolygonOptions{margin, -up, up});
 }
 
 Body polygonBody(std::size_t vertices) {

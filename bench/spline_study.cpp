@@ -107,7 +107,7 @@ std::vector<Result> measureSplines(const Settings& settings) {
   // Long enough for a walk through all motions.
   const Settings patient{3, std::max(0.15, settings.seconds_per_repetition)};
   const auto shape = [](const Polygon& polygon, double margin) {
-    return std::make_shared<tricover_fcl::PolygonShaped>(polygon, tricover_fcl::PolygonOptions{-1, 1, margin});
+    return std::make_shared<tricover_fcl::PolygonShaped>(polygon, tricover_fcl::PolygonOptions{margin, -1, 1});
   };
   const Ring hull = {{-0.6, -0.3}, {0.5, -0.3}, {0.6, -0.2}, {0.6, 0.2}, {0.5, 0.3}, {-0.6, 0.3}};
   const Geometry footprint = shape(Polygon({hull}), 0), disc = shape(point({0, 0}), 0.5);

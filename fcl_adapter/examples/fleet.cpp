@@ -66,10 +66,10 @@ tricover::Ring rectangle(double x0, double y0, double x1, double y1) {
 }
 
 std::vector<Body> hall() {
-  return {body("walls", tricover::Polygon({rectangle(-0.2, -0.2, 12.2, 8.2), rectangle(0, 0, 12, 8)}), {0, 3, 0},
+  return {body("walls", tricover::Polygon({rectangle(-0.2, -0.2, 12.2, 8.2), rectangle(0, 0, 12, 8)}), {0, 0, 3},
                standing()),
-          body("rack", tricover::Polygon({rectangle(2.5, 5.2, 6, 6.2)}), {0, 3, 0}, standing()),
-          body("bridge", tricover::Polygon({rectangle(8.2, 0, 8.8, 8)}), {1.6, 2, 0}, standing())};  // overhead
+          body("rack", tricover::Polygon({rectangle(2.5, 5.2, 6, 6.2)}), {0, 0, 3}, standing()),
+          body("bridge", tricover::Polygon({rectangle(8.2, 0, 8.8, 8)}), {0, 1.6, 2}, standing())};  // overhead
 }
 
 /// Each keeps 0.15 m: two robots are in conflict within 0.3 m of each other, a robot and a wall within 0.15 m.
@@ -77,13 +77,13 @@ std::vector<Body> fleet() {
   constexpr double kMargin = 0.15, kQuarter = static_cast<double>(EIGEN_PI) / 2;
   const tricover::Ring fork = {{-0.5, -0.4}, {0.9, -0.4}, {0.9, -0.25}, {0, -0.25},
                                {0, 0.25},    {0.9, 0.25}, {0.9, 0.4},   {-0.5, 0.4}};
-  return {body("forklift", tricover::Polygon({fork}), {0, 2.1, kMargin},  // too high for the bridge
+  return {body("forklift", tricover::Polygon({fork}), {kMargin, 0, 2.1},  // too high for the bridge
                {{0, {1, 3, 0}, {0.6, 0, 0}}, {5, {4.5, 3.6, 0.5}, {0.8, 0.3, 0.1}}, {12, {10.8, 6.6, 0}, {0.6, 0, 0}}}),
-          body("tug", tricover::Polygon({rectangle(-0.6, -0.3, 0.6, 0.3)}), {0, 0.8, kMargin},
+          body("tug", tricover::Polygon({rectangle(-0.6, -0.3, 0.6, 0.3)}), {kMargin, 0, 0.8},
                {{0, {11, 1, 2 * kQuarter}, {-0.9, 0, 0}},
                 {6, {6.2, 2.2, 1.2 * kQuarter}, {-0.3, 0.9, -0.3}},
                 {12, {7, 7.2, kQuarter}, {0, 0.4, 0}}}),
-          body("shuttle", tricover::point({0, 0}), {0, 0.4, 0.35 + kMargin},  // a disc
+          body("shuttle", tricover::point({0, 0}), {0.35 + kMargin, 0, 0.4},  // a disc
                {{0, {1, 7, -kQuarter}, {0, -0.8, 0}},
                 {4, {1.6, 4.4, -kQuarter / 2}, {0.6, -0.4, 0.4}},
                 {12, {11, 1.2, 0}, {0.9, 0, 0}}})};

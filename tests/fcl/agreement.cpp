@@ -56,7 +56,7 @@ TEST(Agreement, alongWalks) {
   for (int walk = 0; walk < tricover::support::scaledCount(150); ++walk) {
     const double heights[3] = {0, random.real(0, 0.2), 0};
     const auto shape = [&](double height) {
-      return std::make_shared<PolygonShaped>(randomPolygon(random, 1), PolygonOptions{0, height});
+      return std::make_shared<PolygonShaped>(randomPolygon(random, 1), PolygonOptions{0, 0, height});
     };
     fcl::CollisionObjectd a(shape(heights[walk % 3])), b(shape(heights[(walk + 1) % 3]));
     tricover::Vec2 place(random.real(-2, 2), random.real(-2, 2));
@@ -117,7 +117,7 @@ TEST(Agreement, managersFindTheLeastDistance) {
     for (int i = 0; i < 12; ++i) {
       const double height = random.oneIn(3) ? 0.5 : 0;
       const auto shape = std::make_shared<PolygonShaped>(randomPolygon(random, random.real(0.5, 1.5)),
-                                                         PolygonOptions{0, height, random.oneIn(3) ? 0.3 : 0});
+                                                         PolygonOptions{random.oneIn(3) ? 0.3 : 0, 0, height});
       objects.push_back(std::make_unique<fcl::CollisionObjectd>(
           shape, lifted(tricover::support::randomPose(random, spread), random.oneIn(4) ? 1 : 0)));
       registered.push_back(objects.back().get());

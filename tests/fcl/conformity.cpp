@@ -26,8 +26,8 @@ Pair boxes() { return {std::make_shared<fcl::Boxd>(2, 2, 4), std::make_shared<fc
 
 Pair prisms() {
   const tricover::Polygon square({tricover::support::rectangle(-1, -1, 1, 1)});
-  return {std::make_shared<PolygonShaped>(square, PolygonOptions{-2, 2}),
-          std::make_shared<PolygonShaped>(square, PolygonOptions{-4, 4})};
+  return {std::make_shared<PolygonShaped>(square, PolygonOptions{0, -2, 2}),
+          std::make_shared<PolygonShaped>(square, PolygonOptions{0, -4, 4})};
 }
 
 /// Margins for prisms, and for boxes, which have none, sides as much longer.
@@ -39,7 +39,7 @@ Pair grown(const Pair& pair, double by) {
   const auto wide = [by](const fcl::CollisionGeometryd& geometry) {
     const auto& shape = static_cast<const PolygonShaped&>(geometry);
     return std::make_shared<PolygonShaped>(shape.polygon(),
-                                           PolygonOptions{shape.options().z_low, shape.options().z_high, by});
+                                           PolygonOptions{by, shape.options().z_low, shape.options().z_high});
   };
   return {wide(*pair.a), wide(*pair.b)};
 }

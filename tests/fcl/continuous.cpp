@@ -267,7 +267,7 @@ TEST(Continuous, slidesWithoutAReferencePoint) {
 }
 
 TEST(Continuous, needsHeightsAndOccupancy) {
-  const Shape<double> prism = std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{-1, 1});
+  const Shape<double> prism = std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{0, -1, 1});
   const auto through = [&](double z, const Shape<double>& b) {
     const fcl::TranslationMotiond motion(placed(0, -3, 0, z), placed(0, 3, 0, z)),
         still(placed(0, 0, 0), placed(0, 0, 0));
@@ -322,8 +322,8 @@ TEST(Continuous, splinesAreFollowedByTheirControlPoints) {
     };
     const double z = random.real(-5, 5);
     const double margins[] = {random.oneIn(3) ? random.real(0, 2) : 0, random.oneIn(3) ? random.real(0, 2) : 0};
-    const Shape<double> a = std::make_shared<PolygonShaped>(polygon(), PolygonOptions{0, 0, margins[0]});
-    const Shape<double> b = std::make_shared<PolygonShaped>(polygon(), PolygonOptions{0, 0, margins[1]});
+    const Shape<double> a = std::make_shared<PolygonShaped>(polygon(), PolygonOptions{margins[0], 0, 0});
+    const Shape<double> b = std::make_shared<PolygonShaped>(polygon(), PolygonOptions{margins[1], 0, 0});
     const fcl::SplineMotion<double> motion_a = anySpline(random, z), motion_b = anySpline(random, z);
     constexpr double kError = 1e-6;
     const fcl::ContinuousCollisionResultd result = along(a, motion_a, b, motion_b, kError, kSolvers[i % 2]);
@@ -358,7 +358,7 @@ TEST(Continuous, splinesAreFollowedByTheirControlPoints) {
 TEST(Continuous, marginsAreMetBeforeContact) {
   const fcl::TranslationMotiond still(placed(0, 0, 0), placed(0, 0, 0)), right(placed(0, -10, 0), placed(0, 0, 0));
   const auto grown = [](double margin) -> Shape<double> {
-    return std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{0, 0, margin});
+    return std::make_shared<PolygonShaped>(kSquare->polygon(), PolygonOptions{margin, 0, 0});
   };
   EXPECT_NEAR(along(kSquare, right, kSquare, still).time_of_contact, 0.9, 1e-8);
   EXPECT_NEAR(along(grown(2), right, kSquare, still).time_of_contact, 0.7, 1e-8);

@@ -29,7 +29,7 @@ using tricover::support::Random;
 
 template <typename S = double>
 Shape<S> disc(double margin, const Vec2& center = Vec2::Zero(), double z_low = -1, double z_high = 1) {
-  return std::make_shared<PolygonShape<S>>(tricover::point(center), PolygonOptions{z_low, z_high, margin});
+  return std::make_shared<PolygonShape<S>>(tricover::point(center), PolygonOptions{margin, z_low, z_high});
 }
 
 template <typename S>

@@ -21,7 +21,7 @@ constexpr double kPi = 3.14159265358979323846;
 const tricover::Polygon kSquare({tricover::support::rectangle(0, 0, 1, 1)});
 
 Shape<double> prism(double z_low, double z_high, const tricover::Polygon& polygon = kSquare) {
-  return std::make_shared<PolygonShaped>(polygon, PolygonOptions{z_low, z_high});
+  return std::make_shared<PolygonShaped>(polygon, PolygonOptions{0, z_low, z_high});
 }
 
 fcl::Transform3d at(double z, double x = 0) { return lifted(tricover::support::pose(0, x, 0), z); }
@@ -227,7 +227,7 @@ TEST(Heights, allOfThemAreFiniteForAManager) {
 TEST(Heights, badIntervalsAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const auto refusal = [](double low, double high) {
-    return thrownBy<std::invalid_argument>([&] { PolygonShaped(kSquare, {low, high}); });
+    return thrownBy<std::invalid_argument>([&] { PolygonShaped(kSquare, {0, low, high}); });
   };
   EXPECT_NE(refusal(1, 0.5).find("z_high"), std::string::npos);
   EXPECT_NE(refusal(0, nan).find("z_high"), std::string::npos);

@@ -22,7 +22,7 @@ namespace {
 using tricover::support::Random;
 
 Shape<double> withMargin(const tricover::Polygon& polygon, double margin) {
-  return std::make_shared<PolygonShaped>(polygon, PolygonOptions{0, 0, margin});
+  return std::make_shared<PolygonShaped>(polygon, PolygonOptions{margin, 0, 0});
 }
 
 std::size_t collide(const Shape<double>& a, const fcl::Transform3d& tf_a, const Shape<double>& b,
@@ -259,7 +259,7 @@ TEST(Margin, badLengthsAreRefusedByName) {
     return thrownBy<std::invalid_argument>([&] { PolygonShapef(kSquare, options); });
   };
   for (const double bad : {-1e-300, nan, infinity}) {
-    EXPECT_NE(refusal({0, 0, bad}).find("margin"), std::string::npos);
+    EXPECT_NE(refusal({bad, 0, 0}).find("margin"), std::string::npos);
     // A shape's margin doesn't make good for it.
     const Shape<double> a = withMargin(kSquare, 1);
     for (const bool tolerance : {false, true}) {

@@ -115,7 +115,7 @@ TEST_F(MixedContact, ofAPlaneParallelToThePolygonIsAlongItsNormal) {
 }
 
 TEST_F(MixedContact, ofAPlaneIsLeftOnTheShorterWay) {
-  const PolygonShaped prism(square_.polygon(), PolygonOptions{-1, 3});
+  const PolygonShaped prism(square_.polygon(), PolygonOptions{0, -1, 3});
   for (const double z : {-0.75, 2.5}) {
     const auto found = contacts(prism, here_, fcl::Planed(0, 0, 1, z), here_, 1);
     ASSERT_EQ(found.size(), 1u);

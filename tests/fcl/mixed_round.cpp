@@ -63,7 +63,7 @@ TEST(MixedRound, isExactOnEveryFamily) {
       const double gap = tricover::exact::distanceBelow(square);
       if (!(gap > 1e-300 && gap < 1e300 && size < 1e300)) continue;
       // The prism's heights hold the axis.
-      const PolygonShaped shape(c.a, random.coin() ? PolygonOptions{-1, 2} : PolygonOptions::atAllHeights());
+      const PolygonShaped shape(c.a, random.coin() ? PolygonOptions{0, -1, 2} : PolygonOptions::atAllHeights());
       const fcl::Transform3d pose = lifted(c.pose_a, 5);
       const Vec3 at(center.x(), center.y(), 5.5);
       for (const int steps : {-1, 0, 1}) {
@@ -129,7 +129,7 @@ TEST(MixedRound, sectionsDistancesAndNearestPoints) {
   for (int i = 0; i < cases; ++i) {
     const double low = random.coin() ? 0 : random.real(-2, 0), high = low == 0 ? 0 : random.real(0, 2),
                  margin = random.coin() ? 0 : random.real(0, 1);
-    const PolygonShaped shape(randomPolygon(random, 2), PolygonOptions{low, high, margin});
+    const PolygonShaped shape(randomPolygon(random, 2), PolygonOptions{margin, low, high});
     const Scene scene = anyRound(random, low, high);
     const Pose pose = tricover::support::randomPose(random, 2);
     const Pose identity = Pose::Identity();
@@ -191,7 +191,7 @@ TEST(MixedRound, contactsPartThemByTheShortestWay) {
   while (direct + searched < cases) {
     SCOPED_TRACE(direct + searched);
     const double margin = random.coin() ? 0 : random.real(0, 1);
-    const PolygonShaped shape(randomPolygon(random, 2), PolygonOptions{0, 0, margin});
+    const PolygonShaped shape(randomPolygon(random, 2), PolygonOptions{margin, 0, 0});
     const Scene scene = anyRound(random, 0, 0);
     const Pose pose = tricover::support::randomPose(random, 2), identity = Pose::Identity();
     if (scene.radius < 0) continue;
@@ -357,7 +357,7 @@ TEST(MixedRound, whatTurnsDoesSoAboutItsOwnPivot) {
 }
 
 TEST(MixedRound, prismsUpsideDownReachTheOtherWay) {
-  const PolygonShaped prism(Polygon({tricover::support::rectangle(-1, -1, 1, 1)}), PolygonOptions{-1, 3});
+  const PolygonShaped prism(Polygon({tricover::support::rectangle(-1, -1, 1, 1)}), PolygonOptions{0, -1, 3});
   fcl::Transform3d upside_down = fcl::Transform3d::Identity();
   upside_down.linear().diagonal() << 1, -1, -1;
   const fcl::Sphered sphere(0.5);

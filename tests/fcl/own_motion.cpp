@@ -152,7 +152,7 @@ void swingsMeetOnTime(int full, S error) {
       return tricover::Polygon({tricover::support::star(random, random.integer(3, 9), 0.5, 3)});
     };
     const double margin = random.coin() ? random.real(0, 1) : 0;
-    const auto a = std::make_shared<PolygonShape<S>>(polygon(), PolygonOptions{0, 0, margin});
+    const auto a = std::make_shared<PolygonShape<S>>(polygon(), PolygonOptions{margin, 0, 0});
     const auto b = std::make_shared<PolygonShape<S>>(polygon());
     const SwingMotion<S> motion_a(anySwing<S>(random), radiusOf(a->polygon())),
         motion_b(anySwing<S>(random), radiusOf(b->polygon()));

@@ -195,7 +195,7 @@ TEST(SceneManager, aTiltWithinTheToleranceMovesHighPrisms) {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
   pose.linear() = turned(9e-7, fcl::Vector3d::UnitY());
   const auto tower = std::make_shared<PolygonShaped>(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}),
-                                                     PolygonOptions{0, 1e6, 0});
+                                                     PolygonOptions{0, 0, 1e6});
   fcl::CollisionObjectd prism(tower);
   fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted<double>(1.5, 0.5, 9e5));
   fcl::CollisionObjectd flat(shapeOf(tricover::Polygon({tricover::support::rectangle(1.2, 0, 2, 1)})),

@@ -13,14 +13,14 @@ namespace tricover_fcl {
 
 /// What a shape is besides its polygon. Lengths of the shape's own frame; doubles for S = float, too.
 struct PolygonOptions {
-  /// The shape is a prism: the polygon at every local z from z_low to z_high, both included. Flat by default. A pose
-  /// that turns the shape upside down turns the interval, too.
-  double z_low = 0;
-  double z_high = 0;  ///< see z_low
   /// Safety distance >= 0 in the plane: two shapes collide if and only if their heights overlap and their polygons come
   /// as close as the sum of their margins (rounded to a double) or closer. Distances and depths are those of the
   /// polygons grown by their margins.
   double margin = 0;
+  /// The shape is a prism: the polygon at every local z from z_low to z_high, both included. Flat by default. A pose
+  /// that turns the shape upside down turns the interval, too.
+  double z_low = 0;
+  double z_high = 0;  ///< see z_low
 
   /// The options of a shape at all heights, for scenes in which z means nothing: z_low and z_high are -infinity and
   /// infinity. Flat shapes whose z differ by a rounding never touch; such shapes don't ask. An infinite box is more
@@ -29,7 +29,7 @@ struct PolygonOptions {
   ///
   /// \snippet fcl.cpp shape
   static PolygonOptions atAllHeights(double margin = 0) {
-    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), margin};
+    return {margin, -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
 };
 

@@ -13,8 +13,8 @@ namespace {
 
 /// Planar points of a and b, each at a height of its own shape: as near to each other as the heights allow.
 template <typename S>
-struct NearestPoints {
-  NearestPoints(const PolygonPair<S>& pair, bool heights_meet, const tricover::DistanceResult& found) {
+struct PointsInSpace {
+  PointsInSpace(const PolygonPair<S>& pair, bool heights_meet, const tricover::DistanceResult& found) {
     const Heights a = pair.heights_a, b = pair.heights_b;
     double z_a, z_b;
     if (heights_meet) {
@@ -78,7 +78,7 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
     *found =
         overlapOf(pair, request.enable_signed_distance, static_cast<double>(std::numeric_limits<S>::min()), *found);
   }
-  const NearestPoints<S> points(pair, apart == 0, *found);
+  const PointsInSpace<S> points(pair, apart == 0, *found);
   const double distance = apart == 0 ? found->distance : std::hypot(found->distance, apart);
   updateDistance(o1, o2, distance, points.on_a, points.on_b, found->edge_a, found->edge_b, result);
   return result.min_distance;
