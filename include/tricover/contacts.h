@@ -36,7 +36,7 @@ struct Crossing {
 TRICOVER_EXPORT std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b,
                                                 const Pose& pose_b, const CrossingOptions& options = {});
 
-/// What of a contact is worked out. Each costs more than the one before, except of convex pairs.
+/// What of a contact is worked out. Each costs more than the one before; but of convex pairs all of it costs the least.
 enum class ContactDetail {
   /// A point, and the edges there, which meet in it; of what lies within the other region a vertex, which only one of
   /// the edges is at. Depth and normal are 0. Costs little more than crossings().
@@ -45,8 +45,7 @@ enum class ContactDetail {
   /// step of a simulation needs, which asks again at the next one.
   LocalDepth,
   /// And of an overlap in one part the shortest way apart, whatever stands in the way: for who wants to be free at
-  /// once.
-  /// Costs a penetration().
+  /// once. Costs a penetration().
   WayOut
 };
 
@@ -57,7 +56,7 @@ struct ContactOptions {
   double margin = 0;
   /// How many contacts are returned, the deepest ones.
   std::size_t most = std::numeric_limits<std::size_t>::max();
-  ContactDetail detail = ContactDetail::WayOut;
+  ContactDetail detail = ContactDetail::WayOut;  ///< What of each one is told.
 };
 
 /// One connected part of the regions' overlap, in the world. Coordinates are rounded: they are off by at most 128 units
