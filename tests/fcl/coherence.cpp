@@ -79,6 +79,8 @@ TEST(Coherence, fclCallsFillThePairsSlot) {
   Random random(13);
   const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
   const fcl::CollisionObjectd object_a(shapeOf(a)), object_b(shapeOf(b), lifted(tricover::support::pose(0, 1.7, 0)));
+  // The slot may have been another pair's, whose facts rest.
+  *pairCache(a, &object_a.getTransform(), b, &object_b.getTransform()) = {};
   for (int time = 0; time < 2; ++time) {
     fcl::CollisionResultd result;
     fcl::collide(&object_b, &object_a, fcl::CollisionRequestd(), result);

@@ -109,7 +109,7 @@ TEST(PolygonObject, aTiltThatPairsLeaveOutIsInTheBoxBothWays) {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
   pose.linear()(0, 2) = 9e-7;
   pose.linear()(2, 0) = -9e-7;
-  const auto shape = shapeWith<double>(tricover::Polygon({tricover::support::rectangle(1, 0, 2, 1)}), {1000, 2000, 0});
+  const auto shape = shapeWith<double>(tricover::Polygon({tricover::support::rectangle(1, 0, 2, 1)}), {0, 1000, 2000});
   const PolygonObjectd object(shape, pose);
   const fcl::AABB<double>& box = object.getAABB();
   EXPECT_LE(box.min_.x(), 1);

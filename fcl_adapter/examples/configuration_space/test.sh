@@ -20,31 +20,30 @@ if [ -n "$mpi" ]; then
   done
 fi
 
-# Killed as soon as something is there.
+# Killed as soon as something is there, with the ranks that it began.
 killed() {
   "$@" >/dev/null 2>&1 &
   local pid=$! waited=0
-  until [ -s long.part ] && tail -c 5120 long.part | grep -qaP '\x01'; do
+  until [ -s long.part ] && tail -c 20480 long.part | grep -qaP '\x01'; do
     sleep 0.01
     waited=$((waited + 1))
     [ $waited -lt 6000 ] || { echo "nothing was written"; exit 1; }
   done
-  kill -KILL $pid
+  kill -KILL $pid $(cat /proc/$pid/task/$pid/children)
   wait $pid 2>/dev/null || true
   [ -e long.part ] && [ ! -e long ] || { echo "it was done before it was killed"; exit 1; }
 }
-long="headings 64 width 32 height 1280"  # 5120 chunks
+long="headings 256 width 32 height 1280"  # 20480 chunks
 "$threads" "$map" whole_run $long >/dev/null
 killed "$threads" "$map" long $long threads 1
 "$threads" "$map" long $long >said_on
-grep -q "^goes on: [1-9][0-9]* of 5120 chunks are there" said_on
+grep -q "^goes on: [1-9][0-9]* of 20480 chunks are there" said_on
 cmp whole_run long
 if [ -n "$mpi" ]; then
   rm long
   killed "$mpiexec" -n 2 "$mpi" "$map" long $long
-  sleep 0.5  # ranks notice that mpiexec is gone
   "$mpiexec" -n 2 "$mpi" "$map" long $long >said_on
-  grep -q "^goes on: [1-9][0-9]* of 5120 chunks are there" said_on
+  grep -q "^goes on: [1-9][0-9]* of 20480 chunks are there" said_on
   cmp whole_run long
 fi
 # What is left of one job is no beginning of another.
