@@ -52,8 +52,7 @@ TEST(Coherence, walksAnswerAsColdQueriesInEitherOrder) {
 using Place = const void*;
 
 /// The slot of places that aren't new.
-const tricover::PairCache* slotOf(const tricover::Polygon& a, Place place_a, const tricover::Polygon& b,
-                                  Place place_b) {
+tricover::PairCache* slotOf(const tricover::Polygon& a, Place place_a, const tricover::Polygon& b, Place place_b) {
   pairCache(a, place_a, b, place_b);
   return pairCache(a, place_a, b, place_b);
 }
@@ -80,13 +79,13 @@ TEST(Coherence, fclCallsFillThePairsSlot) {
   const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
   const fcl::CollisionObjectd object_a(shapeOf(a)), object_b(shapeOf(b), lifted(tricover::support::pose(0, 1.7, 0)));
   // The slot may have been another pair's, whose facts rest.
-  *pairCache(a, &object_a.getTransform(), b, &object_b.getTransform()) = {};
+  *slotOf(a, &object_a.getTransform(), b, &object_b.getTransform()) = {};
   for (int time = 0; time < 2; ++time) {
     fcl::CollisionResultd result;
     fcl::collide(&object_b, &object_a, fcl::CollisionRequestd(), result);
   }
   const tricover::detail::CollisionFact& fact =
-      tricover::detail::factsIn(*pairCache(a, &object_a.getTransform(), b, &object_b.getTransform())).collision;
+      tricover::detail::factsIn(*slotOf(a, &object_a.getTransform(), b, &object_b.getTransform())).collision;
   EXPECT_EQ((std::set<std::uint64_t>{fact.first_id, fact.second_id}), (std::set<std::uint64_t>{a.id(), b.id()}));
 }
 
