@@ -6,11 +6,12 @@ namespace tricover::detail {
 BoundaryCurves::Line BoundaryCurves::clipped(const Ends& line, const Vec2& center, double radius) {
   const Vec2 u = line.w - line.v;
   const double length = u.norm();
-  if (!(length > 0)) return {line.v, line.w, Vec2::Zero(), 0};
+  if (!(length > 0)) return {{line.v, line.w}, Vec2::Zero(), 0};
   const Vec2 axis = u / length;
   const double middle = (center - line.v).dot(axis);
   const double low = std::clamp(middle - radius, 0.0, length), high = std::clamp(middle + radius, 0.0, length);
-  return {low > 0 ? Vec2(line.v + low * axis) : line.v, high < length ? Vec2(line.v + high * axis) : line.w, axis,
+  return {{low > 0 ? Vec2(line.v + low * axis) : line.v, high < length ? Vec2(line.v + high * axis) : line.w},
+          axis,
           high - low};
 }
 
@@ -24,8 +25,10 @@ bool BoundaryCurves::merged(Line& into, const Line& line) const {
     return false;
   const double p = (other.v - base.v).dot(base.axis), q = (other.w - base.v).dot(base.axis);
   const double low = std::min({0.0, p, q}), high = std::max({base.length, p, q});
-  into = {low < 0 ? Vec2(base.v + low * base.axis) : base.v,
-          high > base.length ? Vec2(base.v + high * base.axis) : base.w, base.axis, high - low};
+  into = {{low < 0 ? Vec2(base.v + low * base.axis) : base.v,
+           high > base.length ? Vec2(base.v + high * base.axis) : base.w},
+          base.axis,
+          high - low};
   return true;
 }
 

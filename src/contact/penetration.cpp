@@ -66,7 +66,7 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   const double margin = space.margin();
   for (double radius = margin + 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
     space.forEachSegment(
-        pair, at, radius, [](const TranslationSpace::Meeting&) { return true; },
+        pair, at, radius, [](const TranslationSpace::MeetingEdges&) { return true; },
         [&](const TranslationSpace::Segment& segment) {
           const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
           if (apart < least) nearest = segment;

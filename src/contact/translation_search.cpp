@@ -54,8 +54,8 @@ constexpr int kMostTries = 24;
 /// How far beyond a cell's circumcircle its segments are gathered, so that samples around a point of it are understood.
 constexpr double kSurroundings = 1.25;
 
-using Meeting = TranslationSpace::Meeting;
-using Meetings = std::vector<Meeting>;
+using MeetingEdges = TranslationSpace::MeetingEdges;
+using Meetings = std::vector<MeetingEdges>;
 
 struct Cell {
   double least;  ///< distance of 0
@@ -135,7 +135,7 @@ class PartingSearch {
     if (margin_ == 0) return depth;
     return depth > 0 ? depth + margin_ - 4 * space_.noise() : margin_ - space_.gap(t, i, j) - 4 * space_.noise();
   }
-  double depthOf(const Meeting& meeting, const Vec2& t) const {
+  double depthOf(const MeetingEdges& meeting, const Vec2& t) const {
     const double depth = meeting.depth(t) - 4 * space_.noise();
     if (margin_ == 0 || depth > 0 || depth < -margin_) return depth + margin_;
     return margin_ - space_.gap(t, meeting.edge_a, meeting.edge_b) - 4 * space_.noise();
@@ -159,7 +159,7 @@ class PartingSearch {
 
   /// Whether one of the meetings that are kept holds all within `radius` of t. Who asks next asks nearby.
   bool overlapAround(const Vec2& t, double radius) {
-    for (Meeting& meeting : near_) {
+    for (MeetingEdges& meeting : near_) {
       if (depthOf(meeting, t) <= radius) continue;
       std::swap(meeting, near_.front());
       return true;
@@ -180,7 +180,7 @@ class PartingSearch {
     near_.clear();
     if (cell.sums->hold(cell.center, radius)) return true;
     overlaps_ = false;
-    for (const Meeting& meeting : *cell.meetings)
+    for (const MeetingEdges& meeting : *cell.meetings)
       if (see(meeting, cell.center, radius)) return true;
     if ((!overlaps_ && ask(cell.center, radius)) || cell.half <= resolution_) return true;
     Gathered gathered = gather(cell.center, radius, kMostRepeated);
@@ -200,7 +200,7 @@ class PartingSearch {
   }
 
   /// Whether two edges meet after all translations within `radius` of t; if they may after some, they are kept.
-  bool see(const Meeting& meeting, const Vec2& t, double radius) {
+  bool see(const MeetingEdges& meeting, const Vec2& t, double radius) {
     const double depth = depthOf(meeting, t);
     overlaps_ |= depth > 0;
     if (depth > -radius && near_.size() < kMostMeetings) near_.push_back(meeting);
@@ -238,7 +238,7 @@ class PartingSearch {
     };
     space_.forEachSegment(
         pair, t, around + margin_,
-        [&](const Meeting& meeting) {
+        [&](const MeetingEdges& meeting) {
           if (see(meeting, center, radius)) result = Gathered::Deep;
           return result == Gathered::Lines;
         },

@@ -94,7 +94,7 @@ PosedPair TranslationSpace::at(Vec2& t) {
   return PosedPair(polygon_a_, pose_a_, polygon_b_, pose_b_);
 }
 
-TranslationSpace::Meeting TranslationSpace::meetingOf(std::size_t i, std::size_t j) const {
+TranslationSpace::MeetingEdges TranslationSpace::meetingOf(std::size_t i, std::size_t j) const {
   const Vec2 &of_a = a_.outgoing[i], of_b = -b_.outgoing[j];
   Vec2 up_a = Vec2(-of_a.y(), of_a.x()).stableNormalized(), up_b = Vec2(of_b.y(), -of_b.x()).stableNormalized();
   if (up_a.dot(of_b) < 0) {

@@ -46,7 +46,7 @@ class TranslationSpace {
 
   /// Two edges, by position, and the parallelogram of those translations that let them meet. Its sides are convolution
   /// segments.
-  struct Meeting {
+  struct MeetingEdges {
     Vec2 corner;            ///< where their starts meet
     Vec2 up_a, up_b;        ///< unit normals of the sides along a's and along b's edge, into the parallelogram
     double high_a, high_b;  ///< how far the opposite sides are from these
@@ -120,7 +120,7 @@ class TranslationSpace {
     const bool passes = (from > from_error && to > to_error) || (from < -from_error && to < -to_error);
     return !passes;
   }
-  Meeting meetingOf(std::size_t i, std::size_t j) const;
+  MeetingEdges meetingOf(std::size_t i, std::size_t j) const;
 
   template <typename Visit>
   bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
