@@ -37,6 +37,7 @@ struct Map {
   double size;
 
   explicit Map(std::size_t side) : polygon(speckled(side)), size(kCell * static_cast<double>(side)) {
+    prepare(polygon);  // otherwise thousands of queries do without what they pay for
     for (const Ring& ring : polygon.rings()) scene.add(Polygon({ring}), Pose::Identity());
   }
 };
