@@ -60,10 +60,10 @@ class Walk {
   bool is_forward_;
 };
 
-enum class Place { Inside, Outside, Unsure };
+enum class Located { Inside, Outside, Unsure };
 
 /// Where p is, in an outline's own frame, areas of up to `doubtful` being in doubt. O(log n).
-Place placeOf(const Vec2& p, const AxisSide& side, double doubtful) {
+Located placeOf(const Vec2& p, const AxisSide& side, double doubtful) {
   const Vec2 corner = side.corner(0), way = p - corner;
   bool is_unsure = false;
   const auto isBeyond = [&](std::size_t edge) {
@@ -73,7 +73,7 @@ Place placeOf(const Vec2& p, const AxisSide& side, double doubtful) {
   };
   // Between the ways from a corner to corners `low` and `high`.
   std::size_t low = 1, high = side.ring.size() - 1;
-  if (isBeyond(0) || isBeyond(high)) return Place::Outside;
+  if (isBeyond(0) || isBeyond(high)) return Located::Outside;
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     const double turn = cross(side.corner(middle) - corner, way);
@@ -81,8 +81,8 @@ Place placeOf(const Vec2& p, const AxisSide& side, double doubtful) {
     (turn > 0 ? low : high) = middle;
   }
   for (std::size_t k = low; k < high; ++k)
-    if (isBeyond(k)) return Place::Outside;
-  return is_unsure ? Place::Unsure : Place::Inside;
+    if (isBeyond(k)) return Located::Outside;
+  return is_unsure ? Located::Unsure : Located::Inside;
 }
 
 /// The middle of two outlines' overlap along the normal of a face of `own`, behind which `other` is deepest with its
@@ -205,11 +205,11 @@ class ConvexPair {
     const TurnedOutline own = turned(face_.of_a), other = turned(!face_.of_a);
     OverlapMiddle middle(own, other, face_, axes_.error(), axes_.tie());
     if (!middle.find()) return {};
-    const Place own_place = middle.own_reaches_beyond ? Place::Outside : placeOfRegion(face_.of_a),
-                other_place = middle.other_reaches_beyond ? Place::Outside : placeOfRegion(!face_.of_a);
-    if (own_place == Place::Unsure || other_place == Place::Unsure) return {};
+    const Located own_place = middle.own_reaches_beyond ? Located::Outside : placeOfRegion(face_.of_a),
+                  other_place = middle.other_reaches_beyond ? Located::Outside : placeOfRegion(!face_.of_a);
+    if (own_place == Located::Unsure || other_place == Located::Unsure) return {};
     const Vec2 point = middle.point.x() * right() + middle.point.y() * up_;
-    return contactAt(point + pair_.pose_a.translation(), other_place == Place::Inside, own_place == Place::Inside);
+    return contactAt(point + pair_.pose_a.translation(), other_place == Located::Inside, own_place == Located::Inside);
   }
 
  private:
@@ -240,15 +240,15 @@ class ConvexPair {
   }
 
   /// Where one region is as seen from the other one: inside if all of it is.
-  Place placeOfRegion(bool of_a) const {
+  Located placeOfRegion(bool of_a) const {
     const AxisSide &own = axes_.side(of_a), &other = axes_.side(!of_a);
     bool is_unsure = false;
     for (std::uint32_t k = 0; k < own.ring.size(); ++k) {
-      const Place place = placeOf(other.fromOther(own.corner(k)), other, doubtful_);
-      if (place == Place::Outside) return place;
-      is_unsure = is_unsure || place == Place::Unsure;
+      const Located place = placeOf(other.fromOther(own.corner(k)), other, doubtful_);
+      if (place == Located::Outside) return place;
+      is_unsure = is_unsure || place == Located::Unsure;
     }
-    return is_unsure ? Place::Unsure : Place::Inside;
+    return is_unsure ? Located::Unsure : Located::Inside;
   }
 
   /// Of the path's edges at a corner the one that is more across `up`.

@@ -60,14 +60,14 @@ void Scene::remove(Body body) {
   detail::SceneState::BodyState& state = impl.at(body);
   detail::makeRoom(impl.lost, state.links.size());
   detail::makeRoom(impl.free_pairs, state.links.size());
-  detail::makeRoom(impl.mourned, 1);
-  detail::makeRoom(impl.free_bodies, impl.mourned.size() + 1);
+  detail::makeRoom(impl.unreported, 1);
+  detail::makeRoom(impl.free_bodies, impl.unreported.size() + 1);
   const std::size_t before = impl.lost.size();
   while (!state.links.empty()) impl.unlink(state.links.back().pair);
   if (impl.tree.holds(body)) impl.tree.remove(body);
   state.used = false;
   // Until collisions() has reported that its pairs ended, the handle isn't given to another body.
-  (impl.lost.size() == before ? impl.free_bodies : impl.mourned).push_back(body);
+  (impl.lost.size() == before ? impl.free_bodies : impl.unreported).push_back(body);
   --impl.count;
   ++impl.version;
 }

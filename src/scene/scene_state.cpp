@@ -63,7 +63,7 @@ void SceneState::makeRoomFor(std::size_t more) {
   if (bodies.size() + anew > kMostBodies) throw std::length_error(refusal("scene", "more than 2^28 bodies"));
   makeRoom(bodies, anew);
   for (auto* list : {&waiting, &fresh, &due}) list->reserve(bodies.capacity());
-  makeRoom(free_bodies, mourned.size());
+  makeRoom(free_bodies, unreported.size());
 }
 
 SceneState::Body SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
@@ -317,8 +317,8 @@ void SceneState::report() {
     pairs[index].reported = pair.collides;
   }
   changed.clear();
-  free_bodies.insert(free_bodies.end(), mourned.begin(), mourned.end());
-  mourned.clear();
+  free_bodies.insert(free_bodies.end(), unreported.begin(), unreported.end());
+  unreported.clear();
   if (began.empty() && ended.empty()) return;
   std::sort(began.begin(), began.end());
   std::sort(ended.begin(), ended.end());

@@ -119,7 +119,7 @@ struct SceneState {
   std::uint64_t version = 0;  ///< counts changes
   std::vector<BodyState> bodies;
   std::vector<Body> free_bodies;
-  std::vector<Body> mourned;  ///< removed, but their pairs haven't been reported as ended
+  std::vector<Body> unreported;  ///< removed, but their pairs haven't been reported as ended
   std::size_t count = 0;
   BoxTree tree;
   std::vector<Body> waiting;  ///< bodies that are to be put into the tree

@@ -50,7 +50,7 @@ void widen(Eigen::AlignedBox2d& box, double by) {
 }
 
 /// What of the other geometry lies in the plane at time 0: a polygon, where it lies, and a margin around it.
-struct Footprint {
+struct Section {
   tricover::Polygon polygon;
   tricover::Pose pose = tricover::Pose::Identity();
   double margin = 0;
@@ -64,18 +64,18 @@ struct Footprint {
 };
 
 template <typename S>
-std::optional<Footprint> footprintOf(const MixedPair<S>& pair) {
+std::optional<Section> sectionOf(const MixedPair<S>& pair) {
   const Eigen::Vector3d center = pair.view.to_polygon.translation(), axis = pair.view.to_polygon.linear().col(2);
   const double rounding = mappingError(pair.view.to_polygon, 0);
   if (const auto stadium = stadiumOf(pair.other, center, axis, pair.view.slab, rounding, rounding)) {
     if (!stadium->in_slab) return std::nullopt;
-    Footprint footprint{stadium->segment(), {}, stadium->radius};
-    stadium->setPose(footprint.pose);
-    return footprint;
+    Section section{stadium->segment(), {}, stadium->radius};
+    stadium->setPose(section.pose);
+    return section;
   }
   const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
   if (!shadow) return std::nullopt;
-  return Footprint{shadow->outline(), tricover::Pose::Identity(), 0, shadow};
+  return Section{shadow->outline(), tricover::Pose::Identity(), 0, shadow};
 }
 
 /// The course of what lies at `pose` where the course begins.
@@ -92,15 +92,14 @@ Course carried(const Course& course, const tricover::Pose& pose) {
 /// A polygon around a smooth body is made finer where it is met, until that is no matter of its corners: no contact is
 /// later than that with a polygon around.
 template <typename S>
-std::optional<double> firstContact(const tricover::Polygon& polygon, const Course& course, Footprint& footprint,
+std::optional<double> firstContact(const tricover::Polygon& polygon, const Course& course, Section& section,
                                    const Course& course_of_footprint, const tricover::ImpactOptions& options) {
   for (;;) {
-    const auto contact = firstContact<S>(polygon, course, footprint.polygon, course_of_footprint, options);
+    const auto contact = firstContact<S>(polygon, course, section.polygon, course_of_footprint, options);
     if (!contact) return std::nullopt;
-    const bool meet_at_once =
-        contact->time == 0 && footprint.shadow && footprint.shadow->meets(polygon, options.margin);
-    if (meet_at_once || !footprint.shadow || !footprint.shadow->refine(contact->edge_b)) return contact->time;
-    footprint.polygon = footprint.shadow->outline();
+    const bool meet_at_once = contact->time == 0 && section.shadow && section.shadow->meets(polygon, options.margin);
+    if (meet_at_once || !section.shadow || !section.shadow->refine(contact->edge_b)) return contact->time;
+    section.polygon = section.shadow->outline();
   }
 }
 
@@ -131,16 +130,15 @@ S advanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>& mo
     widen(pair.view.around, reach(of_polygon, pair.view.around) + margin);
     widen(pair.view.around, reach(*of_other, pair.view.around));
   }
-  std::optional<Footprint> footprint = footprintOf(pair);
-  if (!of_other)
-    of_other = courseOf(motion_of_other, pair, footprint ? footprint->box() : pair.view.around, name_of_other);
+  std::optional<Section> section = sectionOf(pair);
+  if (!of_other) of_other = courseOf(motion_of_other, pair, section ? section->box() : pair.view.around, name_of_other);
 
   std::optional<double> time;
-  if (footprint && o1.isOccupied() && o2.isOccupied()) {
+  if (section && o1.isOccupied() && o2.isOccupied()) {
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
-    options.margin = (margin + footprint->margin) * (1 + (margin > 0 ? 0x1p-52 : 0));
-    time = firstContact<S>(pair.polygon(), of_polygon, *footprint, carried(*of_other, footprint->pose), options);
+    options.margin = (margin + section->margin) * (1 + (margin > 0 ? 0x1p-52 : 0));
+    time = firstContact<S>(pair.polygon(), of_polygon, *section, carried(*of_other, section->pose), options);
   }
   return reportImpact(time, result);
 }

@@ -13,7 +13,7 @@ using tricover::Ring;
 using tricover::Vec2;
 
 constexpr int kFirstTangents = 16;
-constexpr int kMostSteps = 150;  // a third of them bisections: as many as a double has bits
+constexpr int kMostRefinements = 150;  // a third of them bisections: as many as a double has bits
 Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
 
 bool turnsLeft(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x() > 0; }
@@ -113,7 +113,7 @@ SmoothShadow::Tangent SmoothShadow::tangent(const Vec2& normal, double enough) c
   };
   double reach = normal.dot(middle.head<2>()) + rounding_;
   bool was_beyond = true;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostRefinements; ++i) {
     const bool bisect = i % 3 == 2 || !(beyond.weight > 0 && within.weight > 0);
     const double share = bisect ? 0.5 : beyond.weight / (beyond.weight + within.weight);
     const Vec2 slope = ((1 - share) * beyond.slope + share * within.slope).normalized();

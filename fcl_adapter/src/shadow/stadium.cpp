@@ -35,7 +35,7 @@ struct Segments {
 thread_local bool segments_ended = false;
 Segments::~Segments() { segments_ended = true; }
 
-struct Place {
+struct RoundPlace {
   const Vec3 &center, &axis;
   const Slab& slab;
   double rounding, rounding_z;
@@ -52,7 +52,7 @@ double section(double radius, double height) {
 }
 
 /// Around all balls of that radius with centres on the axis, as far as half_length from the geometry's own.
-std::optional<Stadium> ofBalls(double radius, double half_length, const Place& place) {
+std::optional<Stadium> ofBalls(double radius, double half_length, const RoundPlace& place) {
   const Vec3 &center = place.center, &axis = place.axis;
   if (half_length == 0) {
     const double least = place.outside(0);
@@ -78,7 +78,7 @@ std::optional<Stadium> ofBalls(double radius, double half_length, const Place& p
 }
 
 /// If it stands upright.
-std::optional<Stadium> ofCylinder(double radius, double half_length, const Place& place) {
+std::optional<Stadium> ofCylinder(double radius, double half_length, const RoundPlace& place) {
   const double slope = place.axis.head<2>().norm();
   if (slope * (half_length + radius) > Stadium::kError * (radius + half_length)) return std::nullopt;
   const double rise = half_length * std::abs(place.axis.z()) + slope * radius;
@@ -114,7 +114,7 @@ Polygon Stadium::segment() const {
 template <typename S>
 std::optional<Stadium> stadiumOf(const fcl::CollisionGeometry<S>& geometry, const Vec3& center, const Vec3& axis,
                                  const Slab& slab, double rounding, double rounding_z) {
-  const Place place{center, axis, slab, rounding, rounding_z};
+  const RoundPlace place{center, axis, slab, rounding, rounding_z};
   const auto sizes = [&](S radius, S length) {
     const Vec2 both(static_cast<double>(radius), 0.5 * static_cast<double>(length));
     if (!both.allFinite()) refuse(className(typeid(geometry)), "a radius or its length is not finite");

@@ -112,8 +112,8 @@ Course asked(const Course& course, const Polygon& polygon) {
 }
 
 template <typename S>
-std::optional<FirstContact> advance(const Polygon& a, const Course& course_a, const Polygon& b, const Course& course_b,
-                                    const tricover::ImpactOptions& options) {
+std::optional<CourseContact> advance(const Polygon& a, const Course& course_a, const Polygon& b, const Course& course_b,
+                                     const tricover::ImpactOptions& options) {
   if (!(std::isfinite(options.time_error) && options.time_error >= 0))
     refuse("time_error", "it must be finite and not negative");
   const auto collide = [&](double time) {
@@ -128,7 +128,7 @@ std::optional<FirstContact> advance(const Polygon& a, const Course& course_a, co
   for (double time = 0;;) {
     const Pose pose_a = course_a.pose(time), pose_b = course_b.pose(time);
     const tricover::DistanceResult nearest = tricover::distance(a, pose_a, b, pose_b, facts, beyond);
-    const FirstContact contact{time, nearest.edge_b};
+    const CourseContact contact{time, nearest.edge_b};
     const double apart = nearest.distance;
     if (apart == 0) return contact;
     // What the distance is rounded by, and what the motions' poses are, also far from the world's origin.
@@ -163,19 +163,19 @@ Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox3d& bo
 }
 
 template <typename S>
-std::optional<FirstContact> firstContact(const Polygon& a, const Course& course_a, const Polygon& b,
-                                         const Course& course_b, const tricover::ImpactOptions& options) {
+std::optional<CourseContact> firstContact(const Polygon& a, const Course& course_a, const Polygon& b,
+                                          const Course& course_b, const tricover::ImpactOptions& options) {
   if (!course_a.known || !course_b.known) return advance<S>(a, asked(course_a, a), b, asked(course_b, b), options);
   if (const auto impact = tricover::timeOfImpact(a, *course_a.known, b, *course_b.known, options))
-    return FirstContact{impact->time, impact->edge_b};
+    return CourseContact{impact->time, impact->edge_b};
   return std::nullopt;
 }
 
-#define TRICOVER_INSTANTIATE(S)                                                                                      \
-  template Course ownCourse(const fcl::MotionBase<S>&, const Eigen::AlignedBox3d&, const Plane&, const Plane&,       \
-                            const char*);                                                                            \
-  template std::optional<FirstContact> firstContact<S>(const Polygon&, const Course&, const Polygon&, const Course&, \
-                                                       const tricover::ImpactOptions&);
+#define TRICOVER_INSTANTIATE(S)                                                                                       \
+  template Course ownCourse(const fcl::MotionBase<S>&, const Eigen::AlignedBox3d&, const Plane&, const Plane&,        \
+                            const char*);                                                                             \
+  template std::optional<CourseContact> firstContact<S>(const Polygon&, const Course&, const Polygon&, const Course&, \
+                                                        const tricover::ImpactOptions&);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)
 #undef TRICOVER_INSTANTIATE

@@ -30,7 +30,7 @@ template <typename S>
 Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox3d& box, const Plane& plane,
                  const Plane& body, const char* name);
 
-struct FirstContact {
+struct CourseContact {
   double time;
   std::ptrdiff_t edge_b;  ///< the edge of b that meets a, or -1
 };
@@ -41,7 +41,8 @@ struct FirstContact {
 /// 1e-13 of size and distance, and 1e-15 of the distance from the world's origin (for float: 1e-6), is taken for
 /// contact.
 template <typename S>
-std::optional<FirstContact> firstContact(const tricover::Polygon& a, const Course& course_a, const tricover::Polygon& b,
-                                         const Course& course_b, const tricover::ImpactOptions& options);
+std::optional<CourseContact> firstContact(const tricover::Polygon& a, const Course& course_a,
+                                          const tricover::Polygon& b, const Course& course_b,
+                                          const tricover::ImpactOptions& options);
 
 }  // namespace tricover_fcl
