@@ -58,9 +58,8 @@ struct DiscCover : Derived::Thing {
 }  // namespace
 
 const std::vector<Disc>& discCoverOf(const PolygonData& polygon) {
-  const Derived& place = innerDiscsOf(polygon).cover;
-  const Derived::Thing* cover = place.ifBuilt();
-  if (cover == nullptr) cover = place.built([&] { return std::make_unique<const DiscCover>(polygon); });
+  const Derived::Thing* cover =
+      innerDiscsOf(polygon).cover.built([&] { return std::make_unique<const DiscCover>(polygon); });
   return static_cast<const DiscCover*>(cover)->discs;
 }
 

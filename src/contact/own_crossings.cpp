@@ -31,10 +31,9 @@ std::vector<std::uint32_t> verticesByPlace(const PolygonData& polygon) {
 }
 
 bool meetsItself(const PolygonData& polygon) {
-  const Derived& place = hierarchyOf(polygon).tangles;
-  const Derived::Thing* known = place.ifBuilt();
-  if (known == nullptr) known = place.built([&] { return std::make_unique<const Tangles>(findTangle(polygon)); });
-  return static_cast<const Tangles*>(known)->some;
+  const Derived::Thing* tangles =
+      hierarchyOf(polygon).tangles.built([&] { return std::make_unique<const Tangles>(findTangle(polygon)); });
+  return static_cast<const Tangles*>(tangles)->some;
 }
 
 }  // namespace tricover::detail

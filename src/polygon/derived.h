@@ -29,6 +29,7 @@ class Derived {
   /// What `build` returns, a unique pointer, unless another thread was first: that one is waited for.
   template <typename Build>
   const Thing* built(Build build) const {
+    if (const Thing* ready = ifBuilt()) return ready;
     if (!begin()) return ifBuilt();
     try {
       end(build().release());

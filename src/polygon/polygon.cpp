@@ -24,11 +24,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string nameOf(std::size_t ring) { return "rings: ring " + std::to_string(ring); }
 
-[[noreturn]] void refuseNotFinite(const std::vector<Ring>& rings) {
+/// Names the first vertex that isn't.
+void refuseNotFinite(const std::vector<Ring>& rings) {
   for (std::size_t r = 0; r < rings.size(); ++r)
     for (std::size_t i = 0; i < rings[r].size(); ++i)
       if (!rings[r][i].allFinite()) refuseCoordinate(nameOf(r) + ", vertex " + std::to_string(i));
-  std::abort();
 }
 
 }  // namespace
@@ -238,8 +238,8 @@ Polygon& Polygon::operator=(const Polygon& other) noexcept {
 Polygon::~Polygon() { data_->release(); }
 
 const std::vector<Ring>& Polygon::rings() const {
-  const detail::Derived::Thing* rings = data_->rings.ifBuilt();
-  if (rings == nullptr) rings = data_->rings.built([&] { return std::make_unique<const detail::GivenRings>(*data_); });
+  const detail::Derived::Thing* rings =
+      data_->rings.built([&] { return std::make_unique<const detail::GivenRings>(*data_); });
   return static_cast<const detail::GivenRings*>(rings)->all;
 }
 FillRule Polygon::fillRule() const { return data_->fill; }
