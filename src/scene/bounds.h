@@ -38,9 +38,4 @@ Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach);
 /// The same around one edge, by its position.
 Bounds boundsOfEdge(const PolygonData& polygon, std::size_t edge, const Pose& pose, double reach);
 
-/// The box and what is within `reach` of it.
-inline Bounds grown(const Bounds& box, double reach) {
-  return {box.min_x - reach, box.min_y - reach, box.max_x + reach, box.max_y + reach};
-}
-
 }  // namespace tricover::detail

@@ -39,7 +39,7 @@ SceneOutcome findOutcome(const SceneState& state, const detail::PolygonData& dat
                          const CollideOptions& options, const BodyFilter& filter, double lookahead) {
   SceneOutcome outcome{kNoBody, lookahead};
   const detail::Bounds& bounds = asked.bounds();
-  state.tree.visit(detail::grown(bounds, lookahead), [&](BodyHandle body) {
+  state.tree.visit(bounds.grown(lookahead), [&](BodyHandle body) {
     const auto& other = state.bodies[body];
     if (!state.passes(filter, body)) return true;
     if (const double gap = gapBetween(bounds, state.tree.boundsOf(body)); gap > 0) {

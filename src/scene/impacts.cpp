@@ -204,9 +204,9 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<BodyM
       return true;
     });
     moving.insert(i, all);
-    state.tree.visit(grown(all, rest), [&](BodyHandle other) {
+    state.tree.visit(all.grown(rest), [&](BodyHandle other) {
       const bool rests = motion_of[other] == motions.size();
-      if (rests && mayMeet(body, other) && boxes.meets(i, grown(state.tree.boundsOf(other), rest))) add(body, other);
+      if (rests && mayMeet(body, other) && boxes.meets(i, state.tree.boundsOf(other).grown(rest))) add(body, other);
       return true;
     });
   }
