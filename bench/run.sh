@@ -40,9 +40,15 @@ for plots in plots tradeoff; do LC_ALL=C.UTF-8 gnuplot -e "report='$report'" "be
 "$build/bench/bench_pages" bench/pages.html "$report"
 if [ "${1-}" = --full ]; then
   mkdir -p bench/results
-  # Of 29,000 rows those that the READMEs quote.
+  # Of some 30,000 rows those that the READMEs quote: of sweeps the farthest, of first answers the first, tenth and hundredth.
   grep -f bench/quoted.txt "$report/results.csv" > bench/results/quoted.csv
-  cp "$report"/{targets,scene_targets,first_targets,first_fcl_targets,first,first_fcl,scenes,growth,gaps,gap_targets,asked,asked_targets,still_targets,tradeoff,values,extremes,value_extremes,modelled}.csv "$report"/{conditions.md,tradeoff.svg,layout.svg} bench/results/
+  for sweep in extremes value_extremes; do
+    grep -E '^(sweep|query),|,1e(0|15|-15|300|-300),' "$report/$sweep.csv" > "bench/results/$sweep.csv"
+  done
+  for first in first first_fcl; do
+    grep -E '^polygons,|^([^,]*,){3}(1|10|100),' "$report/$first.csv" > "bench/results/$first.csv"
+  done
+  cp "$report"/{targets,scene_targets,first_targets,first_fcl_targets,scenes,growth,gaps,gap_targets,asked,asked_targets,still_targets,tradeoff,values,modelled}.csv "$report"/{conditions.md,tradeoff.svg,layout.svg} bench/results/
 fi
 echo
 echo "$report/index.html shows it all; the tables, CSV files and pictures are beside it"
