@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "contact/contact_point.h"
 #include "contact/part_exit.h"
@@ -70,6 +71,8 @@ class ContactFinder {
   }
 
   Exit exitOfOnly(const OverlapComponent& component, Exit exit) const;
+  Exit exitOfTouch(const Exit& exit) const;
+  std::optional<Penetration> shortestWay() const;
   Exit freed(const Exit& exit) const;
   Contact anyPointOf(const OverlapComponent& component) const;
   Vec2 pointOf(const OverlapComponent& component, const Hull& hull, const Exit& exit) const;
@@ -92,13 +95,30 @@ class ContactFinder {
 /// found.
 constexpr std::size_t kMostWork = std::size_t{1} << 22, kLeastTranslations = std::size_t{1} << 10;
 
+/// Where the only part of the overlap is a touch.
+Exit ContactFinder::exitOfTouch(const Exit& exit) const {
+  if (exit.separates || partsFreely(exit)) return exit;
+  Exit result = freed(exit);
+  if (parts(result)) return result;
+  // They are wedged, or a thin corner reaches through by more than coordinates are off by.
+  const std::optional<Penetration> p = shortestWay();
+  if (p && p->optimal) result.normal = p->normal;
+  return result;
+}
+
+/// Nothing where so few translations may be tried that none would be found.
+std::optional<Penetration> ContactFinder::shortestWay() const {
+  const std::size_t most = std::min(kMostTranslations, kMostWork / (pair_.a.path.size() + pair_.b.path.size()));
+  if (most < kLeastTranslations) return {};
+  return penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, {margin_}, most);
+}
+
 /// The only part of the overlap, which has an exit of its own: the shortest way out of it parts the regions.
 Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) const {
-  if (!component.inner) return exit.separates || partsFreely(exit) ? exit : freed(exit);
-  const std::size_t most = std::min(kMostTranslations, kMostWork / (pair_.a.path.size() + pair_.b.path.size()));
-  if (most < kLeastTranslations) return exit;
-  const Penetration p = penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, {margin_}, most);
-  if (!p.optimal) return exit;
+  if (!component.inner) return exitOfTouch(exit);
+  const std::optional<Penetration> way = shortestWay();
+  if (!way || !way->optimal) return exit;
+  const Penetration& p = *way;
   const double depth = p.depth / frame_.unit(), radius = std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
   const bool agrees = std::abs(depth - exit.depth) <= 1e-12 * radius + 64 * frame_.error();
   const bool alike = agrees && exit.normal.dot(p.normal) >= 1 - 0x1p-20;

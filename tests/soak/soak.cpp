@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// soak QUERY [--seconds N] [--seed S]: random cases of a query for so long; see usage(). Exits 1 if one failed.
+// soak QUERY [--seconds N] [--seed S] [--case C]: random cases of a query for so long, or the one that a failure names;
+// see usage(). Exits 1 if one failed.
 #include "soak.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 namespace tricover::soak {
 namespace {
@@ -28,7 +30,7 @@ constexpr Query kQueries[] = {
 };
 
 int usage() {
-  std::fprintf(stderr, "soak QUERY [--seconds N] [--seed S], where QUERY is all or one of");
+  std::fprintf(stderr, "soak QUERY [--seconds N] [--seed S] [--case C], where QUERY is all or one of");
   for (const Query& query : kQueries) std::fprintf(stderr, " %s", query.name);
   std::fprintf(stderr, "\n");
   return 2;
@@ -36,14 +38,17 @@ int usage() {
 
 }  // namespace
 
-Run::Run(const char* query, std::uint64_t seed, double seconds)
+Run::Run(const char* query, std::uint64_t seed, double seconds, std::optional<std::uint64_t> only)
     : query_(query),
       seed_(seed),
+      case_(only.value_or(0)),
+      end_case_(only ? *only + 1 : std::numeric_limits<std::uint64_t>::max()),
       end_(std::chrono::steady_clock::now() +
            std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds))),
       random_(seed) {}
 
 bool Run::next() {
+  if (case_ == end_case_) return false;
   random_ = Random(Random(seed_).bits() + case_++);
   up_to_.reset();
   up_to_.emplace(static_cast<detail::Stages>(Random(case_).integer(0, 3)));
@@ -81,6 +86,7 @@ bool Run::report() const {
 int main(int argc, char** argv) {
   double seconds = 2;
   std::uint64_t seed = 1;
+  std::optional<std::uint64_t> only;
   const char* wanted = nullptr;
   for (int i = 1; i < argc; ++i) {
     const bool valued = i + 1 < argc;
@@ -88,6 +94,8 @@ int main(int argc, char** argv) {
       seconds = std::atof(argv[++i]);
     else if (valued && std::strcmp(argv[i], "--seed") == 0)
       seed = std::strtoull(argv[++i], nullptr, 10);
+    else if (valued && std::strcmp(argv[i], "--case") == 0)
+      only = std::strtoull(argv[++i], nullptr, 10);
     else if (wanted == nullptr && argv[i][0] != '-')
       wanted = argv[i];
     else
@@ -97,7 +105,7 @@ int main(int argc, char** argv) {
   for (const Query& query : kQueries) {
     if (wanted == nullptr || (std::strcmp(wanted, "all") != 0 && std::strcmp(wanted, query.name) != 0)) continue;
     known = true;
-    Run run(query.name, seed, seconds);
+    Run run(query.name, seed, seconds, only);
     query.run(run);
     right = run.report() && right;
   }

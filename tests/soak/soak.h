@@ -19,7 +19,8 @@ using support::Random;
 /// One query's cases: how long they go on, and what came of them.
 class Run {
  public:
-  Run(const char* query, std::uint64_t seed, double seconds);
+  /// only: the number of the one case to be asked; none: all from the first on.
+  Run(const char* query, std::uint64_t seed, double seconds, std::optional<std::uint64_t> only);
 
   /// Begins another case, as long as there is time: with as much derived as queries have paid for, or up to any stage.
   bool next();
@@ -40,7 +41,7 @@ class Run {
   };
 
   const char* query_;
-  std::uint64_t seed_, case_ = 0;
+  std::uint64_t seed_, case_, end_case_;
   std::chrono::steady_clock::time_point end_;
   Random random_;
   std::optional<support::UpTo> up_to_;

@@ -208,6 +208,31 @@ TEST(ContactFeatures, OfFansWithACommonEdgeAreInItsMiddle) {
   }
 }
 
+/// By more than directions are tried with, and along less of the line than coordinates are off by: found by soak.
+TEST(ContactFeatures, OfACornerThroughALineLeadBack) {
+  const Vec2 end(-0x1.04e9e2f412566p+0, 0x1.2980ceda0a94bp+3);
+  const Polygon line(
+      {{end, end, -end, end, {-0x1.875ed46e1b819p+1, 0x1.be4136470fdf1p+4}, {-2 * end.x(), -2 * end.y()}}});
+  const Polygon corner({{{0x1.08d314d84ef4bp-25, 0x1.bb2f21fa6425p-26},
+                         {0x1.1409a4df7a256p-27, 0x1.1c2494aed5f3fp-31},
+                         {0x1.4fd4d9d652p-25, 0x1.7fd5503b70eecp-29},
+                         {-0x1.4ba63564120fep-25, 0x1.350e344ecfad1p-28},
+                         {0x1.8ee94a2fd44d1p-27, 0x1.bfba2c2804293p-27},
+                         {0x1.44c74bf9fb143p-25, -0x1.546c614c7c417p-27},
+                         {0x1.3f7f45d34bd9bp-25, -0x1.6fa420178d744p-25}}});
+  Pose pose_a = Pose::Identity(), pose_b = Pose::Identity();
+  pose_a.matrix().topRows<2>() << 0x1.0dbb0f06201c2p-15, -0x1.fffcb62e15463p-1, -0x1.9222231b87d6ap+8,
+      0x1.0000ffffe504ep+0, -0x1.0dbb0f061bb2ap-15, 0x1.d3db30048cd9p+8;
+  pose_b.matrix().topRows<2>() << 0x1.45fae8a21ef9cp-1, 0x1.8ad16aca0ad03p-1, -0x1.92222445989fap+8,
+      -0x1.8ac8dd1485eaep-1, 0x1.45fe6b02ab607p-1, 0x1.d3db2fe4c8e2dp+8;
+  const auto found = ask(line, pose_a, corner, pose_b);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].depth, 0);
+  Pose apart = pose_b;
+  apart.translation() += 1e-10 * found[0].normal;
+  EXPECT_FALSE(collide(line, pose_a, corner, apart));
+}
+
 TEST(ContactFeatures, NameEdgesOfSmallConvexAndOfDeepPairs) {
   for (const int n : {4, 8, 16, 200}) {
     const Polygon a({regular(n, 1)}), b({regular(n, 0.9)});
