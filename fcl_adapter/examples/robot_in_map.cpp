@@ -4,6 +4,7 @@
 //   robot_in_map picture.svg map.yaml x y x y [x y ..]  a map of ROS's map_server, and a route in its world
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
+#include <tricover/occupancy_grid_io.h>
 #include <tricover/outline.h>
 #include <tricover/svg.h>
 #include <tricover_fcl/tricover_fcl.h>
@@ -24,7 +25,6 @@
 #include <vector>
 
 #include "baltic.h"
-#include "map_server.h"
 #include "picture.h"
 
 namespace {
@@ -68,12 +68,12 @@ World atSea() {
 
 /// What is occupied and what is unknown are two polygons in the grid's own frame; the map's origin is their pose.
 World mapped(const std::string& yaml, std::vector<tricover::Vec2> route) {
-  const map_server::Map map = map_server::read(yaml);
+  const tricover::OccupancyMap map = tricover::readOccupancyMap(yaml);
   const tricover::Polygon forklift(
       {{{-0.5, -0.3}, {0.6, -0.3}, {0.6, -0.2}, {0, -0.2}, {0, 0.2}, {0.6, 0.2}, {0.6, 0.3}, {-0.5, 0.3}}});  // in
                                                                                                               // metres
   World world{forklift, std::move(route), 0.2, {"in a wall", "in unknown ground"}, {}};
-  const std::array<std::int8_t, 2> values = {map_server::kOccupied, map_server::kUnknown};
+  const std::array<std::int8_t, 2> values = {100, -1};
   for (std::size_t kind = 0; kind < values.size(); ++kind) {
     const std::int8_t wanted = values[kind];
     const auto region = tricover::outline(map.grid, [wanted](std::int8_t value) { return value == wanted; });

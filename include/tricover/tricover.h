@@ -7,6 +7,7 @@
 #include "tricover/export.h"
 #include "tricover/locate.h"
 #include "tricover/motion.h"
+#include "tricover/occupancy_grid_io.h"
 #include "tricover/outline.h"
 #include "tricover/pair_cache.h"
 #include "tricover/paper.h"

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where can a robot be in a map, and with which heading? Exact at every cell's centre, or safe for whole cells.
 //
-//   configuration_space map.yaml result [headings 64] [width 512] [height 512] [whole] [threads N]
-//   mpirun -n 8 configuration_space_mpi map.yaml result ...
-//
-// The result (see Job, ResultFile) is the same byte for byte for any number of threads and ranks. An interrupted run
-// leaves result.part, from which the same command goes on. result.pgm is a picture of four headings.
+// What kUsage says. The result (see Job, ResultFile) is the same byte for byte for any number of threads and ranks.
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -16,6 +12,12 @@
 #include "job.h"
 #include "result_file.h"
 #ifdef CONFIGURATION_SPACE_MPI
+#ifdef __linux__
+#include <sys/prctl.h>
+
+#include <csignal>
+#endif
+
 #include "spread_mpi.h"
 #else
 #include "spread_threads.h"
@@ -25,9 +27,18 @@ namespace {
 
 using namespace configuration_space;
 
+constexpr const char* kUsage =
+    R"(usage: configuration_space map.yaml result [headings 64] [width 512] [height 512] [whole] [threads N] [progress 10]
+       mpirun -n 8 configuration_space_mpi map.yaml result ...
+
+The map is one of ROS's map_server. 'whole' asks for cells that are free wherever in them the robot is. Progress is said
+on a terminal, elsewhere by a line every so many seconds. An interrupted run leaves result.part, from which the same
+command goes on. result.pgm is a picture of four headings.
+)";
+
 struct Arguments {
   Arguments(int argc, char** argv) {
-    if (argc < 3) throw std::runtime_error("usage: configuration_space map.yaml result [headings N] [width N] ...");
+    if (argc < 3) throw std::runtime_error(std::string("a map and a result are needed\n") + kUsage);
     map = argv[1];
     result = argv[2];
     for (int i = 3; i < argc; ++i) {
@@ -36,13 +47,14 @@ struct Arguments {
         whole = true;
         continue;
       }
-      std::size_t* const number = key == "headings"  ? &size.headings
-                                  : key == "width"   ? &size.width
-                                  : key == "height"  ? &size.height
-                                  : key == "threads" ? &threads
-                                                     : nullptr;
+      std::size_t* const number = key == "headings"   ? &size.headings
+                                  : key == "width"    ? &size.width
+                                  : key == "height"   ? &size.height
+                                  : key == "threads"  ? &threads
+                                  : key == "progress" ? &progress
+                                                      : nullptr;
       if (number == nullptr)
-        throw std::runtime_error("'" + key + "' is none of headings, width, height, whole, threads");
+        throw std::runtime_error("'" + key + "' is none of headings, width, height, whole, threads, progress");
       std::istringstream in(i + 1 < argc ? argv[++i] : "");
       if (!(in >> *number) || !in.eof() || *number < 1 || *number > 65536)
         throw std::runtime_error(key + ": it must be a number from 1 to 65536");
@@ -52,7 +64,7 @@ struct Arguments {
   std::string map, result;
   Size size;
   bool whole = false;
-  std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
+  std::size_t threads = std::max(1u, std::thread::hardware_concurrency()), progress = 10;
 };
 
 /// The share that is free, and result.pgm: four headings side by side, white where the robot is free.
@@ -87,19 +99,21 @@ void run(int argc, char** argv, int rank) {
   const Arguments arguments(argc, argv);
   const Job job(arguments.map, arguments.size, arguments.whole);
 #ifdef CONFIGURATION_SPACE_MPI
+  agreeOn(job);
   if (rank > 0) return work(job);
 #endif
   ResultFile result(job, arguments.result);
   if (result.left().size() < job.chunks())
     std::cout << "goes on: " << job.chunks() - result.left().size() << " of " << job.chunks() << " chunks are there\n";
+  Progress progress(result.missing(), job.chunks(), static_cast<double>(arguments.progress));
 #ifdef CONFIGURATION_SPACE_MPI
   Dispatcher dispatcher(job, result);
-  dispatcher.run();
+  dispatcher.run(progress);
   result.finish();
   dispatcher.dismiss();
 #else
   (void)rank;
-  spread(job, result, arguments.threads);
+  spread(job, result, progress, arguments.threads);
   result.finish();
 #endif
   describe(job, arguments.result);
@@ -108,8 +122,15 @@ void run(int argc, char** argv, int rank) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 2 && argv[1] == std::string("--help")) {
+    std::cout << kUsage;
+    return 0;
+  }
   int rank = 0, status = 0;
 #ifdef CONFIGURATION_SPACE_MPI
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // no rank outlives its mpirun, not even one that was killed
+#endif
   MPI_Init(&argc, &argv);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
 #endif

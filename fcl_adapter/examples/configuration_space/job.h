@@ -2,17 +2,16 @@
 // What is computed, and how it is cut into chunks that don't depend on each other.
 #pragma once
 
+#include <tricover/occupancy_grid_io.h>
 #include <tricover/scene.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
-
-#include "../map_server.h"
 
 namespace configuration_space {
 
@@ -28,7 +27,8 @@ using Bytes = std::vector<char>;
 class Job {
  public:
   /// With `whole_cells`, a bit is 0 only if every pose of the cell is free, headings halfway to the next ones included.
-  Job(const std::string& yaml, const Size& size, bool whole_cells) : size_(size), map_(map_server::read(yaml).grid) {
+  Job(const std::string& yaml, const Size& size, bool whole_cells)
+      : size_(size), map_(tricover::readOccupancyMap(yaml).grid) {
     const auto walls = tricover::outline(map_);
     if (walls) scene_.add(*walls, tricover::Pose::Identity());
     if (whole_cells) {
@@ -36,13 +36,15 @@ class Job {
       const double x = cellWidth(), y = cellHeight(), turn = kTurn / (2 * static_cast<double>(size.headings));
       options_.margin = (0.5 * std::hypot(x, y) + turn * (robot_.radius() + robot_.origin().norm())) * (1 + 1e-12);
     }
-    header_ = "tricover configuration space 1\n" + yaml + " " + std::to_string(size.headings) + " " +
-              std::to_string(size.width) + " " + std::to_string(size.height) + (whole_cells ? " whole cells" : "") +
-              "\n";
+    std::ostringstream header;
+    header << "tricover configuration space 2\nmap " << std::hex << hashOf(map_) << std::dec << "\nheadings "
+           << size.headings << " width " << size.width << " height " << size.height << (whole_cells ? " whole" : "")
+           << "\n";
+    header_ = header.str();
   }
 
   const Size& size() const { return size_; }
-  /// The result's first lines: equal for equal jobs.
+  /// The result's first lines: equal for equal jobs, wherever their maps are.
   const std::string& header() const { return header_; }
   std::size_t rowBytes() const { return (size_.width + 7) / 8; }
   /// Rows of one heading, the last ones of which may be fewer.
@@ -76,6 +78,19 @@ class Job {
   static constexpr std::size_t kRows = 16;
   static constexpr double kTurn = 6.283185307179586;
 
+  /// Of all that the result depends on (FNV-1a, 64 bits).
+  static std::uint64_t hashOf(const tricover::OccupancyGrid& map) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    const auto add = [&hash](const void* bytes, std::size_t count) {
+      for (std::size_t i = 0; i < count; ++i)
+        hash = (hash ^ static_cast<const unsigned char*>(bytes)[i]) * 0x100000001b3;
+    };
+    add(&map.width, sizeof map.width);
+    add(&map.height, sizeof map.height);
+    add(&map.resolution, sizeof map.resolution);
+    add(map.cells.data(), map.cells.size());
+    return hash;
+  }
   std::size_t chunksPerHeading() const { return (size_.height + kRows - 1) / kRows; }
   double cellWidth() const {
     return map_.resolution * static_cast<double>(map_.width) / static_cast<double>(size_.width);

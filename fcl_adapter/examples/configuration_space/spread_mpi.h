@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "job.h"
@@ -35,6 +37,16 @@ inline void work(const Job& job) {
   }
 }
 
+/// All ranks must have read the same map, which may be another file on another machine, or have changed meanwhile.
+inline void agreeOn(const Job& job) {
+  std::string first = job.header();
+  std::uint64_t size = first.size();
+  MPI_Bcast(&size, sizeof size, MPI_BYTE, 0, MPI_COMM_WORLD);
+  first.resize(size);
+  MPI_Bcast(first.data(), static_cast<int>(size), MPI_BYTE, 0, MPI_COMM_WORLD);
+  if (first != job.header()) throw std::runtime_error("the ranks have read different maps");
+}
+
 /// Rank 0: hands chunks out, and computes some itself while nobody asks.
 class Dispatcher {
  public:
@@ -43,8 +55,7 @@ class Dispatcher {
     MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
   }
 
-  void run() {
-    Progress progress;
+  void run(Progress& progress) {
     while (result_.missing() > 0) {
       if (answerOne()) continue;
       const std::uint64_t own = given_ < result_.left().size() ? next() : kNone;
@@ -52,7 +63,7 @@ class Dispatcher {
         result_.write(own, job_.chunk(own));
       else
         std::this_thread::sleep_for(std::chrono::microseconds(200));
-      progress.show(result_.missing(), job_.chunks());
+      progress.show(result_.missing());
     }
   }
 

@@ -13,16 +13,15 @@
 
 namespace configuration_space {
 
-inline void spread(const Job& job, ResultFile& result, std::size_t threads) {
+inline void spread(const Job& job, ResultFile& result, Progress& progress, std::size_t threads) {
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
   const std::vector<std::size_t>& left = result.left();
-  Progress progress;
   std::mutex writing;
   oneapi::tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {
     const Bytes bytes = job.chunk(left[i]);
     const std::lock_guard<std::mutex> lock(writing);
     result.write(left[i], bytes);
-    progress.show(result.missing(), job.chunks());
+    progress.show(result.missing());
   });
 }
 

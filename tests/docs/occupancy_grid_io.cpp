@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/occupancy_grid_io.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "tricover/locate.h"
+
+namespace {
+
+TEST(Documentation, OccupancyMap) {
+  const std::string folder = testing::TempDir();
+  //! [occupancy map]
+  std::ofstream(folder + "hall.pgm") << "P2\n4 3\n255\n"
+                                     << "0 0 0 205\n"  // the highest row: three walls, and nobody knows
+                                     << "0 254 254 0\n"
+                                     << "0 0 0 0\n";
+  std::ofstream(folder + "hall.yaml") << "image: hall.pgm\nresolution: 0.05\norigin: [-1, 2, 0]\nnegate: 0\n"
+                                      << "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+
+  const tricover::OccupancyMap map = tricover::readOccupancyMap(folder + "hall.yaml");
+  EXPECT_EQ(map.grid.cells, (std::vector<std::int8_t>{100, 100, 100, 100,  //
+                                                      100, 0, 0, 100,      //
+                                                      100, 100, 100, -1}));
+  const auto walls = tricover::outline(map.grid);  // in the grid's own frame; map.pose puts it into the world
+  const tricover::Vec2 place = map.pose.inverse() * tricover::Vec2(-0.9, 2.075);
+  EXPECT_EQ(tricover::locate(*walls, place), tricover::Location::Outside);
+  //! [occupancy map]
+}
+
+}  // namespace
