@@ -9,20 +9,27 @@
 #include "tricover/export.h"
 #include "tricover/motion.h"
 #include "tricover/polygon.h"
+#include "tricover/scene.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover {
 
 /// A drawing in world coordinates (y upwards), scaled to fit. Colours are SVG colour strings.
-/// Members draw in call order, later ones on top. Numbers are written the same in every locale.
+/// Members draw in call order, later ones on top. Numbers are written the same in every locale. They throw
+/// std::invalid_argument for poses that collide() refuses and for points that aren't finite.
 /// \snippet svg.cpp svg
 class TRICOVER_EXPORT SvgDrawing {
  public:
   /// Without anything drawn. Throws std::invalid_argument for a width that isn't positive and finite.
   explicit SvgDrawing(double width_px = 800);
 
-  /// The region under its fill rule, and its outline.
-  void polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke = "#333");
+  /// The region under its fill rule, and its outline. With a margin, a world length, the region grown by it is drawn
+  /// around it in a paler fill (in the outline's colour where the fill is "none"): point() with a margin is a disc.
+  void polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke = "#333",
+               double margin = 0);
+  /// All bodies with their margins, in the order of their handles. Without any, nothing.
+  /// \snippet svg.cpp svg scene
+  void scene(const Scene& scene, const std::string& fill = "#e7e5e4", const std::string& stroke = "#333");
   /// An open line through the points.
   void polyline(const std::vector<Vec2>& points, const std::string& stroke);
   /// A line of text, centred at `position`.
@@ -41,10 +48,12 @@ class TRICOVER_EXPORT SvgDrawing {
 
   /// The edges of each polygon that meet an edge of the other, in red. O(n m).
   void hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
-  /// The nearest points and the line between them. Throws std::invalid_argument for points that aren't finite.
+  /// The nearest points and the line between them.
   void nearest(const DistanceResult& result);
   /// Of each contact the point, an arrow along the normal and, in its true length, the way by `depth`.
   void contacts(const std::vector<Contact>& contacts);
+  /// The point of impact and an arrow along the normal: where the polygons are there, and in what colours, is yours.
+  void impact(const Impact& impact, const std::string& stroke = "#dc2626");
   /// Both polygons at the start, faintly, and at the time of impact; there the point and an arrow along the normal.
   void impact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, const Impact& impact);
 
@@ -52,11 +61,11 @@ class TRICOVER_EXPORT SvgDrawing {
   std::string str() const;
 
  private:
-  void include(const Vec2& point);
+  void include(const Vec2& point, double around = 0);
   void dot(const Vec2& at, const std::string& fill);
   void arrow(const Vec2& from, const Vec2& direction, const std::string& stroke);
 
-  /// An element around one length in pixels, which is known in drawing units only when all is drawn.
+  /// An element around one length in pixels, which is known in drawing units only when all is drawn; 0: around none.
   struct Element {
     std::string head;
     double px;

@@ -81,30 +81,46 @@ SvgDrawing::SvgDrawing(double width_px)
   if (!(width_px > 0 && std::isfinite(width_px))) detail::refuse("width_px", "it must be positive and finite");
 }
 
-void SvgDrawing::include(const Vec2& point) {
-  low_ = low_.cwiseMin(point);
-  high_ = high_.cwiseMax(point);
+void SvgDrawing::include(const Vec2& point, double around) {
+  detail::requireFinite(point, "point");
+  low_ = low_.cwiseMin(point - Vec2(around, around));
+  high_ = high_.cwiseMax(point + Vec2(around, around));
 }
 
-void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke) {
+void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke,
+                         double margin) {
+  checkPose(pose, "pose");
+  if (!(margin >= 0 && std::isfinite(margin))) detail::refuse("margin", "it must not be negative, and finite");
   std::string path;
   for (const Ring& ring : polygon.rings()) {
     char command = 'M';
     for (const Vec2& p : ring) {
       const Vec2 world = pose * p;
-      include(world);
+      include(world, margin);
       path += command + pair(world);
       command = 'L';
     }
     path += 'Z';
   }
+  // A line twice as wide as the margin, with round ends, covers what is within the margin of the outline.
+  if (margin > 0)
+    elements_.push_back({"<path d=\"" + path + "\" fill=\"none\" stroke=\"" + escaped(fill == "none" ? stroke : fill) +
+                             "\" stroke-opacity=\"0.4\" stroke-linecap=\"round\" stroke-width=\"" + number(2 * margin) +
+                             "\"/>",
+                         0, ""});
   const std::string rule = polygon.fillRule() == FillRule::EvenOdd ? "evenodd" : "nonzero";
   elements_.push_back({"<path d=\"" + path + "\" fill=\"" + escaped(fill) + "\" fill-rule=\"" + rule + "\" stroke=\"" +
                            escaped(stroke) + "\" stroke-width=\"",
                        1, "\"/>"});
 }
 
+void SvgDrawing::scene(const Scene& scene, const std::string& fill, const std::string& stroke) {
+  for (const Scene::Body body : scene.bodies())
+    polygon(scene.polygon(body), scene.pose(body), fill, stroke, scene.options(body).margin);
+}
+
 void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
+  checkPose(pose, "pose");
   for (const paper::CoveringTriangle& triangle : paper::covering(polygon)) {
     const std::string tint = triangle.sign > 0 ? "#3b82f6" : triangle.sign < 0 ? "#ef4444" : "none";
     const Vec2 s = pose * triangle.s;
@@ -117,6 +133,7 @@ void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
 }
 
 void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill) {
+  checkPose(pose, "pose");
   const EdgeIndex count = polygon.edgeCount();
   for (EdgeIndex edge = 0; edge < count; ++edge) {
     std::string points;
@@ -133,6 +150,7 @@ void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double
 }
 
 void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, const std::string& stroke) {
+  checkPose(pose, "pose");
   if (level < 0) throw std::invalid_argument("level: it must not be negative");
   const detail::PolygonData& data = polygon.data();
   const detail::Hierarchy& hierarchy = hierarchyOf(data);
@@ -154,6 +172,7 @@ void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, cons
 }
 
 void SvgDrawing::innerDiscs(const Polygon& polygon, const Pose& pose, const std::string& fill) {
+  checkPose(pose, "pose");
   const detail::PolygonData& data = polygon.data();
   const detail::InnerDiscs& discs = innerDiscsOf(data);
   for (int i = 0; i < discs.count; ++i) {
@@ -221,8 +240,6 @@ void SvgDrawing::arrow(const Vec2& from, const Vec2& direction, const std::strin
 }
 
 void SvgDrawing::nearest(const DistanceResult& result) {
-  if (!(result.point_a.allFinite() && result.point_b.allFinite()))
-    throw std::invalid_argument("result: it has no points; the distance is above its limit");
   polyline({result.point_a, result.point_b}, "#2563eb");
   dot(result.point_a, "#2563eb");
   dot(result.point_b, "#2563eb");
@@ -236,14 +253,18 @@ void SvgDrawing::contacts(const std::vector<Contact>& contacts) {
   }
 }
 
+void SvgDrawing::impact(const Impact& impact, const std::string& stroke) {
+  arrow(impact.point, impact.normal, stroke);
+  dot(impact.point, stroke);
+}
+
 void SvgDrawing::impact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                         const Impact& impact) {
   polygon(a, motion_a.at(0), "none", "#93c5fd");
   polygon(b, motion_b.at(0), "none", "#fdba74");
   polygon(a, motion_a.at(impact.time), "#bfdbfe");
   polygon(b, motion_b.at(impact.time), "#fed7aa");
-  arrow(impact.point, impact.normal, "#dc2626");
-  dot(impact.point, "#dc2626");
+  this->impact(impact);
 }
 
 std::string SvgDrawing::str() const {
@@ -258,7 +279,7 @@ std::string SvgDrawing::str() const {
       number(height) + "\">\n<g stroke-linejoin=\"round\" font-family=\"sans-serif\">\n" + "<rect x=\"" + number(x) +
       "\" y=\"" + number(y) + "\" width=\"" + number(width) + "\" height=\"" + number(height) + "\" fill=\"white\"/>\n";
   for (const Element& element : elements_)
-    svg += element.head + number(element.px * width / width_px_) + element.tail + "\n";
+    svg += element.head + (element.px > 0 ? number(element.px * width / width_px_) : "") + element.tail + "\n";
   return svg + "</g>\n</svg>\n";
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tricover/contacts.h"
+#include "tricover/segment.h"
 
 namespace {
 
@@ -24,6 +25,26 @@ TEST(Documentation, SvgDrawing) {
   const std::string document = drawing.str();  // to be written to a file
   EXPECT_EQ(document.rfind("<svg ", 0), 0u);
   //! [svg]
+}
+
+TEST(Documentation, SvgOfAScene) {
+  //! [svg scene]
+  tricover::Scene scene;
+  tricover::BodyOptions round;
+  round.margin = 0.5;
+  scene.add(tricover::Polygon({{{0, 0}, {4, 0}, {4, 1}, {0, 1}}}), tricover::Pose::Identity());
+  scene.add(tricover::point({0, 0}), tricover::Pose(Eigen::Translation2d(2, 3)), round);  // a disc
+  const auto robot = tricover::point({0, 0});
+  const auto drive = tricover::Motion::translation(tricover::Pose(Eigen::Translation2d(8, 0)), {-8, 0});
+  tricover::SvgDrawing drawing;
+  drawing.scene(scene);
+  if (const auto first = scene.firstImpact(robot, drive, {0.25})) {
+    drawing.polygon(robot, drive.at(first->impact.time), "#16a34a", "#333", 0.25);
+    drawing.impact(first->impact);
+  }
+  const std::string document = drawing.str();
+  EXPECT_NE(document.find("stroke-width=\"0.5\""), std::string::npos);
+  //! [svg scene]
 }
 
 }  // namespace

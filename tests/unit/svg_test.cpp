@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -12,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "limited_distance.h"
 #include "shapes.h"
 #include "tricover/locate.h"
+#include "tricover/segment.h"
 
 namespace tricover::support {
 namespace {
@@ -199,9 +200,6 @@ TEST(Svg, NearestPointsAreJoined) {
   EXPECT_EQ(line[0].x(), 2);
   EXPECT_EQ(line[1].x(), 5);
   EXPECT_EQ(count(svg, "<circle "), 2);
-  LimitedOptions near;
-  near.limit = 1;
-  EXPECT_THROW(drawing.nearest(distance(a, Pose::Identity(), b, Pose::Identity(), near)), std::invalid_argument);
 }
 
 TEST(Svg, ContactsShowPointNormalAndDepth) {
@@ -234,6 +232,81 @@ TEST(Svg, AnImpactShowsThePolygonsWhereTheyMeet) {
   const std::vector<Vec2> corner = points(landed.substr(1, landed.find('L') - 1));
   EXPECT_NEAR(corner.at(0).y(), 2, 1e-4);
   EXPECT_NE(attributes(svg, "<path ", "transform").back().find("rotate(-90)"), std::string::npos) << svg;
+}
+
+/// The box that a drawing shows: left, top, width, height.
+std::vector<double> viewBox(const std::string& svg) {
+  std::istringstream in(attributes(svg, "<svg ", "viewBox").at(0));
+  return {std::istream_iterator<double>(in), {}};
+}
+
+TEST(Svg, ARoundRobotIsSeen) {
+  SvgDrawing drawing;
+  drawing.polygon(point({0, 0}), pose(0, 3, 4), "#16a34a", "#333", 0.5);
+  const std::string svg = drawing.str();
+  EXPECT_TRUE(wellFormed(svg)) << svg;
+  ASSERT_EQ(count(svg, "<path "), 2);
+  EXPECT_EQ(attributes(svg, "<path ", "stroke-width").at(0), "1") << "the disc's diameter";
+  EXPECT_EQ(attributes(svg, "<path ", "stroke").at(0), "#16a34a");
+  EXPECT_EQ(attributes(svg, "<path ", "stroke-linecap").at(0), "round");
+  const std::vector<double> box = viewBox(svg);
+  ASSERT_EQ(box.size(), 4u);
+  EXPECT_LE(box[0], 2.5);
+  EXPECT_GE(box[0] + box[2], 3.5);
+  EXPECT_LE(box[1], -4.5);
+  EXPECT_GE(box[1] + box[3], -3.5);
+  SvgDrawing hollow;
+  hollow.polygon(point({0, 0}), pose(0, 0, 0), "none", "#123456", 0.5);
+  EXPECT_EQ(attributes(hollow.str(), "<path ", "stroke").at(0), "#123456");
+}
+
+TEST(Svg, ASceneIsItsBodiesWithTheirMargins) {
+  Scene scene;
+  BodyOptions grown;
+  grown.margin = 0.25;
+  scene.add(Polygon({rectangle(0, 0, 1, 1)}), pose(0, 0, 0));
+  const Scene::Body gone = scene.add(Polygon({rectangle(0, 0, 9, 9)}), pose(0, 50, 0));
+  scene.add(Polygon({rectangle(0, 0, 1, 1)}), pose(0.5, 3, 0), grown);
+  scene.remove(gone);
+  SvgDrawing drawing, by_hand;
+  drawing.scene(scene, "#abc", "#def");
+  by_hand.polygon(Polygon({rectangle(0, 0, 1, 1)}), pose(0, 0, 0), "#abc", "#def");
+  by_hand.polygon(Polygon({rectangle(0, 0, 1, 1)}), pose(0.5, 3, 0), "#abc", "#def", 0.25);
+  EXPECT_EQ(drawing.str(), by_hand.str());
+  SvgDrawing empty;
+  empty.scene(Scene());
+  EXPECT_THROW(empty.str(), std::logic_error);
+}
+
+TEST(Svg, AnImpactAloneIsAnArrowInTheCallersColour) {
+  SvgDrawing drawing;
+  drawing.impact({0.5, Vec2(1, 2), Vec2(0, 1), 0, 0}, "#0000ff");
+  drawing.polyline({{0, 0}, {1, 1}}, "#333");
+  EXPECT_EQ(attributes(drawing.str(), "<path ", "stroke"), std::vector<std::string>{"#0000ff"});
+  EXPECT_EQ(attributes(drawing.str(), "<circle ", "fill"), std::vector<std::string>{"#0000ff"});
+}
+
+TEST(Svg, RefusesWhatIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const Polygon square({rectangle(0, 0, 1, 1)});
+  Pose far = Pose::Identity();
+  far.translation().x() = infinity;
+  SvgDrawing drawing;
+  drawing.polygon(square, Pose::Identity(), "none");
+  const std::string before = drawing.str();
+  EXPECT_THROW(drawing.polygon(square, far, "none"), std::invalid_argument);
+  EXPECT_THROW(drawing.covering(square, far), std::invalid_argument);
+  EXPECT_THROW(drawing.influenceAreas(square, far, 1), std::invalid_argument);
+  EXPECT_THROW(drawing.boxes(square, far, 0), std::invalid_argument);
+  EXPECT_THROW(drawing.innerDiscs(square, far), std::invalid_argument);
+  EXPECT_THROW(drawing.hits(square, far, square, far), std::invalid_argument);
+  for (const double margin : {-1.0, nan, infinity})
+    EXPECT_THROW(drawing.polygon(square, Pose::Identity(), "none", "#333", margin), std::invalid_argument);
+  EXPECT_THROW(drawing.polyline({{0, nan}}, "#333"), std::invalid_argument);
+  EXPECT_THROW(drawing.text({infinity, 0}, "far"), std::invalid_argument);
+  EXPECT_THROW(drawing.nearest({1, {nan, 0}, {0, 0}, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(drawing.impact({0, {nan, 0}, {1, 0}, 0, 0}), std::invalid_argument);
+  EXPECT_EQ(drawing.str(), before);
 }
 
 /// A comma for the point, and digits in groups.
