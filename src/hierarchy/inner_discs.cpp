@@ -174,9 +174,12 @@ const InnerDiscs& innerDiscsOf(const PolygonData& polygon) {
 }
 
 const InnerDiscs* payForDiscs(const PolygonData& polygon) {
-  // Of more edges than a thinned outline has nothing is looked at but what the hierarchy finds.
-  constexpr std::size_t kOfEdge = 16, kMostEdges = 128, kOfQuery = 32;
-  const bool is_due = polygon.discs_rent.isDue(kOfQuery, kOfEdge * std::min(polygon.path.size(), kMostEdges));
+  // Of more edges than a thinned outline has nothing is looked at but what the hierarchy finds. Few edges are asked at
+  // once, so that discs save a query little.
+  constexpr std::size_t kOfEdge = 16, kMostEdges = 80, kOfQuery = 24, kOfFewEdges = 4;
+  const bool few = polygon.path.size() - polygon.ringCount() <= SmallPolygon::kMost;
+  const bool is_due =
+      polygon.discs_rent.isDue(few ? kOfFewEdges : kOfQuery, kOfEdge * std::min(polygon.path.size(), kMostEdges));
   return is_due ? &innerDiscsOf(polygon) : nullptr;
 }
 

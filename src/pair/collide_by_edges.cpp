@@ -12,6 +12,13 @@
 namespace tricover::detail {
 namespace {
 
+/// What hierarchies would have saved a query that looks at all edges, in these: hardly less where few edges are asked
+/// at once, as those of a hierarchy are.
+std::size_t savedBy(const PolygonData& polygon) {
+  const std::size_t edges = polygon.path.size();
+  return edges <= SmallPolygon::kMost + 1 ? edges : edges * 2 / 3;
+}
+
 /// What the hierarchies cost that aren't there, and the edges that are looked at without them: those of both polygons
 /// and, of a ring that may be inside, those of the other one.
 bool arePaidFor(const PolygonData& a, const PolygonData& b) {
@@ -20,8 +27,8 @@ bool arePaidFor(const PolygonData& a, const PolygonData& b) {
     if (hierarchyIfBuilt(*polygon) == nullptr) left += polygon->hierarchy_rent.left(hierarchyPrice(*polygon));
   const std::size_t cost = a.path.size() * b.ringCount() + b.path.size() * a.ringCount();
   if (left <= cost) return true;
-  a.hierarchy_rent.pay(a.path.size());
-  b.hierarchy_rent.pay(b.path.size());
+  a.hierarchy_rent.pay(savedBy(a));
+  b.hierarchy_rent.pay(savedBy(b));
   return false;
 }
 

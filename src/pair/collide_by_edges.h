@@ -12,7 +12,7 @@ namespace tricover::detail {
 /// The answer by the edges alone, of polygons that have been asked too seldom for a hierarchy each: O(n + m) but where
 /// many edges are near each other. Leaves clearance 0. Nothing where hierarchies have been paid for, or coordinates
 /// may overflow.
-[[gnu::cold]] std::optional<Outcome> collideByEdges(const EdgeTest& test);
+std::optional<Outcome> collideByEdges(const EdgeTest& test);
 
 /// Whether both polygons have a hierarchy, so that there is no need for the above.
 inline bool haveHierarchies(const PolygonData& a, const PolygonData& b) {

@@ -24,6 +24,20 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string nameOf(std::size_t ring) { return "rings: ring " + std::to_string(ring); }
 
+/// In the path. Throws for rings that are no polygon's.
+std::size_t positionsOf(const std::vector<Ring>& rings) {
+  if (rings.empty()) refuse("rings", "a polygon needs at least one ring");
+  std::size_t positions = 0;
+  for (const Ring& ring : rings) {
+    if (ring.size() < 3)
+      refuse(nameOf(static_cast<std::size_t>(&ring - rings.data())),
+             "it has " + std::to_string(ring.size()) + " vertices", "it needs at least 3, which may be equal ones");
+    positions += ring.size() + 1;
+  }
+  requireCapacity(positions);
+  return positions;
+}
+
 /// Names the first vertex that isn't.
 void refuseNotFinite(const std::vector<Ring>& rings) {
   for (std::size_t r = 0; r < rings.size(); ++r)
@@ -33,32 +47,44 @@ void refuseNotFinite(const std::vector<Ring>& rings) {
 
 }  // namespace
 
+/// Two vertices, by coordinates.
+struct TwoVertices {
+  explicit TwoVertices(const Vec2* at) {
+    const Double2 p = load2(at[0].data()), q = load2(at[1].data());
+    x = Double2{p[0], q[0]};
+    y = Double2{p[1], q[1]};
+  }
+  Double2 x, y;
+};
+
+/// visit(two vertices) for all of a path, of which there are at least two; an odd one comes twice.
+template <typename Visit>
+void forEachTwo(const Path& path, Visit visit) {
+  const std::size_t last = path.size() - 2;
+  for (std::size_t i = 0; i < last; i += 2) visit(TwoVertices(&path[i]));
+  visit(TwoVertices(&path[last]));
+}
+
 /// Of all vertices.
 struct Extremes {
-  /// Throws for rings that are no polygon's.
-  explicit Extremes(const std::vector<Ring>& rings) {
-    if (rings.empty()) refuse("rings", "a polygon needs at least one ring");
-    Double2 rest{};  // 0, or NaN
-    for (const Ring& ring : rings) {
-      if (ring.size() < 3)
-        refuse(nameOf(static_cast<std::size_t>(&ring - rings.data())),
-               "it has " + std::to_string(ring.size()) + " vertices", "it needs at least 3, which may be equal ones");
-      positions += ring.size() + 1;
-      for (const Vec2& vertex : ring) {
-        const Double2 p = load2(vertex.data()), size = absolute(p);
-        low = smaller(p, low);
-        high = larger(p, high);
-        extent = std::max(extent, size[0] + size[1]);
-        rest += p - p;
-      }
-    }
-    if (rest[0] + rest[1] != 0) refuseNotFinite(rings);
-    requireCapacity(positions);
+  explicit Extremes(const Path& path) {
+    Double2 low_x{kInfinity, kInfinity}, low_y = low_x, high_x = -low_x, high_y = -low_x, size{}, rest{};
+    forEachTwo(path, [&](const TwoVertices& two) {
+      low_x = smaller(two.x, low_x), high_x = larger(two.x, high_x);
+      low_y = smaller(two.y, low_y), high_y = larger(two.y, high_y);
+      const Double2 sum = absolute(two.x) + absolute(two.y);
+      size = larger(sum, size);
+      rest += sum - sum;
+    });
+    low = Double2{std::min(low_x[0], low_x[1]), std::min(low_y[0], low_y[1])};
+    high = Double2{std::max(high_x[0], high_x[1]), std::max(high_y[0], high_y[1])};
+    extent = std::max(size[0], size[1]);
+    are_plain = rest[0] + rest[1] == 0;
   }
 
-  Double2 low{kInfinity, kInfinity}, high = -low;
-  double extent = 0;          ///< the largest |x| + |y|
-  std::size_t positions = 0;  ///< in the path
+  Double2 low, high;
+  double extent;   ///< the largest |x| + |y|
+  bool are_plain;  ///< finite, and so is the extent
 };
 
 namespace {
@@ -77,16 +103,6 @@ double powerOfTwo(int exponent) {
   return power;
 }
 
-/// 2^exponent as two factors, either of them finite where the power itself would overflow or underflow.
-struct PowerOfTwo {
-  explicit PowerOfTwo(int exponent) : first(powerOfTwo(exponent / 2)), second(powerOfTwo(exponent - exponent / 2)) {}
-  template <typename T>
-  T operator()(const T& x) const {
-    return x * first * second;
-  }
-  double first, second;
-};
-
 /// A bounding box whose size is brought near 1 by a power of two, so that areas and squares neither overflow nor
 /// underflow.
 struct Frame {
@@ -95,23 +111,25 @@ struct Frame {
     const Double2 size = high - low;
     const double most = std::max(size[0], size[1]);
     center = low + (most < kInfinity ? 0.5 * size : 0.5 * high - 0.5 * low);
-    if (most > 0) exponent = std::min(std::ilogb(most) - 1, 1023);
+    // Beyond these the powers of two would leave the range of normal doubles, and nothing is as far from 1.
+    const int exponent = most > 0 ? std::clamp(std::ilogb(most) - 1, -1000, 1000) : 0;
+    shrink = powerOfTwo(-exponent);
+    grow = powerOfTwo(exponent);
   }
   Double2 low, high, center;
-  int exponent = 0;
+  double shrink, grow;
 };
 
 /// The centroid by the covering's signed areas; the box's centre where they cancel or it falls outside the box.
 Double2 centroid(const PolygonData& polygon, const Frame& frame) {
-  const PowerOfTwo shrink(-frame.exponent), grow(frame.exponent);
   const Vec2* path = polygon.path.data();
   double area = 0, total = 0;
   Double2 moment{};
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
     const std::size_t end = polygon.edgeEnd(r);
-    Double2 v = shrink(load2(path[polygon.edgeBegin(r)].data()) - frame.center);
+    Double2 v = (load2(path[polygon.edgeBegin(r)].data()) - frame.center) * frame.shrink;
     for (std::size_t e = polygon.edgeBegin(r); e < end; ++e) {
-      const Double2 w = shrink(load2(path[e + 1].data()) - frame.center);
+      const Double2 w = (load2(path[e + 1].data()) - frame.center) * frame.shrink;
       const double twice = cross(v, w);
       area += twice;
       total += std::abs(twice);
@@ -120,20 +138,20 @@ Double2 centroid(const PolygonData& polygon, const Frame& frame) {
     }
   }
   if (std::abs(area) <= 1e-9 * total) return frame.center;
-  const Double2 s = frame.center + grow(moment / (3 * area));
+  const Double2 s = frame.center + moment / (3 * area) * frame.grow;
   return bitsOf(s >= frame.low) == 3 && bitsOf(s <= frame.high) == 3 ? s : frame.center;
 }
 
 double boundingRadius(const PolygonData& polygon, const Frame& frame) {
-  const PowerOfTwo shrink(-frame.exponent), grow(frame.exponent);
-  const Double2 origin = load2(polygon.origin.data());
-  double square = 0;
-  for (const Vec2& p : polygon.path) {
-    const Double2 way = shrink(load2(p.data()) - origin);
-    square = std::max(square, dot(way, way));
-  }
+  const double x = polygon.origin.x(), y = polygon.origin.y();
+  Double2 square{};
+  forEachTwo(polygon.path, [&](const TwoVertices& two) {
+    const Double2 dx = (two.x - x) * frame.shrink, dy = (two.y - y) * frame.shrink;
+    square = larger(dx * dx + dy * dy, square);
+  });
   // Each step up to here rounds by half an ulp or, scaled back, by half the smallest denormal.
-  return std::nextafter(grow(std::sqrt(square) * (1 + 16 * kUnitRoundoff)), kInfinity);
+  const double length = std::sqrt(std::max(square[0], square[1]));
+  return std::nextafter(length * (1 + 16 * kUnitRoundoff) * frame.grow, kInfinity);
 }
 
 /// A ring of three vertices of which two are equal is a segment there and back.
@@ -159,8 +177,7 @@ void requireCapacity(std::size_t positions) {
 }
 
 const PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
-  const Extremes extremes(rings);
-  const std::size_t total = extremes.positions;
+  const std::size_t total = positionsOf(rings);
   static_assert(sizeof(PolygonData) % alignof(Vec2) == 0 && alignof(PolygonData) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
   const std::size_t of_path = total * sizeof(Vec2) + (rings.size() + 1) * sizeof(std::uint32_t);
   auto* const memory = static_cast<std::byte*>(::operator new(sizeof(PolygonData) + of_path));
@@ -169,11 +186,22 @@ const PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fi
   Vec2* end = vertices;
   for (const Ring& ring : rings) {
     *ring_begin++ = static_cast<std::uint32_t>(end - vertices);
-    for (const Vec2& vertex : ring) new (end++) Vec2(vertex);
+    std::memcpy(static_cast<void*>(end), ring.data(), ring.size() * sizeof(Vec2));
+    end += ring.size();
     new (end++) Vec2(ring.front());
   }
   *ring_begin = static_cast<std::uint32_t>(total);
-  return new (memory) PolygonData(Path(vertices, total, rings.size()), fill, extremes);
+  const Path path(vertices, total, rings.size());
+  const Extremes extremes(path);
+  if (!extremes.are_plain) {
+    try {
+      refuseNotFinite(rings);
+    } catch (...) {
+      ::operator delete(memory);
+      throw;
+    }
+  }
+  return new (memory) PolygonData(path, fill, extremes);
 }
 
 void PolygonData::release() const {

@@ -11,5 +11,5 @@ MUTATIONS = [
     ("src/polygon/covering.h", "polygon.radius + 2 * p.error", "polygon.radius", "disc: error of the point"),
     ("src/polygon/influence.cpp", "length * std::sqrt(ux * ux + uy * uy) * (1 + 8 * kUnitRoundoff)", "0.999 * length * std::sqrt(ux * ux + uy * uy)", "influence area: too narrow"),
     ("src/polygon/influence.cpp", "<= 0 && detail::inExtendedArea", ">= 0 && detail::inExtendedArea", "repair 3: one-sided area on the wrong side"),
-    ("src/polygon/polygon.cpp", "square = std::max(square,", "square = std::min(square + 1e-3,", "bounding radius too small"),
+    ("src/polygon/polygon.cpp", "square = larger(dx * dx + dy * dy, square);", "square = smaller(dx * dx + dy * dy, square + 1e-3);", "bounding radius too small"),
 ]
