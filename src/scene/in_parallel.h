@@ -17,13 +17,21 @@ void inParallel(const Parallel& parallel, std::size_t count, const Task& task) {
   for (std::size_t i = 0; i < count; ++i) task(i);
 }
 
-/// The same for what takes so little time that many are one task for the user: handing one over costs microseconds.
+/// The same for what takes so little time that many are one task for the user, since handing one over costs
+/// microseconds: task(begin, end, chunk) for each chunk of [0, count).
+constexpr std::size_t kChunk = 512;
+constexpr std::size_t chunksOf(std::size_t count) { return (count + kChunk - 1) / kChunk; }
+template <typename Task>
+void inParallelChunks(const Parallel& parallel, std::size_t count, const Task& task) {
+  inParallel(parallel, chunksOf(count),
+             [&](std::size_t chunk) { task(chunk * kChunk, std::min((chunk + 1) * kChunk, count), chunk); });
+}
+
+/// And by task(i).
 template <typename Task>
 void inParallelTasks(const Parallel& parallel, std::size_t count, const Task& task) {
-  constexpr std::size_t kMany = 512;
-  inParallel(parallel, (count + kMany - 1) / kMany, [&](std::size_t chunk) {
-    const std::size_t end = std::min((chunk + 1) * kMany, count);
-    for (std::size_t i = chunk * kMany; i < end; ++i) task(i);
+  inParallelChunks(parallel, count, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) task(i);
   });
 }
 

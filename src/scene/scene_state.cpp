@@ -170,8 +170,8 @@ void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& 
   }
 }
 
-/// The pairs of a body whose box is new.
-void SceneState::findPairs(Body body) {
+/// Adds the pairs that a body whose box is new hasn't had, but for those that a body with a lower handle finds.
+void SceneState::findPairs(Body body, std::vector<BodyPair>& found) const {
   const auto linked = [&](Body p, Body q) {
     const auto &links_p = bodies[p].links, &links_q = bodies[q].links;
     const bool first = links_p.size() <= links_q.size();
@@ -179,30 +179,46 @@ void SceneState::findPairs(Body body) {
     return std::any_of(links.begin(), links.end(), [&](const Link& link) { return link.other == (first ? q : p); });
   };
   tree.visit(tree.boundsOf(body), [&](Body other) {
-    if (other == body || !mayMeet(bodies[body], bodies[other]) || linked(body, other)) return true;
-    const Body first = std::min(body, other), second = std::max(body, other);
-    if (free_pairs.empty()) {
-      pairs.emplace_back();
-      free_pairs.push_back(static_cast<std::uint32_t>(pairs.size() - 1));
-    }
-    const std::uint32_t pair = free_pairs.back();
-    // What may throw comes first.
-    makeRoom(listed_pairs, 1);
-    for (const Body end : {first, second}) makeRoom(bodies[end].links, 1);
-    free_pairs.pop_back();
-    pairs[pair] = {{first, second},
-                   {static_cast<std::uint32_t>(bodies[first].links.size()),
-                    static_cast<std::uint32_t>(bodies[second].links.size())},
-                   {-1, -1},
-                   /*used*/ true,
-                   /*listed*/ false,
-                   /*collides*/ false,
-                   /*reported*/ false};
-    bodies[first].links.push_back({-1, pair, second});
-    bodies[second].links.push_back({-1, pair, first});
-    listPair(pair);
+    const bool is_found_there = bodies[other].fresh && other <= body;
+    if (!is_found_there && mayMeet(bodies[body], bodies[other]) && !linked(body, other))
+      found.push_back({std::min(body, other), std::max(body, other)});
     return true;
   });
+}
+
+void SceneState::link(const BodyPair& ends) {
+  const auto [first, second] = ends;
+  if (free_pairs.empty()) {
+    pairs.emplace_back();
+    free_pairs.push_back(static_cast<std::uint32_t>(pairs.size() - 1));
+  }
+  const std::uint32_t pair = free_pairs.back();
+  // What may throw comes first.
+  makeRoom(listed_pairs, 1);
+  for (const Body end : {first, second}) makeRoom(bodies[end].links, 1);
+  free_pairs.pop_back();
+  pairs[pair] = {
+      {first, second},
+      {static_cast<std::uint32_t>(bodies[first].links.size()), static_cast<std::uint32_t>(bodies[second].links.size())},
+      {-1, -1},
+      /*used*/ true,
+      /*listed*/ false,
+      /*collides*/ false,
+      /*reported*/ false};
+  bodies[first].links.push_back({-1, pair, second});
+  bodies[second].links.push_back({-1, pair, first});
+  listPair(pair);
+}
+
+/// Finds them on the user's threads, and then links them in the order of the list.
+void SceneState::linkFresh(const Parallel& parallel) {
+  std::vector<std::vector<BodyPair>> found(chunksOf(fresh.size()));
+  inParallelChunks(parallel, fresh.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (bodies[fresh[i]].used) findPairs(fresh[i], found[chunk]);
+  });
+  for (const auto& some : found)
+    for (const BodyPair& ends : some) link(ends);
 }
 
 /// Forgets a pair.
@@ -284,8 +300,7 @@ void SceneState::lookAtPairs(const Parallel& parallel) {
 /// Brings all facts and `collisions` up to now.
 void SceneState::updateCollisions(const Parallel& parallel) {
   settled();
-  for (const Body body : fresh)
-    if (bodies[body].used) findPairs(body);
+  linkFresh(parallel);
   for (const Body body : due) {
     const BodyState& state = bodies[body];
     if (!state.used) continue;

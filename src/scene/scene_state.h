@@ -100,7 +100,9 @@ struct SceneState {
   void listFresh(Body body);
   void listDue(Body body);
   void unlink(std::uint32_t index);
-  void findPairs(Body body);
+  void findPairs(Body body, std::vector<BodyPair>& found) const;
+  void link(const BodyPair& ends);
+  void linkFresh(const Parallel& parallel);
   void listPair(std::uint32_t pair);
   /// What is found of a pair.
   struct Finding {

@@ -119,6 +119,17 @@ TEST(Threads, ShareAFreshMap) {
   }
 }
 
+/// A Parallel.
+void byThreads(std::size_t count, const std::function<void(std::size_t)>& task) {
+  std::atomic<std::size_t> next{0};
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 3; ++t)
+    threads.emplace_back([&] {
+      for (std::size_t i = next++; i < count; i = next++) task(i);
+    });
+  for (std::thread& thread : threads) thread.join();
+}
+
 /// The same bodies for the same seed, of polygons that nobody has asked anything yet.
 Scene makeScene(std::uint64_t seed) {
   Random random(seed);
@@ -172,15 +183,6 @@ SceneAnswers ask(const Scene& scene, const Polygon& robot, std::uint64_t seed, c
 
 TEST(Threads, AskOneScene) {
   const UpTo stages(detail::Stages::Paid);
-  const Parallel by_threads = [](std::size_t count, const std::function<void(std::size_t)>& task) {
-    std::atomic<std::size_t> next{0};
-    std::vector<std::thread> threads;
-    for (int t = 0; t < 3; ++t)
-      threads.emplace_back([&] {
-        for (std::size_t i = next++; i < count; i = next++) task(i);
-      });
-    for (std::thread& thread : threads) thread.join();
-  };
   for (std::uint64_t round = 0; round < static_cast<std::uint64_t>(scaledCount(10)); ++round) {
     const auto robot = [] { return Polygon({rectangle(-1, -0.5, 1, 0.5)}); };
     const SceneAnswers expected = ask(makeScene(round), robot(), round, {});
@@ -193,10 +195,48 @@ TEST(Threads, AskOneScene) {
     std::vector<std::thread> threads;
     for (int t = 0; t < kThreads / 2; ++t)
       threads.emplace_back(
-          [&, t] { wrong += !(ask(scene, shared, round, t % 2 == 0 ? by_threads : Parallel()) == expected); });
+          [&, t] { wrong += !(ask(scene, shared, round, t % 2 == 0 ? Parallel(byThreads) : Parallel()) == expected); });
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(wrong, 0);
   }
+}
+
+/// All pairs that any frame begins and ends with, of bodies that walk, leap, come and go.
+TEST(Threads, FindTheCollisionsThatOneFinds) {
+  const UpTo stages(detail::Stages::Paid);
+  Random random(5);
+  std::vector<Polygon> shapes;
+  for (int i = 0; i < 8; ++i) shapes.push_back(Polygon({star(random, random.integer(3, 20), 0.5, 1)}));
+  constexpr int kBodies = 1600;
+  Scene alone, shared;
+  const auto add = [&] {
+    const Polygon& shape = shapes[static_cast<std::size_t>(random.integer(0, 7))];
+    const Pose at = randomPose(random, 50);
+    EXPECT_EQ(alone.add(shape, at), shared.add(shape, at));
+  };
+  for (int i = 0; i < kBodies; ++i) add();
+  std::size_t pairs = 0;
+  for (int frame = 0; frame < std::max(scaledCount(30), 4); ++frame) {
+    std::vector<BodyPose> poses;
+    for (const Scene::Body body : alone.bodies()) {
+      Pose pose = alone.pose(body);
+      if (random.oneIn(50)) pose = randomPose(random, 50);
+      pose.translation() += Vec2(random.real(-0.2, 0.2), random.real(-0.2, 0.2));
+      poses.push_back({body, pose});
+    }
+    poses.push_back({poses.front().body, randomPose(random, 50)});  // twice in one call
+    alone.move(poses);
+    shared.move(poses, byThreads);
+    EXPECT_EQ(shared.collisions(byThreads), alone.collisions());
+    EXPECT_EQ(shared.began(), alone.began());
+    EXPECT_EQ(shared.ended(), alone.ended());
+    pairs += alone.began().size();
+    const Scene::Body leaves = poses[static_cast<std::size_t>(random.integer(0, kBodies - 1))].body;
+    alone.remove(leaves);
+    shared.remove(leaves);
+    add();
+  }
+  EXPECT_GT(pairs, 500u);
 }
 
 TEST(Threads, IdsStayUniqueAndTheLastCopyMayDieAnywhere) {
