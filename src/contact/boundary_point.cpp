@@ -14,14 +14,16 @@ std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge) {
 }
 
 BoundaryPoint vertexPoint(const PolygonData& polygon, int side, std::size_t v, const Vec2& at) {
+  const std::size_t ring = polygon.ringOf(v), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
   const auto hasLength = [&](std::size_t e) { return polygon.path[e] != polygon.path[e + 1]; };
-  std::size_t edge = v, before = edgeBefore(polygon, v);
+  const auto previous = [&](std::size_t e) { return (e == begin ? end : e) - 1; };
+  std::size_t edge = v, before = previous(v);
   if (hasLength(v)) {
-    while (!hasLength(before)) before = edgeBefore(polygon, before);
+    while (!hasLength(before)) before = previous(before);
   } else if (hasLength(before)) {
-    while (!hasLength(edge)) edge = edgeAfter(polygon, edge);
+    while (!hasLength(edge)) edge = edge + 1 == end ? begin : edge + 1;
   }
-  const auto after = static_cast<std::ptrdiff_t>(edge), other = static_cast<std::ptrdiff_t>(before);
+  const auto after = static_cast<std::int32_t>(edge), other = static_cast<std::int32_t>(before);
   return side == 0 ? BoundaryPoint{at, after, other, -1, -1} : BoundaryPoint{at, -1, -1, after, other};
 }
 

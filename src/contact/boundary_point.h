@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "polygon/polygon_data.h"
 
@@ -11,7 +12,7 @@ namespace tricover::detail {
 /// is on one of each, a vertex on two of its polygon.
 struct BoundaryPoint {
   Vec2 at;
-  std::ptrdiff_t a, a_before, b, b_before;
+  std::int32_t a, a_before, b, b_before;
 };
 
 /// The next edge of a ring, all around, and the one before; positions in the path.

@@ -27,17 +27,12 @@ std::vector<Contact> contactsBeside(const PosedPair& pair, const ContactOptions&
   const CollideOptions grown{margin, 0};
   if (margin == 0 || !collideByHierarchy(pair, grown, 0, Wanted::Answer).collides) return {};
   const auto [nearest, normal] = nearestContact(pair);
-  Contact contact{nearest.point_a / 2 + nearest.point_b / 2, Vec2::Zero(), 0, nearest.edge_a, nearest.edge_b};
-  if (options.detail != ContactDetail::Points) {
-    contact.normal = normal;
-    contact.depth = std::max(margin - nearest.distance, 0.0);
-  }
-  return {contact};
+  const Vec2 middle = nearest.point_a / 2 + nearest.point_b / 2;
+  return {{middle, normal, std::max(margin - nearest.distance, 0.0), nearest.edge_a, nearest.edge_b}};
 }
 
 std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, const ContactOptions& options) {
-  if (options.detail == ContactDetail::Points || !convexOutlineOf(pair.a).isConvexRegion() ||
-      !convexOutlineOf(pair.b).isConvexRegion())
+  if (!convexOutlineOf(pair.a).isConvexRegion() || !convexOutlineOf(pair.b).isConvexRegion())
     return partContacts(pair, nullptr, options);
   const SeparatingAxes axes(pair, cache != nullptr ? &cache->contact : nullptr);
   if (axes.verdict() == SeparatingAxes::Apart) return {};

@@ -82,6 +82,7 @@ NearestPlaces nearestPlaces(const WorldFrame::Ends& edge_a, const WorldFrame::En
 
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Coincident coincident) {
   std::vector<EdgeCrossing> result;
+  result.reserve(8);
   const std::size_t many = 4 * (pair.a.path.size() + pair.b.path.size());
   std::optional<CoincidentVertices> known;
   const auto visit = [&](double, std::size_t i, std::size_t j) {

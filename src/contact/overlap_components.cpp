@@ -57,9 +57,19 @@ struct Side {
 /// Off the middle, where symmetric shapes have other edges, too.
 double somewhere(const Span& span) { return span.low + 0.4142 * (span.high - span.low); }
 
+/// Vertices of a ring that lie in the other region, from one to another, all around.
+struct Arc {
+  int side;
+  std::size_t from, to;
+  std::size_t node;
+};
+
+/// A crossing, or a vertex of an arc.
 struct NodePoint {
   std::size_t node;
-  BoundaryPoint point;
+  int side;        ///< kCrossing, or whose vertex it is
+  std::size_t at;  ///< its index, or the vertex's position
+  static constexpr int kCrossing = -1;
 };
 
 class Grouping {
@@ -71,12 +81,12 @@ class Grouping {
         crossings_(crossings),
         sides_{Side(pair.a), Side(pair.b)} {}
 
-  std::vector<OverlapComponent> components() {
+  std::vector<OverlapComponent> components(ContactDetail detail) {
     join(false);
     // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
     if (countSets() > 1 && (meetsItself(pair_.a) || meetsItself(pair_.b))) join(true);
     if (countSets() > 1) joinHoles();
-    return collect();
+    return collect(detail != ContactDetail::Points);
   }
 
  private:
@@ -100,11 +110,13 @@ class Grouping {
   bool holds(int side, const Vec2& p) const { return detail::holds(pair_, frame_, side, p); }
 
   void join(bool with_own_crossings) {
+    const std::size_t about = crossings_.size() + pair_.a.ringCount() + pair_.b.ringCount();
     sets_ = UnionFind();
-    present_.clear();
-    points_.clear();
-    inner_.clear();
-    points_.reserve(crossings_.size());
+    sets_.reserve(about);
+    nodes_.clear();
+    nodes_.reserve(about);
+    arcs_.clear();
+    arcs_.reserve(about);
     for (Side& side : sides_) {
       side.stops.clear();
       side.stops.reserve(crossings_.size());
@@ -115,8 +127,6 @@ class Grouping {
       const bool known = c.direction != 0;
       sides_[0].stops.push_back({c.edge_a, c.on_a, node, {known, -c.direction}, false});
       sides_[1].stops.push_back({c.edge_b, c.on_b, node, {known, c.direction}, false});
-      const auto i = static_cast<std::ptrdiff_t>(c.edge_a), j = static_cast<std::ptrdiff_t>(c.edge_b);
-      points_.push_back({node, {c.point, i, i, j, j}});
     }
     for (int side : {0, 1}) {
       if (with_own_crossings) addOwnCrossings(side);
@@ -125,8 +135,7 @@ class Grouping {
   }
 
   std::size_t addNode(bool present) {
-    present_.push_back(present);
-    inner_.push_back(false);
+    nodes_.push_back({present, false, false});
     return sets_.add();
   }
 
@@ -204,17 +213,34 @@ class Grouping {
   void joinWhole(int side, std::size_t r) {
     Side& own = sides_[side];
     const std::size_t node = addNode(true);
-    inner_[node] = true;
+    nodes_[node].is_inner = true;
     own.rings[r].node = static_cast<std::ptrdiff_t>(node);
     for (std::size_t k = own.rings[r].begin; k < own.rings[r].end; ++k) sets_.join(own.stops[k].node, node);
-    for (std::size_t v = own.polygon.edgeBegin(r); v < own.polygon.edgeEnd(r); ++v) addVertex(side, v, node);
+    arcs_.push_back({side, own.polygon.edgeBegin(r), own.polygon.edgeEnd(r) - 1, node});
   }
 
-  /// Of a repeated vertex the last one stands for all.
-  void addVertex(int side, std::size_t v, std::size_t node) {
-    const PolygonData& polygon = sides_[side].polygon;
-    if (polygon.path[v] == polygon.path[v + 1] && !isPoint(polygon, v)) return;
-    points_.push_back({node, vertexPoint(polygon, side, v, vertex(side, v))});
+  /// Of nodes that are wanted, crossings first. Of a repeated vertex the last one stands for all.
+  template <typename Wanted, typename Visit>
+  void forEachPoint(Wanted isWanted, Visit visit) const {
+    for (std::size_t k = 0; k < crossings_.size(); ++k)
+      if (isWanted(k)) visit(NodePoint{k, NodePoint::kCrossing, k});
+    for (const Arc& arc : arcs_) {
+      if (!isWanted(arc.node)) continue;
+      const PolygonData& polygon = sides_[arc.side].polygon;
+      const std::size_t ring = polygon.ringOf(arc.from), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
+      for (std::size_t v = arc.from;; v = v + 1 < end ? v + 1 : begin) {
+        if (polygon.path[v] != polygon.path[v + 1] || isPoint(polygon, v)) visit(NodePoint{arc.node, arc.side, v});
+        if (v == arc.to) break;
+      }
+    }
+  }
+
+  BoundaryPoint boundaryPoint(const NodePoint& point) const {
+    if (point.side != NodePoint::kCrossing)
+      return vertexPoint(sides_[point.side].polygon, point.side, point.at, vertex(point.side, point.at));
+    const EdgeCrossing& c = crossings_[point.at];
+    const auto i = static_cast<std::int32_t>(c.edge_a), j = static_cast<std::int32_t>(c.edge_b);
+    return {c.point, i, i, j, j};
   }
 
   /// Whether v begins a ring that is one point.
@@ -262,7 +288,7 @@ class Grouping {
     if ((next.span.low - reach) * way.norm() <= 4 * frame_.error()) return true;
     const bool in = winding.known ? sides_[1 - side].isInside(winding.number)
                                   : holds(1 - side, edge.v + somewhere({reach, next.span.low}) * way);
-    if (in) inner_[stop.node] = true;
+    if (in) nodes_[stop.node].is_inner = true;
     return in;
   }
 
@@ -270,54 +296,54 @@ class Grouping {
   /// all.
   bool joinedRoundVertices(int side, const Stop& stop, const Stop& next, Winding& winding) {
     const Side& own = sides_[side];
-    std::size_t v = own.after(stop.edge);
+    const std::size_t v = own.after(stop.edge);
     if (!winding.known) {
       const Inclusion found = includeVertex(side, v);
       if (found.location == Location::Boundary) return true;
       winding = {true, found.winding};
     }
     if (!sides_[1 - side].isInside(winding.number)) return false;
-    inner_[stop.node] = present_[stop.node] = true;
-    for (addVertex(side, v, stop.node); v != next.edge; addVertex(side, v, stop.node)) v = own.after(v);
+    nodes_[stop.node].is_inner = nodes_[stop.node].is_present = true;
+    arcs_.push_back({side, v, next.edge, stop.node});
     return true;
   }
 
   std::size_t countSets() {
-    std::vector<char> seen(sets_.size(), false);
+    for (Node& node : nodes_) node.is_counted = false;
     std::size_t count = 0;
-    for (std::size_t node = 0; node < sets_.size(); ++node) {
-      if (!present_[node]) continue;
-      char& root = seen[sets_.find(node)];
-      count += !root;
-      root = true;
+    for (std::size_t k = 0; k < sets_.size(); ++k) {
+      if (!nodes_[k].is_present) continue;
+      Node& root = nodes_[sets_.find(k)];
+      count += !root.is_counted;
+      root.is_counted = true;
     }
     return count;
   }
 
   void joinHoles() {
     struct Leftmost {
-      std::ptrdiff_t point = -1;
+      bool is_known = false;
+      NodePoint point;
       Vec2 at;
     };
     std::vector<Leftmost> leftmost(sets_.size());
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-      Leftmost& best = leftmost[sets_.find(points_[k].node)];
-      const Vec2 at = leftEnd(points_[k]);
-      if (best.point < 0 || at.x() < best.at.x()) best = {static_cast<std::ptrdiff_t>(k), at};
-    }
+    const auto all = [](std::size_t) { return true; };
+    forEachPoint(all, [&](const NodePoint& point) {
+      Leftmost& best = leftmost[sets_.find(point.node)];
+      const Vec2 at = leftEnd(point);
+      if (!best.is_known || at.x() < best.at.x()) best = {true, point, at};
+    });
     for (const Leftmost& best : leftmost) {
-      if (best.point < 0) continue;
-      const NodePoint& point = points_[static_cast<std::size_t>(best.point)];
-      if (!overlapsLeftOf(point, best.at)) continue;
+      if (!best.is_known || !overlapsLeftOf(best.point, best.at)) continue;
       const std::ptrdiff_t node = leftOf(best.at);
-      if (node >= 0) sets_.join(point.node, static_cast<std::size_t>(node));
+      if (node >= 0) sets_.join(best.point.node, static_cast<std::size_t>(node));
     }
   }
 
   /// Of a common stretch of two edges the end on the left, beyond which they needn't be both.
   Vec2 leftEnd(const NodePoint& point) const {
-    if (point.point.a < 0 || point.point.b < 0) return point.point.at;  // a vertex, whatever its node
-    const EdgeCrossing& crossing = crossings_[point.node];
+    if (point.side != NodePoint::kCrossing) return vertex(point.side, point.at);
+    const EdgeCrossing& crossing = crossings_[point.at];
     if (crossing.direction != 0) return crossing.point;
     const Vec2 low = frame_.edgeOfA(crossing.edge_a, crossing.on_a.low),
                high = frame_.edgeOfA(crossing.edge_a, crossing.on_a.high);
@@ -326,16 +352,18 @@ class Grouping {
 
   /// Whether what is next to the leftmost point of a boundary, outside of it, is in the overlap.
   bool overlapsLeftOf(const NodePoint& point, const Vec2& at) const {
-    const BoundaryPoint& p = point.point;
     // Where edges cross, a corner of the overlap is less than a half turn: here to the right.
-    if (p.a >= 0 && p.b >= 0 && crossings_[point.node].direction != 0) return false;
-    if (p.a < 0 || p.b < 0) {
-      const int side = p.b < 0 ? 0 : 1;
-      const std::ptrdiff_t edge = side == 0 ? p.a : p.b, before = side == 0 ? p.a_before : p.b_before;
+    if (point.side == NodePoint::kCrossing) {
+      if (crossings_[point.at].direction != 0) return false;
+    } else {
+      const int side = point.side;
+      const BoundaryPoint p = boundaryPoint(point);
+      const auto edge = static_cast<std::size_t>(side == 0 ? p.a : p.b),
+                 before = static_cast<std::size_t>(side == 0 ? p.a_before : p.b_before);
       const Side& own = sides_[side];
-      const Side::RingStops& ring = own.rings[own.polygon.ringOf(static_cast<std::size_t>(edge))];
+      const Side::RingStops& ring = own.rings[own.polygon.ringOf(edge)];
       // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
-      const Ends to = ends(side, static_cast<std::size_t>(edge)), from = ends(side, static_cast<std::size_t>(before));
+      const Ends to = ends(side, edge), from = ends(side, before);
       const double turn = cross(from.v - from.w, to.w - to.v);
       if (ring.left.known && !ring.meets_own && turn != 0)
         return own.isInside(turn > 0 ? ring.left.number : ring.left.number - 1);
@@ -389,25 +417,31 @@ class Grouping {
     return stop.joined || on_stop ? static_cast<std::ptrdiff_t>(stop.node) : -1;
   }
 
-  std::vector<OverlapComponent> collect() {
+  std::vector<OverlapComponent> collect(bool wants_all) {
     std::vector<OverlapComponent> result;
     std::vector<std::ptrdiff_t> component(sets_.size(), -1);
     const auto of = [&](std::size_t node) -> OverlapComponent& {
       return result[static_cast<std::size_t>(component[sets_.find(node)])];
     };
+    result.reserve(countSets());
     for (std::size_t node = 0; node < sets_.size(); ++node) {
       std::ptrdiff_t& index = component[sets_.find(node)];
-      if (!present_[node] || index >= 0) continue;
+      if (!nodes_[node].is_present || index >= 0) continue;
       index = static_cast<std::ptrdiff_t>(result.size());
       result.emplace_back();
     }
-    for (std::size_t node = 0; node < sets_.size(); ++node)
-      if (inner_[node] && component[sets_.find(node)] >= 0) of(node).inner = true;
-    for (const NodePoint& point : points_) of(point.node).points.push_back(point.point);
-    for (std::size_t k = 0; k < crossings_.size(); ++k) {
-      of(k).crossings.push_back(k);
-      if (!of(k).inner) lookBeside(crossings_[k], of(k));
+    if (result.size() == 1) {
+      result[0].crossings.reserve(crossings_.size());
+      result[0].points.reserve(crossings_.size() + (wants_all ? 16 * arcs_.size() : 0));
     }
+    for (std::size_t k = 0; k < crossings_.size(); ++k) of(k).crossings.push_back(k);
+    const auto isWanted = [&](std::size_t node) { return wants_all || of(node).crossings.empty(); };
+    forEachPoint(isWanted, [&](const NodePoint& point) { of(point.node).points.push_back(boundaryPoint(point)); });
+    if (!wants_all) return result;
+    for (std::size_t node = 0; node < sets_.size(); ++node)
+      if (nodes_[node].is_inner && component[sets_.find(node)] >= 0) of(node).inner = true;
+    for (std::size_t k = 0; k < crossings_.size(); ++k)
+      if (!of(k).inner) lookBeside(crossings_[k], of(k));
     return result;
   }
 
@@ -430,17 +464,21 @@ class Grouping {
   const WorldFrame& frame_;
   const std::vector<EdgeCrossing>& crossings_;
   Side sides_[2];
-  UnionFind sets_;             ///< of nodes
-  std::vector<char> present_;  ///< by node: it is in the overlap, which a polygon's own crossing needn't be
-  std::vector<char> inner_;    ///< by node: the overlap has an inside there
-  std::vector<NodePoint> points_;
+  struct Node {
+    bool is_present;  ///< it is in the overlap, which a polygon's own crossing needn't be
+    bool is_inner;    ///< the overlap has an inside there
+    bool is_counted;  ///< of a set's own node
+  };
+  UnionFind sets_;  ///< of nodes
+  std::vector<Node> nodes_;
+  std::vector<Arc> arcs_;
 };
 
 }  // namespace
 
 std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
-                                             const std::vector<EdgeCrossing>& crossings) {
-  return Grouping(pair, frame, crossings).components();
+                                             const std::vector<EdgeCrossing>& crossings, ContactDetail detail) {
+  return Grouping(pair, frame, crossings).components(detail);
 }
 
 }  // namespace tricover::detail

@@ -7,6 +7,7 @@
 #include "contact/boundary_point.h"
 #include "contact/crossings.h"
 #include "contact/world_frame.h"
+#include "tricover/contacts.h"
 
 namespace tricover::detail {
 
@@ -19,8 +20,8 @@ struct OverlapComponent {
 };
 
 /// The components of the overlap; none exactly if the regions are apart. What is nearer than the frame's error counts
-/// as connected.
+/// as connected. For points alone they have their crossings, or their vertices where there are none, and nothing else.
 std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
-                                             const std::vector<EdgeCrossing>& crossings);
+                                             const std::vector<EdgeCrossing>& crossings, ContactDetail detail);
 
 }  // namespace tricover::detail

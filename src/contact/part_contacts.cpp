@@ -29,10 +29,11 @@ class ContactFinder {
 
   /// In the pair's order.
   std::vector<Contact> contacts() const {
-    const std::vector<OverlapComponent> components = findComponents(pair_, frame_, crossings_);
+    const std::vector<OverlapComponent> components =
+        findComponents(pair_, frame_, crossings_, axes_ == nullptr ? detail_ : ContactDetail::WayOut);
     std::vector<Contact> result;
     for (const OverlapComponent& component : components) {
-      if (detail_ == ContactDetail::Points) {
+      if (detail_ == ContactDetail::Points && axes_ == nullptr) {
         result.push_back(anyPointOf(component));
         continue;
       }

@@ -16,6 +16,7 @@ class UnionFind {
   }
 
   std::size_t size() const { return parent_.size(); }
+  void reserve(std::size_t size) { parent_.reserve(size); }
   /// A number more, in a set of its own.
   std::size_t add() {
     parent_.push_back(parent_.size());

@@ -55,11 +55,8 @@ std::vector<Contact> contactsOf(const Case& c, ContactDetail detail) {
   return contacts(c.a, c.pose_a, c.b, c.pose_b, options);
 }
 
-/// What is wrong with contacts of less detail, given all pairs of edges that meet; empty if nothing is.
-std::string wrongDetail(const Case& c, const std::vector<Contact>& found, const Pairs& pairs) {
-  const std::vector<Contact> points = contactsOf(c, ContactDetail::Points),
-                             local = contactsOf(c, ContactDetail::LocalDepth);
-  if (points.size() != found.size() || local.size() != found.size()) return "how many there are by less detail";
+/// What is wrong with contacts of parts that told nothing but points; empty if nothing is.
+std::string wrongPoints(const Case& c, const std::vector<Contact>& points, const Pairs& pairs) {
   for (const Contact& contact : points) {
     if (contact.depth != 0 || contact.normal != Vec2::Zero()) return "a depth of a point";
     const bool crosses = contact.edge_a >= 0 && contact.edge_b >= 0;
@@ -67,6 +64,17 @@ std::string wrongDetail(const Case& c, const std::vector<Contact>& found, const 
                 : !isEdge(c.a, contact.edge_a) && !isEdge(c.b, contact.edge_b))
       return "a point's edges";
   }
+  return {};
+}
+
+/// What is wrong with contacts of less detail, given all pairs of edges that meet; empty if nothing is.
+std::string wrongDetail(const Case& c, const std::vector<Contact>& found, const Pairs& pairs) {
+  const std::vector<Contact> points = contactsOf(c, ContactDetail::Points),
+                             local = contactsOf(c, ContactDetail::LocalDepth);
+  if (points.size() != found.size() || local.size() != found.size()) return "how many there are by less detail";
+  // Of convex polygons all is told.
+  const std::string wrong_points = same(points, found) ? "" : wrongPoints(c, points, pairs);
+  if (!wrong_points.empty()) return wrong_points;
   const std::string wrong = wrongContacts(c, local, !pairs.empty());
   if (!wrong.empty()) return wrong + ", local";
   const double error = 4 * rounding(c);
