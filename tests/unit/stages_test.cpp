@@ -15,12 +15,7 @@
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
-#include "tricover/collide.h"
-#include "tricover/contacts.h"
-#include "tricover/distance.h"
-#include "tricover/locate.h"
-#include "tricover/penetration.h"
-#include "tricover/prepare.h"
+#include "tricover/tricover.h"
 
 namespace tricover::support {
 namespace {
@@ -79,6 +74,76 @@ TEST(Stages, PrepareBuildsAll) {
   EXPECT_NE(islands.data().starts.ifBuilt(), nullptr);
   EXPECT_NE(innerDiscsIfBuilt(islands.data())->cover.ifBuilt(), nullptr);
   EXPECT_NE(convexityOf(round.data()).outline.ifBuilt(), nullptr);
+}
+
+/// What is derived from a polygon; null for what isn't there.
+std::vector<const void*> derivedFrom(const Polygon& polygon) {
+  const detail::PolygonData& data = polygon.data();
+  std::vector<const void*> all = {data.hierarchy.ifBuilt(), data.discs.ifBuilt(), data.convexity.ifBuilt(),
+                                  data.starts.ifBuilt()};
+  if (const detail::Hierarchy* hierarchy = hierarchyIfBuilt(data))
+    all.insert(all.end(), {hierarchy->places.ifBuilt(), hierarchy->tangles.ifBuilt()});
+  if (const detail::InnerDiscs* discs = innerDiscsIfBuilt(data)) all.push_back(discs->cover.ifBuilt());
+  if (data.convexity.ifBuilt() != nullptr) all.push_back(detail::convexityOf(data).outline.ifBuilt());
+  return all;
+}
+
+void askAll(const Polygon& a, const Polygon& b, const Pose& pose_b) {
+  collide(a, kIdentity, b, pose_b);
+  collide(a, kIdentity, b, pose_b, CollideOptions{0.1, 0.1});
+  PairCache cache;
+  for (int i = 0; i < 3; ++i) collide(a, kIdentity, b, pose_b, cache);
+  distance(a, kIdentity, b, pose_b);
+  crossings(a, kIdentity, b, pose_b);
+  for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::WayOut})
+    for (const double margin : {0.0, 0.1}) {
+      ContactOptions options;
+      options.margin = margin;
+      options.detail = detail;
+      contacts(a, kIdentity, b, pose_b, options);
+    }
+  penetration(a, kIdentity, b, pose_b);
+  Motion motion = Motion::still(pose_b);
+  motion.shift = -1.5 * pose_b.translation();
+  motion.angle = 1;
+  timeOfImpact(a, Motion::still(kIdentity), b, motion);
+  castRay(a, kIdentity, pose_b.translation(), Vec2(0.1, 0.2));
+  locate(a, pose_b.translation());
+  distance(a, kIdentity, point(pose_b.translation()), kIdentity);
+  paper::collide(a, kIdentity, b, pose_b);
+  Scene scene;
+  scene.add(a, kIdentity);
+  scene.nearest(b, pose_b);
+  scene.collides(b, pose_b);
+}
+
+/// Of a polygon that is prepared, whatever is asked of it: convex, with straight vertices, holes, islands, meeting
+/// itself, a segment, a point.
+TEST(Stages, NothingIsBuiltAfterPrepare) {
+  const UpTo paid(Stages::Paid);
+  Random random(4);
+  std::vector<Ring> islands, meeting;
+  for (int i = 0; i < 9; ++i) {
+    islands.push_back(star(random, 9, 0.2, 0.4, {i % 3 - 1, i / 3 - 1}));
+    meeting.push_back(star(random, 9, 0.6, 0.9, {i % 3 - 1, i / 3 - 1}));
+  }
+  const std::vector<Polygon> polygons = {Polygon({regular(8, 1)}),
+                                         Polygon({regular(100, 1)}),
+                                         Polygon({{{-1, -1}, {0, -1}, {1, -1}, {1, 1}, {-1, 1}}}),
+                                         Polygon({star(random, 7, 0.5, 1)}),
+                                         Polygon({star(random, 200, 0.5, 1)}),
+                                         Polygon({regular(20, 1), regular(10, 0.5)}),
+                                         Polygon(islands),
+                                         Polygon(meeting),
+                                         segment({-1, 0}, {1, 0.5}),
+                                         point({0.1, 0})};
+  for (const Polygon& polygon : polygons) prepare(polygon);
+  std::vector<std::vector<const void*>> derived;  // of each
+  for (const Polygon& polygon : polygons) derived.push_back(derivedFrom(polygon));
+  for (const Polygon& a : polygons)
+    for (const Polygon& b : polygons)
+      for (const double x : {0.0, 0.3, 0.9, 1.8, 3.0}) askAll(a, b, pose(random.real(0, 6), x, 0.1));
+  for (std::size_t i = 0; i < polygons.size(); ++i) EXPECT_EQ(derivedFrom(polygons[i]), derived[i]) << i;
 }
 
 /// Large outlines of one or more rings, beside, in and around each other or in part, with margins and tolerances: more
