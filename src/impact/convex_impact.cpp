@@ -28,7 +28,7 @@ class Body {
 
   /// The farthest that it reaches along an axis from S, at both ends of a window: by a vertex between an edge that
   /// certainly leads ahead at both and one that certainly leads back, near the last that was foremost.
-  Double2 reach(const Places& p, Double2 nx, Double2 ny) {
+  [[gnu::always_inline]] Double2 reach(const Places& p, Double2 nx, Double2 ny) {
     const Double2 mx = p.m00 * nx + p.m10 * ny, my = p.m01 * nx + p.m11 * ny;
     const auto climb = [&](std::uint32_t edge) {
       const Double2 e = ring_.edge(edge);
@@ -252,12 +252,8 @@ class ConvexAdvancement {
 }  // namespace
 
 bool isConvexPair(const MovingPair& pair) {
-  // Axes turn with the polygons: off rigid, they wouldn't part what touches to its precision. Squares don't overflow.
-  const auto fits = [](const Mover& mover) {
-    return convexityOf(*mover.polygon).is_strict && mover.polygon->fitsUnit() && mover.scale > 0x1p-200 &&
-           mover.keepsLengths();
-  };
-  return fits(pair.a) && fits(pair.b) && pair.error < 1;
+  // Axes turn with the polygons: off rigid, they wouldn't part what touches to its precision.
+  return convexityOf(*pair.a.polygon).is_strict && convexityOf(*pair.b.polygon).is_strict && pair.keepLengths();
 }
 
 FirstContact advanceAlongAxis(const MovingPair& pair, double, double time_error) {

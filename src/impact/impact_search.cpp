@@ -37,8 +37,7 @@ class ImpactSearch {
       : pair_(pair),
         time_error_(time_error),
         touch_distance_(pair.margin + 4 * pair.error),
-        keeps_lengths_(pair.a.keepsLengths() && pair.b.keepsLengths()),
-        have_vertex_ways_(haveVertexWays(pair)) {
+        keep_lengths_(pair.keepLengths()) {
     encounters_.reserve(128);
   }
 
@@ -173,7 +172,7 @@ class ImpactSearch {
     const double sum = std::max(sizes[0], sizes[1]) + along + across + 4;
     // Lengths are kept to 2^-47 in turning differences back: as much as the error is once more.
     const double slack = kMovingGapRounding * sum + (pair_.margin * (1 + 0x1p-20) + 2 * pair_.error) * inverse;
-    if (!keeps_lengths_ || !(sum + slack + sag_a + sag_b < 0x1p30)) return false;
+    if (!keep_lengths_ || !(sum + slack + sag_a + sag_b < 0x1p30)) return false;
     const auto f = [](double value) { return static_cast<float>(value); };
     const auto above = [](double value) { return static_cast<float>(value * (1 + 0x1p-16) + 0x1p-100); };
     const MovingQuery query = {{f(x[0]), f(x[1])},
@@ -204,8 +203,10 @@ class ImpactSearch {
     }
   }
 
-  /// Where so small a share of a window is cut off two edges, their ends are looked at one by one.
+  /// Where so small a share of a window is cut off two edges, their ends are looked at one by one: in a search that
+  /// takes long, as most don't.
   static constexpr double kLittle = 1.0 / 64;
+  static constexpr int kWithoutEnds = 64;
 
   void touch(double when, std::size_t position_a, std::size_t position_b) {
     if (!(when < upper_bound_)) return;
@@ -226,7 +227,7 @@ class ImpactSearch {
     WindowCutter cutter(window, a, b);
     if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
     Rest rest = cutter.rest();
-    if (rest.low < kLittle && cutter.bend() > 0 && have_vertex_ways_)
+    if (rest.low < kLittle && divided_ > kWithoutEnds && cutter.bend() > 0 && keep_lengths_)
       rest = restOfEdges(window, position_a, position_b);
     if (rest.low > rest.high) return;
 
@@ -248,7 +249,7 @@ class ImpactSearch {
 
   const MovingPair& pair_;
   double time_error_, touch_distance_;
-  bool keeps_lengths_, have_vertex_ways_;
+  bool keep_lengths_;
   double upper_bound_ = kInfinity;
   std::size_t edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound
   std::vector<Encounter> encounters_;

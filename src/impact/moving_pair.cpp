@@ -41,7 +41,8 @@ Places Mover::places(double begin, double end) const {
 
 bool Mover::keepsLengths() const {
   constexpr double kMostDefect = 0x1p-47;
-  return Gram(load2(linear.data()), load2(linear.data() + 2)).defect() <= kMostDefect;
+  return polygon->fitsUnit() && (polygon->isPoint() || scale > 0x1p-200) &&
+         Gram(load2(linear.data()), load2(linear.data() + 2)).defect() <= kMostDefect;
 }
 
 MovingBox Mover::edge(const Places& p, std::size_t position) const {

@@ -54,8 +54,8 @@ struct Mover {
   Node node(std::uint32_t index) const;
   MovingBox box(const Places& places, const Node& node) const;
   MovingBox edge(const Places& places, std::size_t position) const;
-  /// Whether its pose does: off rigid by no more than rotations that were made of doubles, which is less than what
-  /// MovingPair::error allows for.
+  /// Whether its unit and its pose do, and squares don't overflow. A pose: if it is off rigid by no more than rotations
+  /// that were made of doubles, which is less than what MovingPair::error allows for.
   bool keepsLengths() const;
 
   const PolygonData* polygon;
@@ -97,6 +97,9 @@ struct MovingPair {
 
   /// Whether the discs around the pivots stay farther apart than the margin for all of the time.
   bool discsStayApart() const;
+
+  /// Whether both keep lengths but for rounding. A point b has none.
+  bool keepLengths() const { return error < 1 && a.keepsLengths() && (b.polygon->isPoint() || b.keepsLengths()); }
 
   Rates rates(double begin, double end) const { return is_steady ? steady : ratesOf(begin, end); }
   Rates ratesOf(double begin, double end) const;

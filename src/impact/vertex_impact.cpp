@@ -228,7 +228,7 @@ bool haveFewVertexWays(const MovingPair& pair) {
   const auto areFew = [](const PolygonData& polygon) {
     return polygon.path.size() - polygon.ringCount() <= static_cast<std::size_t>(kMost) && !polygon.isPoint();
   };
-  return haveVertexWays(pair) && (pair.b.polygon->isPoint() || (areFew(*pair.a.polygon) && areFew(*pair.b.polygon)));
+  return pair.keepLengths() && (pair.b.polygon->isPoint() || (areFew(*pair.a.polygon) && areFew(*pair.b.polygon)));
 }
 
 FirstContact followVertices(const MovingPair& pair, double begin, double time_error) {

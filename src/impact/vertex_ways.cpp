@@ -3,13 +3,6 @@
 
 namespace tricover::detail {
 
-bool haveVertexWays(const MovingPair& pair) {
-  const auto keepsLengths = [](const Mover& mover) {
-    return mover.polygon->fitsUnit() && (mover.polygon->isPoint() || mover.scale > 0x1p-200) && mover.keepsLengths();
-  };
-  return pair.error < 1 && keepsLengths(pair.a) && (pair.b.polygon->isPoint() || keepsLengths(pair.b));
-}
-
 double leverOf(const Mover& mover, const Vec2& vertex) {
   const Vec2 lever = mover.arm + mover.scale * (mover.linear * vertex);
   return lengthAbove(lever.x(), lever.y());

@@ -180,9 +180,6 @@ class VertexView {
   Pull pull_;   ///< in its units, where it stands still
 };
 
-/// Whether units and poses of both keep lengths but for rounding, and squares don't overflow.
-bool haveVertexWays(const MovingPair& pair);
-
 /// How far a vertex, in units, is from its polygon's pivot, at the most; in the pair's length.
 double leverOf(const Mover& mover, const Vec2& vertex);
 

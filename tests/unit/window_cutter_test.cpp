@@ -51,7 +51,7 @@ constexpr int kWays = 5;
 
 /// What one of the ways leaves of a window in which two edges may meet; nothing if low > high.
 Rest restBy(int way, const Window& window, std::size_t edge_a, std::size_t edge_b) {
-  if (way == 4) return haveVertexWays(window.pair) ? restOfEdges(window, edge_a, edge_b) : Rest{0, 1, 0};
+  if (way == 4) return window.pair.keepLengths() ? restOfEdges(window, edge_a, edge_b) : Rest{0, 1, 0};
   const MovingBox a = window.pair.a.edge(window.a, edge_a), b = window.pair.b.edge(window.b, edge_b);
   const NearestPoints at_begin(a, b, 0, window.pair.error);
   WindowCutter cutter(window, a, b);

@@ -21,7 +21,7 @@ MUTATIONS = [
     ("src/impact/vertex_ways.h", "if (last.offer(n[1] - room, n[0] - room, sags.aside)) return true;", "if (last.offer(n[1] + room, n[0] - room, 0)) return true;", "vertex beside edge: parted by the end, sag and error forgotten"),
     ("src/impact/vertex_ways.h", "if (std::abs(at) <= half) return share;", "return share;", "vertex beside edge: an edge without ends"),
     ("src/impact/vertex_ways.h", "sag_.of(lever, distance) * inverse_", "0 * sag_.of(lever, distance) * inverse_", "vertex beside edge: bent ways taken for straight"),
-    ("src/impact/vertex_ways.cpp", "pair.error < 1 && keepsLengths(pair.a) &&", "pair.error < 1 &&", "vertices' ways: a pose that doesn't keep lengths"),
+    ("src/impact/moving_pair.h", "error < 1 && a.keepsLengths() &&", "error < 1 &&", "vertices' ways: a pose that doesn't keep lengths"),
     ("src/impact/window.h", "half_square * rates.bend(lever_a, lever_b) + pull.most", "pull.most", "window: no sag along fixed axes"),
     ("src/impact/window.h", "const double always = 2 * turn * rates.speed + rates.pull;", "const double always = 0 * turn + rates.pull;", "window: sag by speed along turning axes"),
     ("src/impact/window.h", "with_a = with_b = {pull.most, 0, pull.most, 0, 0};", "with_a = with_b = {0, 0, 0, 0, 0};", "window: no sag of ways that bend without turns"),
