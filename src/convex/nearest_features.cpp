@@ -40,6 +40,15 @@ static_assert(kLeastDepth > kLeastFarther && kInside * kLeastSlope / 2 > kLeastF
 // of.
 constexpr double kClearProduct = 0x1p-43;
 
+// Below kClear the axis between two vertices is known by two-fold numbers only, that across an edge as ever. On which
+// side of the edge the vertex is, is certain down to kSide of the size, and so is the axis: in units of U the way is
+// off by 10 of it, and turned by 4 with u.
+constexpr double kSide = 0x1p-44;
+static_assert(kSide >= 2 * kUnitRows * errorOf(10 + 4));
+
+/// Of units: what a gap is that floats don't tell from none; more are only asked in vain.
+constexpr float kFloatDoubt = 0x1p-17f;
+
 constexpr int kMostNear = 8;
 /// To features that others lead to: more would cost after a jump what the cache saves.
 constexpr int kMostSteps = 2;
@@ -150,7 +159,8 @@ class FeatureSearch {
   }
 
   bool proveVertices(std::uint32_t v, std::uint32_t w, const Foot& foot) {
-    return proveForemost({FeaturePair::kVertices, v, w}, foot, true);
+    const bool is_clear = foot.is_plain || foot.distance > kClear * vertices_.size();
+    return proveForemost({FeaturePair::kVertices, v, w}, is_clear ? foot : vertices_.twofoldBetween(v, w), true);
   }
 
   /// Whether these are foremost, and the polygons are apart; and if they `may_be_unique`, whether they are.
@@ -160,8 +170,8 @@ class FeatureSearch {
     const double distance = foot.distance, size = vertices_.size();
     const double depth = std::min(of_a.depth(distance), of_b.depth(distance));
     const bool is_clear =
-        foot.is_plain || (distance > kClear * size &&
-                          (features.kind != FeaturePair::kVertices || distance * depth > kClearProduct * size * size));
+        foot.is_plain || (features.kind != FeaturePair::kVertices ? distance > kSide * size
+                                                                  : distance * depth > kClearProduct * size * size);
     found_.is_unique = may_be_unique && depth > 0 && is_clear;
     if (!found_.is_unique && !(distance > kSure * size && of_a.edgesNear(kNear * size, found_.edges_a) &&
                                of_b.edgesNear(kNear * size, found_.edges_b))) {
@@ -215,24 +225,24 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
   const bool are_small = a != nullptr && b != nullptr;
   ConvexGap guess{};
   if (are_small) guess = convexGap(*a, *b, vertices.inUnits(0).map);  // a guess needs no bounds
-  found.seem_to_meet = are_small && !(guess.gap > 0);
+  found.seem_to_meet = are_small && !(guess.gap > -kFloatDoubt);
   if (found.seem_to_meet) return found;
   FeatureSearch search(vertices, found);
+  if (are_small && search.prove(guess)) return found;
   // So that it doesn't depend on discs being there whether they seem to meet.
-  if (!(are_small && search.prove(guess))) found.seem_to_meet = !search.prove(walkToNearest(vertices));
+  found.seem_to_meet = (are_small && !(guess.gap > 0)) || !search.prove(walkToNearest(vertices));
   return found;
 }
 
-// Where the features are unique and the distance is plain, it is right to kRelativeError. Otherwise, in shares of the
-// size:
+// Where the features are unique, the distance is theirs: right to kRelativeError if it is plain, otherwise to half of
+// kSide of the size. Where they aren't, in shares of the size:
 //   64U         the distance of the features
 //   kNear / 2   neighbours on either side that may be ahead, by kNear / 4 each
 //   2^-45       the gap along the axis, which may lead along the shortest way but for 2^-23: less by 2^-47 of itself
 // and the rest of kNear is for rounding.
 double NearestFeatures::atLeast(const PosedVertices& vertices) const {
-  const bool is_plain = is_unique && foot.is_plain;
-  return is_plain ? foot.distance * (1 - 2 * PosedVertices::kRelativeError)
-                  : std::max(foot.distance - kNear * vertices.size(), 0.0);
+  if (is_unique && foot.is_plain) return foot.distance * (1 - 2 * PosedVertices::kRelativeError);
+  return foot.distance - (is_unique ? kSide / 2 : kNear) * vertices.size();
 }
 
 }  // namespace tricover::detail

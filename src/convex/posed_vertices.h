@@ -89,12 +89,18 @@ class PosedVertices : public Placement {
   }
   /// The same of two vertices.
   Foot betweenVertices(std::size_t p, std::size_t q) const { return footOf(way(p, q), p, q); }
+  /// The same by two-fold numbers, plain if it is kLeastShare of the size.
+  Foot twofoldBetween(std::size_t p, std::size_t q) const;
+  static constexpr double kLeastShare = 0x1p-44;
 
  protected:
   using Twofold2 = Twofold<Double2>;
 
   static Double2 mapped(const Double2 (&columns)[2], Double2 p) { return columns[0] * p[0] + columns[1] * p[1]; }
   static Double2 mapped(const Double2 (&columns)[2], const Vec2& p) { return mapped(columns, load2(p.data())); }
+
+  /// From a's vertex to b's, times `scale`: right to 100 U^2 of the size.
+  Twofold2 twofoldWay(std::size_t p, std::size_t q, double scale) const;
 
   Double2 shift_rest_;  ///< what t_b - t_a was rounded by, exactly
   bool is_unscaled_;

@@ -17,15 +17,13 @@ using Twofold2 = Twofold<Double2>;
 
 Double2 both(double x) { return Double2{x, x}; }
 
-Twofold2 normalised(const Twofold2& sum) { return twoSum(sum.high, sum.low); }
-
 /// A matrix times (q - p).
 Twofold2 mappedDifference(const Double2 (&columns)[2], Double2 p, Double2 q) {
   const Twofold2 difference = twoSum(q, -p);
   const Twofold2 first = twoProduct(columns[0], both(difference.high[0]));
   const Twofold2 second = twoProduct(columns[1], both(difference.high[1])), sum = twoSum(first.high, second.high);
   const Double2 rest = columns[0] * difference.low[0] + columns[1] * difference.low[1];
-  return normalised({sum.high, sum.low + (first.low + second.low + rest)});
+  return twoSum(sum.high, sum.low + (first.low + second.low + rest));
 }
 
 double crossProduct(const Twofold2& u, const Twofold2& w) {
@@ -48,12 +46,12 @@ Double2 point(const PolygonData& polygon, std::size_t position) { return load2(p
 // but for kUnitRows:
 //   R p        products 1, sum 1                         2 |p|_1 in either coordinate
 //   R q + t    the same, t itself 1, the sum 1           3 |q|_1 + 2 |t|_1
-// so that a distance between the edges is off by sqrt2 3 M in any direction because its ends are, and beside() rounds
-// as pointSegmentDistance() does (there 12 |u| + 8 d; here 1 |u| more for the inverse, and 8 d), with |u| <= 2 M, d <=
-// M:
+// so that a distance between the edges is off by sqrt2 3 M in any direction because its ends are, and besideSegment()
+// by 13 |u| + 8 d, with |u| <= 2 M, d <= M:
 //   4.25 M + 26 M + 8 M = 38.25 M.
 constexpr double kDistanceError = 64 * kUnitRoundoff;
-static_assert(kDistanceError >= kUnitRows * (errorOf(3) * kRoot2 + 2 * errorOf(12 + 1) + errorOf(8)));
+static_assert(kDistanceError >=
+              kUnitRows * (errorOf(3) * kRoot2 + 2 * errorOf(kBesideOfLength) + errorOf(kBesideOfDistance)));
 
 // Areas u x w and products u . w, where u leads along an edge and w from its start to an end of the other, |u| <= 2 M
 // and |w| <= M; in units of U:
@@ -194,8 +192,7 @@ EdgeDistance EdgeDistances::whereTheyMeet(const View& v) const {
 }
 
 // Let w go from an end of an edge to the point, and u along the edge; M is the size.
-//   w: each of the four products and four sums is at most M and rounds by U M, which is kept in the low parts, as is
-//   what t was rounded by; their own eight sums round by U of at most 9U M: below 100 U^2 M in either coordinate.
+//   w: below 100 U^2 M in either coordinate (twofoldWay()).
 //   u: from the exact difference in the polygon's frame, by the same count of U |u|: below 32 U^2 |u|.
 // The distance d = |u x w| / |u|, where |w| <= 3 M, then errs by
 //   256 U^2 M      by w, sqrt2 100 in any direction,
@@ -210,22 +207,10 @@ EdgeDistance EdgeDistances::whereTheyMeet(const View& v) const {
 //   U d                       their difference
 // which is 54.1U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
 // the quotient (U) add 7.3U: in all below 62U, and kRelativeError is 64U.
-constexpr double kLeastShare = 0x1p-44, kSteepest = 8.5;
-static_assert(kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoundoff * kUnitRoundoff);
+constexpr double kSteepest = 8.5;
+static_assert(PosedVertices::kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoundoff * kUnitRoundoff);
 static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
 static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
-
-// Vectors go from a to b whatever the edge is of, so that two vertices are found just as far apart from either's edges.
-EdgeDistances::Twofold2 EdgeDistances::twofoldWay(std::size_t at_a, std::size_t at_b) const {
-  const double *ra = pose_a.data(), *rb = pose_b.data();  // columns of three
-  const Double2 q = point(b, at_b) * scale_, p = point(a, at_a) * scale_;
-  const Twofold2 b0 = twoProduct(load2(rb), both(q[0])), b1 = twoProduct(load2(rb + 3), both(q[1]));
-  const Twofold2 a0 = twoProduct(load2(ra), both(p[0])), a1 = twoProduct(load2(ra + 3), both(p[1]));
-  const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);
-  const Twofold2 of_both = twoSum(of_b.high, -of_a.high), w = twoSum(shift_, of_both.high);
-  const Double2 rests = (b0.low + b1.low) - (a0.low + a1.low), sums = (of_b.low - of_a.low) + (of_both.low + w.low);
-  return normalised({w.high, rests + (sums + shift_rest_)});
-}
 
 template <bool kEdgeOfA>
 double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const {
@@ -233,7 +218,7 @@ double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t 
   const double* r = (kEdgeOfA ? pose_a : pose_b).data();
   const Double2 columns[] = {load2(r), load2(r + 3)};
   const std::size_t end = edge + (at_end ? 1 : 0);
-  const Twofold2 w = kEdgeOfA ? twofoldWay(end, vertex) : twofoldWay(vertex, end);
+  const Twofold2 w = kEdgeOfA ? twofoldWay(end, vertex, scale_) : twofoldWay(vertex, end, scale_);
   const Double2 v1 = point(polygon, edge) * scale_, v2 = point(polygon, edge + 1) * scale_;
   const Double2 difference = v2 - v1, plain = columns[0] * difference[0] + columns[1] * difference[1];
   const Double2 products = plain * swapped(w.high);
@@ -256,7 +241,8 @@ EdgeDistance EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::s
 
 EdgeDistance EdgeDistances::startAndStart(const Foot& foot, std::size_t i, std::size_t j,
                                           const DistanceQuery& options) const {
-  const double rounded = allowed(foot.distance, options), d = rounded > 0 ? rounded : norm(twofoldWay(i, j).high);
+  const double rounded = allowed(foot.distance, options),
+               d = rounded > 0 ? rounded : norm(twofoldWay(i, j, scale_).high);
   return d >= kLeastShare * size_ ? EdgeDistance{d, 0, 0} : exactCombination(0, i, j);
 }
 
@@ -277,7 +263,9 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
     if (!(d >= kLeastShare * size_)) return exactCombination(k, i, j);
     return {atLeastSmallest(d * inverse_), end_of_b ? part : where, end_of_b ? where : part};
   };
-  const auto from = [&](std::size_t v) { return end_of_b ? twofoldWay(i + v, vertex) : twofoldWay(vertex, j + v); };
+  const auto from = [&](std::size_t v) {
+    return end_of_b ? twofoldWay(i + v, vertex, scale_) : twofoldWay(vertex, j + v, scale_);
+  };
 
   const int place = placeOf(view, k);
   if (place == 0) {

@@ -9,6 +9,7 @@
 
 #include "convex/posed_vertices.h"
 #include "distance/options.h"
+#include "numbers/beside_segment.h"
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "polygon/polygon_data.h"
@@ -126,24 +127,15 @@ class EdgeDistances : public PosedVertices {
     return {mapped(columns_a_, p[0]), mapped(columns_a_, p[1]), mapped(columns_b_, q[0]) + shift_,
             mapped(columns_b_, q[1]) + shift_};
   }
-  /// The points w1 and w2 beside the edge from the origin to u. The members are as in View; `along` times the edge's
-  /// length.
-  struct Beside {
-    Double2 square, part, area, along;
+  /// The points w1 and w2 beside the edge from the origin to u. The members are as in View.
+  struct Beside : BesideSegment<Double2> {
+    Double2 area;
     double length_square;
   };
   static Beside beside(Double2 u, Double2 w1, Double2 w2) {
-    const Double2 x{w1[0], w2[0]}, y{w1[1], w2[1]}, zero{0, 0}, one{1, 1};
-    Beside result;
-    result.length_square = u[0] * u[0] + u[1] * u[1];
-    result.along = x * u[0] + y * u[1];
-    result.area = y * u[0] - x * u[1];
-    const double inverse = result.length_square > 0x1p-960 ? 1 / result.length_square : 0;
-    const Double2 part = result.along * inverse;
-    result.part = part > zero ? (part < one ? part : one) : zero;
-    const Double2 dx = x - result.part * u[0], dy = y - result.part * u[1];
-    result.square = dx * dx + dy * dy;
-    return result;
+    const Double2 x{w1[0], w2[0]}, y{w1[1], w2[1]};
+    const double square = u[0] * u[0] + u[1] * u[1], inverse = square > 0x1p-960 ? 1 / square : 0;
+    return {besideSegment(x, y, u[0], u[1], inverse), y * u[0] - x * u[1], square};
   }
   /// Whether both points are certainly on one side of the edge's line, or beyond the same end.
   bool isClear(const Beside& s) const {
@@ -165,8 +157,6 @@ class EdgeDistances : public PosedVertices {
   /// What an answer may be where the doubles' distance is this, scaled, if that is within the errors that the options
   /// allow; otherwise 0.
   double allowed(double distance, const DistanceQuery& options) const;
-  /// From a's vertex to b's, scaled.
-  Twofold2 twofoldWay(std::size_t at_a, std::size_t at_b) const;
   /// Of a vertex that is certainly beside an edge, nearer to its end or its start; scaled.
   template <bool kEdgeOfA>
   double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const;

@@ -147,8 +147,18 @@ extern Simd<double(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map,
 
 enum class Meeting { Apart, Meet, Unknown };
 
-/// Two small convex polygons by separating axes. `map` goes from b's units to a's and puts b's S within 4 of a's.
-extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)> convexMeet;
+/// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
+/// vertex of the other is nearest to its line. It is a guess as good as floats.
+struct ConvexGap {
+  float gap;
+  int edge, vertex;
+  bool of_a;
+};
+
+/// Two small convex polygons by separating axes; where that is unknown, `best` is the edge that comes nearest to
+/// parting them, without a vertex. `map` goes from b's units to a's and puts b's S within 4 of a's.
+extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding, ConvexGap& best)>
+    convexMeet;
 
 /// Whether two edges meet, by their positions: who knows where floats don't. Null: nobody.
 struct EdgeCheck {
@@ -165,8 +175,10 @@ extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap&
 /// The one that is for them.
 inline Meeting smallMeet(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double rounding,
                          const EdgeCheck& check = {}) {
-  if (a.small_convex != nullptr && b.small_convex != nullptr)
-    return convexMeet(*a.small_convex, *b.small_convex, map, rounding);
+  if (a.small_convex != nullptr && b.small_convex != nullptr) {
+    ConvexGap best;
+    return convexMeet(*a.small_convex, *b.small_convex, map, rounding, best);
+  }
   return fewEdgesMeet(*a.small, *b.small, map, rounding, check);
 }
 
@@ -186,13 +198,6 @@ extern Simd<void(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& 
                  unsigned (&near)[SmallPolygon::kMost])>
     nearEdges;
 
-/// Which edge of two small convex polygons has all of the other farthest beyond it, how far, in a's units, and which
-/// vertex of the other is nearest to its line. It is a guess as good as floats.
-struct ConvexGap {
-  float gap;
-  int edge, vertex;
-  bool of_a;
-};
 extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map)> convexGap;
 
 /// The same of which edge parts the two longest while b moves straight by (way_x, way_y), in a's units: the gap is the

@@ -8,6 +8,7 @@
 #include "hierarchy/axis_boxes.h"
 #include "hierarchy/inner_discs.h"
 #include "hierarchy/simd.h"
+#include "numbers/double2.h"
 
 #ifdef __x86_64__
 

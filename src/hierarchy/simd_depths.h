@@ -4,6 +4,7 @@
 
 #include "hierarchy/inner_discs.h"
 #include "hierarchy/simd_gaps.h"
+#include "numbers/beside_segment.h"
 
 namespace tricover::detail::simd {
 
@@ -21,14 +22,12 @@ struct LaneCounts {
 
 template <class Lanes>
 void measureDepths(const ThinnedOutline& outline, DepthProbes& probes) {
-  const Lanes at_x = Lanes::load(probes.x), at_y = Lanes::load(probes.y), zero = Lanes::all(0), one = Lanes::all(1);
+  const Lanes at_x = Lanes::load(probes.x), at_y = Lanes::load(probes.y), zero = Lanes::all(0);
   Lanes square = Lanes::all(1e30f);
   LaneCounts ups, downs;
   for (const ThinnedOutline::Edge& e : outline.edges) {
     const Lanes x = at_x - e.x, y = at_y - e.y;
-    const Lanes part = smaller(larger((x * e.along_x + y * e.along_y) * e.inverse_square, zero), one);
-    const Lanes dx = x - part * e.along_x, dy = y - part * e.along_y;
-    square = smaller(square, dx * dx + dy * dy);
+    square = smaller(square, besideSegment(x, y, e.along_x, e.along_y, e.inverse_square).square);
     const unsigned above_start = above(y, zero), above_end = above(y - e.along_y, zero);
     const unsigned left = above(y * -e.along_x + x * e.along_y, zero);
     ups.add(above_start & ~above_end & ~left);

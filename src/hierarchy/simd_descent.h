@@ -228,15 +228,14 @@ template <class Lanes>
   const double slack = d.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
   t.step = stepOf(a.scale, limit * a.inverse, static_cast<float>(slack) * slacks, 1e30f);
 
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
+  const FloatMap to_a(map);
   const float scale = static_cast<float>(size);
   const Lanes bx = Lanes::load(b.x) * scale, by = Lanes::load(b.y) * scale;
   const Lanes bux = Lanes::load(b.ux), buy = Lanes::load(b.uy);
-  (bx * r00 + by * r01 + static_cast<float>(x)).store(t.moved[0]);
-  (bx * r10 + by * r11 + static_cast<float>(y)).store(t.moved[1]);
-  (bux * r00 + buy * r01).store(t.moved[2]);
-  (bux * r10 + buy * r11).store(t.moved[3]);
+  (to_a.turnedX(bx, by) + static_cast<float>(x)).store(t.moved[0]);
+  (to_a.turnedY(bx, by) + static_cast<float>(y)).store(t.moved[1]);
+  to_a.turnedX(bux, buy).store(t.moved[2]);
+  to_a.turnedY(bux, buy).store(t.moved[3]);
   (Lanes::load(b.along) * scale).store(t.moved[4]);
   (Lanes::load(b.across) * scale).store(t.moved[5]);
 

@@ -28,6 +28,35 @@ template <class Lanes>
 [[gnu::always_inline]] inline float upwards(double x) { return static_cast<float>(x) * (1 + 0x1p-20f); }
 [[gnu::always_inline]] inline float downwards(double x) { return static_cast<float>(x) * (1 - 0x1p-20f); }
 
+/// A UnitMap in floats, for lanes of coordinates or single ones.
+struct FloatMap {
+  [[gnu::always_inline]] explicit FloatMap(const UnitMap& map)
+      : r00(static_cast<float>(map.r00)),
+        r01(static_cast<float>(map.r01)),
+        r10(static_cast<float>(map.r10)),
+        r11(static_cast<float>(map.r11)),
+        tx(static_cast<float>(map.tx)),
+        ty(static_cast<float>(map.ty)),
+        scale(static_cast<float>(map.scale)) {}
+
+  /// r p, by its coordinates.
+  template <class T>
+  [[gnu::always_inline]] T turnedX(T x, T y) const {
+    return x * r00 + y * r01;
+  }
+  template <class T>
+  [[gnu::always_inline]] T turnedY(T x, T y) const {
+    return x * r10 + y * r11;
+  }
+  /// Where a half plane's offset goes, whose normal was turned to n.
+  template <class T>
+  [[gnu::always_inline]] T offset(T d, T nx, T ny) const {
+    return d * scale + nx * tx + ny * ty;
+  }
+
+  float r00, r01, r10, r11, tx, ty, scale;
+};
+
 /// A bit for each box.
 [[gnu::always_inline]] inline unsigned lanesOf(const Block& block) { return (1u << block.count) - 1; }
 

@@ -19,13 +19,11 @@ template <class Lanes>
 /// b's vertices in a's units.
 template <class Lanes>
 [[gnu::always_inline]] inline void mapVertices(const SmallPolygon& b, const UnitMap& map, float* x, float* y) {
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
-  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  const FloatMap to_a(map);
   for (int i = 0;;) {
-    const Lanes bx = Lanes::load(b.x + i) * scale, by = Lanes::load(b.y + i) * scale;
-    (bx * r00 + by * r01 + tx).store(x + i);
-    (bx * r10 + by * r11 + ty).store(y + i);
+    const Lanes bx = Lanes::load(b.x + i) * to_a.scale, by = Lanes::load(b.y + i) * to_a.scale;
+    (to_a.turnedX(bx, by) + to_a.tx).store(x + i);
+    (to_a.turnedY(bx, by) + to_a.ty).store(y + i);
     if ((i += kLanes) >= b.lanes) break;
   }
 }
@@ -34,64 +32,30 @@ template <class Lanes>
 template <class Lanes>
 [[gnu::always_inline]] inline void mapHalfPlanes(const SmallPolygon& b, const UnitMap& map, float* nx, float* ny,
                                                  float* d) {
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
-  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  const FloatMap to_a(map);
   for (int i = 0;;) {
     const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
-    const Lanes anx = bnx * r00 + bny * r01, any = bnx * r10 + bny * r11;
+    const Lanes anx = to_a.turnedX(bnx, bny), any = to_a.turnedY(bnx, bny);
     anx.store(nx + i);
     any.store(ny + i);
-    (Lanes::load(b.d + i) * scale + anx * tx + any * ty).store(d + i);
+    to_a.offset(Lanes::load(b.d + i), anx, any).store(d + i);
     if ((i += kLanes) >= b.lanes) break;
   }
-}
-
-static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
-
-/// Convex polygons are apart if and only if some edge of either has all of the other beyond it. Rounding: points,
-/// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24; 8 times a
-/// gap's rounding is more.
-template <class Lanes>
-Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
-  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
-  const float slack = static_cast<float>(8 * rounding + map.error);
-  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
-  mapVertices<Lanes>(b, map, x, y);
-  unsigned inside = (1u << kLanes) - 1;
-  for (int i = 0; i < a.lanes; i += kLanes) {
-    const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
-    if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
-    inside &= above(Lanes::all(-slack), out);
-  }
-  for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
-    const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
-    const Lanes d = Lanes::load(b.d + i) * scale + nx * tx + ny * ty;
-    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.lanes);
-    if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
-    inside &= above(Lanes::all(-slack), out);
-  }
-  return inside == (1u << kLanes) - 1 ? Meeting::Meet : Meeting::Unknown;
 }
 
 /// Rounding as in convexMeet(); 1 + 2^-10 is far more than the quotient's. With s the sum of two radii and d the
 /// distance of the centres, s - d >= (s^2 - d^2) / (2 s) where that is positive.
 template <class Lanes>
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
-  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  const FloatMap to_a(map);
   const float slack = static_cast<float>(8 * rounding + map.error);
-  const float reach = a.reach + b.reach * scale;
-  if (tx * tx + ty * ty > reach * reach) return 0;
-  const Lanes bx = Lanes::load(b.x) * scale, by = Lanes::load(b.y) * scale;
+  const float reach = a.reach + b.reach * to_a.scale;
+  if (to_a.tx * to_a.tx + to_a.ty * to_a.ty > reach * reach) return 0;
+  const Lanes bx = Lanes::load(b.x) * to_a.scale, by = Lanes::load(b.y) * to_a.scale;
   float x[kLanes], y[kLanes], radius[kLanes];
-  (bx * r00 + by * r01 + tx).store(x);
-  (bx * r10 + by * r11 + ty).store(y);
-  (Lanes::load(b.radius) * scale - slack).store(radius);
+  (to_a.turnedX(bx, by) + to_a.tx).store(x);
+  (to_a.turnedY(bx, by) + to_a.ty).store(y);
+  (Lanes::load(b.radius) * to_a.scale - slack).store(radius);
   const Lanes ax = Lanes::load(a.x), ay = Lanes::load(a.y), a_radius = Lanes::load(a.radius);
   Lanes most = Lanes::all(0);
   for (int j = 0; j < b.count; ++j) {
@@ -128,6 +92,47 @@ template <class Lanes>
   return {most, __builtin_ctz(~below | 1u << (SmallPolygon::kMost - 1))};
 }
 
+template <class Lanes>
+[[gnu::always_inline]] inline Largest largestIn(const float* values, int lanes) {
+  return largestOf<Lanes>(valuesOf<Lanes>(
+      lanes, [&](int i) __attribute__((always_inline)) { return Lanes::load(values + i); }));
+}
+
+static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
+
+/// Convex polygons are apart if and only if some edge of either has all of the other beyond it. Rounding: points,
+/// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24; 8 times a
+/// gap's rounding is more.
+template <class Lanes>
+Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding, ConvexGap& best) {
+  const FloatMap to_a(map);
+  const float slack = static_cast<float>(8 * rounding + map.error);
+  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
+  mapVertices<Lanes>(b, map, x, y);
+  unsigned inside = (1u << kLanes) - 1;
+  float of_a[SmallPolygon::kMost], of_b[SmallPolygon::kMost];
+  for (int i = 0; i < a.lanes; i += kLanes) {
+    const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
+    if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
+    inside &= above(Lanes::all(-slack), out);
+    out.store(of_a + i);
+  }
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
+    const Lanes nx = to_a.turnedX(bnx, bny), ny = to_a.turnedY(bnx, bny);
+    const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
+    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.lanes);
+    if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
+    inside &= above(Lanes::all(-slack), out);
+    out.store(of_b + i);
+  }
+  if (inside == (1u << kLanes) - 1) return Meeting::Meet;
+  const Largest best_a = largestIn<Lanes>(of_a, a.lanes), best_b = largestIn<Lanes>(of_b, b.lanes);
+  const bool is_of_a = best_a.value >= best_b.value;
+  best = {is_of_a ? best_a.value : best_b.value, is_of_a ? best_a.index : best_b.index, -1, is_of_a};
+  return Meeting::Unknown;
+}
+
 /// The first vertex that is farthest back along an axis.
 template <class Lanes>
 [[gnu::always_inline]] inline int farthestBack(const float* x, const float* y, int lanes, float nx, float ny) {
@@ -145,9 +150,7 @@ template <class Lanes, class Score>
                                                  Score score) {
   float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
   mapVertices<Lanes>(b, map, x, y);
-  const float r00 = static_cast<float>(map.r00), r01 = static_cast<float>(map.r01);
-  const float r10 = static_cast<float>(map.r10), r11 = static_cast<float>(map.r11);
-  const float tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty), scale = static_cast<float>(map.scale);
+  const FloatMap to_a(map);
   const Largest of_a = largestOf<Lanes>(valuesOf<Lanes>(
       a.lanes, [&](int i) __attribute__((always_inline)) {
         const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i);
@@ -156,8 +159,8 @@ template <class Lanes, class Score>
   const Largest of_b = largestOf<Lanes>(valuesOf<Lanes>(
       b.lanes, [&](int i) __attribute__((always_inline)) {
         const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
-        const Lanes nx = bnx * r00 + bny * r01, ny = bnx * r10 + bny * r11;
-        const Lanes d = Lanes::load(b.d + i) * scale + nx * tx + ny * ty;
+        const Lanes nx = to_a.turnedX(bnx, bny), ny = to_a.turnedY(bnx, bny);
+        const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
         return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.lanes));
       }));
   if (of_a.value >= of_b.value) {
@@ -165,7 +168,7 @@ template <class Lanes, class Score>
     return {of_a.value, e, farthestBack<Lanes>(x, y, b.lanes, a.nx[e], a.ny[e]), true};
   }
   const int e = of_b.index;
-  const float nx = b.nx[e] * r00 + b.ny[e] * r01, ny = b.nx[e] * r10 + b.ny[e] * r11;
+  const float nx = to_a.turnedX(b.nx[e], b.ny[e]), ny = to_a.turnedY(b.nx[e], b.ny[e]);
   return {of_b.value, e, farthestBack<Lanes>(a.x, a.y, a.lanes, nx, ny), false};
 }
 

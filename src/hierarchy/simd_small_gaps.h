@@ -16,7 +16,7 @@ template <class Ring>
   return {ring.nx, ring.ny, ring.d, ring.middle, ring.half};
 }
 
-/// The square of a point's distance from an edge.
+/// The square of a point's distance from an edge: besideSegment() where the edge's line and middle are known.
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes squareBeside(Lanes nx, Lanes ny, Lanes d, Lanes middle, Lanes half, Lanes x,
                                                  Lanes y) {
@@ -54,13 +54,13 @@ template <class Lanes>
 void smallGaps(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, SmallGaps& gaps) {
   mapVertices<Lanes>(b, map, gaps.x, gaps.y);
   mapHalfPlanes<Lanes>(b, map, gaps.nx, gaps.ny, gaps.d);
-  const float scale = static_cast<float>(map.scale), tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty);
+  const FloatMap to_a(map);
   // A mirror image has the direction along the edge, which is across the normal, the other way round.
-  const float turn = map.r00 * map.r11 < map.r01 * map.r10 ? -scale : scale;
+  const float turn = map.r00 * map.r11 < map.r01 * map.r10 ? -to_a.scale : to_a.scale;
   for (int i = 0; i < b.lanes; i += kLanes) {
-    (Lanes::load(b.middle + i) * turn + Lanes::load(gaps.nx + i) * ty - Lanes::load(gaps.ny + i) * tx)
+    (Lanes::load(b.middle + i) * turn + Lanes::load(gaps.nx + i) * to_a.ty - Lanes::load(gaps.ny + i) * to_a.tx)
         .store(gaps.middle + i);
-    (Lanes::load(b.half + i) * scale).store(gaps.half + i);
+    (Lanes::load(b.half + i) * to_a.scale).store(gaps.half + i);
   }
   const EdgeView edges_a = edgesOf(a), edges_b = edgesOf(gaps);
   Lanes least = Lanes::all(1e30f);

@@ -4,9 +4,19 @@
 #include <cassert>
 #include <limits>
 
+#include "convex/separating_edge.h"
 #include "pair/containment.h"
 
 namespace tricover::detail {
+
+Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test) {
+  const SmallPolygon &a = *hierarchyOf(test.a).small_convex, &b = *hierarchyOf(test.b).small_convex;
+  ConvexGap best;
+  const Meeting meeting = convexMeet(a, b, at.map, at.rounding, best);
+  if (meeting != Meeting::Unknown) return meeting;
+  const bool are_apart = isSeparatingEdge(test.placement(), best.of_a, static_cast<std::size_t>(best.edge));
+  return are_apart ? Meeting::Apart : meeting;
+}
 
 Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   const double sum = test.options.margin + test.options.tolerance;

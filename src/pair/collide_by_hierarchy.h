@@ -17,6 +17,9 @@ namespace tricover::detail {
 /// shorter the ways to it.
 enum class Wanted { Answer, Clearance, Edges };
 
+/// Two small convex polygons: by floats or, where these don't tell, by the edge that they find best, in doubles.
+Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test);
+
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
 /// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
 inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted, const EdgeTest& test,
@@ -33,7 +36,9 @@ inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted, 
   if (wanted == Wanted::Answer && limit == 0 && a.small && b.small) {
     // They serve the next query, before its boxes.
     innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
-    return smallMeet(a, b, at.map, at.rounding, {&test, &EdgeTest::meet});
+    return a.small_convex && b.small_convex
+               ? smallConvexMeet(at, test)
+               : fewEdgesMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
   }
   // Inner discs hardly meet unless the boxes are deep in each other.
   const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * at.map.scale);

@@ -2,9 +2,11 @@
 #include "pair/posed_pair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "hierarchy/inclusion.h"
+#include "numbers/beside_segment.h"
 #include "pair/four_ends.h"
 
 namespace tricover::detail {
@@ -31,24 +33,27 @@ struct EdgePair : FourEnds<EdgePair> {
   std::size_t i, j;
 };
 
-/// Distance D of a point from a segment in plain doubles; NaN where squares leave the range of doubles. Not
-/// nearestOnSegment(), which says nothing of how it rounds or where it overflows. With u along the segment and d from
-/// its start to the point, |d| <= |u| + D wherever rounding decides where the foot s u is; in units of U:
-///   u, d            rounded differences                                                   1 |u|, 1 |d|
-///   s |u|           d.u: 4 |d|; u.u and the quotient: (4 + 1) |u|                         9 |u| + 4 D
-///   d - s u         d 1 |d|, u and the product 2 |u|, difference 1 D                      3 |u| + 2 D
-///   hypot           an ulp                                                                2 D
-/// 12 |u| + 8 D, because a distance changes by at most what the foot moves by.
-constexpr double kSegmentDistanceError = 16 * kUnitRoundoff;
-static_assert(kSegmentDistanceError >= errorOf(9 + 3) && kSegmentDistanceError >= errorOf(4 + 2 + 2));
+/// What besideSegment() errs by, of |u| + D. What its squares lose by underflow, 2^-510 of D, is less than U |u| where
+/// the square of u is above kLeastSquare.
+constexpr double kSegmentDistanceError = 16 * kUnitRoundoff, kLeastSquare = 0x1p-900;
+static_assert(kSegmentDistanceError >= errorOf(kBesideOfLength) && kSegmentDistanceError >= errorOf(kBesideOfDistance));
 
-double pointSegmentDistance(const ApproxPoint& p, const ApproxPoint& v, const ApproxPoint& w) {
-  const double ux = w.x - v.x, uy = w.y - v.y, dx = p.x - v.x, dy = p.y - v.y;
-  const double square = ux * ux + uy * uy, along = dx * ux + dy * uy;
-  if (!(square > 0x1p-960 && square < 0x1p1000 && std::abs(along) < 0x1p1000))
-    return ux == 0 && uy == 0 ? std::hypot(dx, dy) : std::numeric_limits<double>::quiet_NaN();
-  const double s = std::clamp(along / square, 0.0, 1.0);
-  return std::hypot(dx - s * ux, dy - s * uy);
+/// The least distance of an end of either edge from the other edge; NaN where squares leave the range of doubles.
+double leastOfEnds(const ApproxPoint (&e)[4]) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double distance) { least = std::isnan(distance) || distance < least ? distance : least; };
+  const auto offerBeside = [&](const ApproxPoint& v, const ApproxPoint& w, const ApproxPoint& p, const ApproxPoint& q) {
+    const double ux = w.x - v.x, uy = w.y - v.y, square = ux * ux + uy * uy;
+    const Double2 x = Double2{p.x, q.x} - v.x, y = Double2{p.y, q.y} - v.y;
+    if (ux == 0 && uy == 0) return offer(std::hypot(x[0], y[0])), offer(std::hypot(x[1], y[1]));
+    if (!(square > kLeastSquare && square < 0x1p1000)) return offer(std::numeric_limits<double>::quiet_NaN());
+    const Double2 squares = besideSegment(x, y, ux, uy, 1 / square).square;
+    offer(std::sqrt(squares[0]));
+    offer(std::sqrt(squares[1]));
+  };
+  offerBeside(e[2], e[3], e[0], e[1]);
+  offerBeside(e[0], e[1], e[2], e[3]);
+  return least;
 }
 
 /// How far a mapped end of an edge is off in any direction, in PosedPair::error: so much at most a distance from it is,
@@ -66,10 +71,7 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
   // The rounded distance d between an end and the other edge. An upper bound always holds; as a lower bound it holds
   // unless the edges cross, so that is asked first. NaN decides nothing.
   const ApproxPoint* e = ends.approx;
-  const double ends_apart[] = {pointSegmentDistance(e[0], e[2], e[3]), pointSegmentDistance(e[1], e[2], e[3]),
-                               pointSegmentDistance(e[2], e[0], e[1]), pointSegmentDistance(e[3], e[0], e[1])};
-  double d = ends_apart[0];
-  for (double apart : ends_apart) d = std::isnan(apart) || apart < d ? apart : d;
+  const double d = leastOfEnds(ends.approx);
   const double length =
       std::max(std::hypot(e[1].x - e[0].x, e[1].y - e[0].y), std::hypot(e[3].x - e[2].x, e[3].y - e[2].y));
   const double err = kEndError * pair.error + kSegmentDistanceError * (length + d) + kTiny;
@@ -95,10 +97,7 @@ double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
   if (p * q != -1 || v * w != -1) return 0;
   // They cross, and do so until an end of one is on the other.
   const ApproxPoint* e = ends.approx;
-  double d = std::numeric_limits<double>::infinity();
-  for (const double apart : {pointSegmentDistance(e[0], e[2], e[3]), pointSegmentDistance(e[1], e[2], e[3]),
-                             pointSegmentDistance(e[2], e[0], e[1]), pointSegmentDistance(e[3], e[0], e[1])})
-    d = std::isnan(apart) || apart < d ? apart : d;
+  const double d = leastOfEnds(ends.approx);
   const double length =
       std::abs(e[1].x - e[0].x) + std::abs(e[1].y - e[0].y) + std::abs(e[3].x - e[2].x) + std::abs(e[3].y - e[2].y);
   // D is at most the length of either edge, the sum of which is rounded.

@@ -101,13 +101,20 @@ double leastDistance(const PosedPair& pair, const Found& found) {
   return search.best().distance;
 }
 
+/// Two boxes whose sides face each other: no feature alone is the nearest.
+Case sideBySide(Random& random) {
+  const Polygon box({rectangle(0, 0, 2, 2)});
+  const Pose at = pose(random.real(0, 6.3), random.real(-1, 1), 0);
+  return {box, at, box, at * pose(0, 2 + random.real(0, 1), random.real(-1.5, 1.5))};
+}
+
 TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
   int shown = 0, unique = 0, meeting = 0, near = 0, of_one_shape = 0, proven = 0, proven_by_chance = 0;
   int crossing_found = 0, crossing_proven = 0, containment_found = 0;
   const int count = scaledCount(20000);
   for (int i = 0; i < count; ++i) {
     Random random(static_cast<std::uint64_t>(i) + 77);
-    const Case c = convexPair(random);
+    const Case c = random.oneIn(32) ? sideBySide(random) : convexPair(random);
     const bool ordered = c.a.radius() >= c.b.radius();
     const PosedPair pair = ordered ? PosedPair(c.a.data(), c.pose_a, c.b.data(), c.pose_b)
                                    : PosedPair(c.b.data(), c.pose_b, c.a.data(), c.pose_a);

@@ -150,8 +150,10 @@ TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
                               (pair.center_y - a.origin().y()) * a.data().inverse_unit,
                               b.data().unit * a.data().inverse_unit,
                               4 * pair.error * a.data().inverse_unit};
+    detail::ConvexGap best;
     const auto answer = [&] {
-      return detail::convexMeet(*hierarchyOf(a.data()).small_convex, *hierarchyOf(b.data()).small_convex, map, 0x1p-19);
+      return detail::convexMeet(*hierarchyOf(a.data()).small_convex, *hierarchyOf(b.data()).small_convex, map, 0x1p-19,
+                                best);
     };
     const detail::Meeting meeting = answer();
     ASSERT_EQ(onPortableLanes(answer), meeting);

@@ -3,7 +3,7 @@
 MUTATIONS = [
     ("src/convex/nearest_features.cpp", "is_ahead = !(height > -0.25 * near);", "is_ahead = false;", "convex nearest: a guess taken for proven"),
     ("src/convex/nearest_features.cpp", "distance > kSure * size &&", "distance > 0 &&", "convex nearest: an axis that rounding hides"),
-    ("src/convex/nearest_features.cpp", "foot.distance - kNear * vertices.size()", "foot.distance", "convex nearest: a bound without rounding"),
+    ("src/convex/nearest_features.cpp", "foot.distance - (is_unique ? kSide / 2 : kNear) * vertices.size()", "foot.distance", "convex nearest: a bound without rounding"),
     ("src/distance/convex_distance.cpp", "!edges.meet(i, j)", "false", "convex crossing: a guess taken for proven"),
     ("src/distance/distance_facts.cpp", "return {roundedDown<Remainder::kRoundings>(1), motion};", "return {1, 0 * motion};", "distance: facts that forget motion"),
     ("src/distance/distance_result.cpp", "EdgeDistances::below(finite) > margin", "finite > margin", "distance: margins within rounding (above)"),
@@ -27,4 +27,7 @@ MUTATIONS = [
     ("src/convex/posed_vertices.h", "return distance > kLeastPlain && ", "return ", "plain distances: squares that underflow"),
     ("src/distance/point_distance.cpp", "if (!foot.is_plain) return std::nullopt;", "", "points: distances of cancelled coordinates in plain doubles"),
     ("src/distance/small_distance.cpp", "std::min(reach, 2 * kFar) * factor + slack;", "std::min(reach, 2 * kFar) * factor;", "small polygons: pairs left out by floats' errors"),
+    ("src/convex/separating_edge.cpp", "(least - first) > bound;", "(least - first) > 0;", "convex: an edge that parts them but for rounding"),
+    ("src/convex/separating_edge.cpp", "to_first + (least - first) > bound;", "to_first > bound;", "convex: an edge that one vertex is beyond"),
+    ("src/convex/posed_vertices.cpp", "(sums + shift_rest_)", "sums", "two-fold ways: what the shift was rounded by"),
 ]
