@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "numbers/rigidity.h"
 #include "tricover/scene.h"
@@ -17,22 +18,24 @@ void inParallel(const Parallel& parallel, std::size_t count, const Task& task) {
   for (std::size_t i = 0; i < count; ++i) task(i);
 }
 
-/// The same for what takes so little time that many are one task for the user, since handing one over costs
-/// microseconds: task(begin, end, chunk) for each chunk of [0, count).
+/// What takes so little time is handed over in chunks of so many: handing one over costs microseconds.
 constexpr std::size_t kChunk = 512;
-constexpr std::size_t chunksOf(std::size_t count) { return (count + kChunk - 1) / kChunk; }
-template <typename Task>
-void inParallelChunks(const Parallel& parallel, std::size_t count, const Task& task) {
-  inParallel(parallel, chunksOf(count),
-             [&](std::size_t chunk) { task(chunk * kChunk, std::min((chunk + 1) * kChunk, count), chunk); });
-}
 
-/// And by task(i).
+/// The same in chunks.
 template <typename Task>
 void inParallelTasks(const Parallel& parallel, std::size_t count, const Task& task) {
-  inParallelChunks(parallel, count, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) task(i);
+  inParallel(parallel, (count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    const std::size_t end = std::min((chunk + 1) * kChunk, count);
+    for (std::size_t i = chunk * kChunk; i < end; ++i) task(i);
   });
+}
+
+/// What gather(i, list) adds to lists, in the order of i from one list to the next, whatever runs it.
+template <typename Found, typename Gather>
+std::vector<std::vector<Found>> gatherInParallel(const Parallel& parallel, std::size_t count, const Gather& gather) {
+  std::vector<std::vector<Found>> lists((count + kChunk - 1) / kChunk);
+  inParallelTasks(parallel, count, [&](std::size_t i) { gather(i, lists[i / kChunk]); });
+  return lists;
 }
 
 /// Throws, naming which of many poses it is.

@@ -44,12 +44,6 @@ void SceneState::listDue(Body body) {
   bodies[body].listed = true;
 }
 
-void SceneState::listPair(std::uint32_t pair) {
-  if (pairs[pair].listed) return;
-  listed_pairs.push_back(pair);
-  pairs[pair].listed = true;
-}
-
 const SceneState::BodyState& SceneState::at(Body body) const {
   if (body < bodies.size() && bodies[body].used) return bodies[body];
   throw std::out_of_range(refusal("body", "the scene has none of the handle " + std::to_string(body)));
@@ -194,7 +188,6 @@ void SceneState::link(const BodyPair& ends) {
   }
   const std::uint32_t pair = free_pairs.back();
   // What may throw comes first.
-  makeRoom(listed_pairs, 1);
   for (const Body end : {first, second}) makeRoom(bodies[end].links, 1);
   free_pairs.pop_back();
   pairs[pair] = {
@@ -202,20 +195,16 @@ void SceneState::link(const BodyPair& ends) {
       {static_cast<std::uint32_t>(bodies[first].links.size()), static_cast<std::uint32_t>(bodies[second].links.size())},
       {-1, -1},
       /*used*/ true,
-      /*listed*/ false,
       /*collides*/ false,
       /*reported*/ false};
   bodies[first].links.push_back({-1, pair, second});
   bodies[second].links.push_back({-1, pair, first});
-  listPair(pair);
 }
 
-/// Finds them on the user's threads, and then links them in the order of the list.
+/// Finds them on the user's threads, and then links them in the order of the list. They are due.
 void SceneState::linkFresh(const Parallel& parallel) {
-  std::vector<std::vector<BodyPair>> found(chunksOf(fresh.size()));
-  inParallelChunks(parallel, fresh.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (bodies[fresh[i]].used) findPairs(fresh[i], found[chunk]);
+  const auto found = gatherInParallel<BodyPair>(parallel, fresh.size(), [&](std::size_t i, std::vector<BodyPair>& to) {
+    if (bodies[fresh[i]].used) findPairs(fresh[i], to);
   });
   for (const auto& some : found)
     for (const BodyPair& ends : some) link(ends);
@@ -271,7 +260,6 @@ SceneState::Finding SceneState::look(const Pair& pair) const {
 
 void SceneState::keep(std::uint32_t index, const Finding& found) {
   Pair& pair = pairs[index];
-  if (!pair.used) return;
   if (!found.are_near) return unlink(index);
   pair.edge[0] = found.edge[0];
   pair.edge[1] = found.edge[1];
@@ -280,20 +268,33 @@ void SceneState::keep(std::uint32_t index, const Finding& found) {
   schedule(index, found.room);
 }
 
+/// Lists the pairs that are due, each as its lower handle finds it, or the other one where that doesn't.
+void SceneState::listPairs(const Parallel& parallel) {
+  const auto finds = [&](const BodyState& state, const Link& link) {
+    return state.listed && !(state.moved < link.due);
+  };
+  const auto found =
+      gatherInParallel<std::uint32_t>(parallel, due.size(), [&](std::size_t i, std::vector<std::uint32_t>& to) {
+        const Body body = due[i];
+        if (!bodies[body].used) return;
+        for (const Link& link : bodies[body].links) {
+          if (!finds(bodies[body], link)) continue;
+          const Pair& pair = pairs[link.pair];
+          const BodyState& other = bodies[link.other];
+          if (body < link.other || !finds(other, other.links[pair.link[0]])) to.push_back(link.pair);
+        }
+      });
+  listed_pairs.clear();
+  for (const auto& some : found) listed_pairs.insert(listed_pairs.end(), some.begin(), some.end());
+}
+
 /// Looks at those that are listed on the user's threads, and then keeps what was found in the order of the list: what
 /// is found of one doesn't depend on what is kept of others.
 void SceneState::lookAtPairs(const Parallel& parallel) {
   findings.resize(listed_pairs.size());
-  inParallelTasks(parallel, listed_pairs.size(), [&](std::size_t i) {
-    const Pair& pair = pairs[listed_pairs[i]];
-    if (pair.used) findings[i] = look(pair);
-  });
+  inParallelTasks(parallel, listed_pairs.size(), [&](std::size_t i) { findings[i] = look(pairs[listed_pairs[i]]); });
   makeRoom(changed, listed_pairs.size());
-  for (std::size_t i = 0; i < listed_pairs.size(); ++i) {
-    keep(listed_pairs[i], findings[i]);
-    pairs[listed_pairs[i]].listed = false;
-  }
-  listed_pairs.clear();
+  for (std::size_t i = 0; i < listed_pairs.size(); ++i) keep(listed_pairs[i], findings[i]);
   findings.clear();
 }
 
@@ -301,19 +302,14 @@ void SceneState::lookAtPairs(const Parallel& parallel) {
 void SceneState::updateCollisions(const Parallel& parallel) {
   settled();
   linkFresh(parallel);
-  for (const Body body : due) {
-    const BodyState& state = bodies[body];
-    if (!state.used) continue;
-    for (const Link& link : state.links)
-      if (!(state.moved < link.due)) listPair(link.pair);
-  }
+  listPairs(parallel);
   lookAtPairs(parallel);
-  for (const Body body : due) {
-    BodyState& state = bodies[body];
-    state.listed = false;
+  inParallelTasks(parallel, due.size(), [&](std::size_t i) {
+    BodyState& state = bodies[due[i]];
     state.due = state.box_until;
     for (const Link& link : state.links) state.due = std::min(state.due, link.due);
-  }
+  });
+  for (const Body body : due) bodies[body].listed = false;
   due.clear();
   for (const Body body : fresh) bodies[body].fresh = false;
   fresh.clear();

@@ -59,7 +59,6 @@ struct SceneState {
     std::uint32_t link[2];    ///< its place among either one's links
     std::ptrdiff_t edge[2];   ///< that made the last hit, in the kernel's order; -1: none
     bool used;                ///< false: the place is free
-    bool listed;              ///< to be looked at
     bool collides, reported;  ///< by its fact; by `collisions`
   };
 
@@ -103,7 +102,7 @@ struct SceneState {
   void findPairs(Body body, std::vector<BodyPair>& found) const;
   void link(const BodyPair& ends);
   void linkFresh(const Parallel& parallel);
-  void listPair(std::uint32_t pair);
+  void listPairs(const Parallel& parallel);
   /// What is found of a pair.
   struct Finding {
     bool are_near, collide;

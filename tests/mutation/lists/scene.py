@@ -14,4 +14,6 @@ MUTATIONS = [
     ("src/scene/scene_state.cpp", "roundedDown<3>(room * (1 - part))", "roundedDown<3>(room)", "scene: shares are more than the room"),
     ("src/scene/scene_state.cpp", "again ? stepTo(body, pose) : steps[i]", "steps[i]", "scene: a body's second move is measured from where it was before the first"),
     ("src/scene/scene_state.cpp", "fact.collides ? fact.clearance : roundedDown<1>(fact.clearance - options.margin)", "fact.clearance", "scene: facts forget margins"),
+    ("src/scene/scene_state.cpp", "bodies[other].fresh && other <= body", "bodies[other].fresh", "scene: pairs of two bodies that are new found by neither"),
+    ("src/scene/scene_state.cpp", "if (body < link.other || !finds(", "if (body < link.other && !finds(", "scene: pairs that are due for both bodies left out"),
 ]
