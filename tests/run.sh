@@ -6,7 +6,8 @@
 set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake pkg-config libeigen3-dev libfcl-dev libccd-dev libgtest-dev libgmp-dev \
-  libompl-dev libtbb-dev libopenmpi-dev openmpi-bin doxygen python3
+  libompl-dev libtbb-dev libopenmpi-dev openmpi-bin doxygen python3 \
+  python3-dev python3-numpy pybind11-dev
 
 # Ninja compiles across targets and ccache across runs; neither is needed.
 generator=make
@@ -30,7 +31,8 @@ if [ "${1-}" = --fast ]; then
   time suite "fast" tests all "-L fast" -DCMAKE_BUILD_TYPE=Release
   exit
 fi
-time suite "optimised; and with asserts and sanitizers" tests all "" -DCMAKE_BUILD_TYPE=Release -DTRICOVER_TEST_CHECKED=ON
+time suite "optimised; and with asserts and sanitizers" tests all "" -DCMAKE_BUILD_TYPE=Release -DTRICOVER_TEST_CHECKED=ON \
+  -DTRICOVER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 time TRICOVER_TEST_SCALE=0.3 suite "threads" threads threads_test "-R threads" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 \
   -DTRICOVER_SANITIZE=thread -DTRICOVER_BUILD_FCL=OFF
 if command -v clang++ >/dev/null; then

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a fleet planner asks: three robots follow cubic splines through a hall; who comes too close to whom or what,
 // when and where? The bodies are prisms with safety margins, the motions fcl::SplineMotion, and FCL's continuous
-// collision answers. Draws the last seconds before the first conflict. `fleet [picture.svg]`
+// collision answers. Draws the last seconds before the first conflict.
 #include <fcl/math/motion/spline_motion.h>
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/continuous_collision_object.h>
@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <iomanip>
 #include <iostream>
 #include <iterator>
@@ -235,15 +234,13 @@ tricover::SvgDrawing strip(const std::vector<Body>& robots, const std::vector<Bo
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  const std::string usage = "usage: fleet [picture.svg]\n";
+  return runExample(argc, argv, usage, "fleet.svg", 1, [](const std::vector<std::string>& arguments) {
     tricover_fcl::registerNarrowphase();
     const std::vector<Body> robots = fleet(), obstacles = hall();
     const std::vector<Conflict> conflicts = allConflicts(robots, obstacles);
     print(conflicts);
-    if (!conflicts.empty()) savePicture(strip(robots, obstacles, conflicts[0]), argc > 1 ? argv[1] : "fleet.svg");
+    if (!conflicts.empty()) savePicture(strip(robots, obstacles, conflicts[0]), arguments[0]);
     return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "error: " << error.what() << "\n";
-    return 1;
-  }
+  });
 }

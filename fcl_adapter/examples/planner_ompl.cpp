@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -139,7 +138,7 @@ double timeOfChecks(Harbour& harbour, const Run& run) {
   return seconds;
 }
 
-void draw(const std::vector<State>& path, const char* file) {
+void draw(const std::vector<State>& path, const std::string& file) {
   const auto poseOf = [](const State& state) {
     tricover::Pose pose = tricover::Pose::Identity();
     pose.linear() = Eigen::Rotation2Dd(state.angle).toRotationMatrix();
@@ -156,7 +155,7 @@ void draw(const std::vector<State>& path, const char* file) {
   savePicture(drawing, file);
 }
 
-int compare(const char* picture) {
+int compare(const std::string& picture) {
   tricover_fcl::registerNarrowphase();
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   Harbour shapes(shapeOf), meshes(meshOf);
@@ -189,10 +188,6 @@ int compare(const char* picture) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return compare(argc > 1 ? argv[1] : "planner_ompl.svg");
-  } catch (const std::exception& error) {
-    std::cerr << "error: " << error.what() << "\n";
-    return 1;
-  }
+  return runExample(argc, argv, "usage: planner_ompl [picture.svg]\n", "planner_ompl.svg", 1,
+                    [](const std::vector<std::string>& arguments) { return compare(arguments[0]); });
 }

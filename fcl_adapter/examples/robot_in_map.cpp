@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A robot that isn't convex drives a route on a map with holes; FCL's broadphase says where it hits what.
-//   robot_in_map [picture.svg]                          a ship on the Baltic, among others at anchor
-//   robot_in_map picture.svg map.yaml x y x y [x y ..]  a map of ROS's map_server, and a route in its world
+// See kUsage.
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 #include <tricover/occupancy_grid_io.h>
@@ -14,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -28,6 +26,11 @@
 #include "picture.h"
 
 namespace {
+
+constexpr const char* kUsage =
+    R"(usage: robot_in_map [picture.svg]                          a ship on the Baltic, among others at anchor
+       robot_in_map picture.svg map.yaml x y x y [x y ..]  a map of ROS's map_server, and a route in its world
+)";
 
 struct Obstacle {
   std::shared_ptr<tricover_fcl::PolygonShaped> shape;
@@ -126,7 +129,7 @@ class Map {
   fcl::DynamicAABBTreeCollisionManagerd manager_;
 };
 
-void drive(const World& world, const char* picture) {
+void drive(const World& world, const std::string& picture) {
   tricover::SvgDrawing drawing;
   const std::array<const char*, 2> colours = {"#e7e5e4", "#a8a29e"};
   for (const Obstacle& obstacle : world.obstacles) {
@@ -173,14 +176,10 @@ std::vector<tricover::Vec2> routeFrom(const std::vector<std::string>& numbers) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  return runExample(argc, argv, kUsage, "robot_in_map.svg", 1000, [](const std::vector<std::string>& arguments) {
     tricover_fcl::registerNarrowphase();
-    const bool is_mapped = argc > 2;
-    drive(is_mapped ? mapped(argv[2], routeFrom({argv + 3, argv + argc})) : atSea(),
-          argc > 1 ? argv[1] : "robot_in_map.svg");
+    drive(arguments.size() > 1 ? mapped(arguments[1], routeFrom({arguments.begin() + 2, arguments.end()})) : atSea(),
+          arguments[0]);
     return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "error: " << error.what() << "\n";
-    return 1;
-  }
+  });
 }

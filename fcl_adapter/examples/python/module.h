@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <tricover/tricover.h>
+
+#include <optional>
+#include <vector>
+
+namespace tricover_python {
+
+namespace py = pybind11;
+
+/// Results are named tuples of numbers and arrays.
+class Records {
+ public:
+  explicit Records(py::module_& m);
+
+  py::object of(const tricover::DistanceResult& result) const;
+  /// One tuple, of arrays.
+  py::object of(const std::vector<tricover::DistanceResult>& results) const;
+  py::object of(const tricover::Penetration& result) const;
+  py::object of(const tricover::Contact& contact) const;
+  py::object of(const tricover::Impact& impact) const;
+  py::object of(const tricover::RayHit& hit) const;
+  /// None for nothing.
+  template <typename Result>
+  py::object of(const std::optional<Result>& result) const {
+    return result ? of(*result) : py::none();
+  }
+
+ private:
+  py::object distance_, penetration_, contact_, impact_, ray_hit_;
+};
+
+void definePairs(py::module_& m, const Records& records);
+void defineScene(py::module_& m, const Records& records);
+
+}  // namespace tricover_python

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Polygons, motions, and queries about two polygons, one pose or many at once.
+#include <pybind11/stl.h>
+#include <tricover/tricover.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "arrays.h"
+#include "module.h"
+
+namespace tricover_python {
+namespace {
+
+using tricover::Motion;
+using tricover::Polygon;
+
+/// One answer, or a list of them.
+template <typename Answers, typename Convert>
+py::object listOf(bool is_one, const Answers& answers, const Convert& convert) {
+  if (is_one) return convert(answers[0]);
+  py::list list;
+  for (const auto& answer : answers) list.append(convert(answer));
+  return std::move(list);
+}
+
+Polygon polygonFrom(const py::object& rings, tricover::FillRule rule) {
+  std::vector<tricover::Ring> result;
+  // One ring, or a sequence of them, which together are no array of two dimensions.
+  if (const Array one = Array::ensure(rings); one && one.ndim() == 2) {
+    result.push_back(pointsFrom(one, "rings"));
+  } else {
+    for (const py::handle ring : py::iter(rings)) {
+      const std::string name = "rings[" + std::to_string(result.size()) + "]";
+      const Array vertices = Array::ensure(ring);
+      if (!vertices) throw std::invalid_argument(name + ": it is no array of numbers");
+      result.push_back(pointsFrom(vertices, name));
+    }
+  }
+  return Polygon(result, rule);
+}
+
+void definePolygon(py::module_& m) {
+  py::enum_<tricover::FillRule>(m, "FillRule")
+      .value("EVEN_ODD", tricover::FillRule::EvenOdd)
+      .value("NON_ZERO", tricover::FillRule::NonZero);
+  py::class_<Polygon>(m, "Polygon", "A closed planar region of rings, arrays (n, 2). It never changes.")
+      .def(py::init(&polygonFrom), py::arg("rings"), py::arg("fill_rule") = tricover::FillRule::EvenOdd)
+      .def_property_readonly("rings",
+                             [](const Polygon& polygon) {
+                               py::list rings;
+                               for (const tricover::Ring& ring : polygon.rings()) rings.append(arrayOf(ring));
+                               return rings;
+                             })
+      .def_property_readonly("fill_rule", &Polygon::fillRule)
+      .def_property_readonly("vertex_count", &Polygon::vertexCount)
+      .def_property_readonly("origin", [](const Polygon& polygon) { return arrayOf(polygon.origin()); })
+      .def_property_readonly("radius", &Polygon::radius)
+      .def("edge",
+           [](const Polygon& polygon, tricover::EdgeIndex edge) {
+             return arrayOf(std::vector<tricover::Vec2>{polygon.edgeStart(edge), polygon.edgeEnd(edge)});
+           })
+      .def("__repr__", [](const Polygon& polygon) {
+        return "<tricover.Polygon of " + std::to_string(polygon.vertexCount()) + " vertices>";
+      });
+  m.def(
+      "point", [](const Array& p) { return tricover::point(pointFrom(p, "p")); }, py::arg("p"));
+  m.def(
+      "segment", [](const Array& p, const Array& q) { return tricover::segment(pointFrom(p, "p"), pointFrom(q, "q")); },
+      py::arg("p"), py::arg("q"));
+}
+
+void defineMaps(py::module_& m) {
+  m.def(
+      "outline",
+      [](const py::array_t<std::int8_t, py::array::c_style | py::array::forcecast>& cells, double resolution,
+         const Array& origin) {
+        if (cells.ndim() != 2) throw std::invalid_argument("cells: they must have the shape (height, width)");
+        tricover::OccupancyGrid grid;
+        grid.height = static_cast<std::size_t>(cells.shape(0));
+        grid.width = static_cast<std::size_t>(cells.shape(1));
+        grid.cells.assign(cells.data(), cells.data() + cells.size());
+        grid.resolution = resolution;
+        grid.origin = pointFrom(origin, "origin");
+        return tricover::outline(grid);
+      },
+      py::arg("cells"), py::arg("resolution") = 1.0, py::arg("origin") = std::vector<double>{0, 0});
+  m.def(
+      "read_occupancy_map",
+      [](const std::string& yaml) {
+        const tricover::OccupancyMap map = tricover::readOccupancyMap(yaml);
+        py::array_t<std::int8_t> cells(
+            {static_cast<py::ssize_t>(map.grid.height), static_cast<py::ssize_t>(map.grid.width)});
+        std::copy(map.grid.cells.begin(), map.grid.cells.end(), cells.mutable_data());
+        return py::make_tuple(cells, map.grid.resolution, arrayOf(map.pose));
+      },
+      py::arg("yaml"));
+}
+
+void defineMotion(py::module_& m) {
+  const std::vector<double> none = {0, 0};
+  const auto one = [](const Array& pose, const char* name) {
+    const Poses poses = posesFrom(pose, name);
+    if (!poses.is_one) throw std::invalid_argument(std::string(name) + ": one pose is wanted");
+    return poses[0];
+  };
+  py::class_<Motion>(m, "Motion", "A planar rigid motion from time 0 to time 1.")
+      .def_static(
+          "still", [one](const Array& pose) { return Motion::still(one(pose, "pose")); }, py::arg("pose"))
+      .def_static(
+          "translation",
+          [one](const Array& start, const Array& shift) {
+            return Motion::translation(one(start, "start"), pointFrom(shift, "shift"));
+          },
+          py::arg("start"), py::arg("shift"))
+      .def_static(
+          "between",
+          [one](const Array& start, const Array& end, const Array& pivot) {
+            return Motion::between(one(start, "start"), one(end, "end"), pointFrom(pivot, "pivot"));
+          },
+          py::arg("start"), py::arg("end"), py::arg("pivot") = none)
+      .def_static(
+          "spline",
+          [](const Array& begin, const Array& begin_velocity, const Array& end, const Array& end_velocity,
+             const Array& pivot) {
+            const auto end_of = [](const Array& place, const Array& velocity, const std::string& name) {
+              for (const Array* const array : {&place, &velocity})
+                if (array->ndim() != 1 || array->shape(0) != 3)
+                  throw std::invalid_argument(name + ": x, y and heading are wanted, not " + shapeOf(*array));
+              return tricover::SplineEnd{
+                  {place.at(0), place.at(1)}, place.at(2), {velocity.at(0), velocity.at(1)}, velocity.at(2)};
+            };
+            return Motion::spline(end_of(begin, begin_velocity, "begin"), end_of(end, end_velocity, "end"),
+                                  pointFrom(pivot, "pivot"));
+          },
+          py::arg("begin"), py::arg("begin_velocity"), py::arg("end"), py::arg("end_velocity"), py::arg("pivot") = none)
+      .def(
+          "at", [](const Motion& motion, double time) { return arrayOf(motion.at(time)); }, py::arg("time"));
+}
+
+void defineBooleans(py::module_& m) {
+  m.def(
+      "collide",
+      [](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin, double tolerance,
+         std::size_t threads) -> py::object {
+        const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
+        const tricover::CollideOptions options{margin, tolerance};
+        if (poses_a.is_one && poses_b.is_one) return py::bool_(collide(a, poses_a[0], b, poses_b[0], options));
+        py::array_t<bool> answers(static_cast<py::ssize_t>(countOf(poses_a, poses_b)));
+        bool* const answer = answers.mutable_data();
+        forEachInParallel(countOf(poses_a, poses_b), threads,
+                          [&](std::size_t i) { answer[i] = collide(a, poses_a[i], b, poses_b[i], options); });
+        return std::move(answers);
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
+      py::arg("tolerance") = 0.0, py::arg("threads") = 0);
+  py::enum_<tricover::Location>(m, "Location")
+      .value("OUTSIDE", tricover::Location::Outside)
+      .value("BOUNDARY", tricover::Location::Boundary)
+      .value("INSIDE", tricover::Location::Inside);
+  m.def(
+      "locate",
+      [](const Polygon& polygon, const Array& points, std::size_t threads) -> py::object {
+        if (points.ndim() == 1) return py::cast(tricover::locate(polygon, pointFrom(points, "points")));
+        const std::vector<tricover::Vec2> given = pointsFrom(points, "points");
+        py::array_t<std::int8_t> answers(static_cast<py::ssize_t>(given.size()));
+        std::int8_t* const answer = answers.mutable_data();
+        forEachInParallel(given.size(), threads, [&](std::size_t i) {
+          answer[i] = static_cast<std::int8_t>(tricover::locate(polygon, given[i]));
+        });
+        return std::move(answers);
+      },
+      py::arg("polygon"), py::arg("points"), py::arg("threads") = 0);
+}
+
+void defineMeasures(py::module_& m, const Records& records) {
+  m.def(
+      "distance",
+      [records](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin,
+                std::size_t threads) {
+        const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
+        std::vector<tricover::DistanceResult> found(countOf(poses_a, poses_b));
+        forEachInParallel(found.size(), threads,
+                          [&](std::size_t i) { found[i] = distance(a, poses_a[i], b, poses_b[i], {margin}); });
+        if (poses_a.is_one && poses_b.is_one) return records.of(found[0]);
+        return records.of(found);
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
+      py::arg("threads") = 0);
+  m.def(
+      "penetration",
+      [records](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin,
+                double depth_error, std::size_t threads) {
+        const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
+        std::vector<std::optional<tricover::Penetration>> found(countOf(poses_a, poses_b));
+        forEachInParallel(found.size(), threads, [&](std::size_t i) {
+          found[i] = penetration(a, poses_a[i], b, poses_b[i], {margin, depth_error});
+        });
+        return listOf(poses_a.is_one && poses_b.is_one, found, [&](const auto& one) { return records.of(one); });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
+      py::arg("depth_error") = 0.0, py::arg("threads") = 0);
+}
+
+void defineContacts(py::module_& m, const Records& records) {
+  py::enum_<tricover::ContactDetail>(m, "ContactDetail")
+      .value("POINTS", tricover::ContactDetail::Points)
+      .value("LOCAL_DEPTH", tricover::ContactDetail::LocalDepth)
+      .value("WAY_OUT", tricover::ContactDetail::WayOut);
+  m.def(
+      "contacts",
+      [records](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin,
+                std::optional<std::size_t> most, tricover::ContactDetail detail, std::size_t threads) {
+        const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
+        tricover::ContactOptions options;
+        options.margin = margin;
+        if (most) options.most = *most;
+        options.detail = detail;
+        std::vector<std::vector<tricover::Contact>> found(countOf(poses_a, poses_b));
+        forEachInParallel(found.size(), threads,
+                          [&](std::size_t i) { found[i] = contacts(a, poses_a[i], b, poses_b[i], options); });
+        return listOf(poses_a.is_one && poses_b.is_one, found, [&](const auto& parts) {
+          py::list list;
+          for (const tricover::Contact& part : parts) list.append(records.of(part));
+          return py::object(list);
+        });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
+      py::arg("most") = py::none(), py::arg("detail") = tricover::ContactDetail::WayOut, py::arg("threads") = 0);
+}
+
+void defineImpacts(py::module_& m, const Records& records) {
+  m.def(
+      "time_of_impact",
+      [records](const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, double margin,
+                double time_error) {
+        std::optional<tricover::Impact> found;
+        {
+          const py::gil_scoped_release released;
+          found = timeOfImpact(a, motion_a, b, motion_b, {margin, time_error});
+        }
+        return records.of(found);
+      },
+      py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
+      py::arg("time_error") = 1e-6);
+  m.def(
+      "cast_ray",
+      [records](const Polygon& polygon, const Array& pose, const Array& from, const Array& to, double margin) {
+        const Poses poses = posesFrom(pose, "pose");
+        if (!poses.is_one) throw std::invalid_argument("pose: one pose is wanted");
+        return records.of(
+            castRay(polygon, poses[0], pointFrom(from, "from_point"), pointFrom(to, "to_point"), {margin}));
+      },
+      py::arg("polygon"), py::arg("pose"), py::arg("from_point"), py::arg("to_point"), py::arg("margin") = 0.0);
+}
+
+}  // namespace
+
+void definePairs(py::module_& m, const Records& records) {
+  definePolygon(m);
+  defineMaps(m);
+  defineMotion(m);
+  defineBooleans(m);
+  defineMeasures(m, records);
+  defineContacts(m, records);
+  defineImpacts(m, records);
+}
+
+}  // namespace tricover_python

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tricover::Scene.
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <utility>
+
+#include "arrays.h"
+#include "module.h"
+
+namespace tricover_python {
+namespace {
+
+using tricover::BodyHandle;
+using tricover::Polygon;
+using tricover::Scene;
+
+tricover::Pose onePose(const Array& array) {
+  const Poses poses = posesFrom(array, "pose");
+  if (!poses.is_one) throw std::invalid_argument("pose: one pose is wanted");
+  return poses[0];
+}
+
+tricover::BodyFilter filterFrom(std::uint32_t mask, std::optional<BodyHandle> ignored) {
+  return {mask, ignored.value_or(tricover::kNoBody)};
+}
+
+std::vector<std::pair<BodyHandle, BodyHandle>> pairsOf(const std::vector<tricover::BodyPair>& pairs) {
+  std::vector<std::pair<BodyHandle, BodyHandle>> result;
+  for (const tricover::BodyPair& pair : pairs) result.emplace_back(pair.first, pair.second);
+  return result;
+}
+
+tricover::Parallel parallelOn(std::size_t threads) {
+  return
+      [threads](std::size_t count, const std::function<void(std::size_t)>& task) { inParallel(threads, count, task); };
+}
+
+void defineBodies(py::class_<Scene>& scene) {
+  scene.def(py::init<>())
+      .def("__copy__", [](const Scene& other) { return Scene(other); })
+      .def(
+          "__deepcopy__", [](const Scene& other, const py::dict&) { return Scene(other); }, py::arg("memo"))
+      .def("__len__", &Scene::size)
+      .def("__contains__", &Scene::contains)
+      .def(
+          "add",
+          [](Scene& self, const Polygon& polygon, const Array& pose, double margin, std::uint32_t category,
+             std::uint32_t mask) {
+            return self.add(polygon, onePose(pose), {margin, category, mask});
+          },
+          py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("category") = 1,
+          py::arg("mask") = tricover::kEveryCategory)
+      .def("remove", &Scene::remove, py::arg("body"))
+      .def(
+          "move", [](Scene& self, BodyHandle body, const Array& pose) { self.move(body, onePose(pose)); },
+          py::arg("body"), py::arg("pose"))
+      .def_property_readonly("bodies", &Scene::bodies)
+      .def("polygon", &Scene::polygon, py::arg("body"))
+      .def(
+          "pose", [](const Scene& self, BodyHandle body) { return arrayOf(self.pose(body)); }, py::arg("body"))
+      .def(
+          "collisions",
+          [](Scene& self, std::size_t threads) {
+            const py::gil_scoped_release released;
+            return pairsOf(self.collisions(threads == 1 ? tricover::Parallel() : parallelOn(threads)));
+          },
+          py::arg("threads") = 1)
+      .def_property_readonly("began", [](const Scene& self) { return pairsOf(self.began()); })
+      .def_property_readonly("ended", [](const Scene& self) { return pairsOf(self.ended()); });
+}
+
+constexpr std::uint32_t kAll = tricover::kEveryCategory;
+
+void defineBooleans(py::class_<Scene>& scene) {
+  scene
+      .def(
+          "collides",
+          [](const Scene& self, const Polygon& polygon, const Array& pose, double margin, double tolerance,
+             std::uint32_t mask, std::optional<BodyHandle> ignored, std::size_t threads) -> py::object {
+            const Poses poses = posesFrom(pose, "pose");
+            const tricover::BodyFilter filter = filterFrom(mask, ignored);
+            if (poses.is_one) return py::bool_(self.collides(polygon, poses[0], {margin, tolerance}, filter));
+            std::vector<bool> found;
+            {
+              const py::gil_scoped_release released;
+              found = self.collides(polygon, poses.poses, {margin, tolerance}, filter, parallelOn(threads));
+            }
+            return arrayOf<bool>(found.size(), [&](std::size_t i) { return found[i]; });
+          },
+          py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("tolerance") = 0.0,
+          py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("threads") = 0)
+      .def(
+          "colliding",
+          [](const Scene& self, const Polygon& polygon, const Array& pose, double margin, std::uint32_t mask,
+             std::optional<BodyHandle> ignored) {
+            return self.colliding(polygon, onePose(pose), {margin, 0}, filterFrom(mask, ignored));
+          },
+          py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("mask") = kAll,
+          py::arg("ignored") = py::none());
+}
+
+void defineMeasures(py::class_<Scene>& scene, const Records& records) {
+  scene
+      .def(
+          "nearest",
+          [records](const Scene& self, const Polygon& polygon, const Array& pose, std::uint32_t mask,
+                    std::optional<BodyHandle> ignored) -> py::object {
+            const auto found = self.nearest(polygon, onePose(pose), {}, filterFrom(mask, ignored));
+            if (!found) return py::none();
+            return py::make_tuple(found->body, records.of(found->result));
+          },
+          py::arg("polygon"), py::arg("pose"), py::arg("mask") = kAll, py::arg("ignored") = py::none())
+      .def(
+          "first_impact",
+          [records](const Scene& self, const Polygon& polygon, const tricover::Motion& motion, double margin,
+                    double time_error, std::uint32_t mask, std::optional<BodyHandle> ignored) -> py::object {
+            const auto found = self.firstImpact(polygon, motion, {margin, time_error}, filterFrom(mask, ignored));
+            if (!found) return py::none();
+            return py::make_tuple(found->body, records.of(found->impact));
+          },
+          py::arg("polygon"), py::arg("motion"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6,
+          py::arg("mask") = kAll, py::arg("ignored") = py::none())
+      .def(
+          "impacts",
+          [records](const Scene& self, const std::vector<std::pair<BodyHandle, tricover::Motion>>& motions,
+                    double margin, double time_error, std::size_t threads) {
+            std::vector<tricover::BodyMotion> given;
+            for (const auto& [body, motion] : motions) given.push_back({body, motion});
+            std::vector<tricover::PairImpact> found;
+            {
+              const py::gil_scoped_release released;
+              found = self.impacts(given, {margin, time_error}, parallelOn(threads));
+            }
+            py::list list;
+            for (const tricover::PairImpact& one : found)
+              list.append(py::make_tuple(one.pair.first, one.pair.second, records.of(one.impact)));
+            return list;
+          },
+          py::arg("motions"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6, py::arg("threads") = 0)
+      .def(
+          "cast_ray",
+          [records](const Scene& self, const Array& from, const Array& to, double margin, std::uint32_t mask,
+                    std::optional<BodyHandle> ignored) -> py::object {
+            const auto found = self.castRay(pointFrom(from, "from_point"), pointFrom(to, "to_point"), {margin},
+                                            filterFrom(mask, ignored));
+            if (!found) return py::none();
+            return py::make_tuple(found->body, records.of(found->hit));
+          },
+          py::arg("from_point"), py::arg("to_point"), py::arg("margin") = 0.0, py::arg("mask") = kAll,
+          py::arg("ignored") = py::none());
+}
+
+}  // namespace
+
+void defineScene(py::module_& m, const Records& records) {
+  py::class_<Scene> scene(m, "Scene", "Many polygons under poses of their own, and what collides among them.");
+  defineBodies(scene);
+  defineBooleans(scene);
+  defineMeasures(scene, records);
+}
+
+}  // namespace tricover_python

@@ -1,0 +1,258 @@
+"""What the module answers, how it takes arrays, and what it refuses."""
+import ast
+import copy
+import os
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+import tricover as tc
+
+SQUARE = tc.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+FRAME = tc.Polygon([np.array([(0, 0), (9, 0), (9, 9), (0, 9)]), [(1, 1), (8, 1), (8, 8), (1, 8)]])
+ORIGIN = (0, 0, 0)
+
+
+def matrix(x, y, heading):
+    c, s = np.cos(heading), np.sin(heading)
+    return np.array([(c, -s, x), (s, c, y), (0, 0, 1)])
+
+
+class Polygons(unittest.TestCase):
+    def test_rings_come_back(self):
+        self.assertEqual(len(FRAME.rings), 2)
+        np.testing.assert_array_equal(FRAME.rings[1], [(1, 1), (8, 1), (8, 8), (1, 8)])
+        self.assertEqual(FRAME.vertex_count, 8)
+        self.assertEqual(FRAME.fill_rule, tc.FillRule.EVEN_ODD)
+        np.testing.assert_array_equal(FRAME.edge(3), [(0, 9), (0, 0)])
+        self.assertGreaterEqual(FRAME.radius, np.hypot(4.5, 4.5))
+        self.assertEqual(FRAME.origin.shape, (2,))
+
+    def test_the_fill_rule_counts(self):
+        twice = [[(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (3, 1), (3, 3), (1, 3)]]
+        self.assertEqual(tc.locate(tc.Polygon(twice), (2, 2)), tc.Location.OUTSIDE)
+        self.assertEqual(tc.locate(tc.Polygon(twice, tc.FillRule.NON_ZERO), (2, 2)), tc.Location.INSIDE)
+        np.testing.assert_array_equal(tc.locate(tc.Polygon(twice), [(2, 2), (0, 1), (0.5, 0.5)]), [0, 1, 2])
+
+    def test_maps(self):
+        cells = np.zeros((3, 4), np.int8)
+        cells[0, 1:3] = 100
+        region = tc.outline(cells, 0.5, (1, 2))
+        self.assertEqual(region.vertex_count, 4)
+        self.assertEqual(tc.locate(region, (1.75, 2.25)), tc.Location.INSIDE)
+        self.assertIsNone(tc.outline(np.zeros((2, 2))))
+        with tempfile.TemporaryDirectory() as folder:
+            with open(folder + "/m.pgm", "w") as file:
+                file.write("P2 2 1 255 0 254")
+            with open(folder + "/m.yaml", "w") as file:
+                file.write("image: m.pgm\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2")
+            read, resolution, pose = tc.read_occupancy_map(folder + "/m.yaml")
+            np.testing.assert_array_equal(read, [[100, 0]])
+            self.assertEqual(resolution, 0.5)
+            np.testing.assert_array_equal(pose, matrix(1, 2, 0))
+            with self.assertRaisesRegex(RuntimeError, "none.yaml"):
+                tc.read_occupancy_map(folder + "/none.yaml")
+
+
+class Poses(unittest.TestCase):
+    def test_a_matrix_is_a_pose(self):
+        for heading in (0, 0.5, 3):
+            pose = (0.3, 0.2, heading)
+            self.assertEqual(tc.distance(SQUARE, ORIGIN, SQUARE, (5, 0.2, heading)).distance,
+                             tc.distance(SQUARE, ORIGIN, SQUARE, matrix(5, 0.2, heading)).distance)
+            self.assertIs(tc.collide(SQUARE, ORIGIN, SQUARE, matrix(*pose)), True)
+        mirror = np.diag([-1.0, 1, 1])
+        self.assertEqual(tc.distance(SQUARE, mirror, SQUARE, (3, 0, 0)).distance, 3)
+
+    def test_three_rows_that_are_no_matrix_are_three_poses(self):
+        three = np.array([(0.5, 0, 0), (5, 0, 0), (1, 1, 0)])
+        np.testing.assert_array_equal(tc.collide(SQUARE, ORIGIN, SQUARE, three), [True, False, True])
+        last = np.array([(0.5, 0, 0), (5, 0, 0), (0, 0, 1)])
+        np.testing.assert_array_equal(tc.collide(SQUARE, ORIGIN, SQUARE, last), [True, False, True])
+
+    def test_many_are_one_by_one(self):
+        rng = np.random.default_rng(1)
+        poses = np.column_stack([rng.uniform(-2, 10, (3000, 2)), rng.uniform(0, 7, 3000)])
+        matrices = np.array([matrix(*pose) for pose in poses])
+        hits = tc.collide(FRAME, ORIGIN, SQUARE, poses)
+        self.assertEqual(hits.dtype, bool)
+        self.assertTrue(0.1 < hits.mean() < 0.9)
+        one_by_one = [tc.collide(FRAME, ORIGIN, SQUARE, pose) for pose in poses]
+        np.testing.assert_array_equal(hits, one_by_one)
+        for threads in (1, 2, 5):
+            np.testing.assert_array_equal(tc.collide(SQUARE, poses, FRAME, ORIGIN, threads=threads), one_by_one)
+        np.testing.assert_array_equal(tc.collide(FRAME, ORIGIN, SQUARE, matrices[:, ::1]), one_by_one)
+        both = tc.distance(SQUARE, poses[:50], SQUARE, poses[50:100])
+        self.assertEqual(both.point_a.shape, (50, 2))
+        for i in range(50):
+            one = tc.distance(SQUARE, poses[i], SQUARE, poses[50 + i])
+            self.assertEqual(one.distance, both.distance[i])
+            np.testing.assert_array_equal(one.point_b, both.point_b[i])
+
+    def test_what_is_refused_is_named(self):
+        def refused(message, *arguments, error=ValueError, function=tc.collide):
+            with self.assertRaisesRegex(error, message):
+                function(*arguments)
+
+        bad = np.zeros((5, 3))
+        bad[3, 1] = np.nan
+        refused(r"pose_b\[3\]", SQUARE, ORIGIN, SQUARE, bad)
+        refused("pose_b", SQUARE, ORIGIN, SQUARE, (0, np.inf, 0))
+        refused("pose_a", SQUARE, [np.diag([2.0, 2, 1])], SQUARE, ORIGIN)
+        refused(r"pose_a: it must have the shape .* not \(2,\)", SQUARE, (0, 0), SQUARE, ORIGIN)
+        refused("pose_b: there are 4, but of pose_a 5", SQUARE, np.zeros((5, 3)), SQUARE, np.zeros((4, 3)))
+        refused(r"pose_a\[0\]: its last row", SQUARE, np.ones((1, 3, 3)), SQUARE, ORIGIN)
+        refused("margin", SQUARE, ORIGIN, SQUARE, ORIGIN, -1)
+        refused(r"rings\[0\]", [[(0, 0, 0)]], function=tc.Polygon)
+        refused("ring 0", [[(0, 0), (1, 1)]], function=tc.Polygon)
+        refused("not finite", [[(0, 0), (1, 1), (np.nan, 0)]], function=tc.Polygon)
+        refused("edge", 4, error=IndexError, function=SQUARE.edge)
+
+
+class Pairs(unittest.TestCase):
+    def test_a_touch_is_a_touch(self):
+        self.assertTrue(tc.collide(SQUARE, ORIGIN, SQUARE, (1, 0, 0)))
+        self.assertFalse(tc.collide(SQUARE, ORIGIN, SQUARE, (np.nextafter(1, 2), 0, 0)))
+        self.assertTrue(tc.collide(SQUARE, ORIGIN, SQUARE, (1.5, 0, 0), margin=0.5))
+
+    def test_measures(self):
+        gap = tc.distance(SQUARE, ORIGIN, SQUARE, (4, 0, 0), margin=1)
+        self.assertEqual((gap.distance, gap.edge_a), (2, 1))
+        self.assertEqual((gap.point_a[0], gap.point_b[0]), (1, 4))
+        way = tc.penetration(SQUARE, ORIGIN, SQUARE, (0.75, 0.1, 0))
+        self.assertEqual(way.depth, 0.25)
+        np.testing.assert_array_equal(way.normal, (1, 0))
+        self.assertTrue(way.optimal)
+        self.assertIsNone(tc.penetration(SQUARE, ORIGIN, SQUARE, (5, 0, 0)))
+        ways = tc.penetration(SQUARE, ORIGIN, SQUARE, [(0.75, 0.1, 0), (5, 0, 0)])
+        self.assertEqual([way and way.depth for way in ways], [0.25, None])
+
+    def test_contacts(self):
+        beam = tc.Polygon([(-1, 4), (10, 4), (10, 5), (-1, 5)])
+        self.assertEqual(len(tc.contacts(FRAME, ORIGIN, beam, ORIGIN)), 2)
+        one = tc.contacts(FRAME, ORIGIN, beam, ORIGIN, most=1, detail=tc.ContactDetail.LOCAL_DEPTH)
+        self.assertEqual(len(one), 1)
+        self.assertGreater(one[0].depth, 0)
+        counts = [len(found) for found in tc.contacts(FRAME, ORIGIN, beam, [(0, 0, 0), (0, 99, 0)])]
+        self.assertEqual(counts, [2, 0])
+
+    def test_times_of_impact(self):
+        hit = tc.time_of_impact(SQUARE, tc.Motion.still(ORIGIN), SQUARE, tc.Motion.translation((3, 0, 0), (-4, 0)))
+        self.assertAlmostEqual(hit.time, 0.5, 5)
+        self.assertEqual(hit.edge_a, 1)
+        turn = tc.Motion.between((3, 3, 0), (3, 3, 1.0))
+        self.assertIsNone(tc.time_of_impact(SQUARE, tc.Motion.still(ORIGIN), SQUARE, turn))
+        np.testing.assert_allclose(turn.at(0.5), matrix(3, 3, 0.5), atol=1e-15)
+        way = tc.Motion.spline((0, 0, 0), (3, 0, 0), (1, 1, 1), (0, 3, 0))
+        np.testing.assert_allclose(way.at(1), matrix(1, 1, 1), atol=1e-15)
+
+    def test_rays(self):
+        hit = tc.cast_ray(SQUARE, (2, 0, 0), (0, 0.5), (4, 0.5))
+        self.assertEqual((hit.fraction, hit.edge), (0.5, 3))
+        np.testing.assert_array_equal(hit.normal, (-1, 0))
+        self.assertIsNone(tc.cast_ray(SQUARE, (2, 0, 0), (0, 5), (4, 5)))
+
+    def test_other_threads_run_meanwhile(self):
+        rng = np.random.default_rng(2)
+        angles = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+        star = tc.Polygon(np.column_stack([np.cos(angles), np.sin(angles)]) * rng.uniform(0.4, 1, (400, 1)))
+        poses = np.column_stack([rng.uniform(-1, 1, (2000, 2)), rng.uniform(0, 7, 2000)])
+        ticks, done = [0], threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks[0] += 1
+
+        other = threading.Thread(target=tick)
+        other.start()
+        seconds = 0
+        while seconds < 0.5:  # of one call, during which nothing else of this thread runs
+            poses = np.concatenate([poses, poses])
+            before, begin = ticks[0], time.monotonic()
+            tc.distance(star, ORIGIN, star, poses, threads=1)
+            during, seconds = ticks[0] - before, time.monotonic() - begin
+        done.set()
+        other.join()
+        self.assertGreater(during, 0)
+
+
+class Scenes(unittest.TestCase):
+    def setUp(self):
+        self.scene = tc.Scene()
+        self.near = self.scene.add(SQUARE, (0, 0, 0))
+        self.far = self.scene.add(SQUARE, (5, 0, 0), margin=0.5, category=2)
+
+    def test_bodies(self):
+        self.assertEqual(len(self.scene), 2)
+        self.assertEqual(self.scene.bodies, [self.near, self.far])
+        self.assertIn(self.near, self.scene)
+        np.testing.assert_array_equal(self.scene.pose(self.far), matrix(5, 0, 0))
+        self.assertEqual(self.scene.polygon(self.far).vertex_count, 4)
+        branch = copy.copy(self.scene)
+        self.scene.remove(self.near)
+        self.assertNotIn(self.near, self.scene)
+        self.assertIn(self.near, branch)
+        self.assertEqual(len(copy.deepcopy(branch)), 2)
+        with self.assertRaises(IndexError):
+            self.scene.move(self.near, (0, 0, 0))
+
+    def test_frames(self):
+        self.assertEqual(self.scene.collisions(), [])
+        self.scene.move(self.near, (3.6, 0, 0))
+        self.assertEqual(self.scene.collisions(threads=2), [(self.near, self.far)])
+        self.assertEqual(self.scene.began, [(self.near, self.far)])
+        self.scene.move(self.near, (0, 0, 0))
+        self.scene.collisions()
+        self.assertEqual(self.scene.ended, [(self.near, self.far)])
+
+    def test_queries(self):
+        np.testing.assert_array_equal(
+            self.scene.collides(SQUARE, [(0.5, 0, 0), (2, 0, 0), (3.5, 0, 0)]), [True, False, True])
+        self.assertIs(self.scene.collides(SQUARE, (2, 0, 0), margin=1), True)
+        self.assertIs(self.scene.collides(SQUARE, (0.5, 0, 0), mask=2), False)
+        self.assertIs(self.scene.collides(SQUARE, (0.5, 0, 0), ignored=self.near), False)
+        self.assertEqual(self.scene.colliding(SQUARE, (2.5, 0, 0), margin=1.5), [self.near, self.far])
+        body, gap = self.scene.nearest(SQUARE, (3, 0, 0))
+        self.assertEqual((body, gap.distance), (self.far, 0.5))
+        self.assertIsNone(tc.Scene().nearest(SQUARE, (3, 0, 0)))
+        body, hit = self.scene.first_impact(SQUARE, tc.Motion.translation((2, 0, 0), (-2, 0)))
+        self.assertEqual(body, self.near)
+        self.assertAlmostEqual(hit.time, 0.5, 5)
+        (first, second, hit), = self.scene.impacts([(self.near, tc.Motion.translation((0, 0, 0), (7, 0)))])
+        self.assertEqual((first, second), (self.near, self.far))
+        self.assertAlmostEqual(hit.time, 0.5, 5)
+        body, hit = self.scene.cast_ray((2.5, 0.5), (6.5, 0.5))
+        self.assertEqual(body, self.far)
+        self.assertAlmostEqual(hit.fraction, 0.5)
+        self.assertIsNone(self.scene.cast_ray((0, 5), (1, 5)))
+
+    def test_an_error_of_many_poses_says_which(self):
+        poses = np.zeros((1000, 3, 3)) + np.eye(3)
+        poses[700, 0, 0] = 3
+        with self.assertRaisesRegex(ValueError, r"\[700\]"):
+            self.scene.collides(SQUARE, poses)
+
+
+class Stubs(unittest.TestCase):
+    def test_they_list_the_module(self):
+        path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "tricover.pyi")
+        with open(path) as file:
+            tree = ast.parse(file.read())
+
+        def named(body):
+            names = {node.name for node in body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+            return names | {node.target.id for node in body if isinstance(node, ast.AnnAssign)}
+
+        listed = {name for name in named(tree.body)}
+        self.assertEqual(listed, {name for name in dir(tc) if not name.startswith("__")})
+        for node in tree.body:
+            if isinstance(node, ast.ClassDef):
+                for name in named(node.body):
+                    self.assertTrue(hasattr(getattr(tc, node.name), name), f"{node.name}.{name}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
