@@ -11,7 +11,10 @@ bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libge
 build=build/bench-ninja
 report=build/report
 mkdir -p "$report"
-step() { if [ -t 2 ]; then printf '\r\033[K%s' "$1" >&2; fi; }
+# On a terminal one line for all, elsewhere a line each.
+step() {
+  if [ -t 2 ]; then printf '\r\033[K%s' "$1" >&2; elif [ -n "$1" ]; then echo "== $1" >&2; fi
+}
 quietly() { "$@" >"build/bench.log" 2>&1 || { cat build/bench.log; return 1; }; }
 
 step "configuring"
@@ -19,7 +22,7 @@ quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BU
   -DTRICOVER_WERROR=ON
 step "building (FCL's headers take their time)"
 quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff bench_modelled bench_growth bench_first bench_first_fcl bench_asked bench_still bench_pages
-step ""
+step "collisions, distances, impacts, contacts"
 "$build/bench/bench_main" bench/data/countries_110m.txt "$report" "$@"
 step "scenes"
 "$build/bench/bench_scenes" bench/data/countries_110m.txt "$report" "$@"

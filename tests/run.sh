@@ -21,6 +21,7 @@ suite() {
   shift 4
   echo "== $title"
   mkdir -p build
+  echo "-- building $targets in $build, as $build.log says"
   cmake -S . -B "$build" "${tools[@]}" "$@" >"$build.log" 2>&1 || { cat "$build.log"; return 1; }
   cmake --build "$build" --target $targets -j "$(nproc)" >>"$build.log" 2>&1 || { tail -n 60 "$build.log"; return 1; }
   ctest --test-dir "$build" $filter --no-tests=error --output-on-failure -j "$(nproc)"
