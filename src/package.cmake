@@ -1,5 +1,5 @@
 # What an installed tricover leaves for those who build against it: the headers, find_package(tricover [COMPONENTS fcl])
-# and pkg-config's tricover.pc.
+# pkg-config's tricover.pc, the licence, and what ROS's tools read. `cpack` in the build directory makes a .deb of it.
 include(CMakePackageConfigHelpers)
 set(TRICOVER_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/tricover)
 
@@ -33,3 +33,26 @@ function(tricover_install_pc template)
   install(FILES ${PROJECT_BINARY_DIR}/${name} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 tricover_install_pc(${CMAKE_CURRENT_LIST_DIR}/tricover.pc.in)
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+set(TRICOVER_PACKAGE_XML_FCL "")
+set(TRICOVER_DEBIAN_DEPENDS "libeigen3-dev")
+if(TRICOVER_BUILD_FCL)
+  set(TRICOVER_PACKAGE_XML_FCL "  <depend>libfcl-dev</depend>")
+  string(APPEND TRICOVER_DEBIAN_DEPENDS ", libfcl-dev, libccd-dev")
+endif()
+# colcon builds the sources as a plain CMake package; here is what it looks for once that is installed.
+configure_file(${CMAKE_CURRENT_LIST_DIR}/package.xml.in ${PROJECT_BINARY_DIR}/package.xml @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/tricover)
+
+if(PROJECT_IS_TOP_LEVEL)
+  set(CPACK_GENERATOR DEB)
+  set(CPACK_PACKAGE_NAME libtricover-dev)
+  set(CPACK_PACKAGE_CONTACT "the tricover authors <maintainers@tricover.invalid>")
+  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "${TRICOVER_DEBIAN_DEPENDS}")
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ${BUILD_SHARED_LIBS})
+  include(CPack)
+endif()

@@ -4,6 +4,12 @@ file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
 file(RENAME ${WORK}/first ${WORK}/prefix)
 
+foreach(file share/doc/tricover/LICENSE share/tricover/package.xml)
+  if(NOT EXISTS ${WORK}/prefix/${file})
+    message(FATAL_ERROR "${file} isn't installed")
+  endif()
+endforeach()
+
 set(APP -S ${REPOSITORY}/tests/consumer/app ${TOOLS} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} ${APP} -B ${WORK}/app -DEXAMPLES=${REPOSITORY}/fcl_adapter/examples)
 run(${CMAKE_COMMAND} --build ${WORK}/app --parallel 2)
