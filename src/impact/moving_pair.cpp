@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numbers/power_of_two.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
@@ -79,17 +80,13 @@ static_assert(kGapError >= kUnitRows * (errorOf(11) * kRoot2 + errorOf(8 + 24)))
 /// A power of two. Times it, neither sums nor products of what is given overflow, and underflow loses the least.
 double shrinkOf(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
                 const Motion& motion_b, double margin) {
-  double given = 0;
-  const auto include = [&](double value) { given = std::max(given, std::min(value, kLargest)); };
-  const auto includeAll = [&](const PolygonData& polygon, const Motion& motion) {
-    for (const Vec2& v : {Vec2(motion.start.translation()), motion.shift, motion.shift_2, motion.shift_3, motion.pivot})
-      include(v.lpNorm<Eigen::Infinity>());
-    include(polygon.extent);
-  };
-  includeAll(polygon_a, motion_a);
-  includeAll(polygon_b, motion_b);
-  include(margin);
-  return given > 0 ? std::ldexp(1, std::min(1000 - std::ilogb(given), 1000)) : 1;
+  Double2 largest{std::max(polygon_a.extent, polygon_b.extent), margin};
+  for (const Motion* motion : {&motion_a, &motion_b})
+    for (const double* v : {motion->start.data() + 6, motion->shift.data(), motion->shift_2.data(),
+                            motion->shift_3.data(), motion->pivot.data()})
+      largest = larger(largest, absolute(load2(v)));
+  const double given = std::min(std::max(largest[0], largest[1]), kLargest);
+  return given > 0 ? powerOfTwo(std::min(1000 - std::ilogb(given), 1000)) : 1;
 }
 
 /// In the frame of the world but for its pose's translation, all lengths times `shrink`.
@@ -141,7 +138,6 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
   a.way = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
   const double inverse = divideByLength();
   is_steady = a.turn.isStraight() && b.turn.isStraight() && b.way.isStraight();
-  if (is_steady) steady = ratesOf(0, 1);
   still_error = (kGapError * others + kTiny) * inverse;
   error = kGapError * turned * inverse + still_error;
 }
@@ -150,8 +146,8 @@ double MovingPair::divideByLength() {
   const double largest = std::max({a.reach, b.reach, b.base.lpNorm<1>(), b.way.first.lpNorm<1>(),
                                    b.way.second.lpNorm<1>(), b.way.third.lpNorm<1>(), margin});
   const int exponent = std::clamp(std::ilogb(largest), -1000, 1020);
-  const double inverse = std::ldexp(1, -exponent);
-  length = std::ldexp(1, exponent);
+  const double inverse = powerOfTwo(-exponent);
+  length = powerOfTwo(exponent);
   for (Mover* mover : {&a, &b}) {
     mover->base *= inverse;
     mover->way = inverse * mover->way;
@@ -180,7 +176,8 @@ Rates MovingPair::ratesOf(double begin, double end) const {
           b.way.mostAcceleration(begin, end)};
 }
 
-void MovingPair::findTrees() {
+void MovingPair::prepare() {
+  if (is_steady) steady = ratesOf(0, 1);
   a.tree = &hierarchyOf(*a.polygon);
   b.tree = &hierarchyOf(*b.polygon);
 }

@@ -60,7 +60,7 @@ struct Mover {
 
   const PolygonData* polygon;
   const Motion* motion;             ///< as it was given
-  const Hierarchy* tree = nullptr;  ///< once MovingPair::findTrees() was called
+  const Hierarchy* tree = nullptr;  ///< once MovingPair::prepare() was called
   Vec2 pivot;                       ///< in the polygon's frame
   Eigen::Matrix2d linear;           ///< the start's
   Vec2 base;                        ///< where the pivot is at time 0
@@ -92,8 +92,8 @@ struct MovingPair {
   MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b, const Motion& motion_b,
              double margin = 0);
 
-  /// Builds what isn't there yet, for all but discsStayApart().
-  void findTrees();
+  /// What all but discsStayApart() needs: trees, where they aren't built yet, and rates.
+  void prepare();
 
   /// Whether the discs around the pivots stay farther apart than the margin for all of the time.
   bool discsStayApart() const;

@@ -112,7 +112,7 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
                                     const Motion& motion_b, const ImpactOptions& options) {
   MovingPair pair(a, motion_a, b, motion_b, options.margin);
   if (pair.discsStayApart()) return std::nullopt;
-  pair.findTrees();
+  pair.prepare();
   FirstContact found = FirstContact::unknown(0);
   for (const Solver& solver : kSolvers) {
     if (!solver.fits(pair)) continue;

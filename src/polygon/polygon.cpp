@@ -13,6 +13,7 @@
 
 #include "numbers/double2.h"
 #include "numbers/errors.h"
+#include "numbers/power_of_two.h"
 #include "numbers/predicates.h"
 #include "polygon/polygon_data.h"
 
@@ -92,15 +93,6 @@ namespace {
 std::uint64_t nextId() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
-}
-
-/// 2^exponent, of a normal double's exponent.
-double powerOfTwo(int exponent) {
-  constexpr int kBias = 1023, kFraction = 52;
-  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + kBias) << kFraction;
-  double power;
-  std::memcpy(&power, &bits, sizeof power);
-  return power;
 }
 
 /// A bounding box whose size is brought near 1 by a power of two, so that areas and squares neither overflow nor

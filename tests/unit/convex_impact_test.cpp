@@ -48,7 +48,7 @@ TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
     const bool swaps = b.radius() > a.radius();
     MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
                             : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
-    pair.findTrees();
+    pair.prepare();
     if (isConvexPair(pair)) {
       ++convex;
       const FirstContact found = advanceAlongAxis(pair, 0, options.time_error);
@@ -98,7 +98,7 @@ TEST(ConvexImpact, NearlyStraightChainsAreSeenWhole) {
     motion_b.shift = motion_a.start.linear() * Vec2(0, random.real(0, 10));
     if (random.coin()) motion_a.angle = random.real(-1, 1);
     MovingPair pair(a.data(), motion_a, b.data(), motion_b);
-    pair.findTrees();
+    pair.prepare();
     ASSERT_TRUE(isConvexPair(pair));
     const std::optional<Impact> impact = timeOfImpact(a, motion_a, b, motion_b);
     const std::optional<Impact> truth = timeOfImpact(repeated({chain}, 6), motion_a, repeated({triangle}, 6), motion_b);

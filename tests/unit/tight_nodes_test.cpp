@@ -66,7 +66,7 @@ TEST(TightNodes, HoldTheirChainsClosely) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon a = outline(random), b = outline(random);
     MovingPair pair(a.data(), randomMotion(random), b.data(), randomMotion(random));
-    pair.findTrees();
+    pair.prepare();
     const Vec2 given = random.coin() ? Vec2(0, 0) : Vec2(random.real(-2, 2), random.real(-2, 2));
     TightNodes tight(pair.a, given);
     for (const std::uint32_t index : allNodes(pair.a)) {
@@ -116,7 +116,7 @@ TEST(TightNodes, PivotsPartWhatIsApart) {
       motion_b.pivot = motion_a.pivot = Vec2(0, 0);
     }
     MovingPair pair(a.data(), motion_a, b.data(), motion_b, random.coin() ? 0.05 : 0);
-    pair.findTrees();
+    pair.prepare();
     TightNodes tight_a(pair.a), tight_b(pair.b);
     const std::vector<std::uint32_t> of_a = allNodes(pair.a), of_b = allNodes(pair.b);
     for (int k = 0; k < 100; ++k) {

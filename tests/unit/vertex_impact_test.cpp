@@ -63,7 +63,7 @@ TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
     const bool swaps = b.radius() > a.radius();
     MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
                             : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
-    pair.findTrees();
+    pair.prepare();
     ++asked;
     if (haveFewVertexWays(pair)) {
       ++few;

@@ -98,7 +98,8 @@ TEST(WindowCutter, NeverCutsContactOff) {
     const Vec2 point_a = on(a, edge_a, vertex_of_a), point_b = on(b, edge_b, !vertex_of_a || random.oneIn(4));
     motion_b.start.translation() += motion_a.at(met) * point_a - motion_b.at(met) * point_b;
 
-    const MovingPair pair(a.data(), motion_a, b.data(), motion_b);
+    MovingPair pair(a.data(), motion_a, b.data(), motion_b);
+    pair.prepare();
     const Window window(pair, begin, begin + length);
     for (int way = 0; way < kWays; ++way) {
       const Rest rest = restBy(way, window, edge_a, edge_b);
