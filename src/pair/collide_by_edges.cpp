@@ -12,11 +12,11 @@
 namespace tricover::detail {
 namespace {
 
-/// What hierarchies would have saved a query that looks at all edges, in these: hardly less where few edges are asked
-/// at once, as those of a hierarchy are.
+/// What hierarchies would have saved a query that looks at all edges, in these: most where edges are few, which are
+/// asked at once then.
 std::size_t savedBy(const PolygonData& polygon) {
   const std::size_t edges = polygon.path.size();
-  return edges <= SmallPolygon::kMost + 1 ? edges : edges * 2 / 3;
+  return edges <= SmallPolygon::kMost + 1 ? edges * 3 / 2 : edges * 2 / 3;
 }
 
 /// What the hierarchies cost that aren't there, and the edges that are looked at without them: those of both polygons
