@@ -119,11 +119,8 @@ Node TightNodes::fitAlong(Node node, const std::vector<std::uint32_t>& edges, co
 bool partedByPivots(const Window& window, const Node& node_a, const MovingBox& a, const Node& node_b,
                     const MovingBox& b) {
   const Rates& rates = window.rates;
-  const auto lever = [](const MovingBox& box, const Places& places) {
-    return lengthAbove(box.x[0] - places.pivot_x[0], box.y[0] - places.pivot_y[0]) + box.along + box.across;
-  };
-  return parted(window, window.pair.b, node_b, window.b, a, rates.speed + rates.a * lever(a, window.a)) ||
-         parted(window, window.pair.a, node_a, window.a, b, rates.speed + rates.b * lever(b, window.b));
+  return parted(window, window.pair.b, node_b, window.b, a, rates.speed + rates.a * leverAtBegin(a, window.a)) ||
+         parted(window, window.pair.a, node_a, window.a, b, rates.speed + rates.b * leverAtBegin(b, window.b));
 }
 
 }  // namespace tricover::detail

@@ -25,7 +25,7 @@ class PointBesideTree {
     struct Call {
       static double visit(void* context, std::uint32_t position) {
         Call& c = *static_cast<Call*>(context);
-        c.view.approach(c.way, c.self.edge(position), 0, position, c.best);
+        c.view.approach(c.way, EdgeInUnits(c.self.a_, position), 0, position, c.best);
         return std::min(c.best.share, 1.0);
       }
       const PointBesideTree& self;
@@ -47,7 +47,7 @@ class PointBesideTree {
   bool touchByEnd(const Window& window, const Approach& found) const {
     if (a_.isDegenerate()) return false;
     const VertexView view(window, true);
-    return view.touchByEnd(view.wayOf(0, 0, lever_), edge(found.edge));
+    return view.touchByEnd(view.wayOf(0, 0, lever_), EdgeInUnits(a_, found.edge));
   }
 
   FirstContact touch(double time, const Approach& found) const {
@@ -57,10 +57,6 @@ class PointBesideTree {
   double size() const { return pair_.a.reach + pair_.b.base.lpNorm<1>(); }
 
  private:
-  EdgeInUnits edge(std::size_t position) const {
-    return {a_.inUnits(a_.path[position]), a_.inUnits(a_.path[position + 1])};
-  }
-
   const PolygonData& a_;
   const MovingPair& pair_;
   double lever_;

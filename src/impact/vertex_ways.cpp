@@ -14,8 +14,7 @@ Rest restOfEdges(const Window& window, std::size_t edge_a, std::size_t edge_b) {
     const VertexView view(window, of_b);
     const Mover &of = of_b ? window.pair.b : window.pair.a, &from = of_b ? window.pair.a : window.pair.b;
     const std::size_t own = of_b ? edge_b : edge_a, other = of_b ? edge_a : edge_b;
-    const EdgeInUnits edge(from.polygon->inUnits(from.polygon->path[other]),
-                           from.polygon->inUnits(from.polygon->path[other + 1]));
+    const EdgeInUnits edge(*from.polygon, other);
     for (std::uint32_t end = 0; end < 2; ++end) {
       const Vec2 vertex = of.polygon->inUnits(of.polygon->path[own + end]);
       view.approach(view.wayOf(vertex.x(), vertex.y(), leverOf(of, vertex)), edge, end, 0, first);

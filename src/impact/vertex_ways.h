@@ -10,6 +10,12 @@
 
 namespace tricover::detail {
 
+/// A vertex over a window, seen from the other polygon: its places at both ends, and how far its way bends.
+struct VertexWay {
+  Double2 x, y;
+  double sag;
+};
+
 /// An edge in its polygon's units, from S: where it begins, its axis and its length.
 struct EdgeInUnits {
   EdgeInUnits() = default;
@@ -18,13 +24,20 @@ struct EdgeInUnits {
     length = std::sqrt(square);
     if (square > 0x1p-900) ux = dx / length, uy = dy / length;
   }
-  double x, y, ux = 1, uy = 0, length;
-};
+  EdgeInUnits(const PolygonData& polygon, std::size_t position)
+      : EdgeInUnits(polygon.inUnits(polygon.path[position]), polygon.inUnits(polygon.path[position + 1])) {}
 
-/// A vertex over a window, seen from the other polygon: its places at both ends, and how far its way bends.
-struct VertexWay {
-  Double2 x, y;
-  double sag;
+  double half() const { return 0.5 * length; }
+  /// A way across its line and along it, from its middle.
+  struct Beside {
+    Double2 aside, along;
+  };
+  Beside beside(const VertexWay& way) const {
+    const Double2 rx = way.x - x, ry = way.y - y;
+    return {ux * ry - uy * rx, ux * rx + uy * ry - half()};
+  }
+
+  double x, y, ux = 1, uy = 0, length;
 };
 
 /// A vertex that may come to an edge of the other polygon in a window.
@@ -86,9 +99,8 @@ class VertexView {
   /// Whether the two may meet in the window. If they may do so before `best` does, they are the best.
   bool approach(const VertexWay& way, const EdgeInUnits& edge, std::uint32_t vertex, std::uint32_t edge_number,
                 Approach& best) const {
-    const double half = 0.5 * edge.length;
-    const Double2 rx = way.x - edge.x, ry = way.y - edge.y;
-    Double2 n = edge.ux * ry - edge.uy * rx, t = edge.ux * rx + edge.uy * ry - half;
+    const double half = edge.half();
+    auto [n, t] = edge.beside(way);
     if (n[0] < 0) n = -n;
     if (t[0] < 0) t = -t;
     const double beyond = t[0] - half, apart = beyond > 0 ? std::sqrt(n[0] * n[0] + beyond * beyond) : n[0];
@@ -107,10 +119,8 @@ class VertexView {
 
   /// Whether the two touch at the window's end, or have passed each other by then.
   bool touchByEnd(const VertexWay& way, const EdgeInUnits& edge) const {
-    const double half = 0.5 * edge.length;
-    const Double2 rx = way.x - edge.x, ry = way.y - edge.y;
-    const Double2 aside = edge.ux * ry - edge.uy * rx;
-    const Double2 beyond = absolute(edge.ux * rx + edge.uy * ry - half) - half;
+    const auto [aside, along] = edge.beside(way);
+    const Double2 beyond = absolute(along) - edge.half();
     const bool passed = aside[0] * aside[1] < 0 && std::max(beyond[0], beyond[1]) < -reach(way);
     const double past = std::max(beyond[1], 0.0);
     return passed || !(std::sqrt(aside[1] * aside[1] + past * past) > touch_);

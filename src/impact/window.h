@@ -20,6 +20,11 @@ inline double lengthAbove(double x, double y) {
   return std::max(x, y) + 0.41422 * std::min(x, y);
 }
 
+/// How far a box reaches from a mover's pivot, at the window's begin.
+inline double leverAtBegin(const MovingBox& box, const Places& places) {
+  return lengthAbove(box.x[0] - places.pivot_x[0], box.y[0] - places.pivot_y[0]) + box.along + box.across;
+}
+
 /// The share [low, high] of a window that contact may lie in.
 struct Rest {
   double low, high;

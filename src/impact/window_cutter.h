@@ -63,13 +63,10 @@ inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, cons
     sag_fixed_ = sag_with_a_ = sag_with_b_ = window.with_a.always;
     return;
   }
-  const auto reach = [](const MovingBox& box, const Places& pivot) {
-    return lengthAbove(box.x[0] - pivot.pivot_x[0], box.y[0] - pivot.pivot_y[0]) + box.along + box.across;
-  };
-  const double lever_a = reach(a, window.a), lever_b = reach(b, window.b);
+  const double lever_a = leverAtBegin(a, window.a), lever_b = leverAtBegin(b, window.b);
   sag_fixed_ = window.fixedSag(lever_a, lever_b);
-  sag_with_a_ = window.with_a.of(lever_b, reach(b, window.a));
-  sag_with_b_ = window.with_b.of(lever_a, reach(a, window.b));
+  sag_with_a_ = window.with_a.of(lever_b, leverAtBegin(b, window.a));
+  sag_with_b_ = window.with_b.of(lever_a, leverAtBegin(a, window.b));
   // A box that turns while the axis stands still loses as much as its ends rise.
   const double twice = 2 * window.length;
   turns_with_a_ = sag_with_a_ < sag_fixed_ + twice * rates.a * (a.along + a.across);
