@@ -46,26 +46,31 @@ static_assert(kLargestDefect >= 2 * kRigidTolerance + Gram::kDefectRounding + 0.
 constexpr double kUnitRows = 1 + 10 * kRigidTolerance;
 static_assert(kUnitRows > (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + kLargestDefect));
 
-/// Whether checkPose lets a pose pass, by one comparison: most that it does. Written so that NaN and infinity fail.
-inline bool isPlainlyRigid(const Pose& pose) {
+/// At least Gram::defect() of a pose; above kRigidTolerance, or NaN, for one that isn't finite.
+inline double defectOf(const Pose& pose) {
   const double* m = pose.data();  // columns of three
   const Gram gram(load2(m), load2(m + 3));
-  const Double2 shift = load2(m + 6), finite = shift - shift;
-  return gram.norms[0] + gram.norms[1] + gram.dot + (finite[0] + finite[1]) <= kRigidTolerance;
+  const Double2 shift = load2(m + 6), sum = gram.norms + (shift - shift);
+  return sum[0] + sum[1] + (gram.dot + Gram::kDefectRounding);
 }
 
-/// checkPose for hot paths.
-inline void requireRigid(const Pose& pose, const char* name) {
-  if (!isPlainlyRigid(pose)) checkPose(pose, name);
-}
-
-/// At least Gram::defect() of two poses together; above kRigidTolerance for one that isn't finite.
+/// The same of two poses together: in fewer steps than their sum.
 inline double defectOf(const Pose& pose_a, const Pose& pose_b) {
-  const double *a = pose_a.data(), *b = pose_b.data();  // columns of three
+  const double *a = pose_a.data(), *b = pose_b.data();
   const Gram gram_a(load2(a), load2(a + 3)), gram_b(load2(b), load2(b + 3));
   const Double2 shift_a = load2(a + 6), shift_b = load2(b + 6);
   const Double2 sum = gram_a.norms + gram_b.norms + (shift_a - shift_a) + (shift_b - shift_b);
   return sum[0] + sum[1] + (gram_a.dot + gram_b.dot) + 2 * Gram::kDefectRounding;
+}
+
+/// Whether checkPose lets a pose pass, by one comparison: most that it does. Written so that NaN fails.
+inline bool isPlainlyRigid(const Pose& pose) { return defectOf(pose) <= kRigidTolerance; }
+
+/// checkPose for hot paths. Returns defectOf() the pose.
+inline double requireRigid(const Pose& pose, const char* name) {
+  const double defect = defectOf(pose);
+  if (!(defect <= kRigidTolerance)) checkPose(pose, name);
+  return defect;
 }
 
 /// Of two operands' poses at once: most pass together. Returns defectOf() them.

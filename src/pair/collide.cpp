@@ -72,10 +72,10 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
 
 /// What discs leave open; `defect` is defectOf() the poses.
 [[gnu::always_inline]] inline bool collideClose(const Placement& placement, double defect,
-                                                const CollideOptions& options) {
+                                                const CollideOptions& options, bool boxes_meet) {
   if (!haveHierarchies(placement.a, placement.b)) return collideAnew(placement, options);
   const EdgeTest test(placement, options);
-  return collideByHierarchy(placement.inUnits(defect), test, 0, Wanted::Answer).collides;
+  return collideByHierarchy(placement.inUnits(defect), test, 0, Wanted::Answer, boxes_meet).collides;
 }
 
 /// `resting` is a cache whose facts rest: until discs don't answer any more, which are sooner asked, and then for so
@@ -87,7 +87,7 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
   if (resting != nullptr) rest(*resting, a, pose_a, b, pose_b);
-  return collideClose(placement, defect, options);
+  return collideClose(placement, defect, options, false);
 }
 [[gnu::noinline]] bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      const CollideOptions& options) {
@@ -161,12 +161,12 @@ bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, c
   return fact.collides;
 }
 
-bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
                   const CollideOptions& options) {
-  const double defect = defectOf(pose_a, pose_b);
   return inKernelOrder(
       a, pose_a, b, pose_b,
-      [&](const auto&... operands) { return collideClose(Placement(operands...), defect, options); }, [](bool) {});
+      [&](const auto&... operands) { return collideClose(Placement(operands...), defect, options, true); },
+      [](bool) {});
 }
 
 }  // namespace detail

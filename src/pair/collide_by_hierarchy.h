@@ -21,19 +21,22 @@ enum class Wanted { Answer, Clearance, Edges };
 Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test);
 
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
-/// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
-inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted, const EdgeTest& test,
-                          double& clearance) {
+/// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer. Where other boxes are known to
+/// meet (`boxes_meet`), those around few edges hardly part them any more.
+[[gnu::always_inline]] inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted,
+                                                 const EdgeTest& test, double& clearance, bool boxes_meet) {
   const Hierarchy &a = hierarchyOf(test.a), &b = hierarchyOf(test.b);
+  const auto are_near = [&] { return std::abs(at.map.tx) + std::abs(at.map.ty) < 4; };  // false for NaN
+  const auto have_few_edges = [&] { return wanted == Wanted::Answer && limit == 0 && a.small && b.small; };
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
-  const double gap = rootGap(a.root, b.root, at.map, at.rounding);
+  const bool is_asked = !(boxes_meet && are_near() && have_few_edges());
+  const double gap = is_asked ? rootGap(a.root, b.root, at.map, at.rounding) : 0;
   if (gap > limit) {
     clearance = gap;
     return Meeting::Apart;
   }
-  const bool near = std::abs(at.map.tx) + std::abs(at.map.ty) < 4;  // false for NaN
-  if (!near || wanted == Wanted::Edges) return Meeting::Unknown;
-  if (wanted == Wanted::Answer && limit == 0 && a.small && b.small) {
+  if (!are_near() || wanted == Wanted::Edges) return Meeting::Unknown;
+  if (have_few_edges()) {
     // They serve the next query, before its boxes.
     innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
     return a.small_convex && b.small_convex
@@ -61,12 +64,12 @@ Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double 
 /// at, so that a clearance of at least that much is found if there is one. The pair must be in order (inOrder()), and
 /// its bounding discs may meet. Inlined, because what discs have computed is in registers.
 [[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitPlacement& at, const EdgeTest& test,
-                                                         double lookahead, Wanted wanted) {
+                                                         double lookahead, Wanted wanted, bool boxes_meet = false) {
   if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
     return collideDegenerate(at, test, lookahead, wanted);
   const double limit = at.reach(test.options.margin) + lookahead * at.inverse_unit;
   Outcome outcome;
-  const Meeting meeting = meetAtOnce(at, limit, wanted, test, outcome.clearance);
+  const Meeting meeting = meetAtOnce(at, limit, wanted, test, outcome.clearance, boxes_meet);
   if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
   outcome.collides = meeting == Meeting::Meet;
   outcome.clearance *= test.a.unit;

@@ -10,10 +10,11 @@
 
 namespace tricover::detail {
 
-inline void checkAsked(const Pose& pose, const CollideOptions& options) {
+/// Returns defectOf() the pose.
+inline double checkAsked(const Pose& pose, const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
-  requireRigid(pose, "pose");
+  return requireRigid(pose, "pose");
 }
 
 /// A posed polygon that bodies are asked about: whether they collide with it.
@@ -21,16 +22,29 @@ class Asked {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   /// So many vertices cost no more than the bodies that a wider box meets.
   static constexpr std::size_t kFew = 17;
+  /// And the box of many is that of their disc until so many bodies have been met.
+  static constexpr int kSparse = 2;
 
  public:
-  Asked(const PolygonData& polygon, const Pose& pose, const CollideOptions& options)
-      : polygon_(polygon),
+  /// `defect` is checkAsked()'s.
+  Asked(const SceneState& state, const PolygonData& polygon, const Pose& pose, double defect,
+        const CollideOptions& options)
+      : state_(state),
+        polygon_(polygon),
         pose_(pose),
         options_(options),
-        discs_(polygon, pose),
-        is_close_(polygon.path.size() <= kFew),
-        bounds_(is_close_ ? boundsOf(polygon, pose, options.margin)
-                          : boundsOfDisc(discs_.center, discs_.radius, options.margin)) {}
+        discs_(polygon, pose, defect),
+        has_few_(polygon.path.size() <= kFew),
+        has_own_box_(has_few_),
+        bounds_(has_few_ ? boundsOf(polygon, pose, options.margin)
+                         : boundsOfDisc(discs_.center, discs_.radius, options.margin)) {}
+
+  /// Whether a body is near whose box the tree shows. Where bodies are many, the polygon's own box leaves more of them
+  /// out than its disc's.
+  bool isNear(const SceneState::BodyState& body, const Bounds& box) const {
+    if (!has_few_ && (has_own_box_ || ++shown_ > kSparse) && !box.meets(bounds())) return false;
+    return !body.clear.holds(bounds_);
+  }
 
   /// What discs know, and how far those inside are apart for their size: the less, the likelier the bodies meet.
   struct Glance {
@@ -41,30 +55,36 @@ class Asked {
     WorldDiscs found;
     const WorldDiscs& discs = body.discs.of(body.polygon.data(), body.pose, found);
     const double margin = sumWith(body).margin;
-    if (areApart(discs_, discs, margin)) return {Glance::Apart, 0};
-    if (areWithin(discs_, discs, margin)) return {Glance::Meets, 0};
+    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + margin)) return {Glance::Apart, 0};
+    const Double2 way = discs.inner - discs_.inner;
     const double within = discs_.inner_radius + discs.inner_radius;
-    const double rank = squaredLength(discs.inner - discs_.inner) / (within * within);
-    return {Glance::Near, within > 0 ? rank : kInfinity};
+    if (isWithin(way, within + margin)) return {Glance::Meets, 0};
+    return {Glance::Near, within > 0 ? dot(way, way) / (within * within) : kInfinity};
   }
 
-  /// The truth, where discs don't know it, of a body whose box this is.
-  bool meetsClose(const SceneState::BodyState& body, const Bounds& box) const {
-    if (!box.meets(bounds()) || body.clear.holds(bounds_)) return false;
-    if (collideClose(polygon_, pose_, body.polygon.data(), body.pose, sumWith(body))) return true;
-    body.clear.learn(body.polygon.data(), body.pose, body.options.margin, box, bounds_);
+  /// The truth, where discs don't know it, of a body that is near.
+  bool meetsClose(BodyHandle handle) const {
+    const SceneState::BodyState& body = state_.bodies[handle];
+    // It may have been near to the disc's box alone.
+    if (!has_few_ && (!state_.tree.boundsOf(handle).meets(bounds()) || body.clear.holds(bounds_))) return false;
+    WorldDiscs found;
+    const double defect = discs_.defect + body.discs.of(body.polygon.data(), body.pose, found).defect;
+    if (collideClose(polygon_, pose_, body.polygon.data(), body.pose, defect, sumWith(body))) return true;
+    if (body.clear.mayLearn())
+      body.clear.learn(body.polygon.data(), body.pose, body.options.margin, state_.tree.boundsOf(handle), bounds_);
     return false;
   }
 
-  bool meets(const SceneState::BodyState& body, const Bounds& box) const {
-    const auto answer = glance(body).answer;
-    return answer == Glance::Near ? meetsClose(body, box) : answer == Glance::Meets;
+  /// The truth of any body that is near.
+  bool meets(BodyHandle handle) const {
+    const auto answer = glance(state_.bodies[handle]).answer;
+    return answer == Glance::Near ? meetsClose(handle) : answer == Glance::Meets;
   }
 
   /// Around all that is within the margin: found by the first body that is near, or in any case where vertices are few.
   const Bounds& bounds() const {
-    if (!is_close_) bounds_ = boundsOf(polygon_, pose_, options_.margin);
-    is_close_ = true;
+    if (!has_own_box_) bounds_ = boundsOf(polygon_, pose_, options_.margin);
+    has_own_box_ = true;
     return bounds_;
   }
   /// The same for the tree: the bounding disc's, until it is found.
@@ -73,11 +93,14 @@ class Asked {
  private:
   CollideOptions sumWith(const SceneState::BodyState& body) const { return withMargin(options_, body.options.margin); }
 
+  const SceneState& state_;
   const PolygonData& polygon_;
   const Pose& pose_;
   const CollideOptions& options_;
   const WorldDiscs discs_;
-  mutable bool is_close_;
+  const bool has_few_;
+  mutable bool has_own_box_;
+  mutable int shown_ = 0;
   mutable Bounds bounds_;
 };
 

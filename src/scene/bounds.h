@@ -20,7 +20,7 @@ inline Bounds grownBox(Double2 low, Double2 high, Double2 grow) {
   constexpr double kMost = std::numeric_limits<double>::max(), kInfinity = std::numeric_limits<double>::infinity();
   low = low - grow, high = high + grow;
   Bounds bounds = Bounds::between(low, high);
-  const unsigned finite = bitsOf((absolute(low) <= kMost) & (absolute(high) <= kMost));
+  const unsigned finite = bitsOf(absolute(low) <= kMost) & bitsOf(absolute(high) <= kMost);
   if (finite == 3) return bounds;
   if ((finite & 1) == 0) bounds.min_x = -kInfinity, bounds.max_x = kInfinity;
   if ((finite & 2) == 0) bounds.min_y = -kInfinity, bounds.max_y = kInfinity;

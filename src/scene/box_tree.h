@@ -37,7 +37,8 @@ class BoxTree {
   std::size_t changes() const { return changes_; }
   Bounds boundsOf(std::uint32_t item) const { return nodes_[places_[item] / kLanes].at(places_[item] % kLanes); }
 
-  /// Calls visit(item) for every item whose box meets `bounds`, until it returns false. Returns whether it never did.
+  /// Calls visit(item, box) for every item whose box meets `bounds`, until it returns false. Returns whether it never
+  /// did. Visits may make `bounds` smaller.
   template <typename Visit>
   bool visit(const Bounds& bounds, const Visit& visit) const {
     if (root_ == kNone) return true;
@@ -47,10 +48,10 @@ class BoxTree {
     while (top > 0) {
       const Node& node = nodes_[stack[--top]];
       for (unsigned met = boxesMeeting(node.boxes, bounds); met != 0; met &= met - 1) {
-        const std::uint32_t child = node.child[__builtin_ctz(met)];
+        const unsigned i = static_cast<unsigned>(__builtin_ctz(met));
         if (!node.leaf)
-          stack[top++] = child;
-        else if (!visit(child))
+          stack[top++] = node.child[i];
+        else if (!visit(node.child[i], node.at(i)))
           return false;
       }
     }

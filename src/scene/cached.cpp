@@ -39,10 +39,10 @@ SceneOutcome findOutcome(const SceneState& state, const detail::PolygonData& dat
                          const CollideOptions& options, const BodyFilter& filter, double lookahead) {
   SceneOutcome outcome{kNoBody, lookahead};
   const detail::Bounds& bounds = asked.bounds();
-  state.tree.visit(bounds.grown(lookahead), [&](BodyHandle body) {
+  state.tree.visit(bounds.grown(lookahead), [&](BodyHandle body, const detail::Bounds& box) {
     const auto& other = state.bodies[body];
     if (!state.passes(filter, body)) return true;
-    if (const double gap = gapBetween(bounds, state.tree.boundsOf(body)); gap > 0) {
+    if (const double gap = gapBetween(bounds, box); gap > 0) {
       outcome.clearance = std::min(outcome.clearance, gap);  // less than the truth, and sooner known
       return true;
     }
@@ -78,14 +78,14 @@ void begin(SceneFact& cache, const SceneState& state, const detail::PolygonData&
 bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& caller_cache, const CollideOptions& options,
                      const BodyFilter& filter) const {
   SceneFact& cache = detail::factsIn(caller_cache);
-  detail::checkAsked(pose, options);
+  const double defect = detail::checkAsked(pose, options);
   const SceneState& state = impl_->settled();
   const detail::PolygonData& data = polygon.data();
   const bool follows = cache.scene == state.id && cache.polygon == data.id;
   if (cache.balance.resting > 0) {
     // The last one sees where the polygon is, so that the next one knows how far it has come.
     if (--cache.balance.resting == 0) begin(cache, state, data, pose, filter);
-    return findMet(state, Asked(data, pose, options), filter) != kNoBody;
+    return findMet(state, Asked(state, data, pose, defect, options), filter) != kNoBody;
   }
   double motion = std::numeric_limits<double>::infinity();
   if (follows) {
@@ -105,11 +105,11 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
   // After a jump, or another polygon, more may follow.
   bool worth = isWorthIt(cache.balance, coherent ? saved : saved - kFactCost) && coherent;
   begin(cache, state, data, pose, filter);
-  const Asked asked(data, pose, options);
+  const Asked asked(state, data, pose, defect, options);
   if (coherent && contains(cache.body) && state.passes(filter, cache.body)) {
     const detail::Bounds box = state.tree.boundsOf(cache.body);
     if (box.meets(asked.bounds())) {
-      if (asked.meets(state.bodies[cache.body], box)) {
+      if (asked.isNear(state.bodies[cache.body], box) && asked.meets(cache.body)) {
         isWorthIt(cache.balance, detail::kQuery);
         return true;
       }

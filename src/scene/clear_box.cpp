@@ -11,8 +11,7 @@ namespace {
 
 /// A body is large if its box is so many times the seed's.
 constexpr double kLarge = 8;
-/// And so many tries, of so many edges, are worth it.
-constexpr unsigned char kTries = 8;
+/// And a try of so many edges is worth it.
 constexpr std::size_t kMostEdges = 1000;
 
 double area(const Bounds& b) { return (b.max_x - b.min_x) * (b.max_y - b.min_y); }
@@ -44,7 +43,7 @@ bool cut(Bounds& box, const Bounds& edge, const Bounds& seed) {
 /// there, and neither has the region if what was in the seed didn't meet it: the seed is inside of that box.
 void ClearBox::learn(const PolygonData& polygon, const Pose& pose, double margin, const Bounds& body,
                      const Bounds& seed) const {
-  if (known_.load(std::memory_order_relaxed) != nullptr || tries_.load(std::memory_order_relaxed) >= kTries) return;
+  if (!mayLearn()) return;
   if (polygon.path.size() > kMostEdges || !(area(body) > kLarge * area(seed)) || !body.contains(seed)) return;
   tries_.fetch_add(1, std::memory_order_relaxed);
   Bounds box = body;

@@ -37,11 +37,18 @@ class ClearBox {
            box.max_y < known->max_y;
   }
 
+  /// Whether learn() may be of use.
+  bool mayLearn() const {
+    return known_.load(std::memory_order_relaxed) == nullptr && tries_.load(std::memory_order_relaxed) < kTries;
+  }
   /// Of a body: a polygon with a margin, in a box. Something in the box `seed`, its margin included, was found not to
   /// meet it. Any number of threads may tell.
   void learn(const PolygonData& polygon, const Pose& pose, double margin, const Bounds& body, const Bounds& seed) const;
 
  private:
+  /// So many tries are worth it.
+  static constexpr unsigned char kTries = 8;
+
   mutable std::atomic<const Bounds*> known_{nullptr};
   mutable std::atomic<unsigned char> tries_{0};
 };

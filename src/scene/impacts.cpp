@@ -114,7 +114,7 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motio
     // What is met in no earlier window isn't hit before this one begins, nor reported much earlier.
     if (best && best->impact.time < w / windows - options.time_error) break;
     near.clear();
-    state.tree.visit(sweep.between(w / windows, (w + 1) / windows), [&](Body body) {
+    state.tree.visit(sweep.between(w / windows, (w + 1) / windows), [&](Body body, const Bounds&) {
       if (state.passes(filter, body)) near.push_back(body);
       return true;
     });
@@ -198,15 +198,15 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<BodyM
   for (std::uint32_t i = 0; i < motions.size(); ++i) {
     const BodyHandle body = motions[i].body;
     const Bounds& all = boxes.all(i);
-    moving.visit(all, [&](std::uint32_t j) {
+    moving.visit(all, [&](std::uint32_t j, const Bounds&) {
       const BodyHandle other = motions[j].body;
       if (mayMeet(body, other) && boxes.meetInWindow(i, j)) add(body, other);
       return true;
     });
     moving.insert(i, all);
-    state.tree.visit(all.grown(rest), [&](BodyHandle other) {
+    state.tree.visit(all.grown(rest), [&](BodyHandle other, const Bounds& box) {
       const bool rests = motion_of[other] == motions.size();
-      if (rests && mayMeet(body, other) && boxes.meets(i, state.tree.boundsOf(other).grown(rest))) add(body, other);
+      if (rests && mayMeet(body, other) && boxes.meets(i, box.grown(rest))) add(body, other);
       return true;
     });
   }

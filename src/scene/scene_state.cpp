@@ -172,7 +172,7 @@ void SceneState::findPairs(Body body, std::vector<BodyPair>& found) const {
     const auto& links = first ? links_p : links_q;
     return std::any_of(links.begin(), links.end(), [&](const Link& link) { return link.other == (first ? q : p); });
   };
-  tree.visit(tree.boundsOf(body), [&](Body other) {
+  tree.visit(tree.boundsOf(body), [&](Body other, const Bounds&) {
     const bool is_found_there = bodies[other].fresh && other <= body;
     if (!is_found_there && mayMeet(bodies[body], bodies[other]) && !linked(body, other))
       found.push_back({std::min(body, other), std::max(body, other)});

@@ -14,10 +14,10 @@
 namespace tricover::detail {
 
 /// A posed polygon's bounding disc, grown, and a disc inside of it, shrunk by what rounding may do to them in the
-/// world: what pair/discs.h asks of a pair, ready for many others.
+/// world: what pair/discs.h asks of a pair, ready for many others; and what else of its pose each of them needs.
 struct WorldDiscs {
   WorldDiscs() = default;
-  WorldDiscs(const PolygonData& polygon, const Pose& pose) {
+  WorldDiscs(const PolygonData& polygon, const Pose& pose, double defect_) : defect(defect_) {
     const double* m = pose.data();  // columns of three
     const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6), away = absolute(t);
     const double error = Placement::kWayError * (polygon.extent + away[0] + away[1]) + kTiny;
@@ -29,12 +29,10 @@ struct WorldDiscs {
         disc.radius >= 0 ? disc.radius * (1 - kLargestDefect) - error : -std::numeric_limits<double>::infinity();
   }
 
-  /// kDiscSquares, the difference of the centres, and the two sums of what is above.
-  static constexpr int kSquares = kDiscSquares + 2 + 2 * 2;
-
   Double2 center, inner;
   double radius;
   double inner_radius;  ///< -infinity if no such disc is known
+  double defect;        ///< defectOf() the pose
 };
 
 /// A body's, found by the first query that comes near, on whichever thread, and kept until it moves.
@@ -55,7 +53,7 @@ class KeptDiscs {
   const WorldDiscs& of(const PolygonData& polygon, const Pose& pose, WorldDiscs& found) const {
     if (state_.load(std::memory_order_acquire) == kKept) return discs_;
     const bool is_known = polygon.isDegenerate() || innerDiscsIfBuilt(polygon) != nullptr;
-    found = WorldDiscs(polygon, pose);
+    found = WorldDiscs(polygon, pose, defectOf(pose));
     if (!is_known) return found;
     char none = kNone;
     if (state_.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) {
@@ -70,19 +68,5 @@ class KeptDiscs {
   mutable std::atomic<char> state_{kNone};
   mutable WorldDiscs discs_;
 };
-
-inline double squaredLength(Double2 d) { return dot(d, d); }
-
-/// Whether two polygons are certainly farther apart than the margin.
-inline bool areApart(const WorldDiscs& a, const WorldDiscs& b, double margin) {
-  const double reach = a.radius + b.radius + margin;
-  return squarable(reach) && squaredLength(b.center - a.center) > roundedUp<WorldDiscs::kSquares>(reach * reach);
-}
-
-/// Whether they certainly are no farther apart than that.
-inline bool areWithin(const WorldDiscs& a, const WorldDiscs& b, double margin) {
-  const double within = a.inner_radius + b.inner_radius + margin;
-  return squarable(within) && roundedUp<WorldDiscs::kSquares>(squaredLength(b.inner - a.inner)) < within * within;
-}
 
 }  // namespace tricover::detail
