@@ -17,15 +17,13 @@ constexpr int kDiscSquares = 2 + 1 + 2;
 /// for 2U: Placement::kWayError is twice what it must be.
 struct InnerDisc {
   explicit InnerDisc(const PolygonData& polygon) {
-    if (polygon.isDegenerate()) {
-      center = polygon.origin;
-      radius = 0;
-    } else if (const InnerDiscs* discs = innerDiscsIfBuilt(polygon)) {
+    const InnerDiscs* discs = innerDiscsIfBuilt(polygon);
+    if (discs != nullptr && discs->largest > 0) {
       center = discs->center;
-      radius = discs->largest > 0 ? discs->largest : -1;  // the centre needn't be in the region
+      radius = discs->largest;
     } else {
       center = polygon.origin;
-      radius = -1;
+      radius = polygon.isDegenerate() ? 0 : -1;
     }
   }
 
