@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convex/separating_edge.h"
 #include "distance/convex_distance.h"
 #include "distance/distance_search.h"
 #include "exact_reference.h"
@@ -291,10 +292,17 @@ TEST(NearestFeatures, AreUniqueWhereBothNeighboursFallAwaySteeplyEnough) {
   }
 }
 
+bool hasSeparatingEdge(const Placement& placement) {
+  for (const bool of_a : {true, false})
+    for (std::size_t e = 0; e + 1 < (of_a ? placement.a : placement.b).path.size(); ++e)
+      if (isSeparatingEdge(placement, of_a, e)) return true;
+  return false;
+}
+
 TEST(NearestFeatures, IsNeverMoreThanTheDistance) {
   Random random(97);
   const int cases = scaledCount(4000);
-  int found = 0, tight = 0, apart = 0;
+  int found = 0, tight = 0, apart = 0, parted = 0;
   for (int i = 0; i < cases; ++i) {
     const double scale = random.oneIn(8) ? std::pow(10, random.integer(-140, 140)) : 1;
     Polygon a({eitherWay(random, anyConvex(random, scale))}),
@@ -318,6 +326,10 @@ TEST(NearestFeatures, IsNeverMoreThanTheDistance) {
     const NearestFeatures nearest = findNearestFeatures(vertices, tried);
     const bool collides = exact::collide(a, pose_a, b, pose_b);
     apart += !collides;
+    ASSERT_EQ(collide(a, pose_a, b, pose_b), collides) << i;
+    const bool is_parted = hasSeparatingEdge(vertices);
+    ASSERT_FALSE(is_parted && collides) << i;
+    parted += is_parted;
     if (!nearest.are_apart) continue;
     ASSERT_FALSE(collides) << i;
     const double exact = exact::distanceBelow(exact::distanceSquared(a, pose_a, b, pose_b));
@@ -331,6 +343,8 @@ TEST(NearestFeatures, IsNeverMoreThanTheDistance) {
   EXPECT_GT(apart, cases / 2);
   EXPECT_GT(found, apart / 3);
   EXPECT_GT(tight, 0.9 * found);
+  EXPECT_GT(parted, 0.8 * apart);
+  EXPECT_LT(parted, apart);
 }
 
 TEST(NearestFeatures, GoesOnAlongBothOutlines) {
