@@ -71,6 +71,22 @@ std::vector<Row> impactRows() {
           {"a rod of 22 vertices tips and slides, faster and faster", rod(), 0, tippingAndAccelerating}};
 }
 
+/// A body whose corner, `reach` to the left of its frame's origin, comes near a box's side after a turn.
+struct Corner {
+  const char* input;
+  Polygon body;
+  double reach, turn;
+};
+
+std::vector<Corner> corners() {
+  constexpr double kHalf = 0.70710678118654752;
+  const Polygon octagon(
+      {{{-1, 0}, {-kHalf, -kHalf}, {0, -1}, {kHalf, -kHalf}, {1, 0}, {kHalf, kHalf}, {0, 1}, {-kHalf, kHalf}}});
+  return {{"a box, its corner beside another one's side", Polygon({{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}}), 1, 0.1},
+          {"a triangle, its corner beside a box's side", Polygon({{{-1, 0}, {1, -1}, {1, 1}}}), 1, 0.1},
+          {"an octagon, its corner beside a box's side", octagon, 1, 0.1}};
+}
+
 /// The least of several means, since these are no averages: one hard query each.
 double secondsOf(const std::function<void()>& ask) {
   constexpr double kAtLeast = 2e-3;
@@ -110,16 +126,18 @@ std::vector<GapCost> measureGaps() {
     }
   }
   const Polygon box({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});
-  const auto beside = [](double gap) {
-    Pose pose = Pose::Identity();
-    pose.linear() = Eigen::Rotation2Dd(0.25 * static_cast<double>(EIGEN_PI)).toRotationMatrix();
-    pose.translation() = Vec2(1 + std::sqrt(2.0) + gap, 0.1);
-    return pose;
-  };
-  costs.push_back(measured("a box, its corner beside another one's side", "collide",
-                           [&](double gap) { collide(box, kIdentity, box, beside(gap)); }));
-  costs.push_back(measured("a box, its corner beside another one's side", "distance",
-                           [&](double gap) { distance(box, kIdentity, box, beside(gap)); }));
+  for (const Corner& corner : corners()) {
+    const auto beside = [&](double gap) {
+      Pose pose = Pose::Identity();
+      pose.linear() = Eigen::Rotation2Dd(corner.turn).toRotationMatrix();
+      pose.translation() = Vec2(1 + corner.reach * std::cos(corner.turn) + gap, 0.1);
+      return pose;
+    };
+    costs.push_back(
+        measured(corner.input, "collide", [&](double gap) { collide(box, kIdentity, corner.body, beside(gap)); }));
+    costs.push_back(
+        measured(corner.input, "distance", [&](double gap) { distance(box, kIdentity, corner.body, beside(gap)); }));
+  }
   return costs;
 }
 
