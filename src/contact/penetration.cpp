@@ -22,36 +22,35 @@ namespace tricover {
 namespace detail {
 namespace {
 
-/// The number of the edge that is nearest to p.
-std::ptrdiff_t nearestEdge(const PolygonData& polygon, const std::vector<Vec2>& vertices, const Vec2& p) {
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-      const double square = squaredDistanceToSegment(p, vertices[e], vertices[e + 1]);
-      if (!(square < least)) continue;
-      least = square;
-      nearest = e;
-    }
-  return static_cast<std::ptrdiff_t>(polygon.edgeNumber(nearest));
-}
-
+/// Where an edge and a vertex part last.
 struct Features {
-  Vec2 point_a, point_b;  ///< in the space's units
-  Vec2 normal;            ///< unit
+  Vec2 point_a, point_b;       ///< in the space's units
+  Vec2 normal;                 ///< unit
+  std::size_t edge_a, edge_b;  ///< positions: what they are on, or near it; at a vertex the edge that starts there
 };
 
-/// Where an edge and a vertex part after the translation t. The vertex may come beyond the edge's end only where the
-/// edge at it is parallel.
-Features featuresOf(const TranslationSpace& space, const Vec2& t, bool edge_of_a, std::size_t start, std::size_t end,
-                    std::size_t vertex) {
-  const std::vector<Vec2>&a = space.verticesOfA(), &b = space.verticesOfB();
+/// After the translation t. The vertex may come beyond the edge's end only where the edge at it is parallel. The edge
+/// goes from one vertex to another, straight on where several are between these.
+Features featuresOf(const TranslationSpace& space, const Vec2& t, bool edge_of_a, std::size_t edge, std::size_t start,
+                    std::size_t end, std::size_t vertex) {
   if (edge_of_a) {
-    const Vec2 p = nearestOnSegment(b[vertex] + t, a[start], a[end]);
-    return {p, p - t, t.normalized()};
+    const Vec2 p = nearestOnSegment(space.vertexOfB(vertex) + t, space.vertexOfA(start), space.vertexOfA(end));
+    return {p, p - t, t.normalized(), edge, vertex};
   }
-  const Vec2 p = nearestOnSegment(a[vertex] - t, b[start], b[end]);
-  return {p + t, p, t.normalized()};
+  const Vec2 p = nearestOnSegment(space.vertexOfA(vertex) - t, space.vertexOfB(start), space.vertexOfB(end));
+  return {p + t, p, t.normalized(), vertex, edge};
+}
+
+/// Of convex regions.
+Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const SupportGap& gap) {
+  const PolygonData &own = gap.edge_of_a ? pair.a : pair.b, &other = gap.edge_of_a ? pair.b : pair.a;
+  const ConvexOutline& outline = convexOutlineOf(own);
+  const std::size_t vertex = convexOutlineOf(other).corners[gap.corner], start = outline.corners[gap.edge],
+                    end = outline.corners[(gap.edge + 1) % outline.corners.size()];
+  const PosedPair swapped(pair.b, pair.pose_b, pair.a, pair.pose_a);
+  const ApproxPoint deepest = (gap.edge_of_a ? pair : swapped).fromB(other.path[vertex]);
+  return featuresOf(space, gap.normal * (gap.depth / space.unit()), gap.edge_of_a,
+                    pathEdge(own, outline, gap.edge, {deepest.x, deepest.y}), start, end, vertex);
 }
 
 /// The same for what the search found, by the convolution segment that is nearest to its limit: it is on one, unless
@@ -75,9 +74,9 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
         });
   const bool is_on = std::abs(least - margin) <= 64 * noise;
   const Vec2 parted = !is_on || margin > 0 ? nearestOnSegment(t, nearest.v, nearest.w) : t;
-  Features features = nearest.vertex_of_a
-                          ? featuresOf(space, parted, false, nearest.edge_b, nearest.edge_b + 1, nearest.edge_a)
-                          : featuresOf(space, parted, true, nearest.edge_a, nearest.edge_a + 1, nearest.edge_b);
+  const std::size_t edge = nearest.vertex_of_a ? nearest.edge_b : nearest.edge_a,
+                    vertex = nearest.vertex_of_a ? nearest.edge_a : nearest.edge_b;
+  Features features = featuresOf(space, parted, !nearest.vertex_of_a, edge, edge, edge + 1, vertex);
   const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
   features.normal = way.stableNormalized();
   // Over a short way the segment's normal is known better than the way's direction.
@@ -86,6 +85,23 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
     if (features.normal.dot(way) < 0) features.normal = -features.normal;
   }
   return features;
+}
+
+/// The number of the edge that p is on: the expected one, or else the nearest.
+template <typename VertexAt>
+std::ptrdiff_t edgeAt(const PolygonData& polygon, VertexAt vertexAt, const Vec2& p, std::size_t expected,
+                      double error) {
+  const auto distanceTo = [&](std::size_t e) { return squaredDistanceToSegment(p, vertexAt(e), vertexAt(e + 1)); };
+  std::size_t nearest = expected;
+  double least = distanceTo(expected);
+  for (std::size_t r = 0; r < polygon.ringCount() && !(least <= error * error); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const double square = distanceTo(e);
+      if (!(square < least)) continue;
+      least = square;
+      nearest = e;
+    }
+  return static_cast<std::ptrdiff_t>(polygon.edgeNumber(nearest));
 }
 
 /// Where lengths overflow.
@@ -164,12 +180,11 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   ShortestParting shortest{known, known, known.norm()};
   Features features;
   if (are_convex) {
-    const ConvexOutline &own = gap.edge_of_a ? outline_a : outline_b, &other = gap.edge_of_a ? outline_b : outline_a;
-    const std::size_t start = own.corners[gap.edge], end = own.corners[(gap.edge + 1) % own.corners.size()];
-    features = featuresOf(space, gap.normal * (gap.depth / unit), gap.edge_of_a, start, end, other.corners[gap.corner]);
+    features = featuresOf(space, pair, gap);
     result.lower_bound = result.depth;
     result.optimal = true;
   } else {
+    space.prepareSearch();
     shortest = searchShortestParting(space, known, options.depth_error, most);
     features = featuresOf(space, shortest);
     if (shortest.limit != known) {
@@ -191,8 +206,11 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     return noAnswer(result.normal);
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
-  result.edge_a = nearestEdge(a, space.verticesOfA(), features.point_a);
-  result.edge_b = nearestEdge(b, space.verticesOfB(), features.point_b);
+  const double error = 4 * space.noise();
+  const auto ofA = [&](std::size_t i) { return space.vertexOfA(i); };
+  const auto ofB = [&](std::size_t j) { return space.vertexOfB(j); };
+  result.edge_a = edgeAt(a, ofA, features.point_a, features.edge_a, error);
+  result.edge_b = edgeAt(b, ofB, features.point_b, features.edge_b, error);
   assert(std::abs(result.normal.norm() - 1) < 0x1p-40);
   assert(0 <= result.lower_bound && result.lower_bound <= result.depth);
   return result;

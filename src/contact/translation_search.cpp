@@ -43,7 +43,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDiagonal = 1.4142135623730951;
-/// A search of more queries than this goes on with both regions covered by discs.
+/// A search of more queries than this goes on with both regions covered by discs, if inner discs of both overlapped in
+/// one of them: otherwise what is searched is too shallow, or the regions too thin, for discs to hold much of it.
 constexpr std::size_t kLong = 10;
 /// So many pairs of edges that meet near a cell are kept for its parts.
 constexpr std::size_t kMostMeetings = 32;
@@ -103,7 +104,7 @@ class PartingSearch {
       found_.lower_bound = std::max(found_.lower_bound, cell.least);
       if (queries_ >= most_) return found_;
       cells.pop();
-      if (queries_ > kLong && !are_covered) {
+      if (queries_ > kLong && discs_overlap_ && !are_covered) {
         are_covered = true;
         all_sums = std::make_shared<const DiscSums>(space_.discSums());
       }
@@ -183,7 +184,10 @@ class PartingSearch {
     for (const MeetingEdges& meeting : *cell.meetings)
       if (see(meeting, cell.center, radius)) return true;
     if ((!overlaps_ && ask(cell.center, radius)) || cell.half <= resolution_) return true;
-    Gathered gathered = gather(cell.center, radius, kMostRepeated);
+    // A cell that holds a free translation isn't covered.
+    const bool holds_limit = (found_.limit - cell.center).lpNorm<Eigen::Infinity>() <= cell.half;
+    constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+    Gathered gathered = gather(cell.center, radius, holds_limit ? kAll : kMostRepeated);
     if (gathered == Gathered::Repeated) {
       switch (cover(cell)) {
         case Cover::Whole:
@@ -191,7 +195,7 @@ class PartingSearch {
         case Cover::Most:
           return false;
         case Cover::Little:
-          gathered = gather(cell.center, radius, std::numeric_limits<std::size_t>::max());
+          gathered = gather(cell.center, radius, kAll);
       }
     }
     if (gathered != Gathered::Lines) return gathered == Gathered::Deep;
@@ -214,7 +218,10 @@ class PartingSearch {
     radius += (t - center).norm() * (1 + 0x1p-40);
     const Outcome outcome =
         collideByHierarchy(pair, options_, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
-    if (outcome.collides) return depthOf(pair, t, outcome) >= radius;
+    if (outcome.collides) {
+      discs_overlap_ = discs_overlap_ || (outcome.edge_a < 0 && outcome.clearance > 0);
+      return depthOf(pair, t, outcome) >= radius;
+    }
     const double clearance = inUnits(pair, outcome.clearance) - margin_, length = t.norm();
     const double back = std::clamp(clearance - space_.noise(), 0.0, length);
     const Vec2 nearest = length > 0 ? Vec2(t * (1 - back / length)) : t;
@@ -361,6 +368,7 @@ class PartingSearch {
   std::size_t queries_ = 0;
   Meetings near_;  ///< that may hold parts of the cell
   bool overlaps_ = false;
+  bool discs_overlap_ = false;  ///< after some translation that was asked
 
   std::vector<PossibleLimit> limits_;
   std::vector<double> rays_;

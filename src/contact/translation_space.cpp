@@ -11,31 +11,28 @@
 namespace tricover::detail {
 
 TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polygon, const Pose& pose,
-                                                        const Vec2& origin, double inverse_unit) {
-  const std::size_t n = polygon.path.size();
-  const Eigen::Matrix2d turn = pose.linear();
-  Vertices result{std::vector<Vec2>(n),      std::vector<Vec2>(n, Vec2::Zero()), std::vector<Vec2>(n, Vec2::Zero()),
-                  std::vector<double>(n, 0), std::vector<double>(n, 0),          std::vector<char>(n, 0)};
-  const auto inUnits = [&](const Vec2& p, const Vec2& q) { return Vec2(turn * (p * inverse_unit - q * inverse_unit)); };
-  for (std::size_t i = 0; i < n; ++i) result.at[i] = origin + inUnits(polygon.path[i], polygon.origin);
+                                                        const Vec2& origin) const {
+  Vertices result;
+  result.reserve(polygon.path.size());
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
     const std::size_t begin = polygon.edgeBegin(r), end = polygon.edgeEnd(r);
+    const auto isEdge = [&](std::size_t i) { return polygon.path[i] != polygon.path[i + 1]; };
+    const auto edge = [&](std::size_t i) { return inUnits(pose, polygon.path[i + 1], polygon.path[i]); };
     std::size_t last = end;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (polygon.path[i] == polygon.path[i + 1]) continue;
-      result.is_edge[i] = 1;
-      result.outgoing[i] = inUnits(polygon.path[i + 1], polygon.path[i]);
-      result.out_of[i] = result.outgoing[i].lpNorm<1>();
-      last = i;
+    while (last > begin && !isEdge(last - 1)) --last;
+    Vec2 incoming = last > begin ? edge(last - 1) : Vec2(Vec2::Zero());
+    for (std::size_t i = begin; i <= end; ++i) {
+      Vertex vertex{origin + inUnits(pose, polygon.path[i], polygon.origin), Vec2::Zero(), Vec2::Zero(), false,
+                    Vec2::Zero()};
+      if (i < end && isEdge(i)) {
+        vertex.incoming = incoming;
+        incoming = vertex.outgoing = edge(i);
+        vertex.is_edge = true;
+      }
+      result.push_back(vertex);
     }
     // A ring that is one point is one edge without a length.
-    if (last == end) result.is_edge[begin] = 1;
-    for (std::size_t i = begin; i < end && last != end; ++i) {
-      if (!result.is_edge[i]) continue;
-      result.incoming[i] = result.outgoing[last];
-      result.into[i] = result.out_of[last];
-      last = i;
-    }
+    if (last == begin) result[begin].is_edge = true;
   }
   return result;
 }
@@ -50,9 +47,6 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
       inverse_unit_(std::min(a.inverse_unit, b.inverse_unit)),
       margin_(margin / unit_),
       quarter_origin_(pose_a.linear() * (a.origin / 4) + pose_a.translation() / 4) {
-  // How far discs overlap steers a search of this plane: so they are there, whatever has been paid for.
-  for (const PolygonData* polygon : {&a, &b})
-    if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
   const auto& ra = pose_a.matrix();
   const auto& rb = pose_b.matrix();
   for (int row = 0; row < 2; ++row) {
@@ -69,9 +63,14 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
   const double radii = (a.radius * inverse_unit_ + b.radius * inverse_unit_) * (1 + kLargestDefect);
   noise_ = kVertexError * (radii + between_.norm() + margin_) + kShiftError * (shift_.lpNorm<1>() * inverse_unit_) +
            0x1p-1073 * inverse_unit_;
-  if (!isFinite()) return;
-  a_ = verticesOf(a, pose_a, Vec2::Zero(), inverse_unit_);
-  b_ = verticesOf(b, pose_b, between_, inverse_unit_);
+}
+
+void TranslationSpace::prepareSearch() {
+  // How far discs overlap steers a search of this plane: so they are there, whatever has been paid for.
+  for (const PolygonData* polygon : {&polygon_a_, &polygon_b_})
+    if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
+  a_ = verticesOf(polygon_a_, pose_a_, Vec2::Zero());
+  b_ = verticesOf(polygon_b_, pose_b_, between_);
 }
 
 DiscSums TranslationSpace::discSums() const {
@@ -94,15 +93,19 @@ PosedPair TranslationSpace::at(Vec2& t) {
   return PosedPair(polygon_a_, pose_a_, polygon_b_, pose_b_);
 }
 
-TranslationSpace::MeetingEdges TranslationSpace::meetingOf(std::size_t i, std::size_t j) const {
-  const Vec2 &of_a = a_.outgoing[i], of_b = -b_.outgoing[j];
-  Vec2 up_a = Vec2(-of_a.y(), of_a.x()).stableNormalized(), up_b = Vec2(of_b.y(), -of_b.x()).stableNormalized();
+TranslationSpace::MeetingEdges TranslationSpace::meetingOf(std::size_t i, std::size_t j) {
+  const auto normalOf = [](Vertex& v) {
+    if (v.normal.isZero(0)) v.normal = Vec2(-v.outgoing.y(), v.outgoing.x()).stableNormalized();
+    return v.normal;
+  };
+  const Vec2 &of_a = a_[i].outgoing, of_b = -b_[j].outgoing;
+  Vec2 up_a = normalOf(a_[i]), up_b = normalOf(b_[j]);
   if (up_a.dot(of_b) < 0) {
     up_a = -up_a;
     up_b = -up_b;
   }
   return {
-      a_.at[i] - b_.at[j],          up_a, up_b, up_a.dot(of_b), std::abs(up_b.dot(of_a)), static_cast<std::uint32_t>(i),
+      a_[i].at - b_[j].at,          up_a, up_b, up_a.dot(of_b), std::abs(up_b.dot(of_a)), static_cast<std::uint32_t>(i),
       static_cast<std::uint32_t>(j)};
 }
 

@@ -33,6 +33,8 @@ static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 class TranslationSpace {
  public:
   TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double margin);
+  /// Before edges and segments are asked for.
+  void prepareSearch();
 
   struct Segment {
     Vec2 v, w;
@@ -64,7 +66,7 @@ class TranslationSpace {
   /// Calls meet(meeting) for each pair of edges that may meet at t, and visit(segment) for each convolution segment
   /// within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
   template <typename Meet, typename Visit>
-  void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) const {
+  void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) {
     const double limit = pair.reach((radius + noise_) * unit_);
     forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
       const bool goes_on = (gap > 0 || meet(meetingOf(i, j))) && show(i, j, t, radius, visit);
@@ -74,7 +76,7 @@ class TranslationSpace {
 
   /// The corners of the parallelogram of those translations that let two edges, by position, meet.
   std::array<Vec2, 4> meetings(std::size_t i, std::size_t j) const {
-    return {a_.at[i] - b_.at[j], a_.at[i + 1] - b_.at[j], a_.at[i + 1] - b_.at[j + 1], a_.at[i] - b_.at[j + 1]};
+    return {a_[i].at - b_[j].at, a_[i + 1].at - b_[j].at, a_[i + 1].at - b_[j + 1].at, a_[i].at - b_[j + 1].at};
   }
 
   /// How far apart two edges that don't cross are after the translation t, but for a few of noise().
@@ -93,46 +95,49 @@ class TranslationSpace {
   double noise() const { return noise_; }
   double margin() const { return margin_; }
 
-  /// Vertices, by position, in the world from a's origin S, in units; b's where it is.
-  const std::vector<Vec2>& verticesOfA() const { return a_.at; }
-  const std::vector<Vec2>& verticesOfB() const { return b_.at; }
+  /// A vertex, by position, in the world from a's origin S, in units; b's where it is.
+  Vec2 vertexOfA(std::size_t i) const { return inUnits(pose_a_, polygon_a_.path[i], polygon_a_.origin); }
+  Vec2 vertexOfB(std::size_t j) const { return between_ + inUnits(pose_b_, polygon_b_.path[j], polygon_b_.origin); }
   /// Infinite where it is beyond the largest double, and only there.
   Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
 
  private:
-  struct Vertices {
-    std::vector<Vec2> at;
-    std::vector<Vec2> incoming, outgoing;  ///< edges at a vertex, beyond repetitions of it
-    std::vector<double> into, out_of;      ///< their lengths by the sum of coordinates
-    std::vector<char> is_edge;             ///< not a repetition of its start
+  struct Vertex {
+    Vec2 at;
+    Vec2 incoming, outgoing;  ///< edges at it, beyond its repetitions
+    bool is_edge;             ///< not a repetition of the next one
+    Vec2 normal;              ///< of its edge, to the left, once it has been asked for; otherwise zero
   };
+  using Vertices = std::vector<Vertex>;
 
-  static Vertices verticesOf(const PolygonData& polygon, const Pose& pose, const Vec2& origin, double inverse_unit);
-  /// False only if the edges at vertex i certainly leave to both sides of the other's edge j's line. A direction's
-  /// coordinates err by a difference, a product and a sum, their cross product by these of both, a product and a
-  /// difference: 8U.
-  static bool mayBound(const Vertices& polygon, std::size_t i, const Vertices& other, std::size_t j) {
+  Vec2 inUnits(const Pose& pose, const Vec2& p, const Vec2& from) const {
+    return pose.linear() * (p * inverse_unit_ - from * inverse_unit_);
+  }
+  Vertices verticesOf(const PolygonData& polygon, const Pose& pose, const Vec2& origin) const;
+  /// False only if the edges at a vertex certainly leave to both sides of the line of an edge of the other's. A
+  /// direction's coordinates err by a difference, a product and a sum, their cross product by these of both, a product
+  /// and a difference: 8U.
+  static bool mayBound(const Vertex& vertex, const Vec2& edge) {
     static_assert(kVertexError >= kUnitRows * errorOf(3 + 3 + 2));
-    const Vec2& edge = other.outgoing[j];
-    const double from = cross(edge, polygon.incoming[i]), to = cross(edge, polygon.outgoing[i]);
-    const double error = kVertexError * other.out_of[j];
-    const double from_error = error * polygon.into[i], to_error = error * polygon.out_of[i];
+    const double from = cross(edge, vertex.incoming), to = cross(edge, vertex.outgoing);
+    const double error = kVertexError * edge.lpNorm<1>();
+    const double from_error = error * vertex.incoming.lpNorm<1>(), to_error = error * vertex.outgoing.lpNorm<1>();
     const bool passes = (from > from_error && to > to_error) || (from < -from_error && to < -to_error);
     return !passes;
   }
-  MeetingEdges meetingOf(std::size_t i, std::size_t j) const;
+  MeetingEdges meetingOf(std::size_t i, std::size_t j);
 
   template <typename Visit>
   bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
-    if (!a_.is_edge[i] || !b_.is_edge[j]) return true;
+    if (!a_[i].is_edge || !b_[j].is_edge) return true;
     const double within = (radius + noise_) * (radius + noise_);
-    const Vec2 start = a_.at[i] - b_.at[j];
-    if (mayBound(a_, i, b_, j)) {
-      const Segment segment{start, a_.at[i] - b_.at[j + 1], i, j, true};
+    const Vec2 start = a_[i].at - b_[j].at;
+    if (mayBound(a_[i], b_[j].outgoing)) {
+      const Segment segment{start, a_[i].at - b_[j + 1].at, i, j, true};
       if (squaredDistanceToSegment(t, segment.v, segment.w) <= within && !visit(segment)) return false;
     }
-    if (mayBound(b_, j, a_, i)) {
-      const Segment segment{start, a_.at[i + 1] - b_.at[j], i, j, false};
+    if (mayBound(b_[j], a_[i].outgoing)) {
+      const Segment segment{start, a_[i + 1].at - b_[j].at, i, j, false};
       if (squaredDistanceToSegment(t, segment.v, segment.w) <= within && !visit(segment)) return false;
     }
     return true;
