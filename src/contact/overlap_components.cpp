@@ -83,9 +83,13 @@ class Grouping {
 
   std::vector<OverlapComponent> components(ContactDetail detail) {
     join(false);
+    std::size_t count = countSets();
     // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
-    if (countSets() > 1 && (meetsItself(pair_.a) || meetsItself(pair_.b))) join(true);
-    if (countSets() > 1) joinHoles();
+    if (count > 1 && (meetsItself(pair_.a) || meetsItself(pair_.b))) {
+      join(true);
+      count = countSets();
+    }
+    if (count > 1) joinHoles();
     return collect(detail != ContactDetail::Points);
   }
 
@@ -135,7 +139,7 @@ class Grouping {
   }
 
   std::size_t addNode(bool present) {
-    nodes_.push_back({present, false, false});
+    nodes_.push_back({present, false, false, 0});
     return sets_.add();
   }
 
@@ -419,15 +423,13 @@ class Grouping {
 
   std::vector<OverlapComponent> collect(bool wants_all) {
     std::vector<OverlapComponent> result;
-    std::vector<std::ptrdiff_t> component(sets_.size(), -1);
-    const auto of = [&](std::size_t node) -> OverlapComponent& {
-      return result[static_cast<std::size_t>(component[sets_.find(node)])];
-    };
-    result.reserve(countSets());
-    for (std::size_t node = 0; node < sets_.size(); ++node) {
-      std::ptrdiff_t& index = component[sets_.find(node)];
-      if (!nodes_[node].is_present || index >= 0) continue;
-      index = static_cast<std::ptrdiff_t>(result.size());
+    const auto of = [&](std::size_t node) -> OverlapComponent& { return result[nodes_[sets_.find(node)].component]; };
+    for (Node& node : nodes_) node.is_counted = false;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      Node& root = nodes_[sets_.find(k)];
+      if (!nodes_[k].is_present || root.is_counted) continue;
+      root.is_counted = true;
+      root.component = result.size();
       result.emplace_back();
     }
     if (result.size() == 1) {
@@ -438,8 +440,8 @@ class Grouping {
     const auto isWanted = [&](std::size_t node) { return wants_all || of(node).crossings.empty(); };
     forEachPoint(isWanted, [&](const NodePoint& point) { of(point.node).points.push_back(boundaryPoint(point)); });
     if (!wants_all) return result;
-    for (std::size_t node = 0; node < sets_.size(); ++node)
-      if (nodes_[node].is_inner && component[sets_.find(node)] >= 0) of(node).inner = true;
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      if (nodes_[k].is_inner && nodes_[sets_.find(k)].is_counted) of(k).inner = true;
     for (std::size_t k = 0; k < crossings_.size(); ++k)
       if (!of(k).inner) lookBeside(crossings_[k], of(k));
     return result;
@@ -467,7 +469,8 @@ class Grouping {
   struct Node {
     bool is_present;  ///< it is in the overlap, which a polygon's own crossing needn't be
     bool is_inner;    ///< the overlap has an inside there
-    bool is_counted;  ///< of a set's own node
+    bool is_counted;  ///< of a set that is in the overlap, by its own node
+    std::size_t component = 0;
   };
   UnionFind sets_;  ///< of nodes
   std::vector<Node> nodes_;
