@@ -47,7 +47,8 @@ std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, const 
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      PairFacts* cache, const ContactOptions& options) {
   if (gapOfDiscs(Placement(a, pose_a, b, pose_b), options.margin) >= 0) return {};
-  CollisionFact* facts = cache != nullptr && cache->contact.count == 0 ? &cache->collision : nullptr;
+  // Pairs whose axes are kept overlapped the last time.
+  CollisionFact* facts = cache != nullptr && cache->contact.first_id == 0 ? &cache->collision : nullptr;
   Recollection known{};
   if (facts != nullptr && facts->balance.resting > 0) {
     rest(*facts, a, pose_a, b, pose_b);

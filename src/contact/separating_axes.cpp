@@ -30,6 +30,7 @@ constexpr double kSumOfDepthErrors = 6.4 + kRoot2 + 0.7 + 2.9;
 /// A part of the smaller one's radius: faces that are deeper by less are kept, for steps of a hundredth of that and
 /// more.
 constexpr double kLookahead = 1.0 / 32;
+constexpr double kLeastSteps = 3;
 
 /// Whether depths behind faces of either are the same in a's frame, in b's and in the world.
 bool keepsLengths(const PosedPair& pair) { return pair.defect < 0x1p-46 && pair.scale_defect < 0x1p-46; }
@@ -85,8 +86,8 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
     }
     facts->count = 0;
     facts->first_id = 0;
-    // After a jump another may follow.
-    if (motion < kCoherentPart * pair.b.radius) lookahead_ = kLookahead * pair.b.radius;
+    // It pays if it lasts for some more steps like the last one; after a jump another may follow.
+    if (kLeastSteps * motion < kLookahead * pair.b.radius) lookahead_ = kLookahead * pair.b.radius;
   }
   verdict_ = findLeast(edgeTowardsOther(a_));
   if (verdict_ != Meet) return;
