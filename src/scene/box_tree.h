@@ -47,12 +47,14 @@ class BoxTree {
     stack[top++] = root_;
     while (top > 0) {
       const Node& node = nodes_[stack[--top]];
-      for (unsigned met = boxesMeeting(node.boxes, bounds); met != 0; met &= met - 1) {
+      unsigned met = boxesMeeting(node.boxes, bounds);
+      if (!node.leaf) {
+        for (; met != 0; met &= met - 1) stack[top++] = node.child[__builtin_ctz(met)];
+        continue;
+      }
+      for (; met != 0; met &= met - 1) {
         const unsigned i = static_cast<unsigned>(__builtin_ctz(met));
-        if (!node.leaf)
-          stack[top++] = node.child[i];
-        else if (!visit(node.child[i], node.at(i)))
-          return false;
+        if (!visit(node.child[i], node.at(i))) return false;
       }
     }
     return true;

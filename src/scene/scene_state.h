@@ -144,8 +144,8 @@ void makeRoom(std::vector<T>& list, std::size_t more) {
 }
 
 /// Margins together, as Scene has them: their sum, rounded, and at most the largest double.
-inline CollideOptions withMargin(CollideOptions options, double margin, double other = 0) {
-  options.margin = std::min(options.margin + margin + other, std::numeric_limits<double>::max());
+inline CollideOptions withMargin(CollideOptions options, double margin) {
+  options.margin = std::min(options.margin + margin, std::numeric_limits<double>::max());
   return options;
 }
 
