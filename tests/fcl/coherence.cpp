@@ -74,12 +74,34 @@ TEST(Coherence, newPlacesShareTheirPairsSlot) {
   EXPECT_NE(*slots.begin(), pairCache(a, &places[0], c, &places[1]));
 }
 
+TEST(Coherence, aSlotThatWasAnotherPairsBeginsEmpty) {
+  Random random(16);
+  const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1), c = randomPolygon(random, 1);
+  static const char places[1 << 17] = {};
+  const auto rests = [](tricover::PairCache& slot) -> std::uint8_t& {
+    return tricover::detail::factsIn(slot).collision.balance.resting;
+  };
+  for (Place of_c : {Place(nullptr), Place(&places[0])}) {
+    tricover::PairCache* const slot = slotOf(a, nullptr, b, nullptr);
+    rests(*slot) = 200;
+    int met = 0;
+    for (const char& place : places) {
+      tricover::PairCache* const of_other = slotOf(a, &place, c, of_c);
+      ASSERT_EQ(rests(*of_other), 0);
+      met += of_other == slot;
+      if (met > 0) break;
+    }
+    EXPECT_EQ(met, 1);
+    // It is the first pair's again, and has to begin anew.
+    EXPECT_EQ(slotOf(a, nullptr, b, nullptr), slot);
+    EXPECT_EQ(rests(*slot), 0);
+  }
+}
+
 TEST(Coherence, fclCallsFillThePairsSlot) {
   Random random(13);
   const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
   const fcl::CollisionObjectd object_a(shapeOf(a)), object_b(shapeOf(b), lifted(tricover::support::pose(0, 1.7, 0)));
-  // The slot may have been another pair's, whose facts rest.
-  *slotOf(a, &object_a.getTransform(), b, &object_b.getTransform()) = {};
   for (int time = 0; time < 2; ++time) {
     fcl::CollisionResultd result;
     fcl::collide(&object_b, &object_a, fcl::CollisionRequestd(), result);

@@ -12,6 +12,16 @@ namespace {
 constexpr int kSlotBits = 13;  // a thousand live pairs lose one in ten to a shared slot
 
 struct alignas(64) Slot {
+  /// They begin empty where the slot was another pair's, whose facts may have been of no use to that one and rest.
+  tricover::PairCache* of(std::uint64_t key) {
+    if (owner != key) {
+      owner = key;
+      facts = {};
+    }
+    return &facts;
+  }
+
+  std::uint64_t owner = 0;
   tricover::PairCache facts;
 };
 static_assert(sizeof(Slot) == 576);  // so 4.5 MiB a thread
@@ -66,9 +76,10 @@ tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, 
   const auto slotOf = [](std::uint64_t key) { return static_cast<std::size_t>(key >> (64 - kSlotBits)); };
   const std::uint64_t key = keyOf(a, place_a, b, place_b);
   const std::size_t own = slotOf(key);
-  if (all->keys[own] == key) return &all->slots[own].facts;
+  if (all->keys[own] == key) return all->slots[own].of(key);
   all->keys[own] = key;
-  return &all->slots[slotOf(keyOf(a, nullptr, b, nullptr))].facts;
+  const std::uint64_t key_of_ids = keyOf(a, nullptr, b, nullptr);
+  return all->slots[slotOf(key_of_ids)].of(key_of_ids);
 }
 
 }  // namespace tricover_fcl

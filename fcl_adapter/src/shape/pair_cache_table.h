@@ -7,8 +7,8 @@
 namespace tricover_fcl {
 
 /// What this thread remembers of the pair, in either order, a slot of a table of fixed size, so memory stays bounded
-/// while polygons come and go. Pairs that share a slot only lose facts to each other: a cache names the ids that its
-/// facts are about, and no answer depends on it. `place_a` and `place_b` tell objects apart that share a polygon (a
+/// while polygons come and go. Pairs that share a slot only lose facts to each other: what becomes another pair's is
+/// emptied, and no answer depends on it. `place_a` and `place_b` tell objects apart that share a polygon (a
 /// fleet of one model): the addresses of their poses, which are those of the CollisionObjects' own members. They are
 /// compared, never read. Places that are new get the slot of their ids alone, and their own one from the next time on:
 /// so a walk along an array of poses is coherent, too. Null once the thread's table is gone: a destructor of a static
