@@ -114,6 +114,77 @@ TEST_F(Contact, ofEachPartOfTheOverlapDeepestFirst) {
   }
 }
 
+/// A peg that is wider than its slot: the way out is up, each wall's own is across it.
+TEST_F(Contact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
+  const Shape<double> slot =
+      shapeOf(tricover::Polygon({{{-5, -5}, {5, -5}, {5, 5}, {1, 5}, {1, 0}, {-1, 0}, {-1, 5}, {-5, 5}}}));
+  const Shape<double> peg = shapeOf(tricover::Polygon({tricover::support::rectangle(-1.25, 3, 1.25, 9)}));
+  const auto contacts = [&](const Shape<double>& a, const Shape<double>& b, std::size_t most) {
+    std::vector<fcl::Contactd> found;
+    fcl::CollisionResultd result;
+    fcl::collide(a.get(), fcl::Transform3d::Identity(), b.get(), fcl::Transform3d::Identity(),
+                 fcl::CollisionRequestd(most, true), result);
+    result.getContacts(found);
+    return found;
+  };
+  const auto only = contacts(slot, peg, 1), swapped = contacts(peg, slot, 1);
+  ASSERT_EQ(only.size(), 1u);
+  ASSERT_EQ(swapped.size(), 1u);
+  EXPECT_NEAR(only[0].penetration_depth, 2, 1e-9);
+  EXPECT_TRUE(only[0].normal.isApprox(fcl::Vector3d::UnitY()));
+  EXPECT_TRUE(swapped[0].normal.isApprox(-fcl::Vector3d::UnitY()));
+  for (const std::size_t most : {2u, 9u}) {
+    for (const double side : {1.0, -1.0}) {
+      const auto parts = side > 0 ? contacts(slot, peg, most) : contacts(peg, slot, most);
+      ASSERT_EQ(parts.size(), 2u);
+      for (const fcl::Contactd& part : parts) {
+        const double right = part.pos.x() > 0 ? 1 : -1;  // the wall that it is in
+        EXPECT_NEAR(part.penetration_depth, 0.25, 1e-9);
+        EXPECT_TRUE(part.normal.isApprox(-side * right * fcl::Vector3d::UnitX()));
+        EXPECT_NEAR(part.pos.x(), 1.125 * right, 0.126);
+      }
+      EXPECT_LT(parts[0].pos.x() * parts[1].pos.x(), 0);
+    }
+  }
+
+  // In one part, too: there is no room for the step that it takes.
+  const Shape<double> tight = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.95, 3, 1.1, 9)}));
+  const auto local = contacts(slot, tight, 9);
+  ASSERT_EQ(local.size(), 1u);
+  EXPECT_NEAR(local[0].penetration_depth, 0.1, 1e-9);
+  EXPECT_TRUE(local[0].normal.isApprox(-fcl::Vector3d::UnitX()));
+  EXPECT_NEAR(contacts(slot, tight, 1).at(0).penetration_depth, 2, 1e-9);
+}
+
+/// As a step of a simulation goes: by all parts at once, again and again.
+TEST_F(Contact, ofManyPartPolygonsStepByStep) {
+  Random random(43);
+  int hits = 0, parted = 0;
+  const int count = tricover::support::scaledCount(60);
+  for (int i = 0; i < count; ++i) {
+    const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
+    const fcl::Transform3d tf_a = lifted(tricover::support::randomPose(random, 1.5));
+    fcl::Transform3d tf_b = lifted(tricover::support::randomPose(random, 1.5));
+    for (int step = 0; step <= 100; ++step) {
+      fcl::CollisionResultd result;
+      if (fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(100, true), result) == 0) {
+        parted += step > 0;
+        break;
+      }
+      hits += step == 0;
+      std::vector<fcl::Contactd> parts;
+      result.getContacts(parts);
+      for (const fcl::Contactd& part : parts) {
+        ASSERT_NEAR(part.normal.norm(), 1, 1e-12);
+        ASSERT_GE(part.penetration_depth, 0);
+        tf_b.pretranslate(fcl::Vector3d((part.penetration_depth + 1e-9) * part.normal));
+      }
+    }
+  }
+  EXPECT_GT(hits, count * 3 / 10);
+  EXPECT_GE(parted, hits * 9 / 10);
+}
+
 TEST_F(Contact, movingTheSecondByDepthAlongTheNormalPartsThem) {
   Random random(42);
   int hits = 0;

@@ -17,6 +17,7 @@
 #include <fcl/geometry/shape/halfspace.h>
 #include <fcl/geometry/shape/plane.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <fcl/geometry/shape/triangle_p.h>
 #include <fcl/math/motion/interp_motion.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/continuous_collision.h>
@@ -87,7 +88,10 @@ std::vector<Named> geometries() {
           {"KDOP16 mesh", boxMesh<fcl::KDOPd<16>>(), kCollide},
           {"KDOP18 mesh", boxMesh<fcl::KDOPd<18>>(), kCollide},
           {"KDOP24 mesh", boxMesh<fcl::KDOPd<24>>(), kCollide},
-          {"octree", octree(), kDistance}};
+          {"octree", octree(), kDistance},
+          // FCL knows no pair of it, and says so on cerr.
+          {"triangle", std::make_shared<fcl::TrianglePd>(fcl::Vector3d(0.5, 0, 0), fcl::Vector3d(-0.3, 0.4, 0),
+                                                         fcl::Vector3d(0, -0.4, 0.6))}};
 }
 
 bool isMesh(const Named& named) { return named.geometry->getObjectType() == fcl::OT_BVH; }

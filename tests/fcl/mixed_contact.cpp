@@ -82,6 +82,35 @@ TEST_F(MixedContact, isOnePerPartOfTheOverlapDeepestFirst) {
   EXPECT_NEAR(contacts(fork, here_, wall, at, 1)[0].penetration_depth, 1.5, 1e-9);  // of the whole
 }
 
+/// As of two polygons: of many the part's own way, of one the way out.
+TEST_F(MixedContact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
+  const PolygonShaped slot(tricover::Polygon({{{-5, -5}, {5, -5}, {5, 5}, {1, 5}, {1, 0}, {-1, 0}, {-1, 5}, {-5, 5}}}));
+  const std::vector<std::pair<Geometry<double>, fcl::Transform3d>> pegs = {
+      {std::make_shared<fcl::Boxd>(2.5, 6, 2), shifted<double>(0, 6, 0)},
+      {std::make_shared<fcl::Ellipsoidd>(1.25, 4, 3), shifted<double>(0, 4.2, 0)},
+      {std::make_shared<fcl::Sphered>(1.25), shifted<double>(0, 2, 0)}};
+  for (const auto& [peg, pose] : pegs) {
+    SCOPED_TRACE(peg->getNodeType());
+    const auto parts = contacts(slot, here_, *peg, pose, 9);
+    ASSERT_EQ(parts.size(), 2u);
+    for (const fcl::Contactd& part : parts) {
+      EXPECT_NEAR(part.penetration_depth, 0.25, 1e-5);
+      EXPECT_LT((part.normal - Vec3(part.pos.x() > 0 ? -1 : 1, 0, 0)).norm(), 1e-2);
+    }
+    EXPECT_LT(parts[0].pos.x() * parts[1].pos.x(), 0);
+    const auto whole = contacts(slot, here_, *peg, pose, 1);
+    ASSERT_EQ(whole.size(), 1u);
+    EXPECT_GT(whole[0].penetration_depth, 1);
+    EXPECT_LT((whole[0].normal - Vec3::UnitY()).norm(), 1e-3);
+    // What is there already takes room, and changes nothing else.
+    fcl::CollisionResultd result;
+    for (int time = 0; time < 2; ++time)
+      fcl::collide(&slot, here_, peg.get(), pose, fcl::CollisionRequestd(3, true), result);
+    ASSERT_EQ(result.numContacts(), 3u);
+    EXPECT_NEAR(result.getContact(2).penetration_depth, 0.25, 1e-5);
+  }
+}
+
 TEST_F(MixedContact, namesTrianglesAndCells) {
   const auto mesh = boxMesh<fcl::OBBRSSd>({1, 1, 1});
   const auto of_mesh = contacts(*mesh, shifted<double>(1.5, 0, 0), square_, here_, 1);

@@ -110,14 +110,27 @@ TEST(Unsupported, fclsOwnTriangleAndUnknownGeometriesInBothOrders) {
   }
 }
 
-TEST(Unsupported, fclsOwnTriangleKeepsHavingNoRow) {
+TEST(Unsupported, fclsOwnTriangleIsAnsweredAsByFcl) {
   for (const auto& [name, other] : otherGeometries()) {
     SCOPED_TRACE(name);
     const fcl::TrianglePd triangle(kCorners[0], kCorners[1], kCorners[2]);
     fcl::CollisionResultd result;
     const fcl::Transform3d pose = fcl::Transform3d::Identity();
-    EXPECT_THROW(fcl::collide<double>(&triangle, pose, other.get(), pose, fcl::CollisionRequestd(), result),
-                 std::logic_error);
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(fcl::collide<double>(&triangle, pose, other.get(), pose, fcl::CollisionRequestd(), result), 0u);
+    EXPECT_EQ(::testing::internal::GetCapturedStderr().find("Warning: collision function between node type "), 0u);
+    fcl::DistanceResultd distance;
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(fcl::distance<double>(&triangle, pose, other.get(), pose, fcl::DistanceRequestd(), distance),
+              std::numeric_limits<double>::max());
+    EXPECT_EQ(::testing::internal::GetCapturedStderr().find("Warning: distance function between node type "), 0u);
+    fcl::ContinuousCollisionRequestd advancing;
+    advancing.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
+    fcl::ContinuousCollisionResultd passing;
+    ::testing::internal::CaptureStderr();
+    fcl::continuousCollide<double>(&triangle, pose, pose, other.get(), pose, pose, advancing, passing);
+    EXPECT_FALSE(passing.is_collide);
+    EXPECT_EQ(::testing::internal::GetCapturedStderr().find("Warning: collision function between node type "), 0u);
   }
 }
 

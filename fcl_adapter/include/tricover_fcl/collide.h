@@ -22,12 +22,14 @@ namespace tricover_fcl {
 /// second's. A half turn about an axis in the plane is a legal, mirrored pose.
 ///
 /// A hit adds fcl::Contacts as long as there are fewer than num_max_contacts: one without details, or with
-/// enable_contact one for each connected part of the overlap (tricover::contacts), deepest first. pos is in the middle
-/// of that part and of the heights that the shapes share; moving the second polygon by penetration_depth along normal,
-/// a unit vector in the plane, clears it; b1 and b2 are edges (tricover::Contact::edge_a, edge_b). Where
-/// num_max_contacts is 1, that contact is the way to part the polygons altogether (tricover::penetration). Depths are
-/// in the plane, and those of the polygons grown by their margins (and by options.margin); so is pos. Where only margins
-/// meet, it is between the nearest points, along which the normal points.
+/// enable_contact one for each connected part of the overlap (tricover::contacts), deepest first: what a step of a
+/// simulation needs. pos is in the middle of that part and of the heights that the shapes share; normal, a unit vector
+/// in the plane, and penetration_depth are those of that part and the edges around it
+/// (tricover::ContactDetail::LocalDepth); b1 and b2 are edges (tricover::Contact::edge_a, edge_b). Where
+/// num_max_contacts is 1, FCL's default, that contact is the way to part the polygons altogether
+/// (tricover::penetration), which costs more unless both are convex. Depths are in the plane, and those of the polygons
+/// grown by their margins (and by options.margin); so is pos. Where only margins meet, it is between the nearest
+/// points, along which the normal points.
 ///
 /// Other geometries: a polygon may have any rigid pose in space, and so may a geometry of FCL's own. They collide if
 /// and only if they share a point within the polygon's plane (a prism's heights), decided in the polygon's frame, where

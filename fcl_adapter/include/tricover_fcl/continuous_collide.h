@@ -39,11 +39,13 @@ namespace tricover_fcl {
 /// "free".)
 ///
 /// FCL's motions turn by quaternions, so their first and last pose are those given up to rounding. Three of them have a
-/// bug in FCL 0.7.0 that shows in fcl::continuousCollide for two transforms, but not here:
-/// - InterpMotion (CCDM_LINEAR) leaves the point that moves on a straight line uninitialised; here it is the origin, and
-///   in fcl's for double, too. One made by yourself needs that point if it turns.
-/// - ScrewMotion (CCDM_SCREW) without a turn goes on beyond its goal, to its own length times the way. fcl's row for
-///   polygons takes the goal for the end, but contact_tf1 and contact_tf2, which FCL fills, don't.
+/// bug in FCL 0.7.0 that shows where two transforms are given, but not here, nor of polygons in fcl::continuousCollide
+/// for double:
+/// - InterpMotion (CCDM_LINEAR) leaves the point that moves on a straight line uninitialised; here it is the origin.
+///   One made by yourself needs that point if it turns.
+/// - ScrewMotion (CCDM_SCREW) without a turn goes on beyond its goal, to its own length times the way; here it is a
+///   TranslationMotion. Of one made by yourself the goal is taken for the end, but contact_tf1 and contact_tf2, which
+///   FCL fills, don't.
 /// - SplineMotion (CCDM_SPLINE) made from two transforms is left uninitialised as a whole; here that throws
 ///   std::logic_error. Make it from control points.
 ///

@@ -23,8 +23,9 @@ TRICOVER_EXPORT void fillTables();
 /// Polygons meet polygons in the world's plane, and every other geometry that FCL knows (box, sphere, ellipsoid,
 /// capsule, cone, cylinder, convex, plane, halfspace, meshes of all bounding volumes, octrees) in the polygon's own
 /// plane, wherever that lies in space: see "other geometries" at collide, distance and continuousCollide.
-/// std::logic_error, naming both types, is thrown where FCL would print and answer "free": for geometries of no type
-/// that FCL knows, and for fcl::TriangleP, which shares the node type.
+/// std::logic_error, naming both types, is thrown of a polygon where FCL would print and answer "free": beside
+/// geometries of no type that FCL knows, and fcl::TriangleP, which shares the node type. Pairs without a polygon are
+/// answered as by FCL alone.
 ///
 /// Calls checkFclLayout() first, which throws std::logic_error if this was compiled with another FCL than tricover.
 ///

@@ -2,16 +2,9 @@
 #include "tricover_fcl/continuous_collide.h"
 
 #include <fcl/broadphase/default_broadphase_callbacks.h>
-#include <fcl/math/motion/interp_motion.h>
-#include <fcl/math/motion/screw_motion.h>
-#include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
-#include <memory>
-#include <type_traits>
-
 #include "entry/dispatch.h"
-#include "shape/errors.h"
 #include "shape/is_polygon.h"
 #include "shape/motion_in_plane.h"
 
@@ -22,32 +15,6 @@ extern template float fcl::continuousCollide(const fcl::CollisionGeometry<float>
                                              fcl::ContinuousCollisionResult<float>&);
 
 namespace tricover_fcl {
-namespace {
-
-/// Made shared, because libfcl's own delete frees what a program in C++17 gets from another new (Eigen's aligned one).
-template <typename S>
-std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begin, const fcl::Transform3<S>& end,
-                                                  fcl::CCDMotionType type) {
-  if (type == fcl::CCDM_TRANS) return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
-  if constexpr (std::is_same_v<S, double>) {
-    // The constructor for a point of the polygon's own, because the others don't set it.
-    if (type == fcl::CCDM_LINEAR) {
-      return std::make_shared<fcl::InterpMotion<S>>(begin.linear(), begin.translation(), end.linear(),
-                                                    end.translation(), fcl::Vector3<S>::Zero());
-    }
-    if (type == fcl::CCDM_SCREW) {
-      auto screw = std::make_shared<fcl::ScrewMotion<S>>(begin, end);
-      if (screw->getAngularVelocity() != 0) return screw;
-      return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
-    }
-  }
-  if (type == fcl::CCDM_SPLINE)
-    refuseQuestion("ccd_motion_type", "FCL leaves a SplineMotion between two transforms uninitialised",
-                   "make one of control points, and pass the motions");
-  refuseQuestion("ccd_motion_type", "FCL has no such motion of this scalar", "CCDM_TRANS works for float, too");
-}
-
-}  // namespace
 
 template <typename S>
 S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>* motion1,
@@ -67,8 +34,8 @@ S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S
                     const fcl::Transform3<S>& tf1_end, const fcl::CollisionGeometry<S>* o2,
                     const fcl::Transform3<S>& tf2_beg, const fcl::Transform3<S>& tf2_end,
                     const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
-  const auto motion1 = motionBetween(tf1_beg, tf1_end, request.ccd_motion_type);
-  const auto motion2 = motionBetween(tf2_beg, tf2_end, request.ccd_motion_type);
+  const auto motion1 = motionBetween(tf1_beg, tf1_end, request.ccd_motion_type, true);
+  const auto motion2 = motionBetween(tf2_beg, tf2_end, request.ccd_motion_type, true);
   return tricover_fcl::continuousCollide(o1, motion1.get(), o2, motion2.get(), request, result);
 }
 

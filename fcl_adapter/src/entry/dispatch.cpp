@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "entry/dispatch.h"
 
-#include "mixed/advance_mixed.h"
-#include "mixed/collide_mixed.h"
-#include "mixed/distance_mixed.h"
-#include "polygons/advance_polygons.h"
-#include "polygons/collide_polygons.h"
-#include "polygons/distance_polygons.h"
-#include "shape/errors.h"
+#include <iostream>
+#include <limits>
+
+#include "mixed/mixed.h"
+#include "polygons/polygons.h"
 #include "shape/is_polygon.h"
 
 namespace tricover_fcl {
 namespace {
 
 const tricover::CollideOptions kNoOptions;
+
+/// What FCL does of a pair that it has no function for: fcl::TriangleP's row is ours, but not its pairs.
+template <typename S>
+void warnAsFcl(const char* function, const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2) {
+  std::cerr << "Warning: " << function << " function between node type " << o1.getNodeType() << " and node type "
+            << o2.getNodeType() << " is not supported\n";
+}
 
 }  // namespace
 
@@ -24,8 +29,9 @@ std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Tr
                               fcl::CollisionResult<S>& result) {
   const bool first = isPolygon(o1), second = isPolygon(o2);
   if (first && second) return collidePolygons(o1, tf1, o2, tf2, request, options, result);
-  if (!first && !second) refusePair("collide", o1, o2);
-  return collideMixed(o1, tf1, o2, tf2, request, options, result);
+  if (first || second) return collideMixed(o1, tf1, o2, tf2, request, options, result);
+  warnAsFcl("collision", o1, o2);
+  return 0;
 }
 
 template <typename S>
@@ -41,8 +47,9 @@ S distanceOfGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform
                        const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
   const bool first = isPolygon(o1), second = isPolygon(o2);
   if (first && second) return distanceOfPolygons(o1, tf1, o2, tf2, request, result);
-  if (!first && !second) refusePair("distance", o1, o2);
-  return distanceMixed(o1, tf1, o2, tf2, request, result);
+  if (first || second) return distanceMixed(o1, tf1, o2, tf2, request, result);
+  warnAsFcl("distance", o1, o2);
+  return std::numeric_limits<S>::max();
 }
 
 template <typename S>
@@ -50,8 +57,9 @@ S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S
                     const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
                     const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
   if (isPolygon(o1) != isPolygon(o2)) return advanceMixed(o1, motion1, o2, motion2, request, result);
-  if (!isPolygon(o1)) refusePair("conservative advancement", o1, o2);
-  return advancePolygons(o1, motion1, o2, motion2, request, result);
+  if (isPolygon(o1)) return advancePolygons(o1, motion1, o2, motion2, request, result);
+  warnAsFcl("collision", o1, o2);
+  return -1;
 }
 
 #define TRICOVER_INSTANTIATE(S)                                                                            \

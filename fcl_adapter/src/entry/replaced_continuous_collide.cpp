@@ -33,7 +33,6 @@ FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const Tran
 #include <fcl/narrowphase/continuous_collision.h>
 
 #include <iostream>
-#include <memory>
 
 #include "shape/errors.h"
 #include "shape/is_polygon.h"
@@ -67,29 +66,15 @@ TRICOVER_ELSEWHERE(GJKSolver_indep<double>)
 
 }  // namespace detail
 
-/// As FCL's own, but that a CCDM_LINEAR motion has a reference point, the origin: FCL leaves it uninitialised, and
-/// turns about whatever is there.
+/// As FCL's own, but for motionBetween().
 template <>
 double continuousCollide(const CollisionGeometry<double>* o1, const Transform3<double>& tf1_beg,
                          const Transform3<double>& tf1_end, const CollisionGeometry<double>* o2,
                          const Transform3<double>& tf2_beg, const Transform3<double>& tf2_end,
                          const ContinuousCollisionRequest<double>& request, ContinuousCollisionResult<double>& result) {
-  // Made shared, because libfcl's own delete frees what a program in C++17 gets from another new.
-  const auto between = [&](const Transform3<double>& begin,
-                           const Transform3<double>& end) -> std::shared_ptr<MotionBase<double>> {
-    switch (request.ccd_motion_type) {
-      case CCDM_TRANS:
-        return std::make_shared<TranslationMotion<double>>(begin, end);
-      case CCDM_LINEAR:
-        return std::make_shared<InterpMotion<double>>(begin.linear(), begin.translation(), end.linear(),
-                                                      end.translation(), Vector3<double>::Zero());
-      case CCDM_SCREW:
-        return std::make_shared<ScrewMotion<double>>(begin, end);
-      case CCDM_SPLINE:
-        return std::make_shared<SplineMotion<double>>(begin, end);
-      default:
-        return nullptr;
-    }
+  const auto between = [&, has_polygon = tricover_fcl::isPolygon(*o1) || tricover_fcl::isPolygon(*o2)](
+                           const Transform3<double>& begin, const Transform3<double>& end) {
+    return tricover_fcl::motionBetween(begin, end, request.ccd_motion_type, has_polygon);
   };
   const auto motion1 = between(tf1_beg, tf1_end), motion2 = between(tf2_beg, tf2_end);
   return continuousCollide<double>(o1, motion1.get(), o2, motion2.get(), request, result);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mixed/advance_mixed.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "mixed/mixed.h"
 #include "mixed/mixed_pair.h"
 #include "shadow/stadium.h"
 #include "shape/bounds.h"

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mixed/collide_mixed.h"
+#include <utility>
 
-#include "mixed/mixed_contacts.h"
+#include "mixed/mixed.h"
+#include "mixed/mixed_pair.h"
 #include "mixed/stadium_pair.h"
 #include "shape/bounds.h"
+#include "shape/fcl_results.h"
+#include "shape/is_polygon.h"
 
 namespace tricover_fcl {
 namespace {
+
+using tricover::Vec2;
 
 /// The world's box around what the boxes of polygon and shadow share in the polygon's frame.
 template <typename S>
@@ -22,6 +27,26 @@ Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
     }
   }
   return world;
+}
+
+/// Of a contact from the polygon to the geometry, turned where the row's order is the other one.
+template <typename S>
+void addInOrder(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2, const Plane& plane,
+                PlanarContact contact, fcl::CollisionResult<S>& result) {
+  if (!isPolygon(o1)) {
+    contact.normal *= -1;
+    std::swap(contact.edge1, contact.edge2);
+  }
+  addContact(o1, o2, plane, contact, result);
+}
+
+/// Where x is along the normal of a geometry that covers the polygon's whole plane, below the polygon's origin.
+template <typename S>
+Plane liftPlane(const MixedPair<S>& pair, const Shadow::Lift& lift) {
+  const Vec2& origin = pair.polygon().origin();
+  Plane along = pair.plane * fcl::Translation3<double>(origin.x(), origin.y(), 0);
+  along.rotate(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), lift.normal));
+  return along;
 }
 
 }  // namespace
@@ -42,9 +67,10 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
       if (room(request, result) > 0) addContact(o1, o2, result);
       return result.numContacts();
     }
-    if (!of_hit.costs && room(request, result) == 1) {
-      const MixedContact found = contactOf(round);
-      addContact(o1, o2, found.plane, found.contact, result);
+    if (!of_hit.costs && request.num_max_contacts == 1) {
+      PlanarContact contact = contactsOf(round, true, 1, Vec2::UnitX()).front();
+      contact.edge2 = -1;
+      addInOrder(o1, o2, round.plane(), contact, result);
       return result.numContacts();
     }
   }
@@ -62,9 +88,14 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
   const std::size_t most = of_hit.contacts ? room(request, result) : 0;
   if (most > 0 && (!request.enable_contact || !shadow)) {
     addContact(o1, o2, result);
+  } else if (most > 0 && shadow->lift()) {
+    const Shadow::Lift& lift = *shadow->lift();
+    addInOrder(o1, o2, liftPlane(pair, lift), {Vec2::Zero(), Vec2::UnitX(), lift.depth, -1, -1}, result);
   } else if (most > 0) {
-    for (const MixedContact& found : contactsOf(pair, *shadow, margin, most)) {
-      addContact(o1, o2, found.plane, found.contact, result);
+    const ShadowPair planar(pair.polygon(), *shadow, pair.shape.options().margin, margin);
+    for (PlanarContact& contact : contactsOf(planar, request.num_max_contacts == 1, most, Vec2::UnitX())) {
+      contact.edge2 = shadow->partOf(contact.edge2);
+      addInOrder(o1, o2, pair.plane, contact, result);
     }
   }
   if (of_hit.costs && shadow) addCost(o1, o2, overlap(pair, *shadow), request, result);

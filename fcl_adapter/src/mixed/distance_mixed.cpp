@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mixed/distance_mixed.h"
-
 #include <fcl/narrowphase/contact.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "mixed/mixed.h"
 #include "mixed/mixed_pair.h"
 #include "mixed/stadium_pair.h"
 #include "shape/is_polygon.h"
@@ -29,7 +28,7 @@ struct Span {
 template <typename S>
 Span measured(const MixedPair<S>& pair, const Shadow& shadow, tricover::DistanceResult found, bool is_signed) {
   const double margin = pair.shape.options().margin, touch = std::max(shadow.outlineError(), kLeastDepth<S>);
-  const ShadowPair planar{pair.polygon(), shadow, margin, margin};
+  const ShadowPair planar(pair.polygon(), shadow, margin, margin);
   moveByMargins(planar, found);
   if (found.distance == 0 && !shadow.lift()) found = overlapOf(planar, is_signed, touch, found);
   const auto inWorld = [&](const tricover::Vec2& p) {

@@ -8,15 +8,6 @@
 
 namespace tricover_fcl {
 
-bool ShadowPair::areDeeper(double depth, const tricover::DistanceResult&) const {
-  const auto overlap = [&](const std::vector<tricover::Contact>& deepest) {
-    return !deepest.empty() && deepest.front().depth > depth;
-  };
-  const tricover::Pose here = tricover::Pose::Identity();
-  return shadow.isSurface() || overlap(tricover::contacts(polygon, here, shadow.core(), here, {margin, 1})) ||
-         overlap(contacts(1));
-}
-
 template <typename S>
 Plane rigidPose(const fcl::Transform3<S>& transform, const char* name) {
   requireRigid(transform, name);

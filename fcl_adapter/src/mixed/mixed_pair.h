@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "shadow/shadow.h"
+#include "shape/planar_pair.h"
 #include "shape/plane.h"
 #include "tricover_fcl/polygon_shape.h"
 
@@ -22,22 +23,25 @@ struct MixedPair {
   const tricover::Polygon& polygon() const { return shape.polygon(); }
 };
 
-/// A polygon and a shadow in its frame, as contactsOf() and overlapOf() ask.
-struct ShadowPair {
-  const tricover::Polygon& polygon;
-  const Shadow& shadow;
-  const double margin_a;  ///< the polygon's
-  const double margin;    ///< and what else was asked for
-  static constexpr double margin_b = 0;
+/// A polygon and a shadow in its frame.
+struct ShadowPair final : RegionPair {
+  ShadowPair(const tricover::Polygon& polygon_, const Shadow& shadow_, double of_polygon, double of_both)
+      : RegionPair(of_polygon, 0, of_both), polygon(polygon_), shadow(shadow_) {}
 
-  std::optional<tricover::Penetration> penetration() const { return shadow.penetration(polygon, margin); }
-  std::vector<tricover::Contact> contacts(std::size_t most) const { return shadow.contacts(polygon, margin, most); }
-  tricover::DistanceResult nearest() const {
+  std::optional<tricover::Penetration> penetration() const override { return shadow.penetration(polygon, margin); }
+  std::vector<tricover::Contact> contacts(std::size_t most) const override {
+    return shadow.contacts(polygon, margin, most);
+  }
+  tricover::DistanceResult nearest() const override {
     return *shadow.distance(polygon, std::numeric_limits<double>::infinity(), {});
   }
-  /// A surface that is met is overlapped, if only touched.
-  bool areWithin(double length) const { return shadow.isSurface() || shadow.meets(polygon, length); }
-  bool areDeeper(double depth, const tricover::DistanceResult&) const;
+  bool areWithin(double length) const override { return shadow.isSurface() || shadow.meets(polygon, length); }
+  bool areDeeper(double depth, const tricover::DistanceResult&) const override {
+    return shadow.isDeeper(polygon, margin, depth);
+  }
+
+  const tricover::Polygon& polygon;
+  const Shadow& shadow;
 };
 
 /// Throws std::invalid_argument, naming it, for a pose that isn't rigid within tricover::kRigidTolerance or isn't

@@ -97,11 +97,7 @@ void StadiumPair<S>::setRadius(double radius) {
 template <typename S>
 StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2, double more)
-    : PlanarPair{nullptr, &Stadium::point(), {}, {}, 0, 0, more},
-      polygon_first(isPolygon(o1)),
-      shape(static_cast<const PolygonShape<S>&>(polygon_first ? o1 : o2)) {
-  a = &shape.polygon();
-  margin_a = shape.options().margin;
+    : StadiumPair(isPolygon(o1), static_cast<const PolygonShape<S>&>(isPolygon(o1) ? o1 : o2), more) {
   const fcl::CollisionGeometry<S>& other = polygon_first ? o2 : o1;
   const fcl::NODE_TYPE type = other.getNodeType();
   if (!isRound(type)) return;

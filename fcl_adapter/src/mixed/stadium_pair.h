@@ -40,6 +40,11 @@ class StadiumPair : public PlanarPair {
   StadiumCase found = StadiumCase::None;  ///< what follows is there for a pair alone
 
  private:
+  StadiumPair(bool is_polygon_first, const PolygonShape<S>& polygon, double more)
+      : PlanarPair(polygon.polygon(), Stadium::point(), polygon.options().margin, 0, more),
+        polygon_first(is_polygon_first),
+        shape(polygon) {}
+
   /// Where the other one is: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.
   struct Other {
     Slab slab;  ///< the polygon's

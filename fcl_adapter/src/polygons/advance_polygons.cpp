@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "polygons/advance_polygons.h"
-
 #include <optional>
 
+#include "polygons/polygons.h"
 #include "shape/course.h"
 #include "shape/fcl_results.h"
 #include "shape/heights.h"

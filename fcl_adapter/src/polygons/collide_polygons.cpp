@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "polygons/collide_polygons.h"
-
 #include <optional>
 
-#include "polygons/disc_pair.h"
 #include "polygons/polygon_pair.h"
+#include "polygons/polygons.h"
 #include "shape/bounds.h"
 #include "shape/fcl_results.h"
 
@@ -37,29 +35,22 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   if (request.isSatisfied(result)) return result.numContacts();
   const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
   const Wanted want = wanted(o1, o2, request);
-  if (DiscPair<S>::areDiscs(shape_a, shape_b) && options.tolerance == 0 && !want.costs) {
-    const double margin = options.margin + (shape_a.options().margin + shape_b.options().margin);
-    const std::optional<bool> hit = DiscPair<S>(shape_a, tf1, shape_b, tf2).areWithin(margin);
-    if (hit && !(*hit && want.contacts && request.enable_contact)) {
-      if (*hit && want.contacts && room(request, result) > 0) addContact(o1, o2, result);
-      return result.numContacts();
-    }
-  }
-
   const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2, options.margin);
   if (!want.contacts && !want.costs) return result.numContacts();
-  if (!(pair.heightsMeet() && pair.collide(options.tolerance))) return result.numContacts();
+  const std::optional<bool> plain = pair.collidePlainly();
+  if (plain == false) return result.numContacts();
+  if (!(pair.heightsMeet() && (plain || pair.collide(options.tolerance)))) return result.numContacts();
 
   const std::size_t most = want.contacts ? room(request, result) : 0;
   if (most > 0 && !request.enable_contact) {
     addContact(o1, o2, result);
   } else if (most > 0) {
-    const Plane plane = planeAt(sharedHeights(pair.heights_a, pair.heights_b).middle());
+    const Plane plane = planeAt(sharedHeights(pair.heightsOfA(), pair.heightsOfB()).middle());
     for (const PlanarContact& contact : contactsOf(pair, request.num_max_contacts == 1, most, towards(pair)))
       addContact(o1, o2, plane, contact, result);
   }
   if (want.costs) {
-    const SharedHeights heights = sharedHeights(pair.heights_a, pair.heights_b);
+    const SharedHeights heights = sharedHeights(pair.heightsOfA(), pair.heightsOfB());
     addCost(o1, o2, boxOf(pair.shape_a, pair.pose_a, heights).intersection(boxOf(pair.shape_b, pair.pose_b, heights)),
             request, result);
   }

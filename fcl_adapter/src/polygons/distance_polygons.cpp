@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "polygons/distance_polygons.h"
-
 #include <cmath>
 #include <limits>
 
-#include "polygons/disc_pair.h"
 #include "polygons/polygon_pair.h"
+#include "polygons/polygons.h"
 #include "shape/fcl_results.h"
 
 namespace tricover_fcl {
@@ -15,7 +13,7 @@ namespace {
 template <typename S>
 struct PointsInSpace {
   PointsInSpace(const PolygonPair<S>& pair, bool heights_meet, const tricover::DistanceResult& found) {
-    const Heights a = pair.heights_a, b = pair.heights_b;
+    const Heights a = pair.heightsOfA(), b = pair.heightsOfB();
     double z_a, z_b;
     if (heights_meet) {
       z_a = z_b = sharedHeights(a, b).middle();
@@ -31,25 +29,6 @@ struct PointsInSpace {
   fcl::Vector3<double> on_a, on_b;
 };
 
-/// Of two discs, if these are plainly apart: where they aren't, more is to be told.
-template <typename S>
-bool updateApart(const PolygonShape<S>& a, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b,
-                 const fcl::Transform3<S>& tf2, const tricover::DistanceOptions& options,
-                 fcl::DistanceResult<S>& result) {
-  if (!(options.relative_error >= 0 && options.absolute_error >= 0 && result.min_distance > 0)) return false;
-  const DiscPair<S> pair(a, tf1, b, tf2);
-  const std::optional<double> distance = pair.distanceBeyond(options.margin);
-  if (!distance) return false;
-  const tricover::Vec2 towards = pair.between / *distance;
-  const auto nearest = [&, z = pair.middleHeight()](const fcl::Transform3<S>& pose, double way) {
-    const auto center = [&](int axis) { return static_cast<double>(pose.matrix()(axis, 3)); };
-    return fcl::Vector3<double>(center(0) + way * towards.x(), center(1) + way * towards.y(), z);
-  };
-  updateDistance(a, b, *distance - options.margin, nearest(tf1, a.options().margin), nearest(tf2, -b.options().margin),
-                 0, 0, result);
-  return true;
-}
-
 }  // namespace
 
 template <typename S>
@@ -62,14 +41,14 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   // Nothing above the distance that the result already holds is of interest, and no pair is nearer than its heights.
   tricover::DistanceOptions options = errorsOf(request);
   options.margin = shape_a.options().margin + shape_b.options().margin;
-  if (DiscPair<S>::areDiscs(shape_a, shape_b) && updateApart(shape_a, tf1, shape_b, tf2, options, result))
-    return result.min_distance;
   const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2);
-  const double apart = pair.heightsMeet() ? 0 : gap(pair.heights_a, pair.heights_b);
+  const double apart = pair.heightsMeet() ? 0 : gap(pair.heightsOfA(), pair.heightsOfB());
   const auto limit = static_cast<double>(result.min_distance);
   if (apart >= limit) return result.min_distance;
 
-  auto found = pair.distanceWithin(limit, options);
+  const bool are_errors = options.relative_error >= 0 && options.absolute_error >= 0;
+  auto found = are_errors ? pair.distancePlainly() : std::nullopt;
+  if (!found) found = pair.distanceWithin(limit, options);
   if (!found) return result.min_distance;
   moveByMargins(pair, *found);
   if (found->distance == 0 && apart == 0) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+#include <optional>
+
+#include "numbers/rigidity.h"
 #include "shape/heights.h"
 #include "shape/planar_pair.h"
 #include "shape/planar_pose.h"
@@ -10,19 +14,19 @@ namespace tricover_fcl {
 
 /// Two polygons as a row gets them: `a` is its first geometry.
 template <typename S>
-struct PolygonPair : PlanarPair {
+struct PolygonPair final : PlanarPair {
   const PolygonShape<S>&shape_a, &shape_b;
-  const Heights heights_a, heights_b;
+  const fcl::Transform3<S>&tf_a, &tf_b;
 
   /// `more` is a length added to the margins.
   PolygonPair(const PolygonShape<S>& a_, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b_,
               const fcl::Transform3<S>& tf2, double more = 0)
-      : PlanarPair{&a_.polygon(), &b_.polygon(), {}, {}, a_.options().margin, b_.options().margin},
+      : PlanarPair(a_.polygon(), b_.polygon(), a_.options().margin, b_.options().margin,
+                   more + (a_.options().margin + b_.options().margin)),
         shape_a(a_),
         shape_b(b_),
-        heights_a(heightsOf(a_.options(), tf1)),
-        heights_b(heightsOf(b_.options(), tf2)) {
-    margin = more + (margin_a + margin_b);
+        tf_a(tf1),
+        tf_b(tf2) {
     requirePlanar(tf1, "pose_a");
     requirePlanar(tf2, "pose_b");
     setPlanarPart(pose_a, tf1);
@@ -32,16 +36,48 @@ struct PolygonPair : PlanarPair {
     place_b = &tf2;
   }
 
+  Heights heightsOfA() const { return heightsOf(shape_a.options(), tf_a); }
+  Heights heightsOfB() const { return heightsOf(shape_b.options(), tf_b); }
+
   /// Exact, touching counts. Checks the poses if they don't, as the kernel, which then isn't asked, would.
   bool heightsMeet() const {
-    const bool meet = shape_a.isFlat() && shape_b.isFlat() ? heights_a.low.of_pose == heights_b.low.of_pose
-                                                           : share(heights_a, heights_b);
+    const bool meet = shape_a.isFlat() && shape_b.isFlat() ? tf_a.matrix()(2, 3) == tf_b.matrix()(2, 3)
+                                                           : share(heightsOfA(), heightsOfB());
     if (!meet) {
       tricover::checkPose(pose_a, "pose_a");
       tricover::checkPose(pose_b, "pose_b");
     }
     return meet;
   }
+
+  /// Whether the two collide, if the discs around both shapes' own origins, which two discs are, tell that plainly:
+  /// before facts are looked up and the kernel is asked. Of the two squares, the way's errs by 4U and the reach's by
+  /// 9U; the last term is for what underflows.
+  std::optional<bool> collidePlainly() const {
+    constexpr double kSquares = 0x1p-48, kTiny = 0x1p-1000;
+    const tricover::Vec2 way = pose_b.translation() - pose_a.translation();
+    const auto square = [](double reach) { return reach * reach; };
+    const double apart = way.squaredNorm(),
+                 reach = static_cast<double>(shape_a.aabb_radius) + static_cast<double>(shape_b.aabb_radius);
+    const bool is_free = apart > square(reach + (margin - (margin_a + margin_b))) * (1 + kSquares) + kTiny;
+    const bool is_hit = shape_a.isDisc() && shape_b.isDisc() && apart < square(margin) * (1 - kSquares) - kTiny;
+    if ((is_free || is_hit) && areRigid()) return is_hit;
+    return std::nullopt;
+  }
+
+  /// What the kernel would tell of two discs that are apart, if that is plain.
+  std::optional<tricover::DistanceResult> distancePlainly() const {
+    if (!(shape_a.isDisc() && shape_b.isDisc() && areRigid())) return std::nullopt;
+    // The distance of their centres errs by 3.1U of itself.
+    const tricover::Vec2 center_a = pose_a.translation(), center_b = pose_b.translation();
+    const double square = (center_b - center_a).squaredNorm(), distance = std::sqrt(square);
+    const bool are_apart = square > 0x1p-900 && square < 0x1p900 && distance * (1 - 0x1p-40) > margin;
+    if (!are_apart) return std::nullopt;
+    return tricover::DistanceResult{distance - margin, center_a, center_b, 0, 0};
+  }
+
+  /// Most poses that the kernel doesn't refuse.
+  bool areRigid() const { return tricover::detail::isPlainlyRigid(pose_a) && tricover::detail::isPlainlyRigid(pose_b); }
 };
 
 }  // namespace tricover_fcl

@@ -5,15 +5,23 @@
 
 #include <limits>
 
-namespace tricover_fcl {
+#include "shape/planar_pair.h"
 
-PlanarPair Shadow::with(const tricover::Polygon& polygon, double margin) const {
-  return {&polygon, &*region_, tricover::Pose::Identity(), tricover::Pose::Identity(), 0, 0, margin};
+namespace tricover_fcl {
+namespace {
+
+/// Both in the polygon's frame.
+PlanarPair pairAt(const tricover::Polygon& polygon, const tricover::Polygon& region, double margin) {
+  PlanarPair pair(polygon, region, 0, 0, margin);
+  pair.pose_a = pair.pose_b = tricover::Pose::Identity();
+  return pair;
 }
+
+}  // namespace
 
 bool Shadow::meets(const tricover::Polygon& polygon, double margin) const {
   if (smooth_) return smooth_->meets(polygon, margin);
-  return with(polygon, margin + rounding_).collide();
+  return pairAt(polygon, *region_, margin + rounding_).collide();
 }
 
 std::optional<tricover::DistanceResult> Shadow::distance(const tricover::Polygon& polygon, double limit,
@@ -21,8 +29,8 @@ std::optional<tricover::DistanceResult> Shadow::distance(const tricover::Polygon
   // Regions that meet up to rounding are a little apart: a limit below that must not cost them their nearest points.
   if (smooth_) return smooth_->distance(polygon, options.margin);
   const bool touching = meets(polygon, options.margin);
-  auto found =
-      with(polygon, options.margin).distanceWithin(touching ? std::numeric_limits<double>::infinity() : limit, options);
+  auto found = pairAt(polygon, *region_, options.margin)
+                   .distanceWithin(touching ? std::numeric_limits<double>::infinity() : limit, options);
   if (touching && found) found->distance = 0;
   return found;
 }
@@ -71,11 +79,7 @@ bool sharpen(SmoothShadow& shadow, const Normals& normals) {
 std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Polygon& polygon, double margin) {
   constexpr int kOneByOne = 16;
   const double error = shadow.outlineError(Shadow::kOutlineError);
-  const auto into = [&](const Polygon& region) {
-    tricover::PenetrationOptions options;
-    options.margin = margin;
-    return tricover::penetration(polygon, Pose::Identity(), region, Pose::Identity(), options);
-  };
+  const auto into = [&](const Polygon& region) { return pairAt(polygon, region, margin).penetration(); };
   for (int i = 0;; ++i) {
     const auto around = into(shadow.outline());
     if (!around) return around;
@@ -97,17 +101,15 @@ std::optional<tricover::Penetration> sharpenedWay(SmoothShadow& shadow, const Po
 }  // namespace
 
 std::optional<tricover::Penetration> Shadow::penetration(const Polygon& polygon, double margin) const {
-  if (!smooth_) return with(polygon, margin).penetration();
+  if (!smooth_) return pairAt(polygon, *region_, margin).penetration();
   SmoothShadow fine = roughly(*smooth_);
   return sharpenedWay(fine, polygon, margin);
 }
 
 /// With an outline that is fine where it crosses the polygon, and where a part's way leads.
 std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, double margin, std::size_t most) const {
-  if (!smooth_) return with(polygon, margin).contacts(most);
-  const auto of = [&](const Polygon& region) {
-    return tricover::contacts(polygon, Pose::Identity(), region, Pose::Identity(), {margin, most});
-  };
+  if (!smooth_) return pairAt(polygon, *region_, margin).contacts(most);
+  const auto of = [&](const Polygon& region) { return pairAt(polygon, region, margin).contacts(most); };
   SmoothShadow fine = roughly(*smooth_);
   Normals normals;
   do {
@@ -117,14 +119,15 @@ std::vector<tricover::Contact> Shadow::contacts(const Polygon& polygon, double m
   const std::vector<tricover::Contact> found = of(fine.outline());
   normals.clear();
   for (const tricover::Contact& part : found) normals.push_back(-part.normal);
-  if (found.size() != 1) return sharpen(fine, normals) ? of(fine.outline()) : found;
-  const auto way = sharpenedWay(fine, polygon, margin);
-  std::vector<tricover::Contact> whole = of(fine.outline());
-  if (way && whole.size() == 1) {  // finer outlines may have more vertices than contacts() searches for it
-    tricover::Contact& part = whole.front();
-    part = {part.point, way->normal, way->depth, way->edge_a, way->edge_b};
-  }
-  return whole;
+  return sharpen(fine, normals) ? of(fine.outline()) : found;
+}
+
+bool Shadow::isDeeper(const Polygon& polygon, double margin, double depth) const {
+  const auto is = [&](const std::vector<tricover::Contact>& deepest) {
+    return !deepest.empty() && deepest.front().depth > depth;
+  };
+  return is_surface_ || (smooth_ && is(pairAt(polygon, smooth_->inscribed(), margin).contacts(1))) ||
+         is(contacts(polygon, margin, 1));
 }
 
 int Shadow::partOf(std::ptrdiff_t edge) const {

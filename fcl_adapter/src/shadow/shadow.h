@@ -11,7 +11,9 @@
 
 #include "shadow/slab_cut.h"
 #include "shadow/smooth_shadow.h"
-#include "shape/planar_pair.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/penetration.h"
 
 namespace tricover_fcl {
 
@@ -60,11 +62,11 @@ class Shadow {
   /// be taken.
   std::optional<tricover::Penetration> penetration(const tricover::Polygon& polygon, double margin) const;
   static constexpr double kFarOutlineError = 1e-3;
-  /// One for each part of their overlap, as right.
+  /// One for each part of their overlap, as PlanarPair's, as right.
   std::vector<tricover::Contact> contacts(const tricover::Polygon& polygon, double margin, std::size_t most) const;
+  /// Whether one is deeper. Of a surface that is met, all are, if only touched.
+  bool isDeeper(const tricover::Polygon& polygon, double margin, double depth) const;
 
-  /// Within the shadow: itself, or, of a smooth body, a polygon of few vertices.
-  tricover::Polygon core() const { return smooth_ ? smooth_->inscribed() : *region_; }
   /// How far the outline and what meets() takes for it may be from the true shadow, a length.
   double outlineError() const;
 
@@ -73,9 +75,6 @@ class Shadow {
   int partOf(std::ptrdiff_t edge) const;
 
  private:
-  /// Of a shadow that is a polygon.
-  PlanarPair with(const tricover::Polygon& polygon, double margin) const;
-
   std::optional<tricover::Polygon> region_;
   double rounding_ = 0;
   std::vector<Part> parts_;

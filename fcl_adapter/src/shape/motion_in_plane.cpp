@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <typeinfo>
 
 #include "shape/errors.h"
@@ -135,6 +136,30 @@ tricover::Motion splineInPlane(const fcl::SplineMotion<S>& spline, const Plane& 
 }  // namespace
 
 template <typename S>
+std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begin, const fcl::Transform3<S>& end,
+                                                  fcl::CCDMotionType type, bool of_polygon) {
+  if (type == fcl::CCDM_TRANS) return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
+  if (of_polygon && type == fcl::CCDM_SPLINE)
+    refuseQuestion("ccd_motion_type", "FCL leaves a SplineMotion between two transforms uninitialised",
+                   "make one of control points, and pass the motions");
+  if constexpr (std::is_same_v<S, double>) {
+    if (type == fcl::CCDM_LINEAR) {
+      return std::make_shared<fcl::InterpMotion<S>>(begin.linear(), begin.translation(), end.linear(),
+                                                    end.translation(), fcl::Vector3<S>::Zero());
+    }
+    if (type == fcl::CCDM_SCREW) {
+      auto screw = std::make_shared<fcl::ScrewMotion<S>>(begin, end);
+      if (!of_polygon || screw->getAngularVelocity() != 0) return screw;
+      return std::make_shared<fcl::TranslationMotion<S>>(begin, end);
+    }
+    if (type == fcl::CCDM_SPLINE) return std::make_shared<fcl::SplineMotion<S>>(begin, end);
+  }
+  if (of_polygon)
+    refuseQuestion("ccd_motion_type", "FCL has no such motion of this scalar", "CCDM_TRANS works for float, too");
+  return nullptr;
+}
+
+template <typename S>
 bool isSpoiled(const fcl::MotionBase<S>& motion) {
   return typeid(motion) == typeid(fcl::InterpMotion<S>) &&
          Ends<S>::areAlone(static_cast<const fcl::InterpMotion<S>&>(motion));
@@ -198,6 +223,11 @@ std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>& motion, 
   return in_plane;
 }
 
+template std::shared_ptr<fcl::MotionBase<float>> motionBetween(const fcl::Transform3<float>&,
+                                                               const fcl::Transform3<float>&, fcl::CCDMotionType, bool);
+template std::shared_ptr<fcl::MotionBase<double>> motionBetween(const fcl::Transform3<double>&,
+                                                                const fcl::Transform3<double>&, fcl::CCDMotionType,
+                                                                bool);
 template bool isSpoiled(const fcl::MotionBase<float>&);
 template bool isSpoiled(const fcl::MotionBase<double>&);
 template fcl::Transform3<float> poseAt(const fcl::MotionBase<float>&, float);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <fcl/math/motion/motion_base.h>
+#include <fcl/narrowphase/continuous_collision_request.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "shape/plane.h"
@@ -21,6 +23,15 @@ S roundDown(double time) {
   const S rounded = static_cast<S>(time);
   return static_cast<double>(rounded) <= time ? rounded : std::nextafter(rounded, S(0));
 }
+
+/// What FCL makes of two transforms, but that a CCDM_LINEAR motion has a reference point, the origin: FCL leaves it
+/// uninitialised, and turns about whatever is there. For a polygon, a CCDM_SCREW motion without a turn ends at its
+/// goal, and std::logic_error is thrown for CCDM_SPLINE, of which FCL leaves all uninitialised, and for what S has no
+/// motion of; otherwise that is null. Made shared, because libfcl's own delete frees what a program in C++17 gets from
+/// another new (Eigen's aligned one).
+template <typename S>
+std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begin, const fcl::Transform3<S>& end,
+                                                  fcl::CCDMotionType type, bool of_polygon);
 
 /// Whether a motion's own poses are made of uninitialised memory: see Ends.
 template <typename S>

@@ -109,13 +109,4 @@ PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
   return planar_pose;
 }
 
-/// Whether neither requirePlanar() nor the kernel refuses a pose: most that they don't.
-template <typename S>
-bool isPlainlyPlanar(const fcl::Transform3<S>& transform) {
-  if (!(tiltOf(transform) <= kTiltTolerance)) return false;
-  tricover::Pose pose;
-  setPlanarPart(pose, transform);
-  return tricover::detail::isPlainlyRigid(pose);
-}
-
 }  // namespace tricover_fcl

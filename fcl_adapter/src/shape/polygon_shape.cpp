@@ -27,10 +27,24 @@ S notBelow(double value) {
   return std::nextafter(rounded, std::numeric_limits<S>::infinity());
 }
 
-/// An S above what `value` was rounded from by one operation.
+/// An S above what `value` was rounded from by one operation: by an ulp or two.
 template <typename S>
 S roundUp(double value) {
-  return notBelow<S>(std::nextafter(value, std::numeric_limits<double>::infinity()));
+  return notBelow<S>(value + std::abs(value) * 0x1p-52 + std::numeric_limits<double>::denorm_min());
+}
+
+/// The largest distance of a vertex from the origin, up to rounding; infinity where it overflows.
+double farthest(const tricover::Polygon& polygon) {
+  double square = 0;
+  for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e)
+    square = std::max(square, polygon.edgeStart(e).squaredNorm());
+  if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
+  double reach = 0;
+  for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e) {
+    const tricover::Vec2 vertex = polygon.edgeStart(e);
+    reach = std::max(reach, std::hypot(vertex.x(), vertex.y()));
+  }
+  return reach;
 }
 
 bool isPointAtOrigin(const tricover::Polygon& polygon) {
@@ -67,20 +81,19 @@ PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& o
   check(std::isfinite(options.margin) && options.margin >= 0, "margin", "finite and not negative");
 
   tricover::Vec2 low(infinity, infinity), high(-infinity, -infinity);
-  double reach = 0;
   for (tricover::EdgeIndex e = 0; e < polygon_.edgeCount(); ++e) {
     const tricover::Vec2 vertex = polygon_.edgeStart(e);
     low = low.cwiseMin(vertex);
     high = high.cwiseMax(vertex);
-    reach = std::max(reach, std::hypot(vertex.x(), vertex.y()));  // infinity where it overflows: a box too wide
   }
+  const double reach = farthest(polygon_);  // infinity: a box too wide
 
   // CollisionObject::computeAABB leaves out a rotation within dummy_precision of the identity, entry by entry: a vertex
   // may be off by that times |x| + |y| <= sqrt(2) reach, within the plane; heights are taken without it.
   const double pad = 2 * static_cast<double>(Eigen::NumTraits<S>::dummy_precision()) * reach;
   const double margin = options.margin * (1 + 0x1p-50);  // pays for rounding where two margins are added
   const double grown = pad + margin;
-  // |R|_2 <= 1 + 1.5 kRigidTolerance if no entry of R^T R - I exceeds it; the rest pays for hypot's rounding.
+  // |R|_2 <= 1 + 1.5 kRigidTolerance if no entry of R^T R - I exceeds it; the rest pays for rounding.
   constexpr double stretch = 1 + 2 * tricover::kRigidTolerance;
   const double planar = reach * stretch + margin;
   const double z_low = isAtAllHeights() ? -planar : options.z_low, z_high = isAtAllHeights() ? planar : options.z_high;
