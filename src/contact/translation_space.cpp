@@ -22,8 +22,7 @@ TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polyg
     while (last > begin && !isEdge(last - 1)) --last;
     Vec2 incoming = last > begin ? edge(last - 1) : Vec2(Vec2::Zero());
     for (std::size_t i = begin; i <= end; ++i) {
-      Vertex vertex{origin + inUnits(pose, polygon.path[i], polygon.origin), Vec2::Zero(), Vec2::Zero(), false,
-                    Vec2::Zero()};
+      Vertex vertex{origin + inUnits(pose, polygon.path[i], polygon.origin), Vec2::Zero(), Vec2::Zero(), false};
       if (i < end && isEdge(i)) {
         vertex.incoming = incoming;
         incoming = vertex.outgoing = edge(i);
@@ -93,13 +92,9 @@ PosedPair TranslationSpace::at(Vec2& t) {
   return PosedPair(polygon_a_, pose_a_, polygon_b_, pose_b_);
 }
 
-TranslationSpace::MeetingEdges TranslationSpace::meetingOf(std::size_t i, std::size_t j) {
-  const auto normalOf = [](Vertex& v) {
-    if (v.normal.isZero(0)) v.normal = Vec2(-v.outgoing.y(), v.outgoing.x()).stableNormalized();
-    return v.normal;
-  };
+TranslationSpace::MeetingEdges TranslationSpace::meetingOf(std::size_t i, std::size_t j) const {
   const Vec2 &of_a = a_[i].outgoing, of_b = -b_[j].outgoing;
-  Vec2 up_a = normalOf(a_[i]), up_b = normalOf(b_[j]);
+  Vec2 up_a = Vec2(-of_a.y(), of_a.x()).stableNormalized(), up_b = Vec2(of_b.y(), -of_b.x()).stableNormalized();
   if (up_a.dot(of_b) < 0) {
     up_a = -up_a;
     up_b = -up_b;

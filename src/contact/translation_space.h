@@ -66,7 +66,7 @@ class TranslationSpace {
   /// Calls meet(meeting) for each pair of edges that may meet at t, and visit(segment) for each convolution segment
   /// within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
   template <typename Meet, typename Visit>
-  void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) {
+  void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) const {
     const double limit = pair.reach((radius + noise_) * unit_);
     forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
       const bool goes_on = (gap > 0 || meet(meetingOf(i, j))) && show(i, j, t, radius, visit);
@@ -106,7 +106,6 @@ class TranslationSpace {
     Vec2 at;
     Vec2 incoming, outgoing;  ///< edges at it, beyond its repetitions
     bool is_edge;             ///< not a repetition of the next one
-    Vec2 normal;              ///< of its edge, to the left, once it has been asked for; otherwise zero
   };
   using Vertices = std::vector<Vertex>;
 
@@ -125,7 +124,7 @@ class TranslationSpace {
     const bool passes = (from > from_error && to > to_error) || (from < -from_error && to < -to_error);
     return !passes;
   }
-  MeetingEdges meetingOf(std::size_t i, std::size_t j);
+  MeetingEdges meetingOf(std::size_t i, std::size_t j) const;
 
   template <typename Visit>
   bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
