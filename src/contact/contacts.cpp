@@ -16,6 +16,7 @@
 #include "pair/find_fact.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
+#include "polygon/convexity.h"
 
 namespace tricover {
 namespace detail {
@@ -32,8 +33,7 @@ std::vector<Contact> contactsBeside(const PosedPair& pair, const ContactOptions&
 }
 
 std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, const ContactOptions& options) {
-  if (!convexOutlineOf(pair.a).isConvexRegion() || !convexOutlineOf(pair.b).isConvexRegion())
-    return partContacts(pair, nullptr, options);
+  if (cornersOf(pair.a) == nullptr || cornersOf(pair.b) == nullptr) return partContacts(pair, nullptr, options);
   const SeparatingAxes axes(pair, cache != nullptr ? &cache->contact : nullptr);
   if (axes.verdict() == SeparatingAxes::Apart) return {};
   if (axes.verdict() == SeparatingAxes::Meet)

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "convex/convex_outline.h"
+#include "convex/convex_ring.h"
 #include "numbers/double_double.h"
 
 namespace tricover::detail {
@@ -16,24 +18,26 @@ namespace {
 class Corners {
  public:
   Corners(const ConvexOutline& outline, const Pose& pose, const DoubleDouble2& shift, double scale)
-      : outline_(outline), pose_(pose), shift_(shift), scale_(scale), mirrored_(pose.linear().determinant() < 0) {}
+      : ring(outline.points.data(), outline.corners.size(), 1),
+        pose_(pose),
+        shift_(shift),
+        scale_(scale),
+        mirrored_(pose.linear().determinant() < 0) {}
 
-  std::size_t size() const { return outline_.corners.size(); }
-  std::size_t after(std::size_t k) const { return k + 1 < size() ? k + 1 : 0; }
-  std::size_t before(std::size_t k) const { return (k > 0 ? k : size()) - 1; }
-
-  DoubleDouble2 at(std::size_t k) const {
-    const Vec2 p = outline_.points[k] * scale_;
-    const DoubleDouble2 turned = linear({{p.x(), 0}, {p.y(), 0}});
+  DoubleDouble2 at(std::uint32_t k) const {
+    const Double2 p = ring.vertex(k) * scale_;
+    const DoubleDouble2 turned = linear({{p[0], 0}, {p[1], 0}});
     return {turned.x + shift_.x, turned.y + shift_.y};
   }
   /// Outwards from edge k, as long as that. The difference is taken where it is exact, so that a short edge's direction
   /// is as precise as a long one's.
-  DoubleDouble2 normalOf(std::size_t k) const {
-    const Vec2 p = outline_.points[k] * scale_, q = outline_.points[after(k)] * scale_;
-    const DoubleDouble2 edge = linear({twoSum(q.x(), -p.x()), twoSum(q.y(), -p.y())});
+  DoubleDouble2 normalOf(std::uint32_t k) const {
+    const Double2 p = ring.vertex(k) * scale_, q = ring.vertex(ring.next(k)) * scale_;
+    const DoubleDouble2 edge = linear({twoSum(q[0], -p[0]), twoSum(q[1], -p[1])});
     return mirrored_ ? DoubleDouble2{-edge.y, edge.x} : DoubleDouble2{edge.y, -edge.x};
   }
+
+  const ConvexRing ring;  ///< counter-clockwise
 
  private:
   DoubleDouble2 linear(const DoubleDouble2& p) const {
@@ -42,7 +46,6 @@ class Corners {
     return {row(0), row(1)};
   }
 
-  const ConvexOutline& outline_;
   const Pose& pose_;
   DoubleDouble2 shift_;
   double scale_;
@@ -51,13 +54,16 @@ class Corners {
 
 /// The gap behind a face of one of them. Along a convex outline heights fall and rise once each: the way to the deepest
 /// corner leads from corner `at` on down.
-SupportGap gapBehind(const Corners& own, const Corners& other, bool of_a, std::size_t face, std::size_t at,
+SupportGap gapBehind(const Corners& own, const Corners& other, bool of_a, std::uint32_t face, std::uint32_t at,
                      bool certain) {
   const DoubleDouble2 normal = own.normalOf(face);
-  const auto isDeeper = [&](std::size_t j, std::size_t i) { return dot(normal, other.at(j) - other.at(i)).high < 0; };
-  std::size_t steps = certain ? other.size() : 0;
-  for (; steps < other.size() && isDeeper(other.after(at), at); ++steps) at = other.after(at);
-  for (; steps < other.size() && isDeeper(other.before(at), at); ++steps) at = other.before(at);
+  const ConvexRing& ring = other.ring;
+  const auto isDeeper = [&](std::uint32_t j, std::uint32_t i) {
+    return dot(normal, other.at(j) - other.at(i)).high < 0;
+  };
+  std::uint32_t steps = certain ? ring.size() : 0;
+  for (; steps < ring.size() && isDeeper(ring.next(at), at); ++steps) at = ring.next(at);
+  for (; steps < ring.size() && isDeeper(ring.previous(at), at); ++steps) at = ring.previous(at);
   const double length = std::hypot(normal.x.high, normal.y.high);
   const double depth = std::max(0.0, dot(normal, own.at(face) - other.at(at)).high / length);
   // Of short edges among huge ones the normal may be one of the smallest doubles, and its length hardly known.
@@ -77,8 +83,8 @@ std::vector<SupportGap> leastGaps(const SeparatingAxes* axes, const Corners& a, 
   }
   for (const bool of_a : {true, false}) {
     const Corners &own = of_a ? a : b, &other = of_a ? b : a;
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < own.size() && own.size() > 1; ++k) {
+    std::uint32_t at = 0;
+    for (std::uint32_t k = 0; k < own.ring.size() && own.ring.size() > 1; ++k) {
       gaps.push_back(gapBehind(own, other, of_a, k, at, false));
       at = gaps.back().corner;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 
 #include "contact/separating_axes.h"
 
@@ -9,10 +9,10 @@ namespace tricover::detail {
 
 /// The shortest translation of b that parts two convex sets which meet.
 struct SupportGap {
-  double depth;              ///< world length
-  Vec2 normal;               ///< unit, from a towards where b leaves
-  bool edge_of_a;            ///< an edge of a and a corner of b part last; otherwise a corner of a and an edge of b
-  std::size_t edge, corner;  ///< of the outlines
+  double depth;                ///< world length
+  Vec2 normal;                 ///< unit, from a towards where b leaves
+  bool edge_of_a;              ///< an edge of a and a corner of b part last; otherwise a corner of a and an edge of b
+  std::uint32_t edge, corner;  ///< of the outlines
 };
 
 /// By separating axes, which are null unless both outlines have an area: the least support gap over the normals of both

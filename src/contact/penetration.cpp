@@ -41,16 +41,34 @@ Features featuresOf(const TranslationSpace& space, const Vec2& t, bool edge_of_a
   return {p + t, p, t.normalized(), vertex, edge};
 }
 
-/// Of convex regions.
+/// Of convex regions. Edges beside the least face may be parallel to it but for rounding, and the corner behind it be
+/// beside one of those.
 Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const SupportGap& gap) {
   const PolygonData &own = gap.edge_of_a ? pair.a : pair.b, &other = gap.edge_of_a ? pair.b : pair.a;
   const ConvexOutline& outline = convexOutlineOf(own);
-  const std::size_t vertex = convexOutlineOf(other).corners[gap.corner], start = outline.corners[gap.edge],
-                    end = outline.corners[(gap.edge + 1) % outline.corners.size()];
+  const std::size_t corner = convexOutlineOf(other).corners[gap.corner], count = outline.corners.size();
   const PosedPair swapped(pair.b, pair.pose_b, pair.a, pair.pose_a);
-  const ApproxPoint deepest = (gap.edge_of_a ? pair : swapped).fromB(other.path[vertex]);
-  return featuresOf(space, gap.normal * (gap.depth / space.unit()), gap.edge_of_a,
-                    pathEdge(own, outline, gap.edge, {deepest.x, deepest.y}), start, end, vertex);
+  const ApproxPoint deepest = (gap.edge_of_a ? pair : swapped).fromB(other.path[corner]);
+  const Vec2 t = gap.normal * (gap.depth / space.unit());
+  const auto at = [&](std::size_t k) {
+    return featuresOf(space, t, gap.edge_of_a, pathEdge(own, outline, k, {deepest.x, deepest.y}), outline.corners[k],
+                      outline.corners[(k + 1) % count], corner);
+  };
+  const Vec2 vertex = gap.edge_of_a ? space.vertexOfB(corner) : space.vertexOfA(corner);
+  const auto off = [&](const Features& f) { return ((gap.edge_of_a ? f.point_b : f.point_a) - vertex).norm(); };
+  const double on = 64 * space.noise();
+  const Features parted = at(gap.edge);
+  for (const std::size_t step : {std::size_t{1}, count - 1}) {
+    double least = off(parted);
+    for (std::size_t k = gap.edge; least > on;) {
+      k = (k + step) % count;
+      const Features beside = at(k);
+      if (off(beside) <= on) return beside;
+      if (!(off(beside) < least)) break;
+      least = off(beside);
+    }
+  }
+  return parted;
 }
 
 /// The same for what the search found, by the convolution segment that is nearest to its limit: it is on one, unless

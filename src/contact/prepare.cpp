@@ -16,6 +16,12 @@ void prepare(const Polygon& polygon) {
   detail::innerDiscsOf(data);
   detail::convexOutlineOf(data);
   detail::discCoverOf(data);
+  if (const detail::PolygonData* corners = detail::cornersOf(data)) {
+    detail::hierarchyOf(*corners);
+    detail::innerDiscsOf(*corners);
+    detail::convexityOf(*corners);
+    detail::buildRingStarts(*corners);
+  }
   detail::meetsItself(data);
   detail::buildPlaces(data);
   detail::buildRingStarts(data);

@@ -2,13 +2,11 @@
 #include "convex/convex_outline.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <utility>
 
 #include "numbers/convex_hull.h"
 #include "numbers/predicates.h"
-#include "numbers/segment.h"
 
 namespace tricover::detail {
 namespace {
@@ -63,19 +61,7 @@ std::size_t pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline,
 
 std::size_t pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p) {
   const std::size_t next = k + 1 < outline.corners.size() ? k + 1 : 0, first = outline.forward ? k : next;
-  const std::size_t end = outline.corners[outline.forward ? next : k];
-  std::size_t nearest = outline.corners[first];
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t e = nearest; e != end;) {
-    const std::size_t after = e + 2 < polygon.path.size() ? e + 1 : 0;
-    if (e == outline.corners[first] && after == end) break;
-    const double square = squaredDistanceToSegment(polygon.inUnits(p), polygon.inUnits(polygon.path[e]),
-                                                   polygon.inUnits(polygon.path[e + 1]));
-    if (square < least) nearest = e;
-    least = std::min(square, least);
-    e = after;
-  }
-  return nearest;
+  return edgeBeside(polygon, outline.corners[first], outline.corners[outline.forward ? next : k], p);
 }
 
 }  // namespace tricover::detail

@@ -15,8 +15,6 @@ struct ConvexOutline : Derived::Thing {
   std::vector<Vec2> points;          ///< where they are, the first once more at the end
   bool is_region = false;  ///< the polygon's region is that convex set; otherwise it is the region's convex hull
   bool forward = true;     ///< of a region: whether the path runs counter-clockwise
-
-  bool isConvexRegion() const { return is_region && corners.size() > 2; }
 };
 
 const ConvexOutline& findConvexOutline(const PolygonData& polygon);

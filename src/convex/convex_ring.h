@@ -60,20 +60,32 @@ class ConvexRing {
     return low == size_ ? 0 : low;
   }
 
-  /// All vertices that may be the foremost one along n, a climb along an edge of up to `doubt` being in doubt: those
-  /// between an edge that certainly leads ahead and one that certainly leads back. The walk begins at range.first, so
-  /// that it is short from one that was near the foremost before. False if there are no such edges.
-  bool foremost(Double2 n, double doubt, RingRange& range) const {
+  /// All vertices that may be the foremost one: those between an edge that certainly leads ahead and one that certainly
+  /// leads back, as its climb(edge) tells. The walk begins at range.first, so that it is short from one that was near
+  /// the foremost before. False if there are no such edges.
+  template <typename Climb, typename LeadsAhead, typename LeadsBack>
+  [[gnu::always_inline]] bool foremost(Climb climb, LeadsAhead leadsAhead, LeadsBack leadsBack,
+                                       RingRange& range) const {
     std::uint32_t v = range.first, steps = 0;
-    for (; dot(n, edge(v)) > doubt; v = next(v))
+    auto up = climb(v);
+    for (; leadsAhead(up); up = climb(v = next(v)))
       if (steps++ == size_) return false;
     if (steps == 0)  // what leads to v is yet to be found
-      for (std::uint32_t u = previous(v); !(dot(n, edge(u)) > doubt); v = u, u = previous(u))
+      for (auto to = climb(previous(v)); !leadsAhead(to); to = climb(previous(v))) {
         if (steps++ == size_) return false;
+        up = to;
+        v = previous(v);
+      }
     range = {v, 1};
-    for (; !(dot(n, edge(v)) < -doubt); v = next(v))
+    for (; !leadsBack(up); up = climb(v = next(v)))
       if (range.count++ == size_) return false;
     return true;
+  }
+
+  /// The same along n, a climb of up to `doubt` being in doubt.
+  bool foremost(Double2 n, double doubt, RingRange& range) const {
+    return foremost([&](std::uint32_t k) { return dot(n, edge(k)); }, [&](double up) { return up > doubt; },
+                    [&](double up) { return up < -doubt; }, range);
   }
 
  private:
@@ -82,7 +94,7 @@ class ConvexRing {
   int turn_;
 };
 
-/// A polygon whose hierarchy says that it is strictly convex.
+/// A polygon that is cornersOf() itself.
 inline ConvexRing convexRing(const PolygonData& polygon) {
   return {polygon.path.data(), polygon.path.size() - 1, convexityOf(polygon).direction};
 }

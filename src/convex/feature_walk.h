@@ -15,7 +15,7 @@ struct FeaturePair {
   std::uint32_t edge_a = 0, edge_b = 0;
 };
 
-/// The nearest features of strictly convex polygons (Convexity::is_strict) that are apart, as far as plain
+/// The nearest features of convex polygons without straight vertices (cornersOf()) that are apart, as far as plain
 /// doubles see: a guess. As GJK does, it turns the axis between two vertices until these are the nearest, from the
 /// vertices on that face the other polygon's origin; those are found in O(log n) steps.
 FeaturePair walkToNearest(const PosedVertices& vertices);

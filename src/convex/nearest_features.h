@@ -9,7 +9,7 @@
 
 namespace tricover::detail {
 
-/// What separating axes prove of two strictly convex polygons (Convexity::is_strict).
+/// What separating axes prove of two convex polygons without straight vertices (cornersOf()).
 struct NearestFeatures {
   bool are_apart = false;     ///< if not, nothing is proven: they may meet, or be too near to tell
   bool seem_to_meet = false;  ///< as far as floats see

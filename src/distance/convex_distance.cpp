@@ -9,7 +9,6 @@
 #include "distance/edge_distance.h"
 #include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
-#include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
@@ -76,8 +75,6 @@ void findConvexOverlap(const DistancePair& pair, ConvexOverlap& found) {
 
 bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options,
                     DistanceResult& result) {
-  if (pair.a.isDegenerate() || pair.b.isDegenerate()) return false;
-  if (!convexityOf(pair.a).is_strict || !convexityOf(pair.b).is_strict) return false;
   const FeaturePair tried = cache != nullptr ? recallFeatures(*cache) : FeaturePair();
   const auto store = [&](bool were_right, const FeaturePair& found) {
     if (cache != nullptr) storeFeatures(*cache, tried, were_right, found);

@@ -7,12 +7,12 @@
 
 namespace tricover::detail {
 
-/// Of two strictly convex polygons that are clearly apart, or small ones (SmallPolygon) that clearly meet; false of
+/// Of two convex polygons without straight vertices (cornersOf()) that are clearly apart, or small ones (SmallPolygon) that clearly meet; false of
 /// others. Keeps the features that it finds in `cache`, unless it is null, and tries those first.
 bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options,
                     DistanceResult& result);
 
-/// Where two strictly convex polygons meet.
+/// Where two convex polygons meet.
 struct ConvexOverlap {
   FeaturePair edges;               ///< that cross, or none
   EdgeDistance point;              ///< where they do

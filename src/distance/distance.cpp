@@ -9,20 +9,52 @@
 #include "numbers/rigidity.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
+#include "polygon/convexity.h"
 
 namespace tricover {
 namespace detail {
 
 namespace {
 
+DistanceResult solve(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options);
+
+/// The number of the edge that an edge of its corners, or none, has at a point in the world.
+EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, const Pose& pose, const Vec2& point,
+                      EdgeIndex edge) {
+  if (&corners == &polygon || edge < 0) return edge;
+  const Vec2 in_frame = pose.linear().inverse() * (0.25 * point - 0.25 * pose.translation()) * 4;
+  return static_cast<EdgeIndex>(edgeOfPath(polygon, static_cast<std::size_t>(edge), in_frame));
+}
+
+/// Where some of the two have straight vertices or aren't convex; by the corners alone of what is convex.
+[[gnu::noinline]] DistanceResult solveOthers(const DistancePair& pair, const PolygonData* corners_a,
+                                             const PolygonData* corners_b, DistanceFacts* cache,
+                                             const DistanceQuery& options) {
+  const PolygonData &a = corners_a != nullptr ? *corners_a : pair.a, &b = corners_b != nullptr ? *corners_b : pair.b;
+  if (&a == &pair.a && &b == &pair.b) {
+    if (cache != nullptr) claim(*cache, pair);
+    return treeDistance(pair, cache, options);
+  }
+  const DistanceResult found = solve({a, pair.pose_a, b, pair.pose_b, false, pair.defect}, cache, options);
+  return inCallersOrder(pair, found.distance, found.point_a, found.point_b,
+                        edgeOfGiven(pair.a, a, pair.pose_a, found.point_a, found.edge_a),
+                        edgeOfGiven(pair.b, b, pair.pose_b, found.point_b, found.edge_b));
+}
+
 /// By the first solver that is certain of its answer; the last one always is.
-[[gnu::always_inline]] inline DistanceResult solve(const DistancePair& pair, DistanceFacts* cache,
-                                                   const DistanceQuery& options) {
+[[gnu::always_inline]] inline DistanceResult solveInline(const DistancePair& pair, DistanceFacts* cache,
+                                                         const DistanceQuery& options) {
   DistanceResult result;
   if (pair.b.isPoint() && pointDistance(pair, options, result)) return result;
+  const PolygonData *a = cornersOf(pair.a), *b = cornersOf(pair.b);
+  if (a != &pair.a || b != &pair.b) return solveOthers(pair, a, b, cache, options);
   if (cache != nullptr) claim(*cache, pair);
   if (!convexDistance(pair, cache, options, result)) result = treeDistance(pair, cache, options);
   return result;
+}
+
+DistanceResult solve(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
+  return solveInline(pair, cache, options);
 }
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
@@ -32,9 +64,9 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   requireNotNegative(options.limit, "limit");
   const PolygonData &first = a.data(), &second = b.data();
   const bool is_swapped = !inOrder(first, pose_a, second, pose_b);
-  return solve({is_swapped ? second : first, is_swapped ? pose_b : pose_a, is_swapped ? first : second,
-                is_swapped ? pose_a : pose_b, is_swapped, defect},
-               cache, options);
+  return solveInline({is_swapped ? second : first, is_swapped ? pose_b : pose_a, is_swapped ? first : second,
+                      is_swapped ? pose_a : pose_b, is_swapped, defect},
+                     cache, options);
 }
 
 std::optional<DistanceResult> ifWithin(double limit, const DistanceResult& result) {

@@ -376,7 +376,10 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   blocks.shrink_to_fit();
   assert(isTree(*this, polygon));
   small = makeSmallPolygon(polygon, local);
-  small_convex = small && convexityOf(polygon).is_strict ? small.get() : nullptr;
+  // Its corners may be few if it has no more than one vertex more on each side.
+  const bool may_be_small = polygon.path.size() <= 2 * SmallPolygon::kMost + 1;
+  const PolygonData* corners = may_be_small ? cornersOf(polygon) : nullptr;
+  if (corners != nullptr) small_convex = (corners == &polygon ? *this : hierarchyOf(*corners)).small.get();
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {

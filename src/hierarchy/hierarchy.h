@@ -83,8 +83,8 @@ struct Hierarchy : Derived::Thing {
   Box root;  ///< around everything, in units
   bool root_spanned;
 
-  std::unique_ptr<const SmallPolygon> small;  ///< null unless the polygon has few edges
-  const SmallPolygon* small_convex;           ///< the same if it is convex, otherwise null
+  std::unique_ptr<const SmallPolygon> small;   ///< null unless the polygon has few edges
+  const SmallPolygon* small_convex = nullptr;  ///< null unless it is convex and has few corners, which these are
 
   Derived places;  ///< known places, see inclusion.h
   Rent<Stages::All> places_rent;

@@ -172,6 +172,10 @@ extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap&
                     const EdgeCheck& check)>
     fewEdgesMeet;
 
+/// Whether smallMeet() may be asked.
+inline bool areSmall(const Hierarchy& a, const Hierarchy& b) {
+  return (a.small_convex != nullptr && b.small_convex != nullptr) || (a.small && b.small);
+}
 /// The one that is for them.
 inline Meeting smallMeet(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double rounding,
                          const EdgeCheck& check = {}) {

@@ -22,36 +22,24 @@ constexpr int kMostAdvances = 64;
 class Body {
  public:
   explicit Body(const Mover& mover_)
-      : mover(mover_),
-        ring_(mover.polygon->path.data(), mover.polygon->path.size() - 1, convexityOf(*mover.polygon).direction),
-        doubt_(mover.polygon->radius * 0x1p-47 + kTiny) {}
+      : mover(mover_), ring_(convexRing(*mover.polygon)), doubt_(mover.polygon->radius * 0x1p-47 + kTiny) {}
 
   /// The farthest that it reaches along an axis from S, at both ends of a window: by a vertex between an edge that
   /// certainly leads ahead at both and one that certainly leads back, near the last that was foremost.
   [[gnu::always_inline]] Double2 reach(const Places& p, Double2 nx, Double2 ny) {
     const Double2 mx = p.m00 * nx + p.m10 * ny, my = p.m01 * nx + p.m11 * ny;
-    const auto climb = [&](std::uint32_t edge) {
-      const Double2 e = ring_.edge(edge);
-      return mx * e[0] + my * e[1];
-    };
-    const auto leadsAhead = [&](Double2 up) { return up[0] > doubt_ && up[1] > doubt_; };
-    const auto leadsBack = [&](Double2 up) { return up[0] < -doubt_ && up[1] < -doubt_; };
-    std::uint32_t v = foremost_, steps = 0;
-    Double2 up = climb(v);
-    for (; leadsAhead(up) && steps < ring_.size(); ++steps) up = climb(v = ring_.next(v));
-    if (steps == 0)  // what leads to v is yet to be found
-      for (Double2 to = climb(ring_.previous(v)); !leadsAhead(to) && steps < ring_.size(); ++steps) {
-        up = to;
-        v = ring_.previous(v);
-        to = climb(ring_.previous(v));
-      }
-    foremost_ = v;
-    const bool is_certain = steps < ring_.size();
+    RingRange range{foremost_, 0};
+    const bool is_certain = ring_.foremost(
+        [&](std::uint32_t edge) {
+          const Double2 e = ring_.edge(edge);
+          return mx * e[0] + my * e[1];
+        },
+        [&](Double2 up) { return up[0] > doubt_ && up[1] > doubt_; },
+        [&](Double2 up) { return up[0] < -doubt_ && up[1] < -doubt_; }, range);
+    if (!is_certain) range.count = ring_.size();
+    std::uint32_t v = foremost_ = range.first;
     Double2 most = height(v, mx, my);
-    for (std::uint32_t left = ring_.size(); left > 0 && !(is_certain && leadsBack(up)); --left) {
-      up = climb(v = ring_.next(v));
-      most = larger(most, height(v, mx, my));
-    }
+    while (--range.count > 0) most = larger(most, height(v = ring_.next(v), mx, my));
     return most;
   }
 
@@ -253,7 +241,7 @@ class ConvexAdvancement {
 
 bool isConvexPair(const MovingPair& pair) {
   // Axes turn with the polygons: off rigid, they wouldn't part what touches to its precision.
-  return convexityOf(*pair.a.polygon).is_strict && convexityOf(*pair.b.polygon).is_strict && pair.keepLengths();
+  return cornersOf(*pair.a.polygon) != nullptr && cornersOf(*pair.b.polygon) != nullptr && pair.keepLengths();
 }
 
 FirstContact advanceAlongAxis(const MovingPair& pair, double, double time_error) {

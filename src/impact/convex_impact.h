@@ -5,7 +5,7 @@
 
 namespace tricover::detail {
 
-/// Whether advanceAlongAxis() may be asked: two strictly convex polygons, whose poses keep lengths but for rounding.
+/// Whether advanceAlongAxis() may be asked: two convex polygons, whose poses keep lengths but for rounding.
 bool isConvexPair(const MovingPair& pair);
 
 /// Conservative advancement along the axis between the nearest features, from time 0 on. Unknown at time 0 where they

@@ -9,6 +9,7 @@
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 
@@ -92,7 +93,7 @@ double shrinkOf(const PolygonData& polygon_a, const Motion& motion_a, const Poly
 /// In the frame of the world but for its pose's translation, all lengths times `shrink`.
 Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
   Mover mover;
-  mover.polygon = &polygon;
+  mover.polygon = mover.given = &polygon;
   mover.motion = &motion;
   mover.linear = motion.start.linear();
   // A point stays where it is if it turns about itself.
@@ -178,8 +179,10 @@ Rates MovingPair::ratesOf(double begin, double end) const {
 
 void MovingPair::prepare() {
   if (is_steady) steady = ratesOf(0, 1);
-  a.tree = &hierarchyOf(*a.polygon);
-  b.tree = &hierarchyOf(*b.polygon);
+  for (Mover* mover : {&a, &b}) {
+    if (const PolygonData* corners = cornersOf(*mover->given)) mover->polygon = corners;  // of the same S and unit
+    mover->tree = &hierarchyOf(*mover->polygon);
+  }
 }
 
 // A way of acceleration A or less leaves the line between its ends by at most A / 8.

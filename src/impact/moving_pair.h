@@ -58,8 +58,9 @@ struct Mover {
   /// that were made of doubles, which is less than what MovingPair::error allows for.
   bool keepsLengths() const;
 
-  const PolygonData* polygon;
-  const Motion* motion;             ///< as it was given
+  const PolygonData* polygon;       ///< once MovingPair::prepare() was called by its corners alone, if it is convex
+  const PolygonData* given;         ///< as it was given
+  const Motion* motion;             ///< likewise
   const Hierarchy* tree = nullptr;  ///< once MovingPair::prepare() was called
   Vec2 pivot;                       ///< in the polygon's frame
   Eigen::Matrix2d linear;           ///< the start's

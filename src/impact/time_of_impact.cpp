@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/time_of_impact.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -14,6 +15,7 @@
 #include "impact/vertex_impact.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
+#include "polygon/convexity.h"
 
 namespace tricover {
 namespace detail {
@@ -50,6 +52,21 @@ Vec2 normalOfTouch(const MovingBox& a, const MovingBox& b, const Vec2& between_o
   return best;
 }
 
+/// The number of an edge at a part of it, from its start (0) to its end (1).
+EdgeIndex givenEdge(const Mover& mover, std::size_t position, double part) {
+  const PolygonData &given = *mover.given, &polygon = *mover.polygon;
+  if (&given == &polygon) return static_cast<EdgeIndex>(given.edgeNumber(position));
+  const Vec2 point = (1 - part) * polygon.path[position] + part * polygon.path[position + 1];
+  return static_cast<EdgeIndex>(edgeOfPath(given, position, point));
+}
+
+/// The same at a point of it.
+EdgeIndex givenEdge(const Mover& mover, std::size_t position, const MovingBox& edge, const Vec2& point) {
+  if (mover.given == mover.polygon) return givenEdge(mover, position, 0);
+  const double along = (point.x() - edge.x[0]) * edge.ux[0] + (point.y() - edge.y[0]) * edge.uy[0];
+  return givenEdge(mover, position, std::clamp(0.5 + 0.5 * along / edge.along, 0.0, 1.0));
+}
+
 /// One polygon holds a ring of the other at time 0, and no edges meet.
 Impact describeContainment(const MovingPair& pair, const FirstContact& found) {
   const Vec2 between = pair.a.places(0, 0).originTo(pair.b.places(0, 0));
@@ -58,7 +75,7 @@ Impact describeContainment(const MovingPair& pair, const FirstContact& found) {
   const auto vertex = [&](const Mover& mover, std::ptrdiff_t edge) {
     const auto position = static_cast<std::size_t>(edge);
     impact.point = mover.motion->start * mover.polygon->path[position];
-    return static_cast<std::ptrdiff_t>(mover.polygon->edgeNumber(position));
+    return givenEdge(mover, position, 0);
   };
   if (found.edge_a >= 0) impact.edge_a = vertex(pair.a, found.edge_a);
   if (found.edge_b >= 0) impact.edge_b = vertex(pair.b, found.edge_b);
@@ -76,8 +93,7 @@ Impact describe(const MovingPair& pair, const FirstContact& found) {
                           : normalOfTouch(a, b, places_a.originTo(places_b), pair.error);
   assert(0 <= found.time && found.time <= 1 && std::abs(normal.norm() - 1) < 0x1p-40);
   return {found.time, toWorld(pair, found.time, 0.5 * (nearest.on_a + nearest.on_b)), normal,
-          static_cast<std::ptrdiff_t>(pair.a.polygon->edgeNumber(position_a)),
-          static_cast<std::ptrdiff_t>(pair.b.polygon->edgeNumber(position_b))};
+          givenEdge(pair.a, position_a, a, nearest.on_a), givenEdge(pair.b, position_b, b, nearest.on_b)};
 }
 
 /// Time 0 is collide()'s. A pair that is apart there meets at its edges first.

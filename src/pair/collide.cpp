@@ -27,17 +27,18 @@ double inWorld(double length, double scale_defect) { return roundedDown<2>(lengt
 /// Of convex polygons, by their nearest features. Those that start with the vertices of the last ones are tried first.
 std::optional<Outcome> findConvexFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                                       const Pose& pose_b, double margin, const FactWish& wish) {
-  if (a.isDegenerate() || b.isDegenerate()) return std::nullopt;
-  if (!convexityOf(a).is_strict || !convexityOf(b).is_strict) return std::nullopt;
+  const PolygonData *corners_a = cornersOf(a), *corners_b = cornersOf(b);
+  if (corners_a == nullptr || corners_b == nullptr) return std::nullopt;
   FeaturePair tried;
   if (wish.edge_a >= 0 && wish.edge_b >= 0)
-    tried = {FeaturePair::kVertices, static_cast<std::uint32_t>(wish.edge_a), static_cast<std::uint32_t>(wish.edge_b)};
-  const PosedVertices vertices(a, pose_a, b, pose_b);
+    tried = {FeaturePair::kVertices, cornerFrom(a, static_cast<std::size_t>(wish.edge_a)),
+             cornerFrom(b, static_cast<std::size_t>(wish.edge_b))};
+  const PosedVertices vertices(*corners_a, pose_a, *corners_b, pose_b);
   const NearestFeatures nearest = findNearestFeatures(vertices, tried);
   const double apart = nearest.are_apart ? nearest.atLeast(vertices) : 0;
   if (!(apart > margin)) return std::nullopt;
-  return Outcome{false, apart, static_cast<std::ptrdiff_t>(nearest.features.edge_a),
-                 static_cast<std::ptrdiff_t>(nearest.features.edge_b)};
+  return Outcome{false, apart, static_cast<std::ptrdiff_t>(convexityOf(a).corners[nearest.features.edge_a]),
+                 static_cast<std::ptrdiff_t>(convexityOf(b).corners[nearest.features.edge_b])};
 }
 
 /// Of polygons of which one lacks a hierarchy, for now or until now.

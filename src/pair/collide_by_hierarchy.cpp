@@ -6,6 +6,7 @@
 
 #include "convex/separating_edge.h"
 #include "pair/containment.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 
@@ -14,7 +15,8 @@ Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test) {
   ConvexGap best;
   const Meeting meeting = convexMeet(a, b, at.map, at.rounding, best);
   if (meeting != Meeting::Unknown) return meeting;
-  const bool are_apart = isSeparatingEdge(test.placement(), best.of_a, static_cast<std::size_t>(best.edge));
+  const std::size_t edge = convexityOf(best.of_a ? test.a : test.b).corners[static_cast<std::size_t>(best.edge)];
+  const bool are_apart = isSeparatingEdge(test.placement(), best.of_a, edge);
   return are_apart ? Meeting::Apart : meeting;
 }
 

@@ -27,7 +27,7 @@ Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test);
                                                  const EdgeTest& test, double& clearance, bool boxes_meet) {
   const Hierarchy &a = hierarchyOf(test.a), &b = hierarchyOf(test.b);
   const auto are_near = [&] { return std::abs(at.map.tx) + std::abs(at.map.ty) < 4; };  // false for NaN
-  const auto have_few_edges = [&] { return wanted == Wanted::Answer && limit == 0 && a.small && b.small; };
+  const auto have_few_edges = [&] { return wanted == Wanted::Answer && limit == 0 && areSmall(a, b); };
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const bool is_asked = !(boxes_meet && are_near() && have_few_edges());
   const double gap = is_asked ? rootGap(a.root, b.root, at.map, at.rounding) : 0;

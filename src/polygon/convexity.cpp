@@ -43,23 +43,53 @@ bool findCorners(const PolygonData& polygon, Convexity& convexity) {
     middle = after;
   }
   corners.resize(count);
+  // The second one that is distinct was the first to be asked.
+  if (!corners.empty() && corners.back() < corners.front())
+    std::rotate(corners.begin(), corners.end() - 1, corners.end());
   // Once around: x falls and rises once each.
   return turns_in_x == 2;
 }
 
 }  // namespace
 
+Convexity::Convexity(const PolygonData& polygon) {
+  const bool is_convex = findCorners(polygon, *this);
+  if (!is_convex) {
+    direction = 0;
+    corners = std::vector<std::size_t>();  // without its memory
+  }
+  has_others = is_convex && corners.size() + 1 < polygon.path.size();
+  by_corners = has_others ? polygon.reducedTo(corners) : is_convex ? &polygon : nullptr;
+}
+
+Convexity::~Convexity() {
+  if (has_others) by_corners->release();
+}
+
 const Convexity& findConvexity(const PolygonData& polygon) {
-  const Derived::Thing* convexity = polygon.convexity.built([&] {
-    auto found = std::make_unique<Convexity>();
-    if (!findCorners(polygon, *found)) {
-      found->direction = 0;
-      found->corners = std::vector<std::size_t>();  // without its memory
-    }
-    found->is_strict = found->corners.size() + 1 == polygon.path.size();
-    return found;
-  });
-  return *static_cast<const Convexity*>(convexity);
+  return *static_cast<const Convexity*>(
+      polygon.convexity.built([&] { return std::make_unique<const Convexity>(polygon); }));
+}
+
+std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p) {
+  const std::size_t count = polygon.path.size() - 1;
+  const Vec2 point = polygon.inUnits(p), start = polygon.inUnits(polygon.path[begin]),
+             way = polygon.inUnits(polygon.path[end]) - start;
+  // The last one that begins before p, and before the end: vertices may be repeated.
+  const double along = std::min(way.dot(point - start), way.squaredNorm());
+  const auto after = [&](std::size_t steps) { return begin + steps < count ? begin + steps : begin + steps - count; };
+  std::size_t low = 0, high = end > begin ? end - begin : end + count - begin;
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    const double at = way.dot(polygon.inUnits(polygon.path[after(middle)]) - start);
+    (at <= along && at < way.squaredNorm() ? low : high) = middle;
+  }
+  return after(low);
+}
+
+std::size_t edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p) {
+  const std::vector<std::size_t>& corners = convexityOf(polygon).corners;
+  return edgeBeside(polygon, corners[k], corners[k + 1 < corners.size() ? k + 1 : 0], p);
 }
 
 }  // namespace tricover::detail

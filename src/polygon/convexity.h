@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "polygon/polygon_data.h"
@@ -11,9 +13,13 @@ namespace tricover::detail {
 /// Whether a polygon is convex, and has an area: one ring that turns one way and goes around once. Its straight and
 /// repeated vertices are no corners.
 struct Convexity : Derived::Thing {
+  explicit Convexity(const PolygonData& polygon);
+  ~Convexity() override;
+
   int direction = 0;                 ///< 1 counter-clockwise, -1 clockwise, 0 not convex
-  bool is_strict = false;            ///< convex, and all vertices are corners
-  std::vector<std::size_t> corners;  ///< in the ring's order, as positions in the path; none unless convex
+  bool has_others = false;           ///< convex, and not all vertices are corners
+  std::vector<std::size_t> corners;  ///< as positions in the path, which increase; none unless convex
+  const PolygonData* by_corners;     ///< see cornersOf()
   Derived outline;                   ///< by its corners alone, or of its hull
 };
 
@@ -24,5 +30,25 @@ inline const Convexity& convexityOf(const PolygonData& polygon) {
   const auto* ready = static_cast<const Convexity*>(polygon.convexity.ifBuilt());
   return ready != nullptr ? *ready : findConvexity(polygon);
 }
+
+/// The polygon of a convex one's corners alone, which has the same region, S and unit: that polygon itself if all of
+/// its vertices are corners. Null for a polygon that isn't convex.
+inline const PolygonData* cornersOf(const PolygonData& polygon) {
+  return polygon.isDegenerate() ? nullptr : convexityOf(polygon).by_corners;
+}
+
+/// The corner of a convex polygon, as cornersOf() numbers them, that is the first from a position in the path on.
+inline std::uint32_t cornerFrom(const PolygonData& polygon, std::size_t position) {
+  const Convexity& convexity = convexityOf(polygon);
+  if (!convexity.has_others) return static_cast<std::uint32_t>(position);
+  const auto corner = std::lower_bound(convexity.corners.begin(), convexity.corners.end(), position);
+  return corner != convexity.corners.end() ? static_cast<std::uint32_t>(corner - convexity.corners.begin()) : 0;
+}
+
+/// Of the edges from one position in a ring's path on until another one, which are on a line, that which is beside p.
+std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p);
+
+/// The edge of a convex polygon's path that edge k of cornersOf() it has beside p.
+std::size_t edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p);
 
 }  // namespace tricover::detail

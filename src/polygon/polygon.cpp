@@ -168,7 +168,7 @@ void requireCapacity(std::size_t positions) {
     refuse("rings", "more than 2^29 vertices, one more counted for each ring", "divide the polygon");
 }
 
-const PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
+PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
   const std::size_t total = positionsOf(rings);
   static_assert(sizeof(PolygonData) % alignof(Vec2) == 0 && alignof(PolygonData) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
   const std::size_t of_path = total * sizeof(Vec2) + (rings.size() + 1) * sizeof(std::uint32_t);
@@ -194,6 +194,19 @@ const PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fi
     }
   }
   return new (memory) PolygonData(path, fill, extremes);
+}
+
+const PolygonData* PolygonData::reducedTo(const std::vector<std::size_t>& positions) const {
+  Ring ring;
+  ring.reserve(positions.size());
+  for (const std::size_t position : positions) ring.push_back(path[position]);
+  PolygonData* reduced = make({ring}, fill);
+  reduced->origin = origin;
+  reduced->radius = radius;
+  reduced->extent = extent;
+  reduced->unit = unit;
+  reduced->inverse_unit = inverse_unit;
+  return reduced;
 }
 
 void PolygonData::release() const {

@@ -47,7 +47,9 @@ struct Extremes;
 /// path[e + 1]; ring r takes positions [edgeBegin(r), edgeEnd(r)) and the closing vertex after them is no edge.
 struct PolygonData {
   /// The last of its users destroys it.
-  static const PolygonData* make(const std::vector<Ring>& rings, FillRule fill);
+  static PolygonData* make(const std::vector<Ring>& rings, FillRule fill);
+  /// The polygon of some of its vertices, by their positions, whose region must be the same; with the same S and unit.
+  const PolygonData* reducedTo(const std::vector<std::size_t>& positions) const;
   void hold() const { users.fetch_add(1, std::memory_order_relaxed); }
   void release() const;
 

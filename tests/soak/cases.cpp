@@ -116,6 +116,8 @@ constexpr Shape kShapes[] = {
     {"convex", true, [](Random& r, int most) { return Rings{convex(r, most)}; }},
     {"chamfered", true, [](Random& r, int most) { return Rings{chamfered(r, convex(r, most))}; }},
     {"straightened", false, [](Random& r, int) { return Rings{straightened(r, convex(r, 10))}; }},
+    {"straight", true,
+     [](Random& r, int most) { return Rings{withStraightVertices(r, convex(r, std::min(most, 10)))}; }},
     {"flat", false, [](Random& r, int) { return Rings{flat(r)}; }},
     {"starred", false, [](Random& r, int most) { return Rings{star(r, r.integer(4, std::min(most, 24)), 0.2, 1)}; }},
     {"comb", false, [](Random& r, int) { return Rings{scaled(comb(r.integer(2, 4), 0.5, 0.25, 1), 0.5)}; }},

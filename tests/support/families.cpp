@@ -96,6 +96,7 @@ const std::vector<Family>& families() {
       {"bow_tie", seeded<bowTie>},
       {"repeated_collinear", seeded<repeatedAndCollinear>},
       {"interlocking_combs", seeded<interlockingCombs>},
+      {"straight_vertices", seeded<straightVertices>},
       {"ring_directions", seeded<ringDirections>},
       {"overlapping_even_odd", seeded<overlappingRingsEvenOdd>},
       {"overlapping_non_zero", seeded<overlappingRingsNonZero>},

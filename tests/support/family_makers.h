@@ -31,6 +31,7 @@ Case containment(Random& random);
 Case pinched(Random& random);
 Case bowTie(Random& random);
 Case repeatedAndCollinear(Random& random);
+Case straightVertices(Random& random);
 Case ringDirections(Random& random);
 Case overlappingRingsEvenOdd(Random& random);
 Case overlappingRingsNonZero(Random& random);

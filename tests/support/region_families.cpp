@@ -130,6 +130,22 @@ Case repeatedAndCollinear(Random& random) {
   return c;
 }
 
+/// Convex ones, apart or at their first contact, a vertex of b and a point of an edge of a facing each other.
+Case straightVertices(Random& random) {
+  const auto anyRing = [&] {
+    const Ring ring = anyConvex(random, random.real(0.5, 2), 20);
+    return eitherWay(random, random.oneIn(8) ? ring : withStraightVertices(random, ring));
+  };
+  Case c{Polygon({anyRing()}), anyPose(random), Polygon({anyRing()}), anyPose(random)};
+  const EdgeIndex edge = anyEdge(random, c.a);
+  const Vec2 on_a = c.a.edgeStart(edge) + random.integer(0, 8) / 8.0 * (c.a.edgeEnd(edge) - c.a.edgeStart(edge));
+  const Vec2 motion = 6 * direction(random.real(0, 6.3));
+  c.pose_b.translation() = c.pose_a * on_a - c.pose_b.linear() * c.b.edgeStart(anyEdge(random, c.b));
+  if (random.coin()) return c;
+  c.pose_b.translation() -= motion;
+  return random.coin() ? c : atFirstContact(random, c, motion, random.integer(0, 1));
+}
+
 Case ringDirections(Random& random) {
   std::vector<Ring> rings = ringWithHole(random, 6, 8);
   rings.push_back(star(random, random.integer(3, 6), 2, 4));

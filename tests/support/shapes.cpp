@@ -173,11 +173,34 @@ Motion randomMotion(Random& random, const Polygon& polygon, double size) {
   return motion;
 }
 
-Polygon repeated(std::vector<Ring> rings, std::size_t times) {
+Ring withStraightVertices(Random& random, Ring ring) {
+  double most = 0;
+  for (const Vec2& p : ring) most = std::max(most, p.lpNorm<Eigen::Infinity>());
+  const double unit = std::ldexp(1, std::ilogb(most) - 24);  // eighths of sides between multiples of it are doubles
+  for (Vec2& p : ring) p = unit * (p / unit).array().round();
+  const int kind = random.integer(0, 2);
+  const std::size_t one = static_cast<std::size_t>(random.integer(0, static_cast<int>(ring.size()) - 1));
+  Ring result;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &v = ring[i], &w = ring[(i + 1) % ring.size()];
+    result.push_back(v);
+    for (int k = 1; k < 8; ++k)
+      if (kind == 0 ? k == 4 : kind == 1 ? random.oneIn(3) : i == one) result.push_back(v + k / 8.0 * (w - v));
+  }
+  if (random.oneIn(4)) {
+    const Pose turned = pose(random.real(0, kTurn), 0, 0);
+    for (Vec2& p : result) p = turned * p;
+  }
+  return result;
+}
+
+Polygon goneRoundOften(std::vector<Ring> rings) {
+  std::size_t edges = 0, times = 3;  // odd: the same under even-odd
+  for (const Ring& ring : rings) edges += ring.size();
+  while (times * edges <= 16) times += 2;
   for (Ring& ring : rings) {
-    Ring result;
-    for (const Vec2& p : ring) result.insert(result.end(), times, p);
-    ring = result;
+    const Ring once = ring;
+    for (std::size_t k = 1; k < times; ++k) ring.insert(ring.end(), once.begin(), once.end());
   }
   return Polygon(rings);
 }

@@ -41,8 +41,12 @@ Ring shifted(Ring ring, const Vec2& by);
 /// A vertex said twice here and there, and midpoints (rounded) of edges put in.
 Ring withRepeatedAndMidpoints(Random& random, const Ring& ring);
 
-/// The same region with every vertex said so often: more edges than the short ways take.
-Polygon repeated(std::vector<Ring> rings, std::size_t times);
+/// Of corners near those of a convex ring, with exactly straight vertices: a midpoint a side, several, or all on one
+/// side. Some are turned, after which hardly any is straight but for rounding.
+Ring withStraightVertices(Random& random, Ring ring);
+
+/// The same region with every ring gone round three times or more: no short way takes that.
+Polygon goneRoundOften(std::vector<Ring> rings);
 
 /// Every ring's direction and the rings' order drawn anew: nothing changes under even-odd.
 std::vector<Ring> redirected(Random& random, std::vector<Ring> rings);

@@ -121,7 +121,7 @@ TEST(ConvexContact, IsAsDeepAsThePenetration) {
     };
     Case c{Polygon({ringOf(size)}), randomPose(random, 0), Polygon({ringOf(size * random.real(0.3, 1))}),
            randomPose(random, 0)};
-    if (!convexOutlineOf(c.a.data()).isConvexRegion() || !convexOutlineOf(c.b.data()).isConvexRegion()) continue;
+    if (cornersOf(c.a.data()) == nullptr || cornersOf(c.b.data()) == nullptr) continue;
     if (random.oneIn(4)) c.pose_b = throughFloat(c.pose_b);
     c.pose_b.translation() = c.pose_a.translation() + size * random.real(0, 1.5) * direction(random.real(0, 6.3));
     const auto deep = penetration(c.a, c.pose_a, c.b, c.pose_b);

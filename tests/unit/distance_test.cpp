@@ -288,5 +288,28 @@ TEST(DistanceFacts, RestsWhileFactsWouldNotLast) {
   EXPECT_GT(factsOf(cache).uses, uses) << "not answered by a fact";
 }
 
+/// Sides of a convex polygon may be divided: the edges that are named are the given ones.
+TEST(Distance, NamesTheEdgesOfDividedSides) {
+  const Ring square = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {1, 2}, {0.25, 2}, {0, 2}, {0, 1}};
+  const Polygon wedge({{{-1, 1}, {0, 0}, {0.5, 0.5}, {1, 1}, {0, 1}}});
+  const auto nearestEdge = [&](const Ring& ring, const Pose& pose_a, const Pose& pose_b) {
+    const Polygon a({ring});
+    const DistanceResult found = distance(a, pose_a, wedge, pose_b);
+    EXPECT_EQ(found.edge_b == 0 || found.edge_b == 1, true);
+    EXPECT_EQ(distance(wedge, pose_b, a, pose_a).edge_b, found.edge_a);
+    return found.edge_a;
+  };
+  const Pose turned = mirrored(pose(1, 3, -2));
+  for (const Pose& pose_a : {Pose(Pose::Identity()), turned}) {
+    const auto edgeAt = [&](double x) { return nearestEdge(square, pose_a, pose_a * pose(0, x, 2.5)); };
+    EXPECT_EQ(edgeAt(1.5), 4);
+    EXPECT_EQ(edgeAt(0.5), 6);
+    EXPECT_EQ(edgeAt(0.125), 7);
+    const auto edgeBack = [&](double x) { return nearestEdge(reversed(square), pose_a, pose_a * pose(0, x, 2.5)); };
+    EXPECT_EQ(edgeBack(1.5), 4);
+    EXPECT_EQ(edgeBack(0.5), 2);
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support

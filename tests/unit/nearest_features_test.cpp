@@ -60,7 +60,7 @@ int edgesThatMeet(const PosedPair& pair) {
   return count;
 }
 
-/// What distance() finds; Unknown unless both are strictly convex.
+/// What distance() finds; Unknown unless both are convex without straight vertices.
 struct Found : NearestFeatures {
   Meeting meeting = Meeting::Unknown;
   ConvexOverlap overlap;
@@ -74,7 +74,7 @@ DistancePair inOrder(const PosedPair& pair) {
 
 Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
   Found found;
-  if (!convexityOf(pair.a).is_strict || !convexityOf(pair.b).is_strict) return found;
+  if (cornersOf(pair.a) != &pair.a || cornersOf(pair.b) != &pair.b) return found;
   const DistancePair in_order = inOrder(pair);
   static_cast<NearestFeatures&>(found) = findNearestFeatures(in_order, tried);
   if (found.seem_to_meet) findConvexOverlap(in_order, found.overlap);
@@ -308,7 +308,7 @@ TEST(NearestFeatures, IsNeverMoreThanTheDistance) {
     Polygon a({eitherWay(random, anyConvex(random, scale))}),
         b({eitherWay(random, anyConvex(random, scale * random.real(0.1, 1)))});
     if (b.data().unit > a.data().unit) std::swap(a, b);  // the kernel's order
-    if (!convexityOf(a.data()).is_strict || !convexityOf(b.data()).is_strict) continue;
+    if (cornersOf(a.data()) != &a.data() || cornersOf(b.data()) != &b.data()) continue;
     Pose pose_a = pose(random.real(0, 6.3), 0, 0), pose_b = pose(random.oneIn(3) ? 0 : random.real(0, 6.3), 0, 0);
     if (random.oneIn(3)) pose_a = Pose::Identity();
     if (random.oneIn(4)) pose_b = mirrored(pose_b);

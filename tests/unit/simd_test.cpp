@@ -365,8 +365,8 @@ TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   for (int i = 0; i < 5; ++i) pentagram.push_back(Vec2(std::cos(0.8 * M_PI * i), std::sin(0.8 * M_PI * i)));
   EXPECT_FALSE(isSmallConvex(pentagram)) << "turns one way, but twice around";
   EXPECT_FALSE(isSmallConvex({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}}));
-  EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {2, 0}, {2, 2}})) << "a straight vertex: the general way's";
-  EXPECT_FALSE(isSmallConvex({{2, 2}, {0, 0}, {1, 0}, {2, 0}}));
+  EXPECT_TRUE(isSmallConvex({{0, 0}, {1, 0}, {2, 0}, {2, 2}})) << "a straight vertex: the corners are asked";
+  EXPECT_TRUE(isSmallConvex({{2, 2}, {0, 0}, {1, 0}, {2, 0}}));
   EXPECT_FALSE(isSmallConvex({{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}})) << "an edge too short to have a direction";
   EXPECT_FALSE(isSmall(Polygon({{{0, 0}, {1, 0}, {1, 1e-12}, {0.5, 1}}})));
   EXPECT_TRUE(isSmall(Polygon({pentagram})));

@@ -465,5 +465,21 @@ TEST(TimeOfImpact, WithinTheMarginAtTheStartNamesEdges) {
   }
 }
 
+/// Sides of a convex polygon may be divided: the edges that are named are the given ones.
+TEST(TimeOfImpact, NamesTheEdgesOfDividedSides) {
+  const Polygon a({{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {1, 2}, {0.25, 2}, {0, 2}, {0, 1}}});
+  const Polygon wedge({{{-1, 1}, {0, 0}, {0.5, 0.5}, {1, 1}, {0, 1}}});
+  const auto edgeAt = [&](double x) {
+    Motion motion = Motion::still(pose(0, x, 2.5));
+    motion.shift = Vec2(0, -1);
+    const Impact impact = expectImpact(a, Motion::still(Pose::Identity()), wedge, motion, 0.5);
+    EXPECT_TRUE(impact.edge_b == 0 || impact.edge_b == 1);
+    return impact.edge_a;
+  };
+  EXPECT_EQ(edgeAt(1.5), 4);
+  EXPECT_EQ(edgeAt(0.5), 6);
+  EXPECT_EQ(edgeAt(0.125), 7);
+}
+
 }  // namespace
 }  // namespace tricover::support

@@ -48,13 +48,13 @@ TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
     const std::vector<Ring> rings_a = anyRings(random, size), rings_b = anyRings(random, other);
     const bool is_segment = random.oneIn(8);
     const Polygon a(rings_a), b = is_segment ? segment(Vec2(0, other), Vec2(other, 0)) : Polygon(rings_b);
-    const Polygon b_repeated = is_segment ? b : repeated(rings_b, 6);
+    const Polygon b_repeated = is_segment ? b : goneRoundOften(rings_b);
     const Motion motion_a = randomMotion(random, a, size), motion_b = randomMotion(random, b, size);
     ImpactOptions options;
     options.time_error = std::pow(10, random.integer(-12, -1));
     options.margin = random.oneIn(3) ? size * random.real(0, 0.5) : 0;
     const std::optional<Impact> impact = timeOfImpact(a, motion_a, b, motion_b, options);
-    const std::optional<Impact> truth = timeOfImpact(repeated(rings_a, 6), motion_a, b_repeated, motion_b, options);
+    const std::optional<Impact> truth = timeOfImpact(goneRoundOften(rings_a), motion_a, b_repeated, motion_b, options);
     ASSERT_EQ(impact.has_value(), truth.has_value()) << i;
     if (truth && truth->time == 0) {
       EXPECT_EQ(impact->time, 0) << i;

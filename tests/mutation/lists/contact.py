@@ -34,4 +34,5 @@ MUTATIONS = [
     ("src/contact/translation_search.cpp", "if (!outcome.collides) return Cover::Little;", "if (!outcome.collides) return Cover::Whole;", "penetration: cells covered where they are free"),
     ("src/contact/translation_space.cpp", "disc.radius * scale * (1 - kLargestDefect)", "disc.radius * (1 - kLargestDefect)", "penetration: discs in their polygon's units"),
     ("src/contact/prepare.cpp", "detail::discCoverOf(data);", "", "prepare() leaves to a later query what it is for"),
+    ("src/contact/penetration.cpp", "if (off(beside) <= on) return beside;", "", "convex penetration: a corner beside a face that goes on nearly straight"),
 ]

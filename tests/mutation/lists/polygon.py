@@ -12,4 +12,7 @@ MUTATIONS = [
     ("src/polygon/influence.cpp", "length * std::sqrt(ux * ux + uy * uy) * (1 + 8 * kUnitRoundoff)", "0.999 * length * std::sqrt(ux * ux + uy * uy)", "influence area: too narrow"),
     ("src/polygon/influence.cpp", "<= 0 && detail::inExtendedArea", ">= 0 && detail::inExtendedArea", "repair 3: one-sided area on the wrong side"),
     ("src/polygon/polygon.cpp", "square = larger(dx * dx + dy * dy, square);", "square = smaller(dx * dx + dy * dy, square + 1e-3);", "bounding radius too small"),
+    ("src/polygon/convexity.cpp", "(at <= along && at < way.squaredNorm() ? low : high) = middle;", "high = middle;", "divided sides: the first edge"),
+    ("src/polygon/convexity.cpp", "const bool is_corner = turn != 0 || !isBetween(p, q, r);", "const bool is_corner = turn != 0;", "convex: a spike's tip is straight"),
+    ("src/polygon/polygon.cpp", "reduced->origin = origin;", "", "corners alone: from another S"),
 ]
