@@ -178,8 +178,16 @@ class OverlapMiddle {
       while (!returns() && other.to[1] <= beyond && --other_left > 0) other.advance();
       other_reaches_beyond = other_reaches_beyond || other.to[1] > beyond;
       if (returns()) top = std::min(top, other.at(0, across));
+      // An upright line, for all that doubles tell of it, never turns back.
+      if (other_left == 0) top = std::min(top, highest(other_));
     }
     return top;
+  }
+
+  static double highest(const TurnedOutline& outline) {
+    double height = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t k = 0; k < outline.ring.size(); ++k) height = std::max(height, outline.corner(k)[1]);
+    return height;
   }
 
   const TurnedOutline &own_, &other_;

@@ -5,6 +5,7 @@ MUTATIONS = [
     ("src/contact/convex_contact.cpp", "other_reaches_beyond || other.to[1] > beyond;", "true;", "convex contact: no containment"),
     ("src/contact/convex_contact.cpp", "if (step <= error_) {", "if (true) {", "convex contact: deepest where level lines don't meet"),
     ("src/contact/convex_contact.cpp", "      if (returns()) top", "      if (false) top", "convex contact: the line leaves the other one before the face"),
+    ("src/contact/convex_contact.cpp", "if (other_left == 0) top", "if (false) top", "convex contact: a needle along the normal"),
     ("src/contact/separating_axes.cpp", "area * area > most_square * (square[0]", "area * area > 0.5 * most_square * (square[0]", "separating axes: the least face is skipped"),
     ("src/contact/separating_axes.cpp", "if (face.depth < -kDepthError * error_) return Apart;", "if (face.depth < 0.1) return Apart;", "separating axes: what overlaps is apart"),
     ("src/contact/convex_penetration.cpp", "pose.linear().determinant() < 0", "false", "convex penetration: mirrored poses"),
