@@ -169,8 +169,10 @@ Contact ContactFinder::anyPointOf(const OverlapComponent& component) const {
     return c.edge_a != d.edge_a ? c.edge_a < d.edge_a : c.edge_b < d.edge_b;
   };
   const auto first = std::min_element(component.crossings.begin(), component.crossings.end(), isFirst);
-  const BoundaryPoint& vertex = component.points.front();
-  if (first == component.crossings.end()) return contactAt(vertex.at, Vec2::Zero(), 0, vertex.a, vertex.b);
+  if (first == component.crossings.end()) {
+    const BoundaryPoint& vertex = component.points.front();
+    return contactAt(vertex.at, Vec2::Zero(), 0, vertex.a, vertex.b);
+  }
   const EdgeCrossing& c = crossings_[*first];
   return contactAt(c.point, Vec2::Zero(), 0, static_cast<std::ptrdiff_t>(c.edge_a),
                    static_cast<std::ptrdiff_t>(c.edge_b));
