@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "tricover/export.h"
+
 namespace tricover {
 namespace detail {
 

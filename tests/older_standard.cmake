@@ -1,0 +1,22 @@
+# Whichever header a user includes, under C++14 the first error names C++17.
+set(ROOTS ${REPOSITORY}/include)
+if(FCL)
+  list(APPEND ROOTS ${REPOSITORY}/fcl_adapter/include)
+endif()
+list(TRANSFORM ROOTS PREPEND -I OUTPUT_VARIABLE includes)
+foreach(root ${ROOTS})
+  file(GLOB_RECURSE headers RELATIVE ${root} ${root}/*.h)
+  foreach(header ${headers})
+    file(WRITE ${WORK}/older_standard.cpp "#include <${header}>\n")
+    set(stage -E)  # as #error comes first anyway
+    if(header STREQUAL "tricover/tricover.h")
+      set(stage -fsyntax-only)
+    endif()
+    execute_process(COMMAND ${COMPILER} -std=c++14 ${stage} ${includes} -isystem ${EIGEN} ${WORK}/older_standard.cpp
+      OUTPUT_QUIET ERROR_VARIABLE errors RESULT_VARIABLE code)
+    string(REGEX MATCH "error: [^\n]*" first "${errors}")
+    if(code EQUAL 0 OR NOT first MATCHES "tricover needs C\\+\\+17")
+      message(FATAL_ERROR "${header} is refused with\n${errors}")
+    endif()
+  endforeach()
+endforeach()
