@@ -73,14 +73,19 @@ std::vector<Result> measureImpacts(const Cell& cell, const Settings& settings) {
                                              makeFlatMesh<fcl::RSSd>(moving_triangles)));
   table.add("FCL OBBRSS", Role::Rival, false,
             std::make_shared<FclAdvancement>(makeFlatMesh(fixed_triangles), makeFlatMesh(moving_triangles)));
-  if (box2dTakes(fixed) && box2dTakes(moving))
+  if (box2dTakes(fixed) && box2dTakes(moving)) {
     table.add("Box2D", Role::Box2d, false, std::make_shared<Box2dImpact>(fixed, moving));
+    table.add("Box2D cast", Role::Box2d, false, std::make_shared<Box2dCast>(fixed, moving), withoutTurns);
+  }
   std::vector<Result> results;
   for (const std::string& name : cell.workloads) {
-    const std::vector<Motion> motions = randomMotions(fixed, moving, name == "turning");
+    const bool turning = name == "turning";
+    const std::vector<Motion> motions = randomMotions(fixed, moving, turning);
+    Choice choice;
+    choice.sliding = !turning;
     const Workload workload{
         "impact", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, motions.size(), 1};
-    results.push_back(measure(workload, table.on(motions), kAgreement, settings));
+    results.push_back(measure(workload, table.on(motions, choice), kAgreement, settings));
   }
   return results;
 }

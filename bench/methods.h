@@ -17,10 +17,12 @@ struct Choice {
   bool coherent = false;  ///< small steps: also methods that live on them
   bool paper = false;     ///< also the paper's Algorithm 3, which is slow
   bool plain = false;     ///< also the core with plain double signs
+  bool sliding = false;   ///< motions that don't turn: also methods that know no others
 };
 
 inline bool always(const Choice&) { return true; }
 inline bool onSmallSteps(const Choice& choice) { return choice.coherent; }
+inline bool withoutTurns(const Choice& choice) { return choice.sliding; }
 
 /// The methods that are timed on one pair of polygons, derived once for all workloads of theirs: tricover without
 /// coherence first. The fixed polygon stays at the identity.

@@ -90,4 +90,26 @@ double Box2dImpact::value(std::size_t i) {
                                                   : static_cast<double>(output.t);
 }
 
+Box2dCast::Box2dCast(const Polygon& fixed, const Polygon& moving) : Box2dPair(fixed, moving) {
+  input_.proxyA.Set(&fixed_, 0);
+  input_.proxyB.Set(&moving_, 0);
+  input_.transformA = fixed_transform_;
+}
+
+void Box2dCast::prepare(const std::vector<Motion>& motions) {
+  transforms_.clear();
+  shifts_.clear();
+  for (const Motion& motion : motions) {
+    transforms_.push_back(box2dTransform(motion.start));
+    shifts_.push_back(box2dVector(motion.shift));
+  }
+}
+
+double Box2dCast::value(std::size_t i) {
+  input_.transformB = transforms_[i];
+  input_.translationB = shifts_[i];
+  b2ShapeCastOutput output;
+  return b2ShapeCast(&output, &input_) ? static_cast<double>(output.lambda) : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace tricover::bench

@@ -105,4 +105,19 @@ class Box2dImpact : public Box2dPair {
   std::vector<b2Sweep> sweeps_;
 };
 
+/// b2ShapeCast, of motions that don't turn: GJK along a ray. Like b2TimeOfImpact it stops where the skins touch.
+class Box2dCast : public Box2dPair {
+ public:
+  Box2dCast(const Polygon& fixed, const Polygon& moving);
+
+  void prepare(const std::vector<Motion>& motions);
+
+  /// Infinity where they don't meet.
+  double value(std::size_t i);
+
+ private:
+  b2ShapeCastInput input_;
+  std::vector<b2Vec2> shifts_;
+};
+
 }  // namespace tricover::bench
