@@ -70,6 +70,40 @@ class TRICOVER_EXPORT Polygon {
   /// infinity where it overflows.
   double radius() const;
 
+  /// The area of the region, by its fill rule: holes count as holes whichever way their rings run, and what two rings
+  /// share, or one covers twice, as the rule says. Rounded, by about 2^-50 of the length of all edges times radius();
+  /// 0 or infinity beyond the range of doubles.
+  ///
+  /// It sweeps the edges from below each time, in O(n log n) for most; n times as many as there are beside each other
+  /// at the worst, and so are the crossings. \snippet polygon.cpp measures
+  double area() const;
+  /// The region's centre of gravity, rounded likewise, relative to its area; the middle of bounds() for what has no
+  /// area.
+  Vec2 centroid() const;
+  /// The smallest box around it, along the axes of its frame. Exact.
+  Eigen::AlignedBox2d bounds() const;
+  /// Whether it is one ring that has an area, turns one way and goes around once; straight and repeated vertices don't
+  /// matter. Exact, and kept from the first call on. (A region may be convex by rings that aren't, as two halves of a
+  /// square: that isn't looked for.)
+  bool isConvex() const;
+
+  /// Moved for good: every vertex plus `by`, rounded. Throws std::invalid_argument where that isn't finite.
+  /// \snippet polygon.cpp measures
+  Polygon translated(const Vec2& by) const;
+  /// Larger or smaller, about the origin of its frame: every coordinate times `factor`, rounded. Throws
+  /// std::invalid_argument for a factor that isn't positive and finite, and where what comes out isn't finite.
+  /// \snippet polygon.cpp measures
+  Polygon scaled(double factor) const;
+  /// Of some of its vertices alone, fewer as a rule: no point of its region is farther than `tolerance` from the new
+  /// one's, and none of the new one's farther from its own. Exactly so, whatever the fill rule, and whatever crosses or
+  /// touches; rings that didn't cross may do so afterwards. Each ring keeps its first vertex; one that is smaller than
+  /// the tolerance becomes a segment or a point, as segment() and point() write them. (By the method of Douglas and
+  /// Peucker, in O(n log n) for most.)
+  ///
+  /// Throws std::invalid_argument for a tolerance that is negative or not finite.
+  /// \snippet polygon.cpp simplified
+  Polygon simplified(double tolerance) const;
+
   const detail::PolygonData& data() const { return *data_; }  ///< For the kernel.
 
  private:

@@ -15,6 +15,7 @@
 #include "numbers/errors.h"
 #include "numbers/power_of_two.h"
 #include "numbers/predicates.h"
+#include "polygon/convexity.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover {
@@ -283,5 +284,13 @@ double Polygon::radius() const { return data_->radius; }
 
 Vec2 Polygon::edgeStart(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
 Vec2 Polygon::edgeEnd(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge) + 1]; }
+
+Eigen::AlignedBox2d Polygon::bounds() const {
+  Eigen::AlignedBox2d box;
+  for (const Vec2& vertex : data_->path) box.extend(vertex);
+  return box;
+}
+
+bool Polygon::isConvex() const { return detail::cornersOf(*data_) != nullptr; }
 
 }  // namespace tricover

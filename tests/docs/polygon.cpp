@@ -23,4 +23,23 @@ TEST(Documentation, Polygon) {
   //! [polygon]
 }
 
+TEST(Documentation, PolygonMeasures) {
+  //! [measures]
+  const tricover::Polygon frame({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}});
+  EXPECT_EQ(frame.area(), 12);  // the hole isn't of the region, whichever way its ring runs
+  EXPECT_EQ(frame.centroid(), tricover::Vec2(2, 2));
+  EXPECT_EQ(frame.bounds().max(), tricover::Vec2(4, 4));
+  EXPECT_FALSE(frame.isConvex());
+  EXPECT_EQ(frame.translated({1, 0}).scaled(0.5).bounds().min(), tricover::Vec2(0.5, 0));
+  //! [measures]
+}
+
+TEST(Documentation, PolygonSimplified) {
+  //! [simplified]
+  const tricover::Polygon rough({{{0, 0}, {1, 0.01}, {2, 0}, {2, 1}, {1, 0.99}, {0, 1}}});
+  EXPECT_EQ(rough.simplified(0.02).vertexCount(), 4u);
+  EXPECT_EQ(rough.simplified(0.005).vertexCount(), 6u);
+  //! [simplified]
+}
+
 }  // namespace

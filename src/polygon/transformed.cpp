@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Polygons that are moved or scaled for good.
+#include <cmath>
+#include <vector>
+
+#include "numbers/errors.h"
+#include "tricover/polygon.h"
+
+namespace tricover {
+namespace {
+
+template <typename Map>
+Polygon mapped(const Polygon& polygon, Map map) {
+  std::vector<Ring> rings = polygon.rings();
+  for (Ring& ring : rings)
+    for (Vec2& vertex : ring) vertex = map(vertex);
+  return Polygon(rings, polygon.fillRule());
+}
+
+}  // namespace
+
+Polygon Polygon::translated(const Vec2& by) const {
+  detail::requireFinite(by, "by");
+  return mapped(*this, [&](const Vec2& vertex) { return Vec2(vertex + by); });
+}
+
+Polygon Polygon::scaled(double factor) const {
+  if (!(factor > 0 && std::isfinite(factor))) detail::refuse("factor", "it must be finite and positive");
+  return mapped(*this, [&](const Vec2& vertex) { return Vec2(factor * vertex); });
+}
+
+}  // namespace tricover

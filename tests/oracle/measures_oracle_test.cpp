@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Areas, centroids and simplified outlines against exact rationals.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/segment.h"
+#include "workloads.h"
+
+namespace tricover::support {
+namespace {
+
+struct ExactEdge {
+  mpq_class x, y, x_above, y_above;
+  int winding;
+  mpq_class xAt(const mpq_class& at) const { return x + (x_above - x) * (at - y) / (y_above - y); }
+};
+
+struct ExactMoments {
+  mpq_class area, x, y;
+};
+
+std::vector<ExactEdge> risingEdges(const Polygon& polygon) {
+  std::vector<ExactEdge> edges;
+  for (EdgeIndex e = 0; e < polygon.edgeCount(); ++e) {
+    const Vec2 v = polygon.edgeStart(e), w = polygon.edgeEnd(e);
+    if (v.y() < w.y()) edges.push_back({v.x(), v.y(), w.x(), w.y(), 1});
+    if (v.y() > w.y()) edges.push_back({w.x(), w.y(), v.x(), v.y(), -1});
+  }
+  return edges;
+}
+
+/// Between all heights at which edges begin, end or cross, regions are trapezoids.
+ExactMoments exactMoments(const Polygon& polygon) {
+  const std::vector<ExactEdge> edges = risingEdges(polygon);
+  std::vector<mpq_class> heights;
+  for (const ExactEdge& p : edges) {
+    heights.insert(heights.end(), {p.y, p.y_above});
+    for (const ExactEdge& q : edges) {
+      const mpq_class slope_p = (p.x_above - p.x) / (p.y_above - p.y), slope_q = (q.x_above - q.x) / (q.y_above - q.y);
+      if (slope_p == slope_q) continue;
+      const mpq_class at = p.y + (q.xAt(p.y) - p.x) / (slope_p - slope_q);
+      if (p.y < at && at < p.y_above && q.y < at && at < q.y_above) heights.push_back(at);
+    }
+  }
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  ExactMoments sum;
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    const mpq_class &low = heights[i - 1], &high = heights[i], h = high - low, middle = (low + high) / 2;
+    std::vector<std::pair<mpq_class, const ExactEdge*>> across;
+    for (const ExactEdge& edge : edges)
+      if (edge.y <= low && high <= edge.y_above) across.emplace_back(edge.xAt(middle), &edge);
+    std::sort(across.begin(), across.end());
+    int winding = 0;
+    const auto inside = [&] { return polygon.fillRule() == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0; };
+    for (const auto& [x, edge] : across) {
+      const int before = inside();
+      winding += edge->winding;
+      const int ends = before - inside();
+      const mpq_class p = edge->xAt(low), q = edge->xAt(high);
+      sum.area += ends * h * (p + q) / 2;
+      sum.x += ends * h * (p * p + p * q + q * q) / 6;
+      sum.y += ends * h * (low * (2 * p + q) + high * (p + 2 * q)) / 6;
+    }
+  }
+  return sum;
+}
+
+void expectMeasures(const Polygon& polygon) {
+  double length = 0;
+  for (EdgeIndex e = 0; e < polygon.edgeCount(); ++e) length += (polygon.edgeEnd(e) - polygon.edgeStart(e)).norm();
+  const double most = length * polygon.radius();
+  if (!(most < 1e150 && most > 1e-150)) return;
+  const ExactMoments exact = exactMoments(polygon);
+  const double area = polygon.area();
+  EXPECT_LE(std::abs(mpq_class(mpq_class(area) - exact.area).get_d()), 0x1p-48 * most);
+  if (area < 1e-9 * most) return;
+  const Vec2 center = polygon.centroid();
+  const double far = 0x1p-47 * (most * polygon.radius() + center.norm() * area) * (1 + 2 * most / area);
+  EXPECT_LE(std::abs(mpq_class(mpq_class(center.x()) * exact.area - exact.x).get_d()), far);
+  EXPECT_LE(std::abs(mpq_class(mpq_class(center.y()) * exact.area - exact.y).get_d()), far);
+}
+
+TEST(MeasuresOracle, AreasAndCentroidsAreOfTheRegionByItsFillRule) {
+  for (const Family& family : families()) {
+    for (int seed = 0; seed < scaledCount(40); ++seed) {
+      const Case c = family.make(static_cast<std::uint64_t>(seed));
+      SCOPED_TRACE(testing::Message() << family.name << " seed " << seed);
+      for (const Polygon& polygon : {c.a, c.b})
+        if (polygon.vertexCount() <= 40) {
+          expectMeasures(polygon);
+          expectMeasures(Polygon(polygon.rings(), FillRule::NonZero));
+        }
+    }
+  }
+}
+
+/// Points of both regions are no farther from the other one than the tolerance: vertices, middles, and any others.
+void expectNear(Random& random, const Polygon& polygon, const Polygon& other, double tolerance) {
+  const Pose here = Pose::Identity();
+  const auto expect = [&](const Vec2& p) {
+    if (exact::locate(polygon, p) == Location::Outside) return;
+    EXPECT_TRUE(exact::within(exact::distanceSquared(point(p), here, other, here), mpq_class(tolerance)))
+        << p.transpose();
+  };
+  const Eigen::AlignedBox2d box = polygon.bounds();
+  for (int i = 0; i < 8; ++i) {
+    const EdgeIndex edge = anyEdge(random, polygon);
+    expect(polygon.edgeStart(edge));
+    expect(0.5 * (polygon.edgeStart(edge) + polygon.edgeEnd(edge)));
+    expect(box.min() + Vec2(random.unit(), random.unit()).cwiseProduct(box.sizes()));
+  }
+}
+
+void expectSimplified(Random& random, const Polygon& polygon, int& fewer) {
+  const double tolerance = polygon.radius() * std::pow(10, random.real(-3, -0.3));
+  if (!std::isfinite(tolerance)) return;
+  const Polygon simple = polygon.simplified(tolerance);
+  EXPECT_EQ(simple.fillRule(), polygon.fillRule());
+  fewer += simple.vertexCount() < polygon.vertexCount();
+  expectNear(random, polygon, simple, tolerance);
+  expectNear(random, simple, polygon, tolerance);
+}
+
+TEST(MeasuresOracle, SimplifiedRegionsAreNearTheirOwn) {
+  Random random(1);
+  int fewer = 0, cases = 0;
+  for (const Family& family : families()) {
+    for (int seed = 0; seed < scaledCount(30); ++seed) {
+      SCOPED_TRACE(testing::Message() << family.name << " seed " << seed);
+      const Case c = family.make(static_cast<std::uint64_t>(seed));
+      for (const Polygon& polygon : {c.a, c.b})
+        if (++cases, polygon.vertexCount() <= 100) expectSimplified(random, polygon, fewer);
+    }
+  }
+  EXPECT_GT(fewer, cases / 5);
+}
+
+TEST(MeasuresOracle, SimplifiedCountriesAreNearTheirOwn) {
+  std::ifstream in(TRICOVER_COUNTRIES);
+  Random random(2);
+  int fewer = 0, left = scaledCount(100);
+  for (const auto& [label, polygon] : workloads::readPolygons(in)) {
+    if (left-- == 0) break;
+    SCOPED_TRACE(label);
+    if (polygon.vertexCount() <= 200) expectSimplified(random, polygon, fewer);
+  }
+  EXPECT_GT(fewer, 0);
+}
+
+/// Where vertices are at the tolerance exactly, or the smallest double beyond it, far from the origin too.
+TEST(MeasuresOracle, ToleranceIsExact) {
+  for (const double far : {0.0, 1e6, 0x1p52}) {
+    const Polygon rough({{{far, 0}, {far + 4, 1}, {far + 8, 0}, {far + 8, -9}, {far, -9}}});
+    EXPECT_EQ(rough.simplified(1).vertexCount(), 4u) << far;
+    EXPECT_EQ(rough.simplified(std::nextafter(1.0, 0.0)).vertexCount(), 5u) << far;
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support

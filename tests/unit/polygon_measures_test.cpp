@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a polygon's area, centroid, bounds and convexity are, and polygons made of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "refusal.h"
+#include "shapes.h"
+#include "tricover/polygon.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+TEST(PolygonMeasures, AreOfTheRegionWhicheverWayItsRingsRun) {
+  const Ring outer = rectangle(0, 0, 10, 10), hole = rectangle(0, 0, 5, 10), island = rectangle(1, 1, 2, 2);
+  for (const Ring& out : {outer, reversed(outer)})
+    for (const Ring& in : {hole, reversed(hole)}) {
+      const Polygon polygon({out, in, island});
+      EXPECT_DOUBLE_EQ(polygon.area(), 51);
+      EXPECT_NEAR(polygon.centroid().x(), (50 * 7.5 + 1.5) / 51, 1e-13);
+    }
+}
+
+TEST(PolygonMeasures, FillRulesDifferWhereRingsOverlap) {
+  const std::vector<Ring> crossed = {rectangle(0, 0, 4, 4), rectangle(2, 2, 6, 6)};
+  EXPECT_DOUBLE_EQ(Polygon(crossed).area(), 24);
+  EXPECT_DOUBLE_EQ(Polygon(crossed, FillRule::NonZero).area(), 28);
+  const std::vector<Ring> twice = {rectangle(0, 0, 4, 4), rectangle(0, 0, 4, 4)};
+  EXPECT_EQ(Polygon(twice).area(), 0);
+  EXPECT_DOUBLE_EQ(Polygon(twice, FillRule::NonZero).area(), 16);
+  // An hourglass: its signed area is 0.
+  const Polygon hourglass({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}});
+  EXPECT_DOUBLE_EQ(hourglass.area(), 2);
+  EXPECT_EQ(hourglass.centroid(), Vec2(1, 1));
+}
+
+TEST(PolygonMeasures, WithoutAnAreaTheCentroidIsTheMiddle) {
+  EXPECT_EQ(point({3, 4}).area(), 0);
+  EXPECT_EQ(point({3, 4}).centroid(), Vec2(3, 4));
+  EXPECT_EQ(segment({0, 0}, {2, 4}).area(), 0);
+  EXPECT_EQ(segment({0, 0}, {2, 4}).centroid(), Vec2(1, 2));
+}
+
+TEST(PolygonMeasures, GoToTheEndsOfDoubles) {
+  EXPECT_DOUBLE_EQ(Polygon({rectangle(0, 0, 1e150, 1e150)}).area(), 1e300);
+  EXPECT_DOUBLE_EQ(Polygon({rectangle(0, 0, 1e-150, 1e-150)}).area(), 1e-300);
+  const Polygon largest({rectangle(-kLargest, -kLargest, kLargest, kLargest)});
+  EXPECT_EQ(largest.area(), kInfinity);
+  EXPECT_EQ(largest.bounds().max(), Vec2(kLargest, kLargest));
+  EXPECT_LE(largest.centroid().norm(), 1e-10 * kLargest);
+  // Far from the origin.
+  const Polygon far({rectangle(1e9, 1e9, 1e9 + 1, 1e9 + 1)});
+  EXPECT_EQ(far.area(), 1);
+  EXPECT_EQ(far.centroid(), Vec2(1e9 + 0.5, 1e9 + 0.5));
+}
+
+TEST(PolygonMeasures, ConvexIsOneRingOnceAround) {
+  EXPECT_TRUE(Polygon({regular(7, 1)}).isConvex());
+  EXPECT_TRUE(Polygon({{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}}}).isConvex());
+  EXPECT_FALSE(Polygon({{{0, 0}, {4, 0}, {4, 4}, {3, 1}}}).isConvex());
+  EXPECT_FALSE(Polygon({regular(7, 1), regular(7, 0.5)}).isConvex());
+  EXPECT_FALSE(point({0, 0}).isConvex());
+}
+
+TEST(PolygonMeasures, AreMovedAndScaled) {
+  const Polygon polygon({rectangle(1, 2, 3, 4), {{5, 5}, {6, 5}, {5, 6}}}, FillRule::NonZero);
+  const Polygon moved = polygon.translated({-1, 10});
+  EXPECT_EQ(moved.rings()[1][2], Vec2(4, 16));
+  EXPECT_EQ(moved.fillRule(), FillRule::NonZero);
+  EXPECT_EQ(polygon.scaled(0.5).rings()[0][2], Vec2(1.5, 2));
+  EXPECT_EQ(polygon.scaled(0.5).fillRule(), FillRule::NonZero);
+  EXPECT_EQ(refusal([&] { polygon.translated({0, kInfinity}); }), "tricover: by: a coordinate is not finite");
+  for (const double factor : {0.0, -1.0, kInfinity, std::nan("")})
+    EXPECT_EQ(refusal([&] { polygon.scaled(factor); }), "tricover: factor: it must be finite and positive");
+  EXPECT_EQ(refusal([&] { polygon.scaled(kLargest); }),
+            "tricover: rings: ring 0, vertex 0: a coordinate is not finite");
+}
+
+TEST(PolygonSimplified, KeepsRingsAndWhatIsBeyondTheTolerance) {
+  const Polygon frame({{{0, 0}, {5, 0.125}, {10, 0}, {10, 10}, {0, 10}}, {{4, 4}, {4.0625, 4}, {4, 4.0625}}});
+  const Polygon simple = frame.simplified(0.125);
+  EXPECT_EQ(simple.rings()[0], rectangle(0, 0, 10, 10));
+  ASSERT_EQ(simple.rings().size(), 2u);
+  EXPECT_EQ(simple.rings()[1], Ring(3, Vec2(4, 4)));
+  EXPECT_EQ(frame.simplified(0.1).rings()[0], frame.rings()[0]);
+  // Back and forth: within the tolerance of the line, but not of the chord.
+  const Polygon spike({{{0, 0}, {9, 0}, {4, 0}, {4, 4}}});
+  EXPECT_EQ(spike.simplified(0.5).vertexCount(), 4u);
+  for (const double tolerance : {-1.0, kInfinity, std::nan("")})
+    EXPECT_EQ(refusal([&] { frame.simplified(tolerance); }), "tricover: tolerance: it must be finite and not negative");
+}
+
+}  // namespace
+}  // namespace tricover::support
