@@ -2,6 +2,7 @@
 // Conservative advancement along motion classes that FCL doesn't have, as a fleet planner's.
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/halfspace.h>
+#include <fcl/math/motion/interp_motion.h>
 #include <fcl/math/motion/spline_motion.h>
 #include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/collision.h>
@@ -13,6 +14,7 @@
 
 #include "scene.h"
 #include "test_scale.h"
+#include "tricover/time_of_impact.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -257,6 +259,96 @@ class Straight : public OwnMotion<double> {
  private:
   fcl::TranslationMotion<double> inner_;
 };
+
+/// A class of its own around one of FCL's, whose bound is that one's; counts how often it is asked.
+template <class Inner>
+class Handing : public OwnMotion<double> {
+ public:
+  explicit Handing(const Inner& inner) : OwnMotion(0), inner_(inner) {}
+  double computeMotionBound(const fcl::BVMotionBoundVisitor<double>& visitor) const override {
+    return visitor.visit(inner_);
+  }
+  bool integrate(double time) const override { return inner_.integrate(time) && ++asked > 0; }
+  void getCurrentTransform(fcl::Transform3d& pose) const override { inner_.getCurrentTransform(pose); }
+
+  mutable int asked = 0;
+
+ private:
+  Inner inner_;
+};
+
+/// A turn about a point of the moving frame, which goes straight on.
+fcl::InterpMotion<double> turning(const tricover::Pose& begin, const tricover::Pose& end, const tricover::Vec2& about) {
+  const fcl::Transform3d from = lifted(begin), to = lifted(end);
+  return {from.linear(), from.translation(), to.linear(), to.translation(), fcl::Vector3d(about.x(), about.y(), 0)};
+}
+
+TEST(OwnMotions, narrowGapsTakeFewSteps) {
+  const auto floor = shapeOf(tricover::Polygon({tricover::support::rectangle(-3, -2, 3, 0)}));
+  const auto triangle = shapeOf(tricover::Polygon({{{0, 0}, {1, 1}, {-0.5, 1}}}));
+  const fcl::TranslationMotion<double> still(fcl::Transform3d::Identity(), fcl::Transform3d::Identity());
+  for (double gap = 1e-3; gap > 1e-11; gap /= 10) {
+    for (const double error : {1e-3, 1e-6, 1e-12}) {
+      SCOPED_TRACE(testing::Message() << gap << ", " << error);
+      const auto begin = [&](double heading, double x) { return tricover::support::pose(heading, x, gap); };
+      fcl::ContinuousCollisionResultd result;
+
+      const Handing sliding(fcl::TranslationMotion<double>(lifted(begin(0.1, -2)), lifted(begin(0.1, 2))));
+      fcl::continuousCollide<double>(triangle.get(), &sliding, floor.get(), &still, advancing(error), result);
+      EXPECT_FALSE(result.is_collide);
+      EXPECT_LT(sliding.asked, 100);
+
+      // It tips about the corner that nearly touches, until it lies on its side or stands on its other one.
+      for (const double angle : {0.5, 2.0}) {
+        const Handing tipping(turning(begin(0.1, 0.3), begin(0.1 + angle, 0.3), {0, 0}));
+        const double time =
+            fcl::continuousCollide<double>(triangle.get(), &tipping, floor.get(), &still, advancing(error), result);
+        EXPECT_EQ(result.is_collide, angle > 1);
+        EXPECT_LT(tipping.asked, 400);
+        if (angle < 1) continue;
+        tricover::Motion same;
+        same.start = begin(0.1, 0.3);
+        same.angle = angle;
+        const auto impact = tricover::timeOfImpact(triangle->polygon(), same, floor->polygon(),
+                                                   tricover::Motion::still(tricover::Pose::Identity()), {0, 1e-12});
+        ASSERT_TRUE(impact);
+        EXPECT_LE(time, impact->time + 1e-9);
+        EXPECT_GE(time, impact->time - error - 1e-9);
+      }
+    }
+  }
+}
+
+/// The same motion by FCL's class, which is known, and by one that is asked for its bounds alone.
+TEST(OwnMotions, boundsAlongDirectionsMissNothing) {
+  Random random(74);
+  const int cases = tricover::support::scaledCount(600);
+  int hits = 0;
+  for (int i = 0; i < cases; ++i) {
+    SCOPED_TRACE(i);
+    const auto shape = [&](double margin) {
+      const tricover::Polygon polygon({tricover::support::star(random, random.integer(3, 40), 0.5, 3)});
+      return std::make_shared<PolygonShaped>(polygon, PolygonOptions{margin, 0, 0});
+    };
+    const auto a = shape(random.coin() ? random.real(0, 1) : 0), b = shape(0);
+    const auto pose = [&] { return tricover::support::randomPose(random, 7); };
+    const auto inner_a = turning(pose(), pose(), {random.real(-9, 9), random.real(-9, 9)}),
+               inner_b = turning(pose(), pose(), {0, 0});
+    const Handing motion_a(inner_a), motion_b(inner_b);
+    fcl::ContinuousCollisionResultd result, known;
+    const double time = fcl::continuousCollide<double>(a.get(), &motion_a, b.get(), &motion_b, advancing(1e-6), result);
+    const double expected =
+        fcl::continuousCollide<double>(a.get(), &inner_a, b.get(), &inner_b, advancing(1e-9), known);
+    if (result.is_collide != known.is_collide) {
+      ASSERT_GT(expected, 1 - 1e-6);
+    }
+    ASSERT_LE(time, expected + 1e-9);
+    ASSERT_GE(time, expected - 1.1e-6);
+    hits += result.is_collide && time > 0;
+  }
+  EXPECT_GT(hits, cases / 5);
+  EXPECT_LT(hits, cases * 4 / 5);
+}
 
 TEST(OwnMotions, tightBoundsAreNotPassed) {
   const auto wall = shapeOf(tricover::Polygon({tricover::support::rectangle(8.5, -9, 9, 9)}));

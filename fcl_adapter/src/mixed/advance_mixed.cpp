@@ -21,21 +21,14 @@ double reach(const tricover::Motion& motion, const tricover::Vec2& center, doubl
          std::min(turn, 2.0) * ((center - motion.pivot).norm() + radius);
 }
 
-/// The course of what lies in the pair's plane, by a motion of FCL's; otherwise by its own, with a box around it in the
-/// frame that moves.
+/// The course of what lies in the pair's plane, in a box there, by a motion of FCL's; otherwise by its own.
 template <typename S>
 Course courseOf(const fcl::MotionBase<S>& motion, const MixedPair<S>& pair, const Eigen::AlignedBox2d& around,
                 const char* name) {
-  Course course{motionInPlane(motion, pair.plane, name), {}, {}};
+  Course course{motionInPlane(motion, pair.plane, name), {}, {}, {}};
   if (course.known) return course;
   const Plane body = Plane(poseAt(motion, S(0)).matrix().template cast<double>().eval()).inverse() * pair.plane;
-  Eigen::AlignedBox3d box;
-  for (const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
-                            Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight}) {
-    const tricover::Vec2 at = around.corner(corner);
-    box.extend(body * Eigen::Vector3d(at.x(), at.y(), 0));
-  }
-  return ownCourse(motion, box, pair.plane, body, name);
+  return ownCourse(motion, around, pair.plane, body, name);
 }
 
 /// How far the course takes anything in the box.
@@ -83,9 +76,13 @@ Course carried(const Course& course, const tricover::Pose& pose) {
     tricover::Motion motion = *course.known;
     motion.start = motion.start * pose;
     motion.pivot = pose.inverse() * motion.pivot;
-    return {motion, {}, {}};
+    return {motion, {}, {}, {}};
   }
-  return {{}, [course, pose](double time) { return course.pose(time) * pose; }, course.speed};
+  const auto speed_along = [course, pose](const Eigen::AlignedBox2d& part, const tricover::Vec2& direction,
+                                          double time) {
+    return course.speed_along(part.transformed(pose), direction, time);
+  };
+  return {{}, [course, pose](double time) { return course.pose(time) * pose; }, course.speed, speed_along};
 }
 
 /// A polygon around a smooth body is made finer where it is met, until that is no matter of its corners: no contact is

@@ -32,10 +32,12 @@ MovingPolygon movingPolygon(const PolygonShape<S>& shape, const fcl::MotionBase<
   const fcl::Transform3<S> begin = poseAt(motion, S(0));
   const Plane plane = planeAt(static_cast<double>(begin.translation().z()));
   const std::optional<tricover::Motion> in_plane = motionInPlane(motion, plane, name);  // says best what is wrong
-  MovingPolygon moving{planarPose(begin, name), {in_plane, {}, {}}, {}};
+  MovingPolygon moving{planarPose(begin, name), {in_plane, {}, {}, {}}, {}};
   if (!moving.course.known) {
-    const Eigen::AlignedBox3d box(shape.aabb_local.min_.template cast<double>(),
-                                  shape.aabb_local.max_.template cast<double>());
+    const auto corner = [](const fcl::Vector3<S>& at) {
+      return tricover::Vec2(at.template head<2>().template cast<double>());
+    };
+    const Eigen::AlignedBox2d box(corner(shape.aabb_local.min_), corner(shape.aabb_local.max_));
     moving.course = ownCourse(motion, box, plane, Plane::Identity(), name);
     if (moving.course.known) moving.end = moving.course.known->start;
     return moving;

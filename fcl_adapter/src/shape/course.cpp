@@ -13,6 +13,7 @@
 #include <string>
 #include <typeinfo>
 
+#include "numbers/rigidity.h"
 #include "shape/errors.h"
 #include "shape/motion_in_plane.h"
 #include "tricover/collide.h"
@@ -45,17 +46,38 @@ class SpeedVisitor final : public fcl::TBVMotionBoundVisitor<fcl::RSS<S>> {
   const char* name_;
 };
 
-/// A rectangle swept by a ball, as FCL's bounds of motions want it.
+/// A rectangle swept by a ball, as FCL's bounds of motions want it: around what lies in a box in the plane, which
+/// `body` maps to the frame that moves.
 template <typename S>
-fcl::RSS<S> sweptRectangle(const Eigen::AlignedBox3d& box) {
+fcl::RSS<S> sweptRectangle(const Eigen::AlignedBox2d& part, const Plane& body) {
+  Eigen::AlignedBox3d box;
+  for (const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
+                            Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight}) {
+    const Vec2 at = part.corner(corner);
+    box.extend(body * Eigen::Vector3d(at.x(), at.y(), 0));
+  }
   const Eigen::Vector3d sides = box.sizes() * (1 + 4 * static_cast<double>(std::numeric_limits<S>::epsilon()));
-  fcl::RSS<S> body;
-  body.axis.setIdentity();
-  body.To = Eigen::Vector3d(box.min().x(), box.min().y(), box.center().z()).cast<S>();
-  body.l[0] = static_cast<S>(sides.x());
-  body.l[1] = static_cast<S>(sides.y());
-  body.r = static_cast<S>(sides.z() / 2 + 1e-6 * sides.norm());  // what rounding may have moved
-  return body;
+  fcl::RSS<S> rectangle;
+  rectangle.axis.setIdentity();
+  rectangle.To = Eigen::Vector3d(box.min().x(), box.min().y(), box.center().z()).cast<S>();
+  rectangle.l[0] = static_cast<S>(sides.x());
+  rectangle.l[1] = static_cast<S>(sides.y());
+  rectangle.r = static_cast<S>(sides.z() / 2 + 1e-6 * sides.norm());  // what rounding may have moved
+  return rectangle;
+}
+
+/// Of the motion's speed along a direction in the plane, since the time that it was integrated to.
+template <typename S>
+double boundAlong(const fcl::MotionBase<S>& motion, const fcl::RSS<S>& body, const Plane& plane, const Vec2& direction,
+                  const char* name) {
+  const Eigen::Vector3d in_space = plane.linear() * Eigen::Vector3d(direction.x(), direction.y(), 0);
+  const SpeedVisitor<S> visitor(body, in_space.cast<S>(), name);
+  const auto bound = static_cast<double>(motion.computeMotionBound(visitor));
+  if (!std::isfinite(bound)) {
+    refuseQuestion(name, "the bound of the motion " + className(typeid(motion)) + " is not finite",
+                   std::string(kSayBound) + kSampleInstead);
+  }
+  return bound;
 }
 
 /// Bounds v . n are asked for in directions all around. What they leave of the plane for v is a polygon around the
@@ -68,30 +90,39 @@ double speedOf(const fcl::MotionBase<S>& motion, const fcl::RSS<S>& body, const 
   double largest = 0;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2 * M_PI * i / kDirections;
-    const Eigen::Vector3d direction = plane.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
-    const SpeedVisitor<S> visitor(body, direction.cast<S>(), name);
-    const auto bound = static_cast<double>(motion.computeMotionBound(visitor));
-    if (!std::isfinite(bound)) {
-      refuseQuestion(name, "the bound of the motion " + className(typeid(motion)) + " is not finite",
-                     std::string(kSayBound) + kSampleInstead);
-    }
-    largest = std::max(largest, bound);
+    largest = std::max(largest, boundAlong(motion, body, plane, Vec2(std::cos(angle), std::sin(angle)), name));
   }
   // Directions are rounded, to floats for float, and poses may stretch what moves.
   return largest / std::cos(M_PI / kDirections) * (1 + 4 * tricover::kRigidTolerance);
 }
 
-/// Of every point within `radius` of the pivot, from `time` to 1: what the velocities are then, and what their terms
-/// may add.
-double speedOf(const Motion& motion, double radius, double time) {
+/// Of a cubic's derivative from `time` to 1: what it is then, measured by `size`, and what its terms may add.
+template <class Vector, class Size, class Change>
+double rateBound(const Vector& first, const Vector& second, const Vector& third, double time, Size size,
+                 Change change) {
   const double rest = 1 - time;
-  const auto bound = [&](const auto& size, const auto& first, const auto& second, const auto& third) {
-    return size(first + 2 * time * second + 3 * time * time * third) + rest * size(2 * second + 6 * time * third) +
-           rest * rest * size(3 * third);
-  };
-  const double shift = bound([](const Vec2& v) { return v.norm(); }, motion.shift, motion.shift_2, motion.shift_3);
-  const double turn = bound([](double rate) { return std::abs(rate); }, motion.angle, motion.angle_2, motion.angle_3);
-  return (shift + turn * radius) * (1 + 0x1p-40);
+  return size(first + 2 * time * second + 3 * time * time * third) + rest * change(2 * second + 6 * time * third) +
+         rest * rest * change(3 * third);
+}
+
+double norm(const Vec2& v) { return v.norm(); }
+double turnBound(const Motion& motion, double time) {
+  const auto size = [](double rate) { return std::abs(rate); };
+  return rateBound(motion.angle, motion.angle_2, motion.angle_3, time, size, size);
+}
+
+/// Of every point within `radius` of the pivot, from `time` to 1.
+double speedOf(const Motion& motion, double radius, double time) {
+  const double shift = rateBound(motion.shift, motion.shift_2, motion.shift_3, time, norm, norm);
+  return (shift + turnBound(motion, time) * radius) * (1 + 0x1p-40);
+}
+
+/// Likewise, of their speed in a direction.
+double speedAlong(const Motion& motion, double radius, const Vec2& direction, double time) {
+  const auto along = [&](const Vec2& v) { return v.dot(direction); };
+  const auto either = [&](const Vec2& v) { return std::abs(v.dot(direction)); };
+  const double shift = rateBound(motion.shift, motion.shift_2, motion.shift_3, time, along, either);
+  return shift + turnBound(motion, time) * radius + 0x1p-40 * speedOf(motion, radius, time);
 }
 
 double radiusAround(const Polygon& polygon, const Vec2& center) {
@@ -108,35 +139,128 @@ Course asked(const Course& course, const Polygon& polygon) {
   const double radius = (1 + tricover::kRigidTolerance) * radiusAround(polygon, motion.pivot);
   return {{},
           [motion](double time) { return motion.at(time); },
-          [motion, radius](double time) { return speedOf(motion, radius, time); }};
+          [motion, radius](double time) { return speedOf(motion, radius, time); },
+          [motion](const Eigen::AlignedBox2d& part, const Vec2& direction, double time) {
+            const Vec2 farthest =
+                (part.min() - motion.pivot).cwiseAbs().cwiseMax((part.max() - motion.pivot).cwiseAbs());
+            return speedAlong(motion, (1 + tricover::kRigidTolerance) * farthest.norm(), direction, time);
+          }};
+}
+
+/// Vertices that follow each other, and a box around them.
+struct Part {
+  tricover::Ring vertices;
+  Eigen::AlignedBox2d around;
+};
+
+std::vector<Part> partsOf(const Polygon& polygon) {
+  constexpr tricover::EdgeIndex kMost = 16;
+  const tricover::EdgeIndex many = (polygon.edgeCount() + kMost - 1) / kMost;
+  std::vector<Part> parts(static_cast<std::size_t>((polygon.edgeCount() + many - 1) / many));
+  for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e) {
+    Part& part = parts[static_cast<std::size_t>(e / many)];
+    part.vertices.push_back(polygon.edgeStart(e));
+    part.around.extend(part.vertices.back());
+  }
+  return parts;
+}
+
+/// A body under way.
+template <typename S>
+struct Mover {
+  const Polygon& polygon;
+  const Course& course;
+  std::vector<Part> parts = partsOf(polygon);
+  double time = 0, speed = 0;
+  Pose pose = Pose::Identity();
+
+  void moveTo(double when) {
+    time = when;
+    pose = course.pose(when);
+    speed = course.speed(when);
+  }
+
+  /// How far a part has come along a direction, from `origin`, and how fast it may be.
+  struct Front {
+    double place, speed;
+  };
+  /// A direction that is rounded, and a pose that stretches what moves, add what they turn or stretch of all of the
+  /// speed.
+  std::vector<Front> fronts(const Vec2& direction, const Vec2& origin) const {
+    const double loose =
+        16 * static_cast<double>(std::numeric_limits<S>::epsilon()) + 4 * tricover::detail::defectOf(pose);
+    std::vector<Front> fronts;
+    for (const Part& part : parts) {
+      double place = -std::numeric_limits<double>::infinity();
+      for (const Vec2& vertex : part.vertices)
+        place = std::max(place, direction.dot(pose.linear() * vertex + (pose.translation() - origin)));
+      fronts.push_back({place, course.speed_along(part.around, direction, time) + loose * speed});
+    }
+    return fronts;
+  }
+
+  /// In the world, either way; zero for no edge.
+  Vec2 normalOf(tricover::EdgeIndex edge) const {
+    if (edge < 0) return Vec2::Zero();
+    const Vec2 along = pose.linear() * (polygon.edgeEnd(edge) - polygon.edgeStart(edge));
+    return Vec2(-along.y(), along.x()).stableNormalized();
+  }
+};
+
+/// How long a line across `direction` goes on parting what is `beside` and more apart along it: every part of both has
+/// to come to it.
+template <typename S>
+double partedFor(const Mover<S>& a, const Mover<S>& b, const Vec2& direction, double beside) {
+  const Vec2 origin = a.pose.translation();
+  const auto of_a = a.fronts(direction, origin), of_b = b.fronts(-direction, origin);
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& front : of_a) {
+    for (const auto& other : of_b) {
+      const double gap = -other.place - front.place - beside, speed = front.speed + other.speed;
+      if (!(gap > 0)) return 0;
+      if (speed > 0) least = std::min(least, gap / speed);
+    }
+  }
+  return least * (1 - 0x1p-50);
 }
 
 template <typename S>
-std::optional<CourseContact> advance(const Polygon& a, const Course& course_a, const Polygon& b, const Course& course_b,
-                                     const tricover::ImpactOptions& options) {
+std::optional<CourseContact> advance(const Polygon& polygon_a, const Course& course_a, const Polygon& polygon_b,
+                                     const Course& course_b, const tricover::ImpactOptions& options) {
   if (!(std::isfinite(options.time_error) && options.time_error >= 0))
     refuse("time_error", "it must be finite and not negative");
+  constexpr double kShort = 1.0 / 64;  // steps below that are worth a look along a direction,
+  constexpr int kRest = 15;            // but for so many after one that wasn't
+  int resting = 0;
+  Mover<S> a{polygon_a, course_a}, b{polygon_b, course_b};
   const auto collide = [&](double time) {
-    tricover::CollideOptions within;
-    within.margin = options.margin;
-    return tricover::collide(a, course_a.pose(time), b, course_b.pose(time), within);
+    return tricover::collide(polygon_a, course_a.pose(time), polygon_b, course_b.pose(time), {options.margin});
   };
-  const double size = options.margin + radiusAround(a, Vec2::Zero()) + radiusAround(b, Vec2::Zero());
+  const double size = options.margin + radiusAround(polygon_a, Vec2::Zero()) + radiusAround(polygon_b, Vec2::Zero());
   tricover::PairCache facts;
-  tricover::DistanceOptions beyond;
-  beyond.margin = options.margin;
   for (double time = 0;;) {
-    const Pose pose_a = course_a.pose(time), pose_b = course_b.pose(time);
-    const tricover::DistanceResult nearest = tricover::distance(a, pose_a, b, pose_b, facts, beyond);
+    a.moveTo(time);
+    b.moveTo(time);
+    const tricover::DistanceResult nearest =
+        tricover::distance(polygon_a, a.pose, polygon_b, b.pose, facts, {options.margin});
     const CourseContact contact{time, nearest.edge_b};
-    const double apart = nearest.distance;
-    if (apart == 0) return contact;
+    if (nearest.distance == 0) return contact;
     // What the distance is rounded by, and what the motions' poses are, also far from the world's origin.
-    const double rounding = 1e-13 * (size + (pose_a.translation() - pose_b.translation()).norm()) +
+    const double rounding = 1e-13 * (size + (a.pose.translation() - b.pose.translation()).norm()) +
                             8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
-                                (pose_a.translation().norm() + pose_b.translation().norm());
-    const double speed = course_a.speed(time) + course_b.speed(time);
-    const double free_until = time + (apart - rounding) / speed * (1 - 0x1p-50);
+                                (a.pose.translation().norm() + b.pose.translation().norm());
+    double step = (nearest.distance - rounding) / (a.speed + b.speed) * (1 - 0x1p-50);
+    if (step < kShort && step < 1 - time && --resting < 0) {
+      const double alone = step;
+      const Vec2 towards = (nearest.point_b - nearest.point_a).stableNormalized();
+      for (Vec2 direction : {towards, a.normalOf(nearest.edge_a), b.normalOf(nearest.edge_b)}) {
+        if (direction.dot(towards) < 0) direction = -direction;
+        if (direction.allFinite() && !direction.isZero(0))
+          step = std::max(step, partedFor(a, b, direction, options.margin + rounding));
+      }
+      resting = step > 2 * alone ? 0 : kRest;
+    }
+    const double free_until = time + step;
     if (free_until >= 1) return std::nullopt;
     // Motions are asked at times that S has.
     const double next = free_until > time ? static_cast<double>(roundDown<S>(free_until)) : time;
@@ -150,16 +274,21 @@ std::optional<CourseContact> advance(const Polygon& a, const Course& course_a, c
 }  // namespace
 
 template <typename S>
-Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox3d& box, const Plane& plane,
+Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& box, const Plane& plane,
                  const Plane& body, const char* name) {
   const auto pose = [&motion, begin = poseAt(motion, S(0)), plane, body, name](double time) {
     return poseInPlane(poseAt(motion, static_cast<S>(time)), begin, plane, body, name);
   };
-  const auto speed = [&motion, around = sweptRectangle<S>(box), plane, name](double time) {
+  const auto speed = [&motion, around = sweptRectangle<S>(box, body), plane, name](double time) {
     return speedOf(motion, around, plane, time, name);
   };
-  if (speed(0) == 0) return {Motion::still(pose(0)), {}, {}};
-  return {{}, pose, speed};
+  if (speed(0) == 0) return {Motion::still(pose(0)), {}, {}, {}};
+  const auto speed_along = [&motion, plane, body, name](const Eigen::AlignedBox2d& part, const Vec2& direction,
+                                                        double time) {
+    motion.integrate(static_cast<S>(time));
+    return boundAlong(motion, sweptRectangle<S>(part, body), plane, direction, name);
+  };
+  return {{}, pose, speed, speed_along};
 }
 
 template <typename S>
@@ -172,7 +301,7 @@ std::optional<CourseContact> firstContact(const Polygon& a, const Course& course
 }
 
 #define TRICOVER_INSTANTIATE(S)                                                                                       \
-  template Course ownCourse(const fcl::MotionBase<S>&, const Eigen::AlignedBox3d&, const Plane&, const Plane&,        \
+  template Course ownCourse(const fcl::MotionBase<S>&, const Eigen::AlignedBox2d&, const Plane&, const Plane&,        \
                             const char*);                                                                             \
   template std::optional<CourseContact> firstContact<S>(const Polygon&, const Course&, const Polygon&, const Course&, \
                                                         const tricover::ImpactOptions&);

@@ -16,18 +16,21 @@ namespace tricover_fcl {
 
 /// How a body moves in the plane.
 struct Course {
-  /// All of it, where that is known. Otherwise the two functions are there, which ask the motion.
+  /// All of it, where that is known. Otherwise the functions are there, which ask the motion.
   std::optional<tricover::Motion> known;
   std::function<tricover::Pose(double time)> pose;
   std::function<double(double time)> speed;  ///< bounds that of every point of the body from `time` to 1
+  /// Bounds the speed in a direction of the plane, from `time` to 1, of what of the body is in the box, where it is at
+  /// time 0; below 0 where all of it comes the other way.
+  std::function<double(const Eigen::AlignedBox2d& part, const tricover::Vec2& direction, double time)> speed_along;
 };
 
 /// The course of a motion whose class FCL doesn't have, by the poses it gives and by its computeMotionBound. It is
-/// known, at rest, where the bound at time 0 is 0. `box` holds the body in the frame that moves; `plane` and `body` are
+/// known, at rest, where the bound at time 0 is 0. `box` holds the body in the plane at time 0; `plane` and `body` are
 /// those of poseInPlane(), which says what the functions throw. So does a bound that is no number: std::logic_error,
 /// naming the motion.
 template <typename S>
-Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox3d& box, const Plane& plane,
+Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& box, const Plane& plane,
                  const Plane& body, const char* name);
 
 struct CourseContact {
@@ -37,9 +40,12 @@ struct CourseContact {
 
 /// The first contact, as tricover::timeOfImpact means it, by that where both courses are known. Otherwise by
 /// conservative advancement: while the two are d apart and neither point is faster than v against the other, there is
-/// no contact within d / v. Steps go on until they reach a contact or the end, however many that takes; coming within
-/// 1e-13 of size and distance, and 1e-15 of the distance from the world's origin (for float: 1e-6), is taken for
-/// contact.
+/// no contact within d / v; nor while an edge's line, or the nearest points', parts them, which each part of both comes
+/// to by its own speed along the normal. (Poses are taken to stay as rigid as they are.) Steps go on until they reach a
+/// contact or the end, however many that takes: of a motion that bounds its speed in no direction better than in
+/// another, of the order of 1 / d beside a wall, because it may turn aside between any two times that it is asked
+/// about. Coming within 1e-13 of size and distance, and 1e-15 of the distance from the world's origin (for float:
+/// 1e-6), is taken for contact.
 template <typename S>
 std::optional<CourseContact> firstContact(const tricover::Polygon& a, const Course& course_a,
                                           const tricover::Polygon& b, const Course& course_b,
