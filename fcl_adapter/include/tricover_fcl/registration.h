@@ -9,16 +9,18 @@ namespace tricover_fcl {
 namespace detail {
 /// What the library does of it.
 TRICOVER_EXPORT void registerNarrowphase();
-/// What every PolygonShape does first: FCL's function tables get our rows, once. From any thread.
+/// What every PolygonShape does first: FCL's function tables get our rows, once, and calls that would go past tricover
+/// are redirected. From any thread.
 TRICOVER_EXPORT void fillTables();
 }  // namespace detail
 
 /// Makes fcl::collide, fcl::distance and fcl::continuousCollide answer for PolygonShape: geometries and
 /// CollisionObjects, float and double, both GJK solver types, both orders, and so every broadphase manager. The first
-/// PolygonShape does so by itself; what this adds is a check. It asks FCL's public entry points about known polygons
+/// PolygonShape does so by itself, also where libfcl comes first, as in a plugin whose host links it (Linux on x86-64
+/// and AArch64: what was loaded since is seen to by the next PolygonShape, or by this); what this adds is a check. It asks FCL's public entry points about known polygons
 /// and throws std::logic_error, which says how to link, if they don't reach tricover: they would say "free" then.
 /// (tricover_fcl::collide, distance and continuousCollide work regardless.) Call it once, from any thread; more calls
-/// cost nothing.
+/// cost next to nothing.
 ///
 /// Polygons meet polygons in the world's plane, and every other geometry that FCL knows (box, sphere, ellipsoid,
 /// capsule, cone, cylinder, convex, plane, halfspace, meshes of all bounding volumes, octrees) in the polygon's own

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "entry/fill_tables.h"
+#include "entry/redirect_calls.h"
 #include "shape/errors.h"
 #include "tricover_fcl/polygon_shape.h"
 
@@ -101,9 +102,11 @@ bool registerOnce() {
 void detail::fillTables() {
   static const bool filled = fillOnce();  // by one thread, the others wait
   static_cast<void>(filled);
+  redirectCalls();
 }
 
 void detail::registerNarrowphase() {
+  redirectCalls();
   static const bool registered = registerOnce();  // by one thread, the others wait; tried again if it throws
   static_cast<void>(registered);
 }
