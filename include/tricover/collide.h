@@ -4,6 +4,7 @@
 #include "tricover/export.h"
 #include "tricover/pair_cache.h"
 #include "tricover/polygon.h"
+#include "tricover/touching.h"
 
 namespace tricover {
 
@@ -14,6 +15,9 @@ struct CollideOptions {
   /// A world length, at least 0, that buys time. Up to a distance of margin the answer is true, as ever. Above margin +
   /// tolerance it is false. In between it may be either.
   double tolerance = 0;
+  /// Allowed: what only touches doesn't collide. The question becomes "do the interiors meet?" or, with a margin, "is
+  /// the distance below margin?". Exact, too; with a tolerance touching is within it, so that it may be either.
+  Touching touching = Touching::Collides;
 };
 
 /// Whether the two closed regions share a point or, with a margin, come at least that close.
@@ -22,10 +26,11 @@ struct CollideOptions {
 /// the thread. Typical cost: O(log n + log m + k), where k counts the pairs of edges in reach of each other.
 ///
 /// Throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, and for a margin or
-/// tolerance that is negative or not finite. The first query of a polygon that comes near it builds its hierarchy,
-/// which throws std::length_error for more than 2^29 vertices.
+/// tolerance that is negative or not finite, and for a value that Touching doesn't have. The first query of a polygon
+/// that comes near it builds its hierarchy, which throws std::length_error for more than 2^29 vertices.
 ///
 /// \snippet collide.cpp collide
+/// \snippet collide.cpp touching
 TRICOVER_EXPORT bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                              const CollideOptions& options = {});
 

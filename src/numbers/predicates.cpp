@@ -88,15 +88,16 @@ bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w)
   return compareExact(p, v, 0) * compareExact(p, w, 0) <= 0 && compareExact(p, v, 1) * compareExact(p, w, 1) <= 0;
 }
 
-bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length) {
+bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length, bool strictly) {
   ++exact_calls;
+  const int most = strictly ? -1 : 0;
   const Number square = Number(length) * Number(length);
   const ExactVector u = difference(w, v), from_v = difference(p, v);
-  if (dot(from_v, u).sign() <= 0) return (dot(from_v, from_v) - square).sign() <= 0;
+  if (dot(from_v, u).sign() <= 0) return (dot(from_v, from_v) - square).sign() <= most;
   const ExactVector from_w = difference(p, w);
-  if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() <= 0;
+  if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() <= most;
   const Number area = cross(u, from_v);
-  return (area * area - square * dot(u, u)).sign() <= 0;
+  return (area * area - square * dot(u, u)).sign() <= most;
 }
 
 // A mantissa is right to 2U, the root of one to U + U, their quotient to 2U + 2U + U. The one scaling rounds again only

@@ -87,8 +87,8 @@ int compareExact(const PosedPoint& p, const PosedPoint& q, int axis);
 /// Whether p, known to be on the line of v and w, is between them or on one of them.
 bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w);
 
-/// Whether p is at most `length` >= 0 away from the closed segment (v, w), in the world.
-bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length);
+/// Whether p is at most `length` >= 0 away from the closed segment (v, w), in the world; strictly: less than that.
+bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length, bool strictly = false);
 
 /// The distance of p from the closed segment (v, w), in the world: right to kExactDistanceError of itself, and
 /// to the smallest double; infinity where it is above the largest. `along`: where the nearest point is, from 0 at v to

@@ -13,6 +13,7 @@
 #include "pair/discs.h"
 #include "pair/facts.h"
 #include "pair/find_fact.h"
+#include "pair/interiors.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
 #include "polygon/convexity.h"
@@ -121,10 +122,27 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   return inOrder([&](const auto&... operands) { return renewFact(operands..., *cache, recollection, options); });
 }
 
+/// Where touching is allowed.
+[[gnu::cold, gnu::noinline]] bool collideInside(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                                const Pose& pose_b, CollisionFact* cache,
+                                                const CollideOptions& options) {
+  requireTouching(options.touching);
+  if (!asksForInteriors(options)) return collide(a, pose_a, b, pose_b, cache, options);
+  return collide(a, pose_a, b, pose_b, cache, {}) && interiorsMeet(a.data(), pose_a, b.data(), pose_b);
+}
+
 }  // namespace
 
 Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                  const CollideOptions& options, const FactWish& wish) {
+  if (asksForInteriors(options)) {
+    Outcome fact = findFact(a, pose_a, b, pose_b, {}, wish);
+    if (!fact.collides) return fact;
+    // What keeps regions together doesn't keep their interiors together.
+    fact.collides = interiorsMeet(a, pose_a, b, pose_b);
+    fact.clearance = 0;
+    return fact;
+  }
   const Placement placement(a, pose_a, b, pose_b);
   const double gap = gapOfDiscs(placement, options.margin);
   if (gap >= 0) return {false, gap, wish.edge_a, wish.edge_b, Outcome::By::Discs};
@@ -164,6 +182,8 @@ bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, c
 
 bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
                   const CollideOptions& options) {
+  if (asksForInteriors(options))
+    return collideClose(a, pose_a, b, pose_b, defect, {}) && interiorsMeet(a, pose_a, b, pose_b);
   return inKernelOrder(
       a, pose_a, b, pose_b,
       [&](const auto&... operands) { return collideClose(Placement(operands...), defect, options, true); },
@@ -174,12 +194,15 @@ bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
              const CollideOptions& options) {
+  if (options.touching != Touching::Collides) return detail::collideInside(a, pose_a, b, pose_b, nullptr, options);
   return detail::collide(a, pose_a, b, pose_b, nullptr, options);
 }
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
              const CollideOptions& options) {
-  return detail::collide(a, pose_a, b, pose_b, &detail::factsIn(cache).collision, options);
+  detail::CollisionFact* facts = &detail::factsIn(cache).collision;
+  if (options.touching != Touching::Collides) return detail::collideInside(a, pose_a, b, pose_b, facts, options);
+  return detail::collide(a, pose_a, b, pose_b, facts, options);
 }
 
 }  // namespace tricover

@@ -7,6 +7,7 @@
 #include "numbers/rigidity.h"
 #include "pair/containment.h"
 #include "pair/discs.h"
+#include "pair/interiors.h"
 #include "pair/kernel_order.h"
 #include "pair/posed_pair.h"
 #include "polygon/cache_access.h"
@@ -57,7 +58,7 @@ bool detailedTest(const PosedPair& pair, const std::vector<std::size_t>& held, c
       for (std::size_t j = pair.b.edgeBegin(r); j < pair.b.edgeEnd(r); ++j) {
         const int next = orientFilter(v, w, moved[j + 1]);
         if ((any_edge || sign != next || sign == kUncertain) &&
-            edgesWithin(pair, i, j, options.margin, options.tolerance))
+            edgesWithin(pair, i, j, options.margin, options.tolerance, options.touching == Touching::Allowed))
           return true;
         sign = next;
       }
@@ -99,14 +100,16 @@ bool collideByPaper(const Polygon& a, const Pose& pose_a, const Polygon& b, cons
                     const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
+  requireTouching(options.touching);
   requireRigid(pose_a, pose_b);
-  return inKernelOrder(
+  const bool collides = inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) {
         if (gapOfDiscs(Placement(operands...), options.margin) >= 0) return false;
         return collideByPaper(PosedPair(operands...), fact, options);
       },
       [](bool) {});
+  return collides && (!asksForInteriors(options) || interiorsMeet(a.data(), pose_a, b.data(), pose_b));
 }
 
 }  // namespace

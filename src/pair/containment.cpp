@@ -63,12 +63,12 @@ std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isN
   return -1;
 }
 
-/// Of b in a.
-std::ptrdiff_t ringOfBInside(const PosedPair& pair) {
+/// Of b in a, on its boundary or inside.
+std::ptrdiff_t ringOfBInside(const PosedPair& pair, Location least) {
   return firstInside(
       pair.b, [&] { return DiscOfB(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a)); },
       [&](const Vec2& p) { return !outsideRoot(pair.a, pair.fromB(p)); },
-      [&](const Vec2& p) { return locate(pair, p) != Location::Outside; });
+      [&](const Vec2& p) { return locate(pair, p) >= least; });
 }
 
 /// Of a in b. Most starts are outside of b's disc, which is known in a's frame.
@@ -83,10 +83,12 @@ std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
 
 }  // namespace
 
+std::ptrdiff_t ringInside(const PosedPair& pair) { return ringOfBInside(pair, Location::Inside); }
+
 Outcome findContainment(const PosedPair& pair) {
   Outcome outcome;
   // A segment holds nothing that doesn't meet it.
-  if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair);
+  if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair, Location::Boundary);
   if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
   outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
   return outcome;

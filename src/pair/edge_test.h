@@ -28,7 +28,7 @@ class EdgeTest {
   Placement placement() const { return {a, pose_a_, b, pose_b_}; }
 
   bool operator()(std::size_t i, std::size_t j) const {
-    return edgesWithin(pair(), i, j, options.margin, options.tolerance);
+    return edgesWithin(pair(), i, j, options.margin, options.tolerance, options.touching == Touching::Allowed);
   }
 
   /// As descents call it; the second one where b is the degenerate polygon.

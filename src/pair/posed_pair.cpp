@@ -27,7 +27,9 @@ struct EdgePair : FourEnds<EdgePair> {
     return p < 2 ? PosedPoint{&pair.pose_a, pair.a.path[i + end]} : PosedPoint{&pair.pose_b, pair.b.path[j + end - 2]};
   }
   int handed() const { return pair.handed; }
-  bool within(int p, int v, int w, double reach) const { return withinExact(exact(p), exact(v), exact(w), reach); }
+  bool within(int p, int v, int w, double reach, bool strictly) const {
+    return withinExact(exact(p), exact(v), exact(w), reach, strictly);
+  }
 
   const PosedPair& pair;
   std::size_t i, j;
@@ -65,11 +67,12 @@ static_assert(kEndError > kRoot2 * (1 + errorOf(8)));
 
 bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j) { return EdgePair(pair, i, j).meet(); }
 
-bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance) {
+bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance, bool strictly) {
   const EdgePair ends(pair, i, j);
   if (reach == 0 && tolerance == 0) return ends.meet();
-  // The rounded distance d between an end and the other edge. An upper bound always holds; as a lower bound it holds
-  // unless the edges cross, so that is asked first. NaN decides nothing.
+  // The rounded distance d between an end and the other edge. An upper bound always holds, and is above the truth, for
+  // kTiny and what else is left of its bound; as a lower bound it holds unless the edges cross, so that is asked first.
+  // NaN decides nothing.
   const ApproxPoint* e = ends.approx;
   const double d = leastOfEnds(ends.approx);
   const double length =
@@ -81,8 +84,8 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
   if (apart && (pair.a.path[i] == pair.a.path[i + 1] || pair.b.path[j] == pair.b.path[j + 1])) return false;
   if (ends.meet()) return true;
   if (apart) return false;
-  return ends.within(0, 2, 3, reach) || ends.within(1, 2, 3, reach) || ends.within(2, 0, 1, reach) ||
-         ends.within(3, 0, 1, reach);
+  const auto within = [&](int p, int v, int w) { return ends.within(p, v, w, reach, strictly); };
+  return within(0, 2, 3) || within(1, 2, 3) || within(2, 0, 1) || within(3, 0, 1);
 }
 
 int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j) {

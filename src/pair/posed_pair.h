@@ -118,8 +118,9 @@ inline UnitPlacement unitsOf(const PosedPair& pair) {
 bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j);
 
 /// Whether they come within `reach` in the world. True is certain up to `reach`, and may be answered up to reach +
-/// tolerance only. Exact where tolerance is 0.
-bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance);
+/// tolerance only. Exact where tolerance is 0. Strictly: whether they come nearer than a `reach` that isn't 0.
+bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance,
+                 bool strictly = false);
 
 /// Where the filters prove that two edges cross at a point inside both: 1 if, in the world, b's edge leads from the
 /// right of a's to the left, -1 for the other way. Otherwise 0.

@@ -36,4 +36,20 @@ TEST(Documentation, CollideWithCache) {
   //! [collide with cache]
 }
 
+TEST(Documentation, Touching) {
+  //! [touching]
+  const tricover::Polygon plate({{{0, 0}, {9, 0}, {9, 5}, {0, 5}}, {{3, 2}, {6, 2}, {6, 3}, {3, 3}}});  // with a slot
+  const tricover::Polygon peg({{{3, 2}, {6, 2}, {6, 3}, {3, 3}}});                                      // that fits
+  const tricover::Pose here = tricover::Pose::Identity();
+  tricover::CollideOptions parts;
+  parts.touching = tricover::Touching::Allowed;
+  EXPECT_TRUE(tricover::collide(plate, here, peg, here));
+  EXPECT_FALSE(tricover::collide(plate, here, peg, here, parts));  // they share edges, and nothing inside
+
+  tricover::Pose pose = here;
+  pose.translation().x() = 1e-300;  // adds up to nothing in doubles, but poses are taken as they are
+  EXPECT_TRUE(tricover::collide(plate, here, peg, pose, parts));
+  //! [touching]
+}
+
 }  // namespace

@@ -174,6 +174,55 @@ bool collide(const Pair& pair, const std::vector<Edge>& edges_a, const std::vect
   return holdsARing(pair.a, edges_a, pair.b) || holdsARing(pair.b, edges_b, pair.a);
 }
 
+/// x of every vertex, and of every point in which two edges cross; sorted.
+std::vector<mpq_class> breaksOf(const std::vector<Edge>& edges) {
+  std::vector<mpq_class> breaks;
+  for (const Edge& e : edges) breaks.emplace_back(e.v->x);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Edge &e = edges[i], &f = edges[j];
+      const mpz_class ex = e.w->x - e.v->x, ey = e.w->y - e.v->y, fx = f.w->x - f.v->x, fy = f.w->y - f.v->y;
+      const mpz_class slant = ex * fy - ey * fx;
+      if (slant == 0 || !edgesMeet(e, f)) continue;
+      mpq_class part((f.v->x - e.v->x) * fy - (f.v->y - e.v->y) * fx, slant);
+      part.canonicalize();
+      breaks.push_back(e.v->x + part * ex);
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  return breaks;
+}
+
+bool isFilled(const Shape& shape, int winding) {
+  return shape.fill == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
+}
+
+/// Whether somewhere on the vertical through x, which meets no vertex and no crossing, both are filled.
+bool bothFilledAt(const mpq_class& x, const Pair& pair, const std::vector<Edge>& all, std::size_t count_of_a) {
+  struct Step {
+    mpq_class y;
+    bool of_a;
+    int turn;
+  };
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Edge& e = all[i];
+    if (!(*e.x_low < x && x < *e.x_high)) continue;
+    mpq_class slope(e.w->y - e.v->y, e.w->x - e.v->x);
+    slope.canonicalize();
+    steps.push_back({e.v->y + (x - e.v->x) * slope, i < count_of_a, e.v->x < e.w->x ? 1 : -1});
+  }
+  std::sort(steps.begin(), steps.end(), [](const Step& p, const Step& q) { return p.y < q.y; });
+  int winding_a = 0, winding_b = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    (steps[i].of_a ? winding_a : winding_b) += steps[i].turn;
+    const bool has_room = i + 1 < steps.size() && steps[i].y < steps[i + 1].y;
+    if (has_room && isFilled(pair.a, winding_a) && isFilled(pair.b, winding_b)) return true;
+  }
+  return false;
+}
+
 /// numerator / denominator, in squared grid units; not reduced.
 struct Fraction {
   mpz_class numerator, denominator;
@@ -227,6 +276,18 @@ Location locate(const Polygon& polygon, const Vec2& point) {
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
   const Pair pair = griddedPair(a, pose_a, b, pose_b);
   return collide(pair, edges(pair.a), edges(pair.b));
+}
+
+bool interiorsMeet(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const Pair pair = griddedPair(a, pose_a, b, pose_b);
+  std::vector<Edge> all = edges(pair.a);
+  const std::size_t count_of_a = all.size();
+  for (const Edge& e : edges(pair.b)) all.push_back(e);
+  const std::vector<mpq_class> breaks = breaksOf(all);
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    if (bothFilledAt((breaks[i] + breaks[i + 1]) / 2, pair, all, count_of_a)) return true;
+  }
+  return false;
 }
 
 std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> meetingEdges(const Polygon& a, const Pose& pose_a,

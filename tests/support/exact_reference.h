@@ -22,6 +22,10 @@ Location locate(const Polygon& polygon, const Vec2& point);
 /// Whether the posed regions share a point; each pose is the affine map that its doubles define.
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
 
+/// Whether the posed regions' interiors share a point: by the areas between the edges over strips of x in which no two
+/// edges cross.
+bool interiorsMeet(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+
 /// Every pair of edges (numbered as in Polygon::edgeStart) that share a point, in order.
 std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> meetingEdges(const Polygon& a, const Pose& pose_a,
                                                                     const Polygon& b, const Pose& pose_b);

@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
+    ("src/pair/edge_sides.cpp", "if (q == r || q * r > 0) return;", "if (q * r >= 0) return;", "interiors: edges that end on the line"),
+    ("src/pair/edge_sides.cpp", "if (ends.sign(2, 3, 0) * slant <= 0)", "if (ends.sign(2, 3, 0) * slant < 0)", "interiors: edges at the start"),
+    ("src/pair/edge_sides.cpp", "isBefore(cuts_[i], cuts_[i + 1])", "true", "interiors: between cuts at one place"),
+    ("src/pair/edge_sides.cpp", "(right[A] && right[B])", "(left[A] && right[B])", "interiors: one on either side"),
+    ("src/pair/interiors.cpp", "has_bare_[operand] |= sides.isBareInside();", "", "interiors: edges without area lead there"),
+    ("src/pair/interiors.cpp", "if (polygon_a.isDegenerate() || polygon_b.isDegenerate()) return false;", "", "interiors: of points"),
     ("src/pair/cast_ray.cpp", "kPointError * (apart[0] + apart[1]) + kTiny", "0", "ray: no error of its ends"),
     ("src/pair/cast_ray.cpp", "return turn_back.handed;", "return 1;", "ray: mirrored poses"),
     ("src/pair/cast_ray.cpp", "const double room = polygon_.radius * polygon_.inverse_unit + ray_.error;", "const double room = 0.9 * polygon_.radius * polygon_.inverse_unit;", "ray: beside a smaller disc"),

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace tricover {
+
+/// Whether regions that only touch collide.
+///
+/// With Allowed a query is about the interiors, not about the closed regions: two parts that share an edge, or a peg in
+/// a slot that it fits exactly, don't collide, and they do as soon as they overlap by anything. The interior of a
+/// region is every point with a disc around it that is in the region. So an edge with the region on both sides is
+/// interior, and what has no area has none: a ring that goes back the way it came, a point, a segment.
+///
+/// With a margin, regions that are exactly the margin apart touch.
+///
+/// \snippet collide.cpp touching
+enum class Touching {
+  Collides,  ///< Yes: the regions are closed.
+  Allowed    ///< No.
+};
+
+}  // namespace tricover

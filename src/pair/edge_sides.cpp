@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair/edge_sides.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hierarchy/simd.h"
+#include "polygon/covering.h"
+
+namespace tricover::detail {
+
+/// The edge's ends, 0 and 1, and another one's, 2 and 3. Signs are those of a's frame.
+struct EdgeSides::Ends : FourEnds<Ends> {
+  Ends(const EdgeSides& sides_, Operand operand_, std::size_t edge_)
+      : FourEnds{{sides_.approx(sides_.operand_, sides_.edge_), sides_.approx(sides_.operand_, sides_.edge_ + 1),
+                  sides_.approx(operand_, edge_), sides_.approx(operand_, edge_ + 1)}},
+        sides(sides_),
+        operand(operand_),
+        edge(edge_) {}
+
+  PosedPoint exact(int p) const {
+    const auto end = static_cast<std::size_t>(p);
+    return p < 2 ? sides.exact(sides.operand_, sides.edge_ + end) : sides.exact(operand, edge + end - 2);
+  }
+  int handed() const { return sides.pair_.handed; }
+
+  int sign(int p, int q, int r) const { return resolve(filter(p, q, r), p, q, r); }
+
+  /// On which side of the edge's line an end of the other one is: 0 at once for an end that both have.
+  int side(int end) const {
+    if (operand == sides.operand_) {
+      const Path& path = sides.polygon(operand).path;
+      const Vec2& p = path[edge + static_cast<std::size_t>(end - 2)];
+      if (p == path[sides.edge_] || p == path[sides.edge_ + 1]) return 0;
+    }
+    return sign(0, 1, end);
+  }
+
+  const EdgeSides& sides;
+  Operand operand;
+  std::size_t edge;
+};
+
+EdgeSides::EdgeSides(const PosedPair& pair, const PosedPair& back, Operand operand, std::size_t edge)
+    : pair_(pair), operand_(operand), edge_(edge) {
+  const Path& path = polygon(operand).path;
+  if (path[edge] == path[edge + 1]) return;
+  findCuts(A, pair);
+  findCuts(B, back);
+  look();
+  std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& p, const Cut& q) { return isBefore(p, q); });
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    windings_[cuts_[i].operand].add(cuts_[i]);
+    // Between cuts at one place there is nothing.
+    if (i + 1 == cuts_.size() || isBefore(cuts_[i], cuts_[i + 1])) look();
+  }
+}
+
+/// Of one polygon, `seen` from its frame: those of its edges that may meet the ray from w through v.
+///
+/// Error, in units, with e what w and v err by in any direction, l their distance and |w| the norm of w: nothing of the
+/// polygon is farther from w than |w| + 1, where the ray's direction, wrong by 2 e / l and a few roundings, is off by
+/// 2 e (|w| + 1) / l. Twice that is taken.
+void EdgeSides::findCuts(Operand operand, const PosedPair& seen) {
+  const PolygonData& of = polygon(operand);
+  const auto place = [&](std::size_t position) {
+    const Vec2& p = polygon(operand_).path[position];
+    return operand == operand_ ? PosedPair::fromA(p) : seen.fromB(p);
+  };
+  const ApproxPoint v = place(edge_), w = place(edge_ + 1);
+  const Vec2 from = of.inUnits({w.x, w.y}), way = of.inUnits({v.x, v.y}) - from;
+  const double length = way.norm(), far = from.lpNorm<1>() + 4;
+  const double error = 1.5 * std::max(v.error, w.error) * of.inverse_unit + 0x1p-48 * (far + length);
+  const double error_of_ray = error * (2 + 4 * far / length);
+  const auto visit = [&](std::uint32_t edge) { add(operand, edge); };
+  if (of.fitsUnit() && error_of_ray < 0x1p-4 && length < 0x1p1000) {
+    const Ray ray{from.x(), from.y(), way.x() / length, way.y() / length, error_of_ray};
+    const auto show = [](void* context, std::uint32_t edge) {
+      return (*static_cast<const decltype(visit)*>(context))(edge), true;
+    };
+    visitEdgesOnRay(hierarchyOf(of), ray, show, const_cast<void*>(static_cast<const void*>(&visit)));
+    return;
+  }
+  for (std::size_t ring = 0; ring < of.ringCount(); ++ring)
+    for (std::size_t edge = of.edgeBegin(ring); edge < of.edgeEnd(ring); ++edge)
+      visit(static_cast<std::uint32_t>(edge));
+}
+
+/// With u from v to w, d along the other edge from q to r, and D = |u d|, that edge's line meets this one's at
+///   s     = |q r v| / D,
+///   s - 1 = |q r w| / D,
+/// and D has the sign of what r is to the left of q by. The way goes from the left of d to its right where D > 0.
+void EdgeSides::add(Operand operand, std::size_t edge) {
+  const Ends ends(*this, operand, edge);
+  const int q = ends.side(2), r = ends.side(3);
+  if (q == r || q * r > 0) return;
+  const int slant = r > q ? 1 : -1;
+  if (ends.sign(2, 3, 1) * slant >= 0) return;
+  Cut cut{
+      operand, static_cast<std::uint32_t>(edge), static_cast<std::int8_t>(-slant), q > 0 || r > 0, q < 0 || r < 0, 0,
+      1};
+  if (ends.sign(2, 3, 0) * slant <= 0) return windings_[operand].add(cut);
+  // Of x / (x + y), with x and y wrong by their bounds, at most the sum of both divided by x + y, but for the latter's
+  // error: twice.
+  const ApproxPoint* e = ends.approx;
+  const ApproxArea of_v = approxArea(e[2], e[3], e[0]), of_w = approxArea(e[2], e[3], e[1]);
+  const double whole = std::abs(of_v.area - of_w.area), bound = of_v.bound + of_w.bound;
+  if (whole > 4 * bound && whole < 0x1p1000) {
+    const double place = std::abs(of_v.area) / whole, error = 2 * bound / whole + 4 * kUnitRoundoff;
+    cut.low = place - error;
+    cut.high = place + error;
+  }
+  cuts_.push_back(cut);
+}
+
+bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
+  if (p.high < q.low) return true;
+  if (q.high < p.low) return false;
+  const auto segment = [&](Operand operand, std::size_t edge) {
+    return PosedSegment{exact(operand, edge), exact(operand, edge + 1)};
+  };
+  return compareFractionsExact(segment(operand_, edge_), segment(p.operand, p.edge), segment(q.operand, q.edge)) < 0;
+}
+
+/// At the current piece.
+void EdgeSides::look() {
+  bool left[2], right[2];
+  for (const Operand operand : {A, B}) {
+    left[operand] = isInside(polygon(operand).fill, windings_[operand].left);
+    right[operand] = isInside(polygon(operand).fill, windings_[operand].right);
+  }
+  const Operand other = operand_ == A ? B : A;
+  borders_both_ |= (left[A] && left[B]) || (right[A] && right[B]);
+  is_bare_inside_ |= !left[operand_] && !right[operand_] && left[other] && right[other];
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "pair/four_ends.h"
+#include "pair/posed_pair.h"
+
+namespace tricover::detail {
+
+/// What both regions have beside one edge of a pair, piece by piece: the edge is cut where others meet its line, and
+/// beside a piece both windings are constant.
+///
+/// Beside the edge from v to w, on its left, leads a way from far away, where the winding number is 0, through v to w.
+/// It crosses every edge that ends in, or crosses, the line from the left, at the place s where that edge's line does,
+/// from 0 at v to 1 at w. An edge to the left or right of which the way is led doesn't count while it is on the line.
+/// So the winding number beside a place is the sum over the edges that are crossed before it, and nothing else has to
+/// be known of the edges that are on the line, or end in one point of it, but on which side their ends are.
+class EdgeSides {
+ public:
+  enum Operand { A = 0, B = 1 };
+
+  /// `back` is the pair with its operands swapped.
+  EdgeSides(const PosedPair& pair, const PosedPair& back, Operand operand, std::size_t edge);
+
+  /// Whether beside some piece of it, on one side, both regions have their inside.
+  bool bordersBoth() const { return borders_both_; }
+  /// Whether along some piece of it its own polygon has no inside on either side, and the other one has it on both.
+  bool isBareInside() const { return is_bare_inside_; }
+
+ private:
+  struct Ends;
+
+  /// Where another edge leaves the line or comes to it.
+  struct Cut {
+    Operand operand;
+    std::uint32_t edge;
+    std::int8_t turn;  ///< what it adds to the winding number of its polygon, as the way crosses it
+    bool on_left, on_right;
+    double low, high;  ///< of its place
+  };
+  struct Windings {
+    int left = 0, right = 0;
+    void add(const Cut& cut) {
+      if (cut.on_left) left += cut.turn;
+      if (cut.on_right) right += cut.turn;
+    }
+  };
+
+  const PolygonData& polygon(Operand operand) const { return operand == A ? pair_.a : pair_.b; }
+  PosedPoint exact(Operand operand, std::size_t position) const {
+    return {operand == A ? &pair_.pose_a : &pair_.pose_b, polygon(operand).path[position]};
+  }
+  ApproxPoint approx(Operand operand, std::size_t position) const {
+    return operand == A ? PosedPair::fromA(pair_.a.path[position]) : pair_.fromB(pair_.b.path[position]);
+  }
+
+  void findCuts(Operand operand, const PosedPair& seen);
+  void add(Operand operand, std::size_t edge);
+  bool isBefore(const Cut& p, const Cut& q) const;
+  void look();
+
+  const PosedPair& pair_;
+  const Operand operand_;
+  const std::size_t edge_;
+  Windings windings_[2];   ///< beside the current piece
+  std::vector<Cut> cuts_;  ///< between v and w
+  bool borders_both_ = false, is_bare_inside_ = false;
+};
+
+}  // namespace tricover::detail

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair/interiors.h"
+
+#include <set>
+#include <utility>
+
+#include "hierarchy/simd.h"
+#include "pair/containment.h"
+#include "pair/discs.h"
+#include "pair/edge_sides.h"
+#include "pair/kernel_order.h"
+#include "pair/posed_pair.h"
+
+namespace tricover::detail {
+namespace {
+
+/// The overlap of the interiors, if there is one, is open and bounded: beside some piece of an edge, on one side, both
+/// regions have their inside. Which edges have to be looked at? Say that the piece is a's, and K what is connected with
+/// it of a's edges.
+///   K meets an edge of b. Between the piece and the first place on b's edges all of K is inside of b: the last edge on
+///   that way, which meets one of b, has both insides beside it there, or is bare.
+///   K doesn't. Then all of it is inside of b, the starts of its rings, too.
+/// An edge is bare where a has no inside on either side of it, as along a ring that goes back the way it came. That is
+/// rare: then all of a's edges are looked at.
+class InteriorSearch {
+ public:
+  InteriorSearch(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
+      : pair_(a, pose_a, b, pose_b), back_(b, pose_b, a, pose_a) {}
+
+  bool meet() {
+    const UnitPlacement at = unitsOf(pair_);
+    const auto look = [](const void* search, std::size_t i, std::size_t j) {
+      return static_cast<InteriorSearch*>(const_cast<void*>(search))->meetBeside(i, j);
+    };
+    const Descent descent{pair_.a, pair_.b, hierarchyOf(pair_.a), hierarchyOf(pair_.b), at.map, at.rounding, 0};
+    if (findHit(descent, {this, look, 0, -1, false}).hit) return true;
+    return meetInside(EdgeSides::A, ringInside(back_)) || meetInside(EdgeSides::B, ringInside(pair_));
+  }
+
+ private:
+  bool meetBeside(std::size_t i, std::size_t j) {
+    return edgesMeet(pair_, i, j) && (meetBeside(EdgeSides::A, i) || meetBeside(EdgeSides::B, j));
+  }
+
+  bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {
+    if (!seen_[operand].insert(edge).second) return false;
+    const EdgeSides sides(pair_, back_, operand, edge);
+    has_bare_[operand] |= sides.isBareInside();
+    return sides.bordersBoth();
+  }
+
+  /// `start` is the position of the first edge of a ring that starts inside of the other region, or -1.
+  bool meetInside(EdgeSides::Operand operand, std::ptrdiff_t start) {
+    if (start >= 0 && meetBeside(operand, static_cast<std::size_t>(start))) return true;
+    if (start < 0 && !has_bare_[operand]) return false;
+    const PolygonData& polygon = operand == EdgeSides::A ? pair_.a : pair_.b;
+    for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
+      for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
+        if (meetBeside(operand, edge)) return true;
+    return false;
+  }
+
+  const PosedPair pair_, back_;
+  std::set<std::size_t> seen_[2];  ///< edges that have been looked at
+  bool has_bare_[2] = {};
+};
+
+}  // namespace
+
+bool interiorsMeet(const PolygonData& polygon_a, const Pose& pose_a, const PolygonData& polygon_b, const Pose& pose_b) {
+  if (polygon_a.isDegenerate() || polygon_b.isDegenerate()) return false;
+  return inKernelOrder(
+      polygon_a, pose_a, polygon_b, pose_b,
+      [](const auto&... operands) {
+        const Placement placement(operands...);
+        if (gapOfDiscs(placement, 0) >= 0) return false;
+        return depthOfDiscs(placement, 0) >= 0 || InteriorSearch(operands...).meet();
+      },
+      [](bool) {});
+}
+
+}  // namespace tricover::detail

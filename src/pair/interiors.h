@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "numbers/errors.h"
+#include "polygon/polygon_data.h"
+#include "tricover/collide.h"
+
+namespace tricover::detail {
+
+/// Whether the posed regions' interiors share a point. Exact, in whatever order the operands are.
+bool interiorsMeet(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
+
+/// Whether that is what a query asks. With a margin it asks for a distance below it, edge by edge. With a tolerance
+/// touching is within it, and may collide.
+inline bool asksForInteriors(const CollideOptions& options) {
+  return options.touching == Touching::Allowed && options.margin == 0 && options.tolerance == 0;
+}
+
+inline void requireTouching(Touching touching) {
+  if (touching != Touching::Collides && touching != Touching::Allowed)
+    refuse("touching", "it must be Touching::Collides or Touching::Allowed");
+}
+
+}  // namespace tricover::detail
