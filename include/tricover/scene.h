@@ -133,8 +133,10 @@ struct SceneFact {
 
   // What only saves time.
   FactBalance balance;
-  BodyHandle nearest = kNoBody;  ///< of the last query for it
-  std::uint64_t nearest_scene = 0;
+  std::uint64_t nearest_scene = 0;  ///< of the last query for the nearest body, which was `nearest`; 0: none
+  BodyHandle nearest = kNoBody;
+  Vec2 nearest_point = Vec2::Zero();  ///< of that body
+  double nearest_reach = 0;           ///< of another query near by
 };
 
 }  // namespace detail

@@ -34,6 +34,7 @@ struct Avx2Doubles {
   typedef double Four __attribute__((vector_size(32)));
   typedef double FourAnywhere __attribute__((vector_size(32), aligned(8), may_alias));
   typedef std::int64_t FourBits __attribute__((vector_size(32)));
+  typedef std::int64_t FourBitsAnywhere __attribute__((vector_size(32), aligned(8), may_alias));
   static constexpr int kCount = 4;
   Four v;
 
@@ -56,6 +57,11 @@ struct Avx2Doubles {
   [[gnu::always_inline]] friend D swapped(D p) { return {__builtin_ia32_vpermilpd256(p.v, 5)}; }
   [[gnu::always_inline]] static unsigned bitsOf(FourBits bits) {
     return static_cast<unsigned>(__builtin_ia32_movmskpd256((Four)bits));
+  }
+  [[gnu::always_inline]] static void storeKeys(std::int64_t* keys, D least, FourBits met, int lane) {
+    const FourBits lanes = FourBits{0, 1, 2, 3} + lane;
+    *reinterpret_cast<FourBitsAnywhere*>(keys + lane) =
+        met ? (((FourBits)least.v & -kLanes) | lanes) : kNoLane - FourBits{};
   }
 };
 

@@ -21,7 +21,7 @@ unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds) {
 }
 
 template <class Lanes>
-unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, double (&least)[kLanes]) {
+unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, LaneKeys& keys) {
   using Doubles = typename Lanes::Doubles;
   const bool right = ray.inverse[0] > 0, up = ray.inverse[1] > 0;
   const double *near_x = right ? boxes.min_x : boxes.max_x, *far_x = right ? boxes.max_x : boxes.min_x;
@@ -37,14 +37,15 @@ unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, dou
     const Doubles end_y = Doubles::load(far_y + i) * inverse_y - leave_y;
     const Doubles begin = larger(larger(begin_x, begin_y), Doubles::all(-BoxRay::kEarlier));
     const Doubles end = smaller(smaller(end_x, end_y), Doubles::all(most));
-    begin.store(least + i);
-    bits |= Doubles::bitsOf(noLarger(begin, end)) << i;
+    const auto met = noLarger(begin, end);
+    Doubles::storeKeys(keys, larger(begin, Doubles::all(0)), met, i);
+    bits |= Doubles::bitsOf(met) << i;
   }
   return bits;
 }
 
 template <class Lanes>
-unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, double (&least)[kLanes]) {
+unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, LaneKeys& keys) {
   using Doubles = typename Lanes::Doubles;
   const Doubles min_x = Doubles::all(bounds.min_x), min_y = Doubles::all(bounds.min_y);
   const Doubles max_x = Doubles::all(bounds.max_x), max_y = Doubles::all(bounds.max_y);
@@ -55,8 +56,9 @@ unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, d
     const Doubles above = Doubles::load(boxes.min_y + i) - max_y, below = min_y - Doubles::load(boxes.max_y + i);
     const Doubles x = larger(larger(right, left), none), y = larger(larger(above, below), none);
     const Doubles square = x * x + y * y;
-    square.store(least + i);
-    bits |= Doubles::bitsOf(noLarger(square, limit)) << i;
+    const auto met = noLarger(square, limit);
+    Doubles::storeKeys(keys, square, met, i);
+    bits |= Doubles::bitsOf(met) << i;
   }
   return bits;
 }

@@ -54,6 +54,11 @@ struct PortableDoubles {
   [[gnu::always_inline]] static PortableDoubles pairs(double p, double q) { return {Double2{p, q}}; }
   [[gnu::always_inline]] friend D swapped(D p) { return {detail::swapped(p.v)}; }
   [[gnu::always_inline]] static unsigned bitsOf(Bits2 bits) { return detail::bitsOf(bits); }
+  [[gnu::always_inline]] static void storeKeys(std::int64_t* keys, D least, Bits2 met, int lane) {
+    const Bits2 key = ((Bits2)least.v & -kLanes) | (Bits2{0, 1} + lane);
+    const Bits2 kept = (met & key) | (~met & kNoLane);
+    keys[lane] = kept[0], keys[lane + 1] = kept[1];
+  }
 };
 
 /// See simd_gaps.h.

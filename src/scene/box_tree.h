@@ -98,7 +98,7 @@ class BoxTree {
     std::uint32_t entry;
   };
 
-  /// Calls lanes(boxes, most, least): which boxes of a node come before `most`, and when, or earlier.
+  /// Calls lanes(boxes, most, keys): which boxes of a node come before `most`, and when, or earlier.
   template <typename Lanes, typename Visit>
   void visitInOrder(double most, const Lanes& lanes, const Visit& visit) const;
 
@@ -129,49 +129,56 @@ void BoxTree::visitInOrder(double most, const Lanes& lanes, const Visit& visit) 
   struct Level {
     const Node* node;
     unsigned left;  ///< lanes that haven't been entered
-    double least[kLanes];
+    LaneKeys keys;
   };
   if (root_ == kNone) return;
   Level levels[kLevels];
+  std::int64_t last = laneKey(most, kLanes - 1);
   const auto open = [&](Level& level, std::uint32_t index) {
     level.node = &nodes_[index];
-    level.left = lanes(level.node->boxes, most, level.least) & ((1u << level.node->count) - 1);
+    level.left = lanes(level.node->boxes, most, level.keys) & ((1u << level.node->count) - 1);
+    std::fill(level.keys + level.node->count, level.keys + kLanes, kNoLane);
   };
   Level* level = levels;
   open(*level, root_);
   for (;;) {
-    double least = most;
-    int next = -1;
-    for (unsigned left = level->left; left != 0; left &= left - 1) {
-      const int i = __builtin_ctz(left);
-      if (!(level->least[i] <= least)) continue;
-      least = level->least[i];
-      next = i;
-    }
-    if (next < 0) {
+    const unsigned left = level->left;
+    if (left == 0) {
       if (level-- == levels) return;
       continue;
     }
-    level->left &= ~(1u << next);
-    const std::uint32_t child = level->node->child[next];
-    if (level->node->leaf)
+    // One is foreseen. Which one of several comes first isn't: that is told without branches.
+    const bool alone = (left & (left - 1)) == 0;
+    const std::int64_t first = alone ? level->keys[__builtin_ctz(left)] : firstOf(level->keys);
+    if (first > last) {
+      level->left = 0;
+      continue;
+    }
+    const unsigned lane = static_cast<unsigned>(first) % kLanes;
+    level->left = left & ~(1u << lane);
+    level->keys[lane] = kNoLane;
+    const std::uint32_t child = level->node->child[lane];
+    if (level->node->leaf) {
       most = visit(child);
-    else
+      last = laneKey(most, kLanes - 1);
+    } else {
       open(*++level, child);
+    }
   }
 }
 
 template <typename Visit>
 void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
   visitInOrder(
-      most, [&](const auto& boxes, double limit, auto& least) { return boxesOnRay(boxes, ray, limit, least); }, visit);
+      most, [&](const EightBoxes& boxes, double limit, LaneKeys& keys) { return boxesOnRay(boxes, ray, limit, keys); },
+      visit);
 }
 
 template <typename Visit>
 void BoxTree::visitNear(const Bounds& bounds, double most, const Visit& visit) const {
   visitInOrder(
       gapSquareAbove(most),
-      [&](const auto& boxes, double limit, auto& least) { return boxesNear(boxes, bounds, limit, least); },
+      [&](const EightBoxes& boxes, double limit, LaneKeys& keys) { return boxesNear(boxes, bounds, limit, keys); },
       [&](std::uint32_t item) { return gapSquareAbove(visit(item)); });
 }
 

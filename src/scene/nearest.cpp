@@ -32,6 +32,7 @@ class AskedDistance {
       : state_(state), polygon_(polygon), pose_(pose), limit_(limit), options_(options), filter_(filter) {
     detail::checkOptions(options);
     detail::requireRigid(pose, "pose");
+    bounds_ = detail::boundsOf(polygon.data(), pose, options.margin);
   }
 
   /// None if the body isn't asked for or is beyond the limit.
@@ -49,6 +50,13 @@ class AskedDistance {
     return BodyDistance{body, *result};
   }
 
+  /// Whether a point of the world is no farther away than `reach` and the polygon's own size.
+  bool isNear(const Vec2& at, double reach) const {
+    const detail::Bounds around =
+        bounds_.grown(reach + (bounds_.max_x - bounds_.min_x) + (bounds_.max_y - bounds_.min_y));
+    return around.contains({at.x(), at.y(), at.x(), at.y()});
+  }
+
   /// The nearest body; a guess makes the limit smaller.
   std::optional<BodyDistance> nearest(BodyHandle guess = kNoBody) const {
     std::optional<BodyDistance> best;
@@ -63,7 +71,7 @@ class AskedDistance {
       return limit;
     };
     if (guess != kNoBody) ask(guess);
-    state_.tree.visitNear(bounds(), limit, ask);
+    state_.tree.visitNear(bounds_, limit, ask);
     return best;
   }
 
@@ -72,7 +80,7 @@ class AskedDistance {
     std::vector<BodyDistance> best;
     if (count == 0) return best;
     double limit = limit_;
-    state_.tree.visitNear(bounds(), limit, [&](BodyHandle body) {
+    state_.tree.visitNear(bounds_, limit, [&](BodyHandle body) {
       const auto found = from(body, limit);
       if (!found || (best.size() == count && !isNearer(*found, best.back()))) return limit;
       if (best.size() == count) best.pop_back();
@@ -84,15 +92,14 @@ class AskedDistance {
   }
 
  private:
-  /// Boxes hold the bodies' margins, this one the query's own: a result is what margins leave of a distance.
-  detail::Bounds bounds() const { return detail::boundsOf(polygon_.data(), pose_, options_.margin); }
-
   const SceneState& state_;
   const Polygon& polygon_;
   const Pose& pose_;
   const double limit_;
   const DistanceOptions& options_;
   const BodyFilter& filter_;
+  /// Boxes hold the bodies' margins, this one the query's own: a result is what margins leave of a distance.
+  detail::Bounds bounds_;
 };
 
 }  // namespace
@@ -105,11 +112,17 @@ std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& p
 std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& pose, SceneCache& cache,
                                            const DistanceOptions& options, const BodyFilter& filter) const {
   detail::SceneFact& fact = detail::factsIn(cache);
-  const bool known = fact.nearest_scene == impl_->id && contains(fact.nearest);
   const AskedDistance asked(impl_->settled(), polygon, pose, kInfinity, options, filter);
-  const auto best = asked.nearest(known ? fact.nearest : kNoBody);
-  fact.nearest_scene = impl_->id;
-  fact.nearest = best ? best->body : kNoBody;
+  // After a jump the last one is as good as any other body, and costs a look at it.
+  const bool helps =
+      fact.nearest_scene == impl_->id && asked.isNear(fact.nearest_point, fact.nearest_reach) && contains(fact.nearest);
+  const auto best = asked.nearest(helps ? fact.nearest : kNoBody);
+  fact.nearest_scene = best ? impl_->id : 0;
+  if (!best) return best;
+  const detail::Bounds box = impl_->tree.boundsOf(best->body);
+  fact.nearest = best->body;
+  fact.nearest_point = best->result.point_b;
+  fact.nearest_reach = 2 * best->result.distance + (box.max_x - box.min_x) + (box.max_y - box.min_y);
   return best;
 }
 

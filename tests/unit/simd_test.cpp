@@ -312,11 +312,11 @@ TEST(EightBoxes, MeetABoxAndARay) {
     const Vec2 from(random.integer(-5, 5), random.integer(-5, 5)), to(random.real(-5, 5), random.real(-5, 5));
     const detail::BoxRay ray(from, to);
     const double most = random.real(0, 1);
-    double least[kLanes] = {}, portable[kLanes] = {};
+    detail::LaneKeys least = {}, portable = {};
     const unsigned on_ray = detail::boxesOnRay(boxes, ray, most, least);
     ASSERT_EQ(onPortableLanes([&] { return detail::boxesOnRay(boxes, ray, most, portable); }), on_ray);
     const double reach = random.real(0, 3);
-    double squares[kLanes] = {}, portable_squares[kLanes] = {};
+    detail::LaneKeys squares = {}, portable_squares = {};
     const unsigned near = detail::boxesNear(boxes, bounds, detail::gapSquareAbove(reach), squares);
     ASSERT_EQ(onPortableLanes(
                   [&] { return detail::boxesNear(boxes, bounds, detail::gapSquareAbove(reach), portable_squares); }),
@@ -329,7 +329,8 @@ TEST(EightBoxes, MeetABoxAndARay) {
       if (!std::isnan(other.min_x)) {
         ASSERT_EQ(squares[k], portable_squares[k]);
         ASSERT_EQ(near >> k & 1, std::hypot(x, y) <= reach ? 1u : 0u);
-        ASSERT_LE(squares[k], detail::gapSquareAbove(std::hypot(x, y)));
+        const std::int64_t above = detail::laneKey(detail::gapSquareAbove(std::hypot(x, y)), k);
+        ASSERT_LE(squares[k], std::hypot(x, y) <= reach ? above : detail::kNoLane);
       }
       met += other.meets(bounds);
       ++asked;
@@ -340,7 +341,7 @@ TEST(EightBoxes, MeetABoxAndARay) {
         const Vec2 at = from + s * (to - from);
         if (!(at.x() > other.min_x && at.x() < other.max_x && at.y() > other.min_y && at.y() < other.max_y)) continue;
         ASSERT_EQ(on_ray >> k & 1, 1u);
-        ASSERT_LE(least[k], s);
+        ASSERT_LE(least[k], detail::laneKey(s, k));
         ++entered;
         break;
       }
