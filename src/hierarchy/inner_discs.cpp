@@ -113,6 +113,23 @@ class DiscSearch {
   return includeInCovering(polygon, IncludedPoint::ofFrame(center)).location == Location::Inside;
 }
 
+/// A point in units from S.
+Vec2 inFrame(const PolygonData& polygon, const Vec2& p) { return polygon.origin + p * polygon.unit; }
+
+/// The radius, in units, of a disc that no edge meets, at most `most`; 0 if that can't be shown.
+double clearRadius(const PolygonData& polygon, const Vec2& center, double most) {
+  if (!polygon.fitsUnit() || !inFrame(polygon, center).allFinite()) return 0;
+  // Taking the centre to the polygon's frame rounds it, in either coordinate, by U of the product and of the sum with
+  // S, which may be far off.
+  const Place place{center.x(), center.y(), 4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)};
+  const double radius = clearanceAt(hierarchyOf(polygon), place, most);
+  return radius > 0 && std::isfinite(radius * polygon.unit) ? radius : 0;
+}
+
+bool isInside(const PolygonData& polygon, const Vec2& center) {
+  return locateInPolygon(polygon, IncludedPoint::ofFrame(inFrame(polygon, center))) == Location::Inside;
+}
+
 }  // namespace
 
 ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : fill(polygon.fill) {
@@ -134,22 +151,24 @@ ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : fill(polygon.fill) 
 }
 
 double provenRadius(const PolygonData& polygon, const Vec2& center, double most) {
-  const Vec2 p = polygon.origin + center * polygon.unit;
-  if (!polygon.fitsUnit() || !p.allFinite()) return 0;
-  // Taking the centre to the polygon's frame rounds it, in either coordinate, by U of the product and of the sum with
-  // S, which may be far off.
-  const Place place{center.x(), center.y(), 4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)};
-  const double radius = clearanceAt(hierarchyOf(polygon), place, most);
-  if (!(radius > 0) || !std::isfinite(radius * polygon.unit)) return 0;
-  return locateInPolygon(polygon, IncludedPoint::ofFrame(p)) == Location::Inside ? radius : 0;
+  const double radius = clearRadius(polygon, center, most);
+  return radius > 0 && isInside(polygon, center) ? radius : 0;
 }
 
 InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
   int first = 0;
   for (const Guess& guess : DiscSearch(polygon, hierarchyOf(polygon).root)) {
     // What the thinned outline overlooks makes a disc smaller, rounding perhaps larger.
-    const double proven = provenRadius(polygon, Vec2(guess.x, guess.y), guess.depth * (1 + 0x1p-10));
+    const Vec2 at(guess.x, guess.y);
+    const double proven = clearRadius(polygon, at, guess.depth * (1 + 0x1p-10));
     if (!(proven > 0)) continue;
+    // No edge parts two discs that meet: if the one is in the region, so is the other.
+    bool is_inside = false;
+    for (int i = 0; i < count && !is_inside; ++i) {
+      const double sum = (radius[i] + proven) * (1 - 0x1p-20);
+      is_inside = (at - Vec2(x[i], y[i])).squaredNorm() < sum * sum;
+    }
+    if (!is_inside && !isInside(polygon, at)) continue;
     const int k = count++;
     x[k] = guess.x;
     y[k] = guess.y;
@@ -162,7 +181,7 @@ InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
   std::swap(x[0], x[first]);
   std::swap(y[0], y[first]);
   std::swap(radius[0], radius[first]);
-  center = polygon.origin + Vec2(x[0], y[0]) * polygon.unit;
+  center = inFrame(polygon, Vec2(x[0], y[0]));
   largest = radius[0] * polygon.unit;
   assert(isInRegion(polygon, center, largest));
 }

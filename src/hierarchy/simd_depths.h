@@ -24,18 +24,21 @@ template <class Lanes>
 void measureDepths(const ThinnedOutline& outline, DepthProbes& probes) {
   const Lanes at_x = Lanes::load(probes.x), at_y = Lanes::load(probes.y), zero = Lanes::all(0);
   Lanes square = Lanes::all(1e30f);
+  const bool is_even_odd = outline.fill == FillRule::EvenOdd;
+  unsigned odd = 0;
   LaneCounts ups, downs;
   for (const ThinnedOutline::Edge& e : outline.edges) {
     const Lanes x = at_x - e.x, y = at_y - e.y;
     square = smaller(square, besideSegment(x, y, e.along_x, e.along_y, e.inverse_square).square);
     const unsigned above_start = above(y, zero), above_end = above(y - e.along_y, zero);
-    const unsigned left = above(y * -e.along_x + x * e.along_y, zero);
-    ups.add(above_start & ~above_end & ~left);
-    downs.add(~above_start & above_end & left);
+    const unsigned left = above(x * e.along_y - y * e.along_x, zero);
+    const unsigned crossed = (above_start ^ above_end) & (above_start ^ left);
+    odd ^= crossed;
+    if (is_even_odd) continue;
+    ups.add(crossed & above_start);
+    downs.add(crossed & ~above_start);
   }
-  const unsigned odd = ups.ones ^ downs.ones;
-  const unsigned wound = odd | (ups.twos ^ downs.twos) | (ups.fours ^ downs.fours);
-  const unsigned inside = outline.fill == FillRule::EvenOdd ? odd : wound;
+  const unsigned inside = is_even_odd ? odd : odd | (ups.twos ^ downs.twos) | (ups.fours ^ downs.fours);
   root(square).store(probes.depth);
   for (int i = 0; i < kLanes; ++i)
     if ((inside >> i & 1) == 0) probes.depth[i] = -probes.depth[i];

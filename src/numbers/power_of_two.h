@@ -6,6 +6,23 @@
 
 namespace tricover::detail {
 
+/// The exponent of a normal double that isn't negative; -1023 of smaller ones, 1024 of infinity.
+inline int exponentOf(double value) {
+  constexpr int kBias = 1023, kFraction = 52;
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return static_cast<int>(bits >> kFraction) - kBias;
+}
+
+/// The next double above a finite one that isn't negative: their bits count.
+inline double nextAbove(double value) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  ++bits;
+  std::memcpy(&value, &bits, sizeof bits);
+  return value;
+}
+
 /// 2^exponent, of a normal double's exponent.
 inline double powerOfTwo(int exponent) {
   constexpr int kBias = 1023, kFraction = 52;

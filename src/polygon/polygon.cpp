@@ -49,44 +49,34 @@ void refuseNotFinite(const std::vector<Ring>& rings) {
 
 }  // namespace
 
-/// Two vertices, by coordinates.
-struct TwoVertices {
-  explicit TwoVertices(const Vec2* at) {
-    const Double2 p = load2(at[0].data()), q = load2(at[1].data());
-    x = Double2{p[0], q[0]};
-    y = Double2{p[1], q[1]};
-  }
-  Double2 x, y;
-};
-
-/// visit(two vertices) for all of a path, of which there are at least two; an odd one comes twice.
+/// visit(v, w) for all vertices of a path, of which there are at least two, two by two; an odd one comes twice.
 template <typename Visit>
 void forEachTwo(const Path& path, Visit visit) {
-  const std::size_t last = path.size() - 2;
-  for (std::size_t i = 0; i < last; i += 2) visit(TwoVertices(&path[i]));
-  visit(TwoVertices(&path[last]));
+  const Vec2 *at = path.begin(), *const last = path.end() - 2;
+  for (; at < last; at += 2) visit(load2(at[0].data()), load2(at[1].data()));
+  visit(load2(last[0].data()), load2(last[1].data()));
 }
 
 /// Of all vertices.
 struct Extremes {
   explicit Extremes(const Path& path) {
-    Double2 low_x{kInfinity, kInfinity}, low_y = low_x, high_x = -low_x, high_y = -low_x, size{}, rest{};
-    forEachTwo(path, [&](const TwoVertices& two) {
-      low_x = smaller(two.x, low_x), high_x = larger(two.x, high_x);
-      low_y = smaller(two.y, low_y), high_y = larger(two.y, high_y);
-      const Double2 sum = absolute(two.x) + absolute(two.y);
-      size = larger(sum, size);
-      rest += sum - sum;
+    low = Double2{kInfinity, kInfinity}, high = -low;
+    Double2 size{}, total{};
+    forEachTwo(path, [&](Double2 v, Double2 w) {
+      low = smaller(smaller(v, w), low);
+      high = larger(larger(v, w), high);
+      const Double2 of_v = absolute(v), of_w = absolute(w);
+      const Double2 sums = Double2{of_v[0], of_w[0]} + Double2{of_v[1], of_w[1]};
+      size = larger(sums, size);
+      total += sums;
     });
-    low = Double2{std::min(low_x[0], low_x[1]), std::min(low_y[0], low_y[1])};
-    high = Double2{std::max(high_x[0], high_x[1]), std::max(high_y[0], high_y[1])};
     extent = std::max(size[0], size[1]);
-    are_plain = rest[0] + rest[1] == 0;
+    are_plain = total[0] + total[1] < kInfinity;
   }
 
   Double2 low, high;
   double extent;   ///< the largest |x| + |y|
-  bool are_plain;  ///< finite, and so is the extent
+  bool are_plain;  ///< certainly finite
 };
 
 namespace {
@@ -105,7 +95,7 @@ struct Frame {
     const double most = std::max(size[0], size[1]);
     center = low + (most < kInfinity ? 0.5 * size : 0.5 * high - 0.5 * low);
     // Beyond these the powers of two would leave the range of normal doubles, and nothing is as far from 1.
-    const int exponent = most > 0 ? std::clamp(std::ilogb(most) - 1, -1000, 1000) : 0;
+    const int exponent = most > 0 ? std::clamp(exponentOf(most) - 1, -1000, 1000) : 0;
     shrink = powerOfTwo(-exponent);
     grow = powerOfTwo(exponent);
   }
@@ -138,13 +128,14 @@ Double2 centroid(const PolygonData& polygon, const Frame& frame) {
 double boundingRadius(const PolygonData& polygon, const Frame& frame) {
   const double x = polygon.origin.x(), y = polygon.origin.y();
   Double2 square{};
-  forEachTwo(polygon.path, [&](const TwoVertices& two) {
-    const Double2 dx = (two.x - x) * frame.shrink, dy = (two.y - y) * frame.shrink;
+  forEachTwo(polygon.path, [&](Double2 v, Double2 w) {
+    const Double2 dx = (Double2{v[0], w[0]} - x) * frame.shrink, dy = (Double2{v[1], w[1]} - y) * frame.shrink;
     square = larger(dx * dx + dy * dy, square);
   });
   // Each step up to here rounds by half an ulp or, scaled back, by half the smallest denormal.
   const double length = std::sqrt(std::max(square[0], square[1]));
-  return std::nextafter(length * (1 + 16 * kUnitRoundoff) * frame.grow, kInfinity);
+  const double radius = length * (1 + 16 * kUnitRoundoff) * frame.grow;
+  return radius < kInfinity ? nextAbove(radius) : radius;
 }
 
 /// A ring of three vertices of which two are equal is a segment there and back.
@@ -226,7 +217,7 @@ PolygonData::PolygonData(const Path& path_, FillRule fill_, const Extremes& extr
   extent = std::max(extent, std::abs(origin.x()) + std::abs(origin.y()));
   radius = boundingRadius(*this, frame);
   // Below and above these the powers of two themselves would leave the range of normal doubles.
-  const int exponent = std::isfinite(radius) && radius > 0x1p-1000 ? std::min(std::ilogb(radius) + 1, 1020)
+  const int exponent = std::isfinite(radius) && radius > 0x1p-1000 ? std::min(exponentOf(radius) + 1, 1020)
                        : std::isfinite(radius)                     ? -1000
                                                                    : 1020;
   unit = powerOfTwo(exponent);
