@@ -231,32 +231,53 @@ class Builder {
                      [&](std::uint32_t r, std::uint32_t s) { return place(r)[axis] < place(s)[axis]; });
   }
 
-  /// Up to kLanes parts. Rings are taken apart before any is cut.
+  /// How many edges a ring takes the place of: small ones share a leaf, as many as fit, and a large one's blocks are
+  /// its own.
+  std::size_t roomOf(std::uint32_t ring) const {
+    const std::size_t edges = polygon_.edgeEnd(ring) - polygon_.edgeBegin(ring);
+    return edges <= kLanes ? kLanes / (kLanes / edges) : kLanes * roomBelow(edges);
+  }
+  std::size_t roomOf(const Part& part) const {
+    std::size_t room = 0;
+    for (std::size_t i = part.begin; i < part.end; ++i) room += roomOf(order_[i]);
+    return room;
+  }
+
+  /// Up to kLanes parts, so that the blocks below are full if the rings are alike. Rings are taken apart before any is
+  /// cut.
   Parts divideRings(const Part& whole) {
+    std::size_t room[kLanes] = {roomOf(whole)};
+    const std::size_t below = roomBelow(room[0]);
     Parts parts;
     parts.add(whole);
     while (parts.size() < kLanes) {
-      std::size_t largest = parts.size(), most = kLanes;
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::size_t count = parts[i].kind == Part::Rings ? edgeCount(parts[i]) : 0;
-        if (count > most) largest = i, most = count;
-      }
+      std::size_t largest = parts.size(), most = below;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        if (parts[i].kind == Part::Rings && room[i] > most) largest = i, most = room[i];
       if (largest == parts.size()) break;
       const Part halved = parts[largest];
-      const std::size_t mid = (halved.begin + halved.end) / 2;
+      const std::size_t count = halved.end - halved.begin, groups = (most + below - 1) / below;
+      const std::size_t mid = halved.begin + std::max<std::size_t>(count * (groups / 2) / groups, 1);
       halve(halved, mid);
+      room[parts.size()] = roomOf({Part::Rings, mid, halved.end});
+      room[largest] = most - room[parts.size()];
       parts[largest] = rings(halved.begin, mid);
       parts.add(rings(mid, halved.end));
     }
     return parts;
   }
 
+  /// What a child has room for in the lowest tree that has room for so many edges.
+  static std::size_t roomBelow(std::size_t edges) {
+    std::size_t below = kLanes;
+    while (below * kLanes < edges) below *= kLanes;
+    return below;
+  }
+
   /// Edges evenly into as few parts, up to kLanes, as let the blocks below be full.
   static Parts cut(const Part& edges) {
     const std::size_t n = edges.end - edges.begin;
-    std::size_t below = kLanes;
-    while (below * kLanes < n) below *= kLanes;
-    const std::size_t k = (n + below - 1) / below;
+    const std::size_t below = roomBelow(n), k = (n + below - 1) / below;
     Parts parts;
     for (std::size_t i = 0; i < k; ++i) parts.add({edges.kind, edges.begin + i * n / k, edges.begin + (i + 1) * n / k});
     return parts;

@@ -124,7 +124,8 @@ inline const InnerDiscs* innerDiscsIfPaid(const PolygonData& polygon) {
   return ready != nullptr ? ready : payForDiscs(polygon);
 }
 
-/// Blocks above each other: one for each halving of up to 2^31 rings, and 8^11 edges.
-constexpr int kMaxDepth = 31 + 11 + 1;
+/// Blocks above each other: one each time that up to 2^27 rings are divided, of which two thirds are left at most, and
+/// 8^11 edges.
+constexpr int kMaxDepth = 47 + 11 + 1;
 
 }  // namespace tricover::detail

@@ -51,17 +51,20 @@ Inclusion includeByRay(const PolygonData& polygon, const Hierarchy& hierarchy, c
   return sum.result();
 }
 
-/// By the edges on the way from a known place. With p the point, s the place and t from 0 to 1, p + t (s - p) errs by
-/// no more than p and s do, in any direction 1.5 times that; and the way's direction and length by 4U of what is below
-/// 4.
+/// From a point to a known place. With p the point, s the place and t from 0 to 1, p + t (s - p) errs by no more than p
+/// and s do, in any direction 1.5 times that; and the way's direction and length by 4U of what is below 4.
+Ray wayTo(const Vec2& place, const PolygonData& polygon, const ApproxPoint& p) {
+  constexpr double kShort = 0x1p-100;  // a way that needs no direction
+  const Vec2 at = polygon.inUnits({p.x, p.y}), way = polygon.inUnits(place) - at;
+  const double length = way.norm(), error = 1.5 * errorInUnits(polygon, p) + 0x1p-48;
+  const Vec2 direction = length > kShort ? Vec2(way / length) : Vec2(1, 0);
+  return {at.x(), at.y(), direction.x(), direction.y(), error, length};
+}
+
 Inclusion includeFrom(const KnownPlace& from, const PolygonData& polygon, const Hierarchy& hierarchy,
                       const IncludedPoint& point) {
-  constexpr double kShort = 0x1p-100;  // a way that needs no direction
-  const Vec2 at = polygon.inUnits({point.approx.x, point.approx.y}), way = polygon.inUnits(from.at) - at;
-  const double length = way.norm(), error = 1.5 * errorInUnits(polygon, point.approx) + 0x1p-48;
-  const Vec2 direction = length > kShort ? Vec2(way / length) : Vec2(1, 0);
   CoveringSum sum(polygon, point, from);
-  visitEdgesOnRay(hierarchy, {at.x(), at.y(), direction.x(), direction.y(), error, length}, addEdge, &sum);
+  visitEdgesOnRay(hierarchy, wayTo(from.at, polygon, point.approx), addEdge, &sum);
   return sum.result();
 }
 
@@ -123,20 +126,48 @@ const KnownPlaces* placesIfPaid(const PolygonData& polygon, const Hierarchy& hie
   return hierarchy.places_rent.isDue(across, 12 * edges) ? &placesOf(polygon, hierarchy) : nullptr;
 }
 
-/// Nothing where none is known near the point, or rounding hides where that is.
-std::optional<KnownPlace> placeNear(const PolygonData& polygon, const Hierarchy& hierarchy, const ApproxPoint& p) {
-  const double error = errorInUnits(polygon, p);
-  const KnownPlaces* places = error < 0x1p-20 ? placesIfPaid(polygon, hierarchy) : nullptr;
-  if (places == nullptr) return std::nullopt;
-  const Vec2 at = polygon.inUnits({p.x, p.y});
-  return places->ofBlock(findBlockNear(hierarchy, {at.x(), at.y(), error}));
+/// By the edges on the way from the known place near a point, once there is one.
+class NearPlace {
+ public:
+  NearPlace(const KnownPlaces& places, const PolygonData& polygon, const IncludedPoint& point)
+      : places_(places), polygon_(polygon), point_(point) {}
+
+  /// Nothing where none is known.
+  std::optional<Inclusion> include(const Hierarchy& hierarchy) {
+    const ApproxPoint& p = point_.approx;
+    const Vec2 at = polygon_.inUnits({p.x, p.y});
+    visitEdgesToPlace(hierarchy, {at.x(), at.y(), errorInUnits(polygon_, p)}, {this, begin, add});
+    return sum_ ? std::optional<Inclusion>(sum_->result()) : std::nullopt;
+  }
+
+ private:
+  static bool begin(void* context, std::uint32_t block, Ray& way) {
+    NearPlace& search = *static_cast<NearPlace*>(context);
+    const std::optional<KnownPlace> place = search.places_.ofBlock(block);
+    if (!place) return false;
+    search.sum_.emplace(search.polygon_, search.point_, *place);
+    way = wayTo(place->at, search.polygon_, search.point_.approx);
+    return true;
+  }
+  static bool add(void* context, std::uint32_t edge) { return static_cast<NearPlace*>(context)->sum_->add(edge); }
+
+  const KnownPlaces& places_;
+  const PolygonData& polygon_;
+  const IncludedPoint& point_;
+  std::optional<CoveringSum> sum_;
+};
+
+/// Null, too, where rounding hides what is near.
+const KnownPlaces* placesFor(const PolygonData& polygon, const Hierarchy& hierarchy, const ApproxPoint& p) {
+  return errorInUnits(polygon, p) < 0x1p-20 ? placesIfPaid(polygon, hierarchy) : nullptr;
 }
 
 /// What bounding discs leave open; not inlined, because most points are far away.
 [[gnu::noinline]] Inclusion includeByHierarchy(const PolygonData& polygon, const Hierarchy& hierarchy,
                                                const IncludedPoint& point) {
-  const std::optional<KnownPlace> near = placeNear(polygon, hierarchy, point.approx);
-  return near ? includeFrom(*near, polygon, hierarchy, point) : includeByRay(polygon, hierarchy, point);
+  const KnownPlaces* places = placesFor(polygon, hierarchy, point.approx);
+  const auto near = places != nullptr ? NearPlace(*places, polygon, point).include(hierarchy) : std::nullopt;
+  return near ? *near : includeByRay(polygon, hierarchy, point);
 }
 
 }  // namespace

@@ -32,6 +32,13 @@ struct Descent {
   bool degenerate = false;  ///< whether a degenerate polygon is taken for its one edge alone
 };
 
+/// Whether b is so small, beside many small rings, that it isn't divided before a's edges near it are known: hardly any
+/// are.
+inline bool staysWhole(const Descent& d) {
+  const std::size_t rings = d.polygon_a.ringCount();
+  return rings >= 16 && d.polygon_a.path.size() <= 17 * rings && d.b.small != nullptr;
+}
+
 /// Which edges make a hit. Lengths are in a's units.
 struct HitTest {
   const void* context;
@@ -39,12 +46,15 @@ struct HitTest {
   double reach;                                                               ///< edges beyond can't make a hit
   double accept;  ///< regions that are proven closer are a hit without asking edges; negative: never
   bool wants_clearance;
+  /// Null; or, where b staysWhole(), whether the ring that begins with this edge of a begins in b: which makes a hit,
+  /// too, and no such ring is left out.
+  bool (*holds)(const void* context, std::size_t edge_a) = nullptr;
 };
 
 struct DescentResult {
   bool hit;
   double clearance;             ///< no pair of edges is nearer, if there is no hit
-  std::int64_t edge_a, edge_b;  ///< of a hit; -1 if `accept` answered
+  std::int64_t edge_a, edge_b;  ///< of a hit; -1 if `accept` answered, the second one if b holds the ring
 };
 
 /// The first pair of edges that makes a hit, deepest box first.
@@ -82,9 +92,6 @@ inline double clearanceAt(const Hierarchy& hierarchy, const Place& place, double
 /// The edges that may be the nearest to a point, as floats see it; how many, 0 if that isn't known or there are more.
 constexpr int kMostNearest = 8;
 extern Simd<int(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest])> findNearestEdges;
-
-/// The leaf that is reached by the nearest box of each block, as floats see it: no edge near the place need be in it.
-extern Simd<std::uint32_t(const Hierarchy& hierarchy, const Place& place)> findBlockNear;
 
 /// A point that moves from `start` by (dx, dy), in a hierarchy's units.
 struct Way {
@@ -219,7 +226,7 @@ extern Simd<ConvexCrossing(const SmallPolygon& a, const SmallPolygon& b, const U
 
 /// A ray in a hierarchy's units: every point known to within `error`.
 struct Ray {
-  double x, y, dx, dy, error;
+  double x = 0, y = 0, dx = 1, dy = 0, error = 0;
   double length = std::numeric_limits<double>::infinity();  ///< where it ends
 };
 
@@ -227,5 +234,15 @@ struct Ray {
 /// the ray.
 extern Simd<void(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context)>
     visitEdgesOnRay;
+
+/// The way from a point to a place that is known beside a block.
+struct WayToPlace {
+  void* context;
+  bool (*begin)(void* context, std::uint32_t block, Ray& way);  ///< false if none is known there
+  bool (*visit)(void* context, std::uint32_t edge);             ///< as above
+};
+/// The same for every edge on that way, the block being the leaf that is reached by the nearest box of each block, as
+/// floats see it. So only what is near is entered.
+extern Simd<void(const Hierarchy& hierarchy, const Place& from, const WayToPlace& to)> visitEdgesToPlace;
 
 }  // namespace tricover::detail

@@ -35,7 +35,7 @@ class Simd<Result(Arguments...)> {
 
 // clang-format off
 #define TRICOVER_SIMD_FUNCTIONS(X) \
-  X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) X(findBlockNear) \
+  X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) X(visitEdgesToPlace) \
   X(showEdgesNear) X(visitEdgesOnWay) X(visitEdgesOnRay) X(findEdgesOnWays) \
   X(cutWindows) X(depthInDiscs) X(innerDepth) X(convexMeet) \
   X(convexGap) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \

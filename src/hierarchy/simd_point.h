@@ -128,20 +128,6 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
 }
 
 template <class Lanes>
-std::uint32_t findBlockNear(const Hierarchy& hierarchy, const Place& place) {
-  std::uint32_t index = 0;
-  while (!hierarchy.blocks[index].leaf) {
-    const Block& block = hierarchy.blocks[index];
-    float at[kLanes];
-    boxDistances<Lanes>(block, placeIn(block, place)).store(at);
-    int nearest = 0;
-    for (int i = 1; i < block.count; ++i) nearest = at[i] < at[nearest] ? i : nearest;
-    index = block.child[nearest];
-  }
-  return index;
-}
-
-template <class Lanes>
 void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
                    const PairVisitor& visitor) {
   double low[kLanes];

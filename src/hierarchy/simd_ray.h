@@ -2,7 +2,7 @@
 // A hierarchy and a ray. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/simd_tree.h"
+#include "hierarchy/simd_point.h"
 
 namespace tricover::detail::simd {
 
@@ -10,33 +10,88 @@ namespace tricover::detail::simd {
 /// scale. In the terms of kGapRounding: coordinates are rounded 6 times, extents 7 times, of what is at most
 /// 6 (|x| + |y| + 2) + 7. The ray's length, at most twice the sum, is rounded once and subtracted: 2 * 2 more.
 constexpr double kRayRounding = 0x1p-20;
+/// How far along the ray a box begins at least: one rounding more, and slack enough for that if it is taken twice.
 static_assert(kRayRounding >= (7 + 2 * 2) * kFloatRoundoff && 6 * 2 + 7 * 1 <= 7 * 4);
+
+/// The boxes that the ray may meet, and how far along it they begin at least.
+template <class Lanes>
+[[gnu::always_inline]] inline unsigned boxesOn(const Ray& ray, const Block& block, float (&at)[kLanes]) {
+  const float dx = static_cast<float>(ray.dx), dy = static_cast<float>(ray.dy);
+  const double px = (ray.x - block.origin_x) * block.inverse, py = (ray.y - block.origin_y) * block.inverse;
+  const double sum = magnitude(px) + magnitude(py) + 4, length = ray.length * block.inverse;
+  const double slack = kRayRounding * sum + ray.error * block.inverse;
+  const float x = static_cast<float>(px), y = static_cast<float>(py), room = static_cast<float>(slack);
+  const float end = static_cast<float>(length < 2 * sum ? length : 2 * sum);
+  if (!(room < 1e30f)) {
+    for (float& entry : at) entry = 0;
+    return lanesOf(block);
+  }
+  const Boxes<Lanes> box = boxesOf<Lanes>(block);
+  const Lanes ex = box.x - x, ey = box.y - y;
+  const Lanes c = absolute(box.ux * dx + box.uy * dy), s = absolute(box.ux * dy - box.uy * dx);
+  const Lanes beside = absolute(ey * dx - ex * dy) - (box.along * s + box.across * c);
+  const Lanes ahead = ex * dx + ey * dy, reach = box.along * c + box.across * s;
+  const Lanes behind = (Lanes::all(0) - ahead) - reach, after = (ahead - reach) - end;
+  ((ahead - reach - 2 * room) * block.scale).store(at);
+  return lanesOf(block) & ~above(larger(beside, larger(behind, after)), Lanes::all(room));
+}
+
+/// Calls visit(context, edge) for a leaf's lanes until it returns false.
+[[gnu::always_inline]] inline bool visitLanes(const Block& block, unsigned lanes, bool (*visit)(void*, std::uint32_t),
+                                              void* context) {
+  for (; lanes != 0; lanes &= lanes - 1)
+    if (!visit(context, block.child[__builtin_ctz(lanes)])) return false;
+  return true;
+}
 
 template <class Lanes>
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
-  const float dx = static_cast<float>(ray.dx), dy = static_cast<float>(ray.dy);
-  const auto near = [&](const Block& block, float(&)[kLanes]) __attribute__((always_inline)) {
-    const double px = (ray.x - block.origin_x) * block.inverse, py = (ray.y - block.origin_y) * block.inverse;
-    const double sum = magnitude(px) + magnitude(py) + 4, length = ray.length * block.inverse;
-    const double slack = kRayRounding * sum + ray.error * block.inverse;
-    const float x = static_cast<float>(px), y = static_cast<float>(py), room = static_cast<float>(slack);
-    const float end = static_cast<float>(length < 2 * sum ? length : 2 * sum);
-    if (!(room < 1e30f)) return lanesOf(block);
-    const Boxes<Lanes> box = boxesOf<Lanes>(block);
-    const Lanes ex = box.x - x, ey = box.y - y;
-    const Lanes c = absolute(box.ux * dx + box.uy * dy), s = absolute(box.ux * dy - box.uy * dx);
-    const Lanes beside = absolute(ey * dx - ex * dy) - (box.along * s + box.across * c);
-    const Lanes ahead = ex * dx + ey * dy, reach = box.along * c + box.across * s;
-    const Lanes behind = (Lanes::all(0) - ahead) - reach, after = (ahead - reach) - end;
-    return lanesOf(block) & ~above(larger(beside, larger(behind, after)), Lanes::all(room));
-  };
-  const auto show = [&](const Block& block, unsigned lanes, const float*) __attribute__((always_inline)) {
-    for (; lanes != 0; lanes &= lanes - 1)
-      if (!visit(context, block.child[__builtin_ctz(lanes)])) return false;
-    return true;
-  };
+  descendOne<true>(
+      hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > ray.length); },
+      [&](const Block& block, float(&at)[kLanes])
+          __attribute__((always_inline)) { return boxesOn<Lanes>(ray, block, at); },
+      [&](const Block& block, unsigned lanes, const float*)
+          __attribute__((always_inline)) { return visitLanes(block, lanes, visit, context); });
+}
+
+/// What the way may meet is no farther from its begin than the way is long; both are known to within its error.
+template <class Lanes>
+void visitEdgesToPlace(const Hierarchy& hierarchy, const Place& from, const WayToPlace& to) {
+  struct Passed {
+    const Block* block;
+    int entered;
+    float slack, at[kLanes];
+  } passed[kMaxDepth];
+  int count = 0;
+  std::uint32_t index = 0;
+  while (!hierarchy.blocks[index].leaf) {
+    Passed& here = passed[count++];
+    here.block = &hierarchy.blocks[index];
+    const PlaceInBlock p = placeIn(*here.block, from);
+    here.slack = p.slack;
+    boxDistances<Lanes>(*here.block, p).store(here.at);
+    here.entered = 0;
+    for (int i = 1; i < here.block->count; ++i) here.entered = here.at[i] < here.at[here.entered] ? i : here.entered;
+    index = here.block->child[here.entered];
+  }
+  Ray way;
+  if (!to.begin(to.context, index, way)) return;
+  NearBlocks blocks;
+  for (int k = 0; k < count; ++k) {
+    const Passed& here = passed[k];
+    const float reach = upwards((way.length + 2 * way.error) * here.block->inverse + here.slack);
+    const bool known = here.slack < 1e12f && reach < 1e12f;  // squares don't overflow
+    unsigned lanes = lanesOf(*here.block) & ~(1u << here.entered);
+    if (known) lanes &= ~above(Lanes::load(here.at), Lanes::all(reach));
+    for (; lanes != 0; lanes &= lanes - 1) blocks.add(here.block->child[__builtin_ctz(lanes)], 0);
+  }
+  blocks.add(index, 0);
   descendOne<false>(
-      hierarchy, [](float) { return true; }, near, show);
+      hierarchy, blocks, [](float) { return true; },
+      [&](const Block& block, float(&at)[kLanes])
+          __attribute__((always_inline)) { return boxesOn<Lanes>(way, block, at); },
+      [&](const Block& block, unsigned lanes, const float*)
+          __attribute__((always_inline)) { return visitLanes(block, lanes, to.visit, to.context); });
 }
 
 }  // namespace tricover::detail::simd

@@ -13,6 +13,11 @@ struct NearBlocks {
   float at[kMost];
   int top = 0;
 
+  [[gnu::always_inline]] void add(std::uint32_t index, float distance) {
+    block[top] = index;
+    at[top++] = distance;
+  }
+
   /// Puts the nearest of those from `first` on on top.
   [[gnu::always_inline]] void raiseNearest(int first) {
     int nearest = first;
@@ -31,12 +36,9 @@ struct NearBlocks {
 /// child is entered if keeps(its at) says so by then. A leaf's lanes are edges: show(block, lanes, at) returns false to
 /// end the descent.
 template <bool kOrdered, class Keeps, class Near, class Show>
-[[gnu::always_inline]] inline void descendOne(const Hierarchy& hierarchy, Keeps keeps, Near near, Show show) {
+[[gnu::always_inline]] inline void descendOne(const Hierarchy& hierarchy, NearBlocks& blocks, Keeps keeps, Near near,
+                                              Show show) {
   const Block* all = hierarchy.blocks.data();
-  NearBlocks blocks;
-  blocks.block[0] = 0;
-  blocks.at[0] = 0;
-  blocks.top = 1;
   while (blocks.top > 0) {
     if (!keeps(blocks.at[--blocks.top])) continue;
     const Block& block = all[blocks.block[blocks.top]];
@@ -56,6 +58,14 @@ template <bool kOrdered, class Keeps, class Near, class Show>
     }
     if (kOrdered) blocks.raiseNearest(first);
   }
+}
+
+/// From the root on.
+template <bool kOrdered, class Keeps, class Near, class Show>
+[[gnu::always_inline]] inline void descendOne(const Hierarchy& hierarchy, Keeps keeps, Near near, Show show) {
+  NearBlocks blocks;
+  blocks.add(0, 0);
+  descendOne<kOrdered>(hierarchy, blocks, keeps, near, show);
 }
 
 }  // namespace tricover::detail::simd

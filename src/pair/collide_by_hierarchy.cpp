@@ -10,6 +10,12 @@
 
 namespace tricover::detail {
 
+namespace {
+
+bool startIsInB(const void* test, std::size_t edge) { return isInB(static_cast<const EdgeTest*>(test)->pair(), edge); }
+
+}  // namespace
+
 Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test) {
   const SmallPolygon &a = *hierarchyOf(test.a).small_convex, &b = *hierarchyOf(test.b).small_convex;
   ConvexGap best;
@@ -26,7 +32,9 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
   const Descent descent{test.a,      test.b, hierarchyOf(test.a), hierarchyOf(test.b), at.map,
                         at.rounding, limit,  /*degenerate*/ true};
-  const DescentResult found = findHit(descent, {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
+  const bool by_rings = wanted == Wanted::Answer && !test.b.isDegenerate() && staysWhole(descent);
+  const DescentResult found = findHit(
+      descent, {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance, by_rings ? &startIsInB : nullptr});
   Outcome outcome;
   if (found.hit) {
     outcome.collides = true;
@@ -34,7 +42,7 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
     outcome.edge_b = found.edge_b;
     return outcome;
   }
-  outcome = findContainment(test.pair());
+  outcome = findContainment(test.pair(), !by_rings);
   if (wanted == Wanted::Clearance)
     outcome.clearance = std::min(found.clearance * test.a.unit, std::numeric_limits<double>::max());
   return outcome;

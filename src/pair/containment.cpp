@@ -63,6 +63,10 @@ std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isN
   return -1;
 }
 
+bool holdsOfA(const PosedPair& pair, const Vec2& p) {
+  return locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside;
+}
+
 /// Of b in a, on its boundary or inside.
 std::ptrdiff_t ringOfBInside(const PosedPair& pair, Location least) {
   return firstInside(
@@ -76,20 +80,20 @@ std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
   const DiscOfB disc(pair);
   return firstInside(
       pair.a, [&] { return disc; }, [&](const Vec2& p) { return disc.holds(p); },
-      [&](const Vec2& p) {
-        return locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside;
-      });
+      [&](const Vec2& p) { return holdsOfA(pair, p); });
 }
 
 }  // namespace
 
 std::ptrdiff_t ringInside(const PosedPair& pair) { return ringOfBInside(pair, Location::Inside); }
 
-Outcome findContainment(const PosedPair& pair) {
+bool isInB(const PosedPair& pair, std::size_t edge_a) { return holdsOfA(pair, pair.a.path[edge_a]); }
+
+Outcome findContainment(const PosedPair& pair, bool of_a_too) {
   Outcome outcome;
   // A segment holds nothing that doesn't meet it.
   if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair, Location::Boundary);
-  if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
+  if (of_a_too && outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
   outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
   return outcome;
 }

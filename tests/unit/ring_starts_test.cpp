@@ -18,6 +18,8 @@
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/distance.h"
 #include "tricover/locate.h"
 
 namespace tricover::support {
@@ -168,6 +170,45 @@ TEST(RingStarts, AreFoundAtTheEndOfWhatHoldsThem) {
       EXPECT_EQ(detail::findContainment(detail::PosedPair(islands.data(), still, bar.data(), at)).edge_a, start);
       EXPECT_EQ(detail::findContainment(detail::PosedPair(bar.data(), at, islands.data(), still)).edge_b, start);
     }
+}
+
+/// What is small beside many rings stays whole until edges are near it; rings in it are found on the way.
+TEST(RingStarts, OfManyRingsInASmallPolygon) {
+  int cases = 0, hits = 0, contained = 0;
+  for (int i = 0; i < scaledCount(400); ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 7000);
+    std::vector<Ring> rings;
+    for (int k = random.integer(16, 60); k > 0; --k) {
+      const Vec2 at(random.real(-6, 6), random.real(-6, 6)), size(random.real(0.1, 0.8), random.real(0.1, 0.8));
+      rings.push_back(rectangle(at.x(), at.y(), at.x() + size.x(), at.y() + size.y()));
+    }
+    if (random.coin()) rings.push_back(rectangle(-9, -9, 9, 9));
+    if (random.coin()) rings.push_back(star(random, 40, 6, 9));
+    const Polygon map = triangles(random, rings);
+    const double reach = random.real(0.2, 1.2);
+    std::vector<Ring> small = {random.coin() ? regular(random.integer(3, 8), reach) : star(random, 8, 0.2, reach)};
+    if (random.coin()) small.push_back(regular(random.integer(3, 8), 0.15));
+    const Polygon robot(small);
+    for (int k = 0; k < 10; ++k) {
+      const Pose still = pose(random.real(0, 6), 3, -2);
+      const Pose at = still * pose(random.real(0, 6), random.real(-9, 9), random.real(-9, 9));
+      const bool truth = exact::collide(map, still, robot, at);
+      EXPECT_EQ(collide(map, still, robot, at), truth) << i;
+      EXPECT_EQ(collide(robot, at, map, still), truth) << i;
+      const auto apart = exact::distanceSquared(map, still, robot, at);
+      EXPECT_EQ(collide(map, still, robot, at, {0.2, 0}), exact::within(apart, 0.2)) << i;
+      const bool loose = collide(map, still, robot, at, {0.1, 0.1});
+      if (loose ? !exact::within(apart, 0.2) : exact::within(apart, 0.1)) ADD_FAILURE() << i;
+      EXPECT_EQ(distance(map, still, robot, at).distance == 0, truth) << i;
+      ++cases;
+      hits += truth;
+      contained += truth && exact::meetingEdges(map, still, robot, at).empty();
+    }
+  }
+  std::printf("%d questions, %d hits, %d containments\n", cases, hits, contained);
+  EXPECT_GE(hits, 0.2 * cases);
+  EXPECT_LE(hits, 0.8 * cases);
+  EXPECT_GE(contained, 0.02 * cases);
 }
 
 /// Where edges of all rings meet all others', finding the components ends early, with more starts than need be.

@@ -15,7 +15,7 @@ MUTATIONS = [
     ("src/pair/collide_by_edges.cpp", "(2 * pair.error + pair.reach(test.options.margin)) * (1 + 4 * kUnitRoundoff)", "0.9 * pair.reach(test.options.margin)", "edges alone: boxes grown by too little"),
     ("src/pair/collide_by_edges.cpp", "return box_b.contains(box_a) || box_a.grown(2 * grown).contains(box_b)", "return box_b.contains(box_a)", "edges alone: what is inside"),
     ("src/pair/collide_by_edges.cpp", " || test.a.ringCount() + test.b.ringCount() > 2", "", "edges alone: one of several rings inside"),
-    ("src/pair/collide_by_hierarchy.cpp", "outcome = findContainment(test.pair());", "", "repair 2: hierarchy"),
+    ("src/pair/collide_by_hierarchy.cpp", "outcome = findContainment(test.pair(), !by_rings);", "", "repair 2: hierarchy"),
     ("src/pair/collide_by_hierarchy.cpp", "limit = reach + lookahead * at.inverse_unit;", "limit = lookahead * at.inverse_unit;", "descent: margin not entered"),
     ("src/pair/collide_by_paper.cpp", "if (known && mask == fact->mask) return false;", "if (known && !fact->mask.empty()) return false;", "repair 7: mask not compared"),
     ("src/pair/collide_by_paper.cpp", "if (fact != nullptr) fact->mask.clear();", "if (known && mask == fact->mask) return false;\n  if (fact != nullptr) fact->mask = mask;", "repair 1: unchanged mask inside an influence area"),
