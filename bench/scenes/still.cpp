@@ -31,14 +31,23 @@ std::string containerTable(const std::vector<ContainerCost>& costs) {
   return markdown(lines);
 }
 
+std::string nearestTable(const std::vector<NearestCost>& costs) {
+  TextTable lines = {{"polygon, poses", "nearest: ns", "with a SceneCache: ns"}};
+  for (const NearestCost& cost : costs)
+    lines.push_back({cost.walk, shortNumber(cost.none_ns), shortNumber(cost.cached_ns)});
+  return markdown(lines);
+}
+
 int run(const std::string& directory, std::size_t bodies) {
   const std::vector<ContainerCost> containers = measureContainers();
   const std::vector<StillMapCost> maps = measureStillMaps(bodies);
   std::vector<Target> targets = judgeStillMaps(maps);
   for (Target& target : judgeContainers(containers)) targets.push_back(std::move(target));
+  const std::vector<NearestCost> nearest = measureNearest();
+  for (Target& target : judgeNearest(nearest)) targets.push_back(std::move(target));
   const std::string text =
-      "# Still maps\n\n" + mapTable(maps) + "\n# Layouts in their containers\n\n" + containerTable(containers) + "\n" +
-      targetsTable(targets) +
+      "# Still maps\n\n" + mapTable(maps) + "\n# Layouts in their containers\n\n" + containerTable(containers) +
+      "\n# The nearest of 10,000 bodies\n\n" + nearestTable(nearest) + "\n" + targetsTable(targets) +
       "\n- CPU time of one thread. Maps: once, each method in a map of its own, the polygons' data included. "
       "Containers: "
       "medians,\n  methods in turn; eight parts are taken out and placed anew. The scan looks at all boxes, asks "

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 #include "measure.h"
 #include "random.h"
+#include "report.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
 #include "tricover/scene.h"
@@ -51,15 +53,19 @@ class Places {
   support::Random random_;
 };
 
+Scene sceneOf(std::size_t bodies) {
+  Places places(bodies, 1);
+  std::vector<BodyPlacement> all;
+  all.reserve(bodies);
+  for (std::size_t i = 0; i < bodies; ++i) all.push_back({regular(8, 1), places.next(), {}});
+  Scene scene;
+  scene.add(all);
+  return scene;
+}
+
 class SceneMap {
  public:
-  explicit SceneMap(std::size_t bodies) {
-    Places places(bodies, 1);
-    std::vector<BodyPlacement> all;
-    all.reserve(bodies);
-    for (std::size_t i = 0; i < bodies; ++i) all.push_back({regular(8, 1), places.next(), {}});
-    scene_.add(all);
-  }
+  explicit SceneMap(std::size_t bodies) : scene_(sceneOf(bodies)) {}
   bool collides(const Polygon& polygon, const Pose& pose) const { return scene_.collides(polygon, pose); }
   double distance(const Polygon& polygon, const Pose& pose) const {
     return scene_.nearest(polygon, pose)->result.distance;
@@ -171,6 +177,42 @@ std::vector<Target> judgeStillMaps(const std::vector<StillMapCost>& costs) {
           judged(subject, "a body made and added", builds, {false, 1000, 0, "ns"}),
           judged(subject + ", collides", compared, collides, {true, 1}),
           judged(subject + ", nearest", compared, nearest, {true, 1.2})};
+}
+
+std::vector<NearestCost> measureNearest() {
+  constexpr std::size_t kBodies = 10000, kPoses = 4000;
+  constexpr int kRounds = 7;
+  const Scene scene = sceneOf(kBodies);
+  const Polygon hexagon = regular(6, 1), dot = point({0, 0});
+  std::vector<NearestCost> costs;
+  for (const double step : {kInfinity, 0.2, 0.02}) {
+    Places places(kBodies, 2);
+    std::vector<Pose> poses = {places.next()};
+    while (poses.size() < kPoses) {
+      const Pose jump = places.next();
+      poses.push_back(step < kInfinity ? poses.back() * poseAt({step, 0}, step * jump.linear()(0, 0)) : jump);
+    }
+    for (const Polygon* polygon : {&hexagon, &dot}) {
+      double none = 0, cached = 0;
+      SceneCache cache;
+      const auto ask = [&](double& sum, auto&... kept) {
+        for (const Pose& pose : poses) sum += scene.nearest(*polygon, pose, kept...)->result.distance;
+      };
+      const std::vector<std::function<void()>> tasks = {[&] { ask(none); }, [&] { ask(cached, cache); }};
+      const std::vector<double> seconds = secondsInTurn(tasks, kRounds, threadSeconds);
+      const std::string walk = step < kInfinity ? "steps of " + shortNumber(step) : "jumps";
+      costs.push_back({(polygon == &hexagon ? "hexagon, " : "point, ") + walk, 1e9 * seconds[0] / kPoses,
+                       1e9 * seconds[1] / kPoses});
+      if (none != cached) throw std::logic_error("a cache changed the nearest body's distance");
+    }
+  }
+  return costs;
+}
+
+std::vector<Target> judgeNearest(const std::vector<NearestCost>& costs) {
+  std::vector<Figure> figures;
+  for (const NearestCost& cost : costs) figures.push_back({cost.cached_ns / cost.none_ns, cost.walk});
+  return {judged("the nearest of 10000 bodies", "with a SceneCache / without", figures, {false, 1.05})};
 }
 
 }  // namespace tricover::bench
