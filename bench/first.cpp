@@ -16,6 +16,7 @@
 #include "report.h"
 #include "target.h"
 #include "tricover/collide.h"
+#include "tricover/prepare.h"
 #include "workloads.h"
 
 namespace tricover::bench {
@@ -75,7 +76,8 @@ struct FirstRow {
   std::vector<const FirstMethod*> methods;
   std::vector<double> ns;
   std::vector<std::size_t> hits;
-  double dearest_later;  ///< ns of the dearest query of tricover's behind the first one; 0 for k = 1
+  double dearest_later;     ///< ns of the dearest query of tricover's behind the first one; 0 for k = 1
+  double dearest_prepared;  ///< see dearestPrepared(); of the most queries alone, otherwise 0
 
   std::string name() const {
     return cell->polygons + " " + std::to_string(cell->vertices) + ", " + cell->poses +
@@ -92,23 +94,50 @@ struct FirstRow {
   double library() const { return fastest({FirstMethod::Library, FirstMethod::Convex}); }
 };
 
-/// ns of each of k queries behind the first: of all visits the dearest, each the least of several rounds.
-double dearestLater(const FirstCell& cell, std::size_t queries) {
+/// Asks all queries, and keeps the least ns that each has taken.
+void timeEach(const Polygon& fixed, const Polygon& moving, const FirstAsked& asked, std::vector<double>& least) {
   using Clock = std::chrono::steady_clock;
-  double dearest = 0;
+  for (std::size_t k = 0; k < least.size(); ++k) {
+    const auto start = Clock::now();
+    collide(fixed, Pose::Identity(), moving, asked.poses[k]);
+    least[k] = std::min(least[k], std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+  }
+}
+
+/// visit(ns of each query of a new pair, ns of each when it is asked them all once more), for several pairs, each the
+/// least of several rounds. `ready` is called with both new polygons.
+template <class Ready, class Visit>
+void timePairs(const FirstCell& cell, std::size_t queries, Ready ready, Visit visit) {
   for (std::size_t i = 0; i < std::min<std::size_t>(cell.visits(), kPairs); ++i) {
     const FirstAsked asked = cell.visit(i, queries);
-    std::vector<double> least(queries, 1e18);
+    std::vector<double> first(queries, 1e18), later = first;
     for (int round = 0; round < kRounds; ++round) {
       const Polygon fixed(std::vector<Ring>(1, asked.fixed)), moving(std::vector<Ring>(1, asked.moving));
-      for (std::size_t k = 0; k < queries; ++k) {
-        const auto start = Clock::now();
-        collide(fixed, Pose::Identity(), moving, asked.poses[k]);
-        least[k] = std::min(least[k], std::chrono::duration<double, std::nano>(Clock::now() - start).count());
-      }
+      ready(fixed), ready(moving);
+      timeEach(fixed, moving, asked, first);
+      timeEach(fixed, moving, asked, later);
     }
-    for (std::size_t k = 1; k < queries; ++k) dearest = std::max(dearest, least[k]);
+    visit(first, later);
   }
+}
+
+/// ns of the dearest of k queries behind the first.
+double dearestLater(const FirstCell& cell, std::size_t queries) {
+  double dearest = 0;
+  timePairs(
+      cell, queries, [](const Polygon&) {},
+      [&](const std::vector<double>& first, const std::vector<double>&) {
+        for (std::size_t k = 1; k < queries; ++k) dearest = std::max(dearest, first[k]);
+      });
+  return dearest;
+}
+
+/// Of prepared polygons: of all queries the dearest, in what the same one takes later.
+double dearestPrepared(const FirstCell& cell, std::size_t queries) {
+  double dearest = 0;
+  timePairs(cell, queries, prepare, [&](const std::vector<double>& first, const std::vector<double>& later) {
+    for (std::size_t k = 0; k < queries; ++k) dearest = std::max(dearest, first[k] / later[k]);
+  });
   return dearest;
 }
 
@@ -124,7 +153,7 @@ std::size_t hitsKnown(const FirstCell& cell, std::size_t queries) {
 }
 
 FirstRow measureRow(const FirstCell& cell, std::size_t queries) {
-  FirstRow row{&cell, queries, {}, {}, {}, 0};
+  FirstRow row{&cell, queries, {}, {}, {}, 0, 0};
   for (const FirstMethod& method : firstMethods())
     if (method.takes(cell.convex, cell.vertices)) row.methods.push_back(&method);
   row.hits.resize(row.methods.size());
@@ -138,13 +167,14 @@ FirstRow measureRow(const FirstCell& cell, std::size_t queries) {
   for (const double seconds : secondsInTurn(tasks, kRounds, threadSeconds))
     row.ns.push_back(1e9 * seconds / static_cast<double>(cell.visits() * queries));
   row.dearest_later = dearestLater(cell, queries);
+  if (queries == kMostQueries) row.dearest_prepared = dearestPrepared(cell, queries);
   return row;
 }
 
 std::string firstTable(const std::vector<FirstRow>& rows) {
   TextTable lines = {{"polygons", "poses", "k"}};
   for (const FirstMethod& method : firstMethods()) lines[0].push_back(method.name);
-  lines[0].insert(lines[0].end(), {"library / tricover", "dearest later query"});
+  lines[0].insert(lines[0].end(), {"library / tricover", "dearest later query", "dearest prepared / later"});
   for (const FirstRow& row : rows) {
     if (row.queries != 1 && row.queries != 3 && row.queries != 10 && row.queries != 100) continue;
     lines.push_back(
@@ -156,6 +186,7 @@ std::string firstTable(const std::vector<FirstRow>& rows) {
     }
     lines.back().push_back(formatted("%.2f", row.library() / row.ours()));
     lines.back().push_back(row.queries > 1 ? shortNumber(row.dearest_later) : "");
+    lines.back().push_back(row.dearest_prepared > 0 ? formatted("%.2f", row.dearest_prepared) : "");
   }
   return markdown(lines);
 }
@@ -206,6 +237,11 @@ std::vector<Target> judge(const std::vector<FirstRow>& rows) {
   judgeRows(
       rows, what + ", convex", "Box2D / core", {true, 1}, [](const FirstRow&) { return true; },
       [](const FirstRow& row) { return row.fastest({FirstMethod::Box2d}); }, ours, targets);
+  if (!through_fcl)
+    judgeRows(
+        rows, "queries after prepare(), the dearest", "at first / later", {false, 3},
+        [](const FirstRow& row) { return row.dearest_prepared > 0; },
+        [](const FirstRow& row) { return row.dearest_prepared; }, [](const FirstRow&) { return 1.0; }, targets);
   return targets;
 }
 
@@ -213,6 +249,7 @@ const char* const kHow =
     R"(- Nanoseconds a query, all in: both polygons made of raw vertices, asked under k poses, and forgotten. CPU time of one
   thread, methods in turn, medians of 7. Others move the vertices and build what they need.
 - The dearest later query: of tricover's queries behind the first, wall time, the dearest of 16 pairs, each the least of 7.
+- The dearest prepared / later: of 100 queries right after `prepare()`, in what the same one takes when all are asked once more.
 )";
 
 int run(const std::string& directory, const std::string& only) {

@@ -137,6 +137,16 @@ TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
   EXPECT_FALSE(collide(frame, Pose::Identity(), peg, pose(0, 0.3, 0.2)));
 }
 
+/// Nor is a disc taken for inside because of another one that it doesn't meet.
+TEST(InnerDiscs, AreNotInAHoleBesideOne) {
+  const Polygon two({regular(2000, 10), shifted(regular(2000, 8), {19, 0}), rectangle(15, -4, 23, 4)});
+  const detail::PolygonData& data = two.data();
+  const detail::InnerDiscs& discs = innerDiscsOf(data);
+  ASSERT_GT(discs.count, 0);
+  for (int k = 0; k < discs.count; ++k)
+    EXPECT_EQ(locate(two, data.origin + data.unit * Vec2(discs.x[k], discs.y[k])), Location::Inside);
+}
+
 /// The radius is no more than what is certain, even where the polygon's frame has few digits left for it.
 TEST(InnerDiscs, OfATriangleFarAway) {
   for (int k = 0; k < 200; ++k) {

@@ -8,6 +8,7 @@ MUTATIONS = [
     ("src/hierarchy/inclusion.cpp", "if (found.location != Location::Boundary) winding_", "winding_", "known places: on an edge"),
     ("src/hierarchy/inner_discs.cpp", "proven * (1 - 0x1p-22)", "proven / (1 - 0x1p-22)", "inner discs: rounded outwards"),
     ("src/hierarchy/inner_discs.cpp", "4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)", "0", "inner discs: an ulp of S"),
+    ("src/hierarchy/inner_discs.cpp", "squaredNorm() < sum * sum", "squaredNorm() < 4 * sum * sum", "inner discs: inside like one that they don't meet"),
     ("src/hierarchy/locate.cpp", "moved < cache.clearance", "moved < 2 * cache.clearance", "point cache: trusted for too long"),
     ("src/hierarchy/simd_boxes.h", "noLarger(min_x, Doubles::load(boxes.max_x + i))", "noLarger(max_x, Doubles::load(boxes.max_x + i))", "scene: boxes that end within another"),
     ("src/hierarchy/simd_boxes.h", "larger(begin, Doubles::all(0)), met", "larger(begin, Doubles::all(0)) + Doubles::all(0.1), met", "scene: a ray enters boxes too late"),
