@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "tricover/export.h"
+
 namespace tricover {
 
 /// Whether regions that only touch collide.
