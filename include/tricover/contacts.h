@@ -8,6 +8,7 @@
 #include "tricover/export.h"
 #include "tricover/pair_cache.h"
 #include "tricover/polygon.h"
+#include "tricover/touching.h"
 
 namespace tricover {
 
@@ -15,6 +16,11 @@ namespace tricover {
 struct CrossingOptions {
   /// A world length, not negative: how far apart two edges may be.
   double margin = 0;
+  /// Allowed: with a margin, two edges have to be nearer than it. Without one, of the pairs that share a point those
+  /// are listed of which one edge leads on from there, either way, with the interiors of both regions on one of its
+  /// sides: where the overlap of the interiors begins. So the list isn't empty if edges meet on the outline of that
+  /// overlap, and it is where the interiors are apart.
+  Touching touching = Touching::Collides;
 };
 
 /// Two edges that share a point, or are within the margin of each other.
@@ -58,6 +64,9 @@ struct ContactOptions {
   /// How many contacts are returned, the deepest ones.
   std::size_t most = std::numeric_limits<std::size_t>::max();
   ContactDetail detail = ContactDetail::WayOut;  ///< What of each one is told.
+  /// Allowed: parts of the overlap without an interior, where the regions only touch, are left out, and with a margin
+  /// regions that are exactly so far apart.
+  Touching touching = Touching::Collides;
 };
 
 /// One connected part of the regions' overlap, in the world. Coordinates are rounded: they are off by at most 128 units
@@ -84,7 +93,8 @@ struct Contact {
 };
 
 /// One contact for each connected part of the overlap, the deepest first; or, where the regions are apart and within
-/// the margin, one where they are nearest. Empty exactly where collide() with that margin is false, or `most` is 0.
+/// the margin, one where they are nearest. Empty exactly where collide() with that margin and touching is false, or
+/// `most` is 0.
 ///
 /// Cost of a convex pair: 0.3 us for 8 vertices each, 1 us for 64, twice that where they are deep in each other. Of
 /// others, with one part, that of a penetration() more: 15 and 30 us where they overlap by little, 30 and 250 us where

@@ -5,6 +5,7 @@
 
 #include "tricover/export.h"
 #include "tricover/polygon.h"
+#include "tricover/touching.h"
 
 namespace tricover {
 
@@ -18,6 +19,9 @@ struct PenetrationOptions {
   /// pairs that aren't convex. It is at most (1 + depth_error) lower_bound, but for the precision of penetration().
   /// With infinity nothing is searched: the depth is that of the two convex hulls.
   double depth_error = 0;
+  /// Allowed: nothing where the interiors are apart, or, with a margin, where the regions are exactly so far apart. How
+  /// those are parted that do overlap is as ever.
+  Touching touching = Touching::Collides;
 };
 
 /// The shortest translation of b that parts two overlapping regions, in the world.

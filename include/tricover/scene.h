@@ -15,6 +15,7 @@
 #include "tricover/pose.h"
 #include "tricover/ray.h"
 #include "tricover/time_of_impact.h"
+#include "tricover/touching.h"
 
 namespace tricover {
 
@@ -37,6 +38,9 @@ struct BodyOptions {
   std::uint32_t category = 1;  ///< Bits: what the body is.
   std::uint32_t mask =
       kEveryCategory;  ///< Bits: what it meets. Two bodies meet if each has a category of the other's mask.
+  /// Allowed: what only touches this body doesn't collide with it, be it another body or the polygon of a query,
+  /// whatever those say: as CollideOptions::touching has it.
+  Touching touching = Touching::Collides;
 };
 
 /// A body that is to come into a scene.
@@ -217,7 +221,8 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene bodies
   const BodyOptions& options(Body body) const;
 
-  /// The pairs that collide now, sorted, whatever runs it. The reference is good until the next call of a function that
+  /// The pairs that collide now, sorted, whatever runs it. Those that only touch do, unless one of both
+  /// allows it (BodyOptions::touching). The reference is good until the next call of a function that
   /// isn't const.
   /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& collisions(const Parallel& parallel = {});

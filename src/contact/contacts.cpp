@@ -76,6 +76,8 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
                               PairFacts* cache, const ContactOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireRigid(pose_a, pose_b);
+  if (options.touching != Touching::Collides && !collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching}))
+    return {};
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) { return deepestContacts(operands..., cache, options); },

@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "contact/coincident_vertices.h"
+#include "contact/inner_crossings.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
 #include "pair/edge_pairs.h"
+#include "pair/interiors.h"
 #include "pair/kernel_order.h"
 #include "tricover/contacts.h"
 
@@ -18,19 +20,23 @@ namespace tricover {
 namespace detail {
 namespace {
 
-std::vector<Crossing> crossingsInWorld(const PosedPair& pair, double margin) {
+std::vector<Crossing> crossingsInWorld(const PosedPair& pair, const CrossingOptions& options) {
+  const double margin = options.margin;
+  const bool is_open = options.touching == Touching::Allowed;
   const WorldFrame frame(pair);
   std::vector<Crossing> result;
   const auto add = [&](std::size_t i, std::size_t j, const Vec2& point) {
     result.push_back({static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
                       static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)), frame.toWorld(point)});
   };
+  std::optional<InnerCrossings> inner;
+  if (is_open && margin == 0) inner.emplace(pair);
   for (const EdgeCrossing& crossing : findCrossings(pair, frame, Coincident::All))
-    add(crossing.edge_a, crossing.edge_b, crossing.point);
+    if (!inner || inner->has(crossing.edge_a, crossing.edge_b)) add(crossing.edge_a, crossing.edge_b, crossing.point);
   if (margin == 0) return result;
   const double reach = pair.reach(margin);
   forEachPair(pair, reach, [&](double, std::size_t i, std::size_t j) {
-    if (!edgesMeet(pair, i, j) && edgesWithin(pair, i, j, margin, 0)) {
+    if (!edgesMeet(pair, i, j) && edgesWithin(pair, i, j, margin, 0, is_open)) {
       const auto [on_a, on_b] = nearestPlaces(frame.edgeEndsOfA(i), frame.edgeEndsOfB(j));
       add(i, j, 0.5 * on_a + 0.5 * on_b);
     }
@@ -114,11 +120,12 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
 std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                 const CrossingOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::requireTouching(options.touching);
   detail::requireRigid(pose_a, "pose_a");
   detail::requireRigid(pose_b, "pose_b");
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return detail::crossingsInWorld(detail::PosedPair(operands...), options.margin); },
+      [&](const auto&... operands) { return detail::crossingsInWorld(detail::PosedPair(operands...), options); },
       [](std::vector<Crossing>& crossings) {
         for (Crossing& crossing : crossings) std::swap(crossing.edge_a, crossing.edge_b);
       });

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "contact/contact_point.h"
+#include "contact/inner_crossings.h"
 #include "contact/part_exit.h"
 #include "contact/penetration.h"
 #include "contact/touch_normal.h"
@@ -24,13 +25,16 @@ class ContactFinder {
         margin_(options.margin),
         detail_(options.detail),
         frame_(pair),
-        crossings_(findCrossings(pair, frame_, Coincident::Thinned)),
+        leaves_touches_(options.touching == Touching::Allowed && options.margin == 0),
+        crossings_(findCrossings(pair, frame_, leaves_touches_ ? Coincident::All : Coincident::Thinned)),
         exits_(pair, frame_, crossings_) {}
 
   /// In the pair's order.
   std::vector<Contact> contacts() const {
-    const std::vector<OverlapComponent> components =
-        findComponents(pair_, frame_, crossings_, axes_ == nullptr ? detail_ : ContactDetail::WayOut);
+    const bool wants_all = axes_ != nullptr || leaves_touches_;
+    std::vector<OverlapComponent> components =
+        findComponents(pair_, frame_, crossings_, wants_all ? ContactDetail::WayOut : detail_);
+    if (leaves_touches_) leaveTouches(components);
     std::vector<Contact> result;
     for (const OverlapComponent& component : components) {
       if (detail_ == ContactDetail::Points && axes_ == nullptr) {
@@ -71,6 +75,7 @@ class ContactFinder {
     return parts(exit) && parts(turned(aside)) && parts(turned(-aside));
   }
 
+  void leaveTouches(std::vector<OverlapComponent>& components) const;
   Exit exitOfOnly(const OverlapComponent& component, Exit exit) const;
   Exit exitOfTouch(const Exit& exit) const;
   std::optional<Penetration> shortestWay() const;
@@ -87,6 +92,7 @@ class ContactFinder {
   const double margin_;  ///< world length
   const ContactDetail detail_;
   const WorldFrame frame_;
+  const bool leaves_touches_;
   const std::vector<EdgeCrossing> crossings_;
   const PartExits exits_;
 };
@@ -95,6 +101,23 @@ class ContactFinder {
 /// all. Up to some 200 vertices that is all that a penetration may try; with less than the least nothing would be
 /// found.
 constexpr std::size_t kMostWork = std::size_t{1} << 22, kLeastTranslations = std::size_t{1} << 10;
+
+/// Leaves out the parts that have no interior.
+void ContactFinder::leaveTouches(std::vector<OverlapComponent>& components) const {
+  InnerCrossings inner(pair_);
+  const auto isBeside = [&](EdgeSides::Operand operand, std::int32_t edge) {
+    return edge >= 0 && inner.has(operand, static_cast<std::size_t>(edge));
+  };
+  const auto isTouch = [&](const OverlapComponent& component) {
+    for (const std::size_t k : component.crossings)
+      if (inner.has(crossings_[k].edge_a, crossings_[k].edge_b)) return false;
+    // One region within the other, or led to its inside by edges that have none.
+    for (const BoundaryPoint& p : component.points)
+      if ((p.b < 0 && isBeside(EdgeSides::A, p.a)) || (p.a < 0 && isBeside(EdgeSides::B, p.b))) return false;
+    return true;
+  };
+  components.erase(std::remove_if(components.begin(), components.end(), isTouch), components.end());
+}
 
 /// Where the only part of the overlap is a touch.
 Exit ContactFinder::exitOfTouch(const Exit& exit) const {

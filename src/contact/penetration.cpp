@@ -239,7 +239,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                        const PenetrationOptions& options) {
   detail::requireNotNegative(options.depth_error, "depth_error");
-  if (!collide(a, pose_a, b, pose_b, {options.margin, 0})) return std::nullopt;
+  if (!collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching})) return std::nullopt;
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) { return detail::penetrationInOrder(operands..., options); },

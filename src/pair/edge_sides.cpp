@@ -47,12 +47,13 @@ EdgeSides::EdgeSides(const PosedPair& pair, const PosedPair& back, Operand opera
   if (path[edge] == path[edge + 1]) return;
   findCuts(A, pair);
   findCuts(B, back);
-  look();
   std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& p, const Cut& q) { return isBefore(p, q); });
+  look(kNone, cuts_.empty() ? kNone : 0);
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
     windings_[cuts_[i].operand].add(cuts_[i]);
     // Between cuts at one place there is nothing.
-    if (i + 1 == cuts_.size() || isBefore(cuts_[i], cuts_[i + 1])) look();
+    const bool is_last = i + 1 == cuts_.size();
+    if (is_last || isBefore(cuts_[i], cuts_[i + 1])) look(i, is_last ? kNone : i + 1);
   }
 }
 
@@ -123,15 +124,37 @@ bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
 }
 
 /// At the current piece.
-void EdgeSides::look() {
+void EdgeSides::look(std::size_t begin, std::size_t end) {
   bool left[2], right[2];
   for (const Operand operand : {A, B}) {
     left[operand] = isInside(polygon(operand).fill, windings_[operand].left);
     right[operand] = isInside(polygon(operand).fill, windings_[operand].right);
   }
   const Operand other = operand_ == A ? B : A;
-  borders_both_ |= (left[A] && left[B]) || (right[A] && right[B]);
+  if ((left[A] && left[B]) || (right[A] && right[B])) bordering_.push_back({begin, end});
   is_bare_inside_ |= !left[operand_] && !right[operand_] && left[other] && right[other];
+}
+
+/// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.
+/// Of an edge along the line each end is on it, at t: with c the cut's edge, the cut is at t + |c t| / D.
+bool EdgeSides::isBeyond(const Ends& ends, const Cut& cut, int side) const {
+  if (ends.side(2) != 0 || ends.side(3) != 0) {
+    const Cut at{ends.operand, static_cast<std::uint32_t>(ends.edge), 0, false, false, 0, 1};
+    return side > 0 ? isBefore(cut, at) : isBefore(at, cut);
+  }
+  const auto isEndBeyond = [&](int end) {
+    const int sign = orientExact(exact(cut.operand, cut.edge), exact(cut.operand, cut.edge + 1), ends.exact(end));
+    return pair_.handed * sign * -cut.turn * side < 0;
+  };
+  return isEndBeyond(2) && isEndBeyond(3);
+}
+
+bool EdgeSides::bordersBothAt(std::size_t edge) const {
+  const Ends ends(*this, operand_ == A ? B : A, edge);
+  return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {
+    return !(piece.begin != kNone && isBeyond(ends, cuts_[piece.begin], -1)) &&
+           !(piece.end != kNone && isBeyond(ends, cuts_[piece.end], 1));
+  });
 }
 
 }  // namespace tricover::detail

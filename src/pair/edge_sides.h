@@ -26,7 +26,9 @@ class EdgeSides {
   EdgeSides(const PosedPair& pair, const PosedPair& back, Operand operand, std::size_t edge);
 
   /// Whether beside some piece of it, on one side, both regions have their inside.
-  bool bordersBoth() const { return borders_both_; }
+  bool bordersBoth() const { return !bordering_.empty(); }
+  /// Whether that is beside a piece that shares a point with this edge, which meets it. `edge` is the other operand's.
+  bool bordersBothAt(std::size_t edge) const;
   /// Whether along some piece of it its own polygon has no inside on either side, and the other one has it on both.
   bool isBareInside() const { return is_bare_inside_; }
 
@@ -60,14 +62,21 @@ class EdgeSides {
   void findCuts(Operand operand, const PosedPair& seen);
   void add(Operand operand, std::size_t edge);
   bool isBefore(const Cut& p, const Cut& q) const;
-  void look();
+  bool isBeyond(const Ends& ends, const Cut& cut, int side) const;
+  void look(std::size_t begin, std::size_t end);
 
   const PosedPair& pair_;
   const Operand operand_;
   const std::size_t edge_;
   Windings windings_[2];   ///< beside the current piece
-  std::vector<Cut> cuts_;  ///< between v and w
-  bool borders_both_ = false, is_bare_inside_ = false;
+  std::vector<Cut> cuts_;  ///< between v and w, in order
+  /// By a cut at its begin and one at its end; kNone at v and w.
+  struct Piece {
+    std::size_t begin, end;
+  };
+  static constexpr std::size_t kNone = ~std::size_t{0};
+  std::vector<Piece> bordering_;  ///< pieces beside which, on one side, both regions have their inside
+  bool is_bare_inside_ = false;
 };
 
 }  // namespace tricover::detail

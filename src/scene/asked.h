@@ -6,6 +6,7 @@
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/find_fact.h"
+#include "pair/interiors.h"
 #include "scene/scene_state.h"
 
 namespace tricover::detail {
@@ -14,6 +15,7 @@ namespace tricover::detail {
 inline double checkAsked(const Pose& pose, const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
+  requireTouching(options.touching);
   return requireRigid(pose, "pose");
 }
 
@@ -54,11 +56,15 @@ class Asked {
   Glance glance(const SceneState::BodyState& body) const {
     WorldDiscs found;
     const WorldDiscs& discs = body.discs.of(body.polygon.data(), body.pose, found);
-    const double margin = sumWith(body).margin;
-    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + margin)) return {Glance::Apart, 0};
+    const CollideOptions sum = sumWith(body);
+    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + sum.margin)) return {Glance::Apart, 0};
     const Double2 way = discs.inner - discs_.inner;
     const double within = discs_.inner_radius + discs.inner_radius;
-    if (isWithin(way, within + margin)) return {Glance::Meets, 0};
+    if (isWithin(way, within + sum.margin)) {
+      // Points and segments have discs without an interior.
+      const bool are_open = discs_.inner_radius > 0 && discs.inner_radius > 0;
+      return {are_open || !asksForInteriors(sum) ? Glance::Meets : Glance::Near, 0};
+    }
     return {Glance::Near, within > 0 ? dot(way, way) / (within * within) : kInfinity};
   }
 
@@ -69,8 +75,9 @@ class Asked {
     if (!has_few_ && (!state_.tree.boundsOf(handle).meets(bounds()) || body.clear.holds(bounds_))) return false;
     WorldDiscs found;
     const double defect = discs_.defect + body.discs.of(body.polygon.data(), body.pose, found).defect;
-    if (collideClose(polygon_, pose_, body.polygon.data(), body.pose, defect, sumWith(body))) return true;
-    if (body.clear.mayLearn())
+    const CollideOptions sum = sumWith(body);
+    if (collideClose(polygon_, pose_, body.polygon.data(), body.pose, defect, sum)) return true;
+    if (sum.touching == Touching::Collides && body.clear.mayLearn())
       body.clear.learn(body.polygon.data(), body.pose, body.options.margin, state_.tree.boundsOf(handle), bounds_);
     return false;
   }
@@ -91,7 +98,7 @@ class Asked {
   const Bounds& surroundings() const { return bounds_; }
 
  private:
-  CollideOptions sumWith(const SceneState::BodyState& body) const { return withMargin(options_, body.options.margin); }
+  CollideOptions sumWith(const SceneState::BodyState& body) const { return withBody(options_, body.options); }
 
   const SceneState& state_;
   const PolygonData& polygon_;

@@ -46,7 +46,7 @@ SceneOutcome findOutcome(const SceneState& state, const detail::PolygonData& dat
       outcome.clearance = std::min(outcome.clearance, gap);  // less than the truth, and sooner known
       return true;
     }
-    const CollideOptions sum = detail::withMargin(options, other.options.margin);
+    const CollideOptions sum = detail::withBody(options, other.options);
     const detail::Outcome fact = detail::inKernelOrder(
         data, pose, other.polygon.data(), other.pose,
         [&](const auto&... operands) {

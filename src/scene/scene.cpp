@@ -8,6 +8,7 @@
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/interiors.h"
 #include "scene/scene_state.h"
 
 namespace tricover {
@@ -21,6 +22,7 @@ std::uint64_t nextSceneId() {
 
 void checkBody(const Pose& pose, const BodyOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::requireTouching(options.touching);
   detail::requireRigid(pose, "pose");
 }
 

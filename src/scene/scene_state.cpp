@@ -247,7 +247,7 @@ SceneState::Finding SceneState::look(const Pair& pair) const {
   const BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
   if (!tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false, {-1, -1}, 0};
   const double pace = p.step + q.step;
-  const CollideOptions options = withMargin({p.options.margin, 0}, q.options.margin);
+  const CollideOptions options = withBody({p.options.margin, 0, p.options.touching}, q.options);
   const Outcome fact = inKernelOrder(
       p.polygon.data(), p.pose, q.polygon.data(), q.pose,
       [&](const auto&... operands) {

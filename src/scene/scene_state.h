@@ -149,4 +149,10 @@ inline CollideOptions withMargin(CollideOptions options, double margin) {
   return options;
 }
 
+/// What a query asks of a body: margins add up, and touching is allowed if one of both allows it.
+inline CollideOptions withBody(CollideOptions options, const BodyOptions& body) {
+  if (body.touching != Touching::Collides) options.touching = body.touching;
+  return withMargin(options, body.margin);
+}
+
 }  // namespace tricover::detail
