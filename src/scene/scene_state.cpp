@@ -32,6 +32,28 @@ constexpr double kLongWay = 0x1p20;
 
 double sizeOf(const SceneState::BodyState& body) { return body.polygon.data().radius + body.options.margin; }
 
+bool isCoherent(const SceneState::BodyState& body, double step) { return step <= kCoherentPart * sizeOf(body); }
+
+/// After a step its count of motion, whether that goes on, and its average step.
+double movedAfter(const SceneState::BodyState& body, double step) { return roundedUp<1>(body.moved + step); }
+bool staysCounted(const SceneState::BodyState& body, double step) {
+  const double most = std::min(kLongWay * sizeOf(body), std::numeric_limits<double>::max());
+  return isCoherent(body, step) && movedAfter(body, step) <= most;
+}
+double averageAfter(const SceneState::BodyState& body, double step) {
+  return isCoherent(body, step) ? body.step + kOfAverage * (step - body.step) : 0;
+}
+
+/// What a box is larger by than its body, whose steps are that long on average: it is for a good many of them.
+double growthOf(const SceneState::BodyState& body, double step) { return std::min(kBoxSteps * step, sizeOf(body)); }
+
+Bounds newBoxAt(const SceneState::BodyState& body, const Pose& pose, double step) {
+  return boundsOf(body.polygon.data(), pose, body.options.margin + growthOf(body, step));
+}
+
+/// The count that a new box is good for.
+double untilOf(const SceneState::BodyState& body) { return roundedDown<1>(body.moved + growthOf(body, body.step)); }
+
 }  // namespace
 
 void SceneState::listFresh(Body body) {
@@ -105,12 +127,11 @@ void SceneState::placeWaiting() {
   std::vector<Body>().swap(waiting);
 }
 
-/// A box around a body, for a good many moves like the last ones.
+/// A box around a body.
 Bounds SceneState::newBox(Body body) {
   BodyState& state = bodies[body];
-  const double grow = std::min(kBoxSteps * state.step, sizeOf(state));
-  state.box_until = roundedDown<1>(state.moved + grow);
-  return boundsOf(state.polygon.data(), state.pose, state.options.margin + grow);
+  state.box_until = untilOf(state);
+  return newBoxAt(state, state.pose, state.step);
 }
 
 /// How far the points of a body go at the most that moves there; negative if it doesn't move.
@@ -122,19 +143,19 @@ double SceneState::stepTo(Body body, const Pose& pose) const {
   return change.any() ? change.displacement() : -1;
 }
 
-void SceneState::moveBody(Body body, const Pose& pose, double step) {
+/// `box` is the new one of a body that leaves its own, if that is known.
+void SceneState::moveBody(Body body, const Pose& pose, double step, const Bounds* box) {
   if (step < 0) return;
   tree.prepareMove();
   ++version;
   BodyState& state = bodies[body];
-  const double size = sizeOf(state);
+  const bool stays = staysCounted(state, step);
+  state.step = averageAfter(state, step);
   state.pose = pose;
   state.discs.forget();
   state.clear.forget();
-  state.moved = roundedUp<1>(state.moved + step);
-  const bool coherent = step <= kCoherentPart * size;
-  state.step = coherent ? state.step + kOfAverage * (step - state.step) : 0;
-  if (!coherent || !(state.moved <= std::min(kLongWay * size, std::numeric_limits<double>::max()))) {
+  state.moved = movedAfter(state, step);
+  if (!stays) {
     state.moved = 0;
     state.box_until = state.due = -1;
     for (Link& link : state.links) link.due = -1;
@@ -142,25 +163,34 @@ void SceneState::moveBody(Body body, const Pose& pose, double step) {
   if (state.moved < state.due) return;
   listDue(body);
   if (state.moved <= state.box_until || !tree.holds(body)) return;
-  tree.move(body, newBox(body));
+  tree.move(body, box != nullptr ? *box : newBoxAt(state, pose, state.step));
+  state.box_until = untilOf(state);
   listFresh(body);
 }
 
-/// Checks all and finds their steps on the user's threads, then moves one after the other.
+/// Checks all and finds their steps, and new boxes for those that leave theirs, on the user's threads; then moves one
+/// after the other.
 void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel) {
   steps.resize(poses.size());
+  new_boxes.resize(poses.size());
   inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
     const auto& [body, pose] = poses[i];
     at(body);
     requireRigid(pose, "pose", i);
-    steps[i] = stepTo(body, pose);
+    const BodyState& state = bodies[body];
+    const double step = steps[i] = stepTo(body, pose);
+    if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until))
+      new_boxes[i] = newBoxAt(state, pose, averageAfter(state, step));
   });
   ++turn;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const auto& [body, pose] = poses[i];
     const bool again = bodies[body].turn == turn;
     bodies[body].turn = turn;
-    moveBody(body, pose, again ? stepTo(body, pose) : steps[i]);
+    if (again)
+      moveBody(body, pose, stepTo(body, pose), nullptr);
+    else
+      moveBody(body, pose, steps[i], &new_boxes[i]);
   }
 }
 
@@ -230,22 +260,18 @@ void SceneState::unlink(std::uint32_t index) {
 }
 
 /// A pair's fact holds while the two bodies together move by less than `room`: shared as they have been moving.
-void SceneState::schedule(std::uint32_t index, double room) {
-  const Pair& pair = pairs[index];
+void SceneState::schedule(const Pair& pair, double room) {
   BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
   const double pace = p.step + q.step, part = pace > 0 ? p.step / pace : 0.5;
   // Rounded down, so that the shares' sum isn't above the room: product, difference from 1, sum.
   const double share_p = roundedDown<3>(room * part), share_q = roundedDown<3>(room * (1 - part));
-  const double until_p = roundedDown<1>(p.moved + share_p), until_q = roundedDown<1>(q.moved + share_q);
-  p.links[pair.link[0]].due = until_p;
-  q.links[pair.link[1]].due = until_q;
-  p.due = std::min(p.due, until_p);
-  q.due = std::min(q.due, until_q);
+  p.links[pair.link[0]].due = roundedDown<1>(p.moved + share_p);
+  q.links[pair.link[1]].due = roundedDown<1>(q.moved + share_q);
 }
 
-SceneState::Finding SceneState::look(const Pair& pair) const {
+SceneState::Finding SceneState::look(Pair& pair) {
   const BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
-  if (!tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false, {-1, -1}, 0};
+  if (!tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false, false};
   const double pace = p.step + q.step;
   const CollideOptions options = withBody({p.options.margin, 0, p.options.touching}, q.options);
   const Outcome fact = inKernelOrder(
@@ -255,17 +281,24 @@ SceneState::Finding SceneState::look(const Pair& pair) const {
       },
       [](const Outcome&) {});
   const double room = fact.collides ? fact.clearance : roundedDown<1>(fact.clearance - options.margin);
-  return {true, fact.collides, {fact.edge_a, fact.edge_b}, std::max(room, 0.0)};
+  pair.edge[0] = fact.edge_a;
+  pair.edge[1] = fact.edge_b;
+  schedule(pair, std::max(room, 0.0));
+  return {true, fact.collides != pair.collides, !(p.listed && q.listed)};
 }
 
 void SceneState::keep(std::uint32_t index, const Finding& found) {
-  Pair& pair = pairs[index];
   if (!found.are_near) return unlink(index);
-  pair.edge[0] = found.edge[0];
-  pair.edge[1] = found.edge[1];
-  if (found.collide != pair.collides) changed.push_back(index);
-  pair.collides = found.collide;
-  schedule(index, found.room);
+  Pair& pair = pairs[index];
+  if (found.has_changed) {
+    changed.push_back(index);
+    pair.collides = !pair.collides;
+  }
+  if (!found.is_unlisted) return;
+  for (const int end : {0, 1}) {
+    BodyState& state = bodies[pair.body[end]];
+    state.due = std::min(state.due, state.links[pair.link[end]].due);
+  }
 }
 
 /// Lists the pairs that are due, each as its lower handle finds it, or the other one where that doesn't.
@@ -288,14 +321,19 @@ void SceneState::listPairs(const Parallel& parallel) {
   for (const auto& some : found) listed_pairs.insert(listed_pairs.end(), some.begin(), some.end());
 }
 
-/// Looks at those that are listed on the user's threads, and then keeps what was found in the order of the list: what
-/// is found of one doesn't depend on what is kept of others.
+/// Looks at those that are listed on the user's threads, and then does the rest in the order of the list: what is found
+/// of one doesn't depend on what is found of others.
 void SceneState::lookAtPairs(const Parallel& parallel) {
   findings.resize(listed_pairs.size());
-  inParallelTasks(parallel, listed_pairs.size(), [&](std::size_t i) { findings[i] = look(pairs[listed_pairs[i]]); });
   makeRoom(changed, listed_pairs.size());
+  try {
+    inParallelTasks(parallel, listed_pairs.size(), [&](std::size_t i) { findings[i] = look(pairs[listed_pairs[i]]); });
+  } catch (...) {  // what was found is lost
+    for (const std::uint32_t index : listed_pairs)
+      for (const int end : {0, 1}) bodies[pairs[index].body[end]].links[pairs[index].link[end]].due = -1;
+    throw;
+  }
   for (std::size_t i = 0; i < listed_pairs.size(); ++i) keep(listed_pairs[i], findings[i]);
-  findings.clear();
 }
 
 /// Brings all facts and `collisions` up to now.

@@ -94,7 +94,7 @@ struct SceneState {
 
   // Kinetic facts.
   double stepTo(Body body, const Pose& pose) const;
-  void moveBody(Body body, const Pose& pose, double step);
+  void moveBody(Body body, const Pose& pose, double step, const Bounds* box = nullptr);
   void moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel);
   void listFresh(Body body);
   void listDue(Body body);
@@ -103,16 +103,15 @@ struct SceneState {
   void link(const BodyPair& ends);
   void linkFresh(const Parallel& parallel);
   void listPairs(const Parallel& parallel);
-  /// What is found of a pair.
+  /// What a look at a pair leaves to be done, beside what it changes of the pair and its links alone.
   struct Finding {
-    bool are_near, collide;
-    std::ptrdiff_t edge[2];
-    double room;  ///< how much both may move until it is to be looked at again
+    bool are_near, has_changed;
+    bool is_unlisted;  ///< the body of one end isn't listed, and may be due sooner now
   };
-  Finding look(const Pair& pair) const;
+  Finding look(Pair& pair);
   void keep(std::uint32_t index, const Finding& found);
   void lookAtPairs(const Parallel& parallel);
-  void schedule(std::uint32_t index, double room);
+  void schedule(const Pair& pair, double room);
   void updateCollisions(const Parallel& parallel);
   void report();
 
@@ -132,6 +131,7 @@ struct SceneState {
   std::vector<std::uint32_t> changed;       ///< pairs whose `collides` may differ from what was reported
   std::vector<Finding> findings;            ///< of listed pairs, while they are looked at
   std::vector<double> steps;                ///< of bodies that are moved together
+  std::vector<Bounds> new_boxes;            ///< of those that leave theirs
   std::uint32_t turn = 0;                   ///< of moving bodies together
   std::vector<BodyPair> lost;               ///< reported pairs that are no pairs any more
   std::vector<BodyPair> collisions, began, ended;

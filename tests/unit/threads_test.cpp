@@ -6,6 +6,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -201,7 +202,26 @@ TEST(Threads, AskOneScene) {
   }
 }
 
-/// All pairs that any frame begins and ends with, of bodies that walk, leap, come and go.
+/// Threads that fail at one of the next times that they are given tasks, after half of them.
+Parallel failing(Random& random) {
+  return [left = random.integer(0, 4)](std::size_t count, const std::function<void(std::size_t)>& task) mutable {
+    const bool fails = left-- == 0;
+    for (std::size_t i = 0; i < (fails ? count / 2 : count); ++i) task(i);
+    if (fails) throw std::runtime_error("no threads");
+  };
+}
+
+template <typename Ask>
+int failuresOf(const Ask& ask) {
+  try {
+    ask();
+    return 0;
+  } catch (const std::runtime_error&) {
+    return 1;
+  }
+}
+
+/// All pairs that any frame begins and ends with, of bodies that walk, leap, come and go, whatever failed before.
 TEST(Threads, FindTheCollisionsThatOneFinds) {
   const UpTo stages(detail::Stages::Paid);
   Random random(5);
@@ -216,6 +236,7 @@ TEST(Threads, FindTheCollisionsThatOneFinds) {
   };
   for (int i = 0; i < kBodies; ++i) add();
   std::size_t pairs = 0;
+  int failures = 0;
   for (int frame = 0; frame < std::max(scaledCount(30), 4); ++frame) {
     std::vector<BodyPose> poses;
     for (const Scene::Body body : alone.bodies()) {
@@ -226,7 +247,13 @@ TEST(Threads, FindTheCollisionsThatOneFinds) {
     }
     poses.push_back({poses.front().body, randomPose(random, 50)});  // twice in one call
     alone.move(poses);
+    failures += failuresOf([&] { shared.move(poses, failing(random)); });
     shared.move(poses, byThreads);
+    if (random.coin()) {
+      const int failed = failuresOf([&] { shared.collisions(failing(random)); });
+      if (failed == 0) alone.collisions();
+      failures += failed;
+    }
     EXPECT_EQ(shared.collisions(byThreads), alone.collisions());
     EXPECT_EQ(shared.began(), alone.began());
     EXPECT_EQ(shared.ended(), alone.ended());
@@ -237,6 +264,7 @@ TEST(Threads, FindTheCollisionsThatOneFinds) {
     add();
   }
   EXPECT_GT(pairs, 500u);
+  EXPECT_GT(failures, 0);
 }
 
 TEST(Threads, IdsStayUniqueAndTheLastCopyMayDieAnywhere) {
