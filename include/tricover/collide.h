@@ -23,7 +23,7 @@ struct CollideOptions {
 /// Whether the two closed regions share a point or, with a margin, come at least that close.
 ///
 /// Exact for every finite input. The answer depends neither on the order of the arguments nor on earlier calls nor on
-/// the thread. Typical cost: O(log n + log m + k), where k counts the pairs of edges in reach, and rings that begin near.
+/// the thread. Typical cost: O(log n + log m + k), where k counts pairs of edges in reach and rings that begin near.
 ///
 /// Throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, and for a margin or
 /// tolerance that is negative or not finite, and for a value that Touching doesn't have. The first query of a polygon
