@@ -22,6 +22,14 @@ if(SHARED)  # whose calls are redirected
   expect(app/libfcl_first "^registered\n${ANSWERS}tricover_fcl\n${ANSWERS}$")
 endif()
 
+# A program without shapes for float is linked without FCL's tables for float.
+if(NOT SHARED)
+  execute_process(COMMAND nm -C ${WORK}/app/readme_example OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT symbols MATCHES "CollisionFunctionMatrix<[^\n]*double" OR symbols MATCHES "CollisionFunctionMatrix<[^\n]*float")
+    message(FATAL_ERROR "readme_example holds FCL's tables for float, or none")
+  endif()
+endif()
+
 # What can't be had is refused with a reason.
 function(refuse reason)
   execute_process(COMMAND ${CMAKE_COMMAND} ${APP} -B ${WORK}/refused ${ARGN} RESULT_VARIABLE code ERROR_VARIABLE errors)

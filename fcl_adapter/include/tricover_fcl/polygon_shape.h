@@ -8,6 +8,7 @@
 
 #include "tricover/export.h"
 #include "tricover/polygon.h"
+#include "tricover_fcl/registration.h"
 
 namespace tricover_fcl {
 
@@ -55,7 +56,10 @@ class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
   /// Of a polygon and its options. Throws std::invalid_argument, naming the field, for an interval that isn't finite
   /// (except that of atAllHeights()) or runs downwards, and a margin that is negative or not finite.
-  explicit PolygonShape(tricover::Polygon polygon, const PolygonOptions& options = {});
+  /// The last argument is there for its default, which the caller's own code evaluates: FCL's tables for float, which
+  /// are large, are linked into programs that make shapes for float, and into no others.
+  explicit PolygonShape(tricover::Polygon polygon, const PolygonOptions& options = {},
+                        detail::FilledTables<S> tables = detail::filledTables<S>());
 
   PolygonShape(const PolygonShape&) = default;             ///< Moving copies, too: no shape is ever without its data.
   PolygonShape& operator=(const PolygonShape&) = default;  ///< Copies, too.

@@ -9,16 +9,25 @@ namespace tricover_fcl {
 namespace detail {
 /// What the library does of it.
 TRICOVER_EXPORT void registerNarrowphase();
-/// What every PolygonShape does first: FCL's function tables get our rows, once, and calls that would go past tricover
-/// are redirected. From any thread.
-TRICOVER_EXPORT void fillTables();
+/// That FCL's function tables for S have our rows.
+template <typename S>
+struct FilledTables {};
+
+/// Sees to that, once, and redirects calls that would go past tricover. From any thread.
+template <typename S>
+FilledTables<S> filledTables();
+template <>
+TRICOVER_EXPORT FilledTables<float> filledTables();
+template <>
+TRICOVER_EXPORT FilledTables<double> filledTables();
 }  // namespace detail
 
 /// Makes fcl::collide, fcl::distance and fcl::continuousCollide answer for PolygonShape: geometries and
-/// CollisionObjects, float and double, both GJK solver types, both orders, and so every broadphase manager. The first
-/// PolygonShape does so by itself, also where libfcl comes first, as in a plugin whose host links it (Linux on x86-64
-/// and AArch64: what was loaded since is seen to by the next PolygonShape, or by this); what this adds is a check. It asks FCL's public entry points about known polygons
-/// and throws std::logic_error, which says how to link, if they don't reach tricover: they would say "free" then.
+/// CollisionObjects, both GJK solver types, both orders, and so every broadphase manager. The first
+/// PolygonShape does so by itself, for float the first PolygonShapef, also where libfcl comes first, as in a plugin
+/// whose host links it (Linux on x86-64 and AArch64: what was loaded since is seen to by the next PolygonShape, or by
+/// this); what this adds is a check. It asks FCL's public entry points about known polygons and throws
+/// std::logic_error, which says how to link, if they don't reach tricover: they would say "free" then.
 /// (tricover_fcl::collide, distance and continuousCollide work regardless.) Call it once, from any thread; more calls
 /// cost next to nothing.
 ///

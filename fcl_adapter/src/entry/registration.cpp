@@ -70,21 +70,14 @@ std::string unreachedEntryPoint() {
   return {};
 }
 
-template <typename S>
-void fillTablesFor() {
-  fillCollisionTables<S>();
-  fillDistanceTables<S>();
-  fillAdvancementTables<S>();
-}
-
 bool fillOnce() {
-  fillTablesFor<float>();
-  fillTablesFor<double>();
+  fillCollisionTables<double>();
+  fillDistanceTables<double>();
+  fillAdvancementTables<double>();
   return true;
 }
 
 bool registerOnce() {
-  detail::fillTables();
   const std::string unreached = unreachedEntryPoint();
   if (!unreached.empty()) {
     refuseQuestion(
@@ -99,10 +92,12 @@ bool registerOnce() {
 
 }  // namespace
 
-void detail::fillTables() {
+template <>
+detail::FilledTables<double> detail::filledTables() {
   static const bool filled = fillOnce();  // by one thread, the others wait
   static_cast<void>(filled);
   redirectCalls();
+  return {};
 }
 
 void detail::registerNarrowphase() {

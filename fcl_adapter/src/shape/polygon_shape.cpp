@@ -14,7 +14,6 @@
 #include "shape/errors.h"
 #include "shape/planar_pose.h"
 #include "tricover/pose.h"
-#include "tricover_fcl/registration.h"
 
 namespace tricover_fcl {
 namespace {
@@ -66,13 +65,12 @@ struct PolygonShape<S>::Hull {
 };
 
 template <typename S>
-PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& options)
+PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& options, detail::FilledTables<S>)
     : polygon_(std::move(polygon)),
       options_(options),
       is_flat_(options.z_low == 0 && options.z_high == 0),
       is_disc_(isPointAtOrigin(polygon_)),
       hull_(std::make_shared<Hull>()) {
-  detail::fillTables();
   const double infinity = std::numeric_limits<double>::infinity();
   if (options.z_low != -infinity || options.z_high != infinity) {
     check(std::isfinite(options.z_low), "z_low", "finite");

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "entry/fill_tables.h"
+#include "tricover_fcl/registration.h"
+
+namespace tricover_fcl {
+
+/// Apart from registration.cpp, which every program links.
+template <>
+detail::FilledTables<float> detail::filledTables() {
+  static const bool filled = [] {  // by one thread, the others wait
+    fillCollisionTables<float>();
+    fillDistanceTables<float>();
+    fillAdvancementTables<float>();
+    return true;
+  }();
+  static_cast<void>(filled);
+  return {};
+}
+
+}  // namespace tricover_fcl
