@@ -42,6 +42,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     expect(collide(strategy, b, pose_b, a, pose_a, cache, options), paper ? "Paper, again" : "Hierarchy, again");
   }
   if (margin != 0) return 0;
+  const bool overlap = exact::interiorsMeet(a, pose_a, b, pose_b);
+  for (const bool swapped : {false, true})
+    if (collide(swapped ? b : a, swapped ? pose_b : pose_a, swapped ? a : b, swapped ? pose_a : pose_b,
+                {0, 0, Touching::Allowed}) != overlap)
+      fuzz::fail("touching allowed",
+                 "truth " + std::string(overlap ? "1\n" : "0\n") + support::reproduction({a, pose_a, b, pose_b}));
   const std::vector<Contact> parts = contacts(a, pose_a, b, pose_b);
   expect(!parts.empty(), "contacts");
   for (const Contact& part : parts)

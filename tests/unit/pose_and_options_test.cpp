@@ -18,6 +18,7 @@
 #include "tricover/contacts.h"
 #include "tricover/locate.h"
 #include "tricover/paper.h"
+#include "tricover/scene.h"
 
 namespace tricover::support {
 namespace {
@@ -299,6 +300,21 @@ TEST(Refusal, OfPointsAndLengths) {
   }
   EXPECT_THROW(paper::inInfluenceArea(polygon, 4, {0, 0}, 1, paper::InfluenceKind::Extended), std::out_of_range);
   EXPECT_THROW(paper::boundedInfluenceArea(polygon, 4, 1), std::out_of_range);
+}
+
+TEST(Options, ATouchingThatThereIsntIsRefused) {
+  const Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  const Pose here = Pose::Identity();
+  CollideOptions options;
+  options.touching = static_cast<Touching>(7);
+  BodyOptions body;
+  body.touching = options.touching;
+  PairCache cache;
+  Scene scene;
+  EXPECT_THROW(collide(square, here, square, here, options), std::invalid_argument);
+  EXPECT_THROW(collide(square, here, square, here, cache, options), std::invalid_argument);
+  EXPECT_THROW(scene.collides(square, here, options), std::invalid_argument);
+  EXPECT_THROW(scene.add(square, here, body), std::invalid_argument);
 }
 
 }  // namespace
