@@ -34,7 +34,7 @@ using IsOccupied = std::function<bool(std::int8_t)>;
 /// rings of their own, which touch there; the region is the same either way. Cost: linear in the number of cells.
 ///
 /// Throws std::invalid_argument, naming the field, if a cell value is missing or left over, if resolution isn't
-/// positive, if a corner isn't finite, or if neighbouring corners round to the same coordinate.
+/// positive, if a corner isn't finite, if neighbouring corners round to the same coordinate, or for an empty function.
 ///
 /// \snippet outline.cpp outline
 TRICOVER_EXPORT std::optional<Polygon> outline(

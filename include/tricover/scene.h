@@ -24,8 +24,14 @@ namespace tricover {
 /// \snippet scene.cpp parallel
 using Parallel = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
-/// A handle of a Scene. It names a body until that is removed, and may name another one later.
-using BodyHandle = std::uint32_t;
+/// A handle of a Scene. It names a body until that is removed, and never another one: the body's slot, and above 32
+/// bits how many bodies have had that before.
+using BodyHandle = std::uint64_t;
+
+/// A body's slot, for arrays of one's own: no two bodies have the same one at once, and they are below the number of
+/// bodies that there have been at once (more by those whose pairs collisions() is yet to report as ended).
+/// \snippet scene.cpp scene handles
+constexpr std::uint32_t slotOf(BodyHandle body) { return static_cast<std::uint32_t>(body); }
 
 /// All bits of a mask.
 constexpr std::uint32_t kEveryCategory = ~std::uint32_t{0};
@@ -59,7 +65,8 @@ struct BodyPose {
 /// Names no body.
 constexpr BodyHandle kNoBody = ~BodyHandle{0};
 
-/// Which bodies a query is about. A mask alone is one, too.
+/// Which bodies a query is about. A mask alone is one, too. Queries throw std::out_of_range for an exception that names
+/// nothing but isn't kNoBody.
 /// \snippet scene.cpp scene nearest
 struct BodyFilter {
   /// Those that have a category of a mask, but for one.
@@ -197,6 +204,10 @@ class TRICOVER_EXPORT Scene {
   /// Puts a body where it is now. Throws as add() and remove() do.
   /// \snippet scene.cpp scene bodies
   void move(Body body, const Pose& pose);
+  /// Makes a body another kind of body. collisions() goes on: a pair that collides before and after neither ends nor
+  /// begins. Throws as add() and remove() do.
+  /// \snippet scene.cpp scene handles
+  void setOptions(Body body, const BodyOptions& options);
   /// Many at once: what move() does one after the other, whatever runs it, or nothing if it throws (but std::bad_alloc,
   /// which may leave some where they were).
   /// \snippet scene.cpp scene frames

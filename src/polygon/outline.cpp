@@ -107,6 +107,7 @@ class Tracer {
 }  // namespace
 
 std::optional<Polygon> outline(const OccupancyGrid& grid, const IsOccupied& is_occupied) {
+  if (!is_occupied) detail::refuse("is_occupied", "it is empty");
   check(grid);
   std::vector<Ring> rings = Tracer(grid, is_occupied).rings();
   if (rings.empty()) return std::nullopt;

@@ -161,6 +161,7 @@ void requireCapacity(std::size_t positions) {
 }
 
 PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
+  if (fill != FillRule::EvenOdd && fill != FillRule::NonZero) refuse("fill", "not a FillRule");
   const std::size_t total = positionsOf(rings);
   static_assert(sizeof(PolygonData) % alignof(Vec2) == 0 && alignof(PolygonData) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
   const std::size_t of_path = total * sizeof(Vec2) + (rings.size() + 1) * sizeof(std::uint32_t);

@@ -69,23 +69,23 @@ class Asked {
   }
 
   /// The truth, where discs don't know it, of a body that is near.
-  bool meetsClose(BodyHandle handle) const {
-    const SceneState::BodyState& body = state_.bodies[handle];
+  bool meetsClose(Slot slot) const {
+    const SceneState::BodyState& body = state_.bodies[slot];
     // It may have been near to the disc's box alone.
-    if (!has_few_ && (!state_.tree.boundsOf(handle).meets(bounds()) || body.clear.holds(bounds_))) return false;
+    if (!has_few_ && (!state_.tree.boundsOf(slot).meets(bounds()) || body.clear.holds(bounds_))) return false;
     WorldDiscs found;
     const double defect = discs_.defect + body.discs.of(body.polygon.data(), body.pose, found).defect;
     const CollideOptions sum = sumWith(body);
     if (collideClose(polygon_, pose_, body.polygon.data(), body.pose, defect, sum)) return true;
     if (sum.touching == Touching::Collides && body.clear.mayLearn())
-      body.clear.learn(body.polygon.data(), body.pose, body.options.margin, state_.tree.boundsOf(handle), bounds_);
+      body.clear.learn(body.polygon.data(), body.pose, body.options.margin, state_.tree.boundsOf(slot), bounds_);
     return false;
   }
 
   /// The truth of any body that is near.
-  bool meets(BodyHandle handle) const {
-    const auto answer = glance(state_.bodies[handle]).answer;
-    return answer == Glance::Near ? meetsClose(handle) : answer == Glance::Meets;
+  bool meets(Slot slot) const {
+    const auto answer = glance(state_.bodies[slot]).answer;
+    return answer == Glance::Near ? meetsClose(slot) : answer == Glance::Meets;
   }
 
   /// Around all that is within the margin: found by the first body that is near, or in any case where vertices are few.
@@ -111,7 +111,7 @@ class Asked {
   mutable Bounds bounds_;
 };
 
-/// A body that collides; kNoBody if none does.
-BodyHandle findMet(const SceneState& state, const Asked& asked, const BodyFilter& filter);
+/// A body that collides; kNoSlot if none does.
+Slot findMet(const SceneState& state, const Asked& asked, const SlotFilter& filter);
 
 }  // namespace tricover::detail

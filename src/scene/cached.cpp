@@ -14,6 +14,8 @@ namespace tricover {
 using detail::Asked;
 using detail::SceneFact;
 using detail::SceneState;
+using detail::Slot;
+using detail::SlotFilter;
 
 namespace {
 
@@ -30,16 +32,16 @@ double gapBetween(const detail::Bounds& p, const detail::Bounds& q) {
 }
 
 struct SceneOutcome {
-  BodyHandle met;    ///< kNoBody: none
+  Slot met;          ///< kNoSlot: none
   double clearance;  ///< then from all bodies, beyond the margins, at most what was looked ahead
 };
 
 /// Asks all bodies that come near within the look ahead.
 SceneOutcome findOutcome(const SceneState& state, const detail::PolygonData& data, const Pose& pose, const Asked& asked,
-                         const CollideOptions& options, const BodyFilter& filter, double lookahead) {
-  SceneOutcome outcome{kNoBody, lookahead};
+                         const CollideOptions& options, const SlotFilter& filter, double lookahead) {
+  SceneOutcome outcome{detail::kNoSlot, lookahead};
   const detail::Bounds& bounds = asked.bounds();
-  state.tree.visit(bounds.grown(lookahead), [&](BodyHandle body, const detail::Bounds& box) {
+  state.tree.visit(bounds.grown(lookahead), [&](Slot body, const detail::Bounds& box) {
     const auto& other = state.bodies[body];
     if (!state.passes(filter, body)) return true;
     if (const double gap = gapBetween(bounds, box); gap > 0) {
@@ -80,12 +82,13 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
   SceneFact& cache = detail::factsIn(caller_cache);
   const double defect = detail::checkAsked(pose, options);
   const SceneState& state = impl_->settled();
+  const SlotFilter slots = state.slots(filter);
   const detail::PolygonData& data = polygon.data();
   const bool follows = cache.scene == state.id && cache.polygon == data.id;
   if (cache.balance.resting > 0) {
     // The last one sees where the polygon is, so that the next one knows how far it has come.
     if (--cache.balance.resting == 0) begin(cache, state, data, pose, filter);
-    return findMet(state, Asked(state, data, pose, defect, options), filter) != kNoBody;
+    return findMet(state, Asked(state, data, pose, defect, options), slots) != detail::kNoSlot;
   }
   double motion = std::numeric_limits<double>::infinity();
   if (follows) {
@@ -106,10 +109,10 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
   bool worth = isWorthIt(cache.balance, coherent ? saved : saved - kFactCost) && coherent;
   begin(cache, state, data, pose, filter);
   const Asked asked(state, data, pose, defect, options);
-  if (coherent && contains(cache.body) && state.passes(filter, cache.body)) {
-    const detail::Bounds box = state.tree.boundsOf(cache.body);
+  if (const Slot last = slotOf(cache.body); coherent && contains(cache.body) && state.passes(slots, last)) {
+    const detail::Bounds box = state.tree.boundsOf(last);
     if (box.meets(asked.bounds())) {
-      if (asked.isNear(state.bodies[cache.body], box) && asked.meets(cache.body)) {
+      if (asked.isNear(state.bodies[last], box) && asked.meets(last)) {
         isWorthIt(cache.balance, detail::kQuery);
         return true;
       }
@@ -117,13 +120,13 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, SceneCache& calle
     }
   }
   if (!worth) {
-    const Body met = findMet(state, asked, filter);
-    if (met != kNoBody) cache.body = met;
-    return met != kNoBody;
+    const Slot met = findMet(state, asked, slots);
+    if (met != detail::kNoSlot) cache.body = state.handleOf(met);
+    return met != detail::kNoSlot;
   }
-  const SceneOutcome outcome = findOutcome(state, data, pose, asked, options, filter, lookahead);
-  if (outcome.met != kNoBody) {
-    cache.body = outcome.met;
+  const SceneOutcome outcome = findOutcome(state, data, pose, asked, options, slots, lookahead);
+  if (outcome.met != detail::kNoSlot) {
+    cache.body = state.handleOf(outcome.met);
     isWorthIt(cache.balance, -detail::kQuery);
     return true;
   }

@@ -9,16 +9,16 @@
 namespace tricover {
 namespace detail {
 
-BodyHandle findMet(const SceneState& state, const Asked& asked, const BodyFilter& filter) {
+Slot findMet(const SceneState& state, const Asked& asked, const SlotFilter& filter) {
   // All discs first: one that is met spares all that is near. What is near waits in order.
   constexpr int kMost = 16;
   struct Waiting {
     double rank;
-    BodyHandle body;
+    Slot body;
   } near[kMost];
   int count = 0;
-  BodyHandle met = kNoBody;
-  state.tree.visit(asked.surroundings(), [&](BodyHandle body, const Bounds& box) {
+  Slot met = kNoSlot;
+  state.tree.visit(asked.surroundings(), [&](Slot body, const Bounds& box) {
     const auto& other = state.bodies[body];
     if (!state.passes(filter, body) || !asked.isNear(other, box)) return true;
     const Asked::Glance glance = asked.glance(other);
@@ -33,30 +33,31 @@ BodyHandle findMet(const SceneState& state, const Asked& asked, const BodyFilter
     near[place] = {glance.rank, body};
     return true;
   });
-  if (met != kNoBody) return met;
+  if (met != kNoSlot) return met;
   for (int i = 0; i < count; ++i)
     if (asked.meetsClose(near[i].body)) return near[i].body;
-  return kNoBody;
+  return kNoSlot;
 }
 
 }  // namespace detail
 
 using detail::Asked;
 using detail::SceneState;
+using detail::Slot;
 
 bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                      const BodyFilter& filter) const {
   const double defect = detail::checkAsked(pose, options);
   const SceneState& state = impl_->settled();
-  return findMet(state, Asked(state, polygon.data(), pose, defect, options), filter) != kNoBody;
+  return findMet(state, Asked(state, polygon.data(), pose, defect, options), state.slots(filter)) != detail::kNoSlot;
 }
 
 std::optional<Scene::Body> Scene::anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                                                const BodyFilter& filter) const {
   const double defect = detail::checkAsked(pose, options);
   const SceneState& state = impl_->settled();
-  const Body met = findMet(state, Asked(state, polygon.data(), pose, defect, options), filter);
-  return met != kNoBody ? std::optional<Body>(met) : std::nullopt;
+  const Slot met = findMet(state, Asked(state, polygon.data(), pose, defect, options), state.slots(filter));
+  return met != detail::kNoSlot ? std::optional<Body>(state.handleOf(met)) : std::nullopt;
 }
 
 std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
@@ -64,9 +65,11 @@ std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& po
   const double defect = detail::checkAsked(pose, options);
   const SceneState& state = impl_->settled();
   const Asked asked(state, polygon.data(), pose, defect, options);
+  const detail::SlotFilter slots = state.slots(filter);
   std::vector<Body> found;
-  state.tree.visit(asked.surroundings(), [&](Body body, const detail::Bounds& box) {
-    if (state.passes(filter, body) && asked.isNear(state.bodies[body], box) && asked.meets(body)) found.push_back(body);
+  state.tree.visit(asked.surroundings(), [&](Slot body, const detail::Bounds& box) {
+    if (state.passes(slots, body) && asked.isNear(state.bodies[body], box) && asked.meets(body))
+      found.push_back(state.handleOf(body));
     return true;
   });
   std::sort(found.begin(), found.end());

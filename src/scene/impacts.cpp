@@ -19,6 +19,7 @@ namespace tricover {
 
 using detail::Bounds;
 using detail::SceneState;
+using detail::Slot;
 
 namespace {
 
@@ -108,21 +109,23 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motio
   const SceneState& state = impl_->settled();
   const Sweep sweep(polygon, motion, options.margin);
   std::optional<BodyImpact> best;
-  std::vector<Body> asked, near, now;  // in any window so far, in this one, in this one for the first time
+  const detail::SlotFilter slots = state.slots(filter);
+  std::vector<Slot> asked, near, now;  // in any window so far, in this one, in this one for the first time
   const double windows = sweep.windows();
   for (double w = 0; w < windows; ++w) {
     // What is met in no earlier window isn't hit before this one begins, nor reported much earlier.
     if (best && best->impact.time < w / windows - options.time_error) break;
     near.clear();
-    state.tree.visit(sweep.between(w / windows, (w + 1) / windows), [&](Body body, const Bounds&) {
-      if (state.passes(filter, body)) near.push_back(body);
+    state.tree.visit(sweep.between(w / windows, (w + 1) / windows), [&](Slot body, const Bounds&) {
+      if (state.passes(slots, body)) near.push_back(body);
       return true;
     });
     std::sort(near.begin(), near.end());
     now.clear();
     std::set_difference(near.begin(), near.end(), asked.begin(), asked.end(), std::back_inserter(now));
-    for (const Body body : now) {
-      const auto& other = state.bodies[body];
+    for (const Slot slot : now) {
+      const auto& other = state.bodies[slot];
+      const Body body = state.handleOf(slot);
       const auto impact = timeOfImpact(polygon, motion, other.polygon, Motion::still(other.pose),
                                        withMargin(options, other.options.margin));
       if (impact && (!best || std::pair(impact->time, body) < std::pair(best->impact.time, best->body)))
@@ -184,27 +187,30 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<BodyM
                                 const std::vector<std::uint32_t>& motion_of, double margin) {
   std::vector<Sweep> sweeps;
   for (const BodyMotion& moving : motions) {
-    const auto& body = state.bodies[moving.body];
+    const auto& body = state.bodies[slotOf(moving.body)];
     // The query's own margin is counted once a pair: half of it for either one.
     sweeps.emplace_back(body.polygon, moving.motion, body.options.margin + 0.5 * margin);
   }
   const SweptBoxes boxes(sweeps);
   std::vector<BodyPair> pairs;
-  const auto mayMeet = [&](BodyHandle p, BodyHandle q) { return state.mayMeet(state.bodies[p], state.bodies[q]); };
-  const auto add = [&](BodyHandle p, BodyHandle q) { pairs.push_back({std::min(p, q), std::max(p, q)}); };
+  const auto mayMeet = [&](Slot p, Slot q) { return state.mayMeet(state.bodies[p], state.bodies[q]); };
+  const auto add = [&](Slot slot_p, Slot slot_q) {
+    const BodyHandle p = state.handleOf(slot_p), q = state.handleOf(slot_q);
+    pairs.push_back({std::min(p, q), std::max(p, q)});
+  };
   // Bodies at rest have their own margins alone around them.
   const double rest = 0.5 * margin * (1 + 0x1p-40);
   detail::BoxTree moving;
   for (std::uint32_t i = 0; i < motions.size(); ++i) {
-    const BodyHandle body = motions[i].body;
+    const Slot body = slotOf(motions[i].body);
     const Bounds& all = boxes.all(i);
     moving.visit(all, [&](std::uint32_t j, const Bounds&) {
-      const BodyHandle other = motions[j].body;
+      const Slot other = slotOf(motions[j].body);
       if (mayMeet(body, other) && boxes.meetInWindow(i, j)) add(body, other);
       return true;
     });
     moving.insert(i, all);
-    state.tree.visit(all.grown(rest), [&](BodyHandle other, const Bounds& box) {
+    state.tree.visit(all.grown(rest), [&](Slot other, const Bounds& box) {
       const bool rests = motion_of[other] == motions.size();
       if (rests && mayMeet(body, other) && boxes.meets(i, box.grown(rest))) add(body, other);
       return true;
@@ -223,20 +229,21 @@ std::vector<PairImpact> Scene::impacts(const std::vector<BodyMotion>& motions, c
   const auto at_rest = static_cast<std::uint32_t>(motions.size());
   std::vector<std::uint32_t> motion_of(state.bodies.size(), at_rest);
   for (std::uint32_t i = 0; i < motions.size(); ++i) {
-    state.at(motions[i].body);
+    const Slot body = state.slot(motions[i].body);
     const std::string name = "motions[" + std::to_string(i) + "]";
     checkMotion(motions[i].motion, name.c_str());
-    if (motion_of[motions[i].body] != at_rest) detail::refuse(name, "its body has a motion already");
-    motion_of[motions[i].body] = i;
+    if (motion_of[body] != at_rest) detail::refuse(name, "its body has a motion already");
+    motion_of[body] = i;
   }
   const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, options.margin);
   std::vector<std::optional<Impact>> found(pairs.size());
-  const auto motionOf = [&](Body body) {
+  const auto motionOf = [&](Slot body) {
     return motion_of[body] != at_rest ? motions[motion_of[body]].motion : Motion::still(state.bodies[body].pose);
   };
   detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
-    const auto &p = state.bodies[pairs[i].first], &q = state.bodies[pairs[i].second];
-    found[i] = timeOfImpact(p.polygon, motionOf(pairs[i].first), q.polygon, motionOf(pairs[i].second),
+    const Slot first = slotOf(pairs[i].first), second = slotOf(pairs[i].second);
+    const auto &p = state.bodies[first], &q = state.bodies[second];
+    found[i] = timeOfImpact(p.polygon, motionOf(first), q.polygon, motionOf(second),
                             withMargin(withMargin(options, p.options.margin), q.options.margin));
   });
   std::vector<PairImpact> impacts;

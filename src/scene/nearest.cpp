@@ -15,6 +15,7 @@
 namespace tricover {
 
 using detail::SceneState;
+using detail::Slot;
 
 namespace {
 
@@ -29,16 +30,16 @@ class AskedDistance {
  public:
   AskedDistance(const SceneState& state, const Polygon& polygon, const Pose& pose, double limit,
                 const DistanceOptions& options, const BodyFilter& filter)
-      : state_(state), polygon_(polygon), pose_(pose), limit_(limit), options_(options), filter_(filter) {
+      : state_(state), polygon_(polygon), pose_(pose), limit_(limit), options_(options), filter_(state.slots(filter)) {
     detail::checkOptions(options);
     detail::requireRigid(pose, "pose");
     bounds_ = detail::boundsOf(polygon.data(), pose, options.margin);
   }
 
   /// None if the body isn't asked for or is beyond the limit.
-  std::optional<BodyDistance> from(BodyHandle body, double limit) const {
-    if (!state_.passes(filter_, body)) return std::nullopt;
-    const auto& other = state_.bodies[body];
+  std::optional<BodyDistance> from(Slot slot, double limit) const {
+    if (!state_.passes(filter_, slot)) return std::nullopt;
+    const auto& other = state_.bodies[slot];
     DistanceOptions sum = options_;
     sum.margin = std::min(options_.margin + other.options.margin, std::numeric_limits<double>::max());
     auto result = distanceWithin(polygon_, pose_, other.polygon, other.pose, limit, sum);
@@ -47,7 +48,7 @@ class AskedDistance {
     if (result && result->distance == limit && 0 < limit && limit < limit_)
       result = distanceWithin(polygon_, pose_, other.polygon, other.pose, limit_, sum);
     if (!result || result->distance == kInfinity) return std::nullopt;
-    return BodyDistance{body, *result};
+    return BodyDistance{state_.handleOf(slot), *result};
   }
 
   /// Whether a point of the world is no farther away than `reach` and the polygon's own size.
@@ -58,19 +59,20 @@ class AskedDistance {
   }
 
   /// The nearest body; a guess makes the limit smaller.
-  std::optional<BodyDistance> nearest(BodyHandle guess = kNoBody) const {
+  std::optional<BodyDistance> nearest(Slot guess = detail::kNoSlot) const {
     std::optional<BodyDistance> best;
     double limit = limit_;
-    const auto ask = [&](BodyHandle body) {
+    const auto ask = [&](Slot slot) {
+      const BodyHandle body = state_.handleOf(slot);
       if (best && (body == best->body || (limit == 0 && body > best->body))) return limit;  // no nearer
-      const auto found = from(body, limit);
+      const auto found = from(slot, limit);
       if (found && (!best || isNearer(*found, *best))) {
         best = found;
         limit = std::min(limit, best->result.distance);
       }
       return limit;
     };
-    if (guess != kNoBody) ask(guess);
+    if (guess != detail::kNoSlot) ask(guess);
     state_.tree.visitNear(bounds_, limit, ask);
     return best;
   }
@@ -80,8 +82,8 @@ class AskedDistance {
     std::vector<BodyDistance> best;
     if (count == 0) return best;
     double limit = limit_;
-    state_.tree.visitNear(bounds_, limit, [&](BodyHandle body) {
-      const auto found = from(body, limit);
+    state_.tree.visitNear(bounds_, limit, [&](Slot slot) {
+      const auto found = from(slot, limit);
       if (!found || (best.size() == count && !isNearer(*found, best.back()))) return limit;
       if (best.size() == count) best.pop_back();
       best.insert(std::upper_bound(best.begin(), best.end(), *found, isNearer), *found);
@@ -97,7 +99,7 @@ class AskedDistance {
   const Pose& pose_;
   const double limit_;
   const DistanceOptions& options_;
-  const BodyFilter& filter_;
+  const detail::SlotFilter filter_;
   /// Boxes hold the bodies' margins, this one the query's own: a result is what margins leave of a distance.
   detail::Bounds bounds_;
 };
@@ -116,10 +118,10 @@ std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& p
   // After a jump the last one is as good as any other body, and costs a look at it.
   const bool helps =
       fact.nearest_scene == impl_->id && asked.isNear(fact.nearest_point, fact.nearest_reach) && contains(fact.nearest);
-  const auto best = asked.nearest(helps ? fact.nearest : kNoBody);
+  const auto best = asked.nearest(helps ? slotOf(fact.nearest) : detail::kNoSlot);
   fact.nearest_scene = best ? impl_->id : 0;
   if (!best) return best;
-  const detail::Bounds box = impl_->tree.boundsOf(best->body);
+  const detail::Bounds box = impl_->tree.boundsOf(slotOf(best->body));
   fact.nearest = best->body;
   fact.nearest_point = best->result.point_b;
   fact.nearest_reach = 2 * best->result.distance + (box.max_x - box.min_x) + (box.max_y - box.min_y);

@@ -18,12 +18,14 @@ std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, const
   detail::requireFiniteNotNegative(options.margin, "margin");
   detail::requireFiniteRay(from, to);
   const SceneState& state = impl_->settled();
+  const detail::SlotFilter slots = state.slots(filter);
   std::optional<BodyRayHit> best;
   double limit = 1;
   // A hit's fraction may be below the true one by 1e-14, and of a body with a margin by what timeOfImpact() allows.
-  state.tree.visitOnRay(detail::BoxRay(from, to, options.margin), limit, [&](Body body) {
-    const auto& other = state.bodies[body];
-    if (!state.passes(filter, body)) return limit;
+  state.tree.visitOnRay(detail::BoxRay(from, to, options.margin), limit, [&](detail::Slot slot) {
+    const auto& other = state.bodies[slot];
+    if (!state.passes(slots, slot)) return limit;
+    const Body body = state.handleOf(slot);
     const double margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());
     const auto hit = margin > 0 ? detail::castRoundRay(other.polygon, other.pose, from, to, margin)
                                 : detail::castPlainRay(other.polygon.data(), other.pose, from, to, limit);

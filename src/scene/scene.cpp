@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/scene.h"
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/interiors.h"
+#include "scene/in_parallel.h"
 #include "scene/scene_state.h"
 
 namespace tricover {
@@ -24,6 +27,16 @@ void checkBody(const Pose& pose, const BodyOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
   detail::requireTouching(options.touching);
   detail::requireRigid(pose, "pose");
+}
+
+/// Names which of many it is.
+void checkBodies(const std::vector<BodyPlacement>& bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!(bodies[i].options.margin >= 0 && bodies[i].options.margin <= std::numeric_limits<double>::max()))
+      detail::requireFiniteNotNegative(bodies[i].options.margin, ("margin[" + std::to_string(i) + "]").c_str());
+    detail::requireTouching(bodies[i].options.touching);
+    detail::requireRigid(bodies[i].pose, "pose", i);
+  }
 }
 
 }  // namespace
@@ -45,39 +58,42 @@ Scene& Scene::operator=(Scene&& other) {
 Scene::Body Scene::add(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   checkBody(pose, options);
   impl_->makeRoomFor(1);
-  return impl_->put(polygon, pose, options);
+  return impl_->handleOf(impl_->put(polygon, pose, options));
 }
 
 std::vector<Scene::Body> Scene::add(const std::vector<BodyPlacement>& bodies) {
-  for (const BodyPlacement& body : bodies) checkBody(body.pose, body.options);
+  checkBodies(bodies);
   impl_->makeRoomFor(bodies.size());
   std::vector<Body> handles;
   handles.reserve(bodies.size());
-  for (const BodyPlacement& body : bodies) handles.push_back(impl_->put(body.polygon, body.pose, body.options));
+  for (const BodyPlacement& body : bodies)
+    handles.push_back(impl_->handleOf(impl_->put(body.polygon, body.pose, body.options)));
   return handles;
 }
 
 void Scene::remove(Body body) {
   detail::SceneState& impl = *impl_;
-  detail::SceneState::BodyState& state = impl.at(body);
+  const detail::Slot slot = impl.slot(body);
+  detail::SceneState::BodyState& state = impl.bodies[slot];
   detail::makeRoom(impl.lost, state.links.size());
   detail::makeRoom(impl.free_pairs, state.links.size());
   detail::makeRoom(impl.unreported, 1);
   detail::makeRoom(impl.free_bodies, impl.unreported.size() + 1);
   const std::size_t before = impl.lost.size();
   while (!state.links.empty()) impl.unlink(state.links.back().pair);
-  if (impl.tree.holds(body)) impl.tree.remove(body);
+  if (impl.tree.holds(slot)) impl.tree.remove(slot);
   state.used = false;
-  // Until collisions() has reported that its pairs ended, the handle isn't given to another body.
-  (impl.lost.size() == before ? impl.free_bodies : impl.unreported).push_back(body);
+  // Until collisions() has reported that its pairs ended, the slot isn't given to another body; nor ever again after as
+  // many bodies as handles count.
+  if (state.generation + 1 != 0) (impl.lost.size() == before ? impl.free_bodies : impl.unreported).push_back(slot);
   --impl.count;
   ++impl.version;
 }
 
 void Scene::move(Body body, const Pose& pose) {
-  impl_->at(body);
+  const detail::Slot slot = impl_->slot(body);
   detail::requireRigid(pose, "pose");
-  impl_->moveBody(body, pose, impl_->stepTo(body, pose));
+  impl_->moveBody(slot, pose, impl_->stepTo(slot, pose));
 }
 
 void Scene::move(const std::vector<BodyPose>& poses, const Parallel& parallel) { impl_->moveBodies(poses, parallel); }
@@ -86,14 +102,22 @@ std::size_t Scene::size() const { return impl_->count; }
 std::vector<Scene::Body> Scene::bodies() const {
   std::vector<Body> all;
   all.reserve(size());
-  for (Body body = 0; body < impl_->bodies.size(); ++body)
-    if (contains(body)) all.push_back(body);
+  for (detail::Slot slot = 0; slot < impl_->bodies.size(); ++slot)
+    if (impl_->bodies[slot].used) all.push_back(impl_->handleOf(slot));
+  std::sort(all.begin(), all.end());
   return all;
 }
-bool Scene::contains(Body body) const { return body < impl_->bodies.size() && impl_->bodies[body].used; }
-const Polygon& Scene::polygon(Body body) const { return impl_->at(body).polygon; }
-const Pose& Scene::pose(Body body) const { return impl_->at(body).pose; }
-const BodyOptions& Scene::options(Body body) const { return impl_->at(body).options; }
+bool Scene::contains(Body body) const { return impl_->has(body); }
+const Polygon& Scene::polygon(Body body) const { return impl_->bodies[impl_->slot(body)].polygon; }
+const Pose& Scene::pose(Body body) const { return impl_->bodies[impl_->slot(body)].pose; }
+const BodyOptions& Scene::options(Body body) const { return impl_->bodies[impl_->slot(body)].options; }
+
+void Scene::setOptions(Body body, const BodyOptions& options) {
+  const detail::Slot slot = impl_->slot(body);
+  detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::requireTouching(options.touching);
+  impl_->setOptions(slot, options);
+}
 
 const std::vector<BodyPair>& Scene::collisions(const Parallel& parallel) {
   impl_->updateCollisions(parallel);

@@ -56,22 +56,26 @@ double untilOf(const SceneState::BodyState& body) { return roundedDown<1>(body.m
 
 }  // namespace
 
-void SceneState::listFresh(Body body) {
+void SceneState::listFresh(Slot body) {
   if (!bodies[body].fresh) fresh.push_back(body);
   bodies[body].fresh = true;
 }
 
-void SceneState::listDue(Body body) {
+void SceneState::listDue(Slot body) {
   if (!bodies[body].listed) due.push_back(body);
   bodies[body].listed = true;
 }
 
-const SceneState::BodyState& SceneState::at(Body body) const {
-  if (body < bodies.size() && bodies[body].used) return bodies[body];
-  throw std::out_of_range(refusal("body", "the scene has none of the handle " + std::to_string(body)));
+Slot SceneState::slot(BodyHandle body) const {
+  if (has(body)) return slotOf(body);
+  const bool was_there = slotOf(body) < bodies.size() && body <= handleOf(slotOf(body));
+  throw std::out_of_range(refusal("body", "the scene has none of the handle " + std::to_string(body),
+                                  was_there ? "it has been removed" : ""));
 }
 
-SceneState::BodyState& SceneState::at(Body body) { return const_cast<BodyState&>(std::as_const(*this).at(body)); }
+SlotFilter SceneState::slots(const BodyFilter& filter) const {
+  return {filter.categories, filter.except == kNoBody ? kNoSlot : slot(filter.except)};
+}
 
 /// Memory for so many more bodies, so that neither putting them into the scene nor moving them throws.
 void SceneState::makeRoomFor(std::size_t more) {
@@ -82,15 +86,16 @@ void SceneState::makeRoomFor(std::size_t more) {
   makeRoom(free_bodies, unreported.size());
 }
 
-SceneState::Body SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
+Slot SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   const bool anew = free_bodies.empty();
-  const Body body = anew ? static_cast<Body>(bodies.size()) : free_bodies.back();
-  BodyState state{polygon, pose, options, {}, {}, 0, 0, 0, 0, {}, 0, true, false, false, false};
+  const Slot body = anew ? static_cast<Slot>(bodies.size()) : free_bodies.back();
+  BodyState state{polygon, pose, options, {}, {}, 0, 0, 0, 0, {}, 0, 0, true, false, false, false};
   if (anew) {
     bodies.push_back(std::move(state));
   } else {
-    // Lists may still hold a removed body of that handle.
+    // Lists may still hold a removed body of that slot.
     const BodyState& old = bodies[body];
+    state.generation = old.generation + 1;
     state.waits = old.waits, state.fresh = old.fresh, state.listed = old.listed;
     bodies[body] = std::move(state);
     free_bodies.pop_back();
@@ -114,28 +119,28 @@ void SceneState::settle() {
 /// Into the tree, one by one if they are few; all are packed anew once half of the boxes have changed.
 void SceneState::placeWaiting() {
   if (2 * (tree.changes() + waiting.size()) < count) {
-    for (const Body body : waiting)
+    for (const Slot body : waiting)
       if (bodies[body].used && !tree.holds(body)) tree.insert(body, newBox(body));
   } else {
     std::vector<BoxTree::Entry> entries;
     entries.reserve(count);
-    for (Body body = 0; body < bodies.size(); ++body)
+    for (Slot body = 0; body < bodies.size(); ++body)
       if (bodies[body].used) entries.push_back({tree.holds(body) ? tree.boundsOf(body) : newBox(body), body});
     tree.pack(entries);
   }
-  for (const Body body : waiting) bodies[body].waits = false;
-  std::vector<Body>().swap(waiting);
+  for (const Slot body : waiting) bodies[body].waits = false;
+  std::vector<Slot>().swap(waiting);
 }
 
 /// A box around a body.
-Bounds SceneState::newBox(Body body) {
+Bounds SceneState::newBox(Slot body) {
   BodyState& state = bodies[body];
   state.box_until = untilOf(state);
   return newBoxAt(state, state.pose, state.step);
 }
 
 /// How far the points of a body go at the most that moves there; negative if it doesn't move.
-double SceneState::stepTo(Body body, const Pose& pose) const {
+double SceneState::stepTo(Slot body, const Pose& pose) const {
   const BodyState& state = bodies[body];
   const double *was = state.pose.data(), *now = pose.data();
   const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
@@ -144,7 +149,7 @@ double SceneState::stepTo(Body body, const Pose& pose) const {
 }
 
 /// `box` is the new one of a body that leaves its own, if that is known.
-void SceneState::moveBody(Body body, const Pose& pose, double step, const Bounds* box) {
+void SceneState::moveBody(Slot body, const Pose& pose, double step, const Bounds* box) {
   if (step < 0) return;
   tree.prepareMove();
   ++version;
@@ -168,6 +173,20 @@ void SceneState::moveBody(Body body, const Pose& pose, double step, const Bounds
   listFresh(body);
 }
 
+/// Its box is new, and all of its pairs are due: those that may not meet any more are found not to collide.
+void SceneState::setOptions(Slot body, const BodyOptions& options) {
+  tree.prepareMove();
+  ++version;
+  BodyState& state = bodies[body];
+  state.options = options;
+  state.clear.forget();
+  state.due = -1;
+  for (Link& link : state.links) link.due = -1;
+  listDue(body);
+  if (tree.holds(body)) tree.move(body, newBox(body));
+  listFresh(body);
+}
+
 /// Checks all and finds their steps, and new boxes for those that leave theirs, on the user's threads; then moves one
 /// after the other.
 void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel) {
@@ -175,16 +194,17 @@ void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& 
   new_boxes.resize(poses.size());
   inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
     const auto& [body, pose] = poses[i];
-    at(body);
+    const Slot moving = slot(body);
     requireRigid(pose, "pose", i);
-    const BodyState& state = bodies[body];
-    const double step = steps[i] = stepTo(body, pose);
+    const BodyState& state = bodies[moving];
+    const double step = steps[i] = stepTo(moving, pose);
     if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until))
       new_boxes[i] = newBoxAt(state, pose, averageAfter(state, step));
   });
   ++turn;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const auto& [body, pose] = poses[i];
+    const Slot body = slotOf(poses[i].body);
+    const Pose& pose = poses[i].pose;
     const bool again = bodies[body].turn == turn;
     bodies[body].turn = turn;
     if (again)
@@ -194,15 +214,15 @@ void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& 
   }
 }
 
-/// Adds the pairs that a body whose box is new hasn't had, but for those that a body with a lower handle finds.
-void SceneState::findPairs(Body body, std::vector<BodyPair>& found) const {
-  const auto linked = [&](Body p, Body q) {
+/// Adds the pairs that a body whose box is new hasn't had, but for those that a body with a lower slot finds.
+void SceneState::findPairs(Slot body, std::vector<SlotPair>& found) const {
+  const auto linked = [&](Slot p, Slot q) {
     const auto &links_p = bodies[p].links, &links_q = bodies[q].links;
     const bool first = links_p.size() <= links_q.size();
     const auto& links = first ? links_p : links_q;
     return std::any_of(links.begin(), links.end(), [&](const Link& link) { return link.other == (first ? q : p); });
   };
-  tree.visit(tree.boundsOf(body), [&](Body other, const Bounds&) {
+  tree.visit(tree.boundsOf(body), [&](Slot other, const Bounds&) {
     const bool is_found_there = bodies[other].fresh && other <= body;
     if (!is_found_there && mayMeet(bodies[body], bodies[other]) && !linked(body, other))
       found.push_back({std::min(body, other), std::max(body, other)});
@@ -210,7 +230,7 @@ void SceneState::findPairs(Body body, std::vector<BodyPair>& found) const {
   });
 }
 
-void SceneState::link(const BodyPair& ends) {
+void SceneState::link(const SlotPair& ends) {
   const auto [first, second] = ends;
   if (free_pairs.empty()) {
     pairs.emplace_back();
@@ -218,7 +238,7 @@ void SceneState::link(const BodyPair& ends) {
   }
   const std::uint32_t pair = free_pairs.back();
   // What may throw comes first.
-  for (const Body end : {first, second}) makeRoom(bodies[end].links, 1);
+  for (const Slot end : {first, second}) makeRoom(bodies[end].links, 1);
   free_pairs.pop_back();
   pairs[pair] = {
       {first, second},
@@ -233,17 +253,17 @@ void SceneState::link(const BodyPair& ends) {
 
 /// Finds them on the user's threads, and then links them in the order of the list. They are due.
 void SceneState::linkFresh(const Parallel& parallel) {
-  const auto found = gatherInParallel<BodyPair>(parallel, fresh.size(), [&](std::size_t i, std::vector<BodyPair>& to) {
+  const auto found = gatherInParallel<SlotPair>(parallel, fresh.size(), [&](std::size_t i, std::vector<SlotPair>& to) {
     if (bodies[fresh[i]].used) findPairs(fresh[i], to);
   });
   for (const auto& some : found)
-    for (const BodyPair& ends : some) link(ends);
+    for (const SlotPair& ends : some) link(ends);
 }
 
 /// Forgets a pair.
 void SceneState::unlink(std::uint32_t index) {
   Pair& pair = pairs[index];
-  if (pair.reported) lost.push_back({pair.body[0], pair.body[1]});
+  if (pair.reported) lost.push_back(handlesOf(pair));
   for (const int end : {0, 1}) {
     auto& links = bodies[pair.body[end]].links;
     Link& place = links[pair.link[end]];
@@ -271,7 +291,7 @@ void SceneState::schedule(const Pair& pair, double room) {
 
 SceneState::Finding SceneState::look(Pair& pair) {
   const BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
-  if (!tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false, false};
+  if (!mayMeet(p, q) || !tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false, false};
   const double pace = p.step + q.step;
   const CollideOptions options = withBody({p.options.margin, 0, p.options.touching}, q.options);
   const Outcome fact = inKernelOrder(
@@ -301,14 +321,14 @@ void SceneState::keep(std::uint32_t index, const Finding& found) {
   }
 }
 
-/// Lists the pairs that are due, each as its lower handle finds it, or the other one where that doesn't.
+/// Lists the pairs that are due, each as its lower slot finds it, or the other one where that doesn't.
 void SceneState::listPairs(const Parallel& parallel) {
   const auto finds = [&](const BodyState& state, const Link& link) {
     return state.listed && !(state.moved < link.due);
   };
   const auto found =
       gatherInParallel<std::uint32_t>(parallel, due.size(), [&](std::size_t i, std::vector<std::uint32_t>& to) {
-        const Body body = due[i];
+        const Slot body = due[i];
         if (!bodies[body].used) return;
         for (const Link& link : bodies[body].links) {
           if (!finds(bodies[body], link)) continue;
@@ -347,9 +367,9 @@ void SceneState::updateCollisions(const Parallel& parallel) {
     state.due = state.box_until;
     for (const Link& link : state.links) state.due = std::min(state.due, link.due);
   });
-  for (const Body body : due) bodies[body].listed = false;
+  for (const Slot body : due) bodies[body].listed = false;
   due.clear();
-  for (const Body body : fresh) bodies[body].fresh = false;
+  for (const Slot body : fresh) bodies[body].fresh = false;
   fresh.clear();
   report();
 }
@@ -362,7 +382,7 @@ void SceneState::report() {
   for (const std::uint32_t index : changed) {
     const Pair& pair = pairs[index];
     if (!pair.used || pair.collides == pair.reported) continue;
-    (pair.collides ? began : ended).push_back({pair.body[0], pair.body[1]});
+    (pair.collides ? began : ended).push_back(handlesOf(pair));
     pairs[index].reported = pair.collides;
   }
   changed.clear();

@@ -18,6 +18,21 @@
 
 namespace tricover::detail {
 
+/// The place of a body among all, at the most as many as have been there at once: slotOf() its handle.
+using Slot = std::uint32_t;
+constexpr Slot kNoSlot = ~Slot{0};
+
+/// A BodyFilter of a scene.
+struct SlotFilter {
+  std::uint32_t categories;
+  Slot except;
+};
+
+/// Two bodies, each by its place.
+struct SlotPair {
+  Slot first, second;
+};
+
 /// What a Scene holds: the bodies, a tree of boxes around them, and kinetic facts about pairs of them.
 ///
 /// A body counts how far any of its points has moved at the most, `moved`, which never decreases. Its box in the tree
@@ -27,15 +42,13 @@ namespace tricover::detail {
 /// `due`. A body's own `due` is the first of all these. So what isn't due is as it was, and collisions() looks at the
 /// rest.
 struct SceneState {
-  using Body = BodyHandle;
-
   static constexpr std::uint32_t kMostBodies = std::uint32_t{1} << 28;
 
   /// A pair, as one of its bodies sees it.
   struct Link {
     double due;  ///< of this body's count
     std::uint32_t pair;
-    Body other;
+    Slot other;
   };
 
   struct BodyState {
@@ -45,17 +58,18 @@ struct SceneState {
     KeptDiscs discs;
     ClearBox clear;
     double moved, due, box_until;
-    double step;              ///< how far it goes at a move, as a moving average
-    std::vector<Link> links;  ///< its pairs
-    std::uint32_t turn;       ///< the last call of moveBodies() that moved it
-    bool used;                ///< false: the handle is free
-    bool waits;               ///< in the list of these, and not in the tree
-    bool fresh;               ///< in the list of these
-    bool listed;              ///< in the list of these
+    double step;               ///< how far it goes at a move, as a moving average
+    std::vector<Link> links;   ///< its pairs
+    std::uint32_t turn;        ///< the last call of moveBodies() that moved it
+    std::uint32_t generation;  ///< how many bodies had the slot before
+    bool used;                 ///< false: the slot is free
+    bool waits;                ///< in the list of these, and not in the tree
+    bool fresh;                ///< in the list of these
+    bool listed;               ///< in the list of these
   };
 
   struct Pair {
-    Body body[2];             ///< the lower handle first
+    Slot body[2];             ///< the lower slot first
     std::uint32_t link[2];    ///< its place among either one's links
     std::ptrdiff_t edge[2];   ///< that made the last hit, in the kernel's order; -1: none
     bool used;                ///< false: the place is free
@@ -78,9 +92,17 @@ struct SceneState {
     std::mutex turn;
   };
 
-  const BodyState& at(Body body) const;  ///< throws std::out_of_range
-  BodyState& at(Body body);
-  bool passes(const BodyFilter& filter, Body body) const {
+  BodyHandle handleOf(Slot body) const { return BodyHandle{bodies[body].generation} << 32 | body; }
+  BodyPair handlesOf(const Pair& pair) const {
+    const BodyHandle p = handleOf(pair.body[0]), q = handleOf(pair.body[1]);
+    return {std::min(p, q), std::max(p, q)};
+  }
+  bool has(BodyHandle body) const {
+    return slotOf(body) < bodies.size() && bodies[slotOf(body)].used && handleOf(slotOf(body)) == body;
+  }
+  Slot slot(BodyHandle body) const;                  ///< throws std::out_of_range
+  SlotFilter slots(const BodyFilter& filter) const;  ///< throws as that does
+  bool passes(const SlotFilter& filter, Slot body) const {
     return (bodies[body].options.category & filter.categories) != 0 && body != filter.except;
   }
   bool mayMeet(const BodyState& p, const BodyState& q) const {
@@ -88,19 +110,20 @@ struct SceneState {
   }
 
   void makeRoomFor(std::size_t more);
-  Body put(const Polygon& polygon, const Pose& pose, const BodyOptions& options);
+  Slot put(const Polygon& polygon, const Pose& pose, const BodyOptions& options);
   void placeWaiting();
-  Bounds newBox(Body body);
+  Bounds newBox(Slot body);
 
   // Kinetic facts.
-  double stepTo(Body body, const Pose& pose) const;
-  void moveBody(Body body, const Pose& pose, double step, const Bounds* box = nullptr);
+  double stepTo(Slot body, const Pose& pose) const;
+  void moveBody(Slot body, const Pose& pose, double step, const Bounds* box = nullptr);
+  void setOptions(Slot body, const BodyOptions& options);
   void moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel);
-  void listFresh(Body body);
-  void listDue(Body body);
+  void listFresh(Slot body);
+  void listDue(Slot body);
   void unlink(std::uint32_t index);
-  void findPairs(Body body, std::vector<BodyPair>& found) const;
-  void link(const BodyPair& ends);
+  void findPairs(Slot body, std::vector<SlotPair>& found) const;
+  void link(const SlotPair& ends);
   void linkFresh(const Parallel& parallel);
   void listPairs(const Parallel& parallel);
   /// What a look at a pair leaves to be done, beside what it changes of the pair and its links alone.
@@ -118,15 +141,15 @@ struct SceneState {
   std::uint64_t id;           ///< of this scene; see SceneCache
   std::uint64_t version = 0;  ///< counts changes
   std::vector<BodyState> bodies;
-  std::vector<Body> free_bodies;
-  std::vector<Body> unreported;  ///< removed, but their pairs haven't been reported as ended
+  std::vector<Slot> free_bodies;
+  std::vector<Slot> unreported;  ///< removed, but their pairs haven't been reported as ended
   std::size_t count = 0;
   BoxTree tree;
-  std::vector<Body> waiting;  ///< bodies that are to be put into the tree
+  std::vector<Slot> waiting;  ///< bodies that are to be put into the tree
   Settling settling;
   std::vector<Pair> pairs;
   std::vector<std::uint32_t> free_pairs;
-  std::vector<Body> fresh, due;             ///< bodies; see above
+  std::vector<Slot> fresh, due;             ///< bodies; see above
   std::vector<std::uint32_t> listed_pairs;  ///< to be looked at
   std::vector<std::uint32_t> changed;       ///< pairs whose `collides` may differ from what was reported
   std::vector<Finding> findings;            ///< of listed pairs, while they are looked at

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -36,6 +37,24 @@ TEST(Documentation, Scene) {
   EXPECT_EQ(impacts[0].impact.time, 0);  // the other robot, at once
   EXPECT_NEAR(impacts[1].impact.time, 0.5, 1e-6);
   //! [scene]
+}
+
+TEST(Documentation, SceneHandles) {
+  //! [scene handles]
+  const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  tricover::Scene scene;
+  const tricover::Scene::Body first = scene.add(square, tricover::Pose::Identity());
+  scene.remove(first);
+  const tricover::Scene::Body second = scene.add(square, tricover::Pose::Identity());
+  EXPECT_NE(second, first);  // though it has the same slot,
+  EXPECT_EQ(tricover::slotOf(second), tricover::slotOf(first));
+  EXPECT_THROW(scene.remove(first), std::out_of_range);  // so that a stale handle is an error
+
+  tricover::BodyOptions options;
+  options.margin = 0.5;
+  scene.setOptions(second, options);
+  EXPECT_EQ(scene.options(second).margin, 0.5);
+  //! [scene handles]
 }
 
 TEST(Documentation, SceneBodies) {

@@ -49,6 +49,10 @@ class SceneWalk {
     }
     if (random_.oneIn(6) && bodies_.size() > most_ / 3) remove();
     if (random_.oneIn(6) && bodies_.size() < most_) add();
+    if (random_.oneIn(4)) {
+      const Scene::Body body = bodies_[index(bodies_.size())];
+      scene_.setOptions(body, anyOptions(scene_.polygon(body)));
+    }
     if (random_.oneIn(3)) return;  // nobody asks
     collisions();
     switch (random_.integer(0, 3)) {
@@ -89,13 +93,16 @@ class SceneWalk {
     return std::min(polygon.radius(), 1e305) * std::pow(10, random_.integer(-12, 0)) * random_.unit();
   }
 
-  void add() {
-    const Part& part = anyPart();
+  BodyOptions anyOptions(const Polygon& polygon) {
     BodyOptions options;
-    if (random_.oneIn(3)) options.margin = length(part.polygon);
+    if (random_.oneIn(3)) options.margin = length(polygon);
     options.category = options.margin > 0 ? 2 : 1;
     if (random_.oneIn(6)) options.mask = random_.coin() ? 1 : 2;
-    bodies_.push_back(scene_.add(part.polygon, part.pose, options));
+    return options;
+  }
+  void add() {
+    const Part& part = anyPart();
+    bodies_.push_back(scene_.add(part.polygon, part.pose, anyOptions(part.polygon)));
   }
 
   void remove() {

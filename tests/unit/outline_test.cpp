@@ -159,5 +159,12 @@ TEST(Outline, RefusesWhatIsNoGridAndNamesTheField) {
   refused(grid, "height");
 }
 
+TEST(Outline, RefusesAnEmptyFunction) {
+  EXPECT_EQ(support::refusal([] {
+              outline({1, 1, {1}, 1, {0, 0}}, IsOccupied());
+            }),
+            "tricover: is_occupied: it is empty");
+}
+
 }  // namespace
 }  // namespace tricover

@@ -44,6 +44,11 @@ TEST(PolygonValidation, NamesWhatIsWrongAndWhere) {
   }
 }
 
+TEST(PolygonValidation, FillRuleIsOne) {
+  EXPECT_EQ(support::refusal([] { Polygon({rectangle(0, 0, 1, 1)}, static_cast<FillRule>(7)); }),
+            "tricover: fill: not a FillRule");
+}
+
 TEST(PolygonValidation, RepeatedCollinearAndExtremeVerticesAreLegal) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   EXPECT_EQ(refusal({{{1, 1}, {1, 1}, {1, 1}}}), "");

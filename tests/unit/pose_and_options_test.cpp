@@ -57,6 +57,14 @@ TEST(PoseCheck, NamesThePoseAndTheField) {
   }
 }
 
+TEST(Options, AreOfTheirEnumeration) {
+  const Polygon polygon({rectangle(0, 0, 1, 1)});
+  ContactOptions options;
+  options.detail = static_cast<ContactDetail>(9);
+  EXPECT_EQ(refusal([&] { contacts(polygon, Pose::Identity(), polygon, Pose::Identity(), options); }),
+            "tricover: detail: not a ContactDetail");
+}
+
 /// A fact that pays for any motion, of this pair in either order, of another one, or none.
 TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});

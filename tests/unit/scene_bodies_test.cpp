@@ -162,6 +162,59 @@ TEST(Scene, SaysWhichOfManyPosesIsWrong) {
   EXPECT_EQ(scene.pose(a).translation().x(), 0);
 }
 
+TEST(Scene, StaleHandlesAreErrorsAndNeverAnotherBody) {
+  Scene scene;
+  std::vector<Scene::Body> gone;
+  const Scene::Body stays = scene.add(kSquare, pose(0, 0, 0));
+  for (int i = 0; i < 5; ++i) {
+    const Scene::Body body = scene.add(kSquare, pose(0, 0.5, 0));
+    EXPECT_EQ(slotOf(body), 1u);
+    EXPECT_EQ(scene.bodies(), (std::vector<Scene::Body>{stays, body}));
+    EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{stays, body}}));
+    EXPECT_EQ(scene.colliding(kSquare, pose(0, 0, 0)), (std::vector<Scene::Body>{stays, body}));
+    EXPECT_EQ(scene.colliding(kSquare, pose(0, 0, 0), {}, BodyFilter::allBut(stays)), (std::vector<Scene::Body>{body}));
+    for (const Scene::Body old : gone) {
+      EXPECT_FALSE(scene.contains(old));
+      EXPECT_THROW(scene.remove(old), std::out_of_range);
+      EXPECT_THROW(scene.pose(old), std::out_of_range);
+      EXPECT_THROW(scene.move(old, pose(0, 0, 0)), std::out_of_range);
+      EXPECT_THROW(scene.move({{old, pose(0, 0, 0)}}), std::out_of_range);
+      EXPECT_THROW(scene.setOptions(old, {}), std::out_of_range);
+      EXPECT_THROW(scene.impacts({{old, Motion()}}), std::out_of_range);
+      EXPECT_THROW(scene.collides(kSquare, pose(0, 0, 0), {}, BodyFilter::allBut(old)), std::out_of_range);
+    }
+    scene.remove(body);
+    gone.push_back(body);
+    EXPECT_TRUE(scene.collisions().empty());
+    EXPECT_EQ(scene.ended(), (std::vector<BodyPair>{{stays, body}}));
+  }
+}
+
+TEST(Scene, OptionsChangeInPlace) {
+  Scene scene;
+  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0)), b = scene.add(kSquare, pose(0, 3, 0));
+  EXPECT_TRUE(scene.collisions().empty());
+  BodyOptions wide;
+  wide.margin = 2;
+  scene.setOptions(a, wide);
+  EXPECT_TRUE(scene.collides(kSquare, pose(0, -2.5, 0)));
+  EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{a, b}}));
+  EXPECT_EQ(scene.began(), (std::vector<BodyPair>{{a, b}}));
+  wide.margin = 2.5;  // it goes on
+  scene.setOptions(a, wide);
+  EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{a, b}}));
+  EXPECT_TRUE(scene.began().empty() && scene.ended().empty());
+  wide.mask = 2;  // not what b is
+  scene.setOptions(a, wide);
+  EXPECT_TRUE(scene.collisions().empty());
+  EXPECT_EQ(scene.ended(), (std::vector<BodyPair>{{a, b}}));
+  scene.setOptions(a, {});
+  EXPECT_TRUE(scene.collisions().empty() && scene.ended().empty());
+  wide.margin = -1;
+  EXPECT_THROW(scene.setOptions(a, wide), std::invalid_argument);
+  EXPECT_EQ(scene.options(a).margin, 0);
+}
+
 TEST(Scene, IsEmptyWhenMovedFrom) {
   Scene scene;
   const Scene::Body body = scene.add(kSquare, pose(0, 0, 0));

@@ -18,6 +18,7 @@ namespace tricover_fcl {
 namespace {
 
 using tricover::BodyHandle;
+using tricover::slotOf;
 
 /// Categories, one bit each, that objects get in turn: the scene's nearest body to one of its own bodies is itself, so
 /// that is asked for among all others' categories.
@@ -49,14 +50,14 @@ struct SceneManager<S>::Impl {
 
   std::vector<Entry> entries;
   std::unordered_map<const Object*, std::size_t> places;  ///< among the entries
-  std::vector<std::size_t> place_of_body;
+  std::vector<std::size_t> place_of_slot;
   std::size_t anywhere = 0;  ///< entries without a body
   std::uint32_t registered = 0;
   tricover::Scene scene;
   /// The scene finds its collisions in a function that isn't const, others ask meanwhile.
   mutable std::shared_mutex mutex;
 
-  const Entry& entryOf(BodyHandle body) const { return entries[place_of_body[body]]; }
+  const Entry& entryOf(BodyHandle body) const { return entries[place_of_slot[slotOf(body)]]; }
 
   void add(Object* object);
   void remove(const Object* object);
@@ -93,7 +94,7 @@ void SceneManager<S>::Impl::remove(const Object* object) {
   else
     --anywhere;
   entry = entries.back();
-  if (entry.body) place_of_body[*entry.body] = found->second;
+  if (entry.body) place_of_slot[slotOf(*entry.body)] = found->second;
   places[entry.object] = found->second;
   places.erase(found);
   entries.pop_back();
@@ -116,8 +117,8 @@ void SceneManager<S>::Impl::place(Entry& entry, const Footprint& print) {
       entry.body = scene.add(region.polygon(), region.pose, {region.margin, entry.category});
       entry.polygon = region.polygon().id();
       entry.margin = region.margin;
-      if (place_of_body.size() <= *entry.body) place_of_body.resize(*entry.body + std::size_t{1});
-      place_of_body[*entry.body] = places.at(entry.object);
+      if (const std::size_t slot = slotOf(*entry.body); place_of_slot.size() <= slot) place_of_slot.resize(slot + 1);
+      place_of_slot[slotOf(*entry.body)] = places.at(entry.object);
     }
   } else {
     entry.body.reset();
