@@ -55,6 +55,10 @@ struct TRICOVER_EXPORT Motion {
 
   /// The pose at `time`, rounded. At 0 it is exactly `start`.
   Pose at(double time) const;
+
+  /// The same motion from one time to another, which are its 0 and 1: at(0) of it is exactly at(from), and the rest is
+  /// right to rounding. Throws std::invalid_argument for a time that is not finite.
+  Motion part(double from, double until) const;
 };
 
 /// Checks a motion as timeOfImpact() does. Throws std::invalid_argument, naming `name` and the field, unless all of it

@@ -16,6 +16,9 @@ struct ImpactOptions {
   double margin = 0;
   /// How much earlier than the first contact an impact may be reported. Time runs from 0 to 1.
   double time_error = 1e-6;
+  /// What meets at time 0 counts only once it has parted: once collide(), with the margin, has said no. Parting for
+  /// less than `time_error` (or 1e-9, if that is more) may not be seen.
+  bool ignore_initial = false;
 };
 
 /// The first contact of two motions, in the world.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tricover/collide.h"
+#include "tricover/conflicts.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/export.h"
@@ -21,6 +22,7 @@
 #include "tricover/svg.h"
 #include "tricover/time_of_impact.h"
 #include "tricover/touching.h"
+#include "tricover/trajectory.h"
 #include "tricover/version.h"
 
 /// Exact collision detection between 2D polygons: a shape, queries about two of them under their poses, and what the

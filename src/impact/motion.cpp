@@ -102,6 +102,25 @@ Pose Motion::at(double time) const {
   return pose;
 }
 
+namespace {
+
+/// What a cubic adds to its value at `begin` in `length`, over time 0 to 1.
+template <typename T>
+detail::Cubic<T> partOf(const detail::Cubic<T>& cubic, double begin, double length) {
+  return {length * cubic.rateAt(begin), length * length * (cubic.second + 3 * begin * cubic.third),
+          length * length * length * cubic.third};
+}
+
+}  // namespace
+
+Motion Motion::part(double from, double until) const {
+  if (!std::isfinite(from) || !std::isfinite(until)) detail::refuse("part", "its times must be finite");
+  const double length = until - from;
+  const detail::Cubic<Vec2> way = partOf(detail::wayOf(*this), from, length);
+  const detail::Cubic<double> turn = partOf(detail::turnOf(*this), from, length);
+  return {at(from), way.first, turn.first, pivot, way.second, way.third, turn.second, turn.third};
+}
+
 void checkMotion(const Motion& motion, const char* name) {
   if (!detail::isPlainlyRigid(motion.start)) checkPose(motion.start, (std::string(name) + ".start").c_str());
   // What isn't finite leaves NaN.

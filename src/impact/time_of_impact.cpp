@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "impact/conflicts.h"
 #include "impact/convex_impact.h"
 #include "impact/impact_search.h"
 #include "impact/moving_pair.h"
@@ -147,7 +148,7 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
   detail::checkOptions(options);
   checkMotion(motion_a, "motion_a");
   checkMotion(motion_b, "motion_b");
-  return detail::inKernelOrder(
+  const auto first = detail::inKernelOrder(
       a.data(), motion_a, b.data(), motion_b,
       [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
       [](std::optional<Impact>& impact) {
@@ -155,6 +156,9 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
         impact->normal = -impact->normal;
         std::swap(impact->edge_a, impact->edge_b);
       });
+  if (!options.ignore_initial || !first || first->time > 0) return first;
+  const detail::MovingContact contact(a, motion_a, b, motion_b, options);
+  return contact.next(contact.endOfContact(0));
 }
 
 }  // namespace tricover

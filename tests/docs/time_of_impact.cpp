@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <vector>
+
+#include "tricover/conflicts.h"
 
 namespace {
 
@@ -26,6 +29,23 @@ TEST(Documentation, TimeOfImpact) {
   const tricover::Motion aside = tricover::Motion::translation(start, {0, 1000});
   EXPECT_FALSE(tricover::timeOfImpact(wall, still, square, aside).has_value());
   //! [time of impact]
+}
+
+TEST(Documentation, Conflicts) {
+  //! [conflicts]
+  const tricover::Polygon walls({{{0, -5}, {1, -5}, {1, 5}, {0, 5}}, {{5, -5}, {6, -5}, {6, 5}, {5, 5}}});
+  const tricover::Polygon square({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});
+  tricover::Pose start = tricover::Pose::Identity();
+  const tricover::Motion still = tricover::Motion::still(start);
+  start.translation() << -10, 0;
+  const tricover::Motion through = tricover::Motion::translation(start, {20, 0});
+
+  const std::vector<tricover::Conflict> all = tricover::conflicts(walls, still, square, through);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_NEAR(all[0].impact.time, 0.45, 1e-5);  // into the first wall,
+  EXPECT_NEAR(all[0].end, 0.6, 1e-5);           // out of it,
+  EXPECT_NEAR(all[1].impact.time, 0.7, 1e-5);   // and again
+  //! [conflicts]
 }
 
 }  // namespace

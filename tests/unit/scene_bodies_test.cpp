@@ -45,7 +45,7 @@ TEST(Scene, RefusesDeadHandlesAndBadNumbersAndStaysAsItWas) {
   }
 }
 
-TEST(Scene, GivesHandlesAgain) {
+TEST(Scene, GivesSlotsAgain) {
   Scene scene;
   std::vector<Scene::Body> bodies;
   for (int i = 0; i < 300; ++i) bodies.push_back(scene.add(kSquare, pose(0, 3 * i, 0)));
@@ -54,7 +54,7 @@ TEST(Scene, GivesHandlesAgain) {
     EXPECT_EQ(scene.size(), 0u);
     bodies.clear();
     for (int i = 0; i < 300; ++i) bodies.push_back(scene.add(kSquare, pose(0, 1.5 * i, 0)));
-    EXPECT_LT(*std::max_element(bodies.begin(), bodies.end()), 600u);
+    for (const Scene::Body body : bodies) EXPECT_LT(slotOf(body), 600u);
     EXPECT_EQ(scene.collisions().size(), 299u);
   }
 }

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tricover/conflicts.h"
+#include "tricover/export.h"
+#include "tricover/motion.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover {
+
+/// A part of a Trajectory.
+struct Leg {
+  double begin;   ///< When it begins,
+  double end;     ///< and when it ends, which is later.
+  Motion motion;  ///< Time 0 of it is `begin`, and 1 is `end`.
+};
+
+/// Where a body is at a time.
+struct TimedPose {
+  double time;  ///< When.
+  Pose pose;    ///< Where, from the polygon's frame to the world.
+};
+
+/// Where a body is at a time, and how it moves there: rates are by the trajectory's time.
+struct TimedKnot {
+  double time;    ///< When.
+  SplineEnd end;  ///< Where, and how it moves there.
+};
+
+/// How a body moves, leg after leg, each a Motion, by a clock of the caller's: seconds, say. Before its begin and after
+/// its end it rests. It never changes.
+///
+/// \snippet trajectory.cpp trajectory
+class TRICOVER_EXPORT Trajectory {
+ public:
+  /// Of legs, at least one, of which each begins when the one before ends. (Where it begins isn't asked: what jumps
+  /// from one leg to the next meets nothing on the way.) Throws std::invalid_argument, naming the leg, for other times,
+  /// and as checkMotion() does.
+  explicit Trajectory(std::vector<Leg> legs);
+
+  /// From pose to pose, as Motion::between() says, which waits where two are the same. Throws std::invalid_argument for
+  /// fewer than two, for times that don't increase, and as Motion::between() does.
+  static Trajectory through(const std::vector<TimedPose>& poses, const Vec2& pivot = Vec2::Zero());
+  /// A cubic Hermite spline from knot to knot, as Motion::spline() says. Throws as through() and that do.
+  static Trajectory spline(const std::vector<TimedKnot>& knots, const Vec2& pivot = Vec2::Zero());
+
+  const std::vector<Leg>& legs() const { return legs_; }  ///< In order.
+  double begin() const { return legs_.front().begin; }    ///< When it begins.
+  double end() const { return legs_.back().end; }         ///< When it ends.
+  Pose at(double time) const;                             ///< The pose at any time, rounded.
+  /// What it does from one time to a later one, between which no leg ends: time 0 of it is `from`, and 1 is `until`.
+  Motion part(double from, double until) const;
+
+ private:
+  std::vector<Leg> legs_;
+};
+
+/// The first contact of two bodies on their trajectories, from the first begin to the last end of the two. All is as
+/// for two motions; times, and `time_error`, are the trajectories' own.
+///
+/// \snippet trajectory.cpp trajectory
+TRICOVER_EXPORT std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                                   const Trajectory& trajectory_b, const ImpactOptions& options = {});
+
+/// All spans of time in which they meet; one that lasts until then ends at the last end of the two.
+///
+/// \snippet trajectory.cpp trajectory
+TRICOVER_EXPORT std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                                const Trajectory& trajectory_b, const ImpactOptions& options = {});
+
+}  // namespace tricover

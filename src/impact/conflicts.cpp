@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "impact/conflicts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "impact/cubic.h"
+#include "impact/options.h"
+#include "numbers/rigidity.h"
+#include "pair/find_fact.h"
+#include "pair/kernel_order.h"
+#include "tricover/collide.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+/// What the poses at two times are wrong by, and how far off rigid they may be, is far less than this share of lengths.
+constexpr double kSpared = 1 + 0x1p-10;
+
+/// How fast a point of a polygon moves at the most, from time 0 to 1.
+double speedOf(const PolygonData& polygon, const Motion& motion) {
+  const Cubic<Vec2> way = wayOf(motion);
+  const Cubic<double> turn = turnOf(motion);
+  const Vec2 arm = polygon.origin - motion.pivot;
+  const double reach = std::hypot(arm.x(), arm.y()) + polygon.radius;
+  return (way.mostRate(0, 1) + turn.mostRate(0, 1) * reach) * kSpared;
+}
+
+}  // namespace
+
+MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                             const ImpactOptions& options)
+    : a_(a),
+      b_(b),
+      motion_a_(motion_a),
+      motion_b_(motion_b),
+      margin_(options.margin),
+      seen_(std::max(options.time_error, 1e-9)),
+      speed_(speedOf(a.data(), motion_a) + speedOf(b.data(), motion_b)) {}
+
+bool MovingContact::meetAt(double time, double margin) const {
+  return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {margin, 0});
+}
+
+/// Whether they certainly meet for all of a step, by how deep they are in each other, or within the margin, at its
+/// begin: no two points come closer or part by more than `way`.
+bool MovingContact::meetUntil(double time, double step) const {
+  const double way = speed_ * step * kSpared;
+  if (way <= margin_) return meetAt(time, margin_ - way);
+  const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
+  const Outcome fact = inKernelOrder(
+      a_.data(), pose_a, b_.data(), pose_b,
+      [&](const auto&... operands) {
+        return findFact(operands..., {0, 0}, {2 * way, true});
+      },
+      [](const Outcome&) {});
+  return fact.collides && fact.clearance + margin_ > way;
+}
+
+double MovingContact::endOfContact(double begin) const {
+  // An impact is told up to time_error too early.
+  double time = begin, step = seen_;
+  if (begin > 0 || !meetAt(0, margin_)) {
+    time = std::min(1.0, begin + step);
+    if (!meetAt(time, margin_)) return time;
+  }
+  while (time < 1) {
+    if (step > seen_ && !meetUntil(time, step)) {
+      step = std::max(0.5 * step, seen_);
+      continue;
+    }
+    // A step that proves nothing is no longer than what is seen.
+    const double next = std::min(1.0, time + step);
+    if (!meetAt(next, margin_)) return next;
+    time = next;
+    step *= 4;
+  }
+  return 1;
+}
+
+std::optional<Impact> MovingContact::next(double begin) const {
+  if (begin >= 1) return std::nullopt;
+  const ImpactOptions rest{margin_, std::min(seen_ / (1 - begin), 1.0), false};
+  auto impact = timeOfImpact(a_, motion_a_.part(begin, 1), b_, motion_b_.part(begin, 1), rest);
+  // No later than it is: rounded down, but for time 0.
+  if (impact && begin > 0)
+    impact->time = std::clamp(std::nextafter(begin + (1 - begin) * impact->time, 0.0), begin, 1.0);
+  return impact;
+}
+
+}  // namespace detail
+
+std::vector<Conflict> conflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                                const ImpactOptions& options) {
+  detail::checkOptions(options);
+  checkMotion(motion_a, "motion_a");
+  checkMotion(motion_b, "motion_b");
+  const detail::MovingContact contact(a, motion_a, b, motion_b, options);
+  std::vector<Conflict> found;
+  double time = 0;
+  while (auto impact = contact.next(time)) {
+    const double end = contact.endOfContact(impact->time);
+    const bool goes_on = !found.empty() && impact->time - found.back().end <= options.time_error;
+    if (goes_on)
+      found.back().end = end;
+    else
+      found.push_back({*impact, end});
+    time = end;
+  }
+  if (options.ignore_initial && !found.empty() && found.front().impact.time == 0) found.erase(found.begin());
+  return found;
+}
+
+}  // namespace tricover

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tricover/conflicts.h"
+
+namespace tricover::detail {
+
+/// What two polygons that move make of time: how long they meet from one moment on, and when they do again.
+class MovingContact {
+ public:
+  /// Of arguments that have been checked; `options` are for time from 0 to 1.
+  MovingContact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                const ImpactOptions& options);
+
+  /// When they are apart again that met, or were about to, at `begin`, by time_error too late at most; 1 if they meet
+  /// until then.
+  double endOfContact(double begin) const;
+
+  /// The first contact from `begin` on, where they are apart unless it is 0.
+  std::optional<Impact> next(double begin) const;
+
+ private:
+  bool meetAt(double time, double margin) const;
+  bool meetUntil(double time, double step) const;
+
+  const Polygon &a_, &b_;
+  const Motion &motion_a_, &motion_b_;
+  const double margin_, seen_;  ///< what parts them for less than `seen_` may not be seen
+  double speed_;                ///< no point of one moves faster against the other one
+};
+
+}  // namespace tricover::detail

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "impact/options.h"
+#include "numbers/errors.h"
+
+namespace tricover {
+namespace {
+
+void checkLegs(const std::vector<Leg>& legs) {
+  if (legs.empty()) detail::refuse("legs", "a trajectory needs at least one");
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const std::string name = "legs[" + std::to_string(i) + "]";
+    if (!(legs[i].begin < legs[i].end && std::isfinite(legs[i].end - legs[i].begin)))
+      detail::refuse(name, "it must end after its begin, both finite");
+    if (i > 0 && legs[i].begin != legs[i - 1].end) detail::refuse(name, "it must begin when the one before ends");
+    checkMotion(legs[i].motion, (name + ".motion").c_str());
+  }
+}
+
+/// motionOf(i) from the time of timed[i - 1] to that of timed[i].
+template <typename Timed, typename MotionOf>
+std::vector<Leg> legsBetween(const std::vector<Timed>& timed, const char* name, MotionOf motionOf) {
+  if (timed.size() < 2) detail::refuse(name, "a trajectory needs at least two");
+  std::vector<Leg> legs;
+  for (std::size_t i = 1; i < timed.size(); ++i) {
+    const double length = timed[i].time - timed[i - 1].time;
+    if (!(length > 0 && std::isfinite(length)))
+      detail::refuse(name + ("[" + std::to_string(i)) + "].time", "times must be finite and increase");
+    legs.push_back({timed[i - 1].time, timed[i].time, motionOf(i, length)});
+  }
+  return legs;
+}
+
+/// visit(begin, end), in order, between all times at which a leg of either one ends, until it returns false.
+template <typename Visit>
+void forEachWindow(const Trajectory& a, const Trajectory& b, Visit visit) {
+  std::vector<double> times;
+  for (const Trajectory* trajectory : {&a, &b}) {
+    times.push_back(trajectory->begin());
+    for (const Leg& leg : trajectory->legs()) times.push_back(leg.end);
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (!visit(times[i - 1], times[i])) return;
+}
+
+ImpactOptions within(const ImpactOptions& options, double length) {
+  return {options.margin, std::min(options.time_error / length, 1.0), false};
+}
+
+/// Rounded down: an impact is told no later than it is.
+double timeOf(double begin, double length, double part) {
+  return part > 0 ? std::max(begin, std::nextafter(begin + length * part, -std::numeric_limits<double>::infinity()))
+                  : begin;
+}
+
+}  // namespace
+
+Trajectory::Trajectory(std::vector<Leg> legs) : legs_(std::move(legs)) { checkLegs(legs_); }
+
+Trajectory Trajectory::through(const std::vector<TimedPose>& poses, const Vec2& pivot) {
+  return Trajectory(legsBetween(
+      poses, "poses", [&](std::size_t i, double) { return Motion::between(poses[i - 1].pose, poses[i].pose, pivot); }));
+}
+
+Trajectory Trajectory::spline(const std::vector<TimedKnot>& knots, const Vec2& pivot) {
+  const auto inUnits = [](SplineEnd end, double length) {
+    end.velocity *= length;
+    end.angular_velocity *= length;
+    return end;
+  };
+  return Trajectory(legsBetween(knots, "knots", [&](std::size_t i, double length) {
+    return Motion::spline(inUnits(knots[i - 1].end, length), inUnits(knots[i].end, length), pivot);
+  }));
+}
+
+Motion Trajectory::part(double from, double until) const {
+  if (!(from < until)) detail::refuse("until", "it must be later than from");
+  if (until <= begin()) return Motion::still(legs_.front().motion.start);
+  if (from >= end()) return Motion::still(legs_.back().motion.at(1));
+  const auto ends_later = [&](double time, const Leg& leg) { return time < leg.end; };
+  const Leg& leg = *std::upper_bound(legs_.begin(), legs_.end(), from, ends_later);
+  if (!(leg.begin <= from && until <= leg.end)) detail::refuse("until", "a leg begins or ends before it");
+  const double length = leg.end - leg.begin;
+  return leg.motion.part((from - leg.begin) / length, until == leg.end ? 1 : (until - leg.begin) / length);
+}
+
+Pose Trajectory::at(double time) const {
+  if (!(time > begin())) return legs_.front().motion.start;
+  if (time >= end()) return legs_.back().motion.at(1);
+  const auto ends_later = [](double at, const Leg& leg) { return at < leg.end; };
+  const Leg& leg = *std::upper_bound(legs_.begin(), legs_.end(), time, ends_later);
+  return leg.motion.at((time - leg.begin) / (leg.end - leg.begin));
+}
+
+std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                   const Trajectory& trajectory_b, const ImpactOptions& options) {
+  detail::checkOptions(options);
+  if (options.ignore_initial) {
+    const std::vector<Conflict> all = conflicts(a, trajectory_a, b, trajectory_b, options);
+    return all.empty() ? std::nullopt : std::optional<Impact>(all.front().impact);
+  }
+  std::optional<Impact> found;
+  forEachWindow(trajectory_a, trajectory_b, [&](double begin, double end) {
+    found =
+        timeOfImpact(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end), within(options, end - begin));
+    if (found) found->time = timeOf(begin, end - begin, found->time);
+    return !found;
+  });
+  return found;
+}
+
+std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                const Trajectory& trajectory_b, const ImpactOptions& options) {
+  detail::checkOptions(options);
+  std::vector<Conflict> all;
+  forEachWindow(trajectory_a, trajectory_b, [&](double begin, double end) {
+    const double length = end - begin;
+    for (Conflict& found :
+         conflicts(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end), within(options, length))) {
+      found.impact.time = timeOf(begin, length, found.impact.time);
+      found.end = found.end < 1 ? std::min(end, begin + length * found.end) : end;
+      if (!all.empty() && found.impact.time - all.back().end < options.time_error)
+        all.back().end = found.end;
+      else
+        all.push_back(found);
+    }
+    return true;
+  });
+  const double start = std::min(trajectory_a.begin(), trajectory_b.begin());
+  if (options.ignore_initial && !all.empty() && all.front().impact.time == start) all.erase(all.begin());
+  return all;
+}
+
+}  // namespace tricover

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All spans of time in which two moving polygons meet, what met at the start left out, and trajectories of many legs.
+#include "tricover/conflicts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "refusal.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/segment.h"
+#include "tricover/trajectory.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kError = 1e-4;
+
+const Polygon kSquare({rectangle(-1, -1, 1, 1)});
+const Polygon kWalls({rectangle(0, -5, 1, 5), rectangle(5, -5, 6, 5)});
+const Motion kStill = Motion::still(pose(0, 0, 0));
+const Motion kThrough = Motion::translation(pose(0, -10, 0), {20, 0});
+
+void expectSpans(const std::vector<Conflict>& found, const std::vector<std::pair<double, double>>& spans,
+                 double error = kError) {
+  ASSERT_EQ(found.size(), spans.size());
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    EXPECT_LE(found[i].impact.time, spans[i].first + 1e-12);
+    EXPECT_GE(found[i].impact.time, spans[i].first - error - 1e-12);
+    EXPECT_GE(found[i].end, spans[i].second - 1e-12);
+    EXPECT_LE(found[i].end, spans[i].second + error + 1e-12);
+  }
+}
+
+TEST(Conflicts, AreAllSpansWithBeginAndEnd) {
+  const std::vector<Conflict> found = conflicts(kWalls, kStill, kSquare, kThrough, {0, kError});
+  expectSpans(found, {{0.45, 0.6}, {0.7, 0.85}});
+  EXPECT_NEAR(found[1].impact.point.x(), 5, 1e-2);
+  EXPECT_NEAR(found[1].impact.normal.x(), -1, 1e-9);
+  expectSpans(conflicts(kSquare, kThrough, kWalls, kStill, {0, kError}), {{0.45, 0.6}, {0.7, 0.85}});
+  expectSpans(conflicts(kWalls, kStill, kSquare, kThrough, {0.5, kError}), {{0.425, 0.625}, {0.675, 0.875}});
+  expectSpans(conflicts(kWalls, kStill, kSquare, kThrough, {2, kError}), {{0.35, 0.95}});
+  EXPECT_TRUE(conflicts(kWalls, kStill, kSquare, Motion::translation(pose(0, -10, 0), {0, 20})).empty());
+}
+
+TEST(Conflicts, OfABarThatTurnsPastAPointAreTwoATurn) {
+  Motion turns = Motion::still(pose(0, 0, 0));
+  turns.angle = 4 * M_PI;  // two turns
+  const Polygon bar({rectangle(-5, -0.5, 5, 0.5)});
+  const double half = std::asin(0.125) / (4 * M_PI);
+  std::vector<std::pair<double, double>> spans;
+  for (int i = 0; i < 4; ++i) spans.emplace_back(0.125 + 0.25 * i - half, 0.125 + 0.25 * i + half);
+  expectSpans(conflicts(bar, turns, point({0, 4}), kStill, {0, kError}), spans);
+}
+
+TEST(Conflicts, EndAtTheEnd) {
+  expectSpans(conflicts(kSquare, kStill, kSquare, kStill), {{0, 1}}, 0);
+  const Polygon beside({rectangle(1, -1, 3, 1)});
+  expectSpans(conflicts(kSquare, kStill, beside, kStill), {{0, 1}}, 0);  // they touch, at rest
+  expectSpans(conflicts(kSquare, kStill, kSquare, Motion::translation(pose(0, 4, 0), {-3, 0}), {0, kError}),
+              {{2.0 / 3, 1}});
+}
+
+TEST(Conflicts, WhatMetAtTheStartIsIgnoredUntilItHasParted) {
+  const Motion leaves = Motion::translation(pose(0, 0.5, 0), {20, 0});
+  ImpactOptions options{0, kError};
+  EXPECT_EQ(timeOfImpact(kWalls, kStill, kSquare, leaves, options)->time, 0);
+  options.ignore_initial = true;
+  const auto again = timeOfImpact(kWalls, kStill, kSquare, leaves, options);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_NEAR(again->time, 0.175, kError);
+  expectSpans(conflicts(kWalls, kStill, kSquare, leaves, options), {{0.175, 0.325}});
+  EXPECT_FALSE(timeOfImpact(kWalls, kStill, kSquare, kStill, options).has_value());
+  // It is as ever for what is apart at the start.
+  EXPECT_NEAR(timeOfImpact(kWalls, kStill, kSquare, kThrough, options)->time, 0.45, kError);
+}
+
+/// Never missed, and never told where nothing is as near as the bodies move in a time_error.
+TEST(Conflicts, HoldAllTimesOfContactAndFewMore) {
+  constexpr double kWide = 0x1p-9;
+  Random random(1);
+  int met = 0, free = 0, more = 0;
+  for (const Family& family : families()) {
+    for (int seed = 0; seed < scaledCount(6); ++seed) {
+      const Case c = family.make(static_cast<std::uint64_t>(seed));
+      const double size = c.a.radius() + c.b.radius();
+      if (!(size < 1e100 && size > 1e-100) || c.a.vertexCount() + c.b.vertexCount() > 60) continue;
+      SCOPED_TRACE(testing::Message() << family.name << " seed " << seed);
+      Motion motion = Motion::still(c.pose_b);
+      motion.pivot = c.b.origin();
+      motion.shift = size * Vec2(random.real(-2, 2), random.real(-2, 2));
+      motion.shift_2 = -motion.shift + 0.1 * size * Vec2(random.real(-1, 1), random.real(-1, 1));
+      motion.angle = random.real(-6, 6);
+      const double speed =
+          3 * (motion.shift.norm() + motion.shift_2.norm()) + std::abs(motion.angle) * c.b.radius() * 2;
+      const double length = (c.pose_a.translation() - c.pose_b.translation()).norm() + c.a.origin().norm() +
+                            c.b.origin().norm() + 9 * size;
+      const std::vector<Conflict> found = conflicts(c.a, Motion::still(c.pose_a), c.b, motion, {0, kWide});
+      more += found.size() > 1;
+      for (int i = 0; i <= 40; ++i) {
+        const double time = i / 40.0;
+        bool told = false;
+        for (const Conflict& span : found) told = told || (span.impact.time <= time && time <= span.end);
+        const bool truth = exact::collide(c.a, c.pose_a, c.b, motion.at(time));
+        (truth ? met : free) += 1;
+        if (truth) {
+          EXPECT_TRUE(told) << time;
+        }
+        if (told) {
+          EXPECT_TRUE(collide(c.a, c.pose_a, c.b, motion.at(time), {speed * kWide + 1e-12 * length})) << time;
+        }
+      }
+    }
+  }
+  EXPECT_GT(met, free / 20);
+  EXPECT_GT(free, met / 20);
+  EXPECT_GT(more, 0);
+}
+
+TEST(MotionPart, IsTheMotionFromOneTimeToAnother) {
+  Random random(2);
+  for (int i = 0; i < 100; ++i) {
+    Motion motion = Motion::still(pose(random.real(0, 6), random.real(-5, 5), 3));
+    motion.pivot = {random.real(-1, 1), 2};
+    motion.shift = {random.real(-9, 9), 1}, motion.shift_2 = {3, random.real(-9, 9)}, motion.shift_3 = {-2, 4};
+    motion.angle = random.real(-9, 9), motion.angle_2 = random.real(-9, 9), motion.angle_3 = 1;
+    const double from = random.real(0, 1), until = random.real(from, 1);
+    const Motion part = motion.part(from, until);
+    EXPECT_EQ(part.at(0).matrix(), motion.at(from).matrix());
+    for (const double t : {0.25, 0.5, 1.0})
+      EXPECT_TRUE(part.at(t).isApprox(motion.at(from + t * (until - from)), 1e-13));
+  }
+  EXPECT_EQ(refusal([] { kThrough.part(0, std::nan("")); }), "tricover: part: its times must be finite");
+}
+
+TEST(Trajectory, GoesFromPoseToPoseAndRestsBeforeAndAfter) {
+  const Trajectory way =
+      Trajectory::through({{2, pose(0, 0, 0)}, {4, pose(0, 4, 0)}, {5, pose(0, 4, 0)}, {6, pose(0, 4, 1)}});
+  EXPECT_EQ(way.begin(), 2);
+  EXPECT_EQ(way.end(), 6);
+  EXPECT_EQ(way.at(0).translation(), Vec2(0, 0));
+  EXPECT_EQ(way.at(3).translation(), Vec2(2, 0));
+  EXPECT_EQ(way.at(4.5).translation(), Vec2(4, 0));
+  EXPECT_EQ(way.at(5.5).translation(), Vec2(4, 0.5));
+  EXPECT_EQ(way.at(9).translation(), Vec2(4, 1));
+  EXPECT_EQ(way.part(2.5, 3).at(1).translation(), Vec2(2, 0));
+  EXPECT_THROW(way.part(3, 5), std::invalid_argument);
+  const Trajectory spline = Trajectory::spline({{0, {{0, 0}, 0, {1, 0}, 0}}, {10, {{10, 0}, 0, {1, 0}, 0}}});
+  EXPECT_NEAR(spline.at(3).translation().x(), 3, 1e-12);  // a metre a second
+}
+
+TEST(Trajectory, RefusesTimesThatDontIncrease) {
+  EXPECT_EQ(refusal([] { Trajectory({}); }), "tricover: legs: a trajectory needs at least one");
+  EXPECT_EQ(refusal([] {
+              Trajectory({{0, 1, kStill}, {2, 3, kStill}});
+            }),
+            "tricover: legs[1]: it must begin when the one before ends");
+  EXPECT_EQ(refusal([] {
+              Trajectory({{1, 1, kStill}});
+            }),
+            "tricover: legs[0]: it must end after its begin, both finite");
+  EXPECT_EQ(refusal([] {
+              Trajectory::through({{0, pose(0, 0, 0)}, {0, pose(0, 1, 0)}});
+            }),
+            "tricover: poses[1].time: times must be finite and increase");
+}
+
+TEST(Trajectory, ConflictsGoOnFromLegToLegInTheClocksTime) {
+  // Into the first wall, a wait there, and on through both.
+  const Trajectory way =
+      Trajectory::through({{10, pose(0, -10, 0)}, {20, pose(0, 0, 0)}, {30, pose(0, 0, 0)}, {40, pose(0, 10, 0)}});
+  const Trajectory rests({{0, 100, kStill}});
+  const double error = 1e-3;
+  expectSpans(conflicts(kWalls, rests, kSquare, way, {0, error}), {{19, 32}, {34, 37}}, error);
+  const auto first = timeOfImpact(kWalls, rests, kSquare, way, {0, error});
+  ASSERT_TRUE(first.has_value());
+  EXPECT_LE(first->time, 19);
+  EXPECT_GE(first->time, 19 - error);
+  // The other one's clock ends sooner, in the wall.
+  const Trajectory from_inside({{25, 35, Motion::translation(pose(0, 0.5, 0), {20, 0})}});
+  ImpactOptions options{0, error, true};
+  expectSpans(conflicts(kWalls, rests, kSquare, from_inside, options), {{26.75, 28.25}}, error);
+  EXPECT_NEAR(timeOfImpact(kWalls, rests, kSquare, from_inside, options)->time, 26.75, error);
+}
+
+}  // namespace
+}  // namespace tricover::support
