@@ -19,6 +19,7 @@
 #include "tricover/contacts.h"
 #include "tricover/penetration.h"
 #include "tricover/scene.h"
+#include "tricover/segment.h"
 
 namespace tricover::support {
 namespace {
@@ -172,6 +173,16 @@ TEST_P(TouchingOracle, AgreesWithExactRationals) {
     EXPECT_GE(touches, kRareKind * cases);
     EXPECT_GE(cases - overlaps - touches, kRareKind * cases);
   }
+}
+
+TEST(Touching, WhatHasNoAreaLeadsInsideOrHasNoInterior) {
+  const Pose here = Pose::Identity();
+  const Polygon square({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}});
+  const Polygon aerial({{{3, 3}, {5, 3}, {5, 5}, {4, 5}, {4, 9}, {4, 5}, {3, 5}}});  // touches by its spike alone
+  EXPECT_TRUE(collide(square, here, aerial, here, open()));
+  EXPECT_FALSE(collide(square, here, point({4, 4}), here, open()));
+  EXPECT_FALSE(collide(square, here, segment({-1, 4}, {4, 4}), here, open()));
+  EXPECT_TRUE(collide(square, here, point({4, 4}), here, open(0.5)));
 }
 
 std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }

@@ -2,7 +2,6 @@
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
     ("src/pair/edge_sides.cpp", "if (q == r || q * r > 0) return;", "if (q * r >= 0) return;", "interiors: edges that end on the line"),
-    ("src/pair/edge_sides.cpp", "if (ends.sign(2, 3, 0) * slant <= 0)", "if (ends.sign(2, 3, 0) * slant < 0)", "interiors: edges at the start"),
     ("src/pair/edge_sides.cpp", "isBefore(cuts_[i], cuts_[i + 1])", "true", "interiors: between cuts at one place"),
     ("src/pair/edge_sides.cpp", "(right[A] && right[B])", "(left[A] && right[B])", "interiors: one on either side"),
     ("src/pair/interiors.cpp", "has_bare_[operand] |= sides.isBareInside();", "", "interiors: edges without area lead there"),
