@@ -178,7 +178,8 @@ TEST_P(TouchingOracle, AgreesWithExactRationals) {
 TEST(Touching, WhatHasNoAreaLeadsInsideOrHasNoInterior) {
   const Pose here = Pose::Identity();
   const Polygon square({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}});
-  const Polygon aerial({{{3, 3}, {5, 3}, {5, 5}, {4, 5}, {4, 9}, {4, 5}, {3, 5}}});  // touches by its spike alone
+  // In a corner, where no discs inside meet; it touches by its spike alone, where its ring begins.
+  const Polygon aerial({{{0.5, 9}, {0.5, 8.75}, {0.25, 8.75}, {0.25, 8.25}, {0.75, 8.25}, {0.75, 8.75}, {0.5, 8.75}}});
   EXPECT_TRUE(collide(square, here, aerial, here, open()));
   EXPECT_FALSE(collide(square, here, point({4, 4}), here, open()));
   EXPECT_FALSE(collide(square, here, segment({-1, 4}, {4, 4}), here, open()));
