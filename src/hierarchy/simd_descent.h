@@ -296,7 +296,8 @@ template <class Lanes>
 
 /// Two items that are both divided. True if that ended the descent.
 template <class Lanes, class Goal>
-bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits, Goal& goal) {
+[[gnu::always_inline]] inline bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits,
+                                             Goal& goal) {
   const Block &a = d.a.blocks[item_a.child], &b = d.b.blocks[item_b.child];
   Together t;
   bringTogether<Lanes>(d, item_a, a, b, goal.limit, Goal::kSlacks, t);

@@ -44,7 +44,8 @@ struct DiscOfB {
 /// The position of the first edge of the first ring that starts inside; -1 if there is none. `disc()` is around all
 /// that may be inside; what isNear(p) leaves is located.
 template <typename MakeDisc, typename IsNear, typename IsInside>
-std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isNear, IsInside isInside) {
+[[gnu::always_inline]] inline std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isNear,
+                                                         IsInside isInside) {
   std::size_t located = 0;
   const auto starts_inside = [&](std::size_t ring) {
     const Vec2& p = polygon.path[polygon.edgeBegin(ring)];

@@ -56,14 +56,14 @@ class Asked {
   Glance glance(const SceneState::BodyState& body) const {
     WorldDiscs found;
     const WorldDiscs& discs = body.discs.of(body.polygon.data(), body.pose, found);
-    const CollideOptions sum = sumWith(body);
-    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + sum.margin)) return {Glance::Apart, 0};
+    const double margin = marginSum(options_.margin, body.options.margin);
+    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + margin)) return {Glance::Apart, 0};
     const Double2 way = discs.inner - discs_.inner;
     const double within = discs_.inner_radius + discs.inner_radius;
-    if (isWithin(way, within + sum.margin)) {
+    if (isWithin(way, within + margin)) {
       // Points and segments have discs without an interior.
       const bool are_open = discs_.inner_radius > 0 && discs.inner_radius > 0;
-      return {are_open || !asksForInteriors(sum) ? Glance::Meets : Glance::Near, 0};
+      return {are_open || !asksForInteriors(sumWith(body)) ? Glance::Meets : Glance::Near, 0};
     }
     return {Glance::Near, within > 0 ? dot(way, way) / (within * within) : kInfinity};
   }

@@ -41,7 +41,7 @@ class AskedDistance {
     if (!state_.passes(filter_, slot)) return std::nullopt;
     const auto& other = state_.bodies[slot];
     DistanceOptions sum = options_;
-    sum.margin = std::min(options_.margin + other.options.margin, std::numeric_limits<double>::max());
+    sum.margin = detail::marginSum(options_.margin, other.options.margin);
     auto result = distanceWithin(polygon_, pose_, other.polygon, other.pose, limit, sum);
     // Another body's distance cuts off what this one's was rounded up by: which one is told shouldn't depend on who
     // comes first.

@@ -73,10 +73,6 @@ Slot SceneState::slot(BodyHandle body) const {
                                   was_there ? "it has been removed" : ""));
 }
 
-SlotFilter SceneState::slots(const BodyFilter& filter) const {
-  return {filter.categories, filter.except == kNoBody ? kNoSlot : slot(filter.except)};
-}
-
 /// Memory for so many more bodies, so that neither putting them into the scene nor moving them throws.
 void SceneState::makeRoomFor(std::size_t more) {
   const std::size_t anew = more - std::min(more, free_bodies.size());

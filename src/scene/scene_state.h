@@ -100,8 +100,10 @@ struct SceneState {
   bool has(BodyHandle body) const {
     return slotOf(body) < bodies.size() && bodies[slotOf(body)].used && handleOf(slotOf(body)) == body;
   }
-  Slot slot(BodyHandle body) const;                  ///< throws std::out_of_range
-  SlotFilter slots(const BodyFilter& filter) const;  ///< throws as that does
+  Slot slot(BodyHandle body) const;                   ///< throws std::out_of_range
+  SlotFilter slots(const BodyFilter& filter) const {  ///< throws as that does
+    return {filter.categories, filter.except == kNoBody ? kNoSlot : slot(filter.except)};
+  }
   bool passes(const SlotFilter& filter, Slot body) const {
     return (bodies[body].options.category & filter.categories) != 0 && body != filter.except;
   }
@@ -167,8 +169,9 @@ void makeRoom(std::vector<T>& list, std::size_t more) {
 }
 
 /// Margins together, as Scene has them: their sum, rounded, and at most the largest double.
+inline double marginSum(double p, double q) { return std::min(p + q, std::numeric_limits<double>::max()); }
 inline CollideOptions withMargin(CollideOptions options, double margin) {
-  options.margin = std::min(options.margin + margin, std::numeric_limits<double>::max());
+  options.margin = marginSum(options.margin, margin);
   return options;
 }
 
