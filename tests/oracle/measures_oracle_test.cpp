@@ -137,14 +137,15 @@ TEST(MeasuresOracle, SimplifiedRegionsAreNearTheirOwn) {
   Random random(1);
   int fewer = 0, cases = 0;
   for (const Family& family : families()) {
-    for (int seed = 0; seed < scaledCount(30); ++seed) {
+    // Of a family's first polygons alone too few can be simplified.
+    for (int seed = 0; seed < std::max(scaledCount(30), 4); ++seed) {
       SCOPED_TRACE(testing::Message() << family.name << " seed " << seed);
       const Case c = family.make(static_cast<std::uint64_t>(seed));
       for (const Polygon& polygon : {c.a, c.b})
-        if (++cases, polygon.vertexCount() <= 100) expectSimplified(random, polygon, fewer);
+        if (polygon.vertexCount() <= 100) ++cases, expectSimplified(random, polygon, fewer);
     }
   }
-  EXPECT_GT(fewer, cases / 5);
+  EXPECT_GT(fewer, cases / 5) << "of " << cases;
 }
 
 TEST(MeasuresOracle, SimplifiedCountriesAreNearTheirOwn) {
