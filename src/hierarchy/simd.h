@@ -33,10 +33,12 @@ struct Descent {
 };
 
 /// Whether b is so small, beside many small rings, that it isn't divided before a's edges near it are known: hardly any
-/// are.
+/// are. By the areas of their discs a few rings lie near it, if they are spread evenly.
 inline bool staysWhole(const Descent& d) {
   const std::size_t rings = d.polygon_a.ringCount();
-  return rings >= 16 && d.polygon_a.path.size() <= 17 * rings && d.b.small != nullptr;
+  if (rings < 16 || d.polygon_a.path.size() > 17 * rings || d.b.small == nullptr) return false;
+  const double share = d.polygon_b.radius / d.polygon_a.radius;
+  return static_cast<double>(rings) * share * share <= 16;
 }
 
 /// Which edges make a hit. Lengths are in a's units.
