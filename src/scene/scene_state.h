@@ -55,10 +55,10 @@ struct SceneState {
     Polygon polygon;
     Pose pose;
     BodyOptions options;
-    KeptDiscs discs;
+    double step;  ///< how far it goes at a move, as a moving average
+    mutable KeptDiscs discs;
     ClearBox clear;
     double moved, due, box_until;
-    double step;               ///< how far it goes at a move, as a moving average
     std::vector<Link> links;   ///< its pairs
     std::uint32_t turn;        ///< the last call of moveBodies() that moved it
     std::uint32_t generation;  ///< how many bodies had the slot before

@@ -35,14 +35,15 @@ struct WorldDiscs {
   double defect;        ///< defectOf() the pose
 };
 
-/// A body's, found by the first query that comes near, on whichever thread, and kept until it moves.
-class KeptDiscs {
+/// A body's, found by the first query that comes near, on whichever thread, and kept until it moves. (A base, so that
+/// its padding holds the state: a body takes four cache lines.)
+class KeptDiscs : private WorldDiscs {
  public:
   KeptDiscs() = default;
-  KeptDiscs(const KeptDiscs& other) { *this = other; }
+  KeptDiscs(const KeptDiscs& other) : WorldDiscs() { *this = other; }
   KeptDiscs& operator=(const KeptDiscs& other) {
     const bool kept = other.state_.load(std::memory_order_acquire) == kKept;
-    if (kept) discs_ = other.discs_;
+    if (kept) WorldDiscs::operator=(other);
     state_.store(kept ? kKept : kNone, std::memory_order_relaxed);
     return *this;
   }
@@ -50,14 +51,14 @@ class KeptDiscs {
   void forget() { state_.store(kNone, std::memory_order_relaxed); }
 
   /// `found` is where they are put if they can't be kept yet: not before the polygon's discs have been built.
-  const WorldDiscs& of(const PolygonData& polygon, const Pose& pose, WorldDiscs& found) const {
-    if (state_.load(std::memory_order_acquire) == kKept) return discs_;
+  const WorldDiscs& of(const PolygonData& polygon, const Pose& pose, WorldDiscs& found) {
+    if (state_.load(std::memory_order_acquire) == kKept) return *this;
     const bool is_known = polygon.isDegenerate() || innerDiscsIfBuilt(polygon) != nullptr;
     found = WorldDiscs(polygon, pose, defectOf(pose));
     if (!is_known) return found;
     char none = kNone;
     if (state_.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) {
-      discs_ = found;
+      WorldDiscs::operator=(found);
       state_.store(kKept, std::memory_order_release);
     }
     return found;
@@ -65,8 +66,7 @@ class KeptDiscs {
 
  private:
   static constexpr char kNone = 0, kBeingKept = 1, kKept = 2;
-  mutable std::atomic<char> state_{kNone};
-  mutable WorldDiscs discs_;
+  std::atomic<char> state_{kNone};
 };
 
 }  // namespace tricover::detail
