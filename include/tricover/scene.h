@@ -16,6 +16,7 @@
 #include "tricover/ray.h"
 #include "tricover/time_of_impact.h"
 #include "tricover/touching.h"
+#include "tricover/trajectory.h"
 
 namespace tricover {
 
@@ -45,7 +46,8 @@ struct BodyOptions {
   std::uint32_t mask =
       kEveryCategory;  ///< Bits: what it meets. Two bodies meet if each has a category of the other's mask.
   /// Allowed: what only touches this body doesn't collide with it, be it another body or the polygon of a query,
-  /// whatever those say: as CollideOptions::touching has it.
+  /// whatever those say: as CollideOptions::touching has it. (An impact is the first touch all the same; see
+  /// ImpactOptions::ignore_initial for those that touch at the start.)
   Touching touching = Touching::Collides;
 };
 
@@ -112,10 +114,23 @@ struct BodyMotion {
   Motion motion;    ///< In place of its pose.
 };
 
+/// How a body moves by a clock of the caller's. Before its begin and after its end it rests where that is, whatever its
+/// pose.
+struct BodyTrajectory {
+  BodyHandle body;        ///< Which one.
+  Trajectory trajectory;  ///< In place of its pose.
+};
+
 /// The impact of two bodies.
 struct PairImpact {
   BodyPair pair;  ///< Which ones.
   Impact impact;  ///< a is pair.first, b is pair.second.
+};
+
+/// A span of time in which two bodies meet.
+struct PairConflict {
+  BodyPair pair;      ///< Which ones.
+  Conflict conflict;  ///< a is pair.first, b is pair.second.
 };
 
 /// Where a ray meets a body.
@@ -290,11 +305,25 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene queries
   std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options = {},
                                         const BodyFilter& filter = {}) const;
+  /// The same along a trajectory; times, and `time_error`, are its own.
+  /// \snippet scene.cpp scene trajectories
+  std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Trajectory& trajectory,
+                                        const ImpactOptions& options = {}, const BodyFilter& filter = {}) const;
   /// All pairs that meet while these bodies move and the others rest, each at its first time: earliest first, then by
   /// handles. Throws as timeOfImpact() and remove() do, and std::invalid_argument for a body that is named twice.
   /// \snippet scene.cpp scene
   std::vector<PairImpact> impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options = {},
                                   const Parallel& parallel = {}) const;
+  /// The same along trajectories, from the first begin to the last end of the pair; times, and `time_error`, are by
+  /// their clock, which is the same for all.
+  /// \snippet scene.cpp scene trajectories
+  std::vector<PairImpact> impacts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options = {},
+                                  const Parallel& parallel = {}) const;
+  /// All spans of time in which pairs meet, as tricover::conflicts() says them of each pair: earliest first, then by
+  /// handles. Throws as impacts() does.
+  /// \snippet scene.cpp scene trajectories
+  std::vector<PairConflict> conflicts(const std::vector<BodyTrajectory>& trajectories,
+                                      const ImpactOptions& options = {}, const Parallel& parallel = {}) const;
   /// The body that a ray meets first on the way from `from` to `to`, as tricover::castRay(), of those that pass
   /// the filter; of several at the same fraction the one of the lowest handle. Margins of a body and of the
   /// ray add up. Throws as tricover::castRay() does.

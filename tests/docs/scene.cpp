@@ -39,6 +39,37 @@ TEST(Documentation, Scene) {
   //! [scene]
 }
 
+TEST(Documentation, SceneTrajectories) {
+  //! [scene trajectories]
+  const tricover::Polygon robot({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}), rack({{{0, 0}, {9, 0}, {9, 1}, {0, 1}}});
+  const auto at = [](double x, double y) {
+    tricover::Pose pose = tricover::Pose::Identity();
+    pose.translation() << x, y;
+    return pose;
+  };
+  tricover::Scene scene;
+  scene.add(rack, at(0, 3));
+  const auto first = scene.add(robot, at(-10, 0)), second = scene.add(robot, at(0, -10));
+
+  // Seconds: one robot waits on the crossing from 10 to 20; the other one passes there, and comes back.
+  const auto waits = tricover::Trajectory::through({{0, at(-10, 0)}, {10, at(0, 0)}, {20, at(0, 0)}, {30, at(10, 0)}});
+  const auto passes = tricover::Trajectory::through({{6, at(0, -10)}, {16, at(0, 0)}, {26, at(0, -10)}});
+  const auto meet = scene.impacts({{first, waits}, {second, passes}});
+  ASSERT_EQ(meet.size(), 1u);
+  EXPECT_EQ(meet[0].pair, (tricover::BodyPair{first, second}));
+  EXPECT_NEAR(meet[0].impact.time, 14, 1e-5);
+  const auto spans = scene.conflicts({{first, waits}, {second, passes}});
+  ASSERT_EQ(spans.size(), 1u);
+  EXPECT_NEAR(spans[0].conflict.end, 18, 1e-5);
+
+  // One that isn't in the scene, too high for the rack, goes on through it after it has been there for a second.
+  tricover::ImpactOptions options;
+  options.ignore_initial = true;
+  const auto goes_up = tricover::Trajectory::through({{0, at(0, 3)}, {1, at(0, 3)}, {11, at(0, 13)}});
+  EXPECT_FALSE(scene.firstImpact(robot, goes_up, options));
+  //! [scene trajectories]
+}
+
 TEST(Documentation, SceneHandles) {
   //! [scene handles]
   const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});

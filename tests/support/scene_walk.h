@@ -8,6 +8,8 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "families.h"
@@ -20,6 +22,7 @@
 #include "tricover/ray.h"
 #include "tricover/scene.h"
 #include "tricover/time_of_impact.h"
+#include "tricover/trajectory.h"
 
 namespace tricover::support {
 
@@ -316,57 +319,114 @@ class SceneWalk {
     return motion;
   }
 
-  /// Margins are added in the order of the scene: the query's, then the bodies'.
+  /// Legs and waits by a clock, one after the other.
+  Trajectory anyTrajectory(const Polygon& polygon, const Pose& start) {
+    std::vector<Leg> legs;
+    double time = random_.integer(-2, 2);
+    Pose pose = start;
+    for (int i = random_.integer(1, 4); i > 0; --i) {
+      const double begin = time;
+      time += random_.oneIn(3) ? 1 : random_.real(0.25, 2);
+      legs.push_back({begin, time, random_.oneIn(4) ? Motion::still(pose) : anyMotion(polygon, pose)});
+      pose = legs.back().motion.at(1);
+    }
+    return Trajectory(std::move(legs));
+  }
+
   void impacts() {
     ImpactOptions options;
     options.time_error = 1e-3;
+    options.ignore_initial = random_.oneIn(4);
     const Part& part = anyPart();
     if (random_.oneIn(3)) options.margin = length(part.polygon);
-    const Motion motion = anyMotion(part.polygon, near(part.polygon, part.pose));
+    const Pose start = near(part.polygon, part.pose);
+    if (random_.coin()) {
+      firstImpact(part.polygon, anyMotion(part.polygon, start), options);
+      if (random_.coin()) allImpacts(someMoving<BodyMotion>(&SceneWalk::anyMotion), options);
+    } else {
+      firstImpact(part.polygon, anyTrajectory(part.polygon, start), options);
+      if (random_.coin()) return;
+      const auto moving = someMoving<BodyTrajectory>(&SceneWalk::anyTrajectory);
+      allImpacts(moving, options);
+      allConflicts(moving, options);
+    }
+  }
+
+  static Motion rest(const Motion&, const Pose& pose) { return Motion::still(pose); }
+  static Trajectory rest(const Trajectory& other, const Pose& pose) {
+    return Trajectory({{other.begin(), other.end(), Motion::still(pose)}});
+  }
+  static const Motion& wayOf(const BodyMotion& moving) { return moving.motion; }
+  static const Trajectory& wayOf(const BodyTrajectory& moving) { return moving.trajectory; }
+
+  /// Margins are added in the order of the scene: the query's, then the bodies'.
+  template <typename Way>
+  void firstImpact(const Polygon& polygon, const Way& way, const ImpactOptions& options) {
     BodyFilter filter;
     if (random_.oneIn(4)) filter.except = bodies_[index(bodies_.size())];
-    const auto impact = scene_.firstImpact(part.polygon, motion, options, filter);
+    const auto impact = scene_.firstImpact(polygon, way, options, filter);
     double first = kInfinity;
     Scene::Body hit = 0;
     for (const Scene::Body body : bodies_) {
       if (!passes(filter, body)) continue;
       ImpactOptions both = options;
       both.margin = sum(options.margin, marginOf(body));
-      const auto found =
-          timeOfImpact(part.polygon, motion, scene_.polygon(body), Motion::still(scene_.pose(body)), both);
+      const auto found = timeOfImpact(polygon, way, scene_.polygon(body), rest(way, scene_.pose(body)), both);
       if (!found || found->time > first || (found->time == first && body > hit)) continue;
       first = found->time;
       hit = body;
     }
     expect(impact.has_value() == (first < kInfinity), "firstImpact: whether there is one");
     if (impact) expect(impact->impact.time == first && impact->body == hit, "firstImpact");
-    if (random_.coin()) allImpacts(options);
   }
 
-  void allImpacts(const ImpactOptions& options) {
-    std::vector<BodyMotion> motions;
+  template <typename Moving, typename AnyWay>
+  std::vector<Moving> someMoving(AnyWay anyWay) {
+    std::vector<Moving> motions;
     for (const Scene::Body body : bodies_)
-      if (random_.oneIn(3)) motions.push_back({body, anyMotion(scene_.polygon(body), scene_.pose(body))});
+      if (random_.oneIn(3)) motions.push_back({body, (this->*anyWay)(scene_.polygon(body), scene_.pose(body))});
+    return motions;
+  }
+
+  /// ask(pair, polygon, way, polygon, way, options) of all pairs of which one moves.
+  template <typename Moving, typename Ask>
+  void forEachMovingPair(const std::vector<Moving>& motions, const ImpactOptions& options, const Ask& ask) {
     const auto motionOf = [&](Scene::Body body) {
-      const auto at = std::find_if(motions.begin(), motions.end(), [&](const BodyMotion& m) { return m.body == body; });
+      const auto at = std::find_if(motions.begin(), motions.end(), [&](const Moving& m) { return m.body == body; });
       return at != motions.end() ? &*at : nullptr;
     };
-    std::vector<std::pair<double, BodyPair>> expected, found;
     for (const BodyPair& pair : pairs()) {
-      const BodyMotion *p = motionOf(pair.first), *q = motionOf(pair.second);
+      const Moving *p = motionOf(pair.first), *q = motionOf(pair.second);
       if (p == nullptr && q == nullptr) continue;
       ImpactOptions both = options;
       both.margin = sum(sum(options.margin, marginOf(pair.first)), marginOf(pair.second));
-      const auto impact = timeOfImpact(
-          scene_.polygon(pair.first), p != nullptr ? p->motion : Motion::still(scene_.pose(pair.first)),
-          scene_.polygon(pair.second), q != nullptr ? q->motion : Motion::still(scene_.pose(pair.second)), both);
-      if (impact) expected.push_back({impact->time, pair});
+      ask(pair, scene_.polygon(pair.first), p != nullptr ? wayOf(*p) : rest(wayOf(*q), scene_.pose(pair.first)),
+          scene_.polygon(pair.second), q != nullptr ? wayOf(*q) : rest(wayOf(*p), scene_.pose(pair.second)), both);
     }
+  }
+
+  template <typename Moving>
+  void allImpacts(const std::vector<Moving>& motions, const ImpactOptions& options) {
+    std::vector<std::pair<double, BodyPair>> expected, found;
+    forEachMovingPair(motions, options, [&](const BodyPair& pair, const auto&... operands) {
+      if (const auto impact = timeOfImpact(operands...)) expected.push_back({impact->time, pair});
+    });
     std::sort(expected.begin(), expected.end());
     for (const PairImpact& impact : scene_.impacts(motions, options))
       found.push_back({impact.impact.time, impact.pair});
     expect(found == expected, "impacts");
     impacts_found += static_cast<int>(found.size());
+  }
+
+  void allConflicts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options) {
+    std::vector<std::tuple<double, BodyPair, double>> expected, found;
+    forEachMovingPair(trajectories, options, [&](const BodyPair& pair, const auto&... operands) {
+      for (const Conflict& span : conflicts(operands...)) expected.emplace_back(span.impact.time, pair, span.end);
+    });
+    std::sort(expected.begin(), expected.end());
+    for (const auto& [pair, span] : scene_.conflicts(trajectories, options))
+      found.emplace_back(span.impact.time, pair, span.end);
+    expect(found == expected, "conflicts");
   }
 
   Random random_;

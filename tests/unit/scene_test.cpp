@@ -154,7 +154,8 @@ TEST(Scene, OfNothing) {
   EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0)));
   EXPECT_FALSE(scene.nearest(kSquare, pose(0, 0, 0)));
   EXPECT_FALSE(scene.firstImpact(kSquare, Motion()));
-  EXPECT_TRUE(scene.impacts({}).empty());
+  EXPECT_TRUE(scene.impacts(std::vector<BodyMotion>()).empty());
+  EXPECT_TRUE(scene.impacts(std::vector<BodyTrajectory>()).empty());
   EXPECT_FALSE(scene.castRay({0, 0}, {1, 0}));
   const Scene::Body a = scene.add(kSquare, pose(0, 0, 0));
   scene.remove(a);
