@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/boundary_point.h"
+#include "contact/boundary_ray.h"
+#include "contact/crossings.h"
+#include "hierarchy/inclusion.h"
+#include "numbers/union_find.h"
+
+namespace tricover::detail {
+
+/// A winding number or a change of one, where that is known.
+struct Winding {
+  bool known = false;
+  int number = 0;
+};
+
+/// Where a node is on a ring.
+struct Stop {
+  std::size_t edge;
+  Span span;
+  std::size_t node;
+  /// By how much the other's winding number changes here; none if it may do anything, as where edges touch.
+  Winding change;
+  bool joined;  ///< the arc from here to the next stop is in the other region
+};
+
+/// One polygon's boundary, as the nodes divide it.
+struct Side {
+  struct RingStops {
+    std::size_t begin = 0, end = 0;  ///< in `stops`
+    std::ptrdiff_t node = -1;        ///< of a ring that lies in the other region as a whole; otherwise -1
+    /// The own winding number along its left, all along the ring, if that is known.
+    Winding left;
+    bool meets_own = false;  ///< or other rings of its polygon: then it isn't the same all along
+  };
+
+  explicit Side(const PolygonData& polygon_) : polygon(polygon_) {}
+
+  std::size_t after(std::size_t edge) const { return edgeAfter(polygon, edge); }
+  bool isInside(int winding) const { return detail::isInside(polygon.fill, winding); }
+
+  const PolygonData& polygon;
+  std::vector<Stop> stops;  ///< by edge, then where they begin
+  std::vector<RingStops> rings;
+};
+
+/// Off the middle, where symmetric shapes have other edges, too.
+inline double somewhere(const Span& span) { return span.low + 0.4142 * (span.high - span.low); }
+
+/// Vertices of a ring that lie in the other region, from one to another, all around.
+struct Arc {
+  int side;
+  std::size_t from, to;
+  std::size_t node;
+};
+
+/// A crossing, or a vertex of an arc.
+struct NodePoint {
+  std::size_t node;
+  int side;        ///< kCrossing, or whose vertex it is
+  std::size_t at;  ///< its index, or the vertex's position
+  static constexpr int kCrossing = -1;
+};
+
+/// The boundary of the overlap as arcs of either polygon that lie in the other one, joined where they meet.
+class OverlapArcs {
+ protected:
+  OverlapArcs(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
+      : pair_(pair),
+        swapped_(pair.b, pair.pose_b, pair.a, pair.pose_a),
+        frame_(frame),
+        crossings_(crossings),
+        sides_{Side(pair.a), Side(pair.b)} {}
+
+  using Ends = WorldFrame::Ends;
+
+  /// Along all rings; a polygon's own crossings join its arcs only if asked to.
+  void join(bool with_own_crossings);
+  std::size_t countSets();
+
+  Vec2 vertex(int side, std::size_t v) const {
+    const Vec2& local = sides_[side].polygon.path[v];
+    return side == 0 ? frame_.fromA(local) : frame_.fromB(local);
+  }
+  Ends ends(int side, std::size_t e) const { return side == 0 ? frame_.edgeEndsOfA(e) : frame_.edgeEndsOfB(e); }
+  bool holds(int side, const Vec2& p) const { return detail::holds(pair_, frame_, side, p); }
+
+  /// Of nodes that are wanted, crossings first. Of a repeated vertex the last one stands for all.
+  template <typename Wanted, typename Visit>
+  void forEachPoint(Wanted isWanted, Visit visit) const {
+    for (std::size_t k = 0; k < crossings_.size(); ++k)
+      if (isWanted(k)) visit(NodePoint{k, NodePoint::kCrossing, k});
+    for (const Arc& arc : arcs_) {
+      if (!isWanted(arc.node)) continue;
+      const PolygonData& polygon = sides_[arc.side].polygon;
+      const std::size_t ring = polygon.ringOf(arc.from), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
+      for (std::size_t v = arc.from;; v = v + 1 < end ? v + 1 : begin) {
+        if (polygon.path[v] != polygon.path[v + 1] || isPoint(polygon, v)) visit(NodePoint{arc.node, arc.side, v});
+        if (v == arc.to) break;
+      }
+    }
+  }
+
+  BoundaryPoint boundaryPoint(const NodePoint& point) const;
+
+  const PosedPair &pair_, swapped_;
+  const WorldFrame& frame_;
+  const std::vector<EdgeCrossing>& crossings_;
+  Side sides_[2];
+  struct Node {
+    bool is_present;  ///< it is in the overlap, which a polygon's own crossing needn't be
+    bool is_inner;    ///< the overlap has an inside there
+    bool is_counted;  ///< of a set that is in the overlap, by its own node
+    std::size_t component = 0;
+  };
+  UnionFind sets_;  ///< of nodes
+  std::vector<Node> nodes_;
+  std::vector<Arc> arcs_;
+
+ private:
+  Inclusion includeVertex(int side, std::size_t v) const;
+  std::size_t addNode(bool present);
+  void addOwnCrossings(int side);
+  std::ptrdiff_t addRepeatedVertices(int side);
+  void addOwnCrossing(int side, std::size_t e, std::size_t f);
+  void joinAlongRings(int side);
+  void joinWhole(int side, std::size_t r);
+  static bool isPoint(const PolygonData& polygon, std::size_t v);
+  void joinArcs(int side, std::size_t begin, std::size_t end);
+  void pass(int other, const Stop& stop, Winding& winding);
+  bool joinedOnEdge(int side, const Stop& stop, const Stop& next, double reach, const Winding& winding);
+  bool joinedRoundVertices(int side, const Stop& stop, const Stop& next, Winding& winding);
+};
+
+}  // namespace tricover::detail
