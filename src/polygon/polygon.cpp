@@ -47,8 +47,6 @@ void refuseNotFinite(const std::vector<Ring>& rings) {
       if (!rings[r][i].allFinite()) refuseCoordinate(nameOf(r) + ", vertex " + std::to_string(i));
 }
 
-}  // namespace
-
 /// visit(v, w) for all vertices of a path, of which there are at least two, two by two; an odd one comes twice.
 template <typename Visit>
 void forEachTwo(const Path& path, Visit visit) {
@@ -78,8 +76,6 @@ struct Extremes {
   double extent;   ///< the largest |x| + |y|
   bool are_plain;  ///< certainly finite
 };
-
-namespace {
 
 std::uint64_t nextId() {
   static std::atomic<std::uint64_t> last{0};
@@ -176,17 +172,12 @@ PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
     new (end++) Vec2(ring.front());
   }
   *ring_begin = static_cast<std::uint32_t>(total);
-  const Path path(vertices, total, rings.size());
-  const Extremes extremes(path);
-  if (!extremes.are_plain) {
-    try {
-      refuseNotFinite(rings);
-    } catch (...) {
-      ::operator delete(memory);
-      throw;
-    }
+  try {
+    return new (memory) PolygonData(rings, total, fill);
+  } catch (...) {
+    ::operator delete(memory);
+    throw;
   }
-  return new (memory) PolygonData(path, fill, extremes);
 }
 
 const PolygonData* PolygonData::reducedTo(const std::vector<std::size_t>& positions) const {
@@ -209,13 +200,16 @@ void PolygonData::release() const {
   ::operator delete(memory);
 }
 
-PolygonData::PolygonData(const Path& path_, FillRule fill_, const Extremes& extremes)
-    : extent(extremes.extent), id(nextId()), path(path_), fill(fill_) {
+PolygonData::PolygonData(const std::vector<Ring>& rings_, std::size_t positions, FillRule fill_)
+    : id(nextId()), fill(fill_), path(positions, rings_.size()) {
+  static_assert(offsetof(PolygonData, path) + sizeof(Path) == sizeof(PolygonData));
+  const Extremes extremes(path);
+  if (!extremes.are_plain) refuseNotFinite(rings_);
   degenerate_edge = degenerateEdgeOf(path);
   is_point = isDegenerate() && path[degenerate_edge] == path[degenerate_edge + std::size_t{1}];
   const Frame frame(extremes);
   store2(origin.data(), centroid(*this, frame));
-  extent = std::max(extent, std::abs(origin.x()) + std::abs(origin.y()));
+  extent = std::max(extremes.extent, std::abs(origin.x()) + std::abs(origin.y()));
   radius = boundingRadius(*this, frame);
   // Below and above these the powers of two themselves would leave the range of normal doubles.
   const int exponent = std::isfinite(radius) && radius > 0x1p-1000 ? std::min(exponentOf(radius) + 1, 1020)

@@ -17,31 +17,28 @@ constexpr std::size_t kMostPositions = std::size_t{1} << 29;
 /// Throws std::invalid_argument for a path that is longer.
 void requireCapacity(std::size_t positions);
 
-/// Rings one after another, each closed by a copy of its first vertex. A view: where the rings begin, and where the
-/// last one ends, lies behind the vertices.
+/// Rings one after another, each closed by a copy of its first vertex: those lie in memory right behind this head, and
+/// behind them where the rings begin and where the last one ends.
 class Path {
  public:
-  Path(const Vec2* vertices, std::size_t size, std::size_t ring_count)
-      : vertices_(vertices),
-        size_(static_cast<std::uint32_t>(size)),
-        ring_count_(static_cast<std::uint32_t>(ring_count)) {}
+  Path(std::size_t size, std::size_t ring_count)
+      : size_(static_cast<std::uint32_t>(size)), ring_count_(static_cast<std::uint32_t>(ring_count)) {}
+  Path(const Path&) = delete;
+  Path& operator=(const Path&) = delete;
 
   std::size_t size() const { return size_; }
-  const Vec2* data() const { return vertices_; }
-  const Vec2* begin() const { return vertices_; }
-  const Vec2* end() const { return vertices_ + size_; }
-  const Vec2& operator[](std::size_t position) const { return vertices_[position]; }
-  const Vec2& front() const { return vertices_[0]; }
+  const Vec2* data() const { return reinterpret_cast<const Vec2*>(this + 1); }
+  const Vec2* begin() const { return data(); }
+  const Vec2* end() const { return data() + size_; }
+  const Vec2& operator[](std::size_t position) const { return data()[position]; }
+  const Vec2& front() const { return data()[0]; }
 
   std::size_t ringCount() const { return ring_count_; }
-  const std::uint32_t* ringBegin() const { return reinterpret_cast<const std::uint32_t*>(vertices_ + size_); }
+  const std::uint32_t* ringBegin() const { return reinterpret_cast<const std::uint32_t*>(data() + size_); }
 
  private:
-  const Vec2* vertices_;
   std::uint32_t size_, ring_count_;
 };
-
-struct Extremes;
 
 /// What all copies of a polygon share, in one allocation with its path: the edge at position e joins path[e] and
 /// path[e + 1]; ring r takes positions [edgeBegin(r), edgeEnd(r)) and the closing vertex after them is no edge.
@@ -87,7 +84,6 @@ struct PolygonData {
   /// A power of two, at least the radius (where that is finite and above 2^-1000) and below 2 radii; and 1 / unit.
   double unit, inverse_unit;
   std::uint64_t id;
-  Path path;
   // The places of what is derived, and what has been paid for doing without.
   Derived hierarchy, discs;  ///< boxes around edges; discs in the region
   Derived convexity;         ///< whether it is convex, and what of
@@ -103,9 +99,10 @@ struct PolygonData {
   /// disc of. S is on it but for rounding, and on a point exactly.
   static constexpr std::uint8_t kNotDegenerate = 255;
   std::uint8_t degenerate_edge;
+  Path path;  ///< the last member: its vertices lie behind
 
  private:
-  PolygonData(const Path& path, FillRule fill, const Extremes& extremes);
+  PolygonData(const std::vector<Ring>& rings, std::size_t positions, FillRule fill);
 };
 
 }  // namespace tricover::detail
