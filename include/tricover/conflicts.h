@@ -24,7 +24,7 @@ struct Conflict {
 /// - Whenever a span says so, they meet, or did or will by less than `time_error`: what parts them for less than that
 ///   may not be seen.
 ///
-/// Spans are in order and don't overlap. A span costs some ten collide()s, but one for each `time_error` for as long as
+/// Spans are in order and don't overlap. A span costs some ten collide()s, but two for each `time_error` for as long as
 /// polygons touch, or are within the margin, hardly deeper than they move meanwhile.
 ///
 /// Throws as timeOfImpact() does. A `time_error` below 1e-9 is taken for that.

@@ -36,7 +36,7 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       motion_a_(motion_a),
       motion_b_(motion_b),
       margin_(options.margin),
-      seen_(std::max(options.time_error, 1e-9)),
+      seen_(0.5 * std::max(options.time_error, 1e-9)),
       speed_(speedOf(a.data(), motion_a) + speedOf(b.data(), motion_b)) {}
 
 bool MovingContact::meetAt(double time, double margin) const {
@@ -59,7 +59,7 @@ bool MovingContact::meetUntil(double time, double step) const {
 }
 
 double MovingContact::endOfContact(double begin) const {
-  // An impact is told up to time_error too early.
+  // An impact is told up to so much too early.
   double time = begin, step = seen_;
   if (begin > 0 || !meetAt(0, margin_)) {
     time = std::min(1.0, begin + step);
@@ -101,8 +101,7 @@ std::vector<Conflict> conflicts(const Polygon& a, const Motion& motion_a, const 
   double time = 0;
   while (auto impact = contact.next(time)) {
     const double end = contact.endOfContact(impact->time);
-    const bool goes_on = !found.empty() && impact->time - found.back().end <= options.time_error;
-    if (goes_on)
+    if (!found.empty() && impact->time <= found.back().end)  // it goes on
       found.back().end = end;
     else
       found.push_back({*impact, end});

@@ -12,8 +12,8 @@ class MovingContact {
   MovingContact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                 const ImpactOptions& options);
 
-  /// When they are apart again that met, or were about to, at `begin`, by time_error too late at most; 1 if they meet
-  /// until then.
+  /// When they are apart again that met, or were about to, at `begin`, by half of time_error too late at most; 1 if
+  /// they meet until then.
   double endOfContact(double begin) const;
 
   /// The first contact from `begin` on, where they are apart unless it is 0.
@@ -25,7 +25,7 @@ class MovingContact {
 
   const Polygon &a_, &b_;
   const Motion &motion_a_, &motion_b_;
-  const double margin_, seen_;  ///< what parts them for less than `seen_` may not be seen
+  const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
   double speed_;                ///< no point of one moves faster against the other one
 };
 

@@ -56,8 +56,9 @@ ImpactOptions within(const ImpactOptions& options, double length) {
   return {options.margin, std::min(options.time_error / length, 1.0), false};
 }
 
-/// Rounded down: an impact is told no later than it is.
+/// Rounded down, where it is rounded: an impact is told no later than it is.
 double timeOf(double begin, double length, double part) {
+  if (begin == 0 && length == 1) return part;
   return part > 0 ? std::max(begin, std::nextafter(begin + length * part, -std::numeric_limits<double>::infinity()))
                   : begin;
 }
@@ -128,7 +129,7 @@ std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a
          conflicts(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end), within(options, length))) {
       found.impact.time = timeOf(begin, length, found.impact.time);
       found.end = found.end < 1 ? std::min(end, begin + length * found.end) : end;
-      if (!all.empty() && found.impact.time - all.back().end < options.time_error)
+      if (!all.empty() && found.impact.time <= all.back().end)
         all.back().end = found.end;
       else
         all.push_back(found);

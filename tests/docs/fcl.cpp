@@ -187,6 +187,30 @@ TEST(Documentation, FclContinuousCollide) {
   //! [fcl continuous collide]
 }
 
+TEST(Documentation, FclTrajectory) {
+  //! [fcl trajectory]
+  const tricover_fcl::PolygonShaped robot(tricover::Polygon({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}));
+  const auto at = [](double x, double y) {
+    tricover::Pose pose = tricover::Pose::Identity();
+    pose.translation() << x, y;
+    return pose;
+  };
+  // Seconds: one robot waits on the crossing from 10 to 20; the other one follows two of FCL's splines past there.
+  const auto waits = tricover::Trajectory::through({{0, at(-10, 0)}, {10, at(0, 0)}, {20, at(0, 0)}, {30, at(10, 0)}});
+  const fcl::Vector3d zero = fcl::Vector3d::Zero(), step(0, 10, 0);  // of evenly spaced control points: straight on
+  const auto comes = std::make_shared<fcl::SplineMotion<double>>(-2 * step, -step, zero, step, zero, zero, zero, zero);
+  const auto goes = std::make_shared<fcl::SplineMotion<double>>(-step, zero, step, 2 * step, zero, zero, zero, zero);
+  const tricover_fcl::TrajectoryMotiond one(waits, 0, 40), other({{6, 16, comes}, {16, 26, goes}}, 0, 40);
+  fcl::ContinuousCollisionRequestd request;
+  request.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
+  request.toc_err = 1e-6;
+  fcl::ContinuousCollisionResultd result;
+  tricover_fcl::continuousCollide<double>(&robot, &one, &robot, &other, request, result);
+  EXPECT_TRUE(result.is_collide);
+  EXPECT_NEAR(one.clockAt(result.time_of_contact), 14, 1e-4);
+  //! [fcl trajectory]
+}
+
 TEST(Documentation, FclCollideOfMovingObjects) {
   //! [fcl collide of moving objects]
   const auto square =

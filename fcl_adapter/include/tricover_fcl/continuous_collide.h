@@ -19,7 +19,8 @@ namespace tricover_fcl {
 /// never later than the first contact and at most toc_err earlier (tricover::timeOfImpact); contact at the end counts,
 /// and so does a pass that only touches. Shapes with margins are in contact as soon as they are as near as the sum of
 /// those. num_max_iterations changes nothing. All of FCL's own motions are followed, a SplineMotion by its control
-/// points. A motion that leaves the plane (it must keep z and turn about z) throws std::invalid_argument.
+/// points; for many one after the other see TrajectoryMotion. A motion that leaves the plane (it must keep z and turn
+/// about z) throws std::invalid_argument.
 ///
 /// A motion class of the user's own is followed by its poses and its computeMotionBound for FCL's
 /// BVMotionBoundVisitor: that, asked after integrate(t), must be no less than the speed, in the visitor's direction, of

@@ -9,6 +9,7 @@
 #include "tricover_fcl/polygon_shape.h"
 #include "tricover_fcl/registration.h"
 #include "tricover_fcl/scene_manager.h"
+#include "tricover_fcl/trajectory_motion.h"
 
 /// tricover's polygons as shapes of FCL, and FCL's queries about them.
 namespace tricover_fcl {}

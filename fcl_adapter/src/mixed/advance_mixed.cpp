@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "mixed/mixed.h"
 #include "mixed/mixed_pair.h"
@@ -14,10 +16,12 @@
 namespace tricover_fcl {
 namespace {
 
-/// How far the motion takes anything that is within `radius` of `center` at time 0.
+/// How far the motion takes anything that is within `radius` of `center` before it is put where the motion starts.
 double reach(const tricover::Motion& motion, const tricover::Vec2& center, double radius) {
   const double turn = std::abs(motion.angle) + std::abs(motion.angle_2) + std::abs(motion.angle_3);
-  return motion.shift.norm() + motion.shift_2.norm() + motion.shift_3.norm() +
+  const double before =
+      (motion.start * center - center).norm() + (motion.start.linear() - Eigen::Matrix2d::Identity()).norm() * radius;
+  return before + motion.shift.norm() + motion.shift_2.norm() + motion.shift_3.norm() +
          std::min(turn, 2.0) * ((center - motion.pivot).norm() + radius);
 }
 
@@ -25,7 +29,7 @@ double reach(const tricover::Motion& motion, const tricover::Vec2& center, doubl
 template <typename S>
 Course courseOf(const fcl::MotionBase<S>& motion, const MixedPair<S>& pair, const Eigen::AlignedBox2d& around,
                 const char* name) {
-  Course course{motionInPlane(motion, pair.plane, name), {}, {}, {}};
+  Course course{trajectoryInPlane(motion, pair.plane, name), {}, {}, {}};
   if (course.known) return course;
   const Plane body = Plane(poseAt(motion, S(0)).matrix().template cast<double>().eval()).inverse() * pair.plane;
   return ownCourse(motion, around, pair.plane, body, name);
@@ -33,7 +37,11 @@ Course courseOf(const fcl::MotionBase<S>& motion, const MixedPair<S>& pair, cons
 
 /// How far the course takes anything in the box.
 double reach(const Course& course, const Eigen::AlignedBox2d& box) {
-  return course.known ? reach(*course.known, box.center(), box.diagonal().norm() / 2) : course.speed(0);
+  if (!course.known) return course.speed(0);
+  double most = 0;
+  for (const tricover::Leg& leg : course.known->legs())
+    most = std::max(most, reach(leg.motion, box.center(), box.diagonal().norm() / 2));
+  return most;
 }
 
 void widen(Eigen::AlignedBox2d& box, double by) {
@@ -73,10 +81,12 @@ std::optional<Section> sectionOf(const MixedPair<S>& pair) {
 /// The course of what lies at `pose` where the course begins.
 Course carried(const Course& course, const tricover::Pose& pose) {
   if (course.known) {
-    tricover::Motion motion = *course.known;
-    motion.start = motion.start * pose;
-    motion.pivot = pose.inverse() * motion.pivot;
-    return {motion, {}, {}, {}};
+    std::vector<tricover::Leg> legs = course.known->legs();
+    for (tricover::Leg& leg : legs) {
+      leg.motion.start = leg.motion.start * pose;
+      leg.motion.pivot = pose.inverse() * leg.motion.pivot;
+    }
+    return {tricover::Trajectory(std::move(legs)), {}, {}, {}};
   }
   const auto speed_along = [course, pose](const Eigen::AlignedBox2d& part, const tricover::Vec2& direction,
                                           double time) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "polygons/polygons.h"
 #include "shape/course.h"
@@ -31,7 +33,7 @@ template <typename S>
 MovingPolygon movingPolygon(const PolygonShape<S>& shape, const fcl::MotionBase<S>& motion, const char* name) {
   const fcl::Transform3<S> begin = poseAt(motion, S(0));
   const Plane plane = planeAt(static_cast<double>(begin.translation().z()));
-  const std::optional<tricover::Motion> in_plane = motionInPlane(motion, plane, name);  // says best what is wrong
+  const auto in_plane = trajectoryInPlane(motion, plane, name);  // says best what is wrong
   MovingPolygon moving{planarPose(begin, name), {in_plane, {}, {}, {}}, {}};
   if (!moving.course.known) {
     const auto corner = [](const fcl::Vector3<S>& at) {
@@ -39,14 +41,14 @@ MovingPolygon movingPolygon(const PolygonShape<S>& shape, const fcl::MotionBase<
     };
     const Eigen::AlignedBox2d box(corner(shape.aabb_local.min_), corner(shape.aabb_local.max_));
     moving.course = ownCourse(motion, box, plane, Plane::Identity(), name);
-    if (moving.course.known) moving.end = moving.course.known->start;
+    if (moving.course.known) moving.end = moving.course.known->at(1);
     return moving;
   }
-  tricover::Motion& known = *moving.course.known;
-  const tricover::Pose& start = known.start = moving.start.pose;
-  known.pivot = start.linear().inverse() * (known.pivot - start.translation());
+  std::vector<tricover::Leg> legs = in_plane->legs();
+  for (tricover::Leg& leg : legs) leg.motion = startingAt(leg.motion, moving.start.pose);
+  const tricover::Trajectory& known = moving.course.known.emplace(std::move(legs));
   // FCL's own, rounded in its way; but without a turn its ScrewMotion doesn't end where it should.
-  moving.end = onlyShifts(known) ? known.at(1) : planarPose(poseAt(motion, S(1)), name).pose;
+  moving.end = onlyShifts(known.legs().back().motion) ? known.at(1) : planarPose(poseAt(motion, S(1)), name).pose;
   return moving;
 }
 

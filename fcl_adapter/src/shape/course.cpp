@@ -132,18 +132,20 @@ double radiusAround(const Polygon& polygon, const Vec2& center) {
   return radius;
 }
 
-/// The functions, whatever the course.
-Course asked(const Course& course, const Polygon& polygon) {
+/// The functions, whatever the course, for a time in which it is on one leg.
+Course asked(const Course& course, const Polygon& polygon, double begin, double end) {
   if (!course.known) return course;
-  const Motion& motion = *course.known;
-  const double radius = (1 + tricover::kRigidTolerance) * radiusAround(polygon, motion.pivot);
+  const Motion motion = course.known->part(begin, end);
+  const double radius = (1 + tricover::kRigidTolerance) * radiusAround(polygon, motion.pivot), length = end - begin;
+  const auto on_leg = [begin, length](double time) { return std::max((time - begin) / length, 0.0); };
   return {{},
-          [motion](double time) { return motion.at(time); },
-          [motion, radius](double time) { return speedOf(motion, radius, time); },
-          [motion](const Eigen::AlignedBox2d& part, const Vec2& direction, double time) {
+          [motion, on_leg](double time) { return motion.at(on_leg(time)); },
+          [=](double time) { return speedOf(motion, radius, on_leg(time)) / length; },
+          [=](const Eigen::AlignedBox2d& part, const Vec2& direction, double time) {
             const Vec2 farthest =
                 (part.min() - motion.pivot).cwiseAbs().cwiseMax((part.max() - motion.pivot).cwiseAbs());
-            return speedAlong(motion, (1 + tricover::kRigidTolerance) * farthest.norm(), direction, time);
+            const double reach = (1 + tricover::kRigidTolerance) * farthest.norm();
+            return speedAlong(motion, reach, direction, on_leg(time)) / length;
           }};
 }
 
@@ -226,7 +228,8 @@ double partedFor(const Mover<S>& a, const Mover<S>& b, const Vec2& direction, do
 
 template <typename S>
 std::optional<CourseContact> advance(const Polygon& polygon_a, const Course& course_a, const Polygon& polygon_b,
-                                     const Course& course_b, const tricover::ImpactOptions& options) {
+                                     const Course& course_b, double begin, double end,
+                                     const tricover::ImpactOptions& options) {
   if (!(std::isfinite(options.time_error) && options.time_error >= 0))
     refuse("time_error", "it must be finite and not negative");
   constexpr double kShort = 1.0 / 64;  // steps below that are worth a look along a direction,
@@ -238,7 +241,7 @@ std::optional<CourseContact> advance(const Polygon& polygon_a, const Course& cou
   };
   const double size = options.margin + radiusAround(polygon_a, Vec2::Zero()) + radiusAround(polygon_b, Vec2::Zero());
   tricover::PairCache facts;
-  for (double time = 0;;) {
+  for (double time = static_cast<double>(roundDown<S>(begin));;) {
     a.moveTo(time);
     b.moveTo(time);
     const tricover::DistanceResult nearest =
@@ -250,7 +253,7 @@ std::optional<CourseContact> advance(const Polygon& polygon_a, const Course& cou
                             8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
                                 (a.pose.translation().norm() + b.pose.translation().norm());
     double step = (nearest.distance - rounding) / (a.speed + b.speed) * (1 - 0x1p-50);
-    if (step < kShort && step < 1 - time && --resting < 0) {
+    if (step < kShort && step < end - time && --resting < 0) {
       const double alone = step;
       const Vec2 towards = (nearest.point_b - nearest.point_a).stableNormalized();
       for (Vec2 direction : {towards, a.normalOf(nearest.edge_a), b.normalOf(nearest.edge_b)}) {
@@ -261,11 +264,11 @@ std::optional<CourseContact> advance(const Polygon& polygon_a, const Course& cou
       resting = step > 2 * alone ? 0 : kRest;
     }
     const double free_until = time + step;
-    if (free_until >= 1) return std::nullopt;
+    if (free_until >= end) return std::nullopt;
     // Motions are asked at times that S has.
     const double next = free_until > time ? static_cast<double>(roundDown<S>(free_until)) : time;
     if (!(next > time)) return contact;
-    const double soon = static_cast<double>(roundDown<S>(std::min(time + options.time_error, 1.0)));
+    const double soon = static_cast<double>(roundDown<S>(std::min(time + options.time_error, end)));
     if (next <= soon && collide(soon)) return contact;
     time = next;
   }
@@ -282,7 +285,7 @@ Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& bo
   const auto speed = [&motion, around = sweptRectangle<S>(box, body), plane, name](double time) {
     return speedOf(motion, around, plane, time, name);
   };
-  if (speed(0) == 0) return {Motion::still(pose(0)), {}, {}, {}};
+  if (speed(0) == 0) return {wholeOf(Motion::still(pose(0))), {}, {}, {}};
   const auto speed_along = [&motion, plane, body, name](const Eigen::AlignedBox2d& part, const Vec2& direction,
                                                         double time) {
     motion.integrate(static_cast<S>(time));
@@ -294,9 +297,16 @@ Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& bo
 template <typename S>
 std::optional<CourseContact> firstContact(const Polygon& a, const Course& course_a, const Polygon& b,
                                           const Course& course_b, const tricover::ImpactOptions& options) {
-  if (!course_a.known || !course_b.known) return advance<S>(a, asked(course_a, a), b, asked(course_b, b), options);
-  if (const auto impact = tricover::timeOfImpact(a, *course_a.known, b, *course_b.known, options))
-    return CourseContact{impact->time, impact->edge_b};
+  if (course_a.known && course_b.known) {
+    const auto impact = tricover::timeOfImpact(a, *course_a.known, b, *course_b.known, options);
+    return impact ? std::optional<CourseContact>({impact->time, impact->edge_b}) : std::nullopt;
+  }
+  const auto between = [&](double begin, double end) {
+    return advance<S>(a, asked(course_a, a, begin, end), b, asked(course_b, b, begin, end), begin, end, options);
+  };
+  if (!course_a.known && !course_b.known) return between(0, 1);
+  for (const tricover::Leg& leg : (course_a.known ? course_a : course_b).known->legs())
+    if (const auto contact = between(leg.begin, leg.end)) return contact;
   return std::nullopt;
 }
 

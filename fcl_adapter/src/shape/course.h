@@ -8,16 +8,16 @@
 #include <optional>
 
 #include "shape/plane.h"
-#include "tricover/motion.h"
 #include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
+#include "tricover/trajectory.h"
 
 namespace tricover_fcl {
 
 /// How a body moves in the plane.
 struct Course {
-  /// All of it, where that is known. Otherwise the functions are there, which ask the motion.
-  std::optional<tricover::Motion> known;
+  /// All of it, from time 0 to 1, where that is known. Otherwise the functions are there, which ask the motion.
+  std::optional<tricover::Trajectory> known;
   std::function<tricover::Pose(double time)> pose;
   std::function<double(double time)> speed;  ///< bounds that of every point of the body from `time` to 1
   /// Bounds the speed in a direction of the plane, from `time` to 1, of what of the body is in the box, where it is at

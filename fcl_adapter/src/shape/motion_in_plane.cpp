@@ -15,6 +15,7 @@
 
 #include "shape/errors.h"
 #include "shape/planar_pose.h"
+#include "tricover_fcl/trajectory_motion.h"
 
 namespace tricover_fcl {
 namespace {
@@ -223,6 +224,49 @@ std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>& motion, 
   return in_plane;
 }
 
+tricover::Motion startingAt(tricover::Motion in_plane, const tricover::Pose& start) {
+  in_plane.start = in_plane.start * start;
+  in_plane.pivot = start.linear().inverse() * (in_plane.pivot - start.translation());
+  return in_plane;
+}
+
+namespace {
+
+/// Its legs begin where the ones before have brought what lies in the plane at time 0.
+template <typename S>
+tricover::Trajectory legsInPlane(const TrajectoryMotion<S>& motion, const Plane& plane, const char* name) {
+  // From the world's coordinates, at its height, to the plane's.
+  const Eigen::Matrix3d inverse = plane.linear().inverse();
+  if (!(inverse.col(2).head<2>().norm() <= kTiltTolerance)) refuseDeparture(name);
+  tricover::Pose to_plane;
+  to_plane.linear() = inverse.topLeftCorner<2, 2>();
+  to_plane.translation() = (inverse * (Vec3(0, 0, motion.z()) - plane.translation())).head<2>();
+  to_plane.makeAffine();
+  const tricover::Pose home = to_plane * motion.trajectory().legs().front().motion.start;
+  const tricover::Pose from_home = home.inverse(Eigen::Affine);
+  std::vector<tricover::Leg> legs = motion.trajectory().legs();
+  for (tricover::Leg& leg : legs) {
+    tricover::Motion& way = leg.motion;
+    way.start = &leg == &legs.front() ? tricover::Pose::Identity() : to_plane * way.start * from_home;
+    way.pivot = home * way.pivot;
+    for (tricover::Vec2* shift : {&way.shift, &way.shift_2, &way.shift_3}) *shift = to_plane.linear() * *shift;
+    if (to_plane.linear().determinant() > 0) continue;
+    for (double* angle : {&way.angle, &way.angle_2, &way.angle_3}) *angle = -*angle;
+  }
+  return tricover::Trajectory(std::move(legs));
+}
+
+}  // namespace
+
+template <typename S>
+std::optional<tricover::Trajectory> trajectoryInPlane(const fcl::MotionBase<S>& motion, const Plane& plane,
+                                                      const char* name) {
+  if (typeid(motion) == typeid(TrajectoryMotion<S>))
+    return legsInPlane(static_cast<const TrajectoryMotion<S>&>(motion), plane, name);
+  const std::optional<tricover::Motion> in_plane = motionInPlane(motion, plane, name);
+  return in_plane ? std::optional<tricover::Trajectory>(wholeOf(*in_plane)) : std::nullopt;
+}
+
 template std::shared_ptr<fcl::MotionBase<float>> motionBetween(const fcl::Transform3<float>&,
                                                                const fcl::Transform3<float>&, fcl::CCDMotionType, bool);
 template std::shared_ptr<fcl::MotionBase<double>> motionBetween(const fcl::Transform3<double>&,
@@ -238,5 +282,9 @@ template tricover::Pose poseInPlane(const fcl::Transform3<double>&, const fcl::T
                                     const Plane&, const char*);
 template std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<float>&, const Plane&, const char*);
 template std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<double>&, const Plane&, const char*);
+template std::optional<tricover::Trajectory> trajectoryInPlane(const fcl::MotionBase<float>&, const Plane&,
+                                                               const char*);
+template std::optional<tricover::Trajectory> trajectoryInPlane(const fcl::MotionBase<double>&, const Plane&,
+                                                               const char*);
 
 }  // namespace tricover_fcl

@@ -10,6 +10,7 @@
 
 #include "shape/plane.h"
 #include "tricover/motion.h"
+#include "tricover/trajectory.h"
 
 namespace tricover_fcl {
 
@@ -52,5 +53,16 @@ tricover::Pose poseInPlane(const fcl::Transform3<S>& pose, const fcl::Transform3
 /// others. Throws std::invalid_argument, naming the motion, if it leaves the plane or isn't finite.
 template <typename S>
 std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>& motion, const Plane& plane, const char* name);
+
+/// What motionInPlane() says, or a leg of trajectoryInPlane(), of a polygon that is at `start` in the plane at time 0.
+tricover::Motion startingAt(tricover::Motion in_plane, const tricover::Pose& start);
+
+/// All of the time from 0 to 1.
+inline tricover::Trajectory wholeOf(const tricover::Motion& motion) { return tricover::Trajectory({{0, 1, motion}}); }
+
+/// The same of a TrajectoryMotion, too, from time 0 to 1.
+template <typename S>
+std::optional<tricover::Trajectory> trajectoryInPlane(const fcl::MotionBase<S>& motion, const Plane& plane,
+                                                      const char* name);
 
 }  // namespace tricover_fcl

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover_fcl/trajectory_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <typeinfo>
+
+#include "shape/errors.h"
+#include "shape/motion_in_plane.h"
+#include "shape/planar_pose.h"
+
+namespace tricover_fcl {
+namespace {
+
+using tricover::Leg;
+using tricover::Trajectory;
+
+/// What of it is from `begin` to `end`, which are its times 0 and 1.
+Trajectory fromZeroToOne(const Trajectory& trajectory, double begin, double end) {
+  const double length = end - begin;
+  if (!(length > 0 && std::isfinite(length))) refuse("end", "it must be after begin, both finite");
+  std::vector<double> times = {begin, end};
+  times.push_back(trajectory.begin());
+  for (const Leg& leg : trajectory.legs()) times.push_back(leg.end);
+  std::sort(times.begin(), times.end());
+  std::vector<Leg> legs;
+  double from = begin, begins = 0;
+  for (const double time : times) {
+    if (time <= begin || time > end) continue;
+    const double ends = time == end ? 1 : (time - begin) / length;
+    if (ends > begins) legs.push_back({begins, ends, trajectory.part(from, time)});  // or for FCL it takes no time
+    from = time, begins = ends;
+  }
+  return Trajectory(std::move(legs));
+}
+
+template <typename S>
+Trajectory trajectoryOf(const std::vector<TimedMotion<S>>& timed, double& z) {
+  std::vector<Leg> legs;
+  bool upside_down = false;
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    const std::string name = "legs[" + std::to_string(i) + "].motion";
+    if (!timed[i].motion) refuse(name, "there is none");
+    const fcl::MotionBase<S>& motion = *timed[i].motion;
+    const fcl::Transform3<S> begin = poseAt(motion, S(0));
+    const PlanarPose start = planarPose(begin, name.c_str());
+    if (i == 0) z = start.z, upside_down = start.upside_down;
+    const double rounding = 64 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
+                            begin.translation().template cast<double>().norm();
+    if (!(std::abs(start.z - z) <= rounding) || start.upside_down != upside_down)
+      refuse(name, "it is at another height, or the other way up, than the first");
+    const std::optional<tricover::Motion> in_plane = motionInPlane(motion, planeAt(z), name.c_str());
+    if (!in_plane)
+      refuse(name, className(typeid(motion)) + " is none of FCL's motions, or is a trajectory already",
+             "make a tricover::Trajectory");
+    legs.push_back({timed[i].begin, timed[i].end, startingAt(*in_plane, start.pose)});
+  }
+  return Trajectory(std::move(legs));
+}
+
+[[noreturn]] void refuseOwnPairs() {
+  refuseQuestion("motion", "FCL's conservative advancement and its boxes of motions know no TrajectoryMotion",
+                 kSampleInstead);
+}
+
+}  // namespace
+
+template <typename S>
+TrajectoryMotion<S>::TrajectoryMotion(const Trajectory& trajectory, double begin, double end, double z)
+    : begin_(begin), length_(end - begin), z_(z), trajectory_(fromZeroToOne(trajectory, begin, end)) {
+  if (!std::isfinite(z)) refuse("z", "it is not finite");
+}
+
+template <typename S>
+TrajectoryMotion<S>::TrajectoryMotion(const std::vector<TimedMotion<S>>& legs, double begin, double end)
+    : begin_(begin), length_(end - begin), z_(0), trajectory_(fromZeroToOne(trajectoryOf(legs, z_), begin, end)) {}
+
+template <typename S>
+bool TrajectoryMotion<S>::integrate(S time) const {
+  time_ = time;
+  return true;
+}
+
+template <typename S>
+void TrajectoryMotion<S>::getCurrentTransform(fcl::Transform3<S>& pose) const {
+  const tricover::Pose planar = trajectory_.at(static_cast<double>(time_));
+  pose.setIdentity();
+  pose.linear().template topLeftCorner<2, 2>() = planar.linear().cast<S>();
+  // A mirror image in the plane is what is seen of a body upside down.
+  if (planar.linear().determinant() < 0) pose.linear()(2, 2) = -1;
+  pose.translation() << static_cast<S>(planar.translation().x()), static_cast<S>(planar.translation().y()),
+      static_cast<S>(z_);
+}
+
+template <typename S>
+S TrajectoryMotion<S>::computeMotionBound(const fcl::BVMotionBoundVisitor<S>&) const {
+  refuseOwnPairs();
+}
+template <typename S>
+S TrajectoryMotion<S>::computeMotionBound(const fcl::TriangleMotionBoundVisitor<S>&) const {
+  refuseOwnPairs();
+}
+template <typename S>
+void TrajectoryMotion<S>::getTaylorModel(fcl::TMatrix3<S>&, fcl::TVector3<S>&) const {
+  refuseOwnPairs();
+}
+
+template class TrajectoryMotion<float>;
+template class TrajectoryMotion<double>;
+
+}  // namespace tricover_fcl
