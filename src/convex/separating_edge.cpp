@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex/separating_edge.h"
 
-#include <algorithm>
-
 #include "polygon/convexity.h"
 
 namespace tricover::detail {
@@ -14,28 +12,31 @@ namespace tricover::detail {
 //                                 either vertex' height
 //   products and sums             2 of the way, 2 of either height, difference and sum 4   10
 // in all below 36.
-bool isSeparatingEdge(const Placement& placement, bool of_a, std::size_t edge) {
+BesideEdge::BesideEdge(const Placement& placement, bool of_a, std::uint32_t edge) {
   const PolygonData &own = of_a ? placement.a : placement.b, &other = of_a ? placement.b : placement.a;
   const double *r = (of_a ? placement.pose_a : placement.pose_b).data(),
                *s = (of_a ? placement.pose_b : placement.pose_a).data();  // columns of three
   const Double2 column_0 = load2(r), column_1 = load2(r + 3);
-  const Double2 along = load2(own.path[edge + 1].data()) - load2(own.path[edge].data());
-  const Double2 u = column_0 * along[0] + column_1 * along[1];
+  const Double2 edge_in_frame = load2(own.path[edge + 1].data()) - load2(own.path[edge].data());
+  along = column_0 * edge_in_frame[0] + column_1 * edge_in_frame[1];
   const bool is_right = (cross(column_0, column_1) > 0) == (convexityOf(own).direction > 0);
-  const Double2 outwards = is_right ? Double2{u[1], -u[0]} : Double2{-u[1], u[0]};
-  const Double2 turned{dot(load2(s), outwards), dot(load2(s + 3), outwards)};
+  outwards = is_right ? Double2{along[1], -along[0]} : Double2{-along[1], along[0]};
+  turned = Double2{dot(load2(s), outwards), dot(load2(s + 3), outwards)};
   const Vec2* vertices = other.path.data();
   const double first = dot(turned, load2(vertices[0].data()));
   double least = first;
-  for (std::size_t k = 1; k + 1 < other.path.size(); ++k)
-    least = std::min(least, dot(turned, load2(vertices[k].data())));
+  lowest = 0;
+  for (std::uint32_t k = 1; k + 1 < other.path.size(); ++k) {
+    const double height = dot(turned, load2(vertices[k].data()));
+    lowest = height < least ? k : lowest;
+    least = height < least ? height : least;
+  }
   const double to_first = of_a ? dot(outwards, placement.way(own.path[edge], vertices[0]))
                                : -dot(outwards, placement.way(vertices[0], own.path[edge]));
   static_assert(3 * Placement::kWayError >= kUnitRows * errorOf(16 + 4 + 5 + 10));
-  const Double2 lengths = absolute(u);
-  const double bound = 3 * placement.error() * (lengths[0] + lengths[1]);
-  // Neither do products overflow nor does what underflows matter.
-  return bound > 0x1p-900 && bound < 0x1p900 && to_first + (least - first) > bound;
+  const Double2 lengths = absolute(along);
+  error = 3 * placement.error() * (lengths[0] + lengths[1]);
+  gap = to_first + (least - first);
 }
 
 }  // namespace tricover::detail

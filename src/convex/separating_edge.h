@@ -7,8 +7,25 @@
 
 namespace tricover::detail {
 
-/// Whether all of one polygon is certainly beyond the line of the other's edge, a convex one's: a separating axis in
-/// doubles, where floats can't tell.
-bool isSeparatingEdge(const Placement& placement, bool of_a, std::size_t edge);
+/// One polygon beside the line of the other's edge, a convex one's, in doubles, where floats can't tell.
+struct BesideEdge {
+  BesideEdge(const Placement& placement, bool of_a, std::uint32_t edge);
+
+  /// Whether products neither overflow nor lose what matters to underflow; otherwise nothing is known.
+  bool isKnown() const { return error > 0x1p-900 && error < 0x1p900; }
+
+  Double2 along;         ///< the edge, in the world
+  Double2 outwards;      ///< its outer normal, as long
+  Double2 turned;        ///< that in the other polygon's frame
+  double gap;            ///< how far all of the other polygon is beyond the line, times the edge's length
+  double error;          ///< of that
+  std::uint32_t lowest;  ///< the other's vertex that is least far beyond
+};
+
+/// Whether all of one polygon is certainly beyond the line of the other's edge: a separating axis.
+inline bool isSeparatingEdge(const Placement& placement, bool of_a, std::uint32_t edge) {
+  const BesideEdge beside(placement, of_a, edge);
+  return beside.isKnown() && beside.gap > beside.error;
+}
 
 }  // namespace tricover::detail

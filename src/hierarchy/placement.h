@@ -91,6 +91,8 @@ class Placement {
     return (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
   }
   Double2 way() const { return way(a.origin, b.origin); }
+  /// A way in a's units, for guesses: with R_a^T for the inverse.
+  Double2 inUnitsOfA(Double2 way) const { return turnedToA(way) * a.inverse_unit; }
 
   /// How far off a way is, in any direction. R_b q + (shift - R_a p), in either coordinate, with lengths p, q <= sqrt2
   /// e of points in the bounding boxes:

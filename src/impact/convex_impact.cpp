@@ -81,28 +81,23 @@ class Body {
 
 class ConvexAdvancement {
  public:
-  ConvexAdvancement(const MovingPair& pair, double time_error)
+  ConvexAdvancement(const MovingPair& pair, double begin, double time_error)
       : pair_(pair),
         a_(pair.a),
         b_(pair.b),
-        at_a_(pair.a.places(0, 0)),
-        at_b_(pair.b.places(0, 0)),
+        begin_(begin),
+        time_(begin),
+        at_a_(pair.a.places(begin, begin)),
+        at_b_(pair.b.places(begin, begin)),
         time_error_(time_error),
         touch_distance_(pair.margin + 4 * pair.error),
         face_(at_a_.originTo(at_b_)) {}
 
   FirstContact run() {
     bool stale = true;  // whether the features are to be guessed anew
-    if (slides() && areSmall() && guess(true)) {
-      const Window window(pair_, 0, 1, at_a_, at_b_);
-      if (advance(window, face_)) return FirstContact::never();
-      // Nearly always the features are the right ones; where that isn't certain, it goes on from there.
-      stale = !(time_ > 0);
-      place();
-    }
     for (int step = 0; step < kMostAdvances; ++step) {
       const bool fresh = stale;
-      const NearestPoints points = stale && !(areSmall() && guess(false)) ? walk() : nearest();
+      const NearestPoints points = stale && !(areSmall() && guess()) ? walk() : nearest();
       // Written so that NaN is a touch.
       if (!(points.distance > touch_distance_)) {
         if (time_ == 0) break;
@@ -128,7 +123,6 @@ class ConvexAdvancement {
   }
 
  private:
-  bool slides() const { return pair_.is_steady && !pair_.steady.turns(); }
   bool areSmall() const { return pair_.a.tree->small_convex && pair_.b.tree->small_convex; }
 
   void place() {
@@ -143,20 +137,18 @@ class ConvexAdvancement {
   }
 
   /// Of small polygons: the edge that has all of the other polygon farthest beyond it, as floats see it, and that one's
-  /// foremost edge. Or the edge that parts the two longest, if they slide from now on until time 1.
-  bool guess(bool by_entry) {
+  /// foremost edge.
+  bool guess() {
     const double inverse = 1 / pair_.a.scale;
     const auto fromPair = [&](double x, double y) {
       return Vec2(at_a_.m00[0] * x + at_a_.m10[0] * y, at_a_.m01[0] * x + at_a_.m11[0] * y);
     };
     const Vec2 column_0 = fromPair(at_b_.m00[0], at_b_.m10[0]), column_1 = fromPair(at_b_.m01[0], at_b_.m11[0]);
-    const Vec2 between = at_a_.originTo(at_b_), shift = fromPair(between.x(), between.y()) * inverse,
-               way = fromPair(pair_.b.way.first.x(), pair_.b.way.first.y()) * inverse;
-    if (!(shift.lpNorm<1>() + way.lpNorm<1>() < 0x1p60)) return false;  // floats may overflow
+    const Vec2 between = at_a_.originTo(at_b_), shift = fromPair(between.x(), between.y()) * inverse;
+    if (!(shift.lpNorm<1>() < 0x1p60)) return false;  // floats may overflow
     const UnitMap map = {
         column_0.x(), column_1.x(), column_0.y(), column_1.y(), shift.x(), shift.y(), pair_.b.scale * inverse, 0};
-    const SmallPolygon &a = *pair_.a.tree->small_convex, &b = *pair_.b.tree->small_convex;
-    const ConvexGap gap = by_entry ? convexEntry(a, b, map, way.x(), way.y()) : convexGap(a, b, map);
+    const ConvexGap gap = convexGap(*pair_.a.tree->small_convex, *pair_.b.tree->small_convex, map);
     const auto edge = static_cast<std::uint32_t>(gap.edge);
     face_ = gap.of_a ? a_.normal(at_a_, edge) : Vec2(-b_.normal(at_b_, edge));
     edge_a_ = gap.of_a ? edge : a_.foremostEdge(at_a_, face_);
@@ -167,7 +159,7 @@ class ConvexAdvancement {
   /// Of others: from edges that face each other downhill, as long as a neighbour at the end that is nearest is nearer.
   /// (The distance of two convex regions has no other valleys, nor need both ends move at once.)
   NearestPoints walk() {
-    if (time_ == 0) {
+    if (time_ == begin_) {
       const Vec2 axis = at_a_.originTo(at_b_);
       edge_a_ = a_.foremostEdge(at_a_, axis);
       edge_b_ = b_.foremostEdge(at_b_, -axis);
@@ -229,8 +221,8 @@ class ConvexAdvancement {
 
   const MovingPair& pair_;
   Body a_, b_;
-  double time_ = 0;     ///< until which they are apart
-  Places at_a_, at_b_;  ///< then
+  double begin_, time_;  ///< until which they are apart
+  Places at_a_, at_b_;   ///< then
   double time_error_, touch_distance_;
   std::uint32_t edge_a_ = 0, edge_b_ = 0;  ///< that may be nearest
   Vec2 face_;                              ///< an axis from a to b: the last that they were looked for by
@@ -244,8 +236,8 @@ bool isConvexPair(const MovingPair& pair) {
   return cornersOf(*pair.a.polygon) != nullptr && cornersOf(*pair.b.polygon) != nullptr && pair.keepLengths();
 }
 
-FirstContact advanceAlongAxis(const MovingPair& pair, double, double time_error) {
-  return ConvexAdvancement(pair, time_error).run();
+FirstContact advanceAlongAxis(const MovingPair& pair, double begin, double time_error) {
+  return ConvexAdvancement(pair, begin, time_error).run();
 }
 
 }  // namespace tricover::detail

@@ -8,8 +8,8 @@ namespace tricover::detail {
 /// Whether advanceAlongAxis() may be asked: two convex polygons, whose poses keep lengths but for rounding.
 bool isConvexPair(const MovingPair& pair);
 
-/// Conservative advancement along the axis between the nearest features, from time 0 on. Unknown at time 0 where they
-/// may touch there.
+/// Conservative advancement along the axis between the nearest features, from `begin` on, before which they are
+/// apart. Unknown at time 0 where they may touch there.
 FirstContact advanceAlongAxis(const MovingPair& pair, double begin, double time_error);
 
 }  // namespace tricover::detail

@@ -10,6 +10,7 @@
 
 #include "impact/conflicts.h"
 #include "impact/convex_impact.h"
+#include "impact/convex_slide.h"
 #include "impact/impact_search.h"
 #include "impact/moving_pair.h"
 #include "impact/options.h"
@@ -53,19 +54,11 @@ Vec2 normalOfTouch(const MovingBox& a, const MovingBox& b, const Vec2& between_o
   return best;
 }
 
-/// The number of an edge at a part of it, from its start (0) to its end (1).
-EdgeIndex givenEdge(const Mover& mover, std::size_t position, double part) {
-  const PolygonData &given = *mover.given, &polygon = *mover.polygon;
-  if (&given == &polygon) return static_cast<EdgeIndex>(given.edgeNumber(position));
-  const Vec2 point = (1 - part) * polygon.path[position] + part * polygon.path[position + 1];
-  return static_cast<EdgeIndex>(edgeOfPath(given, position, point));
-}
-
-/// The same at a point of it.
+/// The number of an edge at a point of it.
 EdgeIndex givenEdge(const Mover& mover, std::size_t position, const MovingBox& edge, const Vec2& point) {
-  if (mover.given == mover.polygon) return givenEdge(mover, position, 0);
+  if (mover.given == mover.polygon) return givenEdge(*mover.given, *mover.polygon, position, 0);
   const double along = (point.x() - edge.x[0]) * edge.ux[0] + (point.y() - edge.y[0]) * edge.uy[0];
-  return givenEdge(mover, position, std::clamp(0.5 + 0.5 * along / edge.along, 0.0, 1.0));
+  return givenEdge(*mover.given, *mover.polygon, position, std::clamp(0.5 + 0.5 * along / edge.along, 0.0, 1.0));
 }
 
 /// One polygon holds a ring of the other at time 0, and no edges meet.
@@ -76,7 +69,7 @@ Impact describeContainment(const MovingPair& pair, const FirstContact& found) {
   const auto vertex = [&](const Mover& mover, std::ptrdiff_t edge) {
     const auto position = static_cast<std::size_t>(edge);
     impact.point = mover.motion->start * mover.polygon->path[position];
-    return givenEdge(mover, position, 0);
+    return givenEdge(*mover.given, *mover.polygon, position, 0);
   };
   if (found.edge_a >= 0) impact.edge_a = vertex(pair.a, found.edge_a);
   if (found.edge_b >= 0) impact.edge_b = vertex(pair.b, found.edge_b);
@@ -127,10 +120,13 @@ constexpr Solver kSolvers[] = {
 
 std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
                                     const Motion& motion_b, const ImpactOptions& options) {
+  Impact impact;
+  FirstContact found = slideConvex(a, motion_a, b, motion_b, options.margin, impact);
+  if (found.verdict == FirstContact::Verdict::Never) return std::nullopt;
+  if (found.verdict == FirstContact::Verdict::Touch) return impact;
   MovingPair pair(a, motion_a, b, motion_b, options.margin);
   if (pair.discsStayApart()) return std::nullopt;
   pair.prepare();
-  FirstContact found = FirstContact::unknown(0);
   for (const Solver& solver : kSolvers) {
     if (!solver.fits(pair)) continue;
     found = solver.solve(pair, found.time, options.time_error);

@@ -51,4 +51,8 @@ std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_
 /// The edge of a convex polygon's path that edge k of cornersOf() it has beside p.
 std::size_t edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p);
 
+/// The number of a polygon's edge that an edge of the polygon it is taken for, its corners' or itself, is at a part of
+/// it, from its start (0) to its end (1).
+EdgeIndex givenEdge(const PolygonData& given, const PolygonData& taken, std::size_t position, double part);
+
 }  // namespace tricover::detail

@@ -11,12 +11,14 @@
 #include <optional>
 
 #include "hierarchy/simd.h"
+#include "impact/convex_slide.h"
 #include "polygon/convexity.h"
 #include "portable_lanes.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
 #include "tricover/distance.h"
+#include "tricover/segment.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
@@ -112,6 +114,93 @@ TEST(ConvexImpact, NearlyStraightChainsAreSeenWhole) {
   }
   EXPECT_GE(hits, 0.3 * count);
   EXPECT_LE(hits, 0.9 * count);
+}
+
+/// Boxes at whole numbers, whose faces meet along their whole length or by an end; or any convex rings, under any
+/// poses.
+struct Slide {
+  Polygon a, b;
+  Motion motion_a, motion_b;
+  double margin;
+};
+Slide anySlide(Random& random) {
+  const auto whole = [&](int low, int high) { return static_cast<double>(random.integer(low, high)); };
+  if (random.oneIn(3)) {
+    const auto box = [&] { return Polygon({rectangle(whole(-4, -1), whole(-4, -1), whole(1, 4), whole(1, 4))}); };
+    const Motion moving = Motion::translation(pose(0, whole(-12, 12), whole(5, 12)),
+                                              Vec2(whole(-6, 6), random.oneIn(4) ? 0 : whole(-16, 2)));
+    return {box(), box(), {}, moving, random.oneIn(4) ? 0.5 : 0};
+  }
+  const double size = std::pow(10, random.real(-3, 3)), far = random.oneIn(3) ? 1e6 * size : 0;
+  const Polygon a({convexRing(random, size, 16)}), b({convexRing(random, random.real(0.05, 1) * size, 16)});
+  const Vec2 start = 3 * size * direction(random.real(-4, 4)), drift = size * Vec2(random.real(-9, 9), 2);
+  Motion still = Motion::translation(pose(random.real(-4, 4), far, far), drift);
+  if (random.oneIn(4)) still.start = mirrored(still.start);
+  Motion moving;
+  moving.start = pose(random.real(-4, 4), 0, 0);
+  moving.start.translation() = still.start * a.origin() + start - moving.start * b.origin();
+  moving.shift = drift - random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1, 1)) * start);
+  return {a, b, still, moving, random.oneIn(3) ? size * random.real(0, 0.5) : 0};
+}
+
+TEST(ConvexImpact, SlidesAreSolvedAtOnce) {
+  int apart = 0, plain = 0, solved = 0, hits = 0, level = 0;
+  const int count = scaledCount(20000);
+  for (int i = 0; i < count; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Slide slide = anySlide(random);
+    const ImpactOptions options{slide.margin, 1e-12};
+    const std::optional<Impact> impact = timeOfImpact(slide.a, slide.motion_a, slide.b, slide.motion_b, options);
+    const std::optional<Impact> truth = timeOfImpact(goneRoundOften(slide.a.rings()), slide.motion_a,
+                                                     goneRoundOften(slide.b.rings()), slide.motion_b, options);
+    // What comes within rounding may be a hit or none.
+    const double size = slide.a.radius() + slide.motion_a.start.translation().norm() + slide.motion_b.shift.norm();
+    if (impact.has_value() != truth.has_value()) {
+      const ImpactOptions wider{slide.margin + 1e-13 * size, 1e-12};
+      ASSERT_TRUE(timeOfImpact(slide.a, slide.motion_a, slide.b, slide.motion_b, wider).has_value()) << i;
+      continue;
+    }
+    if (truth && truth->time == 0) {
+      EXPECT_EQ(impact->time, 0) << i;
+      continue;
+    }
+    ++apart;
+    const bool swaps = slide.b.radius() > slide.a.radius();
+    const Polygon &a = swaps ? slide.b : slide.a, &b = swaps ? slide.a : slide.b;
+    Impact found{};
+    const FirstContact contact = slideConvex(a.data(), swaps ? slide.motion_b : slide.motion_a, b.data(),
+                                             swaps ? slide.motion_a : slide.motion_b, slide.margin, found);
+    // With a margin, vertices may meet, too.
+    const PolygonData *corners_a = cornersOf(a.data()), *corners_b = cornersOf(b.data());
+    const bool is_plain = slide.margin == 0 && corners_a && corners_a->path.size() <= SmallPolygon::kMost + 1 &&
+                          corners_b && corners_b->path.size() <= SmallPolygon::kMost + 1;
+    plain += is_plain;
+    solved += is_plain && contact.verdict != FirstContact::Verdict::Unknown;
+    if (!truth) continue;
+    ++hits;
+    EXPECT_LE(contact.time, truth->time + 1e-11) << i;
+    EXPECT_NEAR(impact->time, truth->time, 1e-9) << i;
+    // There, the point is in the middle between both edges that are named, along the normal.
+    const auto isOn = [&](const Polygon& polygon, const Motion& motion, EdgeIndex edge, double side) {
+      const Ring& ring = polygon.rings()[0];
+      const auto e = static_cast<std::size_t>(edge);
+      const Pose at = motion.at(impact->time);
+      const Polygon of_edge = segment(at * ring[e], at * ring[(e + 1) % ring.size()]);
+      const Vec2 p = impact->point + side * 0.5 * slide.margin * impact->normal;
+      return distance(of_edge, Pose::Identity(), point(p), Pose::Identity()).distance < 1e-11 * size;
+    };
+    EXPECT_TRUE(isOn(slide.a, slide.motion_a, impact->edge_a, -1)) << i;
+    EXPECT_TRUE(isOn(slide.b, slide.motion_b, impact->edge_b, 1)) << i;
+    EXPECT_NEAR(impact->normal.norm(), 1, 1e-12) << i;
+    level += std::abs(impact->normal.x()) == 1 || std::abs(impact->normal.y()) == 1;
+  }
+  std::printf("%d slides, %d apart at first, %d of %d without a margin solved, %d hits, %d of them level\n", count,
+              apart, solved, plain, hits, level);
+  EXPECT_GE(plain, 0.5 * apart);
+  EXPECT_GE(solved, 0.99 * plain);
+  EXPECT_GE(hits, 0.3 * apart);
+  EXPECT_LE(hits, 0.8 * apart);
+  EXPECT_GE(level, 0.1 * hits);
 }
 
 /// Of slides, the edge that parts the two longest is found at once.

@@ -294,7 +294,7 @@ TEST(NearestFeatures, AreUniqueWhereBothNeighboursFallAwaySteeplyEnough) {
 
 bool hasSeparatingEdge(const Placement& placement) {
   for (const bool of_a : {true, false})
-    for (std::size_t e = 0; e + 1 < (of_a ? placement.a : placement.b).path.size(); ++e)
+    for (std::uint32_t e = 0; e + 1 < (of_a ? placement.a : placement.b).path.size(); ++e)
       if (isSeparatingEdge(placement, of_a, e)) return true;
   return false;
 }

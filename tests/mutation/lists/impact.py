@@ -3,6 +3,11 @@
 MUTATIONS = [
     ("src/impact/convex_impact.cpp", "end - time_ <= time_error_ && !(distanceAtEnd", "!(distanceAtEnd", "convex impact: as early as the window is long"),
     ("src/impact/convex_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(4 * pair.error)", "convex impact: touches without the margin"),
+    ("src/impact/convex_slide.cpp", "if (margin > 0) beyond -= ", "if (margin < 0) beyond -= ", "slides: touches without the margin"),
+    ("src/impact/convex_slide.cpp", "from + time * parting.way_of_other", "from", "slides: what is beside the edge at the start"),
+    ("src/impact/convex_slide.cpp", ".untilEnd() < time;", ".untilEnd() < 1;", "slides: passes by where another edge parts them at the end only"),
+    ("src/impact/convex_slide.cpp", "nearest.norm() > reach", "start.norm() > reach", "slides: discs at the start only"),
+    ("src/impact/convex_slide.cpp", "at >= -slack && at <= square", "at >= -slack || at <= square", "slides: a touch beside the edge's ends"),
     ("src/impact/moving_pair.cpp", "nearestOnSegment(-b.base, Vec2::Zero(), chord)", "Vec2(0 * chord)", "impact: discs at the start only"),
     ("src/impact/moving_pair.cpp", "mover.arm.lpNorm<1>() + shrink * polygon.radius", "shrink * polygon.radius", "impact: reach without the arm"),
     ("src/impact/moving_pair.cpp", "relative.mostAcceleration(begin, end) + between * between,", "relative.mostAcceleration(begin, end),", "window: sag by the relative turn"),
