@@ -64,10 +64,10 @@ unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, L
 }
 
 template <class Lanes>
-Bounds boxAround(const Vec2* points, std::size_t count, const double* turn) {
+Bounds boxAround(const Vec2* points, std::size_t count, double m00, double m10, double m01, double m11) {
   using Doubles = typename Lanes::Doubles;
   constexpr std::size_t kPoints = Doubles::kCount / 2;
-  const Doubles straight = Doubles::pairs(turn[0], turn[3]), crossed = Doubles::pairs(turn[2], turn[1]);
+  const Doubles straight = Doubles::pairs(m00, m11), crossed = Doubles::pairs(m01, m10);
   Doubles low = Doubles::all(std::numeric_limits<double>::infinity()), high = Doubles::all(0) - low;
   for (std::size_t i = 0; i < count; i += kPoints) {
     // The last load may begin before it has to.

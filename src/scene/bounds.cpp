@@ -38,9 +38,8 @@ Double2 growth(const PolygonData& polygon, Double2 t, double reach) {
 /// Around the vertices at these positions. What is turned is never inf - inf: R's rows are of length 1.
 Bounds boundsOfVertices(const PolygonData& polygon, std::size_t begin, std::size_t end, const Pose& pose,
                         double reach) {
-  const double columns[] = {pose(0, 0), pose(1, 0), pose(0, 1), pose(1, 1)};
   const Double2 t = load2(pose.data() + 6);
-  const Bounds box = boxAround(&polygon.path[begin], end - begin, columns);
+  const Bounds box = boxAround(&polygon.path[begin], end - begin, pose(0, 0), pose(1, 0), pose(0, 1), pose(1, 1));
   return grownBox(t + load2(&box.min_x), t + load2(&box.max_x), growth(polygon, t, reach));
 }
 

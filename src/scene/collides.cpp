@@ -10,12 +10,11 @@ namespace tricover {
 namespace detail {
 
 Slot findMet(const SceneState& state, const Asked& asked, const SlotFilter& filter) {
-  // All discs first: one that is met spares all that is near. What is near waits in order.
-  constexpr int kMost = 16;
-  struct Waiting {
-    double rank;
-    Slot body;
-  } near[kMost];
+  // All discs first: one that is met spares all that is near. What is near waits, and the likeliest comes first: by
+  // keys, so that no branch depends on their order.
+  Slot near[kLanes];
+  LaneKeys others;
+  std::int64_t first = kNoLane;
   int count = 0;
   Slot met = kNoSlot;
   state.tree.visit(asked.surroundings(), [&](Slot body, const Bounds& box) {
@@ -23,19 +22,22 @@ Slot findMet(const SceneState& state, const Asked& asked, const SlotFilter& filt
     if (!state.passes(filter, body) || !asked.isNear(other, box)) return true;
     const Asked::Glance glance = asked.glance(other);
     if (glance.answer == Asked::Glance::Apart) return true;
-    if (glance.answer == Asked::Glance::Meets || (count == kMost && asked.meetsClose(body))) {
+    if (glance.answer == Asked::Glance::Meets || (count == kLanes && asked.meetsClose(body))) {
       met = body;
       return false;
     }
-    if (count == kMost) return true;
-    int place = count++;
-    for (; place > 0 && glance.rank < near[place - 1].rank; --place) near[place] = near[place - 1];
-    near[place] = {glance.rank, body};
+    if (count == kLanes) return true;
+    const std::int64_t key = laneKey(glance.rank, count);
+    near[count] = body;
+    others[count++] = std::max(first, key);
+    first = std::min(first, key);
     return true;
   });
-  if (met != kNoSlot) return met;
-  for (int i = 0; i < count; ++i)
-    if (asked.meetsClose(near[i].body)) return near[i].body;
+  if (met != kNoSlot || count == 0) return met;
+  const auto nearAt = [&](std::int64_t key) { return near[static_cast<std::uint64_t>(key) % kLanes]; };
+  if (asked.meetsClose(nearAt(first))) return nearAt(first);
+  for (int i = 1; i < count; ++i)
+    if (asked.meetsClose(nearAt(others[i]))) return nearAt(others[i]);
   return kNoSlot;
 }
 
