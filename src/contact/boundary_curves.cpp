@@ -3,18 +3,6 @@
 
 namespace tricover::detail {
 
-BoundaryCurves::Line BoundaryCurves::clipped(const Ends& line, const Vec2& center, double radius) {
-  const Vec2 u = line.w - line.v;
-  const double length = u.norm();
-  if (!(length > 0)) return {{line.v, line.w}, Vec2::Zero(), 0};
-  const Vec2 axis = u / length;
-  const double middle = (center - line.v).dot(axis);
-  const double low = std::clamp(middle - radius, 0.0, length), high = std::clamp(middle + radius, 0.0, length);
-  return {{low > 0 ? Vec2(line.v + low * axis) : line.v, high < length ? Vec2(line.v + high * axis) : line.w},
-          axis,
-          high - low};
-}
-
 /// Whether the shorter one lies on the longer one's line; if so, `into` becomes both.
 bool BoundaryCurves::merged(Line& into, const Line& line) const {
   const bool longer = line.length > into.length;
@@ -25,17 +13,20 @@ bool BoundaryCurves::merged(Line& into, const Line& line) const {
     return false;
   const double p = (other.v - base.v).dot(base.axis), q = (other.w - base.v).dot(base.axis);
   const double low = std::min({0.0, p, q}), high = std::max({base.length, p, q});
-  into = {{low < 0 ? Vec2(base.v + low * base.axis) : base.v,
-           high > base.length ? Vec2(base.v + high * base.axis) : base.w},
-          base.axis,
-          high - low};
+  Line both = base;
+  if (low < 0) both.v = base.v + low * base.axis;
+  if (high > base.length) both.w = base.v + high * base.axis;
+  both.length = high - low;
+  both.slack = std::max({base.slack, other.slack, std::abs(cross(base.axis, other.axis))});
+  both.both_sides = base.both_sides || other.both_sides || !(base.axis.dot(other.axis) > 0.5);
+  into = both;
   return true;
 }
 
 BoundaryCurves::Added BoundaryCurves::addLine(const Line& line) {
   for (Line& other : lines_)
     if (merged(other, line)) return Repeated;
-  if (lines_.size() + centers_.size() == kMost) return TooMany;
+  if (lines_.size() + centers_.size() == most_) return TooMany;
   lines_.push_back(line);
   return New;
 }
@@ -43,12 +34,12 @@ BoundaryCurves::Added BoundaryCurves::addLine(const Line& line) {
 BoundaryCurves::Added BoundaryCurves::addCircle(const Vec2& center) {
   for (const Vec2& other : centers_)
     if ((other - center).norm() <= resolution_) return Repeated;
-  if (lines_.size() + centers_.size() == kMost) return TooMany;
+  if (lines_.size() + centers_.size() == most_) return TooMany;
   centers_.push_back(center);
   return New;
 }
 
-bool BoundaryCurves::addRays(const Vec2& p, std::vector<double>& rays, double& room) const {
+bool BoundaryCurves::addRays(const Vec2& p, std::vector<Ray>& rays, double& room) const {
   for (const Line& line : lines_) {
     const double apart = (nearestOnSegment(p, line.v, line.w) - p).norm();
     if (apart > 2 * resolution_) {
@@ -60,7 +51,8 @@ bool BoundaryCurves::addRays(const Vec2& p, std::vector<double>& rays, double& r
       const double length = ray.norm();
       if (length <= 2 * resolution_) continue;
       room = std::min(room, length / 2);
-      rays.push_back(std::atan2(ray.y(), ray.x()));
+      const bool is_along = ray.dot(line.axis) > 0;
+      rays.push_back({std::atan2(ray.y(), ray.x()), is_along || line.both_sides, !is_along || line.both_sides});
     }
   }
   bool is_curved = false;
@@ -72,8 +64,8 @@ bool BoundaryCurves::addRays(const Vec2& p, std::vector<double>& rays, double& r
       continue;
     }
     is_curved = true;
-    rays.push_back(std::atan2(spoke.x(), -spoke.y()));
-    rays.push_back(std::atan2(-spoke.x(), spoke.y()));
+    rays.push_back({std::atan2(spoke.x(), -spoke.y()), false, true});
+    rays.push_back({std::atan2(-spoke.x(), spoke.y()), true, false});
   }
   return is_curved;
 }

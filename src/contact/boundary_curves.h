@@ -11,7 +11,7 @@
 namespace tricover::detail {
 
 /// In the plane of translations what may bound the free ones within a cell: convolution segments; or, with a margin,
-/// lines beside them and circles around their ends.
+/// lines beside them and circles around their ends. Free ones may be on the left of a line, and outside of a circle.
 class BoundaryCurves {
  public:
   /// noise: what a segment's end is wrong by. What is nearer to each other than `resolution` is taken for one.
@@ -23,12 +23,41 @@ class BoundaryCurves {
   };
   /// A segment, or several ones that lie on a line within the resolution; axis: a unit vector, unless v and w are one.
   struct Line : Ends {
+    /// noise: what an end is wrong by.
+    Line(const Ends& ends, bool both_sides_, double noise)
+        : Ends(ends), axis(w - v), length(axis.norm()), slack(1), both_sides(both_sides_) {
+      const double inverse = length > 0 ? 1 / length : 0;
+      axis *= inverse;
+      if (2 * noise < length) slack = 2 * noise * inverse;
+    }
+
+    /// Takes away what is farther along it than `radius` from t.
+    void clip(const Vec2& t, double radius) {
+      if (!(length > 0)) return;
+      const double middle = (t - v).dot(axis);
+      const double low = std::clamp(middle - radius, 0.0, length), high = std::clamp(middle + radius, 0.0, length);
+      if (high < length) w = v + high * axis;
+      if (low > 0) v += low * axis;
+      length = high - low;
+    }
+
+    /// Whether it may come within `radius` of t.
+    bool comesNear(const Vec2& t, double radius) const {
+      const Vec2 from = t - v;
+      const double along = axis.dot(from);
+      return std::abs(cross(axis, from)) <= radius && along >= -radius && along <= length + radius;
+    }
+
     Vec2 axis;
     double length;
+    double slack;     ///< the sine of what the axis is wrong by, at most, and of what it stands for
+    bool both_sides;  ///< free translations may be on its right, too
   };
   enum Added { New, Repeated, TooMany };
 
-  void clear() {
+  /// Then no more than `most` are added.
+  void clear(std::size_t most) {
+    most_ = most;
     lines_.clear();
     centers_.clear();
   }
@@ -36,14 +65,20 @@ class BoundaryCurves {
 
   /// What a segment adds within `radius` of t, clipped to that; note(Added) is called for each curve.
   template <typename Note>
-  void add(const Ends& segment, const Vec2& t, double radius, Note note) {
-    if (margin_ == 0) return note(addLine(clipped(segment, t, radius)));
-    const Vec2 along = segment.w - segment.v, aside = margin_ * Vec2(-along.y(), along.x()).stableNormalized();
-    for (const Vec2& by : {aside, Vec2(-aside)}) {
-      const Ends line{segment.v + by, segment.w + by};
-      if (!along.isZero(0) && squaredDistanceToSegment(t, line.v, line.w) <= radius * radius)
-        note(addLine(clipped(line, t, radius)));
+  void add(Line segment, const Vec2& t, double radius, Note note) {
+    if (margin_ == 0) {
+      segment.clip(t, radius);
+      return note(addLine(segment));
     }
+    const Vec2 aside = margin_ * Vec2(-segment.axis.y(), segment.axis.x());
+    const auto addBeside = [&](const Vec2& v, const Vec2& w) {
+      Line line({v, w}, false, noise_);
+      if (!(line.length > 0 && line.comesNear(t, radius))) return;
+      line.clip(t, radius);
+      note(addLine(line));
+    };
+    addBeside(segment.v + aside, segment.w + aside);
+    if (segment.both_sides) addBeside(segment.w - aside, segment.v - aside);
     for (const Vec2& center : {segment.v, segment.w})
       if (std::abs((center - t).norm() - margin_) <= radius) note(addCircle(center));
   }
@@ -55,11 +90,7 @@ class BoundaryCurves {
   void forEachPossibleLimit(Offer offer, Touch touch) const {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Line& line = lines_[i];
-      offer(nearestOnSegment(Vec2::Zero(), line.v, line.w), 0.0);
-      if (margin_ == 0) {  // otherwise the boundary goes on smoothly there
-        offer(line.v, 0.0);
-        offer(line.w, 0.0);
-      }
+      offerFoot(line, offer);
       for (std::size_t j = 0; j < i; ++j) offerCrossing(line, lines_[j], offer);
       for (const Vec2& center : centers_) offerCrossings(line, center, offer, touch);
     }
@@ -71,18 +102,34 @@ class BoundaryCurves {
     }
   }
 
-  /// Adds the angles at which curves leave a point that they pass, and lessens `room` to what keeps off the others'
-  /// reach and ends. Whether a circle is among them.
-  bool addRays(const Vec2& p, std::vector<double>& rays, double& room) const;
+  /// A way along which curves leave a point, and on which of its sides, seen along it, free translations may be.
+  struct Ray {
+    double angle;
+    bool left, right;
+  };
+  /// Adds the rays of the curves through a point, and lessens `room` to what keeps off the others' reach and ends.
+  /// Whether a circle is among them.
+  bool addRays(const Vec2& p, std::vector<Ray>& rays, double& room) const;
 
  private:
-  /// Cells with no more curves than this are decided; others are split.
-  static constexpr std::size_t kMost = 12;
-
-  static Line clipped(const Ends& line, const Vec2& center, double radius);
   bool merged(Line& into, const Line& line) const;
   Added addLine(const Line& line);
   Added addCircle(const Vec2& center);
+
+  /// From 0 to the nearest point p of a free face the way leads out of what bounds it there: it is a sum of normals
+  /// that point to the left of lines, of which this is `left` long or more. None is needed beside a line that is free
+  /// on both sides, nor where p is 0.
+  bool leads(const Vec2& p, const Line& line, double left, double error) const {
+    const double length = p.norm();
+    return line.both_sides || left >= -(4 * resolution_ + error + line.slack * length) || length <= 4 * resolution_;
+  }
+
+  template <typename Offer>
+  void offerFoot(const Line& line, Offer offer) const {
+    const Vec2 p = nearestOnSegment(Vec2::Zero(), line.v, line.w);
+    const bool is_foot = std::abs(line.axis.dot(p)) <= 4 * resolution_ + line.slack * p.norm();
+    if (is_foot && leads(p, line, cross(line.axis, p), 0)) offer(p, 0.0);
+  }
 
   template <typename Offer>
   void offerCrossing(const Line& line, const Line& other, Offer offer) const {
@@ -90,9 +137,12 @@ class BoundaryCurves {
     const double area = cross(u, w);
     if (area == 0) return;
     const double s = cross(other.v - line.v, w) / area;
+    if (!(s >= -0x1p-20 && s <= 1 + 0x1p-20)) return;
     const Vec2 p = line.v + s * u;
-    if (s >= -0x1p-20 && s <= 1 + 0x1p-20 && (nearestOnSegment(p, other.v, other.w) - p).norm() <= resolution_)
-      offer(p, 2 * noise_ * u.norm() * w.norm() / std::abs(area));
+    const double error = 2 * noise_ * u.norm() * w.norm() / std::abs(area), turn = area > 0 ? 1 : -1;
+    const double slack = error + (line.slack + other.slack) * p.norm();
+    if (!leads(p, line, turn * p.dot(other.axis), slack) || !leads(p, other, -turn * p.dot(line.axis), slack)) return;
+    if ((nearestOnSegment(p, other.v, other.w) - p).norm() <= resolution_) offer(p, error);
   }
 
   template <typename Offer, typename Touch>
@@ -123,6 +173,7 @@ class BoundaryCurves {
   }
 
   double margin_, noise_, resolution_;
+  std::size_t most_ = 0;
   std::vector<Line> lines_;
   std::vector<Vec2> centers_;  ///< of circles, whose radius is the margin
 };

@@ -202,7 +202,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.lower_bound = result.depth;
     result.optimal = true;
   } else {
-    space.prepareSearch();
+    space.prepareSearch(known.norm());
     shortest = searchShortestParting(space, known, options.depth_error, most);
     features = featuresOf(space, shortest);
     if (shortest.limit != known) {

@@ -3,6 +3,7 @@
 
 #include "contact/disc_cover.h"
 #include "contact/own_crossings.h"
+#include "contact/region_sides.h"
 #include "convex/convex_outline.h"
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/inclusion.h"
@@ -23,6 +24,7 @@ void prepare(const Polygon& polygon) {
     detail::buildRingStarts(*corners);
   }
   detail::meetsItself(data);
+  detail::regionSidesOf(data);
   detail::buildPlaces(data);
   detail::buildRingStarts(data);
 }

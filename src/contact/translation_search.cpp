@@ -8,6 +8,11 @@
 // four, and edges that meet on part of it are tried first on its parts. Nearer cells are done with before farther ones,
 // so the least distance of those left is a lower bound.
 //
+// Where few segments bound all of a deep overlap, they are gathered once, by the directions of edges, and each cell
+// looks at those of the cell that it is a part of. Which side of a segment is free is known; so are the candidates
+// whose way from 0 leads out of what bounds them, and the sectors beside them that may be free: no others are asked
+// for.
+//
 // With a margin, what is free is farther from the segments than that, and bounded by lines beside them and by circles
 // around their ends; the shortest translation ends at 0's projection on one of these, or where two cross.
 //
@@ -52,27 +57,36 @@ constexpr std::size_t kMostMeetings = 32;
 /// parallelograms.
 constexpr std::size_t kMostRepeated = 128;
 constexpr int kMostTries = 24;
+/// A cell is decided by no more curves than these: fewer where gathering them costs as much as anything.
+constexpr std::size_t kMostInherited = 24, kMostGathered = 12;
 /// How far beyond a cell's circumcircle its segments are gathered, so that samples around a point of it are understood.
 constexpr double kSurroundings = 1.25;
 
 using MeetingEdges = TranslationSpace::MeetingEdges;
 using Meetings = std::vector<MeetingEdges>;
+using Segments = std::vector<BoundaryCurves::Line>;
+
+/// What a cell leaves to its parts: all that may hold one of them, or come near it.
+struct Legacy {
+  std::shared_ptr<const DiscSums> sums;  ///< null: all of them
+  Meetings meetings;
+  Segments segments;
+  bool knows_segments;  ///< or else nobody has looked
+};
 
 struct Cell {
   double least;  ///< distance of 0
   Vec2 center;
   double half;
-  std::shared_ptr<const DiscSums> sums;      ///< that may hold parts of it; nothing if all may
-  std::shared_ptr<const Meetings> meetings;  ///< that may hold parts of it
+  std::shared_ptr<const Legacy> legacy;
 };
 struct Farther {
   bool operator()(const Cell& c, const Cell& d) const { return c.least > d.least; }
 };
 
-Cell makeCell(const Vec2& center, double half, std::shared_ptr<const DiscSums> sums,
-              std::shared_ptr<const Meetings> meetings) {
+Cell makeCell(const Vec2& center, double half, std::shared_ptr<const Legacy> legacy) {
   return {std::hypot(std::max(std::abs(center.x()) - half, 0.0), std::max(std::abs(center.y()) - half, 0.0)), center,
-          half, std::move(sums), std::move(meetings)};
+          half, std::move(legacy)};
 }
 
 /// Where a free face of the lines' arrangement may be nearest to 0.
@@ -82,6 +96,8 @@ struct PossibleLimit {
 };
 
 class PartingSearch {
+  using Ray = BoundaryCurves::Ray;
+
  public:
   PartingSearch(TranslationSpace& space, const Vec2& known, double error, std::size_t most)
       : space_(space),
@@ -98,9 +114,10 @@ class PartingSearch {
     std::priority_queue<Cell, std::vector<Cell>, Farther> cells;
     auto all_sums = std::make_shared<const DiscSums>();
     bool are_covered = false;
-    cells.push(makeCell(Vec2::Zero(), upper_ * (1 + 0x1p-20), nullptr, std::make_shared<const Meetings>()));
+    cells.push(makeCell(Vec2::Zero(), upper_ * (1 + 0x1p-20),
+                        std::make_shared<const Legacy>(Legacy{nullptr, {}, segmentsOfFew(), space_.areFew()})));
     while (!cells.empty() && cells.top().least < enough_ * upper_) {
-      Cell cell = cells.top();
+      const Cell cell = cells.top();
       found_.lower_bound = std::max(found_.lower_bound, cell.least);
       if (queries_ >= most_) return found_;
       cells.pop();
@@ -108,14 +125,18 @@ class PartingSearch {
         are_covered = true;
         all_sums = std::make_shared<const DiscSums>(space_.discSums());
       }
-      if (cell.sums == nullptr) cell.sums = all_sums;
-      if (decide(cell)) continue;
+      auto sums = cell.legacy->sums != nullptr ? cell.legacy->sums : all_sums;
+      if (decide(cell, *sums)) continue;
       const double half = cell.half / 2, radius = cell.half * kDiagonal;
-      auto sums = are_covered ? cell.sums : nullptr;
-      if (cell.sums->areMany()) sums = std::make_shared<const DiscSums>(cell.sums->near(cell.center, radius));
-      const auto meetings = std::make_shared<const Meetings>(near_);
+      if (sums->areMany())
+        sums = std::make_shared<const DiscSums>(sums->near(cell.center, radius));
+      else if (!are_covered)
+        sums = nullptr;
+      const bool knows_segments = cell.legacy->knows_segments;
+      const auto legacy = std::make_shared<const Legacy>(
+          Legacy{std::move(sums), near_, knows_segments ? segments_ : Segments(), knows_segments});
       for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)}) {
-        Cell part = makeCell(cell.center + way, half, sums, meetings);
+        Cell part = makeCell(cell.center + way, half, legacy);
         if (part.least < upper_) cells.push(std::move(part));
       }
     }
@@ -168,26 +189,42 @@ class PartingSearch {
     return false;
   }
 
+  /// The edges that meet.
+  void keep(const Outcome& outcome) {
+    if (outcome.edge_a >= 0 && outcome.edge_b >= 0 && near_.size() < kMostMeetings)
+      near_.push_back(
+          space_.meetingOf(static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
+  }
+
   bool isFree(Vec2& t) {
     if (overlapAround(t, 0)) return false;
     ++queries_;
-    return !collideByHierarchy(space_.at(t), options_, 0, Wanted::Answer).collides;
+    const Outcome outcome = collideByHierarchy(space_.at(t), options_, 0, Wanted::Answer);
+    if (outcome.collides) keep(outcome);
+    return !outcome.collides;
   }
 
   /// Whether nothing shorter than the best is left to be found in the cell.
-  bool decide(const Cell& cell) {
+  bool decide(const Cell& cell, const DiscSums& sums) {
     ++queries_;
     const double radius = cell.half * kDiagonal * (1 + 0x1p-40);
     near_.clear();
-    if (cell.sums->hold(cell.center, radius)) return true;
+    if (sums.hold(cell.center, radius)) return true;
     overlaps_ = false;
-    for (const MeetingEdges& meeting : *cell.meetings)
+    for (const MeetingEdges& meeting : cell.legacy->meetings)
       if (see(meeting, cell.center, radius)) return true;
-    if ((!overlaps_ && ask(cell.center, radius)) || cell.half <= resolution_) return true;
+    if (cell.half <= resolution_) return true;
     // A cell that holds a free translation isn't covered.
     const bool holds_limit = (found_.limit - cell.center).lpNorm<Eigen::Infinity>() <= cell.half;
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-    Gathered gathered = gather(cell.center, radius, holds_limit ? kAll : kMostRepeated);
+    Gathered gathered = Gathered::Many;
+    const bool knows_segments = cell.legacy->knows_segments;
+    if (knows_segments) gathered = filter(cell, radius, holds_limit ? kAll : kMostRepeated);
+    if (gathered != Gathered::Lines && !overlaps_ && ask(cell.center, radius)) return true;
+    if (!knows_segments)
+      gathered = gather(cell, radius, holds_limit ? kAll : kMostRepeated);
+    else if (gathered != Gathered::Lines && meetAround(cell.center, radius))
+      return true;
     if (gathered == Gathered::Repeated) {
       switch (cover(cell)) {
         case Cover::Whole:
@@ -195,7 +232,7 @@ class PartingSearch {
         case Cover::Most:
           return false;
         case Cover::Little:
-          gathered = gather(cell.center, radius, kAll);
+          gathered = knows_segments ? filter(cell, radius, kAll) : gather(cell, radius, kAll);
       }
     }
     if (gathered != Gathered::Lines) return gathered == Gathered::Deep;
@@ -211,6 +248,17 @@ class PartingSearch {
     return depth >= radius;
   }
 
+  /// Whether two edges that meet after the translation t do so after all within `radius`.
+  bool meetAround(const Vec2& center, double radius) {
+    Vec2 t = center;
+    bool held = false;
+    forEachPair(space_.at(t), 0, [&](double gap, std::size_t i, std::size_t j) {
+      held = gap <= 0 && see(space_.meetingOf(i, j), center, radius);
+      return held ? -1.0 : 0.0;
+    });
+    return held;
+  }
+
   /// Whether the kernel's answer at a cell's centre is that of the whole cell.
   bool ask(const Vec2& center, double radius) {
     Vec2 t = center;
@@ -220,6 +268,7 @@ class PartingSearch {
         collideByHierarchy(pair, options_, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
     if (outcome.collides) {
       discs_overlap_ = discs_overlap_ || (outcome.edge_a < 0 && outcome.clearance > 0);
+      keep(outcome);
       return depthOf(pair, t, outcome) >= radius;
     }
     const double clearance = inUnits(pair, outcome.clearance) - margin_, length = t.norm();
@@ -229,28 +278,56 @@ class PartingSearch {
     return clearance >= radius;
   }
 
-  /// All lines around a cell; or why it is divided: they are too many, or more segments than `most` have been on lines
-  /// that were known.
+  /// All segments of the search, unless they are many.
+  Segments segmentsOfFew() {
+    Segments all;
+    if (!space_.areFew()) return all;
+    for (const TranslationSpace::Segment& segment : space_.segmentsWithin(kSurroundings * upper_ + margin_))
+      all.emplace_back(BoundaryCurves::Ends{segment.v, segment.w}, segment.both_sides, space_.noise());
+    return all;
+  }
+
   enum class Gathered { Lines, Deep, Many, Repeated };
-  Gathered gather(const Vec2& center, double radius, std::size_t most) {
+  /// gather() from a cell's segments.
+  Gathered filter(const Cell& cell, double radius, std::size_t most) {
     Gathered result = Gathered::Lines;
     std::size_t repeated = 0;
-    curves_.clear();
-    Vec2 t = center;
-    const PosedPair pair = space_.at(t);
-    const double around = kSurroundings * radius + (t - center).norm();
+    curves_.clear(kMostInherited);
+    const double around = kSurroundings * radius;
+    segments_.clear();
+    for (const BoundaryCurves::Line& segment : cell.legacy->segments)
+      if (segment.comesNear(cell.center, around + margin_)) segments_.push_back(segment);
+    for (const BoundaryCurves::Line& segment : segments_) {
+      curves_.add(segment, cell.center, around, [&](BoundaryCurves::Added added) {
+        if (added == BoundaryCurves::Repeated && ++repeated > most) result = Gathered::Repeated;
+        if (added == BoundaryCurves::TooMany) result = Gathered::Many;
+      });
+      if (result != Gathered::Lines) break;
+    }
+    return result;
+  }
+
+  /// All lines around a cell; or why it is divided: they are too many, or more segments than `most` have been on lines
+  /// that were known.
+  Gathered gather(const Cell& cell, double radius, std::size_t most) {
+    Gathered result = Gathered::Lines;
+    std::size_t repeated = 0;
+    curves_.clear(kMostGathered);
     const auto note = [&](BoundaryCurves::Added added) {
       if (added == BoundaryCurves::Repeated && ++repeated > most) result = Gathered::Repeated;
       if (added == BoundaryCurves::TooMany) result = Gathered::Many;
     };
+    Vec2 t = cell.center;
+    const PosedPair pair = space_.at(t);
+    const double around = kSurroundings * radius + (t - cell.center).norm();
     space_.forEachSegment(
         pair, t, around + margin_,
         [&](const MeetingEdges& meeting) {
-          if (see(meeting, center, radius)) result = Gathered::Deep;
+          if (see(meeting, cell.center, radius)) result = Gathered::Deep;
           return result == Gathered::Lines;
         },
         [&](const TranslationSpace::Segment& segment) {
-          curves_.add({segment.v, segment.w}, t, around, note);
+          curves_.add({{segment.v, segment.w}, segment.both_sides, space_.noise()}, t, around, note);
           return result == Gathered::Lines;
         });
     return result;
@@ -330,12 +407,14 @@ class PartingSearch {
     double room = 0.2 * radius;
     rays_.clear();
     const bool is_curved = curves_.addRays(p, rays_, room);
-    if (rays_.empty()) rays_.push_back(std::atan2(-p.y(), -p.x()));
-    std::sort(rays_.begin(), rays_.end());
+    if (rays_.empty()) rays_.push_back({std::atan2(-p.y(), -p.x()), true, true});
+    std::sort(rays_.begin(), rays_.end(), [](const Ray& r, const Ray& q) { return r.angle < q.angle; });
     bool resolved = true;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-      const double gap = i + 1 < rays_.size() ? rays_[i + 1] - rays_[i] : rays_[0] + 2 * kPi - rays_[i];
-      const double middle = rays_[i] + gap / 2, width = std::sin(std::min(gap, kPi) / 2);
+      const Ray &ray = rays_[i], &next = rays_[i + 1 < rays_.size() ? i + 1 : 0];
+      if (!ray.left || !next.right) continue;
+      const double gap = next.angle - ray.angle + (i + 1 < rays_.size() ? 0 : 2 * kPi);
+      const double middle = ray.angle + gap / 2, width = std::sin(std::min(gap, kPi) / 2);
       // On a way s a circle leaves its tangent by s^2 / (2 margin): no more than half of the sector's width.
       const double reach = is_curved ? std::min(room, margin_ * width) : room;
       resolved &= reach * width >= 3 * resolution_;
@@ -366,12 +445,13 @@ class PartingSearch {
   ShortestParting found_;
   double upper_, error_ = 0;
   std::size_t queries_ = 0;
-  Meetings near_;  ///< that may hold parts of the cell
+  Meetings near_;      ///< that may hold parts of the cell
+  Segments segments_;  ///< near the cell
   bool overlaps_ = false;
   bool discs_overlap_ = false;  ///< after some translation that was asked
 
   std::vector<PossibleLimit> limits_;
-  std::vector<double> rays_;
+  std::vector<Ray> rays_;
 };
 
 }  // namespace

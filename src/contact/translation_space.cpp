@@ -4,37 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/region_sides.h"
 #include "numbers/double_double.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
-
-TranslationSpace::Vertices TranslationSpace::verticesOf(const PolygonData& polygon, const Pose& pose,
-                                                        const Vec2& origin) const {
-  Vertices result;
-  result.reserve(polygon.path.size());
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
-    const std::size_t begin = polygon.edgeBegin(r), end = polygon.edgeEnd(r);
-    const auto isEdge = [&](std::size_t i) { return polygon.path[i] != polygon.path[i + 1]; };
-    const auto edge = [&](std::size_t i) { return inUnits(pose, polygon.path[i + 1], polygon.path[i]); };
-    std::size_t last = end;
-    while (last > begin && !isEdge(last - 1)) --last;
-    Vec2 incoming = last > begin ? edge(last - 1) : Vec2(Vec2::Zero());
-    for (std::size_t i = begin; i <= end; ++i) {
-      Vertex vertex{origin + inUnits(pose, polygon.path[i], polygon.origin), Vec2::Zero(), Vec2::Zero(), false};
-      if (i < end && isEdge(i)) {
-        vertex.incoming = incoming;
-        incoming = vertex.outgoing = edge(i);
-        vertex.is_edge = true;
-      }
-      result.push_back(vertex);
-    }
-    // A ring that is one point is one edge without a length.
-    if (last == begin) result[begin].is_edge = true;
-  }
-  return result;
-}
 
 TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                    double margin)
@@ -64,12 +39,80 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
            0x1p-1073 * inverse_unit_;
 }
 
-void TranslationSpace::prepareSearch() {
+void TranslationSpace::prepareSearch(double farthest) {
+  constexpr double kFewSegments = 800;
   // How far discs overlap steers a search of this plane: so they are there, whatever has been paid for.
   for (const PolygonData* polygon : {&polygon_a_, &polygon_b_})
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
-  a_ = verticesOf(polygon_a_, pose_a_, Vec2::Zero());
-  b_ = verticesOf(polygon_b_, pose_b_, between_);
+  // Of a shallow overlap the trees show fewer.
+  const double smaller = std::min(polygon_a_.radius, polygon_b_.radius) * inverse_unit_;
+  const auto edges_a = static_cast<double>(polygon_a_.path.size()),
+             edges_b = static_cast<double>(polygon_b_.path.size());
+  are_few_ = farthest > 0.25 * smaller && edges_a + edges_b <= kFewSegments &&
+             regionSidesOf(polygon_a_).corners * edges_b + regionSidesOf(polygon_b_).corners * edges_a <= kFewSegments;
+  const auto sidesOf = [&](const PolygonData& polygon) {
+    return are_few_ ? &regionSidesOf(polygon).of_rings : nullptr;
+  };
+  a_ = PlacedVertices(polygon_a_, pose_a_, Vec2::Zero(), inverse_unit_, sidesOf(polygon_a_));
+  b_ = PlacedVertices(polygon_b_, pose_b_, between_, inverse_unit_, sidesOf(polygon_b_));
+}
+
+std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const PlacedVertices& vertices) {
+  std::vector<Direction> directions;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (!vertices[k].is_edge) continue;
+    for (const int side : {1, -1}) {
+      const Vec2 along = vertices[k].outgoing * side;
+      if (side * vertices[k].side >= 0)
+        directions.push_back({std::atan2(along.y(), along.x()), static_cast<std::uint32_t>(k)});
+    }
+  }
+  std::sort(directions.begin(), directions.end(),
+            [](const Direction& c, const Direction& d) { return c.angle < d.angle; });
+  return directions;
+}
+
+/// Of edges with regions on their left those that go back between the two edges of a vertex, and beside these; others
+/// cut its region off. All where it isn't known on which side that is.
+template <typename Visit>
+void TranslationSpace::forEachEdgeBeside(const PlacedVertex& vertex, const std::vector<Direction>& directions,
+                                         Visit visit) {
+  constexpr double kPi = 3.14159265358979323846, kBeside = 1e-6;
+  if (!vertex.is_edge || vertex.is_reflex) return;
+  const Vec2 in = vertex.side < 0 ? vertex.outgoing : Vec2(-vertex.incoming),
+             out = vertex.side < 0 ? vertex.incoming : Vec2(-vertex.outgoing);
+  const double turn = std::atan2(cross(in, out), in.dot(out));
+  // A vertex that turns back may seem to be reflex.
+  const double wide = vertex.side == 0 ? 2 * kPi : turn < -1 ? kPi : std::max(turn, 0.0);
+  double from = std::atan2(in.y(), in.x()) - kBeside;
+  if (from < -kPi) from += 2 * kPi;
+  auto at = std::lower_bound(directions.begin(), directions.end(), from,
+                             [](const Direction& d, double angle) { return d.angle < angle; });
+  double around = 0;
+  for (std::size_t left = directions.size(); left > 0; --left, ++at) {
+    if (at == directions.end()) {
+      at = directions.begin();
+      around = 2 * kPi;
+    }
+    if (at->angle + around > from + wide + 2 * kBeside) return;
+    visit(at->edge);
+  }
+}
+
+std::vector<TranslationSpace::Segment> TranslationSpace::segmentsWithin(double radius) const {
+  std::vector<Segment> segments;
+  const auto add = [&](const Segment& segment) {
+    segments.push_back(segment);
+    return true;
+  };
+  const std::vector<Direction> along_a = directionsOf(a_), along_b = directionsOf(b_);
+  for (std::size_t i = 0; i < a_.size(); ++i)
+    forEachEdgeBeside(a_[i], along_b,
+                      [&](std::size_t j) { show<true>(a_[i], b_[j], i, j, Vec2::Zero(), radius, add); });
+  for (std::size_t j = 0; j < b_.size(); ++j)
+    forEachEdgeBeside(b_[j], along_a,
+                      [&](std::size_t i) { show<false>(a_[i], b_[j], i, j, Vec2::Zero(), radius, add); });
+  return segments;
 }
 
 DiscSums TranslationSpace::discSums() const {

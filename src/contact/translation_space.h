@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/disc_cover.h"
+#include "contact/placed_vertices.h"
 #include "numbers/segment.h"
 #include "pair/edge_pairs.h"
 
@@ -29,17 +30,19 @@ static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 ///
 /// The boundary of M lies on convolution segments: a vertex of a less an edge of b, or an edge of a less a vertex of b;
 /// and of these only where the edges at the vertex don't leave to both sides of the other's line, since otherwise the
-/// translations around a segment's inner point overlap, too.
+/// translations around a segment's inner point overlap, too. Where it is known on which side of an edge its region is
+/// (regionSidesOf()), the other's vertex has to be a corner of its own region, and on the other side.
 class TranslationSpace {
  public:
   TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double margin);
-  /// Before edges and segments are asked for.
-  void prepareSearch();
+  /// Before edges and segments are asked for, no farther away than that.
+  void prepareSearch(double farthest);
 
+  /// Free translations may be on its left, and on its right if it has both sides.
   struct Segment {
     Vec2 v, w;
     std::size_t edge_a, edge_b;  ///< positions; the vertex is the start of its polygon's edge
-    bool vertex_of_a;
+    bool vertex_of_a, both_sides;
   };
 
   /// The kernel's pair with b translated by t as nearly as doubles allow; t becomes what it was translated by. The last
@@ -63,16 +66,29 @@ class TranslationSpace {
     double heightFromB(const Vec2& t) const { return up_b.dot(t - corner); }
   };
 
+  /// Of two edges, by position.
+  MeetingEdges meetingOf(std::size_t i, std::size_t j) const;
+
   /// Calls meet(meeting) for each pair of edges that may meet at t, and visit(segment) for each convolution segment
   /// within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
   template <typename Meet, typename Visit>
   void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) const {
     const double limit = pair.reach((radius + noise_) * unit_);
     forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
-      const bool goes_on = (gap > 0 || meet(meetingOf(i, j))) && show(i, j, t, radius, visit);
+      if (gap <= 0 && !meet(meetingOf(i, j))) return -1.0;
+      const PlacedVertex &of_a = a_[i], &of_b = b_[j];
+      const bool goes_on =
+          !of_a.is_edge || !of_b.is_edge ||
+          (show<true>(of_a, of_b, i, j, t, radius, visit) && show<false>(of_a, of_b, i, j, t, radius, visit));
       return goes_on ? limit : -1;
     });
   }
+
+  /// Whether so few convolution segments may bound what the regions overlap on that a search gathers all at once.
+  bool areFew() const { return are_few_; }
+  /// The convolution segments within `radius` of 0, by the directions of edges: it takes what those of all of the plane
+  /// are.
+  std::vector<Segment> segmentsWithin(double radius) const;
 
   /// The corners of the parallelogram of those translations that let two edges, by position, meet.
   std::array<Vec2, 4> meetings(std::size_t i, std::size_t j) const {
@@ -102,45 +118,49 @@ class TranslationSpace {
   Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
 
  private:
-  struct Vertex {
-    Vec2 at;
-    Vec2 incoming, outgoing;  ///< edges at it, beyond its repetitions
-    bool is_edge;             ///< not a repetition of the next one
-  };
-  using Vertices = std::vector<Vertex>;
-
   Vec2 inUnits(const Pose& pose, const Vec2& p, const Vec2& from) const {
     return pose.linear() * (p * inverse_unit_ - from * inverse_unit_);
   }
-  Vertices verticesOf(const PolygonData& polygon, const Pose& pose, const Vec2& origin) const;
-  /// False only if the edges at a vertex certainly leave to both sides of the line of an edge of the other's. A
-  /// direction's coordinates err by a difference, a product and a sum, their cross product by these of both, a product
-  /// and a difference: 8U.
-  static bool mayBound(const Vertex& vertex, const Vec2& edge) {
+  /// Where free translations may be on both sides of a segment, on one, or on none.
+  struct Open {
+    bool left, right;
+  };
+  /// Of an edge of one polygon and a vertex of the other, on which sides of the edge the vertex may be moved away from
+  /// it: certainly on none only if the edges at the vertex leave to both sides of the edge's line, or into its region,
+  /// or if the vertex is reflex. A direction's coordinates err by a difference, a product and a sum, their cross
+  /// product by these of both, a product and a difference: 8U.
+  static Open opening(const PlacedVertex& edge, const PlacedVertex& vertex) {
     static_assert(kVertexError >= kUnitRows * errorOf(3 + 3 + 2));
-    const double from = cross(edge, vertex.incoming), to = cross(edge, vertex.outgoing);
-    const double error = kVertexError * edge.lpNorm<1>();
+    const double from = cross(edge.outgoing, vertex.incoming), to = cross(edge.outgoing, vertex.outgoing);
+    const double error = kVertexError * edge.outgoing.lpNorm<1>();
     const double from_error = error * vertex.incoming.lpNorm<1>(), to_error = error * vertex.outgoing.lpNorm<1>();
     const bool passes = (from > from_error && to > to_error) || (from < -from_error && to < -to_error);
-    return !passes;
+    if (passes || vertex.is_reflex) return {false, false};
+    return {edge.side <= 0 && from <= from_error && to >= -to_error,
+            edge.side >= 0 && from >= -from_error && to <= to_error};
   }
-  MeetingEdges meetingOf(std::size_t i, std::size_t j) const;
 
-  template <typename Visit>
-  bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
-    if (!a_[i].is_edge || !b_[j].is_edge) return true;
+  /// Segments go along a's edge, of which b's vertex may be moved to the left; and back along b's: where a's vertex is
+  /// to its left b is moved to its right, and that is the segment's left.
+  template <bool vertex_of_a, typename Visit>
+  bool show(const PlacedVertex& of_a, const PlacedVertex& of_b, std::size_t i, std::size_t j, const Vec2& t,
+            double radius, Visit& visit) const {
+    const Open open = vertex_of_a ? opening(of_b, of_a) : opening(of_a, of_b);
+    if (!open.left && !open.right) return true;
+    const Vec2 start = of_a.at - of_b.at, end = vertex_of_a ? of_a.at - b_[j + 1].at : a_[i + 1].at - of_b.at;
     const double within = (radius + noise_) * (radius + noise_);
-    const Vec2 start = a_[i].at - b_[j].at;
-    if (mayBound(a_[i], b_[j].outgoing)) {
-      const Segment segment{start, a_[i].at - b_[j + 1].at, i, j, true};
-      if (squaredDistanceToSegment(t, segment.v, segment.w) <= within && !visit(segment)) return false;
-    }
-    if (mayBound(b_[j], a_[i].outgoing)) {
-      const Segment segment{start, a_[i + 1].at - b_[j].at, i, j, false};
-      if (squaredDistanceToSegment(t, segment.v, segment.w) <= within && !visit(segment)) return false;
-    }
-    return true;
+    if (!(squaredDistanceToSegment(t, start, end) <= within)) return true;
+    return visit(Segment{open.left ? start : end, open.left ? end : start, i, j, vertex_of_a, open.left && open.right});
   }
+
+  /// An edge's, with the region on its left: both where nobody knows.
+  struct Direction {
+    double angle;
+    std::uint32_t edge;
+  };
+  static std::vector<Direction> directionsOf(const PlacedVertices& vertices);
+  template <typename Visit>
+  static void forEachEdgeBeside(const PlacedVertex& vertex, const std::vector<Direction>& directions, Visit visit);
 
   const PolygonData &polygon_a_, &polygon_b_;
   Pose pose_a_, pose_b_;     ///< less a's translation
@@ -148,7 +168,8 @@ class TranslationSpace {
   double unit_, inverse_unit_, margin_, noise_;
   Vec2 quarter_origin_;  ///< of a's S in the world
   Vec2 between_;         ///< b's S, as vertices
-  Vertices a_, b_;
+  bool are_few_ = false;
+  PlacedVertices a_, b_;
 };
 
 }  // namespace tricover::detail

@@ -89,6 +89,7 @@ struct Hierarchy : Derived::Thing {
   Derived places;  ///< known places, see inclusion.h
   Rent<Stages::All> places_rent;
   Derived tangles;  ///< whether its edges meet each other, see meetsItself()
+  Derived sides;    ///< of its rings on which the region is, see regionSidesOf()
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

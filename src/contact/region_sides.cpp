@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/region_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "contact/own_crossings.h"
+#include "numbers/predicates.h"
+#include "numbers/segment.h"
+
+namespace tricover::detail {
+namespace {
+
+/// Rings times vertices: what is looked at for a polygon's sides, at most.
+constexpr std::size_t kMostLooks = std::size_t{1} << 22;
+
+bool isLower(const Vec2& p, const Vec2& q) { return p.y() < q.y() || (p.y() == q.y() && p.x() < q.x()); }
+
+/// Whether the ring turns back at a vertex, so that the edges there lie upon each other.
+bool turnsBack(const Vec2& from, const Vec2& at, const Vec2& to) {
+  return orientation(from, at, to) == 0 && isLower(from, at) == isLower(to, at);
+}
+
+/// How often the rings, none of which is on p or comes from below to it, go around what is just below p.
+int windingBelow(const PolygonData& polygon, const Vec2& p) {
+  int winding = 0;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const Vec2 &v = polygon.path[e], &w = polygon.path[e + 1];
+      const bool from_left = v.x() <= p.x(), to_left = w.x() <= p.x();
+      if (from_left == to_left) continue;
+      const int side = orientation(v, w, p);
+      if (from_left && side > 0) ++winding;
+      if (to_left && side < 0) --winding;
+    }
+  return winding;
+}
+
+std::int8_t sideOf(const PolygonData& polygon, std::size_t ring) {
+  const std::size_t begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
+  const auto before = [&](std::size_t i) { return polygon.path[(i == begin ? end : i) - 1]; };
+  std::size_t lowest = begin;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (turnsBack(before(i), polygon.path[i], polygon.path[i + 1])) return 0;
+    if (isLower(polygon.path[i], polygon.path[lowest])) lowest = i;
+  }
+  const int turn = orientation(before(lowest), polygon.path[lowest], polygon.path[lowest + 1]);
+  const auto isInside = [&](int winding) {
+    return polygon.fill == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
+  };
+  // Just below its lowest vertex the ring itself is above.
+  const int without = windingBelow(polygon, polygon.path[lowest]);
+  const bool outer = isInside(without), inner = isInside(without + turn);
+  return static_cast<std::int8_t>(outer == inner ? 0 : inner ? turn : -turn);
+}
+
+/// What a ring turns by at its corners, in full turns, away from the region where its side is known.
+double turningOf(const PolygonData& polygon, std::size_t ring, std::int8_t side) {
+  const double kPi = 3.14159265358979323846;
+  const std::size_t begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
+  const auto along = [&](std::size_t e) {
+    return Vec2(polygon.path[e + 1] * polygon.inverse_unit - polygon.path[e] * polygon.inverse_unit);
+  };
+  double turned = 0;
+  Vec2 incoming = Vec2::Zero();
+  for (std::size_t k = begin; k < 2 * end - begin; ++k) {  // around twice: what comes before the first edge?
+    const Vec2 outgoing = along(k < end ? k : k - end + begin);
+    if (outgoing.isZero(0)) continue;
+    const double turn = std::atan2(cross(incoming, outgoing), incoming.dot(outgoing));
+    if (k >= end) turned += side == 0 ? 2 * std::abs(turn) : std::max(side * turn, 0.0);
+    incoming = outgoing;
+  }
+  return turned / (2 * kPi);
+}
+
+struct KnownSides : Derived::Thing {
+  explicit KnownSides(const PolygonData& polygon) {
+    sides.of_rings.assign(polygon.ringCount(), 0);
+    const bool are_known = polygon.ringCount() * polygon.path.size() <= kMostLooks && !meetsItself(polygon);
+    for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
+      if (are_known) sides.of_rings[r] = sideOf(polygon, r);
+      sides.corners += turningOf(polygon, r, sides.of_rings[r]);
+    }
+  }
+
+  RegionSides sides;
+};
+
+}  // namespace
+
+const RegionSides& regionSidesOf(const PolygonData& polygon) {
+  const Derived::Thing* known =
+      hierarchyOf(polygon).sides.built([&] { return std::make_unique<const KnownSides>(polygon); });
+  return static_cast<const KnownSides*>(known)->sides;
+}
+
+}  // namespace tricover::detail

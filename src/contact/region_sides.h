@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "polygon/polygon_data.h"
+
+namespace tricover::detail {
+
+struct RegionSides {
+  /// On which side of a ring's edges the region is, in the polygon's frame: 1: on the left of each; -1: on the right;
+  /// 0: on both, or nobody knows, as where edges meet or rings are too many.
+  std::vector<std::int8_t> of_rings;
+  /// At so many corners, on average over directions, an edge of another region may lie against the polygon's.
+  double corners = 0;
+};
+
+/// Found at the first call, once for all copies and threads.
+const RegionSides& regionSidesOf(const PolygonData& polygon);
+
+}  // namespace tricover::detail
