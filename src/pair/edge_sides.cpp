@@ -132,7 +132,9 @@ void EdgeSides::look(std::size_t begin, std::size_t end) {
   }
   const Operand other = operand_ == A ? B : A;
   if ((left[A] && left[B]) || (right[A] && right[B])) bordering_.push_back({begin, end});
-  is_bare_inside_ |= !left[operand_] && !right[operand_] && left[other] && right[other];
+  if (left[operand_] || right[operand_]) return;
+  is_bare_ = true;
+  is_bare_inside_ |= left[other] && right[other];
 }
 
 /// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.

@@ -29,7 +29,9 @@ class EdgeSides {
   bool bordersBoth() const { return !bordering_.empty(); }
   /// Whether that is beside a piece that shares a point with this edge, which meets it. `edge` is the other operand's.
   bool bordersBothAt(std::size_t edge) const;
-  /// Whether along some piece of it its own polygon has no inside on either side, and the other one has it on both.
+  /// Whether along some piece of it its own polygon has no inside on either side.
+  bool isBare() const { return is_bare_; }
+  /// Whether along some such piece the other one has it on both.
   bool isBareInside() const { return is_bare_inside_; }
 
  private:
@@ -76,7 +78,7 @@ class EdgeSides {
   };
   static constexpr std::size_t kNone = ~std::size_t{0};
   std::vector<Piece> bordering_;  ///< pieces beside which, on one side, both regions have their inside
-  bool is_bare_inside_ = false;
+  bool is_bare_ = false, is_bare_inside_ = false;
 };
 
 }  // namespace tricover::detail

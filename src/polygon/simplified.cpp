@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rings of fewer vertices.
+#include "polygon/simplified.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
-#include "numbers/errors.h"
 #include "numbers/predicates.h"
-#include "polygon/polygon_data.h"
 
-namespace tricover {
-namespace detail {
+namespace tricover::detail {
 namespace {
 
 /// Leaves vertices out by the method of Douglas and Peucker: a chain of a ring's edges becomes its chord wherever all
@@ -28,7 +25,7 @@ namespace {
 ///   where the chain begins. Chains are of the old region: what comes into the region was near to it.
 class ChainSimplifier {
  public:
-  ChainSimplifier(const PolygonData& polygon, double tolerance) : polygon_(polygon), tolerance_(tolerance) {}
+  ChainSimplifier(const PolygonData& polygon, double tolerance) : polygon_(polygon), tolerance_(polygon, tolerance) {}
 
   Ring simplified(std::size_t ring) {
     const std::size_t begin = polygon_.edgeBegin(ring), end = polygon_.edgeEnd(ring);
@@ -60,10 +57,10 @@ class ChainSimplifier {
     double most = -1;
     std::size_t farthest = chain.end;
     for (std::size_t i = chain.begin + 1; i < chain.end; ++i) {
-      const Distance distance(polygon_, polygon_.path[i], v, w);
-      if (all_are_near && !isWithin(distance, polygon_.path[i], v, w)) all_are_near = false;
-      if (distance.rounded > most) {
-        most = distance.rounded;
+      const double distance = tolerance_.distance(polygon_.path[i], v, w);
+      if (all_are_near && !tolerance_.holds(distance, polygon_.path[i], v, w)) all_are_near = false;
+      if (distance > most) {
+        most = distance;
         farthest = i;
       }
     }
@@ -73,43 +70,34 @@ class ChainSimplifier {
     chains_.push_back({farthest, chain.end});
   }
 
-  /// Of a point from a segment, in units. In units of the roundoff it errs by at most 13 lengths of the segment and 8
-  /// distances (see BesideSegment), which are at most 4 units each, and by what underflows.
-  struct Distance {
-    static constexpr double kError = 0x1p-45;
-
-    Distance(const PolygonData& polygon, const Vec2& p, const Vec2& v, const Vec2& w) {
-      const Vec2 from = polygon.inUnits(p) - polygon.inUnits(v), way = polygon.inUnits(w) - polygon.inUnits(v);
-      const double square = way.squaredNorm();
-      const double part = square > 0 ? std::clamp(from.dot(way) / square, 0.0, 1.0) : 0;
-      rounded = (from - part * way).norm();
-    }
-    double rounded;
-  };
-
-  bool isWithin(const Distance& distance, const Vec2& p, const Vec2& v, const Vec2& w) const {
-    const double most = tolerance_ * polygon_.inverse_unit, error = Distance::kError * (1 + most);
-    if (polygon_.fitsUnit() && distance.rounded < most - error) return true;
-    if (polygon_.fitsUnit() && distance.rounded > most + error) return false;
-    return withinExact({nullptr, p}, {nullptr, v}, {nullptr, w}, tolerance_);
-  }
-
   const PolygonData& polygon_;
-  const double tolerance_;
+  const Tolerance tolerance_;
   std::size_t begin_ = 0;    ///< of the ring
   std::vector<bool> stays_;  ///< by the position in the ring
   std::vector<Chain> chains_;
 };
 
 }  // namespace
-}  // namespace detail
 
-Polygon Polygon::simplified(double tolerance) const {
-  detail::requireFiniteNotNegative(tolerance, "tolerance");
-  detail::ChainSimplifier simplifier(*data_, tolerance);
-  std::vector<Ring> rings;
-  for (std::size_t r = 0; r < data_->ringCount(); ++r) rings.push_back(simplifier.simplified(r));
-  return Polygon(rings, data_->fill);
+double Tolerance::distance(const Vec2& p, const Vec2& v, const Vec2& w) const {
+  const Vec2 from = polygon_.inUnits(p) - polygon_.inUnits(v), way = polygon_.inUnits(w) - polygon_.inUnits(v);
+  const double square = way.squaredNorm();
+  const double part = square > 0 ? std::clamp(from.dot(way) / square, 0.0, 1.0) : 0;
+  return (from - part * way).norm();
 }
 
-}  // namespace tricover
+bool Tolerance::holds(double distance, const Vec2& p, const Vec2& v, const Vec2& w) const {
+  const double most = tolerance_ * polygon_.inverse_unit, error = kError * (1 + most);
+  if (polygon_.fitsUnit() && distance < most - error) return true;
+  if (polygon_.fitsUnit() && distance > most + error) return false;
+  return withinExact({nullptr, p}, {nullptr, v}, {nullptr, w}, tolerance_);
+}
+
+std::vector<Ring> simplifiedRings(const PolygonData& polygon, double tolerance) {
+  ChainSimplifier simplifier(polygon, tolerance);
+  std::vector<Ring> rings;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r) rings.push_back(simplifier.simplified(r));
+  return rings;
+}
+
+}  // namespace tricover::detail

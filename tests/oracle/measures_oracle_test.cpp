@@ -14,6 +14,7 @@
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "touching_families.h"
 #include "tricover/segment.h"
 #include "workloads.h"
 
@@ -25,6 +26,10 @@ struct ExactEdge {
   int winding;
   mpq_class xAt(const mpq_class& at) const { return x + (x_above - x) * (at - y) / (y_above - y); }
 };
+
+bool isInside(const Polygon& polygon, int winding) {
+  return polygon.fillRule() == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
+}
 
 struct ExactMoments {
   mpq_class area, x, y;
@@ -40,9 +45,8 @@ std::vector<ExactEdge> risingEdges(const Polygon& polygon) {
   return edges;
 }
 
-/// Between all heights at which edges begin, end or cross, regions are trapezoids.
-ExactMoments exactMoments(const Polygon& polygon) {
-  const std::vector<ExactEdge> edges = risingEdges(polygon);
+/// All heights at which edges begin, end or cross, in order: between two of them regions are trapezoids.
+std::vector<mpq_class> heightsOf(const std::vector<ExactEdge>& edges) {
   std::vector<mpq_class> heights;
   for (const ExactEdge& p : edges) {
     heights.insert(heights.end(), {p.y, p.y_above});
@@ -55,6 +59,12 @@ ExactMoments exactMoments(const Polygon& polygon) {
   }
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  return heights;
+}
+
+ExactMoments exactMoments(const Polygon& polygon) {
+  const std::vector<ExactEdge> edges = risingEdges(polygon);
+  const std::vector<mpq_class> heights = heightsOf(edges);
   ExactMoments sum;
   for (std::size_t i = 1; i < heights.size(); ++i) {
     const mpq_class &low = heights[i - 1], &high = heights[i], h = high - low, middle = (low + high) / 2;
@@ -63,11 +73,10 @@ ExactMoments exactMoments(const Polygon& polygon) {
       if (edge.y <= low && high <= edge.y_above) across.emplace_back(edge.xAt(middle), &edge);
     std::sort(across.begin(), across.end());
     int winding = 0;
-    const auto inside = [&] { return polygon.fillRule() == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0; };
     for (const auto& [x, edge] : across) {
-      const int before = inside();
+      const int before = isInside(polygon, winding);
       winding += edge->winding;
-      const int ends = before - inside();
+      const int ends = before - isInside(polygon, winding);
       const mpq_class p = edge->xAt(low), q = edge->xAt(high);
       sum.area += ends * h * (p + q) / 2;
       sum.x += ends * h * (p * p + p * q + q * q) / 6;
@@ -156,6 +165,67 @@ TEST(MeasuresOracle, SimplifiedCountriesAreNearTheirOwn) {
     if (left-- == 0) break;
     SCOPED_TRACE(label);
     if (polygon.vertexCount() <= 200) expectSimplified(random, polygon, fewer);
+  }
+  EXPECT_GT(fewer, 0);
+}
+
+/// Whether all of the polygon's interior is in the other region: by the widths between the edges of both, over strips
+/// in which no two cross.
+bool coversInterior(const Polygon& other, const Polygon& polygon) {
+  std::vector<ExactEdge> edges = risingEdges(polygon);
+  const std::size_t own = edges.size();
+  for (const ExactEdge& edge : risingEdges(other)) edges.push_back(edge);
+  const std::vector<mpq_class> heights = heightsOf(edges);
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    const mpq_class &low = heights[i - 1], &high = heights[i], middle = (low + high) / 2;
+    std::vector<std::pair<mpq_class, std::size_t>> across;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (edges[e].y <= low && high <= edges[e].y_above) across.emplace_back(edges[e].xAt(middle), e);
+    std::sort(across.begin(), across.end());
+    int windings[2] = {};
+    for (std::size_t k = 0; k + 1 < across.size(); ++k) {
+      const std::size_t e = across[k].second;
+      windings[e < own ? 0 : 1] += edges[e].winding;
+      if (across[k].first == across[k + 1].first) continue;
+      if (isInside(polygon, windings[0]) && !isInside(other, windings[1])) return false;
+    }
+  }
+  return true;
+}
+
+void expectCovered(Random& random, const Polygon& polygon, int& fewer) {
+  const double tolerance = polygon.radius() * std::pow(10, random.real(-3, -0.3));
+  if (!std::isfinite(tolerance)) return;
+  const Polygon cover = polygon.simplified(tolerance, true);
+  EXPECT_EQ(cover.fillRule(), polygon.fillRule());
+  fewer += cover.vertexCount() < polygon.vertexCount();
+  EXPECT_TRUE(coversInterior(cover, polygon)) << "within " << tolerance;
+  expectNear(random, cover, polygon, tolerance);
+  expectNear(random, polygon, cover, 0);  // edges without an inside, too
+}
+
+TEST(MeasuresOracle, CoversHoldTheRegionAndAreNearIt) {
+  Random random(3);
+  int fewer = 0, cases = 0;
+  for (const auto* list : {&families(), &touchingFamilies()})
+    for (const Family& family : *list)
+      for (int seed = 0; seed < std::max(scaledCount(list == &families() ? 30 : 400), 4); ++seed) {
+        SCOPED_TRACE(testing::Message() << family.name << " seed " << seed);
+        const Case c = family.make(static_cast<std::uint64_t>(seed));
+        for (const Polygon& polygon : {c.a, c.b, Polygon(c.a.rings(), FillRule::NonZero)})
+          if (polygon.vertexCount() <= 40) ++cases, expectCovered(random, polygon, fewer);
+      }
+  EXPECT_GT(fewer, cases / 5) << "of " << cases;
+}
+
+TEST(MeasuresOracle, CoversOfCountriesHoldThem) {
+  std::ifstream in(TRICOVER_COUNTRIES);
+  Random random(4);
+  int fewer = 0, left = scaledCount(60);
+  for (const auto& [label, polygon] : workloads::readPolygons(in)) {
+    if (left-- == 0) break;
+    SCOPED_TRACE(label);
+    if (polygon.vertexCount() <= 150) expectCovered(random, polygon, fewer);
   }
   EXPECT_GT(fewer, 0);
 }

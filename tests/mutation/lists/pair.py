@@ -66,4 +66,7 @@ MUTATIONS = [
     ("src/pair/posed_pair.h", "scale_defect = Gram(load2(ra), load2(ra + 3)).defect();", "scale_defect = 0;", "scale defect"),
     ("src/pair/posed_pair.h", "defect = Gram(m0, m1).defect();", "defect = 0;", "defect of the relative pose"),
     ("src/pair/posed_pair.h", "length * (1 + 2 * scale_defect)", "length", "margin in a's frame: scale forgotten"),
+    ("src/pair/outer_rings.cpp", "return EdgeSides(itself_, itself_, EdgeSides::A, begin_ + at(corner).foot).isBare();", "return false;", "outwards: edges without an inside are left out"),
+    ("src/pair/outer_rings.cpp", "return !interiorsMeet(polygon_, here_, wound.data(), here_);", "return !interiorsMeet(polygon_, here_, wound.data(), here_) || loop.size() == 5;", "outwards: edges are lengthened across the region"),
+    ("src/pair/outer_rings.cpp", "if (!near_.holds(corner.place, vertex(corner.foot), vertex(corner.foot + 1))) return false;", "", "outwards: corners of any reach"),
 ]

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "polygon/polygon_data.h"
+
+namespace tricover::detail {
+
+/// Whether points are within a tolerance of segments. Exact, for points at most a unit away from the polygon.
+class Tolerance {
+ public:
+  Tolerance(const PolygonData& polygon, double tolerance) : polygon_(polygon), tolerance_(tolerance) {}
+
+  /// The distance of a point from a segment, rounded, in units: it errs by less than kError, and of itself as much.
+  double distance(const Vec2& p, const Vec2& v, const Vec2& w) const;
+
+  bool holds(const Vec2& p, const Vec2& v, const Vec2& w) const { return holds(distance(p, v, w), p, v, w); }
+  bool holds(double distance, const Vec2& p, const Vec2& v, const Vec2& w) const;
+
+ private:
+  /// In units of the roundoff: 13 lengths of the segment and 8 distances (see BesideSegment), which are at most 4 units
+  /// each, and what underflows.
+  static constexpr double kError = 0x1p-45;
+
+  const PolygonData& polygon_;
+  const double tolerance_;
+};
+
+/// Of some of their vertices alone, see Polygon::simplified().
+std::vector<Ring> simplifiedRings(const PolygonData& polygon, double tolerance);
+
+}  // namespace tricover::detail
