@@ -2,16 +2,11 @@
 // What who cuts parts out of a sheet asks: 60 parts that lie on each other are pushed apart until each has its kerf,
 // the width of the cut, to the others and to the sheet's edge. Parts that are exactly that far apart touch, which is
 // allowed. Draws where they came from and where they are.
-#include <tricover/penetration.h>
-#include <tricover/polygon.h>
-#include <tricover/scene.h>
+#include <tricover/tricover.h>
 
 #include <cmath>
 #include <iostream>
 #include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "picture.h"
 
@@ -32,7 +27,7 @@ tricover::Polygon anyPart(std::mt19937& random) {
 }
 
 /// Pushes the parts apart, and by chance farther, which ends what would go round in circles. The number of rounds it
-/// took; -1 if they are too many.
+/// took.
 int separate(tricover::Scene& scene, tricover::Scene::Body sheet, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   tricover::PenetrationOptions apart;
@@ -53,10 +48,10 @@ int separate(tricover::Scene& scene, tricover::Scene::Body sheet, std::mt19937& 
       scene.move({{first, pose_a}, {second, pose_b}});
     }
   }
-  return -1;
+  throw std::runtime_error("some parts still overlap");
 }
 
-int nest(const std::string& picture) {
+int run(const std::vector<std::string>& arguments) {
   std::mt19937 random(1);
   std::vector<tricover::Polygon> parts;
   double area = 0;
@@ -80,7 +75,6 @@ int nest(const std::string& picture) {
   }
   const tricover::Scene before(scene);
   const int rounds = separate(scene, sheet, random);
-  if (rounds < 0) throw std::runtime_error("some parts still overlap");
   std::cout << kParts << " parts, " << 100 * kFill << " % of the sheet, " << kKerf << " apart after " << rounds
             << " rounds\n";
 
@@ -94,13 +88,12 @@ int nest(const std::string& picture) {
         {before.pose(body) * before.polygon(body).origin(), scene.pose(body) * scene.polygon(body).origin()},
         "#dc2626");
   }
-  savePicture(drawing, picture);
+  savePicture(drawing, arguments[0]);
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runExample(argc, argv, "usage: nesting [picture.svg]\n", "nesting.svg", 1,
-                    [](const std::vector<std::string>& arguments) { return nest(arguments[0]); });
+  return runExample(argc, argv, "usage: nesting [picture.svg]\n", "nesting.svg", 1, run);
 }

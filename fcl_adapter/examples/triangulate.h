@@ -2,10 +2,12 @@
 // What a flat mesh needs in a polygon's place.
 #pragma once
 
+#include <fcl/geometry/bvh/BVH_model.h>
 #include <tricover/polygon.h>
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -89,6 +91,16 @@ inline std::vector<Triangle> triangulate(const tricover::Polygon& polygon) {
   for (const Triangle& t : triangles) got += area2(t[0], t[1], t[2]);
   if (got != wanted) throw std::logic_error("triangulate: the triangles' area is not the region's");
   return triangles;
+}
+
+/// A flat mesh of FCL's.
+inline std::shared_ptr<fcl::CollisionGeometryd> meshOf(const tricover::Polygon& polygon) {
+  auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  mesh->beginModel();
+  for (const Triangle& t : triangulate(polygon))
+    mesh->addTriangle({t[0].x(), t[0].y(), 0}, {t[1].x(), t[1].y(), 0}, {t[2].x(), t[2].y(), 0});
+  mesh->endModel();
+  return mesh;
 }
 
 }  // namespace mesh

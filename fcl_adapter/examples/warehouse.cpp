@@ -51,31 +51,34 @@ tricover::Trajectory plan(std::mt19937& random) {
 }
 
 int run(const std::vector<std::string>& arguments) {
-  const tricover::Polygon hall = racks(), robot({rectangle(-0.4, -0.3, 0.8, 0.6)});
-  const tricover::Trajectory rest({{0, 1, tricover::Motion::still(tricover::Pose::Identity())}});
+  const tricover::Polygon robot({rectangle(-0.4, -0.3, 0.8, 0.6)});
+  tricover::Scene scene;
+  const auto hall = scene.add(racks(), tricover::Pose::Identity());
+  tricover::BodyOptions options;
+  options.margin = kMargin;
   std::mt19937 random(7);
-  std::vector<tricover::Trajectory> plans;
-  for (int i = 0; i < kRobots; ++i) plans.push_back(plan(random));
-
-  int spans = 0, in_racks = 0;
-  const double robots_apart = 2 * kMargin;
-  double first = 1e9;
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    in_racks += !tricover::conflicts(robot, plans[i], hall, rest, {kMargin, 1e-3}).empty();
-    for (std::size_t j = 0; j < i; ++j)
-      for (const tricover::Conflict& span :
-           tricover::conflicts(robot, plans[j], robot, plans[i], {robots_apart, 1e-3, /*ignore_initial*/ true})) {
-        if (spans++ < 5)
-          std::cout << "robots " << j << " and " << i << ": " << std::fixed << std::setprecision(1) << span.impact.time
-                    << " s to " << span.end << " s\n";
-        first = std::min(first, span.impact.time);
-      }
+  std::vector<tricover::BodyTrajectory> plans;
+  for (int i = 0; i < kRobots; ++i) {
+    const tricover::Trajectory each = plan(random);
+    plans.push_back({scene.add(robot, each.at(0), options), each});
   }
-  std::cout << spans << " conflicts of robots, " << in_racks << " robots too near to a rack\n";
+
+  // Two that begin side by side have time to part.
+  const auto conflicts = scene.conflicts(plans, {0, 1e-3, /*ignore_initial*/ true});
+  int in_racks = 0, told = 0;
+  for (const auto& [pair, span] : conflicts) {
+    in_racks += pair.first == hall;
+    if (told++ < 5)
+      std::cout << "robots " << pair.first << " and " << pair.second << ": " << std::fixed << std::setprecision(1)
+                << span.impact.time << " s to " << span.end << " s\n";
+  }
+  std::cout << conflicts.size() << " conflicts, " << in_racks << " of them with a rack\n";
 
   tricover::SvgDrawing drawing;
-  drawing.polygon(hall, tricover::Pose::Identity(), "#d6d3d1");
-  for (const tricover::Trajectory& each : plans) drawing.polygon(robot, each.at(first), "#93c5fd", "#333", kMargin);
+  const double first = conflicts.at(0).conflict.impact.time;
+  for (const auto& [body, each] : plans) scene.move(body, each.at(first));
+  drawing.scene(scene, "#93c5fd");
+  drawing.polygon(scene.polygon(hall), scene.pose(hall), "#d6d3d1");
   savePicture(drawing, arguments[0]);
   return 0;
 }
