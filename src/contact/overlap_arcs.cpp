@@ -38,7 +38,7 @@ void OverlapArcs::join(bool with_own_crossings) {
 }
 
 std::size_t OverlapArcs::addNode(bool present) {
-  nodes_.push_back({present, false, false, 0});
+  nodes_.push_back({present, false, false, kNone});
   return sets_.add();
 }
 
@@ -187,14 +187,6 @@ std::size_t OverlapArcs::countSets() {
     root.is_counted = true;
   }
   return count;
-}
-
-BoundaryPoint OverlapArcs::boundaryPoint(const NodePoint& point) const {
-  if (point.side != NodePoint::kCrossing)
-    return vertexPoint(sides_[point.side].polygon, point.side, point.at, vertex(point.side, point.at));
-  const EdgeCrossing& c = crossings_[point.at];
-  const auto i = static_cast<std::int32_t>(c.edge_a), j = static_cast<std::int32_t>(c.edge_b);
-  return {c.point, i, i, j, j};
 }
 
 /// Whether v begins a ring that is one point.

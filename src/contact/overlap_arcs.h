@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "contact/boundary_point.h"
@@ -89,33 +90,27 @@ class OverlapArcs {
   Ends ends(int side, std::size_t e) const { return side == 0 ? frame_.edgeEndsOfA(e) : frame_.edgeEndsOfB(e); }
   bool holds(int side, const Vec2& p) const { return detail::holds(pair_, frame_, side, p); }
 
-  /// Of nodes that are wanted, crossings first. Of a repeated vertex the last one stands for all.
-  template <typename Wanted, typename Visit>
-  void forEachPoint(Wanted isWanted, Visit visit) const {
-    for (std::size_t k = 0; k < crossings_.size(); ++k)
-      if (isWanted(k)) visit(NodePoint{k, NodePoint::kCrossing, k});
-    for (const Arc& arc : arcs_) {
-      if (!isWanted(arc.node)) continue;
-      const PolygonData& polygon = sides_[arc.side].polygon;
-      const std::size_t ring = polygon.ringOf(arc.from), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
-      for (std::size_t v = arc.from;; v = v + 1 < end ? v + 1 : begin) {
-        if (polygon.path[v] != polygon.path[v + 1] || isPoint(polygon, v)) visit(NodePoint{arc.node, arc.side, v});
-        if (v == arc.to) break;
-      }
+  /// Of a repeated vertex the last one stands for all.
+  template <typename Visit>
+  void forEachVertex(const Arc& arc, Visit visit) const {
+    const PolygonData& polygon = sides_[arc.side].polygon;
+    const std::size_t ring = polygon.ringOf(arc.from), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
+    for (std::size_t v = arc.from;; v = v + 1 < end ? v + 1 : begin) {
+      if (polygon.path[v] != polygon.path[v + 1] || isPoint(polygon, v)) visit(v);
+      if (v == arc.to) break;
     }
   }
-
-  BoundaryPoint boundaryPoint(const NodePoint& point) const;
 
   const PosedPair &pair_, swapped_;
   const WorldFrame& frame_;
   const std::vector<EdgeCrossing>& crossings_;
   Side sides_[2];
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   struct Node {
     bool is_present;  ///< it is in the overlap, which a polygon's own crossing needn't be
     bool is_inner;    ///< the overlap has an inside there
     bool is_counted;  ///< of a set that is in the overlap, by its own node
-    std::size_t component = 0;
+    std::size_t component = kNone;
   };
   UnionFind sets_;  ///< of nodes
   std::vector<Node> nodes_;

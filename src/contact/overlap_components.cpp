@@ -16,7 +16,7 @@ class Grouping : OverlapArcs {
   Grouping(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
       : OverlapArcs(pair, frame, crossings) {}
 
-  std::vector<OverlapComponent> components(ContactDetail detail) {
+  Overlap components(ContactDetail detail) {
     join(false);
     std::size_t count = countSets();
     // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
@@ -36,12 +36,13 @@ class Grouping : OverlapArcs {
       Vec2 at;
     };
     std::vector<Leftmost> leftmost(sets_.size());
-    const auto all = [](std::size_t) { return true; };
-    forEachPoint(all, [&](const NodePoint& point) {
+    const auto offer = [&](const NodePoint& point) {
       Leftmost& best = leftmost[sets_.find(point.node)];
       const Vec2 at = leftEnd(point);
       if (!best.is_known || at.x() < best.at.x()) best = {true, point, at};
-    });
+    };
+    for (std::size_t k = 0; k < crossings_.size(); ++k) offer({k, NodePoint::kCrossing, k});
+    for (const Arc& arc : arcs_) forEachVertex(arc, [&](std::size_t v) { offer({arc.node, arc.side, v}); });
     for (const Leftmost& best : leftmost) {
       if (!best.is_known || !overlapsLeftOf(best.point, best.at)) continue;
       const std::ptrdiff_t node = leftOf(best.at);
@@ -66,7 +67,7 @@ class Grouping : OverlapArcs {
       if (crossings_[point.at].direction != 0) return false;
     } else {
       const int side = point.side;
-      const BoundaryPoint p = boundaryPoint(point);
+      const BoundaryPoint p = vertexPoint(sides_[side].polygon, side, point.at, at);
       const auto edge = static_cast<std::size_t>(side == 0 ? p.a : p.b),
                  before = static_cast<std::size_t>(side == 0 ? p.a_before : p.b_before);
       const Side& own = sides_[side];
@@ -126,30 +127,94 @@ class Grouping : OverlapArcs {
     return stop.joined || on_stop ? static_cast<std::ptrdiff_t>(stop.node) : -1;
   }
 
-  std::vector<OverlapComponent> collect(bool wants_all) {
-    std::vector<OverlapComponent> result;
-    const auto of = [&](std::size_t node) -> OverlapComponent& { return result[nodes_[sets_.find(node)].component]; };
+  /// For points alone, without the points of components that have crossings.
+  Overlap collect(bool wants_all) {
+    Overlap overlap;
+    overlap.components.resize(numberComponents());
+    const auto of = [&](std::size_t node) -> OverlapComponent& { return overlap.components[nodes_[node].component]; };
+    for (std::size_t k = 0; k < crossings_.size(); ++k) of(k).crossings.count(1);
+    const auto isWanted = [&](const Arc& arc) { return wants_all || of(arc.node).crossings.empty(); };
+    if (wants_all)
+      for (OverlapComponent& component : overlap.components) component.points.count(component.crossings.size());
+    for (const Arc& arc : arcs_)
+      if (isWanted(arc)) of(arc.node).points.count(lengthOf(arc));
+    makeRoom(overlap);
+    for (std::size_t k = 0; k < crossings_.size(); ++k) {
+      OverlapComponent& component = of(k);
+      if (wants_all) component.points.push(crossingPoint(k));
+      component.crossings.push(k);
+    }
+    for (const Arc& arc : arcs_)
+      if (isWanted(arc)) addVertices(arc, of(arc.node).points);
+    if (wants_all) lookInside(overlap.components);
+    return overlap;
+  }
+
+  /// How many there are; their nodes know theirs.
+  std::size_t numberComponents() {
     for (Node& node : nodes_) node.is_counted = false;
+    std::size_t count = 0;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       Node& root = nodes_[sets_.find(k)];
       if (!nodes_[k].is_present || root.is_counted) continue;
       root.is_counted = true;
-      root.component = result.size();
-      result.emplace_back();
+      root.component = count++;
     }
-    if (result.size() == 1) {
-      result[0].crossings.reserve(crossings_.size());
-      result[0].points.reserve(crossings_.size() + (wants_all ? 16 * arcs_.size() : 0));
+    for (std::size_t k = 0; k < nodes_.size(); ++k) nodes_[k].component = nodes_[sets_.find(k)].component;
+    return count;
+  }
+
+  /// Of no more than so many vertices, where some are repeated.
+  std::size_t lengthOf(const Arc& arc) const {
+    if (arc.to >= arc.from) return arc.to - arc.from + 1;
+    const PolygonData& polygon = sides_[arc.side].polygon;
+    const std::size_t ring = polygon.ringOf(arc.from);
+    return arc.to + 1 + (polygon.edgeEnd(ring) - polygon.edgeBegin(ring)) - arc.from;
+  }
+
+  /// For as many as are counted.
+  static void makeRoom(Overlap& overlap) {
+    std::size_t points = 0, crossings = 0;
+    for (OverlapComponent& component : overlap.components) {
+      points += component.points.size();
+      crossings += component.crossings.size();
     }
-    for (std::size_t k = 0; k < crossings_.size(); ++k) of(k).crossings.push_back(k);
-    const auto isWanted = [&](std::size_t node) { return wants_all || of(node).crossings.empty(); };
-    forEachPoint(isWanted, [&](const NodePoint& point) { of(point.node).points.push_back(boundaryPoint(point)); });
-    if (!wants_all) return result;
-    for (std::size_t k = 0; k < nodes_.size(); ++k)
-      if (nodes_[k].is_inner && nodes_[sets_.find(k)].is_counted) of(k).inner = true;
-    for (std::size_t k = 0; k < crossings_.size(); ++k)
-      if (!of(k).inner) lookBeside(crossings_[k], of(k));
-    return result;
+    overlap.points.reset(new BoundaryPoint[points]);
+    overlap.crossings.reset(new std::size_t[crossings]);
+    BoundaryPoint* point = overlap.points.get();
+    std::size_t* crossing = overlap.crossings.get();
+    for (OverlapComponent& component : overlap.components) {
+      point = component.points.place(point);
+      crossing = component.crossings.place(crossing);
+    }
+  }
+
+  BoundaryPoint crossingPoint(std::size_t k) const {
+    const EdgeCrossing& c = crossings_[k];
+    const auto i = static_cast<std::int32_t>(c.edge_a), j = static_cast<std::int32_t>(c.edge_b);
+    return {c.point, i, i, j, j};
+  }
+
+  void addVertices(const Arc& arc, Slice<BoundaryPoint>& points) const {
+    std::int32_t before = -1;
+    forEachVertex(arc, [&](std::size_t v) {
+      const Vec2 at = vertex(arc.side, v);
+      const auto edge = static_cast<std::int32_t>(v);
+      if (before < 0)
+        points.push(vertexPoint(sides_[arc.side].polygon, arc.side, v, at));
+      else
+        points.push(arc.side == 0 ? BoundaryPoint{at, edge, before, -1, -1} : BoundaryPoint{at, -1, -1, edge, before});
+      before = edge;
+    });
+  }
+
+  void lookInside(std::vector<OverlapComponent>& components) const {
+    for (const Node& node : nodes_)
+      if (node.is_inner && node.component != kNone) components[node.component].inner = true;
+    for (std::size_t k = 0; k < crossings_.size(); ++k) {
+      OverlapComponent& component = components[nodes_[k].component];
+      if (!component.inner) lookBeside(crossings_[k], component);
+    }
   }
 
   /// Which sides of a common stretch of two edges the regions are on.
@@ -170,8 +235,8 @@ class Grouping : OverlapArcs {
 
 }  // namespace
 
-std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
-                                             const std::vector<EdgeCrossing>& crossings, ContactDetail detail) {
+Overlap findComponents(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
+                       ContactDetail detail) {
   return Grouping(pair, frame, crossings).components(detail);
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "contact/boundary_point.h"
 #include "contact/crossings.h"
+#include "contact/slice.h"
 #include "contact/world_frame.h"
 #include "tricover/contacts.h"
 
@@ -13,15 +15,22 @@ namespace tricover::detail {
 
 /// A connected part of the overlap.
 struct OverlapComponent {
-  std::vector<BoundaryPoint> points;   ///< crossings, and vertices inside the other region
-  std::vector<std::size_t> crossings;  ///< indices; empty in a containment
-  bool inner = false;                  ///< it has an inside, but for rounding: they do more than touch
-  Vec2 facing = Vec2::Zero();          ///< where they touch along edges: the sum of these, turned to point from a to b
+  Slice<BoundaryPoint> points;   ///< crossings, and vertices inside the other region
+  Slice<std::size_t> crossings;  ///< indices; empty in a containment
+  bool inner = false;            ///< it has an inside, but for rounding: they do more than touch
+  Vec2 facing = Vec2::Zero();    ///< where they touch along edges: the sum of these, turned to point from a to b
+};
+
+/// The components, and what they have slices of.
+struct Overlap {
+  std::vector<OverlapComponent> components;
+  std::unique_ptr<BoundaryPoint[]> points;
+  std::unique_ptr<std::size_t[]> crossings;
 };
 
 /// The components of the overlap; none exactly if the regions are apart. What is nearer than the frame's error counts
 /// as connected. For points alone they have their crossings, or their vertices where there are none, and nothing else.
-std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
-                                             const std::vector<EdgeCrossing>& crossings, ContactDetail detail);
+Overlap findComponents(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
+                       ContactDetail detail);
 
 }  // namespace tricover::detail

@@ -30,19 +30,20 @@ class ContactFinder {
         exits_(pair, frame_, crossings_) {}
 
   /// In the pair's order.
-  std::vector<Contact> contacts() const {
+  std::vector<Contact> contacts() {
     const bool wants_all = axes_ != nullptr || leaves_touches_;
-    std::vector<OverlapComponent> components =
-        findComponents(pair_, frame_, crossings_, wants_all ? ContactDetail::WayOut : detail_);
+    Overlap overlap = findComponents(pair_, frame_, crossings_, wants_all ? ContactDetail::WayOut : detail_);
+    std::vector<OverlapComponent>& components = overlap.components;
     if (leaves_touches_) leaveTouches(components);
     std::vector<Contact> result;
+    result.reserve(components.size());
     for (const OverlapComponent& component : components) {
       if (detail_ == ContactDetail::Points && axes_ == nullptr) {
         result.push_back(anyPointOf(component));
         continue;
       }
-      const Hull part = hullOf(component.points);
-      Exit exit = axes_ != nullptr ? exits_.exitOfConvex(component, *axes_) : exits_.exitOf(component, part);
+      const Hull& part = exits_.hullOf(component);
+      Exit exit = axes_ != nullptr ? exits_.exitOfConvex(component, *axes_) : exits_.exitOf(component);
       const double margin = margin_ / frame_.unit();
       exit.depth += margin;
       if (detail_ == ContactDetail::WayOut && axes_ == nullptr && components.size() == 1)
@@ -94,7 +95,7 @@ class ContactFinder {
   const WorldFrame frame_;
   const bool leaves_touches_;
   const std::vector<EdgeCrossing> crossings_;
-  const PartExits exits_;
+  PartExits exits_;
 };
 
 /// Translations times vertices that a contact may cost: a translation asks each edge that is near, in the worst case

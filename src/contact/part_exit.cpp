@@ -35,10 +35,10 @@ const BoundaryPoint& leftmostOf(const OverlapComponent& component) {
                            [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.at.x() < q.at.x(); });
 }
 
-Exit PartExits::exitOf(const OverlapComponent& component, const Hull& part) const {
+Exit PartExits::exitOf(const OverlapComponent& component) {
   if (component.crossings.empty()) return byNearestEdge(component);
   if (!component.inner) return ofTouch(component);
-  const Exit exit = byFaces(component, part);
+  const Exit exit = byFaces(component);
   // All of it may be one rounded point.
   return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
 }
@@ -87,33 +87,54 @@ Exit PartExits::exitOfConvex(const OverlapComponent& component, const Separating
   return exit;
 }
 
+/// Of the part and the edges of one side that cross there.
+void PartExits::makeHullAround(const OverlapComponent& component, bool of_a, Hull& hull) {
+  const PolygonData& polygon = of_a ? pair_.a : pair_.b;
+  around_.clear();
+  around_.reserve(2 * component.crossings.size());
+  const auto edgeAt = [&](std::size_t k) {
+    const EdgeCrossing& c = crossings_[component.crossings[k]];
+    return of_a ? c.edge_a : c.edge_b;
+  };
+  const auto add = [&](std::size_t v) { around_.push_back(of_a ? vertexOfA(v) : vertexOfB(v)); };
+  for (std::size_t k = 0; k < component.crossings.size(); ++k) {
+    const std::size_t edge = edgeAt(k);
+    // As a rule it has crossed another edge just before; once more does no harm.
+    bool is_known = false;
+    for (std::size_t before = k; before > 0 && before + 3 > k && !is_known;) is_known = edgeAt(--before) == edge;
+    if (is_known) continue;
+    add(edge);
+    add(edgeAfter(polygon, edge));
+  }
+  part_.grow(around_, hull);
+}
+
+/// Of the faces that are edges, or of the others.
+PartExits::Found PartExits::leastFace(bool is_edge) const {
+  Found best;
+  const auto offer = [&](const Exit& exit, const BoundaryPoint& deepest) {
+    if (consider(exit, best.exit)) best.deepest = deepest;
+  };
+  forEachFace(
+      around_a_, around_b_, [&](auto& from, auto& to) { return (commonOfA(from, to) >= 0) == is_edge; },
+      [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
+        offer({normal, depth, commonOfA(from, to), -1, true}, deepest);
+      });
+  forEachFace(
+      around_b_, around_a_, [&](auto& from, auto& to) { return (commonOfB(from, to) >= 0) == is_edge; },
+      [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
+        offer({-normal, depth, -1, commonOfB(from, to), false}, deepest);
+      });
+  return best;
+}
+
 /// As if this part of the overlap and the edges around it were all there is: by the faces of their hulls that are
 /// edges, or by any faces if none is.
-Exit PartExits::byFaces(const OverlapComponent& component, const Hull& part) const {
-  std::vector<BoundaryPoint> of_a = part, of_b = part;
-  for (const std::size_t k : component.crossings) {
-    const EdgeCrossing& c = crossings_[k];
-    of_a.insert(of_a.end(), {vertexOfA(c.edge_a), vertexOfA(edgeAfter(pair_.a, c.edge_a))});
-    of_b.insert(of_b.end(), {vertexOfB(c.edge_b), vertexOfB(edgeAfter(pair_.b, c.edge_b))});
-  }
-  const Hull a = hullOf(std::move(of_a)), b = hullOf(std::move(of_b));
-  struct Found {
-    Exit exit;
-    BoundaryPoint deepest;
-  } best, bridging;
-  const auto offer = [&](std::ptrdiff_t edge, const Exit& exit, const BoundaryPoint& deepest) {
-    Found& found = edge >= 0 ? best : bridging;
-    if (consider(exit, found.exit)) found.deepest = deepest;
-  };
-  forEachFace(a, b, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
-    const std::ptrdiff_t edge = commonOfA(from, to);
-    offer(edge, {normal, depth, edge, -1, true}, deepest);
-  });
-  forEachFace(b, a, [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
-    const std::ptrdiff_t edge = commonOfB(from, to);
-    offer(edge, {-normal, depth, -1, edge, false}, deepest);
-  });
-  Found& found = best.exit.depth < std::numeric_limits<double>::infinity() ? best : bridging;
+Exit PartExits::byFaces(const OverlapComponent& component) {
+  makeHullAround(component, true, around_a_);
+  makeHullAround(component, false, around_b_);
+  Found found = leastFace(true);
+  if (!(found.exit.depth < std::numeric_limits<double>::infinity())) found = leastFace(false);
   Exit& exit = found.exit;
   if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;
   if (exit.from_a)

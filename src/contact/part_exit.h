@@ -27,10 +27,19 @@ const BoundaryPoint& leftmostOf(const OverlapComponent& component);
 class PartExits {
  public:
   PartExits(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
-      : pair_(pair), frame_(frame), crossings_(crossings), towards_b_(-frame.originOfA()) {}
+      : pair_(pair),
+        frame_(frame),
+        crossings_(crossings),
+        towards_b_(-frame.originOfA()),
+        part_(2 * frame.error() * frame.size()) {}
 
-  /// part: the component's hull.
-  Exit exitOf(const OverlapComponent& component, const Hull& part) const;
+  /// Until the next call.
+  const Hull& hullOf(const OverlapComponent& component) {
+    part_.make(component.points);
+    return part_.corners();
+  }
+  /// Of the component whose hull was asked for last.
+  Exit exitOf(const OverlapComponent& component);
   /// The only part of two convex regions: the least depth of their separating axes, which no translation that parts
   /// them is shorter than.
   Exit exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const;
@@ -43,7 +52,13 @@ class PartExits {
   std::ptrdiff_t flatterOfB(const BoundaryPoint& p, const Vec2& normal) const;
   BoundaryPoint vertexOfA(std::size_t v) const { return vertexPoint(pair_.a, 0, v, frame_.fromA(pair_.a.path[v])); }
   BoundaryPoint vertexOfB(std::size_t v) const { return vertexPoint(pair_.b, 1, v, frame_.fromB(pair_.b.path[v])); }
-  Exit byFaces(const OverlapComponent& component, const Hull& part) const;
+  void makeHullAround(const OverlapComponent& component, bool of_a, Hull& hull);
+  struct Found {
+    Exit exit;
+    BoundaryPoint deepest;
+  };
+  Found leastFace(bool is_edge) const;
+  Exit byFaces(const OverlapComponent& component);
   void completeEdges(const OverlapComponent& component, Exit& exit) const;
   Exit ofTouch(const OverlapComponent& component) const;
   Polygon ringsOf(const OverlapComponent& component, bool of_b) const;
@@ -53,6 +68,9 @@ class PartExits {
   const WorldFrame& frame_;
   const std::vector<EdgeCrossing>& crossings_;
   Vec2 towards_b_;
+  PartHull part_;
+  Hull around_a_, around_b_;
+  std::vector<BoundaryPoint> around_;
 };
 
 }  // namespace tricover::detail
