@@ -17,6 +17,8 @@ Records::Records(py::module_& m) {
   penetration_ = define("Penetration", "depth normal lower_bound optimal translation point_a point_b edge_a edge_b");
   contact_ = define("Contact", "point normal depth edge_a edge_b");
   impact_ = define("Impact", "time point normal edge_a edge_b");
+  conflict_ = define("Conflict", "impact end");
+  body_options_ = define("BodyOptions", "margin category mask touching");
   ray_hit_ = define("RayHit", "fraction point normal edge");
 }
 
@@ -46,6 +48,12 @@ py::object Records::of(const tricover::Impact& i) const {
   return impact_(i.time, arrayOf(i.point), arrayOf(i.normal), i.edge_a, i.edge_b);
 }
 
+py::object Records::of(const tricover::Conflict& c) const { return conflict_(of(c.impact), c.end); }
+
+py::object Records::of(const tricover::BodyOptions& o) const {
+  return body_options_(o.margin, o.category, o.mask, o.touching);
+}
+
 py::object Records::of(const tricover::RayHit& h) const {
   return ray_hit_(h.fraction, arrayOf(h.point), arrayOf(h.normal), h.edge);
 }
@@ -56,5 +64,6 @@ PYBIND11_MODULE(tricover, m) {
   m.doc() = "Exact collision detection between 2D polygons.";
   const tricover_python::Records records(m);
   definePairs(m, records);
+  defineMotions(m, records);
   defineScene(m, records);
 }

@@ -22,6 +22,8 @@ class Records {
   py::object of(const tricover::Penetration& result) const;
   py::object of(const tricover::Contact& contact) const;
   py::object of(const tricover::Impact& impact) const;
+  py::object of(const tricover::Conflict& conflict) const;
+  py::object of(const tricover::BodyOptions& options) const;
   py::object of(const tricover::RayHit& hit) const;
   /// None for nothing.
   template <typename Result>
@@ -30,10 +32,11 @@ class Records {
   }
 
  private:
-  py::object distance_, penetration_, contact_, impact_, ray_hit_;
+  py::object distance_, penetration_, contact_, impact_, conflict_, ray_hit_, body_options_;
 };
 
 void definePairs(py::module_& m, const Records& records);
+void defineMotions(py::module_& m, const Records& records);
 void defineScene(py::module_& m, const Records& records);
 
 }  // namespace tricover_python

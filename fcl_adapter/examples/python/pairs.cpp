@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygons, motions, and queries about two polygons, one pose or many at once.
+// Polygons, and queries about two polygons, one pose or many at once.
 #include <pybind11/stl.h>
 #include <tricover/tricover.h>
 
@@ -14,7 +14,6 @@
 namespace tricover_python {
 namespace {
 
-using tricover::Motion;
 using tricover::Polygon;
 
 /// One answer, or a list of them.
@@ -58,6 +57,20 @@ void definePolygon(py::module_& m) {
       .def_property_readonly("vertex_count", &Polygon::vertexCount)
       .def_property_readonly("origin", [](const Polygon& polygon) { return arrayOf(polygon.origin()); })
       .def_property_readonly("radius", &Polygon::radius)
+      .def_property_readonly("area", &Polygon::area)
+      .def_property_readonly("centroid", [](const Polygon& polygon) { return arrayOf(polygon.centroid()); })
+      .def_property_readonly("bounds",
+                             [](const Polygon& polygon) {
+                               const auto box = polygon.bounds();
+                               return arrayOf(std::vector<tricover::Vec2>{box.min(), box.max()});
+                             })
+      .def_property_readonly("is_convex", &Polygon::isConvex)
+      .def(
+          "translated", [](const Polygon& polygon, const Array& by) { return polygon.translated(pointFrom(by, "by")); },
+          py::arg("by"))
+      .def("scaled", &Polygon::scaled, py::arg("factor"))
+      .def("simplified", &Polygon::simplified, py::arg("tolerance"), py::arg("outwards") = false,
+           py::call_guard<py::gil_scoped_release>())
       .def("edge",
            [](const Polygon& polygon, tricover::EdgeIndex edge) {
              return arrayOf(std::vector<tricover::Vec2>{polygon.edgeStart(edge), polygon.edgeEnd(edge)});
@@ -99,54 +112,16 @@ void defineMaps(py::module_& m) {
       py::arg("yaml"));
 }
 
-void defineMotion(py::module_& m) {
-  const std::vector<double> none = {0, 0};
-  const auto one = [](const Array& pose, const char* name) {
-    const Poses poses = posesFrom(pose, name);
-    if (!poses.is_one) throw std::invalid_argument(std::string(name) + ": one pose is wanted");
-    return poses[0];
-  };
-  py::class_<Motion>(m, "Motion", "A planar rigid motion from time 0 to time 1.")
-      .def_static(
-          "still", [one](const Array& pose) { return Motion::still(one(pose, "pose")); }, py::arg("pose"))
-      .def_static(
-          "translation",
-          [one](const Array& start, const Array& shift) {
-            return Motion::translation(one(start, "start"), pointFrom(shift, "shift"));
-          },
-          py::arg("start"), py::arg("shift"))
-      .def_static(
-          "between",
-          [one](const Array& start, const Array& end, const Array& pivot) {
-            return Motion::between(one(start, "start"), one(end, "end"), pointFrom(pivot, "pivot"));
-          },
-          py::arg("start"), py::arg("end"), py::arg("pivot") = none)
-      .def_static(
-          "spline",
-          [](const Array& begin, const Array& begin_velocity, const Array& end, const Array& end_velocity,
-             const Array& pivot) {
-            const auto end_of = [](const Array& place, const Array& velocity, const std::string& name) {
-              for (const Array* const array : {&place, &velocity})
-                if (array->ndim() != 1 || array->shape(0) != 3)
-                  throw std::invalid_argument(name + ": x, y and heading are wanted, not " + shapeOf(*array));
-              return tricover::SplineEnd{
-                  {place.at(0), place.at(1)}, place.at(2), {velocity.at(0), velocity.at(1)}, velocity.at(2)};
-            };
-            return Motion::spline(end_of(begin, begin_velocity, "begin"), end_of(end, end_velocity, "end"),
-                                  pointFrom(pivot, "pivot"));
-          },
-          py::arg("begin"), py::arg("begin_velocity"), py::arg("end"), py::arg("end_velocity"), py::arg("pivot") = none)
-      .def(
-          "at", [](const Motion& motion, double time) { return arrayOf(motion.at(time)); }, py::arg("time"));
-}
-
 void defineBooleans(py::module_& m) {
+  py::enum_<tricover::Touching>(m, "Touching")
+      .value("COLLIDES", tricover::Touching::Collides)
+      .value("ALLOWED", tricover::Touching::Allowed);
   m.def(
       "collide",
       [](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin, double tolerance,
-         std::size_t threads) -> py::object {
+         tricover::Touching touching, std::size_t threads) -> py::object {
         const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
-        const tricover::CollideOptions options{margin, tolerance};
+        const tricover::CollideOptions options{margin, tolerance, touching};
         if (poses_a.is_one && poses_b.is_one) return py::bool_(collide(a, poses_a[0], b, poses_b[0], options));
         py::array_t<bool> answers(static_cast<py::ssize_t>(countOf(poses_a, poses_b)));
         bool* const answer = answers.mutable_data();
@@ -155,7 +130,7 @@ void defineBooleans(py::module_& m) {
         return std::move(answers);
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
-      py::arg("tolerance") = 0.0, py::arg("threads") = 0);
+      py::arg("tolerance") = 0.0, py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
   py::enum_<tricover::Location>(m, "Location")
       .value("OUTSIDE", tricover::Location::Outside)
       .value("BOUNDARY", tricover::Location::Boundary)
@@ -192,16 +167,16 @@ void defineMeasures(py::module_& m, const Records& records) {
   m.def(
       "penetration",
       [records](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin,
-                double depth_error, std::size_t threads) {
+                double depth_error, tricover::Touching touching, std::size_t threads) {
         const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
         std::vector<std::optional<tricover::Penetration>> found(countOf(poses_a, poses_b));
         forEachInParallel(found.size(), threads, [&](std::size_t i) {
-          found[i] = penetration(a, poses_a[i], b, poses_b[i], {margin, depth_error});
+          found[i] = penetration(a, poses_a[i], b, poses_b[i], {margin, depth_error, touching});
         });
         return listOf(poses_a.is_one && poses_b.is_one, found, [&](const auto& one) { return records.of(one); });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
-      py::arg("depth_error") = 0.0, py::arg("threads") = 0);
+      py::arg("depth_error") = 0.0, py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
 }
 
 void defineContacts(py::module_& m, const Records& records) {
@@ -212,12 +187,14 @@ void defineContacts(py::module_& m, const Records& records) {
   m.def(
       "contacts",
       [records](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin,
-                std::optional<std::size_t> most, tricover::ContactDetail detail, std::size_t threads) {
+                std::optional<std::size_t> most, tricover::ContactDetail detail, tricover::Touching touching,
+                std::size_t threads) {
         const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
         tricover::ContactOptions options;
         options.margin = margin;
         if (most) options.most = *most;
         options.detail = detail;
+        options.touching = touching;
         std::vector<std::vector<tricover::Contact>> found(countOf(poses_a, poses_b));
         forEachInParallel(found.size(), threads,
                           [&](std::size_t i) { found[i] = contacts(a, poses_a[i], b, poses_b[i], options); });
@@ -228,23 +205,11 @@ void defineContacts(py::module_& m, const Records& records) {
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
-      py::arg("most") = py::none(), py::arg("detail") = tricover::ContactDetail::WayOut, py::arg("threads") = 0);
+      py::arg("most") = py::none(), py::arg("detail") = tricover::ContactDetail::WayOut,
+      py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
 }
 
-void defineImpacts(py::module_& m, const Records& records) {
-  m.def(
-      "time_of_impact",
-      [records](const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, double margin,
-                double time_error) {
-        std::optional<tricover::Impact> found;
-        {
-          const py::gil_scoped_release released;
-          found = timeOfImpact(a, motion_a, b, motion_b, {margin, time_error});
-        }
-        return records.of(found);
-      },
-      py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
-      py::arg("time_error") = 1e-6);
+void defineRays(py::module_& m, const Records& records) {
   m.def(
       "cast_ray",
       [records](const Polygon& polygon, const Array& pose, const Array& from, const Array& to, double margin) {
@@ -261,11 +226,10 @@ void defineImpacts(py::module_& m, const Records& records) {
 void definePairs(py::module_& m, const Records& records) {
   definePolygon(m);
   defineMaps(m);
-  defineMotion(m);
   defineBooleans(m);
   defineMeasures(m, records);
   defineContacts(m, records);
-  defineImpacts(m, records);
+  defineRays(m, records);
 }
 
 }  // namespace tricover_python

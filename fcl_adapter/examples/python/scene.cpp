@@ -36,7 +36,7 @@ tricover::Parallel parallelOn(std::size_t threads) {
       [threads](std::size_t count, const std::function<void(std::size_t)>& task) { inParallel(threads, count, task); };
 }
 
-void defineBodies(py::class_<Scene>& scene) {
+void defineBodies(py::class_<Scene>& scene, const Records& records) {
   scene.def(py::init<>())
       .def("__copy__", [](const Scene& other) { return Scene(other); })
       .def(
@@ -46,11 +46,22 @@ void defineBodies(py::class_<Scene>& scene) {
       .def(
           "add",
           [](Scene& self, const Polygon& polygon, const Array& pose, double margin, std::uint32_t category,
-             std::uint32_t mask) {
-            return self.add(polygon, onePose(pose), {margin, category, mask});
+             std::uint32_t mask, tricover::Touching touching) {
+            return self.add(polygon, onePose(pose), {margin, category, mask, touching});
           },
           py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("category") = 1,
-          py::arg("mask") = tricover::kEveryCategory)
+          py::arg("mask") = tricover::kEveryCategory, py::arg("touching") = tricover::Touching::Collides)
+      .def(
+          "set_options",
+          [](Scene& self, BodyHandle body, double margin, std::uint32_t category, std::uint32_t mask,
+             tricover::Touching touching) {
+            self.setOptions(body, {margin, category, mask, touching});
+          },
+          py::arg("body"), py::arg("margin") = 0.0, py::arg("category") = 1, py::arg("mask") = tricover::kEveryCategory,
+          py::arg("touching") = tricover::Touching::Collides)
+      .def(
+          "options", [records](const Scene& self, BodyHandle body) { return records.of(self.options(body)); },
+          py::arg("body"))
       .def("remove", &Scene::remove, py::arg("body"))
       .def(
           "move", [](Scene& self, BodyHandle body, const Array& pose) { self.move(body, onePose(pose)); },
@@ -77,27 +88,30 @@ void defineBooleans(py::class_<Scene>& scene) {
       .def(
           "collides",
           [](const Scene& self, const Polygon& polygon, const Array& pose, double margin, double tolerance,
-             std::uint32_t mask, std::optional<BodyHandle> ignored, std::size_t threads) -> py::object {
+             std::uint32_t mask, std::optional<BodyHandle> ignored, tricover::Touching touching,
+             std::size_t threads) -> py::object {
+            const tricover::CollideOptions options{margin, tolerance, touching};
             const Poses poses = posesFrom(pose, "pose");
             const tricover::BodyFilter filter = filterFrom(mask, ignored);
-            if (poses.is_one) return py::bool_(self.collides(polygon, poses[0], {margin, tolerance}, filter));
+            if (poses.is_one) return py::bool_(self.collides(polygon, poses[0], options, filter));
             std::vector<bool> found;
             {
               const py::gil_scoped_release released;
-              found = self.collides(polygon, poses.poses, {margin, tolerance}, filter, parallelOn(threads));
+              found = self.collides(polygon, poses.poses, options, filter, parallelOn(threads));
             }
             return arrayOf<bool>(found.size(), [&](std::size_t i) { return found[i]; });
           },
           py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("tolerance") = 0.0,
-          py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("threads") = 0)
+          py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("touching") = tricover::Touching::Collides,
+          py::arg("threads") = 0)
       .def(
           "colliding",
           [](const Scene& self, const Polygon& polygon, const Array& pose, double margin, std::uint32_t mask,
-             std::optional<BodyHandle> ignored) {
-            return self.colliding(polygon, onePose(pose), {margin, 0}, filterFrom(mask, ignored));
+             std::optional<BodyHandle> ignored, tricover::Touching touching) {
+            return self.colliding(polygon, onePose(pose), {margin, 0, touching}, filterFrom(mask, ignored));
           },
           py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("mask") = kAll,
-          py::arg("ignored") = py::none());
+          py::arg("ignored") = py::none(), py::arg("touching") = tricover::Touching::Collides);
 }
 
 void defineMeasures(py::class_<Scene>& scene, const Records& records) {
@@ -112,33 +126,6 @@ void defineMeasures(py::class_<Scene>& scene, const Records& records) {
           },
           py::arg("polygon"), py::arg("pose"), py::arg("mask") = kAll, py::arg("ignored") = py::none())
       .def(
-          "first_impact",
-          [records](const Scene& self, const Polygon& polygon, const tricover::Motion& motion, double margin,
-                    double time_error, std::uint32_t mask, std::optional<BodyHandle> ignored) -> py::object {
-            const auto found = self.firstImpact(polygon, motion, {margin, time_error}, filterFrom(mask, ignored));
-            if (!found) return py::none();
-            return py::make_tuple(found->body, records.of(found->impact));
-          },
-          py::arg("polygon"), py::arg("motion"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6,
-          py::arg("mask") = kAll, py::arg("ignored") = py::none())
-      .def(
-          "impacts",
-          [records](const Scene& self, const std::vector<std::pair<BodyHandle, tricover::Motion>>& motions,
-                    double margin, double time_error, std::size_t threads) {
-            std::vector<tricover::BodyMotion> given;
-            for (const auto& [body, motion] : motions) given.push_back({body, motion});
-            std::vector<tricover::PairImpact> found;
-            {
-              const py::gil_scoped_release released;
-              found = self.impacts(given, {margin, time_error}, parallelOn(threads));
-            }
-            py::list list;
-            for (const tricover::PairImpact& one : found)
-              list.append(py::make_tuple(one.pair.first, one.pair.second, records.of(one.impact)));
-            return list;
-          },
-          py::arg("motions"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6, py::arg("threads") = 0)
-      .def(
           "cast_ray",
           [records](const Scene& self, const Array& from, const Array& to, double margin, std::uint32_t mask,
                     std::optional<BodyHandle> ignored) -> py::object {
@@ -151,13 +138,72 @@ void defineMeasures(py::class_<Scene>& scene, const Records& records) {
           py::arg("ignored") = py::none());
 }
 
+/// Of Motions, or of Trajectories.
+template <typename Way, typename Moving>
+void defineImpacts(py::class_<Scene>& scene, const Records& records) {
+  scene
+      .def(
+          "first_impact",
+          [records](const Scene& self, const Polygon& polygon, const Way& motion, double margin, double time_error,
+                    std::uint32_t mask, std::optional<BodyHandle> ignored, bool ignore_initial) -> py::object {
+            const auto found =
+                self.firstImpact(polygon, motion, {margin, time_error, ignore_initial}, filterFrom(mask, ignored));
+            if (!found) return py::none();
+            return py::make_tuple(found->body, records.of(found->impact));
+          },
+          py::arg("polygon"), py::arg("motion"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6,
+          py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("ignore_initial") = false)
+      .def(
+          "impacts",
+          [records](const Scene& self, const std::vector<std::pair<BodyHandle, Way>>& motions, double margin,
+                    double time_error, bool ignore_initial, std::size_t threads) {
+            std::vector<Moving> given;
+            for (const auto& [body, motion] : motions) given.push_back({body, motion});
+            std::vector<tricover::PairImpact> found;
+            {
+              const py::gil_scoped_release released;
+              found = self.impacts(given, {margin, time_error, ignore_initial}, parallelOn(threads));
+            }
+            py::list list;
+            for (const tricover::PairImpact& one : found)
+              list.append(py::make_tuple(one.pair.first, one.pair.second, records.of(one.impact)));
+            return list;
+          },
+          py::arg("motions"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false,
+          py::arg("threads") = 0);
+}
+
+void defineConflicts(py::class_<Scene>& scene, const Records& records) {
+  scene.def(
+      "conflicts",
+      [records](const Scene& self, const std::vector<std::pair<BodyHandle, tricover::Trajectory>>& trajectories,
+                double margin, double time_error, bool ignore_initial, std::size_t threads) {
+        std::vector<tricover::BodyTrajectory> given;
+        for (const auto& [body, trajectory] : trajectories) given.push_back({body, trajectory});
+        std::vector<tricover::PairConflict> found;
+        {
+          const py::gil_scoped_release released;
+          found = self.conflicts(given, {margin, time_error, ignore_initial}, parallelOn(threads));
+        }
+        py::list list;
+        for (const tricover::PairConflict& one : found)
+          list.append(py::make_tuple(one.pair.first, one.pair.second, records.of(one.conflict)));
+        return list;
+      },
+      py::arg("trajectories"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false,
+      py::arg("threads") = 0);
+}
+
 }  // namespace
 
 void defineScene(py::module_& m, const Records& records) {
   py::class_<Scene> scene(m, "Scene", "Many polygons under poses of their own, and what collides among them.");
-  defineBodies(scene);
+  defineBodies(scene, records);
   defineBooleans(scene);
   defineMeasures(scene, records);
+  defineImpacts<tricover::Motion, tricover::BodyMotion>(scene, records);
+  defineImpacts<tricover::Trajectory, tricover::BodyTrajectory>(scene, records);
+  defineConflicts(scene, records);
 }
 
 }  // namespace tricover_python

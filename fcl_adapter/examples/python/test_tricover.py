@@ -37,6 +37,19 @@ class Polygons(unittest.TestCase):
         self.assertEqual(tc.locate(tc.Polygon(twice, tc.FillRule.NON_ZERO), (2, 2)), tc.Location.INSIDE)
         np.testing.assert_array_equal(tc.locate(tc.Polygon(twice), [(2, 2), (0, 1), (0.5, 0.5)]), [0, 1, 2])
 
+    def test_measures(self):
+        shape = tc.Polygon([(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (0, 3)])
+        self.assertEqual(shape.area, 6)
+        np.testing.assert_allclose(shape.centroid, (1.5, 1))
+        np.testing.assert_array_equal(shape.bounds, [(0, 0), (4, 3)])
+        self.assertEqual((shape.is_convex, SQUARE.is_convex), (False, True))
+        np.testing.assert_array_equal(shape.translated((1, 2)).bounds, [(1, 2), (5, 5)])
+        self.assertEqual(shape.scaled(2).area, 24)
+        many = tc.Polygon([(x, 1e-3 * (x % 2)) for x in range(20)] + [(20, 5), (0, 5)])
+        self.assertLess(many.simplified(0.01).vertex_count, 6)
+        covered = many.simplified(0.01, outwards=True)
+        self.assertTrue(all(tc.locate(covered, ring).all() for ring in many.rings))
+
     def test_maps(self):
         cells = np.zeros((3, 4), np.int8)
         cells[0, 1:3] = 100
@@ -118,6 +131,15 @@ class Pairs(unittest.TestCase):
         self.assertFalse(tc.collide(SQUARE, ORIGIN, SQUARE, (np.nextafter(1, 2), 0, 0)))
         self.assertTrue(tc.collide(SQUARE, ORIGIN, SQUARE, (1.5, 0, 0), margin=0.5))
 
+    def test_a_touch_may_be_allowed(self):
+        allowed = tc.Touching.ALLOWED
+        poses = [(1, 0, 0), (np.nextafter(1, 0), 0, 0)]
+        np.testing.assert_array_equal(tc.collide(SQUARE, ORIGIN, SQUARE, poses, touching=allowed), [False, True])
+        self.assertIsNone(tc.penetration(SQUARE, ORIGIN, SQUARE, (1, 0, 0), touching=allowed))
+        self.assertEqual(tc.penetration(SQUARE, ORIGIN, SQUARE, (1, 0, 0)).depth, 0)
+        self.assertEqual(len(tc.contacts(SQUARE, ORIGIN, SQUARE, (1, 0, 0))), 1)
+        self.assertEqual(tc.contacts(SQUARE, ORIGIN, SQUARE, (1, 0, 0), touching=allowed), [])
+
     def test_measures(self):
         gap = tc.distance(SQUARE, ORIGIN, SQUARE, (4, 0, 0), margin=1)
         self.assertEqual((gap.distance, gap.edge_a), (2, 1))
@@ -148,6 +170,34 @@ class Pairs(unittest.TestCase):
         np.testing.assert_allclose(turn.at(0.5), matrix(3, 3, 0.5), atol=1e-15)
         way = tc.Motion.spline((0, 0, 0), (3, 0, 0), (1, 1, 1), (0, 3, 0))
         np.testing.assert_allclose(way.at(1), matrix(1, 1, 1), atol=1e-15)
+
+    def test_conflicts(self):
+        still, there_and_back = tc.Motion.still(ORIGIN), tc.Motion.spline((-3, 0, 0), (12, 0, 0), (-3, 0, 0), (-12, 0, 0))
+        one, = tc.conflicts(SQUARE, still, SQUARE, there_and_back)
+        self.assertAlmostEqual(one.impact.time, 1 - one.end, 5)
+        leaves = tc.Motion.translation((0.5, 0, 0), (9, 0))
+        self.assertEqual(tc.time_of_impact(SQUARE, still, SQUARE, leaves).time, 0)
+        self.assertIsNone(tc.time_of_impact(SQUARE, still, SQUARE, leaves, ignore_initial=True))
+        self.assertEqual(tc.conflicts(SQUARE, still, SQUARE, leaves, ignore_initial=True), [])
+
+    def test_trajectories(self):
+        way = tc.Trajectory.through([10, 20, 30, 40], [(-10, 0, 0), (0, 0, 0), (0, 0, 0), (10, 0, 0)])
+        self.assertEqual((way.begin, way.end, len(way.legs)), (10, 40, 3))
+        np.testing.assert_allclose(way.at(15), matrix(-5, 0, 0))
+        np.testing.assert_allclose(way.part(10, 15).at(1), matrix(-5, 0, 0))
+        rest = tc.Trajectory([(0, 1, tc.Motion.still(ORIGIN))])
+        hit = tc.time_of_impact(SQUARE, rest, SQUARE, way)
+        self.assertAlmostEqual(hit.time, 19, 5)
+        span, = tc.conflicts(SQUARE, rest, SQUARE, way)
+        self.assertAlmostEqual(span.end, 31, 5)
+        spline = tc.Trajectory.spline([0, 2, 5], [(0, 0, 0), (2, 0, 0), (5, 0, 0)], [(1, 0, 0)] * 3)
+        np.testing.assert_allclose(spline.at(4), matrix(4, 0, 0), atol=1e-14)
+        with self.assertRaisesRegex(ValueError, r"poses: its shape must be \(n, 3\)"):
+            tc.Trajectory.through([1, 2], [ORIGIN])
+        with self.assertRaisesRegex(ValueError, r"poses\[1\].time"):
+            tc.Trajectory.through([1, 1], [ORIGIN, ORIGIN])
+        with self.assertRaises(TypeError):
+            tc.time_of_impact(SQUARE, rest, SQUARE, tc.Motion.still(ORIGIN))
 
     def test_rays(self):
         hit = tc.cast_ray(SQUARE, (2, 0, 0), (0, 0.5), (4, 0.5))
@@ -199,6 +249,29 @@ class Scenes(unittest.TestCase):
         with self.assertRaises(IndexError):
             self.scene.move(self.near, (0, 0, 0))
 
+    def test_options(self):
+        self.assertEqual(self.scene.options(self.far)[:3], (0.5, 2, 0xFFFFFFFF))
+        self.scene.move(self.near, (3.5, 0, 0))
+        self.assertEqual(len(self.scene.collisions()), 1)
+        self.scene.set_options(self.far, margin=0.5, touching=tc.Touching.ALLOWED)
+        self.assertEqual(self.scene.options(self.far).touching, tc.Touching.ALLOWED)
+        self.assertEqual(self.scene.collisions(), [])
+        self.assertIs(self.scene.collides(SQUARE, (2.5, 0, 0)), True)
+        self.assertIs(self.scene.collides(SQUARE, (2.5, 0, 0), touching=tc.Touching.ALLOWED), False)
+        self.assertEqual(self.scene.colliding(SQUARE, (2.5, 0, 0), touching=tc.Touching.ALLOWED), [])
+
+    def test_trajectories(self):
+        way = tc.Trajectory.through([0, 10, 20], [(0, 0, 0), (10, 0, 0), (0, 0, 0)])
+        body, hit = self.scene.first_impact(SQUARE, way, ignored=self.near)
+        self.assertEqual(body, self.far)
+        self.assertAlmostEqual(hit.time, 3.5, 5)
+        self.assertIsNone(self.scene.first_impact(SQUARE, tc.Motion.still(ORIGIN), ignore_initial=True))
+        (first, second, hit), = self.scene.impacts([(self.near, way)])
+        self.assertEqual((first, second), (self.near, self.far))
+        self.assertAlmostEqual(hit.time, 3.5, 5)
+        spans = [span for _, _, span in self.scene.conflicts([(self.near, way)], threads=2)]
+        np.testing.assert_allclose([(span.impact.time, span.end) for span in spans], [(3.5, 6.5), (13.5, 16.5)], atol=1e-5)
+
     def test_frames(self):
         self.assertEqual(self.scene.collisions(), [])
         self.scene.move(self.near, (3.6, 0, 0))
@@ -246,7 +319,7 @@ class Stubs(unittest.TestCase):
             names = {node.name for node in body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
             return names | {node.target.id for node in body if isinstance(node, ast.AnnAssign)}
 
-        listed = {name for name in named(tree.body)}
+        listed = named(tree.body)
         self.assertEqual(listed, {name for name in dir(tc) if not name.startswith("__")})
         for node in tree.body:
             if isinstance(node, ast.ClassDef):

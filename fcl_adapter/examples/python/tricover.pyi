@@ -6,7 +6,7 @@ Where one of two poses is one and the other many, the one is used for all. Many 
 for all processors, while other Python threads run; errors name the pose. Lengths are the world's. Wrong arguments raise
 ValueError, edges and bodies that aren't there IndexError. The C++ reference says more of each function.
 """
-from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,6 +26,11 @@ class ContactDetail:
     LOCAL_DEPTH: ContactDetail
     WAY_OUT: ContactDetail
 
+class Touching:
+    """Whether regions that only touch collide; ALLOWED asks whether the interiors meet."""
+    COLLIDES: Touching
+    ALLOWED: Touching
+
 class Polygon:
     """A closed planar region of rings, arrays (n, 2), or of one. It never changes."""
     def __init__(self, rings: Union[ArrayLike, Sequence[ArrayLike]], fill_rule: FillRule = FillRule.EVEN_ODD) -> None: ...
@@ -39,6 +44,19 @@ class Polygon:
     def origin(self) -> NDArray[np.float64]: ...
     @property
     def radius(self) -> float: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def centroid(self) -> NDArray[np.float64]: ...
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """The lowest and the highest x and y, (2, 2)."""
+    @property
+    def is_convex(self) -> bool: ...
+    def translated(self, by: ArrayLike) -> Polygon: ...
+    def scaled(self, factor: float) -> Polygon: ...
+    def simplified(self, tolerance: float, outwards: bool = False) -> Polygon:
+        """Of fewer vertices; neither region is farther from the other than the tolerance. Outwards: it covers this one."""
     def edge(self, edge: int) -> NDArray[np.float64]:
         """Its two ends, (2, 2)."""
 
@@ -68,6 +86,28 @@ class Motion:
         """The cubic Hermite spline; each argument is x, y and heading, or their velocities."""
     def at(self, time: float) -> NDArray[np.float64]:
         """The pose at a time, a matrix."""
+    def part(self, from_time: float, until: float) -> Motion:
+        """From one time to another, which are its 0 and 1."""
+
+class Trajectory:
+    """Motions one after the other, each from its begin to its end by a clock; before and after them it rests."""
+    def __init__(self, legs: Sequence[Tuple[float, float, Motion]]) -> None: ...
+    @staticmethod
+    def through(times: ArrayLike, poses: ArrayLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
+        """From pose to pose: times (n,), x, y and heading (n, 3). It waits where two are the same."""
+    @staticmethod
+    def spline(times: ArrayLike, places: ArrayLike, velocities: ArrayLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
+        """The cubic Hermite spline from knot to knot: times (n,), places and their rates (n, 3)."""
+    @property
+    def legs(self) -> List[Tuple[float, float, Motion]]: ...
+    @property
+    def begin(self) -> float: ...
+    @property
+    def end(self) -> float: ...
+    def at(self, time: float) -> NDArray[np.float64]:
+        """The pose at a time, a matrix."""
+    def part(self, from_time: float, until: float) -> Motion:
+        """Of times between which no leg ends."""
 
 class Distance(NamedTuple):
     """Of many poses, each field is an array."""
@@ -102,23 +142,44 @@ class Impact(NamedTuple):
     edge_a: int
     edge_b: int
 
+class Conflict(NamedTuple):
+    """A span of time in which two bodies meet: from impact.time to end."""
+    impact: Impact
+    end: float
+
+class BodyOptions(NamedTuple):
+    margin: float
+    category: int
+    mask: int
+    touching: Touching
+
 class RayHit(NamedTuple):
     fraction: float
     point: NDArray[np.float64]
     normal: NDArray[np.float64]
     edge: int
 
+Way = TypeVar("Way", Motion, Trajectory)
+
 def collide(a: Polygon, pose_a: ArrayLike, b: Polygon, pose_b: ArrayLike, margin: float = 0.0, tolerance: float = 0.0,
-            threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
+            touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
 def distance(a: Polygon, pose_a: ArrayLike, b: Polygon, pose_b: ArrayLike, margin: float = 0.0,
              threads: int = 0) -> Distance: ...
 def penetration(a: Polygon, pose_a: ArrayLike, b: Polygon, pose_b: ArrayLike, margin: float = 0.0,
-                depth_error: float = 0.0, threads: int = 0) -> Union[Optional[Penetration], List[Optional[Penetration]]]: ...
+                depth_error: float = 0.0, touching: Touching = Touching.COLLIDES,
+                threads: int = 0) -> Union[Optional[Penetration], List[Optional[Penetration]]]: ...
 def contacts(a: Polygon, pose_a: ArrayLike, b: Polygon, pose_b: ArrayLike, margin: float = 0.0,
              most: Optional[int] = None, detail: ContactDetail = ContactDetail.WAY_OUT,
-             threads: int = 0) -> Union[List[Contact], List[List[Contact]]]: ...
-def time_of_impact(a: Polygon, motion_a: Motion, b: Polygon, motion_b: Motion, margin: float = 0.0,
-                   time_error: float = 1e-6) -> Optional[Impact]: ...
+             touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[List[Contact], List[List[Contact]]]: ...
+def time_of_impact(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
+                   ignore_initial: bool = False) -> Optional[Impact]:
+    """Of two motions, or of two trajectories, by whose clock times then are. `ignore_initial`: what meets at the start
+    counts only once it has parted."""
+
+def conflicts(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
+              ignore_initial: bool = False) -> List[Conflict]:
+    """All spans of time in which they meet, likewise."""
+
 def cast_ray(polygon: Polygon, pose: ArrayLike, from_point: ArrayLike, to_point: ArrayLike,
              margin: float = 0.0) -> Optional[RayHit]: ...
 def locate(polygon: Polygon, points: ArrayLike, threads: int = 0) -> Union[Location, NDArray[np.int8]]:
@@ -133,7 +194,10 @@ class Scene:
     def __len__(self) -> int: ...
     def __contains__(self, body: int) -> bool: ...
     def add(self, polygon: Polygon, pose: ArrayLike, margin: float = 0.0, category: int = 1,
-            mask: int = 0xFFFFFFFF) -> int: ...
+            mask: int = 0xFFFFFFFF, touching: Touching = Touching.COLLIDES) -> int: ...
+    def set_options(self, body: int, margin: float = 0.0, category: int = 1, mask: int = 0xFFFFFFFF,
+                    touching: Touching = Touching.COLLIDES) -> None: ...
+    def options(self, body: int) -> BodyOptions: ...
     def remove(self, body: int) -> None: ...
     def move(self, body: int, pose: ArrayLike) -> None: ...
     @property
@@ -147,14 +211,19 @@ class Scene:
     def ended(self) -> List[Tuple[int, int]]: ...
     def collides(self, polygon: Polygon, pose: ArrayLike, margin: float = 0.0, tolerance: float = 0.0,
                  mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
-                 threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
+                 touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
     def colliding(self, polygon: Polygon, pose: ArrayLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
-                  ignored: Optional[int] = None) -> List[int]: ...
+                  ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES) -> List[int]: ...
     def nearest(self, polygon: Polygon, pose: ArrayLike, mask: int = 0xFFFFFFFF,
                 ignored: Optional[int] = None) -> Optional[Tuple[int, Distance]]: ...
-    def first_impact(self, polygon: Polygon, motion: Motion, margin: float = 0.0, time_error: float = 1e-6,
-                     mask: int = 0xFFFFFFFF, ignored: Optional[int] = None) -> Optional[Tuple[int, Impact]]: ...
-    def impacts(self, motions: Sequence[Tuple[int, Motion]], margin: float = 0.0, time_error: float = 1e-6,
-                threads: int = 0) -> List[Tuple[int, int, Impact]]: ...
+    def first_impact(self, polygon: Polygon, motion: Union[Motion, Trajectory], margin: float = 0.0,
+                     time_error: float = 1e-6, mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
+                     ignore_initial: bool = False) -> Optional[Tuple[int, Impact]]: ...
+    def impacts(self, motions: Sequence[Tuple[int, Way]], margin: float = 0.0, time_error: float = 1e-6,
+                ignore_initial: bool = False, threads: int = 0) -> List[Tuple[int, int, Impact]]:
+        """Of motions, or of trajectories."""
+    def conflicts(self, trajectories: Sequence[Tuple[int, Trajectory]], margin: float = 0.0, time_error: float = 1e-6,
+                  ignore_initial: bool = False, threads: int = 0) -> List[Tuple[int, int, Conflict]]:
+        """All spans of time in which any two meet."""
     def cast_ray(self, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
                  ignored: Optional[int] = None) -> Optional[Tuple[int, RayHit]]: ...
