@@ -49,11 +49,15 @@ PartMiddle partMiddle(const Hull& part, const Vec2& up, double error) {
   }
   const double across = 0.5 * first + 0.5 * last;
   double highest = lowest;
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    const Vec2 &p = part[k].at, &q = part[k + 1 < part.size() ? k + 1 : 0].at;
-    const double from = side.dot(p) - across, to = side.dot(q) - across;
-    if ((from > 0 && to > 0) || (from < 0 && to < 0)) continue;
-    highest = std::max(highest, up.dot(from != to ? Vec2(p + from / (from - to) * (q - p)) : p));
+  const Vec2* p = &part.end()[-1].at;
+  double from = side.dot(*p) - across;
+  for (const BoundaryPoint& corner : part) {
+    const Vec2& q = corner.at;
+    const double to = side.dot(q) - across;
+    if (!(from > 0 && to > 0) && !(from < 0 && to < 0))
+      highest = std::max(highest, up.dot(from != to ? Vec2(*p + from / (from - to) * (q - *p)) : *p));
+    p = &q;
+    from = to;
   }
   return {deepest, (0.5 * lowest + 0.5 * highest) * up + across * side};
 }

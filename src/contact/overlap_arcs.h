@@ -94,9 +94,10 @@ class OverlapArcs {
   template <typename Visit>
   void forEachVertex(const Arc& arc, Visit visit) const {
     const PolygonData& polygon = sides_[arc.side].polygon;
+    const Vec2* const path = &polygon.path[0];
     const std::size_t ring = polygon.ringOf(arc.from), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
     for (std::size_t v = arc.from;; v = v + 1 < end ? v + 1 : begin) {
-      if (polygon.path[v] != polygon.path[v + 1] || isPoint(polygon, v)) visit(v);
+      if (path[v] != path[v + 1] || isPoint(polygon, v)) visit(v);
       if (v == arc.to) break;
     }
   }

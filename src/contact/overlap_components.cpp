@@ -196,14 +196,16 @@ class Grouping : OverlapArcs {
   }
 
   void addVertices(const Arc& arc, Slice<BoundaryPoint>& points) const {
+    const bool of_a = arc.side == 0;
+    const PolygonData& polygon = sides_[arc.side].polygon;
+    const Vec2* const path = &polygon.path[0];
     std::int32_t before = -1;
     forEachVertex(arc, [&](std::size_t v) {
-      const Vec2 at = vertex(arc.side, v);
+      const Vec2 at = of_a ? frame_.fromA(path[v]) : frame_.fromB(path[v]);
       const auto edge = static_cast<std::int32_t>(v);
-      if (before < 0)
-        points.push(vertexPoint(sides_[arc.side].polygon, arc.side, v, at));
-      else
-        points.push(arc.side == 0 ? BoundaryPoint{at, edge, before, -1, -1} : BoundaryPoint{at, -1, -1, edge, before});
+      points.push(before < 0 ? vertexPoint(polygon, arc.side, v, at)
+                  : of_a     ? BoundaryPoint{at, edge, before, -1, -1}
+                             : BoundaryPoint{at, -1, -1, edge, before});
       before = edge;
     });
   }

@@ -88,15 +88,13 @@ Exit PartExits::exitOfConvex(const OverlapComponent& component, const Separating
 }
 
 /// Of the part and the edges of one side that cross there.
-void PartExits::makeHullAround(const OverlapComponent& component, bool of_a, Hull& hull) {
+void PartExits::growPart(const OverlapComponent& component, bool of_a) {
   const PolygonData& polygon = of_a ? pair_.a : pair_.b;
-  around_.clear();
-  around_.reserve(2 * component.crossings.size());
   const auto edgeAt = [&](std::size_t k) {
     const EdgeCrossing& c = crossings_[component.crossings[k]];
     return of_a ? c.edge_a : c.edge_b;
   };
-  const auto add = [&](std::size_t v) { around_.push_back(of_a ? vertexOfA(v) : vertexOfB(v)); };
+  const auto add = [&](std::size_t v) { part_.add(of_a ? vertexOfA(v) : vertexOfB(v)); };
   for (std::size_t k = 0; k < component.crossings.size(); ++k) {
     const std::size_t edge = edgeAt(k);
     // As a rule it has crossed another edge just before; once more does no harm.
@@ -106,7 +104,7 @@ void PartExits::makeHullAround(const OverlapComponent& component, bool of_a, Hul
     add(edge);
     add(edgeAfter(polygon, edge));
   }
-  part_.grow(around_, hull);
+  part_.grow(of_a ? 0 : 1);
 }
 
 /// Of the faces that are edges, or of the others.
@@ -116,12 +114,12 @@ PartExits::Found PartExits::leastFace(bool is_edge) const {
     if (consider(exit, best.exit)) best.deepest = deepest;
   };
   forEachFace(
-      around_a_, around_b_, [&](auto& from, auto& to) { return (commonOfA(from, to) >= 0) == is_edge; },
+      part_.grown(0), part_.grown(1), [&](auto& from, auto& to) { return (commonOfA(from, to) >= 0) == is_edge; },
       [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
         offer({normal, depth, commonOfA(from, to), -1, true}, deepest);
       });
   forEachFace(
-      around_b_, around_a_, [&](auto& from, auto& to) { return (commonOfB(from, to) >= 0) == is_edge; },
+      part_.grown(1), part_.grown(0), [&](auto& from, auto& to) { return (commonOfB(from, to) >= 0) == is_edge; },
       [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
         offer({-normal, depth, -1, commonOfB(from, to), false}, deepest);
       });
@@ -131,8 +129,8 @@ PartExits::Found PartExits::leastFace(bool is_edge) const {
 /// As if this part of the overlap and the edges around it were all there is: by the faces of their hulls that are
 /// edges, or by any faces if none is.
 Exit PartExits::byFaces(const OverlapComponent& component) {
-  makeHullAround(component, true, around_a_);
-  makeHullAround(component, false, around_b_);
+  growPart(component, true);
+  growPart(component, false);
   Found found = leastFace(true);
   if (!(found.exit.depth < std::numeric_limits<double>::infinity())) found = leastFace(false);
   Exit& exit = found.exit;

@@ -35,7 +35,7 @@ class PartExits {
 
   /// Until the next call.
   const Hull& hullOf(const OverlapComponent& component) {
-    part_.make(component.points);
+    part_.make(component.points, 2 * component.crossings.size());
     return part_.corners();
   }
   /// Of the component whose hull was asked for last.
@@ -52,7 +52,7 @@ class PartExits {
   std::ptrdiff_t flatterOfB(const BoundaryPoint& p, const Vec2& normal) const;
   BoundaryPoint vertexOfA(std::size_t v) const { return vertexPoint(pair_.a, 0, v, frame_.fromA(pair_.a.path[v])); }
   BoundaryPoint vertexOfB(std::size_t v) const { return vertexPoint(pair_.b, 1, v, frame_.fromB(pair_.b.path[v])); }
-  void makeHullAround(const OverlapComponent& component, bool of_a, Hull& hull);
+  void growPart(const OverlapComponent& component, bool of_a);
   struct Found {
     Exit exit;
     BoundaryPoint deepest;
@@ -69,8 +69,6 @@ class PartExits {
   const std::vector<EdgeCrossing>& crossings_;
   Vec2 towards_b_;
   PartHull part_;
-  Hull around_a_, around_b_;
-  std::vector<BoundaryPoint> around_;
 };
 
 }  // namespace tricover::detail

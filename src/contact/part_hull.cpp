@@ -2,6 +2,7 @@
 #include "contact/part_hull.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "numbers/convex_hull.h"
 #include "numbers/segment.h"
@@ -11,30 +12,59 @@ namespace {
 
 bool isLeftOf(const BoundaryPoint& p, const BoundaryPoint& q) { return isBefore(p.at, q.at); }
 
-/// One step of Andrew's monotone chains; the first `floor` corners stay.
-inline void add(const BoundaryPoint& point, std::size_t floor, Hull& hull) {
-  const auto turnsLeft = [&](const Vec2& p, const Vec2& q) { return cross(q - p, point.at - q) > 0; };
-  while (hull.size() > floor && !turnsLeft(hull[hull.size() - 2].at, hull.back().at)) hull.pop_back();
-  hull.push_back(point);
-}
+/// Andrew's monotone chains, where there is room for them.
+class Chains {
+ public:
+  explicit Chains(BoundaryPoint* begin) : begin_(begin), end_(begin), floor_(begin + 1) {}
 
-/// Without the first corner once more.
-void close(Hull& hull) {
-  if (hull.size() > 1) hull.pop_back();
-  if (hull.size() == 2 && hull[0].at == hull[1].at) hull.pop_back();
-}
+  /// The next point of a chain, unless it turns_left there. Whether all corners before it stay.
+  bool add(const BoundaryPoint& point, bool turns_left = false) {
+    BoundaryPoint* const end = end_;
+    while (!turns_left && end_ > floor_ && !turnsLeft(end_[-2].at, end_[-1].at, point.at)) --end_;
+    const bool all_stay = end_ == end;
+    *end_++ = point;
+    return all_stay;
+  }
+  /// After the lower chain; its size.
+  std::size_t turnBack() {
+    floor_ = end_;
+    return static_cast<std::size_t>(end_ - begin_);
+  }
+  /// Without the first corner once more.
+  Hull closed() {
+    if (end_ - begin_ > 1) --end_;
+    if (end_ - begin_ == 2 && begin_[0].at == begin_[1].at) --end_;
+    return {begin_, static_cast<std::size_t>(end_ - begin_)};
+  }
+
+ private:
+  static bool turnsLeft(const Vec2& p, const Vec2& q, const Vec2& r) { return cross(q - p, r - q) > 0; }
+
+  BoundaryPoint *const begin_, *end_, *floor_;  ///< before which corners stay
+};
 
 }  // namespace
 
-void PartHull::make(const Slice<BoundaryPoint>& points) {
+void PartHull::make(const Slice<BoundaryPoint>& points, std::size_t more) {
+  assert(!points.empty());
+  // A point may be on both chains, and the first one ends the upper chain.
+  const std::size_t own = points.size() + 1, likely = points.size() + more, grown = 2 * (own + more);
+  const std::size_t needed = likely + 2 * own + 2 * grown;
+  if (capacity_ < needed) {
+    capacity_ = 2 * needed;
+    room_.reset(new BoundaryPoint[capacity_]);
+  }
+  likely_ = room_.get();
+  place_of_[0] = likely_ + likely + 2 * own;
+  place_of_[1] = place_of_[0] + grown;
   takeLikely(points);
-  std::sort(likely_.begin(), likely_.end(), isLeftOf);
-  corners_.clear();
-  corners_.reserve(likely_.size() + 1);
-  for (const BoundaryPoint& p : likely_) add(p, 1, corners_);
-  lower_ = corners_.size();
-  for (auto p = likely_.rbegin() + (likely_.empty() ? 0 : 1); p < likely_.rend(); ++p) add(*p, lower_, corners_);
-  close(corners_);
+  std::sort(likely_, likely_end_, isLeftOf);
+  Chains chains(likely_ + likely);
+  for (const BoundaryPoint* p = likely_; p < likely_end_; ++p) chains.add(*p);
+  lower_ = chains.turnBack();
+  for (const BoundaryPoint* p = likely_end_ - 1; p > likely_; --p) chains.add(p[-1]);
+  corners_ = chains.closed();
+  likely_end_ = likely_;
 }
 
 /// Whether p is within the triangle of u, v and the middle, by twice the areas from the middle to u p, p v and u v.
@@ -44,58 +74,62 @@ bool PartHull::isWithin(double u_p, double p_v, double u_v) const {
          (u_p < -same_area_ && p_v < -same_area_ && beyond < -same_area_);
 }
 
-/// Leaves out what is within the triangle of the points before and after it and the middle of all.
+/// Leaves out what is within the triangle of the points before and after it and one in the middle of some.
 void PartHull::takeLikely(const Slice<BoundaryPoint>& points) {
   constexpr std::size_t kFew = 8;  // cost less than looking
   if (points.size() <= kFew) {
-    likely_.assign(points.begin(), points.end());
+    likely_end_ = std::copy(points.begin(), points.end(), likely_);
     return;
   }
-  likely_.clear();
-  likely_.reserve(points.size());
-  Vec2 middle = Vec2::Zero();
-  for (const BoundaryPoint& p : points) middle += p.at;
-  middle /= static_cast<double>(points.size());
+  likely_end_ = likely_;
+  const std::size_t quarter = points.size() / 4;
+  const Vec2 middle = 0.25 * (points[0].at + points[quarter].at + points[2 * quarter].at + points[3 * quarter].at);
   // From the middle: the last two that are likely, and twice the area between them.
   Vec2 u = middle, p = points.front().at - middle;
   double to_p = 0;
-  likely_.push_back(points.front());
+  add(points.front());
   for (std::size_t k = 1; k < points.size(); ++k) {
     const Vec2 v = points[k].at - middle;
     double to_v = cross(p, v);
-    while (likely_.size() > 1 && isWithin(to_p, to_v, cross(u, v))) {
-      likely_.pop_back();
+    while (likely_end_ > likely_ + 1 && isWithin(to_p, to_v, cross(u, v))) {
+      --likely_end_;
       p = u;
-      if (likely_.size() > 1) u = likely_[likely_.size() - 2].at - middle;
+      if (likely_end_ > likely_ + 1) u = likely_end_[-2].at - middle;
       to_p = cross(u, p);
       to_v = cross(p, v);
     }
-    likely_.push_back(points[k]);
+    add(points[k]);
     u = p;
     p = v;
     to_p = to_v;
   }
 }
 
-void PartHull::grow(std::vector<BoundaryPoint>& more, Hull& hull) const {
-  std::sort(more.begin(), more.end(), isLeftOf);
-  hull.clear();
-  hull.reserve(corners_.size() + 2 * more.size() + 2);
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < lower_; ++k) {
-    for (; next < more.size() && isLeftOf(more[next], corners_[k]); ++next) add(more[next], 1, hull);
-    add(corners_[k], 1, hull);
-  }
-  for (; next < more.size(); ++next) add(more[next], 1, hull);
-  const std::size_t floor = hull.size();
-  const auto addUpper = [&](const BoundaryPoint& corner) {
-    for (; next > 0 && !isLeftOf(more[next - 1], corner); --next) add(more[next - 1], floor, hull);
-    add(corner, floor, hull);
+const Hull& PartHull::grow(int side) {
+  std::sort(likely_, likely_end_, isLeftOf);
+  Chains chains(place_of_[side]);
+  int row = 0;  // corners of its own in a row: more than two turn left
+  const auto addMore = [&](const BoundaryPoint& point) {
+    chains.add(point);
+    row = 0;
   };
-  for (std::size_t k = lower_ - 1; k < corners_.size(); ++k) addUpper(corners_[k]);
-  addUpper(corners_.front());
-  for (; next > 0; --next) add(more[next - 1], floor, hull);
-  close(hull);
+  const auto addOwn = [&](const BoundaryPoint& corner) { row = chains.add(corner, row > 1) ? row + 1 : 1; };
+  const BoundaryPoint* next = likely_;
+  for (std::size_t k = 0; k < lower_; ++k) {
+    for (; next < likely_end_ && isLeftOf(*next, corners_[k]); ++next) addMore(*next);
+    addOwn(corners_[k]);
+  }
+  for (; next < likely_end_; ++next) addMore(*next);
+  chains.turnBack();
+  row = 0;
+  for (std::size_t k = lower_ - 1; k <= corners_.size(); ++k) {
+    const BoundaryPoint& corner = corners_[k < corners_.size() ? k : 0];
+    for (; next > likely_ && !isLeftOf(next[-1], corner); --next) addMore(next[-1]);
+    addOwn(corner);
+  }
+  for (; next > likely_; --next) addMore(next[-1]);
+  likely_end_ = likely_;
+  return grown_[side] = chains.closed();
 }
 
 }  // namespace tricover::detail

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 #include "contact/boundary_point.h"
 #include "contact/slice.h"
@@ -11,7 +11,7 @@ namespace tricover::detail {
 
 /// The corners of a convex hull, counter-clockwise from the leftmost one; a segment has two, a point one. As right as
 /// the points are: signs are rounded.
-using Hull = std::vector<BoundaryPoint>;
+using Hull = Slice<BoundaryPoint>;
 
 /// The hulls of one part of an overlap after the other, in the same memory.
 class PartHull {
@@ -19,19 +19,24 @@ class PartHull {
   /// same_area: of a triangle, twice, which may be none, as far as rounding tells.
   explicit PartHull(double same_area) : same_area_(same_area) {}
 
+  /// Of points of which those that follow each other should be near each other. Room for `more` of either side.
+  void make(const Slice<BoundaryPoint>& points, std::size_t more);
   const Hull& corners() const { return corners_; }
-  /// Of points of which those that follow each other should be near each other.
-  void make(const Slice<BoundaryPoint>& points);
-  /// The hull of it and some points more, which it sorts.
-  void grow(std::vector<BoundaryPoint>& more, Hull& hull) const;
+  /// The hull of it and some points of one side more.
+  void add(const BoundaryPoint& point) { *likely_end_++ = point; }
+  const Hull& grow(int side);
+  const Hull& grown(int side) const { return grown_[side]; }
 
  private:
   bool isWithin(double u_p, double p_v, double u_v) const;
   void takeLikely(const Slice<BoundaryPoint>& points);
 
   double same_area_;
-  std::vector<BoundaryPoint> likely_;
-  Hull corners_;
+  std::size_t capacity_ = 0;
+  std::unique_ptr<BoundaryPoint[]> room_;
+  BoundaryPoint *likely_ = nullptr, *likely_end_ = nullptr;  ///< those that may be corners
+  BoundaryPoint* place_of_[2] = {};                          ///< grown
+  Hull corners_, grown_[2];
   std::size_t lower_ = 0;  ///< corners from the leftmost to the rightmost one
 };
 

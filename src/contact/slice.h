@@ -10,6 +10,9 @@ namespace tricover::detail {
 template <typename T>
 class Slice {
  public:
+  Slice() = default;
+  Slice(T* begin, std::size_t size) : begin_(begin), size_(size) {}
+
   const T* begin() const { return begin_; }
   const T* end() const { return begin_ + size_; }
   const T& operator[](std::size_t k) const { return begin_[k]; }

@@ -220,6 +220,7 @@ PolygonData::PolygonData(const std::vector<Ring>& rings_, std::size_t positions,
 }
 
 std::size_t PolygonData::ringOf(std::size_t position) const {
+  if (ringCount() == 1) return 0;
   const std::uint32_t* begin = path.ringBegin();
   return static_cast<std::size_t>(std::upper_bound(begin, begin + ringCount(), position) - begin) - 1;
 }
