@@ -111,6 +111,12 @@ std::string wrongMargin(const Case& c) {
     half.margin = margin / 2;
     scene.add(c.a, c.pose_a, half);
     if (scene.collides(c.b, c.pose_b, open(margin / 2)) != is_below) return "margin, scene";
+    PenetrationOptions deep{margin, 1e3, Touching::Allowed};
+    if (penetration(c.a, c.pose_a, c.b, c.pose_b, deep).has_value() != is_below) return "margin, penetration";
+    ContactOptions parts;
+    parts.margin = margin;
+    parts.touching = Touching::Allowed;
+    if (contacts(c.a, c.pose_a, c.b, c.pose_b, parts).empty() == is_below) return "margin, contacts";
   }
   return {};
 }

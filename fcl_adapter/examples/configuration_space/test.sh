@@ -113,15 +113,21 @@ refused "can't write nowhere/result.part: No such file or directory" "$threads" 
 refused "width: it must be a number from 1 to 65536" "$threads" "$map" other width 0
 refused "'depth' is none of headings, width" "$threads" "$map" other depth 1
 
-# Where there is no terminal, a line now and then.
-"$threads" "$map" slow headings 256 width 4096 height 1280 threads 1 progress 1 >/dev/null 2>slow_said &
-waited=0
-until [ -s slow_said ] || [ $waited -ge 600 ]; do
-  sleep 0.1
-  waited=$((waited + 1))
-done
-kill $!
-wait $! 2>/dev/null || true
-grep -qE "^[0-9]+ of 20480 chunks, [0-9]+ a second, [0-9]+ s to go$" slow_said || { echo "no progress"; cat slow_said; exit 1; }
+# Where there is no terminal, as under mpirun, a line now and then.
+says_how_far() {
+  rm -f slow slow.part
+  "$@" "$map" slow headings 256 width 4096 height 1280 progress 1 >/dev/null 2>slow_said &
+  local pid=$! waited=0
+  until [ -s slow_said ] || [ $waited -ge 600 ]; do
+    sleep 0.1
+    waited=$((waited + 1))
+  done
+  kill $pid
+  wait $pid 2>/dev/null || true
+  grep -qE "^[0-9]+ of 20480 chunks, [0-9]+ a second, [0-9]+ s to go$" slow_said ||
+    { echo "no progress"; cat slow_said; exit 1; }
+}
+says_how_far "$threads"
+[ -z "$mpi" ] || says_how_far "$mpiexec" -n 2 "$mpi"
 rm -f slow.part
 echo "all the same"
