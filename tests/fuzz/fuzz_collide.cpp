@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // collide() in every way of asking, and what must agree with it, against the exact reference; the caches have seen b
 // elsewhere.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "reproduction.h"
 #include "strategies.h"
 #include "tricover/collide.h"
+#include "tricover/conflicts.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
@@ -59,5 +61,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   expect(distance(a, pose_a, b, pose_b, cache).distance == 0, "distance, cached");
   const auto impact = timeOfImpact(a, Motion::still(pose_a), b, Motion::still(pose_b));
   expect(impact && impact->time == 0, "time of impact");
+  if ((before.linear().determinant() < 0) != (pose_b.linear().determinant() < 0)) return 0;  // no motion mirrors
+  const Motion motion = Motion::between(before, pose_b, b.origin());
+  if (!motion.shift.allFinite()) return 0;
+  const std::vector<Conflict> spans = conflicts(a, Motion::still(pose_a), b, motion, {0, 0x1p-5});
+  for (int i = 0; i <= 8; ++i) {
+    const double time = i / 8.0;
+    const bool told = std::any_of(spans.begin(), spans.end(),
+                                  [&](const Conflict& span) { return span.impact.time <= time && time <= span.end; });
+    if (!told && exact::collide(a, pose_a, b, motion.at(time)))
+      fuzz::fail("conflicts", "missed at " + support::hex(time) + "\n" + support::reproduction({a, pose_a, b, pose_b}) +
+                                  support::reproduction("motion", motion));
+  }
   return 0;
 }

@@ -51,6 +51,7 @@ class Run {
 // One a file.
 void soakCache(Run& run);
 void soakCollide(Run& run);
+void soakConflicts(Run& run);
 void soakContacts(Run& run);
 void soakCrossings(Run& run);
 void soakDistance(Run& run);
@@ -59,6 +60,7 @@ void soakLocate(Run& run);
 void soakPenetration(Run& run);
 void soakRay(Run& run);
 void soakScene(Run& run);
+void soakTouching(Run& run);
 // With FCL alone.
 void soakFcl(Run& run);
 void soakRound(Run& run);

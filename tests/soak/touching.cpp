@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "cases.h"
+#include "reproduction.h"
+#include "soak.h"
+#include "touching_families.h"
+#include "touching_laws.h"
+
+namespace tricover::soak {
+
+/// Whether interiors meet, in every way of asking, against exact rationals: of pairs that often touch without that, and
+/// of any.
+void soakTouching(Run& run) {
+  Limits limits;
+  limits.most_vertices = 12;
+  support::StrategyCaches old;
+  while (run.next()) {
+    Random& random = run.random();
+    const auto& touching = support::touchingFamilies();
+    const support::Family& family = touching[random.bits() % touching.size()];
+    const Drawn drawn = random.coin() ? anyCase(random, limits) : Drawn{family.name, family.make(random.bits()), 1};
+    const support::Overlap truth = support::overlapOf(drawn.c);
+    run.count(drawn.family, truth.overlap);
+    std::string wrong = support::wrongTouching(drawn.c, truth, old);
+    if (wrong.empty()) wrong = support::wrongTouchingInScene(drawn.c, truth);
+    if (wrong.empty() && random.oneIn(4)) wrong = support::wrongTouchingInLists(drawn.c, truth);
+    if (wrong.empty() && !truth.meet) wrong = support::wrongTouchingAtMargin(drawn.c);
+    if (wrong.empty()) continue;
+    run.fail(drawn.family,
+             wrong + ", truth: meet " + std::to_string(truth.meet) + ", overlap " + std::to_string(truth.overlap),
+             support::reproduction(drawn.c));
+  }
+}
+
+}  // namespace tricover::soak
