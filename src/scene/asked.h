@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
+#include <algorithm>
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -21,7 +21,6 @@ inline double checkAsked(const Pose& pose, const CollideOptions& options) {
 
 /// A posed polygon that bodies are asked about: whether they collide with it.
 class Asked {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   /// So many vertices cost no more than the bodies that a wider box meets.
   static constexpr std::size_t kFew = 17;
   /// And the box of many is that of their disc until so many bodies have been met.
@@ -48,24 +47,25 @@ class Asked {
     return !body.clear.holds(bounds_);
   }
 
-  /// What discs know, and how far those inside are apart for their size: the less, the likelier the bodies meet.
-  struct Glance {
-    enum { Apart, Near, Meets } answer;
-    double rank;
-  };
+  /// What discs know.
+  enum class Glance { Apart, Near, Meets };
   Glance glance(const SceneState::BodyState& body) const {
     WorldDiscs found;
     const WorldDiscs& discs = body.discs.of(body.polygon.data(), body.pose, found);
     const double margin = marginSum(options_.margin, body.options.margin);
-    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + margin)) return {Glance::Apart, 0};
-    const Double2 way = discs.inner - discs_.inner;
-    const double within = discs_.inner_radius + discs.inner_radius;
-    if (isWithin(way, within + margin)) {
-      // Points and segments have discs without an interior.
-      const bool are_open = discs_.inner_radius > 0 && discs.inner_radius > 0;
-      return {are_open || !asksForInteriors(sumWith(body)) ? Glance::Meets : Glance::Near, 0};
-    }
-    return {Glance::Near, within > 0 ? dot(way, way) / (within * within) : kInfinity};
+    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + margin)) return Glance::Apart;
+    if (!isWithin(discs.inner - discs_.inner, discs_.inner_radius + discs.inner_radius + margin)) return Glance::Near;
+    // Points and segments have discs without an interior.
+    const bool are_open = discs_.inner_radius > 0 && discs.inner_radius > 0;
+    return are_open || !asksForInteriors(sumWith(body)) ? Glance::Meets : Glance::Near;
+  }
+
+  /// The less, the likelier the body meets: by the area that both boxes share. (By the way between inner discs, which
+  /// have told of the deepest overlaps already, parts that aren't convex need up to a third more looks.)
+  double rank(const Bounds& box) const {
+    const double x = std::min(box.max_x, bounds_.max_x) - std::max(box.min_x, bounds_.min_x);
+    const double y = std::min(box.max_y, bounds_.max_y) - std::max(box.min_y, bounds_.min_y);
+    return 1 / (x * y);
   }
 
   /// The truth, where discs don't know it, of a body that is near.
@@ -84,7 +84,7 @@ class Asked {
 
   /// The truth of any body that is near.
   bool meets(Slot slot) const {
-    const auto answer = glance(state_.bodies[slot]).answer;
+    const Glance answer = glance(state_.bodies[slot]);
     return answer == Glance::Near ? meetsClose(slot) : answer == Glance::Meets;
   }
 

@@ -21,13 +21,13 @@ Slot findMet(const SceneState& state, const Asked& asked, const SlotFilter& filt
     const auto& other = state.bodies[body];
     if (!state.passes(filter, body) || !asked.isNear(other, box)) return true;
     const Asked::Glance glance = asked.glance(other);
-    if (glance.answer == Asked::Glance::Apart) return true;
-    if (glance.answer == Asked::Glance::Meets || (count == kLanes && asked.meetsClose(body))) {
+    if (glance == Asked::Glance::Apart) return true;
+    if (glance == Asked::Glance::Meets || (count == kLanes && asked.meetsClose(body))) {
       met = body;
       return false;
     }
     if (count == kLanes) return true;
-    const std::int64_t key = laneKey(glance.rank, count);
+    const std::int64_t key = laneKey(asked.rank(box), count);
     near[count] = body;
     others[count++] = std::max(first, key);
     first = std::min(first, key);
