@@ -121,6 +121,7 @@ void addDistances(const Pair& pair, std::vector<Row>& rows) {
   add("distance, near", separatedPoses(pair.fixed, pair.moving, 1.03, 1.5), false);
   add("distance, at 1 %", separatedPoses(pair.fixed, pair.moving, 1.0, 1.01), false);
   add("distance, overlapping", separatedPoses(pair.fixed, pair.moving, 0.6, 0.9), false);
+  add("distance, on a walk", posesOf("gap 0.1", pair.fixed, pair.moving), false);
   add("distance, cached, on a walk", posesOf("gap 0.1", pair.fixed, pair.moving), true);
 }
 
