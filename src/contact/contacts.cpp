@@ -61,7 +61,7 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   std::vector<Contact> result = allContacts(pair, cache, options);
   if (result.empty()) result = contactsBeside(pair, options);
   if (facts != nullptr && result.empty()) {
-    renewFact(a, pose_a, b, pose_b, *facts, known, {options.margin, 0});
+    renewFactApart(a, pose_a, b, pose_b, *facts, known, {options.margin, 0});
     facts->cost += kQuery;  // all of it is beside the answer
   } else if (facts != nullptr) {
     isWorthIt(facts->balance, -1);

@@ -71,8 +71,8 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
       within_(tie() + 3 * kDepthError * error_) {
   static_assert(kDepthError >= kUnitRows * kSumOfDepthErrors);
   if (!(error_ / kMappingError < 0x1p200)) return;  // areas or their squares may overflow
-  const bool remembers = facts != nullptr && keepsLengths(pair);
-  if (remembers) {
+  // Those of a pair that overlapped the last time.
+  if (facts != nullptr && facts->first_id != 0 && keepsLengths(pair)) {
     const bool known = facts->first_id == pair.a.id && facts->second_id == pair.b.id;
     const double motion = known ? motionSince(*facts, pair) : std::numeric_limits<double>::infinity();
     if (facts->count > 0 && motion < facts->deeper) {
@@ -91,7 +91,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
   }
   verdict_ = findLeast(edgeTowardsOther(a_));
   if (verdict_ != Meet) return;
-  if (remembers) keep(*facts, pair);
+  if (facts != nullptr && keepsLengths(pair)) keep(*facts, pair);
   removeDeep();
 }
 

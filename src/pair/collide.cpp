@@ -153,19 +153,24 @@ Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
   return findCloseFact(placement, options, wish);
 }
 
-bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, CollisionFact& cache,
-               const Recollection& recollection, const CollideOptions& options) {
+namespace {
+
+/// What a new fact says, if one is worth finding.
+[[gnu::always_inline]] inline std::optional<bool> keptFact(const PolygonData& a, const Pose& pose_a,
+                                                           const PolygonData& b, const Pose& pose_b,
+                                                           CollisionFact& cache, const Recollection& recollection,
+                                                           const CollideOptions& options, bool are_apart) {
   claim(cache, a, b);
-  if (!isWorthRenewing(cache, recollection.coherent)) return collideAfresh(a, pose_a, b, pose_b, options);
+  if (!isWorthRenewing(cache, recollection.coherent)) return std::nullopt;
   if (!recollection.coherent) {
     // After a jump another may follow: only the poses are of use, to see that by.
     remember(cache, a, pose_a, b, pose_b, false, 0);
-    return collideAfresh(a, pose_a, b, pose_b, options);
+    return std::nullopt;
   }
-  const Outcome fact =
-      findFact(a, pose_a, b, pose_b, options,
-               {recollection.lookahead, true, static_cast<std::ptrdiff_t>(cache.first_edge),
-                static_cast<std::ptrdiff_t>(cache.second_edge), cache.clearance > 0 && !cache.overlapping});
+  const Outcome fact = findFact(
+      a, pose_a, b, pose_b, options,
+      {recollection.lookahead, true, static_cast<std::ptrdiff_t>(cache.first_edge),
+       static_cast<std::ptrdiff_t>(cache.second_edge), are_apart || (cache.clearance > 0 && !cache.overlapping)});
   const std::int8_t cost = costOf(fact, cache, a);
   cache.first_edge = fact.edge_a;
   cache.second_edge = fact.edge_b;
@@ -178,6 +183,19 @@ bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, c
     cache.looked_ahead = static_cast<float>(fact.clearance);
   }
   return fact.collides;
+}
+
+}  // namespace
+
+bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, CollisionFact& cache,
+               const Recollection& recollection, const CollideOptions& options) {
+  const std::optional<bool> fact = keptFact(a, pose_a, b, pose_b, cache, recollection, options, false);
+  return fact ? *fact : collideAfresh(a, pose_a, b, pose_b, options);
+}
+
+void renewFactApart(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                    CollisionFact& cache, const Recollection& recollection, const CollideOptions& options) {
+  keptFact(a, pose_a, b, pose_b, cache, recollection, options, true);
 }
 
 bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,

@@ -28,6 +28,10 @@ Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
 bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, CollisionFact& cache,
                const Recollection& recollection, const CollideOptions& options);
 
+/// The same for polygons that are known not to overlap: nothing but the fact.
+void renewFactApart(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                    CollisionFact& cache, const Recollection& recollection, const CollideOptions& options);
+
 /// collide() of arguments that have been checked, in any order, by what comes after discs and boxes along the world's
 /// axes have been asked; `defect` is defectOf() the poses.
 bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
