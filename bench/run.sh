@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian, as root or with sudo), builds, and times tricover beside what people use. Prints the
 # targets' tables; build/report/ gets all tables, CSV and SVG. --full: every kind on the whole grid, which measures for about 20
-# minutes, and bench/results/ keeps the figures.
+# minutes, and bench/results/ keeps the figures. BOX2D_V3=<its sources> (github.com/erincatto/box2d): beside it, too.
 set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgeos++-dev libbox2d-dev \
@@ -19,9 +19,10 @@ quietly() { "$@" >"build/bench.log" 2>&1 || { cat build/bench.log; return 1; }; 
 
 step "configuring"
 quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_BENCH=ON \
-  -DTRICOVER_WERROR=ON
+  -DTRICOVER_WERROR=ON -DTRICOVER_BENCH_BOX2D_V3="${BOX2D_V3-}"
 step "building (FCL's headers take their time)"
-quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff bench_modelled bench_growth bench_first bench_first_fcl bench_asked bench_still bench_pages
+quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff bench_modelled bench_growth bench_first bench_first_fcl bench_asked bench_still bench_pages \
+  ${BOX2D_V3:+bench_box2d_v3}
 step "collisions, distances, impacts, contacts"
 "$build/bench/bench_main" bench/data/countries_110m.txt "$report" "$@"
 step "scenes"
@@ -38,6 +39,7 @@ step "still maps and containers"
 "$build/bench/bench_still" "$report"
 step "asking what is hard"
 "$build/bench/bench_growth" "$report"
+[ -z "${BOX2D_V3-}" ] || "$build/bench/bench_box2d_v3" "$report"
 step ""
 for plots in plots tradeoff; do LC_ALL=C.UTF-8 gnuplot -e "report='$report'" "bench/$plots.gp"; done
 "$build/bench/bench_pages" bench/pages.html "$report"
@@ -51,6 +53,7 @@ if [ "${1-}" = --full ]; then
   for first in first first_fcl; do
     grep -E '^polygons,|^([^,]*,){3}(1|10|100),' "$report/$first.csv" > "bench/results/$first.csv"
   done
+  [ -z "${BOX2D_V3-}" ] || cp "$report/box2d_v3.csv" bench/results/
   cp "$report"/{targets,scene_targets,first_targets,first_fcl_targets,scenes,growth,gaps,gap_targets,asked,asked_targets,still_targets,tradeoff,values,modelled}.csv "$report"/{conditions.md,tradeoff.svg,layout.svg} bench/results/
 fi
 echo
