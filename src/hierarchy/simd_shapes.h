@@ -6,12 +6,14 @@
 
 namespace tricover::detail::simd {
 
-/// By how much the vertex of q that is farthest back is beyond each edge of eight; at most that, over all q, whose
-/// count is even: whole lanes.
+/// By how much the vertex of q that is farthest back is beyond each edge of eight. Boxes and triangles are the
+/// commonest polygons there are.
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes beyond(Lanes nx, Lanes ny, Lanes d, const float* qx, const float* qy, int count) {
   Lanes least = nx * qx[0] + ny * qy[0];
-  for (int j = 1; j < kLanes; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
+  for (int j = 1; j < kLanes / 2; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
+  if (count > kLanes / 2)
+    for (int j = kLanes / 2; j < kLanes; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
   for (int j = kLanes; j < count; ++j) least = smaller(least, nx * qx[j] + ny * qy[j]);
   return least - d;
 }
@@ -112,7 +114,7 @@ Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& 
   unsigned inside = (1u << kLanes) - 1;
   float of_a[SmallPolygon::kMost], of_b[SmallPolygon::kMost];
   for (int i = 0; i < a.lanes; i += kLanes) {
-    const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.lanes);
+    const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.count);
     if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
     inside &= above(Lanes::all(-slack), out);
     out.store(of_a + i);
@@ -121,7 +123,7 @@ Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& 
     const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
     const Lanes nx = to_a.turnedX(bnx, bny), ny = to_a.turnedY(bnx, bny);
     const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
-    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.lanes);
+    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.count);
     if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
     inside &= above(Lanes::all(-slack), out);
     out.store(of_b + i);
@@ -154,14 +156,14 @@ template <class Lanes, class Score>
   const Largest of_a = largestOf<Lanes>(valuesOf<Lanes>(
       a.lanes, [&](int i) __attribute__((always_inline)) {
         const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i);
-        return score(nx, ny, beyond(nx, ny, Lanes::load(a.d + i), x, y, b.lanes));
+        return score(nx, ny, beyond(nx, ny, Lanes::load(a.d + i), x, y, b.count));
       }));
   const Largest of_b = largestOf<Lanes>(valuesOf<Lanes>(
       b.lanes, [&](int i) __attribute__((always_inline)) {
         const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
         const Lanes nx = to_a.turnedX(bnx, bny), ny = to_a.turnedY(bnx, bny);
         const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
-        return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.lanes));
+        return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.count));
       }));
   if (of_a.value >= of_b.value) {
     const int e = of_a.index;
@@ -187,63 +189,84 @@ ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMa
       });
 }
 
-/// One convex polygon's vertices against another's half planes, in one frame.
-struct HalfPlanes {
-  const float *nx, *ny, *d;
-  int lanes, count;
-};
-struct Vertices {
-  const float *x, *y;
-  int lanes, count;
-};
-
-/// The edge that leads out of the half planes, and the one of those that it leaves through; `vertex` is -1 where no
-/// vertex is inside, and `plane` is where all are, by more than `slack`.
-struct WayOut {
-  int plane, vertex;
-};
-
+/// How far points are outside of half planes, by the one that they are farthest outside of.
 template <class Lanes>
-[[gnu::always_inline]] inline WayOut wayOut(const HalfPlanes& planes, const Vertices& vertices, float slack) {
-  unsigned in = 0, deep = 0;
-  for (int i = 0; i < vertices.lanes; i += kLanes) {
-    const Lanes x = Lanes::load(vertices.x + i), y = Lanes::load(vertices.y + i);
-    Lanes out = x * planes.nx[0] + y * planes.ny[0] - planes.d[0];
-    for (int k = 1; k < planes.count; ++k) out = larger(out, x * planes.nx[k] + y * planes.ny[k] - planes.d[k]);
-    in |= above(Lanes::all(0), out) << i;
-    deep |= above(Lanes::all(-slack), out) << i;
-  }
-  const unsigned all = (1u << vertices.count) - 1;
-  in &= all;
-  if ((deep & all) == all) return {-1, 0};
-  const unsigned next = in >> 1 | (in & 1) << (vertices.count - 1), leaving = in & ~next;
-  if (leaving == 0) return {-1, -1};
-  const int from = __builtin_ctz(leaving), to = from + 1 == vertices.count ? 0 : from + 1;
-  // Outside of the plane by `to`, inside by `from`: the larger the one by the other, the sooner the edge leaves.
-  const Largest way_out = largestOf<Lanes>(valuesOf<Lanes>(
-      planes.lanes, [&](int i) __attribute__((always_inline)) {
-        const Lanes nx = Lanes::load(planes.nx + i), ny = Lanes::load(planes.ny + i), d = Lanes::load(planes.d + i);
-        const Lanes at = d - (nx * vertices.x[from] + ny * vertices.y[from]);
-        return (nx * vertices.x[to] + ny * vertices.y[to] - d) / at;
-      }));
-  const int plane = way_out.index < planes.count ? way_out.index : planes.count - 1;
-  return {plane, from};
+[[gnu::always_inline]] inline Lanes outside(const float* nx, const float* ny, const float* d, int count, Lanes x,
+                                            Lanes y) {
+  Lanes out = x * nx[0] + y * ny[0] - d[0];
+  for (int k = 1; k < count; ++k) out = larger(out, x * nx[k] + y * ny[k] - d[k]);
+  return out;
 }
 
-/// Rounding as in convexMeet().
+/// Of an edge that begins and ends so far outside of half planes, for each that it leaves: the larger, the sooner; it
+/// is there after a share 1 / (1 + exit). 0 of those that it doesn't leave.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes exitOf(Lanes from, Lanes to) {
+  return larger(to / larger(Lanes::all(0) - from, Lanes::all(1e-10f)), Lanes::all(0));
+}
+
+/// The half plane of a that the way between two points leaves first, if it begins inside of all.
+template <class Lanes>
+[[gnu::always_inline]] inline Largest firstExit(const SmallPolygon& a, float x0, float y0, float x1, float y1) {
+  return largestOf<Lanes>(valuesOf<Lanes>(
+      a.lanes, [&](int i) __attribute__((always_inline)) {
+        const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i), d = Lanes::load(a.d + i);
+        return exitOf(nx * x0 + ny * y0 - d, nx * x1 + ny * y1 - d);
+      }));
+}
+
+/// Of edges of b that begin and end outside of a, that of which most is inside: between where it enters the last half
+/// plane and leaves the first one, if in that order. -1 if there is none.
+template <class Lanes>
+[[gnu::always_inline]] inline int edgeAcross(const SmallPolygon& a, const SmallPolygon& b, float* x, float* y) {
+  x[b.lanes] = x[0];
+  y[b.lanes] = y[0];
+  const Lanes none = Lanes::all(0), whole = Lanes::all(1);
+  const Largest most = largestOf<Lanes>(valuesOf<Lanes>(
+      b.lanes, [&](int i) __attribute__((always_inline)) {
+        const Lanes x0 = Lanes::load(x + i), y0 = Lanes::load(y + i);
+        const Lanes x1 = Lanes::load(x + i + 1), y1 = Lanes::load(y + i + 1);
+        Lanes entry = none, exit = none;
+        for (int k = 0; k < a.count; ++k) {
+          const Lanes from = x0 * a.nx[k] + y0 * a.ny[k] - a.d[k], to = x1 * a.nx[k] + y1 * a.ny[k] - a.d[k];
+          entry = larger(entry, exitOf(to, from));
+          exit = larger(exit, exitOf(from, to));
+        }
+        return (whole - entry * exit) / ((whole + entry) * (whole + exit));
+      }));
+  if (!(most.value > 0)) return -1;
+  // In between are copies of the last vertex: the last edge leads from the last of these to the first vertex.
+  return most.index < b.count ? most.index : b.count - 1;
+}
+
+/// An edge of b leads out of a from a vertex in it, or across it; or one of them lies in the other, by more than
+/// rounding, which is as in convexMeet().
 template <class Lanes>
 ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
-  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
+  float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
   mapVertices<Lanes>(b, map, x, y);
-  const float slack = static_cast<float>(8 * rounding + map.error);
-  const WayOut of_b = wayOut<Lanes>({a.nx, a.ny, a.d, a.lanes, a.count}, {x, y, b.lanes, b.count}, slack);
-  if (of_b.plane >= 0) return {of_b.plane, of_b.vertex};
-  if (of_b.vertex >= 0) return {-1, 0};
+  const Lanes limit = Lanes::all(-static_cast<float>(8 * rounding + map.error));
+  unsigned in = 0, shallow = 0;
+  for (int i = 0; i < b.lanes; i += kLanes) {
+    const Lanes out = outside<Lanes>(a.nx, a.ny, a.d, a.count, Lanes::load(x + i), Lanes::load(y + i));
+    in |= above(Lanes::all(0), out) << i;
+    shallow |= above(out, limit) << i;
+  }
+  if (shallow == 0) return {-1, 0};
+  in &= (1u << b.count) - 1;
+  const unsigned next = in >> 1 | (in & 1) << (b.count - 1), leaving = in & ~next;
+  const int edge = leaving != 0 ? __builtin_ctz(leaving) : edgeAcross<Lanes>(a, b, x, y);
+  if (edge >= 0) {
+    const int end = edge + 1 < b.count ? edge + 1 : 0;
+    return {firstExit<Lanes>(a, x[edge], y[edge], x[end], y[end]).index, edge};
+  }
   float nx[SmallPolygon::kMost], ny[SmallPolygon::kMost], d[SmallPolygon::kMost];
   mapHalfPlanes<Lanes>(b, map, nx, ny, d);
-  const WayOut of_a = wayOut<Lanes>({nx, ny, d, b.lanes, b.count}, {a.x, a.y, a.lanes, a.count}, slack);
-  if (of_a.plane >= 0) return {of_a.vertex, of_a.plane};
-  return of_a.vertex >= 0 ? ConvexCrossing{0, -1} : ConvexCrossing{-1, -1};
+  for (int i = 0; i < a.lanes; i += kLanes) {
+    const Lanes out = outside<Lanes>(nx, ny, d, b.count, Lanes::load(a.x + i), Lanes::load(a.y + i));
+    if (above(out, limit) != 0) return {-1, -1};
+  }
+  return {0, -1};
 }
 
 }  // namespace tricover::detail::simd

@@ -267,7 +267,7 @@ TEST(NearestFeatures, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   EXPECT_EQ(shows(square, square, {3, 0.25}), kApart);
   EXPECT_EQ(shows(square, square, {3, 0}), kApart) << "sides that face each other";
   EXPECT_EQ(shows(square, square, {3, 3}), kApart) << "corners";
-  EXPECT_EQ(shows(square, square, {1, 0}), kUnknown) << "a touch";
+  EXPECT_EQ(shows(square, square, {1, 0}), Meeting::Meet) << "a touch, of edges that meet";
   EXPECT_EQ(shows(square, square, {0.5, 0.25}), Meeting::Meet);
   EXPECT_EQ(shows(many, square, {3, 0.25}), kApart);
   EXPECT_EQ(shows(many, square, {0.5, 0.25}), kUnknown) << "many vertices, and they meet";
