@@ -57,11 +57,17 @@ class Body {
     return dot(m, ring_.edge(v)) >= -dot(m, ring_.edge(before)) ? v : before;
   }
 
+  /// Its edge, of which what doesn't move is kept for the next time.
+  MovingBox edge(const Places& p, std::uint32_t k) {
+    if (edge_.child != k) edge_ = mover.edgeNode(k);
+    return mover.box(p, edge_);
+  }
+
   /// The edge beside one at the end that a point of it is nearer to.
-  std::uint32_t neighbour(const Places& p, std::uint32_t edge, const Vec2& point) const {
-    const MovingBox box = mover.edge(p, edge);
+  std::uint32_t neighbour(const Places& p, std::uint32_t k, const Vec2& point) {
+    const MovingBox box = edge(p, k);
     const double along = (point.x() - box.x[0]) * box.ux[0] + (point.y() - box.y[0]) * box.uy[0];
-    return along > 0 ? ring_.next(edge) : ring_.previous(edge);
+    return along > 0 ? ring_.next(k) : ring_.previous(k);
   }
 
   /// A box around all of it, as WindowCutter asks for levers.
@@ -77,6 +83,7 @@ class Body {
   ConvexRing ring_;
   double doubt_;  ///< an edge's climb is wrong by less than 5 U of its length, which is at most twice the radius
   std::uint32_t foremost_ = 0;
+  Node edge_{0, 0, 1, 0, 0, 0, kRootNode, true};  ///< the last one
 };
 
 class ConvexAdvancement {
@@ -113,7 +120,7 @@ class ConvexAdvancement {
       if (!apart && time_ > before && end - time_ <= time_error_ && !(distanceAtEnd(window) > touch_distance_))
         return FirstContact::touch(time_, edge_a_, edge_b_);
       if (time_ > before) {
-        place();
+        place(window);
       } else {
         if (fresh) break;
         stale = true;
@@ -125,15 +132,14 @@ class ConvexAdvancement {
  private:
   bool areSmall() const { return pair_.a.tree->small_convex && pair_.b.tree->small_convex; }
 
-  void place() {
-    at_a_ = pair_.a.places(time_, time_);
-    at_b_ = pair_.b.places(time_, time_);
+  void place(const Window& window) {
+    const bool at_end = time_ == window.end;
+    if (pair_.a.turns) at_a_ = at_end ? window.a.atEnd() : pair_.a.places(time_, time_);
+    at_b_ = at_end ? window.b.atEnd() : pair_.b.places(time_, time_);
   }
-  NearestPoints nearest() const {
-    return NearestPoints(pair_.a.edge(at_a_, edge_a_), pair_.b.edge(at_b_, edge_b_), 0, pair_.error);
-  }
-  double distanceAtEnd(const Window& window) const {
-    return NearestPoints(pair_.a.edge(window.a, edge_a_), pair_.b.edge(window.b, edge_b_), 1, pair_.error).distance;
+  NearestPoints nearest() { return NearestPoints(a_.edge(at_a_, edge_a_), b_.edge(at_b_, edge_b_), 0, pair_.error); }
+  double distanceAtEnd(const Window& window) {
+    return NearestPoints(a_.edge(window.a, edge_a_), b_.edge(window.b, edge_b_), 1, pair_.error).distance;
   }
 
   /// Of small polygons: the edge that has all of the other polygon farthest beyond it, as floats see it, and that one's
@@ -169,7 +175,7 @@ class ConvexAdvancement {
       moved = false;
       for (const bool of_b : {false, true}) {
         std::uint32_t& edge = of_b ? edge_b_ : edge_a_;
-        const Body& body = of_b ? b_ : a_;
+        Body& body = of_b ? b_ : a_;
         const std::uint32_t from = edge;
         edge = body.neighbour(of_b ? at_b_ : at_a_, edge, of_b ? best.on_b : best.on_a);
         const NearestPoints there = nearest();

@@ -47,14 +47,19 @@ bool Mover::keepsLengths() const {
          Gram(load2(linear.data()), load2(linear.data() + 2)).defect() <= kMostDefect;
 }
 
-MovingBox Mover::edge(const Places& p, std::size_t position) const {
-  const Vec2 v = scale * polygon->inUnits(polygon->path[position]);
-  const Vec2 w = scale * polygon->inUnits(polygon->path[position + 1]);
+Node Mover::edgeNode(std::size_t position) const {
+  const Vec2 v = polygon->inUnits(polygon->path[position]), w = polygon->inUnits(polygon->path[position + 1]);
   const Vec2 mid = 0.5 * (v + w), half = 0.5 * (w - v);
   const double length = half.norm();
   const Vec2 axis = length > 0 ? Vec2(half / length) : Vec2(1, 0);
-  const Double2 ux = p.m00 * axis.x() + p.m01 * axis.y(), uy = p.m10 * axis.x() + p.m11 * axis.y();
-  return {p.m00 * mid.x() + p.m01 * mid.y() + p.x, p.m10 * mid.x() + p.m11 * mid.y() + p.y, ux, uy, -uy, ux, length, 0};
+  return {mid.x(), mid.y(), axis.x(), axis.y(), length, 0, static_cast<std::uint32_t>(position), true};
+}
+
+MovingBox Mover::edge(const Places& p, std::size_t position) const {
+  MovingBox edge = box(p, edgeNode(position));
+  edge.vx = -edge.uy;
+  edge.vy = edge.ux;
+  return edge;
 }
 
 namespace {

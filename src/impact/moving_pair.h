@@ -28,6 +28,11 @@ struct Places {
 
   /// From S to another mover's, at the begin.
   Vec2 originTo(const Places& other) const { return {other.x[0] - x[0], other.y[0] - y[0]}; }
+  /// At its end, in either lane.
+  Places atEnd() const {
+    const auto end = [](Double2 v) { return Double2{v[1], v[1]}; };
+    return {end(m00), end(m10), end(m01), end(m11), end(x), end(y), end(pivot_x), end(pivot_y)};
+  }
   /// From its begin to another's end.
   Places to(const Places& other) const {
     const auto ends = [](Double2 from, Double2 until) { return Double2{from[0], until[1]}; };
@@ -53,6 +58,7 @@ struct Mover {
   Places places(double begin, double end) const;
   Node node(std::uint32_t index) const;
   MovingBox box(const Places& places, const Node& node) const;
+  Node edgeNode(std::size_t position) const;
   MovingBox edge(const Places& places, std::size_t position) const;
   /// Whether its unit and its pose do, and squares don't overflow. A pose: if it is off rigid by no more than rotations
   /// that were made of doubles, which is less than what MovingPair::error allows for.

@@ -120,7 +120,7 @@ struct Window {
         end(end_),
         length(end - begin),
         rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
-        a(a_at_begin.to(pair.a.places(end, end))),
+        a(pair.a.turns ? a_at_begin.to(pair.a.places(end, end)) : a_at_begin),  // its pivot stays
         b(b_at_begin.to(pair.b.places(end, end))) {
     boundSags();
   }
