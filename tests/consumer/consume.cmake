@@ -4,11 +4,26 @@ file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
 file(RENAME ${WORK}/first ${WORK}/prefix)
 
-foreach(file share/doc/tricover/LICENSE share/tricover/package.xml)
+foreach(file share/doc/tricover/LICENSE share/tricover/package.xml include/tricover/occupancy_grid_io.h)
   if(NOT EXISTS ${WORK}/prefix/${file})
     message(FATAL_ERROR "${file} isn't installed")
   endif()
 endforeach()
+
+# The same as a Debian package.
+find_program(DPKG_DEB dpkg-deb)
+if(DPKG_DEB)
+  run(${CMAKE_CPACK_COMMAND} -G DEB -B ${WORK}/deb --config ${BUILD}/CPackConfig.cmake)
+  file(GLOB package ${WORK}/deb/libtricover-dev_*.deb)
+  execute_process(COMMAND ${DPKG_DEB} --fsys-tarfile ${package} COMMAND ${CMAKE_COMMAND} -E tar t /dev/stdin
+    OUTPUT_VARIABLE packed COMMAND_ERROR_IS_FATAL ANY)
+  file(GLOB_RECURSE files RELATIVE ${WORK}/prefix ${WORK}/prefix/*)
+  foreach(file ${files})
+    if(NOT packed MATCHES "usr/${file}\n")
+      message(FATAL_ERROR "${file} is installed, but not in ${package}")
+    endif()
+  endforeach()
+endif()
 
 set(APP -S ${REPOSITORY}/tests/consumer/app ${TOOLS} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} ${APP} -B ${WORK}/app -DEXAMPLES=${REPOSITORY}/fcl_adapter/examples)
