@@ -10,7 +10,7 @@
 /// What a narrow gap costs: bodies that turn or slide so close to another one.
 namespace tricover::bench {
 
-constexpr std::array<double, 4> kGaps = {1e-3, 1e-6, 1e-9, 1e-12};
+constexpr std::array<double, 6> kGaps = {1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-13};
 
 struct GapCost {
   std::string input, query;
