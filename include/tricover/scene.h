@@ -48,6 +48,7 @@ struct BodyOptions {
   /// Allowed: what only touches this body doesn't collide with it, be it another body or the polygon of a query,
   /// whatever those say: as CollideOptions::touching has it. (An impact is the first touch all the same; see
   /// ImpactOptions::ignore_initial for those that touch at the start.)
+  /// \snippet scene.cpp scene touching
   Touching touching = Touching::Collides;
 };
 

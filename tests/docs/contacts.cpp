@@ -62,6 +62,12 @@ TEST(Documentation, Crossings) {
       tricover::crossings(square, tricover::Pose::Identity(), square, shifted);
   ASSERT_EQ(found.size(), 2u);
   for (const tricover::Crossing& crossing : found) EXPECT_NEAR(crossing.point.sum(), 5, 1e-12);  // (4, 1) and (1, 4)
+
+  shifted.translation() << 4, 1;  // beside it: edges meet, but not the interiors
+  tricover::CrossingOptions inner;
+  inner.touching = tricover::Touching::Allowed;
+  EXPECT_FALSE(tricover::crossings(square, tricover::Pose::Identity(), square, shifted).empty());
+  EXPECT_TRUE(tricover::crossings(square, tricover::Pose::Identity(), square, shifted, inner).empty());
   //! [crossings]
 }
 

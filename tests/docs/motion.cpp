@@ -26,6 +26,7 @@ TEST(Documentation, Motion) {
   const tricover::Motion swing =
       tricover::Motion::spline({{0, 0}, 0, {0, 0}, 0}, {{10, 0}, 1.5707963267948966, {0, 6}, 0});
   EXPECT_TRUE(swing.at(1).isApprox(end, 1e-12));
+  EXPECT_TRUE(swing.part(0.5, 1).at(0.5).isApprox(swing.at(0.75), 1e-12));  // its second half
   //! [motion]
 }
 

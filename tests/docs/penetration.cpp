@@ -23,6 +23,12 @@ TEST(Documentation, Penetration) {
   pose.translation() += way->translation;  // proven to part them
   EXPECT_FALSE(tricover::collide(square, still, square, pose));
   EXPECT_FALSE(tricover::penetration(square, still, square, pose).has_value());
+
+  pose.translation() << 4, 1;  // beside it
+  tricover::PenetrationOptions inner;
+  inner.touching = tricover::Touching::Allowed;
+  EXPECT_EQ(tricover::penetration(square, still, square, pose)->depth, 0);
+  EXPECT_FALSE(tricover::penetration(square, still, square, pose, inner).has_value());
   //! [penetration]
 }
 

@@ -70,6 +70,26 @@ TEST(Documentation, SceneTrajectories) {
   //! [scene trajectories]
 }
 
+TEST(Documentation, SceneTouching) {
+  //! [scene touching]
+  const tricover::Polygon brick({{{0, 0}, {2, 0}, {2, 1}, {0, 1}}});
+  const auto at = [](double x, double y) {
+    tricover::Pose pose = tricover::Pose::Identity();
+    pose.translation() << x, y;
+    return pose;
+  };
+  tricover::BodyOptions laid;
+  laid.touching = tricover::Touching::Allowed;
+  tricover::Scene wall;
+  wall.add(brick, at(0, 0), laid);
+  wall.add(brick, at(2, 0), laid);
+  const tricover::Scene::Body upper = wall.add(brick, at(1, 1), laid);
+  EXPECT_TRUE(wall.collisions().empty());  // they lie on each other, and touch
+  wall.move(upper, at(1, 0.999));
+  EXPECT_EQ(wall.collisions().size(), 2u);
+  //! [scene touching]
+}
+
 TEST(Documentation, SceneHandles) {
   //! [scene handles]
   const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});

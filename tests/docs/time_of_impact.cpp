@@ -45,6 +45,13 @@ TEST(Documentation, Conflicts) {
   EXPECT_NEAR(all[0].impact.time, 0.45, 1e-5);  // into the first wall,
   EXPECT_NEAR(all[0].end, 0.6, 1e-5);           // out of it,
   EXPECT_NEAR(all[1].impact.time, 0.7, 1e-5);   // and again
+
+  start.translation() << 0, 0;  // in the first wall: what is met there counts once it has parted
+  const tricover::Motion leaves = tricover::Motion::translation(start, {20, 0});
+  tricover::ImpactOptions later;
+  later.ignore_initial = true;
+  EXPECT_EQ(tricover::timeOfImpact(walls, still, square, leaves)->time, 0);
+  EXPECT_NEAR(tricover::timeOfImpact(walls, still, square, leaves, later)->time, 0.2, 1e-5);
   //! [conflicts]
 }
 

@@ -26,6 +26,15 @@ TEST(Documentation, Trajectory) {
   ASSERT_EQ(all.size(), 2u);
   EXPECT_NEAR(all[0].end, 12, 1e-5);
   EXPECT_NEAR(all[1].impact.time, 20, 1e-5);
+  EXPECT_EQ(waits.at(15).translation(), tricover::Vec2(0, 0));
+
+  // By knots of a spline, with rates a second, and by motions of one's own.
+  const auto bends = tricover::Trajectory::spline({{0, {{0, 0}, 0, {1, 0}, 0}}, {8, {{5, 3}, 1.5, {0, 1}, 0}}});
+  std::vector<tricover::Leg> legs = bends.legs();
+  legs.push_back({8, 10, tricover::Motion::translation(bends.at(8), {0, 2})});  // on at a metre a second
+  const tricover::Trajectory longer(legs);
+  EXPECT_EQ(longer.end(), 10);
+  EXPECT_TRUE(longer.part(9, 10).at(1).isApprox(longer.at(10)));
   //! [trajectory]
 }
 
