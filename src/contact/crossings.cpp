@@ -91,6 +91,7 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
   result.reserve(8);
   const std::size_t many = 4 * (pair.a.path.size() + pair.b.path.size());
   std::optional<CoincidentVertices> known;
+  std::pair<std::ptrdiff_t, std::ptrdiff_t> largest(-1, -1);
   const auto visit = [&](double, std::size_t i, std::size_t j) {
     if (known && known->isKnown(i, j)) return 0.0;
     if (edgesMeet(pair, i, j)) {
@@ -98,20 +99,19 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
       const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());
       result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
     }
-    return coincident == Coincident::Thinned && !known && result.size() > many ? -1.0 : 0.0;
+    if (coincident == Coincident::All || known || result.size() <= many) return 0.0;
+    // So many that edges may end in one point.
+    known.emplace(pair);
+    largest = known->largest(result);
+    return largest.first < 0 ? 0.0 : -1.0;
   };
   forEachPair(pair, 0, visit);
-  if (coincident == Coincident::All || result.size() <= many) return result;
-  // So many that edges may end in one point: once more, without most pairs of those.
-  known.emplace(pair);
-  const auto [u, v] = known->largest(result);
+  const auto [u, v] = largest;
+  if (u < 0) return result;
+  // Once more, without most pairs of those.
   result.clear();
-  if (u < 0)
-    forEachPair(pair, 0, visit);
-  else
-    forEachPair(
-        pair, 0, visit,
-        IncidentEdgeBoxes(pair, frame, static_cast<std::size_t>(u), static_cast<std::size_t>(v), *known).pairs());
+  forEachPair(pair, 0, visit,
+              IncidentEdgeBoxes(pair, frame, static_cast<std::size_t>(u), static_cast<std::size_t>(v), *known).pairs());
   return result;
 }
 

@@ -23,8 +23,10 @@ void OverlapArcs::join(bool with_own_crossings) {
   for (Side& side : sides_) {
     side.stops.clear();
     side.stops.reserve(crossings_.size());
-    side.rings.assign(side.polygon.ringCount(), {});
   }
+  rings_.assign(pair_.a.ringCount() + pair_.b.ringCount(), {});
+  sides_[0].rings = rings_.data();
+  sides_[1].rings = rings_.data() + pair_.a.ringCount();
   for (const EdgeCrossing& c : crossings_) {
     const std::size_t node = addNode(true);
     const bool known = c.direction != 0;

@@ -46,7 +46,7 @@ struct Side {
 
   const PolygonData& polygon;
   std::vector<Stop> stops;  ///< by edge, then where they begin
-  std::vector<RingStops> rings;
+  RingStops* rings = nullptr;
 };
 
 /// Off the middle, where symmetric shapes have other edges, too.
@@ -106,6 +106,7 @@ class OverlapArcs {
   const WorldFrame& frame_;
   const std::vector<EdgeCrossing>& crossings_;
   Side sides_[2];
+  std::vector<Side::RingStops> rings_;  ///< a's, then b's
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   struct Node {
     bool is_present;  ///< it is in the overlap, which a polygon's own crossing needn't be
