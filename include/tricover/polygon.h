@@ -100,9 +100,9 @@ class TRICOVER_EXPORT Polygon {
   /// the tolerance becomes a segment or a point, as segment() and point() write them. (By the method of Douglas and
   /// Peucker, in O(n log n) for most.)
   ///
-  /// `outwards`: the new region covers all of its own, and is within the tolerance of it: what is free of the new
-  /// polygon is free of this one. Exactly so, too. Corners may be new points; holes become smaller; what has no area,
-  /// or can't be proven to be covered, stays as it is. It costs more, some tens of microseconds a vertex.
+  /// `outwards`: the new region covers its own, exactly so, too: what is free of it is free of this one. Corners may be
+  /// new points, holes become smaller, and what has no area, or can't be proven to be covered, stays as it is. It costs
+  /// some tens of microseconds a vertex, and more where hundreds of edges are on one line.
   ///
   /// Throws std::invalid_argument for a tolerance that is negative or not finite.
   /// \snippet polygon.cpp simplified
