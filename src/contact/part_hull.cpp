@@ -51,7 +51,7 @@ void PartHull::make(const Slice<BoundaryPoint>& points, std::size_t more) {
   const std::size_t own = points.size() + 1, likely = points.size() + more, grown = 2 * (own + more);
   const std::size_t needed = likely + 2 * own + 2 * grown;
   if (capacity_ < needed) {
-    capacity_ = 2 * needed;
+    capacity_ = std::max(needed, 2 * capacity_);
     room_.reset(new BoundaryPoint[capacity_]);
   }
   likely_ = room_.get();
@@ -76,7 +76,7 @@ bool PartHull::isWithin(double u_p, double p_v, double u_v) const {
 
 /// Leaves out what is within the triangle of the points before and after it and one in the middle of some.
 void PartHull::takeLikely(const Slice<BoundaryPoint>& points) {
-  constexpr std::size_t kFew = 8;  // cost less than looking
+  constexpr std::size_t kFew = 32;  // cost less than looking
   if (points.size() <= kFew) {
     likely_end_ = std::copy(points.begin(), points.end(), likely_);
     return;
