@@ -82,6 +82,18 @@ TEST(Conflicts, WhatMetAtTheStartIsIgnoredUntilItHasParted) {
   EXPECT_NEAR(timeOfImpact(kWalls, kStill, kSquare, kThrough, options)->time, 0.45, kError);
 }
 
+TEST(Conflicts, AreTwoWhereWhatPartsThemLastsLongerThanTheTimeError) {
+  Ring ring = {{-1, -1}, {1, -1}};  // with so many edges that boxes are searched
+  for (int k = 0; k <= 40; ++k) ring.emplace_back(1 - 0.05 * k, k % 2 == 0 ? 1 : 0.9);
+  const Polygon saw({ring});
+  for (int i = 0; i < 40; ++i) {
+    const double parted = kError * (1.05 + 0.05 * i), x = 0.37 * kError * i;
+    const Polygon walls({rectangle(0, -5, 1, 5), rectangle(3 + 20 * parted, -5, 6, 5)});
+    const Motion through = Motion::translation(pose(0, -10 + 20 * x, 0), {20, 0});
+    EXPECT_EQ(conflicts(walls, kStill, saw, through, {0, kError}).size(), 2u) << i;
+  }
+}
+
 /// Never missed, and never told where nothing is as near as the bodies move in a time_error.
 TEST(Conflicts, HoldAllTimesOfContactAndFewMore) {
   constexpr double kWide = 0x1p-9;

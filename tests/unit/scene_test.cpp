@@ -224,6 +224,21 @@ TEST(Scene, FollowsWaysThatBend) {
   EXPECT_NEAR(all[0].impact.time, time, 1e-5);
 }
 
+/// All of it within what is one window of the others' time.
+TEST(Scene, FindsTheImpactsOfADashBetweenLongWaits) {
+  Scene scene;
+  const auto here = pose(0, 0, 0);
+  const Scene::Body moving = scene.add(kSquare, here), post = scene.add(kSquare, pose(0, 60, 0));
+  const Trajectory way =
+      Trajectory::through({{0, here}, {500, here}, {501, pose(0, 90, 0)}, {502, here}, {1000, here}});
+  const auto impacts = scene.impacts({{moving, way}});
+  ASSERT_EQ(impacts.size(), 1u);
+  EXPECT_EQ(impacts[0].pair, (BodyPair{moving, post}));
+  EXPECT_NEAR(impacts[0].impact.time, 500 + 58 / 90.0, 1e-5);
+  EXPECT_EQ(scene.conflicts({{moving, way}}).size(), 2u);
+  EXPECT_EQ(scene.firstImpact(kSquare, way, {}, BodyFilter::allBut(moving))->impact.time, impacts[0].impact.time);
+}
+
 /// The first body to be near is not the first to be hit.
 TEST(Scene, LooksOnAfterAnImpactThatIsLater) {
   Scene scene;
