@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
-"""A robot among racks: where it is free, what is near, when it hits what. `example.py picture.png` draws it, if there
-is matplotlib; PYTHONPATH is where `tricover` was built."""
+"""A robot among racks: where it is free, what is near, when it hits what. PYTHONPATH is where `tricover` was built."""
+import argparse
 import sys
 
 import numpy as np
 import tricover as tc
+
+parser = argparse.ArgumentParser(description=__doc__)
+parser.add_argument("picture", nargs="?", help="where to draw it, if there is matplotlib")
+picture = parser.parse_args().picture
 
 ROBOT = tc.Polygon([(-0.5, -0.3), (0.6, -0.3), (0.6, -0.2), (0, -0.2), (0, 0.2), (0.6, 0.2), (0.6, 0.3), (-0.5, 0.3)])
 RACK = tc.Polygon([(0, 0), (6, 0), (6, 0.8), (0, 0.8)])
@@ -31,7 +35,7 @@ if hit:
 overlap = tc.penetration(RACK, (0, 0, 0), ROBOT, (3, 0.9, 0.3))
 print(f"{overlap.depth:.3f} m deep, out by {overlap.translation.round(3)}")
 
-if len(sys.argv) > 1:
+if picture:
     try:
         import matplotlib
     except ImportError:
@@ -53,4 +57,8 @@ if len(sys.argv) > 1:
     if hit:
         plt.plot(*hit[1].point, "o", color="#dc2626")
     plt.axis("equal")
-    plt.savefig(sys.argv[1])
+    try:
+        plt.savefig(picture)
+    except OSError as error:
+        sys.exit(f"error: can't write {picture}: {error.strerror}")
+    print(f"drawn: {picture}", file=sys.stderr)
