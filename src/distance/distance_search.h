@@ -133,7 +133,7 @@ class BestPair {
  private:
   void evaluate(const ShownPair& pair, const EdgeDistances::View& view) {
     if (view.feature != 0 && view.feature == feature_) return;
-    const EdgeDistance found = edges.at(view, pair.i, pair.j, options_);
+    const EdgeDistance found = edges.at(view, pair.i, pair.j, options_, best_.distance);
     if (found.distance > best_.distance) return;
     best_ = found;
     pair_ = pair;

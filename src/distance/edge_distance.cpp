@@ -151,18 +151,19 @@ double EdgeDistances::allowed(double distance, const DistanceQuery& options) con
   return is_allowed ? rounded : 0;
 }
 
-EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, const DistanceQuery& options) const {
+EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, const DistanceQuery& options,
+                               double least) const {
   const int nearest = v.nearest;
   if (const double rounded = allowed(v.distance, options); rounded > 0) {
     const double s = v.part[nearest], end = nearest % 2;
     return {rounded, nearest < 2 ? s : end, nearest < 2 ? end : s};
   }
-  EdgeDistance best = combination(nearest, v, i, j);
+  EdgeDistance best = combination(nearest, v, i, j, least);
   if (v.feature != 0) return best;
   const double most = mostSquare(v);
   for (int k = 0; k < combinations(); ++k) {
     if (k == nearest || v.square[k] > most) continue;
-    const EdgeDistance other = combination(k, v, i, j);
+    const EdgeDistance other = combination(k, v, i, j, std::min(least, best.distance));
     if (other.distance < best.distance) best = other;
   }
   return best;
@@ -212,6 +213,12 @@ static_assert(PosedVertices::kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 
 static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
 static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
 
+/// What a distance below kLeastShare M is off by at most, beside kRelativeError of itself: the 400 U^2 M; and, where
+/// the end that is nearest to the point isn't certain, what its foot is off by along the edge, since w u errs by (100
+/// sqrt2 + 3 * 32 + 3 * 16) U^2 M |u|. Of M.
+constexpr double kTwofoldError = 1024 * kUnitRoundoff * kUnitRoundoff;
+static_assert(1024 >= 400 + 100 * kRoot2 + 3 * 32 + 3 * 16);
+
 template <bool kEdgeOfA>
 double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const {
   const PolygonData& polygon = kEdgeOfA ? a : b;
@@ -246,7 +253,7 @@ EdgeDistance EdgeDistances::startAndStart(const Foot& foot, std::size_t i, std::
   return d >= kLeastShare * size_ ? EdgeDistance{d, 0, 0} : exactCombination(0, i, j);
 }
 
-EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j) const {
+EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j, double least) const {
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2), edge = end_of_b ? i : j,
                     vertex = end_of_b ? j + end : i + end;
@@ -260,7 +267,10 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
   }
   const auto answer = [&](double d, double part) -> EdgeDistance {
     // Written so that NaN fails.
-    if (!(d >= kLeastShare * size_)) return exactCombination(k, i, j);
+    if (!(d >= kLeastShare * size_)) {
+      const bool is_beyond = d * (1 - 2 * kRelativeError) - kTwofoldError * size_ > least * scale_;
+      return is_beyond ? EdgeDistance{std::numeric_limits<double>::infinity(), 0, 0} : exactCombination(k, i, j);
+    }
     return {atLeastSmallest(d * inverse_), end_of_b ? part : where, end_of_b ? where : part};
   };
   const auto from = [&](std::size_t v) {

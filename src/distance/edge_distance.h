@@ -82,8 +82,9 @@ class EdgeDistances : public PosedVertices {
   Bounds bounds(const View& view) const { return boundsOf(view.distance, false); }
 
   /// For edges that don't meet. It depends on nothing but them, the poses and the options. These may allow errors of
-  /// what is left beyond the margin, if something certainly is, and no more than the limit.
-  EdgeDistance at(const View& view, std::size_t i, std::size_t j, const DistanceQuery& options) const;
+  /// what is left beyond the margin, if something certainly is, and no more than the limit. Infinity may stand for
+  /// what is certainly above `least`, and dear.
+  EdgeDistance at(const View& view, std::size_t i, std::size_t j, const DistanceQuery& options, double least) const;
   /// The same where the features are known to be the nearest: the start of b's edge j beside a's edge i, certainly
   /// between its ends; or the start of a's edge beside b's. Only for what is unscaled.
   EdgeDistance startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
@@ -160,7 +161,7 @@ class EdgeDistances : public PosedVertices {
   /// Of a vertex that is certainly beside an edge, nearer to its end or its start; scaled.
   template <bool kEdgeOfA>
   double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const;
-  EdgeDistance combination(int k, const View& view, std::size_t i, std::size_t j) const;
+  EdgeDistance combination(int k, const View& view, std::size_t i, std::size_t j, double least) const;
   EdgeDistance exactCombination(int k, std::size_t i, std::size_t j) const;
   std::uint64_t featureOf(const View& view, std::size_t i, std::size_t j) const;
   /// Squares above this are of combinations that can't be the nearest.

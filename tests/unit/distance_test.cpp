@@ -15,6 +15,7 @@
 #include "refusal.h"
 #include "shapes.h"
 #include "tricover/collide.h"
+#include "tricover/segment.h"
 
 namespace tricover::support {
 namespace {
@@ -308,6 +309,32 @@ TEST(Distance, NamesTheEdgesOfDividedSides) {
     const auto edgeBack = [&](double x) { return nearestEdge(reversed(square), pose_a, pose_a * pose(0, x, 2.5)); };
     EXPECT_EQ(edgeBack(1.5), 4);
     EXPECT_EQ(edgeBack(0.5), 2);
+  }
+}
+
+/// So flat that nothing but exact arithmetic tells the edges' distances apart: which ones it is spared changes nothing.
+TEST(Distance, OfRingsSqueezedFlatIsThatOfTheirNearestEdges) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Random random(seed);
+    const double flat = std::ldexp(1, -47 - 2 * static_cast<int>(seed % 3));
+    const auto flatRing = [&] {
+      Ring ring;
+      for (int i = 0; i < 24; ++i) ring.emplace_back(random.real(-1, 1), flat * random.real(-1, 1));
+      return ring;
+    };
+    const Ring ring_a = flatRing(), ring_b = flatRing();
+    const double angle = random.real(0, 3), gap = flat * random.real(2, 2.01);
+    const Pose pose_a = pose(angle, 0, 0), pose_b = pose(angle, -std::sin(angle) * gap, std::cos(angle) * gap);
+    double least = kInfinity;
+    for (std::size_t i = 0; i < ring_a.size(); ++i)
+      for (std::size_t j = 0; j < ring_b.size(); ++j) {
+        const Polygon edge_a = tricover::segment(ring_a[i], ring_a[(i + 1) % ring_a.size()]);
+        const Polygon edge_b = tricover::segment(ring_b[j], ring_b[(j + 1) % ring_b.size()]);
+        least = std::min(least, distance(edge_a, pose_a, edge_b, pose_b).distance);
+      }
+    const double found = distance(Polygon({ring_a}), pose_a, Polygon({ring_b}), pose_b).distance;
+    EXPECT_NEAR(found, least, 1e-14 * least) << seed;
+    EXPECT_GT(found, 0) << seed;
   }
 }
 
