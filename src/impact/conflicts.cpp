@@ -94,8 +94,7 @@ std::optional<Impact> MovingContact::next(double begin) const {
 std::vector<Conflict> conflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                 const ImpactOptions& options) {
   detail::checkOptions(options);
-  checkMotion(motion_a, "motion_a");
-  checkMotion(motion_b, "motion_b");
+  detail::checkMotions(motion_a, motion_b);
   const detail::MovingContact contact(a, motion_a, b, motion_b, options);
   std::vector<Conflict> found;
   double time = 0;

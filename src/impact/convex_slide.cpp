@@ -64,14 +64,15 @@ struct PartingEdge : BesideEdge {
 
 class Slide {
  public:
-  Slide(const PolygonData& a, const Motion& motion_a, const PolygonData& b, const Motion& motion_b, double margin)
+  Slide(const PolygonData& a, const PolygonData& corners_a, const Motion& motion_a, const PolygonData& b,
+        const PolygonData& corners_b, const Motion& motion_b, double margin)
       : given_a_(a),
         given_b_(b),
         motion_a_(motion_a),
         motion_b_(motion_b),
         margin_(margin),
         way_(load2(motion_b.shift.data()) - load2(motion_a.shift.data())),
-        at_(*cornersOf(a), motion_a.start, *cornersOf(b), motion_b.start) {}
+        at_(corners_a, motion_a.start, corners_b, motion_b.start) {}
 
   FirstContact run(Impact& impact) const {
     if (!squarable(at_.error() / Placement::kWayError + lengthOne(way_) + margin_)) return FirstContact::unknown(0);
@@ -172,7 +173,7 @@ FirstContact slideConvex(const PolygonData& a, const Motion& motion_a, const Pol
     return corners != nullptr && corners->path.size() <= SmallPolygon::kMost + 1;
   };
   if (!isSmall(corners_a) || !isSmall(corners_b)) return FirstContact::unknown(0);
-  return Slide(a, motion_a, b, motion_b, margin).run(impact);
+  return Slide(a, *corners_a, motion_a, b, *corners_b, motion_b, margin).run(impact);
 }
 
 }  // namespace tricover::detail

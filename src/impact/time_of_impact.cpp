@@ -142,8 +142,7 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
 std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                    const ImpactOptions& options) {
   detail::checkOptions(options);
-  checkMotion(motion_a, "motion_a");
-  checkMotion(motion_b, "motion_b");
+  detail::checkMotions(motion_a, motion_b);
   const auto first = detail::inKernelOrder(
       a.data(), motion_a, b.data(), motion_b,
       [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
