@@ -6,7 +6,7 @@ MUTATIONS = [
     ("src/impact/convex_slide.cpp", "if (margin > 0) beyond -= ", "if (margin < 0) beyond -= ", "slides: touches without the margin"),
     ("src/impact/convex_slide.cpp", "from + time * parting.way_of_other", "from", "slides: what is beside the edge at the start"),
     ("src/impact/convex_slide.cpp", ".untilEnd() < time;", ".untilEnd() < 1;", "slides: passes by where another edge parts them at the end only"),
-    ("src/impact/convex_slide.cpp", "nearest.norm() > reach", "start.norm() > reach", "slides: discs at the start only"),
+    ("src/impact/convex_slide.cpp", "nearestOnSegment(-start, Vec2::Zero(), way)", "Vec2(0 * way)", "slides: discs at the start only"),
     ("src/impact/convex_slide.cpp", "at >= -slack && at <= square", "at >= -slack || at <= square", "slides: a touch beside the edge's ends"),
     ("src/impact/moving_pair.cpp", "nearestOnSegment(-b.base, Vec2::Zero(), chord)", "Vec2(0 * chord)", "impact: discs at the start only"),
     ("src/impact/moving_pair.cpp", "mover.arm.lpNorm<1>() + shrink * polygon.radius", "shrink * polygon.radius", "impact: reach without the arm"),
