@@ -193,6 +193,21 @@ TEST(TrajectoryMotion, FindsTheFirstContactBesideOtherGeometriesAndMotions) {
   EXPECT_GT(later, hits / 4);
 }
 
+/// What is in between is not met, what is there is.
+TEST(TrajectoryMotion, MayJumpBesideAMotionOfAnotherClass) {
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
+  const auto rest = [](double x) { return tricover::Motion::still(tricover::support::pose(0, x, 0)); };
+  const TrajectoryMotiond jumps(tricover::Trajectory({{0, 0.5, rest(-9)}, {0.5, 1, rest(0)}}), 0, 1);
+  const auto ask = [&](double x, double y) {
+    return along(*square, jumps, *square, Slide(lifted(tricover::support::pose(0, x, y)), {0, -12, 0}));
+  };
+  EXPECT_NEAR(ask(0, 9).time_of_contact, 8 / 12.0, 1e-6);
+  EXPECT_NEAR(ask(-9, 5).time_of_contact, 4 / 12.0, 1e-6);
+  EXPECT_FALSE(ask(-9, 9).is_collide);
+  EXPECT_FALSE(ask(-4.5, 6).is_collide);
+  EXPECT_NEAR(ask(0, 6).time_of_contact, 0.5, 1e-6);  // it is there already
+}
+
 TEST(TrajectoryMotion, MeetsAHalfspaceOnItsLastLeg) {
   const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
   const auto here = [](double x, double y) { return tricover::support::pose(0, x, y); };
