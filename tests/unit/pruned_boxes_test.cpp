@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 #include "exact_reference.h"
@@ -57,7 +58,9 @@ TEST(PrunedBoxes, LeaveOutNothingNearer) {
     const double gap = random.coin() ? 1 : std::ldexp(1, -random.integer(36, 46));
     const Pose pose_a = randomPose(random, 1), pose_b = pose_a * pose(0, 4 + gap, random.integer(-4, 4));
     const EdgeDistances edges(PosedVertices(a, pose_a, b, pose_b));
-    const auto at = [&](std::size_t s, std::size_t t) { return edges.at(edges.view(s, t), s, t, {}).distance; };
+    const auto at = [&](std::size_t s, std::size_t t) {
+      return edges.at(edges.view(s, t), s, t, {}, std::numeric_limits<double>::infinity()).distance;
+    };
     const auto s = static_cast<std::size_t>(random.integer(0, static_cast<int>(a.path.size()) - 2));
     const auto t = static_cast<std::size_t>(random.integer(0, static_cast<int>(b.path.size()) - 2));
     const PrunedBoxes boxes(edges, s, t);

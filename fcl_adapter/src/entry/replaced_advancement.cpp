@@ -2,21 +2,15 @@
 #include "entry/table_rows.h"
 
 // Replaces what fcl::continuousCollide asks for conservative advancement, as replaced_collide.cpp does for
-// fcl::collide.
-namespace fcl::detail {
-
-#define TRICOVER_INSTANTIATE(Solver)                                                                 \
-  template double continuousCollideConservativeAdvancement(                                          \
-      const CollisionGeometry<double>*, const MotionBase<double>*, const CollisionGeometry<double>*, \
-      const MotionBase<double>*, const Solver*, const ContinuousCollisionRequest<double>&,           \
-      ContinuousCollisionResult<double>&);
-TRICOVER_INSTANTIATE(GJKSolver_libccd<double>)
-TRICOVER_INSTANTIATE(GJKSolver_indep<double>)
-#undef TRICOVER_INSTANTIATE
-
-}  // namespace fcl::detail
+// fcl::collide. The other solver's table, which takes a compiler as long, is in replaced_advancement_indep.cpp.
+template double fcl::detail::continuousCollideConservativeAdvancement(
+    const CollisionGeometry<double>*, const MotionBase<double>*, const CollisionGeometry<double>*,
+    const MotionBase<double>*, const GJKSolver_libccd<double>*, const ContinuousCollisionRequest<double>&,
+    ContinuousCollisionResult<double>&);
 
 namespace tricover_fcl {
+
+extern template void fillAdvancementTable<fcl::detail::GJKSolver_indep<double>>();
 
 template <>
 void fillAdvancementTables<double>() {
