@@ -51,23 +51,31 @@ Twofold<Real> twoProduct(Real p, Real q) {
 /// A number of twice the digits: low is at most half an ulp of high. Sums err by at most 3.1 U^2 of themselves,
 /// products by at most 5.1 U^2, while nothing overflows and no product is below 2^-900 (Joldes, Muller and Popescu,
 /// Tight and rigorous error bounds for basic building blocks of double-word arithmetic, 2017: AccurateDWPlusDW,
-/// DWTimesDW1).
-using DoubleDouble = Twofold<double>;
+/// DWTimesDW1). Lane by lane for Double2.
+template <typename Real>
+Twofold<Real> operator-(const Twofold<Real>& x) {
+  return {-x.high, -x.low};
+}
 
-inline DoubleDouble operator-(const DoubleDouble& x) { return {-x.high, -x.low}; }
-
-inline DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
-  const DoubleDouble high = twoSum(x.high, y.high), low = twoSum(x.low, y.low);
-  const DoubleDouble sum = twoSum(high.high, high.low + low.high);
+template <typename Real>
+Twofold<Real> operator+(const Twofold<Real>& x, const Twofold<Real>& y) {
+  const Twofold<Real> high = twoSum(x.high, y.high), low = twoSum(x.low, y.low);
+  const Twofold<Real> sum = twoSum(high.high, high.low + low.high);
   return twoSum(sum.high, sum.low + low.low);
 }
 
-inline DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + -y; }
+template <typename Real>
+Twofold<Real> operator-(const Twofold<Real>& x, const Twofold<Real>& y) {
+  return x + -y;
+}
 
-inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
-  const DoubleDouble product = twoProduct(x.high, y.high);
+template <typename Real>
+Twofold<Real> operator*(const Twofold<Real>& x, const Twofold<Real>& y) {
+  const Twofold<Real> product = twoProduct(x.high, y.high);
   return twoSum(product.high, product.low + (x.high * y.low + x.low * y.high));
 }
+
+using DoubleDouble = Twofold<double>;
 
 struct DoubleDouble2 {
   DoubleDouble x, y;

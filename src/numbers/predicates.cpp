@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "numbers/double_double.h"
 #include "numbers/dyadic.h"
 
 namespace tricover::detail {
@@ -70,13 +71,66 @@ Ratio fractionOf(const PosedSegment& ray, const PosedSegment& edge) {
   return compare(start, end) <= 0 ? start : end;
 }
 
+#ifdef TRICOVER_PLAIN_SIGNS
+int orientTwofold(const PosedPoint&, const PosedPoint&, const PosedPoint&) { return kUncertain; }
+#else
+using Twofold2 = Twofold<Double2>;
+
+/// A point or a vector of the world. `size`: at least what the terms of either coordinate sum to.
+struct TwofoldVector {
+  Twofold2 at;
+  double size;
+
+  double length() const {
+    const Double2 a = absolute(at.high);
+    return a[0] + a[1];
+  }
+};
+
+double largerOf(Double2 v) { return v[0] > v[1] ? v[0] : v[1]; }
+
+TwofoldVector twofold(const PosedPoint& p) {
+  const Double2 local = load2(p.local.data());
+  if (p.pose == nullptr) return {{local, Double2{}}, largerOf(absolute(local))};
+  const double* m = p.pose->data();  // columns of three
+  const Twofold2 x = twoProduct(load2(m), Double2{local[0], local[0]});
+  const Twofold2 y = twoProduct(load2(m + 3), Double2{local[1], local[1]});
+  const Double2 shift = load2(m + 6);
+  return {x + y + Twofold2{shift, Double2{}}, largerOf(absolute(x.high) + absolute(y.high) + absolute(shift))};
+}
+
+TwofoldVector difference(const TwofoldVector& p, const TwofoldVector& q) { return {p.at - q.at, p.size + q.size}; }
+
+/// The sign of the signed area, or kUncertain.
+///
+/// Bound. With sizes e, a coordinate's two sums err by 3.1 U^2 e each, and a difference u of two points of e_u together
+/// by 6.2 U^2 e_u + 3.1 U^2 |u|, less than 9.4 U^2 e_u in either coordinate. Of the area:
+///   9.4 (|u|_1 e_w + |w|_1 e_u) U^2      the products' factors
+///   (5.1 + 3.1) |u|_1 e_w U^2            the products, which sum to |u|_1 e_w at most, and their difference
+/// What is below 2^-900 is left to the exact stage: so rests that underflow are less than terms of second order, or
+/// than kTiny.
+constexpr double kTwofoldError = 32 * kUnitRoundoff * kUnitRoundoff;
+static_assert(kTwofoldError >= (9.4 + 5.1 + 3.1 + 1) * kUnitRoundoff * kUnitRoundoff);
+int orientTwofold(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r) {
+  const TwofoldVector at_p = twofold(p), u = difference(twofold(q), at_p), w = difference(twofold(r), at_p);
+  const double least = u.size < w.size ? u.size : w.size, most = u.size < w.size ? w.size : u.size;
+  if (!(least > 0x1p-900 && most < 0x1p400)) return kUncertain;
+  const Twofold2 swapped_w{swapped(w.at.high), swapped(w.at.low)}, products = u.at * swapped_w;
+  const Twofold2 other{swapped(products.high), swapped(products.low)};
+  const double area = (products - other).high[0];
+  const double bound = kTwofoldError * (u.length() * w.size + w.length() * u.size) + kTiny;
+  return area > bound ? 1 : -area > bound ? -1 : kUncertain;
+}
+#endif
+
 double rootOf(const Dyadic::Scaled& square) { return std::ldexp(std::sqrt(square.mantissa), square.exponent / 2); }
 
 }  // namespace
 
 int orientExact(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r) {
   ++exact_calls;
-  return cross(difference(q, p), difference(r, p)).sign();
+  const int sign = orientTwofold(p, q, r);
+  return sign != kUncertain ? sign : cross(difference(q, p), difference(r, p)).sign();
 }
 
 int compareExact(const PosedPoint& p, const PosedPoint& q, int axis) {

@@ -125,6 +125,43 @@ TEST(OrientExact, IsAlternatingAndTrueUnderMixedPoses) {
   for (int count : signs) EXPECT_GT(count, 300);
 }
 
+/// A point off the line of two others by 2^-40 down to 2^-120 of their size: beyond what doubles tell, and beyond what
+/// two of them tell. It is given by a pose that adds low digits to high ones.
+TEST(OrientExact, IsRightWithinRoundingOfALine) {
+  Random random(9);
+  int agreed = 0, zeros = 0, right = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const bool tiny = i % 16 == 0;  // and the third one far away
+    const int exponent = tiny ? -1000 : i % 4 == 0 ? static_cast<int>(random() % 1200) - 800 : 0;
+    const double scale = std::ldexp(1, exponent), offset = i % 3 == 0 ? 1e6 * scale : 0;
+    const Pose one = randomPose(random, i % 3 == 1 ? 1e6 * scale : scale, PoseKind::Double);
+    const auto local = [&] { return Vec2(offset + uniform(random, -scale, scale), uniform(random, -scale, scale)); };
+    const PosedPoint p{&one, local()}, q{&one, local()};
+    const ExactPoint from = posed(p), to = posed(q);
+    const mpq_class part = uniform(random, -1, 2) * mpq_class(tiny ? 0x1p1000 : 1) * mpq_class(tiny ? 0x1p300 : 1);
+    const double off = std::ldexp(uniform(random, -1, 1), -40 - static_cast<int>(random() % 80));
+    const mpq_class x = from.x + part * (to.x - from.x) + off * (to.y - from.y);
+    const mpq_class y = from.y + part * (to.y - from.y) - off * (to.x - from.x);
+    Pose pose_r = Pose::Identity();
+    pose_r.linear() *= 0x1p-40;
+    pose_r.translation() << x.get_d(), y.get_d();
+    const mpq_class low_x = (x - pose_r.translation().x()) * mpq_class(0x1p40);
+    const mpq_class low_y = (y - pose_r.translation().y()) * mpq_class(0x1p40);
+    const PosedPoint r{&pose_r, Vec2(low_x.get_d(), low_y.get_d())};
+    const int truth = trueOrientation(p, q, r);
+    ASSERT_EQ(orientExact(p, q, r), truth) << i << " " << std::hexfloat << off << " " << scale;
+    ASSERT_EQ(orientExact(r, q, p), -truth) << i;
+    agreed += truth == (off > 0 ? -1 : 1);
+    zeros += truth == 0;
+    right += truth < 0;
+  }
+  EXPECT_GT(agreed, 15000);
+  EXPECT_LT(agreed, 20000) << "none beyond the digits of two doubles";
+  EXPECT_LT(zeros, 2000);
+  EXPECT_GT(right, 8000);
+  EXPECT_LT(right, 12000);
+}
+
 TEST(OrientExact, IsRightWhereProductsUnderflowOrOverflow) {
   const auto orient = [](Vec2 p, Vec2 q, Vec2 r) { return orientation(p, q, r); };
   EXPECT_EQ(orient({1e-170, 0}, {0, 1e-170}, {0, 0}), 1);
