@@ -65,7 +65,7 @@ class BoundaryCurves {
 
   /// What a segment adds within `radius` of t, clipped to that; note(Added) is called for each curve.
   template <typename Note>
-  void add(Line segment, const Vec2& t, double radius, Note note) {
+  void add(Line segment, const Vec2& t, double radius, Note&& note) {
     if (margin_ == 0) {
       segment.clip(t, radius);
       return note(addLine(segment));

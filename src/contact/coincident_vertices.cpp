@@ -61,6 +61,13 @@ std::vector<bool> alone(const PolygonData& polygon, const std::vector<IncidentEd
 
 }  // namespace
 
+bool beginsPoint(const PolygonData& polygon, std::size_t v) {
+  const std::size_t ring = polygon.ringOf(v);
+  if (v != polygon.edgeBegin(ring)) return false;
+  const Vec2 *const begin = polygon.path.begin() + v, *const end = polygon.path.begin() + polygon.edgeEnd(ring);
+  return std::all_of(begin, end, [&](const Vec2& p) { return p == *begin; });
+}
+
 std::vector<std::uint32_t> sortedByPlace(const Path& path) {
   std::vector<std::uint32_t> order(path.size());
   std::iota(order.begin(), order.end(), 0u);

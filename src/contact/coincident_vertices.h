@@ -16,6 +16,9 @@ namespace tricover::detail {
 /// The positions of a path's vertices, equal ones side by side.
 std::vector<std::uint32_t> sortedByPlace(const Path& path);
 
+/// Whether the vertex at a position begins a ring that is one point.
+bool beginsPoint(const PolygonData& polygon, std::size_t v);
+
 /// Points where several vertices of either polygon meet. All edges that end at such a point meet there in pairs; to
 /// know them together, those pairs are enough that one edge of either polygon has with all of the other's.
 class CoincidentVertices {

@@ -191,15 +191,6 @@ std::size_t OverlapArcs::countSets() {
   return count;
 }
 
-/// Whether v begins a ring that is one point.
-bool OverlapArcs::isPoint(const PolygonData& polygon, std::size_t v) {
-  const std::size_t ring = polygon.ringOf(v);
-  if (v != polygon.edgeBegin(ring)) return false;
-  const auto begin = polygon.path.begin() + static_cast<std::ptrdiff_t>(v);
-  return std::all_of(begin, polygon.path.begin() + static_cast<std::ptrdiff_t>(polygon.edgeEnd(ring)),
-                     [&](const Vec2& p) { return p == *begin; });
-}
-
 /// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.
 Inclusion OverlapArcs::includeVertex(int side, std::size_t v) const {
   const PosedPair& pair = side == 0 ? swapped_ : pair_;

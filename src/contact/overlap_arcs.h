@@ -7,6 +7,7 @@
 
 #include "contact/boundary_point.h"
 #include "contact/boundary_ray.h"
+#include "contact/coincident_vertices.h"
 #include "contact/crossings.h"
 #include "hierarchy/inclusion.h"
 #include "numbers/union_find.h"
@@ -97,7 +98,7 @@ class OverlapArcs {
     const Vec2* const path = &polygon.path[0];
     const std::size_t ring = polygon.ringOf(arc.from), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
     for (std::size_t v = arc.from;; v = v + 1 < end ? v + 1 : begin) {
-      if (path[v] != path[v + 1] || isPoint(polygon, v)) visit(v);
+      if (path[v] != path[v + 1] || beginsPoint(polygon, v)) visit(v);
       if (v == arc.to) break;
     }
   }
@@ -126,7 +127,6 @@ class OverlapArcs {
   void addOwnCrossing(int side, std::size_t e, std::size_t f);
   void joinAlongRings(int side);
   void joinWhole(int side, std::size_t r);
-  static bool isPoint(const PolygonData& polygon, std::size_t v);
   void joinArcs(int side, std::size_t begin, std::size_t end);
   void pass(int other, const Stop& stop, Winding& winding);
   bool joinedOnEdge(int side, const Stop& stop, const Stop& next, double reach, const Winding& winding);

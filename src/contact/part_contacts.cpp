@@ -12,6 +12,7 @@
 #include "contact/part_exit.h"
 #include "contact/penetration.h"
 #include "contact/touch_normal.h"
+#include "numbers/angle.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
@@ -169,11 +170,10 @@ Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) con
 /// A touch whose normal leads into or along a wall: the middle of the widest range of directions that part them, if
 /// there is one.
 Exit ContactFinder::freed(const Exit& exit) const {
-  constexpr double kTurn = 2 * 3.14159265358979323846;
   constexpr int kDirections = 64;
   const auto at = [&](double k) {
     Exit result = exit;
-    result.normal = Vec2(std::cos(k * kTurn / kDirections), std::sin(k * kTurn / kDirections));
+    result.normal = Vec2(std::cos(k * 2 * kPi / kDirections), std::sin(k * 2 * kPi / kDirections));
     return result;
   };
   int free_for = 0, longest = 0, end = 0;

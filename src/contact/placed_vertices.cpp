@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/placed_vertices.h"
 
+#include "contact/coincident_vertices.h"
 #include "contact/translation_space.h"
 
 namespace tricover::detail {
@@ -25,11 +26,8 @@ void PlacedVertices::place(std::size_t i) const {
     vertex.side = static_cast<std::int8_t>(turned * (*sides_)[ring]);
     const double error = kVertexError * vertex.incoming.lpNorm<1>() * vertex.outgoing.lpNorm<1>();
     vertex.is_reflex = vertex.side * cross(vertex.incoming, vertex.outgoing) < -error;
-  } else if (i == begin) {
-    // A ring that is one point is one edge without a length.
-    std::size_t last = begin;
-    while (last < end && !isEdge(last)) ++last;
-    vertex.is_edge = last == end;
+  } else {
+    vertex.is_edge = beginsPoint(*polygon_, i);  // one edge without a length
   }
 }
 

@@ -19,6 +19,12 @@ struct PlacedVertex {
   std::int8_t side;         ///< of the outgoing edge on which the region is: 1: left, -1: right, 0: nobody knows
 };
 
+/// A way of a polygon's frame in the world, in units. Of the points in units, as their difference may overflow.
+template <typename Linear>
+Vec2 turnedInUnits(const Linear& linear, double inverse_unit, const Vec2& p, const Vec2& from) {
+  return linear * (p * inverse_unit - from * inverse_unit);
+}
+
 /// A polygon's vertices by position, each placed when it is asked for first: overlaps that are shallow need few.
 class PlacedVertices {
  public:
@@ -43,7 +49,7 @@ class PlacedVertices {
  private:
   bool isEdge(std::size_t i) const { return polygon_->path[i] != polygon_->path[i + 1]; }
   Vec2 edge(std::size_t i) const { return inUnits(polygon_->path[i + 1], polygon_->path[i]); }
-  Vec2 inUnits(const Vec2& p, const Vec2& from) const { return linear_ * (p * inverse_unit_ - from * inverse_unit_); }
+  Vec2 inUnits(const Vec2& p, const Vec2& from) const { return turnedInUnits(linear_, inverse_unit_, p, from); }
   void place(std::size_t i) const;
 
   const PolygonData* polygon_ = nullptr;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "contact/own_crossings.h"
+#include "numbers/angle.h"
 #include "numbers/predicates.h"
 #include "numbers/segment.h"
 
@@ -16,11 +17,6 @@ namespace {
 constexpr std::size_t kMostLooks = std::size_t{1} << 22;
 
 bool isLower(const Vec2& p, const Vec2& q) { return p.y() < q.y() || (p.y() == q.y() && p.x() < q.x()); }
-
-/// Whether the ring turns back at a vertex, so that the edges there lie upon each other.
-bool turnsBack(const Vec2& from, const Vec2& at, const Vec2& to) {
-  return orientation(from, at, to) == 0 && isLower(from, at) == isLower(to, at);
-}
 
 /// How often the rings, none of which is on p or comes from below to it, go around what is just below p.
 int windingBelow(const PolygonData& polygon, const Vec2& p) {
@@ -37,14 +33,14 @@ int windingBelow(const PolygonData& polygon, const Vec2& p) {
   return winding;
 }
 
+/// Of rings that don't meet themselves, so that none turns back upon itself, but for triangles without an area: these
+/// don't turn at all.
 std::int8_t sideOf(const PolygonData& polygon, std::size_t ring) {
   const std::size_t begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
   const auto before = [&](std::size_t i) { return polygon.path[(i == begin ? end : i) - 1]; };
   std::size_t lowest = begin;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (turnsBack(before(i), polygon.path[i], polygon.path[i + 1])) return 0;
+  for (std::size_t i = begin; i < end; ++i)
     if (isLower(polygon.path[i], polygon.path[lowest])) lowest = i;
-  }
   const int turn = orientation(before(lowest), polygon.path[lowest], polygon.path[lowest + 1]);
   const auto isInside = [&](int winding) {
     return polygon.fill == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
@@ -57,7 +53,6 @@ std::int8_t sideOf(const PolygonData& polygon, std::size_t ring) {
 
 /// What a ring turns by at its corners, in full turns, away from the region where its side is known.
 double turningOf(const PolygonData& polygon, std::size_t ring, std::int8_t side) {
-  const double kPi = 3.14159265358979323846;
   const std::size_t begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
   const auto along = [&](std::size_t e) {
     return Vec2(polygon.path[e + 1] * polygon.inverse_unit - polygon.path[e] * polygon.inverse_unit);

@@ -39,20 +39,17 @@
 #include <vector>
 
 #include "contact/boundary_curves.h"
+#include "contact/parting_limits.h"
+#include "contact/translation_probe.h"
 #include "contact/uncovered.h"
-#include "numbers/segment.h"
-#include "pair/collide_by_hierarchy.h"
 
 namespace tricover::detail {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDiagonal = 1.4142135623730951;
 /// A search of more queries than this goes on with both regions covered by discs, if inner discs of both overlapped in
 /// one of them: otherwise what is searched is too shallow, or the regions too thin, for discs to hold much of it.
 constexpr std::size_t kLong = 10;
-/// So many pairs of edges that meet near a cell are kept for its parts.
-constexpr std::size_t kMostMeetings = 32;
 /// Beyond so many segments on lines that are known already, a cell is tried to be covered; by about so many
 /// parallelograms.
 constexpr std::size_t kMostRepeated = 128;
@@ -63,13 +60,12 @@ constexpr std::size_t kMostInherited = 24, kMostGathered = 12;
 constexpr double kSurroundings = 1.25;
 
 using MeetingEdges = TranslationSpace::MeetingEdges;
-using Meetings = std::vector<MeetingEdges>;
 using Segments = std::vector<BoundaryCurves::Line>;
 
 /// What a cell leaves to its parts: all that may hold one of them, or come near it.
 struct Legacy {
   std::shared_ptr<const DiscSums> sums;  ///< null: all of them
-  Meetings meetings;
+  std::vector<MeetingEdges> meetings;
   Segments segments;
   bool knows_segments;  ///< or else nobody has looked
 };
@@ -89,39 +85,31 @@ Cell makeCell(const Vec2& center, double half, std::shared_ptr<const Legacy> leg
           half, std::move(legacy)};
 }
 
-/// Where a free face of the lines' arrangement may be nearest to 0.
-struct PossibleLimit {
-  Vec2 p;
-  double error;  ///< of p, along the lines that cross there
-};
-
 class PartingSearch {
-  using Ray = BoundaryCurves::Ray;
-
  public:
   PartingSearch(TranslationSpace& space, const Vec2& known, double error, std::size_t most)
       : space_(space),
         enough_(1 / (1 + error)),
         most_(most),
         margin_(space.margin()),
-        options_{margin_ * space.unit(), 0},
         resolution_(16 * space.noise()),
         curves_(margin_, space.noise(), resolution_),
-        found_{known, known, 0},
-        upper_(known.norm()) {}
+        probe_(space),
+        limits_(space, resolution_),
+        best_{{known, known, 0}, known.norm()} {}
 
   ShortestParting run() {
     std::priority_queue<Cell, std::vector<Cell>, Farther> cells;
     auto all_sums = std::make_shared<const DiscSums>();
     bool are_covered = false;
-    cells.push(makeCell(Vec2::Zero(), upper_ * (1 + 0x1p-20),
+    cells.push(makeCell(Vec2::Zero(), best_.length * (1 + 0x1p-20),
                         std::make_shared<const Legacy>(Legacy{nullptr, {}, segmentsOfFew(), space_.areFew()})));
-    while (!cells.empty() && cells.top().least < enough_ * upper_) {
+    while (!cells.empty() && cells.top().least < enough_ * best_.length) {
       const Cell cell = cells.top();
-      found_.lower_bound = std::max(found_.lower_bound, cell.least);
-      if (queries_ >= most_) return found_;
+      best_.found.lower_bound = std::max(best_.found.lower_bound, cell.least);
+      if (probe_.queries() >= most_) return best_.found;
       cells.pop();
-      if (queries_ > kLong && discs_overlap_ && !are_covered) {
+      if (probe_.queries() > kLong && discs_overlap_ && !are_covered) {
         are_covered = true;
         all_sums = std::make_shared<const DiscSums>(space_.discSums());
       }
@@ -134,97 +122,39 @@ class PartingSearch {
         sums = nullptr;
       const bool knows_segments = cell.legacy->knows_segments;
       const auto legacy = std::make_shared<const Legacy>(
-          Legacy{std::move(sums), near_, knows_segments ? segments_ : Segments(), knows_segments});
+          Legacy{std::move(sums), probe_.meetings(), knows_segments ? segments_ : Segments(), knows_segments});
       for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)}) {
         Cell part = makeCell(cell.center + way, half, legacy);
-        if (part.least < upper_) cells.push(std::move(part));
+        if (part.least < best_.length) cells.push(std::move(part));
       }
     }
-    const double left = cells.empty() ? upper_ : cells.top().least;
-    found_.lower_bound = std::max(0.0, std::min(left, upper_ - resolution_ - error_));
-    return found_;
+    const double left = cells.empty() ? best_.length : cells.top().least;
+    best_.found.lower_bound = std::max(0.0, std::min(left, best_.length - resolution_ - best_.error));
+    return best_.found;
   }
 
  private:
-  /// How far translations may differ from the pair's without a change, from a length in a's frame.
-  double inUnits(const PosedPair& pair, double length) const {
-    return roundedDown<2>(length * (1 - pair.scale_defect)) / space_.unit();
-  }
-
-  /// How far the translation t may change until two edges are farther apart than the margin, at least.
-  double depthOf(const PosedPair& pair, const Vec2& t, std::size_t i, std::size_t j) const {
-    const double depth = inUnits(pair, crossingDepth(pair, i, j));
-    if (margin_ == 0) return depth;
-    return depth > 0 ? depth + margin_ - 4 * space_.noise() : margin_ - space_.gap(t, i, j) - 4 * space_.noise();
-  }
-  double depthOf(const MeetingEdges& meeting, const Vec2& t) const {
-    const double depth = meeting.depth(t) - 4 * space_.noise();
-    if (margin_ == 0 || depth > 0 || depth < -margin_) return depth + margin_;
-    return margin_ - space_.gap(t, meeting.edge_a, meeting.edge_b) - 4 * space_.noise();
-  }
-  double depthOf(const PosedPair& pair, const Vec2& t, const Outcome& outcome) const {
-    if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
-      return depthOf(pair, t, static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b));
-    // Boxes within the margin tell of no depth.
-    if (outcome.edge_a < 0 && outcome.edge_b < 0 && outcome.clearance == 0) return 0;
-    return inUnits(pair, outcome.clearance) + margin_ * (1 - 0x1p-40);
-  }
-
-  void improve(const Vec2& limit, const Vec2& parting, double error = 0) {
-    const double length = limit.norm();
-    if (!(length < upper_)) return;
-    upper_ = length;
-    error_ = error;
-    found_.limit = limit;
-    found_.parting = parting;
-  }
-
-  /// Whether one of the meetings that are kept holds all within `radius` of t. Who asks next asks nearby.
-  bool overlapAround(const Vec2& t, double radius) {
-    for (MeetingEdges& meeting : near_) {
-      if (depthOf(meeting, t) <= radius) continue;
-      std::swap(meeting, near_.front());
-      return true;
-    }
-    return false;
-  }
-
-  /// The edges that meet.
-  void keep(const Outcome& outcome) {
-    if (outcome.edge_a >= 0 && outcome.edge_b >= 0 && near_.size() < kMostMeetings)
-      near_.push_back(
-          space_.meetingOf(static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
-  }
-
-  bool isFree(Vec2& t) {
-    if (overlapAround(t, 0)) return false;
-    ++queries_;
-    const Outcome outcome = collideByHierarchy(space_.at(t), options_, 0, Wanted::Answer);
-    if (outcome.collides) keep(outcome);
-    return !outcome.collides;
-  }
-
   /// Whether nothing shorter than the best is left to be found in the cell.
   bool decide(const Cell& cell, const DiscSums& sums) {
-    ++queries_;
+    probe_.countQuery();
     const double radius = cell.half * kDiagonal * (1 + 0x1p-40);
-    near_.clear();
+    probe_.leave();
     if (sums.hold(cell.center, radius)) return true;
-    overlaps_ = false;
     for (const MeetingEdges& meeting : cell.legacy->meetings)
-      if (see(meeting, cell.center, radius)) return true;
+      if (probe_.see(meeting, cell.center, radius)) return true;
     if (cell.half <= resolution_) return true;
     // A cell that holds a free translation isn't covered.
-    const bool holds_limit = (found_.limit - cell.center).lpNorm<Eigen::Infinity>() <= cell.half;
+    const bool holds_limit = (best_.found.limit - cell.center).lpNorm<Eigen::Infinity>() <= cell.half;
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-    Gathered gathered = Gathered::Many;
     const bool knows_segments = cell.legacy->knows_segments;
-    if (knows_segments) gathered = filter(cell, radius, holds_limit ? kAll : kMostRepeated);
-    if (gathered != Gathered::Lines && !overlaps_ && ask(cell.center, radius)) return true;
-    if (!knows_segments)
-      gathered = gather(cell, radius, holds_limit ? kAll : kMostRepeated);
-    else if (gathered != Gathered::Lines && meetAround(cell.center, radius))
-      return true;
+    const auto curvesAround = [&](std::size_t most) {
+      return knows_segments ? filter(cell, radius, most) : gather(cell, radius, most);
+    };
+    const std::size_t most = holds_limit ? kAll : kMostRepeated;
+    Gathered gathered = knows_segments ? curvesAround(most) : Gathered::Many;
+    if (gathered != Gathered::Lines && !probe_.overlaps() && ask(cell.center, radius)) return true;
+    if (!knows_segments) gathered = curvesAround(most);
+    if (knows_segments && gathered != Gathered::Lines && probe_.meetAround(cell.center, radius)) return true;
     if (gathered == Gathered::Repeated) {
       switch (cover(cell)) {
         case Cover::Whole:
@@ -232,31 +162,12 @@ class PartingSearch {
         case Cover::Most:
           return false;
         case Cover::Little:
-          gathered = knows_segments ? filter(cell, radius, kAll) : gather(cell, radius, kAll);
+          gathered = curvesAround(kAll);
       }
     }
     if (gathered != Gathered::Lines) return gathered == Gathered::Deep;
     // No line: the answer at the centre is that of the whole cell.
-    return curves_.isEmpty() || decideByCurves(cell, radius);
-  }
-
-  /// Whether two edges meet after all translations within `radius` of t; if they may after some, they are kept.
-  bool see(const MeetingEdges& meeting, const Vec2& t, double radius) {
-    const double depth = depthOf(meeting, t);
-    overlaps_ |= depth > 0;
-    if (depth > -radius && near_.size() < kMostMeetings) near_.push_back(meeting);
-    return depth >= radius;
-  }
-
-  /// Whether two edges that meet after the translation t do so after all within `radius`.
-  bool meetAround(const Vec2& center, double radius) {
-    Vec2 t = center;
-    bool held = false;
-    forEachPair(space_.at(t), 0, [&](double gap, std::size_t i, std::size_t j) {
-      held = gap <= 0 && see(space_.meetingOf(i, j), center, radius);
-      return held ? -1.0 : 0.0;
-    });
-    return held;
+    return curves_.isEmpty() || limits_.find(curves_, cell.center, cell.half, radius, probe_, best_);
   }
 
   /// Whether the kernel's answer at a cell's centre is that of the whole cell.
@@ -264,17 +175,16 @@ class PartingSearch {
     Vec2 t = center;
     const PosedPair pair = space_.at(t);
     radius += (t - center).norm() * (1 + 0x1p-40);
-    const Outcome outcome =
-        collideByHierarchy(pair, options_, pair.reach(2 * radius * space_.unit()), Wanted::Clearance);
+    const Outcome outcome = probe_.ask(pair, pair.reach(2 * radius * space_.unit()));
     if (outcome.collides) {
       discs_overlap_ = discs_overlap_ || (outcome.edge_a < 0 && outcome.clearance > 0);
-      keep(outcome);
-      return depthOf(pair, t, outcome) >= radius;
+      probe_.keep(outcome);
+      return probe_.depthOf(pair, t, outcome) >= radius;
     }
-    const double clearance = inUnits(pair, outcome.clearance) - margin_, length = t.norm();
+    const double clearance = probe_.inUnits(pair, outcome.clearance) - margin_, length = t.norm();
     const double back = std::clamp(clearance - space_.noise(), 0.0, length);
     const Vec2 nearest = length > 0 ? Vec2(t * (1 - back / length)) : t;
-    improve(nearest, nearest);
+    best_.improve(nearest, nearest);
     return clearance >= radius;
   }
 
@@ -282,55 +192,57 @@ class PartingSearch {
   Segments segmentsOfFew() {
     Segments all;
     if (!space_.areFew()) return all;
-    for (const TranslationSpace::Segment& segment : space_.segmentsWithin(kSurroundings * upper_ + margin_))
+    for (const TranslationSpace::Segment& segment : space_.segmentsWithin(kSurroundings * best_.length + margin_))
       all.emplace_back(BoundaryCurves::Ends{segment.v, segment.w}, segment.both_sides, space_.noise());
     return all;
   }
 
   enum class Gathered { Lines, Deep, Many, Repeated };
-  /// gather() from a cell's segments.
-  Gathered filter(const Cell& cell, double radius, std::size_t most) {
+  /// What has come of the curves around a cell: why it is divided, if they are too many, or more than `most` have been
+  /// there already.
+  struct Tally {
+    std::size_t most;
     Gathered result = Gathered::Lines;
     std::size_t repeated = 0;
+
+    void operator()(BoundaryCurves::Added added) {
+      if (added == BoundaryCurves::Repeated && ++repeated > most) result = Gathered::Repeated;
+      if (added == BoundaryCurves::TooMany) result = Gathered::Many;
+    }
+    bool goesOn() const { return result == Gathered::Lines; }
+  };
+
+  /// gather() from a cell's segments.
+  Gathered filter(const Cell& cell, double radius, std::size_t most) {
+    Tally tally{most};
     curves_.clear(kMostInherited);
     const double around = kSurroundings * radius;
     segments_.clear();
     for (const BoundaryCurves::Line& segment : cell.legacy->segments)
       if (segment.comesNear(cell.center, around + margin_)) segments_.push_back(segment);
-    for (const BoundaryCurves::Line& segment : segments_) {
-      curves_.add(segment, cell.center, around, [&](BoundaryCurves::Added added) {
-        if (added == BoundaryCurves::Repeated && ++repeated > most) result = Gathered::Repeated;
-        if (added == BoundaryCurves::TooMany) result = Gathered::Many;
-      });
-      if (result != Gathered::Lines) break;
-    }
-    return result;
+    for (std::size_t k = 0; k < segments_.size() && tally.goesOn(); ++k)
+      curves_.add(segments_[k], cell.center, around, tally);
+    return tally.result;
   }
 
-  /// All lines around a cell; or why it is divided: they are too many, or more segments than `most` have been on lines
-  /// that were known.
+  /// All lines around a cell; or why it is divided.
   Gathered gather(const Cell& cell, double radius, std::size_t most) {
-    Gathered result = Gathered::Lines;
-    std::size_t repeated = 0;
+    Tally tally{most};
     curves_.clear(kMostGathered);
-    const auto note = [&](BoundaryCurves::Added added) {
-      if (added == BoundaryCurves::Repeated && ++repeated > most) result = Gathered::Repeated;
-      if (added == BoundaryCurves::TooMany) result = Gathered::Many;
-    };
     Vec2 t = cell.center;
     const PosedPair pair = space_.at(t);
     const double around = kSurroundings * radius + (t - cell.center).norm();
     space_.forEachSegment(
         pair, t, around + margin_,
         [&](const MeetingEdges& meeting) {
-          if (see(meeting, cell.center, radius)) result = Gathered::Deep;
-          return result == Gathered::Lines;
+          if (probe_.see(meeting, cell.center, radius)) tally.result = Gathered::Deep;
+          return tally.goesOn();
         },
         [&](const TranslationSpace::Segment& segment) {
-          curves_.add({{segment.v, segment.w}, segment.both_sides, space_.noise()}, t, around, note);
-          return result == Gathered::Lines;
+          curves_.add({{segment.v, segment.w}, segment.both_sides, space_.noise()}, t, around, tally);
+          return tally.goesOn();
         });
-    return result;
+    return tally.result;
   }
 
   /// Whether parallelograms, each of the translations that let two edges meet, cover a cell to within the resolution:
@@ -341,16 +253,16 @@ class PartingSearch {
     Uncovered rest(cell.center, cell.half, resolution_);
     const double whole = rest.area();
     for (int tries = 1; !rest.isEmpty(); ++tries) {
-      ++queries_;
+      probe_.countQuery();
       Vec2 t = rest.point();
       const PosedPair pair = space_.at(t);
-      const Outcome outcome = collideByHierarchy(pair, options_, 0, Wanted::Clearance);
+      const Outcome outcome = probe_.ask(pair, 0);
       if (!outcome.collides) return Cover::Little;
       if (outcome.edge_a >= 0 && outcome.edge_b >= 0) {
         rest.takeAway(
             space_.meetings(static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
       } else {
-        const double half = inUnits(pair, outcome.clearance) / kDiagonal;
+        const double half = probe_.inUnits(pair, outcome.clearance) / kDiagonal;
         rest.takeAway({t + Vec2(-half, -half), t + Vec2(half, -half), t + Vec2(half, half), t + Vec2(-half, half)});
       }
       if (whole - rest.area() < whole * tries / kMostTries)
@@ -359,99 +271,18 @@ class PartingSearch {
     return Cover::Whole;
   }
 
-  /// The nearest point of a free face of the curves' arrangement is the nearest point, an end or a crossing of them.
-  bool decideByCurves(const Cell& cell, double radius) {
-    limits_.clear();
-    const auto isWanted = [&](const Vec2& p) {
-      return (p - cell.center).lpNorm<Eigen::Infinity>() <= cell.half + resolution_ && p.norm() < upper_;
-    };
-    const auto offer = [&](const Vec2& p, double error) {
-      if (!isWanted(p)) return;
-      for (const PossibleLimit& other : limits_)
-        if ((p - other.p).norm() <= space_.noise()) return;
-      limits_.push_back({p, error});
-    };
-    bool resolved = true;
-    curves_.forEachPossibleLimit(offer, [&](const Vec2& p, const Vec2& along) {
-      if (isWanted(p)) resolved = decideTouch(p, along, radius) && resolved;
-    });
-    std::sort(limits_.begin(), limits_.end(),
-              [](const PossibleLimit& c, const PossibleLimit& d) { return c.p.squaredNorm() < d.p.squaredNorm(); });
-    for (const PossibleLimit& limit : limits_) {
-      if (!(limit.p.norm() < upper_)) break;
-      // Its lines may stand for others beside them.
-      if (overlapAround(limit.p, limit.error + 2 * resolution_)) continue;
-      resolved &= decideLimit(limit, radius);
-    }
-    return resolved;
-  }
-
-  /// Samples the two cusps that circles, or a circle and a line, leave where they touch: at s along them they are
-  /// s^2 / (2 margin) wide, and what is narrower than some resolutions isn't seen. False if they are yet to be found.
-  bool decideTouch(const Vec2& p, const Vec2& along, double radius) {
-    const double first = std::max(8 * std::sqrt(resolution_ * margin_), resolution_);  // the product may underflow
-    for (const Vec2& way : {along, Vec2(-along)})
-      for (double step = first; step < 0.2 * radius; step *= 2) {
-        Vec2 sample = p + step * way;
-        if (!isFree(sample)) continue;
-        improve(sample, sample);
-        break;
-      }
-    return first >= 0.2 * radius || !(p.norm() + first < upper_);
-  }
-
-  /// Samples each sector between the curves through p. False if one is too narrow to be certain of it: what is free
-  /// there is found, and what isn't may be so for curves that are taken for one.
-  bool decideLimit(const PossibleLimit& limit, double radius) {
-    const Vec2& p = limit.p;
-    double room = 0.2 * radius;
-    rays_.clear();
-    const bool is_curved = curves_.addRays(p, rays_, room);
-    if (rays_.empty()) rays_.push_back({std::atan2(-p.y(), -p.x()), true, true});
-    std::sort(rays_.begin(), rays_.end(), [](const Ray& r, const Ray& q) { return r.angle < q.angle; });
-    bool resolved = true;
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
-      const Ray &ray = rays_[i], &next = rays_[i + 1 < rays_.size() ? i + 1 : 0];
-      if (!ray.left || !next.right) continue;
-      const double gap = next.angle - ray.angle + (i + 1 < rays_.size() ? 0 : 2 * kPi);
-      const double middle = ray.angle + gap / 2, width = std::sin(std::min(gap, kPi) / 2);
-      // On a way s a circle leaves its tangent by s^2 / (2 margin): no more than half of the sector's width.
-      const double reach = is_curved ? std::min(room, margin_ * width) : room;
-      resolved &= reach * width >= 3 * resolution_;
-      if (reach * width < 3 * space_.noise()) continue;
-      const Vec2 way(std::cos(middle), std::sin(middle));
-      Vec2 sample = p + reach * way;
-      if (!isFree(sample)) continue;
-      for (double step = space_.noise() / width; step < reach; step *= 2) {
-        Vec2 beside = p + step * way;
-        if (!isFree(beside)) continue;
-        improve(p, beside, limit.error);
-        return resolved;
-      }
-      improve(sample, sample);
-      resolved = false;
-    }
-    return resolved;
-  }
-
   TranslationSpace& space_;
   const double enough_;  ///< of the limit's length, as a lower bound
   const std::size_t most_;
   const double margin_;
-  const CollideOptions options_;
   /// Segments nearer to each other than this are one; slits between them are not seen.
   const double resolution_;
   BoundaryCurves curves_;
-  ShortestParting found_;
-  double upper_, error_ = 0;
-  std::size_t queries_ = 0;
-  Meetings near_;      ///< that may hold parts of the cell
-  Segments segments_;  ///< near the cell
-  bool overlaps_ = false;
-  bool discs_overlap_ = false;  ///< after some translation that was asked
-
-  std::vector<PossibleLimit> limits_;
-  std::vector<Ray> rays_;
+  TranslationProbe probe_;
+  PartingLimits limits_;
+  BestParting best_;
+  Segments segments_;           ///< near the cell
+  bool discs_overlap_ = false;  ///< after some translation that was asked for
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/region_sides.h"
+#include "numbers/angle.h"
 #include "numbers/double_double.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
@@ -77,7 +78,7 @@ std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const Pl
 template <typename Visit>
 void TranslationSpace::forEachEdgeBeside(const PlacedVertex& vertex, const std::vector<Direction>& directions,
                                          Visit visit) {
-  constexpr double kPi = 3.14159265358979323846, kBeside = 1e-6;
+  constexpr double kBeside = 1e-6;
   if (!vertex.is_edge || vertex.is_reflex) return;
   const Vec2 in = vertex.side < 0 ? vertex.outgoing : Vec2(-vertex.incoming),
              out = vertex.side < 0 ? vertex.incoming : Vec2(-vertex.outgoing);

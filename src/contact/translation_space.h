@@ -112,14 +112,14 @@ class TranslationSpace {
   double margin() const { return margin_; }
 
   /// A vertex, by position, in the world from a's origin S, in units; b's where it is.
-  Vec2 vertexOfA(std::size_t i) const { return inUnits(pose_a_, polygon_a_.path[i], polygon_a_.origin); }
-  Vec2 vertexOfB(std::size_t j) const { return between_ + inUnits(pose_b_, polygon_b_.path[j], polygon_b_.origin); }
+  Vec2 vertexOfA(std::size_t i) const { return wayInUnits(pose_a_, polygon_a_, i); }
+  Vec2 vertexOfB(std::size_t j) const { return between_ + wayInUnits(pose_b_, polygon_b_, j); }
   /// Infinite where it is beyond the largest double, and only there.
   Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
 
  private:
-  Vec2 inUnits(const Pose& pose, const Vec2& p, const Vec2& from) const {
-    return pose.linear() * (p * inverse_unit_ - from * inverse_unit_);
+  Vec2 wayInUnits(const Pose& pose, const PolygonData& polygon, std::size_t i) const {
+    return turnedInUnits(pose.linear(), inverse_unit_, polygon.path[i], polygon.origin);
   }
   /// Where free translations may be on both sides of a segment, on one, or on none.
   struct Open {

@@ -206,6 +206,20 @@ TEST(NotConvex, SeveralParts) {
   expectPenetration(posts, kIdentity, rake, at(4.375, 4), {0.625, {-1, 0}});
 }
 
+TEST(NotConvex, WallsOnEitherSideOfOneLine) {
+  // The pebble is beyond the ledge from 2 on, and beyond the high wall up to 2; the floor is far below.
+  const Polygon walls({rectangle(-4, -1, 1.5, 0), rectangle(2.5, 0, 8, 8), rectangle(-4, -8, 8, -7)}),
+      pebble({rectangle(-0.5, -0.5, 0.5, 0.5)});
+  expectPenetration(walls, kIdentity, pebble, at(1.8, -0.8), {0.2, {1, 0}});
+}
+
+TEST(NotConvex, EdgesThatTurnBack) {
+  const Polygon house({{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 8}, {2, 4}, {0, 4}}}), flat({{{2, 3}, {2, 7}, {2, 5}}});
+  expectPenetration(house, kIdentity, square(), at(2.5, 6), {0.5, {1, 0}});
+  expectPenetration(house, kIdentity, square(), at(1.5, 6), {0.5, {-1, 0}});
+  expectPenetration(frame(), at(0.25, 0), flat, kIdentity, {0.25, {1, 0}});
+}
+
 TEST(Margin, IsAddedToTheDepthOfConvexPolygons) {
   const auto p = penetration(square(), kIdentity, square(), at(1.5, 0.25), {0.5});
   EXPECT_EQ(p->depth, 1);

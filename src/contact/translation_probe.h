@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/translation_space.h"
+#include "pair/collide_by_hierarchy.h"
+#include "tricover/collide.h"
+
+namespace tricover::detail {
+
+/// What the kernel tells about translations, and the edges that met after those that were asked for last: who asks next
+/// asks nearby.
+class TranslationProbe {
+ public:
+  using MeetingEdges = TranslationSpace::MeetingEdges;
+
+  explicit TranslationProbe(TranslationSpace& space)
+      : space_(space), margin_(space.margin()), options_{margin_ * space.unit(), 0} {}
+
+  /// Forgets the edges that met, to look elsewhere.
+  void leave() {
+    near_.clear();
+    overlaps_ = false;
+  }
+
+  /// Whether two edges meet after all translations within `radius` of t; if they may after some, they are kept.
+  bool see(const MeetingEdges& meeting, const Vec2& t, double radius);
+  /// The same of all edges that meet after the translation t.
+  bool meetAround(const Vec2& center, double radius);
+  /// Whether a meeting that is kept holds all within `radius` of t.
+  bool overlapAround(const Vec2& t, double radius);
+
+  /// The kernel's answer for a pair of space.at(), with a clearance up to a length in a's frame.
+  Outcome ask(const PosedPair& pair, double lookahead) const {
+    return collideByHierarchy(pair, options_, lookahead, Wanted::Clearance);
+  }
+  /// Its edges, if these meet, are kept.
+  void keep(const Outcome& outcome);
+  /// Whether the regions are apart after a translation; t becomes the one that was asked for.
+  bool isFree(Vec2& t);
+
+  /// How far the translation t may change while the regions overlap, at least, by the kernel's answer after it.
+  double depthOf(const PosedPair& pair, const Vec2& t, const Outcome& outcome) const;
+  /// How far translations may differ from the pair's without a change, from a length in a's frame.
+  double inUnits(const PosedPair& pair, double length) const {
+    return roundedDown<2>(length * (1 - pair.scale_defect)) / space_.unit();
+  }
+
+  const std::vector<MeetingEdges>& meetings() const { return near_; }
+  /// Whether edges were seen, since leave(), that meet at the translation they were seen at.
+  bool overlaps() const { return overlaps_; }
+  std::size_t queries() const { return queries_; }
+  /// Something else was done that took about as long.
+  void countQuery() { ++queries_; }
+
+ private:
+  double depthOf(const PosedPair& pair, const Vec2& t, std::size_t i, std::size_t j) const;
+  double depthOf(const MeetingEdges& meeting, const Vec2& t) const;
+
+  TranslationSpace& space_;
+  const double margin_;
+  const CollideOptions options_;
+  std::vector<MeetingEdges> near_;
+  std::size_t queries_ = 0;
+  bool overlaps_ = false;
+};
+
+}  // namespace tricover::detail
