@@ -18,12 +18,6 @@
 namespace tricover::bench {
 namespace {
 
-double medianOf(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
-
 /// Keeps each repetition's CPU seconds per iteration, by benchmark name; of manual times, those.
 class Collector : public benchmark::BenchmarkReporter {
  public:
@@ -133,6 +127,12 @@ double threadSeconds() {
 
 double wallSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double medianOf(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
 std::vector<double> secondsInTurn(const std::vector<std::function<void()>>& tasks, int rounds, double (*clock)()) {

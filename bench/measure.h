@@ -116,6 +116,9 @@ struct Settings {
 double threadSeconds();
 double wallSeconds();
 
+/// Of an even number of them the middle two's mean.
+double medianOf(std::vector<double> values);
+
 /// Median seconds of each task by that clock, all of them run in turn, `rounds` times.
 std::vector<double> secondsInTurn(const std::vector<std::function<void()>>& tasks, int rounds, double (*clock)());
 

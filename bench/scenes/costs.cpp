@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "askers.h"
@@ -42,8 +41,7 @@ double secondsOfFrame(Scene& scene, std::size_t bodies, std::size_t step) {
     scene.collisions();
     if (frame > kWarmUp) seconds.push_back(threadSeconds() - start);
   }
-  std::nth_element(seconds.begin(), seconds.begin() + kTimed / 2, seconds.end());
-  return seconds[kTimed / 2];
+  return medianOf(seconds);
 }
 
 CrowdCost crowdCost(std::size_t bodies) {
@@ -62,6 +60,13 @@ CrowdCost crowdCost(std::size_t bodies) {
   // From where the bodies are: the frames begin anew, so that the first one is a leap, but for its warm-up.
   const double few = secondsOfFrame(*moving, bodies, kFew);
   return {bodies, 1e9 * all / count, 1e9 * few * kFew / count, bytes / count, 1e9 * seconds / count};
+}
+
+/// Two threads of oneTBB's.
+Parallel onThreads(tbb::task_arena& arena) {
+  return [&arena](std::size_t n, const std::function<void(std::size_t)>& task) {
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, n, task); });
+  };
 }
 
 template <class Asker, class... Arguments>
@@ -85,6 +90,43 @@ std::vector<CrowdCost> measureCrowdCosts() {
   return costs;
 }
 
+FrameCost measureFrameOnThreads() {
+  constexpr std::size_t kBodies = 100000;
+  const Crowd crowd = makeCrowd(workloads::Kind::Contour, 64, kContourSpacing, kBodies, 1);
+  Scene one, other;
+  std::vector<BodyPose> moves;
+  for (std::size_t i = 0; i < kBodies; ++i) {
+    moves.push_back({one.add(crowd.shapeOf(i), crowd.poses[0][i]), crowd.poses[0][i]});
+    other.add(crowd.shapeOf(i), crowd.poses[0][i]);
+  }
+  tbb::task_arena arena(2);
+  const Parallel on_threads = onThreads(arena);
+  std::size_t frame = 0;
+  bool same = true;
+  const auto next = [&] {
+    const std::vector<Pose> poses = crowdPoses(kContourSpacing, kBodies, ++frame);
+    for (std::size_t i = 0; i < kBodies; ++i) moves[i].pose = poses[i];
+  };
+  std::vector<double> serial, threads;
+  const auto secondsOf = [&](Scene& scene, const Parallel& parallel) {
+    const double start = wallSeconds();
+    scene.move(moves, parallel);
+    scene.collisions(parallel);
+    return wallSeconds() - start;
+  };
+  constexpr std::size_t kWarmUp = 6, kTimed = 15;
+  for (std::size_t i = 0; i < kWarmUp + kTimed; ++i) {
+    next();
+    const double alone = secondsOf(one, {}), together = secondsOf(other, on_threads);
+    same = same && one.collisions() == other.collisions();
+    if (i < kWarmUp) continue;
+    serial.push_back(alone);
+    threads.push_back(together);
+  }
+  const double ns = 1e9 / kBodies;
+  return {kBodies, ns * medianOf(serial), ns * medianOf(threads), same};
+}
+
 std::vector<MapCost> measureMapCosts(const Countries& countries) {
   const Placement map = countriesMap(countries, kObstacles);
   // What belongs to polygons is there from now on, for ours and for FCL alike.
@@ -103,9 +145,7 @@ BatchCost measureBatch(const Countries& countries, bool full) {
   for (const Placed& placed : map) scene.add(placed.polygon, placed.pose);
   std::vector<bool> one_by_one(count), serial, threads;
   tbb::task_arena arena(2);
-  const Parallel on_threads = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, n, task); });
-  };
+  const Parallel on_threads = onThreads(arena);
   const std::vector<double> seconds =
       secondsInTurn({[&] {
                        for (std::size_t i = 0; i < count; ++i) one_by_one[i] = scene.collides(robot, poses[i]);

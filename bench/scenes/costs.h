@@ -18,6 +18,14 @@ struct CrowdCost {
 };
 std::vector<CrowdCost> measureCrowdCosts();
 
+/// Frames in which all bodies of a crowd move, by wall time.
+struct FrameCost {
+  std::size_t bodies;
+  double serial_ns, threads_ns;  ///< a body, on one thread and on 2
+  bool same;                     ///< both found the same pairs in each frame
+};
+FrameCost measureFrameOnThreads();
+
 /// What answers one against many on the map of countries, made ready: until the first answer.
 struct MapCost {
   std::string method;

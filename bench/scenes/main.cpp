@@ -51,15 +51,20 @@ std::string costsTables(const MeasuredScenes& measured) {
   const TextTable poses = {{"poses", "one by one", "at once", "at once, two threads", "same answers"},
                            {std::to_string(batch.poses), ns(batch.one_by_one_ns), ns(batch.serial_ns),
                             ns(batch.threads_ns), batch.same ? "yes" : "**no**"}};
+  const FrameCost& frame = measured.frame_on_threads;
+  const TextTable frames = {
+      {"bodies that all move", "a body and frame", "two threads", "same pairs"},
+      {std::to_string(frame.bodies), ns(frame.serial_ns), ns(frame.threads_ns), frame.same ? "yes" : "**no**"}};
   const FleetCost& fleet = measured.fleet;
   const TextTable conflicts = {
       {"robots", "obstacles", "conflicts", "scene: ms", "swept boxes: ms", "longest difference of times"},
       {std::to_string(fleet.robots), std::to_string(fleet.obstacles), std::to_string(fleet.conflicts),
        shortNumber(fleet.scene_ms), shortNumber(fleet.swept_ms), shortNumber(fleet.longest_difference)}};
-  return "# What it costs\n\n" + markdown(crowds) + "\n" + markdown(maps) + "\n" + markdown(poses) + "\n" +
-         markdown(conflicts) +
+  return "# What it costs\n\n" + markdown(crowds) + "\n" + markdown(frames) + "\n" + markdown(maps) + "\n" +
+         markdown(poses) + "\n" + markdown(conflicts) +
          "\n- A crowd's frame and what is built: CPU time of one thread; memory is the heap's, without what belongs to "
-         "the polygons and is\n  shared. Poses: wall time, oneTBB's parallel_for as the Parallel. Conflicts: of robots "
+         "the polygons and is\n  shared. Poses and frames on threads: wall time, oneTBB's parallel_for as the "
+         "Parallel. Conflicts: of robots "
          "on cubic splines with each other\n  and with obstacles, each with its first time; the rival asks "
          "timeOfImpact() of every pair whose swept boxes meet.\n";
 }
@@ -114,6 +119,7 @@ int run(const std::string& data, const std::string& directory, bool full) {
   measured.rays = measureRays(countries, settings);
   begin("growing crowds, and what is built");
   measured.crowds = measureCrowdCosts();
+  measured.frame_on_threads = measureFrameOnThreads();
   measured.map_costs = measureMapCosts(countries);
   begin("many poses");
   measured.batch = measureBatch(countries, full);
@@ -122,7 +128,9 @@ int run(const std::string& data, const std::string& directory, bool full) {
   showProgress(kSteps, kSteps, "done");
   const bool agree = oursAgree(writeReport(measured, settings, directory));
   // Both times may be early by the time_error.
-  return agree && measured.batch.same && measured.fleet.longest_difference <= 1e-6 ? 0 : 1;
+  return agree && measured.batch.same && measured.frame_on_threads.same && measured.fleet.longest_difference <= 1e-6
+             ? 0
+             : 1;
 }
 
 }  // namespace

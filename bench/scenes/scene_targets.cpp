@@ -77,6 +77,9 @@ std::vector<Target> judge(const MeasuredScenes& measured) {
   std::vector<Target> targets;
   judgeFrames(measured.frames, targets);
   judgeGrowth(measured.crowds, targets);
+  const FrameCost& frame = measured.frame_on_threads;
+  targets.push_back(judged(std::to_string(frame.bodies) + " moving bodies, whole frames", "one thread / two, wall time",
+                           {{frame.serial_ns / frame.threads_ns, "5 % colliding"}}, {true, 1.7}));
   std::vector<Result> few, many;
   for (const Result& result : measured.layouts) (result.workload.vertices_moving <= 8 ? few : many).push_back(result);
   judgeQueries("a part of 5 to 8 vertices in a layout", few, 3, 8, targets);

@@ -15,6 +15,7 @@ struct MeasuredScenes {
   std::vector<FramesResult> frames;
   std::vector<Result> layouts, maps, rays;
   std::vector<CrowdCost> crowds;
+  FrameCost frame_on_threads;
   std::vector<MapCost> map_costs;
   BatchCost batch;
   FleetCost fleet;
