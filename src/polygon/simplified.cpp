@@ -18,8 +18,7 @@ namespace {
 /// the fill rule, and whatever crosses:
 /// - A chain and its chord are a loop. The rings wind around a point as they did, unless it is in a loop or on one.
 /// - A chain is within the tolerance of its chord, which is convex: so is the chain's hull, which holds the loop and
-/// all
-///   that it winds around. Chords are edges of the new region: what leaves the region is near to it.
+///   what that winds around. Chords are edges of the new region: what leaves the region is near to it.
 /// - A point beside its chord that a loop winds around, or that is on the chord, has the chain beyond it, straight away
 ///   from the chord, as far from that as the tolerance at most; one beyond an end of the chord is as near to that end,
 ///   where the chain begins. Chains are of the old region: what comes into the region was near to it.

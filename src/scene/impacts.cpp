@@ -148,10 +148,6 @@ ImpactOptions withMargin(ImpactOptions options, double margin) {
   return options;
 }
 
-}  // namespace
-
-namespace {
-
 /// Of a Motion or a Trajectory.
 template <typename Way>
 std::optional<BodyImpact> firstImpactOn(const Way& way, const Polygon& polygon, const ImpactOptions& options,
