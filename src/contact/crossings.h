@@ -23,6 +23,11 @@ struct EdgeCrossing {
   int direction;  ///< see crossingDirection()
 };
 
+/// Ends of the two edges of a crossing, [0: a, 1: b][0: start, 1: end].
+struct EdgeEnds {
+  bool of[2][2] = {};
+};
+
 /// Where `edge` is no farther than `error` from `other`, which it meets, but for rounding.
 Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, double error);
 

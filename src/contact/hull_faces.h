@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "contact/part_hull.h"
@@ -26,9 +27,8 @@ void forEachFace(const Hull& hull, const Hull& body, IsWanted isWanted, Visit vi
     if (!(cross(last_way, way) > 0 && last_way.dot(way) > 0)) {
       for (std::size_t i = 0; i < body.size(); ++i) {
         const double at = height(i);
-        if (at >= lowest) continue;
-        lowest = at;
-        deepest = i;
+        deepest = at < lowest ? i : deepest;
+        lowest = std::min(lowest, at);
       }
     }
     last_way = way;

@@ -40,7 +40,7 @@ void OverlapArcs::join(bool with_own_crossings) {
 }
 
 std::size_t OverlapArcs::addNode(bool present) {
-  nodes_.push_back({present, false, false, kNone});
+  nodes_.push_back({present, false, false, kNone, {}});
   return sets_.add();
 }
 
@@ -175,6 +175,7 @@ bool OverlapArcs::joinedRoundVertices(int side, const Stop& stop, const Stop& ne
   }
   if (!sides_[1 - side].isInside(winding.number)) return false;
   nodes_[stop.node].is_inner = nodes_[stop.node].is_present = true;
+  nodes_[stop.node].ends_within.of[side][1] = nodes_[next.node].ends_within.of[side][0] = true;
   arcs_.push_back({side, v, next.edge, stop.node});
   return true;
 }

@@ -114,6 +114,7 @@ class OverlapArcs {
     bool is_inner;    ///< the overlap has an inside there
     bool is_counted;  ///< of a set that is in the overlap, by its own node
     std::size_t component = kNone;
+    EdgeEnds ends_within;  ///< of a crossing: known to be in the overlap's part
   };
   UnionFind sets_;  ///< of nodes
   std::vector<Node> nodes_;

@@ -142,7 +142,7 @@ class Grouping : OverlapArcs {
     for (std::size_t k = 0; k < crossings_.size(); ++k) {
       OverlapComponent& component = of(k);
       if (wants_all) component.points.push(crossingPoint(k));
-      component.crossings.push(k);
+      component.crossings.push({k, nodes_[k].ends_within});
     }
     for (const Arc& arc : arcs_)
       if (isWanted(arc)) addVertices(arc, of(arc.node).points);
@@ -180,9 +180,9 @@ class Grouping : OverlapArcs {
       crossings += component.crossings.size();
     }
     overlap.points.reset(new BoundaryPoint[points]);
-    overlap.crossings.reset(new std::size_t[crossings]);
+    overlap.crossings.reset(new PartCrossing[crossings]);
     BoundaryPoint* point = overlap.points.get();
-    std::size_t* crossing = overlap.crossings.get();
+    PartCrossing* crossing = overlap.crossings.get();
     for (OverlapComponent& component : overlap.components) {
       point = component.points.place(point);
       crossing = component.crossings.place(crossing);

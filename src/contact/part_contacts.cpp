@@ -111,7 +111,7 @@ void ContactFinder::leaveTouches(std::vector<OverlapComponent>& components) cons
     return edge >= 0 && inner.has(operand, static_cast<std::size_t>(edge));
   };
   const auto isTouch = [&](const OverlapComponent& component) {
-    for (const std::size_t k : component.crossings)
+    for (const auto& [k, ends] : component.crossings)
       if (inner.has(crossings_[k].edge_a, crossings_[k].edge_b)) return false;
     // One region within the other, or led to its inside by edges that have none.
     for (const BoundaryPoint& p : component.points)
@@ -188,8 +188,8 @@ Exit ContactFinder::freed(const Exit& exit) const {
 
 /// Of its crossings the one of the first edges, or else its first vertex.
 Contact ContactFinder::anyPointOf(const OverlapComponent& component) const {
-  const auto isFirst = [&](std::size_t j, std::size_t k) {
-    const EdgeCrossing &c = crossings_[j], &d = crossings_[k];
+  const auto isFirst = [&](const PartCrossing& p, const PartCrossing& q) {
+    const EdgeCrossing &c = crossings_[p.index], &d = crossings_[q.index];
     return c.edge_a != d.edge_a ? c.edge_a < d.edge_a : c.edge_b < d.edge_b;
   };
   const auto first = std::min_element(component.crossings.begin(), component.crossings.end(), isFirst);
@@ -197,7 +197,7 @@ Contact ContactFinder::anyPointOf(const OverlapComponent& component) const {
     const BoundaryPoint& vertex = component.points.front();
     return contactAt(vertex.at, Vec2::Zero(), 0, vertex.a, vertex.b);
   }
-  const EdgeCrossing& c = crossings_[*first];
+  const EdgeCrossing& c = crossings_[first->index];
   return contactAt(c.point, Vec2::Zero(), 0, static_cast<std::ptrdiff_t>(c.edge_a),
                    static_cast<std::ptrdiff_t>(c.edge_b));
 }
@@ -214,8 +214,8 @@ Vec2 ContactFinder::pointOf(const OverlapComponent& component, const Hull& hull,
 
 /// The middle, if it is on a common stretch of two edges; otherwise that of the longest one.
 Vec2 ContactFinder::pointOfTouch(const OverlapComponent& component, const Vec2& middle) const {
-  for (const std::size_t k : component.crossings) {
-    const EdgeCrossing& c = crossings_[k];
+  for (const PartCrossing& crossing : component.crossings) {
+    const EdgeCrossing& c = crossings_[crossing.index];
     const Vec2 from = frame_.edgeOfA(c.edge_a, c.on_a.low), to = frame_.edgeOfA(c.edge_a, c.on_a.high);
     if ((nearestOnSegment(middle, from, to) - middle).norm() <= 4 * frame_.error()) return middle;
   }

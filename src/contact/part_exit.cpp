@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <unordered_set>
 #include <utility>
 
@@ -14,7 +15,12 @@
 namespace tricover::detail {
 namespace {
 
-/// The edge of one polygon that both points are on; -1 if there is none.
+/// Whether both points are on one edge of a polygon. Without branches: which faces are edges can't be predicted.
+bool haveCommon(std::int32_t p, std::int32_t p_before, std::int32_t q, std::int32_t q_before) {
+  return ((p >= 0) & ((p == q) | (p == q_before))) | ((p_before >= 0) & ((p_before == q) | (p_before == q_before)));
+}
+
+/// That edge; -1 if there is none.
 std::ptrdiff_t common(std::ptrdiff_t p, std::ptrdiff_t p_before, std::ptrdiff_t q, std::ptrdiff_t q_before) {
   if (p >= 0 && (p == q || p == q_before)) return p;
   if (p_before >= 0 && (p_before == q || p_before == q_before)) return p_before;
@@ -43,14 +49,11 @@ Exit PartExits::exitOf(const OverlapComponent& component) {
   return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
 }
 
-/// Of ways that are equally deep but for rounding, the one that leads b's origin away from a's. Whether it is the
-/// best so far.
-bool PartExits::consider(const Exit& exit, Exit& best) const {
+/// Of ways that are equally deep but for rounding, the one that leads b's origin away from a's.
+bool PartExits::isBetter(const Exit& exit, const Exit& best) const {
   const double error = 4 * frame_.error();
-  const bool better = exit.depth < best.depth - error ||
-                      (exit.depth <= best.depth + error && exit.normal.dot(towards_b_) > best.normal.dot(towards_b_));
-  if (better) best = exit;
-  return better;
+  return exit.depth < best.depth - error ||
+         (exit.depth <= best.depth + error && exit.normal.dot(towards_b_) > best.normal.dot(towards_b_));
 }
 
 /// Of a point's edges the one that is most across the normal: where a whole edge is deepest, that.
@@ -91,7 +94,7 @@ Exit PartExits::exitOfConvex(const OverlapComponent& component, const Separating
 void PartExits::growPart(const OverlapComponent& component, bool of_a) {
   const PolygonData& polygon = of_a ? pair_.a : pair_.b;
   const auto edgeAt = [&](std::size_t k) {
-    const EdgeCrossing& c = crossings_[component.crossings[k]];
+    const EdgeCrossing& c = crossings_[component.crossings[k].index];
     return of_a ? c.edge_a : c.edge_b;
   };
   const auto add = [&](std::size_t v) { part_.add(of_a ? vertexOfA(v) : vertexOfB(v)); };
@@ -101,8 +104,9 @@ void PartExits::growPart(const OverlapComponent& component, bool of_a) {
     bool is_known = false;
     for (std::size_t before = k; before > 0 && before + 3 > k && !is_known;) is_known = edgeAt(--before) == edge;
     if (is_known) continue;
-    add(edge);
-    add(edgeAfter(polygon, edge));
+    const auto& is_within = component.crossings[k].ends.of[of_a ? 0 : 1];
+    if (!is_within[0]) add(edge);
+    if (!is_within[1]) add(edgeAfter(polygon, edge));
   }
   part_.grow(of_a ? 0 : 1);
 }
@@ -110,18 +114,21 @@ void PartExits::growPart(const OverlapComponent& component, bool of_a) {
 /// Of the faces that are edges, or of the others.
 PartExits::Found PartExits::leastFace(bool is_edge) const {
   Found best;
-  const auto offer = [&](const Exit& exit, const BoundaryPoint& deepest) {
-    if (consider(exit, best.exit)) best.deepest = deepest;
+  const auto offer = [&](const Exit& exit, const BoundaryPoint& from, const BoundaryPoint& to,
+                         const BoundaryPoint& deepest) {
+    if (isBetter(exit, best.exit)) best = {exit, &from, &to, &deepest};
   };
   forEachFace(
-      part_.grown(0), part_.grown(1), [&](auto& from, auto& to) { return (commonOfA(from, to) >= 0) == is_edge; },
+      part_.grown(0), part_.grown(1),
+      [&](auto& from, auto& to) { return haveCommon(from.a, from.a_before, to.a, to.a_before) == is_edge; },
       [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
-        offer({normal, depth, commonOfA(from, to), -1, true}, deepest);
+        offer({normal, depth, -1, -1, true}, from, to, deepest);
       });
   forEachFace(
-      part_.grown(1), part_.grown(0), [&](auto& from, auto& to) { return (commonOfB(from, to) >= 0) == is_edge; },
+      part_.grown(1), part_.grown(0),
+      [&](auto& from, auto& to) { return haveCommon(from.b, from.b_before, to.b, to.b_before) == is_edge; },
       [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
-        offer({-normal, depth, -1, commonOfB(from, to), false}, deepest);
+        offer({-normal, depth, -1, -1, false}, from, to, deepest);
       });
   return best;
 }
@@ -135,27 +142,26 @@ Exit PartExits::byFaces(const OverlapComponent& component) {
   if (!(found.exit.depth < std::numeric_limits<double>::infinity())) found = leastFace(false);
   Exit& exit = found.exit;
   if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;
-  if (exit.from_a)
-    exit.edge_b = flatterOfB(found.deepest, exit.normal);
-  else
-    exit.edge_a = flatterOfA(found.deepest, exit.normal);
+  exit.edge_a = exit.from_a ? commonOfA(*found.from, *found.to) : flatterOfA(*found.deepest, exit.normal);
+  exit.edge_b = exit.from_a ? flatterOfB(*found.deepest, exit.normal) : commonOfB(*found.from, *found.to);
   // What is deepest may be a vertex of the other polygon.
   if (exit.edge_a < 0 || exit.edge_b < 0) completeEdges(component, exit);
   return exit;
 }
 
 void PartExits::completeEdges(const OverlapComponent& component, Exit& exit) const {
+  const bool needs_a = exit.edge_a < 0, needs_b = exit.edge_b < 0;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const BoundaryPoint& point : component.points) {
     const double height = exit.normal.dot(point.at);
-    if (exit.edge_b < 0 && point.b >= 0 && height < lowest) lowest = height;
-    if (exit.edge_a < 0 && point.a >= 0 && height > highest) highest = height;
-  }
-  const bool needs_a = exit.edge_a < 0, needs_b = exit.edge_b < 0;
-  for (const BoundaryPoint& point : component.points) {
-    const double height = exit.normal.dot(point.at);
-    if (needs_b && point.b >= 0 && height == lowest) exit.edge_b = point.b;
-    if (needs_a && point.a >= 0 && height == highest) exit.edge_a = point.a;
+    if (needs_b && point.b >= 0 && height <= lowest) {
+      lowest = height;
+      exit.edge_b = point.b;
+    }
+    if (needs_a && point.a >= 0 && height >= highest) {
+      highest = height;
+      exit.edge_a = point.a;
+    }
   }
 }
 

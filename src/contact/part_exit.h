@@ -45,7 +45,7 @@ class PartExits {
   Exit exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const;
 
  private:
-  bool consider(const Exit& exit, Exit& best) const;
+  bool isBetter(const Exit& exit, const Exit& best) const;
   template <typename EdgeEnds>
   static std::ptrdiff_t flatter(std::ptrdiff_t e, std::ptrdiff_t f, const Vec2& normal, EdgeEnds ends);
   std::ptrdiff_t flatterOfA(const BoundaryPoint& p, const Vec2& normal) const;
@@ -55,7 +55,7 @@ class PartExits {
   void growPart(const OverlapComponent& component, bool of_a);
   struct Found {
     Exit exit;
-    BoundaryPoint deepest;
+    const BoundaryPoint *from = nullptr, *to = nullptr, *deepest = nullptr;  ///< the face, and what is behind it
   };
   Found leastFace(bool is_edge) const;
   Exit byFaces(const OverlapComponent& component);

@@ -28,10 +28,13 @@ class PartHull {
   const Hull& grown(int side) const { return grown_[side]; }
 
  private:
-  bool isWithin(double u_p, double p_v, double u_v) const;
+  std::size_t likelySize() const { return static_cast<std::size_t>(likely_end_ - likely_); }
   void takeLikely(const Slice<BoundaryPoint>& points);
+  void leaveOutWithin(const Vec2& middle);
 
   double same_area_;
+  static constexpr std::size_t kFew = 512;
+  BoundaryPoint few_[kFew];  ///< room for most parts
   std::size_t capacity_ = 0;
   std::unique_ptr<BoundaryPoint[]> room_;
   BoundaryPoint *likely_ = nullptr, *likely_end_ = nullptr;  ///< those that may be corners
