@@ -7,12 +7,15 @@
 
 namespace tricover::detail {
 
+/// Whether products that err by so much neither overflow nor lose what matters to underflow; otherwise nothing is
+/// known.
+inline bool isKnownBy(double error) { return error > 0x1p-900 && error < 0x1p900; }
+
 /// One polygon beside the line of the other's edge, a convex one's, in doubles, where floats can't tell.
 struct BesideEdge {
   BesideEdge(const Placement& placement, bool of_a, std::uint32_t edge);
 
-  /// Whether products neither overflow nor lose what matters to underflow; otherwise nothing is known.
-  bool isKnown() const { return error > 0x1p-900 && error < 0x1p900; }
+  bool isKnown() const { return isKnownBy(error); }
 
   Double2 along;         ///< the edge, in the world
   Double2 outwards;      ///< its outer normal, as long
@@ -20,6 +23,15 @@ struct BesideEdge {
   double gap;            ///< how far all of the other polygon is beyond the line, times the edge's length
   double error;          ///< of that
   std::uint32_t lowest;  ///< the other's vertex that is least far beyond
+};
+
+/// Two polygons along any normal from a to b, likewise.
+struct GapAlong {
+  GapAlong(const Placement& placement, Double2 normal);
+
+  double gap;    ///< how far all of b is beyond all of a, times the normal's length
+  double error;  ///< of that
+  std::uint32_t foremost_a, lowest_b;
 };
 
 /// Whether all of one polygon is certainly beyond the line of the other's edge: a separating axis.

@@ -181,11 +181,12 @@ ConvexGap convexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap&
 }
 
 template <class Lanes>
-ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y) {
-  const float x = static_cast<float>(-way_x), y = static_cast<float>(-way_y);
+ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y,
+                      double margin) {
+  const float x = static_cast<float>(-way_x), y = static_cast<float>(-way_y), beside = static_cast<float>(margin);
   return bestEdge<Lanes>(
       a, b, map, [&](Lanes nx, Lanes ny, Lanes gap) __attribute__((always_inline)) {
-        return gap / larger(nx * x + ny * y, Lanes::all(1e-30f));
+        return (gap - beside) / larger(nx * x + ny * y, Lanes::all(1e-30f));
       });
 }
 

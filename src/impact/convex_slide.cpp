@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "convex/convex_ring.h"
@@ -16,7 +17,20 @@
 namespace tricover::detail {
 namespace {
 
-bool slides(const Motion& motion) { return turnOf(motion).isZero() && wayOf(motion).isStraight(); }
+/// A point that turns about itself slides.
+bool slides(const PolygonData& polygon, const Motion& motion) {
+  const bool turns = !turnOf(motion).isZero() && !(polygon.isPoint() && motion.pivot == polygon.origin);
+  return !turns && wayOf(motion).isStraight();
+}
+
+/// A point as convexEntry() takes it: of lanes that are all that vertex, and of no edges.
+SmallPolygon smallPoint() {
+  SmallPolygon point{};
+  std::fill(std::begin(point.d), std::end(point.d), 1e30f);
+  point.lanes = kLanes;
+  point.count = 1;
+  return point;
+}
 
 double lengthOne(Double2 v) {
   const Double2 lengths = absolute(v);
@@ -31,17 +45,14 @@ double lengthOne(Double2 v) {
 //   a quotient, and 1 less that                    2 S
 // in all 38 M + 10 S: 48 of either are kept.
 
-/// An edge's line, beyond which the other polygon is for a part of the time.
-struct PartingEdge : BesideEdge {
-  PartingEdge(const Placement& placement, Double2 way, double margin, const ConvexGap& guess)
-      : BesideEdge(placement, guess.of_a, static_cast<std::uint32_t>(guess.edge)),
-        of_a(guess.of_a),
-        edge(static_cast<std::uint32_t>(guess.edge)),
-        way_of_other(of_a ? way : -way),
-        speed(dot(outwards, way_of_other)) {
-    error += 3 * Placement::kWayError * lengthOne(way) * lengthOne(along);
-    beyond = gap - error;
-    if (margin > 0) beyond -= margin * std::sqrt(dot(along, along)) * (1 + 16 * kUnitRoundoff);
+/// The gap along a normal while b moves, less the margin: linear in time.
+struct MovingGap {
+  /// All but the margin as many times as long as they are as the normal is.
+  MovingGap(double gap, double error_of_gap, Double2 normal, Double2 way_of_other, double margin)
+      : error(error_of_gap + 3 * Placement::kWayError * lengthOne(way_of_other) * lengthOne(normal)),
+        speed(dot(normal, way_of_other)),
+        beyond(gap - error) {
+    if (margin > 0) beyond -= margin * std::sqrt(dot(normal, normal)) * (1 + 16 * kUnitRoundoff);
   }
 
   /// For how much of the time they are certainly apart, from time 0 on.
@@ -49,17 +60,35 @@ struct PartingEdge : BesideEdge {
   /// Until time 1.
   double untilEnd() const { return shareOf(beyond + speed, speed); }
 
-  bool of_a;
-  std::uint32_t edge;
-  Double2 way_of_other;  ///< as the edge's polygon sees it
-  double speed;          ///< of the gap
-  double beyond;         ///< by how much that is certainly more than the margin, at time 0
+  double error;
+  double speed;
+  double beyond;  ///< by how much the gap is certainly more than the margin, at time 0
 
  private:
   double shareOf(double beyond_there, double approach) const {
-    if (!isKnown() || !(beyond_there > 0)) return 0;
+    if (!isKnownBy(error) || !(beyond_there > 0)) return 0;
     return approach > 0 ? beyond_there / approach : std::numeric_limits<double>::infinity();
   }
+};
+
+/// An edge's line, beyond which the other polygon is for a part of the time.
+struct PartingEdge : BesideEdge {
+  PartingEdge(const Placement& placement, Double2 way, double margin, const ConvexGap& guess)
+      : BesideEdge(placement, guess.of_a, static_cast<std::uint32_t>(guess.edge)),
+        of_a(guess.of_a),
+        edge(static_cast<std::uint32_t>(guess.edge)),
+        way_of_other(of_a ? way : -way),
+        moving(gap, error, outwards, way_of_other, margin) {}
+
+  bool of_a;
+  std::uint32_t edge;
+  Double2 way_of_other;  ///< as the edge's polygon sees it
+  MovingGap moving;
+};
+
+/// A vertex of a and one of b, by their positions in the paths.
+struct Corners {
+  std::uint32_t of_a = 0, of_b = 0;
 };
 
 class Slide {
@@ -77,16 +106,19 @@ class Slide {
   FirstContact run(Impact& impact) const {
     if (!squarable(at_.error() / Placement::kWayError + lengthOne(way_) + margin_)) return FirstContact::unknown(0);
     if (discsStayApart()) return FirstContact::never();
+    if (at_.a.isPoint()) return meetCorners({}, 0, impact);
     ConvexGap guess;
     if (!guessEdge(false, guess)) return FirstContact::unknown(0);
     const PartingEdge first(at_, way_, margin_, guess);
-    const double time = first.sinceBegin();
-    if (time > 1) return FirstContact::never();
-    if (time == 0) return FirstContact::unknown(0);
-    if (touches(first, time, impact)) return FirstContact::touch(time, 0, 0);
+    FirstContact found = FirstContact::unknown(first.moving.sinceBegin());
+    if (found.time > 1) return FirstContact::never();
+    if (found.time > 0 && touches(first, found.time, impact)) return FirstContact::touch(found.time, 0, 0);
+    if (margin_ > 0) found = meetCorners(cornersBeside(first), found.time, impact);
+    if (found.verdict != FirstContact::Verdict::Unknown || found.time == 0) return found;
     // Beside that edge they pass by each other, if another one parts them from before then on.
-    const bool passes = guessEdge(true, guess) && 1 - PartingEdge(at_, way_, margin_, guess).untilEnd() < time;
-    return passes ? FirstContact::never() : FirstContact::unknown(time);
+    const bool passes =
+        guessEdge(true, guess) && 1 - PartingEdge(at_, way_, margin_, guess).moving.untilEnd() < found.time;
+    return passes ? FirstContact::never() : found;
   }
 
  private:
@@ -102,18 +134,31 @@ class Slide {
 
   /// The edge that parts them longest, as floats see it: from time 0 on, or backwards from time 1.
   bool guessEdge(bool backwards, ConvexGap& guess) const {
-    const SmallPolygon *a = hierarchyOf(at_.a).small_convex, *b = hierarchyOf(at_.b).small_convex;
+    const SmallPolygon *a = smallOf(at_.a), *b = smallOf(at_.b);
     if (a == nullptr || b == nullptr) return false;
     UnitMap map = at_.inUnits(0).map;  // a guess needs no bounds
     Double2 way = at_.inUnitsOfA(way_);
-    if (!(std::abs(map.tx) + std::abs(map.ty) + lengthOne(way) < 0x1p60)) return false;  // floats may overflow
+    const double reach = margin_ * at_.a.inverse_unit;
+    if (!(std::abs(map.tx) + std::abs(map.ty) + lengthOne(way) + reach < 0x1p60)) return false;  // floats may overflow
     if (backwards) {
       map.tx += way[0];
       map.ty += way[1];
       way = -way;
     }
-    guess = convexEntry(*a, *b, map, way[0], way[1]);
-    return true;
+    guess = convexEntry(*a, *b, map, way[0], way[1], reach);
+    return guess.edge < (guess.of_a ? a : b)->count;  // one beyond where all scores are below any that matter
+  }
+
+  static const SmallPolygon* smallOf(const PolygonData& polygon) {
+    static const SmallPolygon point = smallPoint();
+    return polygon.isPoint() ? &point : hierarchyOf(polygon).small_convex;
+  }
+
+  /// Where along the edge a vertex of the other polygon is at a time, times the edge's length.
+  double along(const PartingEdge& parting, std::uint32_t vertex, double time) const {
+    const Double2 from = parting.of_a ? at_.way(at_.a.path[parting.edge], at_.b.path[vertex])
+                                      : -at_.way(at_.a.path[vertex], at_.b.path[parting.edge]);
+    return dot(parting.along, from + time * parting.way_of_other);
   }
 
   /// Whether the other polygon's lowest vertex is beside the edge once it comes to its line, or what lies in the line
@@ -121,22 +166,17 @@ class Slide {
   bool touches(const PartingEdge& parting, double time, Impact& impact) const {
     const bool of_a = parting.of_a;
     const PolygonData &own = of_a ? at_.a : at_.b, &other = of_a ? at_.b : at_.a;
-    const double square = dot(parting.along, parting.along), slack = parting.error;
-    const auto place = [&](std::uint32_t vertex) {
-      const Double2 from = of_a ? at_.way(own.path[parting.edge], other.path[vertex])
-                                : -at_.way(other.path[vertex], own.path[parting.edge]);
-      return dot(parting.along, from + time * parting.way_of_other);
-    };
+    const double square = dot(parting.along, parting.along), slack = parting.moving.error;
     const auto isBeside = [&](double at) { return at >= -slack && at <= square + slack; };
-    const ConvexRing ring = convexRing(other);
+    const ConvexRing ring(other.path.data(), other.path.size() - 1, 0);  // a point has no turn
     const std::uint32_t lowest = parting.lowest, before = ring.previous(lowest);
     const double climb = dot(parting.turned, ring.edge(lowest)), climb_before = -dot(parting.turned, ring.edge(before));
     const bool forward = climb <= climb_before;  // is the flatter one of the edges there
     const std::uint32_t edge = forward ? lowest : before, far = forward ? ring.next(lowest) : before;
-    const double at = place(lowest);
+    const double at = along(parting, lowest, time);
     double share = 0;  // of that edge, from the lowest vertex on
     if (!isBeside(at)) {
-      const double at_far = place(far), end = at < 0 ? 0 : square;
+      const double at_far = along(parting, far, time), end = at < 0 ? 0 : square;
       const bool reaches = at < 0 ? at_far >= -slack : at_far <= square + slack;
       if (!reaches || !(std::min(climb, climb_before) <= slack)) return false;
       share = std::clamp((end - at) / (at_far - at), 0.0, 1.0);
@@ -156,6 +196,58 @@ class Slide {
     return true;
   }
 
+  /// The end of the edge that the other polygon's lowest vertex is nearer to when it comes to the edge's line, and that
+  /// vertex: around one of the ends the round corner is that they meet, if not the edge.
+  Corners cornersBeside(const PartingEdge& parting) const {
+    const MovingGap& gap = parting.moving;
+    const double time = gap.speed < 0 ? gap.beyond / -gap.speed : 0, square = dot(parting.along, parting.along);
+    const std::uint32_t end = parting.edge + (2 * along(parting, parting.lowest, time) > square ? 1 : 0);
+    return parting.of_a ? Corners{end, parting.lowest} : Corners{parting.lowest, end};
+  }
+
+  /// As run(), from a vertex of a on: the disc around it, as large as the margin, is what the one of b comes to, where
+  /// no other ones are farther along the normal there. Those that are, are next.
+  FirstContact meetCorners(Corners corners, double time, Impact& impact) const {
+    constexpr int kMostTries = 4;
+    for (int tries = 0; tries < kMostTries; ++tries) {
+      const Double2 from = at_.way(at_.a.path[corners.of_a], at_.b.path[corners.of_b]);
+      const Double2 normal = from + timeToDisc(from) * way_;
+      const GapAlong parting(at_, normal);
+      const MovingGap gap(parting.gap, parting.error, normal, way_, margin_);
+      time = std::max(time, gap.sinceBegin());
+      if (time > 1) return FirstContact::never();
+      const Double2 between = from + time * way_;
+      const double length = std::sqrt(dot(between, between)), slack = 2 * gap.error / std::sqrt(dot(normal, normal));
+      if (time > 0 && length <= margin_ + slack) {
+        describeCorners(corners, time, between * (1 / length), impact);
+        return FirstContact::touch(time, 0, 0);
+      }
+      if (parting.foremost_a == corners.of_a && parting.lowest_b == corners.of_b) break;
+      corners = {parting.foremost_a, parting.lowest_b};
+    }
+    return FirstContact::unknown(time);
+  }
+
+  /// When the way from one point to another is as short as the margin, or shortest: of the time, 0 to 1.
+  double timeToDisc(Double2 from) const {
+    const double square = dot(way_, way_), ahead = -dot(from, way_), outside = dot(from, from) - margin_ * margin_;
+    const double root_square = ahead * ahead - square * outside;
+    const double time = root_square > 0 ? outside / (ahead + std::sqrt(root_square)) : ahead / square;
+    return time > 0 ? std::min(time, 1.0) : 0;
+  }
+
+  void describeCorners(Corners corners, double time, Double2 normal, Impact& impact) const {
+    const auto edgeAt = [](const PolygonData& given, const PolygonData& taken, std::uint32_t vertex) {
+      return givenEdge(given, taken, vertex + 1 < taken.path.size() ? vertex : 0, 0);
+    };
+    const Vec2 on_b = at_.b.path[corners.of_b];
+    impact.time = std::max(time, std::numeric_limits<double>::denorm_min());
+    impact.normal = Vec2(normal[0], normal[1]);
+    impact.point = motion_b_.start * on_b + time * motion_b_.shift - 0.5 * margin_ * impact.normal;
+    impact.edge_a = edgeAt(given_a_, at_.a, corners.of_a);
+    impact.edge_b = edgeAt(given_b_, at_.b, corners.of_b);
+  }
+
   const PolygonData &given_a_, &given_b_;
   const Motion &motion_a_, &motion_b_;
   double margin_;
@@ -167,8 +259,9 @@ class Slide {
 
 FirstContact slideConvex(const PolygonData& a, const Motion& motion_a, const PolygonData& b, const Motion& motion_b,
                          double margin, Impact& impact) {
-  if (!slides(motion_a) || !slides(motion_b)) return FirstContact::unknown(0);
-  const PolygonData *corners_a = cornersOf(a), *corners_b = cornersOf(b);
+  if (!slides(a, motion_a) || !slides(b, motion_b)) return FirstContact::unknown(0);
+  const auto taken = [](const PolygonData& polygon) { return polygon.isPoint() ? &polygon : cornersOf(polygon); };
+  const PolygonData *corners_a = taken(a), *corners_b = taken(b);
   const auto isSmall = [](const PolygonData* corners) {
     return corners != nullptr && corners->path.size() <= SmallPolygon::kMost + 1;
   };

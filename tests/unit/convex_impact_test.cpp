@@ -116,8 +116,8 @@ TEST(ConvexImpact, NearlyStraightChainsAreSeenWhole) {
   EXPECT_LE(hits, 0.9 * count);
 }
 
-/// Boxes at whole numbers, whose faces meet along their whole length or by an end; or any convex rings, under any
-/// poses.
+/// Boxes at whole numbers, whose faces meet along their whole length or by an end; or any convex rings, one of which
+/// may be a point, under any poses.
 struct Slide {
   Polygon a, b;
   Motion motion_a, motion_b;
@@ -132,7 +132,9 @@ Slide anySlide(Random& random) {
     return {box(), box(), {}, moving, random.oneIn(4) ? 0.5 : 0};
   }
   const double size = std::pow(10, random.real(-3, 3)), far = random.oneIn(3) ? 1e6 * size : 0;
-  const Polygon a({convexRing(random, size, 16)}), b({convexRing(random, random.real(0.05, 1) * size, 16)});
+  const Polygon a({convexRing(random, size, 16)}),
+      b = random.oneIn(4) ? point(size * Vec2(random.real(-1, 1), 0))
+                          : Polygon({convexRing(random, random.real(0.05, 1) * size, 16)});
   const Vec2 start = 3 * size * direction(random.real(-4, 4)), drift = size * Vec2(random.real(-9, 9), 2);
   Motion still = Motion::translation(pose(random.real(-4, 4), far, far), drift);
   if (random.oneIn(4)) still.start = mirrored(still.start);
@@ -140,11 +142,13 @@ Slide anySlide(Random& random) {
   moving.start = pose(random.real(-4, 4), 0, 0);
   moving.start.translation() = still.start * a.origin() + start - moving.start * b.origin();
   moving.shift = drift - random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1, 1)) * start);
+  moving.pivot = b.origin() + (random.oneIn(4) ? Vec2(size, 0) : Vec2(0, 0));
+  if (b.data().isPoint() && random.coin()) moving.angle = random.real(-3, 3);
   return {a, b, still, moving, random.oneIn(3) ? size * random.real(0, 0.5) : 0};
 }
 
 TEST(ConvexImpact, SlidesAreSolvedAtOnce) {
-  int apart = 0, plain = 0, solved = 0, hits = 0, level = 0;
+  int apart = 0, plain = 0, round = 0, solved = 0, hits = 0, level = 0;
   const int count = scaledCount(20000);
   for (int i = 0; i < count; ++i) {
     Random random(static_cast<std::uint64_t>(i));
@@ -170,11 +174,14 @@ TEST(ConvexImpact, SlidesAreSolvedAtOnce) {
     Impact found{};
     const FirstContact contact = slideConvex(a.data(), swaps ? slide.motion_b : slide.motion_a, b.data(),
                                              swaps ? slide.motion_a : slide.motion_b, slide.margin, found);
-    // With a margin, vertices may meet, too.
-    const PolygonData *corners_a = cornersOf(a.data()), *corners_b = cornersOf(b.data());
-    const bool is_plain = slide.margin == 0 && corners_a && corners_a->path.size() <= SmallPolygon::kMost + 1 &&
-                          corners_b && corners_b->path.size() <= SmallPolygon::kMost + 1;
+    const auto isSmall = [](const Polygon& polygon) {
+      const PolygonData* corners = polygon.data().isPoint() ? &polygon.data() : cornersOf(polygon.data());
+      return corners != nullptr && corners->path.size() <= SmallPolygon::kMost + 1;
+    };
+    const bool turns_about_itself = slide.motion_b.angle == 0 || slide.motion_b.pivot == slide.b.origin();
+    const bool is_plain = isSmall(a) && isSmall(b) && turns_about_itself;
     plain += is_plain;
+    round += is_plain && slide.margin > 0;
     solved += is_plain && contact.verdict != FirstContact::Verdict::Unknown;
     if (!truth) continue;
     ++hits;
@@ -194,9 +201,10 @@ TEST(ConvexImpact, SlidesAreSolvedAtOnce) {
     EXPECT_NEAR(impact->normal.norm(), 1, 1e-12) << i;
     level += std::abs(impact->normal.x()) == 1 || std::abs(impact->normal.y()) == 1;
   }
-  std::printf("%d slides, %d apart at first, %d of %d without a margin solved, %d hits, %d of them level\n", count,
-              apart, solved, plain, hits, level);
-  EXPECT_GE(plain, 0.5 * apart);
+  std::printf("%d slides, %d apart at first, %d of %d small ones solved, %d with a margin, %d hits, %d of them level\n",
+              count, apart, solved, plain, round, hits, level);
+  EXPECT_GE(plain, 0.8 * apart);
+  EXPECT_GE(round, 0.2 * apart);
   EXPECT_GE(solved, 0.99 * plain);
   EXPECT_GE(hits, 0.3 * apart);
   EXPECT_LE(hits, 0.8 * apart);
@@ -221,14 +229,43 @@ TEST(ConvexImpact, SlidesEndWhereTheirLastEdgeIsMet) {
                way = of_a.inverse_unit * motion.shift;
     const UnitMap map = {1, 0, 0, 1, between.x(), between.y(), of_b.unit * of_a.inverse_unit, 0};
     const SmallPolygon &ring_a = *hierarchyOf(*corners_a).small, &ring_b = *hierarchyOf(*corners_b).small;
-    const ConvexGap entry = convexEntry(ring_a, ring_b, map, way.x(), way.y());
+    const ConvexGap entry = convexEntry(ring_a, ring_b, map, way.x(), way.y(), 0);
     right += std::abs(static_cast<double>(entry.gap) - impact->time) < 1e-4;
-    const ConvexGap portable = onPortableLanes([&] { return convexEntry(ring_a, ring_b, map, way.x(), way.y()); });
+    const ConvexGap portable = onPortableLanes([&] { return convexEntry(ring_a, ring_b, map, way.x(), way.y(), 0); });
     ASSERT_TRUE(entry.gap == portable.gap && entry.edge == portable.edge && entry.of_a == portable.of_a) << i;
   }
   std::printf("%d hits, %d found at once\n", hits, right);
   EXPECT_GE(hits, scaledCount(2000) / 4);
   EXPECT_GE(right, 0.97 * hits);
+}
+
+/// Of two discs, by the root of a square.
+TEST(ConvexImpact, DiscsMeetWhereTheirCentresAreSoFarApart) {
+  int hits = 0;
+  const int count = scaledCount(2000);
+  for (int i = 0; i < count; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon a = point({1, 2}), b = point({-3, 0});
+    const Vec2 apart = 10 * direction(random.real(-4, 4)), drift(random.real(-5, 5), 1);
+    const Vec2 way = -2 * (Eigen::Rotation2Dd(random.real(-0.3, 0.3)) * apart);
+    const Motion motion_a = Motion::translation(pose(random.real(-4, 4), 5, 0), drift);
+    Motion motion_b = Motion::translation(pose(random.real(-4, 4), 0, 0), way + drift);
+    motion_b.start.translation() = motion_a.start * Vec2(1, 2) + apart - motion_b.start * Vec2(-3, 0);
+    const double margin = random.real(0, 3), half = apart.dot(way),
+                 root = half * half - way.squaredNorm() * (apart.squaredNorm() - margin * margin);
+    Impact impact{};
+    const FirstContact found = slideConvex(a.data(), motion_a, b.data(), motion_b, margin, impact);
+    if (std::abs(root) < 1e-9) continue;
+    ASSERT_EQ(found.verdict, root > 0 ? FirstContact::Verdict::Touch : FirstContact::Verdict::Never) << i;
+    if (root < 0) continue;
+    ++hits;
+    EXPECT_NEAR(impact.time, (-half - std::sqrt(root)) / way.squaredNorm(), 1e-12) << i;
+    const Vec2 between = apart + impact.time * way;
+    EXPECT_LT((margin * impact.normal - between).norm(), 1e-10) << i;
+    EXPECT_LT((motion_a.at(impact.time) * Vec2(1, 2) + 0.5 * between - impact.point).norm(), 1e-10) << i;
+  }
+  EXPECT_GE(hits, 0.3 * count);
+  EXPECT_LE(hits, 0.9 * count);
 }
 
 /// Trees are for those that come near.
