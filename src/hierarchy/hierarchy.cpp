@@ -330,6 +330,7 @@ class Builder {
     block.scale = static_cast<float>(scale);
     block.inverse = static_cast<float>(1 / scale);
     block.leaf = leaf;
+    block.of_rings = !leaf && whole.kind == Part::Rings;
     block.count = static_cast<std::uint8_t>(parts.size());
     for (std::size_t i = 0; i < kLanes; ++i) {
       const Box box = i < parts.size() ? rounded(boxes[i], origin, 1 / scale) : Box{0, 0, 1, 0, -1e30f, -1e30f};

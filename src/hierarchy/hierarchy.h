@@ -29,6 +29,7 @@ struct alignas(64) Block {
   /// farther than 2 * across from the chain.
   std::uint8_t spanned;
   bool leaf;
+  bool of_rings;  ///< whether each box is around whole rings
 };
 static_assert(sizeof(Block) == 256, "four cache lines");
 

@@ -31,23 +31,37 @@ double errorInUnits(const PolygonData& polygon, const ApproxPoint& p) {
   return p.error * polygon.inverse_unit + 0x1p-50;
 }
 
-/// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). False if rounding
+CoveringSum sumAlongRay(const PolygonData& polygon, const IncludedPoint& point) {
+  return {polygon, point, behindRay(polygon, {point.approx.x, point.approx.y})};
+}
+
+/// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). Nothing if rounding
 /// hides where that ray goes.
-bool addAlongRay(CoveringSum& sum, const Hierarchy& hierarchy) {
+std::optional<Ray> rayOf(const CoveringSum& sum) {
   const PolygonData& polygon = sum.polygon();
   const ApproxPoint& p = sum.point().approx;
   const Vec2 at = polygon.inUnits({p.x, p.y}), away = at - polygon.inUnits(sum.origin());
   const double distance = away.norm(), error = errorInUnits(polygon, p);
-  if (!(distance > 0x1p-10 && error < 0x1p-20 && polygon.fitsUnit())) return false;
+  if (!(distance > 0x1p-10 && error < 0x1p-20 && polygon.fitsUnit())) return std::nullopt;
   // The direction turns by at most 4 error / distance, and nothing is farther away than 4.
-  const Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
-  visitEdgesOnRay(hierarchy, ray, addEdge, &sum);
-  return true;
+  return Ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
 }
 
 Inclusion includeByRay(const PolygonData& polygon, const Hierarchy& hierarchy, const IncludedPoint& point) {
-  CoveringSum sum(polygon, point, behindRay(polygon, {point.approx.x, point.approx.y}));
-  if (!addAlongRay(sum, hierarchy)) sum.addAll();
+  CoveringSum sum = sumAlongRay(polygon, point);
+  if (const std::optional<Ray> ray = rayOf(sum))
+    visitEdgesOnRay(hierarchy, *ray, addEdge, &sum);
+  else
+    sum.addAll();
+  return sum.result();
+}
+
+/// By the rings whose boxes may hold the point; nothing where that doesn't tell.
+std::optional<Inclusion> includeAround(const PolygonData& polygon, const Hierarchy& hierarchy,
+                                       const IncludedPoint& point) {
+  CoveringSum sum = sumAlongRay(polygon, point);
+  const std::optional<Ray> ray = rayOf(sum);
+  if (!ray || !visitEdgesAround(hierarchy, *ray, addEdge, &sum)) return std::nullopt;
   return sum.result();
 }
 
@@ -165,6 +179,8 @@ const KnownPlaces* placesFor(const PolygonData& polygon, const Hierarchy& hierar
 /// What bounding discs leave open; not inlined, because most points are far away.
 [[gnu::noinline]] Inclusion includeByHierarchy(const PolygonData& polygon, const Hierarchy& hierarchy,
                                                const IncludedPoint& point) {
+  if (hasManyRings(polygon))
+    if (const std::optional<Inclusion> around = includeAround(polygon, hierarchy, point)) return *around;
   const KnownPlaces* places = placesFor(polygon, hierarchy, point.approx);
   const auto near = places != nullptr ? NearPlace(*places, polygon, point).include(hierarchy) : std::nullopt;
   return near ? *near : includeByRay(polygon, hierarchy, point);

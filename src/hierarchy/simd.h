@@ -238,6 +238,11 @@ struct Ray {
 extern Simd<void(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context)>
     visitEdgesOnRay;
 
+/// The same for the edges of those rings alone whose boxes may hold the ray's begin: the others don't wind around it.
+/// False if such a ring has more edges than a block; then not all are shown.
+extern Simd<bool(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context)>
+    visitEdgesAround;
+
 /// The way from a point to a place that is known beside a block.
 struct WayToPlace {
   void* context;

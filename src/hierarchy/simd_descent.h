@@ -363,7 +363,6 @@ template <class Lanes, class Goal>
   const std::size_t edge_a = d.degenerate ? d.polygon_a.degenerate_edge : PolygonData::kNotDegenerate;
   const std::size_t edge_b = d.degenerate ? d.polygon_b.degenerate_edge : PolygonData::kNotDegenerate;
   assert(edge_a == PolygonData::kNotDegenerate || edge_b == PolygonData::kNotDegenerate);
-  const bool b_is_whole = Goal::kNarrows && staysWhole(d);
   while (visits.top > 0) {
     --visits.top;
     if (Goal::kNarrows && visits.gap[visits.top] > goal.limit) continue;
@@ -373,54 +372,13 @@ template <class Lanes, class Goal>
     // 32 floats couldn't tell its boxes apart in the larger one's frame, either.
     constexpr double kAlike = 4;
     const double size_a = a.along + a.across, size_b = (b.along + b.across) * d.to_a.scale;
-    const bool keeps_b = b_is_whole && !a.leaf && !d.a.blocks[a.child].leaf;
-    const bool both = !keeps_b && !a.leaf && !b.leaf && size_a < kAlike * size_b && size_b < kAlike * size_a;
-    const bool into_a = keeps_b || b.leaf || (!a.leaf && size_a >= size_b);
+    const bool both = !a.leaf && !b.leaf && size_a < kAlike * size_b && size_b < kAlike * size_a;
+    const bool into_a = b.leaf || (!a.leaf && size_a >= size_b);
     if (both ? enterBoth<Lanes>(d, a, b, visits, goal)
              : enterOne<Lanes>(d, into_a, into_a ? a : b, into_a ? b : a, visit_a, visit_b, visits, goal))
       return true;
   }
   return false;
-}
-
-/// Of a b that staysWhole(). Its box tells which rings may begin in b, too: a ring's first edge doesn't follow the one
-/// in the lane before.
-template <class Lanes>
-void findHitAmongRings(const Descent& d, FindHit& goal) {
-  const Item b = itemAt(d.b, kRoot, PolygonData::kNotDegenerate);
-  const auto near = [&](const Block& block, float(&)[kLanes]) __attribute__((always_inline)) {
-    const Query query = queryFor(b, d.polygon_b, d.to_a, block, d.rounding);
-    const Step step = stepOf(block.scale, goal.limit * block.inverse, query.slack, query.cap);
-    Lanes unused = Lanes::all(0);
-    return entered(goal, block, step, gaps<false>(boxesOf<Lanes>(block), query), unused);
-  };
-  const auto show = [&](const Block& block, unsigned lanes, const float*) __attribute__((always_inline)) {
-    const auto first = static_cast<std::uint32_t>(&block - d.a.blocks.data()) * kLanes;
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const int i = __builtin_ctz(lanes);
-      const std::uint32_t edge = block.child[i];
-      const bool begins = i == 0 || block.child[i - 1] + 1 != edge;
-      if (begins && goal.test.holds(goal.test.context, edge)) return goal.result = {true, 0, edge, -1}, false;
-      if (descendBoth<Lanes>(d, goal, first + static_cast<std::uint32_t>(i))) return false;
-    }
-    return true;
-  };
-  descendOne<false>(
-      d.a, [](float) { return true; }, near, show);
-}
-
-template <class Lanes>
-DescentResult findHit(const Descent& d, const HitTest& test) {
-  FindHit goal{test, d.limit, {false, 1e300, -1, -1}};
-  if (test.holds != nullptr) return findHitAmongRings<Lanes>(d, goal), goal.result;
-  if (descendBoth<Lanes>(d, goal)) return goal.result;
-  return {false, goal.result.clearance > 0 ? goal.result.clearance : 0, -1, -1};
-}
-
-template <class Lanes>
-void showPairs(const Descent& d, const PairVisitor& visitor) {
-  ShowPairs goal{visitor, d.limit};
-  descendBoth<Lanes>(d, goal);
 }
 
 }  // namespace tricover::detail::simd

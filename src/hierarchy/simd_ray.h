@@ -54,6 +54,23 @@ void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(v
           __attribute__((always_inline)) { return visitLanes(block, lanes, visit, context); });
 }
 
+template <class Lanes>
+bool visitEdgesAround(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
+  bool all = true;
+  const auto near = [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
+    if (block.leaf) return boxesOn<Lanes>(ray, block, at);
+    all = all && block.of_rings;
+    if (!all) return 0u;
+    const PlaceInBlock p = placeIn(block, {ray.x, ray.y, ray.error});
+    return lanesOf(block) & ~above(boxDistances<Lanes>(block, p), Lanes::all(p.slack));
+  };
+  descendOne<false>(
+      hierarchy, [&](float) __attribute__((always_inline)) { return all; }, near,
+      [&](const Block& block, unsigned lanes, const float*)
+          __attribute__((always_inline)) { return visitLanes(block, lanes, visit, context); });
+  return all;
+}
+
 /// What the way may meet is no farther from its begin than the way is long; both are known to within its error.
 template <class Lanes>
 void visitEdgesToPlace(const Hierarchy& hierarchy, const Place& from, const WayToPlace& to) {
