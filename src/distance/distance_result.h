@@ -58,10 +58,12 @@ DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, b
 /// The same of what is unscaled (PosedVertices::isUnscaled()): neither large nor far from the origin.
 inline DistanceResult plainResultOf(const DistancePair& pair, const EdgeDistance& nearest, bool meets, std::size_t i,
                                     std::size_t j, const DistanceQuery& options) {
-  if (options.margin > 0 || !(nearest.distance <= options.limit)) return resultOf(pair, nearest, meets, i, j, options);
+  const bool is_within = options.margin > 0 && !(EdgeDistances::below(nearest.distance) > options.margin);
+  const double distance = nearest.distance - options.margin;
+  if (is_within || !(distance <= options.limit)) return resultOf(pair, nearest, meets, i, j, options);
   const Vec2 point_a = plainPoint(pair.a, pair.pose_a, i, nearest.along_a);
   const Vec2 point_b = meets ? point_a : plainPoint(pair.b, pair.pose_b, j, nearest.along_b);
-  return inCallersOrder(pair, nearest.distance, point_a, point_b, static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
+  return inCallersOrder(pair, distance, point_a, point_b, static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
                         static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)));
 }
 

@@ -12,14 +12,20 @@ inline void checkOptions(const ImpactOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
 }
 
-/// checkMotion() of both, which most pass together: what isn't finite, or a sum that overflows, leaves NaN.
+/// Of a motion's numbers, its start's aside: NaN or infinite where one of them is, or a sum overflows.
+inline double sumOf(const Motion& m) {
+  const Double2 ways =
+      (load2(m.shift.data()) + load2(m.pivot.data())) + (load2(m.shift_2.data()) + load2(m.shift_3.data()));
+  return (ways[0] + ways[1]) + (m.angle + m.angle_2 + m.angle_3);
+}
+
+/// Whether checkMotion() lets a motion pass, as most do.
+inline bool isPlain(const Motion& motion) { return isPlainlyRigid(motion.start) && 0 * sumOf(motion) == 0; }
+
+/// checkMotion() of both, which most pass together.
 inline void checkMotions(const Motion& motion_a, const Motion& motion_b) {
-  const auto sum = [](const Motion& m) {
-    const Double2 ways =
-        (load2(m.shift.data()) + load2(m.pivot.data())) + (load2(m.shift_2.data()) + load2(m.shift_3.data()));
-    return (ways[0] + ways[1]) + (m.angle + m.angle_2 + m.angle_3);
-  };
-  if (defectOf(motion_a.start, motion_b.start) <= kRigidTolerance && 0 * (sum(motion_a) + sum(motion_b)) == 0) return;
+  if (defectOf(motion_a.start, motion_b.start) <= kRigidTolerance && 0 * (sumOf(motion_a) + sumOf(motion_b)) == 0)
+    return;
   checkMotion(motion_a, "motion_a");
   checkMotion(motion_b, "motion_b");
 }

@@ -16,11 +16,12 @@ namespace {
 void checkLegs(const std::vector<Leg>& legs) {
   if (legs.empty()) detail::refuse("legs", "a trajectory needs at least one");
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    const std::string name = "legs[" + std::to_string(i) + "]";
-    if (!(legs[i].begin < legs[i].end && std::isfinite(legs[i].end - legs[i].begin)))
-      detail::refuse(name, "it must end after its begin, both finite");
-    if (i > 0 && legs[i].begin != legs[i - 1].end) detail::refuse(name, "it must begin when the one before ends");
-    checkMotion(legs[i].motion, (name + ".motion").c_str());
+    const Leg& leg = legs[i];
+    const auto name = [&] { return "legs[" + std::to_string(i) + "]"; };
+    if (!(leg.begin < leg.end && std::isfinite(leg.end - leg.begin)))
+      detail::refuse(name(), "it must end after its begin, both finite");
+    if (i > 0 && leg.begin != legs[i - 1].end) detail::refuse(name(), "it must begin when the one before ends");
+    if (!detail::isPlain(leg.motion)) checkMotion(leg.motion, (name() + ".motion").c_str());
   }
 }
 
@@ -42,6 +43,7 @@ std::vector<Leg> legsBetween(const std::vector<Timed>& timed, const char* name, 
 template <typename Visit>
 void forEachWindow(const Trajectory& a, const Trajectory& b, Visit visit) {
   std::vector<double> times;
+  times.reserve(a.legs().size() + b.legs().size() + 2);
   for (const Trajectory* trajectory : {&a, &b}) {
     times.push_back(trajectory->begin());
     for (const Leg& leg : trajectory->legs()) times.push_back(leg.end);

@@ -14,9 +14,10 @@ namespace tricover::detail {
 /// may overflow.
 std::optional<Outcome> collideByEdges(const EdgeTest& test);
 
-/// Whether both polygons have a hierarchy, so that there is no need for the above.
+/// Whether both polygons have the hierarchies that are asked, a point's being none, so that there is no need for the
+/// above.
 inline bool haveHierarchies(const PolygonData& a, const PolygonData& b) {
-  return hierarchyIfBuilt(a) != nullptr && hierarchyIfBuilt(b) != nullptr;
+  return hierarchyIfBuilt(a) != nullptr && (b.isPoint() || hierarchyIfBuilt(b) != nullptr);
 }
 
 }  // namespace tricover::detail

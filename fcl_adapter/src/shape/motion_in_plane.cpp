@@ -25,6 +25,7 @@ using Vec3 = Eigen::Vector3d;
 /// In space: a turn about an axis through a pivot, which moves on.
 struct SpatialMotion {
   Vec3 shift = Vec3::Zero(), turn = Vec3::Zero(), pivot = Vec3::Zero();
+  Vec3 start;  ///< where the frame is that moves
 };
 
 /// FCL's constructor from two poses leaves the reference point uninitialised, and velocities and poses with it: what
@@ -53,19 +54,25 @@ struct Ends : fcl::InterpMotion<S> {
 template <typename S>
 std::optional<SpatialMotion> spatialMotion(const fcl::MotionBase<S>& motion) {
   const auto wide = [](const fcl::Vector3<S>& v) { return Vec3(v.template cast<double>()); };
+  const bool interpolates = typeid(motion) == typeid(fcl::InterpMotion<S>),
+             slides = typeid(motion) == typeid(fcl::TranslationMotion<S>),
+             screws = typeid(motion) == typeid(fcl::ScrewMotion<S>);
+  if (!(interpolates || slides || screws)) return std::nullopt;
+  const fcl::Transform3<S> begin = poseAt(motion, S(0));
   SpatialMotion result;
-  if (typeid(motion) == typeid(fcl::TranslationMotion<S>)) {
+  result.start = wide(begin.translation());
+  if (slides) {
     result.shift = wide(static_cast<const fcl::TranslationMotion<S>&>(motion).getVelocity());
-  } else if (typeid(motion) == typeid(fcl::InterpMotion<S>)) {
+  } else if (interpolates) {
     const auto& interpolation = static_cast<const fcl::InterpMotion<S>&>(motion);
     if (Ends<S>::areAlone(interpolation)) {
       result.shift = wide(Ends<S>::shift(interpolation));
     } else {
       result.shift = wide(interpolation.getLinearVelocity());
       result.turn = static_cast<double>(interpolation.getAngularVelocity()) * wide(interpolation.getAngularAxis());
-      result.pivot = poseAt(motion, S(0)).template cast<double>() * wide(interpolation.getReferencePoint());
+      result.pivot = begin.template cast<double>() * wide(interpolation.getReferencePoint());
     }
-  } else if (typeid(motion) == typeid(fcl::ScrewMotion<S>)) {
+  } else {
     const auto& screw = static_cast<const fcl::ScrewMotion<S>&>(motion);
     const auto angle = static_cast<double>(screw.getAngularVelocity());
     if (angle == 0) {
@@ -75,8 +82,6 @@ std::optional<SpatialMotion> spatialMotion(const fcl::MotionBase<S>& motion) {
       result.turn = angle * wide(screw.getAxis());
       result.pivot = wide(screw.getAxisOrigin());
     }
-  } else {
-    return std::nullopt;
   }
   return result;
 }
@@ -88,10 +93,9 @@ std::optional<SpatialMotion> spatialMotion(const fcl::MotionBase<S>& motion) {
 
 /// What a pose's own rounding may lift it by out of the plane.
 template <typename S>
-double roundingAround(const fcl::MotionBase<S>& motion, const Plane& plane, const Vec3& pivot) {
+double roundingAround(const Vec3& start, const Plane& plane, const Vec3& pivot) {
   return 8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
-         (plane.translation().norm() + poseAt(motion, S(0)).translation().template cast<double>().norm() +
-          pivot.norm());
+         (plane.translation().norm() + start.norm() + pivot.norm());
 }
 
 /// FCL keeps a spline's control points to itself and its heirs.
@@ -126,7 +130,8 @@ tricover::Motion splineInPlane(const fcl::SplineMotion<S>& spline, const Plane& 
     highest = k == 0 ? position.z() : std::max(highest, position.z());
     way = std::max(way, (positions[k] - positions[0]).norm());
   }
-  const double rise = kTiltTolerance * way + roundingAround(spline, plane, td[0].template cast<double>());
+  const Vec3 start = poseAt<S>(spline, S(0)).translation().template cast<double>();
+  const double rise = kTiltTolerance * way + roundingAround<S>(start, plane, td[0].template cast<double>());
   if ((turns && tilt > kTiltTolerance) || highest - lowest > rise) refuseDeparture(name);
   tricover::Motion in_plane = tricover::Motion::spline(positions, angles);
   in_plane.pivot = in_plane.start.translation();
@@ -214,7 +219,7 @@ std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>& motion, 
     refuse(name, "its shift, turn or pivot is not finite");
 
   // A tilt or rise is left out that poses may have, and what S rounds the places by that FCL finds the motion from.
-  const double rise = kTiltTolerance * shift.head<2>().norm() + roundingAround(motion, plane, world.pivot);
+  const double rise = kTiltTolerance * shift.head<2>().norm() + roundingAround<S>(world.start, plane, world.pivot);
   if (!(turn.head<2>().norm() <= kTiltTolerance && std::abs(shift.z()) <= rise)) refuseDeparture(name);
   tricover::Motion in_plane;
   in_plane.shift = shift.head<2>();

@@ -15,21 +15,20 @@ Vec2 middle(const Vec2& p, const Vec2& q) { return p / 2 + q / 2; }
 /// Whether the two edges cross, and go on to do so when either is moved a little, for certain: the ends of each are on
 /// both sides of the other's line. Rounding counts as touching.
 bool crossDeeply(const PlanarPair& pair, tricover::EdgeIndex edge_a, tricover::EdgeIndex edge_b) {
+  const Vec2 start_a = pair.a->edgeStart(edge_a), end_a = pair.a->edgeEnd(edge_a), start_b = pair.b->edgeStart(edge_b),
+             end_b = pair.b->edgeEnd(edge_b);
   // A posed vertex errs by less than 4 roundings of what it is added from, which this size bounds.
-  const auto size = [](const tricover::Polygon& polygon, const tricover::Pose& pose, tricover::EdgeIndex edge) {
-    return 3 * (polygon.edgeStart(edge).lpNorm<1>() + polygon.edgeEnd(edge).lpNorm<1>()) +
-           pose.translation().lpNorm<1>();
-  };
-  const double error = 0x1p-48 * (size(*pair.a, pair.pose_a, edge_a) + size(*pair.b, pair.pose_b, edge_b));
-  const Vec2 p = pair.pose_a * pair.a->edgeStart(edge_a), q = pair.pose_a * pair.a->edgeEnd(edge_a),
-             r = pair.pose_b * pair.b->edgeStart(edge_b), s = pair.pose_b * pair.b->edgeEnd(edge_b);
+  const double size = 3 * (start_a.lpNorm<1>() + end_a.lpNorm<1>() + start_b.lpNorm<1>() + end_b.lpNorm<1>()) +
+                      pair.pose_a.translation().lpNorm<1>() + pair.pose_b.translation().lpNorm<1>();
+  const double error = 0x1p-48 * size;
+  const Vec2 p = pair.pose_a * start_a, q = pair.pose_a * end_a, r = pair.pose_b * start_b, s = pair.pose_b * end_b;
   const auto separates = [error](const Vec2& from, const Vec2& to, const Vec2& left, const Vec2& right) {
     const Vec2 along = to - from;
     const auto above = [&](const Vec2& end) {
       return along.x() * (end.y() - from.y()) - along.y() * (end.x() - from.x());
     };
     const double least =
-        4 * error * (along.norm() + (left - from).norm() + (right - from).norm()) + 1e-300;  // underflow
+        4 * error * (along.lpNorm<1>() + (left - from).lpNorm<1>() + (right - from).lpNorm<1>()) + 1e-300;  // underflow
     return (above(left) > least && above(right) < -least) || (above(left) < -least && above(right) > least);
   };
   return separates(p, q, r, s) && separates(r, s, p, q);
