@@ -46,9 +46,6 @@ constexpr double kClearProduct = 0x1p-43;
 constexpr double kSide = 0x1p-44;
 static_assert(kSide >= 2 * kUnitRows * errorOf(10 + 4));
 
-/// Of units: what a gap is that floats don't tell from none; more are only asked in vain.
-constexpr float kFloatDoubt = 0x1p-17f;
-
 constexpr int kMostNear = 8;
 /// To features that others lead to: more would cost after a jump what the cache saves.
 constexpr int kMostSteps = 2;
@@ -58,7 +55,7 @@ class Facing {
  public:
   /// n leads away from the other polygon.
   Facing(const ConvexRing& ring, const Pose& pose, std::uint32_t first, bool is_edge, Double2 n)
-      : ring_(ring), first_(first), last_(is_edge ? ring_.next(first) : first) {
+      : ring_(ring), first_(first), last_(is_edge ? ring_.next(first) : first), before_(ring_.previous(first)) {
     const double* r = pose.data();  // columns of three
     const Double2 first_column{r[0], r[1]}, second_column{r[3], r[4]};
     axis_ = Double2{dot(first_column, n), dot(second_column, n)};
@@ -66,7 +63,7 @@ class Facing {
 
   /// The lesser one of how far the neighbours are behind; negative unless both are clearly so, see kLeastSlope.
   double depth(double distance) const {
-    const Double2 before = ring_.way(first_, ring_.previous(first_)), after = ring_.way(last_, ring_.next(last_));
+    const Double2 before = -ring_.edge(before_), after = ring_.edge(last_);
     const double h1 = dot(axis_, before), h2 = dot(axis_, after), least = std::min(h1, h2);
     constexpr double kSlopeSquare = kLeastSlope * kLeastSlope;
     const bool is_clear = least > kLeastDepth * distance && h1 * h1 > kSlopeSquare * dot(before, before) &&
@@ -76,10 +73,9 @@ class Facing {
 
   /// A neighbour that is ahead, and the edge that leads there; false if none is.
   bool isBehind(std::uint32_t& vertex, std::uint32_t& edge) const {
-    const std::uint32_t before = ring_.previous(first_), after = ring_.next(last_);
-    const double h1 = dot(axis_, ring_.way(first_, before)), h2 = dot(axis_, ring_.way(last_, after));
-    vertex = h1 < h2 ? before : after;
-    edge = h1 < h2 ? before : last_;
+    const double h1 = -dot(axis_, ring_.edge(before_)), h2 = dot(axis_, ring_.edge(last_));
+    vertex = h1 < h2 ? before_ : ring_.next(last_);
+    edge = h1 < h2 ? before_ : last_;
     return std::min(h1, h2) < 0;
   }
 
@@ -104,7 +100,7 @@ class Facing {
 
  private:
   const ConvexRing& ring_;
-  std::uint32_t first_, last_;
+  std::uint32_t first_, last_, before_;
   Double2 axis_;
 };
 
@@ -214,23 +210,31 @@ bool innerDiscsMeet(const PosedVertices& vertices) {
 
 }  // namespace
 
-NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried) {
+NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried, double defect) {
   NearestFeatures found;
   if (!vertices.isUnscaled()) return found;
   if (tried.kind != FeaturePair::kNone) found.were_tried = FeatureSearch(vertices, found).proveOnWay(tried);
   if (found.were_tried) return found;
-  found.seem_to_meet = innerDiscsMeet(vertices);
-  if (found.seem_to_meet) return found;
+  const bool discs_meet = innerDiscsMeet(vertices), is_crossing_wanted = defect != kNoCrossing;
   const SmallPolygon *a = hierarchyOf(vertices.a).small_convex, *b = hierarchyOf(vertices.b).small_convex;
-  const bool are_small = a != nullptr && b != nullptr;
-  ConvexGap guess{};
-  if (are_small) guess = convexGap(*a, *b, vertices.inUnits(0).map);  // a guess needs no bounds
-  found.seem_to_meet = are_small && !(guess.gap > -kFloatDoubt);
-  if (found.seem_to_meet) return found;
-  FeatureSearch search(vertices, found);
-  if (are_small && search.prove(guess)) return found;
-  // So that it doesn't depend on discs being there whether they seem to meet.
-  found.seem_to_meet = (are_small && !(guess.gap > 0)) || !search.prove(walkToNearest(vertices));
+  if (a == nullptr || b == nullptr) {
+    found.seem_to_meet = discs_meet || !FeatureSearch(vertices, found).prove(walkToNearest(vertices));
+    return found;
+  }
+  const UnitPlacement at = vertices.inUnits(defect);
+  ConvexSight seen;
+  if (!discs_meet) {
+    seen = is_crossing_wanted ? convexSight(*a, *b, at.map, at.rounding) : ConvexSight{convexGap(*a, *b, at.map)};
+    if (seen.gap > -kFloatDoubt) {
+      FeatureSearch search(vertices, found);
+      // So that it doesn't depend on discs being there whether they seem to meet.
+      if (search.prove(seen) || (seen.gap > 0 && search.prove(walkToNearest(vertices)))) return found;
+    }
+  }
+  found.seem_to_meet = true;
+  if (is_crossing_wanted && std::abs(at.map.tx) + std::abs(at.map.ty) < 4)
+    found.crossing =
+        !discs_meet && seen.gap == ConvexSight::kMeet ? seen.crossing() : convexCrossing(*a, *b, at.map, at.rounding);
   return found;
 }
 

@@ -6,14 +6,16 @@
 #include "convex/convex_ring.h"
 #include "convex/feature_walk.h"
 #include "convex/posed_vertices.h"
+#include "hierarchy/simd.h"
 
 namespace tricover::detail {
 
 /// What separating axes prove of two convex polygons without straight vertices (cornersOf()).
 struct NearestFeatures {
-  bool are_apart = false;     ///< if not, nothing is proven: they may meet, or be too near to tell
-  bool seem_to_meet = false;  ///< as far as floats see
-  bool were_tried = false;    ///< whether those to be tried first led here in a few steps
+  bool are_apart = false;           ///< if not, nothing is proven: they may meet, or be too near to tell
+  bool seem_to_meet = false;        ///< as far as floats see
+  ConvexCrossing crossing{-1, -1};  ///< of small ones that do, if it is wanted
+  bool were_tried = false;          ///< whether those to be tried first led here in a few steps
 
   // Of polygons apart.
   FeaturePair features;
@@ -25,7 +27,10 @@ struct NearestFeatures {
   double atLeast(const PosedVertices& vertices) const;
 };
 
-/// Features that were nearest at other poses are tried first.
-NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried);
+/// Features that were nearest at other poses are tried first. Who wants to know where they meet gives defectOf() the
+/// poses.
+constexpr double kNoCrossing = -1;
+NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried,
+                                    double defect = kNoCrossing);
 
 }  // namespace tricover::detail

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/convex_distance.h"
 
-#include <cmath>
-
-#include "convex/nearest_features.h"
 #include "distance/distance_facts.h"
 #include "distance/distance_search.h"
 #include "distance/edge_distance.h"
-#include "hierarchy/placement.h"
-#include "hierarchy/simd.h"
 
 namespace tricover::detail {
 namespace {
@@ -53,12 +48,7 @@ DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, 
 
 }  // namespace
 
-void findConvexOverlap(const DistancePair& pair, ConvexOverlap& found) {
-  const SmallPolygon *a = hierarchyOf(pair.a).small_convex, *b = hierarchyOf(pair.b).small_convex;
-  if (a == nullptr || b == nullptr) return;
-  const UnitPlacement at = pair.inUnits(pair.defect);
-  if (!(std::abs(at.map.tx) + std::abs(at.map.ty) < 4)) return;
-  const ConvexCrossing crossing = convexCrossing(*a, *b, at.map, at.rounding);
+void findConvexOverlap(const DistancePair& pair, const ConvexCrossing& crossing, ConvexOverlap& found) {
   if (crossing.edge_a < 0 || crossing.edge_b < 0) {
     found.inner_a = crossing.edge_a;
     found.inner_b = crossing.edge_b;
@@ -85,14 +75,14 @@ bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const Distan
   if (was_right) {
     overlap.edges = tried;
   } else {
-    const NearestFeatures nearest = findNearestFeatures(pair, tried);
+    const NearestFeatures nearest = findNearestFeatures(pair, tried, pair.defect);
     if (nearest.are_apart) {
       store(nearest.were_tried, nearest.features);
       result = resultOf(pair, nearest, options);
       return true;
     }
     if (!nearest.seem_to_meet) return false;
-    findConvexOverlap(pair, overlap);
+    findConvexOverlap(pair, nearest.crossing, overlap);
     if (!overlap.isFound()) return false;
   }
   store(was_right, overlap.edges);

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "convex/feature_walk.h"
+#include "convex/nearest_features.h"
 #include "distance/distance_result.h"
 #include "distance/options.h"
 
 namespace tricover::detail {
 
-/// Of two convex polygons without straight vertices (cornersOf()) that are clearly apart, or small ones (SmallPolygon) that clearly meet; false of
-/// others. Keeps the features that it finds in `cache`, unless it is null, and tries those first.
+/// Of two convex polygons without straight vertices (cornersOf()) that are clearly apart, or small ones (SmallPolygon)
+/// that clearly meet; false of others. Keeps the features that it finds in `cache`, unless it is null, and tries those
+/// first.
 bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options,
                     DistanceResult& result);
 
@@ -22,7 +24,7 @@ struct ConvexOverlap {
   bool isFound() const { return edges.kind != FeaturePair::kNone || isInside(); }
 };
 
-/// Of those that seem to meet (NearestFeatures). Found only where that is certain, and both are small.
-void findConvexOverlap(const DistancePair& pair, ConvexOverlap& found);
+/// Of those that seem to meet, where floats see them cross (NearestFeatures). Found only where that is certain.
+void findConvexOverlap(const DistancePair& pair, const ConvexCrossing& crossing, ConvexOverlap& found);
 
 }  // namespace tricover::detail

@@ -15,24 +15,6 @@ namespace {
 /// In either coordinate.
 using Twofold2 = Twofold<Double2>;
 
-Double2 both(double x) { return Double2{x, x}; }
-
-/// A matrix times (q - p).
-Twofold2 mappedDifference(const Double2 (&columns)[2], Double2 p, Double2 q) {
-  const Twofold2 difference = twoSum(q, -p);
-  const Twofold2 first = twoProduct(columns[0], both(difference.high[0]));
-  const Twofold2 second = twoProduct(columns[1], both(difference.high[1])), sum = twoSum(first.high, second.high);
-  const Double2 rest = columns[0] * difference.low[0] + columns[1] * difference.low[1];
-  return twoSum(sum.high, sum.low + (first.low + second.low + rest));
-}
-
-double crossProduct(const Twofold2& u, const Twofold2& w) {
-  const Twofold2 products = twoProduct(u.high, swapped(w.high));
-  const Double2 rest = products.low + (u.high * swapped(w.low) + u.low * swapped(w.high));
-  const Twofold2 difference = twoSum(both(products.high[0]), both(-products.high[1]));
-  return difference.high[0] + (difference.low[0] + (rest[0] - rest[1]));
-}
-
 double norm(Double2 u) { return std::sqrt(dot(u, u)); }
 
 /// A distance that is not 0 doesn't become so by rounding.
@@ -231,9 +213,9 @@ double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t 
   const Double2 products = plain * swapped(w.high);
   const double d = std::abs(products[0] - products[1]) / norm(plain);
   if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return d;
-  const Twofold2 u = mappedDifference(columns, v1, v2);
-  const double square = dot(u.high, u.high);
-  return square > 0x1p-900 ? std::abs(crossProduct(u, w)) / std::sqrt(square) : 0;
+  Double2 u;
+  const double area = twofoldArea(r, v1, v2, w, u), square = dot(u, u);
+  return square > 0x1p-900 ? std::abs(area) / std::sqrt(square) : 0;
 }
 
 EdgeDistance EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
@@ -286,15 +268,15 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
   const Twofold2 w = from(view.part[k] > 0.5 ? 1 : 0);
   if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
   const double* r = (end_of_b ? pose_a : pose_b).data();
-  const Double2 columns[] = {load2(r), load2(r + 3)};
-  const Twofold2 u = mappedDifference(columns, point(polygon, edge) * scale_, point(polygon, edge + 1) * scale_);
-  const double square = dot(u.high, u.high);
-  if (!(square > 0x1p-900)) return square == 0 ? answer(norm(w.high), 0) : exactCombination(k, i, j);
   const Twofold2 w1 = from(0), w2 = from(1);
-  const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u.high);
+  Double2 u;
+  const double area = twofoldArea(r, point(polygon, edge) * scale_, point(polygon, edge + 1) * scale_, w1, u);
+  const double square = dot(u, u);
+  if (!(square > 0x1p-900)) return square == 0 ? answer(norm(w.high), 0) : exactCombination(k, i, j);
+  const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u);
   if (along <= 0) return answer(norm(w1.high), 0);
-  if (sign * dot(w2.high, u.high) >= 0) return answer(norm(w2.high), 1);
-  return answer(std::abs(crossProduct(u, w1)) / std::sqrt(square), std::min(along / square, 1.0));
+  if (sign * dot(w2.high, u) >= 0) return answer(norm(w2.high), 1);
+  return answer(std::abs(area) / std::sqrt(square), std::min(along / square, 1.0));
 }
 
 EdgeDistance EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {

@@ -6,6 +6,7 @@
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/simd_function.h"
 #include "hierarchy/unit_map.h"
+#include "numbers/double_double.h"
 
 namespace tricover::detail {
 
@@ -226,6 +227,23 @@ struct ConvexCrossing {
 };
 extern Simd<ConvexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)>
     convexCrossing;
+
+/// In a's units: what a gap is that floats don't tell from none; more are only asked in vain.
+constexpr float kFloatDoubt = 0x1p-17f;
+
+/// convexGap(); or, where that isn't above -kFloatDoubt, convexCrossing()'s edges, and kMeet for the gap.
+struct ConvexSight : ConvexGap {
+  static constexpr float kMeet = -1e30f;
+  ConvexCrossing crossing() const { return {edge, vertex}; }
+};
+extern Simd<ConvexSight(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)> convexSight;
+
+/// R_b q + t - R_a p of two poses' columns, where t is `shift`: right to 100 U^2 of what is summed.
+extern Simd<void(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold<Double2>& shift,
+                 Twofold<Double2>& way)>
+    twofoldWay;
+/// R (q - p) x way, and the first of these, rounded.
+extern Simd<double(const double* pose, Double2 p, Double2 q, const Twofold<Double2>& way, Double2& along)> twofoldArea;
 
 /// A ray in a hierarchy's units: every point known to within `error`.
 struct Ray {

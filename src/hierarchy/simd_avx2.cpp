@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The SIMD functions in vectors of eight floats, for processors that have AVX2. Only what stands between push and pop
-// may use it: what is included before them (Eigen, the standard library) is compiled as everywhere else, so that no
-// inline function that other files share needs such a processor. Whatever simd_templates.h includes is therefore
-// included before it, too.
+// The SIMD functions in vectors of eight floats, for processors that have AVX2 and fused operations. Only what stands
+// between push and pop may use it: what is included before them (Eigen, the standard library) is compiled as everywhere
+// else, so that no inline function that other files share needs such a processor. Whatever simd_templates.h includes is
+// therefore included before it, too.
 #include <cassert>
 
 #include "hierarchy/axis_boxes.h"
 #include "hierarchy/inner_discs.h"
 #include "hierarchy/simd.h"
 #include "numbers/double2.h"
+#include "numbers/double_double.h"
 
 #ifdef __x86_64__
 
 #ifdef __clang__
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #else
 #pragma GCC push_options
-#pragma GCC target("avx2")
+#pragma GCC target("avx2,fma")
 #endif
 
 #include "hierarchy/simd_templates.h"
@@ -69,6 +70,10 @@ struct Avx2Doubles {
 struct Avx2Lanes {
   using Doubles = Avx2Doubles;
   Eight v;
+
+  [[gnu::always_inline]] static Double2 productRest(Double2 p, Double2 q, Double2 product) {
+    return Double2{__builtin_fma(p[0], q[0], -product[0]), __builtin_fma(p[1], q[1], -product[1])};
+  }
 
   [[gnu::always_inline]] static Avx2Lanes load(const float* p) { return {*reinterpret_cast<const EightAnywhere*>(p)}; }
   [[gnu::always_inline]] static Avx2Lanes all(float value) { return {value - Eight{}}; }

@@ -3,7 +3,8 @@
 //
 // Such a function is declared where others find it (simd.h, axis_boxes.h), named in the list below, and defined once,
 // as a template over its lanes. simd_portable.cpp and simd_avx2.cpp instantiate the list for what the target has anyway
-// (SSE2, NEON) and for AVX2. No operation is fused or reordered, so both give the same bits.
+// (SSE2, NEON) and for AVX2. No operation is reordered, and none is fused but what a product rounds off, which is exact
+// either way: so both give the same bits.
 #pragma once
 
 #include <atomic>
@@ -38,9 +39,9 @@ class Simd<Result(Arguments...)> {
   X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) X(visitEdgesToPlace) \
   X(showEdgesNear) X(visitEdgesOnWay) X(visitEdgesOnRay) X(visitEdgesAround) X(findEdgesOnWays) \
   X(cutWindows) X(depthInDiscs) X(innerDepth) X(convexMeet) \
-  X(convexGap) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
+  X(convexGap) X(convexEntry) X(convexCrossing) X(convexSight) X(fewEdgesMeet) \
   X(smallGaps) X(nearEdges) X(boxAround) X(boxesMeeting) X(boxesOnRay) X(boxesNear) \
-  X(measureDepths)
+  X(measureDepths) X(twofoldWay) X(twofoldArea)
 // clang-format on
 
 #ifdef __x86_64__

@@ -66,6 +66,10 @@ struct PortableLanes {
   using Doubles = PortableDoubles;
   Four low, high;
 
+  [[gnu::always_inline]] static Double2 productRest(Double2 p, Double2 q, Double2 product) {
+    return detail::productRest(p, q, product);
+  }
+
   [[gnu::always_inline]] static PortableLanes load(const float* p) {
     return {*reinterpret_cast<const FourAnywhere*>(p), *reinterpret_cast<const FourAnywhere*>(p + 4)};
   }
@@ -111,7 +115,7 @@ TRICOVER_SIMD_FUNCTIONS(TRICOVER_DEFINE)
 #define TRICOVER_USE(function) function = &simd::function<simd::PortableLanes>;
 void usePortableLanes(bool portable) {
 #ifdef __x86_64__
-  if (!portable && __builtin_cpu_supports("avx2")) return useAvx2();
+  if (!portable && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return useAvx2();
 #endif
   TRICOVER_SIMD_FUNCTIONS(TRICOVER_USE)
 }

@@ -69,7 +69,7 @@ double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, 
   return (deepest - slack) / (2.0 * (static_cast<double>(a.radius[0]) + radius[0]) * (1 + 0x1p-10));
 }
 
-/// Of eight or sixteen edges or vertices; where there are eight, the second ones are less than any.
+/// Of eight or sixteen edges or vertices; where there are eight, no second one is above any.
 template <class Lanes>
 struct Values {
   Lanes first, second;
@@ -78,7 +78,7 @@ struct Values {
 /// Of those from 0 and, if there are more, from kLanes on.
 template <class Lanes, class Value>
 [[gnu::always_inline]] inline Values<Lanes> valuesOf(int lanes, Value value) {
-  return {value(0), lanes > kLanes ? value(kLanes) : Lanes::all(-1e30f)};
+  return {value(0), lanes > kLanes ? value(kLanes) : Lanes::all(-__builtin_inff())};
 }
 
 /// The first of the largest.
@@ -146,47 +146,65 @@ template <class Lanes>
 }
 
 /// The edge with the highest score: that of a normal from its polygon to the other, turned to lead from a to b, and of
-/// how far the other is beyond the edge.
+/// how far the other is beyond the edge. b's vertices are at x, y.
 template <class Lanes, class Score>
 [[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
-                                                 Score score) {
-  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
-  mapVertices<Lanes>(b, map, x, y);
+                                                 const float* x, const float* y, Score score) {
+  float bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
   const FloatMap to_a(map);
-  const Largest of_a = largestOf<Lanes>(valuesOf<Lanes>(
-      a.lanes, [&](int i) __attribute__((always_inline)) {
-        const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i);
-        return score(nx, ny, beyond(nx, ny, Lanes::load(a.d + i), x, y, b.count));
-      }));
-  const Largest of_b = largestOf<Lanes>(valuesOf<Lanes>(
-      b.lanes, [&](int i) __attribute__((always_inline)) {
-        const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
-        const Lanes nx = to_a.turnedX(bnx, bny), ny = to_a.turnedY(bnx, bny);
-        const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
-        return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.count));
-      }));
-  if (of_a.value >= of_b.value) {
-    const int e = of_a.index;
-    return {of_a.value, e, farthestBack<Lanes>(x, y, b.lanes, a.nx[e], a.ny[e]), true};
+  const auto of_a = [&](int i) __attribute__((always_inline)) {
+    const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i);
+    return score(nx, ny, beyond(nx, ny, Lanes::load(a.d + i), x, y, b.count));
+  };
+  const auto of_b = [&](int i) __attribute__((always_inline)) {
+    const Lanes own_x = Lanes::load(b.nx + i), own_y = Lanes::load(b.ny + i);
+    const Lanes nx = to_a.turnedX(own_x, own_y), ny = to_a.turnedY(own_x, own_y);
+    nx.store(bnx + i);
+    ny.store(bny + i);
+    const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
+    return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.count));
+  };
+  Largest best;
+  bool is_of_a;
+  if (a.lanes + b.lanes == 2 * kLanes) {  // all at once
+    best = largestOf<Lanes>({of_a(0), of_b(0)});
+    is_of_a = best.index < kLanes;
+    best.index &= kLanes - 1;
+  } else {
+    const Largest best_a = largestOf<Lanes>(valuesOf<Lanes>(a.lanes, of_a));
+    const Largest best_b = largestOf<Lanes>(valuesOf<Lanes>(b.lanes, of_b));
+    is_of_a = best_a.value >= best_b.value;
+    best = is_of_a ? best_a : best_b;
   }
-  const int e = of_b.index;
-  const float nx = to_a.turnedX(b.nx[e], b.ny[e]), ny = to_a.turnedY(b.nx[e], b.ny[e]);
-  return {of_b.value, e, farthestBack<Lanes>(a.x, a.y, a.lanes, nx, ny), false};
+  const int e = best.index;
+  const int vertex = is_of_a ? farthestBack<Lanes>(x, y, b.lanes, a.nx[e], a.ny[e])
+                             : farthestBack<Lanes>(a.x, a.y, a.lanes, bnx[e], bny[e]);
+  return {best.value, e, vertex, is_of_a};
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline ConvexGap widestGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
+                                                  const float* x, const float* y) {
+  return bestEdge<Lanes>(
+      a, b, map, x, y, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
 }
 
 template <class Lanes>
 ConvexGap convexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map) {
-  return bestEdge<Lanes>(
-      a, b, map, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
+  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
+  mapVertices<Lanes>(b, map, x, y);
+  return widestGap<Lanes>(a, b, map, x, y);
 }
 
 template <class Lanes>
 ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y,
                       double margin) {
-  const float x = static_cast<float>(-way_x), y = static_cast<float>(-way_y), beside = static_cast<float>(margin);
+  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
+  mapVertices<Lanes>(b, map, x, y);
+  const float to_x = static_cast<float>(-way_x), to_y = static_cast<float>(-way_y), beside = static_cast<float>(margin);
   return bestEdge<Lanes>(
-      a, b, map, [&](Lanes nx, Lanes ny, Lanes gap) __attribute__((always_inline)) {
-        return (gap - beside) / larger(nx * x + ny * y, Lanes::all(1e-30f));
+      a, b, map, x, y, [&](Lanes nx, Lanes ny, Lanes gap) __attribute__((always_inline)) {
+        return (gap - beside) / larger(nx * to_x + ny * to_y, Lanes::all(1e-30f));
       });
 }
 
@@ -240,12 +258,11 @@ template <class Lanes>
   return most.index < b.count ? most.index : b.count - 1;
 }
 
-/// An edge of b leads out of a from a vertex in it, or across it; or one of them lies in the other, by more than
-/// rounding, which is as in convexMeet().
+/// An edge of b, whose vertices are at x, y, leads out of a from a vertex in it, or across it; or one of them lies in
+/// the other, by more than rounding, which is as in convexMeet().
 template <class Lanes>
-ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
-  float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
-  mapVertices<Lanes>(b, map, x, y);
+[[gnu::always_inline]] inline ConvexCrossing crossingOf(const SmallPolygon& a, const SmallPolygon& b,
+                                                        const UnitMap& map, double rounding, float* x, float* y) {
   const Lanes limit = Lanes::all(-static_cast<float>(8 * rounding + map.error));
   unsigned in = 0, shallow = 0;
   for (int i = 0; i < b.lanes; i += kLanes) {
@@ -268,6 +285,23 @@ ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, cons
     if (above(out, limit) != 0) return {-1, -1};
   }
   return {0, -1};
+}
+
+template <class Lanes>
+ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
+  float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
+  mapVertices<Lanes>(b, map, x, y);
+  return crossingOf<Lanes>(a, b, map, rounding, x, y);
+}
+
+template <class Lanes>
+ConvexSight convexSight(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
+  float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
+  mapVertices<Lanes>(b, map, x, y);
+  const ConvexGap gap = widestGap<Lanes>(a, b, map, x, y);
+  if (gap.gap > -kFloatDoubt) return {gap};
+  const ConvexCrossing crossing = crossingOf<Lanes>(a, b, map, rounding, x, y);
+  return {{ConvexSight::kMeet, crossing.edge_a, crossing.edge_b, false}};
 }
 
 }  // namespace tricover::detail::simd

@@ -146,7 +146,7 @@ class Slide {
       way = -way;
     }
     guess = convexEntry(*a, *b, map, way[0], way[1], reach);
-    return guess.edge < (guess.of_a ? a : b)->count;  // one beyond where all scores are below any that matter
+    return true;
   }
 
   static const SmallPolygon* smallOf(const PolygonData& polygon) {

@@ -16,7 +16,7 @@ struct Twofold {
 
 /// p + q, exactly (Knuth), unless it overflows.
 template <typename Real>
-Twofold<Real> twoSum(Real p, Real q) {
+[[gnu::always_inline]] inline Twofold<Real> twoSum(Real p, Real q) {
   const Real sum = p + q, from_q = sum - p;
   return {sum, (p - (sum - from_q)) + (q - from_q)};
 }

@@ -268,6 +268,21 @@ TEST(ConvexImpact, DiscsMeetWhereTheirCentresAreSoFarApart) {
   EXPECT_LE(hits, 0.9 * count);
 }
 
+/// What stands still deep in each other no edge parts sooner or later: one that there is, all the same.
+TEST(ConvexImpact, WhatStandsStillHasAnEdgeThatPartsIt) {
+  for (const int n : {3, 8, 12})
+    for (const int m : {3, 8, 12}) {
+      const Polygon a({regular(n, 5)}), b({regular(m, 4)});
+      const SmallPolygon &ring_a = *hierarchyOf(a.data()).small, &ring_b = *hierarchyOf(b.data()).small;
+      const UnitMap map = {1, 0, 0, 1, 0, 0, b.data().unit * a.data().inverse_unit, 0};
+      const ConvexGap entry = convexEntry(ring_a, ring_b, map, 0, 0, 0);
+      EXPECT_LT(entry.edge, entry.of_a ? ring_a.count : ring_b.count) << n << " x " << m;
+      const std::optional<Impact> impact = timeOfImpact(a, {}, b, {});
+      ASSERT_TRUE(impact.has_value()) << n << " x " << m;
+      EXPECT_EQ(impact->time, 0);
+    }
+}
+
 /// Trees are for those that come near.
 TEST(TimeOfImpact, BuildsNothingWhereDiscsStayApart) {
   const Polygon a({rectangle(-1, -1, 1, 1)}), b({rectangle(-1, -1, 1, 1)});

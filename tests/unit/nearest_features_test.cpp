@@ -76,8 +76,8 @@ Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
   Found found;
   if (cornersOf(pair.a) != &pair.a || cornersOf(pair.b) != &pair.b) return found;
   const DistancePair in_order = inOrder(pair);
-  static_cast<NearestFeatures&>(found) = findNearestFeatures(in_order, tried);
-  if (found.seem_to_meet) findConvexOverlap(in_order, found.overlap);
+  static_cast<NearestFeatures&>(found) = findNearestFeatures(in_order, tried, in_order.defect);
+  if (found.seem_to_meet) findConvexOverlap(in_order, found.crossing, found.overlap);
   if (found.are_apart) found.meeting = Meeting::Apart;
   if (found.overlap.isFound()) found.meeting = Meeting::Meet;
   EXPECT_FALSE(found.are_apart && found.overlap.isFound());

@@ -30,5 +30,5 @@ MUTATIONS = [
     ("src/distance/small_distance.cpp", "std::min(reach, 2 * kFar) * factor + slack;", "std::min(reach, 2 * kFar) * factor;", "small polygons: pairs left out by floats' errors"),
     ("src/convex/separating_edge.h", "beside.gap > beside.error;", "beside.gap > 0;", "convex: an edge that parts them but for rounding"),
     ("src/convex/separating_edge.cpp", "gap = to_first + least.below_first;", "gap = to_first;", "convex: an edge that one vertex is beyond"),
-    ("src/convex/posed_vertices.cpp", "(sums + shift_rest_)", "sums", "two-fold ways: what the shift was rounded by"),
+    ("src/hierarchy/simd_twofold.h", "(sums + shift.low)", "sums", "two-fold ways: what the shift was rounded by"),
 ]
