@@ -72,14 +72,6 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   return {outcome.collides, inWorld(outcome.clearance, at.scale_defect), outcome.edge_a, outcome.edge_b, outcome.by};
 }
 
-/// What discs leave open; `defect` is defectOf() the poses.
-[[gnu::always_inline]] inline bool collideClose(const Placement& placement, double defect,
-                                                const CollideOptions& options, bool boxes_meet) {
-  if (!haveHierarchies(placement.a, placement.b)) return collideAnew(placement, options);
-  const EdgeTest test(placement, options);
-  return collideByHierarchy(placement.inUnits(defect), test, 0, Wanted::Answer, boxes_meet).collides;
-}
-
 /// `resting` is a cache whose facts rest: until discs don't answer any more, which are sooner asked, and then for so
 /// many queries.
 [[gnu::always_inline]] inline bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
@@ -89,11 +81,61 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
   if (resting != nullptr) rest(*resting, a, pose_a, b, pose_b);
-  return collideClose(placement, defect, options, false);
+  if (!haveHierarchies(a, b)) return collideAnew(placement, options);
+  return collideByHierarchy(placement.inUnits(defect), EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 [[gnu::noinline]] bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      const CollideOptions& options) {
   return collideAfresh(a, pose_a, b, pose_b, defectOf(pose_a, pose_b), options, nullptr);
+}
+
+/// Two polygons by what is known of each in the world.
+struct CloseUps : Placement {
+  CloseUps(const CloseUp& of_a, const CloseUp& of_b)
+      : Placement(of_a.polygon, of_a.pose, of_b.polygon, of_b.pose),
+        way(of_b.center - of_a.center),
+        way_error(of_a.error + of_b.error),
+        defect(of_a.defect + of_b.defect) {}
+
+  UnitPlacement inUnits() const {
+    return {a,
+            b,
+            turnedToA(columns_b_[0]),
+            turnedToA(columns_b_[1]),
+            turnedToA(way) * a.inverse_unit,
+            1.1 * way_error,
+            1.1 * defect,
+            defect,
+            defect};
+  }
+
+  Double2 way;
+  double way_error, defect;
+};
+
+/// What isn't few edges, or not known to be.
+[[gnu::noinline]] bool searchClose(const CloseUp& a, const CloseUp& b, bool may_hold, const CollideOptions& options) {
+  const Placement placement(a.polygon, a.pose, b.polygon, b.pose);
+  if (!haveHierarchies(a.polygon, b.polygon)) return collideAnew(placement, options);
+  return collideByHierarchy(placement.inUnits(a.defect + b.defect), EdgeTest(placement, options), 0, Wanted::Answer,
+                            may_hold)
+      .collides;
+}
+
+/// In the kernel's order. Few edges are asked without the boxes around everything: those along the world's axes meet,
+/// and these would hardly part them any more.
+[[gnu::always_inline]] inline bool collideInOrder(const CloseUp& a, const CloseUp& b, bool may_hold,
+                                                  const CollideOptions& options) {
+  const Hierarchy *of_a = hierarchyIfBuilt(a.polygon), *of_b = hierarchyIfBuilt(b.polygon);
+  if (of_a == nullptr || of_b == nullptr || !areSmall(*of_a, *of_b) || options.margin > 0 || b.polygon.isDegenerate())
+    return searchClose(a, b, may_hold, options);
+  const CloseUps pair(a, b);
+  const UnitPlacement at = pair.inUnits();
+  if (!areNear(at.map)) return searchClose(a, b, may_hold, options);
+  const EdgeTest test(pair, options);
+  const Meeting meeting = allEdgesMeet(at, *of_a, *of_b, test);
+  return meeting == Meeting::Unknown ? searchTrees(at, test, 0, Wanted::Answer, may_hold).collides
+                                     : meeting == Meeting::Meet;
 }
 
 /// What finding it has cost, in quarters of the query: more than by boxes, or by few edges, which are asked at once,
@@ -198,14 +240,11 @@ void renewFactApart(const PolygonData& a, const Pose& pose_a, const PolygonData&
   keptFact(a, pose_a, b, pose_b, cache, recollection, options, true);
 }
 
-bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
-                  const CollideOptions& options) {
+bool collideClose(const CloseUp& a, const CloseUp& b, bool may_hold, const CollideOptions& options) {
   if (asksForInteriors(options))
-    return collideClose(a, pose_a, b, pose_b, defect, {}) && interiorsMeet(a, pose_a, b, pose_b);
-  return inKernelOrder(
-      a, pose_a, b, pose_b,
-      [&](const auto&... operands) { return collideClose(Placement(operands...), defect, options, true); },
-      [](bool) {});
+    return collideClose(a, b, may_hold, {}) && interiorsMeet(a.polygon, a.pose, b.polygon, b.pose);
+  const bool in_order = inOrder(a.polygon, a.pose, b.polygon, b.pose);
+  return collideInOrder(in_order ? a : b, in_order ? b : a, may_hold, options);
 }
 
 }  // namespace detail

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "numbers/double2.h"
 #include "pair/facts.h"
 #include "pair/outcome.h"
 #include "polygon/polygon_data.h"
@@ -32,9 +33,17 @@ bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, c
 void renewFactApart(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                     CollisionFact& cache, const Recollection& recollection, const CollideOptions& options);
 
+/// A posed polygon, and what a query of many pairs finds of it once.
+struct CloseUp {
+  const PolygonData& polygon;
+  const Pose& pose;
+  Double2 center;  ///< its S in the world
+  double error;    ///< how far off that is, in any direction
+  double defect;   ///< defectOf() the pose
+};
+
 /// collide() of arguments that have been checked, in any order, by what comes after discs and boxes along the world's
-/// axes have been asked; `defect` is defectOf() the poses.
-bool collideClose(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
-                  const CollideOptions& options);
+/// axes have been asked. Unless one region may hold a ring of the other, that isn't asked any more.
+bool collideClose(const CloseUp& a, const CloseUp& b, bool may_hold, const CollideOptions& options);
 
 }  // namespace tricover::detail

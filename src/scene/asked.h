@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -35,6 +36,7 @@ class Asked {
         pose_(pose),
         options_(options),
         discs_(polygon, pose, defect),
+        close_up_(discs_.of(polygon, pose)),
         has_few_(polygon.path.size() <= kFew),
         has_own_box_(has_few_),
         bounds_(has_few_ ? boundsOf(polygon, pose, options.margin)
@@ -47,17 +49,15 @@ class Asked {
     return !body.clear.holds(bounds_);
   }
 
-  /// What discs know.
-  enum class Glance { Apart, Near, Meets };
-  Glance glance(const SceneState::BodyState& body) const {
+  /// Whether inner discs meet.
+  bool meetsInside(const SceneState::BodyState& body) const {
     WorldDiscs found;
     const WorldDiscs& discs = body.discs.of(body.polygon.data(), body.pose, found);
     const double margin = marginSum(options_.margin, body.options.margin);
-    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + margin)) return Glance::Apart;
-    if (!isWithin(discs.inner - discs_.inner, discs_.inner_radius + discs.inner_radius + margin)) return Glance::Near;
+    if (!isWithin(discs.inner - discs_.inner, discs_.inner_radius + discs.inner_radius + margin)) return false;
     // Points and segments have discs without an interior.
     const bool are_open = discs_.inner_radius > 0 && discs.inner_radius > 0;
-    return are_open || !asksForInteriors(sumWith(body)) ? Glance::Meets : Glance::Near;
+    return are_open || !asksForInteriors(sumWith(body));
   }
 
   /// The less, the likelier the body meets: by the area that both boxes share. (By the way between inner discs, which
@@ -71,22 +71,24 @@ class Asked {
   /// The truth, where discs don't know it, of a body that is near.
   bool meetsClose(Slot slot) const {
     const SceneState::BodyState& body = state_.bodies[slot];
+    const PolygonData& polygon = body.polygon.data();
     // It may have been near to the disc's box alone.
     if (!has_few_ && (!state_.tree.boundsOf(slot).meets(bounds()) || body.clear.holds(bounds_))) return false;
     WorldDiscs found;
-    const double defect = discs_.defect + body.discs.of(body.polygon.data(), body.pose, found).defect;
+    const WorldDiscs& discs = body.discs.of(polygon, body.pose, found);
     const CollideOptions sum = sumWith(body);
-    if (collideClose(polygon_, pose_, body.polygon.data(), body.pose, defect, sum)) return true;
-    if (sum.touching == Touching::Collides && body.clear.mayLearn())
-      body.clear.learn(body.polygon.data(), body.pose, body.options.margin, state_.tree.boundsOf(slot), bounds_);
+    if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + sum.margin)) return false;
+    // The first one has the best chances. Of the others many are apart along the diagonals.
+    if (++looks_ > 1 && areApartAlongDiagonals(body)) return false;
+    if (collideClose(close_up_, discs.of(polygon, body.pose), mayHold(slot, polygon, discs), sum)) return true;
+    // Of what isn't large beside the polygon nothing is learned.
+    if (discs.radius > discs_.radius && body.clear.mayLearn() && sum.touching == Touching::Collides)
+      body.clear.learn(polygon, body.pose, body.options.margin, state_.tree.boundsOf(slot), bounds_);
     return false;
   }
 
   /// The truth of any body that is near.
-  bool meets(Slot slot) const {
-    const Glance answer = glance(state_.bodies[slot]);
-    return answer == Glance::Near ? meetsClose(slot) : answer == Glance::Meets;
-  }
+  bool meets(Slot slot) const { return meetsInside(state_.bodies[slot]) || meetsClose(slot); }
 
   /// Around all that is within the margin: found by the first body that is near, or in any case where vertices are few.
   const Bounds& bounds() const {
@@ -98,6 +100,23 @@ class Asked {
   const Bounds& surroundings() const { return bounds_; }
 
  private:
+  bool areApartAlongDiagonals(const SceneState::BodyState& body) const {
+    const Bounds others = body.discs.diagonalsOf(body.polygon.data(), body.pose);
+    return !others.meets(diagonals().grown(roundedUp<8>(body.options.margin)));
+  }
+
+  /// Whether one region may lie in the other. Few edges are asked at once, and need not know.
+  bool mayHold(Slot slot, const PolygonData& polygon, const WorldDiscs& discs) const {
+    if ((has_few_ && polygon.path.size() <= kFew) || polygon.ringCount() + polygon_.ringCount() > 2) return true;
+    return discs_.mayBeIn(state_.tree.boundsOf(slot)) || discs.mayBeIn(bounds());
+  }
+
+  /// The same along the diagonals.
+  const Bounds& diagonals() const {
+    if (!diagonals_) diagonals_ = boundsOf(polygon_, alongDiagonals(pose_), options_.margin);
+    return *diagonals_;
+  }
+
   CollideOptions sumWith(const SceneState::BodyState& body) const { return withBody(options_, body.options); }
 
   const SceneState& state_;
@@ -105,9 +124,11 @@ class Asked {
   const Pose& pose_;
   const CollideOptions& options_;
   const WorldDiscs discs_;
+  const CloseUp close_up_;
   const bool has_few_;
   mutable bool has_own_box_;
-  mutable int shown_ = 0;
+  mutable int shown_ = 0, looks_ = 0;
+  mutable std::optional<Bounds> diagonals_;
   mutable Bounds bounds_;
 };
 

@@ -10,8 +10,8 @@ namespace tricover {
 namespace detail {
 
 Slot findMet(const SceneState& state, const Asked& asked, const SlotFilter& filter) {
-  // All discs first: one that is met spares all that is near. What is near waits, and the likeliest comes first: by
-  // keys, so that no branch depends on their order.
+  // All inner discs first: one that is met spares all that is near. What is near waits, and the likeliest comes first:
+  // by keys, so that no branch depends on their order.
   Slot near[kLanes];
   LaneKeys others;
   std::int64_t first = kNoLane;
@@ -20,9 +20,7 @@ Slot findMet(const SceneState& state, const Asked& asked, const SlotFilter& filt
   state.tree.visit(asked.surroundings(), [&](Slot body, const Bounds& box) {
     const auto& other = state.bodies[body];
     if (!state.passes(filter, body) || !asked.isNear(other, box)) return true;
-    const Asked::Glance glance = asked.glance(other);
-    if (glance == Asked::Glance::Apart) return true;
-    if (glance == Asked::Glance::Meets || (count == kLanes && asked.meetsClose(body))) {
+    if (asked.meetsInside(other) || (count == kLanes && asked.meetsClose(body))) {
       met = body;
       return false;
     }

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <limits>
 
+#include "hierarchy/axis_boxes.h"
 #include "hierarchy/hierarchy.h"
 #include "numbers/double2.h"
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
+#include "pair/find_fact.h"
 #include "polygon/polygon_data.h"
+#include "scene/bounds.h"
 #include "tricover/pose.h"
 
 namespace tricover::detail {
@@ -19,8 +23,8 @@ struct WorldDiscs {
   WorldDiscs() = default;
   WorldDiscs(const PolygonData& polygon, const Pose& pose, double defect_) : defect(defect_) {
     const double* m = pose.data();  // columns of three
-    const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6), away = absolute(t);
-    const double error = Placement::kWayError * (polygon.extent + away[0] + away[1]) + kTiny;
+    const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
+    const double error = errorOf(polygon, pose);
     const InnerDisc disc(polygon);
     center = r0 * polygon.origin.x() + r1 * polygon.origin.y() + t;
     radius = polygon.radius * (1 + kLargestDefect) + error;
@@ -29,14 +33,31 @@ struct WorldDiscs {
         disc.radius >= 0 ? disc.radius * (1 - kLargestDefect) - error : -std::numeric_limits<double>::infinity();
   }
 
+  /// How far off the centres are, in any direction.
+  static double errorOf(const PolygonData& polygon, const Pose& pose) {
+    const Double2 away = absolute(load2(pose.data() + 6));
+    return Placement::kWayError * (polygon.extent + away[0] + away[1]) + kTiny;
+  }
+
+  /// These are the polygon's and its pose's.
+  CloseUp of(const PolygonData& polygon, const Pose& pose) const {
+    return {polygon, pose, center, errorOf(polygon, pose), defect};
+  }
+
+  /// Whether the region may lie in a box: some of it, the inner disc, is known.
+  bool mayBeIn(const Bounds& box) const {
+    return (bitsOf(box.low() <= inner - inner_radius) & bitsOf(inner + inner_radius <= box.high())) == 3;
+  }
+
   Double2 center, inner;
   double radius;
   double inner_radius;  ///< -infinity if no such disc is known
   double defect;        ///< defectOf() the pose
 };
 
-/// A body's, found by the first query that comes near, on whichever thread, and kept until it moves. (A base, so that
-/// its padding holds the state: a body takes four cache lines.)
+/// A body's, found by the first query that comes near, on whichever thread, and kept until it moves; and its box along
+/// the world's diagonals. (A base, so that its padding holds the states: a body takes little more than four cache
+/// lines.)
 class KeptDiscs : private WorldDiscs {
  public:
   KeptDiscs() = default;
@@ -45,10 +66,14 @@ class KeptDiscs : private WorldDiscs {
     const bool kept = other.state_.load(std::memory_order_acquire) == kKept;
     if (kept) WorldDiscs::operator=(other);
     state_.store(kept ? kKept : kNone, std::memory_order_relaxed);
+    diagonals_state_.store(kNone, std::memory_order_relaxed);
     return *this;
   }
 
-  void forget() { state_.store(kNone, std::memory_order_relaxed); }
+  void forget() {
+    state_.store(kNone, std::memory_order_relaxed);
+    diagonals_state_.store(kNone, std::memory_order_relaxed);
+  }
 
   /// `found` is where they are put if they can't be kept yet: not before the polygon's discs have been built.
   const WorldDiscs& of(const PolygonData& polygon, const Pose& pose, WorldDiscs& found) {
@@ -56,17 +81,44 @@ class KeptDiscs : private WorldDiscs {
     const bool is_known = polygon.isDegenerate() || innerDiscsIfBuilt(polygon) != nullptr;
     found = WorldDiscs(polygon, pose, defectOf(pose));
     if (!is_known) return found;
-    char none = kNone;
-    if (state_.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) {
-      WorldDiscs::operator=(found);
-      state_.store(kKept, std::memory_order_release);
-    }
+    keep(state_, [&] { WorldDiscs::operator=(found); });
+    return found;
+  }
+
+  /// Around the polygon alongDiagonals().
+  Bounds diagonalsOf(const PolygonData& polygon, const Pose& pose) {
+    if (diagonals_state_.load(std::memory_order_acquire) == kKept)
+      return {diagonals_[0], diagonals_[1], diagonals_[2], diagonals_[3]};
+    const Bounds found = boundsOf(polygon, alongDiagonals(pose), 0);
+    keep(diagonals_state_, [&] {
+      diagonals_[0] = floatBelow(found.min_x), diagonals_[1] = floatBelow(found.min_y);
+      diagonals_[2] = -floatBelow(-found.max_x), diagonals_[3] = -floatBelow(-found.max_y);
+    });
     return found;
   }
 
  private:
   static constexpr char kNone = 0, kBeingKept = 1, kKept = 2;
-  std::atomic<char> state_{kNone};
+
+  /// The first one does.
+  template <typename Store>
+  static void keep(std::atomic<char>& state, Store store) {
+    char none = kNone;
+    if (!state.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) return;
+    store();
+    state.store(kKept, std::memory_order_release);
+  }
+
+  /// At most x: floats are rounded by 2^-24 of themselves, and what they can't tell is far beyond.
+  static float floatBelow(double x) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    if (!(std::abs(x) < kMost))
+      return x > 0 ? std::numeric_limits<float>::max() : -std::numeric_limits<float>::infinity();
+    return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+  }
+
+  std::atomic<char> state_{kNone}, diagonals_state_{kNone};
+  float diagonals_[4];
 };
 
 }  // namespace tricover::detail

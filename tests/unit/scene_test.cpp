@@ -11,6 +11,7 @@
 
 #include "polygon/cache_access.h"
 #include "shapes.h"
+#include "tricover/prepare.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -124,6 +125,34 @@ TEST(Scene, AsksMoreBodiesThanAreKeptInOrder) {
 
 /// Two bodies whose distances differ by an ulp that rounding makes: whichever comes first, the nearest is the one that
 /// distance() says.
+TEST(Scene, MeetsBeyondTheFirstWithinTheMarginAlongADiagonal) {
+  const auto diamond = [](double r) { return Polygon({{{r, 0}, {0, r}, {-r, 0}, {0, -r}}}); };
+  Scene scene;
+  scene.add(diamond(3), pose(0, -2.02, -2.02));                   // shares more of the box, and is apart
+  const Polygon beside({{{0.5, 0.6}, {1.6, -0.5}, {1.6, 0.6}}});  // by 0.0707
+  const Scene::Body body = scene.add(beside, pose(0, 0, 0), {0.08});
+  EXPECT_TRUE(scene.collides(diamond(1), pose(0, 0, 0)));
+  scene.setOptions(body, {0.06});
+  EXPECT_FALSE(scene.collides(diamond(1), pose(0, 0, 0)));
+}
+
+TEST(Scene, MeetsWhatLiesWithinAndFarFromTheLargestDisc) {
+  // A sickle, and something of many edges, too, in its slim end.
+  Ring sickle, bean;
+  for (int i = 0; i <= 20; ++i) sickle.push_back({10 * std::cos(0.3 * i), 10 * std::sin(0.3 * i)});
+  for (int i = 20; i >= 0; --i) sickle.push_back({1 + 8 * std::cos(0.3 * i), 8 * std::sin(0.3 * i)});
+  for (int i = 0; i < 20; ++i) bean.push_back({0.3 * std::cos(0.3 * i), 0.2 * std::sin(0.3 * i)});
+  const Polygon outer({sickle}), inner({bean});
+  prepare(outer), prepare(inner);
+  Scene outside, inside;
+  outside.add(outer, pose(0, 0, 0));
+  inside.add(inner, pose(0, 9.5, 0.6));
+  EXPECT_TRUE(outside.collides(inner, pose(0, 9.5, 0.6)));
+  EXPECT_TRUE(inside.collides(outer, pose(0, 0, 0)));
+  EXPECT_FALSE(outside.collides(inner, pose(0, 5, 0)));
+  EXPECT_FALSE(inside.collides(outer, pose(0, 4.5, 0.6)));
+}
+
 TEST(Scene, NearestIsNoMatterOfWhoComesFirst) {
   const Polygon square({rectangle(0, 0, 1, 1)});
   const Pose asked = Pose::Identity();
