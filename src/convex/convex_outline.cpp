@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "numbers/convex_hull.h"
@@ -26,6 +27,10 @@ ConvexOutline makeOutline(const PolygonData& polygon) {
   ConvexOutline outline;
   if (convexity.direction != 0) {
     outline.corners = convexity.corners;
+    if (!convexity.has_others) {
+      outline.corners.resize(polygon.path.size() - 1);
+      std::iota(outline.corners.begin(), outline.corners.end(), std::size_t{0});
+    }
     outline.forward = convexity.direction > 0;
     if (!outline.forward) std::reverse(outline.corners.begin(), outline.corners.end());
     const auto leftmost =

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "hierarchy/simd_function.h"
@@ -55,15 +56,26 @@ struct InnerDiscs : Derived::Thing {
 /// edge, which is `half` from its ends.
 struct SmallPolygon {
   static constexpr int kMost = 2 * kLanes;
-  float x[kMost], y[kMost], nx[kMost], ny[kMost], d[kMost], middle[kMost], half[kMost];
-  float low_x, low_y, high_x, high_y;  ///< of the vertices
-  int lanes;                           ///< kLanes or kMost
-  int count;                           ///< of edges
-  unsigned edges;                      ///< a bit for each
+  float *x, *y, *nx, *ny, *d, *middle, *half;  ///< for each lane
+  float low_x, low_y, high_x, high_y;          ///< of the vertices
+  int lanes;                                   ///< kLanes or kMost
+  int count;                                   ///< of edges
+  unsigned edges;                              ///< a bit for each
   unsigned firsts, lasts;        ///< the first and the last edge of each ring; lanes beyond the count are one more
   std::uint8_t next[kMost];      ///< the vertex at which an edge ends
   std::uint8_t position[kMost];  ///< an edge's, in the path
   FillRule fill;
+
+  SmallPolygon() = default;
+  SmallPolygon(const SmallPolygon&) = delete;
+  SmallPolygon& operator=(const SmallPolygon&) = delete;
+  /// With its lanes behind it, in one allocation: polygons of few vertices are many.
+  static void* operator new(std::size_t size, int lanes) {
+    return ::operator new(size + kArrays * static_cast<std::size_t>(lanes) * sizeof(float));
+  }
+  static void operator delete(void* place) { ::operator delete(place); }
+  static void operator delete(void* place, int) { ::operator delete(place); }
+  static constexpr std::size_t kArrays = 7;
 
   /// Of bits of vertices, those of the vertices at which edges end: each bit moves to the edge before it in its ring,
   /// that of a ring's first vertex to the last edge: where it is set, the difference clears the last edge's bit, and no

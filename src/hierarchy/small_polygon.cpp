@@ -27,11 +27,21 @@ void addRings(const PolygonData& polygon, SmallPolygon& small) {
 
 }  // namespace
 
+std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes) {
+  std::unique_ptr<SmallPolygon> small(new (lanes) SmallPolygon{});
+  small->lanes = lanes;
+  auto* values = reinterpret_cast<float*>(small.get() + 1);
+  for (float** array : {&small->x, &small->y, &small->nx, &small->ny, &small->d, &small->middle, &small->half}) {
+    *array = values;
+    values = std::fill_n(values, lanes, 0.0f);
+  }
+  return small;
+}
+
 std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const std::vector<Vec2>& local) {
   const std::size_t n = polygon.path.size() - polygon.ringCount();
   if (n > SmallPolygon::kMost) return nullptr;
-  auto small = std::make_unique<SmallPolygon>();
-  small->lanes = n > kLanes ? SmallPolygon::kMost : kLanes;
+  std::unique_ptr<SmallPolygon> small = emptySmallPolygon(n > kLanes ? SmallPolygon::kMost : kLanes);
   small->count = static_cast<int>(n);
   small->edges = (1u << n) - 1;
   small->fill = polygon.fill;

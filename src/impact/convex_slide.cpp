@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <memory>
 
 #include "convex/convex_ring.h"
 #include "convex/separating_edge.h"
 #include "hierarchy/placement.h"
+#include "hierarchy/small_polygon.h"
 #include "impact/cubic.h"
 #include "numbers/rigidity.h"
 #include "numbers/rounding.h"
@@ -23,13 +24,13 @@ bool slides(const PolygonData& polygon, const Motion& motion) {
   return !turns && wayOf(motion).isStraight();
 }
 
-/// A point as convexEntry() takes it: of lanes that are all that vertex, and of no edges.
-SmallPolygon smallPoint() {
-  SmallPolygon point{};
-  std::fill(std::begin(point.d), std::end(point.d), 1e30f);
-  point.lanes = kLanes;
-  point.count = 1;
-  return point;
+/// A point as convexEntry() takes it: of lanes that are all that vertex, and of no edges. It is never destroyed:
+/// polygons may be asked while the program ends.
+const SmallPolygon* makeSmallPoint() {
+  std::unique_ptr<SmallPolygon> point = emptySmallPolygon(kLanes);
+  std::fill_n(point->d, kLanes, 1e30f);
+  point->count = 1;
+  return point.release();
 }
 
 double lengthOne(Double2 v) {
@@ -150,8 +151,8 @@ class Slide {
   }
 
   static const SmallPolygon* smallOf(const PolygonData& polygon) {
-    static const SmallPolygon point = smallPoint();
-    return polygon.isPoint() ? &point : hierarchyOf(polygon).small_convex;
+    static const SmallPolygon* const point = makeSmallPoint();
+    return polygon.isPoint() ? point : hierarchyOf(polygon).small_convex;
   }
 
   /// Where along the edge a vertex of the other polygon is at a time, times the edge's length.

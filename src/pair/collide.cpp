@@ -38,8 +38,8 @@ std::optional<Outcome> findConvexFact(const PolygonData& a, const Pose& pose_a, 
   const NearestFeatures nearest = findNearestFeatures(vertices, tried);
   const double apart = nearest.are_apart ? nearest.atLeast(vertices) : 0;
   if (!(apart > margin)) return std::nullopt;
-  return Outcome{false, apart, static_cast<std::ptrdiff_t>(convexityOf(a).corners[nearest.features.edge_a]),
-                 static_cast<std::ptrdiff_t>(convexityOf(b).corners[nearest.features.edge_b])};
+  return Outcome{false, apart, static_cast<std::ptrdiff_t>(convexityOf(a).corner(nearest.features.edge_a)),
+                 static_cast<std::ptrdiff_t>(convexityOf(b).corner(nearest.features.edge_b))};
 }
 
 /// Of polygons of which one lacks a hierarchy, for now or until now.

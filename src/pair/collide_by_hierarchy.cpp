@@ -21,7 +21,7 @@ Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test) {
   ConvexGap best;
   const Meeting meeting = convexMeet(a, b, at.map, at.rounding, best);
   if (meeting != Meeting::Unknown) return meeting;
-  const std::size_t edge = convexityOf(best.of_a ? test.a : test.b).corners[static_cast<std::size_t>(best.edge)];
+  const std::size_t edge = convexityOf(best.of_a ? test.a : test.b).corner(static_cast<std::size_t>(best.edge));
   const bool are_apart = isSeparatingEdge(test.placement(), best.of_a, static_cast<std::uint32_t>(edge));
   return are_apart ? Meeting::Apart : meeting;
 }

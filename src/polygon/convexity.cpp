@@ -54,11 +54,9 @@ bool findCorners(const PolygonData& polygon, Convexity& convexity) {
 
 Convexity::Convexity(const PolygonData& polygon) {
   const bool is_convex = findCorners(polygon, *this);
-  if (!is_convex) {
-    direction = 0;
-    corners = std::vector<std::size_t>();  // without its memory
-  }
+  if (!is_convex) direction = 0;
   has_others = is_convex && corners.size() + 1 < polygon.path.size();
+  if (!has_others) corners = std::vector<std::size_t>();  // without its memory
   by_corners = has_others ? polygon.reducedTo(corners) : is_convex ? &polygon : nullptr;
 }
 

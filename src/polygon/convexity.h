@@ -15,10 +15,12 @@ namespace tricover::detail {
 struct Convexity : Derived::Thing {
   explicit Convexity(const PolygonData& polygon);
   ~Convexity() override;
+  /// Of a convex polygon, as a position in the path.
+  std::size_t corner(std::size_t k) const { return has_others ? corners[k] : k; }
 
   int direction = 0;                 ///< 1 counter-clockwise, -1 clockwise, 0 not convex
   bool has_others = false;           ///< convex, and not all vertices are corners
-  std::vector<std::size_t> corners;  ///< as positions in the path, which increase; none unless convex
+  std::vector<std::size_t> corners;  ///< if it has others: as positions in the path, which increase
   const PolygonData* by_corners;     ///< see cornersOf()
   Derived outline;                   ///< by its corners alone, or of its hull
 };

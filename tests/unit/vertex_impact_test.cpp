@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hierarchy/simd.h"
+#include "hierarchy/small_polygon.h"
 #include "numbers/segment.h"
 #include "portable_lanes.h"
 #include "random.h"
@@ -95,10 +96,11 @@ TEST(VertexImpact, LooksAtTheEdgesInReach) {
   for (int i = 0; i < scaledCount(4000); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const auto anyPoint = [&](double size) { return Vec2(size * random.real(-1, 1), size * random.real(-1, 1)); };
-    SmallPolygon edges{};
+    const int count = random.integer(1, SmallPolygon::kMost);
+    const auto made = emptySmallPolygon(count > kLanes ? SmallPolygon::kMost : kLanes);
+    SmallPolygon& edges = *made;
     FewWays ways{};
-    edges.count = random.integer(1, SmallPolygon::kMost);
-    edges.lanes = edges.count > kLanes ? SmallPolygon::kMost : kLanes;
+    edges.count = count;
     edges.edges = (1u << edges.count) - 1;
     std::vector<Vec2> begin, end;
     for (int e = 0; e < edges.count; ++e) {
