@@ -1,13 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "tricover/export.h"
+#include "tricover/pair_cache.h"
 #include "tricover/polygon.h"
 #include "tricover/touching.h"
 
 namespace tricover {
+namespace detail {
+
+/// What the last searches knew about squares of the plane of b's translations: the first nine cells are a square and
+/// those around it.
+struct SearchHints {
+  enum Kind : std::uint8_t { Unknown, Divided, Met, Blocked, Done };
+  struct Cell {
+    std::uint32_t first = 0;   ///< the first of its four parts; or of two edges that meet on all of it, if any do
+    std::uint32_t second = 0;  ///< the other one
+    float until = 0;           ///< Done, as far away as that less what `moved` is by then
+    Kind kind = Unknown;
+  };
+
+  std::uint64_t first_id = 0;  ///< of the polygons, in the kernel's own order (0: none)
+  std::uint64_t second_id = 0;
+  double first_turn[4] = {1, 0, 0, 1};  ///< R of their poses, by columns
+  double second_turn[4] = {1, 0, 0, 1};
+  double margin = 0;  ///< in the pair's units, as all lengths here
+  double noise = 0;   ///< what places were wrong by
+  // Where b's S is from a's, in the world.
+  double center[2] = {0, 0};  ///< in the middle of that square
+  double place[2] = {0, 0};   ///< when it was asked for last
+  double limit[2] = {0, 0};   ///< at the end of the shortest translation, and beside that
+  double parting[2] = {0, 0};
+  double moved = 0;  ///< in all, since there were hints
+  double half = 0;   ///< of the square's side
+  std::vector<Cell> cells;
+  /// What bounds all that overlaps, likewise, if it isn't much.
+  struct Segment {
+    double from[2], to[2];
+    bool both_sides;
+  };
+  std::vector<Segment> segments;
+
+  std::uint32_t searches = 0;
+  std::uint32_t looks = 0;  ///< cells that a search without hints had to look at
+  FactBalance balance;
+};
+
+}  // namespace detail
 
 /// What is to be parted, and how much that may cost.
 struct PenetrationOptions {
@@ -65,5 +108,26 @@ struct Penetration {
 /// \snippet penetration.cpp penetration
 TRICOVER_EXPORT std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b,
                                                        const Pose& pose_b, const PenetrationOptions& options = {});
+
+/// What one pair of polygons remembers of its last penetrations: where the search for them found nothing, had to look
+/// closely, and which edges met. What a turn may change is proven anew. So such a cache, like a PairCache, may be
+/// copied, another pair's, lost or stale. It isn't part of a PairCache since it grows with what is searched, up to some
+/// 100 KB.
+///
+/// PenetrationCache{} is empty. Not to be used by two threads at once, nor to be kept longer than the process lives.
+///
+/// \snippet penetration.cpp penetration with cache
+class PenetrationCache {
+ private:
+  friend struct detail::CacheAccess;
+  detail::SearchHints facts_;
+};
+
+/// The same for two polygons that move by small steps: best where they don't turn. To the precision above the depth is
+/// that of penetration() without a cache; of several shortest ways it may be another one. Convex pairs make no use of
+/// it.
+TRICOVER_EXPORT std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                                       const Pose& pose_b, PenetrationCache& cache,
+                                                       const PenetrationOptions& options = {});
 
 }  // namespace tricover

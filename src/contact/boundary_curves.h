@@ -102,6 +102,18 @@ class BoundaryCurves {
     }
   }
 
+  /// Calls offer(p, error) where lines cross the segment v w; of what may bound a face nothing is left out.
+  template <typename Offer>
+  void forEachCrossing(const Vec2& v, const Vec2& w, Offer offer) const {
+    for (const Line& line : lines_) {
+      const Vec2 u = line.w - line.v;
+      const double area = cross(u, w - v), length = u.norm() * (w - v).norm();
+      if (!(std::abs(area) > 0x1p-40 * length)) continue;
+      const double s = cross(v - line.v, w - v) / area;
+      if (s >= -0x1p-20 && s <= 1 + 0x1p-20) offer(line.v + s * u, 2 * noise_ * length / std::abs(area));
+    }
+  }
+
   /// A way along which curves leave a point, and on which of its sides, seen along it, free translations may be.
   struct Ray {
     double angle;

@@ -34,8 +34,10 @@ class PartingLimits {
   /// Looks at all that may be the nearest limit in a square, of a circumcircle of that radius, if the curves are all
   /// that come near it: the nearest point of a free face of the curves' arrangement is the nearest point, an end or a
   /// crossing of them. False if some are yet to be found in its parts.
+  ///
+  /// reach: how far away from 0 it looks, at least as far as the best is; then, how far away nothing is free.
   bool find(const BoundaryCurves& curves, const Vec2& center, double half, double radius, TranslationProbe& probe,
-            BestParting& best);
+            BestParting& best, double& reach);
 
  private:
   struct PossibleLimit {
@@ -45,7 +47,7 @@ class PartingLimits {
 
   bool decideTouch(const Vec2& p, const Vec2& along, double radius, TranslationProbe& probe, BestParting& best) const;
   bool decide(const PossibleLimit& limit, const BoundaryCurves& curves, double radius, TranslationProbe& probe,
-              BestParting& best);
+              BestParting& best, double& reach);
 
   const double margin_, noise_, resolution_;
   std::vector<PossibleLimit> limits_;

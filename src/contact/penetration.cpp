@@ -16,6 +16,7 @@
 #include "numbers/segment.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
+#include "polygon/cache_access.h"
 #include "tricover/collide.h"
 
 namespace tricover {
@@ -173,7 +174,7 @@ bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const Po
 }
 
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                               const PenetrationOptions& options, std::size_t most) {
+                               const PenetrationOptions& options, std::size_t most, SearchHints* hints) {
   const ConvexOutline &outline_a = convexOutlineOf(a), &outline_b = convexOutlineOf(b);
   const PosedPair pair(a, pose_a, b, pose_b);
   const double margin = options.margin;
@@ -181,8 +182,9 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   if (margin > 0 && (are_convex || std::isfinite(options.depth_error))) {
     const bool are_apart = areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, Vec2::Zero(), 0);
     if (are_apart || !are_convex) {
-      const Penetration way =
-          are_apart ? nearestWithout(pair) : penetrationInOrder(a, pose_a, b, pose_b, {0, options.depth_error}, most);
+      const Penetration way = are_apart
+                                  ? nearestWithout(pair)
+                                  : penetrationInOrder(a, pose_a, b, pose_b, {0, options.depth_error}, most, hints);
       if (way.optimal || options.depth_error > 0)
         if (const auto result = straightOn(pair, way, margin, are_convex)) return *result;
     }
@@ -203,7 +205,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.optimal = true;
   } else {
     space.prepareSearch(known.norm());
-    shortest = searchShortestParting(space, known, options.depth_error, most);
+    shortest = searchShortestParting(space, known, options.depth_error, most, margin > 0 ? nullptr : hints);
     features = featuresOf(space, shortest);
     if (shortest.limit != known) {
       const double length = shortest.limit.norm();
@@ -234,21 +236,34 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   return result;
 }
 
-}  // namespace detail
+namespace {
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                                       const PenetrationOptions& options) {
-  detail::requireNotNegative(options.depth_error, "depth_error");
+                                       SearchHints* hints, const PenetrationOptions& options) {
+  requireNotNegative(options.depth_error, "depth_error");
   if (!collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching})) return std::nullopt;
-  return detail::inKernelOrder(
+  return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return detail::penetrationInOrder(operands..., options); },
+      [&](const auto&... operands) { return penetrationInOrder(operands..., options, kMostTranslations, hints); },
       [](Penetration& p) {
         p.normal = -p.normal;
         p.translation = -p.translation;
         std::swap(p.point_a, p.point_b);
         std::swap(p.edge_a, p.edge_b);
       });
+}
+
+}  // namespace
+}  // namespace detail
+
+std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                       const PenetrationOptions& options) {
+  return detail::penetration(a, pose_a, b, pose_b, nullptr, options);
+}
+
+std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+                                       PenetrationCache& cache, const PenetrationOptions& options) {
+  return detail::penetration(a, pose_a, b, pose_b, &detail::factsIn(cache), options);
 }
 
 }  // namespace tricover

@@ -61,14 +61,4 @@ bool TranslationProbe::see(const MeetingEdges& meeting, const Vec2& t, double ra
   return depth >= radius;
 }
 
-bool TranslationProbe::meetAround(const Vec2& center, double radius) {
-  Vec2 t = center;
-  bool held = false;
-  forEachPair(space_.at(t), 0, [&](double gap, std::size_t i, std::size_t j) {
-    held = gap <= 0 && see(space_.meetingOf(i, j), center, radius);
-    return held ? -1.0 : 0.0;
-  });
-  return held;
-}
-
 }  // namespace tricover::detail

@@ -27,8 +27,6 @@ class TranslationProbe {
 
   /// Whether two edges meet after all translations within `radius` of t; if they may after some, they are kept.
   bool see(const MeetingEdges& meeting, const Vec2& t, double radius);
-  /// The same of all edges that meet after the translation t.
-  bool meetAround(const Vec2& center, double radius);
   /// Whether a meeting that is kept holds all within `radius` of t.
   bool overlapAround(const Vec2& t, double radius);
 

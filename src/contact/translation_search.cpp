@@ -39,6 +39,7 @@
 #include <vector>
 
 #include "contact/boundary_curves.h"
+#include "contact/known_cells.h"
 #include "contact/parting_limits.h"
 #include "contact/translation_probe.h"
 #include "contact/uncovered.h"
@@ -50,10 +51,8 @@ constexpr double kDiagonal = 1.4142135623730951;
 /// A search of more queries than this goes on with both regions covered by discs, if inner discs of both overlapped in
 /// one of them: otherwise what is searched is too shallow, or the regions too thin, for discs to hold much of it.
 constexpr std::size_t kLong = 10;
-/// Beyond so many segments on lines that are known already, a cell is tried to be covered; by about so many
-/// parallelograms.
+/// Beyond so many segments on lines that are known already, a cell is tried to be covered.
 constexpr std::size_t kMostRepeated = 128;
-constexpr int kMostTries = 24;
 /// A cell is decided by no more curves than these: fewer where gathering them costs as much as anything.
 constexpr std::size_t kMostInherited = 24, kMostGathered = 12;
 /// How far beyond a cell's circumcircle its segments are gathered, so that samples around a point of it are understood.
@@ -75,74 +74,152 @@ struct Cell {
   Vec2 center;
   double half;
   std::shared_ptr<const Legacy> legacy;
+  std::uint32_t number;  ///< among the known ones
 };
 struct Farther {
   bool operator()(const Cell& c, const Cell& d) const { return c.least > d.least; }
 };
 
-Cell makeCell(const Vec2& center, double half, std::shared_ptr<const Legacy> legacy) {
+Cell makeCell(const Vec2& center, double half, std::shared_ptr<const Legacy> legacy, std::uint32_t number) {
   return {std::hypot(std::max(std::abs(center.x()) - half, 0.0), std::max(std::abs(center.y()) - half, 0.0)), center,
-          half, std::move(legacy)};
+          half, std::move(legacy), number};
 }
 
 class PartingSearch {
  public:
-  PartingSearch(TranslationSpace& space, const Vec2& known, double error, std::size_t most)
+  PartingSearch(TranslationSpace& space, const Vec2& known, double error, std::size_t most, SearchHints* hints)
       : space_(space),
         enough_(1 / (1 + error)),
         most_(most),
         margin_(space.margin()),
         resolution_(16 * space.noise()),
         curves_(margin_, space.noise(), resolution_),
+        known_(space, hints),
         probe_(space),
         limits_(space, resolution_),
         best_{{known, known, 0}, known.norm()} {}
 
   ShortestParting run() {
-    std::priority_queue<Cell, std::vector<Cell>, Farther> cells;
     auto all_sums = std::make_shared<const DiscSums>();
     bool are_covered = false;
-    cells.push(makeCell(Vec2::Zero(), best_.length * (1 + 0x1p-20),
-                        std::make_shared<const Legacy>(Legacy{nullptr, {}, segmentsOfFew(), space_.areFew()})));
-    while (!cells.empty() && cells.top().least < enough_ * best_.length) {
-      const Cell cell = cells.top();
+    tryLast();
+    begin();
+    while (!cells_.empty() && cells_.top().least < enough_ * best_.length) {
+      const Cell cell = cells_.top();
       best_.found.lower_bound = std::max(best_.found.lower_bound, cell.least);
-      if (probe_.queries() >= most_) return best_.found;
-      cells.pop();
+      if (probe_.queries() >= most_) return finished();
+      cells_.pop();
+      if (known_.areFacts() && known_.isDivided(cell.number)) {
+        divide(cell, inherited(cell));
+        continue;
+      }
       if (probe_.queries() > kLong && discs_overlap_ && !are_covered) {
         are_covered = true;
         all_sums = std::make_shared<const DiscSums>(space_.discSums());
       }
       auto sums = cell.legacy->sums != nullptr ? cell.legacy->sums : all_sums;
-      if (decide(cell, *sums)) continue;
-      const double half = cell.half / 2, radius = cell.half * kDiagonal;
+      held_by_ = {KnownCells::kNone, KnownCells::kNone};
+      reach_ = 0;
+      const Verdict verdict = decide(cell, *sums);
+      if (verdict == Verdict::Held) known_.block(cell.number, held_by_);
+      if (verdict == Verdict::Done && known_.areKept()) done_.push_back({cell, reach_ - 2 * resolution_});
+      if (verdict != Verdict::Open) continue;
       if (sums->areMany())
-        sums = std::make_shared<const DiscSums>(sums->near(cell.center, radius));
+        sums = std::make_shared<const DiscSums>(sums->near(cell.center, cell.half * kDiagonal));
       else if (!are_covered)
         sums = nullptr;
       const bool knows_segments = cell.legacy->knows_segments;
-      const auto legacy = std::make_shared<const Legacy>(
-          Legacy{std::move(sums), probe_.meetings(), knows_segments ? segments_ : Segments(), knows_segments});
-      for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)}) {
-        Cell part = makeCell(cell.center + way, half, legacy);
-        if (part.least < best_.length) cells.push(std::move(part));
-      }
+      divide(cell, std::make_shared<const Legacy>(Legacy{std::move(sums), probe_.meetings(),
+                                                         knows_segments ? segments_ : Segments(), knows_segments}));
     }
-    const double left = cells.empty() ? best_.length : cells.top().least;
+    const double left = cells_.empty() ? best_.length : cells_.top().least;
     best_.found.lower_bound = std::max(0.0, std::min(left, best_.length - resolution_ - best_.error));
-    return best_.found;
+    return finished();
   }
 
  private:
-  /// Whether nothing shorter than the best is left to be found in the cell.
-  bool decide(const Cell& cell, const DiscSums& sums) {
+  /// The last way out is the first to be tried; after a turn a little farther, too.
+  void tryLast() {
+    const auto last = known_.last();
+    if (!last) return;
+    if (known_.areFacts()) {
+      Vec2 parting = last->parting;
+      if (last->limit.norm() < best_.length && probe_.isFree(parting)) best_.improve(last->limit, parting);
+      return;
+    }
+    for (const double farther : {1.0, 1.01, 1.05}) {
+      Vec2 t = farther * last->parting;
+      if (!(t.norm() < best_.length)) return;
+      if (probe_.isFree(t)) return best_.improve(t, t);
+    }
+  }
+
+  void begin() {
+    const KnownCells::Square whole = known_.begin(best_.length);
+    const bool knows_segments = space_.areFew();
+    const auto legacy = std::make_shared<const Legacy>(
+        Legacy{nullptr, {}, knows_segments ? segmentsAround() : Segments(), knows_segments});
+    constexpr double kAside[] = {0, 2, -2};
+    for (std::uint32_t k = 0; k < (known_.areKept() ? 9 : 1); ++k)
+      add(makeCell(whole.center + whole.half * Vec2(kAside[k % 3], kAside[k / 3]), whole.half, legacy,
+                   known_.areKept() ? k : KnownCells::kNone));
+  }
+
+  void add(Cell cell) {
+    if (cell.least < best_.length && !known_.isBlocked(cell.number) && !known_.isDone(cell.number, best_.length))
+      cells_.push(std::move(cell));
+  }
+
+  /// Of a cell that is divided without a look.
+  std::shared_ptr<const Legacy> inherited(const Cell& cell) {
+    if (!cell.legacy->knows_segments || cell.legacy->segments.size() < 16) return cell.legacy;
+    narrow(cell, cell.half * kDiagonal * (1 + 0x1p-40));
+    return std::make_shared<const Legacy>(Legacy{cell.legacy->sums, {}, segments_, true});
+  }
+
+  void divide(const Cell& cell, const std::shared_ptr<const Legacy>& legacy) {
+    const double half = cell.half / 2;
+    std::uint32_t part = known_.divide(cell.number);
+    for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)}) {
+      add(makeCell(cell.center + way, half, legacy, part));
+      if (part != KnownCells::kNone) ++part;
+    }
+  }
+
+  ShortestParting finished() {
+    // The search has shown that nothing shorter than the bound is free.
+    const double bound = best_.found.lower_bound;
+    for (const auto& [cell, reach] : done_) {
+      const Vec2 farthest = cell.center.cwiseAbs() + Vec2::Constant(cell.half);
+      if (farthest.norm() < bound)
+        known_.block(cell.number);
+      else
+        known_.finish(cell.number, std::max(reach, bound));
+    }
+    known_.keep({best_.found.limit, best_.found.parting}, looks_);
+    best_.found.looks = looks_;
+    return best_.found;
+  }
+
+  /// Of a cell: nothing shorter than the best is left to be found in it; or even no free translation.
+  enum class Verdict { Open, Done, Held };
+
+  Verdict decide(const Cell& cell, const DiscSums& sums) {
     probe_.countQuery();
     const double radius = cell.half * kDiagonal * (1 + 0x1p-40);
     probe_.leave();
-    if (sums.hold(cell.center, radius)) return true;
+    if (const auto edges = known_.metOn(cell.number))
+      if (see(space_.meetingOf(edges->first, edges->second), cell.center, radius)) return Verdict::Held;
+    const bool is_divided = cell.half > resolution_ && known_.isDivided(cell.number);
+    if (!is_divided && sums.hold(cell.center, radius)) return Verdict::Held;
     for (const MeetingEdges& meeting : cell.legacy->meetings)
-      if (probe_.see(meeting, cell.center, radius)) return true;
-    if (cell.half <= resolution_) return true;
+      if (see(meeting, cell.center, radius)) return Verdict::Held;
+    if (is_divided) {
+      if (cell.legacy->knows_segments) narrow(cell, radius);
+      return Verdict::Open;
+    }
+    if (cell.half <= resolution_) return Verdict::Done;
+    ++looks_;
     // A cell that holds a free translation isn't covered.
     const bool holds_limit = (best_.found.limit - cell.center).lpNorm<Eigen::Infinity>() <= cell.half;
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
@@ -152,26 +229,53 @@ class PartingSearch {
     };
     const std::size_t most = holds_limit ? kAll : kMostRepeated;
     Gathered gathered = knows_segments ? curvesAround(most) : Gathered::Many;
-    if (gathered != Gathered::Lines && !probe_.overlaps() && ask(cell.center, radius)) return true;
+    if (gathered != Gathered::Lines && !probe_.overlaps()) {
+      const Verdict verdict = ask(cell.center, radius);
+      if (verdict != Verdict::Open) return verdict;
+    }
     if (!knows_segments) gathered = curvesAround(most);
-    if (knows_segments && gathered != Gathered::Lines && probe_.meetAround(cell.center, radius)) return true;
+    if (knows_segments && gathered != Gathered::Lines && meetAround(cell.center, radius)) return Verdict::Held;
     if (gathered == Gathered::Repeated) {
-      switch (cover(cell)) {
+      switch (coverSquare(cell.center, cell.half, resolution_, space_, probe_)) {
         case Cover::Whole:
-          return true;
+          return Verdict::Held;
         case Cover::Most:
-          return false;
+          return Verdict::Open;
         case Cover::Little:
           gathered = curvesAround(kAll);
       }
     }
-    if (gathered != Gathered::Lines) return gathered == Gathered::Deep;
+    if (gathered == Gathered::Deep) return Verdict::Held;
+    if (gathered != Gathered::Lines) return Verdict::Open;
     // No line: the answer at the centre is that of the whole cell.
-    return curves_.isEmpty() || limits_.find(curves_, cell.center, cell.half, radius, probe_, best_);
+    if (curves_.isEmpty()) return Verdict::Done;
+    double reach = best_.length + known_.lookahead();
+    const bool looks_ahead = reach > best_.length;
+    const bool is_done = limits_.find(curves_, cell.center, cell.half, radius, probe_, best_, reach);
+    if (looks_ahead) reach_ = reach;
+    return is_done ? Verdict::Done : Verdict::Open;
+  }
+
+  /// Whether two edges meet on all of a cell: these hold it.
+  bool see(const MeetingEdges& meeting, const Vec2& center, double radius) {
+    const bool holds = probe_.see(meeting, center, radius);
+    if (holds) held_by_ = {meeting.edge_a, meeting.edge_b};
+    return holds;
+  }
+
+  /// The same for any that meet in its centre.
+  bool meetAround(const Vec2& center, double radius) {
+    Vec2 t = center;
+    bool holds = false;
+    forEachPair(space_.at(t), 0, [&](double gap, std::size_t i, std::size_t j) {
+      holds = gap <= 0 && see(space_.meetingOf(i, j), center, radius);
+      return holds ? -1.0 : 0.0;
+    });
+    return holds;
   }
 
   /// Whether the kernel's answer at a cell's centre is that of the whole cell.
-  bool ask(const Vec2& center, double radius) {
+  Verdict ask(const Vec2& center, double radius) {
     Vec2 t = center;
     const PosedPair pair = space_.at(t);
     radius += (t - center).norm() * (1 + 0x1p-40);
@@ -179,21 +283,34 @@ class PartingSearch {
     if (outcome.collides) {
       discs_overlap_ = discs_overlap_ || (outcome.edge_a < 0 && outcome.clearance > 0);
       probe_.keep(outcome);
-      return probe_.depthOf(pair, t, outcome) >= radius;
+      if (!(probe_.depthOf(pair, t, outcome) >= radius)) return Verdict::Open;
+      if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
+        held_by_ = {static_cast<std::uint32_t>(outcome.edge_a), static_cast<std::uint32_t>(outcome.edge_b)};
+      return Verdict::Held;
     }
     const double clearance = probe_.inUnits(pair, outcome.clearance) - margin_, length = t.norm();
     const double back = std::clamp(clearance - space_.noise(), 0.0, length);
     const Vec2 nearest = length > 0 ? Vec2(t * (1 - back / length)) : t;
     best_.improve(nearest, nearest);
-    return clearance >= radius;
+    return clearance >= radius ? Verdict::Done : Verdict::Open;
   }
 
-  /// All segments of the search, unless they are many.
-  Segments segmentsOfFew() {
+  /// All segments of the search; of those that are to be known, wherever it goes on.
+  Segments segmentsAround() {
     Segments all;
-    if (!space_.areFew()) return all;
-    for (const TranslationSpace::Segment& segment : space_.segmentsWithin(kSurroundings * best_.length + margin_))
-      all.emplace_back(BoundaryCurves::Ends{segment.v, segment.w}, segment.both_sides, space_.noise());
+    const auto add = [&](const Vec2& v, const Vec2& w, bool both_sides) {
+      all.emplace_back(BoundaryCurves::Ends{v, w}, both_sides, space_.noise());
+    };
+    if (known_.haveSegments()) {
+      known_.forEachSegment(add);
+      return all;
+    }
+    const bool are_kept = known_.keepSegments();
+    const double radius = are_kept ? std::numeric_limits<double>::infinity() : kSurroundings * best_.length + margin_;
+    for (const TranslationSpace::Segment& segment : space_.segmentsWithin(radius)) {
+      add(segment.v, segment.w, segment.both_sides);
+      if (are_kept) known_.keepSegment(segment.v, segment.w, segment.both_sides);
+    }
     return all;
   }
 
@@ -212,16 +329,20 @@ class PartingSearch {
     bool goesOn() const { return result == Gathered::Lines; }
   };
 
+  /// Of the segments that may come near a cell those that do.
+  void narrow(const Cell& cell, double radius) {
+    segments_.clear();
+    for (const BoundaryCurves::Line& segment : cell.legacy->segments)
+      if (segment.comesNear(cell.center, kSurroundings * radius + margin_)) segments_.push_back(segment);
+  }
+
   /// gather() from a cell's segments.
   Gathered filter(const Cell& cell, double radius, std::size_t most) {
     Tally tally{most};
     curves_.clear(kMostInherited);
-    const double around = kSurroundings * radius;
-    segments_.clear();
-    for (const BoundaryCurves::Line& segment : cell.legacy->segments)
-      if (segment.comesNear(cell.center, around + margin_)) segments_.push_back(segment);
+    narrow(cell, radius);
     for (std::size_t k = 0; k < segments_.size() && tally.goesOn(); ++k)
-      curves_.add(segments_[k], cell.center, around, tally);
+      curves_.add(segments_[k], cell.center, kSurroundings * radius, tally);
     return tally.result;
   }
 
@@ -235,7 +356,7 @@ class PartingSearch {
     space_.forEachSegment(
         pair, t, around + margin_,
         [&](const MeetingEdges& meeting) {
-          if (probe_.see(meeting, cell.center, radius)) tally.result = Gathered::Deep;
+          if (see(meeting, cell.center, radius)) tally.result = Gathered::Deep;
           return tally.goesOn();
         },
         [&](const TranslationSpace::Segment& segment) {
@@ -245,32 +366,6 @@ class PartingSearch {
     return tally.result;
   }
 
-  /// Whether parallelograms, each of the translations that let two edges meet, cover a cell to within the resolution:
-  /// for where many pairs of edges make few lines, as outlines with repeated parts do. One query each; it is given up
-  /// where they cover too little for that.
-  enum class Cover { Whole, Most, Little };
-  Cover cover(const Cell& cell) {
-    Uncovered rest(cell.center, cell.half, resolution_);
-    const double whole = rest.area();
-    for (int tries = 1; !rest.isEmpty(); ++tries) {
-      probe_.countQuery();
-      Vec2 t = rest.point();
-      const PosedPair pair = space_.at(t);
-      const Outcome outcome = probe_.ask(pair, 0);
-      if (!outcome.collides) return Cover::Little;
-      if (outcome.edge_a >= 0 && outcome.edge_b >= 0) {
-        rest.takeAway(
-            space_.meetings(static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
-      } else {
-        const double half = probe_.inUnits(pair, outcome.clearance) / kDiagonal;
-        rest.takeAway({t + Vec2(-half, -half), t + Vec2(half, -half), t + Vec2(half, half), t + Vec2(-half, half)});
-      }
-      if (whole - rest.area() < whole * tries / kMostTries)
-        return rest.area() < whole / 2 ? Cover::Most : Cover::Little;
-    }
-    return Cover::Whole;
-  }
-
   TranslationSpace& space_;
   const double enough_;  ///< of the limit's length, as a lower bound
   const std::size_t most_;
@@ -278,17 +373,27 @@ class PartingSearch {
   /// Segments nearer to each other than this are one; slits between them are not seen.
   const double resolution_;
   BoundaryCurves curves_;
+  KnownCells known_;
   TranslationProbe probe_;
   PartingLimits limits_;
   BestParting best_;
-  Segments segments_;           ///< near the cell
+  Segments segments_;  ///< near the cell
+  std::priority_queue<Cell, std::vector<Cell>, Farther> cells_;
+  std::vector<std::pair<Cell, double>> done_;  ///< to be kept, with how far away from 0 nothing is free in them
+  std::pair<std::uint32_t, std::uint32_t> held_by_;
+  double reach_ = 0;  ///< the same of the cell, if the search has looked farther than it needs to
+  std::uint32_t looks_ = 0;
   bool discs_overlap_ = false;  ///< after some translation that was asked for
 };
 
 }  // namespace
 
-ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, double error, std::size_t most) {
-  return PartingSearch(space, known, error, most).run();
+ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, double error, std::size_t most,
+                                      SearchHints* hints) {
+  const bool are_used = hints != nullptr && KnownCells::areWorthIt(*hints);
+  const ShortestParting found = PartingSearch(space, known, error, most, are_used ? hints : nullptr).run();
+  if (hints != nullptr && !are_used) hints->looks = found.looks;
+  return found;
 }
 
 }  // namespace tricover::detail

@@ -105,6 +105,8 @@ class TranslationSpace {
   /// Translations at which discs in the regions overlap: worth their while in a long search.
   DiscSums discSums() const;
 
+  /// Where b's S is from a's.
+  const Vec2& between() const { return between_; }
   double unit() const { return unit_; }
   bool isFinite() const { return noise_ < 1; }
   /// At least what an end of a segment is wrong by, and t in at().

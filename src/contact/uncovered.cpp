@@ -9,6 +9,9 @@
 namespace tricover::detail {
 namespace {
 
+/// About so many parallelograms cover a square.
+constexpr int kMostTries = 24;
+
 /// A line by a unit normal: a point is beyond it by normal . p - at.
 struct Line {
   Vec2 normal;
@@ -84,6 +87,27 @@ void Uncovered::takeAway(const std::array<Vec2, 4>& corners) {
       part = sideOf(part, line, -1);
     }
   }
+}
+
+Cover coverSquare(const Vec2& center, double half, double resolution, TranslationSpace& space,
+                  TranslationProbe& probe) {
+  Uncovered rest(center, half, resolution);
+  const double whole = rest.area();
+  for (int tries = 1; !rest.isEmpty(); ++tries) {
+    probe.countQuery();
+    Vec2 t = rest.point();
+    const PosedPair pair = space.at(t);
+    const Outcome outcome = probe.ask(pair, 0);
+    if (!outcome.collides) return Cover::Little;
+    if (outcome.edge_a >= 0 && outcome.edge_b >= 0) {
+      rest.takeAway(space.meetings(static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
+    } else {
+      const double side = probe.inUnits(pair, outcome.clearance) / kRoot2;
+      rest.takeAway({t + Vec2(-side, -side), t + Vec2(side, -side), t + Vec2(side, side), t + Vec2(-side, side)});
+    }
+    if (whole - rest.area() < whole * tries / kMostTries) return rest.area() < whole / 2 ? Cover::Most : Cover::Little;
+  }
+  return Cover::Whole;
 }
 
 }  // namespace tricover::detail

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "tricover/polygon.h"
+#include "contact/translation_probe.h"
 
 namespace tricover::detail {
 
@@ -30,5 +30,11 @@ class Uncovered {
   std::vector<Part> parts_;
   double thin_, area_ = 0;
 };
+
+/// Whether parallelograms, each of the translations that let two edges meet, cover a square of translations to within
+/// the resolution: for where many pairs of edges make few lines, as outlines with repeated parts do. One query each; it
+/// is given up where they cover too little for that.
+enum class Cover { Whole, Most, Little };
+Cover coverSquare(const Vec2& center, double half, double resolution, TranslationSpace& space, TranslationProbe& probe);
 
 }  // namespace tricover::detail

@@ -32,4 +32,18 @@ TEST(Documentation, Penetration) {
   //! [penetration]
 }
 
+TEST(Documentation, PenetrationWithCache) {
+  //! [penetration with cache]
+  const tricover::Polygon angle({{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}});
+  const tricover::Pose still = tricover::Pose::Identity();
+  tricover::PenetrationCache cache;  // one a pair
+  for (int step = 0; step < 10; ++step) {
+    tricover::Pose pose = still;
+    pose.translation() << 0.25, 0.5 + 0.01 * step;
+    const auto way = tricover::penetration(angle, still, angle, pose, cache);
+    EXPECT_NEAR(way->depth, tricover::penetration(angle, still, angle, pose)->depth, 1e-12);
+  }
+  //! [penetration with cache]
+}
+
 }  // namespace
