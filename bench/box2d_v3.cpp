@@ -16,6 +16,7 @@
 #include "poses.h"
 #include "random.h"
 #include "report.h"
+#include "shapes.h"
 #include "tricover/distance.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"
@@ -45,14 +46,7 @@ b2Polygon shapeOf(const Polygon& polygon) {
 }
 b2ShapeProxy proxyOf(const b2Polygon& shape) { return b2MakeProxy(shape.vertices, shape.count, 0); }
 
-Polygon regular(int n, double radius) {
-  Ring ring;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 0.3 + 2 * M_PI * i / n;
-    ring.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-  }
-  return Polygon({ring});
-}
+Polygon regular(int n, double radius) { return Polygon({support::regular(n, radius)}); }
 
 /// Each way's time for one of `count` answers, asked in turn, and how many of them differ.
 Row timed(const std::string& bodies, const std::string& query, std::size_t count,
@@ -246,13 +240,6 @@ class NearestTree {
   b2DynamicTree tree_;
 };
 
-Pose poseAt(double x, double y, double angle) {
-  Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  pose.translation() = Vec2(x, y);
-  return pose;
-}
-
 /// Anywhere in a square, or steps of 0.2 through it.
 std::vector<Pose> askedPoses(double size, bool path) {
   support::Random random(2);
@@ -267,7 +254,7 @@ std::vector<Pose> askedPoses(double size, bool path) {
     } else {
       x = random.real(0, size), y = random.real(0, size), angle = random.real(-3, 3);
     }
-    poses.push_back(poseAt(x, y, angle));
+    poses.push_back(support::pose(angle, x, y));
   }
   return poses;
 }
@@ -275,8 +262,10 @@ std::vector<Pose> askedPoses(double size, bool path) {
 void addNearest(const std::string& name, const Polygon& body, double size, std::vector<Row>& rows) {
   support::Random random(1);
   std::vector<Pose> poses;
-  for (int i = 0; i < 10000; ++i)
-    poses.push_back(poseAt(random.real(0, size), random.real(0, size), random.real(-3, 3)));
+  for (int i = 0; i < 10000; ++i) {
+    const double x = random.real(0, size), y = random.real(0, size);
+    poses.push_back(support::pose(random.real(-3, 3), x, y));
+  }
   std::vector<BodyPlacement> placements;
   for (const Pose& pose : poses) placements.push_back({body, pose, {}});
   Scene scene;
