@@ -26,7 +26,11 @@ Places Mover::places(double begin, double end) const {
   }
   const auto all = [](double value) { return value - Double2{}; };
   if (!turns) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
-  Double2 c = std::cos(angle[0]) - Double2{}, s = std::sin(angle[0]) - Double2{};
+  Double2 c{1, 1}, s{};
+  if (angle[0] != 0) {
+    c = std::cos(angle[0]) - Double2{};
+    s = std::sin(angle[0]) - Double2{};
+  }
   if (begin != end) {
     c[1] = std::cos(angle[1]);
     s[1] = std::sin(angle[1]);
@@ -199,36 +203,54 @@ bool MovingPair::discsStayApart() const {
   return nearest.norm() - sag > a.reach + b.reach + margin + still_error;
 }
 
-NearestPoints::NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
+namespace {
+
+/// Two points, a lane each: on which side of a segment they are, times its length; their nearest points on it, as
+/// nearestOnSegment() has them, and how far away these are.
+struct TwoBeside {
+  TwoBeside(Double2 x_, Double2 y_, Double2 from, Double2 to) {
+    const Double2 u = to - from, dx = x_ - from[0], dy = y_ - from[1];
+    const Double2 share = (dx * u[0] + dy * u[1]) / dot(u, u);
+    const Double2 s = smaller(larger(share, Double2{}), Double2{1, 1});  // 0 where the segment is a point
+    side = u[0] * dy - u[1] * dx;
+    // From the nearer end: an end is met without rounding.
+    const auto place = [&](int i) -> Double2 { return s <= 0.5 ? from[i] + s * u[i] : to[i] - (1 - s) * u[i]; };
+    x = place(0);
+    y = place(1);
+    const Double2 way_x = x_ - x, way_y = y_ - y, square = way_x * way_x + way_y * way_y;
+    distance[0] = std::sqrt(square[0]);
+    distance[1] = std::sqrt(square[1]);
+  }
+  Double2 side, x, y, distance;
+};
+
+}  // namespace
+
+NearestPoints::NearestPoints(const Ends& a, const Ends& b, double error)
     : distance(std::numeric_limits<double>::infinity()) {
-  const auto end = [&](const MovingBox& edge, double sign) {
-    return Vec2(edge.x[lane] + sign * edge.along * edge.ux[lane], edge.y[lane] + sign * edge.along * edge.uy[lane]);
-  };
-  const Vec2 v = end(edge_a, -1), w = end(edge_a, 1), p = end(edge_b, -1), q = end(edge_b, 1);
-  const Vec2 along_a = w - v, along_b = q - p;
-  const double p_side = cross(along_a, p - v), q_side = cross(along_a, q - v);
-  const double v_side = cross(along_b, v - p), w_side = cross(along_b, w - p);
+  const Double2 a_x{a.from[0], a.to[0]}, a_y{a.from[1], a.to[1]}, b_x{b.from[0], b.to[0]}, b_y{b.from[1], b.to[1]};
+  const TwoBeside of_a(a_x, a_y, b.from, b.to), of_b(b_x, b_y, a.from, a.to);
   // Where a sign isn't certain, an end of one is about as near to the other as rounding is large.
-  const double doubt =
-      error * (along_a.lpNorm<1>() + along_b.lpNorm<1>() + (p - v).lpNorm<1>() + std::numeric_limits<double>::min());
-  const auto opposite = [&](double s, double t) { return std::min(s, t) < -doubt && std::max(s, t) > doubt; };
-  if (opposite(p_side, q_side) && opposite(v_side, w_side)) {
-    on_a = on_b = p + p_side / (p_side - q_side) * along_b;
+  const Double2 along_a = absolute(a.to - a.from), along_b = absolute(b.to - b.from), way = absolute(b.from - a.from);
+  const double doubt = error * ((along_a[0] + along_a[1]) + (along_b[0] + along_b[1]) + (way[0] + way[1]) +
+                                std::numeric_limits<double>::min());
+  const auto opposite = [doubt](Double2 s) { return std::min(s[0], s[1]) < -doubt && std::max(s[0], s[1]) > doubt; };
+  if (opposite(of_b.side) && opposite(of_a.side)) {
+    const double share = of_b.side[0] / (of_b.side[0] - of_b.side[1]);
+    store2(on_a.data(), b.from + share * (b.to - b.from));
+    on_b = on_a;
     distance = 0;
     return;
   }
   // NaN ends as distance NaN.
-  const auto offer = [&](const Vec2& s, const Vec2& t) {
-    const double apart = (t - s).norm();
+  const auto offer = [&](double apart, const Vec2& s, const Vec2& t) {
     if (apart >= distance) return;
     on_a = s;
     on_b = t;
     distance = apart;
   };
-  offer(v, nearestOnSegment(v, p, q));
-  offer(w, nearestOnSegment(w, p, q));
-  offer(nearestOnSegment(p, v, w), p);
-  offer(nearestOnSegment(q, v, w), q);
+  for (int i = 0; i < 2; ++i) offer(of_a.distance[i], Vec2(a_x[i], a_y[i]), Vec2(of_a.x[i], of_a.y[i]));
+  for (int i = 0; i < 2; ++i) offer(of_b.distance[i], Vec2(of_b.x[i], of_b.y[i]), Vec2(b_x[i], b_y[i]));
 }
 
 }  // namespace tricover::detail

@@ -155,7 +155,16 @@ struct FirstContact {
 
 /// The nearest points of two edges at one end of the window; distance 0 where they certainly cross.
 struct NearestPoints {
-  NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error);
+  /// An edge's ends.
+  struct Ends {
+    Ends(const MovingBox& edge, int lane)
+        : Ends(Double2{edge.x[lane], edge.y[lane]}, edge.along * Double2{edge.ux[lane], edge.uy[lane]}) {}
+    Ends(Double2 middle, Double2 half) : from(middle - half), to(middle + half) {}
+    Double2 from, to;
+  };
+  NearestPoints(const Ends& a, const Ends& b, double error);
+  NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
+      : NearestPoints(Ends(edge_a, lane), Ends(edge_b, lane), error) {}
   Vec2 on_a, on_b;
   double distance;
 };
