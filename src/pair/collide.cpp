@@ -113,31 +113,6 @@ struct CloseUps : Placement {
   double way_error, defect;
 };
 
-/// What isn't few edges, or not known to be.
-[[gnu::noinline]] bool searchClose(const CloseUp& a, const CloseUp& b, bool may_hold, const CollideOptions& options) {
-  const Placement placement(a.polygon, a.pose, b.polygon, b.pose);
-  if (!haveHierarchies(a.polygon, b.polygon)) return collideAnew(placement, options);
-  return collideByHierarchy(placement.inUnits(a.defect + b.defect), EdgeTest(placement, options), 0, Wanted::Answer,
-                            may_hold)
-      .collides;
-}
-
-/// In the kernel's order. Few edges are asked without the boxes around everything: those along the world's axes meet,
-/// and these would hardly part them any more.
-[[gnu::always_inline]] inline bool collideInOrder(const CloseUp& a, const CloseUp& b, bool may_hold,
-                                                  const CollideOptions& options) {
-  const Hierarchy *of_a = hierarchyIfBuilt(a.polygon), *of_b = hierarchyIfBuilt(b.polygon);
-  if (of_a == nullptr || of_b == nullptr || !areSmall(*of_a, *of_b) || options.margin > 0 || b.polygon.isDegenerate())
-    return searchClose(a, b, may_hold, options);
-  const CloseUps pair(a, b);
-  const UnitPlacement at = pair.inUnits();
-  if (!areNear(at.map)) return searchClose(a, b, may_hold, options);
-  const EdgeTest test(pair, options);
-  const Meeting meeting = allEdgesMeet(at, *of_a, *of_b, test);
-  return meeting == Meeting::Unknown ? searchTrees(at, test, 0, Wanted::Answer, may_hold).collides
-                                     : meeting == Meeting::Meet;
-}
-
 /// What finding it has cost, in quarters of the query: more than by boxes, or by few edges, which are asked at once,
 /// than by trees. The edges that met last and do again are sooner asked than those.
 std::int8_t costOf(const Outcome& fact, const CollisionFact& cache, const PolygonData& a) {
@@ -240,11 +215,23 @@ void renewFactApart(const PolygonData& a, const Pose& pose_a, const PolygonData&
   keptFact(a, pose_a, b, pose_b, cache, recollection, options, true);
 }
 
+/// Few edges are asked without the boxes around everything: those along the world's axes meet, and these would hardly
+/// part them any more.
 bool collideClose(const CloseUp& a, const CloseUp& b, bool may_hold, const CollideOptions& options) {
   if (asksForInteriors(options))
     return collideClose(a, b, may_hold, {}) && interiorsMeet(a.polygon, a.pose, b.polygon, b.pose);
   const bool in_order = inOrder(a.polygon, a.pose, b.polygon, b.pose);
-  return collideInOrder(in_order ? a : b, in_order ? b : a, may_hold, options);
+  const CloseUps pair(in_order ? a : b, in_order ? b : a);
+  const Hierarchy *of_a = hierarchyIfBuilt(pair.a), *of_b = hierarchyIfBuilt(pair.b);
+  if (of_a == nullptr || of_b == nullptr)
+    return collideAnew(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), options);
+  const UnitPlacement at = pair.inUnits();
+  const EdgeTest test(pair, options);
+  const bool are_few = areSmall(*of_a, *of_b) && options.margin == 0 && !pair.b.isDegenerate();
+  if (!are_few || !areNear(at.map)) return collideByHierarchy(at, test, 0, Wanted::Answer, may_hold).collides;
+  const Meeting meeting = allEdgesMeet(at, *of_a, *of_b, test);
+  return meeting == Meeting::Unknown ? searchTrees(at, test, 0, Wanted::Answer, may_hold).collides
+                                     : meeting == Meeting::Meet;
 }
 
 }  // namespace detail

@@ -36,7 +36,6 @@ class Asked {
         pose_(pose),
         options_(options),
         discs_(polygon, pose, defect),
-        close_up_(discs_.of(polygon, pose)),
         has_few_(polygon.path.size() <= kFew),
         has_own_box_(has_few_),
         bounds_(has_few_ ? boundsOf(polygon, pose, options.margin)
@@ -80,7 +79,7 @@ class Asked {
     if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + sum.margin)) return false;
     // The first one has the best chances. Of the others many are apart along the diagonals.
     if (++looks_ > 1 && areApartAlongDiagonals(body)) return false;
-    if (collideClose(close_up_, discs.of(polygon, body.pose), mayHold(slot, polygon, discs), sum)) return true;
+    if (collideClose(discs_.of(polygon_, pose_), discs.of(polygon, body.pose), mayHold(slot, polygon, discs), sum)) return true;
     // Of what isn't large beside the polygon nothing is learned.
     if (discs.radius > discs_.radius && body.clear.mayLearn() && sum.touching == Touching::Collides)
       body.clear.learn(polygon, body.pose, body.options.margin, state_.tree.boundsOf(slot), bounds_);
@@ -124,7 +123,6 @@ class Asked {
   const Pose& pose_;
   const CollideOptions& options_;
   const WorldDiscs discs_;
-  const CloseUp close_up_;
   const bool has_few_;
   mutable bool has_own_box_;
   mutable int shown_ = 0, looks_ = 0;
