@@ -79,7 +79,8 @@ class Asked {
     if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + sum.margin)) return false;
     // The first one has the best chances. Of the others many are apart along the diagonals.
     if (++looks_ > 1 && areApartAlongDiagonals(body)) return false;
-    if (collideClose(discs_.of(polygon_, pose_), discs.of(polygon, body.pose), mayHold(slot, polygon, discs), sum)) return true;
+    if (collideClose(discs_.of(polygon_, pose_), discs.of(polygon, body.pose), mayHold(slot, polygon, discs), sum))
+      return true;
     // Of what isn't large beside the polygon nothing is learned.
     if (discs.radius > discs_.radius && body.clear.mayLearn() && sum.touching == Touching::Collides)
       body.clear.learn(polygon, body.pose, body.options.margin, state_.tree.boundsOf(slot), bounds_);
