@@ -133,18 +133,17 @@ bool isInside(const PolygonData& polygon, const Vec2& center) {
 }  // namespace
 
 ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : fill(polygon.fill) {
-  constexpr std::size_t kSearched = 128;
   const std::size_t stride = polygon.path.size() / kSearched + 1;
   edges.reserve(polygon.path.size() / stride + polygon.ringCount());
-  const auto narrow = [](double value) { return static_cast<float>(value); };
+  const auto narrow = [](double value) { return std::abs(value) < 0x1p-60 ? 0 : static_cast<float>(value); };
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
     const std::size_t end = polygon.edgeEnd(r);
     Vec2 v = polygon.inUnits(polygon.path[polygon.edgeBegin(r)]);
     for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
       const Vec2 w = polygon.inUnits(polygon.path[std::min(e + stride, end)]), along = w - v;
       const double square = along.squaredNorm();
-      edges.push_back({narrow(v.x()), narrow(v.y()), narrow(along.x()), narrow(along.y()),
-                       square > 1e-20 ? narrow(1 / square) : 0});
+      edges.push_back({narrow(v.x()), narrow(v.y()), narrow(w.x()), narrow(w.y()), static_cast<float>(along.x()),
+                       static_cast<float>(along.y()), square > 1e-20 ? static_cast<float>(1 / square) : 0});
       v = w;
     }
   }
@@ -163,7 +162,8 @@ InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
     const double proven = clearRadius(polygon, at, guess.depth * (1 + 0x1p-10));
     if (!(proven > 0)) continue;
     // No edge parts two discs that meet: if the one is in the region, so is the other.
-    bool is_inside = false;
+    bool is_inside = ThinnedOutline::isWhole(polygon) && proven >= kSurelyBeside;
+    assert(!is_inside || isInside(polygon, at));
     for (int i = 0; i < count && !is_inside; ++i) {
       const double sum = (radius[i] + proven) * (1 - 0x1p-20);
       is_inside = (at - Vec2(x[i], y[i])).squaredNorm() < sum * sum;
