@@ -2,6 +2,7 @@
 #include "pair/collide_by_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -100,36 +101,107 @@ class Chains {
   Bounds box_;
 };
 
-/// The edges of one chain that meet a box.
-template <typename Points>
-struct NearEdges {
-  NearEdges(const Chain& chain, Points point, double grown, const Bounds& near) {
-    Double2 p = point(chain.begin);
-    for (std::size_t e = chain.begin; e < chain.end; ++e) {
-      const Double2 q = point(e + 1);
-      const Bounds box = Bounds::between(smaller(p, q) - grown, larger(p, q) + grown);
-      if (box.meets(near)) boxes[count] = box, edges[count++] = e;
-      p = q;
+/// A chain's vertices side by side, the last one once more behind them: two are asked at once.
+struct ChainPoints {
+  template <typename Points>
+  ChainPoints(const Chain& chain, Points point) : edges(chain.end - chain.begin) {
+    for (std::size_t k = 0; k <= edges; k += 2) {
+      const Double2 p = point(chain.begin + k), q = point(chain.begin + std::min(k + 1, edges));
+      store2(x + k, Double2{p[0], q[0]});
+      store2(y + k, Double2{p[1], q[1]});
     }
   }
 
-  Bounds boxes[Chain::kMost];
-  std::size_t edges[Chain::kMost], count = 0;
+  /// The edges that aren't beyond one side of a box, or all of few; a bit each.
+  unsigned edgesNear(const Bounds& box) const {
+    constexpr std::size_t kFew = 4;  // their lines cost no more than looking
+    const unsigned all = (1u << edges) - 1;
+    if (edges <= kFew) return all;
+    unsigned left = 0, right = 0, below = 0, above = 0;
+    for (std::size_t k = 0; k <= edges; k += 2) {
+      const Double2 px = load2(x + k), py = load2(y + k);
+      left |= bitsOf(px < box.min_x) << k;
+      right |= bitsOf(px > box.max_x) << k;
+      below |= bitsOf(py < box.min_y) << k;
+      above |= bitsOf(py > box.max_y) << k;
+    }
+    const unsigned beyond = (left & left >> 1) | (right & right >> 1) | (below & below >> 1) | (above & above >> 1);
+    return all & ~beyond;
+  }
+
+  std::size_t edges;
+  double x[Chain::kMost + 2], y[Chain::kMost + 2];
 };
 
+/// The line of an edge: how far points are to its left, times its length.
+struct EdgeLine {
+  EdgeLine(const ChainPoints& chain, std::size_t k)
+      : x(chain.x[k]), y(chain.y[k]), along_x(chain.x[k + 1] - x), along_y(chain.y[k + 1] - y) {}
+  template <typename Number>
+  Number leftOf(Number px, Number py) const {
+    return along_x * (py - y) - along_y * (px - x);
+  }
+  double length() const { return std::abs(along_x) + std::abs(along_y); }  ///< or more
+
+  double x, y, along_x, along_y;
+};
+
+/// Which vertices are on either side of a line by more than `bound`; a bit each.
+struct Sides {
+  Sides(const EdgeLine& line, double bound, const ChainPoints& points) {
+    for (std::size_t k = 0; k <= points.edges; k += 2) {
+      const Double2 area = line.leftOf(load2(points.x + k), load2(points.y + k));
+      left |= bitsOf(area > bound) << k;
+      right |= bitsOf(area < -bound) << k;
+    }
+  }
+  /// Of edges, by their first vertices: whether both ends are on one side.
+  unsigned beside() const { return (left & left >> 1) | (right & right >> 1); }
+  /// Whether they are on different ones.
+  unsigned across() const { return (left & right >> 1) | (right & left >> 1); }
+
+  unsigned left = 0, right = 0;
+};
+
+/// Two edges are out of each other's reach if both ends of one are beyond the reach to the same side of the other's
+/// line, and cross if both have the ends of the other on different sides. What that leaves open is tested.
+///
+/// Bound. Of areas that edges and vertices of both chains span, in which no difference of coordinates is more than
+/// `size`, the sum of both extents of the box around them, what approxArea() has at most: a's vertices are exact, b's
+/// known to `error`, so that e_u <= 2 error, e_w <= error. A reach adds itself times the edge's length, which is off
+/// by 4 error.
 bool findMeetingEdges(const EdgeTest& test, const Chain& chain_a, const Chain& chain_b, double grown,
                       Outcome& outcome) {
-  const NearEdges of_b(chain_b, PointsOfB{test.pair()}, grown, chain_a.box);
-  if (of_b.count == 0) return false;
-  const NearEdges of_a(chain_a, PointsOfA{test.pair()}, 0, chain_b.box);
-  for (std::size_t i = 0; i < of_a.count; ++i)
-    for (std::size_t j = 0; j < of_b.count; ++j)
-      if (of_a.boxes[i].meets(of_b.boxes[j]) && test(of_a.edges[i], of_b.edges[j])) {
-        outcome.collides = true;
-        outcome.edge_a = static_cast<std::ptrdiff_t>(of_a.edges[i]);
-        outcome.edge_b = static_cast<std::ptrdiff_t>(of_b.edges[j]);
-        return true;
-      }
+  const PosedPair& pair = test.pair();
+  const ChainPoints of_b(chain_b, PointsOfB{pair});
+  const unsigned near_b = of_b.edgesNear(chain_a.box.grown(grown));
+  if (near_b == 0) return false;
+  const ChainPoints of_a(chain_a, PointsOfA{pair});
+  const Bounds around = unite(chain_a.box, chain_b.box);
+  const Double2 extents = around.high() - around.low();
+  const double size = extents[0] + extents[1], reach = pair.reach(test.options.margin);
+  const double rounding =
+      (1 + 0x1p-10) * (kAreaError * size * size + pair.error * (3 * size + 4 * pair.error + 4 * reach)) + kTiny;
+  const double reach_up = (1 + 0x1p-10) * reach;
+  for (unsigned near_a = of_a.edgesNear(chain_b.box); near_a != 0; near_a &= near_a - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(near_a));
+    const EdgeLine line_a(of_a, i);
+    const Sides of_line(line_a, rounding + reach_up * line_a.length(), of_b);
+    const unsigned across = of_line.across();
+    for (unsigned near = near_b & ~of_line.beside(); near != 0; near &= near - 1) {
+      const auto j = static_cast<std::size_t>(__builtin_ctz(near));
+      const EdgeLine line_b(of_b, j);
+      const double bound = rounding + reach_up * line_b.length();
+      const double v = line_b.leftOf(of_a.x[i], of_a.y[i]), w = line_b.leftOf(of_a.x[i + 1], of_a.y[i + 1]);
+      if ((v > bound && w > bound) || (v < -bound && w < -bound)) continue;
+      const bool cross = (across >> j & 1) != 0 && std::abs(v) > bound && std::abs(w) > bound;
+      if (!cross && !test(chain_a.begin + i, chain_b.begin + j)) continue;
+      outcome.collides = true;
+      outcome.edge_a = static_cast<std::ptrdiff_t>(chain_a.begin + i);
+      outcome.edge_b = static_cast<std::ptrdiff_t>(chain_b.begin + j);
+      return true;
+    }
+  }
   return false;
 }
 
