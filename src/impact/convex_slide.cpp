@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "convex/convex_ring.h"
 #include "convex/separating_edge.h"
 #include "hierarchy/placement.h"
-#include "hierarchy/small_polygon.h"
 #include "impact/cubic.h"
 #include "numbers/rigidity.h"
 #include "numbers/rounding.h"
@@ -24,13 +22,53 @@ bool slides(const PolygonData& polygon, const Motion& motion) {
   return !turns && wayOf(motion).isStraight();
 }
 
-/// A point as convexEntry() takes it: of lanes that are all that vertex, and of no edges. It is never destroyed:
-/// polygons may be asked while the program ends.
-const SmallPolygon* makeSmallPoint() {
-  std::unique_ptr<SmallPolygon> point = emptySmallPolygon(kLanes);
-  std::fill_n(point->d, kLanes, 1e30f);
-  point->count = 1;
-  return point.release();
+/// A point or a segment as convexEntry() takes it, and all that it reads: lanes that are all one of the ends, and the
+/// two sides, if any.
+class SmallDegenerate {
+ public:
+  const SmallPolygon* of(const PolygonData& polygon) {
+    const std::size_t edge = polygon.degenerate_edge;
+    const Vec2 start = polygon.inUnits(polygon.path[edge]), end = polygon.inUnits(polygon.path[edge + 1]);
+    std::fill_n(small_.x = x_, kLanes, static_cast<float>(end.x()));
+    std::fill_n(small_.y = y_, kLanes, static_cast<float>(end.y()));
+    std::fill_n(small_.nx = nx_, kLanes, 0.0f);
+    std::fill_n(small_.ny = ny_, kLanes, 0.0f);
+    std::fill_n(small_.d = d_, kLanes, 1e30f);  // without an edge: never the best
+    small_.lanes = kLanes;
+    small_.count = polygon.isPoint() ? 1 : 2;
+    if (polygon.isPoint()) return &small_;
+    x_[0] = static_cast<float>(start.x());
+    y_[0] = static_cast<float>(start.y());
+    const Vec2 along = (end - start).normalized(), left(-along.y(), along.x());
+    setSide(0, left, start);
+    setSide(1, -left, start);
+    return &small_;
+  }
+
+ private:
+  void setSide(int side, const Vec2& out, const Vec2& start) {
+    nx_[side] = static_cast<float>(out.x());
+    ny_[side] = static_cast<float>(out.y());
+    d_[side] = static_cast<float>(out.dot(start));
+  }
+
+  SmallPolygon small_;
+  float x_[kLanes], y_[kLanes], nx_[kLanes], ny_[kLanes], d_[kLanes];
+};
+
+/// The position in the path of a small polygon's edge. A segment's lead there and back, and have what is outside on
+/// their left (BesideEdge).
+std::uint32_t positionOf(const PolygonData& polygon, int edge) {
+  const auto position = static_cast<std::uint32_t>(edge);
+  if (!polygon.isDegenerate()) return position;
+  const std::uint32_t there = polygon.degenerate_edge;
+  const bool is_next_back = polygon.path[there + 1] != polygon.path[there + 2];
+  return edge == 0 ? there : there + (is_next_back ? 1 : 2);
+}
+
+/// The number of the edge that is met.
+EdgeIndex edgeMet(const PolygonData& given, const PolygonData& taken, std::uint32_t position, double part) {
+  return givenEdge(given, taken, taken.isDegenerate() ? taken.degenerate_edge : position, part);
 }
 
 double lengthOne(Double2 v) {
@@ -75,9 +113,9 @@ struct MovingGap {
 /// An edge's line, beyond which the other polygon is for a part of the time.
 struct PartingEdge : BesideEdge {
   PartingEdge(const Placement& placement, Double2 way, double margin, const ConvexGap& guess)
-      : BesideEdge(placement, guess.of_a, static_cast<std::uint32_t>(guess.edge)),
+      : BesideEdge(placement, guess.of_a, positionOf(guess.of_a ? placement.a : placement.b, guess.edge)),
         of_a(guess.of_a),
-        edge(static_cast<std::uint32_t>(guess.edge)),
+        edge(positionOf(guess.of_a ? placement.a : placement.b, guess.edge)),
         way_of_other(of_a ? way : -way),
         moving(gap, error, outwards, way_of_other, margin) {}
 
@@ -85,6 +123,30 @@ struct PartingEdge : BesideEdge {
   std::uint32_t edge;
   Double2 way_of_other;  ///< as the edge's polygon sees it
   MovingGap moving;
+};
+
+/// Of the edges at a polygon's lowest vertex along a normal, that which climbs less.
+struct FlatterEdge {
+  FlatterEdge(const PolygonData& polygon, std::uint32_t lowest, Double2 normal) {
+    if (polygon.isDegenerate()) {
+      edge = polygon.degenerate_edge;
+      is_forward = polygon.path[lowest] == polygon.path[edge];
+      far = is_forward ? edge + 1 : edge;
+      climb = dot(normal, load2(polygon.path[far].data()) - load2(polygon.path[lowest].data()));
+      return;
+    }
+    const ConvexRing ring = convexRing(polygon);
+    const std::uint32_t before = ring.previous(lowest);
+    const double climb_after = dot(normal, ring.edge(lowest)), climb_before = -dot(normal, ring.edge(before));
+    is_forward = climb_after <= climb_before;
+    edge = is_forward ? lowest : before;
+    far = is_forward ? ring.next(lowest) : before;
+    climb = std::min(climb_after, climb_before);
+  }
+
+  std::uint32_t edge, far;  ///< the edge's other end
+  double climb;
+  bool is_forward;  ///< it begins at the lowest vertex
 };
 
 /// A vertex of a and one of b, by their positions in the paths.
@@ -135,7 +197,8 @@ class Slide {
 
   /// The edge that parts them longest, as floats see it: from time 0 on, or backwards from time 1.
   bool guessEdge(bool backwards, ConvexGap& guess) const {
-    const SmallPolygon *a = smallOf(at_.a), *b = smallOf(at_.b);
+    SmallDegenerate own_a, own_b;
+    const SmallPolygon *a = smallOf(at_.a, own_a), *b = smallOf(at_.b, own_b);
     if (a == nullptr || b == nullptr) return false;
     UnitMap map = at_.inUnits(0).map;  // a guess needs no bounds
     Double2 way = at_.inUnitsOfA(way_);
@@ -150,9 +213,8 @@ class Slide {
     return true;
   }
 
-  static const SmallPolygon* smallOf(const PolygonData& polygon) {
-    static const SmallPolygon* const point = makeSmallPoint();
-    return polygon.isPoint() ? point : hierarchyOf(polygon).small_convex;
+  static const SmallPolygon* smallOf(const PolygonData& polygon, SmallDegenerate& own) {
+    return polygon.isDegenerate() ? own.of(polygon) : hierarchyOf(polygon).small_convex;
   }
 
   /// Where along the edge a vertex of the other polygon is at a time, times the edge's length.
@@ -169,26 +231,24 @@ class Slide {
     const PolygonData &own = of_a ? at_.a : at_.b, &other = of_a ? at_.b : at_.a;
     const double square = dot(parting.along, parting.along), slack = parting.moving.error;
     const auto isBeside = [&](double at) { return at >= -slack && at <= square + slack; };
-    const ConvexRing ring(other.path.data(), other.path.size() - 1, 0);  // a point has no turn
-    const std::uint32_t lowest = parting.lowest, before = ring.previous(lowest);
-    const double climb = dot(parting.turned, ring.edge(lowest)), climb_before = -dot(parting.turned, ring.edge(before));
-    const bool forward = climb <= climb_before;  // is the flatter one of the edges there
-    const std::uint32_t edge = forward ? lowest : before, far = forward ? ring.next(lowest) : before;
+    const std::uint32_t lowest = parting.lowest;
+    const FlatterEdge flatter(other, lowest, parting.turned);
     const double at = along(parting, lowest, time);
     double share = 0;  // of that edge, from the lowest vertex on
     if (!isBeside(at)) {
-      const double at_far = along(parting, far, time), end = at < 0 ? 0 : square;
+      const double at_far = along(parting, flatter.far, time), end = at < 0 ? 0 : square;
       const bool reaches = at < 0 ? at_far >= -slack : at_far <= square + slack;
-      if (!reaches || !(std::min(climb, climb_before) <= slack)) return false;
+      if (!reaches || !(flatter.climb <= slack)) return false;
       share = std::clamp((end - at) / (at_far - at), 0.0, 1.0);
     }
-    const Vec2 on_other = other.path[lowest] + share * (other.path[far] - other.path[lowest]);
+    const Vec2 on_other = other.path[lowest] + share * (other.path[flatter.far] - other.path[lowest]);
     const Motion& motion = of_a ? motion_b_ : motion_a_;
     const Double2 outwards = parting.outwards * (1 / std::sqrt(square));
     const Vec2 normal(outwards[0], outwards[1]);
     const EdgeIndex own_edge =
-        givenEdge(of_a ? given_a_ : given_b_, own, parting.edge, std::clamp(at / square, 0.0, 1.0));
-    const EdgeIndex other_edge = givenEdge(of_a ? given_b_ : given_a_, other, edge, forward ? share : 1 - share);
+        edgeMet(of_a ? given_a_ : given_b_, own, parting.edge, std::clamp(at / square, 0.0, 1.0));
+    const EdgeIndex other_edge =
+        edgeMet(of_a ? given_b_ : given_a_, other, flatter.edge, flatter.is_forward ? share : 1 - share);
     impact.time = std::max(time, std::numeric_limits<double>::denorm_min());
     impact.point = motion.start * on_other + time * motion.shift - 0.5 * margin_ * normal;
     impact.normal = of_a ? normal : Vec2(-normal);
@@ -239,7 +299,7 @@ class Slide {
 
   void describeCorners(Corners corners, double time, Double2 normal, Impact& impact) const {
     const auto edgeAt = [](const PolygonData& given, const PolygonData& taken, std::uint32_t vertex) {
-      return givenEdge(given, taken, vertex + 1 < taken.path.size() ? vertex : 0, 0);
+      return edgeMet(given, taken, vertex + 1 < taken.path.size() ? vertex : 0, 0);
     };
     const Vec2 on_b = at_.b.path[corners.of_b];
     impact.time = std::max(time, std::numeric_limits<double>::denorm_min());
@@ -261,7 +321,7 @@ class Slide {
 FirstContact slideConvex(const PolygonData& a, const Motion& motion_a, const PolygonData& b, const Motion& motion_b,
                          double margin, Impact& impact) {
   if (!slides(a, motion_a) || !slides(b, motion_b)) return FirstContact::unknown(0);
-  const auto taken = [](const PolygonData& polygon) { return polygon.isPoint() ? &polygon : cornersOf(polygon); };
+  const auto taken = [](const PolygonData& polygon) { return polygon.isDegenerate() ? &polygon : cornersOf(polygon); };
   const PolygonData *corners_a = taken(a), *corners_b = taken(b);
   const auto isSmall = [](const PolygonData* corners) {
     return corners != nullptr && corners->path.size() <= SmallPolygon::kMost + 1;

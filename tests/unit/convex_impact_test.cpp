@@ -123,6 +123,14 @@ struct Slide {
   Motion motion_a, motion_b;
   double margin;
 };
+Polygon pointOrSegment(Random& random, double size) {
+  const Vec2 start = size * Vec2(random.real(-1, 1), 0);
+  const Vec2 end = start + random.real(0.05, 4) * size * direction(random.real(-4, 4));
+  const Ring ring = random.oneIn(3)   ? Ring{start, start, end}
+                    : random.oneIn(2) ? Ring{start, end, end}
+                                      : Ring{start, end, start};
+  return random.coin() ? point(start) : Polygon({ring});
+}
 Slide anySlide(Random& random) {
   const auto whole = [&](int low, int high) { return static_cast<double>(random.integer(low, high)); };
   if (random.oneIn(3)) {
@@ -133,7 +141,7 @@ Slide anySlide(Random& random) {
   }
   const double size = std::pow(10, random.real(-3, 3)), far = random.oneIn(3) ? 1e6 * size : 0;
   const Polygon a({convexRing(random, size, 16)}),
-      b = random.oneIn(4) ? point(size * Vec2(random.real(-1, 1), 0))
+      b = random.oneIn(3) ? pointOrSegment(random, size)
                           : Polygon({convexRing(random, random.real(0.05, 1) * size, 16)});
   const Vec2 start = 3 * size * direction(random.real(-4, 4)), drift = size * Vec2(random.real(-9, 9), 2);
   Motion still = Motion::translation(pose(random.real(-4, 4), far, far), drift);
@@ -175,7 +183,7 @@ TEST(ConvexImpact, SlidesAreSolvedAtOnce) {
     const FirstContact contact = slideConvex(a.data(), swaps ? slide.motion_b : slide.motion_a, b.data(),
                                              swaps ? slide.motion_a : slide.motion_b, slide.margin, found);
     const auto isSmall = [](const Polygon& polygon) {
-      const PolygonData* corners = polygon.data().isPoint() ? &polygon.data() : cornersOf(polygon.data());
+      const PolygonData* corners = polygon.data().isDegenerate() ? &polygon.data() : cornersOf(polygon.data());
       return corners != nullptr && corners->path.size() <= SmallPolygon::kMost + 1;
     };
     const bool turns_about_itself = slide.motion_b.angle == 0 || slide.motion_b.pivot == slide.b.origin();
