@@ -111,8 +111,8 @@ TRICOVER_EXPORT std::optional<Penetration> penetration(const Polygon& a, const P
 
 /// What one pair of polygons remembers of its last penetrations: where the search for them found nothing, had to look
 /// closely, and which edges met. What a turn may change is proven anew. So such a cache, like a PairCache, may be
-/// copied, another pair's, lost or stale. It isn't part of a PairCache since it grows with what is searched, up to some
-/// 100 KB.
+/// copied, another pair's, lost or stale. It isn't part of a PairCache since it grows with what is searched, up to
+/// 200 KB.
 ///
 /// PenetrationCache{} is empty. Not to be used by two threads at once, nor to be kept longer than the process lives.
 ///

@@ -41,7 +41,7 @@ MUTATIONS = [
     ("src/contact/parting_limits.cpp", "if (isWanted(p)) resolved = decideTouch", "if (false) resolved = decideTouch", "penetration: no way through cusps"),
     ("src/contact/uncovered.cpp", "if (!outcome.collides) return Cover::Little;", "if (!outcome.collides) return Cover::Whole;", "penetration: cells covered where they are free"),
     ("src/contact/translation_search.cpp", "if (farthest.norm() < bound)", "if (farthest.norm() < 2 * bound)", "penetration cache: a cell that was done with holds nothing free"),
-    ("src/contact/translation_search.cpp", "if (looks_ahead) reach_ = reach;", "reach_ = reach;", "penetration cache: what isn't looked for on a square's sides isn't there"),
+    ("src/contact/translation_search.cpp", "looks_ahead = reach > best_.length;", "looks_ahead = true;", "penetration cache: what isn't looked for on a square's sides isn't there"),
     ("src/contact/parting_limits.cpp", "if (reach > best.length) {", "if (false) {", "penetration cache: what is free on beyond a square isn't in it"),
     ("src/contact/known_cells.h", "reach + hints_->moved <", "reach <", "penetration cache: cells are done with wherever b moves"),
     ("src/contact/known_cells.cpp", "has_turned_ = first_turn != pair.pose_a.linear() || second_turn != pair.pose_b.linear();", "has_turned_ = false;", "penetration cache: facts outlast turns"),
