@@ -12,6 +12,8 @@ MUTATIONS = [
     ("src/pair/cast_ray.cpp", "shorten(std::min(fraction, limit_));", "shorten(0.5 * fraction);", "ray: shortened by too much"),
     ("src/pair/collide.cpp", "if (!(apart > margin)) return std::nullopt;", "if (!(apart > 0)) return std::nullopt;", "facts: features apart, but within the margin"),
     ("src/pair/collide_by_edges.cpp", "(2 * pair.error + pair.reach(test.options.margin)) * (1 + 4 * kUnitRoundoff)", "0.9 * pair.reach(test.options.margin)", "edges alone: boxes grown by too little"),
+    ("src/pair/collide_by_edges.cpp", "rounding + reach_up * line_a.length()", "rounding", "edges alone: beside a line, but in reach"),
+    ("src/pair/collide_by_edges.cpp", "pair.error * (3 * size + 4 * pair.error + 4 * reach)) + kTiny", "0) + kTiny", "edges alone: signs by lines without what the pose rounds"),
     ("src/pair/collide_by_edges.cpp", "return box_b.contains(box_a) || box_a.grown(2 * grown).contains(box_b)", "return box_b.contains(box_a)", "edges alone: what is inside"),
     ("src/pair/collide_by_edges.cpp", " || test.a.ringCount() + test.b.ringCount() > 2", "", "edges alone: one of several rings inside"),
     ("src/pair/collide_by_hierarchy.cpp", "outcome = findContainment(test.pair(), !by_rings);", "", "repair 2: hierarchy"),
