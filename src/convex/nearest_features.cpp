@@ -215,7 +215,7 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
   if (!vertices.isUnscaled()) return found;
   if (tried.kind != FeaturePair::kNone) found.were_tried = FeatureSearch(vertices, found).proveOnWay(tried);
   if (found.were_tried) return found;
-  const bool discs_meet = innerDiscsMeet(vertices), is_crossing_wanted = defect != kNoCrossing;
+  const bool discs_meet = innerDiscsMeet(vertices);
   const SmallPolygon *a = hierarchyOf(vertices.a).small_convex, *b = hierarchyOf(vertices.b).small_convex;
   if (a == nullptr || b == nullptr) {
     found.seem_to_meet = discs_meet || !FeatureSearch(vertices, found).prove(walkToNearest(vertices));
@@ -224,7 +224,7 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
   const UnitPlacement at = vertices.inUnits(defect);
   ConvexSight seen;
   if (!discs_meet) {
-    seen = is_crossing_wanted ? convexSight(*a, *b, at.map, at.rounding) : ConvexSight{convexGap(*a, *b, at.map)};
+    seen = convexSight(*a, *b, at.map, at.rounding);
     if (seen.gap > -kFloatDoubt) {
       FeatureSearch search(vertices, found);
       // So that it doesn't depend on discs being there whether they seem to meet.
@@ -232,7 +232,7 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
     }
   }
   found.seem_to_meet = true;
-  if (is_crossing_wanted && std::abs(at.map.tx) + std::abs(at.map.ty) < 4)
+  if (std::abs(at.map.tx) + std::abs(at.map.ty) < 4)
     found.crossing =
         !discs_meet && seen.gap == ConvexSight::kMeet ? seen.crossing() : convexCrossing(*a, *b, at.map, at.rounding);
   return found;

@@ -14,7 +14,7 @@ namespace tricover::detail {
 struct NearestFeatures {
   bool are_apart = false;           ///< if not, nothing is proven: they may meet, or be too near to tell
   bool seem_to_meet = false;        ///< as far as floats see
-  ConvexCrossing crossing{-1, -1};  ///< of small ones that do, if it is wanted
+  ConvexCrossing crossing{-1, -1};  ///< of small ones that do, a guess
   bool were_tried = false;          ///< whether those to be tried first led here in a few steps
 
   // Of polygons apart.
@@ -27,10 +27,7 @@ struct NearestFeatures {
   double atLeast(const PosedVertices& vertices) const;
 };
 
-/// Features that were nearest at other poses are tried first. Who wants to know where they meet gives defectOf() the
-/// poses.
-constexpr double kNoCrossing = -1;
-NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried,
-                                    double defect = kNoCrossing);
+/// Features that were nearest at other poses are tried first. `defect` is defectOf() the poses, for the crossing alone.
+NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried, double defect = 0);
 
 }  // namespace tricover::detail

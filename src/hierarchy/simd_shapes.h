@@ -261,8 +261,8 @@ template <class Lanes>
 /// An edge of b, whose vertices are at x, y, leads out of a from a vertex in it, or across it; or one of them lies in
 /// the other, by more than rounding, which is as in convexMeet().
 template <class Lanes>
-[[gnu::always_inline]] inline ConvexCrossing crossingOf(const SmallPolygon& a, const SmallPolygon& b,
-                                                        const UnitMap& map, double rounding, float* x, float* y) {
+[[gnu::noinline]] ConvexCrossing crossingOf(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
+                                            double rounding, float* x, float* y) {
   const Lanes limit = Lanes::all(-static_cast<float>(8 * rounding + map.error));
   unsigned in = 0, shallow = 0;
   for (int i = 0; i < b.lanes; i += kLanes) {
