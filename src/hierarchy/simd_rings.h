@@ -108,8 +108,13 @@ void showPairsAmongRings(const Descent& d, ShowPairs& goal) {
       continue;
     }
     int nearest = __builtin_ctz(here.left);
-    for (unsigned left = here.left & (here.left - 1); left != 0; left &= left - 1)
-      nearest = here.gap[__builtin_ctz(left)] < here.gap[nearest] ? __builtin_ctz(left) : nearest;
+    float least = here.gap[nearest];
+    for (unsigned left = here.left & (here.left - 1); left != 0; left &= left - 1) {
+      const int i = __builtin_ctz(left);
+      const bool is_nearer = here.gap[i] < least;
+      nearest = is_nearer ? i : nearest;
+      least = is_nearer ? here.gap[i] : least;
+    }
     here.left &= ~(1u << nearest);
     const Block& child = all[here.block->child[nearest]];
     if (!child.leaf)

@@ -220,9 +220,14 @@ PolygonData::PolygonData(const std::vector<Ring>& rings_, std::size_t positions,
 }
 
 std::size_t PolygonData::ringOf(std::size_t position) const {
-  if (ringCount() == 1) return 0;
+  // Halves, without branches: which one it is can't be predicted.
   const std::uint32_t* begin = path.ringBegin();
-  return static_cast<std::size_t>(std::upper_bound(begin, begin + ringCount(), position) - begin) - 1;
+  for (std::size_t count = ringCount(); count > 1;) {
+    const std::size_t half = count / 2;
+    begin += begin[half] <= position ? half : 0;
+    count -= half;
+  }
+  return static_cast<std::size_t>(begin - path.ringBegin());
 }
 
 std::size_t PolygonData::edgePosition(std::size_t number) const {
