@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -77,8 +76,6 @@ class Asked {
     const WorldDiscs& discs = body.discs.of(polygon, body.pose, found);
     const CollideOptions sum = sumWith(body);
     if (isBeyond(discs.center - discs_.center, discs_.radius + discs.radius + sum.margin)) return false;
-    // The first one has the best chances. Of the others many are apart along the diagonals.
-    if (++looks_ > 1 && areApartAlongDiagonals(body)) return false;
     if (collideClose(discs_.of(polygon_, pose_), discs.of(polygon, body.pose), mayHold(slot, polygon, discs), sum))
       return true;
     // Of what isn't large beside the polygon nothing is learned.
@@ -100,21 +97,10 @@ class Asked {
   const Bounds& surroundings() const { return bounds_; }
 
  private:
-  bool areApartAlongDiagonals(const SceneState::BodyState& body) const {
-    const Bounds others = body.discs.diagonalsOf(body.polygon.data(), body.pose);
-    return !others.meets(diagonals().grown(roundedUp<8>(body.options.margin)));
-  }
-
   /// Whether one region may lie in the other. Few edges are asked at once, and need not know.
   bool mayHold(Slot slot, const PolygonData& polygon, const WorldDiscs& discs) const {
     if ((has_few_ && polygon.path.size() <= kFew) || polygon.ringCount() + polygon_.ringCount() > 2) return true;
     return discs_.mayBeIn(state_.tree.boundsOf(slot)) || discs.mayBeIn(bounds());
-  }
-
-  /// The same along the diagonals.
-  const Bounds& diagonals() const {
-    if (!diagonals_) diagonals_ = boundsOf(polygon_, alongDiagonals(pose_), options_.margin);
-    return *diagonals_;
   }
 
   CollideOptions sumWith(const SceneState::BodyState& body) const { return withBody(options_, body.options); }
@@ -126,8 +112,7 @@ class Asked {
   const WorldDiscs discs_;
   const bool has_few_;
   mutable bool has_own_box_;
-  mutable int shown_ = 0, looks_ = 0;
-  mutable std::optional<Bounds> diagonals_;
+  mutable int shown_ = 0;
   mutable Bounds bounds_;
 };
 

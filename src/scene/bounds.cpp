@@ -23,11 +23,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 ///   a box's centre from there, products and a sum        3 * 2 scale, 96 e
 ///   to there, product and sum                            2 (e + |t|), and 16 e
 ///   reach and error, sums                                3 reach, 3 (e + |t|)
-///   alongDiagonals(): an entry by two products and their sum   4 * 2 e, 2 |t|
 /// (a vertex of few is on a shorter way)
 /// and, twice, 1e-13 (2 e + |t|), as near as which timeOfImpact() may report what doesn't meet.
 constexpr double kBoundsError = 0x1p-41;
-static_assert(kBoundsError >= kUnitRows * errorOf(2 + 3 + 96 + 2 + 16 + 3 + 8) + 2 * 2e-13);
+static_assert(kBoundsError >= kUnitRows * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 * 2e-13);
 
 /// Extents of a float box: its axis is of unit length but for floats' roundings (Box), and they are summed up here.
 constexpr double kExtentsGrowth = 1 + 0x1p-20;

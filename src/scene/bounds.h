@@ -38,18 +38,4 @@ Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach);
 /// The same around one edge, by its position.
 Bounds boundsOfEdge(const PolygonData& polygon, std::size_t edge, const Pose& pose, double reach);
 
-/// A pose in the world as it is seen along its diagonals, one rounded direction each: boxes there tell apart what boxes
-/// along its axes don't. What this rounds, boundsOf() counts.
-inline Pose alongDiagonals(const Pose& pose) {
-  constexpr double kHalfRoot2 = 0.70710678118654752;
-  const double* m = pose.data();  // columns of three
-  Pose turned = Pose::Identity();
-  for (int column = 0; column < 3; ++column) {
-    const double x = kHalfRoot2 * m[3 * column], y = kHalfRoot2 * m[3 * column + 1];
-    turned(0, column) = x + y;
-    turned(1, column) = y - x;
-  }
-  return turned;
-}
-
 }  // namespace tricover::detail

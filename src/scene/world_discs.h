@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <cmath>
 #include <limits>
 
 #include "hierarchy/axis_boxes.h"
@@ -12,7 +11,6 @@
 #include "pair/discs.h"
 #include "pair/find_fact.h"
 #include "polygon/polygon_data.h"
-#include "scene/bounds.h"
 #include "tricover/pose.h"
 
 namespace tricover::detail {
@@ -55,9 +53,8 @@ struct WorldDiscs {
   double defect;        ///< defectOf() the pose
 };
 
-/// A body's, found by the first query that comes near, on whichever thread, and kept until it moves; and its box along
-/// the world's diagonals. (A base, so that its padding holds the states: a body takes little more than four cache
-/// lines.)
+/// A body's, found by the first query that comes near, on whichever thread, and kept until it moves. (A base, so that
+/// its padding holds the state: a body takes four cache lines.)
 class KeptDiscs : private WorldDiscs {
  public:
   KeptDiscs() = default;
@@ -66,14 +63,10 @@ class KeptDiscs : private WorldDiscs {
     const bool kept = other.state_.load(std::memory_order_acquire) == kKept;
     if (kept) WorldDiscs::operator=(other);
     state_.store(kept ? kKept : kNone, std::memory_order_relaxed);
-    diagonals_state_.store(kNone, std::memory_order_relaxed);
     return *this;
   }
 
-  void forget() {
-    state_.store(kNone, std::memory_order_relaxed);
-    diagonals_state_.store(kNone, std::memory_order_relaxed);
-  }
+  void forget() { state_.store(kNone, std::memory_order_relaxed); }
 
   /// `found` is where they are put if they can't be kept yet: not before the polygon's discs have been built.
   const WorldDiscs& of(const PolygonData& polygon, const Pose& pose, WorldDiscs& found) {
@@ -81,44 +74,17 @@ class KeptDiscs : private WorldDiscs {
     const bool is_known = polygon.isDegenerate() || innerDiscsIfBuilt(polygon) != nullptr;
     found = WorldDiscs(polygon, pose, defectOf(pose));
     if (!is_known) return found;
-    keep(state_, [&] { WorldDiscs::operator=(found); });
-    return found;
-  }
-
-  /// Around the polygon alongDiagonals().
-  Bounds diagonalsOf(const PolygonData& polygon, const Pose& pose) {
-    if (diagonals_state_.load(std::memory_order_acquire) == kKept)
-      return {diagonals_[0], diagonals_[1], diagonals_[2], diagonals_[3]};
-    const Bounds found = boundsOf(polygon, alongDiagonals(pose), 0);
-    keep(diagonals_state_, [&] {
-      diagonals_[0] = floatBelow(found.min_x), diagonals_[1] = floatBelow(found.min_y);
-      diagonals_[2] = -floatBelow(-found.max_x), diagonals_[3] = -floatBelow(-found.max_y);
-    });
+    char none = kNone;
+    if (state_.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) {
+      WorldDiscs::operator=(found);
+      state_.store(kKept, std::memory_order_release);
+    }
     return found;
   }
 
  private:
   static constexpr char kNone = 0, kBeingKept = 1, kKept = 2;
-
-  /// The first one does.
-  template <typename Store>
-  static void keep(std::atomic<char>& state, Store store) {
-    char none = kNone;
-    if (!state.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) return;
-    store();
-    state.store(kKept, std::memory_order_release);
-  }
-
-  /// At most x: floats are rounded by 2^-24 of themselves, and what they can't tell is far beyond.
-  static float floatBelow(double x) {
-    constexpr double kMost = std::numeric_limits<float>::max();
-    if (!(std::abs(x) < kMost))
-      return x > 0 ? std::numeric_limits<float>::max() : -std::numeric_limits<float>::infinity();
-    return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
-  }
-
-  std::atomic<char> state_{kNone}, diagonals_state_{kNone};
-  float diagonals_[4];
+  std::atomic<char> state_{kNone};
 };
 
 }  // namespace tricover::detail

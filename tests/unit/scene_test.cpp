@@ -125,17 +125,6 @@ TEST(Scene, AsksMoreBodiesThanAreKeptInOrder) {
 
 /// Two bodies whose distances differ by an ulp that rounding makes: whichever comes first, the nearest is the one that
 /// distance() says.
-TEST(Scene, MeetsBeyondTheFirstWithinTheMarginAlongADiagonal) {
-  const auto diamond = [](double r) { return Polygon({{{r, 0}, {0, r}, {-r, 0}, {0, -r}}}); };
-  Scene scene;
-  scene.add(diamond(3), pose(0, -2.02, -2.02));                   // shares more of the box, and is apart
-  const Polygon beside({{{0.5, 0.6}, {1.6, -0.5}, {1.6, 0.6}}});  // by 0.0707
-  const Scene::Body body = scene.add(beside, pose(0, 0, 0), {0.08});
-  EXPECT_TRUE(scene.collides(diamond(1), pose(0, 0, 0)));
-  scene.setOptions(body, {0.06});
-  EXPECT_FALSE(scene.collides(diamond(1), pose(0, 0, 0)));
-}
-
 TEST(Scene, MeetsWhatLiesWithinAndFarFromTheLargestDisc) {
   // A sickle, and something of many edges, too, in its slim end.
   Ring sickle, bean;
