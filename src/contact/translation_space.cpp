@@ -5,12 +5,21 @@
 #include <cmath>
 
 #include "contact/region_sides.h"
-#include "numbers/angle.h"
 #include "numbers/double_double.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
+namespace {
+
+/// Grows with a direction's angle, from -2 to 2 as that does from -pi to pi; four make a full turn.
+double turnOf(const Vec2& way) {
+  const double length = way.lpNorm<1>(), across = length > 0 ? way.y() / length : 0;  // a point has no direction
+  return way.x() >= 0 ? across : (way.y() < 0 ? -2 : 2) - across;
+}
+constexpr double kFullTurn = 4;
+
+}  // namespace
 
 TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                    double margin)
@@ -64,12 +73,11 @@ std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const Pl
     if (!vertices[k].is_edge) continue;
     for (const int side : {1, -1}) {
       const Vec2 along = vertices[k].outgoing * side;
-      if (side * vertices[k].side >= 0)
-        directions.push_back({std::atan2(along.y(), along.x()), static_cast<std::uint32_t>(k)});
+      if (side * vertices[k].side >= 0) directions.push_back({turnOf(along), static_cast<std::uint32_t>(k)});
     }
   }
   std::sort(directions.begin(), directions.end(),
-            [](const Direction& c, const Direction& d) { return c.angle < d.angle; });
+            [](const Direction& c, const Direction& d) { return c.turn < d.turn; });
   return directions;
 }
 
@@ -82,20 +90,22 @@ void TranslationSpace::forEachEdgeBeside(const PlacedVertex& vertex, const std::
   if (!vertex.is_edge || vertex.is_reflex) return;
   const Vec2 in = vertex.side < 0 ? vertex.outgoing : Vec2(-vertex.incoming),
              out = vertex.side < 0 ? vertex.incoming : Vec2(-vertex.outgoing);
-  const double turn = std::atan2(cross(in, out), in.dot(out));
+  double from = turnOf(in), wide = turnOf(out) - from;
+  if (wide < -kFullTurn / 2) wide += kFullTurn;
+  if (wide > kFullTurn / 2) wide -= kFullTurn;
   // A vertex that turns back may seem to be reflex.
-  const double wide = vertex.side == 0 ? 2 * kPi : turn < -1 ? kPi : std::max(turn, 0.0);
-  double from = std::atan2(in.y(), in.x()) - kBeside;
-  if (from < -kPi) from += 2 * kPi;
+  wide = vertex.side == 0 ? kFullTurn : wide < -0.5 ? kFullTurn / 2 : std::max(wide, 0.0);
+  from -= kBeside;
+  if (from < -kFullTurn / 2) from += kFullTurn;
   auto at = std::lower_bound(directions.begin(), directions.end(), from,
-                             [](const Direction& d, double angle) { return d.angle < angle; });
+                             [](const Direction& d, double turn) { return d.turn < turn; });
   double around = 0;
   for (std::size_t left = directions.size(); left > 0; --left, ++at) {
     if (at == directions.end()) {
       at = directions.begin();
-      around = 2 * kPi;
+      around = kFullTurn;
     }
-    if (at->angle + around > from + wide + 2 * kBeside) return;
+    if (at->turn + around > from + wide + 2 * kBeside) return;
     visit(at->edge);
   }
 }

@@ -157,7 +157,7 @@ class TranslationSpace {
 
   /// An edge's, with the region on its left: both where nobody knows.
   struct Direction {
-    double angle;
+    double turn;
     std::uint32_t edge;
   };
   static std::vector<Direction> directionsOf(const PlacedVertices& vertices);
