@@ -5,7 +5,7 @@ MUTATIONS = [
     ("src/scene/bounds.h", "if (finite == 3)", "if (true)", "scene: boxes that overflow"),
     ("src/scene/bounds.h", "roundedUp<4>(radius + reach)", "radius", "scene: a query's disc without the margin"),
     ("src/scene/nearest.cpp", "boundsOf(polygon.data(), pose, options.margin)", "boundsOf(polygon.data(), pose, 0)", "scene: the nearest is sought without the margin"),
-    ("src/scene/asked.h", "return discs_.mayBeIn(state_.tree.boundsOf(slot)) || discs.mayBeIn(bounds());", "return false;", "scene: nothing lies within anything"),
+    ("src/scene/asked.h", "state_.tree.boundsOf(slot)) || discs", "state_.tree.boundsOf(slot)) && discs", "scene: only what lies in each other's box may hold the other"),
     ("src/scene/asked.h", "discs_.radius + discs.radius + sum.margin", "discs_.radius + discs.radius", "scene: discs apart without the margin"),
     ("src/scene/cached.cpp", "(cache.except == kNoBody || cache.except == filter.except)", "true", "scene cache: forgets whom it didn't ask"),
     ("src/scene/clear_box.cpp", "boundsOfEdge(polygon, edge, pose, margin)", "boundsOfEdge(polygon, edge, pose, 0)", "scene: where a body is clear, without its margin"),
