@@ -10,6 +10,7 @@
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
+#include "tricover/penetration.h"
 #include "workloads.h"
 
 namespace tricover::bench {
@@ -78,11 +79,11 @@ std::vector<std::pair<std::string, std::vector<Pose>>> walksOf(const Pair& pair)
 }
 
 /// ask(pose) without a cache and ask(pose, cache).
-template <class Ask>
+template <class Cache = PairCache, class Ask>
 CacheCost measured(const Pair& pair, const std::string& walk, const std::vector<Pose>& poses, const char* query,
                    Ask ask) {
   double sum = 0;  // so that nothing is left out
-  PairCache cache;
+  Cache cache;
   const std::vector<std::function<void()>> tasks = {[&] {
                                                       for (const Pose& pose : poses) sum += ask(pose);
                                                     },
@@ -110,6 +111,10 @@ std::vector<CacheCost> measureCaches() {
       costs.push_back(measured(pair, walk, poses, "contacts", [&](const Pose& pose, auto&... cache) {
         return static_cast<double>(contacts(a, still, b, pose, cache...).size());
       }));
+      costs.push_back(
+          measured<PenetrationCache>(pair, walk, poses, "penetration", [&](const Pose& pose, auto&... cache) {
+            return penetration(a, still, b, pose, cache...).has_value() ? 1.0 : 0.0;
+          }));
     }
   }
   return costs;
@@ -117,7 +122,7 @@ std::vector<CacheCost> measureCaches() {
 
 std::vector<Target> judgeCaches(const std::vector<CacheCost>& costs) {
   std::vector<Target> targets;
-  for (const char* query : {"collide", "distance", "contacts"}) {
+  for (const char* query : {"collide", "distance", "contacts", "penetration"}) {
     std::vector<Figure> figures;
     for (const CacheCost& cost : costs)
       if (cost.query == query) figures.push_back({cost.cached_ns / cost.none_ns, cost.polygons + ", " + cost.walk});
