@@ -78,6 +78,14 @@ std::vector<std::pair<std::string, std::vector<Pose>>> walksOf(const Pair& pair)
           {"jumps", workloads::nearPoses(pair.fixed, pair.moving, 1, kPoses)}};
 }
 
+/// Through each other, where ways out have to be searched for.
+std::vector<std::pair<std::string, std::vector<Pose>>> deepWalksOf(const Pair& pair) {
+  const double x = 0.4 * contactOf(pair);
+  return {{"deep, steps of 0.1 %", toAndFro(x, 1e-3 * kSize)},
+          {"deep, steps of 1 %", toAndFro(x, 1e-2 * kSize)},
+          {"deep, steps of 5 %", toAndFro(x, 5e-2 * kSize)}};
+}
+
 /// ask(pose) without a cache and ask(pose, cache).
 template <class Cache = PairCache, class Ask>
 CacheCost measured(const Pair& pair, const std::string& walk, const std::vector<Pose>& poses, const char* query,
@@ -99,7 +107,16 @@ CacheCost measured(const Pair& pair, const std::string& walk, const std::vector<
 std::vector<CacheCost> measureCaches() {
   std::vector<CacheCost> costs;
   const Pose still = Pose::Identity();
+  const auto addPenetration = [&](const Pair& pair, const std::string& walk, const std::vector<Pose>& poses) {
+    const auto depth = [&](const Pose& pose, auto&... cache) {
+      const auto found = penetration(pair.fixed, still, pair.moving, pose, cache...);
+      return found ? found->depth : 0.0;
+    };
+    costs.push_back(measured<PenetrationCache>(pair, walk, poses, "penetration", depth));
+  };
   for (const Pair& pair : pairs()) {
+    if (pair.moving.edgeCount() <= 64)  // which take milliseconds otherwise
+      for (const auto& [walk, poses] : deepWalksOf(pair)) addPenetration(pair, walk, poses);
     for (const auto& [walk, poses] : walksOf(pair)) {
       const Polygon &a = pair.fixed, &b = pair.moving;
       costs.push_back(measured(pair, walk, poses, "collide", [&](const Pose& pose, auto&... cache) {
@@ -111,10 +128,7 @@ std::vector<CacheCost> measureCaches() {
       costs.push_back(measured(pair, walk, poses, "contacts", [&](const Pose& pose, auto&... cache) {
         return static_cast<double>(contacts(a, still, b, pose, cache...).size());
       }));
-      costs.push_back(
-          measured<PenetrationCache>(pair, walk, poses, "penetration", [&](const Pose& pose, auto&... cache) {
-            return penetration(a, still, b, pose, cache...).has_value() ? 1.0 : 0.0;
-          }));
+      addPenetration(pair, walk, poses);
     }
   }
   return costs;
