@@ -14,6 +14,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
+#include "tricover/prepare.h"
 #include "tricover/segment.h"
 
 namespace tricover_fcl::test {
@@ -101,9 +102,11 @@ TEST(Margin, toleranceNeverMisses) {
   int hits = 0, alarms = 0;
   const int count = std::max(100, tricover::support::scaledCount(1000));  // few are alarms
   for (int i = 0; i < count; ++i) {
-    // Of many edges, so that boxes around several are thinner than the tolerance.
+    // Of many edges, so that boxes around several are thinner than the tolerance; which are asked once they are there.
     const tricover::Polygon a({tricover::support::star(random, 200, 0.9, 1)});
     const tricover::Polygon b({tricover::support::star(random, 200, 0.9, 1)});
+    tricover::prepare(a);
+    tricover::prepare(b);
     const tricover::Pose pose_a = tricover::support::randomPose(random, 0.3);
     const tricover::Pose pose_b = tricover::support::randomPose(random, 2.2);
     fcl::CollisionResultd exact, tolerant;
