@@ -25,7 +25,8 @@ void addRings(const PolygonData& polygon, SmallPolygon& small) {
   if (static_cast<int>(i) < small.lanes) add(static_cast<unsigned>(small.lanes));
 }
 
-/// Of no edges, its lanes all 0.
+}  // namespace
+
 std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes) {
   std::unique_ptr<SmallPolygon> small(new (lanes) SmallPolygon{});
   small->lanes = lanes;
@@ -36,8 +37,6 @@ std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes) {
   }
   return small;
 }
-
-}  // namespace
 
 std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const std::vector<Vec2>& local) {
   const std::size_t n = polygon.path.size() - polygon.ringCount();

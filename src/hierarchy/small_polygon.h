@@ -8,6 +8,9 @@
 
 namespace tricover::detail {
 
+/// Of no edges, its lanes all 0.
+std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes);
+
 /// Null where the polygon has more edges, or one without a direction; `local` is its path in units, from S.
 std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const std::vector<Vec2>& local);
 
