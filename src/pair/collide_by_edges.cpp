@@ -83,6 +83,7 @@ class Chains {
 
   const Chain* begin() const { return begin_; }
   const Chain* end() const { return end_; }
+  std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
   const Bounds& box() const { return box_; }
 
   /// Leaves those that meet a box.
@@ -220,6 +221,9 @@ std::optional<Outcome> collideByEdges(const EdgeTest& test) {
   if (!box_a.meets(box_b)) return outcome;
   of_a.keepMeeting(box_b);
   of_b.keepMeeting(box_a);
+  // So many pairs of boxes take half of what hierarchies cost: such a query pays for them alone.
+  constexpr std::size_t kMostAnEdge = 32;
+  if (of_a.size() * of_b.size() > kMostAnEdge * (test.a.path.size() + test.b.path.size())) return std::nullopt;
   for (const Chain& chain_a : of_a)
     for (const Chain& chain_b : of_b)
       if (chain_a.box.meets(chain_b.box) && findMeetingEdges(test, chain_a, chain_b, grown, outcome)) return outcome;

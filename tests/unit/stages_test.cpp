@@ -42,6 +42,16 @@ TEST(Stages, ComeWhenQueriesHavePaidForThem) {
   EXPECT_NE(innerDiscsIfBuilt(b.data()), nullptr);
 }
 
+TEST(Stages, ComeAtOnceWhereEdgesAloneCostMore) {
+  const UpTo paid(Stages::Paid);
+  Random random(2);
+  for (const int n : {1000, 20000}) {
+    const Polygon a({star(random, n, 0.9, 1)}), b({star(random, n, 0.9, 1)});
+    EXPECT_TRUE(collide(a, kIdentity, b, pose(0, 0.5, 0)));
+    EXPECT_EQ(hierarchyIfBuilt(a.data()) != nullptr, n == 20000) << "pairs of boxes grow with the square of that";
+  }
+}
+
 /// A map that is asked about robots that are new each time is worth a hierarchy, sooner than they are.
 TEST(Stages, AreOfThePolygonThatIsAskedOften) {
   const UpTo paid(Stages::Paid);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
+    ("src/pair/collide_by_edges.cpp", "constexpr std::size_t kMostAnEdge = 32;", "constexpr std::size_t kMostAnEdge = 32000000;", "edges alone: chains of large polygons, each with each"),
     ("src/pair/edge_sides.cpp", "if (q == r || q * r > 0) return;", "if (q * r >= 0) return;", "interiors: edges that end on the line"),
     ("src/pair/edge_sides.cpp", "isBefore(cuts_[i], cuts_[i + 1])", "true", "interiors: between cuts at one place"),
     ("src/pair/edge_sides.cpp", "(right[A] && right[B])", "(left[A] && right[B])", "interiors: one on either side"),
