@@ -224,8 +224,8 @@ class TRICOVER_EXPORT Scene {
   /// begins. Throws as add() and remove() do.
   /// \snippet scene.cpp scene handles
   void setOptions(Body body, const BodyOptions& options);
-  /// Many at once: what move() does one after the other, whatever runs it, or nothing if it throws (but std::bad_alloc,
-  /// which may leave some where they were).
+  /// Many at once: what move() does one after the other, whatever runs it, or nothing if it throws for a body or a pose.
+  /// What `parallel` throws itself, and std::bad_alloc, may leave some where they were.
   /// \snippet scene.cpp scene frames
   void move(const std::vector<BodyPose>& poses, const Parallel& parallel = {});
 

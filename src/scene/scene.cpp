@@ -82,10 +82,10 @@ void Scene::remove(Body body) {
   const std::size_t before = impl.lost.size();
   while (!state.links.empty()) impl.unlink(state.links.back().pair);
   if (impl.tree.holds(slot)) impl.tree.remove(slot);
-  state.used = false;
   // Until collisions() has reported that its pairs ended, the slot isn't given to another body; nor ever again after as
   // many bodies as handles count.
-  if (state.generation + 1 != 0) (impl.lost.size() == before ? impl.free_bodies : impl.unreported).push_back(slot);
+  if (++impl.tenancies[slot].changes != 0)
+    (impl.lost.size() == before ? impl.free_bodies : impl.unreported).push_back(slot);
   --impl.count;
   ++impl.version;
 }
@@ -93,7 +93,7 @@ void Scene::remove(Body body) {
 void Scene::move(Body body, const Pose& pose) {
   const detail::Slot slot = impl_->slot(body);
   detail::requireRigid(pose, "pose");
-  impl_->moveBody(slot, pose, impl_->stepTo(slot, pose));
+  impl_->moveBody(slot, pose, impl_->stepTo(slot, pose), nullptr);
 }
 
 void Scene::move(const std::vector<BodyPose>& poses, const Parallel& parallel) { impl_->moveBodies(poses, parallel); }
@@ -103,7 +103,7 @@ std::vector<Scene::Body> Scene::bodies() const {
   std::vector<Body> all;
   all.reserve(size());
   for (detail::Slot slot = 0; slot < impl_->bodies.size(); ++slot)
-    if (impl_->bodies[slot].used) all.push_back(impl_->handleOf(slot));
+    if (impl_->isUsed(slot)) all.push_back(impl_->handleOf(slot));
   std::sort(all.begin(), all.end());
   return all;
 }

@@ -20,39 +20,9 @@
 namespace tricover::detail {
 namespace {
 
-/// A box looks ahead for so many moves, and by its body's size at the most: each box that is left costs a search of the
-/// tree, and a wider one meets more.
-constexpr double kBoxSteps = 16;
-/// And a pair's fact: fewer than a PairCache's (kStepsAhead), because most pairs of a crowd that come near soon part.
+/// A pair's fact looks ahead for so many moves: fewer than a PairCache's (kStepsAhead), because most pairs of a crowd
+/// that come near soon part.
 constexpr double kPairSteps = 1;
-/// What the last move counts for in their average.
-constexpr double kOfAverage = 0.25;
-/// A count beyond so many times a body's size begins anew, so that what is added to it isn't lost to rounding.
-constexpr double kLongWay = 0x1p20;
-
-double sizeOf(const SceneState::BodyState& body) { return body.polygon.data().radius + body.options.margin; }
-
-bool isCoherent(const SceneState::BodyState& body, double step) { return step <= kCoherentPart * sizeOf(body); }
-
-/// After a step its count of motion, whether that goes on, and its average step.
-double movedAfter(const SceneState::BodyState& body, double step) { return roundedUp<1>(body.moved + step); }
-bool staysCounted(const SceneState::BodyState& body, double step) {
-  const double most = std::min(kLongWay * sizeOf(body), std::numeric_limits<double>::max());
-  return isCoherent(body, step) && movedAfter(body, step) <= most;
-}
-double averageAfter(const SceneState::BodyState& body, double step) {
-  return isCoherent(body, step) ? body.step + kOfAverage * (step - body.step) : 0;
-}
-
-/// What a box is larger by than its body, whose steps are that long on average: it is for a good many of them.
-double growthOf(const SceneState::BodyState& body, double step) { return std::min(kBoxSteps * step, sizeOf(body)); }
-
-Bounds newBoxAt(const SceneState::BodyState& body, const Pose& pose, double step) {
-  return boundsOf(body.polygon.data(), pose, body.options.margin + growthOf(body, step));
-}
-
-/// The count that a new box is good for.
-double untilOf(const SceneState::BodyState& body) { return roundedDown<1>(body.moved + growthOf(body, body.step)); }
 
 }  // namespace
 
@@ -78,6 +48,7 @@ void SceneState::makeRoomFor(std::size_t more) {
   const std::size_t anew = more - std::min(more, free_bodies.size());
   if (bodies.size() + anew > kMostBodies) throw std::length_error(refusal("scene", "more than 2^28 bodies"));
   makeRoom(bodies, anew);
+  makeRoom(tenancies, anew);
   for (auto* list : {&waiting, &fresh, &due}) list->reserve(bodies.capacity());
   makeRoom(free_bodies, unreported.size());
 }
@@ -85,17 +56,18 @@ void SceneState::makeRoomFor(std::size_t more) {
 Slot SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   const bool anew = free_bodies.empty();
   const Slot body = anew ? static_cast<Slot>(bodies.size()) : free_bodies.back();
-  BodyState state{polygon, pose, options, 0, {}, {}, 0, 0, 0, {}, 0, 0, true, false, false, false};
+  BodyState state{polygon, pose, options, 0, {}, {}, 0, 0, 0, {}, false, false, false};
   if (anew) {
     bodies.push_back(std::move(state));
+    tenancies.emplace_back();
   } else {
     // Lists may still hold a removed body of that slot.
     const BodyState& old = bodies[body];
-    state.generation = old.generation + 1;
     state.waits = old.waits, state.fresh = old.fresh, state.listed = old.listed;
     bodies[body] = std::move(state);
     free_bodies.pop_back();
   }
+  ++tenancies[body].changes;
   if (!bodies[body].waits) waiting.push_back(body);
   bodies[body].waits = true;
   settling.is_done.store(false, std::memory_order_relaxed);
@@ -116,98 +88,16 @@ void SceneState::settle() {
 void SceneState::placeWaiting() {
   if (2 * (tree.changes() + waiting.size()) < count) {
     for (const Slot body : waiting)
-      if (bodies[body].used && !tree.holds(body)) tree.insert(body, newBox(body));
+      if (isUsed(body) && !tree.holds(body)) tree.insert(body, newBox(body));
   } else {
     std::vector<BoxTree::Entry> entries;
     entries.reserve(count);
     for (Slot body = 0; body < bodies.size(); ++body)
-      if (bodies[body].used) entries.push_back({tree.holds(body) ? tree.boundsOf(body) : newBox(body), body});
+      if (isUsed(body)) entries.push_back({tree.holds(body) ? tree.boundsOf(body) : newBox(body), body});
     tree.pack(entries);
   }
   for (const Slot body : waiting) bodies[body].waits = false;
   std::vector<Slot>().swap(waiting);
-}
-
-/// A box around a body.
-Bounds SceneState::newBox(Slot body) {
-  BodyState& state = bodies[body];
-  state.box_until = untilOf(state);
-  return newBoxAt(state, state.pose, state.step);
-}
-
-/// How far the points of a body go at the most that moves there; negative if it doesn't move.
-double SceneState::stepTo(Slot body, const Pose& pose) const {
-  const BodyState& state = bodies[body];
-  const double *was = state.pose.data(), *now = pose.data();
-  const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
-                      load2(now + 6) - load2(was + 6));
-  return change.any() ? change.displacement() : -1;
-}
-
-/// `box` is the new one of a body that leaves its own, if that is known.
-void SceneState::moveBody(Slot body, const Pose& pose, double step, const Bounds* box) {
-  if (step < 0) return;
-  tree.prepareMove();
-  ++version;
-  BodyState& state = bodies[body];
-  const bool stays = staysCounted(state, step);
-  state.step = averageAfter(state, step);
-  state.pose = pose;
-  state.discs.forget();
-  state.clear.forget();
-  state.moved = movedAfter(state, step);
-  if (!stays) {
-    state.moved = 0;
-    state.box_until = state.due = -1;
-    for (Link& link : state.links) link.due = -1;
-  }
-  if (state.moved < state.due) return;
-  listDue(body);
-  if (state.moved <= state.box_until || !tree.holds(body)) return;
-  tree.move(body, box != nullptr ? *box : newBoxAt(state, pose, state.step));
-  state.box_until = untilOf(state);
-  listFresh(body);
-}
-
-/// Its box is new, and all of its pairs are due: those that may not meet any more are found not to collide.
-void SceneState::setOptions(Slot body, const BodyOptions& options) {
-  tree.prepareMove();
-  ++version;
-  BodyState& state = bodies[body];
-  state.options = options;
-  state.clear.forget();
-  state.due = -1;
-  for (Link& link : state.links) link.due = -1;
-  listDue(body);
-  if (tree.holds(body)) tree.move(body, newBox(body));
-  listFresh(body);
-}
-
-/// Checks all and finds their steps, and new boxes for those that leave theirs, on the user's threads; then moves one
-/// after the other.
-void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel) {
-  steps.resize(poses.size());
-  new_boxes.resize(poses.size());
-  inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
-    const auto& [body, pose] = poses[i];
-    const Slot moving = slot(body);
-    requireRigid(pose, "pose", i);
-    const BodyState& state = bodies[moving];
-    const double step = steps[i] = stepTo(moving, pose);
-    if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until))
-      new_boxes[i] = newBoxAt(state, pose, averageAfter(state, step));
-  });
-  ++turn;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Slot body = slotOf(poses[i].body);
-    const Pose& pose = poses[i].pose;
-    const bool again = bodies[body].turn == turn;
-    bodies[body].turn = turn;
-    if (again)
-      moveBody(body, pose, stepTo(body, pose), nullptr);
-    else
-      moveBody(body, pose, steps[i], &new_boxes[i]);
-  }
 }
 
 /// Adds the pairs that a body whose box is new hasn't had, but for those that a body with a lower slot finds.
@@ -250,7 +140,7 @@ void SceneState::link(const SlotPair& ends) {
 /// Finds them on the user's threads, and then links them in the order of the list. They are due.
 void SceneState::linkFresh(const Parallel& parallel) {
   const auto found = gatherInParallel<SlotPair>(parallel, fresh.size(), [&](std::size_t i, std::vector<SlotPair>& to) {
-    if (bodies[fresh[i]].used) findPairs(fresh[i], to);
+    if (isUsed(fresh[i])) findPairs(fresh[i], to);
   });
   for (const auto& some : found)
     for (const SlotPair& ends : some) link(ends);
@@ -325,7 +215,7 @@ void SceneState::listPairs(const Parallel& parallel) {
   const auto found =
       gatherInParallel<std::uint32_t>(parallel, due.size(), [&](std::size_t i, std::vector<std::uint32_t>& to) {
         const Slot body = due[i];
-        if (!bodies[body].used) return;
+        if (!isUsed(body)) return;
         for (const Link& link : bodies[body].links) {
           if (!finds(bodies[body], link)) continue;
           const Pair& pair = pairs[link.pair];
@@ -362,8 +252,8 @@ void SceneState::updateCollisions(const Parallel& parallel) {
     BodyState& state = bodies[due[i]];
     state.due = state.box_until;
     for (const Link& link : state.links) state.due = std::min(state.due, link.due);
+    state.listed = false;
   });
-  for (const Slot body : due) bodies[body].listed = false;
   due.clear();
   for (const Slot body : fresh) bodies[body].fresh = false;
   fresh.clear();

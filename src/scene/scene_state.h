@@ -59,13 +59,16 @@ struct SceneState {
     mutable KeptDiscs discs;
     ClearBox clear;
     double moved, due, box_until;
-    std::vector<Link> links;   ///< its pairs
-    std::uint32_t turn;        ///< the last call of moveBodies() that moved it
-    std::uint32_t generation;  ///< how many bodies had the slot before
-    bool used;                 ///< false: the slot is free
-    bool waits;                ///< in the list of these, and not in the tree
-    bool fresh;                ///< in the list of these
-    bool listed;               ///< in the list of these
+    std::vector<Link> links;  ///< its pairs
+    bool waits;               ///< in the list of these, and not in the tree
+    bool fresh;               ///< in the list of these
+    bool listed;              ///< in the list of these
+  };
+
+  /// What is asked of a slot where the body itself isn't.
+  struct Tenancy {
+    std::uint32_t changes = 0;  ///< comings and goings of bodies: odd while there is one
+    std::uint32_t turn = 0;     ///< the last call of moveBodies() that named it
   };
 
   struct Pair {
@@ -92,13 +95,14 @@ struct SceneState {
     std::mutex turn;
   };
 
-  BodyHandle handleOf(Slot body) const { return BodyHandle{bodies[body].generation} << 32 | body; }
+  BodyHandle handleOf(Slot body) const { return BodyHandle{tenancies[body].changes / 2} << 32 | body; }
+  bool isUsed(Slot body) const { return tenancies[body].changes % 2 != 0; }
   BodyPair handlesOf(const Pair& pair) const {
     const BodyHandle p = handleOf(pair.body[0]), q = handleOf(pair.body[1]);
     return {std::min(p, q), std::max(p, q)};
   }
   bool has(BodyHandle body) const {
-    return slotOf(body) < bodies.size() && bodies[slotOf(body)].used && handleOf(slotOf(body)) == body;
+    return slotOf(body) < bodies.size() && isUsed(slotOf(body)) && handleOf(slotOf(body)) == body;
   }
   Slot slot(BodyHandle body) const;                   ///< throws std::out_of_range
   SlotFilter slots(const BodyFilter& filter) const {  ///< throws as that does
@@ -118,8 +122,20 @@ struct SceneState {
 
   // Kinetic facts.
   double stepTo(Slot body, const Pose& pose) const;
-  void moveBody(Slot body, const Pose& pose, double step, const Bounds* box = nullptr);
+  bool advance(Slot body, const Pose& pose, double step);
+  void moveBody(Slot body, const Pose& pose, double step, const Bounds* box);
   void setOptions(Slot body, const BodyOptions& options);
+  /// One of many moves, and what is left to be done of it.
+  struct Moving {
+    enum What : std::uint8_t { Nothing, Done, IsDue, Leaves, Again };  ///< Nothing: the body is there already
+    Slot body;
+    What what;
+  };
+  struct Leaving {
+    double step;
+    Bounds box;
+  };
+  Moving::What moveInBox(Slot body, const Pose& pose, Leaving& leaving_to);
   void moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel);
   void listFresh(Slot body);
   void listDue(Slot body);
@@ -143,6 +159,7 @@ struct SceneState {
   std::uint64_t id;           ///< of this scene; see SceneCache
   std::uint64_t version = 0;  ///< counts changes
   std::vector<BodyState> bodies;
+  std::vector<Tenancy> tenancies;  ///< of their slots
   std::vector<Slot> free_bodies;
   std::vector<Slot> unreported;  ///< removed, but their pairs haven't been reported as ended
   std::size_t count = 0;
@@ -155,8 +172,8 @@ struct SceneState {
   std::vector<std::uint32_t> listed_pairs;  ///< to be looked at
   std::vector<std::uint32_t> changed;       ///< pairs whose `collides` may differ from what was reported
   std::vector<Finding> findings;            ///< of listed pairs, while they are looked at
-  std::vector<double> steps;                ///< of bodies that are moved together
-  std::vector<Bounds> new_boxes;            ///< of those that leave theirs
+  std::vector<Moving> moves;                ///< of bodies that are moved together
+  std::vector<Leaving> leaving;             ///< of those that leave their boxes
   std::uint32_t turn = 0;                   ///< of moving bodies together
   std::vector<BodyPair> lost;               ///< reported pairs that are no pairs any more
   std::vector<BodyPair> collisions, began, ended;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -117,6 +118,51 @@ TEST(Scene, TakesManyBodiesAtOnce) {
   negative.margin = -1;
   EXPECT_THROW(scene.add({{kSquare, pose(0, 0, 0), {}}, {kSquare, pose(0, 0, 0), negative}}), std::invalid_argument);
   EXPECT_EQ(scene.size(), before);
+}
+
+TEST(Scene, MovesABodyTwiceAtOnce) {
+  Scene scene;
+  const Scene::Body still = scene.add(kSquare, pose(0, 50, 0)), moving = scene.add(kSquare, pose(0, 0, 0));
+  for (int i = 1; i < 20; ++i) {  // its box has room for such steps by then
+    scene.move({{moving, pose(0, 0.01 * i, 0)}});
+    EXPECT_TRUE(scene.collisions().empty());
+  }
+  scene.move({{moving, pose(0, 0.2, 0)}, {moving, pose(0, 49, 0)}});
+  EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{still, moving}}));
+  scene.move({{moving, pose(0, 49.01, 0)}, {moving, pose(0, 0.2, 0)}});
+  EXPECT_TRUE(scene.collisions().empty());
+  EXPECT_EQ(scene.pose(moving).translation().x(), 0.2);
+}
+
+TEST(Scene, KnowsWhatWasMovedWhenTheUsersThreadsFail) {
+  constexpr int kPairs = 600;
+  Scene scene;
+  std::vector<BodyPose> poses;
+  for (int i = 0; i < 2 * kPairs; ++i) {
+    const Pose at = pose(0, 10 * (i / 2) + 2.45 * (i % 2), 0);
+    poses.push_back({scene.add(kSquare, at), at});
+  }
+  const auto approach = [&](const Parallel& parallel) {
+    for (std::size_t i = 1; i < poses.size(); i += 2) poses[i].pose.translation().x() -= 0.1;
+    scene.move(poses, parallel);
+  };
+  for (int i = 0; i < 4; ++i) {
+    approach({});
+    EXPECT_TRUE(scene.collisions().empty());
+  }
+  int calls = 0;
+  const Parallel failing = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
+    const bool fails = ++calls == 2;  // the first one checks
+    for (std::size_t i = 0; i < (fails ? count / 2 : count); ++i) task(i);
+    if (fails) throw std::runtime_error("no more threads");
+  };
+  EXPECT_THROW(approach(failing), std::runtime_error);
+  std::size_t moved = 0;
+  for (const BodyPose& move : poses) moved += scene.pose(move.body).translation() == move.pose.translation() ? 1 : 0;
+  const std::size_t pairs = moved - kPairs;  // the others stay where they are in any case
+  EXPECT_GT(pairs, 0u);
+  EXPECT_LT(pairs, std::size_t{kPairs});
+  EXPECT_EQ(scene.collisions().size(), pairs);
 }
 
 TEST(Scene, IsCopied) {

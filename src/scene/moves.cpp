@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies of a scene move: see SceneState.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "numbers/rigidity.h"
+#include "numbers/rounding.h"
+#include "pair/facts.h"
+#include "scene/in_parallel.h"
+#include "scene/scene_state.h"
+
+namespace tricover::detail {
+namespace {
+
+/// A box looks ahead for so many moves, and by its body's size at the most: each box that is left costs a search of the
+/// tree, and a wider one meets more.
+constexpr double kBoxSteps = 16;
+/// What the last move counts for in their average.
+constexpr double kOfAverage = 0.25;
+/// A count beyond so many times a body's size begins anew, so that what is added to it isn't lost to rounding.
+constexpr double kLongWay = 0x1p20;
+
+double sizeOf(const SceneState::BodyState& body) { return body.polygon.data().radius + body.options.margin; }
+
+bool isCoherent(const SceneState::BodyState& body, double step) { return step <= kCoherentPart * sizeOf(body); }
+
+/// After a step its count of motion, whether that goes on, and its average step.
+double movedAfter(const SceneState::BodyState& body, double step) { return roundedUp<1>(body.moved + step); }
+bool staysCounted(const SceneState::BodyState& body, double step) {
+  const double most = std::min(kLongWay * sizeOf(body), std::numeric_limits<double>::max());
+  return isCoherent(body, step) && movedAfter(body, step) <= most;
+}
+double averageAfter(const SceneState::BodyState& body, double step) {
+  return isCoherent(body, step) ? body.step + kOfAverage * (step - body.step) : 0;
+}
+
+/// What a box is larger by than its body, whose steps are that long on average: it is for a good many of them.
+double growthOf(const SceneState::BodyState& body, double step) { return std::min(kBoxSteps * step, sizeOf(body)); }
+
+Bounds newBoxAt(const SceneState::BodyState& body, const Pose& pose, double step) {
+  return boundsOf(body.polygon.data(), pose, body.options.margin + growthOf(body, step));
+}
+
+/// The count that a new box is good for.
+double untilOf(const SceneState::BodyState& body) { return roundedDown<1>(body.moved + growthOf(body, body.step)); }
+
+}  // namespace
+
+/// A box around a body.
+Bounds SceneState::newBox(Slot body) {
+  BodyState& state = bodies[body];
+  state.box_until = untilOf(state);
+  return newBoxAt(state, state.pose, state.step);
+}
+
+/// How far the points of a body go at the most that moves there; negative if it doesn't move.
+double SceneState::stepTo(Slot body, const Pose& pose) const {
+  const BodyState& state = bodies[body];
+  const double *was = state.pose.data(), *now = pose.data();
+  const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
+                      load2(now + 6) - load2(was + 6));
+  return change.any() ? change.displacement() : -1;
+}
+
+/// The body's own part of a move, by any number of threads for different bodies. Whether it is due.
+bool SceneState::advance(Slot body, const Pose& pose, double step) {
+  BodyState& state = bodies[body];
+  const bool stays = staysCounted(state, step);
+  state.step = averageAfter(state, step);
+  state.pose = pose;
+  state.discs.forget();
+  state.clear.forget();
+  state.moved = movedAfter(state, step);
+  if (!stays) {
+    state.moved = 0;
+    state.box_until = state.due = -1;
+    for (Link& link : state.links) link.due = -1;
+  }
+  return !(state.moved < state.due);
+}
+
+/// `box` is the new one of a body that leaves its own, if that is known.
+void SceneState::moveBody(Slot body, const Pose& pose, double step, const Bounds* box) {
+  if (step < 0) return;
+  tree.prepareMove();
+  ++version;
+  if (!advance(body, pose, step)) return;
+  listDue(body);
+  BodyState& state = bodies[body];
+  if (state.moved <= state.box_until || !tree.holds(body)) return;
+  tree.move(body, box != nullptr ? *box : newBoxAt(state, pose, state.step));
+  state.box_until = untilOf(state);
+  listFresh(body);
+}
+
+/// Its box is new, and all of its pairs are due: those that may not meet any more are found not to collide.
+void SceneState::setOptions(Slot body, const BodyOptions& options) {
+  tree.prepareMove();
+  ++version;
+  BodyState& state = bodies[body];
+  state.options = options;
+  state.clear.forget();
+  state.due = -1;
+  for (Link& link : state.links) link.due = -1;
+  listDue(body);
+  if (tree.holds(body)) tree.move(body, newBox(body));
+  listFresh(body);
+}
+
+/// Moves a body unless it leaves its box.
+SceneState::Moving::What SceneState::moveInBox(Slot body, const Pose& pose, Leaving& leaving_to) {
+  BodyState& state = bodies[body];
+  const double step = stepTo(body, pose);
+  if (step < 0) return Moving::Nothing;
+  if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until)) {
+    leaving_to = {step, newBoxAt(state, pose, averageAfter(state, step))};
+    return Moving::Leaves;
+  }
+  if (!advance(body, pose, step) || state.listed) return Moving::Done;
+  // Its place in the list comes later, but here its memory is at hand.
+  state.listed = true;
+  return Moving::IsDue;
+}
+
+/// Checks all, then moves those that stay in their boxes, on the user's threads; and then, one after the other, the
+/// rest.
+void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel) {
+  moves.resize(poses.size());
+  leaving.resize(poses.size());
+  inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
+    moves[i] = {slot(poses[i].body), Moving::Nothing};
+    requireRigid(poses[i].pose, "pose", i);
+  });
+  ++turn;
+  for (Moving& move : moves)
+    if (std::exchange(tenancies[move.body].turn, turn) == turn) move.what = Moving::Again;
+  const auto moveTheRest = [&] {
+    bool any = false;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      const auto [body, what] = moves[i];
+      any = any || what != Moving::Nothing;
+      if (what == Moving::IsDue) due.push_back(body);
+      if (what == Moving::Leaves) moveBody(body, poses[i].pose, leaving[i].step, &leaving[i].box);
+      if (what == Moving::Again) moveBody(body, poses[i].pose, stepTo(body, poses[i].pose), nullptr);
+    }
+    if (any) ++version;
+  };
+  try {
+    inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
+      if (moves[i].what != Moving::Again) moves[i].what = moveInBox(moves[i].body, poses[i].pose, leaving[i]);
+    });
+  } catch (...) {  // the user's threads have failed: what they have moved is moved
+    moveTheRest();
+    throw;
+  }
+  moveTheRest();
+}
+
+}  // namespace tricover::detail
