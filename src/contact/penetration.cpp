@@ -204,7 +204,6 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.lower_bound = result.depth;
     result.optimal = true;
   } else {
-    space.prepareSearch(known.norm());
     shortest = searchShortestParting(space, known, options.depth_error, most, margin > 0 ? nullptr : hints);
     features = featuresOf(space, shortest);
     if (shortest.limit != known) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "numbers/rounding.h"
@@ -14,7 +15,7 @@ namespace tricover::detail {
 struct PlacedVertex {
   Vec2 at;
   Vec2 incoming, outgoing;  ///< edges at it, beyond its repetitions
-  bool is_edge;             ///< not a repetition of the next one
+  bool is_edge;             ///< not a repetition of the next one, nor of a ring that bounds nothing
   bool is_reflex;           ///< certainly, seen from its region
   std::int8_t side;         ///< of the outgoing edge on which the region is: 1: left, -1: right, 0: nobody knows
 };
@@ -28,15 +29,18 @@ Vec2 turnedInUnits(const Linear& linear, double inverse_unit, const Vec2& p, con
 /// A polygon's vertices by position, each placed when it is asked for first: overlaps that are shallow need few.
 class PlacedVertices {
  public:
+  static constexpr std::int8_t kBoundsNothing = 2;
+
   PlacedVertices() = default;
-  /// origin: where the polygon's S is. sides: of its rings on which the region is, where that is wanted.
+  /// origin: where the polygon's S is. sides: of its rings on which the region is, or kBoundsNothing; empty: nobody
+  /// wants to know.
   PlacedVertices(const PolygonData& polygon, const Pose& pose, const Vec2& origin, double inverse_unit,
-                 const std::vector<std::int8_t>* sides)
+                 std::vector<std::int8_t> sides)
       : polygon_(&polygon),
         linear_(pose.linear()),
         origin_(origin),
         inverse_unit_(inverse_unit),
-        sides_(sides),
+        sides_(std::move(sides)),
         is_placed_(polygon.path.size()),
         vertices_(new PlacedVertex[polygon.path.size()]) {}
 
@@ -56,7 +60,7 @@ class PlacedVertices {
   Eigen::Matrix2d linear_;
   Vec2 origin_;
   double inverse_unit_ = 0;
-  const std::vector<std::int8_t>* sides_ = nullptr;
+  std::vector<std::int8_t> sides_;
   mutable std::vector<std::uint8_t> is_placed_;
   std::unique_ptr<PlacedVertex[]> vertices_;
 };

@@ -23,8 +23,8 @@
 // overlap is intricate there; in a long search those that a disc of a and one of b overlap on take no query. Where
 // parts repeat, many pairs of edges make the same few segments: there a cell is covered by parallelograms, each of the
 // translations at which two edges meet, instead of gathering all pairs. Measured (processor time, median) on the
-// paper's polygons of size 100, overlapping by 0.5 / by 30 on the mean: contour of 64 vertices 25 / 250 us, with hole
-// 23 / 170 us, starred 45 us / 1 ms; of 256 vertices 75 us / 2.2 ms, 50 us / 0.7 ms, 125 us / 6 ms. Worst case:
+// paper's polygons of size 100, overlapping by 0.5 / by 26 on the mean: contour of 64 vertices 25 / 75 us, with hole
+// 34 / 37 us, starred 55 / 305 us; of 256 vertices 34 / 880 us, 35 / 320 us, 0.1 / 1.1 ms. Worst case:
 // outlines that are nearly parallel by more than the resolution over a long way, as combs turned by 1e-9 against each
 // other are, need cells as small as their gaps are narrow; only the number of
 // translations ends that.
@@ -102,6 +102,7 @@ class PartingSearch {
   ShortestParting run() {
     auto all_sums = std::make_shared<const DiscSums>();
     bool are_covered = false;
+    space_.prepareSearch(best_.length, known_.areFacts());
     tryLast();
     begin();
     while (!cells_.empty() && cells_.top().least < enough_ * best_.length) {
@@ -305,7 +306,7 @@ class PartingSearch {
       known_.forEachSegment(add);
       return all;
     }
-    const bool are_kept = known_.keepSegments();
+    const bool are_kept = known_.keepSegments() && space_.areKept();
     const double radius = are_kept ? std::numeric_limits<double>::infinity() : kSurroundings * best_.length + margin_;
     for (const TranslationSpace::Segment& segment : space_.segmentsWithin(radius)) {
       add(segment.v, segment.w, segment.both_sides);

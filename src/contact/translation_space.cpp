@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "contact/region_sides.h"
 #include "numbers/double_double.h"
@@ -18,6 +20,29 @@ double turnOf(const Vec2& way) {
   return way.x() >= 0 ? across : (way.y() < 0 ? -2 : 2) - across;
 }
 constexpr double kFullTurn = 4;
+
+/// What of a polygon may bound another one's free translations: see PlacedVertices, and RingSide.
+struct Bounding {
+  Bounding() = default;
+  Bounding(const PolygonData& polygon, const RegionSides& own, const RegionSides& other) {
+    for (std::size_t r = 0; r < own.rings.size(); ++r) {
+      const RingSide& ring = own.rings[r];
+      const bool bounds = mayBound(ring, other);
+      sides.push_back(bounds ? ring.side : PlacedVertices::kBoundsNothing);
+      if (!bounds) continue;
+      corners += ring.corners;
+      edges += static_cast<double>(polygon.edgeEnd(r) - polygon.edgeBegin(r) + 1);
+    }
+  }
+  /// Where all pairs of edges are shown, what is left out by them costs more than it saves.
+  void forgetSides() {
+    for (std::int8_t& side : sides)
+      if (side != PlacedVertices::kBoundsNothing) side = 0;
+  }
+
+  std::vector<std::int8_t> sides;
+  double corners = 0, edges = 0;
+};
 
 }  // namespace
 
@@ -49,22 +74,25 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
            0x1p-1073 * inverse_unit_;
 }
 
-void TranslationSpace::prepareSearch(double farthest) {
-  constexpr double kFewSegments = 800;
+void TranslationSpace::prepareSearch(double farthest, bool is_known) {
   // How far discs overlap steers a search of this plane: so they are there, whatever has been paid for.
   for (const PolygonData* polygon : {&polygon_a_, &polygon_b_})
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
-  // Of a shallow overlap the trees show fewer.
+  // Of a shallow overlap the trees show few pairs of edges.
   const double smaller = std::min(polygon_a_.radius, polygon_b_.radius) * inverse_unit_;
-  const auto edges_a = static_cast<double>(polygon_a_.path.size()),
-             edges_b = static_cast<double>(polygon_b_.path.size());
-  are_few_ = farthest > 0.25 * smaller && edges_a + edges_b <= kFewSegments &&
-             regionSidesOf(polygon_a_).corners * edges_b + regionSidesOf(polygon_b_).corners * edges_a <= kFewSegments;
-  const auto sidesOf = [&](const PolygonData& polygon) {
-    return are_few_ ? &regionSidesOf(polygon).of_rings : nullptr;
-  };
-  a_ = PlacedVertices(polygon_a_, pose_a_, Vec2::Zero(), inverse_unit_, sidesOf(polygon_a_));
-  b_ = PlacedVertices(polygon_b_, pose_b_, between_, inverse_unit_, sidesOf(polygon_b_));
+  Bounding a, b;
+  if (farthest > 0.25 * smaller) {
+    const RegionSides &of_a = regionSidesOf(polygon_a_), &of_b = regionSidesOf(polygon_b_);
+    a = Bounding(polygon_a_, of_a, of_b), b = Bounding(polygon_b_, of_b, of_a);
+    const double segments = a.corners * b.edges + b.corners * a.edges;
+    const auto pairs = static_cast<double>(polygon_a_.path.size()) * static_cast<double>(polygon_b_.path.size());
+    // Measured: the fewer they are beside all pairs of edges, the more of them pay.
+    const double most = is_known ? kMostKept : std::numeric_limits<double>::infinity();
+    if (segments < std::min(most, 20 * std::pow(pairs / segments, 3))) segments_ = segments;
+  }
+  if (!areFew()) a.forgetSides(), b.forgetSides();
+  a_ = PlacedVertices(polygon_a_, pose_a_, Vec2::Zero(), inverse_unit_, std::move(a.sides));
+  b_ = PlacedVertices(polygon_b_, pose_b_, between_, inverse_unit_, std::move(b.sides));
 }
 
 std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const PlacedVertices& vertices) {

@@ -31,12 +31,14 @@ static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 /// The boundary of M lies on convolution segments: a vertex of a less an edge of b, or an edge of a less a vertex of b;
 /// and of these only where the edges at the vertex don't leave to both sides of the other's line, since otherwise the
 /// translations around a segment's inner point overlap, too. Where it is known on which side of an edge its region is
-/// (regionSidesOf()), the other's vertex has to be a corner of its own region, and on the other side.
+/// (regionSidesOf()), the other's vertex has to be a corner of its own region, and on the other side; and a hole that
+/// is too small for the other region bounds nothing.
 class TranslationSpace {
  public:
   TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double margin);
-  /// Before edges and segments are asked for, no farther away than that.
-  void prepareSearch(double farthest);
+  /// Before edges and segments are asked for, no farther away than that. `is_known`: of most cells a cache knows what
+  /// they hold.
+  void prepareSearch(double farthest, bool is_known);
 
   /// Free translations may be on its left, and on its right if it has both sides.
   struct Segment {
@@ -84,8 +86,10 @@ class TranslationSpace {
     });
   }
 
-  /// Whether so few convolution segments may bound what the regions overlap on that a search gathers all at once.
-  bool areFew() const { return are_few_; }
+  /// Whether so few convolution segments may bound what the regions overlap on that a search gathers all at once; or
+  /// even that a cache keeps them.
+  bool areFew() const { return segments_ > 0; }
+  bool areKept() const { return areFew() && segments_ <= kMostKept; }
   /// The convolution segments within `radius` of 0, by the directions of edges: it takes what those of all of the plane
   /// are.
   std::vector<Segment> segmentsWithin(double radius) const;
@@ -120,6 +124,8 @@ class TranslationSpace {
   Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
 
  private:
+  static constexpr double kMostKept = 800;
+
   Vec2 wayInUnits(const Pose& pose, const PolygonData& polygon, std::size_t i) const {
     return turnedInUnits(pose.linear(), inverse_unit_, polygon.path[i], polygon.origin);
   }
@@ -170,7 +176,7 @@ class TranslationSpace {
   double unit_, inverse_unit_, margin_, noise_;
   Vec2 quarter_origin_;  ///< of a's S in the world
   Vec2 between_;         ///< b's S, as vertices
-  bool are_few_ = false;
+  double segments_ = 0;  ///< on average, of polygons of such corners; 0: too many
   PlacedVertices a_, b_;
 };
 

@@ -156,6 +156,39 @@ TEST(NotConvex, IntoTheHoleOrOut) {
   expectPenetration(filled, kIdentity, square(), at(1.5, 5), {2.5, {-1, 0}});
 }
 
+/// A hole bounds free places for what is no larger than it; a rod fits along its diagonal.
+TEST(NotConvex, HolesThatARodJustFits) {
+  // Its sides bulge, so that its outermost vertices are nearer to each other than its corners are.
+  const Ring hole = {{-2.01, 0}, {-2, -2}, {0, -2.01}, {2, -2}, {2.01, 0}, {2, 2}, {0, 2.01}, {-2, 2}};
+  const Polygon plate({rectangle(-10, -10, 10, 10), hole});
+  const auto rod = [](double length) {  // bent a little
+    return Polygon({{{-length / 2, 0}, {0, 0.01}, {length / 2, 0}, {0, 0.2}}});
+  };
+  const double half = std::sqrt(0.5);
+  const Pose along = pose(0.25 * static_cast<double>(EIGEN_PI), 0, 0);
+  EXPECT_FALSE(collide(plate, kIdentity, rod(5.6), along));
+  // Pushed by 0.3 along the diagonal its end is 0.3 - (2.828 - 2.8) beyond the corner: each coordinate comes back.
+  Pose pushed = along;
+  pushed.translation() = 0.3 * Vec2(half, half);
+  const double beyond = half * (2.8 + 0.3) - 2;
+  expectPenetration(plate, kIdentity, rod(5.6), pushed, {beyond / half, Vec2(-half, -half)});
+  // One that is too long has to leave the plate.
+  const auto out = penetration(plate, kIdentity, rod(6), along);
+  ASSERT_TRUE(out);
+  EXPECT_TRUE(out->optimal);
+  EXPECT_GT(out->depth, 10);
+}
+
+TEST(NotConvex, HolesThatOnePartFits) {
+  const Polygon plate({rectangle(-5, -5, 5, 5), rectangle(-1, -1, 1, 1)});
+  const Ring large = rectangle(5.5, -1.5, 8.5, 1.5), small = rectangle(0.75, -0.25, 1.25, 0.25);
+  for (const Polygon& both : {Polygon({large, small}), Polygon({small, large})})
+    expectPenetration(plate, kIdentity, both, kIdentity, {0.25, {-1, 0}});
+  // An island in a hole is a part, too.
+  const Polygon target({rectangle(2, -2.5, 8, 2.5), rectangle(2.5, -2, 7.5, 2), rectangle(3.95, -0.5, 4.95, 0.5)});
+  expectPenetration(target, kIdentity, Polygon({rectangle(4.5, -1.5, 6, 1.5)}), kIdentity, {0.45, {1, 0}});
+}
+
 TEST(NotConvex, SmallInTheMiddleOfAWall) {
   const Polygon crumb({rectangle(-1e-3, -1e-3, 1e-3, 1e-3)});
   expectPenetration(frame(), kIdentity, crumb, at(1.25, 5), {0.751, {1, 0}});
