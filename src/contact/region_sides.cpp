@@ -16,7 +16,7 @@ namespace tricover::detail {
 namespace {
 
 /// Rings times vertices: what is looked at for a polygon's sides, at most.
-constexpr std::size_t kMostLooks = std::size_t{1} << 22;
+constexpr std::size_t kMostLooks = std::size_t{1} << 20;
 
 bool isLower(const Vec2& p, const Vec2& q) { return p.y() < q.y() || (p.y() == q.y() && p.x() < q.x()); }
 
