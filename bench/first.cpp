@@ -112,7 +112,7 @@ void timePairs(const FirstCell& cell, std::size_t queries, Ready ready, Visit vi
     const FirstAsked asked = cell.visit(i, queries);
     std::vector<double> first(queries, 1e18), later = first;
     for (int round = 0; round < kRounds; ++round) {
-      const Polygon fixed(std::vector<Ring>(1, asked.fixed)), moving(std::vector<Ring>(1, asked.moving));
+      const Polygon fixed(asked.fixed.data(), asked.fixed.size()), moving(asked.moving.data(), asked.moving.size());
       ready(fixed), ready(moving);
       timeEach(fixed, moving, asked, first);
       timeEach(fixed, moving, asked, later);

@@ -21,8 +21,8 @@ std::size_t hitsOf(const fcl::CollisionGeometryd& fixed, const fcl::CollisionGeo
 }
 
 std::size_t askShapes(const FirstAsked& asked) {
-  const tricover_fcl::PolygonShaped fixed(Polygon(std::vector<Ring>(1, asked.fixed))),
-      moving(Polygon(std::vector<Ring>(1, asked.moving)));
+  const tricover_fcl::PolygonShaped fixed(Polygon(asked.fixed.data(), asked.fixed.size())),
+      moving(Polygon(asked.moving.data(), asked.moving.size()));
   return hitsOf(fixed, moving, asked);
 }
 

@@ -30,7 +30,7 @@ void move(const Ring& ring, const Pose& pose, Ring& moved) {
 }
 
 std::size_t askTricover(const FirstAsked& asked) {
-  const Polygon fixed(std::vector<Ring>(1, asked.fixed)), moving(std::vector<Ring>(1, asked.moving));
+  const Polygon fixed(asked.fixed.data(), asked.fixed.size()), moving(asked.moving.data(), asked.moving.size());
   std::size_t hits = 0;
   for (std::size_t i = 0; i < asked.queries; ++i)
     hits += collide(fixed, Pose::Identity(), moving, asked.poses[i]) ? 1 : 0;

@@ -39,6 +39,9 @@ class TRICOVER_EXPORT Polygon {
   /// vertices in a ring, a coordinate that is not finite, or more than 2^29 vertices in all (one more counted for each
   /// ring).
   explicit Polygon(const std::vector<Ring>& rings, FillRule fill = FillRule::EvenOdd);
+  /// Of one ring, of `count` vertices side by side from `vertices` on, which are copied: as of that ring alone, for
+  /// less. Throws likewise, and for a null pointer. \snippet polygon.cpp raw
+  Polygon(const Vec2* vertices, std::size_t count, FillRule fill = FillRule::EvenOdd);
 
   Polygon(const Polygon& other) noexcept;             ///< Moving copies, too, so that no polygon is without its data.
   Polygon& operator=(const Polygon& other) noexcept;  ///< Copies, too.

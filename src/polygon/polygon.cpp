@@ -27,24 +27,25 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 std::string nameOf(std::size_t ring) { return "rings: ring " + std::to_string(ring); }
 
 /// In the path. Throws for rings that are no polygon's.
-std::size_t positionsOf(const std::vector<Ring>& rings) {
-  if (rings.empty()) refuse("rings", "a polygon needs at least one ring");
+std::size_t positionsOf(const RingsView& rings) {
+  if (rings.size() == 0) refuse("rings", "a polygon needs at least one ring");
   std::size_t positions = 0;
-  for (const Ring& ring : rings) {
-    if (ring.size() < 3)
-      refuse(nameOf(static_cast<std::size_t>(&ring - rings.data())),
-             "it has " + std::to_string(ring.size()) + " vertices", "it needs at least 3, which may be equal ones");
-    positions += ring.size() + 1;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const auto [vertices, size] = rings[r];
+    if (size < 3)
+      refuse(nameOf(r), "it has " + std::to_string(size) + " vertices", "it needs at least 3, which may be equal ones");
+    if (vertices == nullptr) refuse(nameOf(r), "its vertices are at no address");
+    positions += std::min(size, kMostPositions) + 1;
   }
   requireCapacity(positions);
   return positions;
 }
 
 /// Names the first vertex that isn't.
-void refuseNotFinite(const std::vector<Ring>& rings) {
+void refuseNotFinite(const RingsView& rings) {
   for (std::size_t r = 0; r < rings.size(); ++r)
-    for (std::size_t i = 0; i < rings[r].size(); ++i)
-      if (!rings[r][i].allFinite()) refuseCoordinate(nameOf(r) + ", vertex " + std::to_string(i));
+    for (std::size_t i = 0; i < rings[r].size; ++i)
+      if (!rings[r].vertices[i].allFinite()) refuseCoordinate(nameOf(r) + ", vertex " + std::to_string(i));
 }
 
 /// visit(v, w) for all vertices of a path, of which there are at least two, two by two; an odd one comes twice.
@@ -156,7 +157,7 @@ void requireCapacity(std::size_t positions) {
     refuse("rings", "more than 2^29 vertices, one more counted for each ring", "divide the polygon");
 }
 
-PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
+PolygonData* PolygonData::make(const RingsView& rings, FillRule fill) {
   if (fill != FillRule::EvenOdd && fill != FillRule::NonZero) refuse("fill", "not a FillRule");
   const std::size_t total = positionsOf(rings);
   static_assert(sizeof(PolygonData) % alignof(Vec2) == 0 && alignof(PolygonData) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
@@ -165,11 +166,12 @@ PolygonData* PolygonData::make(const std::vector<Ring>& rings, FillRule fill) {
   auto* const vertices = reinterpret_cast<Vec2*>(memory + sizeof(PolygonData));
   auto* ring_begin = reinterpret_cast<std::uint32_t*>(vertices + total);
   Vec2* end = vertices;
-  for (const Ring& ring : rings) {
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const RingView ring = rings[r];
     *ring_begin++ = static_cast<std::uint32_t>(end - vertices);
-    std::memcpy(static_cast<void*>(end), ring.data(), ring.size() * sizeof(Vec2));
-    end += ring.size();
-    new (end++) Vec2(ring.front());
+    std::memcpy(static_cast<void*>(end), ring.vertices, ring.size * sizeof(Vec2));
+    end += ring.size;
+    new (end++) Vec2(*ring.vertices);
   }
   *ring_begin = static_cast<std::uint32_t>(total);
   try {
@@ -184,7 +186,7 @@ const PolygonData* PolygonData::reducedTo(const std::vector<std::size_t>& positi
   Ring ring;
   ring.reserve(positions.size());
   for (const std::size_t position : positions) ring.push_back(path[position]);
-  PolygonData* reduced = make({ring}, fill);
+  PolygonData* reduced = make(RingsView({ring.data(), ring.size()}), fill);
   reduced->origin = origin;
   reduced->radius = radius;
   reduced->extent = extent;
@@ -200,7 +202,7 @@ void PolygonData::release() const {
   ::operator delete(memory);
 }
 
-PolygonData::PolygonData(const std::vector<Ring>& rings_, std::size_t positions, FillRule fill_)
+PolygonData::PolygonData(const RingsView& rings_, std::size_t positions, FillRule fill_)
     : id(nextId()), fill(fill_), path(positions, rings_.size()) {
   static_assert(offsetof(PolygonData, path) + sizeof(Path) == sizeof(PolygonData));
   const Extremes extremes(path);
@@ -250,7 +252,11 @@ std::size_t PolygonData::checkedEdgePosition(EdgeIndex number) const {
 
 }  // namespace detail
 
-Polygon::Polygon(const std::vector<Ring>& rings, FillRule fill) : data_(detail::PolygonData::make(rings, fill)) {}
+Polygon::Polygon(const std::vector<Ring>& rings, FillRule fill)
+    : data_(detail::PolygonData::make(detail::RingsView(rings), fill)) {}
+
+Polygon::Polygon(const Vec2* vertices, std::size_t count, FillRule fill)
+    : data_(detail::PolygonData::make(detail::RingsView({vertices, count}), fill)) {}
 
 Polygon::Polygon(const Polygon& other) noexcept : data_(other.data_) { data_->hold(); }
 

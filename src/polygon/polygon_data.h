@@ -40,11 +40,34 @@ class Path {
   std::uint32_t size_, ring_count_;
 };
 
+/// A ring's vertices, wherever they are.
+struct RingView {
+  const Vec2* vertices;
+  std::size_t size;
+};
+
+/// The rings that a polygon is made of: of a vector, or one alone.
+class RingsView {
+ public:
+  explicit RingsView(const std::vector<Ring>& rings) : rings_(rings.data()), size_(rings.size()) {}
+  explicit RingsView(const RingView& ring) : one_(ring) {}
+
+  std::size_t size() const { return size_; }
+  RingView operator[](std::size_t i) const {
+    return rings_ != nullptr ? RingView{rings_[i].data(), rings_[i].size()} : one_;
+  }
+
+ private:
+  const Ring* rings_ = nullptr;
+  std::size_t size_ = 1;
+  RingView one_{nullptr, 0};
+};
+
 /// What all copies of a polygon share, in one allocation with its path: the edge at position e joins path[e] and
 /// path[e + 1]; ring r takes positions [edgeBegin(r), edgeEnd(r)) and the closing vertex after them is no edge.
 struct PolygonData {
   /// The last of its users destroys it.
-  static PolygonData* make(const std::vector<Ring>& rings, FillRule fill);
+  static PolygonData* make(const RingsView& rings, FillRule fill);
   /// The polygon of some of its vertices, by their positions, whose region must be the same; with the same S and unit.
   const PolygonData* reducedTo(const std::vector<std::size_t>& positions) const;
   void hold() const { users.fetch_add(1, std::memory_order_relaxed); }
@@ -102,7 +125,7 @@ struct PolygonData {
   Path path;  ///< the last member: its vertices lie behind
 
  private:
-  PolygonData(const std::vector<Ring>& rings, std::size_t positions, FillRule fill);
+  PolygonData(const RingsView& rings, std::size_t positions, FillRule fill);
 };
 
 }  // namespace tricover::detail

@@ -12,13 +12,15 @@ void requireFinite(const Vec2& p, const char* field) { detail::requireFinite(p, 
 
 Polygon point(const Vec2& p) {
   requireFinite(p, "p");
-  return Polygon({Ring{p, p, p}});
+  const Vec2 ring[] = {p, p, p};
+  return Polygon(ring, 3);
 }
 
 Polygon segment(const Vec2& p, const Vec2& q) {
   requireFinite(p, "p");
   requireFinite(q, "q");
-  return Polygon({Ring{p, q, q}});
+  const Vec2 ring[] = {p, q, q};
+  return Polygon(ring, 3);
 }
 
 }  // namespace tricover

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "numbers/errors.h"
+#include "polygon/polygon_data.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -11,9 +12,11 @@ namespace {
 
 template <typename Map>
 Polygon mapped(const Polygon& polygon, Map map) {
-  std::vector<Ring> rings = polygon.rings();
-  for (Ring& ring : rings)
-    for (Vec2& vertex : ring) vertex = map(vertex);
+  const detail::PolygonData& data = polygon.data();
+  std::vector<Ring> rings;
+  rings.reserve(data.ringCount());
+  for (std::size_t r = 0; r < data.ringCount(); ++r)
+    for (Vec2& vertex : rings.emplace_back(data.vertices(r))) vertex = map(vertex);
   return Polygon(rings, polygon.fillRule());
 }
 

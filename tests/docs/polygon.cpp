@@ -25,6 +25,15 @@ TEST(Documentation, Polygon) {
   //! [polygon]
 }
 
+TEST(Documentation, PolygonOfRawVertices) {
+  //! [raw]
+  // One ring, wherever its vertices are.
+  const tricover::Vec2 corners[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const tricover::Polygon square(corners, 4);
+  EXPECT_EQ(square.area(), 16);
+  //! [raw]
+}
+
 TEST(Documentation, PolygonMeasures) {
   //! [measures]
   const tricover::Polygon frame({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}});

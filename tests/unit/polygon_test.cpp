@@ -44,6 +44,28 @@ TEST(PolygonValidation, NamesWhatIsWrongAndWhere) {
   }
 }
 
+TEST(PolygonValidation, OfRawVerticesIsThatOfTheirRingAlone) {
+  const auto refusalOfRaw = [](const Vec2* vertices, std::size_t count, FillRule fill = FillRule::EvenOdd) {
+    return support::refusal([&] { const Polygon polygon(vertices, count, fill); });
+  };
+  Ring ring = rectangle(0, 0, 1, 1);
+  EXPECT_EQ(refusalOfRaw(nullptr, 4), "tricover: rings: ring 0: its vertices are at no address");
+  for (std::size_t count = 0; count < 3; ++count) {
+    const std::string text = refusal({Ring(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(count))});
+    EXPECT_NE(text, "");
+    EXPECT_EQ(refusalOfRaw(ring.data(), count), text);
+    EXPECT_EQ(refusalOfRaw(nullptr, count), text);
+  }
+  for (const std::size_t count : {std::size_t{1} << 29, std::numeric_limits<std::size_t>::max()})
+    EXPECT_TRUE(names(refusalOfRaw(ring.data(), count), "tricover: rings: more than 2^29 vertices"));
+  EXPECT_EQ(refusalOfRaw(ring.data(), 4, static_cast<FillRule>(7)), "tricover: fill: not a FillRule");
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    ring = rectangle(0, 0, 1, 1);
+    ring[2].y() = bad;
+    EXPECT_EQ(refusalOfRaw(ring.data(), 4), "tricover: rings: ring 0, vertex 2: a coordinate is not finite");
+  }
+}
+
 TEST(PolygonValidation, FillRuleIsOne) {
   EXPECT_EQ(support::refusal([] { Polygon({rectangle(0, 0, 1, 1)}, static_cast<FillRule>(7)); }),
             "tricover: fill: not a FillRule");
@@ -83,6 +105,23 @@ TEST(Polygon, KeepsItsRingsAndNumbersItsEdgesThroughThem) {
   }
   EXPECT_THROW(polygon.edgeStart(11), std::out_of_range);
   EXPECT_THROW(polygon.edgeEnd(11), std::out_of_range);
+}
+
+/// Bit for bit.
+TEST(Polygon, OfRawVerticesIsThatOfTheirRing) {
+  for (const Family& family : families()) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const Case c = family.make(seed);
+      for (const Polygon& polygon : {c.a, c.b}) {
+        const Ring& ring = polygon.rings().back();
+        const Polygon by_ring({ring}, polygon.fillRule()), raw(ring.data(), ring.size(), polygon.fillRule());
+        ASSERT_EQ(raw.rings(), by_ring.rings()) << family.name << " seed " << seed;
+        ASSERT_EQ(raw.fillRule(), polygon.fillRule());
+        ASSERT_EQ(raw.origin(), by_ring.origin());
+        ASSERT_EQ(raw.radius(), by_ring.radius());
+      }
+    }
+  }
 }
 
 TEST(Polygon, DiscHoldsEveryVertexAndIsTightAtEverySize) {

@@ -26,17 +26,17 @@ py::object listOf(bool is_one, const Answers& answers, const Convert& convert) {
 }
 
 Polygon polygonFrom(const py::object& rings, tricover::FillRule rule) {
-  std::vector<tricover::Ring> result;
   // One ring, or a sequence of them, which together are no array of two dimensions.
   if (const Array one = Array::ensure(rings); one && one.ndim() == 2) {
-    result.push_back(pointsFrom(one, "rings"));
-  } else {
-    for (const py::handle ring : py::iter(rings)) {
-      const std::string name = "rings[" + std::to_string(result.size()) + "]";
-      const Array vertices = Array::ensure(ring);
-      if (!vertices) throw std::invalid_argument(name + ": it is no array of numbers");
-      result.push_back(pointsFrom(vertices, name));
-    }
+    const tricover::Ring ring = pointsFrom(one, "rings");
+    return Polygon(ring.data(), ring.size(), rule);
+  }
+  std::vector<tricover::Ring> result;
+  for (const py::handle ring : py::iter(rings)) {
+    const std::string name = "rings[" + std::to_string(result.size()) + "]";
+    const Array vertices = Array::ensure(ring);
+    if (!vertices) throw std::invalid_argument(name + ": it is no array of numbers");
+    result.push_back(pointsFrom(vertices, name));
   }
   return Polygon(result, rule);
 }

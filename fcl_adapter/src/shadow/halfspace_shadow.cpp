@@ -59,7 +59,8 @@ std::optional<Shadow> shadowOf(const char* name, const Eigen::Vector3d& normal, 
   if (!below_too) ring = clip(ring, -across, rounding - first);
   if (ring.empty()) return std::nullopt;
   for (Vec2& v : ring) v += center;
-  Shadow shadow(tricover::Polygon({convexHull(ring)}, tricover::FillRule::NonZero), rounding);
+  const Ring hull = convexHull(ring);
+  Shadow shadow(tricover::Polygon(hull.data(), hull.size(), tricover::FillRule::NonZero), rounding);
   if (!below_too) shadow.makeSurface();
   if (parallel) {
     const bool up = below_too || last <= -first;  // the way of the polygon, along n

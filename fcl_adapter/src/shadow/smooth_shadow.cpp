@@ -149,13 +149,13 @@ Polygon SmoothShadow::around(const Tangents& tangents) const {
   Ring ring;
   for (std::size_t i = 0; i < tangents.size(); ++i)
     ring.push_back(cap(tangents[i], tangents[(i + 1) % tangents.size()]).tip);
-  return Polygon({std::move(ring)}, tricover::FillRule::NonZero);
+  return Polygon(ring.data(), ring.size(), tricover::FillRule::NonZero);
 }
 
 Polygon SmoothShadow::within(const Tangents& tangents) {
   Ring ring;
   for (const Tangent& tangent : tangents) ring.push_back(tangent.point);
-  return Polygon({std::move(ring)}, tricover::FillRule::NonZero);
+  return Polygon(ring.data(), ring.size(), tricover::FillRule::NonZero);
 }
 
 Polygon SmoothShadow::inscribed() const { return within(tangents()); }

@@ -12,7 +12,8 @@ namespace {
 
 std::optional<Shadow> shadowOf(const std::vector<tricover::Vec2>& corners, double rounding) {
   if (corners.empty()) return std::nullopt;
-  return Shadow(tricover::Polygon({convexHull(corners)}, tricover::FillRule::NonZero), rounding);
+  const tricover::Ring hull = convexHull(corners);
+  return Shadow(tricover::Polygon(hull.data(), hull.size(), tricover::FillRule::NonZero), rounding);
 }
 
 template <typename S>
