@@ -9,6 +9,7 @@
 
 #include "hierarchy/small_polygon.h"
 #include "numbers/float4.h"
+#include "numbers/power_of_two.h"
 #include "numbers/rounding.h"
 #include "polygon/convexity.h"
 
@@ -70,12 +71,34 @@ class Parts {
 constexpr std::size_t kMayTangle = 1024;
 constexpr double kTangled = 2;
 
+/// A polygon's path in units, from S, of few vertices without an allocation.
+class LocalPath {
+ public:
+  explicit LocalPath(const PolygonData& polygon) {
+    if (polygon.path.size() > kFew) many_.resize(polygon.path.size());
+    Vec2* at = begin_ = many_.empty() ? few_ : many_.data();
+    for (const Vec2& p : polygon.path) *at++ = polygon.inUnits(p);
+  }
+  LocalPath(const LocalPath&) = delete;
+  LocalPath& operator=(const LocalPath&) = delete;
+  operator const Vec2*() const { return begin_; }
+
+ private:
+  static constexpr std::size_t kFew = 32;
+
+  Vec2 few_[kFew], *begin_;
+  std::vector<Vec2> many_;
+};
+
 class Builder {
  public:
-  Builder(const PolygonData& polygon, const std::vector<Vec2>& local, Hierarchy& hierarchy)
-      : polygon_(polygon), local_(local), blocks_(hierarchy.blocks), order_(polygon.ringCount()) {
-    std::iota(order_.begin(), order_.end(), 0u);
-    const Part all = rings(0, order_.size());
+  Builder(const PolygonData& polygon, const Vec2* local, Hierarchy& hierarchy)
+      : polygon_(polygon), local_(local), blocks_(hierarchy.blocks) {
+    if (polygon.ringCount() > 1) {
+      order_.resize(polygon.ringCount());
+      std::iota(order_.begin(), order_.end(), 0u);
+    }
+    const Part all = rings(0, polygon.ringCount());
     hierarchy.root = rounded(fit(all, farthest()), Double2{}, 1);
     hierarchy.root_spanned = all.kind == Part::Chain;
     addBlock(all);
@@ -86,7 +109,8 @@ class Builder {
   Double2 farthest() const {
     Double2 found{};
     double most = -1;
-    for (const Vec2& p : local_) {
+    for (const Vec2 *end = local_ + polygon_.path.size(), *at = local_; at < end; ++at) {
+      const Vec2& p = *at;
       const double square = p.squaredNorm();
       if (!(square > most)) continue;
       most = square;
@@ -98,7 +122,8 @@ class Builder {
   /// A single ring is a chain, or edges.
   Part rings(std::size_t begin, std::size_t end) {
     if (end - begin > 1) return {Part::Rings, begin, end};
-    const Part ring = {Part::Chain, polygon_.edgeBegin(order_[begin]), polygon_.edgeEnd(order_[begin])};
+    const std::size_t one = order_.empty() ? 0 : order_[begin];
+    const Part ring = {Part::Chain, polygon_.edgeBegin(one), polygon_.edgeEnd(one)};
     return ring.end - ring.begin < kMayTangle ? ring : untangled(ring);
   }
 
@@ -310,7 +335,7 @@ class Builder {
     const bool leaf = edgeCount(whole) <= kLanes;
     const Parts parts = leaf ? edgesOf(whole) : whole.kind == Part::Rings ? divideRings(whole) : cut(whole);
     FittedBox boxes[kLanes];
-    for (std::size_t i = 0; i < parts.size(); ++i) boxes[i] = fit(parts[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i) boxes[i] = leaf ? fitEdge(parts[i].begin) : fit(parts[i]);
     Double2 low{kInfinity, kInfinity}, high = -low;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       low = smaller(boxes[i].center, low);
@@ -322,7 +347,7 @@ class Builder {
       const Double2 away = absolute(boxes[i].center - origin);
       size = std::max(size, std::max(away[0], away[1]) + boxes[i].extents[0] + boxes[i].extents[1]);
     }
-    const double scale = std::ldexp(1, std::ilogb(size) + 1);
+    const double scale = powerOfTwo(exponentOf(size) + 1);
 
     Block block{};
     block.origin_x = origin[0];
@@ -356,9 +381,9 @@ class Builder {
   }
 
   const PolygonData& polygon_;
-  const std::vector<Vec2>& local_;
+  const Vec2* const local_;
   std::vector<Block>& blocks_;
-  std::vector<std::uint32_t> order_, tangled_;
+  std::vector<std::uint32_t> order_, tangled_;  ///< rings, unless there is one alone; edges
 };
 
 /// Of as many edges, if all blocks but one a level are full.
@@ -390,9 +415,7 @@ std::size_t leastBlocks(std::size_t edges) {
 }  // namespace
 
 Hierarchy::Hierarchy(const PolygonData& polygon) {
-  std::vector<Vec2> local;
-  local.reserve(polygon.path.size());
-  for (const Vec2& p : polygon.path) local.push_back(polygon.inUnits(p));
+  const LocalPath local(polygon);
   blocks.reserve(leastBlocks(polygon.path.size() - polygon.ringCount()));
   const Builder builder(polygon, local, *this);
   blocks.shrink_to_fit();

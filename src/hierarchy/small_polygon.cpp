@@ -3,11 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
+#include "numbers/float4.h"
 #include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
+
+Double2 rootOf(Double2 v) { return Double2{std::sqrt(v[0]), std::sqrt(v[1])}; }
+
+void store2(float* to, Float2 v) { std::memcpy(to, &v, sizeof v); }
 
 void addRings(const PolygonData& polygon, SmallPolygon& small) {
   unsigned i = 0;
@@ -38,7 +44,7 @@ std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes) {
   return small;
 }
 
-std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const std::vector<Vec2>& local) {
+std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const Vec2* local) {
   const std::size_t n = polygon.path.size() - polygon.ringCount();
   if (n > SmallPolygon::kMost) return nullptr;
   std::unique_ptr<SmallPolygon> small = emptySmallPolygon(n > kLanes ? SmallPolygon::kMost : kLanes);
@@ -47,25 +53,29 @@ std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon,
   small->fill = polygon.fill;
   addRings(polygon, *small);
   const double outwards = convexityOf(polygon).direction < 0 ? -1 : 1;
-  for (int i = 0; i < small->lanes; ++i) {
+  Double2 low = load2(local[0].data()), high = low;
+  for (int i = 0; i < small->lanes; i += 2) {  // two edges side by side
     const std::size_t k = small->position[std::min(i, small->count - 1)];
-    const Vec2 edge = local[k + 1] - local[k];
-    const double length = edge.norm();
-    if (!(length > 0x1p-30)) return nullptr;  // its direction wouldn't survive rounding
-    const Vec2 normal = Vec2(edge.y(), -edge.x()) * (outwards / length);
-    small->x[i] = static_cast<float>(local[k].x());
-    small->y[i] = static_cast<float>(local[k].y());
-    small->nx[i] = static_cast<float>(normal.x());
-    small->ny[i] = static_cast<float>(normal.y());
-    small->d[i] = static_cast<float>(normal.dot(local[k]));
-    const Vec2 middle = local[k] + 0.5 * edge;
-    small->middle[i] = static_cast<float>(normal.x() * middle.y() - normal.y() * middle.x());
-    small->half[i] = static_cast<float>(0.5 * length);
+    const std::size_t l = small->position[std::min(i + 1, small->count - 1)];
+    const Double2 v = load2(local[k].data()), w = load2(local[l].data());
+    low = smaller(smaller(v, w), low);
+    high = larger(larger(v, w), high);
+    const Double2 v_along = load2(local[k + 1].data()) - v, w_along = load2(local[l + 1].data()) - w;
+    const Double2 x{v[0], w[0]}, y{v[1], w[1]}, along_x{v_along[0], w_along[0]}, along_y{v_along[1], w_along[1]};
+    const Double2 length = rootOf(along_x * along_x + along_y * along_y);
+    if (bitsOf(length > 0x1p-30) != 3) return nullptr;  // its direction wouldn't survive rounding
+    const Double2 scale = outwards / length, nx = along_y * scale, ny = -along_x * scale;
+    store2(small->x + i, narrowed(x));
+    store2(small->y + i, narrowed(y));
+    store2(small->nx + i, narrowed(nx));
+    store2(small->ny + i, narrowed(ny));
+    store2(small->d + i, narrowed(nx * x + ny * y));
+    store2(small->middle + i, narrowed(nx * (y + 0.5 * along_y) - ny * (x + 0.5 * along_x)));
+    store2(small->half + i, narrowed(0.5 * length));
   }
-  const auto [low_x, high_x] = std::minmax_element(small->x, small->x + small->lanes);
-  const auto [low_y, high_y] = std::minmax_element(small->y, small->y + small->lanes);
-  small->low_x = *low_x, small->high_x = *high_x;
-  small->low_y = *low_y, small->high_y = *high_y;
+  const Float2 low_xy = narrowed(low), high_xy = narrowed(high);
+  small->low_x = low_xy[0], small->high_x = high_xy[0];
+  small->low_y = low_xy[1], small->high_y = high_xy[1];
   return small;
 }
 

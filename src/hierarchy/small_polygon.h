@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "hierarchy/hierarchy.h"
 
@@ -12,6 +11,6 @@ namespace tricover::detail {
 std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes);
 
 /// Null where the polygon has more edges, or one without a direction; `local` is its path in units, from S.
-std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const std::vector<Vec2>& local);
+std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const Vec2* local);
 
 }  // namespace tricover::detail

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "numbers/double2.h"
 #include "numbers/predicates.h"
 
 namespace tricover::detail {
@@ -15,48 +16,67 @@ bool isBetween(const Vec2& p, const Vec2& q, const Vec2& r) {
          q.y() <= std::max(p.y(), r.y());
 }
 
-/// The corners so far, until it proves not to be convex. They take the place of the distinct vertices that they are of.
-bool findCorners(const PolygonData& polygon, Convexity& convexity) {
-  if (polygon.ringCount() != 1) return false;
-  std::vector<std::size_t>& corners = convexity.corners;
-  corners.reserve(polygon.path.size() - 1);
-  for (std::size_t i = polygon.edgeBegin(0); i < polygon.edgeEnd(0); ++i)
-    if (polygon.path[i] != polygon.path[i + 1]) corners.push_back(i);
-  const std::size_t n = corners.size();
-  if (n < 3) return false;
+/// orientation() of p, q and r, by the edges into q and out of it. Their cross product is that of q - p and r - p, and
+/// what approxArea() has for exact points bounds it as well.
+int turnAt(const Vec2& p, const Vec2& q, const Vec2& r, Double2 into, Double2 out) {
+  const Double2 products = into * swapped(out), sizes = absolute(products);
+  const double det = products[0] - products[1], bound = kAreaError * (sizes[0] + sizes[1]) + kTiny;
+  return det > bound ? 1 : -det > bound ? -1 : orientation(p, q, r);
+}
+
+/// How many of the positions are corners, which come first then; 0 if it isn't convex. They take the place of the
+/// distinct vertices that they are of.
+std::size_t findCorners(const PolygonData& polygon, std::size_t* corners, int& direction) {
+  const Vec2* const path = polygon.path.data();
+  const auto at = [&](std::size_t position) { return load2(path[position].data()); };
+  std::size_t n = 0;
+  for (std::size_t i = 0; i + 1 < polygon.path.size(); ++i) {
+    corners[n] = i;
+    n += bitsOf(at(i) == at(i + 1)) != 3 ? 1 : 0;
+  }
+  if (n < 3) return 0;
   const std::size_t start[] = {corners[0], corners[1]};
   std::size_t count = 0;
   int turns_in_x = 0;
   std::size_t before = start[0], middle = start[1];
+  Double2 into = at(middle) - at(before);
   for (std::size_t i = 2; i < n + 2; ++i) {
     const std::size_t after = i < n ? corners[i] : start[i - n];
-    const Vec2 &p = polygon.path[before], &q = polygon.path[middle], &r = polygon.path[after];
-    const int turn = orientation(p, q, r);
-    turns_in_x += (q.x() > p.x()) != (r.x() > q.x());
+    const Vec2 &p = path[before], &q = path[middle], &r = path[after];
+    const Double2 out = at(after) - at(middle);
+    const int turn = turnAt(p, q, r, into, out);
+    turns_in_x += (into[0] > 0) != (out[0] > 0);
     const bool is_corner = turn != 0 || !isBetween(p, q, r);
-    if (is_corner && (turn == 0 || turn == -convexity.direction)) return false;
+    if (is_corner && (turn == 0 || turn == -direction)) return 0;
     if (is_corner) {
-      convexity.direction = turn;
+      direction = turn;
       corners[count++] = middle;
     }
     before = middle;
     middle = after;
+    into = out;
   }
-  corners.resize(count);
   // The second one that is distinct was the first to be asked.
-  if (!corners.empty() && corners.back() < corners.front())
-    std::rotate(corners.begin(), corners.end() - 1, corners.end());
+  if (count > 0 && corners[count - 1] < corners[0]) std::rotate(corners, corners + count - 1, corners + count);
   // Once around: x falls and rises once each.
-  return turns_in_x == 2;
+  return turns_in_x == 2 ? count : 0;
 }
 
 }  // namespace
 
 Convexity::Convexity(const PolygonData& polygon) {
-  const bool is_convex = findCorners(polygon, *this);
+  constexpr std::size_t kFew = 32;
+  std::size_t few[kFew], count = 0;
+  if (polygon.ringCount() == 1) {
+    std::vector<std::size_t> many;
+    if (polygon.path.size() > kFew) many.resize(polygon.path.size());
+    std::size_t* const found = many.empty() ? few : many.data();
+    count = findCorners(polygon, found, direction);
+    has_others = count > 0 && count + 1 < polygon.path.size();
+    if (has_others) corners.assign(found, found + count);
+  }
+  const bool is_convex = count > 0;
   if (!is_convex) direction = 0;
-  has_others = is_convex && corners.size() + 1 < polygon.path.size();
-  if (!has_others) corners = std::vector<std::size_t>();  // without its memory
   by_corners = has_others ? polygon.reducedTo(corners) : is_convex ? &polygon : nullptr;
 }
 

@@ -14,6 +14,13 @@ struct Turns {
   std::mutex mutex;
   std::condition_variable ended;
   std::vector<const Derived*> building;
+  int waiting = 0;
+
+  bool areBuilding(const Derived* what) const {
+    for (const Derived* one : building)
+      if (one == what) return true;
+    return false;
+  }
 };
 
 std::atomic<Stages> used_stages{Stages::Paid};
@@ -38,22 +45,24 @@ std::size_t leftOf(Stages stage, std::size_t price, std::size_t paid) {
 /// Whether it is this thread's turn to build. Otherwise it has been built, by another one that may have been waited
 /// for.
 bool Derived::begin() const {
-  std::vector<const Derived*>& building = turns().building;
-  std::unique_lock<std::mutex> lock(turns().mutex);
-  turns().ended.wait(lock, [&] { return std::find(building.begin(), building.end(), this) == building.end(); });
+  Turns& all = turns();
+  std::unique_lock<std::mutex> lock(all.mutex);
+  while (all.areBuilding(this)) {
+    ++all.waiting;
+    all.ended.wait(lock);
+    --all.waiting;
+  }
   if (ifBuilt() != nullptr) return false;
-  building.push_back(this);
+  all.building.push_back(this);
   return true;
 }
 
 void Derived::end(const Thing* thing) const {
-  {
-    const std::lock_guard<std::mutex> lock(turns().mutex);
-    std::vector<const Derived*>& building = turns().building;
-    building.erase(std::find(building.begin(), building.end(), this));
-    ready_.store(thing, std::memory_order_release);
-  }
-  turns().ended.notify_all();
+  Turns& all = turns();
+  const std::lock_guard<std::mutex> lock(all.mutex);
+  all.building.erase(std::find(all.building.begin(), all.building.end(), this));
+  ready_.store(thing, std::memory_order_release);
+  if (all.waiting > 0) all.ended.notify_all();
 }
 
 }  // namespace tricover::detail
