@@ -5,10 +5,12 @@
 #include <cassert>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "hierarchy/inclusion.h"
 #include "hierarchy/simd.h"
+#include "numbers/float4.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
@@ -19,11 +21,32 @@ struct Guess {
   float x, y, depth;
 };
 
+/// How deep points are in a small convex polygon, for what is deeper than kOfLines: no more than that too much. The
+/// depth is the least distance from a line, d - n p, of which floats, whose points are within 1 of S (others are far
+/// outside) round away 8 2^-24 at most; and vertices, which are rounded by U from S, turn the line of an edge of 2^-30
+/// or more by 2^-22 at most. The rest is there so that the hierarchy, which knows less, can confirm it.
+constexpr float kOfLines = 0x1p-15f;
+
+void measureDepths(const SmallPolygon& convex, DepthProbes& probes) {
+  static_assert(kLanes == 8);
+  typedef float Loose __attribute__((vector_size(16), aligned(4), may_alias));
+  const auto load = [](const float* from) -> Float4 { return *reinterpret_cast<const Loose*>(from); };
+  const Float4 x[] = {load(probes.x), load(probes.x + 4)}, y[] = {load(probes.y), load(probes.y + 4)};
+  Float4 depth[] = {Float4{} + 1e30f, Float4{} + 1e30f};
+  for (int i = 0; i < convex.count; ++i)
+    for (const int k : {0, 1}) {
+      const Float4 inside = convex.d[i] - convex.nx[i] * x[k] - convex.ny[i] * y[k];
+      depth[k] = inside < depth[k] ? inside : depth[k];
+    }
+  for (const int k : {0, 1}) *reinterpret_cast<Loose*>(probes.depth + 4 * k) = depth[k];
+}
+
 /// Up to kLanes large discs, the first one the largest. A search in floats: what it finds has to be proven.
 class DiscSearch {
  public:
-  DiscSearch(const PolygonData& polygon, const Box& root)
-      : outline_(polygon), root_(root), few_(polygon.path.size() < 32) {
+  DiscSearch(const PolygonData& polygon, const Hierarchy& hierarchy)
+      : convex_(hierarchy.small_convex), root_(hierarchy.root), few_(polygon.path.size() < 32) {
+    if (convex_ == nullptr) outline_.emplace(polygon);
     lookAround();
     climb();
     choose();
@@ -38,14 +61,17 @@ class DiscSearch {
   /// From a grid over the box around everything.
   void lookAround() {
     const int along = few_ ? 8 : 10, across = few_ ? 2 : 4;
+    const float part_u = root_.along / static_cast<float>(along), part_v = root_.across / static_cast<float>(across);
+    float u = part_u - root_.along, v = part_v - root_.across;
     for (int k = 0; k < along * across; k += kLanes) {
       DepthProbes probes;
       for (int i = 0; i < kLanes; ++i) {
-        const int row = (k + i) / along, column = (k + i) % along;
-        const double u = root_.along * ((2.0 * column + 1) / along - 1);
-        const double v = root_.across * ((2.0 * row + 1) / across - 1);
-        probes.x[i] = static_cast<float>(root_.x + u * root_.ux - v * root_.uy);
-        probes.y[i] = static_cast<float>(root_.y + u * root_.uy + v * root_.ux);
+        probes.x[i] = root_.x + u * root_.ux - v * root_.uy;
+        probes.y[i] = root_.y + u * root_.uy + v * root_.ux;
+        u += 2 * part_u;
+        if (u < root_.along) continue;
+        u = part_u - root_.along;
+        v += 2 * part_v;
       }
       measure(probes, [&](const Guess& found) {
         if (found.depth > 0) places_[place_count_++] = found;
@@ -85,7 +111,7 @@ class DiscSearch {
 
   template <typename Show>
   void measure(DepthProbes& probes, Show show) {
-    measureDepths(outline_, probes);
+    convex_ != nullptr ? measureDepths(*convex_, probes) : detail::measureDepths(*outline_, probes);
     for (int i = 0; i < kLanes; ++i) {
       const Guess found{probes.x[i], probes.y[i], probes.depth[i]};
       show(found);
@@ -93,7 +119,8 @@ class DiscSearch {
     }
   }
 
-  const ThinnedOutline outline_;
+  const SmallPolygon* convex_;  ///< asked instead of the outline, if there is one
+  std::optional<ThinnedOutline> outline_;
   const Box& root_;
   bool few_;
   Guess best_{0, 0, -1e30f}, places_[kMostPlaces], chosen_[kLanes];
@@ -116,14 +143,26 @@ class DiscSearch {
 /// A point in units from S.
 Vec2 inFrame(const PolygonData& polygon, const Vec2& p) { return polygon.origin + p * polygon.unit; }
 
-/// The radius, in units, of a disc that no edge meets, at most `most`; 0 if that can't be shown.
-double clearRadius(const PolygonData& polygon, const Vec2& center, double most) {
+/// The radius, in units, of a disc of which `clearance(place)` is known not to meet an edge; 0 if there is none.
+template <typename Clearance>
+double clearRadius(const PolygonData& polygon, const Vec2& center, Clearance clearance) {
   if (!polygon.fitsUnit() || !inFrame(polygon, center).allFinite()) return 0;
   // Taking the centre to the polygon's frame rounds it, in either coordinate, by U of the product and of the sum with
   // S, which may be far off.
   const Place place{center.x(), center.y(), 4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)};
-  const double radius = clearanceAt(hierarchyOf(polygon), place, most);
+  const double radius = clearance(place);
   return radius > 0 && std::isfinite(radius * polygon.unit) ? radius : 0;
+}
+
+/// At most `most`.
+double clearRadius(const PolygonData& polygon, const Vec2& center, double most) {
+  return clearRadius(polygon, center,
+                     [&](const Place& place) { return clearanceAt(hierarchyOf(polygon), place, most); });
+}
+
+/// Of a small convex polygon, as deep in which as lines tell.
+double clearOfLines(const PolygonData& polygon, const Vec2& center, float depth) {
+  return clearRadius(polygon, center, [&](const Place& place) { return depth - kOfLines - 2 * place.error; });
 }
 
 bool isInside(const PolygonData& polygon, const Vec2& center) {
@@ -156,13 +195,16 @@ double provenRadius(const PolygonData& polygon, const Vec2& center, double most)
 
 InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
   int first = 0;
-  for (const Guess& guess : DiscSearch(polygon, hierarchyOf(polygon).root)) {
+  const Hierarchy& hierarchy = hierarchyOf(polygon);
+  const bool is_convex = hierarchy.small_convex != nullptr;
+  for (const Guess& guess : DiscSearch(polygon, hierarchy)) {
     // What the thinned outline overlooks makes a disc smaller, rounding perhaps larger.
     const Vec2 at(guess.x, guess.y);
-    const double proven = clearRadius(polygon, at, guess.depth * (1 + 0x1p-10));
+    const double proven =
+        is_convex ? clearOfLines(polygon, at, guess.depth) : clearRadius(polygon, at, guess.depth * (1 + 0x1p-10));
     if (!(proven > 0)) continue;
     // No edge parts two discs that meet: if the one is in the region, so is the other.
-    bool is_inside = ThinnedOutline::isWhole(polygon) && proven >= kSurelyBeside;
+    bool is_inside = is_convex || (ThinnedOutline::isWhole(polygon) && proven >= kSurelyBeside);
     assert(!is_inside || isInside(polygon, at));
     for (int i = 0; i < count && !is_inside; ++i) {
       const double sum = (radius[i] + proven) * (1 - 0x1p-20);

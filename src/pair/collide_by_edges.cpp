@@ -86,8 +86,9 @@ class Chains {
   std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
   const Bounds& box() const { return box_; }
 
-  /// Leaves those that meet a box.
+  /// Leaves those that meet a box, as all of them together do.
   void keepMeeting(const Bounds& box) {
+    if (size() == 1) return;
     Chain* kept = begin_;
     for (const Chain* chain = begin_; chain != end_; ++chain)
       if (chain->box.meets(box)) *kept++ = *chain;
