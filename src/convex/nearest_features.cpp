@@ -216,7 +216,7 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
   if (tried.kind != FeaturePair::kNone) found.were_tried = FeatureSearch(vertices, found).proveOnWay(tried);
   if (found.were_tried) return found;
   const bool discs_meet = innerDiscsMeet(vertices);
-  const SmallPolygon *a = hierarchyOf(vertices.a).small_convex, *b = hierarchyOf(vertices.b).small_convex;
+  const SmallPolygon *a = topOf(vertices.a).small_convex, *b = topOf(vertices.b).small_convex;
   if (a == nullptr || b == nullptr) {
     found.seem_to_meet = discs_meet || !FeatureSearch(vertices, found).prove(walkToNearest(vertices));
     return found;

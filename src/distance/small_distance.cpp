@@ -29,7 +29,7 @@ bool areApart(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double
 // length of a's frame: in the world it differs by the scale's defect, and so do two that are compared.
 bool showSmall(const PosedPair& pair, DistanceSearch& search) {
   if (!areSmall(pair.a, pair.b)) return false;
-  const Hierarchy &tree_a = hierarchyOf(pair.a), &tree_b = hierarchyOf(pair.b);
+  const Hierarchy &tree_a = topOf(pair.a), &tree_b = topOf(pair.b);
   const UnitPlacement at = unitsOf(pair);
   const UnitMap& map = at.map;
   const double rounding = at.rounding, far = std::abs(map.tx) + std::abs(map.ty);

@@ -8,7 +8,7 @@
 namespace tricover::detail {
 
 inline bool areSmall(const PolygonData& a, const PolygonData& b) {
-  return !a.isDegenerate() && !b.isDegenerate() && hierarchyOf(a).small && hierarchyOf(b).small;
+  return !a.isDegenerate() && !b.isDegenerate() && topOf(a).small && topOf(b).small;
 }
 
 /// Two small polygons (SmallPolygon) by all of their edges, without a tree: shows the search what it must see, if the

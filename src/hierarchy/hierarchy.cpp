@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "hierarchy/small_polygon.h"
 #include "numbers/float4.h"
@@ -71,6 +72,14 @@ class Parts {
 constexpr std::size_t kMayTangle = 1024;
 constexpr double kTangled = 2;
 
+/// Of as many edges, if all blocks but one a level are full.
+std::size_t leastBlocks(std::size_t edges) {
+  std::size_t count = 0;
+  do count += edges = (edges + kLanes - 1) / kLanes;
+  while (edges > 1);
+  return count;
+}
+
 /// A polygon's path in units, from S, of few vertices without an allocation.
 class LocalPath {
  public:
@@ -92,16 +101,24 @@ class LocalPath {
 
 class Builder {
  public:
-  Builder(const PolygonData& polygon, const Vec2* local, Hierarchy& hierarchy)
-      : polygon_(polygon), local_(local), blocks_(hierarchy.blocks) {
+  Builder(const PolygonData& polygon, const Vec2* local) : polygon_(polygon), local_(local) {
     if (polygon.ringCount() > 1) {
       order_.resize(polygon.ringCount());
       std::iota(order_.begin(), order_.end(), 0u);
     }
-    const Part all = rings(0, polygon.ringCount());
-    hierarchy.root = rounded(fit(all, farthest()), Double2{}, 1);
-    hierarchy.root_spanned = all.kind == Part::Chain;
-    addBlock(all);
+    all_ = rings(0, polygon.ringCount());
+  }
+
+  void fitRoot(Hierarchy& hierarchy) const {
+    hierarchy.root = rounded(fit(all_, farthest()), Double2{}, 1);
+    hierarchy.root_spanned = all_.kind == Part::Chain;
+  }
+
+  std::vector<Block> blocks() {
+    blocks_.reserve(leastBlocks(polygon_.path.size() - polygon_.ringCount()));
+    addBlock(all_);
+    blocks_.shrink_to_fit();
+    return std::move(blocks_);
   }
 
  private:
@@ -382,17 +399,10 @@ class Builder {
 
   const PolygonData& polygon_;
   const Vec2* const local_;
-  std::vector<Block>& blocks_;
+  Part all_;
+  std::vector<Block> blocks_;
   std::vector<std::uint32_t> order_, tangled_;  ///< rings, unless there is one alone; edges
 };
-
-/// Of as many edges, if all blocks but one a level are full.
-std::size_t leastBlocks(std::size_t edges) {
-  std::size_t count = 0;
-  do count += edges = (edges + kLanes - 1) / kLanes;
-  while (edges > 1);
-  return count;
-}
 
 /// Whether every block but the first is the child of one before it, and every lane of a leaf an edge of its own.
 [[maybe_unused]] bool isTree(const Hierarchy& hierarchy, const PolygonData& polygon) {
@@ -416,20 +426,34 @@ std::size_t leastBlocks(std::size_t edges) {
 
 Hierarchy::Hierarchy(const PolygonData& polygon) {
   const LocalPath local(polygon);
-  blocks.reserve(leastBlocks(polygon.path.size() - polygon.ringCount()));
-  const Builder builder(polygon, local, *this);
-  blocks.shrink_to_fit();
-  assert(isTree(*this, polygon));
+  Builder builder(polygon, local);
+  builder.fitRoot(*this);
   small = makeSmallPolygon(polygon, local);
+  if (small == nullptr) blocks = builder.blocks();
+  assert(small != nullptr || isTree(*this, polygon));
   // Its corners may be few if it has no more than one vertex more on each side.
   const bool may_be_small = polygon.path.size() <= 2 * SmallPolygon::kMost + 1;
   const PolygonData* corners = may_be_small ? cornersOf(polygon) : nullptr;
-  if (corners != nullptr) small_convex = (corners == &polygon ? *this : hierarchyOf(*corners)).small.get();
+  if (corners != nullptr) small_convex = (corners == &polygon ? *this : topOf(*corners)).small.get();
 }
 
-const Hierarchy& buildHierarchy(const PolygonData& polygon) {
+const Hierarchy& buildTop(const PolygonData& polygon) {
   return *static_cast<const Hierarchy*>(
       polygon.hierarchy.built([&] { return std::make_unique<const Hierarchy>(polygon); }));
 }
+
+const Hierarchy& buildHierarchy(const PolygonData& polygon) {
+  const Hierarchy& hierarchy = topOf(polygon);
+  if (!hierarchy.hasBlocks())
+    hierarchy.few_blocks.built([&] {
+      auto are_there = std::make_unique<const Derived::Thing>();
+      hierarchy.blocks = Builder(polygon, LocalPath(polygon)).blocks();
+      assert(isTree(hierarchy, polygon));
+      return are_there;
+    });
+  return hierarchy;
+}
+
+std::size_t hierarchyPrice(const PolygonData& polygon) { return 16 * polygon.path.size(); }
 
 }  // namespace tricover::detail

@@ -88,12 +88,15 @@ struct SmallPolygon {
 static_assert(SmallPolygon::kMost == 16, "half of the bits");
 
 /// The influence hierarchy of a polygon: a tree of boxes over edges; a box grown by n is its edges' influence area of
-/// length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is the first.
+/// length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is the first. Few edges
+/// are mostly asked at once: their blocks are built for who descends, at the first call of hierarchyOf().
 struct Hierarchy : Derived::Thing {
   explicit Hierarchy(const PolygonData& polygon);
+  bool hasBlocks() const { return small == nullptr || few_blocks.ifBuilt() != nullptr; }
 
-  std::vector<Block> blocks;
-  Box root;  ///< around everything, in units
+  mutable std::vector<Block> blocks;  ///< written before few_blocks says so
+  Derived few_blocks;                 ///< whether they are there, of few edges
+  Box root;                           ///< around everything, in units
   bool root_spanned;
 
   std::unique_ptr<const SmallPolygon> small;   ///< null unless the polygon has few edges
@@ -107,21 +110,31 @@ struct Hierarchy : Derived::Thing {
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");
 
-/// The hierarchy if it has been built, otherwise null.
-inline const Hierarchy* hierarchyIfBuilt(const PolygonData& polygon) {
+/// The hierarchy, perhaps without blocks, if it has been built, otherwise null: for who asks the root and few edges.
+inline const Hierarchy* topIfBuilt(const PolygonData& polygon) {
   return static_cast<const Hierarchy*>(polygon.hierarchy.ifBuilt());
 }
+/// With its blocks.
+inline const Hierarchy* hierarchyIfBuilt(const PolygonData& polygon) {
+  const Hierarchy* ready = topIfBuilt(polygon);
+  return ready != nullptr && ready->hasBlocks() ? ready : nullptr;
+}
 
+[[gnu::cold]] const Hierarchy& buildTop(const PolygonData& polygon);
 [[gnu::cold]] const Hierarchy& buildHierarchy(const PolygonData& polygon);
 
 /// Built at the first call, once for all copies and threads.
+inline const Hierarchy& topOf(const PolygonData& polygon) {
+  const Hierarchy* ready = topIfBuilt(polygon);
+  return ready != nullptr ? *ready : buildTop(polygon);
+}
 inline const Hierarchy& hierarchyOf(const PolygonData& polygon) {
   const Hierarchy* ready = hierarchyIfBuilt(polygon);
   return ready != nullptr ? *ready : buildHierarchy(polygon);
 }
 
 /// What building the hierarchy costs, see Rent.
-inline std::size_t hierarchyPrice(const PolygonData& polygon) { return 16 * polygon.path.size(); }
+std::size_t hierarchyPrice(const PolygonData& polygon);
 
 /// The discs if they have been built, otherwise null.
 inline const InnerDiscs* innerDiscsIfBuilt(const PolygonData& polygon) {

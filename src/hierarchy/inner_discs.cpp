@@ -21,24 +21,46 @@ struct Guess {
   float x, y, depth;
 };
 
-/// How deep points are in a small convex polygon, for what is deeper than kOfLines: no more than that too much. The
-/// depth is the least distance from a line, d - n p, of which floats, whose points are within 1 of S (others are far
-/// outside) round away 8 2^-24 at most; and vertices, which are rounded by U from S, turn the line of an edge of 2^-30
-/// or more by 2^-22 at most. The rest is there so that the hierarchy, which knows less, can confirm it.
-constexpr float kOfLines = 0x1p-15f;
+/// What floats take a point's distance from an edge of a small polygon, or from its line, for too much at most, of
+/// points with |x| + |y| < 4 in units from S:
+///   n p - d, and what is past the edge's ends, are off by 2^-24 times
+///     4 + 4 + 4  the products' factors and themselves, |n| being 1
+///     1 + 1      d, or the middle and the half
+///     5 + 5 + 6  sums and differences
+///   an edge of 2^-30 or more is turned by less than 2^-21 by its vertices, rounded by U from S, over 5 at most
+/// Together below 2^-18, in any direction and with the root below 2^-17.
+constexpr double kFewEdgesError = 0x1p-17;
 
+typedef float LooseFloat4 __attribute__((vector_size(16), aligned(4), may_alias));
+Float4 load4(const float* from) { return *reinterpret_cast<const LooseFloat4*>(from); }
+
+/// How deep points are in a small convex polygon: the least distance from a line.
 void measureDepths(const SmallPolygon& convex, DepthProbes& probes) {
   static_assert(kLanes == 8);
-  typedef float Loose __attribute__((vector_size(16), aligned(4), may_alias));
-  const auto load = [](const float* from) -> Float4 { return *reinterpret_cast<const Loose*>(from); };
-  const Float4 x[] = {load(probes.x), load(probes.x + 4)}, y[] = {load(probes.y), load(probes.y + 4)};
+  const Float4 x[] = {load4(probes.x), load4(probes.x + 4)}, y[] = {load4(probes.y), load4(probes.y + 4)};
   Float4 depth[] = {Float4{} + 1e30f, Float4{} + 1e30f};
   for (int i = 0; i < convex.count; ++i)
     for (const int k : {0, 1}) {
       const Float4 inside = convex.d[i] - convex.nx[i] * x[k] - convex.ny[i] * y[k];
       depth[k] = inside < depth[k] ? inside : depth[k];
     }
-  for (const int k : {0, 1}) *reinterpret_cast<Loose*>(probes.depth + 4 * k) = depth[k];
+  for (const int k : {0, 1}) *reinterpret_cast<LooseFloat4*>(probes.depth + 4 * k) = depth[k];
+}
+
+/// A lower bound of the distance from the edges.
+double clearanceOfFew(const SmallPolygon& small, const Place& place) {
+  if (!(std::abs(place.x) + std::abs(place.y) < 4)) return 0;
+  const auto x = static_cast<float>(place.x), y = static_cast<float>(place.y);
+  Float4 square = Float4{} + 1e30f;
+  for (int i = 0; i < small.lanes; i += 4) {
+    const Float4 nx = load4(small.nx + i), ny = load4(small.ny + i);
+    const Float4 beyond = nx * x + ny * y - load4(small.d + i);
+    const Float4 past = larger(absolute(nx * y - ny * x - load4(small.middle + i)) - load4(small.half + i), Float4{});
+    const Float4 here = beyond * beyond + past * past;
+    square = here < square ? here : square;
+  }
+  const float least = std::min(std::min(square[0], square[1]), std::min(square[2], square[3]));
+  return std::sqrt(least) - kFewEdgesError - 2 * place.error;
 }
 
 /// Up to kLanes large discs, the first one the largest. A search in floats: what it finds has to be proven.
@@ -143,26 +165,16 @@ class DiscSearch {
 /// A point in units from S.
 Vec2 inFrame(const PolygonData& polygon, const Vec2& p) { return polygon.origin + p * polygon.unit; }
 
-/// The radius, in units, of a disc of which `clearance(place)` is known not to meet an edge; 0 if there is none.
-template <typename Clearance>
-double clearRadius(const PolygonData& polygon, const Vec2& center, Clearance clearance) {
+/// The radius, in units, of a disc that no edge meets, at most `most`; 0 if that can't be shown.
+double clearRadius(const PolygonData& polygon, const Vec2& center, double most) {
   if (!polygon.fitsUnit() || !inFrame(polygon, center).allFinite()) return 0;
   // Taking the centre to the polygon's frame rounds it, in either coordinate, by U of the product and of the sum with
   // S, which may be far off.
   const Place place{center.x(), center.y(), 4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)};
-  const double radius = clearance(place);
+  const SmallPolygon* small = topOf(polygon).small.get();
+  const double radius =
+      small == nullptr ? clearanceAt(hierarchyOf(polygon), place, most) : std::min(clearanceOfFew(*small, place), most);
   return radius > 0 && std::isfinite(radius * polygon.unit) ? radius : 0;
-}
-
-/// At most `most`.
-double clearRadius(const PolygonData& polygon, const Vec2& center, double most) {
-  return clearRadius(polygon, center,
-                     [&](const Place& place) { return clearanceAt(hierarchyOf(polygon), place, most); });
-}
-
-/// Of a small convex polygon, as deep in which as lines tell.
-double clearOfLines(const PolygonData& polygon, const Vec2& center, float depth) {
-  return clearRadius(polygon, center, [&](const Place& place) { return depth - kOfLines - 2 * place.error; });
 }
 
 bool isInside(const PolygonData& polygon, const Vec2& center) {
@@ -178,12 +190,15 @@ ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : fill(polygon.fill) 
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
     const std::size_t end = polygon.edgeEnd(r);
     Vec2 v = polygon.inUnits(polygon.path[polygon.edgeBegin(r)]);
+    float x = narrow(v.x()), y = narrow(v.y());
     for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
       const Vec2 w = polygon.inUnits(polygon.path[std::min(e + stride, end)]), along = w - v;
       const double square = along.squaredNorm();
-      edges.push_back({narrow(v.x()), narrow(v.y()), narrow(w.x()), narrow(w.y()), static_cast<float>(along.x()),
-                       static_cast<float>(along.y()), square > 1e-20 ? static_cast<float>(1 / square) : 0});
+      const float end_x = narrow(w.x()), end_y = narrow(w.y());
+      edges.push_back({x, y, end_y, end_x - x, end_y - y, static_cast<float>(along.x()), static_cast<float>(along.y()),
+                       square > 1e-20 ? static_cast<float>(1 / square) : 0});
       v = w;
+      x = end_x, y = end_y;
     }
   }
 }
@@ -195,16 +210,17 @@ double provenRadius(const PolygonData& polygon, const Vec2& center, double most)
 
 InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
   int first = 0;
-  const Hierarchy& hierarchy = hierarchyOf(polygon);
+  const Hierarchy& hierarchy = topOf(polygon);
   const bool is_convex = hierarchy.small_convex != nullptr;
   for (const Guess& guess : DiscSearch(polygon, hierarchy)) {
     // What the thinned outline overlooks makes a disc smaller, rounding perhaps larger.
     const Vec2 at(guess.x, guess.y);
-    const double proven =
-        is_convex ? clearOfLines(polygon, at, guess.depth) : clearRadius(polygon, at, guess.depth * (1 + 0x1p-10));
+    const double proven = clearRadius(polygon, at, guess.depth * (1 + 0x1p-10));
     if (!(proven > 0)) continue;
-    // No edge parts two discs that meet: if the one is in the region, so is the other.
-    bool is_inside = is_convex || (ThinnedOutline::isWhole(polygon) && proven >= kSurelyBeside);
+    // No edge parts two discs that meet: if the one is in the region, so is the other. And a convex region is what is
+    // beyond no line.
+    bool is_inside =
+        is_convex ? guess.depth > kFewEdgesError : ThinnedOutline::isWhole(polygon) && proven >= kSurelyBeside;
     assert(!is_inside || isInside(polygon, at));
     for (int i = 0; i < count && !is_inside; ++i) {
       const double sum = (radius[i] + proven) * (1 - 0x1p-20);

@@ -15,7 +15,8 @@ struct ThinnedOutline {
   static bool isWhole(const PolygonData& polygon) { return polygon.path.size() < kSearched; }
 
   struct Edge {
-    float x, y, end_x, end_y;
+    float x, y, end_y;
+    float to_end_x, to_end_y;  ///< as floats see it
     float along_x, along_y, inverse_square;
   };
   static constexpr std::size_t kSearched = 128;

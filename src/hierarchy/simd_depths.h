@@ -30,8 +30,8 @@ void measureDepths(const ThinnedOutline& outline, DepthProbes& probes) {
   for (const ThinnedOutline::Edge& e : outline.edges) {
     const Lanes x = at_x - e.x, y = at_y - e.y;
     square = smaller(square, besideSegment(x, y, e.along_x, e.along_y, e.inverse_square).square);
-    const unsigned above_start = above(y, zero), above_end = above(at_y - e.end_y, zero);
-    const unsigned left = above(x * (e.end_y - e.y) - y * (e.end_x - e.x), zero);
+    const unsigned above_start = above(y, zero), above_end = above(at_y, Lanes::all(e.end_y));
+    const unsigned left = above(x * e.to_end_y - y * e.to_end_x, zero);
     const unsigned crossed = (above_start ^ above_end) & (above_start ^ left);
     odd ^= crossed;
     if (is_even_odd) continue;

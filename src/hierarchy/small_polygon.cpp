@@ -20,8 +20,9 @@ void addRings(const PolygonData& polygon, SmallPolygon& small) {
   const auto add = [&](unsigned end) {
     small.firsts |= 0x10001u << i;
     small.lasts |= 0x10001u << (end - 1);
-    const unsigned first = i;
-    for (; i < end; ++i) small.next[i] = static_cast<std::uint8_t>(i + 1 < end ? i + 1 : first);
+    small.next[end - 1] = static_cast<std::uint8_t>(i);
+    for (; i + 1 < end; ++i) small.next[i] = static_cast<std::uint8_t>(i + 1);
+    i = end;
   };
   for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) {
     const std::size_t begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
@@ -54,9 +55,9 @@ std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon,
   addRings(polygon, *small);
   const double outwards = convexityOf(polygon).direction < 0 ? -1 : 1;
   Double2 low = load2(local[0].data()), high = low;
-  for (int i = 0; i < small->lanes; i += 2) {  // two edges side by side
-    const std::size_t k = small->position[std::min(i, small->count - 1)];
-    const std::size_t l = small->position[std::min(i + 1, small->count - 1)];
+  int i = 0;
+  for (; i < small->count; i += 2) {  // two edges side by side
+    const std::size_t k = small->position[i], l = small->position[std::min(i + 1, small->count - 1)];
     const Double2 v = load2(local[k].data()), w = load2(local[l].data());
     low = smaller(smaller(v, w), low);
     high = larger(larger(v, w), high);
@@ -73,6 +74,8 @@ std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon,
     store2(small->middle + i, narrowed(nx * (y + 0.5 * along_y) - ny * (x + 0.5 * along_x)));
     store2(small->half + i, narrowed(0.5 * length));
   }
+  for (float* array : {small->x, small->y, small->nx, small->ny, small->d, small->middle, small->half})
+    for (int lane = i; lane < small->lanes; lane += 2) store2(array + lane, Float2{array[i - 1], array[i - 1]});
   const Float2 low_xy = narrowed(low), high_xy = narrowed(high);
   small->low_x = low_xy[0], small->high_x = high_xy[0];
   small->low_y = low_xy[1], small->high_y = high_xy[1];

@@ -214,7 +214,7 @@ class Slide {
   }
 
   static const SmallPolygon* smallOf(const PolygonData& polygon, SmallDegenerate& own) {
-    return polygon.isDegenerate() ? own.of(polygon) : hierarchyOf(polygon).small_convex;
+    return polygon.isDegenerate() ? own.of(polygon) : topOf(polygon).small_convex;
   }
 
   /// Where along the edge a vertex of the other polygon is at a time, times the edge's length.

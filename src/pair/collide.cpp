@@ -222,7 +222,7 @@ bool collideClose(const CloseUp& a, const CloseUp& b, bool may_hold, const Colli
     return collideClose(a, b, may_hold, {}) && interiorsMeet(a.polygon, a.pose, b.polygon, b.pose);
   const bool in_order = inOrder(a.polygon, a.pose, b.polygon, b.pose);
   const CloseUps pair(in_order ? a : b, in_order ? b : a);
-  const Hierarchy *of_a = hierarchyIfBuilt(pair.a), *of_b = hierarchyIfBuilt(pair.b);
+  const Hierarchy *of_a = topIfBuilt(pair.a), *of_b = topIfBuilt(pair.b);
   if (of_a == nullptr || of_b == nullptr)
     return collideAnew(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), options);
   const UnitPlacement at = pair.inUnits();

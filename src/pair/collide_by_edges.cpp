@@ -25,7 +25,7 @@ std::size_t savedBy(const PolygonData& polygon) {
 bool arePaidFor(const PolygonData& a, const PolygonData& b) {
   std::size_t left = 0;
   for (const PolygonData* polygon : {&a, &b})
-    if (hierarchyIfBuilt(*polygon) == nullptr) left += polygon->hierarchy_rent.left(hierarchyPrice(*polygon));
+    if (topIfBuilt(*polygon) == nullptr) left += polygon->hierarchy_rent.left(hierarchyPrice(*polygon));
   const std::size_t cost = a.path.size() * b.ringCount() + b.path.size() * a.ringCount();
   if (left <= cost) return true;
   a.hierarchy_rent.pay(savedBy(a));

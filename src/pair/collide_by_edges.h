@@ -17,7 +17,7 @@ std::optional<Outcome> collideByEdges(const EdgeTest& test);
 /// Whether both polygons have the hierarchies that are asked, a point's being none, so that there is no need for the
 /// above.
 inline bool haveHierarchies(const PolygonData& a, const PolygonData& b) {
-  return hierarchyIfBuilt(a) != nullptr && (b.isPoint() || hierarchyIfBuilt(b) != nullptr);
+  return topIfBuilt(a) != nullptr && (b.isPoint() || topIfBuilt(b) != nullptr);
 }
 
 }  // namespace tricover::detail

@@ -17,7 +17,7 @@ bool startIsInB(const void* test, std::size_t edge) { return isInB(static_cast<c
 }  // namespace
 
 Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test) {
-  const SmallPolygon &a = *hierarchyOf(test.a).small_convex, &b = *hierarchyOf(test.b).small_convex;
+  const SmallPolygon &a = *topOf(test.a).small_convex, &b = *topOf(test.b).small_convex;
   ConvexGap best;
   const Meeting meeting = convexMeet(a, b, at.map, at.rounding, best);
   if (meeting != Meeting::Unknown) return meeting;

@@ -37,7 +37,7 @@ inline bool areNear(const UnitMap& map) { return std::abs(map.tx) + std::abs(map
 /// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
 [[gnu::always_inline]] inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted,
                                                  const EdgeTest& test, double& clearance) {
-  const Hierarchy &a = hierarchyOf(test.a), &b = hierarchyOf(test.b);
+  const Hierarchy &a = topOf(test.a), &b = topOf(test.b);
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const double gap = rootGap(a.root, b.root, at.map, at.rounding);
   if (gap > limit) {

@@ -13,7 +13,7 @@ namespace {
 
 /// Whether p, in the polygon's frame, is certainly outside of the box around everything.
 bool outsideRoot(const PolygonData& polygon, const ApproxPoint& p) {
-  const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
+  const Hierarchy* hierarchy = topIfBuilt(polygon);
   if (hierarchy == nullptr) return false;
   const Vec2 at = polygon.inUnits({p.x, p.y});
   // p is wrong by `error` in either coordinate.

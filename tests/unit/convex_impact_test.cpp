@@ -297,10 +297,10 @@ TEST(TimeOfImpact, BuildsNothingWhereDiscsStayApart) {
   const Motion passes = Motion::translation(pose(0, -9, 4), Vec2(18, 0)),
                hits = Motion::translation(pose(0, -9, 0), Vec2(18, 0));
   EXPECT_FALSE(timeOfImpact(a, {}, b, passes).has_value());
-  EXPECT_EQ(hierarchyIfBuilt(a.data()), nullptr);
-  EXPECT_EQ(hierarchyIfBuilt(b.data()), nullptr);
+  EXPECT_EQ(topIfBuilt(a.data()), nullptr);
+  EXPECT_EQ(topIfBuilt(b.data()), nullptr);
   EXPECT_TRUE(timeOfImpact(a, {}, b, hits).has_value());
-  EXPECT_NE(hierarchyIfBuilt(a.data()), nullptr);
+  EXPECT_NE(topIfBuilt(a.data()), nullptr);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ std::vector<const void*> derivedFrom(const Polygon& polygon) {
   std::vector<const void*> all = {data.hierarchy.ifBuilt(), data.discs.ifBuilt(), data.convexity.ifBuilt(),
                                   data.starts.ifBuilt()};
   if (const detail::Hierarchy* hierarchy = hierarchyIfBuilt(data))
-    all.insert(all.end(), {hierarchy->places.ifBuilt(), hierarchy->tangles.ifBuilt()});
+    all.insert(all.end(), {hierarchy->few_blocks.ifBuilt(), hierarchy->places.ifBuilt(), hierarchy->tangles.ifBuilt()});
   if (const detail::InnerDiscs* discs = innerDiscsIfBuilt(data)) all.push_back(discs->cover.ifBuilt());
   if (data.convexity.ifBuilt() != nullptr) all.push_back(detail::convexityOf(data).outline.ifBuilt());
   return all;

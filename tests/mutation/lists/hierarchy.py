@@ -6,6 +6,7 @@ MUTATIONS = [
     ("src/hierarchy/inclusion.cpp", "error * (2 + 16 / distance)}", "0}", "ray: known exactly"),
     ("src/hierarchy/inclusion.cpp", "1.5 * errorInUnits(polygon, p) + 0x1p-48", "0", "known places: the way known exactly"),
     ("src/hierarchy/inclusion.cpp", "if (found.location != Location::Boundary) winding_", "winding_", "known places: on an edge"),
+    ("src/hierarchy/inner_discs.cpp", "constexpr double kFewEdgesError = 0x1p-17;", "constexpr double kFewEdgesError = -0x1p-12;", "inner discs: few edges' distance, rounded outwards"),
     ("src/hierarchy/inner_discs.cpp", "proven * (1 - 0x1p-22)", "proven / (1 - 0x1p-22)", "inner discs: rounded outwards"),
     ("src/hierarchy/inner_discs.cpp", "ThinnedOutline::isWhole(polygon) && ", "", "inner discs: the side that a thinned outline sees"),
     ("src/hierarchy/inner_discs.cpp", "4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)", "0", "inner discs: an ulp of S"),
