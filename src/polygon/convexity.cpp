@@ -45,7 +45,7 @@ std::size_t findCorners(const PolygonData& polygon, std::size_t* corners, int& d
     const Vec2 &p = path[before], &q = path[middle], &r = path[after];
     const Double2 out = at(after) - at(middle);
     const int turn = turnAt(p, q, r, into, out);
-    turns_in_x += (into[0] > 0) != (out[0] > 0);
+    turns_in_x += (q.x() > p.x()) != (r.x() > q.x());  // differences may underflow
     const bool is_corner = turn != 0 || !isBetween(p, q, r);
     if (is_corner && (turn == 0 || turn == -direction)) return 0;
     if (is_corner) {
