@@ -110,7 +110,7 @@ class Builder {
   }
 
   void fitRoot(Hierarchy& hierarchy) const {
-    hierarchy.root = rounded(fit(all_, farthest()), Double2{}, 1);
+    hierarchy.root = rounded(fitAll(all_), Double2{}, 1);
     hierarchy.root_spanned = all_.kind == Part::Chain;
   }
 
@@ -122,18 +122,23 @@ class Builder {
   }
 
  private:
-  /// The vertex that is farthest from S.
-  Double2 farthest() const {
-    Double2 found{};
-    double most = -1;
-    for (const Vec2 *end = local_ + polygon_.path.size(), *at = local_; at < end; ++at) {
-      const Vec2& p = *at;
-      const double square = p.squaredNorm();
-      if (!(square > most)) continue;
-      most = square;
-      found = load2(p.data());
-    }
-    return found;
+  /// Along the way to the vertex that is farthest from S or, if that box is smaller, along the longest edge.
+  FittedBox fitAll(const Part& all) const {
+    Double2 farthest{}, longest{};
+    double most = -1, most_along = -1;
+    forEachChain(all, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Double2 p = load2(local_[i].data()), edge = load2(local_[i + 1].data()) - p;
+        const double square = dot(p, p), along = dot(edge, edge);
+        if (square > most) most = square, farthest = p;
+        if (along > most_along) most_along = along, longest = edge;
+      }
+    });
+    const FittedBox by_vertex = fit(all, farthest), by_edge = fit(all, longest);
+    if (!(area(by_edge) < area(by_vertex))) return by_vertex;
+    // Its longer side comes first.
+    const bool turned = by_edge.extents[1] > by_edge.extents[0];
+    return turned ? fit(all, Double2{-longest[1], longest[0]}) : by_edge;
   }
 
   /// A single ring is a chain, or edges.
