@@ -16,25 +16,27 @@
 namespace tricover::detail {
 namespace {
 
-/// Shows the search what it must see. False if two edges meet.
-bool descend(const PosedPair& pair, DistanceSearch& search) {
+/// Shows the search what it must see; the result as of searchAll().
+Outcome descend(const PosedPair& pair, DistanceSearch& search) {
   // The discs' farthest points are no nearer than any of the polygons.
   const double dx = std::abs(pair.center_x - pair.a.origin.x()), dy = std::abs(pair.center_y - pair.a.origin.y());
   constexpr int kSums = 1 + 4;  // one difference, four sums; and the scale's sum and product
   search.limitTo(
       roundedUp<kSums + 2>((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect)));
   const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
-  if (pair.a.isDegenerate() && pair.b.isDegenerate())
-    return search.show(static_cast<std::uint32_t>(pair.a.degenerate_edge),
-                       static_cast<std::uint32_t>(pair.b.degenerate_edge));
+  if (pair.a.isDegenerate() && pair.b.isDegenerate()) {
+    search.show(static_cast<std::uint32_t>(pair.a.degenerate_edge), static_cast<std::uint32_t>(pair.b.degenerate_edge));
+    return Outcome();
+  }
   // More pairs than there are edges are seldom shown, unless many are equally near: then it pays to prune those, and
   // to begin again without them. As patience is doubled, all beginnings together cost no more than the last.
   std::size_t patience = pair.a.path.size() + pair.b.path.size(), shown = 0;
   PrunedBoxes pruned;
-  bool begins_again;
+  Outcome outcome;
+  bool begins_again, by_rings;
   do {
     begins_again = false;
-    forNearPairs(
+    by_rings = forNearPairs(
         pair, limit(), pruned.pairs(),
         [&](double, std::size_t i, std::size_t j) {
           if (!search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))) return -1.0;
@@ -46,9 +48,14 @@ bool descend(const PosedPair& pair, DistanceSearch& search) {
         [&](double length) {
           search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
           return limit();
+        },
+        [&](std::size_t edge_a) {
+          outcome.collides = !pair.b.isDegenerate() && isInB(pair, edge_a);
+          if (outcome.collides) outcome.edge_a = static_cast<std::ptrdiff_t>(edge_a);
+          return outcome.collides;
         });
   } while (begins_again);
-  return !search.meets();
+  return search.meets() || outcome.collides ? outcome : findContainment(pair, !by_rings);
 }
 
 /// Shows the search where the regions meet, which is known to be so, as collide() finds it: the deepest boxes first.
@@ -66,7 +73,7 @@ Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
   if (depthOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), 0) > 0) return findMeeting(pair, search);
   if (showSmall(pair, search)) return Outcome();
-  return descend(pair, search) ? findContainment(pair) : Outcome();
+  return descend(pair, search);
 }
 
 }  // namespace

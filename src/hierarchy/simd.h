@@ -141,6 +141,8 @@ struct PairVisitor {
   /// Null, or told a length that some pair's distance is proven not to be above.
   double (*narrow)(void* context, double length);
   PrunedPairs pruned = {};  ///< aren't shown
+  /// Null, or as in HitTest: which ends the visit, too. It isn't asked unless b staysWhole().
+  bool (*holds)(void* context, std::uint32_t edge_a) = nullptr;
 };
 
 /// Shows every pair of edges that may be within the limit, near ones roughly first.

@@ -46,26 +46,35 @@ template <class Lanes, class Goal>
   return entered(goal, block, step, found, unused);
 }
 
-/// Of a b that staysWhole(). Its box tells which rings may begin in b, too: a ring's first edge doesn't follow the one
-/// in the lane before.
+/// A leaf's edges that may come within the limit of b's box.
+template <class Lanes>
+[[gnu::always_inline]] inline unsigned edgesNear(const Descent& d, const Item& b, const Block& leaf, double limit) {
+  const Query query = queryFor(b, d.polygon_b, d.to_a, leaf, d.rounding);
+  const Step step = stepOf(leaf.scale, limit * leaf.inverse, query.slack, query.cap);
+  if (!step.known) return lanesOf(leaf);
+  return lanesOf(leaf) & ~above(gaps<false>(boxesOf<Lanes>(leaf), query), Lanes::all(step.threshold));
+}
+
+/// A ring's first edge doesn't follow the one in the lane before.
+[[gnu::always_inline]] inline bool beginsRing(const Block& leaf, int i) {
+  return i == 0 || leaf.child[i - 1] + 1 != leaf.child[i];
+}
+
+/// Of a b that staysWhole(). Its box tells which rings may begin in b, too.
 template <class Lanes>
 void findHitAmongRings(const Descent& d, FindHit& goal) {
   const Item b = itemAt(d.b, kRoot, PolygonData::kNotDegenerate);
   const WholeB whole_b = wholeB(d);
   const auto near = [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
-    if (!block.leaf) return nearWhole<Lanes>(d, whole_b, block, goal, at);
-    const Query query = queryFor(b, d.polygon_b, d.to_a, block, d.rounding);
-    const Step step = stepOf(block.scale, goal.limit * block.inverse, query.slack, query.cap);
-    Lanes unused = Lanes::all(0);
-    return entered(goal, block, step, gaps<false>(boxesOf<Lanes>(block), query), unused);
+    return block.leaf ? edgesNear<Lanes>(d, b, block, goal.limit) : nearWhole<Lanes>(d, whole_b, block, goal, at);
   };
   const auto show = [&](const Block& block, unsigned lanes, const float*) __attribute__((always_inline)) {
     const auto first = static_cast<std::uint32_t>(&block - d.a.blocks.data()) * kLanes;
     for (; lanes != 0; lanes &= lanes - 1) {
       const int i = __builtin_ctz(lanes);
       const std::uint32_t edge = block.child[i];
-      const bool begins = i == 0 || block.child[i - 1] + 1 != edge;
-      if (begins && goal.test.holds(goal.test.context, edge)) return goal.result = {true, 0, edge, -1}, false;
+      if (beginsRing(block, i) && goal.test.holds(goal.test.context, edge))
+        return goal.result = {true, 0, edge, -1}, false;
       if (descendBoth<Lanes>(d, goal, first + static_cast<std::uint32_t>(i))) return false;
     }
     return true;
@@ -91,8 +100,16 @@ void showPairsAmongRings(const Descent& d, ShowPairs& goal) {
     unsigned left;
     float gap[kLanes];
   } entered[kMaxDepth];
+  const Item b = itemAt(d.b, kRoot, PolygonData::kNotDegenerate);
   const WholeB whole_b = wholeB(d);
   const Block* const all = d.a.blocks.data();
+  const auto holdsRingOf = [&](const Block& leaf) __attribute__((always_inline)) {
+    for (unsigned lanes = edgesNear<Lanes>(d, b, leaf, 0); lanes != 0; lanes &= lanes - 1) {
+      const int i = __builtin_ctz(lanes);
+      if (beginsRing(leaf, i) && goal.visitor.holds(goal.visitor.context, leaf.child[i])) return true;
+    }
+    return false;
+  };
   int count = 0;
   const auto enter = [&](const Block& block) __attribute__((always_inline)) {
     Entered& here = entered[count++];
@@ -117,10 +134,12 @@ void showPairsAmongRings(const Descent& d, ShowPairs& goal) {
     }
     here.left &= ~(1u << nearest);
     const Block& child = all[here.block->child[nearest]];
-    if (!child.leaf)
+    if (!child.leaf) {
       enter(child);
-    else if (descendBoth<Lanes>(d, goal, static_cast<std::uint32_t>((here.block - all) * kLanes + nearest)))
-      return;
+      continue;
+    }
+    if (!(least > 0) && goal.visitor.holds != nullptr && holdsRingOf(child)) return;
+    if (descendBoth<Lanes>(d, goal, static_cast<std::uint32_t>((here.block - all) * kLanes + nearest))) return;
   }
 }
 

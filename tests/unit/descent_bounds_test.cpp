@@ -393,7 +393,8 @@ TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
       found = found || distances.bounds(k, l).high == least;
       return limit;
     };
-    detail::forNearPairs(pair, limit, {}, visit, [&](double) { return limit; });
+    detail::forNearPairs(
+        pair, limit, {}, visit, [&](double) { return limit; }, [](std::size_t) { return false; });
     ASSERT_TRUE(found) << "case " << i;
   }
 }
