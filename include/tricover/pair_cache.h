@@ -70,7 +70,8 @@ struct ContactFacts {
   double second_in_first[6] = {1, 0, 0, 1, 0, 0};
   double error = 0;   ///< what that maps points wrong by, at most
   double deeper = 0;  ///< a length in the first one's frame
-  int count = 0;
+  std::uint8_t count = 0;
+  FactBalance balance;
   bool of_first[kMost] = {};         ///< whether an edge is the first polygon's
   std::uint32_t face[kMost] = {};    ///< the edges, as the kernel numbers them
   std::uint32_t behind[kMost] = {};  ///< an edge of the other polygon at its vertex that was deepest behind them

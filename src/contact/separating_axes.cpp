@@ -7,6 +7,7 @@
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
 #include "pair/facts.h"
+#include "polygon/fact_balance.h"
 
 namespace tricover::detail {
 namespace {
@@ -34,6 +35,11 @@ constexpr double kLeastSteps = 3;
 
 /// Whether depths behind faces of either are the same in a's frame, in b's and in the world.
 bool keepsLengths(const PosedPair& pair) { return pair.defect < 0x1p-46 && pair.scale_defect < 0x1p-46; }
+
+/// Whether facts about this pair, which overlapped the last time, are left alone.
+bool isResting(const ContactFacts& facts, const PosedPair& pair) {
+  return facts.balance.resting > 0 && facts.first_id == pair.a.id && facts.second_id == pair.b.id;
+}
 
 bool isLessDeep(const FaceDepth& f, const FaceDepth& g) { return f.depth < g.depth; }
 
@@ -71,13 +77,16 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
       within_(tie() + 3 * kDepthError * error_) {
   static_assert(kDepthError >= kUnitRows * kSumOfDepthErrors);
   if (!(error_ / kMappingError < 0x1p200)) return;  // areas or their squares may overflow
+  if (facts != nullptr && !keepsLengths(pair)) facts = nullptr;
+  const bool are_resting = facts != nullptr && isResting(*facts, pair);
   // Those of a pair that overlapped the last time.
-  if (facts != nullptr && facts->first_id != 0 && keepsLengths(pair)) {
+  if (facts != nullptr && !are_resting && facts->first_id != 0) {
     const bool known = facts->first_id == pair.a.id && facts->second_id == pair.b.id;
     const double motion = known ? motionSince(*facts, pair) : std::numeric_limits<double>::infinity();
     if (facts->count > 0 && motion < facts->deeper) {
       verdict_ = findLeastKept(*facts);
       if (verdict_ == Meet && facts->deeper - motion > least_depth_ + within_ + 64 * error_) {
+        isWorthIt(facts->balance, kQuery / 2);
         removeDeep();
         return;
       }
@@ -87,11 +96,16 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
     facts->count = 0;
     facts->first_id = 0;
     // It pays if it lasts for some more steps like the last one; after a jump another may follow.
-    if (kLeastSteps * motion < kLookahead * pair.b.radius) lookahead_ = kLookahead * pair.b.radius;
+    if (kLeastSteps * motion < kLookahead * pair.b.radius)
+      lookahead_ = kLookahead * pair.b.radius;
+    else if (known)
+      isWorthIt(facts->balance, -1);
   }
   verdict_ = findLeast(edgeTowardsOther(a_));
+  if (are_resting && verdict_ != Meet) facts->first_id = 0;
   if (verdict_ != Meet) return;
-  if (facts != nullptr && keepsLengths(pair)) keep(*facts, pair);
+  // Of queries that do without them the last one sees where the pair is.
+  if (facts != nullptr && (!are_resting || --facts->balance.resting == 0)) keep(*facts, pair);
   removeDeep();
 }
 
