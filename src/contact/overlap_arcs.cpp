@@ -94,7 +94,7 @@ void OverlapArcs::addOwnCrossing(int side, std::size_t e, std::size_t f) {
 
 void OverlapArcs::joinAlongRings(int side) {
   Side& own = sides_[side];
-  std::vector<Stop>& stops = own.stops;
+  std::pmr::vector<Stop>& stops = own.stops;
   std::sort(stops.begin(), stops.end(),
             [](const Stop& s, const Stop& t) { return s.edge != t.edge ? s.edge < t.edge : s.span.low < t.span.low; });
   std::size_t begin = 0;
@@ -124,7 +124,7 @@ void OverlapArcs::joinWhole(int side, std::size_t r) {
 }
 
 void OverlapArcs::joinArcs(int side, std::size_t begin, std::size_t end) {
-  std::vector<Stop>& stops = sides_[side].stops;
+  std::pmr::vector<Stop>& stops = sides_[side].stops;
   Winding winding;  // the other's, on the arc after the stop
   double reach = 0;
   // Beginning with the way round from the last stop to the first, which tells the winding number.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory_resource>
 #include <vector>
 
 #include "contact/boundary_point.h"
@@ -40,13 +41,13 @@ struct Side {
     bool meets_own = false;  ///< or other rings of its polygon: then it isn't the same all along
   };
 
-  explicit Side(const PolygonData& polygon_) : polygon(polygon_) {}
+  Side(const PolygonData& polygon_, std::pmr::memory_resource* memory) : polygon(polygon_), stops(memory) {}
 
   std::size_t after(std::size_t edge) const { return edgeAfter(polygon, edge); }
   bool isInside(int winding) const { return detail::isInside(polygon.fill, winding); }
 
   const PolygonData& polygon;
-  std::vector<Stop> stops;  ///< by edge, then where they begin
+  std::pmr::vector<Stop> stops;  ///< by edge, then where they begin
   RingStops* rings = nullptr;
 };
 
@@ -76,7 +77,7 @@ class OverlapArcs {
         swapped_(pair.b, pair.pose_b, pair.a, pair.pose_a),
         frame_(frame),
         crossings_(crossings),
-        sides_{Side(pair.a), Side(pair.b)} {}
+        sides_{{pair.a, &memory_}, {pair.b, &memory_}} {}
 
   using Ends = WorldFrame::Ends;
 
@@ -106,8 +107,10 @@ class OverlapArcs {
   const PosedPair &pair_, swapped_;
   const WorldFrame& frame_;
   const std::vector<EdgeCrossing>& crossings_;
+  alignas(std::max_align_t) std::byte few_[2048];  ///< as much as a few crossings take
+  std::pmr::monotonic_buffer_resource memory_{few_, sizeof few_};
   Side sides_[2];
-  std::vector<Side::RingStops> rings_;  ///< a's, then b's
+  std::pmr::vector<Side::RingStops> rings_{&memory_};  ///< a's, then b's
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   struct Node {
     bool is_present;  ///< it is in the overlap, which a polygon's own crossing needn't be
@@ -117,8 +120,8 @@ class OverlapArcs {
     EdgeEnds ends_within;  ///< of a crossing: known to be in the overlap's part
   };
   UnionFind sets_;  ///< of nodes
-  std::vector<Node> nodes_;
-  std::vector<Arc> arcs_;
+  std::pmr::vector<Node> nodes_{&memory_};
+  std::pmr::vector<Arc> arcs_{&memory_};
 
  private:
   Inclusion includeVertex(int side, std::size_t v) const;
