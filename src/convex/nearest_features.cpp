@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hierarchy/simd.h"
 
@@ -50,24 +51,32 @@ constexpr int kMostNear = 8;
 /// To features that others lead to: more would cost after a jump what the cache saves.
 constexpr int kMostSteps = 2;
 
+// Where the feature is an edge, its neighbours are as far behind as the polygon's edge_depth tells of all edges, in the
+// polygon's frame: kKept of it is left by a pose that misses keeping areas and lengths, and by n, which is off by less
+// than a thousandth of what clear corners turn by.
+constexpr double kKept = 0.5;
+static_assert(kKept * kClearCorner >= kLeastSlope && kKept < 1 - 4 * kLargestDefect - 0x1p-31 / kClearCorner - 0x1p-20);
+
 /// A feature of one polygon: a vertex, or an edge whose ends are `first` and `last`; and the axis that it faces along.
 class Facing {
  public:
   /// n leads away from the other polygon.
-  Facing(const ConvexRing& ring, const Pose& pose, std::uint32_t first, bool is_edge, Double2 n)
+  [[gnu::always_inline]] Facing(const ConvexRing& ring, const Pose& pose, std::uint32_t first, bool is_edge, Double2 n)
       : ring_(ring), first_(first), last_(is_edge ? ring_.next(first) : first), before_(ring_.previous(first)) {
     const double* r = pose.data();  // columns of three
     const Double2 first_column{r[0], r[1]}, second_column{r[3], r[4]};
     axis_ = Double2{dot(first_column, n), dot(second_column, n)};
   }
 
-  /// The lesser one of how far the neighbours are behind; negative unless both are clearly so, see kLeastSlope.
-  double depth(double distance) const {
+  /// The lesser one of how far the neighbours are behind; negative unless both are clearly so, see kLeastSlope. No edge
+  /// is longer than `longest`.
+  [[gnu::always_inline]] double depth(double distance, double longest) const {
     const Double2 before = -ring_.edge(before_), after = ring_.edge(last_);
     const double h1 = dot(axis_, before), h2 = dot(axis_, after), least = std::min(h1, h2);
     constexpr double kSlopeSquare = kLeastSlope * kLeastSlope;
-    const bool is_clear = least > kLeastDepth * distance && h1 * h1 > kSlopeSquare * dot(before, before) &&
-                          h2 * h2 > kSlopeSquare * dot(after, after);
+    const bool is_clear = least > kLeastDepth * distance &&
+                          (least > kLeastSlope * longest || (h1 * h1 > kSlopeSquare * dot(before, before) &&
+                                                             h2 * h2 > kSlopeSquare * dot(after, after)));
     return is_clear ? least : -1;
   }
 
@@ -107,7 +116,7 @@ class Facing {
 class FeatureSearch {
  public:
   FeatureSearch(const PosedVertices& vertices, NearestFeatures& found)
-      : vertices_(vertices), a_(convexRing(vertices.a)), b_(convexRing(vertices.b)), found_(found) {}
+      : vertices_(vertices), a_(ringOf(vertices.a)), b_(ringOf(vertices.b)), found_(found) {}
 
   /// Whether these are the nearest, or features that they lead to by a few neighbours.
   bool proveOnWay(FeaturePair features) {
@@ -150,34 +159,65 @@ class FeatureSearch {
     const double size = vertices_.size();
     const bool is_inside = foot.inside >= kInside * foot.distance * foot.length &&
                            (foot.is_plain || foot.inside > kClearProduct * size * size);
-    const std::uint32_t i = kEdgeOfA ? e : v, j = kEdgeOfA ? v : e;
-    return proveForemost({kEdgeOfA ? FeaturePair::kEdgeOfA : FeaturePair::kEdgeOfB, i, j}, foot, is_inside);
+    return proveForemost < kEdgeOfA ? FeaturePair::kEdgeOfA
+                                    : FeaturePair::kEdgeOfB > (kEdgeOfA ? e : v, kEdgeOfA ? v : e, foot, is_inside);
   }
 
   bool proveVertices(std::uint32_t v, std::uint32_t w, const Foot& foot) {
     const bool is_clear = foot.is_plain || foot.distance > kClear * vertices_.size();
-    return proveForemost({FeaturePair::kVertices, v, w}, is_clear ? foot : vertices_.twofoldBetween(v, w), true);
+    return proveForemost<FeaturePair::kVertices>(v, w, is_clear ? foot : vertices_.twofoldBetween(v, w), true);
   }
 
   /// Whether these are foremost, and the polygons are apart; and if they `may_be_unique`, whether they are.
-  bool proveForemost(const FeaturePair& features, const Foot& foot, bool may_be_unique) {
-    const Facing of_a(a_, vertices_.pose_a, features.edge_a, features.kind == FeaturePair::kEdgeOfA, -foot.axis);
-    const Facing of_b(b_, vertices_.pose_b, features.edge_b, features.kind == FeaturePair::kEdgeOfB, foot.axis);
+  template <FeaturePair::Kind kKind>
+  [[gnu::always_inline]] bool proveForemost(std::uint32_t edge_a, std::uint32_t edge_b, const Foot& foot,
+                                            bool may_be_unique) {
+    constexpr bool kVertices = kKind == FeaturePair::kVertices;
+    const FeaturePair features{kKind, edge_a, edge_b};
     const double distance = foot.distance, size = vertices_.size();
-    const double depth = std::min(of_a.depth(distance), of_b.depth(distance));
+    const double depth = std::min(depthOf<true, kKind == FeaturePair::kEdgeOfA>(features, foot),
+                                  depthOf<false, kKind == FeaturePair::kEdgeOfB>(features, foot));
     const bool is_clear =
-        foot.is_plain || (features.kind != FeaturePair::kVertices ? distance > kSide * size
-                                                                  : distance * depth > kClearProduct * size * size);
+        foot.is_plain || (kVertices ? distance * depth > kClearProduct * size * size : distance > kSide * size);
     found_.is_unique = may_be_unique && depth > 0 && is_clear;
-    if (!found_.is_unique && !(distance > kSure * size && of_a.edgesNear(kNear * size, found_.edges_a) &&
-                               of_b.edgesNear(kNear * size, found_.edges_b))) {
-      lookAhead(features, of_a, of_b);
-      return false;
-    }
+    if (!found_.is_unique && !proveByNeighbours(features, foot)) return false;
     found_.are_apart = true;
     found_.features = features;
     found_.foot = foot;
     return true;
+  }
+
+  [[gnu::always_inline]] Facing facingOfA(const FeaturePair& features, const Foot& foot) const {
+    return {a_, vertices_.pose_a, features.edge_a, features.kind == FeaturePair::kEdgeOfA, -foot.axis};
+  }
+  [[gnu::always_inline]] Facing facingOfB(const FeaturePair& features, const Foot& foot) const {
+    return {b_, vertices_.pose_b, features.edge_b, features.kind == FeaturePair::kEdgeOfB, foot.axis};
+  }
+
+  /// Of a vertex that is outside of the line along an edge, the polygon is behind that, and edge_depth tells how far.
+  /// Rounding may hide on which side it is only where foot.distance isn't clear.
+  template <bool kOfA, bool kIsEdge>
+  [[gnu::always_inline]] double depthOf(const FeaturePair& features, const Foot& foot) const {
+    const PolygonData& polygon = kOfA ? vertices_.a : vertices_.b;
+    if (!kOfA && !kIsEdge && polygon.isPoint()) return std::numeric_limits<double>::max();  // nothing is beside it
+    if (kIsEdge) {
+      const Convexity& convexity = convexityOf(polygon);
+      const double known = kKept * convexity.edge_depth;
+      const bool has_left = (convexity.direction > 0) == (kOfA ? vertices_.keepsHandOfA() : vertices_.keepsHandOfB());
+      if (known > kLeastDepth * foot.distance && foot.is_left != has_left) return known;
+    }
+    return (kOfA ? facingOfA(features, foot) : facingOfB(features, foot)).depth(foot.distance, 2.1 * polygon.radius);
+  }
+
+  /// Whether edges near these hold the distance, if any do.
+  [[gnu::noinline]] bool proveByNeighbours(const FeaturePair& features, const Foot& foot) {
+    const Facing of_a = facingOfA(features, foot), of_b = facingOfB(features, foot);
+    const double size = vertices_.size();
+    if (foot.distance > kSure * size && of_a.edgesNear(kNear * size, found_.edges_a) &&
+        of_b.edgesNear(kNear * size, found_.edges_b))
+      return true;
+    lookAhead(features, of_a, of_b);
+    return false;
   }
 
   /// Features that are nearer than these, since a neighbour is.
@@ -193,6 +233,9 @@ class FeatureSearch {
                 are_vertices ? edge : vertex};
     }
   }
+
+  /// Which way it runs isn't asked; nor is a point's ring, but for its vertex.
+  static ConvexRing ringOf(const PolygonData& polygon) { return {polygon.path.data(), polygon.path.size() - 1, 0}; }
 
   const PosedVertices& vertices_;
   const ConvexRing a_, b_;
@@ -236,6 +279,16 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
     found.crossing =
         !discs_meet && seen.gap == ConvexSight::kMeet ? seen.crossing() : convexCrossing(*a, *b, at.map, at.rounding);
   return found;
+}
+
+bool findFeatureNearPoint(const PosedVertices& vertices, NearestFeatures& found) {
+  const PolygonData &a = vertices.a, &b = vertices.b;
+  const SmallPolygon* small = hierarchyOf(a).small_convex;
+  if (small == nullptr || convexityOf(a).has_others || !vertices.isUnscaled()) return false;
+  const Double2 at = vertices.inUnitsOfA(vertices.way());
+  ConvexGap seen = pointGap(*small, static_cast<float>(at[0]), static_cast<float>(at[1]));
+  seen.vertex = static_cast<int>(b.degenerate_edge);
+  return seen.gap > 0 && FeatureSearch(vertices, found).prove(seen) && found.is_unique;
 }
 
 // Where the features are unique, the distance is theirs: right to kRelativeError if it is plain, otherwise to half of

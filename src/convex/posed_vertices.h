@@ -22,6 +22,7 @@ struct Foot {
   Double2 axis;           ///< the direction of the shortest way from a to b
   bool at_end;            ///< whether the nearer end is the edge's end rather than its start
   bool is_plain;          ///< whether the distance is right to PosedVertices::kRelativeError
+  bool is_left = false;   ///< whether the vertex is on the left of the edge that it is beside, as doubles see it
 
   /// Of the edge, from its start (0) to its end (1).
   double part() const {
@@ -41,6 +42,10 @@ class PosedVertices : public Placement {
     size_ = roundedUp<4>(size_);
   }
 
+  /// Whether a ring of a (or b) that runs counter-clockwise in its frame does so in the world.
+  bool keepsHandOfA() const { return cross(columns_a_[0], columns_a_[1]) > 0; }
+  bool keepsHandOfB() const { return cross(columns_b_[0], columns_b_[1]) > 0; }
+
   /// Whether squares of lengths neither overflow nor underflow. What follows is for those that don't.
   bool isUnscaled() const { return is_unscaled_; }
   /// |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q.
@@ -50,6 +55,16 @@ class PosedVertices : public Placement {
   /// From a's vertex p to b's vertex q.
   Double2 way(std::size_t p, std::size_t q) const {
     return mapped(columns_b_, b.path[q]) + shift_ - mapped(columns_a_, a.path[p]) + shift_rest_;
+  }
+
+  /// Two edges as doubles see them, from a's translation.
+  struct Ends {
+    Double2 a1, a2, b1, b2;
+  };
+  Ends ends(std::size_t i, std::size_t j) const {
+    const Vec2 *p = a.path.data() + i, *q = b.path.data() + j;
+    return {mapped(columns_a_, p[0]), mapped(columns_a_, p[1]), mapped(columns_b_, q[0]) + shift_,
+            mapped(columns_b_, q[1]) + shift_};
   }
 
   /// What a distance may be wrong by, beside the smallest double.
@@ -79,7 +94,7 @@ class PosedVertices : public Placement {
       const double area = areas[0] - areas[1], inverse = 1 / length, distance = std::abs(area) * inverse;
       const Double2 axis = Double2{-u[1], u[0]} * (area < 0 ? -inverse : inverse);
       const bool is_plain = isPlain(kEdgeOfA ? end : vertex, kEdgeOfA ? vertex : end, away[0] + away[1], distance);
-      return {distance, inside, square, length, axis, at_end, is_plain};
+      return {distance, inside, square, length, axis, at_end, is_plain, kEdgeOfA ? area > 0 : area < 0};
     }
     Foot foot = footOf(w, kEdgeOfA ? end : vertex, kEdgeOfA ? vertex : end);
     foot.square = square;
@@ -92,6 +107,16 @@ class PosedVertices : public Placement {
   /// The same by two-fold numbers, plain if it is kLeastShare of the size.
   Foot twofoldBetween(std::size_t p, std::size_t q) const;
   static constexpr double kLeastShare = 0x1p-44;
+  /// How far a vertex that is certainly beside an edge, nearer to its end or its start, is from it, by two-fold
+  /// numbers: see EdgeDistances. All lengths times `scale`.
+  template <bool kEdgeOfA>
+  double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex, double scale = 1) const {
+    const Vec2* path = (kEdgeOfA ? a : b).path.data();
+    const Double2 v1 = load2(path[edge].data()) * scale, v2 = load2(path[edge + 1].data()) * scale,
+                  end = at_end ? v2 : v1, other = load2((kEdgeOfA ? b : a).path[vertex].data()) * scale;
+    return twofoldBeside(pose_a.data(), kEdgeOfA ? end : other, pose_b.data(), kEdgeOfA ? other : end,
+                         {shift_, shift_rest_}, (kEdgeOfA ? pose_a : pose_b).data(), v1, v2);
+  }
 
  protected:
   using Twofold2 = Twofold<Double2>;

@@ -13,8 +13,9 @@ EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& ver
   const Foot& foot = nearest.foot;
   const bool is_vertices = features.kind == FeaturePair::kVertices, of_a = features.kind == FeaturePair::kEdgeOfA;
   if (!foot.is_plain && is_vertices)
-    return EdgeDistances(vertices).startAndStart(foot, features.edge_a, features.edge_b, options);
-  if (!foot.is_plain) return EdgeDistances(vertices).startBeside(of_a, foot, features.edge_a, features.edge_b, options);
+    return EdgeDistances::startAndStart(vertices, foot, features.edge_a, features.edge_b, options);
+  if (!foot.is_plain)
+    return EdgeDistances::startBeside(vertices, of_a, foot, features.edge_a, features.edge_b, options);
   const double part = is_vertices ? 0 : foot.part();
   return {foot.distance, of_a ? part : 0, of_a ? 0 : part};
 }
@@ -55,8 +56,8 @@ void findConvexOverlap(const DistancePair& pair, const ConvexCrossing& crossing,
     return;
   }
   const auto i = static_cast<std::uint32_t>(crossing.edge_a), j = static_cast<std::uint32_t>(crossing.edge_b);
-  const EdgeDistances edges(pair);
-  if (!edges.cross(i, j, found.point)) {
+  if (!EdgeDistances::cross(pair, i, j, found.point)) {
+    const EdgeDistances edges(pair);
     if (!edges.meet(i, j)) return;
     found.point = edges.whereTheyMeet(edges.view(i, j));
   }
@@ -71,7 +72,7 @@ bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const Distan
   };
   ConvexOverlap overlap;
   const bool was_right = tried.kind == FeaturePair::kCrossing && pair.isUnscaled() &&
-                         EdgeDistances(pair).cross(tried.edge_a, tried.edge_b, overlap.point);
+                         EdgeDistances::cross(pair, tried.edge_a, tried.edge_b, overlap.point);
   if (was_right) {
     overlap.edges = tried;
   } else {

@@ -151,13 +151,14 @@ EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, cons
   return best;
 }
 
-bool EdgeDistances::cross(std::size_t i, std::size_t j, EdgeDistance& point) const {
-  const Ends e = ends(i, j);
+bool EdgeDistances::cross(const PosedVertices& vertices, std::size_t i, std::size_t j, EdgeDistance& point) {
+  const Ends e = vertices.ends(i, j);
+  const double unsure = kProductError * vertices.size() * vertices.size();
   const Double2 u = e.a2 - e.a1, v = e.b2 - e.b1;
   const auto area = [](Double2 p, Double2 q) { return p[0] * q[1] - p[1] * q[0]; };
   const double b1 = area(u, e.b1 - e.a1), b2 = area(u, e.b2 - e.a1);
   const double a1 = area(v, e.a1 - e.b1), a2 = area(v, e.a2 - e.b1);
-  const auto areApart = [this](double p, double q) { return std::min(p, q) < -unsure_ && std::max(p, q) > unsure_; };
+  const auto areApart = [unsure](double p, double q) { return std::min(p, q) < -unsure && std::max(p, q) > unsure; };
   if (!areApart(a1, a2) || !areApart(b1, b2)) return false;
   point = {0, a1 / (a1 - a2), b1 / (b1 - b2)};
   return true;
@@ -190,7 +191,6 @@ EdgeDistance EdgeDistances::whereTheyMeet(const View& v) const {
 //   U d                       their difference
 // which is 54.1U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
 // the quotient (U) add 7.3U: in all below 62U, and kRelativeError is 64U.
-constexpr double kSteepest = 8.5;
 static_assert(PosedVertices::kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoundoff * kUnitRoundoff);
 static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
 static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
@@ -203,36 +203,25 @@ static_assert(1024 >= 400 + 100 * kRoot2 + 3 * 32 + 3 * 16);
 
 template <bool kEdgeOfA>
 double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const {
-  const PolygonData& polygon = kEdgeOfA ? a : b;
-  const double* r = (kEdgeOfA ? pose_a : pose_b).data();
-  const Double2 columns[] = {load2(r), load2(r + 3)};
-  const std::size_t end = edge + (at_end ? 1 : 0);
-  const Twofold2 w = kEdgeOfA ? twofoldWay(end, vertex, scale_) : twofoldWay(vertex, end, scale_);
-  const Double2 v1 = point(polygon, edge) * scale_, v2 = point(polygon, edge + 1) * scale_;
-  const Double2 difference = v2 - v1, plain = columns[0] * difference[0] + columns[1] * difference[1];
-  const Double2 products = plain * swapped(w.high);
-  const double d = std::abs(products[0] - products[1]) / norm(plain);
-  if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return d;
-  Double2 u;
-  const double area = twofoldArea(r, v1, v2, w, u), square = dot(u, u);
-  return square > 0x1p-900 ? std::abs(area) / std::sqrt(square) : 0;
+  return PosedVertices::distanceBeside<kEdgeOfA>(at_end, edge, vertex, scale_);
 }
 
-EdgeDistance EdgeDistances::startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
-                                        const DistanceQuery& options) const {
-  const double rounded = allowed(foot.distance, options);
+/// If the options allow no error, none has to be bounded, see allowed().
+EdgeDistance EdgeDistances::startBeside(const PosedVertices& vertices, bool edge_of_a, const Foot& foot, std::size_t i,
+                                        std::size_t j, const DistanceQuery& options) {
+  const double rounded = allowsError(options) ? EdgeDistances(vertices).allowed(foot.distance, options) : 0;
   const double d = rounded > 0 ? rounded
-                   : edge_of_a ? distanceBeside<true>(foot.at_end, i, j)
-                               : distanceBeside<false>(foot.at_end, j, i);
-  if (!(d >= kLeastShare * size_)) return exactCombination(edge_of_a ? 0 : 2, i, j);
+                   : edge_of_a ? vertices.distanceBeside<true>(foot.at_end, i, j)
+                               : vertices.distanceBeside<false>(foot.at_end, j, i);
+  if (!(d >= kLeastShare * vertices.size())) return EdgeDistances(vertices).exactCombination(edge_of_a ? 0 : 2, i, j);
   return {d, edge_of_a ? foot.part() : 0, edge_of_a ? 0 : foot.part()};
 }
 
-EdgeDistance EdgeDistances::startAndStart(const Foot& foot, std::size_t i, std::size_t j,
-                                          const DistanceQuery& options) const {
-  const double rounded = allowed(foot.distance, options),
-               d = rounded > 0 ? rounded : norm(twofoldWay(i, j, scale_).high);
-  return d >= kLeastShare * size_ ? EdgeDistance{d, 0, 0} : exactCombination(0, i, j);
+EdgeDistance EdgeDistances::startAndStart(const PosedVertices& vertices, const Foot& foot, std::size_t i, std::size_t j,
+                                          const DistanceQuery& options) {
+  const double rounded = allowsError(options) ? EdgeDistances(vertices).allowed(foot.distance, options) : 0,
+               d = rounded > 0 ? rounded : vertices.twofoldBetween(i, j).distance;
+  return d >= kLeastShare * vertices.size() ? EdgeDistance{d, 0, 0} : EdgeDistances(vertices).exactCombination(0, i, j);
 }
 
 EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j, double least) const {

@@ -87,10 +87,11 @@ class EdgeDistances : public PosedVertices {
   EdgeDistance at(const View& view, std::size_t i, std::size_t j, const DistanceQuery& options, double least) const;
   /// The same where the features are known to be the nearest: the start of b's edge j beside a's edge i, certainly
   /// between its ends; or the start of a's edge beside b's. Only for what is unscaled.
-  EdgeDistance startBeside(bool edge_of_a, const Foot& foot, std::size_t i, std::size_t j,
-                           const DistanceQuery& options) const;
+  static EdgeDistance startBeside(const PosedVertices& vertices, bool edge_of_a, const Foot& foot, std::size_t i,
+                                  std::size_t j, const DistanceQuery& options);
   /// The same for the starts of both edges.
-  EdgeDistance startAndStart(const Foot& foot, std::size_t i, std::size_t j, const DistanceQuery& options) const;
+  static EdgeDistance startAndStart(const PosedVertices& vertices, const Foot& foot, std::size_t i, std::size_t j,
+                                    const DistanceQuery& options);
 
   /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled. And whether
   /// another vertex of a is certainly farther back along it than p, or one of b farther on than q. What lies between
@@ -113,21 +114,12 @@ class EdgeDistances : public PosedVertices {
 
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   EdgeDistance whereTheyMeet(const View& view) const;
-  /// Whether plain doubles tell that they cross, and where.
-  bool cross(std::size_t i, std::size_t j, EdgeDistance& point) const;
+  /// Whether plain doubles tell that two edges of what is unscaled cross, and where.
+  static bool cross(const PosedVertices& vertices, std::size_t i, std::size_t j, EdgeDistance& point);
 
  private:
   static constexpr double kSmallest = 0x1p-1074;
 
-  /// Two edges as doubles see them, from a's translation.
-  struct Ends {
-    Double2 a1, a2, b1, b2;
-  };
-  Ends ends(std::size_t i, std::size_t j) const {
-    const Vec2 *p = a.path.data() + i, *q = b.path.data() + j;
-    return {mapped(columns_a_, p[0]), mapped(columns_a_, p[1]), mapped(columns_b_, q[0]) + shift_,
-            mapped(columns_b_, q[1]) + shift_};
-  }
   /// The points w1 and w2 beside the edge from the origin to u. The members are as in View.
   struct Beside : BesideSegment<Double2> {
     Double2 area;
@@ -158,6 +150,9 @@ class EdgeDistances : public PosedVertices {
   /// What an answer may be where the doubles' distance is this, scaled, if that is within the errors that the options
   /// allow; otherwise 0.
   double allowed(double distance, const DistanceQuery& options) const;
+  static bool allowsError(const DistanceQuery& options) {
+    return options.relative_error > 0 || options.absolute_error > 0;
+  }
   /// Of a vertex that is certainly beside an edge, nearer to its end or its start; scaled.
   template <bool kEdgeOfA>
   double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const;

@@ -33,13 +33,18 @@ inline void requireFinite(const Vec2& point, const char* field) {
   if (!point.allFinite()) refuseCoordinate(field);
 }
 
+/// Out of the way of hot code, which checks its options.
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuseLength(const char* field, bool finite) {
+  refuse(field, finite ? "it must be finite and not negative" : "it must be a number and not negative");
+}
+
 /// Of a length or another number, infinity included. Written so that NaN fails, as below.
 inline void requireNotNegative(double value, const char* field) {
-  if (!(value >= 0)) refuse(field, "it must be a number and not negative");
+  if (!(value >= 0)) refuseLength(field, false);
 }
 
 inline void requireFiniteNotNegative(double value, const char* field) {
-  if (!(value >= 0 && value <= std::numeric_limits<double>::max())) refuse(field, "it must be finite and not negative");
+  if (!(value >= 0 && value <= std::numeric_limits<double>::max())) refuseLength(field, true);
 }
 
 }  // namespace tricover::detail

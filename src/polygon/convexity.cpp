@@ -2,6 +2,8 @@
 #include "polygon/convexity.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "numbers/double2.h"
@@ -62,6 +64,25 @@ std::size_t findCorners(const PolygonData& polygon, std::size_t* corners, int& d
   return turns_in_x == 2 ? count : 0;
 }
 
+/// Convexity::edge_depth of a polygon all of whose vertices are corners. Squares that leave the range of doubles make
+/// it 0.
+double edgeDepthOf(const PolygonData& polygon) {
+  const auto edge = [&](std::size_t k) { return load2(polygon.path[k + 1].data()) - load2(polygon.path[k].data()); };
+  double least = std::numeric_limits<double>::max();
+  const std::size_t count = polygon.path.size() - 1;
+  Double2 before = edge(count - 1);
+  double square_before = dot(before, before);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Double2 along = edge(k);
+    const double square = dot(along, along), area = cross(before, along);
+    if (!(area * area > kClearCorner * kClearCorner * (square_before * square))) return 0;
+    least = std::min(least, area * area / std::max(square_before, square));
+    before = along;
+    square_before = square;
+  }
+  return std::sqrt(least);
+}
+
 }  // namespace
 
 Convexity::Convexity(const PolygonData& polygon) {
@@ -78,6 +99,7 @@ Convexity::Convexity(const PolygonData& polygon) {
   const bool is_convex = count > 0;
   if (!is_convex) direction = 0;
   by_corners = has_others ? polygon.reducedTo(corners) : is_convex ? &polygon : nullptr;
+  if (by_corners == &polygon) edge_depth = edgeDepthOf(polygon);
 }
 
 Convexity::~Convexity() {

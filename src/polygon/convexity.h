@@ -10,6 +10,9 @@
 
 namespace tricover::detail {
 
+/// Corners that turn by less, as a sine, are hardly any.
+constexpr double kClearCorner = 0x1p-19;
+
 /// Whether a polygon is convex, and has an area: one ring that turns one way and goes around once. Its straight and
 /// repeated vertices are no corners.
 struct Convexity : Derived::Thing {
@@ -22,7 +25,10 @@ struct Convexity : Derived::Thing {
   bool has_others = false;           ///< convex, and not all vertices are corners
   std::vector<std::size_t> corners;  ///< if it has others: as positions in the path, which increase
   const PolygonData* by_corners;     ///< see cornersOf()
-  Derived outline;                   ///< by its corners alone, or of its hull
+  /// Of cornersOf() itself, if all its corners are clear: from the line along any edge its neighbours' other ends are
+  /// at least that far away, but for a few roundings. Otherwise 0.
+  double edge_depth = 0;
+  Derived outline;  ///< by its corners alone, or of its hull
 };
 
 const Convexity& findConvexity(const PolygonData& polygon);

@@ -140,7 +140,16 @@ TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
       if (!found.crosses()) continue;
       const FeaturePair& edges = found.overlap.edges;
       EdgeDistance point;
-      crossing_proven += EdgeDistances(inOrder(pair)).cross(edges.edge_a, edges.edge_b, point);
+      crossing_proven += EdgeDistances::cross(inOrder(pair), edges.edge_a, edges.edge_b, point);
+      // A vertex of one that is in the other, beside an edge of that: nothing is apart.
+      for (const auto kind : {FeaturePair::kEdgeOfA, FeaturePair::kEdgeOfB, FeaturePair::kVertices})
+        for (const std::uint32_t step : {0u, 1u}) {
+          const auto from = [&](std::uint32_t edge, const PolygonData& polygon) {
+            return (edge + step) % static_cast<std::uint32_t>(polygon.path.size() - 1);
+          };
+          const FeaturePair tried{kind, from(edges.edge_a, pair.a), from(edges.edge_b, pair.b)};
+          ASSERT_EQ(nearestOf(pair, tried).meeting, Meeting::Meet) << reproduction(c);
+        }
       continue;
     }
     const EdgeDistances edges(PosedVertices(pair.a, pair.pose_a, pair.b, pair.pose_b));
@@ -201,7 +210,7 @@ TEST(NearestFeatures, SeesCrossingsThatAreCertain) {
     const PosedPair pair(a.data(), at_a, b.data(), at_b);
     const bool meets = edgesMeet(pair, 0, 0);
     EdgeDistance point;
-    const bool is_seen = EdgeDistances(PosedVertices(a.data(), at_a, b.data(), at_b)).cross(0, 0, point);
+    const bool is_seen = EdgeDistances::cross(PosedVertices(a.data(), at_a, b.data(), at_b), 0, 0, point);
     ASSERT_TRUE(!is_seen || meets) << reproduction({a, at_a, b, at_b});
     seen += is_seen;
     meeting += meets;
