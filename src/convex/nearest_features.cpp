@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hierarchy/simd.h"
 
@@ -199,7 +198,6 @@ class FeatureSearch {
   template <bool kOfA, bool kIsEdge>
   [[gnu::always_inline]] double depthOf(const FeaturePair& features, const Foot& foot) const {
     const PolygonData& polygon = kOfA ? vertices_.a : vertices_.b;
-    if (!kOfA && !kIsEdge && polygon.isPoint()) return std::numeric_limits<double>::max();  // nothing is beside it
     if (kIsEdge) {
       const Convexity& convexity = convexityOf(polygon);
       const double known = kKept * convexity.edge_depth;
@@ -234,7 +232,7 @@ class FeatureSearch {
     }
   }
 
-  /// Which way it runs isn't asked; nor is a point's ring, but for its vertex.
+  /// Which way it runs isn't asked.
   static ConvexRing ringOf(const PolygonData& polygon) { return {polygon.path.data(), polygon.path.size() - 1, 0}; }
 
   const PosedVertices& vertices_;
@@ -279,16 +277,6 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
     found.crossing =
         !discs_meet && seen.gap == ConvexSight::kMeet ? seen.crossing() : convexCrossing(*a, *b, at.map, at.rounding);
   return found;
-}
-
-bool findFeatureNearPoint(const PosedVertices& vertices, NearestFeatures& found) {
-  const PolygonData &a = vertices.a, &b = vertices.b;
-  const SmallPolygon* small = hierarchyOf(a).small_convex;
-  if (small == nullptr || convexityOf(a).has_others || !vertices.isUnscaled()) return false;
-  const Double2 at = vertices.inUnitsOfA(vertices.way());
-  ConvexGap seen = pointGap(*small, static_cast<float>(at[0]), static_cast<float>(at[1]));
-  seen.vertex = static_cast<int>(b.degenerate_edge);
-  return seen.gap > 0 && FeatureSearch(vertices, found).prove(seen) && found.is_unique;
 }
 
 // Where the features are unique, the distance is theirs: right to kRelativeError if it is plain, otherwise to half of

@@ -30,8 +30,4 @@ struct NearestFeatures {
 /// Features that were nearest at other poses are tried first. `defect` is defectOf() the poses, for the crossing alone.
 NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried, double defect = 0);
 
-/// The same of a small convex a (SmallPolygon) and a point b: whether a single feature of a is certain to be the
-/// nearest.
-bool findFeatureNearPoint(const PosedVertices& vertices, NearestFeatures& found);
-
 }  // namespace tricover::detail

@@ -4,28 +4,12 @@
 #include <cstdint>
 #include <limits>
 
-#include "convex/nearest_features.h"
 #include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
 #include "pair/containment.h"
 #include "pair/root_box.h"
 
 namespace tricover::detail {
-
-namespace {
-
-/// Of a small convex polygon and a point that is certainly outside of it.
-std::optional<PointFoot> footOfConvex(const PosedVertices& vertices) {
-  NearestFeatures nearest;
-  if (!(findFeatureNearPoint(vertices, nearest) && nearest.foot.is_plain)) return std::nullopt;
-  const std::size_t edge = nearest.features.edge_a;
-  if (nearest.features.kind != FeaturePair::kVertices)
-    return PointFoot{edge, nearest.foot.distance, nearest.foot.part(), false};
-  // Of the two edges at a vertex the first one.
-  return PointFoot{edge > 0 ? edge - 1 : 0, nearest.foot.distance, edge > 0 ? 1.0 : 0.0, false};
-}
-
-}  // namespace
 
 // Each foot is right to kRelativeError: so an edge that seems to be farther away than the nearest one is nearer by that
 // share at most.
@@ -37,7 +21,6 @@ std::optional<PointFoot> nearestFoot(const PosedVertices& vertices, double defec
     return only.is_plain ? std::optional(PointFoot{a.degenerate_edge, only.distance, only.part(), false})
                          : std::nullopt;
   }
-  if (const std::optional<PointFoot> only = footOfConvex(vertices)) return only;
   const Place place = vertices.inUnits(defect).origin();
   const Hierarchy& tree = hierarchyOf(a);
   std::uint32_t edges[kMostNearest], nearest = 0;

@@ -216,10 +216,7 @@ extern Simd<void(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& 
 
 extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map)> convexGap;
 
-/// The same of a point, in a's units.
-extern Simd<ConvexGap(const SmallPolygon& a, float x, float y)> pointGap;
-
-/// convexGap() of which edge parts the two longest, by more than a margin, while b moves straight by (way_x, way_y),
+/// The same of which edge parts the two longest, by more than a margin, while b moves straight by (way_x, way_y),
 /// both in a's units: the gap is the share of the way.
 extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y,
                       double margin)>

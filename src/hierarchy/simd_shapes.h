@@ -197,15 +197,6 @@ ConvexGap convexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap&
 }
 
 template <class Lanes>
-ConvexGap pointGap(const SmallPolygon& a, float x, float y) {
-  const Largest most = largestOf<Lanes>(valuesOf<Lanes>(
-      a.lanes, [&](int i) __attribute__((always_inline)) {
-        return Lanes::load(a.nx + i) * x + Lanes::load(a.ny + i) * y - Lanes::load(a.d + i);
-      }));
-  return {most.value, most.index, -1, true};
-}
-
-template <class Lanes>
 ConvexGap convexEntry(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y,
                       double margin) {
   float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
