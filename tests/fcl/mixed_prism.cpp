@@ -124,6 +124,52 @@ TEST(MixedPrism, agreesWithGjk) {
   EXPECT_LT(tally.widest, 2e-5);  // GJK's own error on round bodies: see below for who is right
 }
 
+/// Level balls are placed without a look at their whole pose, which the kernel sees a part of.
+TEST(MixedPrism, posesOfBallsAreCheckedAndNamed) {
+  registerNarrowphase();
+  const PolygonShaped shape(tricover::Polygon({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}), {0, -1, 1});
+  const fcl::Sphered ball(1);
+  const fcl::Transform3d good = fcl::Transform3d::Identity();
+  const auto refusals = [&](const fcl::Transform3d& of_shape, const fcl::Transform3d& of_ball) {
+    int named = 0;
+    const fcl::CollisionRequestd request;
+    for (const bool swapped : {false, true}) {
+      const bool is_shape_bad = &of_shape != &good;
+      const auto refused = [&](auto ask) {
+        const std::string name = is_shape_bad == swapped ? "pose_b" : "pose_a";
+        named += thrownBy<std::invalid_argument>(ask).find(name) != std::string::npos;
+      };
+      refused([&] {
+        fcl::CollisionResultd result;
+        swapped ? fcl::collide<double>(&ball, of_ball, &shape, of_shape, request, result)
+                : fcl::collide<double>(&shape, of_shape, &ball, of_ball, request, result);
+      });
+      refused([&] {
+        fcl::DistanceResultd result;
+        swapped ? fcl::distance<double>(&ball, of_ball, &shape, of_shape, fcl::DistanceRequestd(), result)
+                : fcl::distance<double>(&shape, of_shape, &ball, of_ball, fcl::DistanceRequestd(), result);
+      });
+    }
+    return named;
+  };
+  EXPECT_EQ(refusals(good, good), 0);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      fcl::Transform3d bad = good;
+      bad.matrix()(row, column) = std::numeric_limits<double>::quiet_NaN();
+      EXPECT_EQ(refusals(good, bad), 4) << row << column;
+      EXPECT_EQ(refusals(bad, good), 4) << row << column;
+      if (column == 3) continue;
+      for (const double off : {1.1 * tricover::kRigidTolerance, 0.5}) {
+        bad = good;
+        bad.matrix()(row, column) += off;
+        EXPECT_EQ(refusals(good, bad), 4) << row << column;
+        EXPECT_EQ(refusals(bad, good), 4) << row << column;
+      }
+    }
+  }
+}
+
 TEST(MixedPrism, spheresMeetItAsTheirCentresDistanceSays) {
   registerNarrowphase();
   int hits = 0, cases = 0;

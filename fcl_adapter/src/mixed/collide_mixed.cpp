@@ -31,9 +31,9 @@ Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
 
 /// Of a contact from the polygon to the geometry, turned where the row's order is the other one.
 template <typename S>
-void addInOrder(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2, const Plane& plane,
-                PlanarContact contact, fcl::CollisionResult<S>& result) {
-  if (!isPolygon(o1)) {
+void addInOrder(bool polygon_first, const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2,
+                const Plane& plane, PlanarContact contact, fcl::CollisionResult<S>& result) {
+  if (!polygon_first) {
     contact.normal *= -1;
     std::swap(contact.edge1, contact.edge2);
   }
@@ -58,9 +58,11 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
                          fcl::CollisionResult<S>& result) {
   if (request.isSatisfied(result)) return result.numContacts();
   const Wanted of_hit = wanted(o1, o2, request);
-  const StadiumPair<S> round(o1, tf1, o2, tf2, options.margin);
+  const bool polygon_first = isPolygon(o1);
+  const StadiumPair<S> round(polygon_first, o1, tf1, o2, tf2, options.margin);
   const bool is_round = round.found != StadiumCase::None;
   if (is_round) {
+    if (!(of_hit.contacts || of_hit.costs)) round.requireRigidPoses();
     if (!(of_hit.contacts || of_hit.costs) || round.found == StadiumCase::OutOfSlab || !round.collide())
       return result.numContacts();
     if (!request.enable_contact && !of_hit.costs) {
@@ -70,7 +72,7 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
     if (!of_hit.costs && request.num_max_contacts == 1) {
       PlanarContact contact = contactsOf(round, true, 1, Vec2::UnitX()).front();
       contact.edge2 = -1;
-      addInOrder(o1, o2, round.plane(), contact, result);
+      addInOrder(polygon_first, o1, o2, round.plane(), contact, result);
       return result.numContacts();
     }
   }
@@ -90,12 +92,12 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
     addContact(o1, o2, result);
   } else if (most > 0 && shadow->lift()) {
     const Shadow::Lift& lift = *shadow->lift();
-    addInOrder(o1, o2, liftPlane(pair, lift), {Vec2::Zero(), Vec2::UnitX(), lift.depth, -1, -1}, result);
+    addInOrder(polygon_first, o1, o2, liftPlane(pair, lift), {Vec2::Zero(), Vec2::UnitX(), lift.depth, -1, -1}, result);
   } else if (most > 0) {
     const ShadowPair planar(pair.polygon(), *shadow, pair.shape.options().margin, margin);
     for (PlanarContact& contact : contactsOf(planar, request.num_max_contacts == 1, most, Vec2::UnitX())) {
       contact.edge2 = shadow->partOf(contact.edge2);
-      addInOrder(o1, o2, pair.plane, contact, result);
+      addInOrder(polygon_first, o1, o2, pair.plane, contact, result);
     }
   }
   if (of_hit.costs && shadow) addCost(o1, o2, overlap(pair, *shadow), request, result);

@@ -55,10 +55,10 @@ std::optional<Span> measured(const StadiumPair<S>& pair, const fcl::DistanceRequ
 }
 
 template <typename S>
-std::optional<Span> measured(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+std::optional<Span> measured(bool polygon_first, const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                              const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                              const fcl::DistanceRequest<S>& request, double limit) {
-  const StadiumPair<S> round(o1, tf1, o2, tf2);
+  const StadiumPair<S> round(polygon_first, o1, tf1, o2, tf2);
   if (round.found == StadiumCase::OutOfSlab) return std::nullopt;
   if (round.found == StadiumCase::Pair) return measured(round, request, limit);
 
@@ -78,10 +78,11 @@ template <typename S>
 S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,
                 const fcl::Transform3<S>& tf2, const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
   if (request.isSatisfied(result)) return result.min_distance;
-  const auto span = measured(o1, tf1, o2, tf2, request, static_cast<double>(result.min_distance));
+  const bool polygon_first = isPolygon(o1);
+  const auto span = measured(polygon_first, o1, tf1, o2, tf2, request, static_cast<double>(result.min_distance));
   if (!span) return result.min_distance;
   if (span->distance < 0) requireContactsIfSigned(o1, o2, request);
-  if (isPolygon(o1))
+  if (polygon_first)
     updateDistance(o1, o2, span->distance, span->point_a, span->point_b, span->edge_a, span->part_b, result);
   else
     updateDistance(o1, o2, span->distance, span->point_b, span->point_a, span->part_b, span->edge_a, result);

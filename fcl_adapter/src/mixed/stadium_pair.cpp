@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "mixed/mixed_pair.h"
-#include "shape/is_polygon.h"
 #include "shape/planar_pose.h"
 
 namespace tricover_fcl {
@@ -21,10 +20,11 @@ using tricover::detail::requireRigid;
 /// coordinates can be the world's.
 template <typename S>
 bool isUpright(const fcl::Transform3<S>& pose) {
-  const auto& m = pose.matrix();
-  return m(2, 0) == 0 && m(2, 1) == 0 && m(0, 2) == 0 && m(1, 2) == 0 && std::abs(m(2, 2)) == 1 &&
-         std::isfinite(m(2, 3));
+  return tiltOf(pose) == 0;
 }
+
+/// A ball that tilts by less is as rigid as it is in the plane, but for the square of that.
+constexpr double kNoTilt = 1e-9;
 
 template <typename S>
 Vec3 column(const fcl::Transform3<S>& transform, int i) {
@@ -45,20 +45,25 @@ bool isRound(fcl::NODE_TYPE type) {
 }  // namespace
 
 template <typename S>
-typename StadiumPair<S>::Other StadiumPair<S>::place(const fcl::Transform3<S>& of_polygon,
-                                                     const fcl::Transform3<S>& of_other) {
+void StadiumPair<S>::requireRigidPoses() const {
+  tricover_fcl::requireRigid(of_other_, polygon_first ? "pose_b" : "pose_a");
+  tricover_fcl::requireRigid(of_polygon_, polygon_first ? "pose_a" : "pose_b");
+}
+
+template <typename S>
+typename StadiumPair<S>::Other StadiumPair<S>::place() {
   const PolygonOptions& options = shape.options();
-  Other other{{options.z_low, options.z_high}, column(of_other, 3), column(of_other, 2), 0, 0};
-  is_level_ = isUpright(of_polygon);
+  Other other{{options.z_low, options.z_high}, column(of_other_, 3), column(of_other_, 2), 0, 0};
+  is_level_ = isUpright(of_polygon_);
   if (is_level_) {
-    const auto z = static_cast<double>(of_polygon.matrix()(2, 3));
-    setPlanarPart(pose_a, of_polygon);
-    other.slab = slabOf(options, of_polygon);
+    const auto z = static_cast<double>(of_polygon_.matrix()(2, 3));
+    setPlanarPart(pose_a, of_polygon_);
+    other.slab = slabOf(options, of_polygon_);
     height_ = z + other.slab.middle();
     other.rounding_z = 0x1p-50 * (std::abs(z) + std::abs(other.center.z()));
     other.center.z() -= z;
   } else {
-    const Plane from = rigidPose(of_polygon, polygon_first ? "pose_a" : "pose_b");
+    const Plane from = rigidPose(of_polygon_, polygon_first ? "pose_a" : "pose_b");
     const Eigen::Matrix3d inverse = from.linear().inverse();
     plane_ = from * planeAt(other.slab.middle());
     pose_a = Pose::Identity();
@@ -70,20 +75,20 @@ typename StadiumPair<S>::Other StadiumPair<S>::place(const fcl::Transform3<S>& o
 }
 
 template <typename S>
-bool StadiumPair<S>::placeBall(const fcl::Transform3<S>& of_polygon, const fcl::Transform3<S>& of_ball,
-                               double of_radius) {
-  if (!(isUpright(of_polygon) && of_radius >= 0 && of_radius <= std::numeric_limits<double>::max())) return false;
-  const Slab slab = slabOf(shape.options(), of_polygon);
-  const auto z = static_cast<double>(of_polygon.matrix()(2, 3)), rise = static_cast<double>(of_ball.matrix()(2, 3)) - z;
+bool StadiumPair<S>::placeBall(double of_radius) {
+  // In the plane it may turn with its pose, so that the kernel checks that.
+  if (!(isUpright(of_polygon_) && tiltOf(of_other_) <= kNoTilt && of_radius >= 0 &&
+        of_radius <= std::numeric_limits<double>::max()))
+    return false;
+  const Slab slab = slabOf(shape.options(), of_polygon_);
+  const auto z = static_cast<double>(of_polygon_.matrix()(2, 3)),
+             rise = static_cast<double>(of_other_.matrix()(2, 3)) - z;
   if (!(rise >= slab.low && rise <= slab.high)) return false;
   found = StadiumCase::Pair;
-  setPlanarPart(pose_a, of_polygon);
-  requireRigid(pose_a, polygon_first ? "pose_a" : "pose_b");
+  setPlanarPart(pose_a, of_polygon_);
+  setPlanarPart(pose_b, of_other_);
   height_ = z + slab.middle();
   setRadius(of_radius);
-  constexpr double kX[] = {1, 0}, kY[] = {0, 1};
-  const double center[] = {static_cast<double>(of_ball.matrix()(0, 3)), static_cast<double>(of_ball.matrix()(1, 3))};
-  setColumns(pose_b, kX, kY, center);
   return true;
 }
 
@@ -95,23 +100,22 @@ void StadiumPair<S>::setRadius(double radius) {
 }
 
 template <typename S>
-StadiumPair<S>::StadiumPair(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+StadiumPair<S>::StadiumPair(bool is_polygon_first, const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2, double more)
-    : StadiumPair(isPolygon(o1), static_cast<const PolygonShape<S>&>(isPolygon(o1) ? o1 : o2), more) {
+    : StadiumPair(is_polygon_first, static_cast<const PolygonShape<S>&>(is_polygon_first ? o1 : o2),
+                  is_polygon_first ? tf1 : tf2, is_polygon_first ? tf2 : tf1, more) {
   const fcl::CollisionGeometry<S>& other = polygon_first ? o2 : o1;
   const fcl::NODE_TYPE type = other.getNodeType();
   if (!isRound(type)) return;
-  const fcl::Transform3<S>&of_polygon = polygon_first ? tf1 : tf2, &of_other = polygon_first ? tf2 : tf1;
   const auto keepFacts = [&] {
-    place_a = &of_polygon;
-    place_b = &of_other;
+    place_a = &of_polygon_;
+    place_b = &of_other_;
   };
   if (!hasFewEdges(*a)) keepFacts();  // beside few edges a disc is sooner asked for than a fact
-  tricover_fcl::requireRigid(of_other, polygon_first ? "pose_b" : "pose_a");
-  if (type == fcl::GEOM_SPHERE &&
-      placeBall(of_polygon, of_other, static_cast<double>(static_cast<const fcl::Sphere<S>&>(other).radius)))
+  if (type == fcl::GEOM_SPHERE && placeBall(static_cast<double>(static_cast<const fcl::Sphere<S>&>(other).radius)))
     return;
-  const Other seen = place(of_polygon, of_other);
+  tricover_fcl::requireRigid(of_other_, polygon_first ? "pose_b" : "pose_a");
+  const Other seen = place();
   const std::optional<Stadium> stadium =
       stadiumOf(other, seen.center, seen.axis, seen.slab, seen.rounding, seen.rounding_z);
   if (!stadium) return;

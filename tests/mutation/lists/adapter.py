@@ -24,4 +24,6 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/polygon_shape.cpp", "if (static_cast<double>(rounded) >= value) return rounded;", "return rounded;", "box: rounded to float inwards"),
     ("fcl_adapter/src/shape/polygon_shape.cpp", "+ 0x1p-47 * reach +", "+", "tight box: without rounding"),
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "      facts = {};\n", "", "table: another pair's rest is inherited"),
+    ("fcl_adapter/src/mixed/stadium_pair.cpp", "tiltOf(of_other_) <= kNoTilt && ", "", "balls: poses that nobody checks"),
+    ("fcl_adapter/src/mixed/stadium_pair.h", "      requireRigidPoses();\n", "", "balls: poses named in the kernel's order"),
 ]
