@@ -158,8 +158,8 @@ class FeatureSearch {
     const double size = vertices_.size();
     const bool is_inside = foot.inside >= kInside * foot.distance * foot.length &&
                            (foot.is_plain || foot.inside > kClearProduct * size * size);
-    return proveForemost < kEdgeOfA ? FeaturePair::kEdgeOfA
-                                    : FeaturePair::kEdgeOfB > (kEdgeOfA ? e : v, kEdgeOfA ? v : e, foot, is_inside);
+    constexpr auto kKind = kEdgeOfA ? FeaturePair::kEdgeOfA : FeaturePair::kEdgeOfB;
+    return proveForemost<kKind>(kEdgeOfA ? e : v, kEdgeOfA ? v : e, foot, is_inside);
   }
 
   bool proveVertices(std::uint32_t v, std::uint32_t w, const Foot& foot) {
