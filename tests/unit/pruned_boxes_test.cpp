@@ -124,7 +124,7 @@ std::size_t countShown(const growth::Input& input, const PrunedBoxes& pruned) {
         ++shown;
         return 1 + 1e-12;
       },
-      [](double) { return 1 + 1e-12; });
+      [](double) { return 1 + 1e-12; }, [](std::size_t) { return false; });
   return shown;
 }
 
