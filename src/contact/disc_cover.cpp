@@ -63,6 +63,14 @@ const std::vector<Disc>& discCoverOf(const PolygonData& polygon) {
   return static_cast<const DiscCover*>(cover)->discs;
 }
 
+std::vector<Disc> largestDiscsOf(const PolygonData& polygon) {
+  std::vector<Disc> discs;
+  if (polygon.isDegenerate()) return discs;
+  const InnerDiscs& inner = innerDiscsOf(polygon);
+  for (int k = 0; k < inner.count; ++k) discs.push_back({Vec2(inner.x[k], inner.y[k]), inner.radius[k]});
+  return discs;
+}
+
 DiscSums::DiscSums(const std::vector<Disc>& a, const std::vector<Disc>& b, double grown, std::size_t most) {
   // Small ones of both hold less than either with a large one.
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -83,6 +91,16 @@ bool DiscSums::hold(const Vec2& t, double radius) const {
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const double dx = x_[k] - t.x(), dy = y_[k] - t.y(), room = radius_[k] - radius;
     holding += dx * dx + dy * dy < room * std::abs(room);
+  }
+  return holding > 0;
+}
+
+bool DiscSums::holdSegment(const Vec2& v, const Vec2& w) const {
+  std::int64_t holding = 0;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const double from_v = (x_[k] - v.x()) * (x_[k] - v.x()) + (y_[k] - v.y()) * (y_[k] - v.y()),
+                 from_w = (x_[k] - w.x()) * (x_[k] - w.x()) + (y_[k] - w.y()) * (y_[k] - w.y());
+    holding += std::max(from_v, from_w) < radius_[k] * std::abs(radius_[k]);
   }
   return holding > 0;
 }

@@ -235,7 +235,9 @@ class PartingSearch {
       if (verdict != Verdict::Open) return verdict;
     }
     if (!knows_segments) gathered = curvesAround(most);
-    if (knows_segments && gathered != Gathered::Lines && meetAround(cell.center, radius)) return Verdict::Held;
+    // What else meets there pays for those who keep it alone.
+    const bool looks_on = knows_segments && known_.areKept() && gathered != Gathered::Lines;
+    if (looks_on && meetAround(cell.center, radius)) return Verdict::Held;
     if (gathered == Gathered::Repeated) {
       switch (coverSquare(cell.center, cell.half, resolution_, space_, probe_)) {
         case Cover::Whole:

@@ -95,13 +95,15 @@ void TranslationSpace::prepareSearch(double farthest, bool is_known) {
   b_ = PlacedVertices(polygon_b_, pose_b_, between_, inverse_unit_, std::move(b.sides));
 }
 
-std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const PlacedVertices& vertices) {
+std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const PlacedVertices& vertices, double radius) {
   std::vector<Direction> directions;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (!vertices[k].is_edge) continue;
     for (const int side : {1, -1}) {
       const Vec2 along = vertices[k].outgoing * side;
-      if (side * vertices[k].side >= 0) directions.push_back({turnOf(along), static_cast<std::uint32_t>(k)});
+      if (side * vertices[k].side < 0) continue;
+      const double reach = (radius + along.norm()) * (1 + 0x1p-20);
+      directions.push_back({turnOf(along), vertices[k].at, reach * reach, static_cast<std::uint32_t>(k)});
     }
   }
   std::sort(directions.begin(), directions.end(),
@@ -110,7 +112,7 @@ std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const Pl
 }
 
 /// Of edges with regions on their left those that go back between the two edges of a vertex, and beside these; others
-/// cut its region off. All where it isn't known on which side that is.
+/// cut its region off. All where it isn't known on which side that is. But none that is out of its reach.
 template <typename Visit>
 void TranslationSpace::forEachEdgeBeside(const PlacedVertex& vertex, const std::vector<Direction>& directions,
                                          Visit visit) {
@@ -134,17 +136,20 @@ void TranslationSpace::forEachEdgeBeside(const PlacedVertex& vertex, const std::
       around = kFullTurn;
     }
     if (at->turn + around > from + wide + 2 * kBeside) return;
-    visit(at->edge);
+    if (!((vertex.at - at->start).squaredNorm() > at->reach_square)) visit(at->edge);
   }
 }
 
 std::vector<TranslationSpace::Segment> TranslationSpace::segmentsWithin(double radius) const {
   std::vector<Segment> segments;
+  // What lies in a disc bounds nothing, if it is farther from its edge than both of what ends and centres are off by.
+  const DiscSums sums = sumsOf(largestDiscsOf(polygon_a_), largestDiscsOf(polygon_b_), -8 * noise_, kFewSums);
   const auto add = [&](const Segment& segment) {
-    segments.push_back(segment);
+    if (!sums.holdSegment(segment.v, segment.w)) segments.push_back(segment);
     return true;
   };
-  const std::vector<Direction> along_a = directionsOf(a_), along_b = directionsOf(b_);
+  const double farthest = radius + noise_;
+  const std::vector<Direction> along_a = directionsOf(a_, farthest), along_b = directionsOf(b_, farthest);
   for (std::size_t i = 0; i < a_.size(); ++i)
     forEachEdgeBeside(a_[i], along_b,
                       [&](std::size_t j) { show<true>(a_[i], b_[j], i, j, Vec2::Zero(), radius, add); });
@@ -155,16 +160,21 @@ std::vector<TranslationSpace::Segment> TranslationSpace::segmentsWithin(double r
 }
 
 DiscSums TranslationSpace::discSums() const {
-  const auto posed = [&](const PolygonData& polygon, const Pose& pose, const Vec2& origin) {
+  // A centre is no less precise than a vertex, and so is t; the fourth is for the roundings where they are compared.
+  return sumsOf(discCoverOf(polygon_a_), discCoverOf(polygon_b_), margin_ - 4 * noise_,
+                (polygon_a_.path.size() + polygon_b_.path.size()) / 2);
+}
+
+DiscSums TranslationSpace::sumsOf(std::vector<Disc> of_a, std::vector<Disc> of_b, double grown,
+                                  std::size_t most) const {
+  const auto place = [&](const PolygonData& polygon, const Pose& pose, const Vec2& origin, std::vector<Disc>& discs) {
     const double scale = polygon.unit * inverse_unit_;
-    std::vector<Disc> discs = discCoverOf(polygon);
     for (Disc& disc : discs)
       disc = {origin + pose.linear() * (disc.center * scale), disc.radius * scale * (1 - kLargestDefect)};
-    return discs;
   };
-  // A centre is no less precise than a vertex, and so is t; the fourth is for the roundings where they are compared.
-  return DiscSums(posed(polygon_a_, pose_a_, Vec2::Zero()), posed(polygon_b_, pose_b_, between_), margin_ - 4 * noise_,
-                  (polygon_a_.path.size() + polygon_b_.path.size()) / 2);
+  place(polygon_a_, pose_a_, Vec2::Zero(), of_a);
+  place(polygon_b_, pose_b_, between_, of_b);
+  return DiscSums(of_a, of_b, grown, most);
 }
 
 PosedPair TranslationSpace::at(Vec2& t) {

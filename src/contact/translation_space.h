@@ -91,7 +91,7 @@ class TranslationSpace {
   bool areFew() const { return segments_ > 0; }
   bool areKept() const { return areFew() && segments_ <= kMostKept; }
   /// The convolution segments within `radius` of 0, by the directions of edges: it takes what those of all of the plane
-  /// are.
+  /// are. But for some that bound nothing.
   std::vector<Segment> segmentsWithin(double radius) const;
 
   /// The corners of the parallelogram of those translations that let two edges, by position, meet.
@@ -125,6 +125,7 @@ class TranslationSpace {
 
  private:
   static constexpr double kMostKept = 800;
+  static constexpr std::size_t kFewSums = 4;  ///< eight: as many discs as these pay
 
   Vec2 wayInUnits(const Pose& pose, const PolygonData& polygon, std::size_t i) const {
     return turnedInUnits(pose.linear(), inverse_unit_, polygon.path[i], polygon.origin);
@@ -161,12 +162,17 @@ class TranslationSpace {
     return visit(Segment{open.left ? start : end, open.left ? end : start, i, j, vertex_of_a, open.left && open.right});
   }
 
+  /// Of discs in units of their polygons: see DiscSums.
+  DiscSums sumsOf(std::vector<Disc> of_a, std::vector<Disc> of_b, double grown, std::size_t most) const;
+
   /// An edge's, with the region on its left: both where nobody knows.
   struct Direction {
     double turn;
+    Vec2 start;
+    double reach_square;  ///< vertices farther from its start aren't within a radius of it
     std::uint32_t edge;
   };
-  static std::vector<Direction> directionsOf(const PlacedVertices& vertices);
+  static std::vector<Direction> directionsOf(const PlacedVertices& vertices, double radius);
   template <typename Visit>
   static void forEachEdgeBeside(const PlacedVertex& vertex, const std::vector<Direction>& directions, Visit visit);
 
