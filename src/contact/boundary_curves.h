@@ -45,7 +45,7 @@ class BoundaryCurves {
     bool comesNear(const Vec2& t, double radius) const {
       const Vec2 from = t - v;
       const double along = axis.dot(from);
-      return std::abs(cross(axis, from)) <= radius && along >= -radius && along <= length + radius;
+      return (std::abs(cross(axis, from)) <= radius) & (along >= -radius) & (along <= length + radius);
     }
 
     Vec2 axis;

@@ -96,13 +96,14 @@ bool DiscSums::hold(const Vec2& t, double radius) const {
 }
 
 bool DiscSums::holdSegment(const Vec2& v, const Vec2& w) const {
-  std::int64_t holding = 0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
-    const double from_v = (x_[k] - v.x()) * (x_[k] - v.x()) + (y_[k] - v.y()) * (y_[k] - v.y()),
-                 from_w = (x_[k] - w.x()) * (x_[k] - w.x()) + (y_[k] - w.y()) * (y_[k] - w.y());
-    holding += std::max(from_v, from_w) < radius_[k] * std::abs(radius_[k]);
+    const auto holds = [&](const Vec2& p) {
+      const double dx = x_[k] - p.x(), dy = y_[k] - p.y();
+      return dx * dx + dy * dy < radius_[k] * std::abs(radius_[k]);
+    };
+    if (holds(v) && holds(w)) return true;
   }
-  return holding > 0;
+  return false;
 }
 
 DiscSums DiscSums::near(const Vec2& t, double radius) const {

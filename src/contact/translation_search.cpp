@@ -59,7 +59,21 @@ constexpr std::size_t kMostInherited = 24, kMostGathered = 12;
 constexpr double kSurroundings = 1.25;
 
 using MeetingEdges = TranslationSpace::MeetingEdges;
-using Segments = std::vector<BoundaryCurves::Line>;
+
+/// One of the search's segments, and a disc that holds it.
+struct NearSegment {
+  float x, y, reach;
+  std::uint32_t number;
+};
+using Segments = std::vector<NearSegment>;
+
+/// The reach is rounded up by more than what its place loses as floats: half a unit of 2^-23 in either coordinate.
+NearSegment nearSegment(const BoundaryCurves::Line& line, std::size_t number) {
+  const Vec2 middle = 0.5 * (line.v + line.w);
+  const double reach = (0.5 * line.length + 0x1p-22 * middle.lpNorm<1>()) * (1 + 0x1p-20);
+  return {static_cast<float>(middle.x()), static_cast<float>(middle.y()), static_cast<float>(reach),
+          static_cast<std::uint32_t>(number)};
+}
 
 /// What a cell leaves to its parts: all that may hold one of them, or come near it.
 struct Legacy {
@@ -299,21 +313,26 @@ class PartingSearch {
   }
 
   /// All segments of the search; of those that are to be known, wherever it goes on.
-  Segments segmentsAround() {
-    Segments all;
+  void findSegments() {
     const auto add = [&](const Vec2& v, const Vec2& w, bool both_sides) {
-      all.emplace_back(BoundaryCurves::Ends{v, w}, both_sides, space_.noise());
+      all_segments_.emplace_back(BoundaryCurves::Ends{v, w}, both_sides, space_.noise());
     };
-    if (known_.haveSegments()) {
-      known_.forEachSegment(add);
-      return all;
-    }
+    if (known_.haveSegments()) return known_.forEachSegment(add);
     const bool are_kept = known_.keepSegments() && space_.areKept();
     const double radius = are_kept ? std::numeric_limits<double>::infinity() : kSurroundings * best_.length + margin_;
-    for (const TranslationSpace::Segment& segment : space_.segmentsWithin(radius)) {
+    const std::vector<TranslationSpace::Segment> segments = space_.segmentsWithin(radius);
+    all_segments_.reserve(segments.size());
+    for (const TranslationSpace::Segment& segment : segments) {
       add(segment.v, segment.w, segment.both_sides);
       if (are_kept) known_.keepSegment(segment.v, segment.w, segment.both_sides);
     }
+  }
+
+  Segments segmentsAround() {
+    findSegments();
+    Segments all;
+    all.reserve(all_segments_.size());
+    for (const BoundaryCurves::Line& line : all_segments_) all.push_back(nearSegment(line, all.size()));
     return all;
   }
 
@@ -334,9 +353,24 @@ class PartingSearch {
 
   /// Of the segments that may come near a cell those that do.
   void narrow(const Cell& cell, double radius) {
-    segments_.clear();
-    for (const BoundaryCurves::Line& segment : cell.legacy->segments)
-      if (segment.comesNear(cell.center, kSurroundings * radius + margin_)) segments_.push_back(segment);
+    const double around = kSurroundings * radius + margin_;
+    const auto x = static_cast<float>(cell.center.x()), y = static_cast<float>(cell.center.y());
+    const auto rounded = static_cast<float>((around + 0x1p-22 * cell.center.lpNorm<1>()) * (1 + 0x1p-20));
+    // Without branches, as none could be predicted.
+    segments_.resize(cell.legacy->segments.size());
+    NearSegment* end = segments_.data();
+    for (const NearSegment& segment : cell.legacy->segments) {
+      const float dx = segment.x - x, dy = segment.y - y, reach = segment.reach + rounded;
+      *end = segment;
+      end += !(dx * dx + dy * dy > reach * reach);
+    }
+    NearSegment* kept = segments_.data();
+    for (const NearSegment* segment = kept; segment < end; ++segment) {
+      const bool is_near = all_segments_[segment->number].comesNear(cell.center, around);
+      *kept = *segment;
+      kept += is_near;
+    }
+    segments_.resize(static_cast<std::size_t>(kept - segments_.data()));
   }
 
   /// gather() from a cell's segments.
@@ -345,7 +379,7 @@ class PartingSearch {
     curves_.clear(kMostInherited);
     narrow(cell, radius);
     for (std::size_t k = 0; k < segments_.size() && tally.goesOn(); ++k)
-      curves_.add(segments_[k], cell.center, kSurroundings * radius, tally);
+      curves_.add(all_segments_[segments_[k].number], cell.center, kSurroundings * radius, tally);
     return tally.result;
   }
 
@@ -380,6 +414,7 @@ class PartingSearch {
   TranslationProbe probe_;
   PartingLimits limits_;
   BestParting best_;
+  std::vector<BoundaryCurves::Line> all_segments_;
   Segments segments_;  ///< near the cell
   std::priority_queue<Cell, std::vector<Cell>, Farther> cells_;
   std::vector<std::pair<Cell, double>> done_;  ///< to be kept, with how far away from 0 nothing is free in them
