@@ -66,6 +66,7 @@ KnownCells::KnownCells(TranslationSpace& space, SearchHints* hints) : hints_(hin
   } else {
     const double step = (between_ - place).norm();
     known.moved += step * kOutwards;
+    has_moved_far_ = step > 0.15 * known.half;
     ahead_ = has_turned_ || kStepsAhead * step > 0.25 * known.half ? 0 : kStepsAhead * step;
   }
   place = between_;

@@ -30,6 +30,10 @@ class KnownCells {
   bool areKept() const { return hints_ != nullptr; }
   /// Whether they are known as well as then.
   bool areFacts() const { return hints_ != nullptr && !has_turned_ && !is_new_; }
+  /// Whether that is most of what there is to know here: they haven't moved far.
+  bool areMost() const { return areFacts() && !has_moved_far_; }
+  /// Whether the polygons have turned since then, and may turn on.
+  bool haveTurned() const { return has_turned_; }
   /// Where the last search's end is now: a free translation, unless the polygons have turned.
   struct Ends {
     Vec2 limit, parting;
@@ -82,7 +86,7 @@ class KnownCells {
 
   SearchHints* const hints_;
   const Vec2 between_;
-  bool has_turned_ = false, is_new_ = true;
+  bool has_turned_ = false, has_moved_far_ = false, is_new_ = true;
   double ahead_ = 0;
 };
 

@@ -116,7 +116,7 @@ class PartingSearch {
   ShortestParting run() {
     auto all_sums = std::make_shared<const DiscSums>();
     bool are_covered = false;
-    space_.prepareSearch(best_.length, known_.areFacts());
+    space_.prepareSearch(best_.length, known_.areMost());
     tryLast();
     begin();
     while (!cells_.empty() && cells_.top().least < enough_ * best_.length) {
@@ -244,13 +244,14 @@ class PartingSearch {
     };
     const std::size_t most = holds_limit ? kAll : kMostRepeated;
     Gathered gathered = knows_segments ? curvesAround(most) : Gathered::Many;
-    if (gathered != Gathered::Lines && !probe_.overlaps()) {
+    // Among many segments what meets in the middle seldom decides: it pays after turns, when that is kept.
+    const bool passes = knows_segments && gathered == Gathered::Many && discs_overlap_ && !known_.haveTurned();
+    if (gathered != Gathered::Lines && !passes && !probe_.overlaps()) {
       const Verdict verdict = ask(cell.center, radius);
       if (verdict != Verdict::Open) return verdict;
     }
     if (!knows_segments) gathered = curvesAround(most);
-    // What else meets there pays for those who keep it alone.
-    const bool looks_on = knows_segments && known_.areKept() && gathered != Gathered::Lines;
+    const bool looks_on = knows_segments && known_.haveTurned() && gathered != Gathered::Lines;
     if (looks_on && meetAround(cell.center, radius)) return Verdict::Held;
     if (gathered == Gathered::Repeated) {
       switch (coverSquare(cell.center, cell.half, resolution_, space_, probe_)) {
