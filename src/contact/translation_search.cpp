@@ -8,10 +8,10 @@
 // four, and edges that meet on part of it are tried first on its parts. Nearer cells are done with before farther ones,
 // so the least distance of those left is a lower bound.
 //
-// Where few segments bound all of a deep overlap, they are gathered once, by the directions of edges, and each cell
-// looks at those of the cell that it is a part of. Which side of a segment is free is known; so are the candidates
-// whose way from 0 leads out of what bounds them, and the sectors beside them that may be free: no others are asked
-// for.
+// Where few segments bound all of a deep overlap, they are gathered once, by the directions of edges, but for those
+// that lie where inner discs of both overlap; and each cell looks at those of the cell that it is a part of. Which side
+// of a segment is free is known; so are the candidates whose way from 0 leads out of what bounds them, and the sectors
+// beside them that may be free: no others are asked for.
 //
 // With a margin, what is free is farther from the segments than that, and bounded by lines beside them and by circles
 // around their ends; the shortest translation ends at 0's projection on one of these, or where two cross.

@@ -16,7 +16,7 @@ MUTATIONS = [
     ("src/contact/separating_axes.cpp", "within_(tie() + 3 * kDepthError * error_)", "within_(0)", "convex penetration: the least depth is left out"),
     ("src/contact/disc_cover.cpp", "room = radius_[k] - radius;", "room = radius_[k];", "penetration: discs overlap all around"),
     ("src/contact/disc_cover.cpp", "room * std::abs(room)", "room * room", "penetration: discs that are smaller hold"),
-    ("src/contact/disc_cover.cpp", "if (holds(v) && holds(w)) return true;", "if (holds(v)) return true;", "penetration: a segment that begins in a disc bounds nothing"),
+    ("src/contact/disc_cover.cpp", "if (holds(v) && holds(w)) return true;", "if (holds(v) || holds(w)) return true;", "penetration: a segment that begins in a disc bounds nothing"),
     ("src/contact/translation_space.cpp", "(radius + along.norm()) * (1 + 0x1p-20)", "radius", "penetration: edges reach no farther than where they begin"),
     ("src/contact/overlap_arcs.cpp", "{known, -c.direction}", "{known, c.direction}", "components: winding's change along a"),
     ("src/contact/overlap_arcs.cpp", "found.winding * pair.handed", "found.winding", "components: winding under a mirror"),
