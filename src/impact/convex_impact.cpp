@@ -17,17 +17,33 @@ namespace {
 /// As a rule a few are enough.
 constexpr int kMostAdvances = 64;
 
+/// Windows are as long as a distance lasts, or a little longer: that much of it shortens a step by about as much.
+constexpr double kLittle = 0x1p-4;
+
 /// One of the two polygons. Its vertices are known by their positions in the path, its edges by where they begin; axes
 /// are in the pair's frame.
 class Body {
  public:
   explicit Body(const Mover& mover_)
-      : mover(mover_), ring_(convexRing(*mover.polygon)), doubt_(mover.polygon->radius * 0x1p-47 + kTiny) {}
+      : mover(mover_),
+        lever(lengthAbove(mover.arm.x(), mover.arm.y()) + radiusOf(mover)),
+        ring_(convexRing(*mover.polygon)),
+        doubt_(mover.polygon->radius * 0x1p-47 + kTiny),
+        is_small_(ring_.size() <= SmallPolygon::kMost) {
+    if (is_small_)
+      for (std::uint32_t k = 0; k < ring_.size(); ++k) vertices_[k] = placed(k);
+  }
 
-  /// The farthest that it reaches along an axis from S, at both ends of a window: by a vertex between an edge that
-  /// certainly leads ahead at both and one that certainly leads back, near the last that was foremost.
+  /// The farthest that it reaches along an axis from S, at both ends of a window: of few vertices by all, of others by
+  /// those between an edge that certainly leads ahead at both ends and one that certainly leads back, near the last
+  /// that was foremost.
   [[gnu::always_inline]] Double2 reach(const Places& p, Double2 nx, Double2 ny) {
     const Double2 mx = p.m00 * nx + p.m10 * ny, my = p.m01 * nx + p.m11 * ny;
+    if (is_small_) {
+      Double2 most = height(vertices_[0], mx, my);
+      for (std::uint32_t k = 1; k < ring_.size(); ++k) most = larger(most, height(vertices_[k], mx, my));
+      return most;
+    }
     RingRange range{foremost_, 0};
     const bool is_certain = ring_.foremost(
         [&](std::uint32_t edge) {
@@ -38,8 +54,8 @@ class Body {
         [&](Double2 up) { return up[0] < -doubt_ && up[1] < -doubt_; }, range);
     if (!is_certain) range.count = ring_.size();
     std::uint32_t v = foremost_ = range.first;
-    Double2 most = height(v, mx, my);
-    while (--range.count > 0) most = larger(most, height(v = ring_.next(v), mx, my));
+    Double2 most = height(placed(v), mx, my);
+    while (--range.count > 0) most = larger(most, height(placed(v = ring_.next(v)), mx, my));
     return most;
   }
 
@@ -57,33 +73,38 @@ class Body {
     return dot(m, ring_.edge(v)) >= -dot(m, ring_.edge(before)) ? v : before;
   }
 
-  /// Its edge, of which what doesn't move is kept for the next time.
-  MovingBox edge(const Places& p, std::uint32_t k) {
-    if (edge_.child != k) edge_ = mover.edgeNode(k);
-    return mover.box(p, edge_);
+  EdgeEnds edge(const Places& p, int lane, std::uint32_t k) const {
+    const std::uint32_t end = ring_.next(k);
+    return is_small_ ? EdgeEnds(p, lane, vertices_[k], vertices_[end]) : EdgeEnds(p, lane, placed(k), placed(end));
   }
 
   /// The edge beside one at the end that a point of it is nearer to.
-  std::uint32_t neighbour(const Places& p, std::uint32_t k, const Vec2& point) {
-    const MovingBox box = edge(p, k);
-    const double along = (point.x() - box.x[0]) * box.ux[0] + (point.y() - box.y[0]) * box.uy[0];
+  std::uint32_t neighbour(const Places& p, std::uint32_t k, const Vec2& point) const {
+    const EdgeEnds ends = edge(p, 0, k);
+    const double along = (2 * point - ends.from() - ends.to()).dot(ends.to() - ends.from());
     return along > 0 ? ring_.next(k) : ring_.previous(k);
   }
 
-  /// A box around all of it, as WindowCutter asks for levers.
-  MovingBox box(const Places& p) const { return {p.x, p.y, p.m00, p.m10, p.m01, p.m11, mover.scale, 0}; }
+  /// How far it reaches from the other one's pivot, at the window's begin.
+  double leverFrom(const Places& other, const Places& p) const {
+    return lengthAbove(p.x[0] - other.pivot_x[0], p.y[0] - other.pivot_y[0]) + radiusOf(mover);
+  }
 
   const Mover& mover;
+  const double lever;  ///< how far it reaches from its own pivot
 
  private:
-  Double2 height(std::uint32_t vertex, Double2 mx, Double2 my) const {
-    const Vec2 p = mover.scale * mover.polygon->inUnits(mover.polygon->path[vertex]);
-    return mx * p.x() + my * p.y();
+  static Double2 height(const Vec2& p, Double2 mx, Double2 my) { return mx * p.x() + my * p.y(); }
+  static double radiusOf(const Mover& mover) {
+    return mover.polygon->radius * mover.polygon->inverse_unit * mover.scale * (1 + kLargestDefect);
   }
+  /// A vertex, from S.
+  Vec2 placed(std::uint32_t vertex) const { return mover.scale * mover.polygon->inUnits(mover.polygon->path[vertex]); }
   ConvexRing ring_;
   double doubt_;  ///< an edge's climb is wrong by less than 5 U of its length, which is at most twice the radius
   std::uint32_t foremost_ = 0;
-  Node edge_{0, 0, 1, 0, 0, 0, kRootNode, true};  ///< the last one
+  bool is_small_;
+  Vec2 vertices_[SmallPolygon::kMost];  ///< of few, all
 };
 
 class ConvexAdvancement {
@@ -112,7 +133,8 @@ class ConvexAdvancement {
       }
       const Vec2 axis = (points.on_b - points.on_a) / points.distance;
       const double before = time_, end = std::min(1.0, time_ + windowFor(points, axis));
-      const Window window(pair_, time_, end, at_a_, at_b_);
+      const Span window(pair_, time_, end, placesUntil(end, pair_.a, at_a_), placesUntil(end, pair_.b, at_b_));
+      distance_ = points.distance - pair_.margin;
       bool apart = advance(window, axis);
       stale = !(gap_ >= 0.5 * points.distance);
       if (!apart && stale && fresh) apart = advance(window, face_);
@@ -132,14 +154,20 @@ class ConvexAdvancement {
  private:
   bool areSmall() const { return pair_.a.tree->small_convex && pair_.b.tree->small_convex; }
 
-  void place(const Window& window) {
+  /// a's pivot stays.
+  Places placesUntil(double end, const Mover& mover, const Places& at) const {
+    return mover.turns || &mover == &pair_.b ? at.to(mover.places(end, end)) : at;
+  }
+  void place(const Span& window) {
     const bool at_end = time_ == window.end;
     if (pair_.a.turns) at_a_ = at_end ? window.a.atEnd() : pair_.a.places(time_, time_);
     at_b_ = at_end ? window.b.atEnd() : pair_.b.places(time_, time_);
   }
-  NearestPoints nearest() { return NearestPoints(a_.edge(at_a_, edge_a_), b_.edge(at_b_, edge_b_), 0, pair_.error); }
-  double distanceAtEnd(const Window& window) {
-    return NearestPoints(a_.edge(window.a, edge_a_), b_.edge(window.b, edge_b_), 1, pair_.error).distance;
+  NearestPoints nearest() const {
+    return NearestPoints(a_.edge(at_a_, 0, edge_a_), b_.edge(at_b_, 0, edge_b_), pair_.error);
+  }
+  double distanceAtEnd(const Span& window) const {
+    return NearestPoints(a_.edge(window.a, 1, edge_a_), b_.edge(window.b, 1, edge_b_), pair_.error).distance;
   }
 
   /// Of small polygons: the edge that has all of the other polygon farthest beyond it, as floats see it, and that one's
@@ -193,9 +221,10 @@ class ConvexAdvancement {
 
   /// About how long it may take the nearest points to meet: by how fast they approach now, and how that may change.
   double windowFor(const NearestPoints& points, const Vec2& axis) const {
-    const Rates rates = pair_.rates(time_, 1);
     const auto pullAt = [&](double time) { return std::abs(axis.dot(pair_.b.way.accelerationAt(time))); };
-    const double bend = rates.bend(pair_.a.reach, pair_.b.reach) + std::max(pullAt(time_), pullAt(1));
+    const double bend = pair_.is_steady
+                            ? pair_.steady.bend(a_.lever, b_.lever)
+                            : pair_.ratesOf(time_, 1).bend(a_.lever, b_.lever) + std::max(pullAt(time_), pullAt(1));
     if (bend == 0) return 1;
     const auto turning = [&](const Mover& mover, const Places& at, const Vec2& p) {
       return mover.turn.rateAt(time_) * ((p.x() - at.pivot_x[0]) * axis.y() - (p.y() - at.pivot_y[0]) * axis.x());
@@ -212,10 +241,9 @@ class ConvexAdvancement {
 
   /// On to where contact may be, as an axis of length 1 from a to b has it, if anywhere in the window. Whether it parts
   /// the two throughout. The gap of the regions is that of their foremost vertices.
-  bool advance(const Window& window, const Vec2& axis) {
-    const MovingBox box_a = a_.box(window.a), box_b = b_.box(window.b);
-    WindowCutter cutter(window, box_a, box_b);
-    const WindowCutter::Axis n = cutter.turning(axis);
+  bool advance(const Span& window, const Vec2& axis) {
+    GapCutter cutter(pair_);
+    const GapCutter::Axis n = axisOver(window, axis);
     const Double2 gap = n.x * (window.b.x - window.a.x) + n.y * (window.b.y - window.a.y) -
                         a_.reach(window.a, n.x, n.y) - b_.reach(window.b, -n.x, -n.y);
     gap_ = gap[0];
@@ -225,6 +253,19 @@ class ConvexAdvancement {
     return apart;
   }
 
+  /// One that stands still or, where ways bend by more than little of the distance, turns with a or b if that is less.
+  GapCutter::Axis axisOver(const Span& window, const Vec2& axis) const {
+    const double still = window.fixedSag(a_.lever, b_.lever) - window.pull.sparedAlong(axis.x(), axis.y());
+    const GapCutter::Axis fixed{axis.x() - Double2{}, axis.y() - Double2{}, still};
+    if (!(still > kLittle * distance_)) return fixed;
+    const double with_a = window.sagWithA().of(b_.lever, b_.leverFrom(window.a, window.b)),
+                 with_b = window.sagWithB().of(a_.lever, a_.leverFrom(window.b, window.a));
+    if (still <= std::min(with_a, with_b)) return fixed;
+    const Places& p = with_a <= with_b ? window.a : window.b;
+    const double u = axis.x() * p.m00[0] + axis.y() * p.m10[0], v = axis.x() * p.m01[0] + axis.y() * p.m11[0];
+    return {u * p.m00 + v * p.m01, u * p.m10 + v * p.m11, std::min(with_a, with_b)};
+  }
+
   const MovingPair& pair_;
   Body a_, b_;
   double begin_, time_;  ///< until which they are apart
@@ -232,6 +273,7 @@ class ConvexAdvancement {
   double time_error_, touch_distance_;
   std::uint32_t edge_a_ = 0, edge_b_ = 0;  ///< that may be nearest
   Vec2 face_;                              ///< an axis from a to b: the last that they were looked for by
+  double distance_ = 0;                    ///< of the nearest points that are known, beyond the margin
   double gap_ = 0;                         ///< along the last axis, at the window's begin
 };
 

@@ -9,6 +9,7 @@
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
+#include "numbers/sine.h"
 #include "polygon/convexity.h"
 
 namespace tricover::detail {
@@ -26,15 +27,8 @@ Places Mover::places(double begin, double end) const {
   }
   const auto all = [](double value) { return value - Double2{}; };
   if (!turns) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
-  Double2 c{1, 1}, s{};
-  if (angle[0] != 0) {
-    c = std::cos(angle[0]) - Double2{};
-    s = std::sin(angle[0]) - Double2{};
-  }
-  if (begin != end) {
-    c[1] = std::cos(angle[1]);
-    s[1] = std::sin(angle[1]);
-  }
+  const Double2 at_begin = sineAndCosine(angle[0]), at_end = begin == end ? at_begin : sineAndCosine(angle[1]);
+  const Double2 s{at_begin[0], at_end[0]}, c{at_begin[1], at_end[1]};
   return {c * linear(0, 0) - s * linear(1, 0),
           s * linear(0, 0) + c * linear(1, 0),
           c * linear(0, 1) - s * linear(1, 1),
@@ -57,6 +51,12 @@ Node Mover::edgeNode(std::size_t position) const {
   const double length = half.norm();
   const Vec2 axis = length > 0 ? Vec2(half / length) : Vec2(1, 0);
   return {mid.x(), mid.y(), axis.x(), axis.y(), length, 0, static_cast<std::uint32_t>(position), true};
+}
+
+EdgeEnds Mover::ends(const Places& p, int lane, std::size_t position) const {
+  const Vec2 v = scale * polygon->inUnits(polygon->path[position]),
+             w = scale * polygon->inUnits(polygon->path[position + 1]);
+  return {p, lane, v, w};
 }
 
 MovingBox Mover::edge(const Places& p, std::size_t position) const {
@@ -205,52 +205,51 @@ bool MovingPair::discsStayApart() const {
 
 namespace {
 
-/// Two points, a lane each: on which side of a segment they are, times its length; their nearest points on it, as
-/// nearestOnSegment() has them, and how far away these are.
+/// Two points, a lane each, beside a segment: on which side they are, times its length; where their nearest points on
+/// it are, as a share of it, 0 where it is a point; and the squares of how far away these are, but for rounding.
 struct TwoBeside {
-  TwoBeside(Double2 x_, Double2 y_, Double2 from, Double2 to) {
-    const Double2 u = to - from, dx = x_ - from[0], dy = y_ - from[1];
-    const Double2 share = (dx * u[0] + dy * u[1]) / dot(u, u);
-    const Double2 s = smaller(larger(share, Double2{}), Double2{1, 1});  // 0 where the segment is a point
-    side = u[0] * dy - u[1] * dx;
-    // From the nearer end: an end is met without rounding.
-    const auto place = [&](int i) -> Double2 { return s <= 0.5 ? from[i] + s * u[i] : to[i] - (1 - s) * u[i]; };
-    x = place(0);
-    y = place(1);
-    const Double2 way_x = x_ - x, way_y = y_ - y, square = way_x * way_x + way_y * way_y;
-    distance[0] = std::sqrt(square[0]);
-    distance[1] = std::sqrt(square[1]);
+  TwoBeside(const EdgeEnds& points, const EdgeEnds& segment) {
+    const double ux = segment.x[1] - segment.x[0], uy = segment.y[1] - segment.y[0];
+    const Double2 dx = points.x - segment.x[0], dy = points.y - segment.y[0];
+    share = smaller(larger((dx * ux + dy * uy) / (ux * ux + uy * uy), Double2{}), Double2{1, 1});
+    side = ux * dy - uy * dx;
+    const Double2 way_x = dx - share * ux, way_y = dy - share * uy;
+    square = way_x * way_x + way_y * way_y;
   }
-  Double2 side, x, y, distance;
+  /// Whether both are certainly on different sides; as long as that isn't known, of no doubt.
+  bool areOpposite(double doubt) const {
+    return std::min(side[0], side[1]) < -doubt && std::max(side[0], side[1]) > doubt;
+  }
+  Double2 side, share, square;
 };
+
+/// As nearestOnSegment() has it: from the nearer end, so that an end is met without rounding.
+Vec2 pointAt(const EdgeEnds& edge, double share) {
+  const Vec2 u = edge.to() - edge.from();
+  return share <= 0.5 ? Vec2(edge.from() + share * u) : Vec2(edge.to() - (1 - share) * u);
+}
 
 }  // namespace
 
-NearestPoints::NearestPoints(const Ends& a, const Ends& b, double error)
-    : distance(std::numeric_limits<double>::infinity()) {
-  const Double2 a_x{a.from[0], a.to[0]}, a_y{a.from[1], a.to[1]}, b_x{b.from[0], b.to[0]}, b_y{b.from[1], b.to[1]};
-  const TwoBeside of_a(a_x, a_y, b.from, b.to), of_b(b_x, b_y, a.from, a.to);
-  // Where a sign isn't certain, an end of one is about as near to the other as rounding is large.
-  const Double2 along_a = absolute(a.to - a.from), along_b = absolute(b.to - b.from), way = absolute(b.from - a.from);
-  const double doubt = error * ((along_a[0] + along_a[1]) + (along_b[0] + along_b[1]) + (way[0] + way[1]) +
-                                std::numeric_limits<double>::min());
-  const auto opposite = [doubt](Double2 s) { return std::min(s[0], s[1]) < -doubt && std::max(s[0], s[1]) > doubt; };
-  if (opposite(of_b.side) && opposite(of_a.side)) {
-    const double share = of_b.side[0] / (of_b.side[0] - of_b.side[1]);
-    store2(on_a.data(), b.from + share * (b.to - b.from));
-    on_b = on_a;
-    distance = 0;
-    return;
+NearestPoints::NearestPoints(const EdgeEnds& a, const EdgeEnds& b, double error) {
+  const TwoBeside of_a(a, b), of_b(b, a);
+  if (of_a.areOpposite(0) && of_b.areOpposite(0)) {
+    // Where a sign isn't certain, an end of one is about as near to the other as rounding is large.
+    const double doubt = error * ((a.to() - a.from()).lpNorm<1>() + (b.to() - b.from()).lpNorm<1>() +
+                                  (b.from() - a.from()).lpNorm<1>() + std::numeric_limits<double>::min());
+    if (of_b.areOpposite(doubt) && of_a.areOpposite(doubt)) {
+      const double share = of_b.side[0] / (of_b.side[0] - of_b.side[1]);
+      on_a = on_b = b.from() + share * (b.to() - b.from());
+      distance = 0;
+      return;
+    }
   }
   // NaN ends as distance NaN.
-  const auto offer = [&](double apart, const Vec2& s, const Vec2& t) {
-    if (apart >= distance) return;
-    on_a = s;
-    on_b = t;
-    distance = apart;
-  };
-  for (int i = 0; i < 2; ++i) offer(of_a.distance[i], Vec2(a_x[i], a_y[i]), Vec2(of_a.x[i], of_a.y[i]));
-  for (int i = 0; i < 2; ++i) offer(of_b.distance[i], Vec2(of_b.x[i], of_b.y[i]), Vec2(b_x[i], b_y[i]));
+  const int end_a = of_a.square[1] >= of_a.square[0] ? 0 : 1, end_b = of_b.square[1] >= of_b.square[0] ? 0 : 1;
+  const bool is_of_a = of_b.square[end_b] >= of_a.square[end_a];
+  on_a = is_of_a ? a.end(end_a) : pointAt(a, of_b.share[end_b]);
+  on_b = is_of_a ? pointAt(b, of_a.share[end_a]) : b.end(end_b);
+  distance = (on_b - on_a).norm();
 }
 
 }  // namespace tricover::detail

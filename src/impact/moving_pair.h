@@ -41,6 +41,25 @@ struct Places {
   }
 };
 
+/// An edge's ends, one a lane, at one end of a window.
+struct EdgeEnds {
+  /// Of two vertices in the mover's frame, from S.
+  EdgeEnds(const Places& p, int lane, const Vec2& v, const Vec2& w) {
+    const Double2 of_x{v.x(), w.x()}, of_y{v.y(), w.y()};
+    x = p.m00[lane] * of_x + p.m01[lane] * of_y + p.x[lane];
+    y = p.m10[lane] * of_x + p.m11[lane] * of_y + p.y[lane];
+  }
+  EdgeEnds(const MovingBox& edge, int lane) {
+    const double half_x = edge.along * edge.ux[lane], half_y = edge.along * edge.uy[lane];
+    x = edge.x[lane] + Double2{-half_x, half_x};
+    y = edge.y[lane] + Double2{-half_y, half_y};
+  }
+  Vec2 end(int i) const { return {x[i], y[i]}; }
+  Vec2 from() const { return end(0); }
+  Vec2 to() const { return end(1); }
+  Double2 x, y;
+};
+
 /// One box of a hierarchy or, where that is a single edge, the edge.
 struct Node {
   double x, y, ux, uy, along, across;  ///< in units
@@ -60,6 +79,7 @@ struct Mover {
   MovingBox box(const Places& places, const Node& node) const;
   Node edgeNode(std::size_t position) const;
   MovingBox edge(const Places& places, std::size_t position) const;
+  EdgeEnds ends(const Places& places, int lane, std::size_t position) const;
   /// Whether its unit and its pose do, and squares don't overflow. A pose: if it is off rigid by no more than rotations
   /// that were made of doubles, which is less than what MovingPair::error allows for.
   bool keepsLengths() const;
@@ -153,18 +173,11 @@ struct FirstContact {
   }
 };
 
-/// The nearest points of two edges at one end of the window; distance 0 where they certainly cross.
+/// The nearest points of two edges; distance 0 where they certainly cross.
 struct NearestPoints {
-  /// An edge's ends.
-  struct Ends {
-    Ends(const MovingBox& edge, int lane)
-        : Ends(Double2{edge.x[lane], edge.y[lane]}, edge.along * Double2{edge.ux[lane], edge.uy[lane]}) {}
-    Ends(Double2 middle, Double2 half) : from(middle - half), to(middle + half) {}
-    Double2 from, to;
-  };
-  NearestPoints(const Ends& a, const Ends& b, double error);
+  NearestPoints(const EdgeEnds& a, const EdgeEnds& b, double error);
   NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
-      : NearestPoints(Ends(edge_a, lane), Ends(edge_b, lane), error) {}
+      : NearestPoints(EdgeEnds(edge_a, lane), EdgeEnds(edge_b, lane), error) {}
   Vec2 on_a, on_b;
   double distance;
 };

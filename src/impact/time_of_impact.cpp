@@ -55,10 +55,11 @@ Vec2 normalOfTouch(const MovingBox& a, const MovingBox& b, const Vec2& between_o
 }
 
 /// The number of an edge at a point of it.
-EdgeIndex givenEdge(const Mover& mover, std::size_t position, const MovingBox& edge, const Vec2& point) {
+EdgeIndex givenEdge(const Mover& mover, std::size_t position, const EdgeEnds& edge, const Vec2& point) {
   if (mover.given == mover.polygon) return givenEdge(*mover.given, *mover.polygon, position, 0);
-  const double along = (point.x() - edge.x[0]) * edge.ux[0] + (point.y() - edge.y[0]) * edge.uy[0];
-  return givenEdge(*mover.given, *mover.polygon, position, std::clamp(0.5 + 0.5 * along / edge.along, 0.0, 1.0));
+  const Vec2 way = edge.to() - edge.from();
+  const double part = (point - edge.from()).dot(way) / way.squaredNorm();
+  return givenEdge(*mover.given, *mover.polygon, position, std::clamp(part, 0.0, 1.0));
 }
 
 /// One polygon holds a ring of the other at time 0, and no edges meet.
@@ -80,11 +81,12 @@ Impact describe(const MovingPair& pair, const FirstContact& found) {
   if (found.edge_a < 0 || found.edge_b < 0) return describeContainment(pair, found);
   const auto position_a = static_cast<std::size_t>(found.edge_a), position_b = static_cast<std::size_t>(found.edge_b);
   const Places places_a = pair.a.places(found.time, found.time), places_b = pair.b.places(found.time, found.time);
-  const MovingBox a = pair.a.edge(places_a, position_a), b = pair.b.edge(places_b, position_b);
-  const NearestPoints nearest(a, b, 0, pair.error);
+  const EdgeEnds a = pair.a.ends(places_a, 0, position_a), b = pair.b.ends(places_b, 0, position_b);
+  const NearestPoints nearest(a, b, pair.error);
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
                           ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
-                          : normalOfTouch(a, b, places_a.originTo(places_b), pair.error);
+                          : normalOfTouch(pair.a.edge(places_a, position_a), pair.b.edge(places_b, position_b),
+                                          places_a.originTo(places_b), pair.error);
   assert(0 <= found.time && found.time <= 1 && std::abs(normal.norm() - 1) < 0x1p-40);
   return {found.time, toWorld(pair, found.time, 0.5 * (nearest.on_a + nearest.on_b)), normal,
           givenEdge(pair.a, position_a, a, nearest.on_a), givenEdge(pair.b, position_b, b, nearest.on_b)};

@@ -101,34 +101,33 @@ struct Pull {
 };
 
 /// A window of time with both movers' places at its ends.
-struct Window {
-  Window(const Window&) = delete;
-  Window(const MovingPair& pair_, double begin_, double end_)
+struct Span {
+  Span(const Span&) = delete;
+  Span(const MovingPair& pair_, double begin_, double end_)
+      : Span(pair_, begin_, end_, pair_.a.places(begin_, end_), pair_.b.places(begin_, end_)) {}
+  Span(const MovingPair& pair_, double begin_, double end_, const Places& a_, const Places& b_)
       : pair(pair_),
         begin(begin_),
         end(end_),
         length(end - begin),
+        half_square(0.5 * kSagGrowth * length * length),
         rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
-        a(pair.a.places(begin, end)),
-        b(pair.b.places(begin, end)) {
-    boundSags();
-  }
-  /// The places at the begin are known, in either lane.
-  Window(const MovingPair& pair_, double begin_, double end_, const Places& a_at_begin, const Places& b_at_begin)
-      : pair(pair_),
-        begin(begin_),
-        end(end_),
-        length(end - begin),
-        rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
-        a(pair.a.turns ? a_at_begin.to(pair.a.places(end, end)) : a_at_begin),  // its pivot stays
-        b(b_at_begin.to(pair.b.places(end, end))) {
-    boundSags();
+        a(a_),
+        b(b_) {
+    if (rates.pull > 0) {
+      const Vec2 from = pair.b.way.accelerationAt(begin), to = pair.b.way.accelerationAt(end);
+      pull = {half_square * rates.pull, half_square * Double2{from.x(), to.x()},
+              half_square * Double2{from.y(), to.y()}};
+    }
   }
 
   /// Along axes that stand still.
   double fixedSag(double lever_a, double lever_b) const {
     return half_square * rates.bend(lever_a, lever_b) + pull.most;
   }
+  /// Along those that turn with a, or with b.
+  TurningSag sagWithA() const { return turningSag(rates.a, rates.bend_a, rates.b, rates.mixed_b); }
+  TurningSag sagWithB() const { return turningSag(rates.b, rates.bend_b, rates.a, rates.mixed_a); }
 
   const MovingPair& pair;
   double begin, end;
@@ -137,31 +136,24 @@ struct Window {
   const Rates& rates;
   Places a, b;
   Pull pull;
-  TurningSag with_a, with_b;
 
  private:
-  void boundSags() {
-    half_square = 0.5 * kSagGrowth * length * length;
-    if (rates.pull > 0) {
-      const Vec2 from = pair.b.way.accelerationAt(begin), to = pair.b.way.accelerationAt(end);
-      pull = {half_square * rates.pull, half_square * Double2{from.x(), to.x()},
-              half_square * Double2{from.y(), to.y()}};
-    }
-    if (!rates.turns()) {
-      with_a = with_b = {pull.most, 0, pull.most, 0, 0};
-      return;
-    }
-    const double apart = lengthAbove(b.pivot_x[0] - a.pivot_x[0], b.pivot_y[0] - a.pivot_y[0]) + length * rates.speed;
-    with_a = turningSag(rates.a, rates.bend_a, rates.b, rates.mixed_b, apart);
-    with_b = turningSag(rates.b, rates.bend_b, rates.a, rates.mixed_a, apart);
-  }
   /// `turn` and `bend` are those of the polygon that the axes turn with, `own` and `mixed` the other one's.
-  TurningSag turningSag(double turn, double bend, double own, double mixed, double apart) const {
+  TurningSag turningSag(double turn, double bend, double own, double mixed) const {
+    if (!rates.turns()) return {pull.most, 0, pull.most, 0, 0};
+    const double apart = lengthAbove(b.pivot_x[0] - a.pivot_x[0], b.pivot_y[0] - a.pivot_y[0]) + length * rates.speed;
     const double always = 2 * turn * rates.speed + rates.pull;
     return {half_square * (always + bend * apart), half_square * rates.relative_bend,
             half_square * (always + bend * length * rates.speed), half_square * (mixed + bend * length * own),
             half_square * bend};
   }
+};
+
+/// One that many pairs of boxes or edges are looked at in.
+struct Window : Span {
+  Window(const MovingPair& pair_, double begin_, double end_)
+      : Span(pair_, begin_, end_), with_a(sagWithA()), with_b(sagWithB()) {}
+  const TurningSag with_a, with_b;
 };
 
 }  // namespace tricover::detail

@@ -9,8 +9,33 @@
 
 namespace tricover::detail {
 
-/// Cuts a window down to where contact of two boxes may lie, by one axis after the other.
-class WindowCutter {
+/// Cuts a window down to where contact may lie, by one axis after the other.
+class GapCutter {
+ public:
+  explicit GapCutter(const MovingPair& pair) : error_(pair.error), margin_(pair.margin) {}
+
+  /// An axis over the window, of length 1 at its begin.
+  struct Axis {
+    Double2 x, y;
+    double sag;
+  };
+  /// By the gap, at both ends of the window, of all that may meet: computed, error and margin still in it. Whether it
+  /// parts that throughout.
+  bool cutByGap(const Axis& axis, Double2 gap);
+
+  /// What no axis has cut off; nothing, low > high, is possible, too.
+  Rest rest() const { return {first_.share(), 1 - last_.share(), first_.aim()}; }
+  double restLow() const { return first_.share(); }
+
+ protected:
+  Double2 allowance(Double2 nx, Double2 ny) const;
+
+  double error_, margin_;
+  CutSide first_, last_;
+};
+
+/// The same of two boxes.
+class WindowCutter : public GapCutter {
  public:
   WindowCutter(const Window& window, const MovingBox& a, const MovingBox& b);
 
@@ -23,19 +48,6 @@ class WindowCutter {
   /// By the normals of two edges.
   bool cutByNormals() { return cut(a_.vx, a_.vy, sag_with_a_) || cut(b_.vx, b_.vy, sag_with_b_); }
 
-  /// An axis over the window, turning as cutByAxis() has it.
-  struct Axis {
-    Double2 x, y;
-    double sag;
-  };
-  Axis turning(const Vec2& axis) const;
-  /// By the gap, at both ends of the window, of anything within the boxes: computed, error and margin still in it.
-  bool cutByGap(const Axis& axis, Double2 gap);
-
-  /// What no axis has cut off; nothing, low > high, is possible, too.
-  Rest rest() const { return {first_.share(), 1 - last_.share(), first_.aim()}; }
-  double restLow() const { return first_.share(); }
-
   double sagWithA() const { return sag_with_a_; }
   double sagWithB() const { return sag_with_b_; }
 
@@ -45,19 +57,17 @@ class WindowCutter {
  private:
   bool cutByAxesOf(const MovingBox& box, bool turns, double sag);
   bool cut(Double2 nx, Double2 ny, double sag);
-  Double2 allowance(Double2 nx, Double2 ny) const;
+  Axis turning(const Vec2& axis) const;
 
   const MovingBox &a_, &b_;
   const Pull& pull_;
-  double error_, margin_;
   double sag_fixed_ = 0, sag_with_a_ = 0, sag_with_b_ = 0;
   bool turns_with_a_ = false, turns_with_b_ = false;
-  CutSide first_, last_;
 };
 
 // The gap along an axis is the least of n . (p_b - p_a) over points of both boxes: see TurningSag.
 inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, const MovingBox& b)
-    : a_(a), b_(b), pull_(window.pull), error_(window.pair.error), margin_(window.pair.margin) {
+    : GapCutter(window.pair), a_(a), b_(b), pull_(window.pull) {
   const Rates& rates = window.rates;
   if (!rates.turns()) {
     sag_fixed_ = sag_with_a_ = sag_with_b_ = window.with_a.always;
@@ -97,13 +107,13 @@ inline bool WindowCutter::cutByAxesOf(const MovingBox& box, bool turns, double s
 }
 
 /// What a gap must exceed. Gaps are as much longer than distances as the axis, by a pose off rigid, is than 1.
-inline Double2 WindowCutter::allowance(Double2 nx, Double2 ny) const {
+inline Double2 GapCutter::allowance(Double2 nx, Double2 ny) const {
   if (!(margin_ > 0)) return error_ - Double2{};
   const Double2 square = nx * nx + ny * ny;
   return margin_ * std::sqrt(std::max(square[0], square[1])) * (1 + 8 * kUnitRoundoff) + error_ - Double2{};
 }
 
-inline bool WindowCutter::cutByGap(const Axis& axis, Double2 gap) {
+inline bool GapCutter::cutByGap(const Axis& axis, Double2 gap) {
   gap -= allowance(axis.x, axis.y);
   return first_.offer(gap[0], gap[1], axis.sag) || last_.offer(gap[1], gap[0], axis.sag);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numbers/sine.h"
 #include "random.h"
 
 namespace tricover::support {
@@ -83,6 +84,24 @@ TEST(NormBelow, IsATightLowerBoundOrNone) {
   EXPECT_EQ(detail::normBelow(0x1p600, 1), 0);
   EXPECT_EQ(detail::normBelow(std::numeric_limits<double>::infinity(), 1), 0);
   EXPECT_EQ(detail::normBelow(std::numeric_limits<double>::quiet_NaN(), 1), 0);
+}
+
+/// By their series up to x^29, whose rest is below 2^-100.
+TEST(SineAndCosine, AreRightTo2U) {
+  Random random(7);
+  for (int i = 0; i < 3000; ++i) {
+    const double x =
+        i < 2 ? 2 * i - 1 : random.real(-1, 1) * (random.coin() ? 1 : std::ldexp(1, -random.integer(1, 40)));
+    mpq_class sine(0), cosine(0), term(1);
+    for (int k = 0; k < 30; term *= mpq_class(x) / ++k) (k % 2 == 0 ? cosine : sine) += k % 4 < 2 ? term : -term;
+    const detail::Double2 found = detail::sineAndCosine(x);
+    const mpq_class limit = 2 * mpq_class(kUnitRoundoff);
+    ASSERT_LE(abs(mpq_class(found[0]) - sine), limit) << x;
+    ASSERT_LE(abs(mpq_class(found[1]) - cosine), limit) << x;
+  }
+  EXPECT_EQ(detail::sineAndCosine(2.5)[0], std::sin(2.5));
+  EXPECT_EQ(detail::sineAndCosine(-40)[1], std::cos(-40.0));
+  EXPECT_TRUE(std::isnan(detail::sineAndCosine(std::numeric_limits<double>::quiet_NaN())[0]));
 }
 
 }  // namespace

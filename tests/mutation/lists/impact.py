@@ -3,6 +3,8 @@
 MUTATIONS = [
     ("src/impact/convex_impact.cpp", "end - time_ <= time_error_ && !(distanceAtEnd", "!(distanceAtEnd", "convex impact: as early as the window is long"),
     ("src/impact/convex_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(4 * pair.error)", "convex impact: touches without the margin"),
+    ("src/numbers/sine.h", "h * z + kTerms[k]", "h * z + kTerms[k] + 0x1p-40", "impact: sines to fewer digits"),
+    ("src/impact/convex_impact.cpp", "window.fixedSag(a_.lever, b_.lever) -", "window.fixedSag(a_.lever, 0) -", "convex impact: a turn's sag without its lever"),
     ("src/impact/convex_slide.cpp", "if (margin > 0) beyond -= ", "if (margin < 0) beyond -= ", "slides: touches without the margin"),
     ("src/impact/convex_slide.cpp", "from + time * parting.way_of_other", "from + 0 * time * parting.way_of_other", "slides: what is beside the edge at the start"),
     ("src/impact/convex_slide.cpp", ".untilEnd() < found.time;", ".untilEnd() < 1;", "slides: passes by where another edge parts them at the end only"),
@@ -32,7 +34,7 @@ MUTATIONS = [
     ("src/impact/moving_pair.h", "error < 1 && a.keepsLengths() &&", "error < 1 &&", "vertices' ways: a pose that doesn't keep lengths"),
     ("src/impact/window.h", "half_square * rates.bend(lever_a, lever_b) + pull.most", "pull.most", "window: no sag along fixed axes"),
     ("src/impact/window.h", "const double always = 2 * turn * rates.speed + rates.pull;", "const double always = 0 * turn + rates.pull;", "window: sag by speed along turning axes"),
-    ("src/impact/window.h", "with_a = with_b = {pull.most, 0, pull.most, 0, 0};", "with_a = with_b = {0, 0, 0, 0, 0};", "window: no sag of ways that bend without turns"),
+    ("src/impact/window.h", "return {pull.most, 0, pull.most, 0, 0};", "return {0, 0, 0, 0, 0};", "window: no sag of ways that bend without turns"),
     ("src/impact/window.h", "{half_square * (always + bend * apart), half_square * rates.relative_bend,", "{half_square * (always + bend * apart), 0 * rates.relative_bend,", "window: sag by levers"),
     ("src/impact/window.h", "std::max(along[0], along[1])", "along[0]", "window: the pull at its begin alone"),
     ("src/impact/window.h", "std::max(most * (1 - 16 * kUnitRoundoff) - std::max(along[0], along[1]), 0.0)", "most", "window: no pull along any axis"),
