@@ -31,7 +31,7 @@ class Body {
         doubt_(mover.polygon->radius * 0x1p-47 + kTiny),
         is_small_(ring_.size() <= SmallPolygon::kMost) {
     if (is_small_)
-      for (std::uint32_t k = 0; k < ring_.size(); ++k) vertices_[k] = placed(k);
+      for (std::uint32_t k = 0; k <= ring_.size(); ++k) vertices_[k] = placed(k);
   }
 
   /// The farthest that it reaches along an axis from S, at both ends of a window: of few vertices by all, of others by
@@ -74,8 +74,7 @@ class Body {
   }
 
   EdgeEnds edge(const Places& p, int lane, std::uint32_t k) const {
-    const std::uint32_t end = ring_.next(k);
-    return is_small_ ? EdgeEnds(p, lane, vertices_[k], vertices_[end]) : EdgeEnds(p, lane, placed(k), placed(end));
+    return is_small_ ? EdgeEnds(p, lane, vertices_[k], vertices_[k + 1]) : EdgeEnds(p, lane, placed(k), placed(k + 1));
   }
 
   /// The edge beside one at the end that a point of it is nearer to.
@@ -104,7 +103,7 @@ class Body {
   double doubt_;  ///< an edge's climb is wrong by less than 5 U of its length, which is at most twice the radius
   std::uint32_t foremost_ = 0;
   bool is_small_;
-  Vec2 vertices_[SmallPolygon::kMost];  ///< of few, all
+  Vec2 vertices_[SmallPolygon::kMost + 1];  ///< of few, all, and the first once more
 };
 
 class ConvexAdvancement {
@@ -227,10 +226,12 @@ class ConvexAdvancement {
                             : pair_.ratesOf(time_, 1).bend(a_.lever, b_.lever) + std::max(pullAt(time_), pullAt(1));
     if (bend == 0) return 1;
     const auto turning = [&](const Mover& mover, const Places& at, const Vec2& p) {
-      return mover.turn.rateAt(time_) * ((p.x() - at.pivot_x[0]) * axis.y() - (p.y() - at.pivot_y[0]) * axis.x());
+      if (!mover.turns) return 0.0;
+      const double rate = mover.is_straight ? mover.turn.first : mover.turn.rateAt(time_);
+      return rate * ((p.x() - at.pivot_x[0]) * axis.y() - (p.y() - at.pivot_y[0]) * axis.x());
     };
     const double speed = turning(pair_.a, at_a_, points.on_a) - turning(pair_.b, at_b_, points.on_b) -
-                         axis.dot(pair_.b.way.rateAt(time_));
+                         axis.dot(pair_.is_steady ? pair_.b.way.first : pair_.b.way.rateAt(time_));
     const double gap = points.distance - pair_.margin;
     // The bounds of the acceleration push them together, and apart.
     const double square = speed * speed, push = 2 * bend * gap, root = std::sqrt(std::max(square + push, 0.0));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numbers/double2.h"
 #include "tricover/motion.h"
 
 namespace tricover::detail {
@@ -11,7 +12,7 @@ namespace tricover::detail {
 inline double lengthOf(double x) { return std::abs(x); }
 inline double lengthOf(const Vec2& x) { return x.norm(); }
 inline bool isNull(double x) { return x == 0; }
-inline bool isNull(const Vec2& x) { return x.x() == 0 && x.y() == 0; }
+inline bool isNull(const Vec2& x) { return bitsOf(load2(x.data()) == 0.0) == 3; }
 
 /// A cubic c_1 t + c_2 t^2 + c_3 t^3 over time 0 to 1: a number or a vector.
 template <typename T>

@@ -128,6 +128,14 @@ double roundedBy(const Mover& mover, double shrink) {
          mover.way.third.lpNorm<1>();
 }
 
+/// Of constant velocities, at any time.
+Rates steadyRates(double a, double b, const Vec2& way) {
+  const double rate_a = std::abs(a), rate_b = std::abs(b);
+  return {
+      rate_a,     rate_b, a * a, b * b, (b - a) * (b - a), rate_a * std::abs(a - 2 * b), rate_b * std::abs(b - 2 * a),
+      way.norm(), 0};
+}
+
 }  // namespace
 
 MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
@@ -187,7 +195,7 @@ Rates MovingPair::ratesOf(double begin, double end) const {
 }
 
 void MovingPair::prepare() {
-  if (is_steady) steady = ratesOf(0, 1);
+  if (is_steady) steady = steadyRates(a.turn.first, b.turn.first, b.way.first);
   for (Mover* mover : {&a, &b}) {
     if (const PolygonData* corners = cornersOf(*mover->given)) mover->polygon = corners;  // of the same S and unit
     mover->tree = &hierarchyOf(*mover->polygon);
@@ -205,13 +213,14 @@ bool MovingPair::discsStayApart() const {
 
 namespace {
 
-/// Two points, a lane each, beside a segment: on which side they are, times its length; where their nearest points on
-/// it are, as a share of it, 0 where it is a point; and the squares of how far away these are, but for rounding.
+/// Two points, a lane each, beside a segment: on which side they are, times its length, and the squares of how far away
+/// they are, but for rounding.
 struct TwoBeside {
   TwoBeside(const EdgeEnds& points, const EdgeEnds& segment) {
     const double ux = segment.x[1] - segment.x[0], uy = segment.y[1] - segment.y[0];
     const Double2 dx = points.x - segment.x[0], dy = points.y - segment.y[0];
-    share = smaller(larger((dx * ux + dy * uy) / (ux * ux + uy * uy), Double2{}), Double2{1, 1});
+    const Double2 part = (dx * ux + dy * uy) / (ux * ux + uy * uy);
+    const Double2 share = smaller(larger(part, Double2{}), Double2{1, 1});  // 0 where the segment is a point
     side = ux * dy - uy * dx;
     const Double2 way_x = dx - share * ux, way_y = dy - share * uy;
     square = way_x * way_x + way_y * way_y;
@@ -220,14 +229,8 @@ struct TwoBeside {
   bool areOpposite(double doubt) const {
     return std::min(side[0], side[1]) < -doubt && std::max(side[0], side[1]) > doubt;
   }
-  Double2 side, share, square;
+  Double2 side, square;
 };
-
-/// As nearestOnSegment() has it: from the nearer end, so that an end is met without rounding.
-Vec2 pointAt(const EdgeEnds& edge, double share) {
-  const Vec2 u = edge.to() - edge.from();
-  return share <= 0.5 ? Vec2(edge.from() + share * u) : Vec2(edge.to() - (1 - share) * u);
-}
 
 }  // namespace
 
@@ -247,8 +250,8 @@ NearestPoints::NearestPoints(const EdgeEnds& a, const EdgeEnds& b, double error)
   // NaN ends as distance NaN.
   const int end_a = of_a.square[1] >= of_a.square[0] ? 0 : 1, end_b = of_b.square[1] >= of_b.square[0] ? 0 : 1;
   const bool is_of_a = of_b.square[end_b] >= of_a.square[end_a];
-  on_a = is_of_a ? a.end(end_a) : pointAt(a, of_b.share[end_b]);
-  on_b = is_of_a ? pointAt(b, of_a.share[end_a]) : b.end(end_b);
+  on_a = is_of_a ? a.end(end_a) : nearestOnSegment(b.end(end_b), a.from(), a.to());
+  on_b = is_of_a ? nearestOnSegment(on_a, b.from(), b.to()) : b.end(end_b);
   distance = (on_b - on_a).norm();
 }
 
