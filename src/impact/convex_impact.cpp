@@ -68,9 +68,12 @@ class Body {
 
   /// The foremost edge along an axis, at the window's begin: of the foremost vertex the flatter one.
   std::uint32_t foremostEdge(const Places& p, const Vec2& n) {
-    const Double2 m = {p.m00[0] * n.x() + p.m10[0] * n.y(), p.m01[0] * n.x() + p.m11[0] * n.y()};
-    const std::uint32_t v = foremost_ = ring_.foremost(m), before = ring_.previous(v);
-    return dot(m, ring_.edge(v)) >= -dot(m, ring_.edge(before)) ? v : before;
+    return flatterEdge(p, n, ring_.foremost(inFrame(p, n)));
+  }
+  std::uint32_t flatterEdge(const Places& p, const Vec2& n, std::uint32_t vertex) {
+    const Double2 m = inFrame(p, n);
+    const std::uint32_t before = ring_.previous(foremost_ = vertex);
+    return dot(m, ring_.edge(vertex)) >= -dot(m, ring_.edge(before)) ? vertex : before;
   }
 
   EdgeEnds edge(const Places& p, int lane, std::uint32_t k) const {
@@ -93,6 +96,9 @@ class Body {
   const double lever;  ///< how far it reaches from its own pivot
 
  private:
+  static Double2 inFrame(const Places& p, const Vec2& n) {
+    return Double2{p.m00[0] * n.x() + p.m10[0] * n.y(), p.m01[0] * n.x() + p.m11[0] * n.y()};
+  }
   static Double2 height(const Vec2& p, Double2 mx, Double2 my) { return mx * p.x() + my * p.y(); }
   static double radiusOf(const Mover& mover) {
     return mover.polygon->radius * mover.polygon->inverse_unit * mover.scale * (1 + kLargestDefect);
@@ -169,8 +175,8 @@ class ConvexAdvancement {
     return NearestPoints(a_.edge(window.a, 1, edge_a_), b_.edge(window.b, 1, edge_b_), pair_.error).distance;
   }
 
-  /// Of small polygons: the edge that has all of the other polygon farthest beyond it, as floats see it, and that one's
-  /// foremost edge.
+  /// Of small polygons: the edge that has all of the other polygon farthest beyond it, as floats see it, and the
+  /// flatter edge of that one's vertex that is the farthest back.
   bool guess() {
     const double inverse = 1 / pair_.a.scale;
     const auto fromPair = [&](double x, double y) {
@@ -184,8 +190,9 @@ class ConvexAdvancement {
     const ConvexGap gap = convexGap(*pair_.a.tree->small_convex, *pair_.b.tree->small_convex, map);
     const auto edge = static_cast<std::uint32_t>(gap.edge);
     face_ = gap.of_a ? a_.normal(at_a_, edge) : Vec2(-b_.normal(at_b_, edge));
-    edge_a_ = gap.of_a ? edge : a_.foremostEdge(at_a_, face_);
-    edge_b_ = gap.of_a ? b_.foremostEdge(at_b_, -face_) : edge;
+    const auto vertex = static_cast<std::uint32_t>(gap.vertex);
+    edge_a_ = gap.of_a ? edge : a_.flatterEdge(at_a_, face_, vertex);
+    edge_b_ = gap.of_a ? b_.flatterEdge(at_b_, -face_, vertex) : edge;
     return true;
   }
 

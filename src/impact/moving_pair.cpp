@@ -99,6 +99,11 @@ double shrinkOf(const PolygonData& polygon_a, const Motion& motion_a, const Poly
   return given > 0 ? powerOfTwo(std::min(1000 - std::ilogb(given), 1000)) : 1;
 }
 
+bool isStraight(const Motion& motion) {
+  const Double2 bends = absolute(load2(motion.shift_2.data())) + absolute(load2(motion.shift_3.data()));
+  return bends[0] + bends[1] + (std::abs(motion.angle_2) + std::abs(motion.angle_3)) == 0;
+}
+
 /// In the frame of the world but for its pose's translation, all lengths times `shrink`.
 Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
   Mover mover;
@@ -111,6 +116,7 @@ Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
   mover.turns = !mover.turn.isZero();
   // Without a turn any pivot will do, and S is the nearest.
   mover.pivot = mover.turns ? motion.pivot : polygon.origin;
+  mover.is_straight = isStraight(motion);
   const Vec2 pivot = shrink * mover.pivot;
   mover.base = mover.linear * pivot;
   mover.way = shrink * wayOf(motion);
@@ -140,11 +146,16 @@ Rates steadyRates(double a, double b, const Vec2& way) {
 
 MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
                        const Motion& motion_b, double margin_)
-    : given_margin(margin_) {
-  const double shrink = shrinkOf(polygon_a, motion_a, polygon_b, motion_b, margin_);
-  a = moverOf(polygon_a, motion_a, shrink);
-  b = moverOf(polygon_b, motion_b, shrink);
-  margin = shrink * margin_;
+    : MovingPair(polygon_a, motion_a, polygon_b, motion_b, margin_,
+                 shrinkOf(polygon_a, motion_a, polygon_b, motion_b, margin_)) {}
+
+MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
+                       const Motion& motion_b, double margin_, double shrink)
+    : a(moverOf(polygon_a, motion_a, shrink)),
+      b(moverOf(polygon_b, motion_b, shrink)),
+      is_steady(a.is_straight && b.is_straight),
+      given_margin(margin_),
+      margin(shrink * margin_) {
   const Vec2 apart = shrink * motion_b.start.translation() - shrink * motion_a.start.translation();
   const double turned = a.turn.size() * a.reach + b.turn.size() * b.reach;
   const double others = roundedBy(a, shrink) + roundedBy(b, shrink) + (apart.lpNorm<1>() + margin);
@@ -154,8 +165,12 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
   b.way = b.way - a.way;
   a.base = Vec2::Zero();
   a.way = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  if (!is_steady) {  // one alone is, or both bend alike
+    a.is_straight = a.turn.isStraight();
+    b.is_straight = b.turn.isStraight() && b.way.isStraight();
+    is_steady = a.is_straight && b.is_straight;
+  }
   const double inverse = divideByLength();
-  is_steady = a.turn.isStraight() && b.turn.isStraight() && b.way.isStraight();
   still_error = (kGapError * others + kTiny) * inverse;
   error = kGapError * turned * inverse + still_error;
 }
@@ -169,7 +184,6 @@ double MovingPair::divideByLength() {
   for (Mover* mover : {&a, &b}) {
     mover->base *= inverse;
     mover->way = inverse * mover->way;
-    mover->is_straight = mover->way.isStraight() && mover->turn.isStraight();
     mover->arm *= inverse;
     mover->reach *= inverse;
     mover->scale *= inverse;

@@ -141,6 +141,8 @@ struct MovingPair {
   double length, expansion;  ///< two powers of two: a length of 1 is their product in the world
 
  private:
+  MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b, const Motion& motion_b,
+             double margin, double shrink);
   /// To the size of what is moved, of which squares are taken. Returns 1 / length.
   double divideByLength();
 };
