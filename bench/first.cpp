@@ -23,6 +23,7 @@ namespace tricover::bench {
 namespace {
 
 constexpr std::size_t kQueries[] = {1, 2, 3, 5, 10, 20, 30, 50, 100};
+constexpr std::size_t kVertices[] = {4, 8, 24, 64, 1024};
 constexpr std::size_t kMostQueries = 100;
 constexpr std::size_t kPairs = 16;
 constexpr int kRounds = 7;
@@ -255,7 +256,7 @@ const char* const kHow =
 int run(const std::string& directory, const std::string& only) {
   std::vector<FirstCell> cells;
   for (const bool convex : {false, true}) {
-    for (const std::size_t vertices : {4, 8, 24, 64, 1024}) {
+    for (const std::size_t vertices : kVertices) {
       for (const char* poses : {"near", "deep"}) {
         const std::string name = (convex ? "convex, " : "outline, ") + std::to_string(vertices) + ", " + poses;
         if ((!convex || vertices <= 8) && name.find(only) != std::string::npos)
