@@ -443,8 +443,10 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
 }
 
 const Hierarchy& buildTop(const PolygonData& polygon) {
-  return *static_cast<const Hierarchy*>(
-      polygon.hierarchy.built([&] { return std::make_unique<const Hierarchy>(polygon); }));
+  const auto make = [&] { return std::make_unique<const Hierarchy>(polygon); };
+  const bool is_brief = polygon.path.size() <= SmallPolygon::kMost;
+  return *static_cast<const Hierarchy*>(is_brief ? polygon.hierarchy.builtBriefly(make)
+                                                 : polygon.hierarchy.built(make));
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {
@@ -458,7 +460,5 @@ const Hierarchy& buildHierarchy(const PolygonData& polygon) {
     });
   return hierarchy;
 }
-
-std::size_t hierarchyPrice(const PolygonData& polygon) { return 16 * polygon.path.size(); }
 
 }  // namespace tricover::detail

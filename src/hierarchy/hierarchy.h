@@ -134,7 +134,7 @@ inline const Hierarchy& hierarchyOf(const PolygonData& polygon) {
 }
 
 /// What building the hierarchy costs, see Rent.
-std::size_t hierarchyPrice(const PolygonData& polygon);
+inline std::size_t hierarchyPrice(const PolygonData& polygon) { return 16 * polygon.path.size(); }
 
 /// The discs if they have been built, otherwise null.
 inline const InnerDiscs* innerDiscsIfBuilt(const PolygonData& polygon) {

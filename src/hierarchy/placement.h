@@ -123,6 +123,24 @@ class Placement {
   }
   UnitPlacement inUnits() const { return inUnits(defectOf(pose_a, pose_b)); }
 
+  /// From b's frame to a's, with R_a^T in the place of R_a^-1, so that nothing is divided. `defect` as for inUnits().
+  /// In U times the other quantity of a row, for the coordinates of a point of b in its bounding box, of extent e:
+  ///   R_a^T R_b   products and sum 2 s_ij, see kMappingError         4 e
+  ///   the map     two products, their sum, the last sum              3 sqrt2 e
+  ///   t           shift 1, products 1, sum 1, the last sum 1         4 |t_b - t_a|_1
+  /// and R_a^T misses the inverse by the defect, on what is no longer than sqrt2 e + |t_b - t_a|_1, but for kUnitRows.
+  struct TurnedMap {
+    Double2 operator()(const Vec2& p) const { return column0 * p.x() + column1 * p.y() + t; }
+
+    Double2 column0, column1, t;
+    double error;  ///< of a coordinate, in a's frame
+  };
+  TurnedMap turnedMap(double defect) const {
+    return {turnedToA(columns_b_[0]), turnedToA(columns_b_[1]), turnedToA(shift_),
+            (kWayError + 1.5 * defect) * size_ + kTiny};
+  }
+  static_assert(kWayError >= kUnitRows * errorOf(1) * (2 * kRoot2 * kRoot2 + 3 * kRoot2) && 1.5 > kUnitRows * kRoot2);
+
   const PolygonData &a, &b;
   const Pose &pose_a, &pose_b;
 

@@ -43,12 +43,13 @@ std::optional<Outcome> findConvexFact(const PolygonData& a, const Pose& pose_a, 
 }
 
 /// Of polygons of which one lacks a hierarchy, for now or until now.
-[[gnu::cold, gnu::noinline]] Outcome collideAnew(const EdgeTest& test, double lookahead, Wanted wanted) {
-  if (const std::optional<Outcome> outcome = collideByEdges(test)) return *outcome;
-  return collideByHierarchy(test.pair(), test.options, lookahead, wanted);
+Outcome collideAnew(const Placement& placement, double defect, const EdgeTest& test, double lookahead, Wanted wanted) {
+  if (const std::optional<Outcome> outcome = collideByEdges(placement, defect, test)) return *outcome;
+  return collideByHierarchy(placement.inUnits(defect), test, lookahead, wanted);
 }
-[[gnu::cold, gnu::noinline]] bool collideAnew(const Placement& placement, const CollideOptions& options) {
-  return collideAnew(EdgeTest(placement, options), 0, Wanted::Answer).collides;
+[[gnu::cold, gnu::noinline]] bool collideAnew(const Placement& placement, double defect,
+                                              const CollideOptions& options) {
+  return collideAnew(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 
 /// What the hierarchy finds, or the edges that answered last.
@@ -66,7 +67,7 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   const UnitPlacement at = placement.inUnits();
   const Outcome outcome = haveHierarchies(placement.a, placement.b)
                               ? collideByHierarchy(at, test, wish.lookahead, wanted)
-                              : collideAnew(test, wish.lookahead, wanted);
+                              : collideAnew(placement, at.scale_defect, test, wish.lookahead, wanted);
   assert(!(outcome.clearance < 0));
   if (outcome.edge_a >= 0 && outcome.edge_b >= 0) return hit(outcome.edge_a, outcome.edge_b);
   return {outcome.collides, inWorld(outcome.clearance, at.scale_defect), outcome.edge_a, outcome.edge_b, outcome.by};
@@ -81,7 +82,7 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
   if (resting != nullptr) rest(*resting, a, pose_a, b, pose_b);
-  if (!haveHierarchies(a, b)) return collideAnew(placement, options);
+  if (!haveHierarchies(a, b)) return collideAnew(placement, defect, options);
   return collideByHierarchy(placement.inUnits(defect), EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 [[gnu::noinline]] bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
@@ -224,7 +225,7 @@ bool collideClose(const CloseUp& a, const CloseUp& b, bool may_hold, const Colli
   const CloseUps pair(in_order ? a : b, in_order ? b : a);
   const Hierarchy *of_a = topIfBuilt(pair.a), *of_b = topIfBuilt(pair.b);
   if (of_a == nullptr || of_b == nullptr)
-    return collideAnew(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), options);
+    return collideAnew(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), pair.defect, options);
   const UnitPlacement at = pair.inUnits();
   const EdgeTest test(pair, options);
   const bool are_few = areSmall(*of_a, *of_b) && options.margin == 0 && !pair.b.isDegenerate();

@@ -13,11 +13,11 @@
 namespace tricover::detail {
 namespace {
 
-/// What hierarchies would have saved a query that looks at all edges, in these: most where edges are few, which are
-/// asked at once then.
+/// What hierarchies would have saved a query that looks at all edges, in these. Few edges are asked at once then: the
+/// more there are, the more that saves each.
 std::size_t savedBy(const PolygonData& polygon) {
   const std::size_t edges = polygon.path.size();
-  return edges <= SmallPolygon::kMost + 1 ? edges * 3 / 2 : edges * 2 / 3;
+  return edges <= SmallPolygon::kMost + 1 ? edges * edges / 10 : edges * 2 / 3;
 }
 
 /// What the hierarchies cost that aren't there, and the edges that are looked at without them: those of both polygons
@@ -43,15 +43,32 @@ struct Chain {
 
 /// a's vertices, and b's as a sees them.
 struct PointsOfA {
-  const PosedPair& pair;
-  Double2 operator()(std::size_t i) const { return load2(pair.a.path[i].data()); }
+  const Path& path;
+  Double2 operator()(std::size_t i) const { return load2(path[i].data()); }
 };
 struct PointsOfB {
-  const PosedPair& pair;
-  Double2 operator()(std::size_t i) const {
-    const ApproxPoint p = pair.fromB(pair.b.path[i]);
-    return Double2{p.x, p.y};
-  }
+  const Path& path;
+  const Placement::TurnedMap& to_a;
+  Double2 operator()(std::size_t i) const { return to_a(path[i]); }
+};
+
+/// Two polygons in a's frame.
+struct PointsOf {
+  PointsOf(const Placement& pair, const CollideOptions& options, double defect)
+      : to_a(pair.turnedMap(defect)),
+        of_a{pair.a.path},
+        of_b{pair.b.path, to_a},
+        reach(options.margin * (1 + 2 * defect)),
+        grown((2 * to_a.error + reach) * (1 + 4 * kUnitRoundoff)) {}
+  PointsOf(const PointsOf&) = delete;
+
+  const Placement::TurnedMap to_a;
+  const PointsOfA of_a;
+  const PointsOfB of_b;
+  double reach;  ///< see PosedPair::reach()
+  /// More than b's points are off in either coordinate, and than growing a box rounds: that is at most an ulp of what
+  /// they are from a's origin, a quarter of the error, and one of the margin.
+  double grown;
 };
 
 /// A polygon's chains, few of which are kept where they are few.
@@ -106,12 +123,24 @@ class Chains {
 /// A chain's vertices side by side, the last one once more behind them: two are asked at once.
 struct ChainPoints {
   template <typename Points>
-  ChainPoints(const Chain& chain, Points point) : edges(chain.end - chain.begin) {
+  ChainPoints(std::size_t begin_, std::size_t end, Points point) : begin(begin_), edges(end - begin) {
     for (std::size_t k = 0; k <= edges; k += 2) {
-      const Double2 p = point(chain.begin + k), q = point(chain.begin + std::min(k + 1, edges));
+      const Double2 p = point(begin + k), q = point(begin + std::min(k + 1, edges));
       store2(x + k, Double2{p[0], q[0]});
       store2(y + k, Double2{p[1], q[1]});
     }
+  }
+
+  Bounds box(double grown) const {
+    Double2 low_x = load2(x), low_y = load2(y), high_x = low_x, high_y = low_y;
+    for (std::size_t k = 2; k <= edges; k += 2) {
+      const Double2 px = load2(x + k), py = load2(y + k);
+      low_x = smaller(px, low_x), high_x = larger(px, high_x);
+      low_y = smaller(py, low_y), high_y = larger(py, high_y);
+    }
+    const Double2 low = smaller(Double2{low_x[0], low_y[0]}, Double2{low_x[1], low_y[1]});
+    const Double2 high = larger(Double2{high_x[0], high_y[0]}, Double2{high_x[1], high_y[1]});
+    return Bounds::between(low - grown, high + grown);
   }
 
   /// The edges that aren't beyond one side of a box, or all of few; a bit each.
@@ -131,7 +160,7 @@ struct ChainPoints {
     return all & ~beyond;
   }
 
-  std::size_t edges;
+  std::size_t begin, edges;
   double x[Chain::kMost + 2], y[Chain::kMost + 2];
 };
 
@@ -172,20 +201,16 @@ struct Sides {
 /// `size`, the sum of both extents of the box around them, what approxArea() has at most: a's vertices are exact, b's
 /// known to `error`, so that e_u <= 2 error, e_w <= error. A reach adds itself times the edge's length, which is off
 /// by 4 error.
-bool findMeetingEdges(const EdgeTest& test, const Chain& chain_a, const Chain& chain_b, double grown,
-                      Outcome& outcome) {
-  const PosedPair& pair = test.pair();
-  const ChainPoints of_b(chain_b, PointsOfB{pair});
-  const unsigned near_b = of_b.edgesNear(chain_a.box.grown(grown));
-  if (near_b == 0) return false;
-  const ChainPoints of_a(chain_a, PointsOfA{pair});
-  const Bounds around = unite(chain_a.box, chain_b.box);
+[[gnu::always_inline]] inline bool findMeetingEdges(const EdgeTest& test, const ChainPoints& of_a, const Bounds& box_a,
+                                                    const ChainPoints& of_b, const Bounds& box_b, unsigned near_b,
+                                                    const PointsOf& points, Outcome& outcome) {
+  const Bounds around = unite(box_a, box_b);
   const Double2 extents = around.high() - around.low();
-  const double size = extents[0] + extents[1], reach = pair.reach(test.options.margin);
+  const double size = extents[0] + extents[1], error = points.to_a.error, reach = points.reach;
   const double rounding =
-      (1 + 0x1p-10) * (kAreaError * size * size + pair.error * (3 * size + 4 * pair.error + 4 * reach)) + kTiny;
+      (1 + 0x1p-10) * (kAreaError * size * size + error * (3 * size + 4 * error + 4 * reach)) + kTiny;
   const double reach_up = (1 + 0x1p-10) * reach;
-  for (unsigned near_a = of_a.edgesNear(chain_b.box); near_a != 0; near_a &= near_a - 1) {
+  for (unsigned near_a = of_a.edgesNear(box_b); near_a != 0; near_a &= near_a - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctz(near_a));
     const EdgeLine line_a(of_a, i);
     const Sides of_line(line_a, rounding + reach_up * line_a.length(), of_b);
@@ -197,41 +222,63 @@ bool findMeetingEdges(const EdgeTest& test, const Chain& chain_a, const Chain& c
       const double v = line_b.leftOf(of_a.x[i], of_a.y[i]), w = line_b.leftOf(of_a.x[i + 1], of_a.y[i + 1]);
       if ((v > bound && w > bound) || (v < -bound && w < -bound)) continue;
       const bool cross = (across >> j & 1) != 0 && std::abs(v) > bound && std::abs(w) > bound;
-      if (!cross && !test(chain_a.begin + i, chain_b.begin + j)) continue;
+      if (!cross && !test(of_a.begin + i, of_b.begin + j)) continue;
       outcome.collides = true;
-      outcome.edge_a = static_cast<std::ptrdiff_t>(chain_a.begin + i);
-      outcome.edge_b = static_cast<std::ptrdiff_t>(chain_b.begin + j);
+      outcome.edge_a = static_cast<std::ptrdiff_t>(of_a.begin + i);
+      outcome.edge_b = static_cast<std::ptrdiff_t>(of_b.begin + j);
       return true;
     }
   }
   return false;
 }
 
+/// Whether one of two regions may hold the other: what is inside of a region is inside of the box around it.
+bool mayHold(const Bounds& box_a, const Bounds& box_b, double grown) {
+  return box_b.contains(box_a) || box_a.grown(2 * grown).contains(box_b);
+}
+
+/// Whether a polygon is one ring of a chain alone, whose points are mapped once.
+bool isChain(const PolygonData& polygon) { return polygon.path.size() <= Chain::kMost + 1 && polygon.ringCount() == 1; }
+
+Outcome collideChains(const PointsOf& points, const EdgeTest& test) {
+  Outcome outcome;
+  const double grown = points.grown;
+  const ChainPoints of_a(0, test.a.path.size() - 1, points.of_a), of_b(0, test.b.path.size() - 1, points.of_b);
+  const Bounds box_a = of_a.box(0), box_b = of_b.box(grown);
+  if (!box_a.meets(box_b)) return outcome;
+  const unsigned near_b = of_b.edgesNear(box_a.grown(grown));
+  if (findMeetingEdges(test, of_a, box_a, of_b, box_b, near_b, points, outcome)) return outcome;
+  return mayHold(box_a, box_b, grown) ? findContainment(test.pair()) : outcome;
+}
+
 }  // namespace
 
-std::optional<Outcome> collideByEdges(const EdgeTest& test) {
-  if (arePaidFor(test.a, test.b)) return std::nullopt;
-  const PosedPair& pair = test.pair();
-  // More than b's points are off in either coordinate, and than growing a box rounds: that is at most an ulp of what
-  // they are from a's origin, a sixteenth of the error, and one of the margin.
-  const double grown = (2 * pair.error + pair.reach(test.options.margin)) * (1 + 4 * kUnitRoundoff);
-  if (!(grown < 0x1p900 && test.a.extent < 0x1p900)) return std::nullopt;
+std::optional<Outcome> collideByEdges(const Placement& pair, double defect, const EdgeTest& test) {
+  if (arePaidFor(pair.a, pair.b)) return std::nullopt;
+  const PointsOf points(pair, test.options, defect);
+  const double grown = points.grown;
+  if (!(grown < 0x1p900 && pair.a.extent < 0x1p900)) return std::nullopt;
+  if (isChain(pair.a) && isChain(pair.b)) return collideChains(points, test);
   Outcome outcome;
-  Chains of_a(test.a, PointsOfA{pair}, 0), of_b(test.b, PointsOfB{pair}, grown);
+  Chains of_a(pair.a, points.of_a, 0), of_b(pair.b, points.of_b, grown);
   const Bounds box_a = of_a.box(), box_b = of_b.box();
   if (!box_a.meets(box_b)) return outcome;
   of_a.keepMeeting(box_b);
   of_b.keepMeeting(box_a);
   // So many pairs of boxes take half of what hierarchies cost: such a query pays for them alone.
   constexpr std::size_t kMostAnEdge = 32;
-  if (of_a.size() * of_b.size() > kMostAnEdge * (test.a.path.size() + test.b.path.size())) return std::nullopt;
+  if (of_a.size() * of_b.size() > kMostAnEdge * (pair.a.path.size() + pair.b.path.size())) return std::nullopt;
   for (const Chain& chain_a : of_a)
-    for (const Chain& chain_b : of_b)
-      if (chain_a.box.meets(chain_b.box) && findMeetingEdges(test, chain_a, chain_b, grown, outcome)) return outcome;
-  // What is inside of a region is inside of the box around it.
-  return box_b.contains(box_a) || box_a.grown(2 * grown).contains(box_b) || test.a.ringCount() + test.b.ringCount() > 2
-             ? findContainment(pair)
-             : outcome;
+    for (const Chain& chain_b : of_b) {
+      if (!chain_a.box.meets(chain_b.box)) continue;
+      const ChainPoints points_b(chain_b.begin, chain_b.end, points.of_b);
+      const unsigned near_b = points_b.edgesNear(chain_a.box.grown(grown));
+      if (near_b == 0) continue;
+      const ChainPoints points_a(chain_a.begin, chain_a.end, points.of_a);
+      if (findMeetingEdges(test, points_a, chain_a.box, points_b, chain_b.box, near_b, points, outcome)) return outcome;
+    }
+  return mayHold(box_a, box_b, grown) || pair.a.ringCount() + pair.b.ringCount() > 2 ? findContainment(test.pair())
+                                                                                     : outcome;
 }
 
 }  // namespace tricover::detail

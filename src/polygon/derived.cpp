@@ -23,8 +23,6 @@ struct Turns {
   }
 };
 
-std::atomic<Stages> used_stages{Stages::Paid};
-
 /// Never destroyed: polygons may be asked while the program ends.
 Turns& turns() {
   static Turns& all = *new Turns;
@@ -33,14 +31,9 @@ Turns& turns() {
 
 }  // namespace
 
-void useStages(Stages stages) { used_stages.store(stages, std::memory_order_relaxed); }
+std::atomic<Stages> used_stages{Stages::Paid};
 
-std::size_t leftOf(Stages stage, std::size_t price, std::size_t paid) {
-  constexpr std::size_t kNeverPaid = std::size_t{1} << 60;
-  const Stages used = used_stages.load(std::memory_order_relaxed);
-  if (used != Stages::Paid && stage != Stages::Paid) return used < stage ? kNeverPaid : 0;
-  return paid < price ? price - paid : 0;
-}
+void useStages(Stages stages) { used_stages.store(stages, std::memory_order_relaxed); }
 
 /// Whether it is this thread's turn to build. Otherwise it has been built, by another one that may have been waited
 /// for.

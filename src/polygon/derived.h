@@ -40,6 +40,16 @@ class Derived {
     return ifBuilt();
   }
 
+  /// The same of what is built in no more time than turns take: of threads that build it at once the first one's stays.
+  template <typename Build>
+  const Thing* builtBriefly(Build build) const {
+    if (const Thing* ready = ifBuilt()) return ready;
+    auto thing = build();
+    const Thing* ready = nullptr;
+    const bool is_first = ready_.compare_exchange_strong(ready, thing.get(), std::memory_order_acq_rel);
+    return is_first ? thing.release() : ready;
+  }
+
  private:
   bool begin() const;
   void end(const Thing* thing) const;
@@ -52,8 +62,15 @@ enum class Stages { Paid, Edges, Hierarchy, All };
 /// Chooses for the whole process. What has been built stays.
 void useStages(Stages stages);
 
+extern std::atomic<Stages> used_stages;
+
 /// What is still to be paid of the price of a stage.
-std::size_t leftOf(Stages stage, std::size_t price, std::size_t paid);
+inline std::size_t leftOf(Stages stage, std::size_t price, std::size_t paid) {
+  constexpr std::size_t kNeverPaid = std::size_t{1} << 60;
+  const Stages used = used_stages.load(std::memory_order_relaxed);
+  if (used != Stages::Paid && stage != Stages::Paid) return used < stage ? kNeverPaid : 0;
+  return paid < price ? price - paid : 0;
+}
 
 /// What queries have paid so far for doing without something that is derived. It is built when that adds up to what
 /// building costs: so who asks once doesn't pay for it, and all queries together pay at most twice what the best of
