@@ -6,50 +6,60 @@
 
 #include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
-#include "pair/containment.h"
+#include "pair/posed_pair.h"
 #include "pair/root_box.h"
 
 namespace tricover::detail {
 
-// Each foot is right to kRelativeError: so an edge that seems to be farther away than the nearest one is nearer by that
-// share at most.
-std::optional<PointFoot> nearestFoot(const PosedVertices& vertices, double defect) {
-  if (!vertices.isUnscaled()) return std::nullopt;
-  const PolygonData &a = vertices.a, &b = vertices.b;
-  if (a.isDegenerate()) {
-    const Foot only = vertices.foot<true>(a.degenerate_edge, b.degenerate_edge);
-    return only.is_plain ? std::optional(PointFoot{a.degenerate_edge, only.distance, only.part(), false})
-                         : std::nullopt;
-  }
-  const Place place = vertices.inUnits(defect).origin();
-  const Hierarchy& tree = hierarchyOf(a);
-  std::uint32_t edges[kMostNearest], nearest = 0;
-  const int count = findNearestEdges(tree, place, edges);
-  if (count == 0) return std::nullopt;
-  double distance = std::numeric_limits<double>::infinity(), part = 0;
-  for (int i = 0; i < count; ++i) {
-    const Foot foot = vertices.foot<true>(edges[i], b.degenerate_edge);
-    if (!foot.is_plain) return std::nullopt;
-    if (!(foot.distance < distance)) continue;
-    nearest = edges[i];
-    distance = foot.distance;
-    part = foot.part();
-  }
-  return PointFoot{nearest, distance, part, !(distanceFromRoot(tree.root, place) > 0)};
+namespace {
+
+/// Where they are nearest, of an edge and a point that isn't on it.
+EdgeDistance besideEdge(const DistancePair& pair, std::size_t edge, const DistanceQuery& options) {
+  const std::size_t at = pair.b.degenerate_edge;
+  const Foot foot = pair.foot<true>(edge, at);
+  if (foot.is_plain) return {foot.distance, foot.part(), 0};
+  const EdgeDistances edges(pair);
+  return edges.at(edges.view(edge, at), edge, at, options, std::numeric_limits<double>::infinity());
 }
 
+}  // namespace
+
+// Each distance is right to kRelativeError: so an edge that seems to be farther away than the nearest one is nearer by
+// that share at most.
 bool pointDistance(const DistancePair& pair, const DistanceQuery& options, DistanceResult& result) {
-  const std::optional<PointFoot> nearest = nearestFoot(pair, pair.defect);
-  if (!nearest) return false;
-  if (nearest->may_be_inside) {
-    const Outcome outcome = findContainment(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b));
-    if (outcome.collides) {
+  if (!pair.isUnscaled()) return false;
+  if (pair.a.isDegenerate()) {
+    const Foot only = pair.foot<true>(pair.a.degenerate_edge, pair.b.degenerate_edge);
+    if (!only.is_plain) return false;
+    result = plainResultOf(pair, {only.distance, only.part(), 0}, false, pair.a.degenerate_edge, pair.b.degenerate_edge,
+                           options);
+    return true;
+  }
+  const Place place = pair.inUnits(pair.defect).origin();
+  const Hierarchy& tree = hierarchyOf(pair.a);
+  if (!(distanceFromRoot(tree.root, place) > 0)) {
+    Outcome outcome;
+    outcome.edge_b = static_cast<std::ptrdiff_t>(pair.b.edgeBegin(0));
+    const PosedPair posed(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    const Location location = locate(posed, pair.b.path[pair.b.edgeBegin(0)]);
+    if (location == Location::Boundary) return false;
+    if (location == Location::Inside) {
       result = containedResult(pair, outcome);
       return true;
     }
   }
-  result =
-      plainResultOf(pair, {nearest->distance, nearest->part, 0}, false, nearest->edge, pair.b.degenerate_edge, options);
+  std::uint32_t edges[kMostNearest], nearest = 0;
+  const int count = findNearestEdges(tree, place, edges);
+  if (count == 0) return false;
+  EdgeDistance best{std::numeric_limits<double>::infinity(), 0, 0};
+  for (int i = 0; i < count; ++i) {
+    const EdgeDistance found = besideEdge(pair, edges[i], options);
+    if (!(found.distance < best.distance)) continue;
+    nearest = edges[i];
+    best = found;
+  }
+  if (!(best.distance < std::numeric_limits<double>::infinity())) return false;
+  result = plainResultOf(pair, best, false, nearest, pair.b.degenerate_edge, options);
   return true;
 }
 

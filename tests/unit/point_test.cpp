@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "distance/point_distance.h"
@@ -30,9 +31,7 @@ namespace {
 
 using detail::defectOf;
 using detail::Outcome;
-using detail::PointFoot;
 using detail::PosedPair;
-using detail::PosedVertices;
 
 /// A family's polygon and a point on it, just beside it, or anywhere around.
 Case besidePoint(Random& random, const Case& c) {
@@ -48,17 +47,23 @@ Case besidePoint(Random& random, const Case& c) {
   return {polygon, c.pose_a, point(p.allFinite() ? p : on_edge), random.oneIn(4) ? pose : c.pose_a};
 }
 
-/// What plain doubles say of the nearest edge: within the error that is documented, and where it says. `squared` is
-/// the distance's of the regions.
-std::string wrongEdge(const Case& c, const PointFoot& nearest, const mpq_class& squared) {
-  const mpq_class error = mpq_class(nearest.distance) * 0x1p-48, d(nearest.distance);
-  if (!nearest.may_be_inside && sgn(squared) == 0) return "outside";
-  const auto edge = static_cast<EdgeIndex>(c.a.data().edgeNumber(nearest.edge));
-  const Polygon alone = segment(c.a.edgeStart(edge), c.a.edgeEnd(edge));
+/// What the nearest edges say, where they are a way to tell.
+std::optional<DistanceResult> byEdges(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const detail::DistancePair pair(a.data(), pose_a, b.data(), pose_b, false, defectOf(pose_a, pose_b));
+  DistanceResult result;
+  return pointDistance(pair, {}, result) ? std::optional(result) : std::nullopt;
+}
+
+/// Whether it is wrong by more than is documented, or elsewhere. `squared` is the distance's of the regions.
+std::string wrongEdge(const Case& c, const DistanceResult& nearest, const mpq_class& squared) {
+  const mpq_class d(nearest.distance), error = d * 0x1p-47 + mpq_class(0x1p-1073), high = d + error;
+  const mpq_class low = d > error ? mpq_class(d - error) : mpq_class(0);
+  if ((sgn(d) == 0) != (sgn(squared) == 0)) return "inside or outside";
+  if (sgn(d) == 0) return nearest.edge_a == -1 ? "" : "an edge";
+  const Polygon alone = segment(c.a.edgeStart(nearest.edge_a), c.a.edgeEnd(nearest.edge_a));
   const mpq_class of_edge = exact::distanceSquared(alone, c.pose_a, c.b, c.pose_b);
-  if (of_edge < (d - error) * (d - error) || of_edge > (d + error) * (d + error)) return "distance";
-  if (sgn(squared) != 0 && squared < (d - error) * (d - error)) return "another edge is nearer";
-  return {};
+  if (of_edge < low * low || of_edge > high * high) return "distance";
+  return squared < low * low ? "another edge is nearer" : "";
 }
 
 class Points : public testing::TestWithParam<Family> {};
@@ -73,7 +78,7 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     if (a.isDegenerate() || a.isPoint()) continue;
     ++asked;
     const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
-    const auto nearest = nearestFoot(PosedVertices(a, c.pose_a, b, c.pose_b), defectOf(c.pose_a, c.pose_b));
+    const auto nearest = byEdges(c.a, c.pose_a, c.b, c.pose_b);
     if (nearest) {
       ++plain;
       ASSERT_EQ(wrongEdge(c, *nearest, squared), "") << reproduction(c);
@@ -93,12 +98,12 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     const mpq_class clearance = mpq_class(outcome.clearance) * (1 - mpq_class(2 * pair.scale_defect));
     ASSERT_TRUE(truth || squared >= clearance * clearance) << margin << "\n" << reproduction(c);
     const PortableLanes portable;
-    const auto alike = nearestFoot(PosedVertices(a, c.pose_a, b, c.pose_b), defectOf(c.pose_a, c.pose_b));
+    const auto alike = byEdges(c.a, c.pose_a, c.b, c.pose_b);
     ASSERT_EQ(alike.has_value(), nearest.has_value()) << reproduction(c);
     if (nearest) {
       ASSERT_EQ(alike->distance, nearest->distance) << reproduction(c);
-      ASSERT_EQ(alike->edge, nearest->edge) << reproduction(c);
-      ASSERT_EQ(alike->part, nearest->part) << reproduction(c);
+      ASSERT_EQ(alike->edge_a, nearest->edge_a) << reproduction(c);
+      ASSERT_EQ(alike->point_a, nearest->point_a) << reproduction(c);
     }
     ASSERT_EQ(collide(c.a, c.pose_a, c.b, c.pose_b, options), truth) << reproduction(c);
   }
@@ -139,7 +144,7 @@ TEST(Point, WhoseCoordinatesCancel) {
     const Pose pose_a = randomPose(random, 1);
     Pose pose_b = randomPose(random, 1);
     pose_b.translation() += pose_a.linear() * Vec2(size, 0) - pose_b.linear() * Vec2(-size, 0);
-    const auto nearest = nearestFoot(PosedVertices(a.data(), pose_a, b.data(), pose_b), defectOf(pose_a, pose_b));
+    const auto nearest = byEdges(a, pose_a, b, pose_b);
     const double d = nearest ? nearest->distance : -1;
     plain += d > 0;
     for (const double found : {d, distance(a, pose_a, b, pose_b).distance}) {
@@ -186,16 +191,19 @@ TEST(Point, IsMostlyPlain) {
     pose.translation() = Eigen::Rotation2Dd(random.real(-3, 3)) * Vec2(random.real(75, 200), 0);
     const Pose still = Pose::Identity();
     const Polygon origin = point({0, 0});
-    const auto nearest = nearestFoot(PosedVertices(a.data(), still, origin.data(), pose), defectOf(still, pose));
+    const auto nearest = byEdges(a, still, origin, pose);
     plain += nearest.has_value();
-    EXPECT_FALSE(nearest && nearest->may_be_inside);
+    EXPECT_FALSE(nearest && nearest->distance == 0);
   }
   EXPECT_GE(plain, 0.9 * asked);
-  // Nearly touching is no matter for plain doubles.
+  // Nearly touching is no matter for plain doubles, but for two-fold numbers.
   const Polygon square({rectangle(-1, -1, 1, 1)});
   const Pose still = Pose::Identity();
   const Polygon beside = point({1 + 1e-12, 0});
-  EXPECT_FALSE(nearestFoot(PosedVertices(square.data(), still, beside.data(), still), defectOf(still, still)));
+  const auto near = byEdges(square, still, beside, still);
+  ASSERT_TRUE(near);
+  const double gap = (1 + 1e-12) - 1;
+  EXPECT_NEAR(near->distance, gap, gap * 0x1p-47);
 }
 
 /// A box's axis is a pair of floats, longer or shorter than 1 by some 1e-8: a distance may be off by that share of it.

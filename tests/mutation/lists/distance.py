@@ -27,7 +27,7 @@ MUTATIONS = [
     ("src/convex/posed_vertices.h", "is_unscaled_(size_ > 0x1p-300 && size_ < 0x1p300)", "is_unscaled_(true)", "plain distances: of lengths whose squares overflow"),
     ("src/convex/posed_vertices.h", "<= kPlainShare * (distance * distance);", "<= 1e6 * kPlainShare * (distance * distance);", "plain distances: of cancelled coordinates"),
     ("src/convex/posed_vertices.h", "return distance > kLeastPlain && ", "return ", "plain distances: squares that underflow"),
-    ("src/distance/point_distance.cpp", "if (!foot.is_plain) return std::nullopt;", "", "points: distances of cancelled coordinates in plain doubles"),
+    ("src/distance/point_distance.cpp", "if (foot.is_plain) return {foot.distance, foot.part(), 0};", "return {foot.distance, foot.part(), 0};", "points: distances of cancelled coordinates in plain doubles"),
     ("src/distance/small_distance.cpp", "std::min(reach, 2 * kFar) * factor + slack;", "std::min(reach, 2 * kFar) * factor;", "small polygons: pairs left out by floats' errors"),
     ("src/convex/separating_edge.h", "beside.gap > beside.error;", "beside.gap > 0;", "convex: an edge that parts them but for rounding"),
     ("src/convex/separating_edge.cpp", "gap = to_first + least.below_first;", "gap = to_first;", "convex: an edge that one vertex is beyond"),
