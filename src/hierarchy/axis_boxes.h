@@ -75,7 +75,7 @@ struct BoxRay {
 /// Around points, two at least, turned by a matrix: each coordinate is two products and their sum, and no rounding
 /// more. (Its entries by value: what is just written in halves is slow to read as a whole.)
 extern Simd<Bounds(const Vec2* points, std::size_t count, double m00, double m10, double m01, double m11)> boxAround;
-/// Bit per box that meets another one; boxes of NaN meet nothing.
+/// Bit per box that meets another one. Boxes of NaN meet nothing, here and below.
 extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds)> boxesMeeting;
 /// Of each of eight boxes when it comes, and its lane, as one number, so that the least one tells the first box without
 /// a branch that depends on them all: doubles that aren't negative are in the order of their bits, of which the last
@@ -87,7 +87,7 @@ inline std::int64_t laneKey(double least, std::int64_t lane) {
   std::memcpy(&bits, &least, sizeof bits);
   return (bits & -std::int64_t{kLanes}) | lane;
 }
-/// Of a box that doesn't come.
+/// Of a box that doesn't come: those without a bit have this key.
 constexpr std::int64_t kNoLane = std::numeric_limits<std::int64_t>::max();
 inline std::int64_t firstOf(const LaneKeys& keys) {
   return std::min(std::min(std::min(keys[0], keys[1]), std::min(keys[2], keys[3])),

@@ -37,7 +37,8 @@ unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, Lan
     const Doubles end_y = Doubles::load(far_y + i) * inverse_y - leave_y;
     const Doubles begin = larger(larger(begin_x, begin_y), Doubles::all(-BoxRay::kEarlier));
     const Doubles end = smaller(smaller(end_x, end_y), Doubles::all(most));
-    const auto met = noLarger(begin, end);
+    const auto is_box = noLarger(Doubles::load(boxes.min_x + i), Doubles::load(boxes.max_x + i));
+    const auto met = noLarger(begin, end) & is_box;
     Doubles::storeKeys(keys, larger(begin, Doubles::all(0)), met, i);
     bits |= Doubles::bitsOf(met) << i;
   }
@@ -54,7 +55,7 @@ unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, L
   for (int i = 0; i < kLanes; i += Doubles::kCount) {
     const Doubles right = Doubles::load(boxes.min_x + i) - max_x, left = min_x - Doubles::load(boxes.max_x + i);
     const Doubles above = Doubles::load(boxes.min_y + i) - max_y, below = min_y - Doubles::load(boxes.max_y + i);
-    const Doubles x = larger(larger(right, left), none), y = larger(larger(above, below), none);
+    const Doubles x = larger(none, larger(right, left)), y = larger(none, larger(above, below));  // NaN remains
     const Doubles square = x * x + y * y;
     const auto met = noLarger(square, limit);
     Doubles::storeKeys(keys, square, met, i);

@@ -61,9 +61,10 @@ class BoxTree {
   }
 
   /// Shows every item whose box is no farther from `bounds` than `most`, nodes and items that are near first.
-  /// visit(item) returns the largest distance that is still of interest.
-  template <typename Visit>
-  void visitNear(const Bounds& bounds, double most, const Visit& visit) const;
+  /// visit(item) returns the largest distance that is still of interest. An item that would be the next one of its leaf
+  /// waits until none of these is nearer by what leastOf(item), a distance that isn't above its own, says.
+  template <typename Least, typename Visit>
+  void visitNear(const Bounds& bounds, double most, const Least& leastOf, const Visit& visit) const;
 
   /// Shows every item whose box the ray meets before the fraction `most`, nodes and items that it enters first first.
   /// visit returns the largest fraction that is still of interest. A box counts as entered by kEarlier earlier.
@@ -98,9 +99,10 @@ class BoxTree {
     std::uint32_t entry;
   };
 
-  /// Calls lanes(boxes, most, keys): which boxes of a node come before `most`, and when, or earlier.
-  template <typename Lanes, typename Visit>
-  void visitInOrder(double most, const Lanes& lanes, const Visit& visit) const;
+  /// Calls lanes(boxes, most, keys): which boxes of a node come before `most`, and when, or earlier; and once for every
+  /// item that would be shown later(item): when it comes, or earlier, 0 if nothing better is known.
+  template <typename Lanes, typename Later, typename Visit>
+  void visitInOrder(double most, const Lanes& lanes, const Later& later, const Visit& visit) const;
 
   std::uint32_t packed(Middle* first, std::size_t count, int height, const std::vector<Entry>& entries);
   void packGroups(std::uint32_t node, Middle* first, std::size_t count, std::size_t groups, int height,
@@ -124,11 +126,12 @@ class BoxTree {
   std::size_t changes_ = 0;
 };
 
-template <typename Lanes, typename Visit>
-void BoxTree::visitInOrder(double most, const Lanes& lanes, const Visit& visit) const {
+template <typename Lanes, typename Later, typename Visit>
+void BoxTree::visitInOrder(double most, const Lanes& lanes, const Later& later, const Visit& visit) const {
   struct Level {
     const Node* node;
-    unsigned left;  ///< lanes that haven't been entered
+    unsigned left;   ///< lanes that haven't been entered
+    unsigned boxed;  ///< of which nothing but their boxes is known
     LaneKeys keys;
   };
   if (root_ == kNone) return;
@@ -136,8 +139,7 @@ void BoxTree::visitInOrder(double most, const Lanes& lanes, const Visit& visit) 
   std::int64_t last = laneKey(most, kLanes - 1);
   const auto open = [&](Level& level, std::uint32_t index) {
     level.node = &nodes_[index];
-    level.left = lanes(level.node->boxes, most, level.keys) & ((1u << level.node->count) - 1);
-    std::fill(level.keys + level.node->count, level.keys + kLanes, kNoLane);
+    level.left = level.boxed = lanes(level.node->boxes, most, level.keys);
   };
   Level* level = levels;
   open(*level, root_);
@@ -155,15 +157,26 @@ void BoxTree::visitInOrder(double most, const Lanes& lanes, const Visit& visit) 
       continue;
     }
     const unsigned lane = static_cast<unsigned>(first) % kLanes;
-    level->left = left & ~(1u << lane);
-    level->keys[lane] = kNoLane;
     const std::uint32_t child = level->node->child[lane];
-    if (level->node->leaf) {
-      most = visit(child);
-      last = laneKey(most, kLanes - 1);
-    } else {
+    const auto enter = [&] {
+      level->left = left & ~(1u << lane);
+      level->keys[lane] = kNoLane;
+    };
+    if (!level->node->leaf) {
+      enter();
       open(*++level, child);
+      continue;
     }
+    if ((level->boxed >> lane & 1) != 0) {
+      level->boxed &= ~(1u << lane);
+      if (const double least = later(child); least > 0) {
+        level->keys[lane] = std::max(first, laneKey(least, lane));
+        continue;
+      }
+    }
+    enter();
+    most = visit(child);
+    last = laneKey(most, kLanes - 1);
   }
 }
 
@@ -171,14 +184,18 @@ template <typename Visit>
 void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
   visitInOrder(
       most, [&](const EightBoxes& boxes, double limit, LaneKeys& keys) { return boxesOnRay(boxes, ray, limit, keys); },
-      visit);
+      [](std::uint32_t) { return 0.0; }, visit);
 }
 
-template <typename Visit>
-void BoxTree::visitNear(const Bounds& bounds, double most, const Visit& visit) const {
+template <typename Least, typename Visit>
+void BoxTree::visitNear(const Bounds& bounds, double most, const Least& leastOf, const Visit& visit) const {
   visitInOrder(
       gapSquareAbove(most),
       [&](const EightBoxes& boxes, double limit, LaneKeys& keys) { return boxesNear(boxes, bounds, limit, keys); },
+      [&](std::uint32_t item) {
+        const double least = leastOf(item);
+        return least * least;
+      },
       [&](std::uint32_t item) { return gapSquareAbove(visit(item)); });
 }
 

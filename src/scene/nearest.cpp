@@ -14,6 +14,7 @@
 
 namespace tricover {
 
+using detail::PolygonData;
 using detail::SceneState;
 using detail::Slot;
 
@@ -51,6 +52,19 @@ class AskedDistance {
     return BodyDistance{state_.handleOf(slot), *result};
   }
 
+  /// At most the distance of a body that is slim and may lie slanted in its box, by the box around everything of it;
+  /// otherwise 0.
+  double leastFrom(Slot slot) const {
+    const auto& body = state_.bodies[slot];
+    const PolygonData& polygon = body.polygon.data();
+    const detail::Hierarchy* tree = detail::topIfBuilt(polygon);
+    if (tree == nullptr || !(tree->root.along > kSlim * tree->root.across)) return 0;
+    if (!disc_) disc_.emplace(polygon_.data(), pose_);
+    const double least = disc_->leastFrom(tree->root, polygon, body.pose);
+    return std::max(0.0, least - detail::marginSum(options_.margin, body.options.margin));
+  }
+  static constexpr float kSlim = 3;
+
   /// Whether a point of the world is no farther away than `reach` and the polygon's own size.
   bool isNear(const Vec2& at, double reach) const {
     const detail::Bounds around =
@@ -73,7 +87,8 @@ class AskedDistance {
       return limit;
     };
     if (guess != detail::kNoSlot) ask(guess);
-    state_.tree.visitNear(bounds_, limit, ask);
+    state_.tree.visitNear(
+        bounds_, limit, [&](Slot slot) { return leastFrom(slot); }, ask);
     return best;
   }
 
@@ -82,14 +97,16 @@ class AskedDistance {
     std::vector<BodyDistance> best;
     if (count == 0) return best;
     double limit = limit_;
-    state_.tree.visitNear(bounds_, limit, [&](Slot slot) {
+    const auto ask = [&](Slot slot) {
       const auto found = from(slot, limit);
       if (!found || (best.size() == count && !isNearer(*found, best.back()))) return limit;
       if (best.size() == count) best.pop_back();
       best.insert(std::upper_bound(best.begin(), best.end(), *found, isNearer), *found);
       if (best.size() == count) limit = std::min(limit, best.back().result.distance);
       return limit;
-    });
+    };
+    state_.tree.visitNear(
+        bounds_, limit, [&](Slot slot) { return leastFrom(slot); }, ask);
     return best;
   }
 
@@ -102,6 +119,7 @@ class AskedDistance {
   const detail::SlotFilter filter_;
   /// Boxes hold the bodies' margins, this one the query's own: a result is what margins leave of a distance.
   detail::Bounds bounds_;
+  mutable std::optional<detail::WorldDisc> disc_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "hierarchy/axis_boxes.h"
@@ -10,6 +11,7 @@
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
 #include "pair/find_fact.h"
+#include "pair/root_box.h"
 #include "polygon/polygon_data.h"
 #include "tricover/pose.h"
 
@@ -51,6 +53,37 @@ struct WorldDiscs {
   double radius;
   double inner_radius;  ///< -infinity if no such disc is known
   double defect;        ///< defectOf() the pose
+};
+
+/// A posed polygon's bounding disc alone.
+struct WorldDisc {
+  WorldDisc(const PolygonData& polygon, const Pose& pose)
+      : center(centerOf(polygon, pose)),
+        radius(polygon.radius * (1 + kLargestDefect) + WorldDiscs::errorOf(polygon, pose)) {}
+
+  /// A lower bound of the distance of what is in it from the box around all of a posed polygon; it may be negative. The
+  /// centre is taken to the polygon's units as Placement::inUnits() takes a point, with kLargestDefect for both the
+  /// defect there and what lengths miss on the way back; as much again is more than the roundings here.
+  double leastFrom(const Box& root, const PolygonData& polygon, const Pose& pose) const {
+    if (!polygon.fitsUnit()) return 0;
+    const Double2 way = center - centerOf(polygon, pose);
+    const double x = dot(load2(pose.data()), way) * polygon.inverse_unit;
+    const double y = dot(load2(pose.data() + 3), way) * polygon.inverse_unit;
+    constexpr double kLost = kMapRounding * kUnitRoundoff + 1.1 * kLargestDefect;
+    const double error =
+        1.1 * WorldDiscs::errorOf(polygon, pose) * polygon.inverse_unit + kLost * (std::abs(x) + std::abs(y) + 4);
+    const double least = distanceFromRoot(root, {x, y, error}) * polygon.unit;
+    return least * (1 - 2 * kLargestDefect) - radius;
+  }
+
+  Double2 center;
+  double radius;
+
+ private:
+  static Double2 centerOf(const PolygonData& polygon, const Pose& pose) {
+    const double* m = pose.data();  // columns of three
+    return load2(m) * polygon.origin.x() + load2(m + 3) * polygon.origin.y() + load2(m + 6);
+  }
 };
 
 /// A body's, found by the first query that comes near, on whichever thread, and kept until it moves. (A base, so that

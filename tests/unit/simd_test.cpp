@@ -326,16 +326,19 @@ TEST(EightBoxes, MeetABoxAndARay) {
       ASSERT_EQ(bits >> k & 1, other.meets(bounds) ? 1u : 0u);
       const double x = std::max({0.0, other.min_x - bounds.max_x, bounds.min_x - other.max_x});
       const double y = std::max({0.0, other.min_y - bounds.max_y, bounds.min_y - other.max_y});
-      if (!std::isnan(other.min_x)) {
-        ASSERT_EQ(squares[k], portable_squares[k]);
-        ASSERT_EQ(near >> k & 1, std::hypot(x, y) <= reach ? 1u : 0u);
-        const std::int64_t above = detail::laneKey(detail::gapSquareAbove(std::hypot(x, y)), k);
-        ASSERT_LE(squares[k], std::hypot(x, y) <= reach ? above : detail::kNoLane);
-      }
+      const bool is_near = !std::isnan(other.min_x) && !std::isnan(bounds.min_x) && std::hypot(x, y) <= reach;
+      ASSERT_EQ(squares[k], portable_squares[k]);
+      ASSERT_EQ(near >> k & 1, is_near ? 1u : 0u);
+      const std::int64_t above = detail::laneKey(detail::gapSquareAbove(std::hypot(x, y)), k);
+      ASSERT_TRUE(is_near ? squares[k] <= above : squares[k] == detail::kNoLane);
       met += other.meets(bounds);
       ++asked;
-      if (std::isnan(other.min_x)) continue;
       ASSERT_EQ(least[k], portable[k]);
+      ASSERT_TRUE((on_ray >> k & 1) != 0 || least[k] == detail::kNoLane);
+      if (std::isnan(other.min_x)) {
+        ASSERT_EQ(on_ray >> k & 1, 0u);
+        continue;
+      }
       // Points of the ray in the box, by samples; what is hardly entered isn't asked about.
       for (double s = 0; s < most; s += 0x1p-6) {
         const Vec2 at = from + s * (to - from);
