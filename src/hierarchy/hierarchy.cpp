@@ -71,8 +71,6 @@ class Parts {
 /// than this times the box around all, and those around eight that lie together cover half as much.
 constexpr std::size_t kMayTangle = 1024;
 constexpr double kTangled = 2;
-/// Of more edges none is as long as a bar or a robot that is one.
-constexpr std::size_t kMayBeBar = 256;
 
 /// Of as many edges, if all blocks but one a level are full.
 std::size_t leastBlocks(std::size_t edges) {
@@ -124,8 +122,7 @@ class Builder {
   }
 
  private:
-  /// Along the way to the vertex that is farthest from S or, of few edges and if that box is smaller, along the longest
-  /// edge: many edges are as a rule no rectangle's, and times of impact of fans of 1,000 took 30 times as long.
+  /// Along the way to the vertex that is farthest from S or, if that box is smaller, along the longest edge.
   FittedBox fitAll(const Part& all) const {
     Double2 farthest{}, longest{};
     double most = -1, most_along = -1;
@@ -137,9 +134,7 @@ class Builder {
         if (along > most_along) most_along = along, longest = edge;
       }
     });
-    const FittedBox by_vertex = fit(all, farthest);
-    if (polygon_.path.size() > kMayBeBar) return by_vertex;
-    const FittedBox by_edge = fit(all, longest);
+    const FittedBox by_vertex = fit(all, farthest), by_edge = fit(all, longest);
     if (!(area(by_edge) < area(by_vertex))) return by_vertex;
     // Its longer side comes first.
     const bool turned = by_edge.extents[1] > by_edge.extents[0];

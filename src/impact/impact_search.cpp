@@ -42,9 +42,7 @@ class ImpactSearch {
   }
 
   FirstContact run(double begin) {
-    const Window window(pair_, begin, 1);
-    const Encounter all{begin, 1, kRootNode, kRootNode, 0};
-    offer(window, movingA(window, nodeA(kRootNode)), movingB(window, nodeB(kRootNode)), all);
+    offerAnew({begin, 1, kRootNode, kRootNode, 0});
     while (!encounters_.empty() && upper_bound_ - lowerBound() > time_error_) {
       std::pop_heap(encounters_.begin(), encounters_.end());
       Encounter encounter = encounters_.back();
@@ -82,7 +80,7 @@ class ImpactSearch {
 
   /// Fans of edges that come together in their common points have boxes that reach beyond these, however narrow they
   /// are; but not along an axis that parts all of them, if there is one. Where it helps, little is left to divide: so
-  /// it is tried for an eighth of the time.
+  /// it is tried for an eighth of the time. What waits when it is tried first is cut by it at once, while that is little.
   static constexpr int kOneAxisFor = 128, kOneAxisOf = 8 * kOneAxisFor;
   void tryOneAxis(double when) {
     const int since = divided_ % kOneAxisOf - kFloatsAlone;
@@ -97,6 +95,10 @@ class ImpactSearch {
     };
     const Vec2 axis = places_a.originTo(places_b);
     along_.emplace(FittedNodes{TightNodes(pair_.a, local(places_a, axis)), TightNodes(pair_.b, local(places_b, axis))});
+    if (divided_ > kFloatsAlone) return;
+    std::vector<Encounter> waiting;
+    waiting.swap(encounters_);
+    for (const Encounter& encounter : waiting) offerAnew(encounter);
   }
 
   void push(const Encounter& encounter) {
@@ -127,6 +129,11 @@ class ImpactSearch {
       rest.high = std::min(rest.high, other.high);
     }
     if (rest.low <= rest.high) push(cut(encounter, rest));
+  }
+
+  void offerAnew(const Encounter& encounter) {
+    const Window window(pair_, encounter.begin, encounter.end);
+    offer(window, movingA(window, nodeA(encounter.a)), movingB(window, nodeB(encounter.b)), encounter);
   }
 
   void divide(const Encounter& encounter) {
@@ -198,8 +205,7 @@ class ImpactSearch {
     for (const bool later : {false, true}) {
       Encounter part = encounter;
       (later ? part.begin : part.end) = middle;
-      const Window window(pair_, part.begin, part.end);
-      offer(window, movingA(window, nodeA(part.a)), movingB(window, nodeB(part.b)), part);
+      offerAnew(part);
     }
   }
 
