@@ -443,10 +443,8 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
 }
 
 const Hierarchy& buildTop(const PolygonData& polygon) {
-  const auto make = [&] { return std::make_unique<const Hierarchy>(polygon); };
-  const bool is_brief = polygon.path.size() <= SmallPolygon::kMost;
-  return *static_cast<const Hierarchy*>(is_brief ? polygon.hierarchy.builtBriefly(make)
-                                                 : polygon.hierarchy.built(make));
+  return *static_cast<const Hierarchy*>(polygon.hierarchy.built(
+      [&] { return std::make_unique<const Hierarchy>(polygon); }, polygon.path.size() <= SmallPolygon::kMost));
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {

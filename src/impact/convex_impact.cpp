@@ -31,7 +31,7 @@ class Body {
         doubt_(mover.polygon->radius * 0x1p-47 + kTiny),
         is_small_(ring_.size() <= SmallPolygon::kMost) {
     if (is_small_)
-      for (std::uint32_t k = 0; k <= ring_.size(); ++k) vertices_[k] = placed(k);
+      for (std::uint32_t k = 0; k <= ring_.size(); ++k) vertices_[k] = mover.vertex(k);
   }
 
   /// The farthest that it reaches along an axis from S, at both ends of a window: of few vertices by all, of others by
@@ -54,8 +54,8 @@ class Body {
         [&](Double2 up) { return up[0] < -doubt_ && up[1] < -doubt_; }, range);
     if (!is_certain) range.count = ring_.size();
     std::uint32_t v = foremost_ = range.first;
-    Double2 most = height(placed(v), mx, my);
-    while (--range.count > 0) most = larger(most, height(placed(v = ring_.next(v)), mx, my));
+    Double2 most = height(mover.vertex(v), mx, my);
+    while (--range.count > 0) most = larger(most, height(mover.vertex(v = ring_.next(v)), mx, my));
     return most;
   }
 
@@ -77,7 +77,7 @@ class Body {
   }
 
   EdgeEnds edge(const Places& p, int lane, std::uint32_t k) const {
-    return is_small_ ? EdgeEnds(p, lane, vertices_[k], vertices_[k + 1]) : EdgeEnds(p, lane, placed(k), placed(k + 1));
+    return is_small_ ? EdgeEnds(p, lane, vertices_[k], vertices_[k + 1]) : mover.ends(p, lane, k);
   }
 
   /// The edge beside one at the end that a point of it is nearer to.
@@ -103,8 +103,6 @@ class Body {
   static double radiusOf(const Mover& mover) {
     return mover.polygon->radius * mover.polygon->inverse_unit * mover.scale * (1 + kLargestDefect);
   }
-  /// A vertex, from S.
-  Vec2 placed(std::uint32_t vertex) const { return mover.scale * mover.polygon->inUnits(mover.polygon->path[vertex]); }
   ConvexRing ring_;
   double doubt_;  ///< an edge's climb is wrong by less than 5 U of its length, which is at most twice the radius
   std::uint32_t foremost_ = 0;
@@ -264,14 +262,12 @@ class ConvexAdvancement {
   /// One that stands still or, where ways bend by more than little of the distance, turns with a or b if that is less.
   GapCutter::Axis axisOver(const Span& window, const Vec2& axis) const {
     const double still = window.fixedSag(a_.lever, b_.lever) - window.pull.sparedAlong(axis.x(), axis.y());
-    const GapCutter::Axis fixed{axis.x() - Double2{}, axis.y() - Double2{}, still};
-    if (!(still > kLittle * distance_)) return fixed;
+    if (!(still > kLittle * distance_)) return GapCutter::standing(axis, still);
     const double with_a = window.sagWithA().of(b_.lever, b_.leverFrom(window.a, window.b)),
                  with_b = window.sagWithB().of(a_.lever, a_.leverFrom(window.b, window.a));
-    if (still <= std::min(with_a, with_b)) return fixed;
+    if (still <= std::min(with_a, with_b)) return GapCutter::standing(axis, still);
     const Places& p = with_a <= with_b ? window.a : window.b;
-    const double u = axis.x() * p.m00[0] + axis.y() * p.m10[0], v = axis.x() * p.m01[0] + axis.y() * p.m11[0];
-    return {u * p.m00 + v * p.m01, u * p.m10 + v * p.m11, std::min(with_a, with_b)};
+    return GapCutter::turning(axis, p.m00, p.m10, p.m01, p.m11, std::min(with_a, with_b));
   }
 
   const MovingPair& pair_;

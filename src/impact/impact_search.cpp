@@ -80,7 +80,8 @@ class ImpactSearch {
 
   /// Fans of edges that come together in their common points have boxes that reach beyond these, however narrow they
   /// are; but not along an axis that parts all of them, if there is one. Where it helps, little is left to divide: so
-  /// it is tried for an eighth of the time. What waits when it is tried first is cut by it at once, while that is little.
+  /// it is tried for an eighth of the time. What waits when it is tried first is cut by it at once, while that is
+  /// little.
   static constexpr int kOneAxisFor = 128, kOneAxisOf = 8 * kOneAxisFor;
   void tryOneAxis(double when) {
     const int since = divided_ % kOneAxisOf - kFloatsAlone;

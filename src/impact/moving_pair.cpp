@@ -53,12 +53,6 @@ Node Mover::edgeNode(std::size_t position) const {
   return {mid.x(), mid.y(), axis.x(), axis.y(), length, 0, static_cast<std::uint32_t>(position), true};
 }
 
-EdgeEnds Mover::ends(const Places& p, int lane, std::size_t position) const {
-  const Vec2 v = scale * polygon->inUnits(polygon->path[position]),
-             w = scale * polygon->inUnits(polygon->path[position + 1]);
-  return {p, lane, v, w};
-}
-
 MovingBox Mover::edge(const Places& p, std::size_t position) const {
   MovingBox edge = box(p, edgeNode(position));
   edge.vx = -edge.uy;

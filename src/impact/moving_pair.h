@@ -79,7 +79,11 @@ struct Mover {
   MovingBox box(const Places& places, const Node& node) const;
   Node edgeNode(std::size_t position) const;
   MovingBox edge(const Places& places, std::size_t position) const;
-  EdgeEnds ends(const Places& places, int lane, std::size_t position) const;
+  /// A vertex by its position, in the mover's frame, from S.
+  Vec2 vertex(std::size_t position) const { return scale * polygon->inUnits(polygon->path[position]); }
+  EdgeEnds ends(const Places& places, int lane, std::size_t position) const {
+    return {places, lane, vertex(position), vertex(position + 1)};
+  }
   /// Whether its unit and its pose do, and squares don't overflow. A pose: if it is off rigid by no more than rotations
   /// that were made of doubles, which is less than what MovingPair::error allows for.
   bool keepsLengths() const;

@@ -19,6 +19,12 @@ class GapCutter {
     Double2 x, y;
     double sag;
   };
+  static Axis standing(const Vec2& axis, double sag) { return {axis.x() - Double2{}, axis.y() - Double2{}, sag}; }
+  /// One that turns with a frame of axes u and v.
+  static Axis turning(const Vec2& axis, Double2 ux, Double2 uy, Double2 vx, Double2 vy, double sag) {
+    const double u = axis.x() * ux[0] + axis.y() * uy[0], v = axis.x() * vx[0] + axis.y() * vy[0];
+    return {u * ux + v * vx, u * uy + v * vy, sag};
+  }
   /// By the gap, at both ends of the window, of all that may meet: computed, error and margin still in it. Whether it
   /// parts that throughout.
   bool cutByGap(const Axis& axis, Double2 gap);
@@ -57,7 +63,7 @@ class WindowCutter : public GapCutter {
  private:
   bool cutByAxesOf(const MovingBox& box, bool turns, double sag);
   bool cut(Double2 nx, Double2 ny, double sag);
-  Axis turning(const Vec2& axis) const;
+  Axis axisOver(const Vec2& axis) const;
 
   const MovingBox &a_, &b_;
   const Pull& pull_;
@@ -83,17 +89,16 @@ inline WindowCutter::WindowCutter(const Window& window, const MovingBox& a, cons
   turns_with_b_ = sag_with_b_ < sag_fixed_ + twice * rates.b * (b.along + b.across);
 }
 
-inline WindowCutter::Axis WindowCutter::turning(const Vec2& axis) const {
+inline WindowCutter::Axis WindowCutter::axisOver(const Vec2& axis) const {
   const double sag_fixed = sag_fixed_ - pull_.sparedAlong(axis.x(), axis.y());
-  if (sag_fixed <= std::min(sag_with_a_, sag_with_b_)) return {axis.x() - Double2{}, axis.y() - Double2{}, sag_fixed};
+  if (sag_fixed <= std::min(sag_with_a_, sag_with_b_)) return standing(axis, sag_fixed);
   const bool with_a = sag_with_a_ <= sag_with_b_;
   const MovingBox& box = with_a ? a_ : b_;
-  const double u = axis.x() * box.ux[0] + axis.y() * box.uy[0], v = axis.x() * box.vx[0] + axis.y() * box.vy[0];
-  return {u * box.ux + v * box.vx, u * box.uy + v * box.vy, with_a ? sag_with_a_ : sag_with_b_};
+  return turning(axis, box.ux, box.uy, box.vx, box.vy, with_a ? sag_with_a_ : sag_with_b_);
 }
 
 inline bool WindowCutter::cutByAxis(const Vec2& axis) {
-  const Axis n = turning(axis);
+  const Axis n = axisOver(axis);
   return cut(n.x, n.y, n.sag);
 }
 

@@ -107,10 +107,9 @@ Convexity::~Convexity() {
 }
 
 const Convexity& findConvexity(const PolygonData& polygon) {
-  const auto make = [&] { return std::make_unique<const Convexity>(polygon); };
   constexpr std::size_t kBrief = 32;
-  return *static_cast<const Convexity*>(polygon.path.size() <= kBrief ? polygon.convexity.builtBriefly(make)
-                                                                      : polygon.convexity.built(make));
+  return *static_cast<const Convexity*>(polygon.convexity.built(
+      [&] { return std::make_unique<const Convexity>(polygon); }, polygon.path.size() <= kBrief));
 }
 
 std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p) {

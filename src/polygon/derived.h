@@ -26,10 +26,17 @@ class Derived {
   /// Null until it has been built.
   const Thing* ifBuilt() const { return ready_.load(std::memory_order_acquire); }
 
-  /// What `build` returns, a unique pointer, unless another thread was first: that one is waited for.
+  /// What `build` returns, a unique pointer, unless another thread was first: that one is waited for. But brief is what
+  /// is built in no more time than turns take: of threads that build it at once the first one's stays.
   template <typename Build>
-  const Thing* built(Build build) const {
+  const Thing* built(Build build, bool is_brief = false) const {
     if (const Thing* ready = ifBuilt()) return ready;
+    if (is_brief) {
+      auto thing = build();
+      const Thing* ready = nullptr;
+      const bool is_first = ready_.compare_exchange_strong(ready, thing.get(), std::memory_order_acq_rel);
+      return is_first ? thing.release() : ready;
+    }
     if (!begin()) return ifBuilt();
     try {
       end(build().release());
@@ -38,16 +45,6 @@ class Derived {
       throw;
     }
     return ifBuilt();
-  }
-
-  /// The same of what is built in no more time than turns take: of threads that build it at once the first one's stays.
-  template <typename Build>
-  const Thing* builtBriefly(Build build) const {
-    if (const Thing* ready = ifBuilt()) return ready;
-    auto thing = build();
-    const Thing* ready = nullptr;
-    const bool is_first = ready_.compare_exchange_strong(ready, thing.get(), std::memory_order_acq_rel);
-    return is_first ? thing.release() : ready;
   }
 
  private:

@@ -17,26 +17,50 @@
 
 namespace tricover::detail {
 
-/// A posed polygon's bounding disc, grown, and a disc inside of it, shrunk by what rounding may do to them in the
-/// world: what pair/discs.h asks of a pair, ready for many others; and what else of its pose each of them needs.
-struct WorldDiscs {
-  WorldDiscs() = default;
-  WorldDiscs(const PolygonData& polygon, const Pose& pose, double defect_) : defect(defect_) {
-    const double* m = pose.data();  // columns of three
-    const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
-    const double error = errorOf(polygon, pose);
-    const InnerDisc disc(polygon);
-    center = r0 * polygon.origin.x() + r1 * polygon.origin.y() + t;
-    radius = polygon.radius * (1 + kLargestDefect) + error;
-    inner = r0 * disc.center.x() + r1 * disc.center.y() + t;
-    inner_radius =
-        disc.radius >= 0 ? disc.radius * (1 - kLargestDefect) - error : -std::numeric_limits<double>::infinity();
-  }
+/// A posed polygon's bounding disc, grown by what rounding may do to it in the world.
+struct WorldDisc {
+  WorldDisc() = default;
+  WorldDisc(const PolygonData& polygon, const Pose& pose)
+      : center(placed(polygon.origin, pose)), radius(polygon.radius * (1 + kLargestDefect) + errorOf(polygon, pose)) {}
 
-  /// How far off the centres are, in any direction.
+  /// Where a point of a polygon is.
+  static Double2 placed(const Vec2& p, const Pose& pose) {
+    const double* m = pose.data();  // columns of three
+    return load2(m) * p.x() + load2(m + 3) * p.y() + load2(m + 6);
+  }
+  /// How far off centres are, in any direction.
   static double errorOf(const PolygonData& polygon, const Pose& pose) {
     const Double2 away = absolute(load2(pose.data() + 6));
     return Placement::kWayError * (polygon.extent + away[0] + away[1]) + kTiny;
+  }
+
+  /// A lower bound of the distance of what is in it from the box around all of a posed polygon; it may be negative. The
+  /// centre is taken to the polygon's units as Placement::inUnits() takes a point, with kLargestDefect for both the
+  /// defect there and what lengths miss on the way back; as much again is more than the roundings here.
+  double leastFrom(const Box& root, const PolygonData& polygon, const Pose& pose) const {
+    if (!polygon.fitsUnit()) return 0;
+    const Double2 way = center - placed(polygon.origin, pose);
+    const double x = dot(load2(pose.data()), way) * polygon.inverse_unit;
+    const double y = dot(load2(pose.data() + 3), way) * polygon.inverse_unit;
+    constexpr double kLost = kMapRounding * kUnitRoundoff + 1.1 * kLargestDefect;
+    const double error = 1.1 * errorOf(polygon, pose) * polygon.inverse_unit + kLost * (std::abs(x) + std::abs(y) + 4);
+    const double least = distanceFromRoot(root, {x, y, error}) * polygon.unit;
+    return least * (1 - 2 * kLargestDefect) - radius;
+  }
+
+  Double2 center;
+  double radius;
+};
+
+/// The same, and a disc inside of it, shrunk likewise: what pair/discs.h asks of a pair, ready for many others; and
+/// what else of its pose each of them needs.
+struct WorldDiscs : WorldDisc {
+  WorldDiscs() = default;
+  WorldDiscs(const PolygonData& polygon, const Pose& pose, double defect_) : WorldDisc(polygon, pose), defect(defect_) {
+    const InnerDisc disc(polygon);
+    inner = placed(disc.center, pose);
+    inner_radius = disc.radius >= 0 ? disc.radius * (1 - kLargestDefect) - errorOf(polygon, pose)
+                                    : -std::numeric_limits<double>::infinity();
   }
 
   /// These are the polygon's and its pose's.
@@ -49,41 +73,9 @@ struct WorldDiscs {
     return (bitsOf(box.low() <= inner - inner_radius) & bitsOf(inner + inner_radius <= box.high())) == 3;
   }
 
-  Double2 center, inner;
-  double radius;
   double inner_radius;  ///< -infinity if no such disc is known
-  double defect;        ///< defectOf() the pose
-};
-
-/// A posed polygon's bounding disc alone.
-struct WorldDisc {
-  WorldDisc(const PolygonData& polygon, const Pose& pose)
-      : center(centerOf(polygon, pose)),
-        radius(polygon.radius * (1 + kLargestDefect) + WorldDiscs::errorOf(polygon, pose)) {}
-
-  /// A lower bound of the distance of what is in it from the box around all of a posed polygon; it may be negative. The
-  /// centre is taken to the polygon's units as Placement::inUnits() takes a point, with kLargestDefect for both the
-  /// defect there and what lengths miss on the way back; as much again is more than the roundings here.
-  double leastFrom(const Box& root, const PolygonData& polygon, const Pose& pose) const {
-    if (!polygon.fitsUnit()) return 0;
-    const Double2 way = center - centerOf(polygon, pose);
-    const double x = dot(load2(pose.data()), way) * polygon.inverse_unit;
-    const double y = dot(load2(pose.data() + 3), way) * polygon.inverse_unit;
-    constexpr double kLost = kMapRounding * kUnitRoundoff + 1.1 * kLargestDefect;
-    const double error =
-        1.1 * WorldDiscs::errorOf(polygon, pose) * polygon.inverse_unit + kLost * (std::abs(x) + std::abs(y) + 4);
-    const double least = distanceFromRoot(root, {x, y, error}) * polygon.unit;
-    return least * (1 - 2 * kLargestDefect) - radius;
-  }
-
-  Double2 center;
-  double radius;
-
- private:
-  static Double2 centerOf(const PolygonData& polygon, const Pose& pose) {
-    const double* m = pose.data();  // columns of three
-    return load2(m) * polygon.origin.x() + load2(m + 3) * polygon.origin.y() + load2(m + 6);
-  }
+  Double2 inner;
+  double defect;  ///< defectOf() the pose
 };
 
 /// A body's, found by the first query that comes near, on whichever thread, and kept until it moves. (A base, so that
