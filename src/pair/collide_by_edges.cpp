@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "hierarchy/axis_boxes.h"
@@ -12,6 +13,8 @@
 
 namespace tricover::detail {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What hierarchies would have saved a query that looks at all edges, in these. Few edges are asked at once then: the
 /// more there are, the more that saves each.
@@ -23,11 +26,11 @@ std::size_t savedBy(const PolygonData& polygon) {
 /// What the hierarchies cost that aren't there, and the edges that are looked at without them: those of both polygons
 /// and, of a ring that may be inside, those of the other one.
 bool arePaidFor(const PolygonData& a, const PolygonData& b) {
-  std::size_t left = 0;
-  for (const PolygonData* polygon : {&a, &b})
-    if (topIfBuilt(*polygon) == nullptr) left += polygon->hierarchy_rent.left(hierarchyPrice(*polygon));
+  const auto leftOf = [](const PolygonData& polygon) {
+    return topIfBuilt(polygon) != nullptr ? 0 : polygon.hierarchy_rent.left(hierarchyPrice(polygon));
+  };
   const std::size_t cost = a.path.size() * b.ringCount() + b.path.size() * a.ringCount();
-  if (left <= cost) return true;
+  if (leftOf(a) + leftOf(b) <= cost) return true;
   a.hierarchy_rent.pay(savedBy(a));
   b.hierarchy_rent.pay(savedBy(b));
   return false;
@@ -40,6 +43,32 @@ struct Chain {
   std::uint32_t begin, end;
   Bounds box;
 };
+
+/// Which vertices of a chain are on either side of something; a bit each.
+struct SideBits {
+  void add(Bits2 is_left, Bits2 is_right, std::size_t k) {
+    bits |= bitsOf(is_left) << k;
+    bits |= bitsOf(is_right) << k << kRight;
+  }
+  /// Of a ring, behind so many, the first one once more.
+  void close(std::size_t edges) { bits |= (bits & (1u | 1u << kRight)) << edges; }
+
+  /// Of edges, by their first vertices: whether both ends are on one side.
+  unsigned beside() const { return either(bits & bits >> 1); }
+  /// Whether they are on different ones.
+  unsigned across() const { return either(bits & (bits << kRight | bits >> kRight) >> 1); }
+
+ private:
+  static constexpr unsigned kRight = 16;
+  static_assert(Chain::kMost + 2 < kRight);
+
+  static unsigned either(unsigned both) { return both | both >> kRight; }
+
+  unsigned bits = 0;
+};
+
+/// The lines of so few edges cost no more than looking which of them are beyond one side of a box.
+constexpr std::size_t kFewEdges = 4;
 
 /// a's vertices, and b's as a sees them.
 struct PointsOfA {
@@ -120,111 +149,109 @@ class Chains {
   Bounds box_;
 };
 
-/// A chain's vertices side by side, the last one once more behind them: two are asked at once.
+/// A chain's vertices of b, as a sees them, side by side: two are asked at once, for which the last one may stand once
+/// more behind them. A chain that is a ring ends at its first vertex, which is asked for both.
+template <bool kIsRing>
 struct ChainPoints {
-  template <typename Points>
-  ChainPoints(std::size_t begin_, std::size_t end, Points point) : begin(begin_), edges(end - begin) {
-    for (std::size_t k = 0; k <= edges; k += 2) {
+  ChainPoints(std::size_t begin_, std::size_t end, const PointsOfB& point) : begin(begin_), edges(end - begin) {
+    for (std::size_t k = 0; k < asked(); k += 2) {
       const Double2 p = point(begin + k), q = point(begin + std::min(k + 1, edges));
+      low = smaller(q, smaller(p, low)), high = larger(q, larger(p, high));
       store2(x + k, Double2{p[0], q[0]});
       store2(y + k, Double2{p[1], q[1]});
     }
+    if (kIsRing) x[edges] = x[0], y[edges] = y[0];
   }
 
-  Bounds box(double grown) const {
-    Double2 low_x = load2(x), low_y = load2(y), high_x = low_x, high_y = low_y;
-    for (std::size_t k = 2; k <= edges; k += 2) {
-      const Double2 px = load2(x + k), py = load2(y + k);
-      low_x = smaller(px, low_x), high_x = larger(px, high_x);
-      low_y = smaller(py, low_y), high_y = larger(py, high_y);
-    }
-    const Double2 low = smaller(Double2{low_x[0], low_y[0]}, Double2{low_x[1], low_y[1]});
-    const Double2 high = larger(Double2{high_x[0], high_y[0]}, Double2{high_x[1], high_y[1]});
-    return Bounds::between(low - grown, high + grown);
-  }
+  std::size_t asked() const { return kIsRing ? edges : edges + 1; }
+  Bounds box(double grown) const { return Bounds::between(low - grown, high + grown); }
 
   /// The edges that aren't beyond one side of a box, or all of few; a bit each.
   unsigned edgesNear(const Bounds& box) const {
-    constexpr std::size_t kFew = 4;  // their lines cost no more than looking
     const unsigned all = (1u << edges) - 1;
-    if (edges <= kFew) return all;
-    unsigned left = 0, right = 0, below = 0, above = 0;
-    for (std::size_t k = 0; k <= edges; k += 2) {
+    if (edges <= kFewEdges) return all;
+    SideBits of_x, of_y;
+    for (std::size_t k = 0; k < asked(); k += 2) {
       const Double2 px = load2(x + k), py = load2(y + k);
-      left |= bitsOf(px < box.min_x) << k;
-      right |= bitsOf(px > box.max_x) << k;
-      below |= bitsOf(py < box.min_y) << k;
-      above |= bitsOf(py > box.max_y) << k;
+      of_x.add(px<box.min_x, px> box.max_x, k);
+      of_y.add(py<box.min_y, py> box.max_y, k);
     }
-    const unsigned beyond = (left & left >> 1) | (right & right >> 1) | (below & below >> 1) | (above & above >> 1);
-    return all & ~beyond;
+    if (kIsRing) of_x.close(edges), of_y.close(edges);
+    return all & ~(of_x.beside() | of_y.beside());
   }
 
   std::size_t begin, edges;
+  Double2 low{kInfinity, kInfinity}, high = -low;
   double x[Chain::kMost + 2], y[Chain::kMost + 2];
 };
 
 /// The line of an edge: how far points are to its left, times its length.
 struct EdgeLine {
-  EdgeLine(const ChainPoints& chain, std::size_t k)
+  EdgeLine(Double2 from, Double2 to) : x(from[0]), y(from[1]), along_x(to[0] - x), along_y(to[1] - y) {}
+  template <bool kIsRing>
+  EdgeLine(const ChainPoints<kIsRing>& chain, std::size_t k)
       : x(chain.x[k]), y(chain.y[k]), along_x(chain.x[k + 1] - x), along_y(chain.y[k + 1] - y) {}
-  template <typename Number>
-  Number leftOf(Number px, Number py) const {
-    return along_x * (py - y) - along_y * (px - x);
+
+  /// Two vertices' sides, if they are more than `bound` from the line.
+  void addSides(Double2 px, Double2 py, double bound, std::size_t k, SideBits& to) const {
+    const Double2 area = along_x * (py - y) - along_y * (px - x);
+    to.add(area > bound, area < -bound, k);
   }
   double length() const { return std::abs(along_x) + std::abs(along_y); }  ///< or more
 
   double x, y, along_x, along_y;
 };
 
-/// Which vertices are on either side of a line by more than `bound`; a bit each.
-struct Sides {
-  Sides(const EdgeLine& line, double bound, const ChainPoints& points) {
-    for (std::size_t k = 0; k <= points.edges; k += 2) {
-      const Double2 area = line.leftOf(load2(points.x + k), load2(points.y + k));
-      left |= bitsOf(area > bound) << k;
-      right |= bitsOf(area < -bound) << k;
-    }
-  }
-  /// Of edges, by their first vertices: whether both ends are on one side.
-  unsigned beside() const { return (left & left >> 1) | (right & right >> 1); }
-  /// Whether they are on different ones.
-  unsigned across() const { return (left & right >> 1) | (right & left >> 1); }
-
-  unsigned left = 0, right = 0;
-};
+/// The sides of a box that a point is beyond; a bit each.
+unsigned sidesBeyond(const Bounds& box, Double2 p) { return bitsOf(p < box.low()) | bitsOf(p > box.high()) << 2; }
 
 /// Two edges are out of each other's reach if both ends of one are beyond the reach to the same side of the other's
-/// line, and cross if both have the ends of the other on different sides. What that leaves open is tested.
+/// line, and cross if both have the ends of the other on different sides. What that leaves open is tested. a's edges
+/// are [begin_a, end_a); those beyond one side of b's box are left out, if they are many.
 ///
 /// Bound. Of areas that edges and vertices of both chains span, in which no difference of coordinates is more than
 /// `size`, the sum of both extents of the box around them, what approxArea() has at most: a's vertices are exact, b's
 /// known to `error`, so that e_u <= 2 error, e_w <= error. A reach adds itself times the edge's length, which is off
 /// by 4 error.
-[[gnu::always_inline]] inline bool findMeetingEdges(const EdgeTest& test, const ChainPoints& of_a, const Bounds& box_a,
-                                                    const ChainPoints& of_b, const Bounds& box_b, unsigned near_b,
-                                                    const PointsOf& points, Outcome& outcome) {
+template <bool kIsRing>
+[[gnu::always_inline]] inline bool findMeetingEdges(const EdgeTest& test, std::size_t begin_a, std::size_t end_a,
+                                                    const Bounds& box_a, const ChainPoints<kIsRing>& of_b,
+                                                    const Bounds& box_b, unsigned near_b, const PointsOf& points,
+                                                    Outcome& outcome) {
   const Bounds around = unite(box_a, box_b);
   const Double2 extents = around.high() - around.low();
   const double size = extents[0] + extents[1], error = points.to_a.error, reach = points.reach;
   const double rounding =
       (1 + 0x1p-10) * (kAreaError * size * size + error * (3 * size + 4 * error + 4 * reach)) + kTiny;
   const double reach_up = (1 + 0x1p-10) * reach;
-  for (unsigned near_a = of_a.edgesNear(box_b); near_a != 0; near_a &= near_a - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(near_a));
-    const EdgeLine line_a(of_a, i);
-    const Sides of_line(line_a, rounding + reach_up * line_a.length(), of_b);
-    const unsigned across = of_line.across();
-    for (unsigned near = near_b & ~of_line.beside(); near != 0; near &= near - 1) {
+  const bool are_few = end_a - begin_a <= kFewEdges;
+  Double2 to = points.of_a(begin_a);
+  unsigned beyond = are_few ? 0 : sidesBeyond(box_b, to);
+  for (std::size_t i = begin_a; i < end_a; ++i) {
+    const Double2 from = to;
+    to = points.of_a(i + 1);
+    if (!are_few) {
+      const unsigned from_beyond = beyond;
+      beyond = sidesBeyond(box_b, to);
+      if ((from_beyond & beyond) != 0) continue;
+    }
+    const EdgeLine line_a(from, to);
+    const double bound_a = rounding + reach_up * line_a.length();
+    SideBits of_b_vertices;
+    for (std::size_t k = 0; k < of_b.asked(); k += 2)
+      line_a.addSides(load2(of_b.x + k), load2(of_b.y + k), bound_a, k, of_b_vertices);
+    if (kIsRing) of_b_vertices.close(of_b.edges);
+    const Double2 ends_x{from[0], to[0]}, ends_y{from[1], to[1]};
+    for (unsigned near = near_b & ~of_b_vertices.beside(); near != 0; near &= near - 1) {
       const auto j = static_cast<std::size_t>(__builtin_ctz(near));
       const EdgeLine line_b(of_b, j);
-      const double bound = rounding + reach_up * line_b.length();
-      const double v = line_b.leftOf(of_a.x[i], of_a.y[i]), w = line_b.leftOf(of_a.x[i + 1], of_a.y[i + 1]);
-      if ((v > bound && w > bound) || (v < -bound && w < -bound)) continue;
-      const bool cross = (across >> j & 1) != 0 && std::abs(v) > bound && std::abs(w) > bound;
-      if (!cross && !test(of_a.begin + i, of_b.begin + j)) continue;
+      SideBits of_ends;
+      line_b.addSides(ends_x, ends_y, rounding + reach_up * line_b.length(), 0, of_ends);
+      if ((of_ends.beside() & 1) != 0) continue;
+      const bool cross = (of_b_vertices.across() >> j & of_ends.across() & 1) != 0;
+      if (!cross && !test(i, of_b.begin + j)) continue;
       outcome.collides = true;
-      outcome.edge_a = static_cast<std::ptrdiff_t>(of_a.begin + i);
+      outcome.edge_a = static_cast<std::ptrdiff_t>(i);
       outcome.edge_b = static_cast<std::ptrdiff_t>(of_b.begin + j);
       return true;
     }
@@ -243,11 +270,14 @@ bool isChain(const PolygonData& polygon) { return polygon.path.size() <= Chain::
 Outcome collideChains(const PointsOf& points, const EdgeTest& test) {
   Outcome outcome;
   const double grown = points.grown;
-  const ChainPoints of_a(0, test.a.path.size() - 1, points.of_a), of_b(0, test.b.path.size() - 1, points.of_b);
-  const Bounds box_a = of_a.box(0), box_b = of_b.box(grown);
+  const std::size_t end_a = test.a.path.size() - 1;
+  Double2 low = points.of_a(0), high = low;
+  for (std::size_t i = 1; i < end_a; ++i) low = smaller(points.of_a(i), low), high = larger(points.of_a(i), high);
+  const ChainPoints<true> of_b(0, test.b.path.size() - 1, points.of_b);
+  const Bounds box_a = Bounds::between(low, high), box_b = of_b.box(grown);
   if (!box_a.meets(box_b)) return outcome;
   const unsigned near_b = of_b.edgesNear(box_a.grown(grown));
-  if (findMeetingEdges(test, of_a, box_a, of_b, box_b, near_b, points, outcome)) return outcome;
+  if (findMeetingEdges(test, 0, end_a, box_a, of_b, box_b, near_b, points, outcome)) return outcome;
   return mayHold(box_a, box_b, grown) ? findContainment(test.pair()) : outcome;
 }
 
@@ -271,11 +301,12 @@ std::optional<Outcome> collideByEdges(const Placement& pair, double defect, cons
   for (const Chain& chain_a : of_a)
     for (const Chain& chain_b : of_b) {
       if (!chain_a.box.meets(chain_b.box)) continue;
-      const ChainPoints points_b(chain_b.begin, chain_b.end, points.of_b);
+      const ChainPoints<false> points_b(chain_b.begin, chain_b.end, points.of_b);
       const unsigned near_b = points_b.edgesNear(chain_a.box.grown(grown));
       if (near_b == 0) continue;
-      const ChainPoints points_a(chain_a.begin, chain_a.end, points.of_a);
-      if (findMeetingEdges(test, points_a, chain_a.box, points_b, chain_b.box, near_b, points, outcome)) return outcome;
+      if (findMeetingEdges(test, chain_a.begin, chain_a.end, chain_a.box, points_b, chain_b.box, near_b, points,
+                           outcome))
+        return outcome;
     }
   return mayHold(box_a, box_b, grown) || pair.a.ringCount() + pair.b.ringCount() > 2 ? findContainment(test.pair())
                                                                                      : outcome;
