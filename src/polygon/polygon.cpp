@@ -142,6 +142,13 @@ std::uint8_t degenerateEdgeOf(const Path& path) {
   return path[0] == path[1] ? 1 : PolygonData::kNotDegenerate;
 }
 
+/// Apart, so that asking for an edge that is there is brief.
+[[noreturn, gnu::cold]] void refuseEdge(EdgeIndex number, std::size_t count) {
+  throw std::out_of_range(refusal(
+      "edge",
+      std::to_string(number) + (number < 0 ? " is no edge" : " is beyond the last one, " + std::to_string(count - 1))));
+}
+
 struct GivenRings : Derived::Thing {
   explicit GivenRings(const PolygonData& polygon) {
     all.reserve(polygon.ringCount());
@@ -243,10 +250,7 @@ std::size_t PolygonData::edgePosition(std::size_t number) const {
 
 std::size_t PolygonData::checkedEdgePosition(EdgeIndex number) const {
   const std::size_t count = path.size() - ringCount();
-  if (number < 0) throw std::out_of_range(refusal("edge", std::to_string(number) + " is no edge"));
-  if (static_cast<std::size_t>(number) >= count)
-    throw std::out_of_range(
-        refusal("edge", std::to_string(number) + " is beyond the last one, " + std::to_string(count - 1)));
+  if (static_cast<std::size_t>(number) >= count) refuseEdge(number, count);
   return edgePosition(static_cast<std::size_t>(number));
 }
 

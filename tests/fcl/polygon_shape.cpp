@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "exact_reference.h"
 #include "families.h"
@@ -144,6 +146,46 @@ TEST(PolygonShape, isAsItWasWhenMovedFrom) {
   const PolygonShaped moved(std::move(shape));
   EXPECT_EQ(shape.polygon().id(), moved.polygon().id());  // NOLINT
   EXPECT_TRUE(shape.boxAt(fcl::Transform3d::Identity()).equal(moved.boxAt(fcl::Transform3d::Identity())));
+}
+
+/// Whoever asks first finds the hull: copies share it, or find their own; what is assigned over has the other's.
+TEST(PolygonShape, tightBoxesOfCopiesAreAlike) {
+  Random random(4);
+  const tricover::Polygon polygon = randomPolygon(random, 1), other = randomPolygon(random, 3);
+  const fcl::Transform3d pose = lifted(tricover::support::pose(1, 2, 3));
+  const fcl::AABB<double> box = PolygonShaped(polygon).boxAt(pose), other_box = PolygonShaped(other).boxAt(pose);
+  ASSERT_FALSE(box.equal(other_box));
+  for (const bool asked : {false, true}) {
+    PolygonShaped over(other);
+    EXPECT_TRUE(!asked || over.boxAt(pose).equal(other_box));
+    {
+      const PolygonShaped shape(polygon), before = shape;
+      EXPECT_TRUE(!asked || shape.boxAt(pose).equal(box));
+      const PolygonShaped after = shape;
+      EXPECT_TRUE(before.boxAt(pose).equal(box));
+      EXPECT_TRUE(after.boxAt(pose).equal(box));
+      over = after;
+      const PolygonShaped& same = over;
+      over = same;
+    }
+    EXPECT_TRUE(over.boxAt(pose).equal(box));
+    over = PolygonShaped(other);
+    EXPECT_TRUE(over.boxAt(pose).equal(other_box));
+  }
+}
+
+TEST(PolygonShape, threadsFindTheTightBoxAtOnce) {
+  Random random(5);
+  for (int time = 0; time < 50; ++time) {
+    const PolygonShaped shape(randomPolygon(random, 1));
+    const fcl::Transform3d pose = lifted(tricover::support::pose(time, 2, 3));
+    std::vector<fcl::AABB<double>> boxes(6);
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      threads.emplace_back([&, i] { boxes[i] = i % 2 == 0 ? shape.boxAt(pose) : PolygonShaped(shape).boxAt(pose); });
+    for (std::thread& thread : threads) thread.join();
+    for (const fcl::AABB<double>& box : boxes) EXPECT_TRUE(box.equal(PolygonShaped(shape.polygon()).boxAt(pose)));
+  }
 }
 
 }  // namespace

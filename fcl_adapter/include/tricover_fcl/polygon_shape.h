@@ -3,8 +3,8 @@
 
 #include <fcl/geometry/shape/shape_base.h>
 
+#include <atomic>
 #include <limits>
-#include <memory>
 
 #include "tricover/export.h"
 #include "tricover/polygon.h"
@@ -34,6 +34,32 @@ struct PolygonOptions {
   }
 };
 
+namespace detail {
+
+/// Where the corners of a polygon's convex hull are kept, which boxes depend on: found at the first call, by whichever
+/// threads come first. Copies that are made later share them.
+class TRICOVER_EXPORT HullPlace {
+ public:
+  HullPlace() = default;
+  HullPlace(const HullPlace& other) : found_(other.shared()) {}
+  HullPlace& operator=(const HullPlace& other);
+  ~HullPlace() { release(found_.load(std::memory_order_acquire)); }
+
+  const tricover::Ring& cornersOf(const tricover::Polygon& polygon) const;
+
+ private:
+  struct Hull;
+  const Hull* shared() const;
+  static void release(const Hull* hull) {
+    if (hull != nullptr) releaseOne(hull);
+  }
+  static void releaseOne(const Hull* hull);
+
+  mutable std::atomic<const Hull*> found_{nullptr};
+};
+
+}  // namespace detail
+
 /// A tricover polygon as an FCL geometry: a flat shape in the plane z = 0 of its own frame, the polygon's coordinates
 /// being its local x and y, or a prism over it. The first one makes FCL know the class, as registerNarrowphase() does,
 /// which also checks that FCL's functions reach it. Its coordinates stay doubles for S = float, too; a float pose
@@ -58,7 +84,7 @@ class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
   /// (except that of atAllHeights()) or runs downwards, and a margin that is negative or not finite.
   /// The last argument is there for its default, which the caller's own code evaluates: FCL's tables for float, which
   /// are large, are linked into programs that make shapes for float, and into no others.
-  explicit PolygonShape(tricover::Polygon polygon, const PolygonOptions& options = {},
+  explicit PolygonShape(const tricover::Polygon& polygon, const PolygonOptions& options = {},
                         detail::FilledTables<S> tables = detail::filledTables<S>());
 
   PolygonShape(const PolygonShape&) = default;             ///< Moving copies, too: no shape is ever without its data.
@@ -91,8 +117,7 @@ class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
   tricover::Polygon polygon_;
   PolygonOptions options_;
   bool is_flat_, is_disc_;
-  struct Hull;
-  std::shared_ptr<Hull> hull_;  ///< of copies, too
+  detail::HullPlace hull_;
 };
 
 using PolygonShapef = PolygonShape<float>;   ///< For FCL's float types.

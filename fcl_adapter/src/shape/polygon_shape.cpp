@@ -2,12 +2,11 @@
 #include "tricover_fcl/polygon_shape.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "shape/convex_hull.h"
@@ -32,24 +31,30 @@ S roundUp(double value) {
   return notBelow<S>(value + std::abs(value) * 0x1p-52 + std::numeric_limits<double>::denorm_min());
 }
 
-/// The largest distance of a vertex from the origin, up to rounding; infinity where it overflows.
-double farthest(const tricover::Polygon& polygon) {
-  double square = 0;
-  for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e)
-    square = std::max(square, polygon.edgeStart(e).squaredNorm());
-  if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
-  double reach = 0;
-  for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e) {
-    const tricover::Vec2 vertex = polygon.edgeStart(e);
-    reach = std::max(reach, std::hypot(vertex.x(), vertex.y()));
+/// Of all vertices.
+struct Extremes {
+  explicit Extremes(const tricover::Polygon& polygon) : low(polygon.edgeStart(0)), high(low) {
+    const tricover::EdgeIndex count = polygon.edgeCount();
+    double square = 0;
+    for (tricover::EdgeIndex e = 0; e < count; ++e) {
+      const tricover::Vec2 vertex = polygon.edgeStart(e);
+      low = low.cwiseMin(vertex);
+      high = high.cwiseMax(vertex);
+      square = std::max(square, vertex.squaredNorm());
+    }
+    if (square > 0x1p-900 && square < 0x1p900) {
+      reach = std::sqrt(square);
+      return;
+    }
+    for (tricover::EdgeIndex e = 0; e < count; ++e) {
+      const tricover::Vec2 vertex = polygon.edgeStart(e);
+      reach = std::max(reach, std::hypot(vertex.x(), vertex.y()));
+    }
   }
-  return reach;
-}
 
-bool isPointAtOrigin(const tricover::Polygon& polygon) {
-  if (polygon.vertexCount() != 3) return false;
-  return polygon.edgeStart(0).isZero(0) && polygon.edgeStart(1).isZero(0) && polygon.edgeStart(2).isZero(0);
-}
+  tricover::Vec2 low, high;
+  double reach = 0;  ///< the largest distance from the origin, up to rounding; infinity, a box too wide, on overflow
+};
 
 void check(bool valid, const char* field, const char* rule) {
   if (!valid) refuse(field, std::string("it must be ") + rule);
@@ -57,20 +62,47 @@ void check(bool valid, const char* field, const char* rule) {
 
 }  // namespace
 
-/// All that boxes depend on.
-template <typename S>
-struct PolygonShape<S>::Hull {
-  std::once_flag once;
+namespace detail {
+
+struct HullPlace::Hull {
   tricover::Ring corners;
+  mutable std::atomic<std::size_t> users{1};
 };
 
+HullPlace& HullPlace::operator=(const HullPlace& other) {
+  release(found_.exchange(other.shared(), std::memory_order_acq_rel));
+  return *this;
+}
+
+const HullPlace::Hull* HullPlace::shared() const {
+  const Hull* hull = found_.load(std::memory_order_acquire);
+  if (hull != nullptr) hull->users.fetch_add(1, std::memory_order_relaxed);
+  return hull;
+}
+
+void HullPlace::releaseOne(const Hull* hull) {
+  if (hull->users.fetch_sub(1, std::memory_order_acq_rel) == 1) delete hull;
+}
+
+/// Of threads that find them at once the first one's stay.
+const tricover::Ring& HullPlace::cornersOf(const tricover::Polygon& polygon) const {
+  if (const Hull* hull = found_.load(std::memory_order_acquire)) return hull->corners;
+  const tricover::EdgeIndex count = polygon.edgeCount();
+  std::vector<tricover::Vec2> vertices;
+  vertices.reserve(static_cast<std::size_t>(count));
+  for (tricover::EdgeIndex e = 0; e < count; ++e) vertices.push_back(polygon.edgeStart(e));
+  auto hull = std::make_unique<Hull>();
+  hull->corners = convexHull(vertices);
+  const Hull* first = nullptr;
+  const bool is_first = found_.compare_exchange_strong(first, hull.get(), std::memory_order_acq_rel);
+  return (is_first ? hull.release() : first)->corners;
+}
+
+}  // namespace detail
+
 template <typename S>
-PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& options, detail::FilledTables<S>)
-    : polygon_(std::move(polygon)),
-      options_(options),
-      is_flat_(options.z_low == 0 && options.z_high == 0),
-      is_disc_(isPointAtOrigin(polygon_)),
-      hull_(std::make_shared<Hull>()) {
+PolygonShape<S>::PolygonShape(const tricover::Polygon& polygon, const PolygonOptions& options, detail::FilledTables<S>)
+    : polygon_(polygon), options_(options), is_flat_(options.z_low == 0 && options.z_high == 0) {
   const double infinity = std::numeric_limits<double>::infinity();
   if (options.z_low != -infinity || options.z_high != infinity) {
     check(std::isfinite(options.z_low), "z_low", "finite");
@@ -78,13 +110,9 @@ PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& o
   }
   check(std::isfinite(options.margin) && options.margin >= 0, "margin", "finite and not negative");
 
-  tricover::Vec2 low(infinity, infinity), high(-infinity, -infinity);
-  for (tricover::EdgeIndex e = 0; e < polygon_.edgeCount(); ++e) {
-    const tricover::Vec2 vertex = polygon_.edgeStart(e);
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
-  }
-  const double reach = farthest(polygon_);  // infinity: a box too wide
+  const Extremes of_polygon(polygon);
+  const auto& [low, high, reach] = of_polygon;
+  is_disc_ = polygon.vertexCount() == 3 && low.isZero(0) && high.isZero(0);
 
   // CollisionObject::computeAABB leaves out a rotation within dummy_precision of the identity, entry by entry: a vertex
   // may be off by that times |x| + |y| <= sqrt(2) reach, within the plane; heights are taken without it.
@@ -104,16 +132,12 @@ PolygonShape<S>::PolygonShape(tricover::Polygon polygon, const PolygonOptions& o
 
 template <typename S>
 fcl::AABB<S> PolygonShape<S>::boxAt(const fcl::Transform3<S>& pose) const {
-  std::call_once(hull_->once, [&] {
-    std::vector<tricover::Vec2> vertices;
-    for (tricover::EdgeIndex e = 0; e < polygon_.edgeCount(); ++e) vertices.push_back(polygon_.edgeStart(e));
-    hull_->corners = convexHull(vertices);
-  });
+  const tricover::Ring& corners = hull_.cornersOf(polygon_);
   // Along all axes at once; the fourth is nothing.
   const Eigen::Matrix4d m = pose.matrix().template cast<double>();
   const Eigen::Array4d x = m.col(0), y = m.col(1), z = m.col(2), t = m.col(3);
   Eigen::Array4d low = Eigen::Array4d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const tricover::Vec2& corner : hull_->corners) {
+  for (const tricover::Vec2& corner : corners) {
     const Eigen::Array4d at = x * corner.x() + y * corner.y();
     low = low.min(at);
     high = high.max(at);

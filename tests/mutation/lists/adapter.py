@@ -22,6 +22,7 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/planar_pose.h", "(std::abs(size(2, 2) - 1) + ", "(0 + ", "planar pose: any scale of z"),
     ("fcl_adapter/src/shape/polygon_shape.cpp", "const double grown = pad + margin;", "const double grown = margin;", "box: without what FCL drops of a tiny rotation"),
     ("fcl_adapter/src/shape/polygon_shape.cpp", "if (static_cast<double>(rounded) >= value) return rounded;", "return rounded;", "box: rounded to float inwards"),
+    ("fcl_adapter/src/shape/polygon_shape.cpp", "if (hull != nullptr) hull->users.fetch_add(1, std::memory_order_relaxed);", "", "tight box: whoever goes first takes the copies' corners along"),
     ("fcl_adapter/src/shape/polygon_shape.cpp", "+ 0x1p-47 * reach +", "+", "tight box: without rounding"),
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "      facts = {};\n", "", "table: another pair's rest is inherited"),
     ("fcl_adapter/src/mixed/stadium_pair.cpp", "tiltOf(of_other_) <= kNoTilt && ", "", "balls: poses that nobody checks"),
