@@ -69,9 +69,13 @@ TEST(Coherence, newPlacesShareTheirPairsSlot) {
   const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1), c = randomPolygon(random, 1);
   const int places[100] = {};
   std::set<const tricover::PairCache*> slots;
-  for (const int& place : places) slots.insert(pairCache(a, &places[0], b, &place));
+  // Of a pair that is asked once nothing is kept.
+  EXPECT_EQ(pairCache(a, places, b, places), nullptr);
+  for (const int& place : places) slots.insert(pairCache(a, places, b, &place + 1));
   EXPECT_EQ(slots.size(), 1u);
-  EXPECT_NE(*slots.begin(), pairCache(a, &places[0], c, &places[1]));
+  EXPECT_NE(*slots.begin(), nullptr);
+  EXPECT_EQ(pairCache(a, places, c, places), nullptr);
+  EXPECT_NE(*slots.begin(), slotOf(a, places, c, places));
 }
 
 TEST(Coherence, aSlotThatWasAnotherPairsBeginsEmpty) {

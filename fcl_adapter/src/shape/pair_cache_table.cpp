@@ -30,7 +30,7 @@ static_assert(sizeof(Slot) == 576);  // so 4.5 MiB a thread
 struct Table {
   static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
 
-  std::array<std::uint64_t, kSlots> keys{};  ///< of the pair and places that came here last
+  std::array<std::uint64_t, kSlots> keys{};  ///< of the pair, with its places or without, that came here last
   std::array<Slot, kSlots> slots;
 };
 
@@ -79,7 +79,11 @@ tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, 
   if (all->keys[own] == key) return all->slots[own].of(key);
   all->keys[own] = key;
   const std::uint64_t key_of_ids = keyOf(a, nullptr, b, nullptr);
-  return all->slots[slotOf(key_of_ids)].of(key_of_ids);
+  Slot& of_ids = all->slots[slotOf(key_of_ids)];
+  std::uint64_t& last = all->keys[slotOf(key_of_ids)];
+  if (of_ids.owner == key_of_ids || last == key_of_ids) return of_ids.of(key_of_ids);
+  last = key_of_ids;
+  return nullptr;
 }
 
 }  // namespace tricover_fcl

@@ -11,8 +11,9 @@ namespace tricover_fcl {
 /// emptied, and no answer depends on it. `place_a` and `place_b` tell objects apart that share a polygon (a
 /// fleet of one model): the addresses of their poses, which are those of the CollisionObjects' own members. They are
 /// compared, never read. Places that are new get the slot of their ids alone, and their own one from the next time on:
-/// so a walk along an array of poses is coherent, too. Null once the thread's table is gone: a destructor of a static
-/// or thread_local object may still ask.
+/// so a walk along an array of poses is coherent, too. Null for ids that are new, because of a pair that is asked once
+/// nothing need be remembered, and once the thread's table is gone: a destructor of a static or thread_local object may
+/// still ask.
 tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b,
                                const void* place_b);
 
