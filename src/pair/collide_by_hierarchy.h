@@ -26,11 +26,12 @@ inline bool areNear(const UnitMap& map) { return std::abs(map.tx) + std::abs(map
 /// Two polygons that areNear() and areSmall(), without a margin.
 [[gnu::always_inline]] inline Meeting allEdgesMeet(const UnitPlacement& at, const Hierarchy& a, const Hierarchy& b,
                                                    const EdgeTest& test) {
-  // They serve the next query, before its boxes.
-  innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
-  return a.small_convex && b.small_convex
-             ? smallConvexMeet(at, test)
-             : fewEdgesMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
+  const Meeting meeting = a.small_convex && b.small_convex
+                              ? smallConvexMeet(at, test)
+                              : fewEdgesMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
+  // They serve the next query that meets, before its boxes; of one that doesn't they tell nothing.
+  if (meeting == Meeting::Meet) innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
+  return meeting;
 }
 
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are

@@ -16,6 +16,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
+#include "tricover/prepare.h"
 
 namespace tricover::support {
 namespace {
@@ -56,6 +57,10 @@ std::string wrongWay(const Case& c, std::uint64_t seed, bool truth, StrategyCach
   }
   if (contacts(c.a, c.pose_a, c.b, c.pose_b).empty() == truth) return "contacts";
   if (contacts(c.b, c.pose_b, c.a, c.pose_a).empty() == truth) return "contacts, swapped";
+  // With the discs of those that don't meet, too.
+  prepare(c.a), prepare(c.b);
+  if (collide(c.a, c.pose_a, c.b, c.pose_b) != truth) return "prepared";
+  if (collide(c.b, c.pose_b, c.a, c.pose_a) != truth) return "prepared, swapped";
   return {};
 }
 

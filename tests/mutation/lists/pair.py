@@ -13,6 +13,7 @@ MUTATIONS = [
     ("src/pair/cast_ray.cpp", "shorten(std::min(fraction, limit_));", "shorten(0.5 * fraction);", "ray: shortened by too much"),
     ("src/pair/collide.cpp", "if (!(apart > margin)) return std::nullopt;", "if (!(apart > 0)) return std::nullopt;", "facts: features apart, but within the margin"),
     ("src/pair/collide_by_edges.cpp", "(2 * to_a.error + reach) * (1 + 4 * kUnitRoundoff)", "0.9 * reach", "edges alone: boxes grown by too little"),
+    ("src/pair/collide_by_edges.cpp", "if (kIsRing) x[edges] = x[0], y[edges] = y[0];", "", "edges alone: the last edge of a ring"),
     ("src/pair/collide_by_edges.cpp", "rounding + reach_up * line_a.length()", "rounding", "edges alone: beside a line, but in reach"),
     ("src/pair/collide_by_edges.cpp", "error * (3 * size + 4 * error + 4 * reach)) + kTiny", "0) + kTiny", "edges alone: signs by lines without what the pose rounds"),
     ("src/pair/collide_by_edges.cpp", "return box_b.contains(box_a) || box_a.grown(2 * grown).contains(box_b)", "return box_b.contains(box_a)", "edges alone: what is inside"),
