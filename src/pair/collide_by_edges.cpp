@@ -156,7 +156,7 @@ struct ChainPoints {
   ChainPoints(std::size_t begin_, std::size_t end, const PointsOfB& point) : begin(begin_), edges(end - begin) {
     for (std::size_t k = 0; k < asked(); k += 2) {
       const Double2 p = point(begin + k), q = point(begin + std::min(k + 1, edges));
-      low = smaller(q, smaller(p, low)), high = larger(q, larger(p, high));
+      if (kIsRing) low = smaller(q, smaller(p, low)), high = larger(q, larger(p, high));
       store2(x + k, Double2{p[0], q[0]});
       store2(y + k, Double2{p[1], q[1]});
     }
@@ -164,6 +164,7 @@ struct ChainPoints {
   }
 
   std::size_t asked() const { return kIsRing ? edges : edges + 1; }
+  /// Of a ring.
   Bounds box(double grown) const { return Bounds::between(low - grown, high + grown); }
 
   /// The edges that aren't beyond one side of a box, or all of few; a bit each.
