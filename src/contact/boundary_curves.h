@@ -48,6 +48,12 @@ class BoundaryCurves {
       return (std::abs(cross(axis, from)) <= radius) & (along >= -radius) & (along <= length + radius);
     }
 
+    /// Whether its box, and whether its line, meets a square around t: if both do, so does it.
+    bool boxMeets(const Vec2& t, double half) const {
+      return ((v.cwiseMin(w) - t).array() <= half).all() && ((t - v.cwiseMax(w)).array() <= half).all();
+    }
+    bool lineMeets(const Vec2& t, double half) const { return std::abs(cross(axis, t - v)) <= half * axis.lpNorm<1>(); }
+
     Vec2 axis;
     double length;
     double slack;     ///< the sine of what the axis is wrong by, at most, and of what it stands for

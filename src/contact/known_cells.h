@@ -32,8 +32,6 @@ class KnownCells {
   bool areFacts() const { return hints_ != nullptr && !has_turned_ && !is_new_; }
   /// Whether that is most of what there is to know here: they haven't moved far.
   bool areMost() const { return areFacts() && !has_moved_far_; }
-  /// Whether the polygons have turned since then, and may turn on.
-  bool haveTurned() const { return has_turned_; }
   /// Where the last search's end is now: a free translation, unless the polygons have turned.
   struct Ends {
     Vec2 limit, parting;

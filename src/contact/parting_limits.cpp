@@ -49,13 +49,13 @@ bool PartingLimits::decideTouch(const Vec2& p, const Vec2& along, double radius,
                                 BestParting& best) const {
   const double first = std::max(8 * std::sqrt(resolution_ * margin_), resolution_);  // the product may underflow
   for (const Vec2& way : {along, Vec2(-along)})
-    for (double step = first; step < 0.2 * radius; step *= 2) {
+    for (double step = first; step < kRoom * radius; step *= 2) {
       Vec2 sample = p + step * way;
       if (!probe.isFree(sample)) continue;
       best.improve(sample, sample);
       break;
     }
-  return first >= 0.2 * radius || !(p.norm() + first < best.length);
+  return first >= kRoom * radius || !(p.norm() + first < best.length);
 }
 
 /// Samples each sector between the curves through p. False if one is too narrow to be certain of it: what is free
@@ -63,7 +63,7 @@ bool PartingLimits::decideTouch(const Vec2& p, const Vec2& along, double radius,
 bool PartingLimits::decide(const PossibleLimit& limit, const BoundaryCurves& curves, double radius,
                            TranslationProbe& probe, BestParting& best, double& reach) {
   const Vec2& p = limit.p;
-  double room = 0.2 * radius;
+  double room = kRoom * radius;
   rays_.clear();
   const bool is_curved = curves.addRays(p, rays_, room);
   if (rays_.empty()) rays_.push_back({std::atan2(-p.y(), -p.x()), true, true});

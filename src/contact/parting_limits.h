@@ -27,6 +27,10 @@ struct BestParting {
 /// Which points of an arrangement of curves free translations come near to, by samples beside them.
 class PartingLimits {
  public:
+  /// How far beside a point it looks for samples, by the radius of the square's circumcircle: curves beyond the square
+  /// matter so far.
+  static constexpr double kRoom = 0.02;
+
   /// Curves nearer to each other than `resolution` are one.
   PartingLimits(const TranslationSpace& space, double resolution)
       : margin_(space.margin()), noise_(space.noise()), resolution_(resolution) {}

@@ -53,26 +53,32 @@ constexpr double kDiagonal = 1.4142135623730951;
 constexpr std::size_t kLong = 10;
 /// Beyond so many segments on lines that are known already, a cell is tried to be covered.
 constexpr std::size_t kMostRepeated = 128;
-/// A cell is decided by no more curves than these: fewer where gathering them costs as much as anything.
-constexpr std::size_t kMostInherited = 24, kMostGathered = 12;
-/// How far beyond a cell's circumcircle its segments are gathered, so that samples around a point of it are understood.
-constexpr double kSurroundings = 1.25;
+/// A cell is decided by no more curves than these: fewer where gathering them costs as much as anything, unless it is
+/// so small a part of what is searched that it may be one point they cross in.
+constexpr std::size_t kMostInherited = 24, kMostGathered = 6;
+constexpr double kSmall = 0x1p-8;
+/// How far beyond a cell its segments are gathered, by the radius of its circumcircle, so that samples around a point
+/// of it, or within the resolution of that, are understood: samples are of use from three of it on. And to where, from
+/// its centre, they are cut.
+constexpr double kSurroundings = 0x1p-5, kCut = 1 + 2 * kSurroundings;
+static_assert(kSurroundings >= PartingLimits::kRoom * 4 / 3);
 
 using MeetingEdges = TranslationSpace::MeetingEdges;
 
-/// One of the search's segments, and a disc that holds it.
+/// One of the search's segments, and the box around it: its middle and half its sides.
 struct NearSegment {
-  float x, y, reach;
+  float x, y, wide, high;
   std::uint32_t number;
 };
 using Segments = std::vector<NearSegment>;
 
-/// The reach is rounded up by more than what its place loses as floats: half a unit of 2^-23 in either coordinate.
+/// The sides are rounded up by more than what its place loses as floats: half a unit of 2^-23 in either coordinate.
 NearSegment nearSegment(const BoundaryCurves::Line& line, std::size_t number) {
   const Vec2 middle = 0.5 * (line.v + line.w);
-  const double reach = (0.5 * line.length + 0x1p-22 * middle.lpNorm<1>()) * (1 + 0x1p-20);
-  return {static_cast<float>(middle.x()), static_cast<float>(middle.y()), static_cast<float>(reach),
-          static_cast<std::uint32_t>(number)};
+  const Vec2 half =
+      ((0.5 * (line.w - line.v)).cwiseAbs() + Vec2::Constant(0x1p-22 * middle.lpNorm<1>())) * (1 + 0x1p-20);
+  return {static_cast<float>(middle.x()), static_cast<float>(middle.y()), static_cast<float>(half.x()),
+          static_cast<float>(half.y()), static_cast<std::uint32_t>(number)};
 }
 
 /// What a cell leaves to its parts: all that may hold one of them, or come near it.
@@ -173,7 +179,7 @@ class PartingSearch {
     const KnownCells::Square whole = known_.begin(best_.length);
     const bool knows_segments = space_.areFew();
     const auto legacy = std::make_shared<const Legacy>(
-        Legacy{nullptr, {}, knows_segments ? segmentsAround() : Segments(), knows_segments});
+        Legacy{nullptr, {}, knows_segments ? segmentsAround(whole.half) : Segments(), knows_segments});
     constexpr double kAside[] = {0, 2, -2};
     for (std::uint32_t k = 0; k < (known_.areKept() ? 9 : 1); ++k)
       add(makeCell(whole.center + whole.half * Vec2(kAside[k % 3], kAside[k / 3]), whole.half, legacy,
@@ -244,15 +250,13 @@ class PartingSearch {
     };
     const std::size_t most = holds_limit ? kAll : kMostRepeated;
     Gathered gathered = knows_segments ? curvesAround(most) : Gathered::Many;
-    // Among many segments what meets in the middle seldom decides: it pays after turns, when that is kept.
-    const bool passes = knows_segments && gathered == Gathered::Many && discs_overlap_ && !known_.haveTurned();
+    // Among many segments what meets in the middle seldom decides.
+    const bool passes = knows_segments && gathered == Gathered::Many && discs_overlap_;
     if (gathered != Gathered::Lines && !passes && !probe_.overlaps()) {
       const Verdict verdict = ask(cell.center, radius);
       if (verdict != Verdict::Open) return verdict;
     }
     if (!knows_segments) gathered = curvesAround(most);
-    const bool looks_on = knows_segments && known_.haveTurned() && gathered != Gathered::Lines;
-    if (looks_on && meetAround(cell.center, radius)) return Verdict::Held;
     if (gathered == Gathered::Repeated) {
       switch (coverSquare(cell.center, cell.half, resolution_, space_, probe_)) {
         case Cover::Whole:
@@ -281,17 +285,6 @@ class PartingSearch {
     return holds;
   }
 
-  /// The same for any that meet in its centre.
-  bool meetAround(const Vec2& center, double radius) {
-    Vec2 t = center;
-    bool holds = false;
-    forEachPair(space_.at(t), 0, [&](double gap, std::size_t i, std::size_t j) {
-      holds = gap <= 0 && see(space_.meetingOf(i, j), center, radius);
-      return holds ? -1.0 : 0.0;
-    });
-    return holds;
-  }
-
   /// Whether the kernel's answer at a cell's centre is that of the whole cell.
   Verdict ask(const Vec2& center, double radius) {
     Vec2 t = center;
@@ -313,14 +306,16 @@ class PartingSearch {
     return clearance >= radius ? Verdict::Done : Verdict::Open;
   }
 
-  /// All segments of the search; of those that are to be known, wherever it goes on.
-  void findSegments() {
+  /// All segments that a search by squares of such a half side needs; of those that are to be known, wherever it goes
+  /// on.
+  void findSegments(double half) {
     const auto add = [&](const Vec2& v, const Vec2& w, bool both_sides) {
       all_segments_.emplace_back(BoundaryCurves::Ends{v, w}, both_sides, space_.noise());
     };
     if (known_.haveSegments()) return known_.forEachSegment(add);
     const bool are_kept = known_.keepSegments() && space_.areKept();
-    const double radius = are_kept ? std::numeric_limits<double>::infinity() : kSurroundings * best_.length + margin_;
+    const double farthest = best_.length + known_.lookahead() + kSurroundings * half;
+    const double radius = are_kept ? std::numeric_limits<double>::infinity() : farthest + margin_;
     const std::vector<TranslationSpace::Segment> segments = space_.segmentsWithin(radius);
     all_segments_.reserve(segments.size());
     for (const TranslationSpace::Segment& segment : segments) {
@@ -329,8 +324,8 @@ class PartingSearch {
     }
   }
 
-  Segments segmentsAround() {
-    findSegments();
+  Segments segmentsAround(double half) {
+    findSegments(half);
     Segments all;
     all.reserve(all_segments_.size());
     for (const BoundaryCurves::Line& line : all_segments_) all.push_back(nearSegment(line, all.size()));
@@ -354,20 +349,20 @@ class PartingSearch {
 
   /// Of the segments that may come near a cell those that do.
   void narrow(const Cell& cell, double radius) {
-    const double around = kSurroundings * radius + margin_;
+    const double around = cell.half + kSurroundings * radius + margin_;
     const auto x = static_cast<float>(cell.center.x()), y = static_cast<float>(cell.center.y());
     const auto rounded = static_cast<float>((around + 0x1p-22 * cell.center.lpNorm<1>()) * (1 + 0x1p-20));
     // Without branches, as none could be predicted.
     segments_.resize(cell.legacy->segments.size());
     NearSegment* end = segments_.data();
     for (const NearSegment& segment : cell.legacy->segments) {
-      const float dx = segment.x - x, dy = segment.y - y, reach = segment.reach + rounded;
+      const float dx = std::abs(segment.x - x), dy = std::abs(segment.y - y);
       *end = segment;
-      end += !(dx * dx + dy * dy > reach * reach);
+      end += !((dx > segment.wide + rounded) | (dy > segment.high + rounded));
     }
     NearSegment* kept = segments_.data();
     for (const NearSegment* segment = kept; segment < end; ++segment) {
-      const bool is_near = all_segments_[segment->number].comesNear(cell.center, around);
+      const bool is_near = all_segments_[segment->number].lineMeets(cell.center, around);
       *kept = *segment;
       kept += is_near;
     }
@@ -380,25 +375,27 @@ class PartingSearch {
     curves_.clear(kMostInherited);
     narrow(cell, radius);
     for (std::size_t k = 0; k < segments_.size() && tally.goesOn(); ++k)
-      curves_.add(all_segments_[segments_[k].number], cell.center, kSurroundings * radius, tally);
+      curves_.add(all_segments_[segments_[k].number], cell.center, kCut * radius, tally);
     return tally.result;
   }
 
   /// All lines around a cell; or why it is divided.
   Gathered gather(const Cell& cell, double radius, std::size_t most) {
     Tally tally{most};
-    curves_.clear(kMostGathered);
+    curves_.clear(cell.half < kSmall * best_.length ? kMostInherited : kMostGathered);
     Vec2 t = cell.center;
     const PosedPair pair = space_.at(t);
-    const double around = kSurroundings * radius + (t - cell.center).norm();
+    const double off = (t - cell.center).norm(), around = kCut * radius + off;
+    const double half = cell.half + kSurroundings * radius + margin_ + off;
     space_.forEachSegment(
-        pair, t, around + margin_,
+        pair, t, half * kDiagonal * (1 + 0x1p-40),
         [&](const MeetingEdges& meeting) {
           if (see(meeting, cell.center, radius)) tally.result = Gathered::Deep;
           return tally.goesOn();
         },
         [&](const TranslationSpace::Segment& segment) {
-          curves_.add({{segment.v, segment.w}, segment.both_sides, space_.noise()}, t, around, tally);
+          const BoundaryCurves::Line line({segment.v, segment.w}, segment.both_sides, space_.noise());
+          if (line.boxMeets(t, half) && line.lineMeets(t, half)) curves_.add(line, t, around, tally);
           return tally.goesOn();
         });
     return tally.result;

@@ -24,7 +24,7 @@ struct Tally {
 };
 
 Polygon anyOutline(Random& random) {
-  std::vector<Ring> rings = {star(random, random.integer(12, 40), 0.4, 1)};
+  std::vector<Ring> rings = {star(random, random.integer(20, 56), 0.4, 1)};
   if (random.oneIn(3)) rings.push_back(scaled(star(random, random.integer(4, 9), 0.5, 1), 0.3));
   if (random.oneIn(4)) std::reverse(rings[0].begin(), rings[0].end());
   return Polygon(rings);

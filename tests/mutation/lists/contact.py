@@ -39,6 +39,8 @@ MUTATIONS = [
     ("src/contact/translation_probe.cpp", "if (overlapAround(t, 0)) return false;", "if (overlapAround(t, -resolution_)) return false;", "penetration: what is beside two edges that meet is not free"),
     ("src/contact/translation_space.h", "return std::min({from_a, high_a - from_a, from_b, high_b - from_b});", "return std::min(from_a, from_b);", "penetration: edges meet on half a plane"),
     ("src/contact/part_contacts.cpp", "if (p && p->optimal) result.normal = p->normal;", "", "contacts: what no direction frees keeps a normal that leads on"),
+    ("src/contact/translation_search.cpp", "(dx > segment.wide + rounded)", "(dx > rounded)", "penetration: segments are where their middles are"),
+    ("src/contact/boundary_curves.h", "<= half * axis.lpNorm<1>()", "<= 0.7 * half", "penetration: what cuts a square's corner isn't in it"),
     ("src/contact/translation_search.cpp", "if (!(probe_.depthOf(pair, t, outcome) >= radius)) return Verdict::Open;", "", "penetration: a cell whose centre overlaps is done with"),
     ("src/contact/translation_search.cpp", "return clearance >= radius ? Verdict::Done : Verdict::Open;", "return Verdict::Done;", "penetration: a cell whose centre is free is done with"),
     ("src/contact/translation_search.cpp", "probe_.inUnits(pair, outcome.clearance) - margin_, length", "probe_.inUnits(pair, outcome.clearance), length", "penetration: the margin is free"),
