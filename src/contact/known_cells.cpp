@@ -36,6 +36,7 @@ KnownCells::KnownCells(TranslationSpace& space, SearchHints* hints) : hints_(hin
   const bool is_same = known.first_id == pair.a.id && known.second_id == pair.b.id && known.margin == space.margin() &&
                        known.noise <= 2 * space.noise();
   if (!is_same || known.cells.size() > kMostCells) known.cells.clear();
+  if (!is_same) limit = parting = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   has_turned_ = first_turn != pair.pose_a.linear() || second_turn != pair.pose_b.linear();
   if (has_turned_) {
     constexpr double kSmallTurn = 0.1;
@@ -62,11 +63,10 @@ KnownCells::KnownCells(TranslationSpace& space, SearchHints* hints) : hints_(hin
   if (is_new_) {
     known.segments.clear();
     known.moved = known.noise = 0;
-    limit = parting = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   } else {
     const double step = (between_ - place).norm();
     known.moved += step * kOutwards;
-    has_moved_far_ = step > 0.15 * known.half;
+    has_moved_far_ = step > 0.05 * known.half;
     ahead_ = has_turned_ || kStepsAhead * step > 0.25 * known.half ? 0 : kStepsAhead * step;
   }
   place = between_;
@@ -74,7 +74,7 @@ KnownCells::KnownCells(TranslationSpace& space, SearchHints* hints) : hints_(hin
 }
 
 std::optional<KnownCells::Ends> KnownCells::last() const {
-  if (hints_ == nullptr || is_new_) return std::nullopt;
+  if (hints_ == nullptr) return std::nullopt;
   return Ends{Eigen::Map<const Vec2>(hints_->limit) - between_, Eigen::Map<const Vec2>(hints_->parting) - between_};
 }
 
@@ -114,7 +114,7 @@ std::optional<std::pair<std::size_t, std::size_t>> KnownCells::metOn(std::uint32
 }
 
 bool KnownCells::isDivided(std::uint32_t cell) const {
-  constexpr std::uint32_t kForget = 16;
+  constexpr std::uint32_t kForget = 8;
   if (kindOf(cell) != SearchHints::Divided) return false;
   return !has_turned_ || (cell + hints_->searches) % kForget != 0;
 }
