@@ -18,7 +18,7 @@ constexpr double kStepsAhead = 8;
 }  // namespace
 
 bool KnownCells::areWorthIt(SearchHints& hints) {
-  constexpr std::uint32_t kFewLooks = 12;
+  constexpr std::uint32_t kFewLooks = 4;
   if (hints.balance.resting > 0) {
     --hints.balance.resting;
     return false;

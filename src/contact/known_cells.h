@@ -44,8 +44,8 @@ class KnownCells {
 
   /// The segments that bound what overlaps, once they have been kept.
   bool haveSegments() const { return areFacts() && !hints_->segments.empty(); }
-  /// Whether they are to be kept: after a turn they are others.
-  bool keepSegments() const { return hints_ != nullptr && !has_turned_; }
+  /// Whether they are to be kept: after a turn they are others, and who moves far doesn't stay where they are.
+  bool keepSegments() const { return hints_ != nullptr && !has_turned_ && !has_moved_far_; }
   template <typename Visit>
   void forEachSegment(Visit visit) const {
     for (const SearchHints::Segment& s : hints_->segments)
