@@ -36,7 +36,7 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon) {
     }
     measureDepths(outline, probes);
     for (std::size_t i = 0; i < kLanes; ++i)
-      if (probes.depth[i] > 0) grid.push_back({centers[k + i], probes.depth[i]});
+      if (probes.depth[i] > 0) grid.push_back({Vec2(probes.x[i], probes.y[i]), probes.depth[i]});
   }
   std::sort(grid.begin(), grid.end(), [](const Disc& c, const Disc& d) { return c.radius > d.radius; });
   std::vector<Disc> discs;
@@ -44,7 +44,7 @@ std::vector<Disc> coverByDiscs(const PolygonData& polygon) {
     if (discs.size() == kMost) break;
     const auto held = [&](const Disc& d) { return (d.center - disc.center).norm() < 0.5 * d.radius; };
     if (std::any_of(discs.begin(), discs.end(), held)) continue;
-    const double radius = provenRadius(polygon, disc.center, 2 * disc.radius);
+    const double radius = provenRadius(polygon, disc.center, static_cast<float>(disc.radius));
     if (radius > 0) discs.push_back({disc.center, radius});
   }
   return discs;

@@ -21,18 +21,9 @@ struct Guess {
   float x, y, depth;
 };
 
-/// What floats take a point's distance from an edge of a small polygon, or from its line, for too much at most, of
-/// points with |x| + |y| < 4 in units from S:
-///   n p - d, and what is past the edge's ends, are off by 2^-24 times
-///     4 + 4 + 4  the products' factors and themselves, |n| being 1
-///     1 + 1      d, or the middle and the half
-///     5 + 5 + 6  sums and differences
-///   an edge of 2^-30 or more is turned by less than 2^-21 by its vertices, rounded by U from S, over 5 at most
-/// Together below 2^-18, in any direction and with the root below 2^-17.
-constexpr double kFewEdgesError = 0x1p-17;
-
 typedef float LooseFloat4 __attribute__((vector_size(16), aligned(4), may_alias));
 Float4 load4(const float* from) { return *reinterpret_cast<const LooseFloat4*>(from); }
+void store4(float* to, Float4 v) { *reinterpret_cast<LooseFloat4*>(to) = v; }
 
 /// How deep points are in a small convex polygon: the least distance from a line.
 void measureDepths(const SmallPolygon& convex, DepthProbes& probes) {
@@ -44,32 +35,31 @@ void measureDepths(const SmallPolygon& convex, DepthProbes& probes) {
       const Float4 inside = convex.d[i] - convex.nx[i] * x[k] - convex.ny[i] * y[k];
       depth[k] = inside < depth[k] ? inside : depth[k];
     }
-  for (const int k : {0, 1}) *reinterpret_cast<LooseFloat4*>(probes.depth + 4 * k) = depth[k];
+  for (const int k : {0, 1}) store4(probes.depth + 4 * k, depth[k]);
 }
 
-/// A lower bound of the distance from the edges.
-double clearanceOfFew(const SmallPolygon& small, const Place& place) {
-  if (!(std::abs(place.x) + std::abs(place.y) < 4)) return 0;
-  const auto x = static_cast<float>(place.x), y = static_cast<float>(place.y);
-  Float4 square = Float4{} + 1e30f;
-  for (int i = 0; i < small.lanes; i += 4) {
-    const Float4 nx = load4(small.nx + i), ny = load4(small.ny + i);
-    const Float4 beyond = nx * x + ny * y - load4(small.d + i);
-    const Float4 past = larger(absolute(nx * y - ny * x - load4(small.middle + i)) - load4(small.half + i), Float4{});
-    const Float4 here = beyond * beyond + past * past;
-    square = here < square ? here : square;
+/// Places in a box, by its half extents from its centre: so many along it and across.
+template <int kCount>
+struct Grid {
+  constexpr Grid(int along, int across) {
+    for (int k = 0; k < kCount; ++k) {
+      u[k] = static_cast<float>(2 * (k % along) + 1 - along) / static_cast<float>(along);
+      v[k] = static_cast<float>(2 * (k / along) + 1 - across) / static_cast<float>(across);
+    }
   }
-  const float least = std::min(std::min(square[0], square[1]), std::min(square[2], square[3]));
-  return std::sqrt(least) - kFewEdgesError - 2 * place.error;
-}
+  float u[kCount] = {}, v[kCount] = {};
+};
+constexpr Grid<8 * 2> kFewPlaces(8, 2);
+constexpr Grid<10 * 4> kPlaces(10, 4);
+constexpr int kMostGroups = 10 * 4 / kLanes;
 
 /// Up to kLanes large discs, the first one the largest. A search in floats: what it finds has to be proven.
 class DiscSearch {
  public:
   DiscSearch(const PolygonData& polygon, const Hierarchy& hierarchy)
-      : convex_(hierarchy.small_convex), root_(hierarchy.root), few_(polygon.path.size() < 32) {
+      : convex_(hierarchy.small_convex), root_(hierarchy.root) {
     if (convex_ == nullptr) outline_.emplace(polygon);
-    lookAround();
+    polygon.path.size() < 32 ? lookAround(kFewPlaces) : lookAround(kPlaces);
     climb();
     choose();
   }
@@ -78,75 +68,75 @@ class DiscSearch {
   const Guess* end() const { return chosen_ + count_; }
 
  private:
-  static constexpr int kMostPlaces = 40;
-
   /// From a grid over the box around everything.
-  void lookAround() {
-    const int along = few_ ? 8 : 10, across = few_ ? 2 : 4;
-    const float part_u = root_.along / static_cast<float>(along), part_v = root_.across / static_cast<float>(across);
-    float u = part_u - root_.along, v = part_v - root_.across;
-    for (int k = 0; k < along * across; k += kLanes) {
-      DepthProbes probes;
-      for (int i = 0; i < kLanes; ++i) {
-        probes.x[i] = root_.x + u * root_.ux - v * root_.uy;
-        probes.y[i] = root_.y + u * root_.uy + v * root_.ux;
-        u += 2 * part_u;
-        if (u < root_.along) continue;
-        u = part_u - root_.along;
-        v += 2 * part_v;
+  template <int kCount>
+  void lookAround(const Grid<kCount>& grid) {
+    static_assert(kCount % kLanes == 0);
+    const float x = root_.x, ux = root_.along * root_.ux, vx = root_.across * root_.uy;
+    const float y = root_.y, uy = root_.along * root_.uy, vy = root_.across * root_.ux;
+    for (; group_count_ < kCount / kLanes; ++group_count_) {
+      DepthProbes& probes = groups_[group_count_];
+      const float *u = grid.u + group_count_ * kLanes, *v = grid.v + group_count_ * kLanes;
+      for (int i = 0; i < kLanes; i += 4) {
+        store4(probes.x + i, x + load4(u + i) * ux - load4(v + i) * vx);
+        store4(probes.y + i, y + load4(u + i) * uy + load4(v + i) * vy);
       }
-      measure(probes, [&](const Guess& found) {
-        if (found.depth > 0) places_[place_count_++] = found;
-      });
+      measure(probes);
     }
   }
-  static_assert(8 * 2 % kLanes == 0 && 10 * 4 % kLanes == 0 && kMostPlaces == 10 * 4);
 
   /// The largest, uphill from near S (but not where symmetry would need the exact stage) or from the best place.
   void climb() {
-    constexpr float kWay[kLanes][2] = {{1, 0},       {-1, 0},       {0, 1},        {0, -1},
-                                       {0.7f, 0.7f}, {-0.7f, 0.7f}, {0.7f, -0.7f}, {-0.7f, -0.7f}};
-    const auto tryAround = [&](const Guess& from, float step) {
+    constexpr float kWayX[kLanes] = {1, -1, 0, 0, 0.7f, -0.7f, 0.7f, -0.7f};
+    constexpr float kWayY[kLanes] = {0, 0, 1, -1, 0.7f, 0.7f, -0.7f, -0.7f};
+    const auto tryAround = [&](float x, float y, float step) {
       DepthProbes probes;
-      for (int i = 0; i < kLanes; ++i)
-        probes.x[i] = from.x + step * kWay[i][0], probes.y[i] = from.y + step * kWay[i][1];
-      measure(probes, [](const Guess&) {});
+      for (int i = 0; i < kLanes; ++i) {
+        probes.x[i] = x + step * kWayX[i];
+        probes.y[i] = y + step * kWayY[i];
+      }
+      measure(probes);
     };
-    tryAround({0x1.8p-11f, 0x1.2p-12f, 0}, 0x1p-4f);
-    for (float step = 0.25f; step > 0.02f; step *= best_.depth > 0 ? 0.5f : 0.7f) tryAround(best_, step);
+    tryAround(0x1.8p-11f, 0x1.2p-12f, 0x1p-4f);
+    for (float step = 0.25f; step > 0.02f; step *= best_.depth > 0 ? 0.5f : 0.7f) tryAround(best_.x, best_.y, step);
   }
 
   /// Each time the largest whose centre no disc holds yet.
   void choose() {
-    for (Guess next = best_; next.depth > 0 && count_ < kLanes;) {
-      chosen_[count_++] = next;
-      const auto held = [&](const Guess& g) {
-        const float dx = g.x - next.x, dy = g.y - next.y;
-        return dx * dx + dy * dy < next.depth * next.depth;
-      };
-      place_count_ = static_cast<int>(std::remove_if(places_, places_ + place_count_, held) - places_);
-      if (place_count_ == 0) break;
-      next = *std::max_element(places_, places_ + place_count_,
-                               [](const Guess& p, const Guess& q) { return p.depth < q.depth; });
+    while (best_.depth > 0 && count_ < kLanes) {
+      const Guess held_by = chosen_[count_++] = best_;
+      best_ = {0, 0, 0};
+      for (int k = 0; k < group_count_; ++k) {
+        DepthProbes& probes = groups_[k];
+        for (int i = 0; i < kLanes; i += 4) {
+          const Float4 dx = load4(probes.x + i) - held_by.x, dy = load4(probes.y + i) - held_by.y;
+          const Float4 depth = load4(probes.depth + i);
+          store4(probes.depth + i, dx * dx + dy * dy < held_by.depth * held_by.depth ? Float4{} : depth);
+        }
+        findBest(probes);
+      }
     }
   }
 
-  template <typename Show>
-  void measure(DepthProbes& probes, Show show) {
+  void measure(DepthProbes& probes) {
     convex_ != nullptr ? measureDepths(*convex_, probes) : detail::measureDepths(*outline_, probes);
-    for (int i = 0; i < kLanes; ++i) {
-      const Guess found{probes.x[i], probes.y[i], probes.depth[i]};
-      show(found);
-      if (found.depth > best_.depth) best_ = found;
-    }
+    findBest(probes);
+  }
+
+  void findBest(const DepthProbes& probes) {
+    const Float4 four = larger(load4(probes.depth), load4(probes.depth + 4));
+    const Float4 two = larger(four, shuffled<2, 3, 0, 1>(four));
+    if (!(std::max(two[0], two[1]) > best_.depth)) return;
+    const auto k = std::max_element(probes.depth, probes.depth + kLanes) - probes.depth;
+    best_ = {probes.x[k], probes.y[k], probes.depth[k]};
   }
 
   const SmallPolygon* convex_;  ///< asked instead of the outline, if there is one
   std::optional<ThinnedOutline> outline_;
   const Box& root_;
-  bool few_;
-  Guess best_{0, 0, -1e30f}, places_[kMostPlaces], chosen_[kLanes];
-  int place_count_ = 0, count_ = 0;
+  DepthProbes groups_[kMostGroups];
+  Guess best_{0, 0, -1e30f}, chosen_[kLanes];
+  int group_count_ = 0, count_ = 0;
 };
 
 /// Exactly, as far as a radius less an ulp is the radius. Edges that are farther away by a 2^-10 need no exact number.
@@ -165,73 +155,61 @@ class DiscSearch {
 /// A point in units from S.
 Vec2 inFrame(const PolygonData& polygon, const Vec2& p) { return polygon.origin + p * polygon.unit; }
 
-/// The radius, in units, of a disc that no edge meets, at most `most`; 0 if that can't be shown.
-double clearRadius(const PolygonData& polygon, const Vec2& center, double most) {
-  if (!polygon.fitsUnit() || !inFrame(polygon, center).allFinite()) return 0;
-  // Taking the centre to the polygon's frame rounds it, in either coordinate, by U of the product and of the sum with
-  // S, which may be far off.
-  const Place place{center.x(), center.y(), 4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)};
-  const SmallPolygon* small = topOf(polygon).small.get();
-  const double radius =
-      small == nullptr ? clearanceAt(hierarchyOf(polygon), place, most) : std::min(clearanceOfFew(*small, place), most);
-  return radius > 0 && std::isfinite(radius * polygon.unit) ? radius : 0;
-}
-
-bool isInside(const PolygonData& polygon, const Vec2& center) {
-  return locateInPolygon(polygon, IncludedPoint::ofFrame(inFrame(polygon, center))) == Location::Inside;
-}
-
 }  // namespace
 
-ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : fill(polygon.fill) {
+ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : is_even_odd_(polygon.fill == FillRule::EvenOdd) {
   const std::size_t stride = polygon.path.size() / kSearched + 1;
-  edges.reserve(polygon.path.size() / stride + polygon.ringCount());
-  const auto narrow = [](double value) { return std::abs(value) < 0x1p-60 ? 0 : static_cast<float>(value); };
+  const std::size_t most = polygon.path.size() / stride + polygon.ringCount();
+  if (most > kFew) many_.resize(most);
+  end_ = begin_ = many_.empty() ? few_ : many_.data();
+  const auto vertex = [&](std::size_t position) {
+    const Vec2 p = polygon.inUnits(polygon.path[position]);
+    const Double2 v = load2(p.data());
+    return narrowed(absolute(v) < 0x1p-60 ? Double2{} : v);
+  };
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
     const std::size_t end = polygon.edgeEnd(r);
-    Vec2 v = polygon.inUnits(polygon.path[polygon.edgeBegin(r)]);
-    float x = narrow(v.x()), y = narrow(v.y());
+    Float2 v = vertex(polygon.edgeBegin(r));
     for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
-      const Vec2 w = polygon.inUnits(polygon.path[std::min(e + stride, end)]), along = w - v;
-      const double square = along.squaredNorm();
-      const float end_x = narrow(w.x()), end_y = narrow(w.y());
-      edges.push_back({x, y, end_y, end_x - x, end_y - y, static_cast<float>(along.x()), static_cast<float>(along.y()),
-                       square > 1e-20 ? static_cast<float>(1 / square) : 0});
+      const Float2 w = vertex(std::min(e + stride, end)), along = w - v, squares = along * along;
+      const float square = squares[0] + squares[1];
+      const float inverse = square > 1e-20f ? 1 / square : 0, slope = along[1] != 0 ? along[0] / along[1] : 0;
+      *end_++ = {v[0], v[1], w[1], along[0], along[1], inverse, slope};
       v = w;
-      x = end_x, y = end_y;
     }
   }
 }
 
-double provenRadius(const PolygonData& polygon, const Vec2& center, double most) {
-  const double radius = clearRadius(polygon, center, most);
-  return radius > 0 && isInside(polygon, center) ? radius : 0;
+double provenRadius(const PolygonData& polygon, const Vec2& center, float depth) {
+  if (!polygon.fitsUnit()) return 0;
+  const auto isInside = [&] {
+    const Vec2 p = inFrame(polygon, center);
+    return p.allFinite() && locateInPolygon(polygon, IncludedPoint::ofFrame(p)) == Location::Inside;
+  };
+  // Taking the centre to the polygon's frame rounds it, in either coordinate, by U of the product and of the sum with
+  // S, which may be far off.
+  const Place place{center.x(), center.y(), 4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)};
+  if (ThinnedOutline::isWhole(polygon) && depth > kSurelyBeside && std::abs(place.x) + std::abs(place.y) < 4) {
+    const double radius = std::max(depth - kDepthError - 2 * place.error, 0.0);
+    assert(radius == 0 || isInside());
+    return radius;
+  }
+  // What a thinned outline overlooks makes a disc smaller, rounding perhaps larger.
+  const double radius = clearanceAt(hierarchyOf(polygon), place, depth * (1 + 0x1p-10));
+  return radius > 0 && std::isfinite(radius * polygon.unit) && isInside() ? radius : 0;
 }
 
 InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
   int first = 0;
-  const Hierarchy& hierarchy = topOf(polygon);
-  const bool is_convex = hierarchy.small_convex != nullptr;
-  for (const Guess& guess : DiscSearch(polygon, hierarchy)) {
-    // What the thinned outline overlooks makes a disc smaller, rounding perhaps larger.
-    const Vec2 at(guess.x, guess.y);
-    const double proven = clearRadius(polygon, at, guess.depth * (1 + 0x1p-10));
+  for (const Guess& guess : DiscSearch(polygon, topOf(polygon))) {
+    const double proven = provenRadius(polygon, Vec2(guess.x, guess.y), guess.depth);
     if (!(proven > 0)) continue;
-    // No edge parts two discs that meet: if the one is in the region, so is the other. And a convex region is what is
-    // beyond no line.
-    bool is_inside =
-        is_convex ? guess.depth > kFewEdgesError : ThinnedOutline::isWhole(polygon) && proven >= kSurelyBeside;
-    assert(!is_inside || isInside(polygon, at));
-    for (int i = 0; i < count && !is_inside; ++i) {
-      const double sum = (radius[i] + proven) * (1 - 0x1p-20);
-      is_inside = (at - Vec2(x[i], y[i])).squaredNorm() < sum * sum;
-    }
-    if (!is_inside && !isInside(polygon, at)) continue;
     const int k = count++;
     x[k] = guess.x;
     y[k] = guess.y;
     radius[k] = static_cast<float>(proven * (1 - 0x1p-22));
-    reach = std::max(reach, std::hypot(x[k], y[k]) + radius[k]) * (1 + 0x1p-20f);
+    const double away = std::sqrt(dot(Double2{x[k], y[k]}, Double2{x[k], y[k]}));
+    reach = std::max(reach, static_cast<float>((away + radius[k]) * (1 + 0x1p-20)));
     if (radius[k] > radius[first]) first = k;
   }
   if (count == 0) return;

@@ -90,8 +90,8 @@ struct Avx2Lanes {
   [[gnu::always_inline]] friend L absolute(L p) { return {(Eight)((EightBits)p.v & 0x7fffffff)}; }
   [[gnu::always_inline]] friend L flipped(L p, L q) { return {(Eight)((EightBits)p.v ^ ((EightBits)q.v & INT32_MIN))}; }
   [[gnu::always_inline]] friend L root(L p) { return {__builtin_ia32_sqrtps256(p.v)}; }
-  [[gnu::always_inline]] friend L larger(L p, L q) { return {p.v > q.v ? p.v : q.v}; }
-  [[gnu::always_inline]] friend L smaller(L p, L q) { return {p.v < q.v ? p.v : q.v}; }
+  [[gnu::always_inline]] friend L larger(L p, L q) { return {__builtin_ia32_maxps256(p.v, q.v)}; }
+  [[gnu::always_inline]] friend L smaller(L p, L q) { return {__builtin_ia32_minps256(p.v, q.v)}; }
   [[gnu::always_inline]] friend L whereAbove(L p, L q) { return {p.v > q.v ? p.v : 1e30f - Eight{}}; }
   [[gnu::always_inline]] friend unsigned above(L p, L q) {
     const EightBits greater = p.v > q.v;

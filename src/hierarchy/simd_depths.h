@@ -24,15 +24,14 @@ template <class Lanes>
 void measureDepths(const ThinnedOutline& outline, DepthProbes& probes) {
   const Lanes at_x = Lanes::load(probes.x), at_y = Lanes::load(probes.y), zero = Lanes::all(0);
   Lanes square = Lanes::all(1e30f);
-  const bool is_even_odd = outline.fill == FillRule::EvenOdd;
+  const bool is_even_odd = outline.isEvenOdd();
   unsigned odd = 0;
   LaneCounts ups, downs;
-  for (const ThinnedOutline::Edge& e : outline.edges) {
+  for (const ThinnedOutline::Edge& e : outline) {
     const Lanes x = at_x - e.x, y = at_y - e.y;
     square = smaller(square, besideSegment(x, y, e.along_x, e.along_y, e.inverse_square).square);
     const unsigned above_start = above(y, zero), above_end = above(at_y, Lanes::all(e.end_y));
-    const unsigned left = above(x * e.to_end_y - y * e.to_end_x, zero);
-    const unsigned crossed = (above_start ^ above_end) & (above_start ^ left);
+    const unsigned crossed = (above_start ^ above_end) & above(y * e.slope, x);
     odd ^= crossed;
     if (is_even_odd) continue;
     ups.add(crossed & above_start);
