@@ -66,7 +66,8 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   } else if (facts != nullptr) {
     isWorthIt(facts->balance, -1);
   }
-  std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
+  if (result.size() > 1)
+    std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > options.most)
     result.erase(result.begin() + static_cast<std::ptrdiff_t>(options.most), result.end());
   return result;

@@ -32,8 +32,9 @@ struct TurnedOutline {
 /// Edge by edge around an outline.
 class Walk {
  public:
-  Walk(const TurnedOutline& outline, std::uint32_t corner, bool is_forward)
-      : to(outline.corner(corner)), outline_(outline), corner_(corner), is_forward_(is_forward) {
+  /// From a corner, which is at `start`.
+  Walk(const TurnedOutline& outline, std::uint32_t corner, const Double2& start, bool is_forward)
+      : to(start), outline_(outline), corner_(corner), is_forward_(is_forward) {
     advance();
   }
 
@@ -90,7 +91,16 @@ Located placeOf(const Vec2& p, const AxisSide& side, double doubtful) {
 class OverlapMiddle {
  public:
   OverlapMiddle(const TurnedOutline& own, const TurnedOutline& other, const FaceDepth& face, double error, double tie)
-      : own_(own), other_(other), face_(face), error_(error), tie_(tie) {}
+      : own_(own),
+        other_(other),
+        face_at_(own.corner(face.edge)),
+        deepest_at_(other.corner(face.deepest)),
+        own_right_(fromFace(face, true)),
+        own_left_(fromFace(face, false)),
+        other_right_(other, face.deepest, deepest_at_, !other_.is_mirrored),
+        other_left_(other, face.deepest, deepest_at_, other_.is_mirrored),
+        error_(error),
+        tie_(tie) {}
 
   /// False where doubles don't tell.
   bool find() {
@@ -108,14 +118,16 @@ class OverlapMiddle {
 
  private:
   struct Side {
-    double at, slope, lowest;
+    double at, lowest;
+    Double2 way;
+    double slope() const { return way[0] / way[1]; }
   };
 
-  Walk fromFace(bool to_right) const {
-    const bool forward = to_right == own_.is_mirrored;
-    return {own_, forward ? own_.ring.next(face_.edge) : face_.edge, forward};
+  Walk fromFace(const FaceDepth& face, bool to_right) const {
+    if (to_right != own_.is_mirrored) return {own_, face.edge, face_at_, false};
+    const std::uint32_t end = own_.ring.next(face.edge);
+    return {own_, end, own_.corner(end), true};
   }
-  Walk fromDeepest(bool to_right) const { return {other_, face_.deepest, to_right != other_.is_mirrored}; }
 
   /// Where an outline's side is at a level, or at corners that are above it by no more than a tie, if it comes there.
   Side sideAt(Walk walk, std::uint32_t size, bool leads_down, double level) const {
@@ -125,8 +137,7 @@ class OverlapMiddle {
       walk.advance();
       lowest = std::min(lowest, walk.to[1]);
     }
-    const Double2 way = walk.to - walk.from;
-    return {walk.at(1, level), way[0] / way[1], lowest};
+    return {walk.at(1, level), lowest, walk.to - walk.from};
   }
 
   /// Where the overlap is deepest, or the middle of that. From its bottom on upwards, what the outlines have of a level
@@ -134,27 +145,28 @@ class OverlapMiddle {
   /// (Newton's method), edge by edge.
   bool findDeepest(double& across, double& level) {
     const std::uint32_t own_size = own_.ring.size(), other_size = other_.ring.size();
-    level = other_.corner(face_.deepest)[1];
+    level = deepest_at_[1];
     const double beyond = level - 8 * error_;
     for (std::uint32_t steps = own_size + other_size; steps > 0; --steps) {
-      const Side own_right = sideAt(fromFace(true), own_size, true, level);
+      const Side own_right = sideAt(own_right_, own_size, true, level);
       own_reaches_beyond = own_reaches_beyond || own_right.lowest < beyond;
       if (own_right.lowest > level + tie_) {
         level = own_right.lowest;
         continue;
       }
-      const Side own_left = sideAt(fromFace(false), own_size, true, level),
-                 other_right = sideAt(fromDeepest(true), other_size, false, level),
-                 other_left = sideAt(fromDeepest(false), other_size, false, level);
+      const Side own_left = sideAt(own_left_, own_size, true, level),
+                 other_right = sideAt(other_right_, other_size, false, level),
+                 other_left = sideAt(other_left_, other_size, false, level);
       const Side &right = own_right.at < other_right.at ? own_right : other_right,
                  &left = own_left.at > other_left.at ? own_left : other_left;
       across = 0.5 * left.at + 0.5 * right.at;
       if (left.at <= right.at) return true;
-      const double closing = right.slope - left.slope, step = (left.at - right.at) / closing;
+      const double right_slope = right.slope(), left_slope = left.slope();
+      const double closing = right_slope - left_slope, step = (left.at - right.at) / closing;
       if (!(closing > 0)) return false;
       if (step <= error_) {
         // The flatter one's point of a level line is hardly known.
-        across = std::abs(right.slope) < std::abs(left.slope) ? right.at : left.at;
+        across = std::abs(right_slope) < std::abs(left_slope) ? right.at : left.at;
         return true;
       }
       level += step;
@@ -164,11 +176,11 @@ class OverlapMiddle {
 
   /// The upper end of what the overlap has of an upright line.
   double topAt(double across) {
-    const double face_at = own_.corner(face_.edge)[1], beyond = face_at + 8 * error_;
-    double top = face_at;
+    const double beyond = face_at_[1] + 8 * error_;
+    double top = face_at_[1];
     for (const double sign : {1, -1}) {
       const auto ahead = [&](Double2 p) { return sign * (p[0] - across); };
-      Walk own = fromFace(sign > 0), other = fromDeepest(sign > 0);
+      Walk own = sign > 0 ? own_right_ : own_left_, other = sign > 0 ? other_right_ : other_left_;
       std::uint32_t own_left = own_.ring.size(), other_left = other_.ring.size();
       if (ahead(own.from) < 0) {
         while (ahead(own.to) < 0 && --own_left > 0) own.advance();
@@ -191,7 +203,8 @@ class OverlapMiddle {
   }
 
   const TurnedOutline &own_, &other_;
-  const FaceDepth& face_;
+  const Double2 face_at_, deepest_at_;                          ///< where the face begins, and the corner
+  const Walk own_right_, own_left_, other_right_, other_left_;  ///< from the face's ends, and from the corner
   const double error_, tie_;
 };
 
@@ -224,13 +237,14 @@ class ConvexPair {
   Vec2 right() const { return {up_.y(), -up_.x()}; }
 
   TurnedOutline turned(bool of_a) const {
-    const auto turn = [&](double x, double y) {
-      const Vec2 way = axes_.side(true).inWorld({x, y});
-      return Double2{right().dot(way), up_.dot(way)};
-    };
+    const Double2 column_x = load2(axes_.side(true).linear.data()),
+                  column_y = load2(axes_.side(true).linear.data() + 2), to_x{up_.y(), up_.x()}, to_y{-up_.x(), up_.y()};
+    const auto turn = [&](Double2 way) { return to_x * way[0] + to_y * way[1]; };
+    const auto turnOwn = [&](double x, double y) { return turn(column_x * x + column_y * y); };
     const AxisSide& side = axes_.side(of_a);
-    if (of_a) return {side.ring, side.mirrors, turn(1, 0), turn(0, 1), Double2{}};
-    return {side.ring, side.mirrors, turn(pair_.m00, pair_.m10), turn(pair_.m01, pair_.m11), turn(pair_.tx, pair_.ty)};
+    if (of_a) return {side.ring, side.mirrors, turn(column_x), turn(column_y), Double2{}};
+    return {side.ring, side.mirrors, turnOwn(pair_.m00, pair_.m10), turnOwn(pair_.m01, pair_.m11),
+            turnOwn(pair_.tx, pair_.ty)};
   }
 
   /// Of those that are equally deep but for rounding, the one that leads b's S away from a's.

@@ -101,7 +101,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
     else if (known)
       isWorthIt(facts->balance, -1);
   }
-  verdict_ = findLeast(edgeTowardsOther(a_));
+  verdict_ = findLeast();
   if (are_resting && verdict_ != Meet) facts->first_id = 0;
   if (verdict_ != Meet) return;
   // Of queries that do without them the last one sees where the pair is.
@@ -109,8 +109,52 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
   removeDeep();
 }
 
+SeparatingAxes::Verdict SeparatingAxes::findLeast() {
+  ConvexFaces faces;
+  const Verdict verdict = findNear(faces) ? lookBehind(faces) : lookBehindAll(edgeTowardsOther(a_));
+  // Too many may be as deep as the least but for rounding.
+  return verdict == Meet && least_left_out_ < least_depth_ + within_ ? Unsure : verdict;
+}
+
+/// Of few faces those that floats don't prove to be too deep; false if there are more, or those of a hull.
+///
+/// A depth d in a's units is D in the world, where |D - u d| <= u |d| s, u is the unit and s = scale_defect; |d| is at
+/// most 6. So the D of faces whose d differ by w / u + 16 s differ by at least
+///   u (w / u + 16 s) (1 - s) - 12 u s
+/// which is above w if w / u + 16 s < 1.
+bool SeparatingAxes::findNear(ConvexFaces& faces) const {
+  if (std::max(a_.ring.size(), b_.ring.size()) > SmallPolygon::kMost) return false;
+  const PolygonData *corners_a = cornersOf(a_.seen.a), *corners_b = cornersOf(a_.seen.b);
+  if (corners_a == nullptr || corners_b == nullptr) return false;
+  const PosedPair& pair = a_.seen;
+  const UnitPlacement at = unitsOf(pair);
+  const double wanted = within_ + lookahead_ + 2 * kDepthError * error_,
+               more = wanted * at.inverse_unit + 16 * at.scale_defect;
+  if (!(more < 1 && at.map.error < 1 && std::abs(at.map.tx) + std::abs(at.map.ty) < 4)) return false;
+  const SmallPolygon *a = topOf(*corners_a).small.get(), *b = topOf(*corners_b).small.get();
+  if (a == nullptr || b == nullptr) return false;
+  faces = convexFaces(*a, *b, at.map, at.rounding, more);
+  return true;
+}
+
+SeparatingAxes::Verdict SeparatingAxes::lookBehind(const ConvexFaces& faces) {
+  const AxisSide &own = side(faces.of_a), &other = side(!faces.of_a);
+  const std::uint32_t edge = own.outline.edgeOf(static_cast<std::uint32_t>(faces.edge)),
+                      vertex = other.outline.cornerOf(static_cast<std::uint32_t>(faces.vertex));
+  Verdict verdict = faces.near != 0 ? Meet : Apart;
+  for (unsigned left = faces.near; left != 0 && verdict == Meet; left &= left - 1) {
+    const auto number = static_cast<std::uint32_t>(__builtin_ctz(left));
+    const bool of_a = number < SmallPolygon::kMost;
+    FaceDepth face;
+    Vec2 deepest;
+    verdict = lookBehind(of_a, side(of_a).outline.edgeOf(number % SmallPolygon::kMost),
+                         of_a == faces.of_a ? vertex : edge, face, deepest);
+  }
+  return verdict;
+}
+
 /// The first face to be asked is one that looks at the other polygon: what the least depth isn't above is soon known.
-SeparatingAxes::Verdict SeparatingAxes::findLeast(std::uint32_t first_of_a) {
+SeparatingAxes::Verdict SeparatingAxes::lookBehindAll(std::uint32_t first_of_a) {
   std::uint32_t first = first_of_a, at = 0;
   for (const bool of_a : {true, false}) {
     const AxisSide& own = side(of_a);
@@ -118,17 +162,15 @@ SeparatingAxes::Verdict SeparatingAxes::findLeast(std::uint32_t first_of_a) {
     best.depth = std::numeric_limits<double>::infinity();
     Vec2 deepest;
     for (std::uint32_t k = first, left = own.ring.size(); left > 0; skipDeep(own, deepest, k, left)) {
-      if (!lookBehind(of_a, k, at, face, deepest)) return Unsure;
-      if (face.depth < -kDepthError * error_) return Apart;
-      add(face);
+      const Verdict verdict = lookBehind(of_a, k, at, face, deepest);
+      if (verdict != Meet) return verdict;
       if (face.depth < best.depth) best = face;
       at = face.deepest;
     }
     first = best.deepest;
     at = best.edge;
   }
-  // Otherwise too many are as deep as the least but for rounding.
-  return least_left_out_ < least_depth_ + within_ ? Unsure : Meet;
+  return Meet;
 }
 
 /// Of the faces in the facts, which were the least.
@@ -136,25 +178,26 @@ SeparatingAxes::Verdict SeparatingAxes::findLeastKept(const ContactFacts& facts)
   for (int f = 0; f < facts.count; ++f) {
     FaceDepth face;
     Vec2 deepest;
-    if (!lookBehind(facts.of_first[f], facts.face[f], facts.behind[f], face, deepest)) return Unsure;
-    add(face);
+    const Verdict verdict = lookBehind(facts.of_first[f], facts.face[f], facts.behind[f], face, deepest);
+    if (verdict != Meet) return verdict;
   }
   return Meet;
 }
 
-/// The other one's corners are asked from `at` on. False if the deepest isn't found.
-bool SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Vec2& deepest) const {
+/// The other one's corners are asked from `at` on. Unsure if the deepest isn't found.
+SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face,
+                                                   Vec2& deepest) {
   const AxisSide &own = side(of_a), &other = side(!of_a);
   const Vec2 start = own.corner(edge), way = own.corner(edge + 1) - start;
   const double square = own.inWorld(way).squaredNorm();
   // Otherwise its length has lost digits.
-  if (!(square > 0x1p-400)) return false;
+  if (!(square > 0x1p-400)) return Unsure;
   const PosedPair& seen = own.seen;
   const Double2 inwards{seen.m10 * way.x() - seen.m00 * way.y(), seen.m11 * way.x() - seen.m01 * way.y()};
   // No edge is longer than two radii.
   RingRange range{at, 0};
   if (!other.ring.foremost(inwards, kClimbError * way.lpNorm<1>() * (2.001 * other.seen.a.radius) + kTiny, range))
-    return false;
+    return Unsure;
   face.certain = range.count == 1;
   face.deepest = range.first;
   for (std::uint32_t v = range.first; --range.count > 0;) {
@@ -166,7 +209,9 @@ bool SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at,
   face.of_a = of_a;
   face.edge = edge;
   face.depth = own.determinant * area / std::sqrt(square);
-  return true;
+  if (face.depth < -kDepthError * error_) return Apart;
+  add(face);
+  return Meet;
 }
 
 /// An edge at the corner that is foremost on the way to the other one's S.
@@ -211,6 +256,7 @@ void SeparatingAxes::add(const FaceDepth& face) {
 
 /// Those that are deeper than the least by more than rounding; the others in an order of their own.
 void SeparatingAxes::removeDeep() {
+  if (count_ == 1) return;
   const auto begin = least_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
   const auto kept = std::remove_if(begin, end, [&](const FaceDepth& f) { return f.depth > least_depth_ + within_; });
   count_ = static_cast<std::size_t>(kept - begin);

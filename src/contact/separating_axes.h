@@ -8,6 +8,7 @@
 
 #include "convex/convex_outline.h"
 #include "convex/convex_ring.h"
+#include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 #include "tricover/pair_cache.h"
 
@@ -71,9 +72,12 @@ class SeparatingAxes {
   double tie() const { return 4 * error_; }
 
  private:
-  Verdict findLeast(std::uint32_t first_of_a);
+  Verdict findLeast();
+  bool findNear(ConvexFaces& faces) const;
+  Verdict lookBehind(const ConvexFaces& faces);
+  Verdict lookBehindAll(std::uint32_t first_of_a);
   Verdict findLeastKept(const ContactFacts& facts);
-  bool lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Vec2& deepest) const;
+  Verdict lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Vec2& deepest);
   std::uint32_t edgeTowardsOther(const AxisSide& side) const;
   void skipDeep(const AxisSide& side, const Vec2& p, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;

@@ -36,6 +36,8 @@ ConvexOutline makeOutline(const PolygonData& polygon) {
     const auto leftmost =
         std::min_element(outline.corners.begin(), outline.corners.end(),
                          [&](std::size_t i, std::size_t j) { return isBefore(polygon.path[i], polygon.path[j]); });
+    const auto before = static_cast<std::uint32_t>(leftmost - outline.corners.begin());
+    outline.first = outline.forward ? before : static_cast<std::uint32_t>(outline.corners.size()) - 1 - before;
     std::rotate(outline.corners.begin(), leftmost, outline.corners.end());
     outline.is_region = true;
   } else {
@@ -66,6 +68,7 @@ std::size_t pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline,
 
 std::size_t pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p) {
   const std::size_t next = k + 1 < outline.corners.size() ? k + 1 : 0, first = outline.forward ? k : next;
+  if (outline.corners.size() + 1 == polygon.path.size()) return outline.corners[first];  // all vertices are corners
   return edgeBeside(polygon, outline.corners[first], outline.corners[outline.forward ? next : k], p);
 }
 

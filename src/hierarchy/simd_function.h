@@ -39,7 +39,7 @@ class Simd<Result(Arguments...)> {
   X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) X(visitEdgesToPlace) \
   X(showEdgesNear) X(visitEdgesOnWay) X(visitEdgesOnRay) X(visitEdgesAround) X(findEdgesOnWays) \
   X(cutWindows) X(depthInDiscs) X(innerDepth) X(convexMeet) \
-  X(convexGap) X(convexEntry) X(convexCrossing) X(convexSight) X(fewEdgesMeet) \
+  X(convexGap) X(convexFaces) X(convexEntry) X(convexCrossing) X(convexSight) X(fewEdgesMeet) \
   X(smallGaps) X(nearEdges) X(boxAround) X(boxesMeeting) X(boxesOnRay) X(boxesNear) \
   X(measureDepths) X(twofoldWay) X(twofoldArea) X(twofoldBeside)
 // clang-format on

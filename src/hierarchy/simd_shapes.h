@@ -145,12 +145,18 @@ template <class Lanes>
       .index;
 }
 
-/// The edge with the highest score: that of a normal from its polygon to the other, turned to lead from a to b, and of
-/// how far the other is beyond the edge. b's vertices are at x, y.
+/// Of every edge of a and of b.
+template <class Lanes>
+struct EdgeScores {
+  Values<Lanes> a, b;
+};
+
+/// Scores of edges: each of a normal from its polygon to the other, turned to lead from a to b, and of how far the
+/// other is beyond the edge. b's vertices are at x, y, and its normals are left in a's frame.
 template <class Lanes, class Score>
-[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
-                                                 const float* x, const float* y, Score score) {
-  float bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
+[[gnu::always_inline]] inline EdgeScores<Lanes> scoresOf(const SmallPolygon& a, const SmallPolygon& b,
+                                                         const UnitMap& map, const float* x, const float* y, float* bnx,
+                                                         float* bny, Score score) {
   const FloatMap to_a(map);
   const auto of_a = [&](int i) __attribute__((always_inline)) {
     const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i);
@@ -164,15 +170,22 @@ template <class Lanes, class Score>
     const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
     return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.count));
   };
+  return {valuesOf<Lanes>(a.lanes, of_a), valuesOf<Lanes>(b.lanes, of_b)};
+}
+
+/// The edge with the highest score. b's vertices are at x, y, its normals at bnx, bny.
+template <class Lanes>
+[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const float* x,
+                                                 const float* y, const float* bnx, const float* bny,
+                                                 const EdgeScores<Lanes>& scores) {
   Largest best;
   bool is_of_a;
   if (a.lanes + b.lanes == 2 * kLanes) {  // all at once
-    best = largestOf<Lanes>({of_a(0), of_b(0)});
+    best = largestOf<Lanes>({scores.a.first, scores.b.first});
     is_of_a = best.index < kLanes;
     best.index &= kLanes - 1;
   } else {
-    const Largest best_a = largestOf<Lanes>(valuesOf<Lanes>(a.lanes, of_a));
-    const Largest best_b = largestOf<Lanes>(valuesOf<Lanes>(b.lanes, of_b));
+    const Largest best_a = largestOf<Lanes>(scores.a), best_b = largestOf<Lanes>(scores.b);
     is_of_a = best_a.value >= best_b.value;
     best = is_of_a ? best_a : best_b;
   }
@@ -182,11 +195,37 @@ template <class Lanes, class Score>
   return {best.value, e, vertex, is_of_a};
 }
 
+/// The same of scores as above.
+template <class Lanes, class Score>
+[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
+                                                 const float* x, const float* y, Score score) {
+  float bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
+  return bestEdge<Lanes>(a, b, x, y, bnx, bny, scoresOf<Lanes>(a, b, map, x, y, bnx, bny, score));
+}
+
 template <class Lanes>
 [[gnu::always_inline]] inline ConvexGap widestGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
                                                   const float* x, const float* y) {
   return bestEdge<Lanes>(
       a, b, map, x, y, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
+}
+
+/// Rounding as in convexMeet(); half as much more is for what is subtracted.
+template <class Lanes>
+ConvexFaces convexFaces(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
+                        double more) {
+  const float slack = static_cast<float>(8 * rounding + map.error), far = 2.5f * slack + static_cast<float>(more);
+  float x[SmallPolygon::kMost], y[SmallPolygon::kMost], bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
+  mapVertices<Lanes>(b, map, x, y);
+  const EdgeScores<Lanes> gaps = scoresOf<Lanes>(
+      a, b, map, x, y, bnx, bny, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
+  const ConvexGap best = bestEdge<Lanes>(a, b, x, y, bnx, bny, gaps);
+  if (best.gap > slack) return {best, 0};
+  const Lanes limit = Lanes::all(best.gap - far);
+  const auto nearBest = [&](const Values<Lanes>& of) __attribute__((always_inline)) {
+    return above(of.first, limit) | above(of.second, limit) << kLanes;
+  };
+  return {best, (nearBest(gaps.a) & a.edges) | (nearBest(gaps.b) & b.edges) << SmallPolygon::kMost};
 }
 
 template <class Lanes>

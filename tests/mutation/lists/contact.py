@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
-    ("src/contact/convex_contact.cpp", "to_right != other_.is_mirrored", "to_right", "convex contact: the other one mirrored"),
+    ("src/contact/convex_contact.cpp", "deepest_at_, !other_.is_mirrored)", "deepest_at_, true)", "convex contact: the other one mirrored"),
     ("src/contact/convex_contact.cpp", "other_reaches_beyond || other.to[1] > beyond;", "true;", "convex contact: no containment"),
     ("src/contact/convex_contact.cpp", "if (step <= error_) {", "if (true) {", "convex contact: deepest where level lines don't meet"),
     ("src/contact/convex_contact.cpp", "      if (returns()) top", "      if (false) top", "convex contact: the line leaves the other one before the face"),
     ("src/contact/convex_contact.cpp", "if (other_left == 0) top", "if (false) top", "convex contact: a needle along the normal"),
     ("src/contact/separating_axes.cpp", "area * area > most_square * (square[0]", "area * area > 0.5 * most_square * (square[0]", "separating axes: the least face is skipped"),
     ("src/contact/separating_axes.cpp", "if (face.depth < -kDepthError * error_) return Apart;", "if (face.depth < 0.1) return Apart;", "separating axes: what overlaps is apart"),
+    ("src/contact/separating_axes.cpp", "number < SmallPolygon::kMost", "number <= SmallPolygon::kMost", "separating axes: b's first face is one of a's"),
+    ("src/convex/convex_outline.h", "forward ? number - first : first - number", "number - first", "convex outline: clockwise corners the other way round"),
     ("src/contact/convex_penetration.cpp", "pose.linear().determinant() < 0", "false", "convex penetration: mirrored poses"),
     ("src/contact/convex_penetration.cpp", "dot(normal, own.at(face) - other.at(at)).high / length", "dot(normal, own.at(face) - other.at(at)).high * (1 + 1e-14) / length", "convex penetration: plain doubles"),
     ("src/contact/separating_axes.cpp", "kMappingError < 0x1p200", "kMappingError < 0x1p600", "separating axes: a diagonal of an infinite square is no depth at all"),

@@ -51,6 +51,7 @@ MUTATIONS = [
     ("src/hierarchy/simd_shapes.h", "const float slack = static_cast<float>(8 * rounding + map.error);\n  const float reach", "const float slack = static_cast<float>(8 * rounding);\n  const float reach", "inner discs: the map's error"),
     ("src/hierarchy/simd_shapes.h", "(Lanes::load(b.radius) * to_a.scale - slack).store(radius);", "(Lanes::load(b.radius) * to_a.scale * 1.001f).store(radius);", "inner discs: b's too large"),
     ("src/hierarchy/simd_shapes.h", "(deepest - slack) / (2.0 * ", "(deepest - slack) / (1.0 * ", "inner discs: depth too large"),
+    ("src/hierarchy/simd_shapes.h", "Lanes::all(best.gap - far)", "Lanes::all(best.gap)", "convex faces: those that are as deep but for rounding"),
     ("src/hierarchy/simd_shapes.h", "if (shallow == 0) return {-1, 0};", "if ((in & 7) == 7) return {-1, 0};", "convex crossing: inside without slack"),
     ("src/hierarchy/simd_ways.h", "ways.reach[k] + kRounding * size", "ways.reach[k] + 0 * kRounding * size", "few edges: floats taken for exact"),
     ("src/hierarchy/simd_windows.h", "(gap - to) + sag;", "gap - to;", "eight windows: no sag"),
