@@ -77,6 +77,8 @@ void askPairCached(const Input& in) {
 
 Input closeBars(std::size_t n) { return growth::slidingBars(n, 1e-8); }
 Input looseBars(std::size_t n) { return growth::slidingBars(n, 1e-3); }
+Input passingFans(std::size_t n) { return growth::passingFans(n, 5e-4, 0); }
+Input turningFans(std::size_t n) { return growth::passingFans(n, 5e-4, 0.1); }
 Input tightDisc(std::size_t n) { return growth::discInHole(n, 1e-4); }
 
 const std::vector<Row>& allRows() {
@@ -93,6 +95,8 @@ const std::vector<Row>& allRows() {
       {"fans of n edges", growth::fans, "distance", 1000, askDistance},
       {"fans of n edges", growth::fans, "time of impact", 250, askImpact},
       {"fans of n edges that touch", growth::touchingFans, "contacts", 500, askContacts},
+      {"fans of n edges that pass, 5e-4 apart", passingFans, "time of impact", 500, askImpact},
+      {"fans of n edges that pass and turn", turningFans, "time of impact", 500, askImpact},
       {"bars of n edges, 1e-3 apart, sliding", looseBars, "time of impact", 1000, askImpact},
       {"bars of n edges, 1e-8 apart, sliding", closeBars, "time of impact", 500, askImpact},
       {"disc turning in a hole, fits by 1e-4", tightDisc, "time of impact", 250, askImpact},

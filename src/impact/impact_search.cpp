@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "impact/node_corners.h"
 #include "impact/tight_nodes.h"
 #include "impact/vertex_ways.h"
 #include "impact/window_cutter.h"
@@ -49,7 +50,6 @@ class ImpactSearch {
       encounters_.pop_back();
       encounter.end = std::min(encounter.end, upper_bound_);
       if (++divided_ == kFloatsAlone) fitTightly();
-      tryOneAxis(encounter.begin);
       divide(encounter);
     }
     const double time = encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
@@ -62,6 +62,9 @@ class ImpactSearch {
   /// Of both movers.
   struct FittedNodes {
     TightNodes a, b;
+  };
+  struct CornersOfNodes {
+    NodeCorners a, b;
   };
 
   /// A node of either mover, and where it is in a window.
@@ -76,30 +79,35 @@ class ImpactSearch {
 
   /// As a rule an impact is found by then; if not, gaps may be narrower than the floats' boxes are wide.
   static constexpr int kFloatsAlone = 256;
-  void fitTightly() { tight_.emplace(FittedNodes{TightNodes(pair_.a), TightNodes(pair_.b)}); }
-
-  /// Fans of edges that come together in their common points have boxes that reach beyond these, however narrow they
-  /// are; but not along an axis that parts all of them, if there is one. Where it helps, little is left to divide: so
-  /// it is tried for an eighth of the time. What waits when it is tried first is cut by it at once, while that is
-  /// little.
-  static constexpr int kOneAxisFor = 128, kOneAxisOf = 8 * kOneAxisFor;
-  void tryOneAxis(double when) {
-    const int since = divided_ % kOneAxisOf - kFloatsAlone;
-    if (since == 0) fitAlong(when);
-    if (since == kOneAxisFor) along_.reset();
+  void fitTightly() {
+    tight_.emplace(FittedNodes{TightNodes(pair_.a), TightNodes(pair_.b)});
+    corners_.emplace(CornersOfNodes{NodeCorners(pair_.a), NodeCorners(pair_.b)});
+    wasted_ = -kWastePerVertex * static_cast<std::int64_t>(pair_.a.polygon->path.size() + pair_.b.polygon->path.size());
   }
-  void fitAlong(double when) {
-    const Places places_a = pair_.a.places(when, when), places_b = pair_.b.places(when, when);
-    const auto local = [](const Places& places, const Vec2& axis) {
-      return Vec2(places.m00[0] * axis.x() + places.m10[0] * axis.y(),
-                  places.m01[0] * axis.x() + places.m11[0] * axis.y());
-    };
-    const Vec2 axis = places_a.originTo(places_b);
-    along_.emplace(FittedNodes{TightNodes(pair_.a, local(places_a, axis)), TightNodes(pair_.b, local(places_b, axis))});
-    if (divided_ > kFloatsAlone) return;
-    std::vector<Encounter> waiting;
-    waiting.swap(encounters_);
-    for (const Encounter& encounter : waiting) offerAnew(encounter);
+
+  /// Fans of edges have boxes that reach beyond their common points, however narrow they are: side by side, each edge
+  /// of one may meet each of the other. So nodes are cut as edges are, along the axis between their corners' hulls, and
+  /// are divided only where it doesn't tell. What is asked in vain is counted in corners: it may be little beside the
+  /// search, and as much as was asked with success.
+  static constexpr std::int64_t kWastePerDivision = 2, kWastePerVertex = 2, kSplitCosts = 512;
+  static constexpr double kLittleOfNodes = 1.0 / 8;
+  bool cutByCorners(const Window& window, const Encounter& encounter, const MovingBox& box_a, const MovingBox& box_b) {
+    if (wasted_ > kWastePerDivision * divided_) return false;
+    const std::vector<Vec2>&a = corners_->a.below(encounter.a), &b = corners_->b.below(encounter.b);
+    const auto count = static_cast<std::int64_t>(a.size() + b.size());
+    wasted_ += count;
+    const Vec2 guess(box_b.x[0] - box_a.x[0], box_b.y[0] - box_a.y[0]);
+    const std::optional<Vec2> axis = axisBetween(a, window.a, b, window.b, guess, touch_distance_);
+    if (!axis) return false;
+    WindowCutter cutter(window, box_a, box_b);
+    const GapCutter::Axis n = cutter.axisOver(*axis);
+    const bool apart = cutter.cutByGap(n, gapAlong(n, a, window.a, b, window.b));
+    const Rest rest = cutter.rest();
+    if (!apart && rest.low <= rest.high && !(rest.low > 0 && pushApproaching(window, encounter, rest))) return false;
+    // Where ways bend by so much, windows become many: that doesn't pay for itself.
+    const bool is_little = !apart && rest.low < kLittleOfNodes && rest.aim > rest.low;
+    wasted_ += is_little ? kSplitCosts : -2 * count;
+    return true;
   }
 
   void push(const Encounter& encounter) {
@@ -119,16 +127,7 @@ class ImpactSearch {
     WindowCutter cutter(window, a.box, b.box);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
     if (tight_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
-    Rest rest = cutter.rest();
-    if (along_) {
-      const MovingBox along_a = pair_.a.box(window.a, along_->a.node(encounter.a));
-      const MovingBox along_b = pair_.b.box(window.b, along_->b.node(encounter.b));
-      WindowCutter by_one_axis(window, along_a, along_b);
-      if (by_one_axis.cutByAxesOfA() || by_one_axis.cutByAxesOfB()) return;
-      const Rest other = by_one_axis.rest();
-      rest.low = std::max(rest.low, other.low);
-      rest.high = std::min(rest.high, other.high);
-    }
+    const Rest rest = cutter.rest();
     if (rest.low <= rest.high) push(cut(encounter, rest));
   }
 
@@ -142,6 +141,7 @@ class ImpactSearch {
     const Node node_a = nodeA(encounter.a), node_b = nodeB(encounter.b);
     if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
     const MovingNode a = movingA(window, node_a), b = movingB(window, node_b);
+    if (tight_ && cutByCorners(window, encounter, a.box, b.box)) return;
     const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
     const WindowCutter cutter(window, a.box, b.box);
     // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter windows once they bend by less
@@ -238,8 +238,13 @@ class ImpactSearch {
       rest = restOfEdges(window, position_a, position_b);
     if (rest.low > rest.high) return;
 
-    // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a window up to
-    // there is shorter by an order.
+    if (!pushApproaching(window, encounter, rest))
+      touch(encounter.begin, position_a, position_b);  // no time between the window's ends
+  }
+
+  /// What is left of an encounter that is apart at its begin. Contact is likely about as far beyond the aim as that is
+  /// beyond the proven bound, if not before: a window up to there is shorter by an order. None if time has no room.
+  bool pushApproaching(const Window& window, const Encounter& encounter, const Rest& rest) {
     const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / window.length;
     const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
     const double split = encounter.begin + share * window.length;
@@ -250,8 +255,9 @@ class ImpactSearch {
     } else if (part.begin > encounter.begin) {
       push(part);
     } else {
-      touch(encounter.begin, position_a, position_b);  // no time between the window's ends
+      return false;
     }
+    return true;
   }
 
   const MovingPair& pair_;
@@ -261,7 +267,9 @@ class ImpactSearch {
   std::size_t edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound
   std::vector<Encounter> encounters_;
   int divided_ = 0;
-  std::optional<FittedNodes> tight_, along_;
+  std::optional<FittedNodes> tight_;
+  std::optional<CornersOfNodes> corners_;
+  std::int64_t wasted_ = 0;  ///< corners looked at in vain
 };
 
 }  // namespace

@@ -56,8 +56,7 @@ void addEdgesBelow(const std::vector<Block>& blocks, std::uint32_t index, std::v
 
 }  // namespace
 
-TightNodes::TightNodes(const Mover& mover, const Vec2& axis)
-    : mover_(mover), axis_(axis), slots_(mover.tree->blocks.size() * kLanes + 1, 0) {}
+TightNodes::TightNodes(const Mover& mover) : mover_(mover), slots_(mover.tree->blocks.size() * kLanes + 1, 0) {}
 
 Node TightNodes::node(std::uint32_t index) {
   std::uint32_t& slot = slots_[index == kRootNode ? slots_.size() - 1 : index];
@@ -76,7 +75,6 @@ Node TightNodes::fit(std::uint32_t index) const {
     edges.push_back(node.child);
   else
     addEdgesBelow(mover_.tree->blocks, node.child, edges);
-  if (axis_ != Vec2::Zero()) return fitAlong(node, edges, axis_.normalized());
   const Vec2 chord = at(edges.back() + 1) - at(edges.front());
   const double length = chord.norm();
   if (length > 0x1p-40) {

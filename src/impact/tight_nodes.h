@@ -11,12 +11,11 @@
 namespace tricover::detail {
 
 /// The nodes of a mover as doubles fit them, where floats are too wide for narrow gaps: boxes that lie along their
-/// chains (or all of them along one axis) to the last digits, and how far their edges are from the pivot. Each is
+/// chains to the last digits, and how far their edges are from the pivot. Each is
 /// fitted when it is first asked for; all of them together cost O(n log n).
 class TightNodes {
  public:
-  /// The axis is one of the polygon's frame, at any length; of length 0 it is each node's own.
-  explicit TightNodes(const Mover& mover, const Vec2& axis = Vec2::Zero());
+  explicit TightNodes(const Mover& mover);
 
   Node node(std::uint32_t index);
 
@@ -27,7 +26,6 @@ class TightNodes {
   Node fitAlong(Node node, const std::vector<std::uint32_t>& edges, const Vec2& axis) const;
 
   const Mover& mover_;
-  Vec2 axis_;
   std::vector<std::uint32_t> slots_;  ///< of blocks' lanes and the root, one more than where in nodes_; 0: not yet
   std::vector<Node> nodes_;
 };

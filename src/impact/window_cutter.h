@@ -45,8 +45,11 @@ class WindowCutter : public GapCutter {
  public:
   WindowCutter(const Window& window, const MovingBox& a, const MovingBox& b);
 
-  /// Each returns whether it parts the boxes throughout. By an axis of length 1 at the window's begin, which turns with
-  /// a, with b or not at all, as is best:
+  /// An axis of length 1 at the window's begin, which turns with a, with b or not at all, as is best for points of
+  /// them.
+  Axis axisOver(const Vec2& axis) const;
+
+  /// Each returns whether it parts the boxes throughout. By such an axis:
   bool cutByAxis(const Vec2& axis);
   /// By the axes of a or b, which turn with it or, if that loses more, stand still as in the middle of the window.
   bool cutByAxesOfA() { return cutByAxesOf(a_, turns_with_a_, turns_with_a_ ? sag_with_a_ : sag_fixed_); }
@@ -63,7 +66,6 @@ class WindowCutter : public GapCutter {
  private:
   bool cutByAxesOf(const MovingBox& box, bool turns, double sag);
   bool cut(Double2 nx, Double2 ny, double sag);
-  Axis axisOver(const Vec2& axis) const;
 
   const MovingBox &a_, &b_;
   const Pull& pull_;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <cmath>
+#include <random>
 #include <string>
 
 #include "exact_reference.h"
@@ -52,6 +54,34 @@ TEST_P(Growth, ImpactsAreNeverLate) {
     const Pose pose = in.motion.at(impact->time);
     EXPECT_TRUE(exact::within(exact::distanceSquared(in.a, Pose::Identity(), in.b, pose), 5e-6)) << n;
   }
+}
+
+/// As many edges as it takes for nodes to be cut by their corners: free before by collide(), and near each other then.
+TEST(GrowthOfImpacts, FansThatPassOrMeet) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  constexpr int kCases = 60;
+  int hits = 0;
+  for (int i = 0; i < kCases; ++i) {
+    const double gap = std::copysign(std::pow(10, 2.5 * unit(random) - 4.5), unit(random));
+    const double angle = i % 3 == 0 ? 0 : 0.3 * unit(random);
+    const growth::Input in = growth::passingFans(300, gap, angle);
+    const Motion still = Motion::still(Pose::Identity());
+    const bool swapped = i % 2 == 1;
+    const auto impact =
+        swapped ? timeOfImpact(in.b, in.motion, in.a, still) : timeOfImpact(in.a, still, in.b, in.motion);
+    const double until = impact ? impact->time : 1;
+    for (const double share : {0.0, 0.3, 0.48, 0.49, 0.5, 0.51, 0.6, 0.9, 0.99, 0.9999}) {
+      EXPECT_FALSE(collide(in.a, Pose::Identity(), in.b, in.motion.at(share * until)))
+          << gap << ", " << angle << ", " << share;
+    }
+    if (!impact) continue;
+    ++hits;
+    EXPECT_LE(distance(in.a, Pose::Identity(), in.b, in.motion.at(impact->time)).distance, 5e-6)
+        << gap << ", " << angle;
+  }
+  EXPECT_GT(hits, kCases / 5);
+  EXPECT_LT(hits, kCases * 4 / 5);
 }
 
 std::string kindName(const testing::TestParamInfo<growth::Kind>& kind) {

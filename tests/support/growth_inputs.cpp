@@ -29,12 +29,12 @@ Pose shiftedBy(const Vec2& by) {
   return pose;
 }
 
-/// A fan of n edges through the origin, open towards `sign` along x.
-Ring fan(std::size_t n, double sign) {
+/// A fan of n edges through the origin, open towards `sign` along x by `opening` in all.
+Ring fan(std::size_t n, double sign, double opening = 2.5) {
   Ring ring;
   const std::size_t spokes = std::max<std::size_t>(n / 2, 2);
   for (std::size_t i = 0; i < spokes; ++i) {
-    const double angle = (static_cast<double>(i) / static_cast<double>(spokes - 1) - 0.5) * 2.5;
+    const double angle = (static_cast<double>(i) / static_cast<double>(spokes - 1) - 0.5) * opening;
     ring.push_back(Vec2::Zero());
     ring.push_back(sign * Vec2(std::cos(angle), std::sin(angle)));
   }
@@ -144,6 +144,12 @@ Input touchingFans(std::size_t n) {
   return {Polygon({fan(n, -1)}), Polygon({fan(n, 1)}), Motion::still(Pose::Identity())};
 }
 
+Input passingFans(std::size_t n, double gap, double angle) {
+  Motion motion = Motion::translation(shiftedBy({gap - 0.7, -0.7}), Vec2(1.4, 1.4));
+  motion.angle = angle;
+  return {Polygon({fan(n, -1, 1.3)}), Polygon({fan(n, 1, 1.3)}), motion};
+}
+
 Input slidingBars(std::size_t n, double gap) {
   return {Polygon({bar(n, -1)}), Polygon({bar(n, 1)}), Motion::translation(shiftedBy({-5, gap}), Vec2(5, 0))};
 }
@@ -197,6 +203,8 @@ const std::vector<Kind>& allKinds() {
       {"equal points", equalPoints},
       {"fans", fans},
       {"touching fans", touchingFans},
+      {"fans passing", [](std::size_t n) { return passingFans(n, 5e-4, 0); }},
+      {"fans passing, turning", [](std::size_t n) { return passingFans(n, 5e-4, 0.1); }},
       {"bars sliding at 1e-3", [](std::size_t n) { return slidingBars(n, 1e-3); }},
       {"bars sliding at 1e-8", [](std::size_t n) { return slidingBars(n, 1e-8); }},
       {"disc in a hole, 1e-4", [](std::size_t n) { return discInHole(n, 1e-4); }},

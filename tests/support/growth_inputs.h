@@ -36,6 +36,10 @@ Input fans(std::size_t n);
 /// The same fans where their two points are one.
 Input touchingFans(std::size_t n);
 
+/// Fans of n edges as above: b's point comes past a's obliquely, beside it by `gap`, while b turns by `angle`. All
+/// edges of one come about as near to those of the other. With a gap below 0, the two meet.
+Input passingFans(std::size_t n, double gap, double angle);
+
 /// Two bars whose facing sides are cut into n edges each: b slides along a by half its length, at a distance of `gap`.
 Input slidingBars(std::size_t n, double gap);
 /// A regular n-gon that makes half a turn in a hole of as many edges, `gap` larger in radius.

@@ -19,6 +19,8 @@ MUTATIONS = [
     ("src/impact/moving_pair.cpp", "!(polygon.isPoint() && motion.pivot == polygon.origin)", "!polygon.isPoint()", "impact: a point turns about another pivot"),
     ("src/impact/moving_pair.cpp", ".norm() - sag > a.reach", ".norm() > a.reach", "impact: a way taken for its chord"),
     ("src/impact/moving_pair.cpp", "+ margin + still_error;", "+ still_error;", "impact: margin of the discs"),
+    ("src/impact/node_corners.cpp", "reachAlong(-axis.x, -axis.y, b, places_b)", "0.9 * reachAlong(-axis.x, -axis.y, b, places_b)", "nodes' corners: b's reach too short"),
+    ("src/impact/node_corners.cpp", "most = larger(most, mx * corner.x() + my * corner.y())", "most = mx * corner.x() + my * corner.y()", "nodes' corners: the last one's reach"),
     ("src/impact/tight_nodes.cpp", "0.5 * (high.y() - low.y()) + kRoom", "0.5 * (high.y() - low.y()) - kRoom", "tight nodes: too narrow"),
     ("src/impact/impact_search.cpp", "std::min(begin + rest.low * length, encounter.end)", "std::min(begin + (rest.low + 0.01) * length, encounter.end)", "impact: encounters begin too late"),
     ("src/impact/impact_search.cpp", "if (rest.high < 1) encounter.end = std::max(begin + rest.high * length, encounter.begin);", "if (rest.high < 1) encounter.end = std::max(begin + 0.5 * rest.high * length, encounter.begin);", "impact: encounters end too early"),
