@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nodes fitted in doubles hold their chains, closely; and pivots part what sampling finds apart, and nothing else.
+// Nodes fitted in doubles hold their chains, closely; pivots part what sampling finds apart, and nothing else; gaps of
+// nodes' corners are those of their edges.
 #include "impact/tight_nodes.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "impact/node_corners.h"
 #include "numbers/segment.h"
 #include "random.h"
 #include "shapes.h"
@@ -67,8 +69,7 @@ TEST(TightNodes, HoldTheirChainsClosely) {
     const Polygon a = outline(random), b = outline(random);
     MovingPair pair(a.data(), randomMotion(random), b.data(), randomMotion(random));
     pair.prepare();
-    const Vec2 given = random.coin() ? Vec2(0, 0) : Vec2(random.real(-2, 2), random.real(-2, 2));
-    TightNodes tight(pair.a, given);
+    TightNodes tight(pair.a);
     for (const std::uint32_t index : allNodes(pair.a)) {
       const Node node = tight.node(index), wide = pair.a.node(index);
       ++nodes;
@@ -76,8 +77,7 @@ TEST(TightNodes, HoldTheirChainsClosely) {
       ++fitted;
       EXPECT_EQ(node.child, wide.child);
       EXPECT_EQ(node.edge, wide.edge);
-      EXPECT_NEAR(detail::cross(Vec2(node.ux, node.uy), given), 0, 1e-15);
-      EXPECT_TRUE(given != Vec2(0, 0) || node.along * node.across <= wide.along * wide.across);
+      EXPECT_LE(node.along * node.across, wide.along * wide.across);
       double near = 1e300, far = 0, along = 0, across = 0;
       const Vec2 axis(node.ux, node.uy), center(node.x, node.y), pivot = a.data().inUnits(pair.a.pivot);
       for (const std::size_t e : edgesBelow(pair.a, index))
@@ -99,6 +99,45 @@ TEST(TightNodes, HoldTheirChainsClosely) {
     }
   }
   EXPECT_EQ(fitted, nodes) << "but for pivots very far away";
+}
+
+TEST(NodeCorners, HaveTheGapsOfTheirEdges) {
+  int parted = 0, pairs = 0;
+  for (int i = 0; i < scaledCount(240); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon a = outline(random), b = outline(random);
+    const Motion motion_a = randomMotion(random), motion_b = randomMotion(random);
+    MovingPair pair(a.data(), motion_a, b.data(), motion_b);
+    pair.prepare();
+    const Window window(pair, 0.25, 0.75);
+    detail::NodeCorners corners_a(pair.a), corners_b(pair.b);
+    const std::vector<std::uint32_t> nodes_a = allNodes(pair.a), nodes_b = allNodes(pair.b);
+    for (int k = 0; k < 20; ++k, ++pairs) {
+      const std::uint32_t node_a = k == 0 ? detail::kRootNode
+                                          : nodes_a[random.integer(0, static_cast<int>(nodes_a.size()) - 1)],
+                          node_b = k == 0 ? detail::kRootNode
+                                          : nodes_b[random.integer(0, static_cast<int>(nodes_b.size()) - 1)];
+      const std::vector<Vec2>&below_a = corners_a.below(node_a), &below_b = corners_b.below(node_b);
+      const Vec2 guess(random.real(-1, 1), random.real(-1, 1));
+      const auto found = detail::axisBetween(below_a, window.a, below_b, window.b, guess, 0);
+      parted += found.has_value();
+      const Vec2 axis = found.value_or(guess.normalized());
+      const detail::Double2 gap =
+          detail::gapAlong(detail::GapCutter::standing(axis, 0), below_a, window.a, below_b, window.b);
+      for (const int lane : {0, 1}) {
+        double least = 1e300, most_a = -1e300;
+        for (const std::size_t e : edgesBelow(pair.a, node_a))
+          for (const int end : {0, 1}) most_a = std::max(most_a, axis.dot(pair.a.ends(window.a, lane, e).end(end)));
+        for (const std::size_t e : edgesBelow(pair.b, node_b))
+          for (const int end : {0, 1})
+            least = std::min(least, axis.dot(pair.b.ends(window.b, lane, e).end(end)) - most_a);
+        EXPECT_NEAR(gap[lane], least, 1e-14);
+        EXPECT_TRUE(!found || lane == 1 || gap[lane] > 0) << "an axis that parts nothing";
+      }
+    }
+  }
+  EXPECT_GT(parted, pairs / 4);
+  EXPECT_LT(parted, pairs * 99 / 100);
 }
 
 /// Of two nodes that pivots part no sampled points are within the margin.
