@@ -153,7 +153,7 @@ do for [r = 1:count] {
   stats table skip 1 every ::r - 1::r - 1 using (input[r] = strcol(1), query[r] = strcol(2), n[r] = $3, 0) nooutput
 }
 array panel[6] = ["contacts", "penetration", "distance", "time of impact", "collide", ""]
-array paint[6] = ["#1d4ed8", "#dc2626", "#0f9d58", "#f59e0b", "#a855f7", "#374151"]
+array paint[9] = ["#1d4ed8", "#dc2626", "#0f9d58", "#f59e0b", "#a855f7", "#374151", "#0891b2", "#db7093", "#84cc16"]
 starts(text, start) = strlen(text) >= strlen(start) && text[1:strlen(start)] eq start
 set logscale xy
 set xrange [70:1e5]
