@@ -242,7 +242,9 @@ class ConvexAdvancement {
     const double square = speed * speed, push = 2 * bend * gap, root = std::sqrt(std::max(square + push, 0.0));
     const double soonest = speed > 0 ? 2 * gap / (speed + root) : (root - speed) / bend;
     const double latest = speed > 0 && square > push ? 2 * gap / (speed + std::sqrt(square - push)) : 2;
-    return std::min(1.25 * soonest, latest) + 0.25 * time_error_;
+    // Somewhat past contact, as the error allows, but no farther: ways bend by more in a longer window.
+    constexpr double kMostPast = 0x1p-12;
+    return std::min(1.25 * soonest, latest) + std::min(0.25 * time_error_, kMostPast);
   }
 
   /// On to where contact may be, as an axis of length 1 from a to b has it, if anywhere in the window. Whether it parts
