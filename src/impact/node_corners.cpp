@@ -4,23 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "impact/tight_nodes.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
 namespace {
-
-void addCornersBelow(const Mover& mover, std::uint32_t index, std::vector<Vec2>& corners) {
-  const Block& block = mover.tree->blocks[index];
-  for (int i = 0; i < block.count; ++i) {
-    if (block.leaf) {
-      const Vec2 from = mover.vertex(block.child[i]);
-      if (corners.empty() || corners.back() != from) corners.push_back(from);
-      corners.push_back(mover.vertex(block.child[i] + 1));
-    } else {
-      addCornersBelow(mover, block.child[i], corners);
-    }
-  }
-}
 
 /// The foremost corner along an axis, at a window's begin.
 Vec2 foremost(const std::vector<Vec2>& corners, const Places& p, const Vec2& n) {
@@ -48,20 +36,16 @@ bool holdsOrigin(const Vec2& p, const Vec2& q, const Vec2& r) {
 
 }  // namespace
 
-NodeCorners::NodeCorners(const Mover& mover) : mover_(mover), slots_(mover.tree->blocks.size() * kLanes + 1, 0) {}
-
 const std::vector<Vec2>& NodeCorners::below(std::uint32_t index) {
-  std::uint32_t& slot = slots_[index == kRootNode ? slots_.size() - 1 : index];
-  if (slot == 0) {
-    corners_.emplace_back();
-    const Node node = mover_.node(index);
-    if (node.edge)
-      corners_.back() = {mover_.vertex(node.child), mover_.vertex(node.child + 1)};
-    else
-      addCornersBelow(mover_, node.child, corners_.back());
-    slot = static_cast<std::uint32_t>(corners_.size());
-  }
-  return corners_[slot - 1];
+  return corners_.of(index, [&] {
+    std::vector<Vec2> corners;
+    for (const std::uint32_t edge : edgesBelow(mover_, mover_.node(index))) {
+      const Vec2 from = mover_.vertex(edge);
+      if (corners.empty() || corners.back() != from) corners.push_back(from);
+      corners.push_back(mover_.vertex(edge + 1));
+    }
+    return corners;
+  });
 }
 
 // Whatever the axis is, what it is used for is proven along it: so nothing here needs to be.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "impact/moving_pair.h"
+#include "impact/per_node.h"
 #include "impact/window_cutter.h"
 
 namespace tricover::detail {
@@ -14,14 +15,14 @@ namespace tricover::detail {
 /// for; all of them together cost O(n log n).
 class NodeCorners {
  public:
-  explicit NodeCorners(const Mover& mover);
+  explicit NodeCorners(const Mover& mover) : mover_(mover), corners_(mover) {}
 
+  /// The reference holds until the next call.
   const std::vector<Vec2>& below(std::uint32_t index);
 
  private:
   const Mover& mover_;
-  std::vector<std::uint32_t> slots_;  ///< of blocks' lanes and the root, one more than where in corners_; 0: not yet
-  std::vector<std::vector<Vec2>> corners_;
+  PerNode<std::vector<Vec2>> corners_;
 };
 
 /// An axis of length 1 that parts what two nodes hold at a window's begin by nearly their hulls' distance; none if that

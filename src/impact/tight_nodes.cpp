@@ -56,25 +56,19 @@ void addEdgesBelow(const std::vector<Block>& blocks, std::uint32_t index, std::v
 
 }  // namespace
 
-TightNodes::TightNodes(const Mover& mover) : mover_(mover), slots_(mover.tree->blocks.size() * kLanes + 1, 0) {}
-
-Node TightNodes::node(std::uint32_t index) {
-  std::uint32_t& slot = slots_[index == kRootNode ? slots_.size() - 1 : index];
-  if (slot == 0) {
-    nodes_.push_back(fit(index));
-    slot = static_cast<std::uint32_t>(nodes_.size());
-  }
-  return nodes_[slot - 1];
+std::vector<std::uint32_t> edgesBelow(const Mover& mover, const Node& node) {
+  std::vector<std::uint32_t> edges;
+  if (node.edge)
+    edges.push_back(node.child);
+  else
+    addEdgesBelow(mover.tree->blocks, node.child, edges);
+  return edges;
 }
 
 Node TightNodes::fit(std::uint32_t index) const {
   const Node node = mover_.node(index);
   if (!mover_.polygon->fitsUnit()) return node;
-  std::vector<std::uint32_t> edges;
-  if (node.edge)
-    edges.push_back(node.child);
-  else
-    addEdgesBelow(mover_.tree->blocks, node.child, edges);
+  const std::vector<std::uint32_t> edges = edgesBelow(mover_, node);
   const Vec2 chord = at(edges.back() + 1) - at(edges.front());
   const double length = chord.norm();
   if (length > 0x1p-40) {

@@ -174,8 +174,8 @@ struct ChainPoints {
     SideBits of_x, of_y;
     for (std::size_t k = 0; k < asked(); k += 2) {
       const Double2 px = load2(x + k), py = load2(y + k);
-      of_x.add(px<box.min_x, px> box.max_x, k);
-      of_y.add(py<box.min_y, py> box.max_y, k);
+      of_x.add(box.min_x > px, px > box.max_x, k);
+      of_y.add(box.min_y > py, py > box.max_y, k);
     }
     if (kIsRing) of_x.close(edges), of_y.close(edges);
     return all & ~(of_x.beside() | of_y.beside());
