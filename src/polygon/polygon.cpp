@@ -78,9 +78,35 @@ struct Extremes {
   bool are_plain;  ///< certainly finite
 };
 
+/// Never freed: no other object of the process can have its address.
+struct alignas(16) IdBlock {
+  const IdBlock* previous;  ///< keeps all blocks reachable for leak checkers
+};
+std::atomic<const IdBlock*> last_block{nullptr};
+
+/// An id that no other polygon of the process has, whichever copy of this library makes that polygon. Several plugins
+/// may each hold a copy, and a copy may be unloaded and loaded again: they share an address space, and nothing else. An
+/// id is therefore the number of a block of memory (its address / 16), times 2^20, plus a count from 1. Blocks never
+/// overlap and are never freed, thus ids are unique, and not only likely so. The price is 16 bytes for a million ids.
+///
+/// An id is never 0. After fork(), parent and child may give the same id to different polygons, as two processes may.
+/// Addresses below 2^48 fit, which are all that operating systems give out unless a program requests higher ones.
 std::uint64_t nextId() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
+  constexpr std::uint64_t kBlock = std::uint64_t{1} << 20;
+  static std::atomic<std::uint64_t> next{0};  // a multiple of kBlock: the block is used up
+  std::uint64_t id = next.load(std::memory_order_relaxed);
+  for (;;) {
+    if (id % kBlock != 0) {
+      if (next.compare_exchange_weak(id, id + 1, std::memory_order_relaxed)) return id;
+      continue;
+    }
+    auto block = std::make_unique<IdBlock>();
+    const std::uint64_t first = reinterpret_cast<std::uintptr_t>(block.get()) / sizeof(IdBlock) * kBlock + 1;
+    if (!next.compare_exchange_strong(id, first + 1, std::memory_order_relaxed)) continue;
+    block->previous = last_block.exchange(block.get(), std::memory_order_relaxed);
+    block.release();
+    return first;
+  }
 }
 
 /// A bounding box whose size is brought near 1 by a power of two, so that areas and squares neither overflow nor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/polygon.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -87,6 +88,16 @@ TEST(PolygonId, IsNeverReusedAndSharedByCopies) {
   const Polygon copy = original;  // NOLINT: the copy is the point
   EXPECT_EQ(copy.id(), original.id());
   EXPECT_EQ(&copy.rings(), &original.rings());
+}
+
+TEST(PolygonId, IsUniqueBeyondABlockOfIds) {
+  constexpr std::size_t kIds = (std::size_t{1} << 20) + 1000;
+  const std::vector<Vec2> triangle = {{0, 0}, {1, 0}, {0, 1}};
+  std::vector<std::uint64_t> ids;
+  for (std::size_t i = 0; i < kIds; ++i) ids.push_back(Polygon(triangle.data(), 3).id());
+  std::sort(ids.begin(), ids.end());
+  EXPECT_EQ(std::unique(ids.begin(), ids.end()), ids.end());
+  EXPECT_NE(ids.front(), 0u);
 }
 
 TEST(Polygon, KeepsItsRingsAndNumbersItsEdgesThroughThem) {
