@@ -12,6 +12,7 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "random.h"
+#include "reproduction.h"
 #include "shapes.h"
 #include "test_scale.h"
 #include "touching_families.h"
@@ -113,6 +114,32 @@ TEST(MeasuresOracle, AreasAndCentroidsAreOfTheRegionByItsFillRule) {
         }
     }
   }
+}
+
+/// Lattice polygons, on one line or on few, so that many have no area: then the centroid is the middle of the bounds.
+TEST(MeasuresOracle, WithoutAnAreaTheCentroidIsTheMiddleOfTheBounds) {
+  Random random(6);
+  int without = 0, cases = 0;
+  for (; cases < scaledCount(20000); ++cases) {
+    const bool is_line = random.integer(0, 1) == 0;
+    const Vec2 way(random.integer(-3, 3), random.integer(-3, 3)), from(random.integer(-9, 9), random.integer(-9, 9));
+    std::vector<Ring> rings(static_cast<std::size_t>(random.integer(1, 2)));
+    for (Ring& ring : rings)
+      for (int n = random.integer(3, 7); n > 0; --n)
+        ring.push_back(is_line ? Vec2(from + way * random.integer(-4, 4))
+                               : Vec2(random.integer(0, 2), 3 * random.integer(0, 2)));
+    const Polygon polygon(rings, random.integer(0, 1) == 0 ? FillRule::EvenOdd : FillRule::NonZero);
+    const Eigen::AlignedBox2d box = polygon.bounds();
+    if (exactMoments(polygon).area == 0) {
+      ++without;
+      EXPECT_EQ(polygon.centroid(), Vec2(0.5 * box.min() + 0.5 * box.max()))
+          << reproduction(polygon, polygon.centroid());
+    } else {
+      expectMeasures(polygon);
+    }
+  }
+  EXPECT_GT(without, cases / 2);
+  EXPECT_LT(without, cases * 9 / 10);
 }
 
 /// Points of both regions are no farther from the other one than the tolerance: vertices, middles, and any others.

@@ -45,6 +45,14 @@ TEST(PolygonMeasures, WithoutAnAreaTheCentroidIsTheMiddle) {
   EXPECT_EQ(point({3, 4}).centroid(), Vec2(3, 4));
   EXPECT_EQ(segment({0, 0}, {2, 4}).area(), 0);
   EXPECT_EQ(segment({0, 0}, {2, 4}).centroid(), Vec2(1, 2));
+  // Four corners on a line, of which rounding makes an area.
+  EXPECT_EQ(Polygon({{{1, -5}, {4, 4}, {5, 7}, {2, -2}}}).centroid(), Vec2(3, 1));
+  // There and back along two lines, with other corners on the way back.
+  EXPECT_EQ(Polygon({{{0, 0}, {3, 1}, {1, 7}, {1.5, 5.5}, {3, 1}, {1.5, 0.5}}}).centroid(), Vec2(1.5, 3.5));
+  // A ring upon itself, of which the even-odd rule leaves nothing, and the non-zero rule leaves all.
+  const std::vector<Ring> twice(2, {{0, 0}, {3, 1}, {1, 7}});
+  EXPECT_EQ(Polygon(twice).centroid(), Vec2(1.5, 3.5));
+  EXPECT_TRUE(Polygon(twice, FillRule::NonZero).centroid().isApprox(Vec2(4, 8) / 3));
 }
 
 TEST(PolygonMeasures, GoToTheEndsOfDoubles) {

@@ -17,6 +17,8 @@ MUTATIONS = [
     ("src/polygon/polygon.cpp", "reduced->origin = origin;", "", "corners alone: from another S"),
     ("src/polygon/area.cpp", "if (w.y() < v.y()) edges.push_back({w, v, 1});", "if (w.y() < v.y()) edges.push_back({w, v, -1});", "area: winding of edges that fall"),
     ("src/polygon/area.cpp", "std::swap(sides_[left], sides_[left + 1]);", "std::swap(sides_[left].top, sides_[left + 1].top);", "area: crossed sides stay where they were"),
+    ("src/polygon/area.cpp", "steps.emplace_back(edge->last, -edge->winding);", "steps.emplace_back(edge->last, edge->winding);", "centroid: edges of a line never end"),
+    ("src/polygon/area.cpp", "orientation(first.first, first.last, edge.last) == 0;", "true;", "centroid: edges that begin on a line lie on it"),
     ("src/polygon/simplified.cpp", "if (all_are_near && !tolerance_.holds(distance, polygon_.path[i], v, w)) all_are_near = false;", "if (i == chain.begin + 1 && !tolerance_.holds(distance, polygon_.path[i], v, w)) all_are_near = false;", "simplified: one vertex asked of a chain"),
     ("src/polygon/simplified.cpp", "std::clamp(from.dot(way) / square, 0.0, 1.0)", "from.dot(way) / square", "simplified: the chord's line"),
     ("src/polygon/simplified.cpp", "if (polygon_.fitsUnit() && distance < most - error) return true;", "if (polygon_.fitsUnit() && distance < most + error) return true;", "simplified: rounding of distances"),
