@@ -20,17 +20,19 @@ namespace tricover {
 /// \snippet svg.cpp svg
 class TRICOVER_EXPORT SvgDrawing {
  public:
-  /// Without anything drawn. Throws std::invalid_argument for a width that isn't positive and finite.
+  /// Makes an empty drawing. Its picture is `width_px` pixels wide. A tall one is narrower, so that it is at most twice
+  /// as high as that. Throws std::invalid_argument for a width that isn't positive and finite.
   explicit SvgDrawing(double width_px = 800);
 
-  /// The region under its fill rule, and its outline. With a margin, a world length, the region grown by it is drawn
-  /// around it in a paler fill (in the outline's colour where the fill is "none"): point() with a margin is a disc.
+  /// Draws the region under its fill rule, and its outline. With a margin, a world length, what is outside the region
+  /// within that distance gets a paler fill (in the outline's colour if `fill` is "none"). point() with a margin is a
+  /// disc.
   void polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke = "#333",
                double margin = 0);
   /// All bodies with their margins, in the order of their handles. Without any, nothing.
   /// \snippet svg.cpp svg scene
   void scene(const Scene& scene, const std::string& fill = "#e7e5e4", const std::string& stroke = "#333");
-  /// An open line through the points.
+  /// Draws an open line through the points; nothing without points.
   void polyline(const std::vector<Vec2>& points, const std::string& stroke);
   /// A line of text, centred at `position`.
   void text(const Vec2& position, const std::string& text);
@@ -62,6 +64,8 @@ class TRICOVER_EXPORT SvgDrawing {
 
  private:
   void include(const Vec2& point, double around = 0);
+  /// Adds a mask that hides a region within a box, and returns its name.
+  std::string outsideMask(const std::string& region, const Eigen::AlignedBox2d& box);
   void dot(const Vec2& at, const std::string& fill);
   void arrow(const Vec2& from, const Vec2& direction, const std::string& stroke);
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -20,6 +21,7 @@ namespace tricover {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTallest = 2;  ///< a picture's height by its width, see SvgDrawing()
 
 /// In the classic locale: the global one may write a comma for the point and group digits.
 std::string number(double x) {
@@ -90,28 +92,48 @@ void SvgDrawing::include(const Vec2& point, double around) {
 void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::string& fill, const std::string& stroke,
                          double margin) {
   checkPose(pose, "pose");
-  if (!(margin >= 0 && std::isfinite(margin))) detail::refuse("margin", "it must not be negative, and finite");
+  detail::requireFiniteNotNegative(margin, "margin");
   std::string path;
+  Eigen::AlignedBox2d box;
   for (const Ring& ring : polygon.rings()) {
     char command = 'M';
     for (const Vec2& p : ring) {
       const Vec2 world = pose * p;
       include(world, margin);
+      box.extend(world);
       path += command + pair(world);
       command = 'L';
     }
     path += 'Z';
   }
-  // A line twice as wide as the margin, with round ends, covers what is within the margin of the outline.
-  if (margin > 0)
+  const std::string region = "<path d=\"" + path + "\" fill-rule=\"" +
+                             (polygon.fillRule() == FillRule::EvenOdd ? "evenodd" : "nonzero") + "\"";
+  if (margin > 0) {
+    // A line twice as wide as the margin, with round ends, covers what is within the margin of the outline. The fill
+    // covers its inner half; without a fill, a mask hides that.
+    std::string masked;
+    if (fill == "none") {
+      const Vec2 grown(margin, margin);
+      masked = " mask=\"url(#" + outsideMask(region, {box.min() - grown, box.max() + grown}) + ")\"";
+    }
     elements_.push_back({"<path d=\"" + path + "\" fill=\"none\" stroke=\"" + escaped(fill == "none" ? stroke : fill) +
                              "\" stroke-opacity=\"0.4\" stroke-linecap=\"round\" stroke-width=\"" + number(2 * margin) +
-                             "\"/>",
+                             "\"" + masked + "/>",
                          0, ""});
-  const std::string rule = polygon.fillRule() == FillRule::EvenOdd ? "evenodd" : "nonzero";
-  elements_.push_back({"<path d=\"" + path + "\" fill=\"" + escaped(fill) + "\" fill-rule=\"" + rule + "\" stroke=\"" +
-                           escaped(stroke) + "\" stroke-width=\"",
-                       1, "\"/>"});
+  }
+  elements_.push_back(
+      {region + " fill=\"" + escaped(fill) + "\" stroke=\"" + escaped(stroke) + "\" stroke-width=\"", 1, "\"/>"});
+}
+
+std::string SvgDrawing::outsideMask(const std::string& region, const Eigen::AlignedBox2d& box) {
+  const std::string frame = "x=\"" + number(box.min().x()) + "\" y=\"" + number(-box.max().y()) + "\" width=\"" +
+                            number(box.sizes().x()) + "\" height=\"" + number(box.sizes().y()) + "\"";
+  // Named by its contents, because a page may hold several drawings.
+  const std::string id = "outside-" + std::to_string(std::hash<std::string>()(region + frame));
+  elements_.push_back({"<mask id=\"" + id + "\" maskUnits=\"userSpaceOnUse\" " + frame + "><rect " + frame +
+                           " fill=\"white\"/>" + region + " fill=\"black\"/></mask>",
+                       0, ""});
+  return id;
 }
 
 void SvgDrawing::scene(const Scene& scene, const std::string& fill, const std::string& stroke) {
@@ -151,7 +173,7 @@ void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double
 
 void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, const std::string& stroke) {
   checkPose(pose, "pose");
-  if (level < 0) throw std::invalid_argument("level: it must not be negative");
+  if (level < 0) detail::refuse("level", std::to_string(level) + " is below 0");
   const detail::PolygonData& data = polygon.data();
   const detail::Hierarchy& hierarchy = hierarchyOf(data);
   const auto draw = [&](const std::array<Vec2, 4>& box) {
@@ -207,6 +229,7 @@ void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, co
 }
 
 void SvgDrawing::polyline(const std::vector<Vec2>& points, const std::string& stroke) {
+  if (points.empty()) return;
   std::string list;
   for (const Vec2& point : points) {
     include(point);
@@ -269,17 +292,21 @@ void SvgDrawing::impact(const Polygon& a, const Motion& motion_a, const Polygon&
 
 std::string SvgDrawing::str() const {
   if (elements_.empty()) throw std::logic_error(detail::refusal("SvgDrawing", "nothing is drawn"));
-  const Vec2 size = (high_ - low_).cwiseMax(1e-3 * (high_ - low_).maxCoeff());
+  const double extent = (high_ - low_).maxCoeff();
+  // A lone point gets room that the digits of its coordinates can show.
+  const double room = extent > 0 ? 1e-3 * extent : std::max(1.0, 1e-6 * high_.cwiseAbs().maxCoeff());
+  const Vec2 size = (high_ - low_).cwiseMax(room), middle = 0.5 * low_ + 0.5 * high_;
   const double border = 0.03 * size.maxCoeff();
-  const double x = low_.x() - border, y = -high_.y() - border;
   const double width = size.x() + 2 * border, height = size.y() + 2 * border;
-  std::string svg =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_px_) + "\" height=\"" +
-      number(width_px_ * height / width) + "\" viewBox=\"" + number(x) + " " + number(y) + " " + number(width) + " " +
-      number(height) + "\">\n<g stroke-linejoin=\"round\" font-family=\"sans-serif\">\n" + "<rect x=\"" + number(x) +
-      "\" y=\"" + number(y) + "\" width=\"" + number(width) + "\" height=\"" + number(height) + "\" fill=\"white\"/>\n";
+  const double x = middle.x() - 0.5 * width, y = -middle.y() - 0.5 * height;
+  const double px = std::max(width, height / kTallest) / width_px_;  // the length of a pixel
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width / px) + "\" height=\"" +
+                    number(height / px) + "\" viewBox=\"" + number(x) + " " + number(y) + " " + number(width) + " " +
+                    number(height) + "\">\n<g stroke-linejoin=\"round\" font-family=\"sans-serif\">\n" + "<rect x=\"" +
+                    number(x) + "\" y=\"" + number(y) + "\" width=\"" + number(width) + "\" height=\"" +
+                    number(height) + "\" fill=\"white\"/>\n";
   for (const Element& element : elements_)
-    svg += element.head + (element.px > 0 ? number(element.px * width / width_px_) : "") + element.tail + "\n";
+    svg += element.head + (element.px > 0 ? number(element.px * px) : "") + element.tail + "\n";
   return svg + "</g>\n</svg>\n";
 }
 

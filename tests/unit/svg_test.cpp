@@ -258,7 +258,79 @@ TEST(Svg, ARoundRobotIsSeen) {
   EXPECT_GE(box[1] + box[3], -3.5);
   SvgDrawing hollow;
   hollow.polygon(point({0, 0}), pose(0, 0, 0), "none", "#123456", 0.5);
-  EXPECT_EQ(attributes(hollow.str(), "<path ", "stroke").at(0), "#123456");
+  EXPECT_EQ(attributes(hollow.str(), "<path ", "stroke").back(), "#123456");
+}
+
+TEST(Svg, AMarginWithoutAFillLeavesTheInsideClear) {
+  const Polygon frame({rectangle(0, 0, 10, 10), rectangle(4, 4, 6, 6)});
+  SvgDrawing hollow, filled;
+  hollow.polygon(frame, pose(0, 20, 0), "none", "#123456", 0.5);
+  filled.polygon(frame, pose(0, 20, 0), "#eee", "#123456", 0.5);
+  const std::string svg = hollow.str();
+  EXPECT_TRUE(wellFormed(svg)) << svg;
+  ASSERT_EQ(count(svg, "<mask "), 1);
+  EXPECT_EQ(count(filled.str(), "mask"), 0);
+  // The mask shows its box, the region and its margin, without the region.
+  EXPECT_EQ(attributes(svg, "<mask ", "x").at(0) + " " + attributes(svg, "<mask ", "y").at(0), "19.5 -10.5");
+  EXPECT_EQ(attributes(svg, "<mask ", "width").at(0) + " " + attributes(svg, "<mask ", "height").at(0), "11 11");
+  const std::vector<std::string> fills = attributes(svg, "<path ", "fill"), paths = attributes(svg, "<path ", "d");
+  EXPECT_EQ(fills, (std::vector<std::string>{"black", "none", "none"}));
+  EXPECT_EQ(paths[0], paths[1]);
+  EXPECT_EQ(attributes(svg, "<path ", "mask").at(1), "url(#" + attributes(svg, "<mask ", "id").at(0) + ")");
+}
+
+/// The picture's size in pixels.
+Vec2 pixels(const std::string& svg) {
+  return {std::stod(attributes(svg, "<svg ", "width").at(0)), std::stod(attributes(svg, "<svg ", "height").at(0))};
+}
+
+TEST(Svg, ALonePointHasRoom) {
+  for (const Vec2& at : {Vec2(0, 0), Vec2(3, -4), Vec2(-2e15, 1)}) {
+    SvgDrawing words, dot;
+    words.text(at, "here");
+    dot.polygon(point(at), Pose::Identity(), "#123");
+    for (const std::string& svg : {words.str(), dot.str()}) {
+      EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0) << svg;
+      EXPECT_EQ(pixels(svg), Vec2(800, 800));
+      const std::vector<double> box = viewBox(svg);
+      EXPECT_LT(box[0], at.x());
+      EXPECT_GT(box[0] + box[2], at.x());
+      EXPECT_LT(box[1], -at.y());
+      EXPECT_GT(box[1] + box[3], -at.y());
+    }
+  }
+}
+
+TEST(Svg, APolylineWithoutPointsIsNothing) {
+  SvgDrawing drawing, alone;
+  drawing.polyline({{0, 0}, {1, 1}}, "#333");
+  const std::string before = drawing.str();
+  drawing.polyline({}, "#333");
+  EXPECT_EQ(drawing.str(), before);
+  alone.polyline({}, "#333");
+  EXPECT_THROW(alone.str(), std::logic_error);
+}
+
+TEST(Svg, NeitherSideIsTooLong) {
+  const auto picture = [](double width, double height) {
+    SvgDrawing drawing(400);
+    drawing.polygon(Polygon({rectangle(0, 0, width, height)}), Pose::Identity(), "none");
+    return drawing.str();
+  };
+  for (const double length : {1.0, 1.5, 3.0, 1e3, 1e9}) {
+    const std::string tall = picture(1, length), wide = picture(length, 1);
+    EXPECT_LE(pixels(tall).x(), 400);
+    EXPECT_LE(pixels(tall).y(), 800);
+    EXPECT_EQ(pixels(wide).x(), 400);
+    EXPECT_LE(pixels(wide).y(), 400);
+    EXPECT_GE(pixels(wide).y(), 16);
+    EXPECT_GE(pixels(tall).x(), 16);
+    for (const std::string& svg : {tall, wide}) {
+      const std::vector<double> box = viewBox(svg);
+      EXPECT_NEAR(box[2] / box[3], pixels(svg).x() / pixels(svg).y(), 1e-6) << "pixels are square";
+      EXPECT_NEAR(std::stod(attributes(svg, "<path ", "stroke-width").at(0)) * pixels(svg).x() / box[2], 1, 1e-6);
+    }
+  }
 }
 
 TEST(Svg, ASceneIsItsBodiesWithTheirMargins) {
