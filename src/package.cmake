@@ -1,10 +1,14 @@
-# What an installed tricover leaves for those who build against it: the headers, find_package(tricover [COMPONENTS fcl])
+# What an installed tricover leaves for those who build against it: the headers, find_package(tricover [COMPONENTS fcl io])
 # pkg-config's tricover.pc, the licence, and what ROS's tools read. `cpack` in the build directory makes a .deb of it.
 include(CMakePackageConfigHelpers)
 set(TRICOVER_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/tricover)
 
 install(TARGETS tricover EXPORT tricover-core)
-install(DIRECTORY include/tricover DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(TRICOVER_LEFT_OUT)
+if(NOT TRICOVER_BUILD_IO)
+  set(TRICOVER_LEFT_OUT PATTERN occupancy_grid_io.h EXCLUDE)
+endif()
+install(DIRECTORY include/tricover DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${TRICOVER_LEFT_OUT})
 install(EXPORT tricover-core NAMESPACE tricover:: DESTINATION ${TRICOVER_PACKAGE_DIR})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tricoverConfig.cmake.in
   ${PROJECT_BINARY_DIR}/tricoverConfig.cmake INSTALL_DESTINATION ${TRICOVER_PACKAGE_DIR})
@@ -40,6 +44,11 @@ set(TRICOVER_DEBIAN_DEPENDS "libeigen3-dev")
 if(TRICOVER_BUILD_FCL)
   set(TRICOVER_PACKAGE_XML_FCL "  <depend>libfcl-dev</depend>")
   string(APPEND TRICOVER_DEBIAN_DEPENDS ", libfcl-dev, libccd-dev")
+endif()
+set(TRICOVER_PACKAGE_XML_IO "")
+if(TRICOVER_BUILD_IO)
+  set(TRICOVER_PACKAGE_XML_IO "  <depend>yaml-cpp</depend>")
+  string(APPEND TRICOVER_DEBIAN_DEPENDS ", libyaml-cpp-dev")
 endif()
 # colcon builds the sources as a plain CMake package; here is what it looks for once that is installed.
 configure_file(${CMAKE_CURRENT_LIST_DIR}/package.xml.in ${PROJECT_BINARY_DIR}/package.xml @ONLY)

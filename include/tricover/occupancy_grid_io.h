@@ -17,16 +17,21 @@ struct OccupancyMap {
   Pose pose;  ///< From that frame to the world: the file's origin, yaw included.
 };
 
-/// Reads a map of ROS's map_server (nav2 and map_saver write the same): a YAML file, and the PGM image that it names,
-/// by a path from the YAML file's folder or an absolute one.
+/// Reads a map of ROS's map_server: a YAML file and the PGM image that it names. nav2 and map_saver write the same.
+/// Link tricover::io, which needs yaml-cpp.
 ///
-/// Of YAML, lines `key: value` are read: `image`, `resolution`, `origin: [x, y, yaw]`, `negate`, `occupied_thresh`,
-/// `free_thresh`, and `mode`, which may be `trinary`. With p = 1 - grey, or grey if `negate` is 1, a cell is occupied
-/// where p > occupied_thresh, free where p < free_thresh, and unknown in between. Images are grey, of at most 65,535 x
-/// 65,535 pixels, as text (P2) or of one byte a pixel (P5); their first row is the map's last.
+/// The fields are `image` (a path from the YAML file's folder, or an absolute one), `resolution`, `origin` (x, y and
+/// yaw), `negate`, `occupied_thresh` and `free_thresh`. `mode` may be `trinary`, in any case; map_server's modes scale
+/// and raw are refused, and so is `trinary: false` of its first versions, which means scale. With p = 1 - grey, or grey
+/// if `negate` is set, a cell is occupied if p >= occupied_thresh. Otherwise it is free if p <= free_thresh, and
+/// unknown if neither holds.
 ///
-/// Throws std::runtime_error, naming the file and what is wrong in it, before any memory is taken for pixels that the
-/// file is too short to have. What is no plain file (a folder, a device, a pipe) is refused.
+/// Images are grey, of at most 65,535 x 65,535 pixels, as text (P2) or of one byte a pixel (P5). Their first row is the
+/// map's last. A P5 header may end in CR LF if the file's size proves it.
+///
+/// \param yaml the YAML file's path. Folders, devices and pipes are refused.
+/// \throws std::runtime_error names the file, the field, its value and the limit. It is thrown before any memory is
+/// taken for pixels that the file is too short to have.
 ///
 /// \snippet occupancy_grid_io.cpp occupancy map
 TRICOVER_EXPORT OccupancyMap readOccupancyMap(const std::string& yaml);

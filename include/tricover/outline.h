@@ -12,8 +12,8 @@
 
 namespace tricover {
 
-/// A map of square cells, each with a value, laid out like ROS's nav_msgs/OccupancyGrid. readOccupancyMap() makes one
-/// from files.
+/// A map of square cells, each with a value, laid out like ROS's nav_msgs/OccupancyGrid. readOccupancyMap() of
+/// tricover::io reads one from files.
 struct OccupancyGrid {
   std::size_t width = 0;           ///< The number of cells along x.
   std::size_t height = 0;          ///< The number of cells along y.

@@ -8,7 +8,6 @@
 #include "tricover/export.h"
 #include "tricover/locate.h"
 #include "tricover/motion.h"
-#include "tricover/occupancy_grid_io.h"
 #include "tricover/outline.h"
 #include "tricover/pair_cache.h"
 #include "tricover/paper.h"

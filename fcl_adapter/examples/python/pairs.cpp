@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Polygons, and queries about two polygons, one pose or many at once.
 #include <pybind11/stl.h>
+#include <tricover/occupancy_grid_io.h>
 #include <tricover/tricover.h>
 
 #include <cstdint>

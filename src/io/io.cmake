@@ -1,0 +1,24 @@
+# tricover::io, the only code that sees yaml-cpp.
+find_package(yaml-cpp QUIET)
+if(NOT yaml-cpp_FOUND)
+  message(FATAL_ERROR "tricover::io needs yaml-cpp (Debian and Ubuntu: libyaml-cpp-dev), which wasn't found. Set "
+    "CMAKE_PREFIX_PATH to where it is, or leave out TRICOVER_BUILD_IO, _TESTS and _PYTHON.")
+endif()
+set(TRICOVER_YAML_CPP yaml-cpp)
+if(TARGET yaml-cpp::yaml-cpp)  # since 0.8
+  set(TRICOVER_YAML_CPP yaml-cpp::yaml-cpp)
+endif()
+
+add_library(tricover_io src/io/occupancy_grid_io.cpp)
+add_library(tricover::io ALIAS tricover_io)
+target_include_directories(tricover_io PRIVATE src)
+target_link_libraries(tricover_io PUBLIC tricover PRIVATE ${TRICOVER_YAML_CPP} $<BUILD_INTERFACE:tricover_warnings>)
+set_target_properties(tricover_io PROPERTIES
+  EXPORT_NAME io POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET ${TRICOVER_VISIBILITY}
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+
+if(TRICOVER_INSTALL)
+  install(TARGETS tricover_io EXPORT tricover-io)
+  install(EXPORT tricover-io NAMESPACE tricover:: DESTINATION ${TRICOVER_PACKAGE_DIR})
+  tricover_install_pc(${CMAKE_CURRENT_LIST_DIR}/tricover-io.pc.in)
+endif()
