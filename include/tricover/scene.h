@@ -141,41 +141,8 @@ struct BodyRayHit {
 };
 
 namespace detail {
-
-struct CacheAccess;
 struct SceneState;
-
-/// "The polygon at this pose (columns of R, then t) was so far, at the least, from all bodies of `mask` but one, grown
-/// by their margins."
-struct SceneFact {
-  std::uint64_t scene = 0;    ///< of which scene the fact is; 0: none
-  std::uint64_t version = 0;  ///< of which of its states: any change of a body ends it
-  std::uint64_t polygon = 0;  ///< Polygon::id() of the polygon that was asked for
-  double pose[6] = {1, 0, 0, 1, 0, 0};
-  double clearance = 0;
-  BodyHandle body = kNoBody;  ///< the body that was hit last: tried first
-  std::uint32_t mask = 0;
-  BodyHandle except = kNoBody;
-  std::uint32_t uses = 0;  ///< queries answered since
-
-  // What only saves time.
-  FactBalance balance;
-  std::uint64_t nearest_scene = 0;  ///< of the last query for the nearest body, which was `nearest`; 0: none
-  BodyHandle nearest = kNoBody;
-  Vec2 nearest_point = Vec2::Zero();  ///< of that body
-  double nearest_reach = 0;           ///< of another query near by
-};
-
-}  // namespace detail
-
-/// What a polygon among the bodies of a scene keeps between queries: facts, as in a PairCache, with the same rules.
-///
-/// \snippet scene.cpp scene cache
-class SceneCache {
- private:
-  friend struct detail::CacheAccess;
-  detail::SceneFact facts_;
-};
+}
 
 /// Many polygons under poses of their own, and what collides among them.
 ///
@@ -199,7 +166,7 @@ class TRICOVER_EXPORT Scene {
   Scene();  ///< Without bodies.
   ~Scene();
   /// A scene of its own with the same bodies under the same handles, the polygons shared: for planners that branch. It
-  /// copies what the scene takes, about 300 bytes a body and 100 a pair. Caches of the one know nothing of the other.
+  /// copies what the scene takes, about 300 bytes a body and 100 a pair.
   Scene(const Scene& other);
   Scene& operator=(const Scene& other);  ///< The same, instead of its bodies.
   Scene(Scene&& other);                  ///< Leaves the other one without bodies.
@@ -224,9 +191,9 @@ class TRICOVER_EXPORT Scene {
   /// begins. Throws as add() and remove() do.
   /// \snippet scene.cpp scene handles
   void setOptions(Body body, const BodyOptions& options);
-  /// Many at once: what move() does one after the other, whatever runs it, or nothing if it throws for a body or a pose.
-  /// What `parallel` throws itself, and std::bad_alloc, may leave some where they were.
-  /// \snippet scene.cpp scene frames
+  /// Many at once: what move() does one after the other, whatever runs it, or nothing if it throws for a body or a
+  /// pose. What `parallel` throws itself, and std::bad_alloc, may leave some where they were. \snippet scene.cpp scene
+  /// frames
   void move(const std::vector<BodyPose>& poses, const Parallel& parallel = {});
 
   /// How many bodies there are.
@@ -265,10 +232,6 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene queries
   bool collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                 const BodyFilter& filter = {}) const;
-  /// The same, using and renewing the facts in `cache`.
-  /// \snippet scene.cpp scene cache
-  bool collides(const Polygon& polygon, const Pose& pose, SceneCache& cache, const CollideOptions& options = {},
-                const BodyFilter& filter = {}) const;
   /// The same for many poses at once, in their order, whatever runs it.
   /// \snippet scene.cpp parallel
   std::vector<bool> collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options = {},
@@ -288,10 +251,6 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options = {},
                                       const BodyFilter& filter = {}) const;
-  /// The same, sooner if the body that was nearest to the last polygon asked with `cache` is near to this one.
-  /// \snippet scene.cpp scene nearest
-  std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, SceneCache& cache,
-                                      const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
   /// The same, if it is no farther away than `limit`. Throws as tricover::distanceWithin() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearestWithin(const Polygon& polygon, const Pose& pose, double limit,

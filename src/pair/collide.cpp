@@ -90,30 +90,6 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   return collideAfresh(a, pose_a, b, pose_b, defectOf(pose_a, pose_b), options, nullptr);
 }
 
-/// Two polygons by what is known of each in the world.
-struct CloseUps : Placement {
-  CloseUps(const CloseUp& of_a, const CloseUp& of_b)
-      : Placement(of_a.polygon, of_a.pose, of_b.polygon, of_b.pose),
-        way(of_b.center - of_a.center),
-        way_error(of_a.error + of_b.error),
-        defect(of_a.defect + of_b.defect) {}
-
-  UnitPlacement inUnits() const {
-    return {a,
-            b,
-            turnedToA(columns_b_[0]),
-            turnedToA(columns_b_[1]),
-            turnedToA(way) * a.inverse_unit,
-            1.1 * way_error,
-            1.1 * defect,
-            defect,
-            defect};
-  }
-
-  Double2 way;
-  double way_error, defect;
-};
-
 /// What finding it has cost, in quarters of the query: more than by boxes, or by few edges, which are asked at once,
 /// than by trees. The edges that met last and do again are sooner asked than those.
 std::int8_t costOf(const Outcome& fact, const CollisionFact& cache, const PolygonData& a) {
@@ -214,25 +190,6 @@ bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, c
 void renewFactApart(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                     CollisionFact& cache, const Recollection& recollection, const CollideOptions& options) {
   keptFact(a, pose_a, b, pose_b, cache, recollection, options, true);
-}
-
-/// Few edges are asked without the boxes around everything: those along the world's axes meet, and these would hardly
-/// part them any more.
-bool collideClose(const CloseUp& a, const CloseUp& b, bool may_hold, const CollideOptions& options) {
-  if (asksForInteriors(options))
-    return collideClose(a, b, may_hold, {}) && interiorsMeet(a.polygon, a.pose, b.polygon, b.pose);
-  const bool in_order = inOrder(a.polygon, a.pose, b.polygon, b.pose);
-  const CloseUps pair(in_order ? a : b, in_order ? b : a);
-  const Hierarchy *of_a = topIfBuilt(pair.a), *of_b = topIfBuilt(pair.b);
-  if (of_a == nullptr || of_b == nullptr)
-    return collideAnew(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), pair.defect, options);
-  const UnitPlacement at = pair.inUnits();
-  const EdgeTest test(pair, options);
-  const bool are_few = areSmall(*of_a, *of_b) && options.margin == 0 && !pair.b.isDegenerate();
-  if (!are_few || !areNear(at.map)) return collideByHierarchy(at, test, 0, Wanted::Answer, may_hold).collides;
-  const Meeting meeting = allEdgesMeet(at, *of_a, *of_b, test);
-  return meeting == Meeting::Unknown ? searchTrees(at, test, 0, Wanted::Answer, may_hold).collides
-                                     : meeting == Meeting::Meet;
 }
 
 }  // namespace detail

@@ -26,7 +26,7 @@ Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test) {
   return are_apart ? Meeting::Apart : meeting;
 }
 
-Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted, bool may_hold) {
+Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   const double sum = test.options.margin + test.options.tolerance;
   const double accept = sum > 0 && wanted != Wanted::Edges ? at.within(sum) : -1;
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
@@ -42,7 +42,7 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
     outcome.edge_b = found.edge_b;
     return outcome;
   }
-  if (may_hold) outcome = findContainment(test.pair(), !by_rings);
+  outcome = findContainment(test.pair(), !by_rings);
   if (wanted == Wanted::Clearance)
     outcome.clearance = std::min(found.clearance * test.a.unit, std::numeric_limits<double>::max());
   return outcome;

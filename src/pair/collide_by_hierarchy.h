@@ -59,23 +59,22 @@ inline bool areNear(const UnitMap& map) { return std::abs(map.tx) + std::abs(map
 }
 
 /// The rest of collideByHierarchy(): both trees descended, and containment.
-Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted, bool may_hold);
+Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted);
 
 /// Of two degenerate polygons, by no tree, or a point b, by a's tree alone.
 Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted);
 
 /// The default strategy. Whatever is farther apart than the margin by `lookahead`, a length in a's frame, isn't looked
 /// at, so that a clearance of at least that much is found if there is one. The pair must be in order (inOrder()), and
-/// its bounding discs may meet. Unless one region may hold a ring of the other, that isn't asked any more. Inlined,
-/// because what discs have computed is in registers.
+/// its bounding discs may meet. Inlined, because what discs have computed is in registers.
 [[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitPlacement& at, const EdgeTest& test,
-                                                         double lookahead, Wanted wanted, bool may_hold = true) {
+                                                         double lookahead, Wanted wanted) {
   if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
     return collideDegenerate(at, test, lookahead, wanted);
   const double limit = at.reach(test.options.margin) + lookahead * at.inverse_unit;
   Outcome outcome;
   const Meeting meeting = meetAtOnce(at, limit, wanted, test, outcome.clearance);
-  if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted, may_hold);
+  if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
   outcome.collides = meeting == Meeting::Meet;
   outcome.clearance *= test.a.unit;
   outcome.by = Outcome::By::Boxes;

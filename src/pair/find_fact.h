@@ -3,7 +3,6 @@
 
 #include <cstddef>
 
-#include "numbers/double2.h"
 #include "pair/facts.h"
 #include "pair/outcome.h"
 #include "polygon/polygon_data.h"
@@ -32,18 +31,5 @@ bool renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, c
 /// The same for polygons that are known not to overlap: nothing but the fact.
 void renewFactApart(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                     CollisionFact& cache, const Recollection& recollection, const CollideOptions& options);
-
-/// A posed polygon, and what a query of many pairs finds of it once.
-struct CloseUp {
-  const PolygonData& polygon;
-  const Pose& pose;
-  Double2 center;  ///< its S in the world
-  double error;    ///< how far off that is, in any direction
-  double defect;   ///< defectOf() the pose
-};
-
-/// collide() of arguments that have been checked, in any order, by what comes after discs and boxes along the world's
-/// axes have been asked. Unless one region may hold a ring of the other, that isn't asked any more.
-bool collideClose(const CloseUp& a, const CloseUp& b, bool may_hold, const CollideOptions& options);
 
 }  // namespace tricover::detail

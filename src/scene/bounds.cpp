@@ -28,11 +28,27 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kBoundsError = 0x1p-41;
 static_assert(kBoundsError >= kUnitRows * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 * 2e-13);
 
+/// Vertices are mapped one by one up to this number. The boxes of a larger polygon's hierarchy, which are wider, bound
+/// it from there on.
+constexpr std::size_t kFewVertices = 400;
+
 /// Extents of a float box: its axis is of unit length but for floats' roundings (Box), and they are summed up here.
 constexpr double kExtentsGrowth = 1 + 0x1p-20;
 
 Double2 growth(const PolygonData& polygon, Double2 t, double reach) {
   return kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
+}
+
+/// A box, grown; without ends where that overflows.
+Bounds grownBox(Double2 low, Double2 high, Double2 grow) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  low = low - grow, high = high + grow;
+  Bounds bounds = Bounds::between(low, high);
+  const unsigned finite = bitsOf(absolute(low) <= kMost) & bitsOf(absolute(high) <= kMost);
+  if (finite == 3) return bounds;
+  if ((finite & 1) == 0) bounds.min_x = -kInfinity, bounds.max_x = kInfinity;
+  if ((finite & 2) == 0) bounds.min_y = -kInfinity, bounds.max_y = kInfinity;
+  return bounds;
 }
 
 /// Around the vertices at these positions. What is turned is never inf - inf: R's rows are of length 1.
@@ -50,7 +66,7 @@ Bounds boundsOfEdge(const PolygonData& polygon, std::size_t edge, const Pose& po
 }
 
 Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
-  if (hasFewVertices(polygon)) return boundsOfVertices(polygon, 0, polygon.path.size(), pose, reach);
+  if (polygon.path.size() <= kFewVertices) return boundsOfVertices(polygon, 0, polygon.path.size(), pose, reach);
   const double* m = pose.data();  // columns of three
   const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
   Double2 least = kInfinity - Double2{}, most = -least;

@@ -60,11 +60,10 @@ class BoxTree {
     return true;
   }
 
-  /// Shows every item whose box is no farther from `bounds` than `most`, nodes and items that are near first.
-  /// visit(item) returns the largest distance that is still of interest. An item that would be the next one of its leaf
-  /// waits until none of these is nearer by what leastOf(item), a distance that isn't above its own, says.
-  template <typename Least, typename Visit>
-  void visitNear(const Bounds& bounds, double most, const Least& leastOf, const Visit& visit) const;
+  /// Calls visit(item) for every item whose box is no farther from `bounds` than `most`, near nodes and items first.
+  /// visit returns the largest distance that is still of interest.
+  template <typename Visit>
+  void visitNear(const Bounds& bounds, double most, const Visit& visit) const;
 
   /// Shows every item whose box the ray meets before the fraction `most`, nodes and items that it enters first first.
   /// visit returns the largest fraction that is still of interest. A box counts as entered by kEarlier earlier.
@@ -99,10 +98,10 @@ class BoxTree {
     std::uint32_t entry;
   };
 
-  /// Calls lanes(boxes, most, keys): which boxes of a node come before `most`, and when, or earlier; and once for every
-  /// item that would be shown later(item): when it comes, or earlier, 0 if nothing better is known.
-  template <typename Lanes, typename Later, typename Visit>
-  void visitInOrder(double most, const Lanes& lanes, const Later& later, const Visit& visit) const;
+  /// Calls visit(item) in the order of keys. lanes(boxes, most, keys) says which boxes of a node come before `most`,
+  /// and keys when, or earlier.
+  template <typename Lanes, typename Visit>
+  void visitInOrder(double most, const Lanes& lanes, const Visit& visit) const;
 
   std::uint32_t packed(Middle* first, std::size_t count, int height, const std::vector<Entry>& entries);
   void packGroups(std::uint32_t node, Middle* first, std::size_t count, std::size_t groups, int height,
@@ -126,12 +125,11 @@ class BoxTree {
   std::size_t changes_ = 0;
 };
 
-template <typename Lanes, typename Later, typename Visit>
-void BoxTree::visitInOrder(double most, const Lanes& lanes, const Later& later, const Visit& visit) const {
+template <typename Lanes, typename Visit>
+void BoxTree::visitInOrder(double most, const Lanes& lanes, const Visit& visit) const {
   struct Level {
     const Node* node;
-    unsigned left;   ///< lanes that haven't been entered
-    unsigned boxed;  ///< of which nothing but their boxes is known
+    unsigned left;  ///< lanes that haven't been entered
     LaneKeys keys;
   };
   if (root_ == kNone) return;
@@ -139,7 +137,7 @@ void BoxTree::visitInOrder(double most, const Lanes& lanes, const Later& later, 
   std::int64_t last = laneKey(most, kLanes - 1);
   const auto open = [&](Level& level, std::uint32_t index) {
     level.node = &nodes_[index];
-    level.left = level.boxed = lanes(level.node->boxes, most, level.keys);
+    level.left = lanes(level.node->boxes, most, level.keys);
   };
   Level* level = levels;
   open(*level, root_);
@@ -149,7 +147,7 @@ void BoxTree::visitInOrder(double most, const Lanes& lanes, const Later& later, 
       if (level-- == levels) return;
       continue;
     }
-    // One is foreseen. Which one of several comes first isn't: that is told without branches.
+    // The branch predictor foresees a single lane. The first of several is found without branches.
     const bool alone = (left & (left - 1)) == 0;
     const std::int64_t first = alone ? level->keys[__builtin_ctz(left)] : firstOf(level->keys);
     if (first > last) {
@@ -157,24 +155,13 @@ void BoxTree::visitInOrder(double most, const Lanes& lanes, const Later& later, 
       continue;
     }
     const unsigned lane = static_cast<unsigned>(first) % kLanes;
+    level->left = left & ~(1u << lane);
+    level->keys[lane] = kNoLane;
     const std::uint32_t child = level->node->child[lane];
-    const auto enter = [&] {
-      level->left = left & ~(1u << lane);
-      level->keys[lane] = kNoLane;
-    };
     if (!level->node->leaf) {
-      enter();
       open(*++level, child);
       continue;
     }
-    if ((level->boxed >> lane & 1) != 0) {
-      level->boxed &= ~(1u << lane);
-      if (const double least = later(child); least > 0) {
-        level->keys[lane] = std::max(first, laneKey(least, lane));
-        continue;
-      }
-    }
-    enter();
     most = visit(child);
     last = laneKey(most, kLanes - 1);
   }
@@ -184,18 +171,14 @@ template <typename Visit>
 void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
   visitInOrder(
       most, [&](const EightBoxes& boxes, double limit, LaneKeys& keys) { return boxesOnRay(boxes, ray, limit, keys); },
-      [](std::uint32_t) { return 0.0; }, visit);
+      visit);
 }
 
-template <typename Least, typename Visit>
-void BoxTree::visitNear(const Bounds& bounds, double most, const Least& leastOf, const Visit& visit) const {
+template <typename Visit>
+void BoxTree::visitNear(const Bounds& bounds, double most, const Visit& visit) const {
   visitInOrder(
       gapSquareAbove(most),
       [&](const EightBoxes& boxes, double limit, LaneKeys& keys) { return boxesNear(boxes, bounds, limit, keys); },
-      [&](std::uint32_t item) {
-        const double least = leastOf(item);
-        return least * least;
-      },
       [&](std::uint32_t item) { return gapSquareAbove(visit(item)); });
 }
 

@@ -4,76 +4,128 @@
 #include <optional>
 #include <vector>
 
-#include "scene/asked.h"
+#include "numbers/errors.h"
+#include "numbers/rigidity.h"
+#include "pair/discs.h"
+#include "pair/interiors.h"
+#include "scene/in_parallel.h"
+#include "scene/scene_state.h"
 
 namespace tricover {
-namespace detail {
 
-Slot findMet(const SceneState& state, const Asked& asked, const SlotFilter& filter) {
-  // All inner discs first: one that is met spares all that is near. What is near waits, and the likeliest comes first:
-  // by keys, so that no branch depends on their order.
-  Slot near[kLanes];
-  LaneKeys others;
-  std::int64_t first = kNoLane;
-  int count = 0;
-  Slot met = kNoSlot;
-  state.tree.visit(asked.surroundings(), [&](Slot body, const Bounds& box) {
-    const auto& other = state.bodies[body];
-    if (!state.passes(filter, body) || !asked.isNear(other, box)) return true;
-    if (asked.meetsInside(other) || (count == kLanes && asked.meetsClose(body))) {
-      met = body;
-      return false;
-    }
-    if (count == kLanes) return true;
-    const std::int64_t key = laneKey(asked.rank(box), count);
-    near[count] = body;
-    others[count++] = std::max(first, key);
-    first = std::min(first, key);
-    return true;
-  });
-  if (met != kNoSlot || count == 0) return met;
-  const auto nearAt = [&](std::int64_t key) { return near[static_cast<std::uint64_t>(key) % kLanes]; };
-  if (asked.meetsClose(nearAt(first))) return nearAt(first);
-  for (int i = 1; i < count; ++i)
-    if (asked.meetsClose(nearAt(others[i]))) return nearAt(others[i]);
-  return kNoSlot;
-}
-
-}  // namespace detail
-
-using detail::Asked;
+using detail::Bounds;
 using detail::SceneState;
 using detail::Slot;
 
+namespace {
+
+/// A posed polygon that is tested against the bodies that pass a filter.
+class CollisionQuery {
+ public:
+  CollisionQuery(const SceneState& state, const Polygon& polygon, const Pose& pose, const CollideOptions& options,
+                 const BodyFilter& filter)
+      : state_(state), polygon_(polygon), pose_(pose), options_(options), filter_(state.slots(filter)) {
+    detail::requireFiniteNotNegative(options.margin, "margin");
+    detail::requireFiniteNotNegative(options.tolerance, "tolerance");
+    detail::requireTouching(options.touching);
+    detail::requireRigid(pose, "pose");
+    discs_ = detail::WorldDiscs(polygon.data(), pose);
+    bounds_ = boundsOf(polygon.data(), pose, options.margin);
+  }
+
+  /// Returns a body that collides. Inner discs come first: two that meet save the tests of all outlines.
+  std::optional<BodyHandle> anyColliding() const {
+    const auto met = firstNear([&](const BodyState& body, const Bounds&) { return innerDiscsMeet(body); });
+    return met ? met : firstNear([&](const BodyState& body, const Bounds& box) { return outlinesMeet(body, box); });
+  }
+
+  std::vector<BodyHandle> colliding() const {
+    std::vector<BodyHandle> found;
+    visitNear([&](Slot slot, const Bounds& box) {
+      const BodyState& body = state_.bodies[slot];
+      if (innerDiscsMeet(body) || outlinesMeet(body, box)) found.push_back(state_.handleOf(slot));
+      return true;
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  using BodyState = SceneState::BodyState;
+
+  /// Calls visit(slot, box) for the bodies whose boxes meet the query's box, until it returns false.
+  template <typename Visit>
+  void visitNear(const Visit& visit) const {
+    state_.tree.visit(bounds_, [&](Slot slot, const Bounds& box) {
+      const bool is_near = state_.passes(filter_, slot) && !state_.bodies[slot].clear.holds(bounds_);
+      return !is_near || visit(slot, box);
+    });
+  }
+
+  /// Returns the first of these bodies for which test(body, box) holds.
+  template <typename Test>
+  std::optional<BodyHandle> firstNear(const Test& test) const {
+    std::optional<BodyHandle> found;
+    visitNear([&](Slot slot, const Bounds& box) {
+      if (test(state_.bodies[slot], box)) found = state_.handleOf(slot);
+      return !found;
+    });
+    return found;
+  }
+
+  bool innerDiscsMeet(const BodyState& body) const {
+    const CollideOptions options = detail::withBody(options_, body.options);
+    const detail::WorldDiscs discs = body.discs.of(body.polygon.data(), body.pose);
+    // The inner discs of points and segments have no interior.
+    const bool are_open = discs_.inner_radius > 0 && discs.inner_radius > 0;
+    return discs_.innerMeet(discs, options.margin) && (are_open || !detail::asksForInteriors(options));
+  }
+
+  /// Tests what inner discs don't decide.
+  bool outlinesMeet(const BodyState& body, const Bounds& box) const {
+    const CollideOptions options = detail::withBody(options_, body.options);
+    const detail::WorldDiscs discs = body.discs.of(body.polygon.data(), body.pose);
+    if (discs_.areApart(discs, options.margin)) return false;
+    if (collide(polygon_, pose_, body.polygon, body.pose, options)) return true;
+    // A body that isn't large beside the query learns nothing.
+    if (discs.radius > discs_.radius && body.clear.mayLearn() && options.touching == Touching::Collides)
+      body.clear.learn(body.polygon.data(), body.pose, body.options.margin, box, bounds_);
+    return false;
+  }
+
+  const SceneState& state_;
+  const Polygon& polygon_;
+  const Pose& pose_;
+  const CollideOptions& options_;
+  const detail::SlotFilter filter_;
+  detail::WorldDiscs discs_;
+  Bounds bounds_;  ///< around all points within the query's margin
+};
+
+}  // namespace
+
 bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                      const BodyFilter& filter) const {
-  const double defect = detail::checkAsked(pose, options);
-  const SceneState& state = impl_->settled();
-  return findMet(state, Asked(state, polygon.data(), pose, defect, options), state.slots(filter)) != detail::kNoSlot;
+  return anyColliding(polygon, pose, options, filter).has_value();
+}
+
+std::vector<bool> Scene::collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options,
+                                  const BodyFilter& filter, const Parallel& parallel) const {
+  for (std::size_t i = 0; i < poses.size(); ++i) detail::requireRigid(poses[i], "poses", i);
+  std::vector<char> answers(poses.size());  // threads can't share a vector of bits
+  detail::inParallelTasks(parallel, poses.size(),
+                          [&](std::size_t i) { answers[i] = collides(polygon, poses[i], options, filter); });
+  return {answers.begin(), answers.end()};
 }
 
 std::optional<Scene::Body> Scene::anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                                                const BodyFilter& filter) const {
-  const double defect = detail::checkAsked(pose, options);
-  const SceneState& state = impl_->settled();
-  const Slot met = findMet(state, Asked(state, polygon.data(), pose, defect, options), state.slots(filter));
-  return met != detail::kNoSlot ? std::optional<Body>(state.handleOf(met)) : std::nullopt;
+  return CollisionQuery(impl_->settled(), polygon, pose, options, filter).anyColliding();
 }
 
 std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                                           const BodyFilter& filter) const {
-  const double defect = detail::checkAsked(pose, options);
-  const SceneState& state = impl_->settled();
-  const Asked asked(state, polygon.data(), pose, defect, options);
-  const detail::SlotFilter slots = state.slots(filter);
-  std::vector<Body> found;
-  state.tree.visit(asked.surroundings(), [&](Slot body, const detail::Bounds& box) {
-    if (state.passes(slots, body) && asked.isNear(state.bodies[body], box) && asked.meets(body))
-      found.push_back(state.handleOf(body));
-    return true;
-  });
-  std::sort(found.begin(), found.end());
-  return found;
+  return CollisionQuery(impl_->settled(), polygon, pose, options, filter).colliding();
 }
 
 }  // namespace tricover

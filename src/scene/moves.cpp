@@ -84,7 +84,6 @@ bool SceneState::advance(Slot body, const Pose& pose, double step) {
 void SceneState::moveBody(Slot body, const Pose& pose, double step, const Bounds* box) {
   if (step < 0) return;
   tree.prepareMove();
-  ++version;
   if (!advance(body, pose, step)) return;
   listDue(body);
   BodyState& state = bodies[body];
@@ -97,7 +96,6 @@ void SceneState::moveBody(Slot body, const Pose& pose, double step, const Bounds
 /// Its box is new, and all of its pairs are due: those that may not meet any more are found not to collide.
 void SceneState::setOptions(Slot body, const BodyOptions& options) {
   tree.prepareMove();
-  ++version;
   BodyState& state = bodies[body];
   state.options = options;
   state.clear.forget();
@@ -112,7 +110,7 @@ void SceneState::setOptions(Slot body, const BodyOptions& options) {
 SceneState::Moving::What SceneState::moveInBox(Slot body, const Pose& pose, Leaving& leaving_to) {
   BodyState& state = bodies[body];
   const double step = stepTo(body, pose);
-  if (step < 0) return Moving::Nothing;
+  if (step < 0) return Moving::Done;
   if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until)) {
     leaving_to = {step, newBoxAt(state, pose, averageAfter(state, step))};
     return Moving::Leaves;
@@ -129,22 +127,19 @@ void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& 
   moves.resize(poses.size());
   leaving.resize(poses.size());
   inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
-    moves[i] = {slot(poses[i].body), Moving::Nothing};
+    moves[i] = {slot(poses[i].body), Moving::Done};
     requireRigid(poses[i].pose, "pose", i);
   });
   ++turn;
   for (Moving& move : moves)
     if (std::exchange(tenancies[move.body].turn, turn) == turn) move.what = Moving::Again;
   const auto moveTheRest = [&] {
-    bool any = false;
     for (std::size_t i = 0; i < moves.size(); ++i) {
       const auto [body, what] = moves[i];
-      any = any || what != Moving::Nothing;
       if (what == Moving::IsDue) due.push_back(body);
       if (what == Moving::Leaves) moveBody(body, poses[i].pose, leaving[i].step, &leaving[i].box);
       if (what == Moving::Again) moveBody(body, poses[i].pose, stepTo(body, poses[i].pose), nullptr);
     }
-    if (any) ++version;
   };
   try {
     inParallelTasks(parallel, poses.size(), [&](std::size_t i) {

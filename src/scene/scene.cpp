@@ -2,7 +2,6 @@
 #include "tricover/scene.h"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -16,12 +15,6 @@
 
 namespace tricover {
 namespace {
-
-/// No scene has 0.
-std::uint64_t nextSceneId() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
-}
 
 void checkBody(const Pose& pose, const BodyOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
@@ -41,10 +34,9 @@ void checkBodies(const std::vector<BodyPlacement>& bodies) {
 
 }  // namespace
 
-Scene::Scene() : impl_(std::make_unique<detail::SceneState>()) { impl_->id = nextSceneId(); }
+Scene::Scene() : impl_(std::make_unique<detail::SceneState>()) {}
 Scene::~Scene() = default;
 Scene::Scene(const Scene& other) : impl_(std::make_unique<detail::SceneState>(other.impl_->settled())) {
-  impl_->id = nextSceneId();
   impl_->makeRoomFor(0);
 }
 Scene& Scene::operator=(const Scene& other) { return *this = Scene(other); }
@@ -87,7 +79,6 @@ void Scene::remove(Body body) {
   if (++impl.tenancies[slot].changes != 0)
     (impl.lost.size() == before ? impl.free_bodies : impl.unreported).push_back(slot);
   --impl.count;
-  ++impl.version;
 }
 
 void Scene::move(Body body, const Pose& pose) {

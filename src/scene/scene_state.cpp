@@ -74,7 +74,6 @@ Slot SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions
   listFresh(body);
   listDue(body);
   ++count;
-  ++version;
   return body;
 }
 

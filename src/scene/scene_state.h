@@ -128,7 +128,7 @@ struct SceneState {
   void setOptions(Slot body, const BodyOptions& options);
   /// One of many moves, and what is left to be done of it.
   struct Moving {
-    enum What : std::uint8_t { Nothing, Done, IsDue, Leaves, Again };  ///< Nothing: the body is there already
+    enum What : std::uint8_t { Done, IsDue, Leaves, Again };
     Slot body;
     What what;
   };
@@ -157,8 +157,6 @@ struct SceneState {
   void updateCollisions(const Parallel& parallel);
   void report();
 
-  std::uint64_t id;           ///< of this scene; see SceneCache
-  std::uint64_t version = 0;  ///< counts changes
   std::vector<BodyState> bodies;
   std::vector<Tenancy> tenancies;  ///< of their slots
   std::vector<Slot> free_bodies;

@@ -200,29 +200,9 @@ TEST(Documentation, SceneNearest) {
   EXPECT_EQ(few.size(), 3u);
   EXPECT_EQ(few[0].result.distance, 0.25);  // the body at x = 6
   EXPECT_EQ(few[2].result.distance, 3.25);
-
-  tricover::SceneCache cache;  // along a path
-  for (int step = 0; step < 100; ++step)
-    EXPECT_EQ(scene.nearest(square, at(7.25 + 0.01 * step), cache)->body, step < 26 ? 2u : 3u);
   // A body of the scene, and what is nearest to it.
   EXPECT_EQ(scene.nearest(square, scene.pose(4), {}, tricover::BodyFilter::allBut(4))->result.distance, 2);
   //! [scene nearest]
-}
-
-TEST(Documentation, SceneCache) {
-  //! [scene cache]
-  const tricover::Polygon robot({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});
-  tricover::Scene scene;
-  scene.add(robot, tricover::Pose::Identity());
-  tricover::Pose pose = tricover::Pose::Identity();
-  tricover::SceneCache cache;  // one a moving polygon
-  int hits = 0;
-  for (int step = 0; step < 100; ++step) {
-    pose.translation().x() = 10 - 0.1 * step;
-    hits += scene.collides(robot, pose, cache);
-  }
-  EXPECT_EQ(hits, 20);
-  //! [scene cache]
 }
 
 TEST(Documentation, Parallel) {

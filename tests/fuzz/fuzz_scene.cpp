@@ -118,7 +118,6 @@ class Player {
     };
     expect(scene_.colliding(polygon, pose, options) == expected, "colliding");
     expect(scene_.collides(polygon, pose, options) == !expected.empty(), "collides");
-    expect(scene_.collides(polygon, pose, cache_, options) == !expected.empty(), "collides, cached");
     const auto nearest = scene_.nearestWithin(polygon, pose, 1e300, {options.margin});
     const bool meets = nearest && nearest->result.distance == 0;
     const auto few = scene_.nearestFew(polygon, pose, 5, 1e300, {options.margin});
@@ -155,7 +154,6 @@ class Player {
   Scene scene_;
   std::vector<Scene::Body> bodies_;
   std::vector<BodyPair> before_;
-  SceneCache cache_;
 };
 
 }  // namespace

@@ -27,7 +27,7 @@
 namespace tricover::support {
 
 /// A scene beside loops over the functions of pairs: bodies that move by a few ulps, a little or far, come into contact
-/// exactly, come and go; with margins, categories and a cache that lives through all of it.
+/// exactly, come and go; with margins and categories.
 class SceneWalk {
  public:
   /// Its bodies are of these cases.
@@ -238,7 +238,6 @@ class SceneWalk {
       expect(!any || std::binary_search(expected.begin(), expected.end(), *any), "anyColliding, which");
       expect(scene_.colliding(part.polygon, at, options, filter) == expected, "colliding");
       expect(scene_.collides(part.polygon, at, options, filter) == !expected.empty(), "collides");
-      expect(scene_.collides(part.polygon, at, cache_, options, filter) == !expected.empty(), "collides, cached");
       expect(answers[0] == !expected.empty(), "collides, many poses");
       ++(expected.empty() ? free : inside);
       at = near(part.polygon, at);
@@ -272,7 +271,7 @@ class SceneWalk {
     if (expected.size() > count) expected.resize(count);
     expect(found == expected, "nearestFew");
     if (options.limit < kInfinity || count == 0) return;
-    check(scene_.nearest(part.polygon, at, cache_, options, filter), "nearest, cached");
+    check(scene_.nearest(part.polygon, at, options, filter), "nearest without a limit");
   }
 
   /// Margins aren't met exactly: see Scene::castRay().
@@ -435,7 +434,6 @@ class SceneWalk {
   Scene scene_;
   std::vector<Scene::Body> bodies_;
   std::vector<BodyPair> before_;
-  SceneCache cache_;
 };
 
 }  // namespace tricover::support

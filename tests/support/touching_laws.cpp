@@ -48,7 +48,6 @@ std::string wrongTouching(const Case& c, const Overlap& truth, StrategyCaches& o
 }
 
 std::string wrongTouchingInScene(const Case& c, const Overlap& truth) {
-  SceneCache cache;
   for (const Touching of_body : {Touching::Collides, Touching::Allowed}) {
     Scene scene;
     BodyOptions body;
@@ -57,8 +56,7 @@ std::string wrongTouchingInScene(const Case& c, const Overlap& truth) {
     const bool closed_answer = of_body == Touching::Allowed ? truth.overlap : truth.meet;
     for (int i = 0; i < 3; ++i) {
       if (scene.collides(c.b, c.pose_b, open()) != truth.overlap) return "scene";
-      if (scene.collides(c.b, c.pose_b, cache, open()) != truth.overlap) return "scene, with a cache";
-      if (scene.collides(c.b, c.pose_b, cache) != closed_answer) return "scene, closed, with a cache";
+      if (scene.collides(c.b, c.pose_b) != closed_answer) return "scene, closed";
       if (scene.colliding(c.b, c.pose_b, open()).empty() == truth.overlap) return "colliding";
       if (scene.anyColliding(c.b, c.pose_b).has_value() != closed_answer) return "anyColliding, closed";
     }

@@ -142,7 +142,6 @@ TEST(SceneCrowd, AnswersWhatLoopsOverTheBodiesAnswer) {
   for (const auto& [unit, away] : {std::pair(1.0, 0.0), {1.0, 1e9}, {1e-200, 0.0}}) {
     Crowd crowd(12, unit, away);
     for (int i = 0; i < 12; ++i) crowd.add();
-    SceneCache cache;
     for (int i = 0; i < std::max(scaledCount(200), 40); ++i) {
       if (i % 4 == 0) crowd.step();
       const Polygon& polygon = crowd.polygons[static_cast<std::size_t>(crowd.random.integer(0, 4))];
@@ -162,10 +161,6 @@ TEST(SceneCrowd, AnswersWhatLoopsOverTheBodiesAnswer) {
       std::sort(expected.begin(), expected.end());
       ASSERT_EQ(crowd.scene.colliding(polygon, at, options), expected);
       ASSERT_EQ(crowd.scene.collides(polygon, at, options), !expected.empty());
-      ASSERT_EQ(crowd.scene.collides(polygon, at, cache, options), !expected.empty());
-      Pose nudge = at;
-      nudge.translation().x() += 1e-3 * unit;
-      ASSERT_EQ(crowd.scene.collides(polygon, nudge, cache, options), crowd.scene.collides(polygon, nudge, options));
       ASSERT_EQ(crowd.scene.nearest(polygon, at)->result.distance, least);
       ++(expected.empty() ? free : hits);
 

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "polygon/cache_access.h"
 #include "shapes.h"
 #include "tricover/prepare.h"
 #include "tricover/segment.h"
@@ -107,7 +106,7 @@ TEST(Scene, CastsRaysAtWhatIsFirst) {
 }
 
 /// Frames within frames, 1 apart and 0.5 wide: discs tell of all of them that they may meet what is inside.
-TEST(Scene, AsksMoreBodiesThanAreKeptInOrder) {
+TEST(Scene, AsksBodiesWhoseDiscsDecideNothing) {
   Scene scene;
   for (int i = 1; i <= 40; ++i) {
     const double r = i + 0.5;
@@ -209,10 +208,6 @@ TEST(Scene, MeetsWhatComesBackFromBeyondTheLargestDouble) {
   EXPECT_EQ(scene.colliding(here, pose(M_PI / 2, 0, 0)), std::vector<Scene::Body>{up});
 }
 
-/// Many bodies come, go and return: what a handle left behind must not be another body's.
-/// What is left of a node of the tree moves to another one, and is found there.
-/// Many at once are packed, few beside many are put in one by one; some leave before anybody asks.
-/// What happens to a copy doesn't happen to the other one; caches know which is which.
 TEST(Scene, OfAPolygonThatIsTooLargeForItsBoxes) {
   const Polygon huge({rectangle(-1.7e308, -1.7e308, 1.7e308, 1.7e308)}),
       far({rectangle(1.6e308, 1.6e308, 1.65e308, 1.65e308)});
@@ -267,7 +262,6 @@ TEST(Scene, LooksOnAfterAnImpactThatIsLater) {
   EXPECT_EQ(impact->body, first);
 }
 
-/// It takes bodies, and the caches that know it, with it; what it leaves has no bodies.
 /// Margins of the ray and of the body add up: as if the body had both.
 TEST(Scene, CastsRaysWithMargins) {
   Scene scene, wider;
@@ -288,26 +282,6 @@ TEST(Scene, CastsRaysWithMargins) {
   // Beyond the box of the body, within the ray's margin alone.
   EXPECT_TRUE(scene.castRay({20, 10}, {20, 2.4}, {1.5}));
   EXPECT_THROW(scene.castRay({0, 0}, {1, 0}, {-1}), std::invalid_argument);
-}
-
-/// A cache's fact is about one state of the scene, and about the bodies that were asked for.
-TEST(Scene, HasCachesWhoseFactsEnd) {
-  Scene scene;
-  const Scene::Body body = scene.add(kSquare, pose(0, 20, 0));
-  SceneCache cache;
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0), cache));
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.1, 0), cache));
-  ASSERT_GT(detail::factsIn(cache).clearance, 0.5);
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
-  EXPECT_EQ(detail::factsIn(cache).uses, 1u);
-  scene.move(body, pose(0, 1, 0));
-  EXPECT_TRUE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
-
-  cache = SceneCache();
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0), cache, {}, 2));
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0.1, 0), cache, {}, 2));
-  ASSERT_GT(detail::factsIn(cache).clearance, 0.5);
-  EXPECT_TRUE(scene.collides(kSquare, pose(0, 0.2, 0), cache));
 }
 
 /// Two that approach, one faster than its share of the gap lets it: in every frame the answer is collide()'s.

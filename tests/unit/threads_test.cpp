@@ -158,7 +158,6 @@ struct SceneAnswers {
 SceneAnswers ask(const Scene& scene, const Polygon& robot, std::uint64_t seed, const Parallel& parallel) {
   Random random(seed);
   SceneAnswers answers;
-  SceneCache cache;
   std::vector<Pose> poses;
   for (int i = 0; i < 1200; ++i) poses.push_back(randomPose(random, 14));
   const std::vector<bool> many = scene.collides(robot, poses, {}, kEveryCategory, parallel);
@@ -166,7 +165,7 @@ SceneAnswers ask(const Scene& scene, const Polygon& robot, std::uint64_t seed, c
   std::vector<BodyMotion> motions;
   for (std::size_t i = 0; i < 20; ++i) {
     const Pose& at = poses[i];
-    answers.collides.push_back(scene.collides(robot, at, cache));
+    answers.collides.push_back(scene.collides(robot, at));
     answers.colliding.push_back(scene.colliding(robot, at));
     const auto nearest = scene.nearest(robot, at);
     answers.nearest.push_back(nearest->body);
