@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "tricover/collide.h"
@@ -68,19 +69,23 @@ struct BodyPose {
 /// Names no body.
 constexpr BodyHandle kNoBody = ~BodyHandle{0};
 
-/// Which bodies a query is about. A mask alone is one, too. Queries throw std::out_of_range for an exception that names
-/// nothing but isn't kNoBody.
+/// Selects the bodies of a query by category, and may leave one of them out. A mask converts to a filter.
+/// A query throws std::out_of_range if `except` is neither kNoBody nor a body of the scene.
 /// \snippet scene.cpp scene nearest
 struct BodyFilter {
-  /// Those that have a category of a mask, but for one.
+  /// Selects the bodies that have one of the categories, except one body.
   BodyFilter(std::uint32_t categories_ = kEveryCategory, BodyHandle except_ = kNoBody)
       : categories(categories_), except(except_) {}
-  /// All others.
+  /// A handle, or another integer of 64 bits, is not a mask. To leave out a body, write BodyFilter::allBut(body).
+  template <typename HandleIsNoMask, typename = std::enable_if_t<std::is_integral<HandleIsNoMask>::value &&
+                                                                 (sizeof(HandleIsNoMask) > sizeof(std::uint32_t))>>
+  BodyFilter(HandleIsNoMask, BodyHandle = kNoBody) = delete;  // To leave out a body, write BodyFilter::allBut(body).
+  /// Selects all bodies except one.
   /// \snippet scene.cpp scene nearest
   static BodyFilter allBut(BodyHandle body) { return {kEveryCategory, body}; }
 
-  std::uint32_t categories;  ///< Bits: a body is asked for that has one of these categories,
-  BodyHandle except;         ///< unless it is this one.
+  std::uint32_t categories;  ///< Bits: a body is selected if it has one of these categories.
+  BodyHandle except;         ///< This body is not selected.
 };
 
 /// Two bodies, the lower handle first.

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -232,6 +235,22 @@ TEST(Scene, StaleHandlesAreErrorsAndNeverAnotherBody) {
     EXPECT_TRUE(scene.collisions().empty());
     EXPECT_EQ(scene.ended(), (std::vector<BodyPair>{{stays, body}}));
   }
+}
+
+/// A handle in the place of a mask would select bodies by its low bits. See also handle_as_mask.cpp.
+TEST(Scene, HandlesAreNoMasks) {
+  static_assert(!std::is_convertible_v<Scene::Body, BodyFilter> && !std::is_constructible_v<BodyFilter, Scene::Body>);
+  static_assert(!std::is_constructible_v<BodyFilter, Scene::Body, Scene::Body>);
+  static_assert(!std::is_convertible_v<std::size_t, BodyFilter> && !std::is_convertible_v<long long, BodyFilter>);
+  static_assert(std::is_convertible_v<int, BodyFilter> && std::is_convertible_v<unsigned, BodyFilter>);
+  static_assert(std::is_convertible_v<std::uint8_t, BodyFilter> &&
+                std::is_constructible_v<BodyFilter, int, Scene::Body>);
+  Scene scene;
+  const Scene::Body me = scene.add(kSquare, pose(0, 0, 0)), other = scene.add(kSquare, pose(0, 1, 0));
+  EXPECT_EQ(scene.anyColliding(kSquare, scene.pose(me), {}, BodyFilter::allBut(me)), other);
+  EXPECT_TRUE(scene.collides(kSquare, scene.pose(me), {}, 1));
+  EXPECT_FALSE(scene.collides(kSquare, scene.pose(me), {}, 2u));
+  EXPECT_EQ(scene.anyColliding(kSquare, scene.pose(me), {}, {1, me}), other);
 }
 
 TEST(Scene, OptionsChangeInPlace) {
