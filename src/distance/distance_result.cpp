@@ -60,16 +60,15 @@ DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, b
   if (!(distance <= options.limit) && !isWithinLimit(pair, nearest.distance, options)) return farResult();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);
   const Vec2 point_b = meets ? point_a : worldPoint(pair.b, pair.pose_b, j, nearest.along_b);
-  return inCallersOrder(pair, std::min(distance, options.limit), point_a, point_b,
-                        static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
-                        static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)));
+  return inCallersOrder(pair, std::min(distance, options.limit), point_a, point_b, pair.a.edgeName(i),
+                        pair.b.edgeName(j));
 }
 
 DistanceResult containedResult(const DistancePair& pair, const Outcome& outcome) {
   const bool in_b = outcome.edge_a >= 0;
   const auto edge = static_cast<std::size_t>(in_b ? outcome.edge_a : outcome.edge_b);
   const Vec2 point = in_b ? worldPoint(pair.a, pair.pose_a, edge, 0) : worldPoint(pair.b, pair.pose_b, edge, 0);
-  const auto number = static_cast<std::ptrdiff_t>((in_b ? pair.a : pair.b).edgeNumber(edge));
+  const auto number = (in_b ? pair.a : pair.b).edgeName(edge);
   return inCallersOrder(pair, 0, point, point, in_b ? number : -1, in_b ? -1 : number);
 }
 

@@ -63,8 +63,7 @@ inline DistanceResult plainResultOf(const DistancePair& pair, const EdgeDistance
   if (is_within || !(distance <= options.limit)) return resultOf(pair, nearest, meets, i, j, options);
   const Vec2 point_a = plainPoint(pair.a, pair.pose_a, i, nearest.along_a);
   const Vec2 point_b = meets ? point_a : plainPoint(pair.b, pair.pose_b, j, nearest.along_b);
-  return inCallersOrder(pair, distance, point_a, point_b, static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
-                        static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)));
+  return inCallersOrder(pair, distance, point_a, point_b, pair.a.edgeName(i), pair.b.edgeName(j));
 }
 
 /// Where a ring lies inside the other region.

@@ -78,8 +78,8 @@ class RayCast {
         for (std::size_t e = polygon_.edgeBegin(r); e < polygon_.edgeEnd(r); ++e) take(e);
     }
     if (!found_ || fraction_ > limit_) return std::nullopt;
-    return RayHit{fraction_, pointAt(from(), to(), fraction_), normal(),
-                  static_cast<std::ptrdiff_t>(polygon_.edgeNumber(edge_))};
+    edge_ = polygon_.namedEdge(edge_);
+    return RayHit{fraction_, pointAt(from(), to(), fraction_), normal(), polygon_.edgeName(edge_)};
   }
 
  private:

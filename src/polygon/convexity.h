@@ -56,7 +56,7 @@ inline std::uint32_t cornerFrom(const PolygonData& polygon, std::size_t position
 /// Of the edges from one position in a ring's path on until another one, which are on a line, that which is beside p.
 std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p);
 
-/// The edge of a convex polygon's path that edge k of cornersOf() it has beside p.
+/// The edge of a convex polygon's path, with a length, that edge k of cornersOf() it has beside p.
 std::size_t edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p);
 
 /// The number of a polygon's edge that an edge of the polygon it is taken for, its corners' or itself, is at a part of

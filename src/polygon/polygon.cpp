@@ -274,6 +274,13 @@ std::size_t PolygonData::edgePosition(std::size_t number) const {
   return number + low;
 }
 
+std::size_t PolygonData::nextWithLength(std::size_t position) const {
+  const std::size_t ring = ringOf(position), begin = edgeBegin(ring), end = edgeEnd(ring);
+  for (std::size_t e = position + 1 < end ? position + 1 : begin; e != position; e = e + 1 < end ? e + 1 : begin)
+    if (path[e] != path[e + 1]) return e;
+  return position;
+}
+
 std::size_t PolygonData::checkedEdgePosition(EdgeIndex number) const {
   const std::size_t count = path.size() - ringCount();
   if (static_cast<std::size_t>(number) >= count) refuseEdge(number, count);

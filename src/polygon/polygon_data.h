@@ -86,6 +86,13 @@ struct PolygonData {
     return ringCount() == 1 ? position : position - ringOf(position);
   }
   std::size_t edgePosition(std::size_t number) const;
+  /// The edge that results name for the one at a position: that edge, or, if it has no length, the next one of its ring
+  /// that has, which starts at the same point. A ring without any such edge names the given one.
+  std::size_t namedEdge(std::size_t position) const {
+    return path[position] != path[position + 1] ? position : nextWithLength(position);
+  }
+  /// The public number of that edge.
+  EdgeIndex edgeName(std::size_t position) const { return static_cast<EdgeIndex>(edgeNumber(namedEdge(position))); }
   /// Throws std::out_of_range for what is no edge's number.
   std::size_t checkedEdgePosition(EdgeIndex number) const;
 
@@ -126,6 +133,7 @@ struct PolygonData {
 
  private:
   PolygonData(const RingsView& rings, std::size_t positions, FillRule fill);
+  std::size_t nextWithLength(std::size_t position) const;
 };
 
 }  // namespace tricover::detail
