@@ -48,7 +48,7 @@ bool isNamable(const Polygon& polygon, EdgeIndex edge) {
 }
 
 TEST(NamedEdges, OfAClosedRingHaveALength) {
-  const Polygon l({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}});
+  const Polygon l({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}}});
   const DistanceResult nearest = distance(l, pose(0, 0, 0), l, pose(0, -2, -2.5));
   EXPECT_DOUBLE_EQ(nearest.distance, std::hypot(1, 0.5));
   EXPECT_TRUE(isNamable(l, nearest.edge_a)) << nearest.edge_a;
@@ -57,7 +57,7 @@ TEST(NamedEdges, OfAClosedRingHaveALength) {
 }
 
 TEST(NamedEdges, OfAPointAreThatPoint) {
-  const Polygon point({{1, 2}, {1, 2}, {1, 2}}), box(rectangle(3, 1, 4, 3));
+  const Polygon point({{{1, 2}, {1, 2}, {1, 2}}}), box({rectangle(3, 1, 4, 3)});
   const DistanceResult nearest = distance(point, pose(0, 0, 0), box, pose(0, 0, 0));
   EXPECT_EQ(nearest.distance, 2);
   EXPECT_GE(nearest.edge_a, 0);
