@@ -63,13 +63,6 @@ py::array_t<Value> arrayOf(std::size_t count, const Of& of) {
   for (std::size_t i = 0; i < count; ++i) values[i] = of(i);
   return array;
 }
-/// (3, 3), homogeneous.
-inline py::array_t<double> arrayOf(const tricover::Pose& pose) {
-  py::array_t<double> array({3, 3});
-  for (py::ssize_t row = 0; row < 3; ++row)
-    for (py::ssize_t column = 0; column < 3; ++column) array.mutable_at(row, column) = pose(row, column);
-  return array;
-}
 
 /// Poses as a caller gave them: one, or many.
 struct Poses {
@@ -79,44 +72,55 @@ struct Poses {
   const tricover::Pose& operator[](std::size_t i) const { return poses[is_one ? 0 : i]; }
 };
 
-/// One pose is (3,), x, y and heading, or (3, 3), a homogeneous matrix; many are (n, 3) or (n, 3, 3). Of the shape (3,
-/// 3) three rows are one matrix if they are a rigid one, and otherwise three poses.
+/// x, y and heading: (3,) for one pose, (n, 3) for many.
 inline Poses posesFrom(const Array& array, const std::string& name) {
-  const py::ssize_t dimensions = array.ndim();
-  const bool has_shape =
-      dimensions >= 1 && dimensions <= 3 && array.shape(dimensions - 1) == 3 && (dimensions < 3 || array.shape(1) == 3);
-  if (!has_shape)
-    throw std::invalid_argument(name + ": it must have the shape (3,), (3, 3), (n, 3) or (n, 3, 3), not " +
-                                shapeOf(array));
-  const auto matrix = [](const double* m) {
-    tricover::Pose pose = tricover::Pose::Identity();
-    pose.matrix().topRows<2>() << m[0], m[1], m[2], m[3], m[4], m[5];
-    return pose;
-  };
-  const auto isHomogeneous = [](const double* m) { return m[6] == 0 && m[7] == 0 && m[8] == 1; };
-  const double* const numbers = array.data();
-  Poses result;
-  if (dimensions == 2 && array.shape(0) == 3 && isHomogeneous(numbers)) {
-    const tricover::Pose pose = matrix(numbers);
-    if ((pose.linear().transpose() * pose.linear()).isIdentity(tricover::kRigidTolerance)) {
-      result.poses = {pose};
-      return result;
-    }
-  }
-  const bool are_matrices = dimensions == 3;
-  result.is_one = dimensions == 1;
+  if (array.ndim() < 1 || array.ndim() > 2 || array.shape(array.ndim() - 1) != 3)
+    throw std::invalid_argument(name + ": it must have the shape (3,) or (n, 3), not " + shapeOf(array) +
+                                "; give matrices as Poses.from_matrices(matrices)");
+  Poses result{{}, array.ndim() == 1};
   const auto count = static_cast<std::size_t>(result.is_one ? 1 : array.shape(0));
-  result.poses.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double* const m = numbers + i * (are_matrices ? 9 : 3);
-    if (are_matrices && !isHomogeneous(m))
-      throw std::invalid_argument(name + "[" + std::to_string(i) + "]: its last row is not 0, 0, 1");
-    result.poses.push_back(are_matrices ? matrix(m)
-                                        : tricover::Pose(Eigen::Translation2d(m[0], m[1]) * Eigen::Rotation2Dd(m[2])));
-    if (!result.poses.back().matrix().allFinite())
-      tricover::checkPose(result.poses.back(), (result.is_one ? name : name + "[" + std::to_string(i) + "]").c_str());
+    const double* const p = array.data() + 3 * i;
+    result.poses.emplace_back(Eigen::Translation2d(p[0], p[1]) * Eigen::Rotation2Dd(p[2]));
+    tricover::checkPose(result.poses.back(), (result.is_one ? name : name + "[" + std::to_string(i) + "]").c_str());
   }
   return result;
+}
+
+/// Homogeneous matrices: (3, 3) for one pose, (n, 3, 3) for many.
+inline Poses posesFromMatrices(const Array& array) {
+  const py::ssize_t dimensions = array.ndim();
+  if (dimensions < 2 || dimensions > 3 || array.shape(dimensions - 1) != 3 || array.shape(dimensions - 2) != 3)
+    throw std::invalid_argument("matrices: they must have the shape (3, 3) or (n, 3, 3), not " + shapeOf(array));
+  Poses result{{}, dimensions == 2};
+  const auto count = static_cast<std::size_t>(result.is_one ? 1 : array.shape(0));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = result.is_one ? "matrices" : "matrices[" + std::to_string(i) + "]";
+    const double* const m = array.data() + 9 * i;
+    if (m[6] != 0 || m[7] != 0 || m[8] != 1) throw std::invalid_argument(name + ": its last row is not 0, 0, 1");
+    result.poses.push_back(tricover::Pose::Identity());
+    result.poses.back().matrix().topRows<2>() << m[0], m[1], m[2], m[3], m[4], m[5];
+    tricover::checkPose(result.poses.back(), name.c_str());
+  }
+  return result;
+}
+
+/// Poses, or an array of x, y and heading. One array may be both three poses and a matrix: it is refused.
+inline Poses posesFrom(const py::object& given, const std::string& name) {
+  if (py::isinstance<Poses>(given)) return given.cast<Poses>();
+  const Array array = Array::ensure(given);
+  if (!array) throw py::type_error(name + ": it is no array of numbers");
+  if (array.ndim() == 2 && array.shape(0) == 3 && array.shape(1) == 3 && array.at(2, 0) == 0 && array.at(2, 1) == 0 &&
+      array.at(2, 2) == 1)
+    throw std::invalid_argument(name + ": it may be a matrix or three poses; give Poses.from_matrices(matrix) or " +
+                                "Poses(three)");
+  return posesFrom(array, name);
+}
+
+inline tricover::Pose onePose(const py::object& given, const char* name) {
+  const Poses poses = posesFrom(given, name);
+  if (!poses.is_one) throw std::invalid_argument(std::string(name) + ": one pose is wanted");
+  return poses[0];
 }
 
 /// How many queries two sets of poses are.

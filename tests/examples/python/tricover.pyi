@@ -1,7 +1,8 @@
 """Exact collision detection between 2D polygons.
 
-Poses: one is an array (3,) of x, y and heading in radians, or (3, 3), a homogeneous matrix, which may mirror; many are
-(n, 3) or (n, 3, 3). Of the shape (3, 3), three rows are one matrix if they are a rigid one, and otherwise three poses.
+A pose is an array (3,) of x, y and heading in radians; many are (n, 3). Homogeneous matrices, which may mirror, are
+given as Poses.from_matrices(), and never as plain arrays: three poses and a matrix have one shape. A plain array (3, 3)
+whose last row is 0, 0, 1 may be either and is refused; Poses() makes three poses of it.
 Where one of two poses is one and the other many, the one is used for all. Many poses are asked on `threads` threads, 0
 for all processors, while other Python threads run; errors name the pose. Lengths are the world's. Wrong arguments raise
 ValueError, edges and bodies that aren't there IndexError. The C++ reference says more of each function.
@@ -9,7 +10,7 @@ ValueError, edges and bodies that aren't there IndexError. The C++ reference say
 from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 class FillRule:
     EVEN_ODD: FillRule
@@ -60,6 +61,17 @@ class Polygon:
     def edge(self, edge: int) -> NDArray[np.float64]:
         """Its two ends, (2, 2)."""
 
+class Poses:
+    """One pose or many. numpy.asarray() gives their matrices, (3, 3) or (n, 3, 3)."""
+    def __init__(self, poses: ArrayLike) -> None:
+        """From x, y and heading, (3,) or (n, 3)."""
+    @staticmethod
+    def from_matrices(matrices: ArrayLike) -> Poses:
+        """From homogeneous matrices, (3, 3) or (n, 3, 3)."""
+    def __array__(self, dtype: Optional[DTypeLike] = None, copy: Optional[bool] = None) -> NDArray[np.float64]: ...
+
+PosesLike = Union[Poses, ArrayLike]
+
 def point(p: ArrayLike) -> Polygon:
     """A polygon that is a point: with a margin, a disc."""
 
@@ -69,23 +81,23 @@ def segment(p: ArrayLike, q: ArrayLike) -> Polygon:
 def outline(cells: ArrayLike, resolution: float = 1.0, origin: ArrayLike = (0, 0)) -> Optional[Polygon]:
     """The cells (height, width) that aren't 0, the lowest row first, as one polygon with holes; None without any."""
 
-def read_occupancy_map(yaml: str) -> Tuple[NDArray[np.int8], float, NDArray[np.float64]]:
-    """A map of ROS's map_server: cells, resolution, and the pose of its frame, a matrix."""
+def read_occupancy_map(yaml: str) -> Tuple[NDArray[np.int8], float, Poses]:
+    """Reads a map of ROS's map_server: cells, resolution, and the pose of its frame."""
 
 class Motion:
     """A planar rigid motion from time 0 to time 1."""
     @staticmethod
-    def still(pose: ArrayLike) -> Motion: ...
+    def still(pose: PosesLike) -> Motion: ...
     @staticmethod
-    def translation(start: ArrayLike, shift: ArrayLike) -> Motion: ...
+    def translation(start: PosesLike, shift: ArrayLike) -> Motion: ...
     @staticmethod
-    def between(start: ArrayLike, end: ArrayLike, pivot: ArrayLike = (0, 0)) -> Motion: ...
+    def between(start: PosesLike, end: PosesLike, pivot: ArrayLike = (0, 0)) -> Motion: ...
     @staticmethod
     def spline(begin: ArrayLike, begin_velocity: ArrayLike, end: ArrayLike, end_velocity: ArrayLike,
                pivot: ArrayLike = (0, 0)) -> Motion:
         """The cubic Hermite spline; each argument is x, y and heading, or their velocities."""
-    def at(self, time: float) -> NDArray[np.float64]:
-        """The pose at a time, a matrix."""
+    def at(self, time: float) -> Poses:
+        """The pose at a time."""
     def part(self, from_time: float, until: float) -> Motion:
         """From one time to another, which are its 0 and 1."""
 
@@ -104,8 +116,8 @@ class Trajectory:
     def begin(self) -> float: ...
     @property
     def end(self) -> float: ...
-    def at(self, time: float) -> NDArray[np.float64]:
-        """The pose at a time, a matrix."""
+    def at(self, time: float) -> Poses:
+        """The pose at a time."""
     def part(self, from_time: float, until: float) -> Motion:
         """Of times between which no leg ends."""
 
@@ -161,14 +173,14 @@ class RayHit(NamedTuple):
 
 Way = TypeVar("Way", Motion, Trajectory)
 
-def collide(a: Polygon, pose_a: ArrayLike, b: Polygon, pose_b: ArrayLike, margin: float = 0.0, tolerance: float = 0.0,
+def collide(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
             touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
-def distance(a: Polygon, pose_a: ArrayLike, b: Polygon, pose_b: ArrayLike, margin: float = 0.0,
+def distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
              threads: int = 0) -> Distance: ...
-def penetration(a: Polygon, pose_a: ArrayLike, b: Polygon, pose_b: ArrayLike, margin: float = 0.0,
+def penetration(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
                 depth_error: float = 0.0, touching: Touching = Touching.COLLIDES,
                 threads: int = 0) -> Union[Optional[Penetration], List[Optional[Penetration]]]: ...
-def contacts(a: Polygon, pose_a: ArrayLike, b: Polygon, pose_b: ArrayLike, margin: float = 0.0,
+def contacts(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
              most: Optional[int] = None, detail: ContactDetail = ContactDetail.WAY_OUT,
              touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[List[Contact], List[List[Contact]]]: ...
 def time_of_impact(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
@@ -180,7 +192,7 @@ def conflicts(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: floa
               ignore_initial: bool = False) -> List[Conflict]:
     """All spans of time in which they meet, likewise."""
 
-def cast_ray(polygon: Polygon, pose: ArrayLike, from_point: ArrayLike, to_point: ArrayLike,
+def cast_ray(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_point: ArrayLike,
              margin: float = 0.0) -> Optional[RayHit]: ...
 def locate(polygon: Polygon, points: ArrayLike, threads: int = 0) -> Union[Location, NDArray[np.int8]]:
     """Of one point (2,) in the polygon's frame a Location, of many (n, 2) the numbers of theirs: 0, 1, 2."""
@@ -193,28 +205,28 @@ class Scene:
     def __deepcopy__(self, memo: Dict[int, object]) -> Scene: ...
     def __len__(self) -> int: ...
     def __contains__(self, body: int) -> bool: ...
-    def add(self, polygon: Polygon, pose: ArrayLike, margin: float = 0.0, category: int = 1,
+    def add(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, category: int = 1,
             mask: int = 0xFFFFFFFF, touching: Touching = Touching.COLLIDES) -> int: ...
     def set_options(self, body: int, margin: float = 0.0, category: int = 1, mask: int = 0xFFFFFFFF,
                     touching: Touching = Touching.COLLIDES) -> None: ...
     def options(self, body: int) -> BodyOptions: ...
     def remove(self, body: int) -> None: ...
-    def move(self, body: int, pose: ArrayLike) -> None: ...
+    def move(self, body: int, pose: PosesLike) -> None: ...
     @property
     def bodies(self) -> List[int]: ...
     def polygon(self, body: int) -> Polygon: ...
-    def pose(self, body: int) -> NDArray[np.float64]: ...
+    def pose(self, body: int) -> Poses: ...
     def collisions(self, threads: int = 1) -> List[Tuple[int, int]]: ...
     @property
     def began(self) -> List[Tuple[int, int]]: ...
     @property
     def ended(self) -> List[Tuple[int, int]]: ...
-    def collides(self, polygon: Polygon, pose: ArrayLike, margin: float = 0.0, tolerance: float = 0.0,
+    def collides(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
                  mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
                  touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
-    def colliding(self, polygon: Polygon, pose: ArrayLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
+    def colliding(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
                   ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES) -> List[int]: ...
-    def nearest(self, polygon: Polygon, pose: ArrayLike, mask: int = 0xFFFFFFFF,
+    def nearest(self, polygon: Polygon, pose: PosesLike, mask: int = 0xFFFFFFFF,
                 ignored: Optional[int] = None) -> Optional[Tuple[int, Distance]]: ...
     def first_impact(self, polygon: Polygon, motion: Union[Motion, Trajectory], margin: float = 0.0,
                      time_error: float = 1e-6, mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,

@@ -18,12 +18,6 @@ using tricover::Trajectory;
 
 const std::vector<double> kNoPivot = {0, 0};
 
-tricover::Pose onePose(const Array& pose, const char* name) {
-  const Poses poses = posesFrom(pose, name);
-  if (!poses.is_one) throw std::invalid_argument(std::string(name) + ": one pose is wanted");
-  return poses[0];
-}
-
 /// x, y and heading, and their rates.
 tricover::SplineEnd splineEnd(const double* place, const double* rates) {
   return {{place[0], place[1]}, place[2], {rates[0], rates[1]}, rates[2]};
@@ -32,16 +26,16 @@ tricover::SplineEnd splineEnd(const double* place, const double* rates) {
 void defineMotion(py::module_& m) {
   py::class_<Motion>(m, "Motion", "A planar rigid motion from time 0 to time 1.")
       .def_static(
-          "still", [](const Array& pose) { return Motion::still(onePose(pose, "pose")); }, py::arg("pose"))
+          "still", [](const py::object& pose) { return Motion::still(onePose(pose, "pose")); }, py::arg("pose"))
       .def_static(
           "translation",
-          [](const Array& start, const Array& shift) {
+          [](const py::object& start, const Array& shift) {
             return Motion::translation(onePose(start, "start"), pointFrom(shift, "shift"));
           },
           py::arg("start"), py::arg("shift"))
       .def_static(
           "between",
-          [](const Array& start, const Array& end, const Array& pivot) {
+          [](const py::object& start, const py::object& end, const Array& pivot) {
             return Motion::between(onePose(start, "start"), onePose(end, "end"), pointFrom(pivot, "pivot"));
           },
           py::arg("start"), py::arg("end"), py::arg("pivot") = kNoPivot)
@@ -61,7 +55,11 @@ void defineMotion(py::module_& m) {
           py::arg("begin"), py::arg("begin_velocity"), py::arg("end"), py::arg("end_velocity"),
           py::arg("pivot") = kNoPivot)
       .def(
-          "at", [](const Motion& motion, double time) { return arrayOf(motion.at(time)); }, py::arg("time"))
+          "at",
+          [](const Motion& motion, double time) {
+            return Poses{{motion.at(time)}, true};
+          },
+          py::arg("time"))
       .def("part", &Motion::part, py::arg("from_time"), py::arg("until"));
 }
 
@@ -113,7 +111,11 @@ void defineTrajectory(py::module_& m) {
       .def_property_readonly("begin", &Trajectory::begin)
       .def_property_readonly("end", &Trajectory::end)
       .def(
-          "at", [](const Trajectory& trajectory, double time) { return arrayOf(trajectory.at(time)); }, py::arg("time"))
+          "at",
+          [](const Trajectory& trajectory, double time) {
+            return Poses{{trajectory.at(time)}, true};
+          },
+          py::arg("time"))
       .def("part", &Trajectory::part, py::arg("from_time"), py::arg("until"));
 }
 

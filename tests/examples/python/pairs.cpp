@@ -108,9 +108,27 @@ void defineMaps(py::module_& m) {
         py::array_t<std::int8_t> cells(
             {static_cast<py::ssize_t>(map.grid.height), static_cast<py::ssize_t>(map.grid.width)});
         std::copy(map.grid.cells.begin(), map.grid.cells.end(), cells.mutable_data());
-        return py::make_tuple(cells, map.grid.resolution, arrayOf(map.pose));
+        return py::make_tuple(cells, map.grid.resolution, Poses{{map.pose}, true});
       },
       py::arg("yaml"));
+}
+
+void definePoses(py::module_& m) {
+  py::class_<Poses>(m, "Poses", "Poses, one or many, of x, y and heading: (3,) or (n, 3).")
+      .def(py::init([](const Array& poses) { return posesFrom(poses, "poses"); }), py::arg("poses"))
+      .def_static("from_matrices", &posesFromMatrices, py::arg("matrices"))
+      .def(
+          "__array__",
+          [](const Poses& self, const py::object& type, const py::object&) {
+            std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(self.poses.size()), 3, 3};
+            if (self.is_one) shape.erase(shape.begin());
+            py::array_t<double> matrices(shape);
+            double* number = matrices.mutable_data();
+            for (const tricover::Pose& pose : self.poses)
+              for (int i = 0; i < 9; ++i) *number++ = pose(i / 3, i % 3);
+            return type.is_none() ? py::object(matrices) : matrices.attr("astype")(type);
+          },
+          py::arg("dtype") = py::none(), py::arg("copy") = py::none());
 }
 
 void defineBooleans(py::module_& m) {
@@ -119,8 +137,8 @@ void defineBooleans(py::module_& m) {
       .value("ALLOWED", tricover::Touching::Allowed);
   m.def(
       "collide",
-      [](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin, double tolerance,
-         tricover::Touching touching, std::size_t threads) -> py::object {
+      [](const Polygon& a, const py::object& pose_a, const Polygon& b, const py::object& pose_b, double margin,
+         double tolerance, tricover::Touching touching, std::size_t threads) -> py::object {
         const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
         const tricover::CollideOptions options{margin, tolerance, touching};
         if (poses_a.is_one && poses_b.is_one) return py::bool_(collide(a, poses_a[0], b, poses_b[0], options));
@@ -154,7 +172,7 @@ void defineBooleans(py::module_& m) {
 void defineMeasures(py::module_& m, const Records& records) {
   m.def(
       "distance",
-      [records](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin,
+      [records](const Polygon& a, const py::object& pose_a, const Polygon& b, const py::object& pose_b, double margin,
                 std::size_t threads) {
         const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
         std::vector<tricover::DistanceResult> found(countOf(poses_a, poses_b));
@@ -167,7 +185,7 @@ void defineMeasures(py::module_& m, const Records& records) {
       py::arg("threads") = 0);
   m.def(
       "penetration",
-      [records](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin,
+      [records](const Polygon& a, const py::object& pose_a, const Polygon& b, const py::object& pose_b, double margin,
                 double depth_error, tricover::Touching touching, std::size_t threads) {
         const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
         std::vector<std::optional<tricover::Penetration>> found(countOf(poses_a, poses_b));
@@ -187,7 +205,7 @@ void defineContacts(py::module_& m, const Records& records) {
       .value("WAY_OUT", tricover::ContactDetail::WayOut);
   m.def(
       "contacts",
-      [records](const Polygon& a, const Array& pose_a, const Polygon& b, const Array& pose_b, double margin,
+      [records](const Polygon& a, const py::object& pose_a, const Polygon& b, const py::object& pose_b, double margin,
                 std::optional<std::size_t> most, tricover::ContactDetail detail, tricover::Touching touching,
                 std::size_t threads) {
         const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
@@ -213,11 +231,9 @@ void defineContacts(py::module_& m, const Records& records) {
 void defineRays(py::module_& m, const Records& records) {
   m.def(
       "cast_ray",
-      [records](const Polygon& polygon, const Array& pose, const Array& from, const Array& to, double margin) {
-        const Poses poses = posesFrom(pose, "pose");
-        if (!poses.is_one) throw std::invalid_argument("pose: one pose is wanted");
-        return records.of(
-            castRay(polygon, poses[0], pointFrom(from, "from_point"), pointFrom(to, "to_point"), {margin}));
+      [records](const Polygon& polygon, const py::object& pose, const Array& from, const Array& to, double margin) {
+        return records.of(castRay(polygon, onePose(pose, "pose"), pointFrom(from, "from_point"),
+                                  pointFrom(to, "to_point"), {margin}));
       },
       py::arg("polygon"), py::arg("pose"), py::arg("from_point"), py::arg("to_point"), py::arg("margin") = 0.0);
 }
@@ -226,6 +242,7 @@ void defineRays(py::module_& m, const Records& records) {
 
 void definePairs(py::module_& m, const Records& records) {
   definePolygon(m);
+  definePoses(m);
   defineMaps(m);
   defineBooleans(m);
   defineMeasures(m, records);

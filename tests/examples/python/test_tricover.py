@@ -21,6 +21,10 @@ def matrix(x, y, heading):
     return np.array([(c, -s, x), (s, c, y), (0, 0, 1)])
 
 
+def matrices(of):
+    return tc.Poses.from_matrices(of)
+
+
 class Polygons(unittest.TestCase):
     def test_rings_come_back(self):
         self.assertEqual(len(FRAME.rings), 2)
@@ -75,21 +79,40 @@ class Poses(unittest.TestCase):
         for heading in (0, 0.5, 3):
             pose = (0.3, 0.2, heading)
             self.assertEqual(tc.distance(SQUARE, ORIGIN, SQUARE, (5, 0.2, heading)).distance,
-                             tc.distance(SQUARE, ORIGIN, SQUARE, matrix(5, 0.2, heading)).distance)
-            self.assertIs(tc.collide(SQUARE, ORIGIN, SQUARE, matrix(*pose)), True)
+                             tc.distance(SQUARE, ORIGIN, SQUARE, matrices(matrix(5, 0.2, heading))).distance)
+            self.assertIs(tc.collide(SQUARE, ORIGIN, SQUARE, matrices(matrix(*pose))), True)
         mirror = np.diag([-1.0, 1, 1])
-        self.assertEqual(tc.distance(SQUARE, mirror, SQUARE, (3, 0, 0)).distance, 3)
+        self.assertEqual(tc.distance(SQUARE, matrices(mirror), SQUARE, (3, 0, 0)).distance, 3)
+        many = matrices([mirror, np.eye(3)])
+        np.testing.assert_array_equal(tc.distance(SQUARE, many, SQUARE, (3, 0, 0)).distance, [3, 2])
+        np.testing.assert_array_equal(np.asarray(many), [mirror, np.eye(3)])
+        self.assertEqual(np.asarray(tc.Poses((1, 2, 3)), np.float32).dtype, np.float32)
+        still = tc.Motion.still(matrices(mirror)).at(0.5)
+        np.testing.assert_array_equal(still, mirror)
+        self.assertEqual(tc.distance(SQUARE, still, SQUARE, (3, 0, 0)).distance, 3)
 
-    def test_three_rows_that_are_no_matrix_are_three_poses(self):
+    def test_three_rows_are_three_poses_and_never_a_matrix(self):
         three = np.array([(0.5, 0, 0), (5, 0, 0), (1, 1, 0)])
         np.testing.assert_array_equal(tc.collide(SQUARE, ORIGIN, SQUARE, three), [True, False, True])
-        last = np.array([(0.5, 0, 0), (5, 0, 0), (0, 0, 1)])
-        np.testing.assert_array_equal(tc.collide(SQUARE, ORIGIN, SQUARE, last), [True, False, True])
+        # Either, as far as anybody can tell.
+        either = [[1, 0, 5], [0, 1, 5], [0, 0, 1]]
+        for function in (tc.collide, tc.distance, tc.penetration, tc.contacts):
+            for array in (either, np.diag([2.0, 2, 1]), np.eye(3)):
+                for arguments in ((array, SQUARE, ORIGIN), (ORIGIN, SQUARE, array)):
+                    with self.assertRaisesRegex(ValueError, r"pose_[ab]: it may be a matrix or three poses; give Poses"):
+                        function(SQUARE, *arguments)
+        with self.assertRaisesRegex(ValueError, "pose: it may be a matrix"):
+            tc.Scene().collides(SQUARE, np.eye(3))
+        with self.assertRaisesRegex(ValueError, "start: it may be a matrix"):
+            tc.Motion.translation(np.eye(3), (1, 0))
+        self.assertEqual(tc.collide(SQUARE, ORIGIN, SQUARE, tc.Poses(either)).shape, (3,))
+        self.assertIs(tc.collide(SQUARE, ORIGIN, SQUARE, matrices(either)), False)
+        with self.assertRaisesRegex(ValueError, "^tricover: matrices: linear"):
+            matrices(np.diag([2.0, 2, 1]))
 
     def test_many_are_one_by_one(self):
         rng = np.random.default_rng(1)
         poses = np.column_stack([rng.uniform(-2, 10, (3000, 2)), rng.uniform(0, 7, 3000)])
-        matrices = np.array([matrix(*pose) for pose in poses])
         hits = tc.collide(FRAME, ORIGIN, SQUARE, poses)
         self.assertEqual(hits.dtype, bool)
         self.assertTrue(0.1 < hits.mean() < 0.9)
@@ -97,7 +120,7 @@ class Poses(unittest.TestCase):
         np.testing.assert_array_equal(hits, one_by_one)
         for threads in (1, 2, 5):
             np.testing.assert_array_equal(tc.collide(SQUARE, poses, FRAME, ORIGIN, threads=threads), one_by_one)
-        np.testing.assert_array_equal(tc.collide(FRAME, ORIGIN, SQUARE, matrices[:, ::1]), one_by_one)
+        np.testing.assert_array_equal(tc.collide(FRAME, ORIGIN, SQUARE, matrices([matrix(*pose) for pose in poses])), one_by_one)
         both = tc.distance(SQUARE, poses[:50], SQUARE, poses[50:100])
         self.assertEqual(both.point_a.shape, (50, 2))
         for i in range(50):
@@ -114,10 +137,15 @@ class Poses(unittest.TestCase):
         bad[3, 1] = np.nan
         refused(r"pose_b\[3\]", SQUARE, ORIGIN, SQUARE, bad)
         refused("pose_b", SQUARE, ORIGIN, SQUARE, (0, np.inf, 0))
-        refused("pose_a", SQUARE, [np.diag([2.0, 2, 1])], SQUARE, ORIGIN)
+        refused(r"pose_a: it must have the shape .* not \(1, 3, 3\); give matrices as Poses", SQUARE, [np.eye(3)], SQUARE, ORIGIN)
+        refused("pose_a: it is no array", SQUARE, "here", SQUARE, ORIGIN, error=TypeError)
+        refused(r"matrices\[1\]: linear", [np.eye(3), np.diag([2.0, 2, 1])], function=matrices)
+        refused(r"matrices: they must have the shape .* not \(3,\)", ORIGIN, function=matrices)
+        refused(r"poses\[1\]: ", [ORIGIN, (0, np.nan, 0)], function=tc.Poses)
+        refused("pose: one pose is wanted", SQUARE, [ORIGIN, ORIGIN], (0, 0), (1, 1), function=tc.cast_ray)
         refused(r"pose_a: it must have the shape .* not \(2,\)", SQUARE, (0, 0), SQUARE, ORIGIN)
         refused("pose_b: there are 4, but of pose_a 5", SQUARE, np.zeros((5, 3)), SQUARE, np.zeros((4, 3)))
-        refused(r"pose_a\[0\]: its last row", SQUARE, np.ones((1, 3, 3)), SQUARE, ORIGIN)
+        refused(r"matrices\[0\]: its last row", np.ones((1, 3, 3)), function=matrices)
         refused("margin", SQUARE, ORIGIN, SQUARE, ORIGIN, -1)
         refused(r"rings\[0\]", [[(0, 0, 0)]], function=tc.Polygon)
         refused("ring 0", [[(0, 0), (1, 1)]], function=tc.Polygon)
@@ -303,10 +331,16 @@ class Scenes(unittest.TestCase):
         self.assertIsNone(self.scene.cast_ray((0, 5), (1, 5)))
 
     def test_an_error_of_many_poses_says_which(self):
-        poses = np.zeros((1000, 3, 3)) + np.eye(3)
-        poses[700, 0, 0] = 3
-        with self.assertRaisesRegex(ValueError, r"\[700\]"):
+        poses = np.zeros((1000, 3))
+        poses[700, 1] = np.inf
+        with self.assertRaisesRegex(ValueError, r"pose\[700\]"):
             self.scene.collides(SQUARE, poses)
+
+    def test_a_pose_comes_back(self):
+        pose = self.scene.pose(self.far)
+        self.assertIs(self.scene.collides(SQUARE, pose), True)
+        self.scene.move(self.near, pose)
+        np.testing.assert_array_equal(self.scene.pose(self.near), pose)
 
 
 class Stubs(unittest.TestCase):

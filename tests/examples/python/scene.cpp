@@ -15,12 +15,6 @@ using tricover::BodyHandle;
 using tricover::Polygon;
 using tricover::Scene;
 
-tricover::Pose onePose(const Array& array) {
-  const Poses poses = posesFrom(array, "pose");
-  if (!poses.is_one) throw std::invalid_argument("pose: one pose is wanted");
-  return poses[0];
-}
-
 tricover::BodyFilter filterFrom(std::uint32_t mask, std::optional<BodyHandle> ignored) {
   return {mask, ignored.value_or(tricover::kNoBody)};
 }
@@ -45,9 +39,9 @@ void defineBodies(py::class_<Scene>& scene, const Records& records) {
       .def("__contains__", &Scene::contains)
       .def(
           "add",
-          [](Scene& self, const Polygon& polygon, const Array& pose, double margin, std::uint32_t category,
+          [](Scene& self, const Polygon& polygon, const py::object& pose, double margin, std::uint32_t category,
              std::uint32_t mask, tricover::Touching touching) {
-            return self.add(polygon, onePose(pose), {margin, category, mask, touching});
+            return self.add(polygon, onePose(pose, "pose"), {margin, category, mask, touching});
           },
           py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("category") = 1,
           py::arg("mask") = tricover::kEveryCategory, py::arg("touching") = tricover::Touching::Collides)
@@ -64,12 +58,16 @@ void defineBodies(py::class_<Scene>& scene, const Records& records) {
           py::arg("body"))
       .def("remove", &Scene::remove, py::arg("body"))
       .def(
-          "move", [](Scene& self, BodyHandle body, const Array& pose) { self.move(body, onePose(pose)); },
+          "move", [](Scene& self, BodyHandle body, const py::object& pose) { self.move(body, onePose(pose, "pose")); },
           py::arg("body"), py::arg("pose"))
       .def_property_readonly("bodies", &Scene::bodies)
       .def("polygon", &Scene::polygon, py::arg("body"))
       .def(
-          "pose", [](const Scene& self, BodyHandle body) { return arrayOf(self.pose(body)); }, py::arg("body"))
+          "pose",
+          [](const Scene& self, BodyHandle body) {
+            return Poses{{self.pose(body)}, true};
+          },
+          py::arg("body"))
       .def(
           "collisions",
           [](Scene& self, std::size_t threads) {
@@ -87,7 +85,7 @@ void defineBooleans(py::class_<Scene>& scene) {
   scene
       .def(
           "collides",
-          [](const Scene& self, const Polygon& polygon, const Array& pose, double margin, double tolerance,
+          [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, double tolerance,
              std::uint32_t mask, std::optional<BodyHandle> ignored, tricover::Touching touching,
              std::size_t threads) -> py::object {
             const tricover::CollideOptions options{margin, tolerance, touching};
@@ -106,9 +104,9 @@ void defineBooleans(py::class_<Scene>& scene) {
           py::arg("threads") = 0)
       .def(
           "colliding",
-          [](const Scene& self, const Polygon& polygon, const Array& pose, double margin, std::uint32_t mask,
+          [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, std::uint32_t mask,
              std::optional<BodyHandle> ignored, tricover::Touching touching) {
-            return self.colliding(polygon, onePose(pose), {margin, 0, touching}, filterFrom(mask, ignored));
+            return self.colliding(polygon, onePose(pose, "pose"), {margin, 0, touching}, filterFrom(mask, ignored));
           },
           py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("mask") = kAll,
           py::arg("ignored") = py::none(), py::arg("touching") = tricover::Touching::Collides);
@@ -118,9 +116,9 @@ void defineMeasures(py::class_<Scene>& scene, const Records& records) {
   scene
       .def(
           "nearest",
-          [records](const Scene& self, const Polygon& polygon, const Array& pose, std::uint32_t mask,
+          [records](const Scene& self, const Polygon& polygon, const py::object& pose, std::uint32_t mask,
                     std::optional<BodyHandle> ignored) -> py::object {
-            const auto found = self.nearest(polygon, onePose(pose), {}, filterFrom(mask, ignored));
+            const auto found = self.nearest(polygon, onePose(pose, "pose"), {}, filterFrom(mask, ignored));
             if (!found) return py::none();
             return py::make_tuple(found->body, records.of(found->result));
           },
