@@ -25,12 +25,13 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A window is about as long as the polygon is wide, so that the boxes of a sweep are about twice that.
-constexpr double kMostWindows = 64;
-/// Of pairs that both move: what they save grows slower than what they cost.
-constexpr double kMostPairWindows = 16;
+/// An interval of time is chosen so long that the polygon moves by about its width, and boxes are twice as wide.
+constexpr double kMostIntervals = 64;
+/// Pairs of moving bodies take intervals twice as long, and at most this number for each leg. A finer division saves
+/// less than its boxes cost.
+constexpr double kMostPairIntervals = 8;
 
-/// A polygon on a leg of its way, enclosed window by window, in the leg's own time from 0 to 1.
+/// A polygon on a leg of its way, which runs from 0 to 1 in the leg's own time.
 class SweptLeg {
  public:
   SweptLeg(const Polygon& polygon, const Motion& motion, double margin, double begin, double length)
@@ -38,53 +39,43 @@ class SweptLeg {
         motion_(motion),
         margin_(margin),
         begin_(begin),
-        length_of_time_(length),
+        duration_(length),
         way_(detail::wayOf(motion)),
         turn_(detail::turnOf(motion)) {
     const Vec2 arm = polygon_.origin - motion.pivot;
     reach_ = (std::hypot(arm.x(), arm.y()) + polygon_.radius) * (1 + 2 * detail::kLargestDefect);
     // Sums of coordinates, because squares may leave the range of doubles.
     path_ = (way_.first.cwiseAbs() + way_.second.cwiseAbs() + way_.third.cwiseAbs()).sum();
-    // timeOfImpact() may report what comes as near as 1e-13 of this, of a part of a trajectory's leg eight times that,
-    // whose terms may be so large: ten times as much, for what rounds here.
-    length_ = motion.start.translation().cwiseAbs().sum() + motion.pivot.cwiseAbs().sum() + path_ +
-              (1 + turn_.size()) * reach_;
+    // timeOfImpact() may report bodies at a distance of 1e-13 of this length, and eight times that on a trajectory's
+    // leg. Ten times as much covers what rounds here.
+    const double size = motion.start.translation().cwiseAbs().sum() + motion.pivot.cwiseAbs().sum() + path_ +
+                        (1 + turn_.size()) * reach_;
+    margin_ += 1e-12 * size;
   }
 
   double begin() const { return begin_; }  ///< by the clock
-  double end() const { return begin_ + length_of_time_; }
-  double clockAt(double time) const { return begin_ + length_of_time_ * time; }
-  double timeAt(double clock) const { return std::clamp((clock - begin_) / length_of_time_, 0.0, 1.0); }
+  double end() const { return begin_ + duration_; }
+  double clockAt(double time) const { return begin_ + duration_ * time; }
+  double timeAt(double clock) const { return std::clamp((clock - begin_) / duration_, 0.0, 1.0); }
 
-  /// How many windows tell where it is when.
-  double windows() const {
+  /// Into how many intervals the leg is divided.
+  double intervals() const {
     const double wide = 2 * reach_ + margin_, way = path_ + turn_.size() * reach_;
-    return way < kMostWindows * wide ? std::max(1.0, std::ceil(way / wide)) : kMostWindows;
+    return way < kMostIntervals * wide ? std::max(1.0, std::ceil(way / wide)) : kMostIntervals;
   }
 
-  /// A box around all that is within the margin of it at some time from `begin` to `end`.
+  /// A box around all points within the margin of the polygon at some time from `begin` to `end`.
   Bounds between(double begin, double end) const {
     const double half = 0.5 * (end - begin), middle = begin + half;
-    // No point leaves its place at the middle by more, against the pivot; nor is any farther from the pivot.
+    // A bound of how far points move against the pivot from their places at the middle.
     const double turned = turn_.mostRate(begin, end) * half * reach_;
-    if (!(turned < reach_)) return discBetween(begin, end);
-    return swept(detail::boundsOf(polygon_, motion_.at(middle), spared() + turned), way_.at(middle), begin, end);
-  }
-
-  /// The same, by the disc around the pivot: wider, and sooner there.
-  Bounds discBetween(double begin, double end) const {
     const Vec2 pivot = motion_.start * motion_.pivot;
-    const double r = reach_ + spared();
-    return swept({pivot.x() - r, pivot.y() - r, pivot.x() + r, pivot.y() + r}, Vec2::Zero(), begin, end);
-  }
-
- private:
-  double spared() const { return margin_ + 1e-12 * length_; }
-
-  /// What a box sweeps that is carried along the way; it is given as it is where the way has come to `now`.
-  Bounds swept(const Bounds& box, const Vec2& now, double begin, double end) const {
-    // A cubic leaves its chord by at most its acceleration times h^2 / 8, h the window's length.
-    const double half = 0.5 * (end - begin);
+    const double r = reach_ + margin_;
+    const bool turns_far = !(turned < reach_);
+    const Bounds box = turns_far ? Bounds{pivot.x() - r, pivot.y() - r, pivot.x() + r, pivot.y() + r}
+                                 : detail::boundsOf(polygon_, motion_.at(middle), margin_ + turned);
+    const Vec2 now = turns_far ? Vec2(0, 0) : way_.at(middle);
+    // A cubic leaves its chord by at most its acceleration times h^2 / 8, h the interval's length.
     const Vec2 bend =
         0.5 * half * half * way_.accelerationAt(begin).cwiseAbs().cwiseMax(way_.accelerationAt(end).cwiseAbs());
     const Vec2 first = way_.at(begin), last = way_.at(end);
@@ -96,14 +87,17 @@ class SweptLeg {
     return bounds;
   }
 
+ private:
   const detail::PolygonData& polygon_;
   const Motion& motion_;
-  double margin_, begin_, length_of_time_, reach_, path_, length_;
+  double margin_, begin_, duration_;
+  double reach_;  ///< no point of the polygon is farther from the pivot
+  double path_;   ///< at least the length of the pivot's way
   detail::Cubic<Vec2> way_;
   detail::Cubic<double> turn_;
 };
 
-/// A polygon on all of its way, by a clock: of a motion that runs from 0 to 1.
+/// A polygon on all of its way, by a clock. A motion runs from 0 to 1.
 class Sweep {
  public:
   Sweep(const Polygon& polygon, const Motion& motion, double margin) {
@@ -117,20 +111,20 @@ class Sweep {
   const std::vector<SweptLeg>& legs() const { return legs_; }
   double begin() const { return legs_.front().begin(); }
   double end() const { return legs_.back().end(); }
-  double windows() const {
+  double intervals() const {
     double sum = 0;
-    for (const SweptLeg& leg : legs_) sum += leg.windows();
+    for (const SweptLeg& leg : legs_) sum += leg.intervals();
     return sum;
   }
 
-  /// A box around all that is within the margin of it at some time from `begin` to `end`, by discs. It rests before its
-  /// first leg and after the last.
-  Bounds discBetween(double begin, double end) const {
+  /// A box around all points within the margin of the polygon at some time from `begin` to `end`. The polygon rests
+  /// before its first leg and after the last.
+  Bounds between(double begin, double end) const {
     const auto ends_before = [](const SweptLeg& leg, double time) { return leg.end() < time; };
     auto leg = std::lower_bound(legs_.begin(), std::prev(legs_.end()), begin, ends_before);
-    Bounds all = leg->discBetween(leg->timeAt(begin), leg->timeAt(end));
+    Bounds all = leg->between(leg->timeAt(begin), leg->timeAt(end));
     for (++leg; leg != legs_.end() && leg->begin() <= end; ++leg)
-      all = unite(all, leg->discBetween(leg->timeAt(begin), leg->timeAt(end)));
+      all = unite(all, leg->between(leg->timeAt(begin), leg->timeAt(end)));
     return all;
   }
 
@@ -144,33 +138,30 @@ Trajectory restBeside(const Trajectory& other, const Pose& pose) {
 }
 
 ImpactOptions withMargin(ImpactOptions options, double margin) {
-  options.margin = detail::withMargin({options.margin}, margin).margin;
+  options.margin = detail::marginSum(options.margin, margin);
   return options;
 }
 
-/// Of a Motion or a Trajectory.
+/// `way` is a Motion or a Trajectory.
 template <typename Way>
 std::optional<BodyImpact> firstImpactOn(const Way& way, const Polygon& polygon, const ImpactOptions& options,
                                         const SceneState& state, const BodyFilter& filter) {
   const Sweep sweep(polygon, way, options.margin);
   std::optional<BodyImpact> best;
   const detail::SlotFilter slots = state.slots(filter);
-  std::vector<Slot> asked, near, now;  // in any window so far, in this one, in this one for the first time
+  std::vector<Slot> tested, near;  // in earlier intervals, sorted; in this interval for the first time
   for (const SweptLeg& leg : sweep.legs()) {
-    const double windows = leg.windows();
-    for (double w = 0; w < windows; ++w) {
-      // What is met in no earlier window isn't hit before this one begins, nor reported much earlier.
-      const double clock = leg.clockAt(w / windows);
+    const double count = leg.intervals();
+    for (double i = 0; i < count; ++i) {
+      // Bodies that are near in no earlier interval aren't hit before this one begins, nor reported much earlier.
+      const double clock = leg.clockAt(i / count);
       if (best && best->impact.time < clock - options.time_error - 0x1p-50 * std::abs(clock)) return best;
       near.clear();
-      state.tree.visit(leg.between(w / windows, (w + 1) / windows), [&](Slot body, const Bounds&) {
-        if (state.passes(slots, body)) near.push_back(body);
+      state.tree.visit(leg.between(i / count, (i + 1) / count), [&](Slot slot, const Bounds&) {
+        if (state.passes(slots, slot) && !std::binary_search(tested.begin(), tested.end(), slot)) near.push_back(slot);
         return true;
       });
-      std::sort(near.begin(), near.end());
-      now.clear();
-      std::set_difference(near.begin(), near.end(), asked.begin(), asked.end(), std::back_inserter(now));
-      for (const Slot slot : now) {
+      for (const Slot slot : near) {
         const auto& other = state.bodies[slot];
         const BodyHandle body = state.handleOf(slot);
         const auto impact = timeOfImpact(polygon, way, other.polygon, restBeside(way, other.pose),
@@ -178,9 +169,8 @@ std::optional<BodyImpact> firstImpactOn(const Way& way, const Polygon& polygon, 
         if (impact && (!best || std::pair(impact->time, body) < std::pair(best->impact.time, best->body)))
           best = BodyImpact{body, *impact};
       }
-      const auto known = static_cast<std::ptrdiff_t>(asked.size());
-      asked.insert(asked.end(), now.begin(), now.end());
-      std::inplace_merge(asked.begin(), asked.begin() + known, asked.end());
+      tested.insert(tested.end(), near.begin(), near.end());
+      std::sort(tested.begin(), tested.end());
     }
   }
   return best;
@@ -203,93 +193,55 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Traje
 
 namespace {
 
-/// Boxes around moving bodies: of each body one a window, and one around all of these.
-class SweptBoxes {
- public:
-  explicit SweptBoxes(const std::vector<Sweep>& sweeps) {
-    double most = 1, begin = kInfinity, end = -kInfinity;
-    std::size_t legs = 1;
-    for (const Sweep& sweep : sweeps) {
-      most = std::max(most, sweep.windows());
-      legs = std::max(legs, sweep.legs().size());
-      begin = std::min(begin, sweep.begin());
-      end = std::max(end, sweep.end());
-    }
-    windows_ = static_cast<std::size_t>(std::min(most, kMostPairWindows * static_cast<double>(legs)));
-    boxes_.reserve(windows_ * sweeps.size());
-    all_.reserve(sweeps.size());
-    const double count = static_cast<double>(windows_), length = end - begin;
-    for (const Sweep& sweep : sweeps) {
-      Bounds all{kInfinity, kInfinity, -kInfinity, -kInfinity};
-      for (double w = 0; w < count; ++w) {
-        const Bounds box = sweep.discBetween(begin + length * (w / count), begin + length * ((w + 1) / count));
-        boxes_.push_back(box);
-        all = unite(all, box);
-      }
-      all_.push_back(all);
-    }
-  }
-
-  const Bounds& all(std::size_t i) const { return all_[i]; }
-
-  /// Whether two of them are near each other at the same time.
-  bool meetInWindow(std::size_t i, std::size_t j) const {
-    const Bounds *p = &boxes_[i * windows_], *q = &boxes_[j * windows_];
-    for (std::size_t w = 0; w < windows_; ++w)
-      if (p[w].meets(q[w])) return true;
-    return false;
-  }
-
-  /// Whether one of them comes near what rests in a box.
-  bool meets(std::size_t i, const Bounds& rest) const {
-    const Bounds* p = &boxes_[i * windows_];
-    return std::any_of(p, p + windows_, [&](const Bounds& box) { return box.meets(rest); });
-  }
-
- private:
-  std::size_t windows_;
-  std::vector<Bounds> boxes_, all_;
-};
-
 const Motion& wayOf(const BodyMotion& moving) { return moving.motion; }
 const Trajectory& wayOf(const BodyTrajectory& moving) { return moving.trajectory; }
 
-/// The pairs of bodies that may meet while some of them move, sorted.
+/// Returns the pairs of bodies that may meet while some of them move, sorted. They are near in some interval of time.
 template <typename Moving>
 std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Moving>& motions,
                                 const std::vector<std::uint32_t>& motion_of, double margin) {
   std::vector<Sweep> sweeps;
+  double most = 1, begin = kInfinity, end = -kInfinity;
+  std::size_t legs = 1;
   for (const Moving& moving : motions) {
     const auto& body = state.bodies[slotOf(moving.body)];
-    // The query's own margin is counted once a pair: half of it for either one.
-    sweeps.emplace_back(body.polygon, wayOf(moving), body.options.margin + 0.5 * margin);
+    // The query's own margin counts once a pair: half of it for each body.
+    const Sweep& sweep = sweeps.emplace_back(body.polygon, wayOf(moving), body.options.margin + 0.5 * margin);
+    most = std::max(most, sweep.intervals());
+    legs = std::max(legs, sweep.legs().size());
+    begin = std::min(begin, sweep.begin());
+    end = std::max(end, sweep.end());
   }
-  const SweptBoxes boxes(sweeps);
-  std::vector<BodyPair> pairs;
-  const auto mayMeet = [&](Slot p, Slot q) { return state.mayMeet(state.bodies[p], state.bodies[q]); };
-  const auto add = [&](Slot slot_p, Slot slot_q) {
-    const BodyHandle p = state.handleOf(slot_p), q = state.handleOf(slot_q);
-    pairs.push_back({std::min(p, q), std::max(p, q)});
-  };
-  // Bodies at rest have their own margins alone around them.
+  // Boxes of bodies at rest hold their own margins alone.
   const double rest = 0.5 * margin * (1 + 0x1p-40);
+  const double count = std::ceil(std::min(0.5 * most, kMostPairIntervals * static_cast<double>(legs)));
+  std::vector<BodyPair> pairs;
+  std::vector<detail::BoxTree::Entry> boxes(motions.size());
   detail::BoxTree moving;
-  for (std::uint32_t i = 0; i < motions.size(); ++i) {
-    const Slot body = slotOf(motions[i].body);
-    const Bounds& all = boxes.all(i);
-    moving.visit(all, [&](std::uint32_t j, const Bounds&) {
-      const Slot other = slotOf(motions[j].body);
-      if (mayMeet(body, other) && boxes.meetInWindow(i, j)) add(body, other);
-      return true;
-    });
-    moving.insert(i, all);
-    state.tree.visit(all.grown(rest), [&](Slot other, const Bounds& box) {
-      const bool rests = motion_of[other] == motions.size();
-      if (rests && mayMeet(body, other) && boxes.meets(i, box.grown(rest))) add(body, other);
-      return true;
-    });
+  for (double interval = 0; interval < count; ++interval) {
+    const double from = begin + (end - begin) * (interval / count),
+                 to = begin + (end - begin) * ((interval + 1) / count);
+    for (std::uint32_t i = 0; i < motions.size(); ++i) boxes[i] = {sweeps[i].between(from, to), i};
+    moving.pack(boxes);
+    for (std::uint32_t i = 0; i < motions.size(); ++i) {
+      const Slot body = slotOf(motions[i].body);
+      const auto add = [&](Slot other) {
+        if (!state.mayMeet(state.bodies[body], state.bodies[other])) return;
+        const BodyHandle p = state.handleOf(body), q = state.handleOf(other);
+        pairs.push_back({std::min(p, q), std::max(p, q)});
+      };
+      moving.visit(boxes[i].bounds, [&](std::uint32_t j, const Bounds&) {
+        if (j < i) add(slotOf(motions[j].body));
+        return true;
+      });
+      state.tree.visit(boxes[i].bounds.grown(rest), [&](Slot other, const Bounds&) {
+        if (motion_of[other] == motions.size()) add(other);
+        return true;
+      });
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   }
-  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
@@ -306,28 +258,25 @@ std::vector<std::uint32_t> motionsOf(const SceneState& state, const std::vector<
   return motion_of;
 }
 
-/// Of BodyMotions or BodyTrajectories: report(pair, ask(polygon, way, polygon, way, options)) of each pair that may
-/// meet, by handles. The asking is what runs in parallel.
+/// Calls ask(polygon, way, polygon, way, options) for each pair that may meet, in parallel, then report(pair, answer)
+/// in the order of handles. `motions` are BodyMotions or BodyTrajectories.
 template <typename Answer, typename Moving, typename Ask, typename Report>
 void askPairs(const std::vector<Moving>& motions, const char* name, const SceneState& state,
               const ImpactOptions& options, const Parallel& parallel, const Ask& ask, const Report& report) {
   const std::vector<std::uint32_t> motion_of = motionsOf(state, motions, name);
   const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, options.margin);
+  // One body of a pair may rest while the other one moves.
+  const auto wayBeside = [&](Slot slot, Slot other) {
+    const std::uint32_t own = motion_of[slot];
+    return own < motions.size() ? wayOf(motions[own])
+                                : restBeside(wayOf(motions[motion_of[other]]), state.bodies[slot].pose);
+  };
   std::vector<Answer> found(pairs.size());
   detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
     const Slot first = slotOf(pairs[i].first), second = slotOf(pairs[i].second);
     const auto &p = state.bodies[first], &q = state.bodies[second];
     const ImpactOptions both = withMargin(withMargin(options, p.options.margin), q.options.margin);
-    const std::uint32_t moves_p = motion_of[first], moves_q = motion_of[second];
-    if (moves_p == motions.size()) {
-      const auto& way = wayOf(motions[moves_q]);
-      found[i] = ask(p.polygon, restBeside(way, p.pose), q.polygon, way, both);
-    } else if (moves_q == motions.size()) {
-      const auto& way = wayOf(motions[moves_p]);
-      found[i] = ask(p.polygon, way, q.polygon, restBeside(way, q.pose), both);
-    } else {
-      found[i] = ask(p.polygon, wayOf(motions[moves_p]), q.polygon, wayOf(motions[moves_q]), both);
-    }
+    found[i] = ask(p.polygon, wayBeside(first, second), q.polygon, wayBeside(second, first), both);
   });
   for (std::size_t i = 0; i < pairs.size(); ++i) report(pairs[i], found[i]);
 }

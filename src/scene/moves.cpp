@@ -25,33 +25,22 @@ double sizeOf(const SceneState::BodyState& body) { return body.polygon.data().ra
 
 bool isCoherent(const SceneState::BodyState& body, double step) { return step <= kCoherentPart * sizeOf(body); }
 
-/// After a step its count of motion, whether that goes on, and its average step.
+/// The count of motion after a step, and whether it goes on.
 double movedAfter(const SceneState::BodyState& body, double step) { return roundedUp<1>(body.moved + step); }
 bool staysCounted(const SceneState::BodyState& body, double step) {
   const double most = std::min(kLongWay * sizeOf(body), std::numeric_limits<double>::max());
   return isCoherent(body, step) && movedAfter(body, step) <= most;
 }
-double averageAfter(const SceneState::BodyState& body, double step) {
-  return isCoherent(body, step) ? body.step + kOfAverage * (step - body.step) : 0;
-}
-
-/// What a box is larger by than its body, whose steps are that long on average: it is for a good many of them.
-double growthOf(const SceneState::BodyState& body, double step) { return std::min(kBoxSteps * step, sizeOf(body)); }
-
-Bounds newBoxAt(const SceneState::BodyState& body, const Pose& pose, double step) {
-  return boundsOf(body.polygon.data(), pose, body.options.margin + growthOf(body, step));
-}
-
-/// The count that a new box is good for.
-double untilOf(const SceneState::BodyState& body) { return roundedDown<1>(body.moved + growthOf(body, body.step)); }
 
 }  // namespace
 
-/// A box around a body.
+/// Returns a box around a body that holds it until its count reaches `box_until`, which is set.
 Bounds SceneState::newBox(Slot body) {
   BodyState& state = bodies[body];
-  state.box_until = untilOf(state);
-  return newBoxAt(state, state.pose, state.step);
+  const double growth = std::min(kBoxSteps * state.step, sizeOf(state));
+  const Bounds box = boundsOf(state.polygon.data(), state.pose, state.options.margin + growth);  // may throw
+  state.box_until = roundedDown<1>(state.moved + growth);
+  return box;
 }
 
 /// How far the points of a body go at the most that moves there; negative if it doesn't move.
@@ -67,7 +56,7 @@ double SceneState::stepTo(Slot body, const Pose& pose) const {
 bool SceneState::advance(Slot body, const Pose& pose, double step) {
   BodyState& state = bodies[body];
   const bool stays = staysCounted(state, step);
-  state.step = averageAfter(state, step);
+  state.step = isCoherent(state, step) ? state.step + kOfAverage * (step - state.step) : 0;
   state.pose = pose;
   state.discs.forget();
   state.clear.forget();
@@ -80,20 +69,19 @@ bool SceneState::advance(Slot body, const Pose& pose, double step) {
   return !(state.moved < state.due);
 }
 
-/// `box` is the new one of a body that leaves its own, if that is known.
-void SceneState::moveBody(Slot body, const Pose& pose, double step, const Bounds* box) {
+void SceneState::moveBody(Slot body, const Pose& pose) {
+  const double step = stepTo(body, pose);
   if (step < 0) return;
   tree.prepareMove();
   if (!advance(body, pose, step)) return;
   listDue(body);
   BodyState& state = bodies[body];
   if (state.moved <= state.box_until || !tree.holds(body)) return;
-  tree.move(body, box != nullptr ? *box : newBoxAt(state, pose, state.step));
-  state.box_until = untilOf(state);
+  tree.move(body, newBox(body));
   listFresh(body);
 }
 
-/// Its box is new, and all of its pairs are due: those that may not meet any more are found not to collide.
+/// Its box is new, and all of its pairs are due: pairs that may not meet any more are found not to collide.
 void SceneState::setOptions(Slot body, const BodyOptions& options) {
   tree.prepareMove();
   BodyState& state = bodies[body];
@@ -106,46 +94,39 @@ void SceneState::setOptions(Slot body, const BodyOptions& options) {
   listFresh(body);
 }
 
-/// Moves a body unless it leaves its box.
-SceneState::Moving::What SceneState::moveInBox(Slot body, const Pose& pose, Leaving& leaving_to) {
+/// Moves a body unless it leaves its box. Any number of threads may move different bodies.
+SceneState::Moving::What SceneState::moveInBox(Slot body, const Pose& pose) {
   BodyState& state = bodies[body];
   const double step = stepTo(body, pose);
   if (step < 0) return Moving::Done;
-  if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until)) {
-    leaving_to = {step, newBoxAt(state, pose, averageAfter(state, step))};
-    return Moving::Leaves;
-  }
+  if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until)) return Moving::Later;
   if (!advance(body, pose, step) || state.listed) return Moving::Done;
   // Its place in the list comes later, but here its memory is at hand.
   state.listed = true;
   return Moving::IsDue;
 }
 
-/// Checks all, then moves those that stay in their boxes, on the user's threads; and then, one after the other, the
-/// rest.
+/// Checks all moves. Then the user's threads move the bodies that stay in their boxes, and the rest follows one by one.
 void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel) {
   moves.resize(poses.size());
-  leaving.resize(poses.size());
   inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
     moves[i] = {slot(poses[i].body), Moving::Done};
     requireRigid(poses[i].pose, "pose", i);
   });
   ++turn;
   for (Moving& move : moves)
-    if (std::exchange(tenancies[move.body].turn, turn) == turn) move.what = Moving::Again;
+    if (std::exchange(tenancies[move.body].turn, turn) == turn) move.what = Moving::Later;  // the body moves twice
   const auto moveTheRest = [&] {
     for (std::size_t i = 0; i < moves.size(); ++i) {
-      const auto [body, what] = moves[i];
-      if (what == Moving::IsDue) due.push_back(body);
-      if (what == Moving::Leaves) moveBody(body, poses[i].pose, leaving[i].step, &leaving[i].box);
-      if (what == Moving::Again) moveBody(body, poses[i].pose, stepTo(body, poses[i].pose), nullptr);
+      if (moves[i].what == Moving::IsDue) due.push_back(moves[i].body);
+      if (moves[i].what == Moving::Later) moveBody(moves[i].body, poses[i].pose);
     }
   };
   try {
     inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
-      if (moves[i].what != Moving::Again) moves[i].what = moveInBox(moves[i].body, poses[i].pose, leaving[i]);
+      if (moves[i].what != Moving::Later) moves[i].what = moveInBox(moves[i].body, poses[i].pose);
     });
-  } catch (...) {  // the user's threads have failed: what they have moved is moved
+  } catch (...) {  // the user's threads have failed: bodies that they have moved stay moved
     moveTheRest();
     throw;
   }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A ray against the bodies of a scene.
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "impact/round_ray.h"
@@ -26,7 +24,7 @@ std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, const
     const auto& other = state.bodies[slot];
     if (!state.passes(slots, slot)) return limit;
     const Body body = state.handleOf(slot);
-    const double margin = std::min(options.margin + other.options.margin, std::numeric_limits<double>::max());
+    const double margin = detail::marginSum(options.margin, other.options.margin);
     const auto hit = margin > 0 ? detail::castRoundRay(other.polygon, other.pose, from, to, margin)
                                 : detail::castPlainRay(other.polygon.data(), other.pose, from, to, limit);
     if (hit && (!best || std::pair(hit->fraction, body) < std::pair(best->hit.fraction, best->body))) {

@@ -84,7 +84,7 @@ void Scene::remove(Body body) {
 void Scene::move(Body body, const Pose& pose) {
   const detail::Slot slot = impl_->slot(body);
   detail::requireRigid(pose, "pose");
-  impl_->moveBody(slot, pose, impl_->stepTo(slot, pose), nullptr);
+  impl_->moveBody(slot, pose);
 }
 
 void Scene::move(const std::vector<BodyPose>& poses, const Parallel& parallel) { impl_->moveBodies(poses, parallel); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -276,16 +277,10 @@ void SceneState::report() {
   if (began.empty() && ended.empty()) return;
   std::sort(began.begin(), began.end());
   std::sort(ended.begin(), ended.end());
-  makeRoom(collisions, began.size());
-  auto next = ended.begin();
-  const auto hasEnded = [&](const BodyPair& pair) {
-    while (next != ended.end() && *next < pair) ++next;
-    return next != ended.end() && *next == pair;
-  };
-  collisions.erase(std::remove_if(collisions.begin(), collisions.end(), hasEnded), collisions.end());
-  const auto before = static_cast<std::ptrdiff_t>(collisions.size());
-  collisions.insert(collisions.end(), began.begin(), began.end());
-  std::inplace_merge(collisions.begin(), collisions.begin() + before, collisions.end());
+  std::vector<BodyPair> kept, now;
+  std::set_difference(collisions.begin(), collisions.end(), ended.begin(), ended.end(), std::back_inserter(kept));
+  std::merge(kept.begin(), kept.end(), began.begin(), began.end(), std::back_inserter(now));
+  collisions.swap(now);
 }
 
 }  // namespace tricover::detail

@@ -124,19 +124,15 @@ struct SceneState {
   // Kinetic facts.
   double stepTo(Slot body, const Pose& pose) const;
   bool advance(Slot body, const Pose& pose, double step);
-  void moveBody(Slot body, const Pose& pose, double step, const Bounds* box);
+  void moveBody(Slot body, const Pose& pose);
   void setOptions(Slot body, const BodyOptions& options);
   /// One of many moves, and what is left to be done of it.
   struct Moving {
-    enum What : std::uint8_t { Done, IsDue, Leaves, Again };
+    enum What : std::uint8_t { Done, IsDue, Later };
     Slot body;
     What what;
   };
-  struct Leaving {
-    double step;
-    Bounds box;
-  };
-  Moving::What moveInBox(Slot body, const Pose& pose, Leaving& leaving_to);
+  Moving::What moveInBox(Slot body, const Pose& pose);
   void moveBodies(const std::vector<BodyPose>& poses, const Parallel& parallel);
   void listFresh(Slot body);
   void listDue(Slot body);
@@ -172,7 +168,6 @@ struct SceneState {
   std::vector<std::uint32_t> changed;       ///< pairs whose `collides` may differ from what was reported
   std::vector<Finding> findings;            ///< of listed pairs, while they are looked at
   std::vector<Moving> moves;                ///< of bodies that are moved together
-  std::vector<Leaving> leaving;             ///< of those that leave their boxes
   std::uint32_t turn = 0;                   ///< of moving bodies together
   std::vector<BodyPair> lost;               ///< reported pairs that are no pairs any more
   std::vector<BodyPair> collisions, began, ended;
@@ -184,17 +179,14 @@ void makeRoom(std::vector<T>& list, std::size_t more) {
   if (list.capacity() - list.size() < more) list.reserve(list.size() + std::max(more, list.size()));
 }
 
-/// Margins together, as Scene has them: their sum, rounded, and at most the largest double.
+/// The margin of two bodies: the sum, rounded, and at most the largest double.
 inline double marginSum(double p, double q) { return std::min(p + q, std::numeric_limits<double>::max()); }
-inline CollideOptions withMargin(CollideOptions options, double margin) {
-  options.margin = marginSum(options.margin, margin);
-  return options;
-}
 
-/// What a query asks of a body: margins add up, and touching is allowed if one of both allows it.
+/// The options of a query about one body: margins add up, and touching is allowed if either allows it.
 inline CollideOptions withBody(CollideOptions options, const BodyOptions& body) {
   if (body.touching != Touching::Collides) options.touching = body.touching;
-  return withMargin(options, body.margin);
+  options.margin = marginSum(options.margin, body.margin);
+  return options;
 }
 
 }  // namespace tricover::detail
