@@ -21,49 +21,49 @@
 
 namespace tricover {
 
-/// How many things at once: calls task(i) for every i in [0, count), in any order and on any threads, and returns when
-/// all are done. An exception of a task is to be thrown on. Empty: one after the other.
+/// Runs tasks on the caller's threads: calls task(i) for every i in [0, count), in any order and on any threads, and
+/// returns when all are done. It must rethrow an exception that a task throws. An empty function means sequential.
 /// \snippet scene.cpp parallel
 using Parallel = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
-/// A handle of a Scene. It names a body until that is removed, and never another one: the body's slot, and above 32
-/// bits how many bodies have had that before.
+/// A handle of a body in a Scene. It names that body until the body is removed, and never names another body. The low
+/// 32 bits are the body's slot; the high bits count the bodies that have had the slot before.
 using BodyHandle = std::uint64_t;
 
-/// A body's slot, for arrays of one's own: no two bodies have the same one at once, and they are below the number of
-/// bodies that there have been at once (more by those whose pairs collisions() is yet to report as ended).
-/// \snippet scene.cpp scene handles
+/// Returns a body's slot, an index for arrays of your own. No two bodies of a scene have the same slot at once. Slots
+/// are below the largest number of bodies that there have been at once, plus the removed bodies whose pairs
+/// collisions() has not reported as ended yet. \snippet scene.cpp scene handles
 constexpr std::uint32_t slotOf(BodyHandle body) { return static_cast<std::uint32_t>(body); }
 
 /// All bits of a mask.
 constexpr std::uint32_t kEveryCategory = ~std::uint32_t{0};
 
-/// What a body is beside its polygon.
+/// The properties of a body beside its polygon and pose.
 struct BodyOptions {
-  /// A world length, at least 0. Every query is about the body grown by it: margins of two bodies, and of a body and a
-  /// query, add up (rounded to the nearest double).
+  /// A world length, at least 0. Every query inflates the body by it. Margins of two bodies, and of a body and a query,
+  /// add up (rounded to the nearest double).
   double margin = 0;
-  std::uint32_t category = 1;  ///< Bits: what the body is.
-  std::uint32_t mask =
-      kEveryCategory;  ///< Bits: what it meets. Two bodies meet if each has a category of the other's mask.
-  /// Allowed: what only touches this body doesn't collide with it, be it another body or the polygon of a query,
-  /// whatever those say: as CollideOptions::touching has it. (An impact is the first touch all the same; see
-  /// ImpactOptions::ignore_initial for those that touch at the start.)
+  std::uint32_t category = 1;  ///< Bits: the categories of the body.
+  /// Bits: the categories that the body meets. Two bodies meet if each has a category of the other's mask.
+  std::uint32_t mask = kEveryCategory;
+  /// If Allowed, another body or the polygon of a query that only touches this body doesn't collide with it, whatever
+  /// the other one's option says; see CollideOptions::touching. An impact is the first touch in any case; see
+  /// ImpactOptions::ignore_initial for bodies that touch at the start.
   /// \snippet scene.cpp scene touching
   Touching touching = Touching::Collides;
 };
 
-/// A body that is to come into a scene.
+/// A body to add to a scene.
 struct BodyPlacement {
-  Polygon polygon;      ///< What it is.
-  Pose pose;            ///< Where it is.
-  BodyOptions options;  ///< And what else.
+  Polygon polygon;      ///< The body's shape.
+  Pose pose;            ///< From the polygon's frame to the world.
+  BodyOptions options;  ///< The body's other properties.
 };
 
-/// Where a body is to go.
+/// A new pose of a body.
 struct BodyPose {
-  BodyHandle body;  ///< Which one.
-  Pose pose;        ///< In place of its pose.
+  BodyHandle body;  ///< The body that moves.
+  Pose pose;        ///< Replaces the body's pose.
 };
 
 /// Names no body.
@@ -88,210 +88,206 @@ struct BodyFilter {
   BodyHandle except;         ///< This body is not selected.
 };
 
-/// Two bodies, the lower handle first.
+/// A pair of bodies, the lower handle first.
 struct BodyPair {
   BodyHandle first;   ///< The lower handle.
   BodyHandle second;  ///< The higher handle.
-  /// Whether they are of the same bodies.
+  /// Compares both handles.
   friend bool operator==(const BodyPair& p, const BodyPair& q) { return p.first == q.first && p.second == q.second; }
-  /// Whether they are of other bodies.
+  /// Compares both handles.
   friend bool operator!=(const BodyPair& p, const BodyPair& q) { return !(p == q); }
-  /// By the first body, then by the second.
+  /// Orders pairs by the first handle, then by the second.
   friend bool operator<(const BodyPair& p, const BodyPair& q) {
     return p.first != q.first ? p.first < q.first : p.second < q.second;
   }
 };
 
-/// A polygon's distance from a body.
+/// The distance between a query's polygon and a body.
 struct BodyDistance {
-  BodyHandle body;        ///< Which one.
-  DistanceResult result;  ///< a is the polygon that was asked for, b the body.
+  BodyHandle body;        ///< The body.
+  DistanceResult result;  ///< a is the query's polygon, b the body.
 };
 
-/// A moving polygon's impact on a body.
+/// The impact of a query's moving polygon on a body.
 struct BodyImpact {
-  BodyHandle body;  ///< Which one.
-  Impact impact;    ///< a is the polygon that was asked for, b the body.
+  BodyHandle body;  ///< The body.
+  Impact impact;    ///< a is the query's polygon, b the body.
 };
 
-/// How a body moves from time 0 to 1.
+/// The motion of a body from time 0 to 1.
 struct BodyMotion {
-  BodyHandle body;  ///< Which one.
-  Motion motion;    ///< In place of its pose.
+  BodyHandle body;  ///< The body that moves.
+  Motion motion;    ///< Replaces the body's pose.
 };
 
-/// How a body moves by a clock of the caller's. Before its begin and after its end it rests where that is, whatever its
-/// pose.
+/// The motion of a body by the caller's clock. Before the trajectory begins and after it ends, the body rests at that
+/// end, whatever its pose in the scene.
 struct BodyTrajectory {
-  BodyHandle body;        ///< Which one.
-  Trajectory trajectory;  ///< In place of its pose.
+  BodyHandle body;        ///< The body that moves.
+  Trajectory trajectory;  ///< Replaces the body's pose.
 };
 
 /// The impact of two bodies.
 struct PairImpact {
-  BodyPair pair;  ///< Which ones.
+  BodyPair pair;  ///< The two bodies.
   Impact impact;  ///< a is pair.first, b is pair.second.
 };
 
-/// A span of time in which two bodies meet.
+/// A time interval in which two bodies meet.
 struct PairConflict {
-  BodyPair pair;      ///< Which ones.
+  BodyPair pair;      ///< The two bodies.
   Conflict conflict;  ///< a is pair.first, b is pair.second.
 };
 
-/// Where a ray meets a body.
+/// The point where a ray meets a body.
 struct BodyRayHit {
-  BodyHandle body;  ///< Which one.
-  RayHit hit;       ///< Where, as castRay() says it.
+  BodyHandle body;  ///< The body.
+  RayHit hit;       ///< The result of castRay() for this body.
 };
 
 namespace detail {
 struct SceneState;
 }
 
-/// Many polygons under poses of their own, and what collides among them.
+/// Bodies, which are polygons under poses of their own, and queries about all of them.
 ///
-/// Every answer is the exact one of collide(), distance(), timeOfImpact() and castRay() for the bodies concerned, and
-/// depends neither on what was asked before nor on the order in which bodies came nor on threads. Const functions may
-/// be called by any number of threads at once while no other function runs.
+/// Every answer is the exact one of collide(), distance(), timeOfImpact() and castRay() for the bodies concerned. It
+/// doesn't depend on earlier queries, on the order in which bodies were added, nor on threads. Any number of threads
+/// may call const functions at once while no other function runs.
 ///
-/// It extends the paper's coherence to many moving objects. Each body counts how far its points have moved in all; two
-/// bodies that were c apart need not be looked at before both counts together have grown by c. So collisions() costs
-/// the bodies that moved and the pairs whose facts ran out.
+/// A scene extends the paper's coherence to many moving objects. It remembers a lower bound on each near pair's
+/// distance and tests the pair again only when the motion of both bodies together has used that bound up. A call of
+/// collisions() costs only the bodies that moved and the pairs that are due.
 ///
-/// Bodies come into a tree of boxes at the next query, all that wait together. Memory: about 300 bytes a body and 100 a
-/// pair of bodies whose surroundings meet, and up to twice that where lists have just grown, beside the polygons, which
-/// are shared.
+/// New bodies enter a tree of boxes at the next query, all together. Memory beside the polygons, which are shared:
+/// about 300 bytes a body and 100 a pair of bodies whose surroundings meet, and up to twice that where lists have just
+/// grown.
 ///
 /// \snippet scene.cpp scene
 class TRICOVER_EXPORT Scene {
  public:
-  using Body = BodyHandle;  ///< A handle.
+  using Body = BodyHandle;  ///< A handle of a body.
 
-  Scene();  ///< Without bodies.
+  Scene();  ///< Makes a scene without bodies.
   ~Scene();
-  /// A scene of its own with the same bodies under the same handles, the polygons shared: for planners that branch. It
-  /// copies what the scene takes, about 300 bytes a body and 100 a pair.
+  /// Makes an independent scene with the same bodies under the same handles, for planners that branch. Polygons are
+  /// shared; a copy costs about 300 bytes a body and 100 a pair.
   Scene(const Scene& other);
-  Scene& operator=(const Scene& other);  ///< The same, instead of its bodies.
-  Scene(Scene&& other);                  ///< Leaves the other one without bodies.
-  Scene& operator=(Scene&& other);       ///< Leaves the other one without bodies, too.
+  Scene& operator=(const Scene& other);  ///< Replaces all bodies by copies of the other scene's.
+  Scene(Scene&& other);                  ///< Leaves the other scene without bodies.
+  Scene& operator=(Scene&& other);       ///< Leaves the other scene without bodies.
 
-  /// Puts a polygon into the scene and says how it is called from now on. Throws std::invalid_argument as
-  /// tricover::collide() does for the pose and the margin, std::length_error for more than 2^28 bodies and as
-  /// tricover::collide() does. A throw changes nothing, here as in what follows.
+  /// Adds a body. A call that throws changes nothing, here and in all functions below.
+  /// \return the body's handle
+  /// \throws std::invalid_argument as tricover::collide() does for the pose and the margin
+  /// \throws std::length_error for more than 2^28 bodies, and as tricover::collide() does
   /// \snippet scene.cpp scene bodies
   Body add(const Polygon& polygon, const Pose& pose, const BodyOptions& options = {});
-  /// Many at once, and how they are called, in their order: what add() does one after the other, or nothing if it
-  /// throws.
+  /// Adds many bodies, or none if it throws. Throws as the function above does.
+  /// \return their handles, in the order of `bodies`
   /// \snippet scene.cpp scene bodies
   std::vector<Body> add(const std::vector<BodyPlacement>& bodies);
-  /// Takes a body out. Throws std::out_of_range for a handle that names nothing.
+  /// Removes a body. Throws std::out_of_range for a handle that names no body.
   /// \snippet scene.cpp scene bodies
   void remove(Body body);
-  /// Puts a body where it is now. Throws as add() and remove() do.
+  /// Moves a body to another pose. Throws as add() and remove() do.
   /// \snippet scene.cpp scene bodies
   void move(Body body, const Pose& pose);
-  /// Makes a body another kind of body. collisions() goes on: a pair that collides before and after neither ends nor
-  /// begins. Throws as add() and remove() do.
-  /// \snippet scene.cpp scene handles
+  /// Changes a body's options. A pair that collides before and after neither ends nor begins for collisions(). Throws
+  /// as add() and remove() do. \snippet scene.cpp scene handles
   void setOptions(Body body, const BodyOptions& options);
-  /// Many at once: what move() does one after the other, whatever runs it, or nothing if it throws for a body or a
-  /// pose. What `parallel` throws itself, and std::bad_alloc, may leave some where they were. \snippet scene.cpp scene
-  /// frames
+  /// Moves many bodies: the result is that of single moves in order, whatever `parallel` is. Moves none if a body or a
+  /// pose is refused. If `parallel` itself throws, or memory runs out, some bodies may stay where they were.
+  /// \snippet scene.cpp scene frames
   void move(const std::vector<BodyPose>& poses, const Parallel& parallel = {});
 
-  /// How many bodies there are.
+  /// Returns the number of bodies.
   /// \snippet scene.cpp scene bodies
   std::size_t size() const;
-  /// Their handles, sorted.
+  /// Returns all handles, sorted.
   /// \snippet scene.cpp scene bodies
   std::vector<Body> bodies() const;
-  /// Whether the handle names one.
+  /// Returns whether the handle names a body.
   /// \snippet scene.cpp scene bodies
   bool contains(Body body) const;
-  /// What a body is. Throws as remove() does.
+  /// Returns a body's polygon. Throws as remove() does.
   /// \snippet scene.cpp scene bodies
   const Polygon& polygon(Body body) const;
-  /// Where a body is. Throws as remove() does.
+  /// Returns a body's pose. Throws as remove() does.
   /// \snippet scene.cpp scene bodies
   const Pose& pose(Body body) const;
-  /// A body's options, as they were given. Throws as remove() does.
+  /// Returns a body's options as they were given. Throws as remove() does.
   /// \snippet scene.cpp scene bodies
   const BodyOptions& options(Body body) const;
 
-  /// The pairs that collide now, sorted, whatever runs it. Those that only touch do, unless one of both
-  /// allows it (BodyOptions::touching). The reference is good until the next call of a function that
-  /// isn't const.
+  /// Returns the pairs that collide now, sorted. Bodies that only touch collide unless either of them allows it
+  /// (BodyOptions::touching). The reference is valid until the next call of a function that isn't const.
   /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& collisions(const Parallel& parallel = {});
-  /// Of the last two calls of collisions(): the pairs that collide since, sorted.
+  /// Returns the pairs that the last call of collisions() returned and the call before did not, sorted.
   /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& began() const;
-  /// The pairs that don't any more, sorted; also those whose bodies were removed.
+  /// Returns the pairs that the last call of collisions() did not return and the call before did, sorted. Their bodies
+  /// may have been removed.
   /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& ended() const;
 
-  /// Whether a polygon at a pose collides with a body, of those that pass the filter. Throws as
-  /// tricover::collide() does.
+  /// Returns whether a polygon at a pose collides with a body that passes the filter. Throws as tricover::collide()
+  /// does.
   /// \snippet scene.cpp scene queries
   bool collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                 const BodyFilter& filter = {}) const;
-  /// The same for many poses at once, in their order, whatever runs it.
+  /// Returns the same for many poses, in their order.
   /// \snippet scene.cpp parallel
   std::vector<bool> collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options = {},
                              const BodyFilter& filter = {}, const Parallel& parallel = {}) const;
-  /// A body that a polygon collides with, of those that pass the filter; of several it isn't said which.
-  /// Throws as tricover::collide() does.
-  /// \snippet scene.cpp scene queries
+  /// Returns a body that passes the filter and collides with a polygon, an arbitrary one if there are several. Throws
+  /// as tricover::collide() does. \snippet scene.cpp scene queries
   std::optional<Body> anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                                    const BodyFilter& filter = {}) const;
-  /// All bodies that a polygon collides with, of those that pass the filter, sorted. Throws as
-  /// tricover::collide() does.
+  /// Returns all bodies that pass the filter and collide with a polygon, sorted. Throws as tricover::collide() does.
   /// \snippet scene.cpp scene queries
   std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                               const BodyFilter& filter = {}) const;
-  /// The body nearest to a polygon, of those that pass the filter; of several at the same distance the one of
-  /// the lowest handle. Throws as tricover::distance() does.
+  /// Returns the body nearest to a polygon among those that pass the filter. Equal distances: the lowest handle. Throws
+  /// as tricover::distance() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options = {},
                                       const BodyFilter& filter = {}) const;
-  /// The same, if it is no farther away than `limit`. Throws as tricover::distanceWithin() does.
+  /// Returns the same body if it is no farther away than `limit`. Throws as tricover::distanceWithin() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
                                             const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
-  /// So many bodies, or all that there are, that are nearest to a polygon and no farther away than `limit`: by their
-  /// distances, then by their handles. Throws as tricover::distanceWithin() does.
+  /// Returns the `count` nearest bodies no farther away than `limit`, or fewer if there are fewer, in the order of
+  /// distances, then handles. Throws as tricover::distanceWithin() does.
   /// \snippet scene.cpp scene nearest
   std::vector<BodyDistance> nearestFew(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
                                        const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
-  /// The body that a moving polygon meets first, of those that pass the filter, all at rest; of several at
-  /// the same time the one of the lowest handle. Throws as timeOfImpact() does.
+  /// Returns the body that a moving polygon meets first among those that pass the filter. All bodies rest. Equal times:
+  /// the lowest handle. Throws as timeOfImpact() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options = {},
                                         const BodyFilter& filter = {}) const;
-  /// The same along a trajectory; times, and `time_error`, are its own.
+  /// Returns the same along a trajectory. Times and `time_error` are by the trajectory's clock.
   /// \snippet scene.cpp scene trajectories
   std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Trajectory& trajectory,
                                         const ImpactOptions& options = {}, const BodyFilter& filter = {}) const;
-  /// All pairs that meet while these bodies move and the others rest, each at its first time: earliest first, then by
-  /// handles. Throws as timeOfImpact() and remove() do, and std::invalid_argument for a body that is named twice.
-  /// \snippet scene.cpp scene
+  /// Returns all pairs that meet while these bodies move and the others rest, each at its first time. The earliest
+  /// comes first, then the order is that of handles. \throws std::invalid_argument as timeOfImpact() does, and for a
+  /// body that is named twice \throws std::out_of_range as remove() does \snippet scene.cpp scene
   std::vector<PairImpact> impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options = {},
                                   const Parallel& parallel = {}) const;
-  /// The same along trajectories, from the first begin to the last end of the pair; times, and `time_error`, are by
-  /// their clock, which is the same for all.
-  /// \snippet scene.cpp scene trajectories
+  /// Returns the same along trajectories, from the first begin to the last end of the pair. Times and `time_error` are
+  /// by the clock, which is the same for all trajectories. \snippet scene.cpp scene trajectories
   std::vector<PairImpact> impacts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options = {},
                                   const Parallel& parallel = {}) const;
-  /// All spans of time in which pairs meet, as tricover::conflicts() says them of each pair: earliest first, then by
-  /// handles. Throws as impacts() does.
+  /// Returns all time intervals in which pairs meet, as tricover::conflicts() returns them for each pair. The earliest
+  /// comes first, then the order is that of handles. Throws as impacts() does.
   /// \snippet scene.cpp scene trajectories
   std::vector<PairConflict> conflicts(const std::vector<BodyTrajectory>& trajectories,
                                       const ImpactOptions& options = {}, const Parallel& parallel = {}) const;
-  /// The body that a ray meets first on the way from `from` to `to`, as tricover::castRay(), of those that pass
-  /// the filter; of several at the same fraction the one of the lowest handle. Margins of a body and of the
-  /// ray add up. Throws as tricover::castRay() does.
+  /// Returns the body that a ray from `from` to `to` meets first among those that pass the filter. Equal fractions: the
+  /// lowest handle. Margins of a body and of the ray add up. Throws as tricover::castRay() does.
   /// \snippet scene.cpp scene queries
   std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, const RayOptions& options = {},
                                     const BodyFilter& filter = {}) const;
