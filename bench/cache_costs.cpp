@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cache_costs.h"
-
-#include <cmath>
-#include <functional>
+#include <string>
 #include <utility>
 
-#include "measure.h"
-#include "random.h"
+#include "asked.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
+#include "tricover/locate.h"
 #include "tricover/penetration.h"
 #include "workloads.h"
 
@@ -18,7 +15,7 @@ namespace {
 
 using workloads::Kind;
 
-/// Of polygons of 100 units.
+/// For polygons of 100 units.
 constexpr double kSize = 100, kDepth = 0.1, kBeside = 1;
 constexpr std::size_t kPoses = 200;
 constexpr int kRounds = 7;
@@ -78,7 +75,7 @@ std::vector<std::pair<std::string, std::vector<Pose>>> walksOf(const Pair& pair)
           {"jumps", workloads::nearPoses(pair.fixed, pair.moving, 1, kPoses)}};
 }
 
-/// Through each other, where ways out have to be searched for.
+/// Through each other, where separating translations have to be searched for.
 std::vector<std::pair<std::string, std::vector<Pose>>> deepWalksOf(const Pair& pair) {
   const double x = 0.4 * contactOf(pair);
   return {{"deep, steps of 0.1 %", toAndFro(x, 1e-3 * kSize)},
@@ -88,61 +85,51 @@ std::vector<std::pair<std::string, std::vector<Pose>>> deepWalksOf(const Pair& p
 
 /// ask(pose) without a cache and ask(pose, cache).
 template <class Cache = PairCache, class Ask>
-CacheCost measured(const Pair& pair, const std::string& walk, const std::vector<Pose>& poses, const char* query,
-                   Ask ask) {
-  double sum = 0;  // so that nothing is left out
+Result measured(const Pair& pair, const std::string& query, const std::string& walk, const std::vector<Pose>& poses,
+                Ask ask) {
+  double sum = 0;  // so that nothing is optimised away
   Cache cache;
-  const std::vector<std::function<void()>> tasks = {[&] {
-                                                      for (const Pose& pose : poses) sum += ask(pose);
-                                                    },
-                                                    [&] {
-                                                      for (const Pose& pose : poses) sum += ask(pose, cache);
-                                                    }};
-  const std::vector<double> seconds = secondsInTurn(tasks, kRounds, threadSeconds);
-  return {pair.name, walk, query, 1e9 * seconds[0] / kPoses, 1e9 * seconds[1] / kPoses};
+  const auto none = [&] {
+    for (const Pose& pose : poses) sum += ask(pose);
+  };
+  const auto cached = [&] {
+    for (const Pose& pose : poses) sum += ask(pose, cache);
+  };
+  return measureInTurn({"cache", pair.name, query + ", " + walk, 0, 0, poses.size(), 1},
+                       {{"none", Role::Ours, none}, {"cached", Role::Ours, cached}}, kRounds);
 }
 
 }  // namespace
 
-std::vector<CacheCost> measureCaches() {
-  std::vector<CacheCost> costs;
+std::vector<Result> measureCaches() {
+  std::vector<Result> results;
   const Pose still = Pose::Identity();
-  const auto addPenetration = [&](const Pair& pair, const std::string& walk, const std::vector<Pose>& poses) {
+  for (const Pair& pair : pairs()) {
+    const Polygon &a = pair.fixed, &b = pair.moving;
     const auto depth = [&](const Pose& pose, auto&... cache) {
-      const auto found = penetration(pair.fixed, still, pair.moving, pose, cache...);
+      const auto found = penetration(a, still, b, pose, cache...);
       return found ? found->depth : 0.0;
     };
-    costs.push_back(measured<PenetrationCache>(pair, walk, poses, "penetration", depth));
-  };
-  for (const Pair& pair : pairs()) {
-    if (pair.moving.edgeCount() <= 64)  // which take milliseconds otherwise
-      for (const auto& [walk, poses] : deepWalksOf(pair)) addPenetration(pair, walk, poses);
+    if (b.edgeCount() <= 64)  // larger ones take milliseconds
+      for (const auto& [walk, poses] : deepWalksOf(pair))
+        results.push_back(measured(pair, "penetration", walk, poses, depth));
     for (const auto& [walk, poses] : walksOf(pair)) {
-      const Polygon &a = pair.fixed, &b = pair.moving;
-      costs.push_back(measured(pair, walk, poses, "collide", [&](const Pose& pose, auto&... cache) {
+      results.push_back(measured(pair, "collide", walk, poses, [&](const Pose& pose, auto&... cache) {
         return collide(a, still, b, pose, cache...) ? 1.0 : 0.0;
       }));
-      costs.push_back(measured(pair, walk, poses, "distance", [&](const Pose& pose, auto&... cache) {
+      results.push_back(measured(pair, "distance", walk, poses, [&](const Pose& pose, auto&... cache) {
         return distance(a, still, b, pose, cache...).distance;
       }));
-      costs.push_back(measured(pair, walk, poses, "contacts", [&](const Pose& pose, auto&... cache) {
+      results.push_back(measured(pair, "contacts", walk, poses, [&](const Pose& pose, auto&... cache) {
         return static_cast<double>(contacts(a, still, b, pose, cache...).size());
       }));
-      addPenetration(pair, walk, poses);
+      results.push_back(measured(pair, "penetration", walk, poses, depth));
+      results.push_back(measured<PointCache>(pair, "locate", walk, poses, [&](const Pose& pose, auto&... cache) {
+        return locate(a, 0.5 * pose.translation(), cache...) == Location::Inside ? 1.0 : 0.0;
+      }));
     }
   }
-  return costs;
-}
-
-std::vector<Target> judgeCaches(const std::vector<CacheCost>& costs) {
-  std::vector<Target> targets;
-  for (const char* query : {"collide", "distance", "contacts", "penetration"}) {
-    std::vector<Figure> figures;
-    for (const CacheCost& cost : costs)
-      if (cost.query == query) figures.push_back({cost.cached_ns / cost.none_ns, cost.polygons + ", " + cost.walk});
-    targets.push_back(judged(std::string("a cache, ") + query, "cached / without", figures, {false, 1.05}));
-  }
-  return targets;
+  return results;
 }
 
 }  // namespace tricover::bench

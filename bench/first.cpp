@@ -1,26 +1,170 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // First answers: polygons made of raw vertices and asked k times, all in, beside what others take for the same.
-// The methods are in a file of their own.
+// Needs no FCL.
+#include <box2d/b2_collision.h>
+#include <box2d/b2_polygon_shape.h>
+#include <geos/geom/CoordinateArraySequence.h>
+#include <geos/geom/CoordinateSequenceFilter.h>
+#include <geos/geom/GeometryFactory.h>
+#include <geos/geom/LinearRing.h>
+#include <geos/geom/Polygon.h>
+#include <geos/geom/prep/PreparedGeometryFactory.h>
+
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <functional>
-#include <initializer_list>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "first_methods.h"
 #include "measure.h"
 #include "poses.h"
 #include "random.h"
 #include "report.h"
-#include "target.h"
 #include "tricover/collide.h"
-#include "tricover/prepare.h"
 #include "workloads.h"
 
 namespace tricover::bench {
 namespace {
+
+/// Two rings of raw vertices, counter-clockwise, and where the second one is at each query. The first stays.
+struct FirstAsked {
+  const Ring& fixed;
+  const Ring& moving;
+  const Pose* poses;
+  std::size_t queries;
+};
+
+/// Makes what it needs of the raw vertices, asks every pose whether the two collide, and forgets it all.
+struct FirstMethod {
+  const char* name;
+  Role role;          ///< Box2d: up to 8 vertices
+  bool convex_alone;  ///< takes no others
+  std::size_t (*hits)(const FirstAsked& asked);
+
+  bool takes(bool convex, std::size_t vertices) const {
+    return (convex || !convex_alone) && (role != Role::Box2d || vertices <= 8);
+  }
+};
+
+void move(const Ring& ring, const Pose& pose, Ring& moved) {
+  const Eigen::Matrix2d turn = pose.linear();
+  const Vec2 shift = pose.translation();
+  moved.resize(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) moved[i] = turn * ring[i] + shift;
+}
+
+std::size_t askTricover(const FirstAsked& asked) {
+  const Polygon fixed(asked.fixed.data(), asked.fixed.size()), moving(asked.moving.data(), asked.moving.size());
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < asked.queries; ++i)
+    hits += collide(fixed, Pose::Identity(), moving, asked.poses[i]) ? 1 : 0;
+  return hits;
+}
+
+using BoostPoint = boost::geometry::model::d2::point_xy<double>;
+using BoostRing = boost::geometry::model::polygon<BoostPoint, false>;  // counter-clockwise
+
+void toBoost(const Ring& ring, BoostRing& to) {
+  to.outer().clear();
+  for (const Vec2& v : ring) to.outer().emplace_back(v.x(), v.y());
+  to.outer().push_back(to.outer().front());
+}
+
+std::size_t askBoost(const FirstAsked& asked) {
+  BoostRing fixed, at;
+  toBoost(asked.fixed, fixed);
+  Ring moved;
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < asked.queries; ++i) {
+    move(asked.moving, asked.poses[i], moved);
+    toBoost(moved, at);
+    hits += boost::geometry::intersects(fixed, at) ? 1 : 0;
+  }
+  return hits;
+}
+
+std::unique_ptr<geos::geom::Polygon> toGeos(const Ring& ring) {
+  std::vector<geos::geom::Coordinate> coordinates;
+  for (const Vec2& v : ring) coordinates.emplace_back(v.x(), v.y());
+  coordinates.push_back(coordinates.front());
+  const auto& factory = *geos::geom::GeometryFactory::getDefaultInstance();
+  return factory.createPolygon(
+      factory.createLinearRing(std::make_unique<geos::geom::CoordinateArraySequence>(std::move(coordinates))));
+}
+
+/// Writes a ring's vertices, moved, over a geometry's.
+class GeosMover : public geos::geom::CoordinateSequenceFilter {
+ public:
+  explicit GeosMover(const Ring& ring) : ring_(ring) {}
+  void start(const Pose& pose) {
+    move(ring_, pose, moved_);
+    moved_.push_back(moved_.front());
+  }
+  void filter_rw(geos::geom::CoordinateSequence& sequence, std::size_t i) override {
+    if (i != 0) return;
+    for (std::size_t k = 0; k < moved_.size(); ++k)
+      sequence.setAt(geos::geom::Coordinate(moved_[k].x(), moved_[k].y()), k);
+  }
+  bool isDone() const override { return false; }
+  bool isGeometryChanged() const override { return true; }
+
+ private:
+  const Ring& ring_;
+  Ring moved_;
+};
+
+template <bool Prepared>
+std::size_t askGeos(const FirstAsked& asked) {
+  const auto fixed = toGeos(asked.fixed), moved = toGeos(asked.moving);
+  std::unique_ptr<geos::geom::prep::PreparedGeometry> prepared;
+  if (Prepared) prepared = geos::geom::prep::PreparedGeometryFactory::prepare(fixed.get());
+  GeosMover mover(asked.moving);
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < asked.queries; ++i) {
+    mover.start(asked.poses[i]);
+    moved->apply_rw(mover);
+    hits += (Prepared ? prepared->intersects(moved.get()) : fixed->intersects(moved.get())) ? 1 : 0;
+  }
+  return hits;
+}
+
+b2PolygonShape toBox2d(const Ring& ring) {
+  b2Vec2 vertices[b2_maxPolygonVertices];
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    vertices[i].Set(static_cast<float>(ring[i].x()), static_cast<float>(ring[i].y()));
+  b2PolygonShape shape;
+  shape.Set(vertices, static_cast<int>(ring.size()));
+  return shape;
+}
+
+std::size_t askBox2d(const FirstAsked& asked) {
+  const b2PolygonShape fixed = toBox2d(asked.fixed), moving = toBox2d(asked.moving);
+  b2Transform still;
+  still.SetIdentity();
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < asked.queries; ++i) {
+    const Pose& pose = asked.poses[i];
+    b2Transform at;
+    at.p.Set(static_cast<float>(pose.translation().x()), static_cast<float>(pose.translation().y()));
+    at.q.c = static_cast<float>(pose.linear()(0, 0));
+    at.q.s = static_cast<float>(pose.linear()(1, 0));
+    hits += b2TestOverlap(&fixed, 0, &moving, 0, still, at) ? 1 : 0;
+  }
+  return hits;
+}
+
+const std::vector<FirstMethod>& firstMethods() {
+  static const std::vector<FirstMethod> methods = {{"tricover", Role::Ours, false, askTricover},
+                                                   {"Boost", Role::Rival, false, askBoost},
+                                                   {"GEOS", Role::Rival, false, askGeos<false>},
+                                                   {"GEOS prepared", Role::Rival, false, askGeos<true>},
+                                                   {"Box2D", Role::Box2d, true, askBox2d}};
+  return methods;
+}
 
 constexpr std::size_t kQueries[] = {1, 2, 3, 5, 10, 20, 30, 50, 100};
 constexpr std::size_t kVertices[] = {4, 8, 24, 64, 1024};
@@ -30,7 +174,7 @@ constexpr int kRounds = 7;
 
 /// Pairs of rings, and for each pair the poses that it may be asked at.
 struct FirstCell {
-  std::string polygons, poses;
+  std::string poses;
   std::size_t vertices;
   bool convex;
   std::vector<Polygon> fixed, moving;
@@ -58,7 +202,7 @@ Polygon ringOf(std::size_t vertices, bool convex, std::uint64_t seed) {
 }
 
 FirstCell makeCell(std::size_t vertices, bool convex, const std::string& poses) {
-  FirstCell cell{convex ? "convex" : "outline", poses, vertices, convex, {}, {}, {}};
+  FirstCell cell{poses, vertices, convex, {}, {}, {}};
   for (std::size_t pair = 0; pair < kPairs; ++pair) {
     cell.fixed.push_back(ringOf(vertices, convex, 2 * pair + 1));
     cell.moving.push_back(ringOf(vertices, convex, 2 * pair + 2));
@@ -68,78 +212,6 @@ FirstCell makeCell(std::size_t vertices, bool convex, const std::string& poses) 
                                       : workloads::overlapPoses(a, b, pair, positions));
   }
   return cell;
-}
-
-/// One row of the table: k queries of each method that fits, in the methods' order, ns a query all in.
-struct FirstRow {
-  const FirstCell* cell;
-  std::size_t queries;
-  std::vector<const FirstMethod*> methods;
-  std::vector<double> ns;
-  std::vector<std::size_t> hits;
-  double dearest_later;     ///< ns of the dearest query of tricover's behind the first one; 0 for k = 1
-  double dearest_prepared;  ///< see dearestPrepared(); of the most queries alone, otherwise 0
-
-  std::string name() const {
-    return cell->polygons + " " + std::to_string(cell->vertices) + ", " + cell->poses +
-           ", k = " + std::to_string(queries);
-  }
-  /// Of the methods of a kind the fastest; 0 where there is none.
-  double fastest(std::initializer_list<FirstMethod::Kind> kinds) const {
-    double least = 0;
-    for (std::size_t i = 0; i < methods.size(); ++i)
-      if (std::count(kinds.begin(), kinds.end(), methods[i]->kind) > 0 && (least == 0 || ns[i] < least)) least = ns[i];
-    return least;
-  }
-  double ours() const { return fastest({FirstMethod::Ours}); }
-  double library() const { return fastest({FirstMethod::Library, FirstMethod::Convex}); }
-};
-
-/// Asks all queries, and keeps the least ns that each has taken.
-void timeEach(const Polygon& fixed, const Polygon& moving, const FirstAsked& asked, std::vector<double>& least) {
-  using Clock = std::chrono::steady_clock;
-  for (std::size_t k = 0; k < least.size(); ++k) {
-    const auto start = Clock::now();
-    collide(fixed, Pose::Identity(), moving, asked.poses[k]);
-    least[k] = std::min(least[k], std::chrono::duration<double, std::nano>(Clock::now() - start).count());
-  }
-}
-
-/// visit(ns of each query of a new pair, ns of each when it is asked them all once more), for several pairs, each the
-/// least of several rounds. `ready` is called with both new polygons.
-template <class Ready, class Visit>
-void timePairs(const FirstCell& cell, std::size_t queries, Ready ready, Visit visit) {
-  for (std::size_t i = 0; i < std::min<std::size_t>(cell.visits(), kPairs); ++i) {
-    const FirstAsked asked = cell.visit(i, queries);
-    std::vector<double> first(queries, 1e18), later = first;
-    for (int round = 0; round < kRounds; ++round) {
-      const Polygon fixed(asked.fixed.data(), asked.fixed.size()), moving(asked.moving.data(), asked.moving.size());
-      ready(fixed), ready(moving);
-      timeEach(fixed, moving, asked, first);
-      timeEach(fixed, moving, asked, later);
-    }
-    visit(first, later);
-  }
-}
-
-/// ns of the dearest of k queries behind the first.
-double dearestLater(const FirstCell& cell, std::size_t queries) {
-  double dearest = 0;
-  timePairs(
-      cell, queries, [](const Polygon&) {},
-      [&](const std::vector<double>& first, const std::vector<double>&) {
-        for (std::size_t k = 1; k < queries; ++k) dearest = std::max(dearest, first[k]);
-      });
-  return dearest;
-}
-
-/// Of prepared polygons: of all queries the dearest, in what the same one takes later.
-double dearestPrepared(const FirstCell& cell, std::size_t queries) {
-  double dearest = 0;
-  timePairs(cell, queries, prepare, [&](const std::vector<double>& first, const std::vector<double>& later) {
-    for (std::size_t k = 0; k < queries; ++k) dearest = std::max(dearest, first[k] / later[k]);
-  });
-  return dearest;
 }
 
 /// What polygons answer that have been asked often.
@@ -153,137 +225,45 @@ std::size_t hitsKnown(const FirstCell& cell, std::size_t queries) {
   return hits;
 }
 
-FirstRow measureRow(const FirstCell& cell, std::size_t queries) {
-  FirstRow row{&cell, queries, {}, {}, {}, 0, 0};
-  for (const FirstMethod& method : firstMethods())
-    if (method.takes(cell.convex, cell.vertices)) row.methods.push_back(&method);
-  row.hits.resize(row.methods.size());
-  std::vector<std::function<void()>> tasks;
-  for (std::size_t m = 0; m < row.methods.size(); ++m) {
-    tasks.push_back([&, m] {
-      row.hits[m] = 0;
-      for (std::size_t i = 0; i < cell.visits(); ++i) row.hits[m] += row.methods[m]->hits(cell.visit(i, queries));
-    });
+Result measureRow(const FirstCell& cell, std::size_t queries) {
+  std::vector<Task> tasks;
+  std::size_t hits = 0, of_ours = 0;
+  for (const FirstMethod& method : firstMethods()) {
+    if (!method.takes(cell.convex, cell.vertices)) continue;
+    tasks.push_back({method.name, method.role, [&] {
+                       hits = 0;
+                       for (std::size_t i = 0; i < cell.visits(); ++i) hits += method.hits(cell.visit(i, queries));
+                       if (method.role == Role::Ours) of_ours = hits;
+                     }});
   }
-  for (const double seconds : secondsInTurn(tasks, kRounds, threadSeconds))
-    row.ns.push_back(1e9 * seconds / static_cast<double>(cell.visits() * queries));
-  row.dearest_later = dearestLater(cell, queries);
-  if (queries == kMostQueries) row.dearest_prepared = dearestPrepared(cell, queries);
-  return row;
-}
-
-std::string firstTable(const std::vector<FirstRow>& rows) {
-  TextTable lines = {{"polygons", "poses", "k"}};
-  for (const FirstMethod& method : firstMethods()) lines[0].push_back(method.name);
-  lines[0].insert(lines[0].end(), {"library / tricover", "dearest later query", "dearest prepared / later"});
-  for (const FirstRow& row : rows) {
-    if (row.queries != 1 && row.queries != 3 && row.queries != 10 && row.queries != 100) continue;
-    lines.push_back(
-        {row.cell->polygons + ", " + std::to_string(row.cell->vertices), row.cell->poses, std::to_string(row.queries)});
-    std::size_t next = 0;
-    for (const FirstMethod& method : firstMethods()) {
-      const bool asked = next < row.methods.size() && row.methods[next] == &method;
-      lines.back().push_back(asked ? shortNumber(row.ns[next++]) : "");
-    }
-    lines.back().push_back(formatted("%.2f", row.library() / row.ours()));
-    lines.back().push_back(row.queries > 1 ? shortNumber(row.dearest_later) : "");
-    lines.back().push_back(row.dearest_prepared > 0 ? formatted("%.2f", row.dearest_prepared) : "");
-  }
-  return markdown(lines);
-}
-
-std::string firstCsv(const std::vector<FirstRow>& rows) {
-  std::string csv = "polygons,vertices,poses,queries,method,ns_per_query,hits\n";
-  for (const FirstRow& row : rows) {
-    for (std::size_t i = 0; i < row.methods.size(); ++i) {
-      csv += row.cell->polygons + ',' + std::to_string(row.cell->vertices) + ',' + row.cell->poses + ',' +
-             std::to_string(row.queries) + ',' + row.methods[i]->name + ',' + shortNumber(row.ns[i]) + ',' +
-             std::to_string(row.hits[i]) + '\n';
-    }
-  }
-  return csv;
-}
-
-/// What is wanted of the rows that `holds` names: so much of above / below.
-template <class Holds, class Above, class Below>
-void judgeRows(const std::vector<FirstRow>& rows, const std::string& subject, const std::string& compared,
-               const Wanted& wanted, Holds holds, Above above, Below below, std::vector<Target>& to) {
-  std::vector<Figure> figures;
-  for (const FirstRow& row : rows)
-    if (holds(row) && above(row) > 0) figures.push_back({above(row) / below(row), row.name()});
-  if (!figures.empty()) to.push_back(judged(subject, compared, std::move(figures), wanted));
-}
-
-std::vector<Target> judge(const std::vector<FirstRow>& rows) {
-  std::vector<Target> targets;
-  const auto ours = [](const FirstRow& row) { return row.ours(); };
-  const auto library = [](const FirstRow& row) { return row.library(); };
-  const bool through_fcl = firstMethods()[0].name != std::string("tricover");
-  const std::string what = through_fcl ? "first answers through FCL" : "first answers";
-  const auto compare = [&](const char* sizes, std::size_t least, std::size_t most, double times) {
-    judgeRows(
-        rows, what + ", " + sizes, "best library / ours", {true, through_fcl ? 2 : times},
-        [&](const FirstRow& row) { return row.cell->vertices >= least && row.cell->vertices <= most; }, library, ours,
-        targets);
-  };
-  compare("4 vertices", 4, 4, 1);
-  compare("8 vertices", 8, 8, 1.5);
-  compare("24 vertices and more", 24, 1024, 3);
-  judgeRows(
-      rows, what + ", the very first, 24 vertices and more", "core / a plain loop", {false, 4},
-      [](const FirstRow& row) {
-        return row.queries == 1 && row.cell->vertices >= 24 && row.fastest({FirstMethod::Loop}) > 0;
-      },
-      ours, [](const FirstRow& row) { return row.fastest({FirstMethod::Loop}); }, targets);
-  judgeRows(
-      rows, what + ", convex", "Box2D / core", {true, 1}, [](const FirstRow&) { return true; },
-      [](const FirstRow& row) { return row.fastest({FirstMethod::Box2d}); }, ours, targets);
-  if (!through_fcl)
-    judgeRows(
-        rows, "queries after prepare(), the dearest", "at first / later", {false, 3},
-        [](const FirstRow& row) { return row.dearest_prepared > 0; },
-        [](const FirstRow& row) { return row.dearest_prepared; }, [](const FirstRow&) { return 1.0; }, targets);
-  return targets;
+  const std::string name = cell.poses + " k=" + std::to_string(queries);
+  Result result = measureInTurn(
+      {"first", cell.convex ? "convex" : "outline", name, cell.vertices, cell.vertices, cell.visits() * queries, 1},
+      tasks, kRounds);
+  if (of_ours != hitsKnown(cell, queries)) throw std::logic_error("first answers differ from later ones: " + name);
+  result.workload.positions = queries;
+  return result;
 }
 
 const char* const kHow =
-    R"(- Nanoseconds a query, all in: both polygons made of raw vertices, asked under k poses, and forgotten. CPU time of one
+    R"(- Nanoseconds a query, all in: both polygons made of raw vertices, tested at k poses, and forgotten. CPU time of one
   thread, methods in turn, medians of 7. Others move the vertices and build what they need.
-- The dearest later query: of tricover's queries behind the first, wall time, the dearest of 16 pairs, each the least of 7.
-- The dearest prepared / later: of 100 queries right after `prepare()`, in what the same one takes when all are asked once more.
 )";
 
-int run(const std::string& directory, const std::string& only) {
-  std::vector<FirstCell> cells;
+int run(const std::string& directory) {
+  std::vector<Result> results;
   for (const bool convex : {false, true}) {
     for (const std::size_t vertices : kVertices) {
+      if (convex && vertices > 8) continue;
       for (const char* poses : {"near", "deep"}) {
-        const std::string name = (convex ? "convex, " : "outline, ") + std::to_string(vertices) + ", " + poses;
-        if ((!convex || vertices <= 8) && name.find(only) != std::string::npos)
-          cells.push_back(makeCell(vertices, convex, poses));
+        const FirstCell cell = makeCell(vertices, convex, poses);
+        for (const std::size_t queries : kQueries) results.push_back(measureRow(cell, queries));
       }
     }
   }
-  std::vector<FirstRow> rows;
-  bool agree = true;
-  for (const FirstCell& cell : cells) {
-    for (const std::size_t queries : kQueries) {
-      rows.push_back(measureRow(cell, queries));
-      agree = agree && rows.back().hits[0] == hitsKnown(cell, queries);
-    }
-  }
-  const std::vector<Target> targets = judge(rows);
-  const std::string report = "# First answers\n\n" + targetsTable(targets) + "\n" + firstTable(rows) + "\n" + kHow;
-  if (directory == "-") {
-    std::fputs(report.c_str(), stdout);
-  } else {
-    const std::string path = directory + "/" + kFirstReport;
-    writeFile(path + ".md", report);
-    writeFile(path + ".csv", firstCsv(rows));
-    writeFile(path + "_targets.csv", targetsCsv(targets));
-  }
-  if (!agree) std::fprintf(stderr, "first answers differ from later ones\n");
-  return agree ? 0 : 1;
+  writeFile(directory + "/first.md", "# First answers\n\n" + table(results) + "\n" + kHow);
+  writeFile(directory + "/first.csv", csv(results));
+  return 0;
 }
 
 }  // namespace
@@ -291,6 +271,5 @@ int run(const std::string& directory, const std::string& only) {
 
 int main(int argc, char** argv) {
   using namespace tricover::bench;
-  return runProgram(argv[0], "<existing report directory, or - for stdout> [part of a cell's name]",
-                    argc == 2 || argc == 3, [&] { return run(argv[1], argc == 3 ? argv[2] : ""); });
+  return runProgram(argv[0], "<existing report directory>", argc == 2, [&] { return run(argv[1]); });
 }

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "islands.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
 #include <stdexcept>
+#include <string>
 
-#include "measure.h"
+#include "asked.h"
 #include "random.h"
 #include "tricover/tricover.h"
 
@@ -37,7 +32,7 @@ struct Map {
   double size;
 
   explicit Map(std::size_t side) : polygon(speckled(side)), size(kCell * static_cast<double>(side)) {
-    prepare(polygon);  // otherwise thousands of queries do without what they pay for
+    prepare(polygon);  // otherwise thousands of queries run before the tree is paid for
     for (const Ring& ring : polygon.rings()) scene.add(Polygon({ring}), Pose::Identity());
   }
 };
@@ -83,70 +78,31 @@ std::vector<Pose> anyPoses(double size) {
   return poses;
 }
 
-/// Milliseconds of the dearest, on a polygon that is prepared and that nobody has asked yet; of two such the cheaper.
-double dearest(const Polygon& map, const Query& query, const std::vector<Pose>& poses) {
-  double least = 1e9;
-  for (int round = 0; round < 2; ++round) {
-    const Polygon fresh(map.rings());
-    prepare(fresh);
-    double most = 0;
-    for (const Pose& pose : poses) {
-      const double start = threadSeconds();
-      query.of_polygon(fresh, pose);
-      most = std::max(most, 1e3 * (threadSeconds() - start));
-    }
-    least = std::min(least, most);
-  }
-  return least;
-}
-
 }  // namespace
 
-std::vector<IslandCost> measureIslands() {
-  std::vector<IslandCost> costs;
+std::vector<Result> measureIslands() {
+  std::vector<Result> results;
   for (const std::size_t side : {500u, 1000u, 2000u, 4000u}) {
     Map map(side);
     const std::vector<Pose> poses = anyPoses(map.size);
     for (const Query& query : kAsked) {
       std::size_t of_polygon = 0, of_scene = 0;
-      const std::vector<std::function<void()>> tasks = {[&] {
-                                                          of_polygon = 0;
-                                                          for (const Pose& pose : poses)
-                                                            of_polygon += query.of_polygon(map.polygon, pose);
-                                                        },
-                                                        [&] {
-                                                          of_scene = 0;
-                                                          for (const Pose& pose : poses)
-                                                            of_scene += query.of_scene(map.scene, pose);
-                                                        }};
-      const std::vector<double> seconds = secondsInTurn(tasks, kRounds, threadSeconds);
+      const auto askPolygon = [&] {
+        of_polygon = 0;
+        for (const Pose& pose : poses) of_polygon += query.of_polygon(map.polygon, pose);
+      };
+      const auto askScene = [&] {
+        of_scene = 0;
+        for (const Pose& pose : poses) of_scene += query.of_scene(map.scene, pose);
+      };
+      results.push_back(measureInTurn({"islands", "islands", query.name, map.polygon.rings().size(), 4, kQueries, 1},
+                                      {{"one polygon", Role::Ours, askPolygon}, {"Scene", Role::Rival, askScene}},
+                                      kRounds));
       if (of_polygon != of_scene)
         throw std::runtime_error(std::string("islands: polygon and scene differ: ") + query.name);
-      costs.push_back({map.polygon.rings().size(), query.name, 1e9 * seconds[0] / kQueries, 1e9 * seconds[1] / kQueries,
-                       dearest(map.polygon, query, poses)});
     }
   }
-  return costs;
-}
-
-std::vector<Target> judgeIslands(const std::vector<IslandCost>& costs) {
-  std::vector<Figure> times, growth, dearest_of;
-  std::map<std::string, const IslandCost*> first, last;
-  for (const IslandCost& cost : costs) {
-    const std::string cell = std::to_string(cost.islands) + " islands, " + cost.query;
-    times.push_back({cost.polygon_ns / cost.scene_ns, cell});
-    dearest_of.push_back({cost.dearest_ms, cell});
-    first.emplace(cost.query, &cost);
-    last[cost.query] = &cost;
-  }
-  for (const auto& [query, large] : last) {
-    const IslandCost& small = *first.at(query);
-    const double more = static_cast<double>(large->islands) / static_cast<double>(small.islands);
-    growth.push_back({std::log(large->polygon_ns / small.polygon_ns) / std::log(more), query});
-  }
-  return {judged("a map of islands", "one polygon / a Scene", times, {false, 2}),
-          judged("a map of islands", "power of their number", growth, {false, 0.25, 0, ""}),
-          judged("a map of islands", "the dearest query, prepared", dearest_of, {false, 1, 0, "ms"})};
+  return results;
 }
 
 }  // namespace tricover::bench

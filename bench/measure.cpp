@@ -12,28 +12,24 @@
 #include <map>
 #include <string>
 
-#include "numbers/predicates.h"
 #include "report.h"
 
 namespace tricover::bench {
 namespace {
 
-/// Keeps each repetition's CPU seconds per iteration, by benchmark name; of manual times, those.
+/// Keeps each repetition's CPU seconds per iteration, by benchmark name.
 class Collector : public benchmark::BenchmarkReporter {
  public:
-  explicit Collector(bool manual) : manual_(manual) {}
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
-      const double seconds = manual_ ? run.real_accumulated_time : run.cpu_accumulated_time;
-      seconds_[run.run_name.function_name].push_back(seconds / static_cast<double>(run.iterations));
+      seconds_[run.run_name.function_name].push_back(run.cpu_accumulated_time / static_cast<double>(run.iterations));
     }
   }
   double median(const std::string& name) { return medianOf(seconds_.at(name)); }
 
  private:
-  bool manual_;
   std::map<std::string, std::vector<double>> seconds_;
 };
 
@@ -101,19 +97,17 @@ std::vector<Timing> timeAll(const Workload& workload, const std::vector<Contende
     // The walk's own length, to turn its time into time per query.
     timings.back().ns = 1e9 / static_cast<double>(walked);
   }
-  Collector collector(false);
+  Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
   for (Timing& timing : timings) timing.ns *= collector.median(timing.name);
   return timings;
 }
 
-/// The reference's answers at all positions, and how often they needed the exact stage.
+/// The reference's answers at all positions.
 template <class Answers>
-Answers askReference(const ContenderFor<Answers>& reference, std::uint64_t& exact_calls) {
+Answers askReference(const ContenderFor<Answers>& reference) {
   Answers answers;
-  const std::uint64_t before = detail::exactCalls();
   reference.walk(Sampling{}, answers);
-  exact_calls = detail::exactCalls() - before;
   return answers;
 }
 
@@ -154,29 +148,25 @@ std::size_t heapBytes() {
   return info.uordblks + info.hblkhd;
 }
 
-double measureBuild(const std::string& name, std::size_t things, const std::function<void()>& make,
-                    const std::function<void(std::size_t thing)>& build, const Settings& settings) {
-  benchmark::ClearRegisteredBenchmarks();
-  const auto time = [&](benchmark::State& state) {
-    for (auto _ : state) {
-      make();
-      const std::clock_t start = std::clock();
-      for (std::size_t i = 0; i < things; ++i) build(i);
-      state.SetIterationTime(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-  };
-  benchmark::RegisterBenchmark(name.c_str(), time)
-      ->Repetitions(settings.repetitions)
-      ->MinTime(settings.seconds_per_repetition)
-      ->UseManualTime();
-  Collector collector(true);
-  benchmark::RunSpecifiedBenchmarks(&collector);
-  return collector.median(name) / static_cast<double>(things);
+std::string cellName(const Workload& w) {
+  const std::string sizes = std::to_string(w.vertices_fixed) + " x " + std::to_string(w.vertices_moving);
+  return w.scene + (w.vertices_fixed > 0 ? " " + sizes : "") + ", " + w.name;
+}
+
+Result measureInTurn(const Workload& workload, const std::vector<Task>& tasks, int rounds) {
+  Result result{workload, 0, {}};
+  std::vector<std::function<void()>> runs;
+  for (const Task& task : tasks) runs.push_back(task.run);
+  const std::vector<double> seconds = secondsInTurn(runs, rounds, threadSeconds);
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    result.timings.push_back(
+        {tasks[i].name, tasks[i].role, 1e9 * seconds[i] / static_cast<double>(workload.positions), 0, 0, 0});
+  return result;
 }
 
 Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings) {
-  Result result{workload, 0, 0, {}};
-  Hits reference = askReference(contenders.front(), result.exact_calls);
+  Result result{workload, 0, {}};
+  Hits reference = askReference(contenders.front());
   std::sort(reference.begin(), reference.end());
   result.collisions = positionsOnlyIn(reference, {}, workload.targets);
   result.timings = timeAll(workload, contenders, settings, [&](Hits& hits, const Sampling& sampling, Timing& timing) {
@@ -190,8 +180,8 @@ Result measure(const Workload& workload, const std::vector<Contender>& contender
 
 Result measure(const Workload& workload, const std::vector<ValueContender>& contenders, const Agreement& agreement,
                const Settings& settings) {
-  Result result{workload, 0, 0, {}};
-  const Values reference = askReference(contenders.front(), result.exact_calls);
+  Result result{workload, 0, {}};
+  const Values reference = askReference(contenders.front());
   result.collisions = static_cast<std::size_t>(
       std::count_if(reference.begin(), reference.end(), [&](double value) { return value <= agreement.hit; }));
   result.timings =

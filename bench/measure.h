@@ -102,10 +102,11 @@ struct Timing {
 struct Result {
   Workload workload;
   std::size_t collisions;
-  std::uint64_t
-      exact_calls;  ///< of exact predicates, over the reference's whole walk: where the filters didn't suffice
   std::vector<Timing> timings;
 };
+
+/// "scene vertices, workload".
+std::string cellName(const Workload& workload);
 
 struct Settings {
   int repetitions = 5;
@@ -125,9 +126,15 @@ std::vector<double> secondsInTurn(const std::vector<std::function<void()>>& task
 /// The heap in use.
 std::size_t heapBytes();
 
-/// Median CPU seconds of `build`, which does its work once for each of the things that `make` has made, per thing.
-double measureBuild(const std::string& name, std::size_t things, const std::function<void()>& make,
-                    const std::function<void(std::size_t thing)>& build, const Settings& settings);
+/// One of several methods that answer all of a workload's queries, each in one call.
+struct Task {
+  std::string name;
+  Role role;
+  std::function<void()> run;
+};
+
+/// Runs all tasks in turn, `rounds` times: the median of each, in ns of CPU time per position of the workload.
+Result measureInTurn(const Workload& workload, const std::vector<Task>& tasks, int rounds);
 
 /// Times the contenders by Google Benchmark, interleaved at random in this process, and checks all that they answered
 /// while being timed. The first contender is tricover without coherence: the reference.

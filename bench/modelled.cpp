@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -15,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "random.h"
+#include "measure.h"
 #include "report.h"
 #include "tricover/tricover.h"
 #include "workloads.h"
@@ -56,37 +55,15 @@ struct Shape {
   std::vector<Ring> fixed, moving;
   FillRule fill;
   double margin;
-
-  bool isDisc() const { return margin > 0; }
 };
-
-std::vector<Ring> madeOf(workloads::Kind kind, std::size_t vertices, std::uint64_t seed) {
-  return workloads::makePolygon(kind, vertices, seed).rings();
-}
-
-/// Triangles that overlap, within 100 x 50 units.
-std::vector<Ring> soup(std::uint64_t seed) {
-  constexpr int kTriangles = 64;
-  support::Random random(seed);
-  std::vector<Ring> rings;
-  for (int i = 0; i < kTriangles; ++i) {
-    const double place = random.real(0, 1), way = random.real(0, 6.3);
-    const Vec2 middle(38 * place * std::cos(way), 13 * place * std::sin(way));
-    Ring ring;
-    for (int k = 0; k < 3; ++k) {
-      const double turn = way + 2.1 * k;
-      ring.push_back(middle + 12 * Vec2(std::cos(turn), std::sin(turn)));
-    }
-    rings.push_back(ring);
-  }
-  return rings;
-}
 
 std::vector<Shape> shapes() {
   using workloads::Kind;
   const auto made = [](const char* name, Kind kind, std::size_t n) {
-    return Shape{name, madeOf(kind, n, 1), madeOf(kind, n, 2), FillRule::EvenOdd, 0};
+    return Shape{name, workloads::makePolygon(kind, n, 1).rings(), workloads::makePolygon(kind, n, 2).rings(),
+                 FillRule::EvenOdd, 0};
   };
+  const auto soup = [](std::uint64_t seed) { return workloads::makeOverlapping(64, 3, 1, seed).rings(); };
   const std::vector<Ring> disc = point(Vec2::Zero()).rings();
   return {{"disc", disc, disc, FillRule::EvenOdd, 50}, made("convex, 64", Kind::Slim, 64),
           made("outline, 8", Kind::Contour, 8),        made("outline, 64", Kind::Contour, 64),
@@ -221,27 +198,20 @@ double nanoseconds(Work work) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// For a first query on fresh polygons: what it leaves on the heap, what it takes beyond its successors, and what they
+/// A first query on fresh polygons: what it leaves on the heap, what it takes beyond its successors, and what they
 /// take.
 struct Cost {
   std::size_t bytes;
-  double extra_ns;
-  std::optional<double> warm_ns;
+  double extra_ns, warm_ns;
 };
 
 Cost costOf(const Shape& shape, const Query& query) {
-  constexpr int kMostPairs = 101, kFewestPairs = 5;
-  constexpr double kNanoseconds = 4e7, kWarm = 2e5;  // of a cell, and of the later queries about one pair
+  constexpr std::size_t kMostPairs = 101, kFewestPairs = 5;
+  constexpr double kNanoseconds = 4e7, kWarm = 2e5;  // for a cell, and for the later queries about one pair
   std::vector<double> extra, warm;
   std::size_t bytes = 0;
   double taken = 0;
-  for (int i = 0; i < kFewestPairs || (i < kMostPairs && taken < kNanoseconds); ++i) {
+  while (extra.size() < kFewestPairs || (extra.size() < kMostPairs && taken < kNanoseconds)) {
     Pair pair{Polygon(shape.fixed, shape.fill), Polygon(shape.moving, shape.fill), shape.margin, {}, {}, {}};
     bool right = true;
     const auto ask = [&] { right = query.ask(pair) == query.answer && right; };
@@ -251,16 +221,16 @@ Cost costOf(const Shape& shape, const Query& query) {
     // One by one, so that the clock's own time cancels.
     std::vector<double> later;
     while (later.size() < (first < kWarm ? 20 : 3)) later.push_back(nanoseconds(ask));
-    extra.push_back(first - median(later));
-    const int repeated = static_cast<int>(std::min(100.0, 1 + kWarm / median(later)));
+    const int repeated = static_cast<int>(std::min(100.0, 1 + kWarm / medianOf(later)));
     const double all = nanoseconds([&] {
       for (int k = 0; k < repeated; ++k) ask();
     });
+    extra.push_back(first - medianOf(later));
     warm.push_back(all / repeated);
     taken += first + all;
     if (!right) throw std::logic_error("modelled: wrong: " + std::string(query.name) + ", " + shape.name);
   }
-  return {bytes, median(extra), median(warm)};
+  return {bytes, medianOf(extra), medianOf(warm)};
 }
 
 /// The polygon itself, before any query.
@@ -274,54 +244,48 @@ Cost costOfPolygon(const Shape& shape) {
     times.push_back(nanoseconds([&] { polygon = std::make_unique<Polygon>(shape.fixed, shape.fill); }));
     bytes = heap_bytes - before;
   }
-  return {bytes, median(times), {}};
+  return {bytes, medianOf(times), 0};
 }
 
 const char* const kHow =
     R"(- Two fresh polygons of that many vertices each, or two discs, up to 101 times; medians. Bytes: what operator new handed
-  out and wasn't given back, rounded up as malloc does, for both polygons, the caches and the scene together. Building:
-  the first query's time less a later one's. The clock ticks every 10 ns or so.
+  out and wasn't given back, rounded up as malloc does, for both polygons and the scene together. Building: the first
+  query's time less a later one's. The clock ticks every 10 ns or so.
 - disc: point() with a margin. convex: slim. outline: a random contour. 64 triangles: rings that overlap, by the non-zero
   rule.
 - discs apart: four radii away. near: the bounding discs overlap, the polygons don't. Every answer is checked. An empty
   cell is a query that discs have none of.
-- A PairCache itself is %zu bytes, a PointCache %zu, both the caller's.
 - polygon: one polygon from its rings, copied; that much every polygon pays, and the other rows come on top.
-)";
-
-std::string rounded(double value) { return std::to_string(std::lround(value)); }
+- )";
 
 int run(const std::string& directory) {
   const std::vector<Shape> all = shapes();
-  const char* const measures[] = {"Bytes that the first query leaves", "What it takes to build them, ns",
-                                  "A later query, ns"};
-  TextTable tables[3];
-  for (TextTable& lines : tables) {
-    lines = {{"asked first"}};
-    for (const Shape& shape : all) lines[0].push_back(shape.name);
-  }
-  std::string csv = "query,shape,bytes,build_ns,warm_ns\n";
+  const char* const measures[] = {"bytes that the first query leaves", "time to build them", "a later query"};
+  std::vector<Result> tables[3];
   const auto enter = [&](const std::string& name, auto costOfShape) {
-    for (TextTable& lines : tables) lines.push_back({name});
+    for (int i = 0; i < 3; ++i) tables[i].push_back({{"modelled", measures[i], name, 0, 0, 1, 1}, 0, {}});
     for (const Shape& shape : all) {
       const std::optional<Cost> cost = costOfShape(shape);
-      const std::string cells[] = {cost ? std::to_string(cost->bytes) : "", cost ? rounded(cost->extra_ns) : "",
-                                   cost && cost->warm_ns ? rounded(*cost->warm_ns) : ""};
-      for (int i = 0; i < 3; ++i) tables[i].back().push_back(cells[i]);
-      if (cost) csv += '"' + name + "\",\"" + shape.name + "\"," + cells[0] + ',' + cells[1] + ',' + cells[2] + '\n';
+      if (!cost) continue;
+      const double values[] = {static_cast<double>(cost->bytes), cost->extra_ns, cost->warm_ns};
+      for (int i = 0; i < 3; ++i) tables[i].back().timings.push_back({shape.name, Role::Ours, values[i], 0, 0, 0});
     }
   };
-  enter("polygon, no query", [](const Shape& shape) { return std::optional<Cost>(costOfPolygon(shape)); });
+  enter("polygon and no query", [](const Shape& shape) { return std::optional<Cost>(costOfPolygon(shape)); });
   for (const Query& query : kQueries)
     enter(query.name, [&](const Shape& shape) {
-      return shape.isDisc() && !query.of_discs ? std::nullopt : std::optional<Cost>(costOf(shape, query));
+      return shape.margin > 0 && !query.of_discs ? std::nullopt : std::optional<Cost>(costOf(shape, query));
     });
   std::string text = "# Model only what a scene requires\n\n";
-  for (int i = 0; i < 3; ++i) text += "## " + std::string(measures[i]) + "\n\n" + markdown(tables[i]) + "\n";
-  char how[1500];
-  std::snprintf(how, sizeof how, kHow, sizeof(PairCache), sizeof(PointCache));
-  writeFile(directory + "/modelled.md", text + "# How it was measured\n\n" + how);
-  writeFile(directory + "/modelled.csv", csv);
+  std::vector<Result> results;
+  for (const std::vector<Result>& some : tables) {
+    text += table(some) + "\n";
+    results.insert(results.end(), some.begin(), some.end());
+  }
+  writeFile(directory + "/modelled.md", text + "# How it was measured\n\n" + kHow + "A PairCache itself is " +
+                                            std::to_string(sizeof(PairCache)) + " bytes, a PointCache " +
+                                            std::to_string(sizeof(PointCache)) + ", both the caller's.\n");
+  writeFile(directory + "/modelled.csv", csv(results));
   return 0;
 }
 

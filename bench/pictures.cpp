@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pictures.h"
-
+#include <cmath>
 #include <set>
 
-#include "drive_study.h"
 #include "report.h"
+#include "studies.h"
 #include "tricover/collide.h"
 #include "tricover/svg.h"
 
@@ -28,6 +27,29 @@ Polygon scaled(const Polygon& polygon, double factor) {
 }
 
 const std::string kFree = "#86d3a0", kHit = "#f8b4b4";
+
+/// A circle around the Atlantic, turning with it. Poses of a centred polygon.
+std::vector<Pose> circularDrive(std::size_t positions) {
+  const Vec2 center(-20, 15);
+  const double radius = 45;
+  std::vector<Pose> poses(positions, Pose::Identity());
+  for (std::size_t i = 0; i < positions; ++i) {
+    const double angle = 2 * static_cast<double>(EIGEN_PI) * static_cast<double>(i) / static_cast<double>(positions);
+    poses[i].linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    poses[i].translation() = center + radius * Vec2(std::cos(angle), std::sin(angle));
+  }
+  return poses;
+}
+
+/// Straight from the Atlantic through Eurasia to the Pacific.
+std::vector<Pose> linearDrive(std::size_t positions) {
+  const Vec2 from(-50, 42), to(160, 25);
+  std::vector<Pose> poses(positions, Pose::Identity());
+  for (std::size_t i = 0; i < positions; ++i) {
+    poses[i].translation() = from + static_cast<double>(i) / static_cast<double>(positions - 1) * (to - from);
+  }
+  return poses;
+}
 
 /// The mover at some positions of both drives.
 std::string countriesPicture(const Countries& countries, const std::string& mover) {

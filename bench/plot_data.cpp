@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plot_data.h"
-
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <sstream>
 
 #include "report.h"
+#include "studies.h"
 
 namespace tricover::bench {
 namespace {

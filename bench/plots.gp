@@ -1,5 +1,5 @@
 # Draws times.svg, distance.svg, impact.svg, figure12.svg and speedup.svg from the .dat files that plot_data.cpp wrote to the
-# directory `report`, and growth.svg from growth.csv there.
+# directory `report`, and first.svg from first.csv there.
 set encoding utf8
 kinds = "convex slim starred contour irregular 'with hole'"
 workloads = "circular linear 'gap 0.1' 'gap 0.01' contact near overlap"
@@ -136,51 +136,6 @@ do for [w = 1:7] {
 }
 unset multiplot
 
-# growth.svg: the rows of growth.csv, a panel a query.
-reset
-set encoding utf8
-set terminal svg size 1500,900 font "sans-serif,12" background "white"
-set output report."/growth.svg"
-set border lc rgb "#6b7280"
-set datafile separator ","
-table = "< sed 's/, /; /g' '".report."/growth.csv'"  # gnuplot ends names at commas, quoted or not
-stats table skip 1 using 3 nooutput
-count = STATS_records
-array input[count]
-array query[count]
-array n[count]
-do for [r = 1:count] {
-  stats table skip 1 every ::r - 1::r - 1 using (input[r] = strcol(1), query[r] = strcol(2), n[r] = $3, 0) nooutput
-}
-array panel[6] = ["contacts", "penetration", "distance", "time of impact", "collide", ""]
-array paint[9] = ["#1d4ed8", "#dc2626", "#0f9d58", "#f59e0b", "#a855f7", "#374151", "#0891b2", "#db7093", "#84cc16"]
-starts(text, start) = strlen(text) >= strlen(start) && text[1:strlen(start)] eq start
-set logscale xy
-set xrange [70:1e5]
-set yrange [3e-5:1e5]
-set format "10^{%L}"
-set tics nomirror
-set grid lt 1 lc rgb "#e5e7eb" lw 1
-set key left top Left reverse samplen 1 font ",11" opaque box lc rgb "#e5e7eb"
-set multiplot layout 2,3 margins 0.05,0.99,0.07,0.9 spacing 0.045,0.12 \
-  title "How costs grow with the size of the input (lower and flatter is better; dotted: like n, and like n^2)" font ",17"
-do for [p = 1:5] {
-  rows = ""
-  do for [r = 1:count] { if (starts(query[r], panel[p])) { rows = rows." ".r } }
-  set title panel[p] offset 0,-0.6
-  set xlabel "n" offset 0,0.5
-  set ylabel p % 3 == 1 ? "ms per query" : "" offset 1,0
-  name(i) = input[int(word(rows, i))].(query[int(word(rows, i))] eq panel[p] ? "" : query[int(word(rows, i))][strlen(panel[p]) + 1:*])
-  row(i) = int(word(rows, i)) - 1
-  plot for [power = 1:2] 1e-3 * (x / 70.) ** power with lines dt 3 lc rgb "#6b7280" notitle, \
-    for [i = 1:words(rows)] for [k = 0:2] table skip 1 every ::row(i)::row(i) \
-      using ($3 * 2**k):(1e3 * column(4 + k)):($3 * 2**k):(1e3 * (column(5 + k) - column(4 + k))) \
-      with vectors nohead lw 2 lc rgb paint[i] notitle, \
-    for [i = 1:words(rows)] for [k = 0:3] table skip 1 every ::row(i)::row(i) \
-      using ($3 * 2**k):(1e3 * column(4 + k)) with points pt 7 ps 0.6 lc rgb paint[i] title k == 0 ? name(i) : ""
-}
-unset multiplot
-
 # first.svg: the rows of first.csv that are near each other, a panel a polygon: time until the k-th answer.
 reset
 set encoding utf8
@@ -189,8 +144,8 @@ set output report."/first.svg"
 set border lc rgb "#6b7280"
 set datafile separator ","
 array polygon[7] = ["outline,4", "outline,8", "outline,24", "outline,64", "outline,1024", "convex,4", "convex,8"]
-array method[6] = ["tricover", "Boost", "GEOS", "GEOS prepared", "a plain loop", "Box2D"]
-array paint[6] = ["#1d4ed8", "#db7093", "#a855f7", "#6d28d9", "#374151", "#f59e0b"]
+array method[5] = ["tricover", "Boost", "GEOS", "GEOS prepared", "Box2D"]
+array paint[5] = ["#1d4ed8", "#db7093", "#a855f7", "#6d28d9", "#f59e0b"]
 set logscale xy
 set xrange [0.9:110]
 set format y "10^{%L}"
@@ -206,7 +161,7 @@ do for [p = 1:7] {
   unset key
   if (p == 7) { set key at graph 1.2,0.95 left top Left reverse samplen 2 font ",13" }
   plot 100 * x with lines dt 3 lc rgb "#6b7280" notitle, \
-    for [m = 1:(p > 5 ? 6 : 5)] "< grep '^".polygon[p].",near,.*,".method[m].",' '".report."/first.csv'" \
-      using 4:($4 * $6) with linespoints pt 7 ps 0.5 lw (m == 1 ? 2.6 : 1.6) lc rgb paint[m] title method[m]
+    for [m = 1:(p > 5 ? 5 : 4)] "< grep '^first,".polygon[p][1:comma - 1].",near.*,".polygon[p][comma + 1:*].",".polygon[p][comma + 1:*].",.*\"".method[m]."\"' '".report."/first.csv'" \
+      using 6:($6 * $10) with linespoints pt 7 ps 0.5 lw (m == 1 ? 2.6 : 1.6) lc rgb paint[m] title method[m]
 }
 unset multiplot

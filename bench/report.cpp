@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -17,21 +16,11 @@
 namespace tricover::bench {
 namespace {
 
-std::string rounded(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-std::string vertices(const Workload& workload) {
-  return std::to_string(workload.vertices_fixed) + " x " + std::to_string(workload.vertices_moving);
-}
-
 /// What is wrong in either direction with a workload's answers.
 std::pair<std::string, std::string> faults(const Workload& workload) {
   const std::string& name = workload.name;
   if (workload.job == "distance" || name == "distance") return {"too short", "too long"};
-  if (name == "sliding" || name == "turning" || name == "splines") return {"too early", "too late or missed"};
+  if (name == "sliding" || name == "turning") return {"too early", "too late or missed"};
   return {"false alarms", "misses"};
 }
 
@@ -39,7 +28,6 @@ const char* const kConditions =
     R"(- All methods of a cell are interleaved at random in one process. What would take longer visits a part of the
   positions, evenly spread; methods with coherence visit them in runs of 100. Poses are converted before.
 - Every timed answer is compared with that of `cold`, which the tests compare with exact arithmetic.
-- exact: calls of the exact stage in all of cold's queries together; the filters decided everything else.
 - cold: tricover's core without a PairCache; cached: with one; paper: the paper's Algorithm 3, repaired, with a
   MaskCache; plain signs: the core compiled with plain double signs, no filter, no exact stage.
 - via FCL: unmodified fcl::collide on tricover's shape. empty: the same for a registered function that does nothing.
@@ -66,21 +54,11 @@ const char* const kConditions =
   its skin is 3e-6 of the polygons' size.
 - The packaged libfcl has asserts on and SSE off. All its templates on the rivals' ways are compiled here, with the
   flags above and without asserts; libccd, BVH nodes' accessors and the broadphase are the packaged ones.
-- Countries: a query is one position of the moving country against all others. cold and cached have no broadphase and
-  ask about every country. For the others DynamicAABBTreeCollisionManager finds the pairs and unmodified fcl::collide
-  decides them; each prism is an object of its own, and further pairs with a country that is hit already are skipped.
-- Round shapes: unmodified fcl::collide, fcl::distance and fcl::continuousCollide, all between a polygon's prism and one
+- Round shapes: unmodified fcl::collide and fcl::distance between a polygon's prism and one
   and the same round body, which lies between the prism's ends; "swapped": it comes first. "FCL" has a Convex for the
   polygon; "FCL Box" is another form of 4 vertices, a rectangle. disc: PolygonShape(point, margin), in FCL's pairs a
-  Sphere; 1 x 1 are two discs. libccd and indep are FCL's solvers. FCL's advancement of two shapes stops at 1e-4 of the
-  motion; ours is asked for the same. FCL has none for ellipsoids. collide: about half of the poses collide; distance:
-  apart; sliding and turning: as above, but that the polygon turns.
-- Polygons and discs, without FCL: the core's polygon against point() with a margin, and against an 8-gon in its circle.
-- Splines: two robots of 1 m on cubic Hermite splines in a field of 10 m, as fcl::SplineMotion, by fcl::collide of two
-  ContinuousCollisionObjects; "15 samples" is CCDC_NAIVE, the others are CCDC_CONSERVATIVE_ADVANCEMENT. Late means later
-  than the sample after the contact.
-- Memory: heap bytes beyond the given rings after all kinds of boolean queries. Building: from rings to a polygon with
-  all of that.
+  Sphere; 1 x 1 are two discs. libccd and indep are FCL's solvers. collide: about half of the poses collide; distance:
+  apart.
 )";
 
 }  // namespace
@@ -121,30 +99,41 @@ std::string table(const std::vector<Result>& results) {
       if (!known) methods.push_back(timing.name);
     }
   }
-  std::vector<std::string> heads = {"workload", "vertices", "collisions", "exact"};
+  bool sized = false, counted = false, checked = false;
+  for (const Result& result : results) {
+    sized = sized || result.workload.vertices_fixed > 0;
+    counted = counted || result.collisions > 0;
+    for (const Timing& timing : result.timings) checked = checked || timing.checked > 0;
+  }
+  std::vector<std::string> heads = {"workload"};
+  if (sized) heads.push_back("vertices");
+  if (counted) heads.push_back("collisions");
+  const auto first = static_cast<std::ptrdiff_t>(heads.size());
   heads.insert(heads.end(), methods.begin(), methods.end());
   TextTable lines = {heads};
   std::string disagreements;
   for (const Result& result : results) {
     const Workload& workload = result.workload;
-    const std::string name = workload.scene + ", " + workload.name;
-    lines.push_back({name, vertices(workload),
-                     std::to_string(result.collisions) + " of " + std::to_string(workload.positions),
-                     std::to_string(result.exact_calls)});
+    lines.push_back({workload.scene + ", " + workload.name});
+    if (sized)
+      lines.back().push_back(std::to_string(workload.vertices_fixed) + " x " +
+                             std::to_string(workload.vertices_moving));
+    if (counted)
+      lines.back().push_back(std::to_string(result.collisions) + " of " + std::to_string(workload.positions));
     lines.back().resize(heads.size(), "");
     for (const Timing& timing : result.timings) {
-      const auto column = std::find(heads.begin() + 4, heads.end(), timing.name) - heads.begin();
-      lines.back()[static_cast<std::size_t>(column)] = rounded(timing.ns, timing.ns < 100 ? 1 : 0);
+      const auto column = std::find(heads.begin() + first, heads.end(), timing.name) - heads.begin();
+      lines.back()[static_cast<std::size_t>(column)] = formatted(timing.ns < 100 ? "%.1f" : "%.0f", timing.ns);
       if (timing.false_alarms + timing.misses == 0) continue;
       const auto [low, high] = faults(workload);
-      disagreements += "- " + name + ", " + vertices(workload) + ": " + timing.name + ": " +
-                       std::to_string(timing.false_alarms) + " " + low + " and " + std::to_string(timing.misses) + " " +
-                       high + " in " + std::to_string(timing.checked) + " queries\n";
+      disagreements += "- " + cellName(workload) + ": " + timing.name + ": " + std::to_string(timing.false_alarms) +
+                       " " + low + " and " + std::to_string(timing.misses) + " " + high + " in " +
+                       std::to_string(timing.checked) + " queries\n";
     }
   }
   if (disagreements.empty()) disagreements = "- none\n";
-  return "Nanoseconds per query:\n\n" + markdown(lines) + "\nDisagreements with tricover's exact answers:\n" +
-         disagreements;
+  return "Nanoseconds per query:\n\n" + markdown(lines) +
+         (checked ? "\nDisagreements with tricover's exact answers:\n" + disagreements : "");
 }
 
 void showProgress(std::size_t done, std::size_t total, const std::string& title) {
@@ -166,16 +155,22 @@ bool oursAgree(const std::vector<Result>& results) {
   return agree;
 }
 
+std::string quotedField(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
+
 std::string csv(const std::vector<Result>& results) {
+  constexpr const char* kRoles[] = {"ours", "rival", "box2d", "empty", "inexact"};
   std::ostringstream out;
-  out << "job,scene,workload,vertices_fixed,vertices_moving,queries,collisions,exact_calls,method,ns_per_query,"
+  out << "job,scene,workload,vertices_fixed,vertices_moving,queries,collisions,role,method,ns_per_query,"
          "checked,false_alarms,misses\n";
   for (const Result& result : results) {
     const Workload& w = result.workload;
     for (const Timing& t : result.timings) {
-      out << w.job << ',' << w.scene << ',' << w.name << ',' << w.vertices_fixed << ',' << w.vertices_moving << ','
-          << w.positions << ',' << result.collisions << ',' << result.exact_calls << ',' << std::quoted(t.name) << ','
-          << rounded(t.ns, 2) << ',' << t.checked << ',' << t.false_alarms << ',' << t.misses << '\n';
+      out << w.job << ',' << quotedField(w.scene) << ',' << quotedField(w.name) << ',' << w.vertices_fixed << ','
+          << w.vertices_moving << ',' << w.positions << ',' << result.collisions << ','
+          << kRoles[static_cast<int>(t.role)] << ",\"" << t.name << "\"," << formatted("%.6g", t.ns) << ',' << t.checked
+          << ',' << t.false_alarms << ',' << t.misses << '\n';
     }
   }
   return out.str();

@@ -21,6 +21,9 @@ std::string shortNumber(double value);
 /// By printf's format for one number.
 std::string formatted(const char* format, double value);
 
+/// A CSV field, in quotation marks if it has a comma.
+std::string quotedField(const std::string& text);
+
 /// A Markdown table, one row a workload, one column a method; and who answered wrongly how often.
 std::string table(const std::vector<Result>& results);
 

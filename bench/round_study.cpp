@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
-#include <fcl/geometry/shape/cone.h>
 #include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/ellipsoid.h>
 #include <fcl/geometry/shape/sphere.h>
 
 #include <cmath>
@@ -23,10 +21,8 @@
 namespace tricover::bench {
 namespace {
 
-/// Answers of FCL's solvers and ours: lengths of things a hundred units long. FCL's advancement of two shapes stops
-/// where its next step is below 1e-4 of the motion, which is early where it comes slowly.
+/// Answers of FCL's solvers and ours: lengths of things a hundred units long.
 constexpr Agreement kDistances = {0, {1e-6, 1e-6}, {1e-4, 1e-4}};
-constexpr Agreement kTimes = {1, {2 * kShapeTimeError, 2 * kShapeTimeError}, {1e-2, 2 * kShapeTimeError}};
 
 /// Half the height of polygons: all that is round lies between, so that FCL's answers in space are the plane's.
 constexpr double kUp = 60;
@@ -68,18 +64,11 @@ Body fclBody(const std::string& name, double radius, const Geometry& geometry, c
 }
 
 std::vector<Body> roundBodies() {
-  const auto about = [](const fcl::Vector3d& axis, double angle) {
-    return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
-  };
-  const fcl::Matrix3d upright = fcl::Matrix3d::Identity(), lying = about({0, 1, 0}, static_cast<double>(EIGEN_PI) / 2),
-                      tilted = about({1, 2, 0}, 0.7);
-  return {discBody(20),
-          fclBody("sphere", 20, std::make_shared<fcl::Sphered>(20), upright),
+  const fcl::Matrix3d upright = fcl::Matrix3d::Identity(),
+                      lying = Eigen::AngleAxisd(static_cast<double>(EIGEN_PI) / 2, fcl::Vector3d::UnitY()).matrix();
+  return {discBody(20), fclBody("sphere", 20, std::make_shared<fcl::Sphered>(20), upright),
           fclBody("cylinder", 20, std::make_shared<fcl::Cylinderd>(20, 40), upright),
-          fclBody("capsule", 35, std::make_shared<fcl::Capsuled>(15, 40), lying),
-          fclBody("tilted cylinder", 25, std::make_shared<fcl::Cylinderd>(15, 40), tilted),
-          fclBody("tilted cone", 25, std::make_shared<fcl::Coned>(20, 40), tilted),
-          fclBody("tilted ellipsoid", 25, std::make_shared<fcl::Ellipsoidd>(25, 15, 10), tilted)};
+          fclBody("capsule", 35, std::make_shared<fcl::Capsuled>(15, 40), lying)};
 }
 
 constexpr std::size_t kPositions = 250;
@@ -98,27 +87,9 @@ std::vector<fcl::Transform3d> randomPoses(double reach, const fcl::Matrix3d& til
   return poses;
 }
 
-/// From there inwards or past; where `turning`, the fixed body turns on its place meanwhile.
-Motions randomMotions(double reach, const fcl::Matrix3d& tilt, bool turning) {
-  support::Random random(12);
-  Motions motions;
-  for (const fcl::Transform3d& start : randomPoses(reach, tilt, 1.03, 1.5)) {
-    const double aside = random.real(-1.2, 1.2), length = reach * random.real(0.5, 2);
-    const fcl::Vector3d inwards = -start.translation().normalized();
-    const fcl::Vector3d way = Eigen::AngleAxisd(aside, fcl::Vector3d::UnitZ()) * inwards * length;
-    const fcl::Matrix3d turn =
-        Eigen::AngleAxisd(turning ? random.real(-2.6, 2.6) : 0, fcl::Vector3d::UnitZ()).toRotationMatrix();
-    motions.fixed.emplace_back(fcl::Matrix3d::Identity(), fcl::Vector3d::Zero(), turn, fcl::Vector3d::Zero(),
-                               fcl::Vector3d::Zero());
-    motions.moving.emplace_back(start.linear(), start.translation(), start.linear(),
-                                fcl::Vector3d(start.translation() + way), fcl::Vector3d::Zero());
-  }
-  return motions;
-}
-
 /// Ours and FCL's solvers, each in both orders. `Query` is one of rivals/fcl_pair.h.
-template <class Query, class Inputs>
-auto contenders(const Body& fixed, const Body& moving, const std::shared_ptr<const Inputs>& inputs) {
+template <class Query>
+auto contenders(const Body& fixed, const Body& moving, const std::shared_ptr<const Poses>& inputs) {
   using Answers = std::conditional_t<std::is_same_v<Query, PairCollide>, Hits, Values>;
   std::vector<ContenderFor<Answers>> all;
   const auto add = [&](const std::string& name, Role role, const Geometry& a, const Geometry& b,
@@ -129,9 +100,6 @@ auto contenders(const Body& fixed, const Body& moving, const std::shared_ptr<con
     }
   };
   add("via FCL", Role::Ours, fixed.ours, moving.ours, fcl::GST_LIBCCD);
-  // FCL has no conservative advancement of ellipsoids: it prints a warning and answers "free".
-  const bool is_ellipsoid = moving.ours->getNodeType() == fcl::GEOM_ELLIPSOID;
-  if (std::is_same_v<Query, PairAdvance> && is_ellipsoid) return all;
   for (const Form& form : fixed.theirs) {
     const Geometry& other = moving.theirs.front().geometry;
     add(form.name + " (libccd)", Role::Rival, form.geometry, other, fcl::GST_LIBCCD);
@@ -148,16 +116,9 @@ void measurePair(const Body& fixed, const Body& moving, const Settings& settings
   const auto poses = [&](double low, double high) {
     return std::make_shared<const Poses>(randomPoses(reach, moving.tilt, low, high));
   };
-  const auto motions = [&](bool turning) {
-    return std::make_shared<const Motions>(randomMotions(reach, moving.tilt, turning));
-  };
   results.push_back(measure(workload("collide"), contenders<PairCollide>(fixed, moving, poses(0.4, 1.2)), settings));
   results.push_back(
       measure(workload("distance"), contenders<PairDistance>(fixed, moving, poses(1.03, 2)), kDistances, settings));
-  results.push_back(
-      measure(workload("sliding"), contenders<PairAdvance>(fixed, moving, motions(false)), kTimes, settings));
-  results.push_back(
-      measure(workload("turning"), contenders<PairAdvance>(fixed, moving, motions(true)), kTimes, settings));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "countries.h"
 #include "measure.h"
 #include "poses.h"
 #include "workloads.h"
@@ -46,26 +47,21 @@ std::vector<Result> measureImpacts(const Cell& cell, const Settings& settings);
 /// it takes the polygons.
 std::vector<Result> measureContacts(const Settings& settings);
 
-/// The core's polygons of 8 and 64 vertices against a disc, a point with a margin, and beside it the same against an
-/// 8-gon of that size.
-std::vector<Result> measureDiscs(const Settings& settings);
-
 /// Through FCL: polygons of 4 (a rectangle), 8 and 64 vertices, and a disc, against discs of our own and FCL's sphere,
-/// cylinder, capsule, cone and ellipsoid, beside FCL's own pairs of the same kind; collide, distance and conservative
-/// advancement, in both orders of the operands.
+/// cylinder and capsule, beside FCL's own pairs of the same kind; collide and distance, in both orders of the operands.
 std::vector<Result> measureRounds(const Settings& settings);
-
-/// 500 round robots that move, through FCL's broadphase: discs of ours and FCL's spheres.
-Result measureRoundFleet(const Settings& settings);
 
 /// Soups of triangles, of needles and of overlapping rings on the study's workloads, with 15 to 1024 vertices. FCL's
 /// BVH gets the same triangles, flat. GEOS and Boost are left out: such rings aren't a valid geometry; so are FCL's
 /// convex solvers, which would have to ask each triangle against each.
 std::vector<Result> measureSoups(const Settings& settings);
 
-/// fcl::continuousCollide of two robots that both follow an fcl::SplineMotion, as a fleet planner asks it: by
-/// conservative advancement and by CCDC_NAIVE with 15 samples; footprints of ours and FCL's prisms, discs of ours and
-/// FCL's spheres. All motions are asked about, so that the misses are counted among all.
-std::vector<Result> measureSplines(const Settings& settings);
+/// Writes countries.svg (the main job with its hits), algorithm.svg (covering, influence areas and hits of one pair)
+/// and workloads.svg (the kinds of Figure 11 on their trajectories).
+void drawPictures(const Countries& countries, const std::string& directory);
+
+/// Writes what plots.gp draws of these results: times.dat, grid.dat, distance.dat and impact.dat in the directory.
+void writePlotData(const std::vector<Result>& study, const std::vector<Result>& distances,
+                   const std::vector<Result>& impacts, const std::string& directory);
 
 }  // namespace tricover::bench

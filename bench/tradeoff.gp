@@ -1,4 +1,4 @@
-# Draws tradeoff.svg, values.svg, accuracy.svg, extremes.svg and value_extremes.svg from the .dat files of these names in the directory `report`.
+# Draws tradeoff.svg, values.svg, accuracy.svg, extremes.svg and value_extremes.svg from tradeoff.dat, values.dat, accuracy.dat and extremes.dat in the directory `report`.
 array family[14] = ["bounding discs", "influence areas", "tricover, tolerance", "tricover, plain float", \
   "tricover, plain double", "tricover, exact", "FCL MPR (libccd)", "FCL GJK (libccd)", "FCL GJK (indep)", "FCL BVH", \
   "GEOS", "Boost.Geometry", "Box2D overlap", "Box2D manifold"]
@@ -134,8 +134,9 @@ set multiplot layout 2,2 margins 0.11,0.99,0.06,0.92 spacing 0.12,0.12 \
   title "Not right (%) at the extremes: wrong answers, exceptions, crashes (0 is best, and empty)" font ",16"
 do for [sweep = 0:3] {
   set title word("'vertices moved by' 'poses moved by' 'scaled by' 'slivers, squeezed to'", sweep + 1) font ",14"
-  plot report."/extremes.dat" index sweep using 1:2:5:xtic(4):ytic(bold(strcol(3))) with image pixels, \
-    '' index sweep using 1:2:(percent($5)):(ink($5)) with labels font ",8" tc rgb variable
+  block = "collide ".sweep
+  plot report."/extremes.dat" index block using 1:2:6:xtic(4):ytic(bold(strcol(3))) with image pixels, \
+    '' index block using 1:2:(percent($6)):(ink($6)) with labels font ",8" tc rgb variable
 }
 unset multiplot
 
@@ -164,11 +165,11 @@ do for [q = 1:4] {
     set ytics noenhanced
     block = query[q]." ".sweep
     if (sweep == 0) {
-      plot report."/value_extremes.dat" index block using 1:2:5:xtic(4):ytic(3) with image pixels, \
+      plot report."/extremes.dat" index block using 1:2:5:xtic(4):ytic(3) with image pixels, \
         '' index block using 1:2:(label($5, $6)):(ink($5 > -1 ? 1 : 0)) with labels font ",9" tc rgb variable
     } else {
       set ytics ("" 0)
-      plot report."/value_extremes.dat" index block using 1:2:5:xtic(4) with image pixels, \
+      plot report."/extremes.dat" index block using 1:2:5:xtic(4) with image pixels, \
         '' index block using 1:2:(label($5, $6)):(ink($5 > -1 ? 1 : 0)) with labels font ",9" tc rgb variable
       set ytics autofreq
     }

@@ -168,17 +168,10 @@ std::vector<ValueMethod> impactMethods(const Scene& scene, const std::vector<Mot
 
 std::vector<ValueMethod> penetrationMethods(const Scene& scene, const std::vector<Pose>& poses, bool convex) {
   std::vector<ValueMethod> methods;
-  for (const char* error : {"inf", "1", "0.3", "0.1", "0"}) {
-    PenetrationOptions options;
-    options.depth_error = std::stod(error);
-    const bool best = options.depth_error == 0;
-    if (convex && !best) continue;
-    methods.push_back(
-        plain("tricover", std::string("depth_error ") + error, best ? 1e-11 : kNothing, [=, &scene](std::size_t i) {
-          const auto found = penetration(scene.fixed, scene.fixed_pose, scene.moving, poses[i], options);
-          return found ? found->depth : 0;
-        }));
-  }
+  methods.push_back(plain("tricover", "", 1e-11, [=, &scene](std::size_t i) {
+    const auto found = penetration(scene.fixed, scene.fixed_pose, scene.moving, poses[i]);
+    return found ? found->depth : 0;
+  }));
   methods.push_back(plain("deepest of contacts()", "", kNothing, deepestContact(scene, poses, 0)));
   if (convex) addFclDepths(methods, scene, poses, 0);
   return methods;

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "child.h"
 #include "tradeoff_scenes.h"
 #include "tricover/motion.h"
 
 /// Ways to answer queries whose answer is a number, on a scene that must outlive them.
 namespace tricover::bench {
+
+/// Answers the query with that number.
+using Asker = std::function<double(std::size_t i)>;
 
 /// In place of a time or a depth: no contact.
 constexpr double kNoContact = std::numeric_limits<double>::infinity();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "value_tradeoff.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "report.h"
+#include "tradeoff.h"
 #include "value_problems.h"
 
 namespace tricover::bench {

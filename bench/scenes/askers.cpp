@@ -11,22 +11,18 @@
 
 namespace tricover::bench {
 
-FclAsker::FclAsker(const Placement& placement, const Polygon& moving, const std::string& manager)
+FclAsker::FclAsker(const Placement& placement, const Polygon& moving, bool array_tree)
     : moving_(std::make_unique<fcl::CollisionObjectd>(std::make_shared<tricover_fcl::PolygonShaped>(moving))) {
   std::map<std::uint64_t, std::shared_ptr<tricover_fcl::PolygonShaped>> shapes;  // one for all copies of a polygon
-  fcl::AABBd bounds;
-  double size = 0;
   std::vector<fcl::CollisionObjectd*> all;
   for (const auto& [polygon, pose] : placement) {
     auto& shape = shapes[polygon.id()];
     if (!shape) shape = std::make_shared<tricover_fcl::PolygonShaped>(polygon);
     still_.push_back(std::make_unique<fcl::CollisionObjectd>(shape, toTransform(pose)));
     still_.back()->computeAABB();
-    bounds += still_.back()->getAABB();
-    size = std::max(size, 2 * shape->aabb_radius);
     all.push_back(still_.back().get());
   }
-  manager_ = makeFclManager(manager, bounds.min_, bounds.max_, size);
+  manager_ = makeFclManager(array_tree);
   manager_->registerObjects(all);
   manager_->setup();
 }

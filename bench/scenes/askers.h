@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "core_scan.h"
@@ -33,26 +32,16 @@ class SceneAsker {
   void prepare(std::vector<Pose> poses) { poses_ = std::move(poses); }
   bool collide(std::size_t i) const { return scene_.collides(moving_, poses_[i]); }
 
- protected:
+ private:
   Scene scene_;
   Polygon moving_;
   std::vector<Pose> poses_;
 };
 
-/// With a SceneCache.
-class CachedSceneAsker : public SceneAsker {
- public:
-  using SceneAsker::SceneAsker;
-  bool collide(std::size_t i) { return scene_.collides(moving_, poses_[i], cache_); }
-
- private:
-  SceneCache cache_;
-};
-
 /// Our shapes under one of FCL's managers, by unmodified fcl::collide.
 class FclAsker {
  public:
-  FclAsker(const Placement& placement, const Polygon& moving, const std::string& manager);
+  FclAsker(const Placement& placement, const Polygon& moving, bool array_tree);
   void prepare(const std::vector<Pose>& poses);
   bool collide(std::size_t i);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "containers.h"
-
+#include <stdexcept>
+#include <string>
 #include <utility>
 
+#include "asked.h"
 #include "core_scan.h"
 #include "layout.h"
-#include "measure.h"
 #include "tricover/scene.h"
 
 namespace tricover::bench {
@@ -26,7 +26,6 @@ struct Trial {
   std::vector<Pose> poses;
   CoreScan scan;
   Scene scene;
-  SceneCache cache;
 };
 
 std::vector<Trial> trialsIn(const Placement& layout, const Placed& container, Placing placing) {
@@ -36,7 +35,7 @@ std::vector<Trial> trialsIn(const Placement& layout, const Placed& container, Pl
     const std::size_t part = k * layout.size() / kLifted;
     Placement others = layout;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(part));
-    Trial trial{layout[part].polygon, placings(layout[part], others, placing, kPoses, part), CoreScan(others), {}, {}};
+    Trial trial{layout[part].polygon, placings(layout[part], others, placing, kPoses, part), CoreScan(others), {}};
     for (const Placed& other : others) trial.scene.add(other.polygon, other.pose);
     trial.scene.add(container.polygon, container.pose);
     trials.push_back(std::move(trial));
@@ -44,66 +43,47 @@ std::vector<Trial> trialsIn(const Placement& layout, const Placed& container, Pl
   return trials;
 }
 
-ContainerCost costOf(const Placement& layout, const std::string& parts, Placing placing, const std::string& name) {
+Result costOf(const Placement& layout, const std::string& parts, Placing placing, const std::string& name) {
   const Eigen::AlignedBox2d hole = boundsOf(layout);
   const Placed container = containerOf(hole);
   std::vector<Trial> trials = trialsIn(layout, container, placing);
-  std::vector<bool> by_scan, by_scene, by_cache;
-  const auto task = [&](std::vector<bool>& answers, auto ask) {
-    return [&trials, &answers, ask] {
-      answers.clear();
-      for (Trial& trial : trials)
-        for (const Pose& pose : trial.poses) answers.push_back(ask(trial, pose));
-    };
+  std::vector<bool> by_scan, by_scene;
+  const auto task = [&](const char* method, Role role, std::vector<bool>& answers, auto ask) {
+    return Task{method, role, [&trials, &answers, ask] {
+                  answers.clear();
+                  for (const Trial& trial : trials)
+                    for (const Pose& pose : trial.poses) answers.push_back(ask(trial, pose));
+                }};
   };
   const auto scan = [&](const Trial& trial, const Pose& pose) {
     return trial.scan.collides(trial.part, pose) ||
            (!hole.contains(boundsOf(trial.part, pose)) && collide(container.polygon, container.pose, trial.part, pose));
   };
   const auto scene = [](const Trial& trial, const Pose& pose) { return trial.scene.collides(trial.part, pose); };
-  const auto cached = [](Trial& trial, const Pose& pose) {
-    return trial.scene.collides(trial.part, pose, trial.cache);
-  };
-  const std::vector<double> seconds =
-      secondsInTurn({task(by_scan, scan), task(by_scene, scene), task(by_cache, cached)}, 9, threadSeconds);
-  double hits = 0;
-  for (const bool hit : by_scan) hits += hit ? 1 : 0;
-  const auto count = static_cast<double>(by_scan.size());
-  return {parts,
-          name,
-          hits / count,
-          1e9 * seconds[0] / count,
-          1e9 * seconds[1] / count,
-          1e9 * seconds[2] / count,
-          by_scan == by_scene && by_scan == by_cache};
+  const std::size_t queries = trials.size() * trials.front().poses.size();
+  Result result =
+      measureInTurn({"container", parts, name, 0, 0, queries, 1},
+                    {task("scan", Role::Rival, by_scan, scan), task("scene", Role::Ours, by_scene, scene)}, 9);
+  if (by_scan != by_scene) throw std::logic_error("containers: scan and scene differ: " + parts + ", " + name);
+  for (const bool hit : by_scan) result.collisions += hit ? 1 : 0;
+  return result;
 }
 
 }  // namespace
 
-std::vector<ContainerCost> measureContainers() {
-  std::vector<ContainerCost> costs;
+std::vector<Result> measureContainers() {
+  std::vector<Result> results;
   for (const auto& [parts, least, most] : {std::tuple(16, 5, 8), {80, 5, 8}, {80, 12, 20}, {80, 40, 64}}) {
     const Placement layout = makeLayout(static_cast<std::size_t>(parts), least, most, 7);
-    const std::string name = std::to_string(parts) + " of " + std::to_string(least) + " to " + std::to_string(most);
+    const std::string name =
+        std::to_string(parts) + " parts of " + std::to_string(least) + " to " + std::to_string(most) + " vertices";
     for (const auto& [placing, way] : {std::pair(Placing::Free, "free"),
                                        {Placing::Local, "local"},
-                                       {Placing::LocalWide, "local, wide"},
+                                       {Placing::LocalWide, "local and wide"},
                                        {Placing::Uniform, "uniform"}})
-      costs.push_back(costOf(layout, name, placing, way));
+      results.push_back(costOf(layout, name, placing, way));
   }
-  return costs;
-}
-
-std::vector<Target> judgeContainers(const std::vector<ContainerCost>& costs) {
-  std::vector<Figure> few, many, cached;
-  for (const ContainerCost& cost : costs) {
-    const std::string cell = cost.parts + ", " + cost.placing;
-    (cost.parts.rfind("80", 0) == 0 ? many : few).push_back({cost.scan_ns / cost.scene_ns, cell});
-    cached.push_back({cost.cached_ns / cost.scene_ns, cell});
-  }
-  const std::string subject = "a part in its container, among ", compared = "a scan of boxes and our pairs / scene";
-  return {judged(subject + "16", compared, few, {true, 1.2}), judged(subject + "80", compared, many, {true, 1.5}),
-          judged("a part in its container", "with a SceneCache / without", cached, {false, 1.05})};
+  return results;
 }
 
 }  // namespace tricover::bench

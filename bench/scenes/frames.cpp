@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frames.h"
-
 #include <fcl/narrowphase/collision.h>
 
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -13,6 +10,7 @@
 #include "rivals/box2d_scene.h"
 #include "rivals/fcl_geometry.h"
 #include "rivals/fcl_manager.h"
+#include "scene_studies.h"
 #include "tricover/collide.h"
 #include "tricover/scene.h"
 #include "tricover_fcl/tricover_fcl.h"
@@ -61,36 +59,22 @@ class SceneFrames {
   FrameWalk walk_;
 };
 
-/// The name of ours: FCL's interface over a Scene.
-const char* const kSceneManager = "SceneManager";
-
 /// `Object` has a computeAABB() of its own.
 template <class Object>
 class FclFrames {
  public:
   template <class MakeGeometry>
-  FclFrames(SharedCrowd crowd, const std::string& manager, MakeGeometry make)
-      : crowd_(std::move(crowd)), objects_(kObjects) {
+  FclFrames(SharedCrowd crowd, FclManager manager, MakeGeometry make)
+      : crowd_(std::move(crowd)), objects_(kObjects), manager_(std::move(manager)) {
     for (const std::vector<Pose>& poses : crowd_->poses) transforms_.push_back(toTransforms(poses));
     std::vector<decltype(make(crowd_->shapes.front()))> geometries;
-    double size = 0;
-    for (const Polygon& shape : crowd_->shapes) {
-      geometries.push_back(make(shape));
-      size = std::max(size, 2 * geometries.back()->aabb_radius);
-    }
-    fcl::AABBd bounds;
+    for (const Polygon& shape : crowd_->shapes) geometries.push_back(make(shape));
     std::vector<fcl::CollisionObjectd*> all;
     for (std::size_t i = 0; i < kObjects; ++i) {
       objects_[i] = std::make_unique<Object>(geometries[i % geometries.size()]);
       objects_[i]->setUserData(&objects_[i]);
       place(i, 0);
-      bounds += objects_[i]->getAABB();
       all.push_back(objects_[i].get());
-    }
-    if (manager == kSceneManager) {
-      manager_ = std::make_unique<tricover_fcl::SceneManagerd>();
-    } else {
-      manager_ = makeFclManager(manager, bounds.min_, bounds.max_, size);
     }
     manager_->registerObjects(all);
     manager_->setup();
@@ -187,61 +171,42 @@ Contender ownContender(const std::string& name, Role role, std::shared_ptr<Frame
   return framesContender(name, role, [=](Hits& hits) { frames->walk(hits); });
 }
 
-/// Of the objects in all frames, those with a partner.
-double collidingShare(const Contender& contender) {
-  Hits hits;
-  contender.walk(Sampling{}, hits);
-  std::set<std::size_t> colliding;  // frame * kObjects + object
-  for (const std::uint32_t hit : hits) {
-    const std::size_t frame_and_i = hit / kObjects;
-    colliding.insert({frame_and_i, frame_and_i / kObjects * kObjects + hit % kObjects});
-  }
-  return static_cast<double>(colliding.size()) / (kObjects * kFrames);
-}
-
 /// Box2D is asked at several scales: where its skin of 0.02 is small to the bodies, so is what it grows their boxes by.
-void addBox2d(const Crowd& crowd, bool full, std::vector<Contender>& contenders) {
+void addBox2d(const Crowd& crowd, std::vector<Contender>& contenders) {
   const auto add = [&](const std::string& name, float scale) {
     contenders.push_back(ownContender(name, Role::Box2d, std::make_shared<Box2dFrames>(crowd, scale)));
   };
   add("Box2D", 1);
   add("Box2D, x 0.01", 0.01F);
-  if (!full) return;
-  add("Box2D, x 64", kBox2dScale);
   add("Box2D, x 0.1", 0.1F);
 }
 
-FramesResult measureKind(workloads::Kind kind, std::size_t vertices, double spacing, const Settings& settings,
-                         bool full) {
+Result measureKind(workloads::Kind kind, std::size_t vertices, double spacing, const Settings& settings) {
   const auto crowd = std::make_shared<const Crowd>(makeCrowd(kind, vertices, spacing, kObjects, kFrames));
   const auto shape = [](const Polygon& polygon) { return std::make_shared<tricover_fcl::PolygonShaped>(polygon); };
   const auto mesh = [](const Polygon& polygon) { return makeFlatMesh(triangulate(polygon)); };
-  const std::string best = fclManagers().front();
-  const auto shapes = std::make_shared<Objects>(crowd, best, shape);
+  const auto tree = [] { return makeFclManager(false); };
+  const auto shapes = std::make_shared<Objects>(crowd, tree(), shape);
   std::vector<Contender> contenders = {
       framesContender("cold", Role::Ours, [=](Hits& hits) { shapes->walk<Objects::askCore>(hits); }),
       ownContender("scene", Role::Ours, std::make_shared<SceneFrames>(crowd)),
-      fclContender("SceneManager", Role::Ours, std::make_shared<TightObjects>(crowd, kSceneManager, shape)),
+      fclContender("SceneManager", Role::Ours,
+                   std::make_shared<TightObjects>(crowd, std::make_unique<tricover_fcl::SceneManagerd>(), shape)),
       fclContender("via FCL", Role::Ours, shapes),
-      fclContender("tight boxes", Role::Ours, std::make_shared<TightObjects>(crowd, best, shape)),
-      fclContender("FCL BVH", Role::Rival, std::make_shared<Objects>(crowd, best, mesh)),
+      fclContender("tight boxes", Role::Ours, std::make_shared<TightObjects>(crowd, tree(), shape)),
+      fclContender("FCL BVH", Role::Rival, std::make_shared<Objects>(crowd, tree(), mesh)),
       framesContender("manager alone", Role::Floor, [=](Hits& hits) { shapes->walk<Objects::askNothing>(hits); })};
-  for (const std::string& manager : fclManagers()) {
-    if (!full || manager == best) continue;
-    contenders.push_back(
-        fclContender("via FCL, " + manager, Role::Ours, std::make_shared<Objects>(crowd, manager, shape)));
-  }
   const bool box2d = kind == workloads::Kind::Convex;
-  if (box2d) addBox2d(*crowd, full, contenders);
+  if (box2d) addBox2d(*crowd, contenders);
   const Workload workload{"frames", name(kind), "2000 moving", vertices, vertices, kFrames, kObjects * kObjects};
-  return {measure(workload, contenders, settings), collidingShare(contenders.front())};
+  return measure(workload, contenders, settings);
 }
 
 }  // namespace
 
-std::vector<FramesResult> measureFrames(const Settings& settings, bool full) {
-  return {measureKind(workloads::Kind::Contour, 64, kContourSpacing, settings, full),
-          measureKind(workloads::Kind::Convex, 8, kConvexSpacing, settings, full)};
+std::vector<Result> measureFrames(const Settings& settings) {
+  return {measureKind(workloads::Kind::Contour, 64, kContourSpacing, settings),
+          measureKind(workloads::Kind::Convex, 8, kConvexSpacing, settings)};
 }
 
 }  // namespace tricover::bench

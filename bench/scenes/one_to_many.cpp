@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "one_to_many.h"
-
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,6 +9,7 @@
 #include "maps.h"
 #include "rivals/boost_tree.h"
 #include "rivals/geos_tree.h"
+#include "scene_studies.h"
 
 namespace tricover::bench {
 namespace {
@@ -42,29 +41,23 @@ class InTurn {
   std::vector<std::unique_ptr<Asker>> askers_;
 };
 
-/// All that answers some questions, made ready once for all poses. Where `full`, with all of FCL's managers.
+/// All that answers some questions, made ready once for all poses.
 class Askers {
  public:
-  Askers(const Questions& questions, bool full) {
+  explicit Askers(const Questions& questions) {
     add("cold", Role::Ours, std::make_shared<InTurn<ScanAsker>>(questions));
     add("scene", Role::Ours, std::make_shared<InTurn<SceneAsker>>(questions));
-    add(kCached, Role::Ours, std::make_shared<InTurn<CachedSceneAsker>>(questions));
-    for (const std::string& manager : fclManagers()) {
-      const bool first = manager == fclManagers().front();
-      if (!full && !first) continue;
-      add(first ? "via FCL" : "via FCL, " + manager, Role::Ours,
-          std::make_shared<InTurn<FclAsker>>(questions, manager));
-    }
+    add("via FCL", Role::Ours, std::make_shared<InTurn<FclAsker>>(questions, false));
+    add("via FCL, array tree", Role::Ours, std::make_shared<InTurn<FclAsker>>(questions, true));
     add("GEOS STRtree", Role::Rival, std::make_shared<InTurn<GeosTree>>(questions));
     add("Boost rtree", Role::Rival, std::make_shared<InTurn<BoostTree>>(questions));
   }
 
-  Result measureOn(Workload workload, const PosesOfEach& poses, bool coherent, const Settings& settings) const {
+  Result measureOn(Workload workload, const PosesOfEach& poses, const Settings& settings) const {
     workload.positions = poses.size() * poses.front().size();
     workload.targets = 1;
     std::vector<Contender> contenders;
     for (const Method& method : methods_) {
-      if (method.name == kCached && !coherent) continue;
       method.prepare(poses);
       contenders.push_back(method.contender(workload.positions));
     }
@@ -72,8 +65,6 @@ class Askers {
   }
 
  private:
-  static constexpr const char* kCached = "scene, cached";
-
   struct Method {
     std::string name;
     std::function<void(const PosesOfEach& poses)> prepare;
@@ -84,7 +75,7 @@ class Askers {
   void add(const std::string& name, Role role, std::shared_ptr<Asker> asker) {
     methods_.push_back(
         {name, [=](const PosesOfEach& poses) { asker->prepare(poses); },
-         [=](std::size_t positions) { return bench::contender<Hits>(name, role, name == kCached, asker, positions); }});
+         [=](std::size_t positions) { return bench::contender<Hits>(name, role, false, asker, positions); }});
   }
 
   std::vector<Method> methods_;
@@ -119,7 +110,7 @@ PosesOfEach placingsOfEach(const Placement& layout, const Questions& questions, 
 
 }  // namespace
 
-std::vector<Result> measureLayouts(const Settings& settings, bool full) {
+std::vector<Result> measureLayouts(const Settings& settings) {
   constexpr std::size_t kParts = 80;
   const std::pair<int, int> classes[] = {{5, 8}, {12, 20}, {40, 64}, {120, 200}};
   const std::pair<Placing, const char*> ways[] = {
@@ -128,30 +119,29 @@ std::vector<Result> measureLayouts(const Settings& settings, bool full) {
   for (const auto& [least, most] : classes) {
     const Placement layout = makeLayout(kParts, least, most, 7);
     const Questions questions = questionsAbout(layout);
-    const Askers askers(questions, full);
+    const Askers askers(questions);
     const std::string scene = std::to_string(least) + " to " + std::to_string(most) + " vertices";
     for (const auto& [placing, name] : ways) {
       const Workload workload{"layout", scene, name, vertexCount(layout), static_cast<std::size_t>(most), 0, 0};
-      results.push_back(
-          askers.measureOn(workload, placingsOfEach(layout, questions, placing), /*coherent*/ false, settings));
+      results.push_back(askers.measureOn(workload, placingsOfEach(layout, questions, placing), settings));
     }
   }
   return results;
 }
 
-std::vector<Result> measureMaps(const Countries& countries, const Settings& settings, bool full) {
+std::vector<Result> measureMaps(const Countries& countries, const Settings& settings) {
   constexpr std::size_t kPoses = 10000;
   const Polygon robot = forkLift();
   std::vector<Result> results;
   for (const NamedMap& map : allMaps(countries)) {
     const Placement& bodies = map.bodies;
-    const Askers askers({{bodies, robot}}, full);
-    const auto measureOn = [&](const char* way, std::vector<Pose> poses, bool coherent) {
+    const Askers askers({{bodies, robot}});
+    const auto measureOn = [&](const char* way, std::vector<Pose> poses) {
       const Workload workload{"map", map.name, way, vertexCount(bodies), robot.vertexCount(), 0, 0};
-      results.push_back(askers.measureOn(workload, {std::move(poses)}, coherent, settings));
+      results.push_back(askers.measureOn(workload, {std::move(poses)}, settings));
     };
-    measureOn("random poses", randomPoses(bodies, kPoses, 3), false);
-    measureOn("a planner's path", plannerPath(bodies, robot, kPoses, 4), true);
+    measureOn("random poses", randomPoses(bodies, kPoses, 3));
+    measureOn("a planner's path", plannerPath(bodies, robot, kPoses, 4));
   }
   return results;
 }

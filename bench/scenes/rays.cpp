@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "maps.h"
-#include "one_to_many.h"
 #include "rivals/boost_tree.h"
 #include "rivals/box2d_scene.h"
+#include "scene_studies.h"
 #include "tricover/ray.h"
 #include "tricover/scene.h"
 

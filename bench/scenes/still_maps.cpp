@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "still_maps.h"
-
 #include <algorithm>
+#include <array>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 
-#include "measure.h"
+#include "asked.h"
+#include "placed.h"
 #include "random.h"
-#include "report.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
 #include "tricover/scene.h"
@@ -118,101 +116,52 @@ class TreeMap {
   Tree tree_;
 };
 
-/// Nanoseconds a query over these poses, and what they answered in all.
-template <class Ask>
-double nsOf(const std::vector<Pose>& poses, double& sum, Ask ask) {
-  const double start = threadSeconds();
-  for (const Pose& pose : poses) sum += ask(pose);
-  return 1e9 * (threadSeconds() - start) / static_cast<double>(poses.size());
-}
+/// What costOf() gives; all in ns but the first.
+constexpr const char* kFigures[] = {"bytes a body", "made and added", "collides", "nearest to a hexagon",
+                                    "nearest to a point"};
 
+/// `answers`: all of them added up, the same of all methods.
 template <class Map>
-StillMapCost costOf(const std::string& method, std::size_t bodies) {
+std::array<double, 5> costOf(std::size_t bodies, double& answers) {
   constexpr std::size_t kQueries = 20000;
   const Polygon hexagon = regular(6, 1), dot = point({0, 0});
   Places places(bodies, 2);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < kQueries; ++i) poses.push_back(places.next());
 
-  StillMapCost cost{method, bodies, 0, 0, 0, 0, 0, 0, 0};
   const std::size_t before = heapBytes();
   const double start = threadSeconds();
   const Map map(bodies);
-  cost.answers += map.collides(hexagon, poses[0]) ? 1 : 0;
+  answers += map.collides(hexagon, poses[0]) ? 1 : 0;
   const auto count = static_cast<double>(bodies);
-  cost.build_ns = 1e9 * (threadSeconds() - start) / count;
-  cost.bytes = static_cast<double>(heapBytes() - before) / count;
+  const double build_ns = 1e9 * (threadSeconds() - start) / count;
+  const double bytes = static_cast<double>(heapBytes() - before) / count;
+  const auto nsOf = [&](auto ask) {
+    const double from = threadSeconds();
+    for (const Pose& pose : poses) answers += ask(pose);
+    return 1e9 * (threadSeconds() - from) / static_cast<double>(kQueries);
+  };
   const auto collides = [&](const Pose& pose) { return map.collides(hexagon, pose) ? 1.0 : 0.0; };
-  cost.first_ns = nsOf(poses, cost.answers, collides);
-  cost.collides_ns = nsOf(poses, cost.answers, collides);
-  cost.hexagon_ns = nsOf(poses, cost.answers, [&](const Pose& pose) { return map.distance(hexagon, pose); });
-  cost.point_ns = nsOf(poses, cost.answers, [&](const Pose& pose) { return map.distance(dot, pose); });
-  return cost;
+  nsOf(collides);  // the first queries find cold caches
+  return {bytes, build_ns, nsOf(collides), nsOf([&](const Pose& pose) { return map.distance(hexagon, pose); }),
+          nsOf([&](const Pose& pose) { return map.distance(dot, pose); })};
 }
 
 }  // namespace
 
-std::vector<StillMapCost> measureStillMaps(std::size_t most) {
-  std::vector<StillMapCost> costs;
-  for (const std::size_t bodies : {std::size_t{10000}, most}) {
-    costs.push_back(costOf<SceneMap>("scene", bodies));
-    costs.push_back(costOf<TreeMap>("Boost rtree and our pairs", bodies));
+std::vector<Result> measureStillMaps() {
+  std::vector<Result> results;
+  for (const std::size_t bodies : {10000u, 1000000u}) {
+    double of_scene = 0, of_tree = 0;
+    const auto scene = costOf<SceneMap>(bodies, of_scene), tree = costOf<TreeMap>(bodies, of_tree);
+    if (std::abs(of_scene - of_tree) > 1e-9 * of_tree)
+      throw std::logic_error("still maps: the scene and the rtree give different answers");
+    for (std::size_t i = 0; i < scene.size(); ++i)
+      results.push_back({{"still map", std::to_string(bodies) + " 8-gons", kFigures[i], 0, 0, 1, 1},
+                         0,
+                         {{"scene", Role::Ours, scene[i], 0, 0, 0}, {"Boost rtree", Role::Rival, tree[i], 0, 0, 0}}});
   }
-  return costs;
-}
-
-std::vector<Target> judgeStillMaps(const std::vector<StillMapCost>& costs) {
-  std::vector<Figure> bytes, builds, collides, nearest;
-  for (std::size_t i = 0; i + 1 < costs.size(); i += 2) {
-    const StillMapCost &scene = costs[i], &tree = costs[i + 1];
-    const std::string cell = std::to_string(scene.bodies) + " 8-gons";
-    bytes.push_back({scene.bytes, cell});
-    builds.push_back({scene.build_ns, cell});
-    collides.push_back({tree.collides_ns / scene.collides_ns, cell});
-    nearest.push_back({tree.hexagon_ns / scene.hexagon_ns, cell + ", hexagon"});
-    nearest.push_back({tree.point_ns / scene.point_ns, cell + ", point"});
-  }
-  const std::string subject = "a still map", compared = "Boost rtree and our pairs / scene";
-  return {judged(subject, "bytes a body, its polygon included", bytes, {false, 640, 0, "bytes"}),
-          judged(subject, "a body made and added", builds, {false, 1000, 0, "ns"}),
-          judged(subject + ", collides", compared, collides, {true, 1}),
-          judged(subject + ", nearest", compared, nearest, {true, 1.2})};
-}
-
-std::vector<NearestCost> measureNearest() {
-  constexpr std::size_t kBodies = 10000, kPoses = 4000;
-  constexpr int kRounds = 7;
-  const Scene scene = sceneOf(kBodies);
-  const Polygon hexagon = regular(6, 1), dot = point({0, 0});
-  std::vector<NearestCost> costs;
-  for (const double step : {kInfinity, 0.2, 0.02}) {
-    Places places(kBodies, 2);
-    std::vector<Pose> poses = {places.next()};
-    while (poses.size() < kPoses) {
-      const Pose jump = places.next();
-      poses.push_back(step < kInfinity ? poses.back() * poseAt({step, 0}, step * jump.linear()(0, 0)) : jump);
-    }
-    for (const Polygon* polygon : {&hexagon, &dot}) {
-      double none = 0, cached = 0;
-      SceneCache cache;
-      const auto ask = [&](double& sum, auto&... kept) {
-        for (const Pose& pose : poses) sum += scene.nearest(*polygon, pose, kept...)->result.distance;
-      };
-      const std::vector<std::function<void()>> tasks = {[&] { ask(none); }, [&] { ask(cached, cache); }};
-      const std::vector<double> seconds = secondsInTurn(tasks, kRounds, threadSeconds);
-      const std::string walk = step < kInfinity ? "steps of " + shortNumber(step) : "jumps";
-      costs.push_back({(polygon == &hexagon ? "hexagon, " : "point, ") + walk, 1e9 * seconds[0] / kPoses,
-                       1e9 * seconds[1] / kPoses});
-      if (none != cached) throw std::logic_error("a cache changed the nearest body's distance");
-    }
-  }
-  return costs;
-}
-
-std::vector<Target> judgeNearest(const std::vector<NearestCost>& costs) {
-  std::vector<Figure> figures;
-  for (const NearestCost& cost : costs) figures.push_back({cost.cached_ns / cost.none_ns, cost.walk});
-  return {judged("the nearest of 10000 bodies", "with a SceneCache / without", figures, {false, 1.05})};
+  return results;
 }
 
 }  // namespace tricover::bench

@@ -10,4 +10,10 @@ namespace tricover::bench {
 /// which tradeoff.gp draws. False if one of ours is off by more than its setting allows.
 bool runValueTradeoff(const std::string& directory, bool full);
 
+/// Wrong collisions, and what distances, times of impact, penetrations and contacts are off by, with the scene moved
+/// far from the origin, scaled, and squeezed to slivers, each method at its best settings, against exact arithmetic.
+/// Writes
+/// `<directory>/extremes.md`, .csv and .dat. False if one of ours is wrong, or off by more than it allows.
+bool runExtremes(const std::string& directory, bool full);
+
 }  // namespace tricover::bench
