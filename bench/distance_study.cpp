@@ -7,6 +7,7 @@
 #include "methods.h"
 #include "rivals/boost_geometry.h"
 #include "rivals/box2d.h"
+#include "rivals/fcl_call.h"
 #include "rivals/fcl_distance.h"
 #include "rivals/geos.h"
 #include "studies.h"
@@ -18,8 +19,7 @@ namespace {
 /// Of the polygons' size, 100 units: GJK's tolerance and floats pass.
 constexpr Agreement kAgreement = {0, {0, 0}, {1e-4, 1e-4}};
 
-/// What compares all edges with all, and kIOS meshes, are timed up to this number of pairs: from there on they are
-/// slower than the others.
+/// What compares all edges with all is timed up to this number of pairs: from there on it is slower than the others.
 constexpr std::size_t kFewPairs = 64 * 64;
 
 /// The circle's first tenth, which begins at the smallest gap.
@@ -35,10 +35,9 @@ MethodTable<Values> methodsOn(const Polygon& fixed, const Polygon& moving) {
   table.add("cold", Role::Ours, false, std::make_shared<Core>(fixed, moving));
   table.add("cached", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving), onSmallSteps);
   table.add("via FCL", Role::Ours, true,
-            std::make_shared<FclDistanceCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
-                                              std::make_shared<tricover_fcl::PolygonShaped>(moving)));
+            std::make_shared<FclCall>(std::make_shared<tricover_fcl::PolygonShaped>(fixed),
+                                      std::make_shared<tricover_fcl::PolygonShaped>(moving)));
   table.add("FCL RSS", Role::Rival, false, std::make_shared<FclRssDistance>(fixed, moving));
-  if (few) table.add("FCL kIOS", Role::Rival, false, std::make_shared<FclKiosDistance>(fixed, moving));
   if (isConvex(fixed) && isConvex(moving)) {
     using Libccd = FclGjkDistance<fcl::detail::GJKSolver_libccdd>;
     using Indep = FclGjkDistance<fcl::detail::GJKSolver_indepd>;

@@ -18,7 +18,7 @@ const Columns kValues = {{"cold"},
                          {"cached"},
                          {"via FCL"},
                          {"FCL GJK (libccd)", "FCL GJK (indep)", "FCL GJK (indep) guess"},
-                         {"FCL RSS", "FCL kIOS", "FCL OBBRSS"},
+                         {"FCL RSS", "FCL OBBRSS"},
                          {"GEOS prepared", "GEOS"},
                          {"Boost"},
                          {"Box2D", "Box2D warm"}};

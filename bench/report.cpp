@@ -40,9 +40,9 @@ const char* const kConditions =
 - GEOS: a prepared polygon, by the C++ interface; the one with more vertices is prepared, the other one's coordinates
   are rewritten in place. Boost: boost::geometry::intersects; the one with fewer vertices is rewritten in place.
 - Distances: near and far are random poses whose regions are apart, the origins at 1.03 to 1.5 and 2 to 4 times their
-  distance at contact. FCL RSS (OBBRSS is the same here) and kIOS are flat meshes with these volumes, called without
+  distance at contact. FCL RSS (OBBRSS is the same here): flat meshes with that volume, called without
   fcl::distance's dispatch; FCL GJK (libccd) and (indep) take convex polygons as prisms; GEOS prepared is
-  PreparedGeometry::distance. GEOS (Geometry::distance) and Boost, which compare all edges with all, and kIOS are left
+  PreparedGeometry::distance. GEOS (Geometry::distance) and Boost, which compare all edges with all, are left
   out above 4096 pairs of edges. Box2D: b2Distance; "warm" starts from its last simplex. An answer of a rival is wrong
   if it is off by more than 1e-6 of the polygons' size; cached and via FCL must give cold's to the last bit.
 - Times of impact: sliding and turning (by up to 150 degrees) are random motions from near the fixed polygon, into it or

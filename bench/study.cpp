@@ -6,7 +6,6 @@
 #include "plain_core.h"
 #include "rivals/boost_geometry.h"
 #include "rivals/box2d.h"
-#include "rivals/empty_function.h"
 #include "rivals/fcl_bvh.h"
 #include "rivals/fcl_call.h"
 #include "rivals/fcl_convex.h"

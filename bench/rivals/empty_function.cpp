@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "empty_function.h"
-
 #include <fcl/narrowphase/collision.h>
+
+#include "fcl_call.h"
 
 namespace tricover::bench {
 namespace {

@@ -5,7 +5,6 @@
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 #include <fcl/narrowphase/detail/traversal/collision_node.h>
 #include <fcl/narrowphase/detail/traversal/distance/mesh_distance_traversal_node.h>
-#include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
 #include <memory>
@@ -47,7 +46,6 @@ class FclBvhDistance {
 
 /// An OBBRSS tree's distances are its RSS's.
 using FclRssDistance = FclBvhDistance<fcl::detail::MeshDistanceTraversalNodeRSSd, fcl::RSSd>;
-using FclKiosDistance = FclBvhDistance<fcl::detail::MeshDistanceTraversalNodekIOSd, fcl::kIOSd>;
 
 /// FCL's solvers on two convex polygons; `coherent` starts from the last answer (GST_INDEP only).
 template <class Solver>
@@ -67,28 +65,6 @@ class FclGjkDistance : public FclPieces {
 
  private:
   Solver solver_;
-};
-
-/// Two objects asked by the unmodified fcl::distance.
-class FclDistanceCall {
- public:
-  using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
-
-  FclDistanceCall(Geometry fixed, Geometry moving) : fixed_(std::move(fixed)), moving_(std::move(moving)) {}
-
-  void prepare(const std::vector<Pose>& poses) { transforms_ = toTransforms(poses); }
-
-  double value(std::size_t i) {
-    result_.clear();
-    moving_.setTransform(transforms_[i]);
-    return std::max(fcl::distance(&fixed_, &moving_, request_, result_), 0.0);
-  }
-
- private:
-  fcl::CollisionObjectd fixed_, moving_;
-  std::vector<fcl::Transform3d> transforms_;
-  fcl::DistanceRequestd request_;
-  fcl::DistanceResultd result_;
 };
 
 }  // namespace tricover::bench

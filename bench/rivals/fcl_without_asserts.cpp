@@ -2,7 +2,6 @@
 // The packaged libfcl has its asserts on. These definitions, compiled with our flags, come before libfcl's when the
 // program is linked, so that the rivals run without them: all that is a template on their ways, from the call down.
 #include <fcl/math/motion/interp_motion.h>
-#include <fcl/math/motion/spline_motion.h>
 #include <fcl/narrowphase/detail/convexity_based_algorithm/epa.h>
 #include <fcl/narrowphase/detail/convexity_based_algorithm/gjk.h>
 #include <fcl/narrowphase/detail/convexity_based_algorithm/gjk_libccd.h>
@@ -37,9 +36,7 @@ template bool detail::GJKDistance<double>(void*, ccd_support_fn, void*, ccd_supp
   template class detail::GJKInitializer<double, Shape<double>>;
 TRICOVER_INSTANTIATE(Box)
 TRICOVER_INSTANTIATE(Capsule)
-TRICOVER_INSTANTIATE(Cone)
 TRICOVER_INSTANTIATE(Cylinder)
-TRICOVER_INSTANTIATE(Ellipsoid)
 TRICOVER_INSTANTIATE(Sphere)
 #undef TRICOVER_INSTANTIATE
 template struct detail::EPA<double>;
@@ -54,7 +51,6 @@ template bool detail::sphereBoxDistance(const Sphere<double>&, const Transform3<
 
 // motions
 template class InterpMotion<double>;
-template class SplineMotion<double>;
 
 // BVH
 template class OBB<double>;
@@ -73,20 +69,14 @@ template void detail::collide(CollisionTraversalNodeBase<double>*, BVHFrontList*
 template void detail::collisionRecurse(CollisionTraversalNodeBase<double>*, int, int, BVHFrontList*);
 
 // distances and conservative advancement of BVH
-template class kIOS<double>;
 template double rectDistance(const Matrix3<double>&, const Vector3<double>&, const double[2], const double[2],
                              Vector3<double>*, Vector3<double>*);
 template class detail::TriangleDistance<double>;
 template class detail::DistanceTraversalNodeBase<double>;
-#define TRICOVER_INSTANTIATE(Volume)                                                                            \
-  template class detail::MeshDistanceTraversalNode##Volume<double>;                                             \
-  template bool detail::initialize(MeshDistanceTraversalNode##Volume<double>&, const BVHModel<Volume<double>>&, \
-                                   const Transform3<double>&, const BVHModel<Volume<double>>&,                  \
-                                   const Transform3<double>&, const DistanceRequest<double>&,                   \
-                                   DistanceResult<double>&);
-TRICOVER_INSTANTIATE(RSS)
-TRICOVER_INSTANTIATE(kIOS)
-#undef TRICOVER_INSTANTIATE
+template class detail::MeshDistanceTraversalNodeRSS<double>;
+template bool detail::initialize(MeshDistanceTraversalNodeRSS<double>&, const BVHModel<RSS<double>>&,
+                                 const Transform3<double>&, const BVHModel<RSS<double>>&, const Transform3<double>&,
+                                 const DistanceRequest<double>&, DistanceResult<double>&);
 template class detail::MeshConservativeAdvancementTraversalNodeRSS<double>;
 template class detail::MeshConservativeAdvancementTraversalNodeOBBRSS<double>;
 template class TriangleMotionBoundVisitor<double>;
