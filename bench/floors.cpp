@@ -19,7 +19,7 @@
 namespace tricover::bench {
 namespace {
 
-/// One workload and what each method took. `counts[i]` is of `result.timings[i]`.
+/// All workloads, and what each method took.
 using Cells = std::vector<Result>;
 
 std::vector<std::string> fieldsOf(const std::string& line) {
@@ -89,6 +89,10 @@ std::optional<double> core(const Result& result) {
   const auto cached = method("cached")(result);
   return cached ? cached : method("cold")(result);
 }
+/// The same number for every cell, so that a time itself can be a row: 1e3 makes microseconds of it.
+Ns constant(double ns) {
+  return [=](const Result&) { return std::optional<double>(ns); };
+}
 /// FCL's best solver of those that are called directly.
 const Ns kFclSolver =
     least([](const Timing& timing) { return timing.role == Role::Rival && timing.name.rfind("FCL", 0) == 0; });
@@ -125,8 +129,6 @@ struct Figure {
 using Figures = std::vector<Figure>;
 using Take = std::function<Figures(const Cells&)>;
 
-std::string nameOf(const Workload& w) { return cellName(w); }
-
 /// `above` / `below` of every cell that `holds` names and that has both.
 Take ratios(Holds holds, Ns above, Ns below) {
   return [=](const Cells& cells) {
@@ -134,7 +136,7 @@ Take ratios(Holds holds, Ns above, Ns below) {
     for (const Result& cell : cells) {
       if (!holds(cell.workload)) continue;
       const auto p = above(cell), q = below(cell);
-      if (p && q) figures.push_back({*p / *q, nameOf(cell.workload)});
+      if (p && q) figures.push_back({*p / *q, cellName(cell.workload)});
     }
     return figures;
   };
@@ -148,7 +150,7 @@ Take throughFcl(bool decided_first) {
     for (const Result& cell : cells) {
       const auto ours = method("via FCL")(cell), empty = method("empty")(cell), theirs = kFclSolver(cell);
       if (cell.workload.job == "study" && ours && empty && theirs && (*theirs < 4 * *empty) == decided_first)
-        figures.push_back({*theirs / *ours, nameOf(cell.workload)});
+        figures.push_back({*theirs / *ours, cellName(cell.workload)});
     }
     return figures;
   };
@@ -229,8 +231,8 @@ std::vector<Floor> allFloors() {
   const auto gap = [&](const char* query) {
     return ratios(job("gap") && named(query), method("gap 1e-12"), method("gap 0.001"));
   };
-  const auto still = [&](const char* name) {
-    return ratios(job("still map") && named(name), scene, [](const Result&) { return std::optional<double>(1); });
+  const auto still = [&](const char* name, double unit) {
+    return ratios(job("still map") && named(name), scene, constant(unit));
   };
   const auto detail = [&](const char* name) { return ratios(job("detail"), method(name), method("crossings")); };
   return {
@@ -298,8 +300,7 @@ std::vector<Floor> allFloors() {
       {"one polygon of up to 79,000 islands", "power of their number", "0.30", 0.35, kAtMost, Floor::Worst, "",
        growth(job("islands"), method("one polygon"))},
       {"locate among islands", "a query", "0.42", 3, kAtMost, Floor::Worst, "us",
-       ratios(job("islands") && named("locate"), method("one polygon"),
-              [](const Result&) { return std::optional<double>(1e3); })},
+       ratios(job("islands") && named("locate"), method("one polygon"), constant(1e3))},
       {"a cache beside none, collide", "cached / without", "1.04, once 1.37", 1.15, kAtMost, Floor::Worst, "x",
        cache("collide")},
       {"a cache beside none, distance", "cached / without", "1.05", 1.15, kAtMost, Floor::Worst, "x",
@@ -317,18 +318,12 @@ std::vector<Floor> allFloors() {
       {"penetration, contours of 512 deep in each other", "f8f33f8's, by way of GEOS's overlay / core", "1", 0.4,
        kAtLeast, Floor::Worst, "x", besidePenetrationBefore(512, kPenetration512)},
       {"maps at rest, up to one million 8-gons", "bytes a body, its polygon included", "617", 700, kAtMost,
-       Floor::Worst, "bytes", still("bytes")},
+       Floor::Worst, "bytes", still("bytes", 1)},
       {"maps at rest, up to one million 8-gons", "a body made and added", "0.95", 1.3, kAtMost, Floor::Worst, "us",
-       [=](const Cells& cells) {
-         Figures figures = still("made")(cells);
-         for (Figure& figure : figures) figure.value *= 1e-3;
-         return figures;
-       }},
+       still("made", 1e3)},
       {"distance at a gap of 1e-12", "/ at a gap of 1e-3", "1.1", 2, kAtMost, Floor::Worst, "x", gap("distance")},
       {"a body that tips, slides or rests close to another", "a time of impact, any gap and time_error", "0.060", 1,
-       kAtMost, Floor::Worst, "ms",
-       ratios(job("gap") && named("time of impact"), longest,
-              [](const Result&) { return std::optional<double>(1e6); })},
+       kAtMost, Floor::Worst, "ms", ratios(job("gap") && named("time of impact"), longest, constant(1e6))},
       {"collide in contact, 8 to 1,024 vertices", "power of their number", "", 1.3, kAtMost, Floor::Worst, "",
        growth(study && named("contact"), core)},
       {"distance, 8 to 1,024 vertices", "power of their number", "", 1.3, kAtMost, Floor::Worst, "",
