@@ -27,7 +27,7 @@ quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff b
 # Nothing of an earlier run may pass for a figure of this one.
 rm -f "$report"/*.{csv,md,dat,svg,html}
 failed=
-measure() { "$build/bench/$1" "${@:2}" > build/bench.log 2>&1 || { cat build/bench.log; failed+=" $1"; }; }
+measure() { "$build/bench/$1" "${@:2}" || failed+=" $1"; }
 step "contacts, caches, islands, maps at rest"
 measure bench_asked "$report"
 step "first answers"
@@ -43,6 +43,7 @@ measure bench_modelled "$report"
 step ""
 for plots in plots tradeoff; do LC_ALL=C.UTF-8 gnuplot -e "report='$report'" "bench/$plots.gp" || failed+=" $plots.gp"; done
 "$build/bench/bench_floors" "$report"
+[ "${1-}" = --full ] || echo "--full measures more cells of the same rows: the column cells says how many count here."
 "$build/bench/bench_pages" bench/pages.html "$report"
 if [ "${1-}" = --full ]; then
   mkdir -p bench/results
