@@ -19,6 +19,7 @@
 #include "random.h"
 #include "report.h"
 #include "tradeoff.h"
+#include "tradeoff_methods.h"
 #include "value_problems.h"
 
 namespace tricover::bench {
