@@ -25,7 +25,8 @@ int run(const std::string& directory) {
   std::vector<Result> all;
   for (const Study& study : studies) {
     const std::vector<Result> results = study.measure();
-    text += std::string("# ") + study.title + "\n\n" + table(results) + "\n";
+    text += std::string("# ") + study.title + "\n\n" +
+            table(results, "Nanoseconds per query, or bytes where that is said") + "\n";
     all.insert(all.end(), results.begin(), results.end());
   }
   writeFile(directory + "/asked.md", text +

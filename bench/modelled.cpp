@@ -279,7 +279,7 @@ int run(const std::string& directory) {
   std::string text = "# Model only what a scene requires\n\n";
   std::vector<Result> results;
   for (const std::vector<Result>& some : tables) {
-    text += table(some) + "\n";
+    text += table(some, "Bytes or nanoseconds, both polygons together") + "\n";
     results.insert(results.end(), some.begin(), some.end());
   }
   writeFile(directory + "/modelled.md", text + "# How it was measured\n\n" + kHow + "A PairCache itself is " +

@@ -91,7 +91,7 @@ std::string shortNumber(double value) {
   return text;
 }
 
-std::string table(const std::vector<Result>& results) {
+std::string table(const std::vector<Result>& results, const std::string& unit) {
   std::vector<std::string> methods;
   for (const Result& result : results) {
     for (const Timing& timing : result.timings) {
@@ -123,7 +123,8 @@ std::string table(const std::vector<Result>& results) {
     lines.back().resize(heads.size(), "");
     for (const Timing& timing : result.timings) {
       const auto column = std::find(heads.begin() + first, heads.end(), timing.name) - heads.begin();
-      lines.back()[static_cast<std::size_t>(column)] = formatted(timing.ns < 100 ? "%.1f" : "%.0f", timing.ns);
+      lines.back()[static_cast<std::size_t>(column)] =
+          timing.ns == 0 ? "0" : formatted(timing.ns < 100 ? "%.1f" : "%.0f", timing.ns);
       if (timing.false_alarms + timing.misses == 0) continue;
       const auto [low, high] = faults(workload);
       disagreements += "- " + cellName(workload) + ": " + timing.name + ": " + std::to_string(timing.false_alarms) +
@@ -132,7 +133,7 @@ std::string table(const std::vector<Result>& results) {
     }
   }
   if (disagreements.empty()) disagreements = "- none\n";
-  return "Nanoseconds per query:\n\n" + markdown(lines) +
+  return unit + ":\n\n" + markdown(lines) +
          (checked ? "\nDisagreements with tricover's exact answers:\n" + disagreements : "");
 }
 

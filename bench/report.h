@@ -25,7 +25,7 @@ std::string formatted(const char* format, double value);
 std::string quotedField(const std::string& text);
 
 /// A Markdown table, one row a workload, one column a method; and who answered wrongly how often.
-std::string table(const std::vector<Result>& results);
+std::string table(const std::vector<Result>& results, const std::string& unit = "Nanoseconds per query");
 
 /// One line a workload and method.
 std::string csv(const std::vector<Result>& results);
