@@ -2,7 +2,9 @@
 // The area and the centroid of a region, by what its fill rule calls inside: a sweep from the lowest vertex to the
 // highest one.
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -150,69 +152,36 @@ class Sweep {
   Moments sum_;
 };
 
-bool isBefore(const Vec2& p, const Vec2& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); }
-
-/// An edge from its first end, by isBefore(), to its last one. Crossing it changes the winding number by `winding`.
-struct OrderedEdge {
-  Vec2 first, last;
-  int winding;
-};
-
-/// The edges that have a length. Edges between the same two points are one; those that cancel are left out.
-std::vector<OrderedEdge> orderedEdges(const PolygonData& polygon) {
-  std::vector<OrderedEdge> edges;
-  edges.reserve(polygon.path.size());
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-      const Vec2 &v = polygon.path[e], &w = polygon.path[e + 1];
-      if (isBefore(v, w)) edges.push_back({v, w, 1});
-      if (isBefore(w, v)) edges.push_back({w, v, -1});
-    }
-  std::sort(edges.begin(), edges.end(), [](const OrderedEdge& p, const OrderedEdge& q) {
-    return p.first != q.first ? isBefore(p.first, q.first) : isBefore(p.last, q.last);
-  });
-  std::size_t count = 0;
-  for (const OrderedEdge& edge : edges) {
-    const bool is_new = count == 0 || edges[count - 1].first != edge.first || edges[count - 1].last != edge.last;
-    if (is_new && count > 0 && !isInside(polygon.fill, edges[count - 1].winding)) --count;
-    if (is_new)
-      edges[count++] = edge;
-    else
-      edges[count - 1].winding += edge.winding;
-  }
-  if (count > 0 && !isInside(polygon.fill, edges[count - 1].winding)) --count;
-  edges.resize(count);
-  return edges;
-}
-
-/// Whether the winding numbers on both sides of a line mean the same at every point of the edges on it.
-bool cancel(const OrderedEdge* begin, const OrderedEdge* end, FillRule fill) {
-  std::vector<std::pair<Vec2, int>> steps;
-  for (const OrderedEdge* edge = begin; edge != end; ++edge) {
-    steps.emplace_back(edge->first, edge->winding);
-    steps.emplace_back(edge->last, -edge->winding);
-  }
-  std::sort(steps.begin(), steps.end(), [](const auto& p, const auto& q) { return isBefore(p.first, q.first); });
-  int winding = 0;
-  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
-    winding += steps[i].second;
-    if (steps[i].first != steps[i + 1].first && isInside(fill, winding)) return false;
-  }
-  return true;
-}
+/// A point that is ordered by x, then by y, which is the order along any line.
+using Place = std::array<double, 2>;
+Place placeOf(const Vec2& p) { return {p.x(), p.y()}; }
 
 /// Whether the region has an area. It has none exactly if the edges on every line cancel: then no edge separates inside
 /// from outside. One line of edges that don't cancel proves an area, and most polygons have it first.
 bool hasArea(const PolygonData& polygon) {
-  std::vector<OrderedEdge> edges = orderedEdges(polygon);
-  for (OrderedEdge* begin = edges.data(); begin != edges.data() + edges.size();) {
-    const OrderedEdge first = *begin;
-    OrderedEdge* const end = std::partition(begin, edges.data() + edges.size(), [&](const OrderedEdge& edge) {
-      return orientation(first.first, first.last, edge.first) == 0 &&
-             orientation(first.first, first.last, edge.last) == 0;
-    });
-    if (!cancel(begin, end, polygon.fill)) return true;
-    begin = end;
+  // By the edge's ends, in their order: by how much crossing it changes the winding number.
+  std::map<std::array<Place, 2>, int> windings;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const Place v = placeOf(polygon.path[e]), w = placeOf(polygon.path[e + 1]);
+      if (v != w) windings[{std::min(v, w), std::max(v, w)}] += v < w ? 1 : -1;
+    }
+  std::vector<std::pair<std::array<Place, 2>, int>> edges;
+  for (const auto& edge : windings)
+    if (isInside(polygon.fill, edge.second)) edges.push_back(edge);
+  for (auto begin = edges.begin(); begin != edges.end();) {
+    const Vec2 first(begin->first[0].data()), last(begin->first[1].data());
+    const auto isOn = [&](const Place& p) { return orientation(first, last, Vec2(p.data())) == 0; };
+    const auto end = std::partition(begin, edges.end(),
+                                    [&](const auto& edge) { return isOn(edge.first[0]) && isOn(edge.first[1]); });
+    std::map<Place, int> steps;
+    for (; begin != end; ++begin) {
+      steps[begin->first[0]] += begin->second;
+      steps[begin->first[1]] -= begin->second;
+    }
+    int winding = 0;
+    for (const auto& step : steps)
+      if (isInside(polygon.fill, winding += step.second)) return true;
   }
   return false;
 }
