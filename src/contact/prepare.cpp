@@ -6,7 +6,6 @@
 #include "contact/region_sides.h"
 #include "convex/convex_outline.h"
 #include "hierarchy/hierarchy.h"
-#include "hierarchy/inclusion.h"
 #include "pair/ring_starts.h"
 
 namespace tricover {
@@ -25,7 +24,6 @@ void prepare(const Polygon& polygon) {
   }
   detail::meetsItself(data);
   detail::regionSidesOf(data);
-  detail::buildPlaces(data);
   detail::buildRingStarts(data);
 }
 

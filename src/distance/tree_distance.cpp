@@ -32,11 +32,10 @@ Outcome descend(const PosedPair& pair, DistanceSearch& search) {
   // to begin again without them. As patience is doubled, all beginnings together cost no more than the last.
   std::size_t patience = pair.a.path.size() + pair.b.path.size(), shown = 0;
   PrunedBoxes pruned;
-  Outcome outcome;
-  bool begins_again, by_rings;
+  bool begins_again;
   do {
     begins_again = false;
-    by_rings = forNearPairs(
+    forNearPairs(
         pair, limit(), pruned.pairs(),
         [&](double, std::size_t i, std::size_t j) {
           if (!search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))) return -1.0;
@@ -48,14 +47,9 @@ Outcome descend(const PosedPair& pair, DistanceSearch& search) {
         [&](double length) {
           search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
           return limit();
-        },
-        [&](std::size_t edge_a) {
-          outcome.collides = !pair.b.isDegenerate() && isInB(pair, edge_a);
-          if (outcome.collides) outcome.edge_a = static_cast<std::ptrdiff_t>(edge_a);
-          return outcome.collides;
         });
   } while (begins_again);
-  return search.meets() || outcome.collides ? outcome : findContainment(pair, !by_rings);
+  return search.meets() ? Outcome() : findContainment(pair);
 }
 
 /// Shows the search where the regions meet, which is known to be so, as collide() finds it: the deepest boxes first.

@@ -44,10 +44,9 @@ struct FittedBox {
   Double2 center, axis, extents;  ///< half of what it is along and across its axis
 };
 
-/// A part of the polygon that one box stands for: rings order[begin, end), a chain of edges [begin, end) of one ring,
-/// or edges tangled[begin, end).
+/// A part of the polygon that one box stands for: rings order[begin, end), or a chain of edges [begin, end) of one ring.
 struct Part {
-  enum Kind { Rings, Chain, Edges } kind;
+  enum Kind { Rings, Chain } kind;
   std::size_t begin, end;
 };
 
@@ -65,12 +64,6 @@ class Parts {
   Part parts_[kLanes];
   std::size_t size_ = 0;
 };
-
-/// Long edges beside each other, as in a spiral's outer turns, are near each other but far along their chain. Rings of
-/// at least this many edges are divided by where their edges lie if the boxes around eight edges of a chain cover more
-/// than this times the box around all, and those around eight that lie together cover half as much.
-constexpr std::size_t kMayTangle = 1024;
-constexpr double kTangled = 2;
 
 /// Of as many edges, if all blocks but one a level are full.
 std::size_t leastBlocks(std::size_t edges) {
@@ -141,32 +134,11 @@ class Builder {
     return turned ? fit(all, Double2{-longest[1], longest[0]}) : by_edge;
   }
 
-  /// A single ring is a chain, or edges.
-  Part rings(std::size_t begin, std::size_t end) {
+  /// A single ring is a chain.
+  Part rings(std::size_t begin, std::size_t end) const {
     if (end - begin > 1) return {Part::Rings, begin, end};
     const std::size_t one = order_.empty() ? 0 : order_[begin];
-    const Part ring = {Part::Chain, polygon_.edgeBegin(one), polygon_.edgeEnd(one)};
-    return ring.end - ring.begin < kMayTangle ? ring : untangled(ring);
-  }
-
-  Part untangled(const Part& ring) {
-    const double covered = coveredByLeaves(ring);
-    if (!(covered > kTangled * area(fit(ring)))) return ring;
-    const Part edges = {Part::Edges, tangled_.size(), tangled_.size() + ring.end - ring.begin};
-    tangled_.resize(edges.end);
-    std::iota(tangled_.begin() + static_cast<std::ptrdiff_t>(edges.begin), tangled_.end(),
-              static_cast<std::uint32_t>(ring.begin));
-    arrange(edges);
-    if (coveredByLeaves(edges) < 0.5 * covered) return edges;
-    tangled_.resize(edges.begin);
-    return ring;
-  }
-
-  double coveredByLeaves(const Part& edges) const {
-    if (edges.end - edges.begin <= kLanes) return area(fit(edges));
-    double covered = 0;
-    for (const Part& part : cut(edges)) covered += coveredByLeaves(part);
-    return covered;
+    return {Part::Chain, polygon_.edgeBegin(one), polygon_.edgeEnd(one)};
   }
 
   static double area(const FittedBox& box) { return box.extents[0] * box.extents[1]; }
@@ -174,16 +146,12 @@ class Builder {
   template <typename Visit>
   void forEachChain(const Part& part, Visit visit) const {
     if (part.kind == Part::Chain) return visit(part.begin, part.end);
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-      if (part.kind == Part::Rings)
-        visit(polygon_.edgeBegin(order_[i]), polygon_.edgeEnd(order_[i]));
-      else
-        visit(tangled_[i], tangled_[i] + 1);
-    }
+    for (std::size_t i = part.begin; i < part.end; ++i)
+      visit(polygon_.edgeBegin(order_[i]), polygon_.edgeEnd(order_[i]));
   }
 
   std::size_t edgeCount(const Part& part) const {
-    if (part.kind != Part::Rings) return part.end - part.begin;
+    if (part.kind == Part::Chain) return part.end - part.begin;
     std::size_t count = 0;
     forEachChain(part, [&](std::size_t begin, std::size_t end) { count += end - begin; });
     return count;
@@ -216,24 +184,21 @@ class Builder {
   }
 
   /// A chain's box lies along its chord or, if that is smaller, along the sum of its edges, each taken the way round
-  /// that makes the sum longer; so does the box of edges.
+  /// that makes the sum longer.
   FittedBox fit(const Part& part) const {
     if (part.kind == Part::Rings) return fit(part, Double2{1, 0});
-    if (part.kind == Part::Edges) return fit(part, sumOfEdges(part));
     if (part.end - part.begin == 1) return fitEdge(part.begin);
     const FittedBox along_chord = fit(part, load2(local_[part.end].data()) - load2(local_[part.begin].data()));
     const FittedBox along_sum = fit(part, sumOfEdges(part));
     return area(along_sum) < area(along_chord) ? along_sum : along_chord;
   }
 
-  Double2 sumOfEdges(const Part& part) const {
+  Double2 sumOfEdges(const Part& chain) const {
     Double2 sum{};
-    forEachChain(part, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Double2 edge = load2(local_[i + 1].data()) - load2(local_[i].data());
-        sum = dot(edge, sum) < 0 ? sum - edge : sum + edge;
-      }
-    });
+    for (std::size_t i = chain.begin; i < chain.end; ++i) {
+      const Double2 edge = load2(local_[i + 1].data()) - load2(local_[i].data());
+      sum = dot(edge, sum) < 0 ? sum - edge : sum + edge;
+    }
     return sum;
   }
 
@@ -258,24 +223,18 @@ class Builder {
     return all;
   }
 
-  /// Where one of a part's rings or edges is taken to be, twice.
-  Vec2 placeOf(Part::Kind kind, std::uint32_t item) const {
-    return kind == Part::Rings ? Vec2(2 * local_[polygon_.edgeBegin(item)]) : Vec2(local_[item] + local_[item + 1]);
-  }
-
-  /// Rings or edges parted at `mid`, along the longer side of their places' bounding box.
+  /// Divides rings at `mid`, along the longer side of the bounding box of their starts.
   void halve(const Part& whole, std::size_t mid) {
-    std::vector<std::uint32_t>& items = whole.kind == Part::Rings ? order_ : tangled_;
-    const auto place = [&](std::uint32_t item) { return placeOf(whole.kind, item); };
-    Vec2 low = place(items[whole.begin]), high = low;
+    const auto start = [&](std::uint32_t ring) -> const Vec2& { return local_[polygon_.edgeBegin(ring)]; };
+    Vec2 low = start(order_[whole.begin]), high = low;
     for (std::size_t i = whole.begin; i < whole.end; ++i) {
-      low = low.cwiseMin(place(items[i]));
-      high = high.cwiseMax(place(items[i]));
+      low = low.cwiseMin(start(order_[i]));
+      high = high.cwiseMax(start(order_[i]));
     }
     const int axis = high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
-    const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(whole.begin), at(mid), at(whole.end),
-                     [&](std::uint32_t r, std::uint32_t s) { return place(r)[axis] < place(s)[axis]; });
+                     [&](std::uint32_t r, std::uint32_t s) { return start(r)[axis] < start(s)[axis]; });
   }
 
   /// How many edges a ring takes the place of: small ones share a leaf, as many as fit, and a large one's blocks are
@@ -321,28 +280,13 @@ class Builder {
     return below;
   }
 
-  /// Edges evenly into as few parts, up to kLanes, as let the blocks below be full.
-  static Parts cut(const Part& edges) {
-    const std::size_t n = edges.end - edges.begin;
+  /// A chain evenly into as few parts, up to kLanes, as let the blocks below be full.
+  static Parts cut(const Part& chain) {
+    const std::size_t n = chain.end - chain.begin;
     const std::size_t below = roomBelow(n), k = (n + below - 1) / below;
     Parts parts;
-    for (std::size_t i = 0; i < k; ++i) parts.add({edges.kind, edges.begin + i * n / k, edges.begin + (i + 1) * n / k});
+    for (std::size_t i = 0; i < k; ++i) parts.add({Part::Chain, chain.begin + i * n / k, chain.begin + (i + 1) * n / k});
     return parts;
-  }
-
-  /// Puts edges in an order in which those that are cut apart lie apart.
-  void arrange(const Part& edges) {
-    const Parts parts = cut(edges);
-    if (parts.size() == 1) return;
-    arrange(parts, 0, parts.size());
-    for (const Part& part : parts) arrange(part);
-  }
-  void arrange(const Parts& parts, std::size_t first, std::size_t last) {
-    if (last - first == 1) return;
-    const std::size_t mid = (first + last) / 2;
-    halve({Part::Edges, parts[first].begin, parts[last - 1].end}, parts[mid].begin);
-    arrange(parts, first, mid);
-    arrange(parts, mid, last);
   }
 
   Parts edgesOf(const Part& part) const {
@@ -377,7 +321,6 @@ class Builder {
     block.scale = static_cast<float>(scale);
     block.inverse = static_cast<float>(1 / scale);
     block.leaf = leaf;
-    block.of_rings = !leaf && whole.kind == Part::Rings;
     block.count = static_cast<std::uint8_t>(parts.size());
     for (std::size_t i = 0; i < kLanes; ++i) {
       const Box box = i < parts.size() ? rounded(boxes[i], origin, 1 / scale) : Box{0, 0, 1, 0, -1e30f, -1e30f};
@@ -406,7 +349,7 @@ class Builder {
   const Vec2* const local_;
   Part all_;
   std::vector<Block> blocks_;
-  std::vector<std::uint32_t> order_, tangled_;  ///< rings, unless there is one alone; edges
+  std::vector<std::uint32_t> order_;  ///< of rings, unless there is one alone
 };
 
 /// Whether every block but the first is the child of one before it, and every lane of a leaf an edge of its own.

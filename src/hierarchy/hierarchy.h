@@ -17,8 +17,7 @@ struct Box {
   float x, y, ux, uy, along, across;
 };
 
-/// Up to eight boxes side by side, each around a chain of consecutive edges, edges that lie together or several rings,
-/// rounded outwards. They are floats relative to the block's own origin and scale, so that they are as precise as the
+/// Up to eight boxes side by side, each around a chain of consecutive edges or around several rings, rounded outwards. They are floats relative to the block's own origin and scale, so that they are as precise as the
 /// block is small.
 struct alignas(64) Block {
   float x[kLanes], y[kLanes], ux[kLanes], uy[kLanes], along[kLanes], across[kLanes];
@@ -30,7 +29,6 @@ struct alignas(64) Block {
   /// farther than 2 * across from the chain.
   std::uint8_t spanned;
   bool leaf;
-  bool of_rings;  ///< whether each box is around whole rings
 };
 static_assert(sizeof(Block) == 256, "four cache lines");
 
@@ -102,8 +100,6 @@ struct Hierarchy : Derived::Thing {
   std::unique_ptr<const SmallPolygon> small;   ///< null unless the polygon has few edges
   const SmallPolygon* small_convex = nullptr;  ///< null unless it is convex and has few corners, which these are
 
-  Derived places;  ///< known places, see inclusion.h
-  Rent<Stages::All> places_rent;
   Derived tangles;  ///< whether its edges meet each other, see meetsItself()
   Derived sides;    ///< of its rings on which the region is, see regionSidesOf()
 };

@@ -33,15 +33,6 @@ struct Descent {
   bool degenerate = false;  ///< whether a degenerate polygon is taken for its one edge alone
 };
 
-/// Whether b is so small, beside many small rings, that it isn't divided before a's edges near it are known: hardly any
-/// are. By the areas of their discs a few rings lie near it, if they are spread evenly.
-inline bool staysWhole(const Descent& d) {
-  const std::size_t rings = d.polygon_a.ringCount();
-  if (rings < 16 || d.polygon_a.path.size() > 17 * rings || d.b.small == nullptr) return false;
-  const double share = d.polygon_b.radius / d.polygon_a.radius;
-  return static_cast<double>(rings) * share * share <= 16;
-}
-
 /// Which edges make a hit. Lengths are in a's units.
 struct HitTest {
   const void* context;
@@ -49,15 +40,12 @@ struct HitTest {
   double reach;                                                               ///< edges beyond can't make a hit
   double accept;  ///< regions that are proven closer are a hit without asking edges; negative: never
   bool wants_clearance;
-  /// Null; or, where b staysWhole(), whether the ring that begins with this edge of a begins in b: which makes a hit,
-  /// too, and no such ring is left out.
-  bool (*holds)(const void* context, std::size_t edge_a) = nullptr;
 };
 
 struct DescentResult {
   bool hit;
   double clearance;             ///< no pair of edges is nearer, if there is no hit
-  std::int64_t edge_a, edge_b;  ///< of a hit; -1 if `accept` answered, the second one if b holds the ring
+  std::int64_t edge_a, edge_b;  ///< of a hit; -1 if `accept` answered
 };
 
 /// The first pair of edges that makes a hit, deepest box first.
@@ -72,6 +60,12 @@ struct PrunedPairs {
 struct Place {
   double x, y, error;
 };
+
+/// Calls visit(context, edge's position) for the edges that may be within `reach` of a point, as far as they are
+/// `marked`: a bit for each lane of each block, which in a block with children says that a child has a marked lane.
+extern Simd<void(const Hierarchy& hierarchy, const Place& place, double reach, const std::uint8_t* marked,
+                 void (*visit)(void*, std::uint32_t), void* context)>
+    visitMarkedNear;
 
 /// Which edge near a point makes a hit. Lengths are in the hierarchy's units.
 struct NearEdgeTest {
@@ -141,8 +135,6 @@ struct PairVisitor {
   /// Null, or told a length that some pair's distance is proven not to be above.
   double (*narrow)(void* context, double length);
   PrunedPairs pruned = {};  ///< aren't shown
-  /// Null, or as in HitTest: which ends the visit, too. It isn't asked unless b staysWhole().
-  bool (*holds)(void* context, std::uint32_t edge_a) = nullptr;
 };
 
 /// Shows every pair of edges that may be within the limit, near ones roughly first.
@@ -273,20 +265,5 @@ struct Ray {
 /// the ray.
 extern Simd<void(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context)>
     visitEdgesOnRay;
-
-/// The same for the edges of those rings alone whose boxes may hold the ray's begin: the others don't wind around it.
-/// False if such a ring has more edges than a block; then not all are shown.
-extern Simd<bool(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context)>
-    visitEdgesAround;
-
-/// The way from a point to a place that is known beside a block.
-struct WayToPlace {
-  void* context;
-  bool (*begin)(void* context, std::uint32_t block, Ray& way);  ///< false if none is known there
-  bool (*visit)(void* context, std::uint32_t edge);             ///< as above
-};
-/// The same for every edge on that way, the block being the leaf that is reached by the nearest box of each block, as
-/// floats see it. So only what is near is entered.
-extern Simd<void(const Hierarchy& hierarchy, const Place& from, const WayToPlace& to)> visitEdgesToPlace;
 
 }  // namespace tricover::detail

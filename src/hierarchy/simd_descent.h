@@ -352,11 +352,11 @@ template <class Lanes, class Goal>
   return false;
 }
 
-/// From a box of a's and all of b on. True if the goal ended it.
+/// From both roots on. True if the goal ended it.
 template <class Lanes, class Goal>
-[[gnu::always_inline]] inline bool descendBoth(const Descent& d, Goal& goal, std::uint32_t from_a = kRoot) {
+[[gnu::always_inline]] inline bool descendBoth(const Descent& d, Goal& goal) {
   Visits visits;
-  visits.a[0] = from_a;
+  visits.a[0] = kRoot;
   visits.b[0] = kRoot;
   visits.gap[0] = -1e30f;
   visits.top = 1;
@@ -379,6 +379,19 @@ template <class Lanes, class Goal>
       return true;
   }
   return false;
+}
+
+template <class Lanes>
+DescentResult findHit(const Descent& d, const HitTest& test) {
+  FindHit goal{test, d.limit, {false, 1e300, -1, -1}};
+  if (descendBoth<Lanes>(d, goal)) return goal.result;
+  return {false, goal.result.clearance > 0 ? goal.result.clearance : 0, -1, -1};
+}
+
+template <class Lanes>
+void showPairs(const Descent& d, const PairVisitor& visitor) {
+  ShowPairs goal{visitor, d.limit};
+  descendBoth<Lanes>(d, goal);
 }
 
 }  // namespace tricover::detail::simd

@@ -66,6 +66,24 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
 }
 
 template <class Lanes>
+void visitMarkedNear(const Hierarchy& hierarchy, const Place& place, double reach, const std::uint8_t* marked,
+                     void (*visit)(void*, std::uint32_t), void* context) {
+  const auto near = [&](const Block& block, float(&)[kLanes]) __attribute__((always_inline)) {
+    const unsigned lanes = marked[&block - hierarchy.blocks.data()];
+    const PlaceInBlock p = placeIn(block, place);
+    const float threshold = upwards(reach * block.inverse + p.slack);
+    if (!(p.slack < 1e15f && threshold < 1e15f)) return lanes;  // squares overflow
+    return lanes & ~above(boxDistances<Lanes>(block, p), Lanes::all(threshold));
+  };
+  const auto show = [&](const Block& block, unsigned lanes, const float*) __attribute__((always_inline)) {
+    for (; lanes != 0; lanes &= lanes - 1) visit(context, block.child[__builtin_ctz(lanes)]);
+    return true;
+  };
+  descendOne<false>(
+      hierarchy, [](float) { return true; }, near, show);
+}
+
+template <class Lanes>
 int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest]) {
   double upper = 1e30, low[kMostNearest];
   int found = 0;

@@ -2,7 +2,7 @@
 // A hierarchy and a ray. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/simd_point.h"
+#include "hierarchy/simd_tree.h"
 
 namespace tricover::detail::simd {
 
@@ -36,79 +36,17 @@ template <class Lanes>
   return lanesOf(block) & ~above(larger(beside, larger(behind, after)), Lanes::all(room));
 }
 
-/// Calls visit(context, edge) for a leaf's lanes until it returns false.
-[[gnu::always_inline]] inline bool visitLanes(const Block& block, unsigned lanes, bool (*visit)(void*, std::uint32_t),
-                                              void* context) {
-  for (; lanes != 0; lanes &= lanes - 1)
-    if (!visit(context, block.child[__builtin_ctz(lanes)])) return false;
-  return true;
-}
-
 template <class Lanes>
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
   descendOne<true>(
       hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > ray.length); },
       [&](const Block& block, float(&at)[kLanes])
           __attribute__((always_inline)) { return boxesOn<Lanes>(ray, block, at); },
-      [&](const Block& block, unsigned lanes, const float*)
-          __attribute__((always_inline)) { return visitLanes(block, lanes, visit, context); });
-}
-
-template <class Lanes>
-bool visitEdgesAround(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
-  bool all = true;
-  const auto near = [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
-    if (block.leaf) return boxesOn<Lanes>(ray, block, at);
-    all = all && block.of_rings;
-    if (!all) return 0u;
-    const PlaceInBlock p = placeIn(block, {ray.x, ray.y, ray.error});
-    return lanesOf(block) & ~above(boxDistances<Lanes>(block, p), Lanes::all(p.slack));
-  };
-  descendOne<false>(
-      hierarchy, [&](float) __attribute__((always_inline)) { return all; }, near,
-      [&](const Block& block, unsigned lanes, const float*)
-          __attribute__((always_inline)) { return visitLanes(block, lanes, visit, context); });
-  return all;
-}
-
-/// What the way may meet is no farther from its begin than the way is long; both are known to within its error.
-template <class Lanes>
-void visitEdgesToPlace(const Hierarchy& hierarchy, const Place& from, const WayToPlace& to) {
-  struct Passed {
-    const Block* block;
-    int entered;
-    float slack, at[kLanes];
-  } passed[kMaxDepth];
-  int count = 0;
-  std::uint32_t index = 0;
-  while (!hierarchy.blocks[index].leaf) {
-    Passed& here = passed[count++];
-    here.block = &hierarchy.blocks[index];
-    const PlaceInBlock p = placeIn(*here.block, from);
-    here.slack = p.slack;
-    boxDistances<Lanes>(*here.block, p).store(here.at);
-    here.entered = 0;
-    for (int i = 1; i < here.block->count; ++i) here.entered = here.at[i] < here.at[here.entered] ? i : here.entered;
-    index = here.block->child[here.entered];
-  }
-  Ray way;
-  if (!to.begin(to.context, index, way)) return;
-  NearBlocks blocks;
-  for (int k = 0; k < count; ++k) {
-    const Passed& here = passed[k];
-    const float reach = upwards((way.length + 2 * way.error) * here.block->inverse + here.slack);
-    const bool known = here.slack < 1e12f && reach < 1e12f;  // squares don't overflow
-    unsigned lanes = lanesOf(*here.block) & ~(1u << here.entered);
-    if (known) lanes &= ~above(Lanes::load(here.at), Lanes::all(reach));
-    for (; lanes != 0; lanes &= lanes - 1) blocks.add(here.block->child[__builtin_ctz(lanes)], 0);
-  }
-  blocks.add(index, 0);
-  descendOne<false>(
-      hierarchy, blocks, [](float) { return true; },
-      [&](const Block& block, float(&at)[kLanes])
-          __attribute__((always_inline)) { return boxesOn<Lanes>(way, block, at); },
-      [&](const Block& block, unsigned lanes, const float*)
-          __attribute__((always_inline)) { return visitLanes(block, lanes, to.visit, to.context); });
+      [&](const Block& block, unsigned lanes, const float*) __attribute__((always_inline)) {
+        for (; lanes != 0; lanes &= lanes - 1)
+          if (!visit(context, block.child[__builtin_ctz(lanes)])) return false;
+        return true;
+      });
 }
 
 }  // namespace tricover::detail::simd

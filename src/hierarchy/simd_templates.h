@@ -4,9 +4,9 @@
 
 #include "hierarchy/simd_boxes.h"
 #include "hierarchy/simd_depths.h"
+#include "hierarchy/simd_descent.h"
 #include "hierarchy/simd_point.h"
 #include "hierarchy/simd_ray.h"
-#include "hierarchy/simd_rings.h"
 #include "hierarchy/simd_shapes.h"
 #include "hierarchy/simd_small.h"
 #include "hierarchy/simd_small_gaps.h"

@@ -36,9 +36,10 @@ struct NearBlocks {
 /// child is entered if keeps(its at) says so by then. A leaf's lanes are edges: show(block, lanes, at) returns false to
 /// end the descent.
 template <bool kOrdered, class Keeps, class Near, class Show>
-[[gnu::always_inline]] inline void descendOne(const Hierarchy& hierarchy, NearBlocks& blocks, Keeps keeps, Near near,
-                                              Show show) {
+[[gnu::always_inline]] inline void descendOne(const Hierarchy& hierarchy, Keeps keeps, Near near, Show show) {
   const Block* all = hierarchy.blocks.data();
+  NearBlocks blocks;
+  blocks.add(0, 0);
   while (blocks.top > 0) {
     if (!keeps(blocks.at[--blocks.top])) continue;
     const Block& block = all[blocks.block[blocks.top]];
@@ -58,14 +59,6 @@ template <bool kOrdered, class Keeps, class Near, class Show>
     }
     if (kOrdered) blocks.raiseNearest(first);
   }
-}
-
-/// From the root on.
-template <bool kOrdered, class Keeps, class Near, class Show>
-[[gnu::always_inline]] inline void descendOne(const Hierarchy& hierarchy, Keeps keeps, Near near, Show show) {
-  NearBlocks blocks;
-  blocks.add(0, 0);
-  descendOne<kOrdered>(hierarchy, blocks, keeps, near, show);
 }
 
 }  // namespace tricover::detail::simd

@@ -10,12 +10,6 @@
 
 namespace tricover::detail {
 
-namespace {
-
-bool startIsInB(const void* test, std::size_t edge) { return isInB(static_cast<const EdgeTest*>(test)->pair(), edge); }
-
-}  // namespace
-
 Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test) {
   const SmallPolygon &a = *topOf(test.a).small_convex, &b = *topOf(test.b).small_convex;
   ConvexGap best;
@@ -32,9 +26,8 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
   const Descent descent{test.a,      test.b, hierarchyOf(test.a), hierarchyOf(test.b), at.map,
                         at.rounding, limit,  /*degenerate*/ true};
-  const bool by_rings = wanted == Wanted::Answer && !test.b.isDegenerate() && staysWhole(descent);
-  const DescentResult found = findHit(
-      descent, {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance, by_rings ? &startIsInB : nullptr});
+  const DescentResult found =
+      findHit(descent, {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
   Outcome outcome;
   if (found.hit) {
     outcome.collides = true;
@@ -42,7 +35,7 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
     outcome.edge_b = found.edge_b;
     return outcome;
   }
-  outcome = findContainment(test.pair(), !by_rings);
+  outcome = findContainment(test.pair());
   if (wanted == Wanted::Clearance)
     outcome.clearance = std::min(found.clearance * test.a.unit, std::numeric_limits<double>::max());
   return outcome;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair/containment.h"
 
-#include <cmath>
 #include <cstdint>
 
 #include "hierarchy/hierarchy.h"
@@ -30,42 +29,29 @@ struct DiscOfB {
     return !(squarable(radius) && dx * dx + dy * dy > radius * radius);
   }
 
-  /// The box that holds what it holds.
-  Vec2 low() const { return {x - reach(x), y - reach(y)}; }
-  Vec2 high() const { return {x + reach(x), y + reach(y)}; }
-
   double x, y, radius;
-
- private:
-  /// A coordinate of what it holds is no farther from its centre's, `c`.
-  double reach(double c) const { return radius + 4 * kUnitRoundoff * (std::abs(c) + radius); }
 };
 
 /// The position of the first edge of the first ring that starts inside; -1 if there is none. `disc()` is around all
-/// that may be inside; what isNear(p) leaves is located.
+/// starts that may be inside. Those that isNear(p) leaves are located.
 template <typename MakeDisc, typename IsNear, typename IsInside>
 [[gnu::always_inline]] inline std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isNear,
                                                          IsInside isInside) {
   std::size_t located = 0;
-  const auto starts_inside = [&](std::size_t ring) {
-    const Vec2& p = polygon.path[polygon.edgeBegin(ring)];
+  const auto starts_inside = [&](std::size_t edge) {
+    const Vec2& p = polygon.path[edge];
     return isNear(p) && (++located, isInside(p));
   };
-  const auto position = [&](std::size_t ring) { return static_cast<std::ptrdiff_t>(polygon.edgeBegin(ring)); };
   if (const RingStarts* starts = ringStarts(polygon)) {
     const DiscOfB around = disc();
-    for (const std::uint32_t ring : starts->within(around.low(), around.high()))
-      if (starts_inside(ring)) return position(ring);
+    for (const std::uint32_t edge : starts->near({around.x, around.y}, around.radius))
+      if (starts_inside(edge)) return edge;
     return -1;
   }
   for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-    if (starts_inside(ring)) return position(ring);
+    if (const std::size_t edge = polygon.edgeBegin(ring); starts_inside(edge)) return static_cast<std::ptrdiff_t>(edge);
   countRings(polygon, polygon.ringCount(), located);
   return -1;
-}
-
-bool holdsOfA(const PosedPair& pair, const Vec2& p) {
-  return locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside;
 }
 
 /// Of b in a, on its boundary or inside.
@@ -81,20 +67,20 @@ std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
   const DiscOfB disc(pair);
   return firstInside(
       pair.a, [&] { return disc; }, [&](const Vec2& p) { return disc.holds(p); },
-      [&](const Vec2& p) { return holdsOfA(pair, p); });
+      [&](const Vec2& p) {
+        return locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside;
+      });
 }
 
 }  // namespace
 
 std::ptrdiff_t ringInside(const PosedPair& pair) { return ringOfBInside(pair, Location::Inside); }
 
-bool isInB(const PosedPair& pair, std::size_t edge_a) { return holdsOfA(pair, pair.a.path[edge_a]); }
-
-Outcome findContainment(const PosedPair& pair, bool of_a_too) {
+Outcome findContainment(const PosedPair& pair) {
   Outcome outcome;
   // A segment holds nothing that doesn't meet it.
   if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair, Location::Boundary);
-  if (of_a_too && outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
+  if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
   outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
   return outcome;
 }

@@ -6,12 +6,9 @@
 
 namespace tricover::detail {
 
-/// Whether, no edges meeting, one region holds a ring of the other (repair 2): by one vertex of every ring, of a's only
-/// if they are asked for. Leaves clearance 0.
-Outcome findContainment(const PosedPair& pair, bool of_a_too = true);
-
-/// Whether the vertex of a at which this edge begins is in b.
-bool isInB(const PosedPair& pair, std::size_t edge_a);
+/// Whether, no edges meeting, one region holds a ring of the other (repair 2): by one vertex of every ring. Leaves
+/// clearance 0.
+Outcome findContainment(const PosedPair& pair);
 
 /// The position of the first edge of the first ring of b that starts inside of a, and not on its boundary; -1 if none
 /// does. Of rings that are connected only one may be asked, which stands for them where they don't meet a's edges.

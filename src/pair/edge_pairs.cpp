@@ -5,18 +5,16 @@
 
 namespace tricover::detail {
 
-bool showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visitor) {
+void showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visitor) {
   const UnitPlacement at = unitsOf(pair);
   const bool nearest = visitor.narrow != nullptr;
-  if (nearest && pair.b.isPoint()) {
+  if (nearest && pair.b.isPoint())
     showEdgesNear(hierarchyOf(pair.a), at.origin(), limit * at.inverse_unit,
                   static_cast<std::uint32_t>(pair.b.degenerate_edge), visitor);
-    return false;
-  }
-  const Descent descent{pair.a, pair.b,      hierarchyOf(pair.a),     hierarchyOf(pair.b),
-                        at.map, at.rounding, limit * at.inverse_unit, /*degenerate*/ nearest};
-  showPairs(descent, visitor);
-  return staysWhole(descent);
+  else
+    showPairs({pair.a, pair.b, hierarchyOf(pair.a), hierarchyOf(pair.b), at.map, at.rounding, limit * at.inverse_unit,
+               /*degenerate*/ nearest},
+              visitor);
 }
 
 }  // namespace tricover::detail

@@ -8,8 +8,8 @@ namespace tricover::detail {
 
 /// Shows every pair of edges (positions in the paths) whose distance may be at most `limit`, near ones roughly first.
 /// The limit is a length in a's frame (infinity shows all, in no order); what the visitor sees and returns is in a's
-/// units (PolygonData::unit). Whether b staysWhole(), so that visitor.holds was asked.
-bool showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visitor);
+/// units (PolygonData::unit).
+void showEdgePairs(const PosedPair& pair, double limit, const PairVisitor& visitor);
 
 template <typename Visit>
 struct PairCall {
@@ -32,23 +32,19 @@ void forEachPair(const PosedPair& pair, double limit, Visit visit, const PrunedP
 
 /// The same for who looks for the nearest: narrow(length) is told of lengths that some pair is proven to be within, and
 /// returns the new limit, too. Pruned boxes aren't shown, and of a point or segment only the one edge that is all of
-/// it. Where that returns true, holds(edge_a) was asked of the rings of a that begin in b, until it said yes.
-template <typename Visit, typename Narrow, typename Holds>
-bool forNearPairs(const PosedPair& pair, double limit, const PrunedPairs& pruned, Visit visit, Narrow narrow,
-                  Holds holds) {
+/// it.
+template <typename Visit, typename Narrow>
+void forNearPairs(const PosedPair& pair, double limit, const PrunedPairs& pruned, Visit visit, Narrow narrow) {
   struct Call : PairCall<Visit> {
     Narrow& narrow;
-    Holds& holds;
-    static Call& of(void* context) { return *static_cast<Call*>(static_cast<PairCall<Visit>*>(context)); }
-  } call{{visit, pair.a.unit, pair.a.inverse_unit}, narrow, holds};
-  return showEdgePairs(
-      pair, limit,
-      {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit,
-       [](void* context, double length) {
-         const Call& c = Call::of(context);
-         return c.narrow(length * c.unit) * c.inverse_unit;
-       },
-       pruned, [](void* context, std::uint32_t edge_a) { return Call::of(context).holds(std::size_t{edge_a}); }});
+  } call{{visit, pair.a.unit, pair.a.inverse_unit}, narrow};
+  showEdgePairs(pair, limit,
+                {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit,
+                 [](void* context, double length) {
+                   const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
+                   return c.narrow(length * c.unit) * c.inverse_unit;
+                 },
+                 pruned});
 }
 
 }  // namespace tricover::detail

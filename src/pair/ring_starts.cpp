@@ -9,13 +9,15 @@
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
-RingStarts::RingStarts(const PolygonData& polygon) {
+
+RingStarts::RingStarts(const PolygonData& polygon) : polygon_(polygon) {
+  const Hierarchy& hierarchy = hierarchyOf(polygon);
   std::vector<std::uint32_t> ring_of(polygon.path.size());
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) ring_of[e] = static_cast<std::uint32_t>(r);
   UnionFind connected(polygon.ringCount());
   std::size_t count = polygon.ringCount();
-  // Of a mesh's edges each meets some thirty others. Where there are more, what has been found will do.
+  // In a mesh, each edge meets some thirty others. Where there are more, the connections found so far will do.
   constexpr std::size_t kPairsPerEdge = 64;
   std::size_t pairs_left = kPairsPerEdge * polygon.path.size();
   const Pose still = Pose::Identity();
@@ -28,42 +30,29 @@ RingStarts::RingStarts(const PolygonData& polygon) {
     }
     return --pairs_left == 0 || count == 1 ? -1 : 0;
   });
-  starts_.reserve(count);
-  for (std::uint32_t r = 0; r < polygon.ringCount(); ++r)
-    if (connected.find(r) == r) starts_.push_back({polygon.path[polygon.edgeBegin(r)], r});
-  arrange(0, starts_.size(), 0);
-}
-
-void RingStarts::arrange(std::size_t begin, std::size_t end, int axis) {
-  if (end - begin < 2) return;
-  const auto at = [&](std::size_t i) { return starts_.begin() + static_cast<std::ptrdiff_t>(i); };
-  const std::size_t middle = begin + (end - begin) / 2;
-  std::nth_element(at(begin), at(middle), at(end),
-                   [&](const Start& p, const Start& q) { return p.at[axis] < q.at[axis]; });
-  arrange(begin, middle, 1 - axis);
-  arrange(middle + 1, end, 1 - axis);
-}
-
-template <typename Show>
-void RingStarts::visit(std::size_t begin, std::size_t end, int axis, const Vec2& low, const Vec2& high,
-                       Show show) const {
-  while (begin < end) {
-    const std::size_t middle = begin + (end - begin) / 2;
-    const Start& start = starts_[middle];
-    const bool below = start.at[axis]<low[axis], above = start.at[axis]> high[axis];  // false for NaN
-    if (!below && !above && !(start.at[1 - axis] < low[1 - axis]) && !(start.at[1 - axis] > high[1 - axis]))
-      show(start.ring);
-    axis = 1 - axis;
-    if (!below && !above) visit(begin, middle, axis, low, high, show);
-    (above ? end : begin) = above ? middle : middle + 1;
+  const auto isStart = [&](std::size_t edge) {
+    const std::size_t ring = ring_of[edge];
+    return edge == polygon.edgeBegin(ring) && connected.find(ring) == ring;
+  };
+  marked_.resize(hierarchy.blocks.size());
+  for (std::size_t k = marked_.size(); k-- > 0;) {  // children stand behind their parents
+    const Block& block = hierarchy.blocks[k];
+    for (unsigned i = 0; i < block.count; ++i)
+      if (block.leaf ? isStart(block.child[i]) : marked_[block.child[i]] != 0)
+        marked_[k] = static_cast<std::uint8_t>(marked_[k] | 1u << i);
   }
 }
 
-std::vector<std::uint32_t> RingStarts::within(const Vec2& low, const Vec2& high) const {
-  std::vector<std::uint32_t> rings;
-  visit(0, starts_.size(), 0, low, high, [&](std::uint32_t ring) { rings.push_back(ring); });
-  std::sort(rings.begin(), rings.end());
-  return rings;
+std::vector<std::uint32_t> RingStarts::near(const Vec2& point, double radius) const {
+  std::vector<std::uint32_t> edges;
+  const Vec2 at = polygon_.inUnits(point);
+  // Three roundings, of the point and of a start. The boxes of the largest of polygons tell nothing.
+  const double error = polygon_.fitsUnit() ? 0x1p-50 * (at.lpNorm<1>() + 1) : std::numeric_limits<double>::infinity();
+  visitMarkedNear(
+      hierarchyOf(polygon_), {at.x(), at.y(), error}, radius * polygon_.inverse_unit, marked_.data(),
+      [](void* to, std::uint32_t edge) { static_cast<std::vector<std::uint32_t>*>(to)->push_back(edge); }, &edges);
+  std::sort(edges.begin(), edges.end());
+  return edges;
 }
 
 namespace {

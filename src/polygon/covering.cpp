@@ -46,7 +46,7 @@ bool CoveringSum::add(std::size_t edge) {
   if (g == 0) return on_boundary_ = sign(v, w) == 0 && between(v, w), !on_boundary_;
   if (!(g > 0 ? counter_clockwise : clockwise)) return true;
   const int side = g * sign(v, w);
-  if (side == counted_side_) sum_ += side * (d_v != 0 && d_w != 0 ? 2 * g : g);
+  if (side > 0) sum_ += d_v != 0 && d_w != 0 ? 2 * g : g;
   on_boundary_ = side == 0;
   return !on_boundary_;
 }

@@ -33,35 +33,23 @@ inline bool outsideBoundingDisc(const PolygonData& polygon, const ApproxPoint& p
          (polygon.radius + 2 * p.error) * (1 + 4 * kUnitRoundoff);
 }
 
-/// A place in a polygon's frame, on no edge, and how often the rings wind around it.
-struct KnownPlace {
-  Vec2 at;
-  int winding;
-};
-
 /// The sum of the paper's Algorithm 1 with exact signs, twice the winding number, edge by edge. Any origin s serves
 /// that is not the point itself; the point lies in the triangle (s, v, w) of sign g if it is between the rays s->v and
 /// s->w (g d_v >= 0 >= g d_w, with d_v the sign of |s v p|) and on s's side of the edge; on one of the rays it counts
 /// half (the neighbouring triangle counts the other half).
 ///
-/// The edges of those triangles are what the ray from the point away from s meets. Those between s and the point, on
-/// the same line, are what the rings wind more often around s than around the point: where s is a known place, they are
-/// taken off its winding number instead.
+/// The edges of those triangles are what the ray from the point away from s meets.
 class CoveringSum {
  public:
   CoveringSum(const PolygonData& polygon, const IncludedPoint& point) : CoveringSum(polygon, point, polygon.origin) {}
   /// From `origin`, unless the point is near it.
   CoveringSum(const PolygonData& polygon, const IncludedPoint& point, const Vec2& origin);
 
-  /// From a known place.
-  CoveringSum(const PolygonData& polygon, const IncludedPoint& point, const KnownPlace& from)
-      : polygon_(polygon), point_(point), s_(from.at), sum_(2 * from.winding), counted_side_(-1) {}
-
   /// Takes the triangle of the edge at this position. False if the point is on the edge: nothing else matters then.
   bool add(std::size_t edge);
   void addAll();
 
-  /// Once every triangle that holds the point has been added; from a known place, every edge on the way from there.
+  /// Once every triangle that holds the point has been added.
   Inclusion result() const;
 
   const PolygonData& polygon() const { return polygon_; }
@@ -76,7 +64,6 @@ class CoveringSum {
   const IncludedPoint& point_;
   Vec2 s_;
   int sum_ = 0;
-  int counted_side_ = 1;  ///< of an edge on the line through s and the point: the point is on s's side of it, or not
   bool on_boundary_ = false;
 };
 

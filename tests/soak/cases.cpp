@@ -91,7 +91,7 @@ std::vector<Ring> severalRings(Random& random) {
   return rings;
 }
 
-/// Islands of a map, some of which touch: so many that known places lie among them, where as many are asked for.
+/// Islands of a map, some of which touch: so many that their starts are found by the tree, where as many are asked for.
 std::vector<Ring> map(Random& random, int most_vertices) {
   std::vector<Ring> rings;
   const int side = most_vertices < 40 ? 2 : random.integer(4, 5);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points in polygons of many rings: by the rings around them and by known places as by all edges, and as exact
-// rationals say.
+// Points in polygons of many rings: by the edges along a ray as by all edges, and as exact rationals say.
 #include "hierarchy/inclusion.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +10,9 @@
 #include <vector>
 
 #include "exact_reference.h"
-#include "hierarchy/hierarchy.h"
 #include "pair/posed_pair.h"
 #include "random.h"
 #include "shapes.h"
-#include "stages.h"
 #include "test_scale.h"
 #include "tricover/prepare.h"
 
@@ -75,7 +72,7 @@ Vec2 somePoint(Random& random, const Polygon& polygon, double size) {
   }
 }
 
-/// By the rings around it or by known places, which is expected to be as by all edges.
+/// By the edges along a ray, which is expected to be as by all edges.
 Inclusion located(const Polygon& polygon, const IncludedPoint& point) {
   const Inclusion found = includeInPolygon(polygon.data(), point), truth = includeInCovering(polygon.data(), point);
   EXPECT_EQ(found.location, truth.location);
@@ -83,14 +80,13 @@ Inclusion located(const Polygon& polygon, const IncludedPoint& point) {
   return found;
 }
 
-TEST(Inclusion, ByKnownPlacesIsAsByAllEdges) {
+TEST(Inclusion, AlongARayIsAsByAllEdges) {
   int inside = 0, outside = 0, boundary = 0;
   for (int i = 0; i < scaledCount(300); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const double size = random.coin() ? 1 : std::pow(2, random.integer(-900, 900));
     const Polygon polygon = manyRings(random, size);
     prepare(polygon);
-    ASSERT_NE(hierarchyOf(polygon.data()).places.ifBuilt(), nullptr);
     for (int k = 0; k < 60; ++k) {
       const Vec2 p = somePoint(random, polygon, size);
       const Inclusion found = located(polygon, IncludedPoint::ofFrame(p));
@@ -109,7 +105,7 @@ TEST(Inclusion, ByKnownPlacesIsAsByAllEdges) {
 }
 
 /// Under poses, by which the point is known only roughly in the polygon's frame, or not at all so far away.
-TEST(Inclusion, ByKnownPlacesUnderPoses) {
+TEST(Inclusion, AlongARayUnderPoses) {
   int inside = 0, all = 0;
   for (int i = 0; i < scaledCount(200); ++i) {
     Random random(static_cast<std::uint64_t>(i) + 1000);
@@ -135,7 +131,7 @@ TEST(Inclusion, ByKnownPlacesUnderPoses) {
 }
 
 /// A point that is known only so far that it may seem to be beyond an edge, as a far pose makes of it.
-TEST(Inclusion, ByKnownPlacesOfPointsKnownRoughly) {
+TEST(Inclusion, AlongARayOfPointsKnownRoughly) {
   int inside = 0, all = 0;
   for (int i = 0; i < scaledCount(200); ++i) {
     Random random(static_cast<std::uint64_t>(i) + 2000);
@@ -154,23 +150,6 @@ TEST(Inclusion, ByKnownPlacesOfPointsKnownRoughly) {
   }
   EXPECT_GE(inside, all / 10);
   EXPECT_LE(inside, 9 * all / 10);
-}
-
-/// Rays to the end until they have paid for known places, and none of fewer rings or of rings of few edges.
-TEST(Inclusion, KnownPlacesAreBuiltOncePaidFor) {
-  const UpTo paid(detail::Stages::Paid);
-  Random random(1);
-  for (const auto& [count, edges] : {std::pair{15, 12}, {64, 8}, {64, 12}}) {
-    std::vector<Ring> rings;
-    for (int i = 0; i < count; ++i) rings.push_back(star(random, edges, 0.4, 0.5, {i % 8 + 0.5, i / 8 + 0.5}));
-    const Polygon polygon(rings);
-    const detail::Hierarchy& hierarchy = hierarchyOf(polygon.data());
-    int asked = 0;
-    for (; asked < 10000 && hierarchy.places.ifBuilt() == nullptr; ++asked)
-      locate(polygon, {random.real(0, 8), random.real(0, 2)});
-    EXPECT_GE(asked, 10) << count;
-    EXPECT_EQ(hierarchy.places.ifBuilt() != nullptr, count == 64 && edges > 8);
-  }
 }
 
 }  // namespace

@@ -26,8 +26,12 @@
 namespace tricover::support {
 namespace {
 
-/// NaN is no bound.
-const Vec2 kNone = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+constexpr double kAny = std::numeric_limits<double>::quiet_NaN();  ///< no bound
+
+/// The position of a ring's first edge.
+std::uint32_t startOf(const Polygon& polygon, std::uint32_t ring) {
+  return static_cast<std::uint32_t>(polygon.data().edgeBegin(ring));
+}
 
 /// Each group of rings whose edges meet, by its first.
 std::vector<std::uint32_t> firstRings(const Polygon& polygon) {
@@ -44,6 +48,12 @@ std::vector<std::uint32_t> firstRings(const Polygon& polygon) {
   for (std::uint32_t r = 0; r < group.size(); ++r)
     if (group[r] == r) firsts.push_back(r);
   return firsts;
+}
+
+std::vector<std::uint32_t> firstStarts(const Polygon& polygon) {
+  std::vector<std::uint32_t> starts = firstRings(polygon);
+  for (std::uint32_t& start : starts) start = startOf(polygon, start);
+  return starts;
 }
 
 /// Triangles on a small grid: they overlap, touch at corners or along edges, hold each other, or are apart. Beside the
@@ -64,8 +74,8 @@ TEST(RingStarts, AreOneAComponent) {
   for (int i = 0; i < scaledCount(300); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon polygon = triangles(random);
-    const std::vector<std::uint32_t> truth = firstRings(polygon);
-    EXPECT_EQ(detail::RingStarts(polygon.data()).within(kNone, kNone), truth) << i;
+    const std::vector<std::uint32_t> truth = firstStarts(polygon);
+    EXPECT_EQ(detail::RingStarts(polygon.data()).near({0, 0}, kAny), truth) << i;
     rings += static_cast<int>(polygon.rings().size());
     starts += static_cast<int>(truth.size());
   }
@@ -78,18 +88,16 @@ TEST(RingStarts, AreFoundByPlace) {
   for (int i = 0; i < 20; ++i) rings.push_back(rectangle(7 * i % 20, 0, 7 * i % 20 + 0.5, 1));
   const Polygon polygon(rings);
   const detail::RingStarts starts(polygon.data());
-  EXPECT_EQ(starts.count(), 20u);
-  // At 14, 0, 7 and 1; bounds are included.
-  EXPECT_EQ(starts.within({14, 0}, {14, 0}), (std::vector<std::uint32_t>{2}));
-  EXPECT_EQ(starts.within({-1, -1}, {1, 1}), (std::vector<std::uint32_t>{0, 3}));
-  EXPECT_TRUE(starts.within({1.25, -1}, {1.75, 1}).empty());
-  EXPECT_TRUE(starts.within({-1, 0.25}, {30, 0.75}).empty());
-  EXPECT_TRUE(starts.within({2, -1}, {1, 1}).empty());
-  EXPECT_EQ(starts.within(kNone, kNone).size(), 20u);
+  // At 14, 0, 7 and 1, by the edges that begin there; the bound is included.
+  EXPECT_EQ(starts.near({14, 0}, 0), (std::vector<std::uint32_t>{startOf(polygon, 2)}));
+  EXPECT_EQ(starts.near({0, -1}, 1.5), (std::vector<std::uint32_t>{startOf(polygon, 0), startOf(polygon, 3)}));
+  EXPECT_TRUE(starts.near({0.75, 0.5}, 0.2).empty());
+  EXPECT_TRUE(starts.near({10, 0.5}, 0.4).empty());
+  EXPECT_EQ(starts.near({0, 0}, kAny).size(), 20u);
 }
 
-/// Starts on a small grid, many of them at one place, and boxes that end at them.
-TEST(RingStarts, AreThoseInTheBox) {
+/// Starts on a small grid, many of them at one place, and discs that end at them.
+TEST(RingStarts, AreThoseInTheDisc) {
   int found = 0, all = 0;
   for (int i = 0; i < scaledCount(300); ++i) {
     Random random(static_cast<std::uint64_t>(i) + 9000);
@@ -103,14 +111,12 @@ TEST(RingStarts, AreThoseInTheBox) {
     const detail::RingStarts starts(polygon.data());
     const std::vector<std::uint32_t> firsts = firstRings(polygon);
     for (int k = 0; k < 10; ++k) {
-      const Vec2 low(random.integer(-1, 6), random.integer(-1, 6)),
-          high = low + Vec2(random.integer(-1, 4), random.integer(-1, 4));
+      const Vec2 center(random.integer(-1, 7), random.integer(-1, 7));
+      const double radius = random.integer(0, 3);
       std::vector<std::uint32_t> truth;
-      for (const std::uint32_t ring : firsts) {
-        const Vec2& p = rings[ring].front();
-        if (p.x() >= low.x() && p.x() <= high.x() && p.y() >= low.y() && p.y() <= high.y()) truth.push_back(ring);
-      }
-      EXPECT_EQ(starts.within(low, high), truth) << i;
+      for (const std::uint32_t ring : firsts)
+        if ((rings[ring].front() - center).norm() <= radius) truth.push_back(startOf(polygon, ring));
+      EXPECT_EQ(starts.near(center, radius), truth) << i;
       found += static_cast<int>(truth.size());
       all += static_cast<int>(firsts.size());
     }
@@ -173,7 +179,7 @@ TEST(RingStarts, AreFoundAtTheEndOfWhatHoldsThem) {
     }
 }
 
-/// What is small beside many rings stays whole until edges are near it; rings in it are found on the way.
+/// Small polygons that hold some of many rings, meet some, or lie among them.
 TEST(RingStarts, OfManyRingsInASmallPolygon) {
   int cases = 0, hits = 0, contained = 0;
   for (int i = 0; i < scaledCount(400); ++i) {
@@ -212,7 +218,6 @@ TEST(RingStarts, OfManyRingsInASmallPolygon) {
   EXPECT_GE(contained, 0.02 * cases);
 }
 
-/// Where edges of all rings meet all others', finding the components ends early, with more starts than need be.
 /// A small polygon among islands of few edges and of many, near and far: what a polygon of each island would tell.
 TEST(AmongRings, IsAsBesideEachRing) {
   int hits = 0, cases = 0;
@@ -248,15 +253,15 @@ TEST(AmongRings, IsAsBesideEachRing) {
   EXPECT_LE(hits, 4 * cases / 5);
 }
 
+/// Where edges of all rings meet all others', finding the components ends early, with more starts than need be.
 TEST(RingStarts, OfVeryManyCrossings) {
   std::vector<Ring> rings;
   for (int i = 0; i < 400; ++i) {
     rings.push_back({Vec2(0, i), Vec2(400, i), Vec2(400, i + 0.5)});
     rings.push_back({Vec2(i, -1), Vec2(i, 401), Vec2(i + 0.5, 401)});
   }
-  const detail::RingStarts starts(Polygon(rings).data());
-  EXPECT_GE(starts.count(), 1u);
-  EXPECT_EQ(starts.within(kNone, kNone).front(), 0u);
+  const Polygon polygon(rings);
+  EXPECT_EQ(detail::RingStarts(polygon.data()).near({0, 0}, kAny).front(), 0u);
 }
 
 /// S itself, where the vertices that the covering might be taken from are near S, too.

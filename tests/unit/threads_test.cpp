@@ -91,7 +91,7 @@ TEST(Threads, ShareFreshPolygons) {
   EXPECT_LE(hits, 0.8 * queries);
 }
 
-/// Many rings, whose hierarchy, known places and starts are built by whichever thread pays for them last.
+/// Many rings, whose hierarchy and starts are built by whichever thread pays for them last.
 TEST(Threads, ShareAFreshMap) {
   for (int r = 0; r < scaledCount(20); ++r) {
     const UpTo stages(r % 2 == 0 ? detail::Stages::All : detail::Stages::Paid);

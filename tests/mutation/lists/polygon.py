@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
-    ("src/polygon/covering.cpp", "(d_v != 0 && d_w != 0 ? 2 * g : g)", "2 * g", "Algorithm 1: rays count twice"),
+    ("src/polygon/covering.cpp", "d_v != 0 && d_w != 0 ? 2 * g : g", "2 * g", "Algorithm 1: rays count twice"),
     ("src/polygon/covering.cpp", "const int side = g * sign(v, w);", "const int side = sign(v, w);", "Algorithm 1: sign of the triangle"),
     ("src/polygon/covering.cpp", "on_boundary_ = side == 0;", "", "Algorithm 1: boundary"),
     ("src/polygon/covering.cpp", "return on_boundary_ = sign(v, w) == 0 && between(v, w), !on_boundary_;", "return true;", "repair 5: edges collinear with S"),

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rings whose long edges lie beside each other, but far apart along the ring: their hierarchies group edges by place.
+// Rings whose long edges lie beside each other, but far apart along the ring, so that boxes around chains overlap much.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
-#include <set>
-#include <vector>
 
 #include "growth_inputs.h"
-#include "hierarchy/hierarchy.h"
 #include "numbers/segment.h"
-#include "polygon/polygon_data.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -19,56 +14,9 @@
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/time_of_impact.h"
-#include "workloads.h"
 
 namespace tricover::support {
 namespace {
-
-using detail::Block;
-using detail::Hierarchy;
-using detail::PolygonData;
-
-/// The area of all boxes around up to eight edges, as a share of the box around everything.
-double coveredByLeaves(const Polygon& polygon) {
-  const Hierarchy& hierarchy = hierarchyOf(polygon.data());
-  double covered = 0;
-  for (const Block& block : hierarchy.blocks)
-    for (int i = 0; i < block.count && !block.leaf; ++i)
-      if (hierarchy.blocks[block.child[i]].leaf)
-        covered +=
-            static_cast<double>(block.along[i] * block.scale) * static_cast<double>(block.across[i] * block.scale);
-  return covered / static_cast<double>(hierarchy.root.along * hierarchy.root.across);
-}
-
-TEST(TangledRings, AreCoveredAFewTimesHoweverManyTurnsTheyMake) {
-  for (const std::size_t n : {5000u, 20000u, 80000u}) {
-    const Polygon spiral = growth::coarseSpirals(n).a;
-    EXPECT_LT(coveredByLeaves(spiral), 1) << n;
-    EXPECT_FALSE(hierarchyOf(spiral.data()).root_spanned) << "its box isn't one around a chain";
-    std::set<std::uint32_t> edges;
-    for (const Block& block : hierarchyOf(spiral.data()).blocks)
-      if (block.leaf) edges.insert(block.child, block.child + block.count);
-    EXPECT_EQ(edges.size(), spiral.vertexCount()) << n;
-  }
-}
-
-/// Chains of spikes end where they begin, or beside that: their chords say nothing of where they lie.
-TEST(TangledRings, ButNotSpikesWhoseBoxesLieAlongThem) {
-  Ring fan = growth::fans(2000).a.rings()[0];
-  for (Vec2& vertex : fan) vertex = pose(0.6, 0, 0) * vertex;
-  const Polygon turned({fan});
-  EXPECT_TRUE(hierarchyOf(turned.data()).root_spanned);
-  EXPECT_LT(coveredByLeaves(turned), 2);
-}
-
-TEST(TangledRings, OthersStayChains) {
-  Random random(31);
-  Ring scribble;  // whose boxes are large, whatever is grouped
-  for (int i = 0; i < 3000; ++i) scribble.push_back({random.real(-1, 1), random.real(-1, 1)});
-  for (const Polygon& polygon : {growth::spirals(3000).a, growth::coarseSpirals(1000).a, Polygon({regular(3000, 1)}),
-                                 Polygon({scribble}), workloads::makePolygon(workloads::Kind::Contour, 1024, 1)})
-    EXPECT_TRUE(hierarchyOf(polygon.data()).root_spanned);
-}
 
 double signOfTurn(const Vec2& p, const Vec2& q, const Vec2& r) { return detail::cross(q - p, r - p); }
 
@@ -107,7 +55,7 @@ bool expectAllQueriesRight(const Polygon& a, const Pose& pose_a, const Polygon& 
   return hit;
 }
 
-TEST(TangledRings, OfSpiralsAnswerAsAllPairsDo) {
+TEST(Spirals, AnswerAsAllPairsDo) {
   const growth::Input in = growth::coarseSpirals(2 * static_cast<std::size_t>(scaledCount(2500)));
   int hits = 0, asked = 0;
   for (const double x : {0.0, 0.7, 1.1})
@@ -130,9 +78,8 @@ TEST(TangledRings, OfSpiralsAnswerAsAllPairsDo) {
 }
 
 /// Robots wider than a band, so that no spiral contains them, at places between the turns and on them.
-TEST(TangledRings, AnswerForWhatIsAmongTheirTurns) {
+TEST(Spirals, AnswerForWhatIsAmongTheirTurns) {
   const Polygon spiral = growth::coarseSpirals(5000).a;
-  ASSERT_FALSE(hierarchyOf(spiral.data()).root_spanned);
   Random random(32);
   int hits = 0;
   const int asked = scaledCount(40);
