@@ -6,27 +6,19 @@
 namespace tricover::detail {
 namespace {
 
-/// The covering's origin, from which the ray leads away. Many rings may stand in rows with S among them, where the ray
-/// away from S would meet all rings behind the point: the ray is tilted against those rows.
-Vec2 behindRay(const PolygonData& polygon, const Vec2& p) {
-  if (polygon.ringCount() < 16) return polygon.origin;
-  const Vec2 away = polygon.inUnits(p), tilted = away + 0.31 * Vec2(-away.y(), away.x());
-  const Vec2 behind = p - tilted * (polygon.unit / tilted.norm());
-  return behind.allFinite() ? behind : polygon.origin;
-}
-
 /// A triangle (s, v, w) holds the point only if the ray from the point away from s meets (v, w). Not inlined, because
 /// bounding discs answer most points.
 [[gnu::noinline]] Inclusion includeByRay(const PolygonData& polygon, const Hierarchy& hierarchy,
                                          const IncludedPoint& point) {
   const ApproxPoint& p = point.approx;
-  CoveringSum sum(polygon, point, behindRay(polygon, {p.x, p.y}));
+  CoveringSum sum(polygon, point);
   const Vec2 at = polygon.inUnits({p.x, p.y}), away = at - polygon.inUnits(sum.origin());
   // In either coordinate: what the point errs by, and three roundings of what is below 2.
   const double distance = away.norm(), error = p.error * polygon.inverse_unit + 0x1p-50;
   if (distance > 0x1p-10 && error < 0x1p-20 && polygon.fitsUnit()) {
     // The direction rotates by at most 4 error / distance, and nothing is farther away than 4.
-    const Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
+    Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
+    ray.for_winding = true;
     visitEdgesOnRay(
         hierarchy, ray, [](void* to, std::uint32_t edge) { return static_cast<CoveringSum*>(to)->add(edge); }, &sum);
   } else {

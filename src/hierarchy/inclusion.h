@@ -5,8 +5,8 @@
 
 namespace tricover::detail {
 
-/// Algorithm 1 on those edges only that a ray from the point meets, found by the hierarchy; on all edges where there is
-/// no hierarchy yet. The hierarchy never changes an answer.
+/// Algorithm 1 on those edges only that a ray from the point meets, found by the hierarchy, without rings whose boxes
+/// don't hold the point; on all edges where there is no hierarchy yet. The hierarchy never changes an answer.
 Inclusion includeInPolygon(const PolygonData& polygon, const IncludedPoint& point);
 
 inline Location locateInPolygon(const PolygonData& polygon, const IncludedPoint& point) {

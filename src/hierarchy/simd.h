@@ -259,10 +259,11 @@ constexpr double kSteepest = 8.5;
 struct Ray {
   double x = 0, y = 0, dx = 1, dy = 0, error = 0;
   double length = std::numeric_limits<double>::infinity();  ///< where it ends
+  bool for_winding = false;  ///< whether it tells only what winds around its begin
 };
 
 /// Calls visit(context, edge's position) for every edge that the ray may meet, until it returns false. It may shorten
-/// the ray.
+/// the ray. Rings whose boxes don't hold the begin of a ray that is `for_winding` may be left out.
 extern Simd<void(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context)>
     visitEdgesOnRay;
 

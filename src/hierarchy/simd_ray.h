@@ -2,7 +2,7 @@
 // A hierarchy and a ray. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/simd_tree.h"
+#include "hierarchy/simd_point.h"
 
 namespace tricover::detail::simd {
 
@@ -12,6 +12,14 @@ namespace tricover::detail::simd {
 constexpr double kRayRounding = 0x1p-20;
 /// How far along the ray a box begins at least: one rounding more, and slack enough for that if it is taken twice.
 static_assert(kRayRounding >= (7 + 2 * 2) * kFloatRoundoff && 6 * 2 + 7 * 1 <= 7 * 4);
+
+/// The boxes that may hold the ray's begin.
+template <class Lanes>
+[[gnu::always_inline]] inline unsigned boxesAround(const Ray& ray, const Block& block) {
+  const PlaceInBlock p = placeIn(block, {ray.x, ray.y, ray.error});
+  if (!(p.slack < 1e15f)) return lanesOf(block);  // squares overflow
+  return lanesOf(block) & ~above(boxDistances<Lanes>(block, p), Lanes::all(p.slack));
+}
 
 /// The boxes that the ray may meet, and how far along it they begin at least.
 template <class Lanes>
@@ -40,8 +48,12 @@ template <class Lanes>
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
   descendOne<true>(
       hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > ray.length); },
-      [&](const Block& block, float(&at)[kLanes])
-          __attribute__((always_inline)) { return boxesOn<Lanes>(ray, block, at); },
+      [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
+        const unsigned lanes = boxesOn<Lanes>(ray, block, at);
+        // A box that isn't around a chain is around whole rings.
+        const bool leaves_out = ray.for_winding && (lanes & ~block.spanned) != 0;
+        return leaves_out ? lanes & (block.spanned | boxesAround<Lanes>(ray, block)) : lanes;
+      },
       [&](const Block& block, unsigned lanes, const float*) __attribute__((always_inline)) {
         for (; lanes != 0; lanes &= lanes - 1)
           if (!visit(context, block.child[__builtin_ctz(lanes)])) return false;
