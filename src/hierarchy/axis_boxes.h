@@ -72,9 +72,6 @@ struct BoxRay {
   double inverse[2], enter[2], leave[2];
 };
 
-/// Around points, two at least, turned by a matrix: each coordinate is two products and their sum, and no rounding
-/// more. (Its entries by value: what is just written in halves is slow to read as a whole.)
-extern Simd<Bounds(const Vec2* points, std::size_t count, double m00, double m10, double m01, double m11)> boxAround;
 /// Bit per box that meets another one. Boxes of NaN meet nothing, here and below.
 extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds)> boxesMeeting;
 /// Of each of eight boxes when it comes, and its lane, as one number, so that the least one tells the first box without

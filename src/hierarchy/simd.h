@@ -90,17 +90,6 @@ inline double clearanceAt(const Hierarchy& hierarchy, const Place& place, double
 constexpr int kMostNearest = 8;
 extern Simd<int(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest])> findNearestEdges;
 
-/// A point that moves from `start` by (dx, dy), in a hierarchy's units.
-struct Way {
-  Place start;
-  double dx, dy, reach;
-};
-
-/// Calls visit(context, edge's position) for every edge that the moving point may come within `reach` of, the first
-/// roughly first. It returns the share of the way, at most 1, beyond which no more edges need to be shown.
-extern Simd<void(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context)>
-    visitEdgesOnWay;
-
 /// Points that move straight, each with a reach of its own.
 struct FewWays {
   static constexpr int kMost = SmallPolygon::kMost;
@@ -255,15 +244,16 @@ extern Simd<double(const double* pose_a, Double2 p, const double* pose_b, Double
     twofoldBeside;
 constexpr double kSteepest = 8.5;
 
-/// A ray in a hierarchy's units: every point known to within `error`.
+/// A ray in a hierarchy's units: every point known to within `error`, which may be a moving disc's radius, too.
 struct Ray {
   double x = 0, y = 0, dx = 1, dy = 0, error = 0;
   double length = std::numeric_limits<double>::infinity();  ///< where it ends
-  bool for_winding = false;  ///< whether it tells only what winds around its begin
+  bool for_winding = false;                                 ///< whether it tells only what winds around its begin
 };
 
-/// Calls visit(context, edge's position) for every edge that the ray may meet, until it returns false. It may shorten
-/// the ray. Rings whose boxes don't hold the begin of a ray that is `for_winding` may be left out.
+/// Calls visit(context, edge's position) for every edge that the ray may meet, the first roughly first, until it
+/// returns false. It may shorten the ray. Rings whose boxes don't hold the begin of a ray that is `for_winding` may be
+/// left out.
 extern Simd<void(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context)>
     visitEdgesOnRay;
 

@@ -52,10 +52,6 @@ struct Avx2Doubles {
   [[gnu::always_inline]] friend D larger(D p, D q) { return {p.v > q.v ? p.v : q.v}; }
   [[gnu::always_inline]] friend D smaller(D p, D q) { return {p.v < q.v ? p.v : q.v}; }
   [[gnu::always_inline]] friend FourBits noLarger(D p, D q) { return p.v <= q.v; }
-  /// Two numbers, twice.
-  [[gnu::always_inline]] static Avx2Doubles pairs(double p, double q) { return {Four{p, q, p, q}}; }
-  /// Each two numbers the other way round.
-  [[gnu::always_inline]] friend D swapped(D p) { return {__builtin_ia32_vpermilpd256(p.v, 5)}; }
   [[gnu::always_inline]] static unsigned bitsOf(FourBits bits) {
     return static_cast<unsigned>(__builtin_ia32_movmskpd256((Four)bits));
   }

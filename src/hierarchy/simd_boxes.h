@@ -64,24 +64,4 @@ unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, L
   return bits;
 }
 
-template <class Lanes>
-Bounds boxAround(const Vec2* points, std::size_t count, double m00, double m10, double m01, double m11) {
-  using Doubles = typename Lanes::Doubles;
-  constexpr std::size_t kPoints = Doubles::kCount / 2;
-  const Doubles straight = Doubles::pairs(m00, m11), crossed = Doubles::pairs(m01, m10);
-  Doubles low = Doubles::all(std::numeric_limits<double>::infinity()), high = Doubles::all(0) - low;
-  for (std::size_t i = 0; i < count; i += kPoints) {
-    // The last load may begin before it has to.
-    const Doubles at = Doubles::load(points[std::min(i, count - kPoints)].data());
-    const Doubles turned = at * straight + swapped(at) * crossed;
-    low = smaller(low, turned), high = larger(high, turned);
-  }
-  double least[Doubles::kCount], most[Doubles::kCount];
-  low.store(least), high.store(most);
-  Bounds box{least[0], least[1], most[0], most[1]};
-  for (std::size_t i = 1; i < kPoints; ++i)
-    box = unite(box, {least[2 * i], least[2 * i + 1], most[2 * i], most[2 * i + 1]});
-  return box;
-}
-
 }  // namespace tricover::detail::simd

@@ -37,7 +37,7 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
   DescentResult result{false, limit > 0 ? limit : 0, -1, -1};
   PlaceInBlock p;
   bool known;
-  const auto near = [&](const Block& block, float(&distance)[kLanes]) __attribute__((always_inline)) {
+  const auto near = [&](const Block& block, float(&distance)[kLanes]) {
     p = placeIn(block, place);
     const float threshold = upwards(limit * block.inverse + p.slack);
     known = p.slack < 1e15f && threshold < 1e15f;  // squares don't overflow
@@ -45,7 +45,7 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
     found.store(distance);
     return known ? lanesOf(block) & ~above(found, Lanes::all(threshold)) : lanesOf(block);
   };
-  const auto show = [&](const Block& block, unsigned lanes, const float* distance) __attribute__((always_inline)) {
+  const auto show = [&](const Block& block, unsigned lanes, const float* distance) {
     for (; lanes != 0; lanes &= lanes - 1) {
       const int i = __builtin_ctz(lanes);
       const double low = known ? (static_cast<double>(distance[i]) - p.slack) * block.scale : 0;
@@ -68,14 +68,14 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
 template <class Lanes>
 void visitMarkedNear(const Hierarchy& hierarchy, const Place& place, double reach, const std::uint8_t* marked,
                      void (*visit)(void*, std::uint32_t), void* context) {
-  const auto near = [&](const Block& block, float(&)[kLanes]) __attribute__((always_inline)) {
+  const auto near = [&](const Block& block, float(&)[kLanes]) {
     const unsigned lanes = marked[&block - hierarchy.blocks.data()];
     const PlaceInBlock p = placeIn(block, place);
     const float threshold = upwards(reach * block.inverse + p.slack);
     if (!(p.slack < 1e15f && threshold < 1e15f)) return lanes;  // squares overflow
     return lanes & ~above(boxDistances<Lanes>(block, p), Lanes::all(threshold));
   };
-  const auto show = [&](const Block& block, unsigned lanes, const float*) __attribute__((always_inline)) {
+  const auto show = [&](const Block& block, unsigned lanes, const float*) {
     for (; lanes != 0; lanes &= lanes - 1) visit(context, block.child[__builtin_ctz(lanes)]);
     return true;
   };
@@ -97,10 +97,10 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
     }
     found = kept;
   };
-  const auto lowerBound = [&](const Block& block, float distance) __attribute__((always_inline)) {
+  const auto lowerBound = [&](const Block& block, float distance) {
     return (static_cast<double>(distance) - p.slack) * block.scale;
   };
-  const auto near = [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
+  const auto near = [&](const Block& block, float(&at)[kLanes]) {
     p = placeIn(block, place);
     if (!(p.slack < 1e12f)) {  // squares overflow
       upper = -__builtin_inf();
@@ -126,7 +126,7 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
       }
     return lanes;
   };
-  const auto show = [&](const Block& block, unsigned lanes, const float* distance) __attribute__((always_inline)) {
+  const auto show = [&](const Block& block, unsigned lanes, const float* distance) {
     for (; lanes != 0; lanes &= lanes - 1) {
       const int i = __builtin_ctz(lanes);
       if (found == kMostNearest) keepNear();
@@ -140,7 +140,7 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
     return true;
   };
   descendOne<true>(
-      hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > upper); }, near, show);
+      hierarchy, [&](float at) { return !(at > upper); }, near, show);
   keepNear();
   return found;
 }
@@ -149,7 +149,7 @@ template <class Lanes>
 void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
                    const PairVisitor& visitor) {
   double low[kLanes];
-  const auto near = [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
+  const auto near = [&](const Block& block, float(&at)[kLanes]) {
     const PlaceInBlock p = placeIn(block, place);
     const bool known = p.slack < 1e12f;  // squares don't overflow
     boxDistances<Lanes>(block, p).store(at);
@@ -170,7 +170,7 @@ void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit,
     }
     return lanes;
   };
-  const auto show = [&](const Block& block, unsigned lanes, const float* distance) __attribute__((always_inline)) {
+  const auto show = [&](const Block& block, unsigned lanes, const float* distance) {
     while (lanes != 0) {
       int next = __builtin_ctz(lanes);
       for (unsigned left = lanes & (lanes - 1); left != 0; left &= left - 1)
@@ -183,51 +183,7 @@ void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit,
     return true;
   };
   descendOne<true>(
-      hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > limit); }, near, show);
-}
-
-/// The shares of a way at which it enters the boxes grown by `reach` (their corners, too), from 0 on; above 1e29 where
-/// it doesn't. A way along a side is divided by nearly 0: then either both ends of the slab are beyond, or neither.
-template <class Lanes>
-[[gnu::always_inline]] inline Lanes boxEntries(const Block& block, float x, float y, float dx, float dy, float reach) {
-  const Lanes ux = Lanes::load(block.ux), uy = Lanes::load(block.uy);
-  const Lanes ex = Lanes::load(block.x) - x, ey = Lanes::load(block.y) - y;
-  const Lanes along = Lanes::load(block.along) + reach, across = Lanes::load(block.across) + reach;
-  const Lanes along_at = ex * ux + ey * uy, across_at = ey * ux - ex * uy;
-  const Lanes along_by = ux * dx + uy * dy + 1e-30f, across_by = ux * dy - uy * dx + 1e-30f;
-  const Lanes s = (along_at - along) / along_by, t = (along_at + along) / along_by;
-  const Lanes v = (across_at - across) / across_by, w = (across_at + across) / across_by;
-  const Lanes entry = larger(larger(smaller(s, t), smaller(v, w)), Lanes::all(0));
-  const Lanes exit = smaller(larger(s, t), larger(v, w));
-  // Where it leaves before it enters, the difference is positive, and so is far too much of it.
-  return entry + larger(entry - exit, Lanes::all(0)) * 1e38f;
-}
-
-template <class Lanes>
-void visitEdgesOnWay(const Hierarchy& hierarchy, const Way& way, double (*visit)(void*, std::uint32_t), void* context) {
-  double end = 1;
-  const auto near = [&](const Block& block, float(&entry)[kLanes]) __attribute__((always_inline)) {
-    const PlaceInBlock p = placeIn(block, way.start);
-    const double dx = way.dx * block.inverse, dy = way.dy * block.inverse;
-    const double reach = way.reach * block.inverse + p.slack + 2 * kGapRounding * (magnitude(dx) + magnitude(dy));
-    if (!(reach < 1e15)) {
-      for (float& e : entry) e = 0;
-      return lanesOf(block);
-    }
-    const Lanes found =
-        boxEntries<Lanes>(block, p.x, p.y, static_cast<float>(dx), static_cast<float>(dy), upwards(reach));
-    found.store(entry);
-    return lanesOf(block) & ~above(found, Lanes::all(static_cast<float>(end)));
-  };
-  const auto show = [&](const Block& block, unsigned lanes, const float* entry) __attribute__((always_inline)) {
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const int i = __builtin_ctz(lanes);
-      if (!(entry[i] > end)) end = visit(context, block.child[i]);
-    }
-    return true;
-  };
-  descendOne<true>(
-      hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > end); }, near, show);
+      hierarchy, [&](float at) { return !(at > limit); }, near, show);
 }
 
 /// Rounding as in boxDistances(); the radii, below 2, are floats.

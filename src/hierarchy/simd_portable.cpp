@@ -51,8 +51,6 @@ struct PortableDoubles {
   [[gnu::always_inline]] friend D larger(D p, D q) { return {detail::larger(p.v, q.v)}; }
   [[gnu::always_inline]] friend D smaller(D p, D q) { return {detail::smaller(p.v, q.v)}; }
   [[gnu::always_inline]] friend Bits2 noLarger(D p, D q) { return p.v <= q.v; }
-  [[gnu::always_inline]] static PortableDoubles pairs(double p, double q) { return {Double2{p, q}}; }
-  [[gnu::always_inline]] friend D swapped(D p) { return {detail::swapped(p.v)}; }
   [[gnu::always_inline]] static unsigned bitsOf(Bits2 bits) { return detail::bitsOf(bits); }
   [[gnu::always_inline]] static void storeKeys(std::int64_t* keys, D least, Bits2 met, int lane) {
     const Bits2 key = ((Bits2)least.v & -kLanes) | (Bits2{0, 1} + lane);

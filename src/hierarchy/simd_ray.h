@@ -47,14 +47,14 @@ template <class Lanes>
 template <class Lanes>
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
   descendOne<true>(
-      hierarchy, [&](float at) __attribute__((always_inline)) { return !(at > ray.length); },
-      [&](const Block& block, float(&at)[kLanes]) __attribute__((always_inline)) {
+      hierarchy, [&](float at) { return !(at > ray.length); },
+      [&](const Block& block, float(&at)[kLanes]) {
         const unsigned lanes = boxesOn<Lanes>(ray, block, at);
         // A box that isn't around a chain is around whole rings.
         const bool leaves_out = ray.for_winding && (lanes & ~block.spanned) != 0;
         return leaves_out ? lanes & (block.spanned | boxesAround<Lanes>(ray, block)) : lanes;
       },
-      [&](const Block& block, unsigned lanes, const float*) __attribute__((always_inline)) {
+      [&](const Block& block, unsigned lanes, const float*) {
         for (; lanes != 0; lanes &= lanes - 1)
           if (!visit(context, block.child[__builtin_ctz(lanes)])) return false;
         return true;

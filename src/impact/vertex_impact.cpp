@@ -23,23 +23,28 @@ class PointBesideTree {
   Approach soonest(const Window& window, bool) const {
     const VertexView view(window, true);
     struct Call {
-      static double visit(void* context, std::uint32_t position) {
+      static bool visit(void* context, std::uint32_t position) {
         Call& c = *static_cast<Call*>(context);
         c.view.approach(c.way, EdgeInUnits(c.self.a_, position), 0, position, c.best);
-        return std::min(c.best.share, 1.0);
+        c.ray.length = std::min(c.best.share, 1.0) * c.length;
+        return true;
       }
       const PointBesideTree& self;
       const VertexView& view;
       VertexWay way;
+      double length;
+      Ray ray;
       Approach best;
-    } call{*this, view, view.wayOf(0, 0, lever_), {}};
+    } call{*this, view, view.wayOf(0, 0, lever_), 0, {}, {}};
     const VertexWay& way = call.way;
+    const double dx = way.x[1] - way.x[0], dy = way.y[1] - way.y[0];
+    call.length = std::hypot(dx, dy);
+    call.ray = {way.x[0], way.y[0], 1, 0, view.reach(way) + 0x1p-50 * call.length, call.length};
+    if (call.length > 0) call.ray.dx = dx / call.length, call.ray.dy = dy / call.length;
     if (a_.isDegenerate())
       Call::visit(&call, static_cast<std::uint32_t>(a_.degenerate_edge));
     else
-      visitEdgesOnWay(*pair_.a.tree,
-                      {{way.x[0], way.y[0], 0}, way.x[1] - way.x[0], way.y[1] - way.y[0], view.reach(way)},
-                      &Call::visit, &call);
+      visitEdgesOnRay(*pair_.a.tree, call.ray, &Call::visit, &call);
     return call.best;
   }
 

@@ -54,9 +54,14 @@ Bounds grownBox(Double2 low, Double2 high, Double2 grow) {
 /// Around the vertices at these positions. What is turned is never inf - inf: R's rows are of length 1.
 Bounds boundsOfVertices(const PolygonData& polygon, std::size_t begin, std::size_t end, const Pose& pose,
                         double reach) {
-  const Double2 t = load2(pose.data() + 6);
-  const Bounds box = boxAround(&polygon.path[begin], end - begin, pose(0, 0), pose(1, 0), pose(0, 1), pose(1, 1));
-  return grownBox(t + load2(&box.min_x), t + load2(&box.max_x), growth(polygon, t, reach));
+  const double* m = pose.data();  // columns of three
+  const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
+  Double2 low = Double2{} + kInfinity, high = -low;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Double2 p = r0 * polygon.path[i].x() + r1 * polygon.path[i].y();
+    low = smaller(low, p), high = larger(high, p);
+  }
+  return grownBox(t + low, t + high, growth(polygon, t, reach));
 }
 
 }  // namespace
