@@ -44,7 +44,8 @@ struct FittedBox {
   Double2 center, axis, extents;  ///< half of what it is along and across its axis
 };
 
-/// A part of the polygon that one box stands for: rings order[begin, end), or a chain of edges [begin, end) of one ring.
+/// A part of the polygon that one box stands for: rings order[begin, end), or a chain of edges [begin, end) of one
+/// ring.
 struct Part {
   enum Kind { Rings, Chain } kind;
   std::size_t begin, end;
@@ -57,44 +58,23 @@ class Parts {
   std::size_t size() const { return size_; }
   Part& operator[](std::size_t i) { return parts_[i]; }
   const Part& operator[](std::size_t i) const { return parts_[i]; }
-  const Part* begin() const { return parts_; }
-  const Part* end() const { return parts_ + size_; }
 
  private:
   Part parts_[kLanes];
   std::size_t size_ = 0;
 };
 
-/// Of as many edges, if all blocks but one a level are full.
-std::size_t leastBlocks(std::size_t edges) {
-  std::size_t count = 0;
-  do count += edges = (edges + kLanes - 1) / kLanes;
-  while (edges > 1);
-  return count;
+/// A polygon's path in units, from S.
+std::vector<Vec2> pathInUnits(const PolygonData& polygon) {
+  std::vector<Vec2> path;
+  path.reserve(polygon.path.size());
+  for (const Vec2& p : polygon.path) path.push_back(polygon.inUnits(p));
+  return path;
 }
-
-/// A polygon's path in units, from S, of few vertices without an allocation.
-class LocalPath {
- public:
-  explicit LocalPath(const PolygonData& polygon) {
-    if (polygon.path.size() > kFew) many_.resize(polygon.path.size());
-    Vec2* at = begin_ = many_.empty() ? few_ : many_.data();
-    for (const Vec2& p : polygon.path) *at++ = polygon.inUnits(p);
-  }
-  LocalPath(const LocalPath&) = delete;
-  LocalPath& operator=(const LocalPath&) = delete;
-  operator const Vec2*() const { return begin_; }
-
- private:
-  static constexpr std::size_t kFew = 32;
-
-  Vec2 few_[kFew], *begin_;
-  std::vector<Vec2> many_;
-};
 
 class Builder {
  public:
-  Builder(const PolygonData& polygon, const Vec2* local) : polygon_(polygon), local_(local) {
+  Builder(const PolygonData& polygon, const std::vector<Vec2>& local) : polygon_(polygon), local_(local) {
     if (polygon.ringCount() > 1) {
       order_.resize(polygon.ringCount());
       std::iota(order_.begin(), order_.end(), 0u);
@@ -108,7 +88,6 @@ class Builder {
   }
 
   std::vector<Block> blocks() {
-    blocks_.reserve(leastBlocks(polygon_.path.size() - polygon_.ringCount()));
     addBlock(all_);
     blocks_.shrink_to_fit();
     return std::move(blocks_);
@@ -285,7 +264,8 @@ class Builder {
     const std::size_t n = chain.end - chain.begin;
     const std::size_t below = roomBelow(n), k = (n + below - 1) / below;
     Parts parts;
-    for (std::size_t i = 0; i < k; ++i) parts.add({Part::Chain, chain.begin + i * n / k, chain.begin + (i + 1) * n / k});
+    for (std::size_t i = 0; i < k; ++i)
+      parts.add({Part::Chain, chain.begin + i * n / k, chain.begin + (i + 1) * n / k});
     return parts;
   }
 
@@ -346,7 +326,7 @@ class Builder {
   }
 
   const PolygonData& polygon_;
-  const Vec2* const local_;
+  const std::vector<Vec2>& local_;
   Part all_;
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> order_;  ///< of rings, unless there is one alone
@@ -373,10 +353,10 @@ class Builder {
 }  // namespace
 
 Hierarchy::Hierarchy(const PolygonData& polygon) {
-  const LocalPath local(polygon);
+  const std::vector<Vec2> local = pathInUnits(polygon);
   Builder builder(polygon, local);
   builder.fitRoot(*this);
-  small = makeSmallPolygon(polygon, local);
+  small = makeSmallPolygon(polygon, local.data());
   if (small == nullptr) blocks = builder.blocks();
   assert(small != nullptr || isTree(*this, polygon));
   // Its corners may be few if it has no more than one vertex more on each side.
@@ -395,7 +375,7 @@ const Hierarchy& buildHierarchy(const PolygonData& polygon) {
   if (!hierarchy.hasBlocks())
     hierarchy.few_blocks.built([&] {
       auto are_there = std::make_unique<const Derived::Thing>();
-      hierarchy.blocks = Builder(polygon, LocalPath(polygon)).blocks();
+      hierarchy.blocks = Builder(polygon, pathInUnits(polygon)).blocks();
       assert(isTree(hierarchy, polygon));
       return are_there;
     });
