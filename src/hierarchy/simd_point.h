@@ -24,7 +24,7 @@ static_assert(kGapRounding >= (1.5 * (6 + 2) + 4 + 6) * kFloatRoundoff);
 /// is rounded 6 times, an extent twice, both of at most |x| + |y| + 4; 1.5 times that for the root of two squares,
 /// which itself rounds 4 times, and 6 for what adds up and is compared.
 template <class Lanes>
-[[gnu::always_inline]] inline Lanes boxDistances(const Block& block, const PlaceInBlock& p) {
+Lanes boxDistances(const Block& block, const PlaceInBlock& p) {
   const Lanes ux = Lanes::load(block.ux), uy = Lanes::load(block.uy), zero = Lanes::all(0);
   const Lanes dx = Lanes::load(block.x) - p.x, dy = Lanes::load(block.y) - p.y;
   const Lanes along = larger(absolute(dx * ux + dy * uy) - Lanes::load(block.along), zero);

@@ -15,7 +15,7 @@ static_assert(kRayRounding >= (7 + 2 * 2) * kFloatRoundoff && 6 * 2 + 7 * 1 <= 7
 
 /// The boxes that may hold the ray's begin.
 template <class Lanes>
-[[gnu::always_inline]] inline unsigned boxesAround(const Ray& ray, const Block& block) {
+unsigned boxesAround(const Ray& ray, const Block& block) {
   const PlaceInBlock p = placeIn(block, {ray.x, ray.y, ray.error});
   if (!(p.slack < 1e15f)) return lanesOf(block);  // squares overflow
   return lanesOf(block) & ~above(boxDistances<Lanes>(block, p), Lanes::all(p.slack));
@@ -23,7 +23,7 @@ template <class Lanes>
 
 /// The boxes that the ray may meet, and how far along it they begin at least.
 template <class Lanes>
-[[gnu::always_inline]] inline unsigned boxesOn(const Ray& ray, const Block& block, float (&at)[kLanes]) {
+unsigned boxesOn(const Ray& ray, const Block& block, float (&at)[kLanes]) {
   const float dx = static_cast<float>(ray.dx), dy = static_cast<float>(ray.dy);
   const double px = (ray.x - block.origin_x) * block.inverse, py = (ray.y - block.origin_y) * block.inverse;
   const double sum = magnitude(px) + magnitude(py) + 4, length = ray.length * block.inverse;

@@ -36,7 +36,7 @@ struct NearBlocks {
 /// child is entered if keeps(its at) says so by then. A leaf's lanes are edges: show(block, lanes, at) returns false to
 /// end the descent.
 template <bool kOrdered, class Keeps, class Near, class Show>
-[[gnu::always_inline]] inline void descendOne(const Hierarchy& hierarchy, Keeps keeps, Near near, Show show) {
+void descendOne(const Hierarchy& hierarchy, Keeps keeps, Near near, Show show) {
   const Block* all = hierarchy.blocks.data();
   NearBlocks blocks;
   blocks.add(0, 0);
