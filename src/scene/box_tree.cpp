@@ -8,7 +8,7 @@
 namespace tricover::detail {
 namespace {
 
-/// Half the perimeter: what a box costs, because that many other boxes it will meet (Goldsmith and Salmon 1987).
+/// The cost of a box: half its perimeter, because it meets other boxes in that proportion (Goldsmith and Salmon 1987).
 /// Clamped, so that no difference of two is NaN.
 double cost(const Bounds& b) { return std::min((b.max_x - b.min_x) + (b.max_y - b.min_y), 1e300); }
 
@@ -18,7 +18,7 @@ double middleOf(double low, double high) {
   return std::isfinite(sum) ? sum : 0.0;
 }
 
-/// How many items a node holds at the most that has `height` levels below it.
+/// The largest number of items below a node that has `height` levels below it.
 std::size_t capacityOf(int height) { return std::size_t{kLanes} << (3 * height); }
 static_assert(kLanes == 1 << 3);
 
@@ -31,7 +31,7 @@ Bounds BoxTree::Node::all() const {
 }
 
 std::uint32_t BoxTree::newNode(bool leaf) {
-  const std::uint32_t index = free_.back();  // reserveFor() saw to it
+  const std::uint32_t index = free_.back();  // reserveFor() made room
   free_.pop_back();
   Node& node = nodes_[index];
   node.parent = kNone;
@@ -56,7 +56,7 @@ void BoxTree::put(std::uint32_t index, unsigned lane, const Entry& entry) {
   }
 }
 
-/// The leaf whose boxes grow least; all above it have grown.
+/// Returns the leaf whose boxes grow least, and grows the boxes above it.
 std::uint32_t BoxTree::leafFor(const Bounds& bounds) {
   std::uint32_t index = root_;
   while (!nodes_[index].leaf) {
@@ -83,7 +83,7 @@ void BoxTree::addTo(std::uint32_t index, const Entry& entry) {
   ++node.count;
 }
 
-/// Nine boxes become two nodes: in the order along x or y and at the place where the two boxes around them cost least.
+/// Makes two nodes of nine boxes. They are sorted along x or y and divided where the two boxes around them cost least.
 void BoxTree::split(std::uint32_t index, const Entry& entry) {
   constexpr int kAll = kLanes + 1, kFewest = 3;
   Entry entries[kAll], best[kAll];
@@ -128,7 +128,7 @@ void BoxTree::split(std::uint32_t index, const Entry& entry) {
   }
 }
 
-/// The boxes around a node, up to the root, after what it holds has become less.
+/// Shrinks the boxes around a node, up to the root, after a box has been taken from it.
 void BoxTree::tighten(std::uint32_t index) {
   while (index != root_) {
     const Node& node = nodes_[index];
@@ -146,32 +146,18 @@ void BoxTree::takeFrom(std::uint32_t index, unsigned lane) {
   node.set(last, kNothing);
   --node.count;
   if (index == root_) {
-    if (!node.leaf && node.count == 1) {
-      root_ = node.child[0];
+    while (!nodes_[root_].leaf && nodes_[root_].count == 1) {
+      const std::uint32_t old = root_;
+      root_ = nodes_[old].child[0];
       nodes_[root_].parent = kNone;
-      freeNode(index);
+      freeNode(old);
     }
     return;
   }
-  if (node.count >= kLeast) return tighten(index);
-  // What is left goes to a sibling, whose box grows least.
-  const Entry left{node.at(0), node.child[0]};
+  if (node.count > 0) return tighten(index);
   const std::uint32_t parent = node.parent, own = node.lane;
-  Node& above = nodes_[parent];
-  unsigned best = own == 0 ? 1 : 0;
-  double least = kInfinity;
-  for (unsigned i = 0; i < above.count; ++i) {
-    if (i == own) continue;
-    const double growth = cost(unite(above.at(i), left.bounds)) - cost(above.at(i));
-    if (growth >= least) continue;
-    best = i;
-    least = growth;
-  }
-  above.set(best, unite(above.at(best), left.bounds));
-  const std::uint32_t sibling = above.child[best];
   freeNode(index);
   takeFrom(parent, own);
-  addTo(sibling, left);
 }
 
 void BoxTree::reserveNodes(std::size_t more) {
@@ -182,7 +168,7 @@ void BoxTree::reserveNodes(std::size_t more) {
   for (std::size_t i = before + more; i-- > before;) free_.push_back(static_cast<std::uint32_t>(i));
 }
 
-/// Memory for what an insertion may need at most, so that nothing throws half-way: a new node a level.
+/// Reserves memory for an insertion, which makes at most one new node a level, so that nothing throws half-way.
 void BoxTree::reserveFor(std::uint32_t item) {
   if (free_.size() < kLevels) reserveNodes(std::max<std::size_t>(kLevels, nodes_.size() / 2));
   if (item >= places_.size())
@@ -215,7 +201,7 @@ void BoxTree::move(std::uint32_t item, const Bounds& bounds) {
   addTo(leafFor(bounds), {bounds, item});
 }
 
-/// A node around the entries of these middles, and below it `height` levels. Rearranges the middles.
+/// Makes a node around the entries of these middles, with `height` levels below it. Rearranges the middles.
 std::uint32_t BoxTree::packed(Middle* first, std::size_t count, int height, const std::vector<Entry>& entries) {
   if (free_.empty()) reserveNodes(nodes_.size() / 16 + 1);
   const std::uint32_t index = newNode(height == 0);
@@ -223,14 +209,14 @@ std::uint32_t BoxTree::packed(Middle* first, std::size_t count, int height, cons
     for (std::size_t i = 0; i < count; ++i) addTo(index, entries[first[i].entry]);
     return index;
   }
-  // As few children as hold all, and as even ones, so that each is about half full at least.
+  // The fewest children that hold all, of even sizes, so that each is about half full at least.
   const std::size_t most = capacityOf(height - 1);
   packGroups(index, first, count, (count + most - 1) / most, height, entries);
   return index;
 }
 
-/// Adds children around the entries to a node: halves them along the longer side of the box around their middles until
-/// each half is one child's.
+/// Adds children around the entries to a node. Halves the entries along the longer side of the box around their middles
+/// until each half is one child's.
 void BoxTree::packGroups(std::uint32_t index, Middle* first, std::size_t count, std::size_t groups, int height,
                          const std::vector<Entry>& entries) {
   if (groups == 1) {
@@ -265,7 +251,7 @@ void BoxTree::pack(const std::vector<Entry>& entries) {
       low = low.cwiseMin(middleAt(entry)), high = high.cwiseMax(middleAt(entry));
       last = std::max(last, entry.child);
     }
-    // In units of the longer side. What overflows, or is all at one place, is divided anyhow.
+    // In units of the longer side. Middles that overflow, or all lie at one place, are divided arbitrarily.
     const double side = (high - low).maxCoeff();
     const double unit = std::isfinite(side) && side > kTiny ? 1 / side : 0;
     std::vector<Middle> middles;

@@ -11,8 +11,8 @@
 
 namespace tricover::detail {
 
-/// A tree of boxes that come, move and go: an R-tree (Guttman 1984) of eight boxes a node, which are asked side by
-/// side. Each box is an item's; items are numbered by its user.
+/// A tree of boxes that are added, moved and removed: an R-tree (Guttman 1984) of eight boxes a node, which SIMD lanes
+/// compare at once. Each box belongs to an item; the caller numbers the items.
 class BoxTree {
  public:
   struct Entry {
@@ -20,28 +20,27 @@ class BoxTree {
     std::uint32_t child;  ///< an item, or a node
   };
 
-  /// These items instead of those that are in the tree: packed, each node around boxes that lie together. Throws before
+  /// Replaces all items by these and packs them, so that each node is around boxes that lie together. Throws before
   /// anything has changed.
   void pack(const std::vector<Entry>& entries);
-  /// No item is in the tree twice. Throws before anything has changed.
+  /// Adds an item that isn't in the tree. Throws before anything has changed.
   void insert(std::uint32_t item, const Bounds& bounds);
   void remove(std::uint32_t item);
-  /// Memory for the next move(), which doesn't throw then.
+  /// Reserves memory for the next move(), which doesn't throw then.
   void prepareMove() {
     if (free_.size() < kLevels) reserveFor(0);
   }
-  /// Another box for an item.
+  /// Changes the box of an item.
   void move(std::uint32_t item, const Bounds& bounds);
   bool holds(std::uint32_t item) const { return item < places_.size() && places_[item] != kNone; }
-  /// Boxes that have been inserted, or have left their place, since the tree was packed: it is the worse for them.
+  /// Returns how many boxes have been inserted or changed nodes since the tree was packed. They make it worse.
   std::size_t changes() const { return changes_; }
   Bounds boundsOf(std::uint32_t item) const { return nodes_[places_[item] / kLanes].at(places_[item] % kLanes); }
 
-  /// Calls visit(item, box) for every item whose box meets `bounds`, until it returns false. Returns whether it never
-  /// did. Visits may make `bounds` smaller.
+  /// Calls visit(item, box) for every item whose box meets `bounds`, until it returns false.
   template <typename Visit>
-  bool visit(const Bounds& bounds, const Visit& visit) const {
-    if (root_ == kNone) return true;
+  void visit(const Bounds& bounds, const Visit& visit) const {
+    if (root_ == kNone) return;
     std::uint32_t stack[kStack];
     int top = 0;
     stack[top++] = root_;
@@ -54,10 +53,9 @@ class BoxTree {
       }
       for (; met != 0; met &= met - 1) {
         const unsigned i = static_cast<unsigned>(__builtin_ctz(met));
-        if (!visit(node.child[i], node.at(i))) return false;
+        if (!visit(node.child[i], node.at(i))) return;
       }
     }
-    return true;
   }
 
   /// Calls visit(item) for every item whose box is no farther from `bounds` than `most`, near nodes and items first.
@@ -65,8 +63,8 @@ class BoxTree {
   template <typename Visit>
   void visitNear(const Bounds& bounds, double most, const Visit& visit) const;
 
-  /// Shows every item whose box the ray meets before the fraction `most`, nodes and items that it enters first first.
-  /// visit returns the largest fraction that is still of interest. A box counts as entered by kEarlier earlier.
+  /// Calls visit(item) for every item whose box the ray enters before the fraction `most`, the first nodes and items
+  /// first. visit returns the largest fraction that is still of interest. A box counts as entered by kEarlier earlier.
   template <typename Visit>
   void visitOnRay(const BoxRay& ray, double most, const Visit& visit) const;
 
@@ -75,15 +73,15 @@ class BoxTree {
   static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   static constexpr Bounds kNothing = {kNaN, kNaN, kNaN, kNaN};  ///< meets nothing, not even what is infinite
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  static constexpr int kLeast = 2;  ///< boxes a node, but for the root
-  /// A node has two children at least, so that a tree of 2^28 items has fewer levels.
+  /// A split leaves at most six boxes in a node, so that the node takes three more before its next split. Hence fewer
+  /// than 3^31 insertions make fewer levels than this.
   static constexpr int kLevels = 32;
   static constexpr int kStack = kLevels * (kLanes - 1) + 1;
 
   struct Node {
     EightBoxes boxes;             ///< beyond the count kNothing
     std::uint32_t child[kLanes];  ///< nodes, or a leaf's items
-    std::uint32_t parent, lane;   ///< kNone of the root; which of the parent's boxes is around this node
+    std::uint32_t parent, lane;   ///< kNone for the root; the index of this node among the parent's boxes
     std::uint8_t count;
     bool leaf;
 
@@ -92,7 +90,7 @@ class BoxTree {
     Bounds all() const;
   };
 
-  /// What pack() divides: where a box's middle is, in the box around all of these, and of which entry it is.
+  /// The middle of an entry's box, in units of the box around all middles.
   struct Middle {
     float x, y;
     std::uint32_t entry;

@@ -9,15 +9,15 @@
 namespace tricover::detail {
 namespace {
 
-/// A body is large if its box is so many times the seed's.
+/// A body is large if the area of its box is this many times the seed's.
 constexpr double kLarge = 8;
-/// And a try of so many edges is worth it.
+/// A body of more edges doesn't learn.
 constexpr std::size_t kMostEdges = 1000;
 
 double area(const Bounds& b) { return (b.max_x - b.min_x) * (b.max_y - b.min_y); }
 
-/// Takes away from `box` what is beside `edge`, so that it doesn't meet it any more, still holds the seed and is as
-/// large as possible. False if it can't.
+/// Makes `box` smaller by one side, so that it doesn't meet `edge` any more, still holds the seed and is as large as
+/// possible. Returns false if there is no such side.
 bool cut(Bounds& box, const Bounds& edge, const Bounds& seed) {
   if (!edge.meets(box)) return true;
   Bounds best = box;
@@ -39,11 +39,12 @@ bool cut(Bounds& box, const Bounds& edge, const Bounds& seed) {
 
 }  // namespace
 
-/// No edge, grown by the margin, has a point inside of the box that is left. So the region's boundary, grown, has none
-/// there, and neither has the region if what was in the seed didn't meet it: the seed is inside of that box.
+/// No edge, inflated by the margin, has a point inside the box that is left. Hence the boundary of the inflated region
+/// has none there. The query in the seed didn't meet the region, and the seed is inside the box, hence the region has
+/// none.
 void ClearBox::learn(const PolygonData& polygon, const Pose& pose, double margin, const Bounds& body,
                      const Bounds& seed) const {
-  if (!mayLearn()) return;
+  if (known_.load(std::memory_order_relaxed) != nullptr || tries_.load(std::memory_order_relaxed) >= kTries) return;
   if (polygon.path.size() > kMostEdges || !(area(body) > kLarge * area(seed)) || !body.contains(seed)) return;
   tries_.fetch_add(1, std::memory_order_relaxed);
   Bounds box = body;

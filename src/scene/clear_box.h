@@ -10,13 +10,13 @@
 
 namespace tricover::detail {
 
-/// What a body that is large beside the queries learns from them, until it moves: a box along the world's axes that no
-/// point of it is in, as large as it finds one. A container's hole is such a box, and what is asked about in it needs
-/// no look at the container.
+/// A box along the world's axes that no point of a body is in, as large as queries find it. Queries that miss a large
+/// body teach it, until it moves. A container's hole is such a box, and queries inside it need no test of the
+/// container.
 class ClearBox {
  public:
   ClearBox() = default;
-  ClearBox(const ClearBox&) {}  // a copy learns anew
+  ClearBox(const ClearBox&) {}  // a copy learns afresh
   ClearBox(ClearBox&& other) noexcept : known_(other.known_.exchange(nullptr)), tries_(other.tries_.load()) {}
   ClearBox& operator=(ClearBox&& other) noexcept {
     delete known_.exchange(other.known_.exchange(nullptr));
@@ -30,23 +30,19 @@ class ClearBox {
     tries_.store(0, std::memory_order_relaxed);
   }
 
-  /// Whether what is in `box` can't meet the body.
+  /// Whether no point in `box` is a point of the body.
   bool holds(const Bounds& box) const {
     const Bounds* known = known_.load(std::memory_order_acquire);
     return known != nullptr && known->min_x < box.min_x && box.max_x < known->max_x && known->min_y < box.min_y &&
            box.max_y < known->max_y;
   }
 
-  /// Whether learn() may be of use.
-  bool mayLearn() const {
-    return known_.load(std::memory_order_relaxed) == nullptr && tries_.load(std::memory_order_relaxed) < kTries;
-  }
-  /// Of a body: a polygon with a margin, in a box. Something in the box `seed`, its margin included, was found not to
-  /// meet it. Any number of threads may tell.
+  /// Learns from a query that doesn't meet the body. `seed` is the query's box with its margin, `body` the body's box
+  /// with the body's own. A body that isn't large beside the query learns nothing. Any number of threads may call this.
   void learn(const PolygonData& polygon, const Pose& pose, double margin, const Bounds& body, const Bounds& seed) const;
 
  private:
-  /// So many tries are worth it.
+  /// A body stops learning after this number of tries.
   static constexpr unsigned char kTries = 8;
 
   mutable std::atomic<const Bounds*> known_{nullptr};

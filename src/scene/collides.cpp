@@ -87,8 +87,7 @@ class CollisionQuery {
     const detail::WorldDiscs discs = body.discs.of(body.polygon.data(), body.pose);
     if (discs_.areApart(discs, options.margin)) return false;
     if (collide(polygon_, pose_, body.polygon, body.pose, options)) return true;
-    // A body that isn't large beside the query learns nothing.
-    if (discs.radius > discs_.radius && body.clear.mayLearn() && options.touching == Touching::Collides)
+    if (options.touching == Touching::Collides)
       body.clear.learn(body.polygon.data(), body.pose, body.options.margin, box, bounds_);
     return false;
   }

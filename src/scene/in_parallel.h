@@ -11,17 +11,17 @@
 
 namespace tricover::detail {
 
-/// task(i) for every i in [0, count), by what the user gave for it.
+/// Calls task(i) for every i in [0, count) on the user's threads.
 template <typename Task>
 void inParallel(const Parallel& parallel, std::size_t count, const Task& task) {
   if (parallel) return parallel(count, task);
   for (std::size_t i = 0; i < count; ++i) task(i);
 }
 
-/// What takes so little time is handed over in chunks of so many: handing one over costs microseconds.
+/// Short tasks are handed over in chunks of this number, because each costs microseconds to hand over.
 constexpr std::size_t kChunk = 512;
 
-/// The same in chunks.
+/// Does the same in chunks.
 template <typename Task>
 void inParallelTasks(const Parallel& parallel, std::size_t count, const Task& task) {
   inParallel(parallel, (count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
@@ -30,12 +30,14 @@ void inParallelTasks(const Parallel& parallel, std::size_t count, const Task& ta
   });
 }
 
-/// What gather(i, list) adds to lists, in the order of i from one list to the next, whatever runs it.
+/// Returns what gather(i, list) adds to lists, in the order of i, whatever runs it.
 template <typename Found, typename Gather>
-std::vector<std::vector<Found>> gatherInParallel(const Parallel& parallel, std::size_t count, const Gather& gather) {
+std::vector<Found> gatherInParallel(const Parallel& parallel, std::size_t count, const Gather& gather) {
   std::vector<std::vector<Found>> lists((count + kChunk - 1) / kChunk);
   inParallelTasks(parallel, count, [&](std::size_t i) { gather(i, lists[i / kChunk]); });
-  return lists;
+  std::vector<Found> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
 /// Throws, naming which of many poses it is.

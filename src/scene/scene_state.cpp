@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kinetic facts: see SceneState.
+// Certificates of pairs: see SceneState.
 #include "scene/scene_state.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 namespace tricover::detail {
 namespace {
 
-/// A pair's fact looks ahead for so many moves: fewer than a PairCache's (kStepsAhead), because most pairs of a crowd
-/// that come near soon part.
+/// A pair's certificate looks ahead for this number of moves. A PairCache looks farther (kStepsAhead), but most pairs
+/// of a crowd that come near soon separate.
 constexpr double kPairSteps = 1;
 
 }  // namespace
@@ -44,7 +44,7 @@ Slot SceneState::slot(BodyHandle body) const {
                                   was_there ? "it has been removed" : ""));
 }
 
-/// Memory for so many more bodies, so that neither putting them into the scene nor moving them throws.
+/// Reserves memory for more bodies, so that neither putting them into the scene nor moving them throws.
 void SceneState::makeRoomFor(std::size_t more) {
   const std::size_t anew = more - std::min(more, free_bodies.size());
   if (bodies.size() + anew > kMostBodies) throw std::length_error(refusal("scene", "more than 2^28 bodies"));
@@ -62,7 +62,7 @@ Slot SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions
     bodies.push_back(std::move(state));
     tenancies.emplace_back();
   } else {
-    // Lists may still hold a removed body of that slot.
+    // Lists may still hold a removed body of this slot.
     const BodyState& old = bodies[body];
     state.waits = old.waits, state.fresh = old.fresh, state.listed = old.listed;
     bodies[body] = std::move(state);
@@ -84,7 +84,8 @@ void SceneState::settle() {
   settling.is_done.store(true, std::memory_order_release);
 }
 
-/// Into the tree, one by one if they are few; all are packed anew once half of the boxes have changed.
+/// Puts the waiting bodies into the tree, one by one if they are few. All are packed anew once half of the boxes have
+/// changed.
 void SceneState::placeWaiting() {
   if (2 * (tree.changes() + waiting.size()) < count) {
     for (const Slot body : waiting)
@@ -100,7 +101,7 @@ void SceneState::placeWaiting() {
   std::vector<Slot>().swap(waiting);
 }
 
-/// Adds the pairs that a body whose box is new hasn't had, but for those that a body with a lower slot finds.
+/// Adds the new pairs of a body whose box is new, except the pairs that another such body with a lower slot finds.
 void SceneState::findPairs(Slot body, std::vector<SlotPair>& found) const {
   const auto linked = [&](Slot p, Slot q) {
     const auto &links_p = bodies[p].links, &links_q = bodies[q].links;
@@ -137,16 +138,15 @@ void SceneState::link(const SlotPair& ends) {
   bodies[second].links.push_back({-1, pair, first});
 }
 
-/// Finds them on the user's threads, and then links them in the order of the list. They are due.
+/// Finds new pairs on the user's threads, then links them in the order of the list. They are due.
 void SceneState::linkFresh(const Parallel& parallel) {
   const auto found = gatherInParallel<SlotPair>(parallel, fresh.size(), [&](std::size_t i, std::vector<SlotPair>& to) {
     if (isUsed(fresh[i])) findPairs(fresh[i], to);
   });
-  for (const auto& some : found)
-    for (const SlotPair& ends : some) link(ends);
+  for (const SlotPair& ends : found) link(ends);
 }
 
-/// Forgets a pair.
+/// Removes a pair.
 void SceneState::unlink(std::uint32_t index) {
   Pair& pair = pairs[index];
   if (pair.reported) lost.push_back(handlesOf(pair));
@@ -165,7 +165,8 @@ void SceneState::unlink(std::uint32_t index) {
   free_pairs.push_back(index);
 }
 
-/// A pair's fact holds while the two bodies together move by less than `room`: shared as they have been moving.
+/// A pair's certificate holds while the two bodies together move by less than `room`. Each body gets a share, in the
+/// proportion of their average steps.
 void SceneState::schedule(const Pair& pair, double room) {
   BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
   const double pace = p.step + q.step, part = pace > 0 ? p.step / pace : 0.5;
@@ -177,20 +178,20 @@ void SceneState::schedule(const Pair& pair, double room) {
 
 SceneState::Finding SceneState::look(Pair& pair) {
   const BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
-  if (!mayMeet(p, q) || !tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false, false};
+  if (!mayMeet(p, q) || !tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false};
   const double pace = p.step + q.step;
   const CollideOptions options = withBody({p.options.margin, 0, p.options.touching}, q.options);
-  const Outcome fact = inKernelOrder(
+  const Outcome found = inKernelOrder(
       p.polygon.data(), p.pose, q.polygon.data(), q.pose,
       [&](const auto&... operands) {
         return findFact(operands..., options, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
       },
       [](const Outcome&) {});
-  const double room = fact.collides ? fact.clearance : roundedDown<1>(fact.clearance - options.margin);
-  pair.edge[0] = fact.edge_a;
-  pair.edge[1] = fact.edge_b;
+  const double room = found.collides ? found.clearance : roundedDown<1>(found.clearance - options.margin);
+  pair.edge[0] = found.edge_a;
+  pair.edge[1] = found.edge_b;
   schedule(pair, std::max(room, 0.0));
-  return {true, fact.collides != pair.collides, !(p.listed && q.listed)};
+  return {true, found.collides != pair.collides};
 }
 
 void SceneState::keep(std::uint32_t index, const Finding& found) {
@@ -200,19 +201,18 @@ void SceneState::keep(std::uint32_t index, const Finding& found) {
     changed.push_back(index);
     pair.collides = !pair.collides;
   }
-  if (!found.is_unlisted) return;
   for (const int end : {0, 1}) {
     BodyState& state = bodies[pair.body[end]];
     state.due = std::min(state.due, state.links[pair.link[end]].due);
   }
 }
 
-/// Lists the pairs that are due, each as its lower slot finds it, or the other one where that doesn't.
+/// Lists the pairs that are due. A pair that both of its bodies find is listed by the one with the lower slot.
 void SceneState::listPairs(const Parallel& parallel) {
   const auto finds = [&](const BodyState& state, const Link& link) {
     return state.listed && !(state.moved < link.due);
   };
-  const auto found =
+  listed_pairs =
       gatherInParallel<std::uint32_t>(parallel, due.size(), [&](std::size_t i, std::vector<std::uint32_t>& to) {
         const Slot body = due[i];
         if (!isUsed(body)) return;
@@ -223,18 +223,16 @@ void SceneState::listPairs(const Parallel& parallel) {
           if (body < link.other || !finds(other, other.links[pair.link[0]])) to.push_back(link.pair);
         }
       });
-  listed_pairs.clear();
-  for (const auto& some : found) listed_pairs.insert(listed_pairs.end(), some.begin(), some.end());
 }
 
-/// Looks at those that are listed on the user's threads, and then does the rest in the order of the list: what is found
-/// of one doesn't depend on what is found of others.
+/// Tests the listed pairs on the user's threads, then keeps the findings in the order of the list. A finding doesn't
+/// depend on other findings.
 void SceneState::lookAtPairs(const Parallel& parallel) {
   findings.resize(listed_pairs.size());
   makeRoom(changed, listed_pairs.size());
   try {
     inParallelTasks(parallel, listed_pairs.size(), [&](std::size_t i) { findings[i] = look(pairs[listed_pairs[i]]); });
-  } catch (...) {  // what was found is lost
+  } catch (...) {  // the findings are lost: all pairs stay due
     for (const std::uint32_t index : listed_pairs)
       for (const int end : {0, 1}) bodies[pairs[index].body[end]].links[pairs[index].link[end]].due = -1;
     throw;
@@ -242,7 +240,7 @@ void SceneState::lookAtPairs(const Parallel& parallel) {
   for (std::size_t i = 0; i < listed_pairs.size(); ++i) keep(listed_pairs[i], findings[i]);
 }
 
-/// Brings all facts and `collisions` up to now.
+/// Brings all certificates and `collisions` up to now.
 void SceneState::updateCollisions(const Parallel& parallel) {
   settled();
   linkFresh(parallel);
@@ -260,7 +258,7 @@ void SceneState::updateCollisions(const Parallel& parallel) {
   report();
 }
 
-/// What has changed since the last report.
+/// Reports what has changed since the last report.
 void SceneState::report() {
   began.clear();
   ended.swap(lost);

@@ -18,77 +18,76 @@
 
 namespace tricover::detail {
 
-/// The place of a body among all, at the most as many as have been there at once: slotOf() its handle.
+/// The index of a body: slotOf() its handle.
 using Slot = std::uint32_t;
 constexpr Slot kNoSlot = ~Slot{0};
 
-/// A BodyFilter of a scene.
+/// A BodyFilter whose exception is a slot.
 struct SlotFilter {
   std::uint32_t categories;
   Slot except;
 };
 
-/// Two bodies, each by its place.
+/// Two bodies, the lower slot first.
 struct SlotPair {
   Slot first, second;
 };
 
-/// What a Scene holds: the bodies, a tree of boxes around them, and kinetic facts about pairs of them.
+/// The state of a Scene: the bodies, a tree of boxes around them, and certificates of pairs.
 ///
-/// A body counts how far any of its points has moved at the most, `moved`, which never decreases. Its box in the tree
-/// holds it until that reaches `box_until`. Two bodies whose boxes meet, and that may meet, are a pair, unless one of
-/// them is `fresh`: its box is new, and its pairs are to be found. A pair's fact (CollisionFact) with a clearance c
-/// holds while the two counts together grow by less than c, so while neither passes its share of that: its links'
-/// `due`. A body's own `due` is the first of all these. So what isn't due is as it was, and collisions() looks at the
-/// rest.
+/// Each body counts an upper bound of how far its points have moved in all, `moved`. The count never decreases. The
+/// body's box in the tree holds it until the count reaches `box_until`. Two bodies whose boxes meet, and whose
+/// categories meet, are a pair. A body whose box is new is `fresh`, and its pairs are still to be found. A pair's
+/// certificate with a clearance c holds while the two counts together grow by less than c. Each body gets a share of c,
+/// and the pair is due when either count reaches its link's `due`. A body's own `due` is the least of its links' and
+/// `box_until`. A call of collisions() looks only at bodies that are due.
 struct SceneState {
   static constexpr std::uint32_t kMostBodies = std::uint32_t{1} << 28;
 
-  /// A pair, as one of its bodies sees it.
+  /// A pair, as one of its bodies refers to it.
   struct Link {
-    double due;  ///< of this body's count
+    double due;  ///< the count of this body that makes the pair due
     std::uint32_t pair;
     Slot other;
   };
 
-  /// Four cache lines: a query that shows a body reads two of them, one that looks close three.
   struct alignas(64) BodyState {
     Polygon polygon;
     Pose pose;
     BodyOptions options;
-    double step;  ///< how far it goes at a move, as a moving average
+    double step;  ///< the length of its moves, a moving average
     mutable KeptDiscs discs;
     ClearBox clear;
     double moved, due, box_until;
     std::vector<Link> links;  ///< its pairs
-    bool waits;               ///< in the list of these, and not in the tree
-    bool fresh;               ///< in the list of these
-    bool listed;              ///< in the list of these
+    bool waits;               ///< in `waiting`, and not in the tree
+    bool fresh;               ///< in the list of this name
+    bool listed;              ///< in the list `due`
   };
 
-  /// What is asked of a slot where the body itself isn't.
+  /// Data of a slot that outlive its body.
   struct Tenancy {
-    std::uint32_t changes = 0;  ///< comings and goings of bodies: odd while there is one
-    std::uint32_t turn = 0;     ///< the last call of moveBodies() that named it
+    std::uint32_t changes = 0;  ///< bodies added and removed: odd while there is one
+    std::uint32_t turn = 0;     ///< the last call of moveBodies() that named the slot
   };
 
   struct Pair {
     Slot body[2];             ///< the lower slot first
-    std::uint32_t link[2];    ///< its place among either one's links
-    std::ptrdiff_t edge[2];   ///< that made the last hit, in the kernel's order; -1: none
+    std::uint32_t link[2];    ///< its index among each body's links
+    std::ptrdiff_t edge[2];   ///< the edges of the last hit, in the kernel's order; -1: none
     bool used;                ///< false: the place is free
-    bool collides, reported;  ///< by its fact; by `collisions`
+    bool collides, reported;  ///< by its certificate; by `collisions`
   };
 
-  /// With all bodies in the tree: those that came since the last query are put there by the next one, together, so that
-  /// it is well packed. Any number of threads may ask.
+  /// Puts all waiting bodies into the tree. New bodies wait for the next query, because a tree that is packed at once
+  /// is better than one that grows. Any number of threads may call this.
   const SceneState& settled() {
     if (!settling.is_done.load(std::memory_order_acquire)) settle();
     return *this;
   }
   void settle();
 
-  /// Whose turn it is to settle, and whether nobody waits.
+  /// The lock of settle(), and whether no body waits.
   struct Settling {
     Settling() = default;
     Settling(const Settling& other) : is_done(other.is_done.load()) {}
@@ -121,12 +120,12 @@ struct SceneState {
   void placeWaiting();
   Bounds newBox(Slot body);
 
-  // Kinetic facts.
+  // Certificates of pairs.
   double stepTo(Slot body, const Pose& pose) const;
   bool advance(Slot body, const Pose& pose, double step);
   void moveBody(Slot body, const Pose& pose);
   void setOptions(Slot body, const BodyOptions& options);
-  /// One of many moves, and what is left to be done of it.
+  /// One of many moves, and what is left to do of it.
   struct Moving {
     enum What : std::uint8_t { Done, IsDue, Later };
     Slot body;
@@ -141,10 +140,9 @@ struct SceneState {
   void link(const SlotPair& ends);
   void linkFresh(const Parallel& parallel);
   void listPairs(const Parallel& parallel);
-  /// What a look at a pair leaves to be done, beside what it changes of the pair and its links alone.
+  /// The result of testing a pair.
   struct Finding {
     bool are_near, has_changed;
-    bool is_unlisted;  ///< the body of one end isn't listed, and may be due sooner now
   };
   Finding look(Pair& pair);
   void keep(std::uint32_t index, const Finding& found);
@@ -154,26 +152,26 @@ struct SceneState {
   void report();
 
   std::vector<BodyState> bodies;
-  std::vector<Tenancy> tenancies;  ///< of their slots
+  std::vector<Tenancy> tenancies;
   std::vector<Slot> free_bodies;
-  std::vector<Slot> unreported;  ///< removed, but their pairs haven't been reported as ended
+  std::vector<Slot> unreported;  ///< removed bodies whose pairs haven't been reported as ended
   std::size_t count = 0;
   BoxTree tree;
-  std::vector<Slot> waiting;  ///< bodies that are to be put into the tree
+  std::vector<Slot> waiting;  ///< bodies that aren't in the tree yet
   Settling settling;
   std::vector<Pair> pairs;
   std::vector<std::uint32_t> free_pairs;
   std::vector<Slot> fresh, due;             ///< bodies; see above
-  std::vector<std::uint32_t> listed_pairs;  ///< to be looked at
+  std::vector<std::uint32_t> listed_pairs;  ///< to be tested
   std::vector<std::uint32_t> changed;       ///< pairs whose `collides` may differ from what was reported
-  std::vector<Finding> findings;            ///< of listed pairs, while they are looked at
+  std::vector<Finding> findings;            ///< of listed pairs
   std::vector<Moving> moves;                ///< of bodies that are moved together
-  std::uint32_t turn = 0;                   ///< of moving bodies together
-  std::vector<BodyPair> lost;               ///< reported pairs that are no pairs any more
+  std::uint32_t turn = 0;                   ///< counts calls of moveBodies()
+  std::vector<BodyPair> lost;               ///< reported pairs that have been removed
   std::vector<BodyPair> collisions, began, ended;
 };
 
-/// Room for `more` things, so that adding them won't throw. Grows as push_back does.
+/// Reserves room for `more` elements, so that adding them won't throw. Grows as push_back does.
 template <typename T>
 void makeRoom(std::vector<T>& list, std::size_t more) {
   if (list.capacity() - list.size() < more) list.reserve(list.size() + std::max(more, list.size()));

@@ -49,13 +49,13 @@ struct WorldDiscs {
 };
 
 /// A body's discs. The first query that comes near computes them, on any thread; they are kept until the body moves.
-class KeptDiscs : private WorldDiscs {
+class KeptDiscs {
  public:
   KeptDiscs() = default;
-  KeptDiscs(const KeptDiscs& other) : WorldDiscs() { *this = other; }
+  KeptDiscs(const KeptDiscs& other) { *this = other; }
   KeptDiscs& operator=(const KeptDiscs& other) {
     const bool kept = other.state_.load(std::memory_order_acquire) == kKept;
-    if (kept) WorldDiscs::operator=(other);
+    if (kept) discs_ = other.discs_;
     state_.store(kept ? kKept : kNone, std::memory_order_relaxed);
     return *this;
   }
@@ -64,12 +64,12 @@ class KeptDiscs : private WorldDiscs {
 
   /// They aren't kept before the polygon's inner discs have been built.
   WorldDiscs of(const PolygonData& polygon, const Pose& pose) {
-    if (state_.load(std::memory_order_acquire) == kKept) return *this;
+    if (state_.load(std::memory_order_acquire) == kKept) return discs_;
     const bool is_known = polygon.isDegenerate() || innerDiscsIfBuilt(polygon) != nullptr;
     const WorldDiscs found(polygon, pose);
     char none = kNone;
     if (is_known && state_.compare_exchange_strong(none, kBeingKept, std::memory_order_relaxed)) {
-      WorldDiscs::operator=(found);
+      discs_ = found;
       state_.store(kKept, std::memory_order_release);
     }
     return found;
@@ -77,6 +77,7 @@ class KeptDiscs : private WorldDiscs {
 
  private:
   static constexpr char kNone = 0, kBeingKept = 1, kKept = 2;
+  WorldDiscs discs_;
   std::atomic<char> state_{kNone};
 };
 
