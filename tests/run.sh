@@ -37,7 +37,7 @@ time suite "optimised; and with asserts and sanitizers" tests all "" -DCMAKE_BUI
 time TRICOVER_TEST_SCALE=0.3 suite "threads" threads threads_test "-R threads" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 \
   -DTRICOVER_SANITIZE=thread -DTRICOVER_BUILD_FCL=OFF
 if command -v clang++ >/dev/null; then
-  targets="tricover tricover_fcl" filter="-R consumer"
+  targets="tricover tricover_io tricover_fcl" filter="-R consumer"
   if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
     clang++ -fsanitize=fuzzer -x c++ -o /dev/null - 2>/dev/null; then
     targets+=" fuzz_collide_libfuzzer fuzz_locate_libfuzzer fuzz_scene_libfuzzer fuzz_validation_libfuzzer" filter+="|libfuzzer"

@@ -78,7 +78,7 @@ expect(pkg_registered "^registered\n$")
 
 # The kernel is no part of a shared library's interface; FCL's functions that tricover replaces are.
 if(SHARED)
-  foreach(library tricover tricover_fcl)
+  foreach(library tricover tricover_io tricover_fcl)
     execute_process(COMMAND nm -DC --defined-only ${libraries}/lib${library}.so OUTPUT_VARIABLE ${library}
       COMMAND_ERROR_IS_FATAL ANY)
     # A symbol's name begins after its type's letter; the standard library's templates may be of the kernel's types.
