@@ -82,10 +82,13 @@ class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
   /// Of a polygon and its options. Throws std::invalid_argument, naming the field, for an interval that isn't finite
   /// (except that of atAllHeights()) or runs downwards, and a margin that is negative or not finite.
-  /// The last argument is there for its default, which the caller's own code evaluates: FCL's tables for float, which
-  /// are large, are linked into programs that make shapes for float, and into no others.
+  /// Throws std::logic_error if the caller was compiled with another FCL than tricover, or with another alignment of
+  /// Eigen's types (-march=native): nothing would work safely.
+  /// The last argument is there for its default, which the caller's own code evaluates. The default sees FCL as the
+  /// caller does; and FCL's tables for float, which are large, are linked only into programs that make shapes for
+  /// float.
   explicit PolygonShape(const tricover::Polygon& polygon, const PolygonOptions& options = {},
-                        detail::FilledTables<S> tables = detail::filledTables<S>());
+                        detail::FilledTables<S> tables = detail::filledTables<S>(FclLayout{}));
 
   PolygonShape(const PolygonShape&) = default;             ///< Moving copies, too: no shape is ever without its data.
   PolygonShape& operator=(const PolygonShape&) = default;  ///< Copies, too.

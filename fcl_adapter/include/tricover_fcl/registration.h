@@ -7,29 +7,28 @@
 namespace tricover_fcl {
 
 namespace detail {
-/// What the library does of it.
+/// The library's part of tricover_fcl::registerNarrowphase().
 TRICOVER_EXPORT void registerNarrowphase();
-/// That FCL's function tables for S have our rows.
+/// Says that FCL's function tables for S have our rows, and that the caller sees FCL's types as tricover does.
 template <typename S>
 struct FilledTables {};
 
-/// Sees to that, once, and redirects calls that would go past tricover. From any thread.
+/// Throws what checkFclLayout() throws. The first call fills the tables. From any thread.
 template <typename S>
-FilledTables<S> filledTables();
+FilledTables<S> filledTables(const FclLayout& seen);
 template <>
-TRICOVER_EXPORT FilledTables<float> filledTables();
+TRICOVER_EXPORT FilledTables<float> filledTables(const FclLayout& seen);
 template <>
-TRICOVER_EXPORT FilledTables<double> filledTables();
+TRICOVER_EXPORT FilledTables<double> filledTables(const FclLayout& seen);
 }  // namespace detail
 
 /// Makes fcl::collide, fcl::distance and fcl::continuousCollide answer for PolygonShape: geometries and
 /// CollisionObjects, both GJK solver types, both orders, and so every broadphase manager. The first
-/// PolygonShape does so by itself, for float the first PolygonShapef, also where libfcl comes first, as in a plugin
-/// whose host links it (Linux on x86-64 and AArch64: what was loaded since is seen to by the next PolygonShape, or by
-/// this); what this adds is a check. It asks FCL's public entry points about known polygons and throws
-/// std::logic_error, which says how to link, if they don't reach tricover: they would say "free" then.
-/// (tricover_fcl::collide, distance and continuousCollide work regardless.) Call it once, from any thread; more calls
-/// cost next to nothing.
+/// PolygonShape does so by itself, for float the first PolygonShapef. This function adds a check: it queries FCL's
+/// public entry points about known polygons and throws std::logic_error if they don't reach tricover, because they
+/// would answer "free" then. The text says how to link. That happens where libfcl comes before tricover, as in a plugin
+/// whose host links libfcl. tricover_fcl::collide, distance and continuousCollide work there, too, and making a
+/// PolygonShape doesn't throw. Call it once, from any thread; more calls cost next to nothing.
 ///
 /// Polygons meet polygons in the world's plane, and every other geometry that FCL knows (box, sphere, ellipsoid,
 /// capsule, cone, cylinder, convex, plane, halfspace, meshes of all bounding volumes, octrees) in the polygon's own
@@ -38,7 +37,8 @@ TRICOVER_EXPORT FilledTables<double> filledTables();
 /// geometries of no type that FCL knows, and fcl::TriangleP, which shares the node type. Pairs without a polygon are
 /// answered as by FCL alone.
 ///
-/// Calls checkFclLayout() first, which throws std::logic_error if this was compiled with another FCL than tricover.
+/// Calls checkFclLayout() first, as every constructor of a PolygonShape does: it throws std::logic_error if the caller
+/// was compiled with another FCL than tricover, or with another alignment of Eigen's types.
 ///
 /// \snippet fcl.cpp register
 inline void registerNarrowphase() {

@@ -6,7 +6,8 @@ namespace tricover_fcl {
 
 /// Apart from registration.cpp, which every program links.
 template <>
-detail::FilledTables<float> detail::filledTables() {
+detail::FilledTables<float> detail::filledTables(const FclLayout& seen) {
+  checkFclLayout(seen);
   static const bool filled = [] {  // by one thread, the others wait
     fillCollisionTables<float>();
     fillDistanceTables<float>();

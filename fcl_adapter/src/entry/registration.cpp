@@ -11,7 +11,6 @@
 #include <string>
 
 #include "entry/fill_tables.h"
-#include "entry/redirect_calls.h"
 #include "shape/errors.h"
 #include "tricover_fcl/polygon_shape.h"
 
@@ -83,7 +82,8 @@ bool registerOnce() {
     refuseQuestion(
         unreached, "it doesn't reach tricover, because libfcl comes before it in the search order",
         "link tricover::fcl before fcl (with a shared tricover, libtricover_fcl.so before libfcl.so, and nothing in "
-        "LD_PRELOAD that brings libfcl first), or link tricover statically, without hiding the executable's symbols, "
+        "LD_PRELOAD that brings libfcl first), or link tricover statically, without hiding the executable's symbols. "
+        "In a plugin whose host links libfcl, start the host with libtricover_fcl.so and libtricover.so in LD_PRELOAD, "
         "or call tricover_fcl::collide, distance, continuousCollide and the callbacks beside them, which work in every "
         "case");
   }
@@ -93,15 +93,14 @@ bool registerOnce() {
 }  // namespace
 
 template <>
-detail::FilledTables<double> detail::filledTables() {
+detail::FilledTables<double> detail::filledTables(const FclLayout& seen) {
+  checkFclLayout(seen);
   static const bool filled = fillOnce();  // by one thread, the others wait
   static_cast<void>(filled);
-  redirectCalls();
   return {};
 }
 
 void detail::registerNarrowphase() {
-  redirectCalls();
   static const bool registered = registerOnce();  // by one thread, the others wait; tried again if it throws
   static_cast<void>(registered);
 }
