@@ -3,11 +3,13 @@
 #include <fcl/narrowphase/collision.h>
 
 #include <set>
+#include <thread>
 
 #include "polygon/cache_access.h"
 #include "scene.h"
 #include "shape/pair_cache_table.h"
 #include "tricover/collide.h"
+#include "tricover_fcl/collide.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -57,6 +59,14 @@ tricover::PairCache* slotOf(const tricover::Polygon& a, Place place_a, const tri
   return pairCache(a, place_a, b, place_b);
 }
 
+/// A thread whose table is as large as it becomes: slots stay where they are.
+void growTable() {
+  Random random(17);
+  const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+  static const char places[1 << 12] = {};
+  for (const char& place : places) slotOf(a, &place, b, nullptr);
+}
+
 TEST(Coherence, aPairHasOneSlotInEitherOrder) {
   Random random(12);
   const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
@@ -81,6 +91,7 @@ TEST(Coherence, newPlacesShareTheirPairsSlot) {
 TEST(Coherence, aSlotThatWasAnotherPairsBeginsEmpty) {
   Random random(16);
   const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1), c = randomPolygon(random, 1);
+  growTable();
   static const char places[1 << 17] = {};
   const auto rests = [](tricover::PairCache& slot) -> std::uint8_t& {
     return tricover::detail::factsIn(slot).collision.balance.resting;
@@ -115,7 +126,46 @@ TEST(Coherence, fclCallsFillThePairsSlot) {
   EXPECT_EQ((std::set<std::uint64_t>{fact.first_id, fact.second_id}), (std::set<std::uint64_t>{a.id(), b.id()}));
 }
 
+TEST(Coherence, aTableIsSmallUntilUsed) {
+  Random random(18);
+  const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
+  std::size_t at_first = 0, grown = 0;
+  std::thread([&] {
+    for (int time = 0; time < 3; ++time) {
+      const fcl::CollisionObjectd object_a(a), object_b(b);
+      fcl::CollisionResultd result;
+      tricover_fcl::collide(&object_a, &object_b, fcl::CollisionRequestd(), result);
+    }
+    at_first = pairCacheBytes();
+    growTable();
+    grown = pairCacheBytes();
+  }).join();
+  EXPECT_GT(at_first, 0u);
+  EXPECT_LE(at_first, std::size_t{1} << 16);
+  EXPECT_GT(grown, std::size_t{1} << 20);
+  EXPECT_LE(grown, std::size_t{5} << 20);
+}
+
+TEST(Coherence, aPairKeepsItsCacheWhileTheTableGrows) {
+  std::thread([] {
+    Random random(19);
+    const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+    static const char places[64] = {};
+    for (const char& place : places) {
+      tricover::PairCache* const slot = slotOf(a, &place, b, nullptr);
+      tricover::collide(a, tricover::Pose::Identity(), b, tricover::support::pose(0, 9, 0), *slot);
+    }
+    int kept = 0;
+    for (const char& place : places) {
+      const auto& fact = tricover::detail::factsIn(*slotOf(a, &place, b, nullptr)).collision;
+      kept += fact.first_id == a.id() || fact.first_id == b.id();
+    }
+    EXPECT_GE(kept, 40);  // some share a slot
+  }).join();
+}
+
 TEST(Coherence, slotsSpread) {
+  growTable();
   // A fleet of one model: 45 pairs of the same ids.
   Random random(14);
   const tricover::Polygon model = randomPolygon(random, 1);

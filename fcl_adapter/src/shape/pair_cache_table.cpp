@@ -1,37 +1,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape/pair_cache_table.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace tricover_fcl {
 namespace {
 
-constexpr int kSlotBits = 13;  // a thousand live pairs lose one in ten to a shared slot
+/// A table begins with 2^6 slots, which take less than 64 KB, and doubles while more than an eighth of them are in use:
+/// a thousand live pairs lose one in ten to a shared slot.
+constexpr int kFirstBits = 6, kMostBits = 13;
 
 struct alignas(64) Slot {
-  /// They begin empty where the slot was another pair's, whose facts may have been of no use to that one and rest.
-  tricover::PairCache* of(std::uint64_t key) {
-    if (owner != key) {
-      owner = key;
-      facts = {};
-    }
-    return &facts;
-  }
-
   std::uint64_t owner = 0;
   tricover::PairCache facts;
 };
-static_assert(sizeof(Slot) == 576);  // so 4.5 MiB a thread
+static_assert(((sizeof(Slot) + sizeof(std::uint64_t)) << kFirstBits) <= std::size_t{1} << 16);
 
-/// Keys are apart from the facts: places that are new all the time then touch little memory.
+/// Keys are apart from the caches: places that are new all the time then touch little memory.
 struct Table {
-  static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
+  Table() { resize(kFirstBits); }
 
-  std::array<std::uint64_t, kSlots> keys{};  ///< of the pair, with its places or without, that came here last
-  std::array<Slot, kSlots> slots;
+  std::size_t slotOf(std::uint64_t key) const { return static_cast<std::size_t>(key >> (64 - bits)); }
+
+  /// The key that came to the slot last.
+  std::uint64_t& lastAt(std::uint64_t key) { return keys[slotOf(key)]; }
+
+  /// The cache of that pair. It begins empty where the slot was another pair's: that pair's may be in back-off.
+  tricover::PairCache* cacheOf(std::uint64_t key) {
+    Slot* slot = &slots[slotOf(key)];
+    if (slot->owner != key) {
+      if (slot->owner == 0 && ++used > slots.size() / 8 && bits < kMostBits) {
+        resize(bits + 1);
+        slot = &slots[slotOf(key)];
+      }
+      slot->owner = key;
+      slot->facts = {};
+    }
+    return &slot->facts;
+  }
+
+  void resize(int more_bits) {
+    const std::vector<Slot> old_slots = std::move(slots);
+    const std::vector<std::uint64_t> old_keys = std::move(keys);
+    bits = more_bits;
+    slots = std::vector<Slot>(std::size_t{1} << bits);
+    keys = std::vector<std::uint64_t>(slots.size());
+    used = 1;
+    for (const std::uint64_t key : old_keys) {
+      if (key != 0) lastAt(key) = key;
+    }
+    for (const Slot& slot : old_slots) {
+      if (slot.owner == 0) continue;
+      slots[slotOf(slot.owner)] = slot;
+      ++used;
+    }
+  }
+
+  int bits = 0;
+  std::size_t used = 0;             ///< slots that have an owner, or are about to
+  std::vector<std::uint64_t> keys;  ///< of the pair, with its places or without, that came to a slot last
+  std::vector<Slot> slots;
 };
 
 /// A plain pointer beside its owner, because a thread_local with a destructor is asked for its state at every use.
@@ -41,7 +73,7 @@ thread_local Table* table = nullptr;
 thread_local bool ended = false;
 
 struct TableOwner {
-  std::unique_ptr<Table> all{new Table};  // whose slots needn't be zeroed first
+  std::unique_ptr<Table> all = std::make_unique<Table>();
 
   TableOwner() { table = all.get(); }
   ~TableOwner() {
@@ -73,17 +105,20 @@ tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, 
                                const void* place_b) {
   Table* const all = table != nullptr ? table : makeTable();
   if (all == nullptr) return nullptr;
-  const auto slotOf = [](std::uint64_t key) { return static_cast<std::size_t>(key >> (64 - kSlotBits)); };
   const std::uint64_t key = keyOf(a, place_a, b, place_b);
-  const std::size_t own = slotOf(key);
-  if (all->keys[own] == key) return all->slots[own].of(key);
-  all->keys[own] = key;
+  std::uint64_t& last = all->lastAt(key);
+  if (last == key) return all->cacheOf(key);
+  last = key;
   const std::uint64_t key_of_ids = keyOf(a, nullptr, b, nullptr);
-  Slot& of_ids = all->slots[slotOf(key_of_ids)];
-  std::uint64_t& last = all->keys[slotOf(key_of_ids)];
-  if (of_ids.owner == key_of_ids || last == key_of_ids) return of_ids.of(key_of_ids);
-  last = key_of_ids;
+  std::uint64_t& last_of_ids = all->lastAt(key_of_ids);
+  if (all->slots[all->slotOf(key_of_ids)].owner == key_of_ids || last_of_ids == key_of_ids)
+    return all->cacheOf(key_of_ids);
+  last_of_ids = key_of_ids;
   return nullptr;
+}
+
+std::size_t pairCacheBytes() {
+  return table == nullptr ? 0 : table->slots.size() * (sizeof(Slot) + sizeof(std::uint64_t));
 }
 
 }  // namespace tricover_fcl
