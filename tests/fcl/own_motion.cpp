@@ -435,5 +435,21 @@ TEST(OwnMotions, whatCannotBeAnsweredThrows) {
   EXPECT_FALSE(result.is_collide);
 }
 
+/// A bound that knows no direction, beside a wall at a distance of 1e-9, takes 1e9 steps: the search ends before, with
+/// a time until which nothing is met.
+TEST(OwnMotion, aSearchEndsWithALowerBound) {
+  const Swing<double> still{{0, 0}, {0, 0}, 1, 0, 0, 0}, along{{1 + 1e-9, 0}, {0, 1}, 1, 0, 0, 0};
+  const Shape<double> wall = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -9, 0, 9)})),
+                      square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const SwingMotion<double> moving(along, 2);
+  const StaticMotion standing(lifted(still.at(0)));
+  fcl::ContinuousCollisionResultd result;
+  const double time =
+      tricover_fcl::continuousCollide<double>(square.get(), &moving, wall.get(), &standing, advancing(1e-3), result);
+  EXPECT_TRUE(result.is_collide);
+  EXPECT_GT(time, 0);
+  EXPECT_LT(time, 1e-3);
+}
+
 }  // namespace
 }  // namespace tricover_fcl::test

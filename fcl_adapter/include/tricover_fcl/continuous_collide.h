@@ -27,13 +27,16 @@ namespace tricover_fcl {
 /// any point of the geometry from t to 1. A bound of 0 at the start means that it stands still, and nothing more is
 /// asked. The promises above hold as far as the bound does, but for 1e-13 of size and distance, within which it counts
 /// as contact. The better the bound, the fewer poses are asked for: passing by at a distance d takes about way / d of
-/// them. A bound that isn't finite throws std::logic_error, and so does a motion that hands itself to the visitor,
-/// because FCL's visitors know FCL's motions alone and say 0 of others.
+/// them. The search takes at most 16 / toc_err steps (65,536 at least, a million at most) for each leg of the other
+/// motion. After so many it reports a contact at the time that it has reached: nothing is met before, and nothing is
+/// known about later. A bound that isn't finite throws std::logic_error, and so does a motion that hands itself to the
+/// visitor, because FCL's visitors know FCL's motions alone and say 0 of others.
 ///
 /// Other geometries: as long as both motions keep the polygon's plane as it lies at time 0 (they shift within it and
 /// turn about its normal), wherever that is in space; other motions throw std::invalid_argument, and work with
 /// CCDC_NAIVE in fcl::continuousCollide. A plane or halfspace needs a motion of FCL's, or one that stands still. A
-/// round geometry is taken for a polygon around it, at most 1e-6 of its size outside.
+/// round geometry that is neither a disc nor a stadium is taken for a polygon around it, at most 1e-4 of its size
+/// outside.
 ///
 /// fcl::continuousCollide throws std::logic_error for a polygon where CCDC_RAY_SHOOTING or CCDC_POLYNOMIAL_SOLVER is
 /// asked for, which know none. (Its float version is compiled into users' code, out of reach: it prints, or says

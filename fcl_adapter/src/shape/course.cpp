@@ -227,9 +227,9 @@ double partedFor(const Mover<S>& a, const Mover<S>& b, const Vec2& direction, do
 }
 
 template <typename S>
-std::optional<CourseContact> advance(const Polygon& polygon_a, const Course& course_a, const Polygon& polygon_b,
-                                     const Course& course_b, double begin, double end,
-                                     const tricover::ImpactOptions& options) {
+std::optional<double> advance(const Polygon& polygon_a, const Course& course_a, const Polygon& polygon_b,
+                              const Course& course_b, double begin, double end,
+                              const tricover::ImpactOptions& options) {
   if (!(std::isfinite(options.time_error) && options.time_error >= 0))
     refuse("time_error", "it must be finite and not negative");
   constexpr double kShort = 1.0 / 64;  // steps below that are worth a look along a direction,
@@ -241,13 +241,15 @@ std::optional<CourseContact> advance(const Polygon& polygon_a, const Course& cou
   };
   const double size = options.margin + radiusAround(polygon_a, Vec2::Zero()) + radiusAround(polygon_b, Vec2::Zero());
   tricover::PairCache facts;
-  for (double time = static_cast<double>(roundDown<S>(begin));;) {
+  // A step for each time_error / 16, between 65,536 and a million of them.
+  const double most = std::clamp(16 / options.time_error, 0x1p16, 0x1p20);
+  double time = static_cast<double>(roundDown<S>(begin));
+  for (double steps = 0; steps < most; ++steps) {
     a.moveTo(time);
     b.moveTo(time);
     const tricover::DistanceResult nearest =
         tricover::distance(polygon_a, a.pose, polygon_b, b.pose, facts, {options.margin});
-    const CourseContact contact{time, nearest.edge_b};
-    if (nearest.distance == 0) return contact;
+    if (nearest.distance == 0) return time;
     // What the distance is rounded by, and what the motions' poses are, also far from the world's origin.
     const double rounding = 1e-13 * (size + (a.pose.translation() - b.pose.translation()).norm()) +
                             8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
@@ -267,11 +269,12 @@ std::optional<CourseContact> advance(const Polygon& polygon_a, const Course& cou
     if (free_until >= end) return std::nullopt;
     // Motions are asked at times that S has.
     const double next = free_until > time ? static_cast<double>(roundDown<S>(free_until)) : time;
-    if (!(next > time)) return contact;
+    if (!(next > time)) return time;
     const double soon = static_cast<double>(roundDown<S>(std::min(time + options.time_error, end)));
-    if (next <= soon && collide(soon)) return contact;
+    if (next <= soon && collide(soon)) return time;
     time = next;
   }
+  return time;  // nothing is met before
 }
 
 }  // namespace
@@ -295,11 +298,11 @@ Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& bo
 }
 
 template <typename S>
-std::optional<CourseContact> firstContact(const Polygon& a, const Course& course_a, const Polygon& b,
-                                          const Course& course_b, const tricover::ImpactOptions& options) {
+std::optional<double> firstContact(const Polygon& a, const Course& course_a, const Polygon& b, const Course& course_b,
+                                   const tricover::ImpactOptions& options) {
   if (course_a.known && course_b.known) {
     const auto impact = tricover::timeOfImpact(a, *course_a.known, b, *course_b.known, options);
-    return impact ? std::optional<CourseContact>({impact->time, impact->edge_b}) : std::nullopt;
+    return impact ? std::optional<double>(impact->time) : std::nullopt;
   }
   const auto between = [&](double begin, double end) {
     return advance<S>(a, asked(course_a, a, begin, end), b, asked(course_b, b, begin, end), begin, end, options);
@@ -310,11 +313,11 @@ std::optional<CourseContact> firstContact(const Polygon& a, const Course& course
   return std::nullopt;
 }
 
-#define TRICOVER_INSTANTIATE(S)                                                                                       \
-  template Course ownCourse(const fcl::MotionBase<S>&, const Eigen::AlignedBox2d&, const Plane&, const Plane&,        \
-                            const char*);                                                                             \
-  template std::optional<CourseContact> firstContact<S>(const Polygon&, const Course&, const Polygon&, const Course&, \
-                                                        const tricover::ImpactOptions&);
+#define TRICOVER_INSTANTIATE(S)                                                                                \
+  template Course ownCourse(const fcl::MotionBase<S>&, const Eigen::AlignedBox2d&, const Plane&, const Plane&, \
+                            const char*);                                                                      \
+  template std::optional<double> firstContact<S>(const Polygon&, const Course&, const Polygon&, const Course&, \
+                                                 const tricover::ImpactOptions&);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)
 #undef TRICOVER_INSTANTIATE

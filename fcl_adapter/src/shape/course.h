@@ -33,22 +33,19 @@ template <typename S>
 Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& box, const Plane& plane,
                  const Plane& body, const char* name);
 
-struct CourseContact {
-  double time;
-  std::ptrdiff_t edge_b;  ///< the edge of b that meets a, or -1
-};
-
-/// The first contact, as tricover::timeOfImpact means it, by that where both courses are known. Otherwise by
-/// conservative advancement: while the two are d apart and neither point is faster than v against the other, there is
-/// no contact within d / v; nor while an edge's line, or the nearest points', parts them, which each part of both comes
-/// to by its own speed along the normal. (Poses are taken to stay as rigid as they are.) Steps go on until they reach a
-/// contact or the end, however many that takes: of a motion that bounds its speed in no direction better than in
-/// another, of the order of 1 / d beside a wall, because it may turn aside between any two times that it is asked
-/// about. Coming within 1e-13 of size and distance, and 1e-15 of the distance from the world's origin (for float:
-/// 1e-6), is taken for contact.
+/// The time of the first contact, as tricover::timeOfImpact means it, by that function where both courses are known.
+/// Otherwise by conservative advancement: while the two are d apart and neither point is faster than v against the
+/// other, there is no contact within d / v; nor while an edge's line, or the nearest points', separates them, which
+/// each part of both comes to by its own speed along the normal. (Poses are taken to stay as rigid as they are.) Coming
+/// within 1e-13 of size and distance, and 1e-15 of the distance from the world's origin (for float: 1e-6), is taken for
+/// contact.
+///
+/// Steps go on until they reach a contact or the end, or for 16 / time_error of them (but 65,536 at least and a million
+/// at most). After so many, the time that they have reached is returned: a proven lower bound of the first contact's,
+/// of which it isn't known whether there is any. Beside a wall at a distance d, a motion that bounds its speed in no
+/// direction better than in another takes of the order of 1 / d steps, because it may swerve between any two times.
 template <typename S>
-std::optional<CourseContact> firstContact(const tricover::Polygon& a, const Course& course_a,
-                                          const tricover::Polygon& b, const Course& course_b,
-                                          const tricover::ImpactOptions& options);
+std::optional<double> firstContact(const tricover::Polygon& a, const Course& course_a, const tricover::Polygon& b,
+                                   const Course& course_b, const tricover::ImpactOptions& options);
 
 }  // namespace tricover_fcl
