@@ -219,6 +219,41 @@ TEST_F(Contact, ofContainmentHasDepth) {
   }
 }
 
+/// A crate on a floor: the faces lie upon each other from x = 1.5 to 2.5, whatever comes first.
+TEST_F(Contact, ofFacesIsInTheirMiddle) {
+  registerNarrowphase();
+  const auto shapes = [](const tricover::Ring& ring) {
+    std::vector<Shape<double>> all;
+    for (std::size_t first = 0; first < ring.size(); ++first) {
+      tricover::Ring turned = ring;
+      std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
+      all.push_back(shapeOf(tricover::Polygon({turned})));
+      std::reverse(turned.begin(), turned.end());
+      all.push_back(shapeOf(tricover::Polygon({turned})));
+    }
+    return all;
+  };
+  const auto floors = shapes({{-10, -0.5}, {10, -0.5}, {10, 0.5}, {3, 0.5}, {2.2, 0.5}, {-10, 0.5}}),
+             crates = shapes({{-0.5, -0.5}, {0.1, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}),
+             notched = shapes({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {0, 0.25}, {-0.5, 0.5}});  // not convex
+  const fcl::Transform3d here = fcl::Transform3d::Identity(), there = lifted(tricover::support::pose(0, 2, 0.99));
+  for (const auto& floor : floors) {
+    for (const auto* kind : {&crates, &notched}) {
+      for (const auto& crate : *kind) {
+        for (const std::size_t most : {1u, 2u}) {
+          fcl::CollisionResultd result, swapped;
+          const fcl::CollisionRequestd request(most, true);
+          ASSERT_EQ(fcl::collide<double>(floor.get(), here, crate.get(), there, request, result), 1u);
+          ASSERT_EQ(fcl::collide<double>(crate.get(), there, floor.get(), here, request, swapped), 1u);
+          const fcl::Vector3d middle(2, 0.495, 0);
+          EXPECT_LT((result.getContact(0).pos - middle).norm(), 1e-12) << result.getContact(0).pos.transpose();
+          EXPECT_LT((swapped.getContact(0).pos - middle).norm(), 1e-12) << swapped.getContact(0).pos.transpose();
+        }
+      }
+    }
+  }
+}
+
 TEST_F(Contact, ofATouchHasDepthZero) {
   for (const std::size_t most : {1u, 9u}) {
     fcl::CollisionResultd result;

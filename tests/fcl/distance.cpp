@@ -14,6 +14,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/penetration.h"
+#include "tricover/segment.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -234,6 +235,38 @@ TEST(Distance, otherPairsGoToFcl) {
   const fcl::CollisionObjectd a(sphere), b(sphere, fcl::Matrix3d::Identity(), fcl::Vector3d(5, 0, 0));
   fcl::DistanceResultd result;
   EXPECT_NEAR(tricover_fcl::distance(&a, &b, fcl::DistanceRequestd(), result), 3, 1e-6);
+}
+
+/// Without margins, -1 says exactly that interiors meet: how little doesn't matter.
+TEST(DistanceOfTouches, areMinusOneExactlyWhereInteriorsMeet) {
+  registerNarrowphase();
+  const auto ask = [](const tricover::Polygon& a, const tricover::Polygon& b, double x, double y) {
+    const Shape<double> first = shapeOf(a), second = shapeOf(b);
+    fcl::DistanceResultd result, swapped;
+    const fcl::Transform3d here = fcl::Transform3d::Identity(), there = lifted(tricover::support::pose(0, x, y));
+    fcl::distance<double>(first.get(), here, second.get(), there, fcl::DistanceRequestd(), result);
+    fcl::distance<double>(second.get(), there, first.get(), here, fcl::DistanceRequestd(), swapped);
+    EXPECT_EQ(result.min_distance, swapped.min_distance);
+    return result.min_distance;
+  };
+  using tricover::support::rectangle;
+  const tricover::Polygon square({rectangle(-1, -1, 0, 1)}), other({rectangle(0, -1, 1, 1)}),
+      diamond({{{0, 0}, {1, 1}, {2, 0}, {1, -1}}});
+  for (const tricover::Polygon& beside : {other, diamond}) {
+    EXPECT_EQ(ask(square, beside, 0, 0), 0);
+    EXPECT_EQ(ask(square, beside, -1e-17, 0), -1);
+    EXPECT_EQ(ask(square, beside, -1e-300, 0), -1);
+    EXPECT_EQ(ask(square, beside, 1e-300, 0), 1e-300);
+  }
+  // A square that fills a hole touches it all around.
+  const tricover::Polygon frame({rectangle(-3, -3, 3, 3), rectangle(-1, -1, 1, 1)});
+  EXPECT_EQ(ask(frame, tricover::Polygon({rectangle(-1, -1, 1, 1)}), 0, 0), 0);
+  EXPECT_EQ(ask(frame, tricover::Polygon({rectangle(-1, -1, 1, 1)}), 1e-17, 0), -1);
+  // Segments and points have no interior. They overlap where they have a depth.
+  EXPECT_EQ(ask(tricover::segment({-1, 0}, {1, 0}), tricover::segment({0, -1}, {0, 1}), 0, 0), -1);
+  EXPECT_EQ(ask(tricover::segment({-1, 0}, {0, 0}), tricover::segment({0, -1}, {0, 1}), 0, 0), 0);
+  EXPECT_EQ(ask(square, tricover::point({0, 0}), -0.5, 0), -1);
+  EXPECT_EQ(ask(square, tricover::point({0, 0}), 0, 0), 0);
 }
 
 }  // namespace

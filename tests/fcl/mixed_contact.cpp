@@ -66,6 +66,60 @@ TEST_F(MixedContact, isTheWayOutInThePolygonsPlane) {
   }
 }
 
+/// A prism beside each geometry: the contact lies in the middle of the heights that both share.
+TEST_F(MixedContact, liesInSharedHeights) {
+  const tricover::Polygon& square = square_.polygon();
+  struct Case {
+    Geometry<double> geometry;
+    fcl::Matrix3d rotation;
+    double low, high;  ///< of its heights around its own origin
+  };
+  const fcl::Matrix3d upright = fcl::Matrix3d::Identity(), lying = turned(M_PI / 2, Vec3::UnitY()),
+                      leaning = turned(M_PI / 4, Vec3::UnitY());
+  const double root = std::sqrt(2.0);
+  const std::vector<Case> cases = {
+      {std::make_shared<fcl::Boxd>(1, 1, 1), upright, -0.5, 0.5},
+      {std::make_shared<fcl::Boxd>(1, 1, 1), leaning, -root / 2, root / 2},
+      {std::make_shared<fcl::Sphered>(0.5), upright, -0.5, 0.5},
+      {std::make_shared<fcl::Ellipsoidd>(0.5, 0.5, 0.75), upright, -0.75, 0.75},
+      {std::make_shared<fcl::Capsuled>(0.5, 1), upright, -1, 1},
+      {std::make_shared<fcl::Capsuled>(0.5, 1), lying, -0.5, 0.5},
+      {std::make_shared<fcl::Cylinderd>(0.5, 1), upright, -0.5, 0.5},
+      {std::make_shared<fcl::Cylinderd>(0.5, 1), lying, -0.5, 0.5},
+      {std::make_shared<fcl::Coned>(0.5, 1), upright, -0.5, 0.5},
+      {boxMesh<fcl::OBBRSSd>({0.5, 0.5, 0.5}), upright, -0.5, 0.5},
+      {tetrahedron<double>(1, 1, 1), upright, 0, 1},
+  };
+  const fcl::Transform3d moved = placed<double>({5, -6, 7}, turned(1, Vec3(1, 2, 3)));
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.geometry->getNodeType());
+    for (const double z : {0.5, 9.75, 10.2, -0.2}) {
+      const fcl::Transform3d there = placed<double>({0.95, 0, z}, c.rotation);
+      if (z + c.high < 0 || z + c.low > 10) continue;
+      const double middle = (std::max(0.0, z + c.low) + std::min(10.0, z + c.high)) / 2;
+      for (const auto& options : {PolygonOptions{0, 0, 10}, PolygonOptions::atAllHeights()}) {
+        const PolygonShaped prism(square, options);
+        const double expected = prism.isAtAllHeights() ? z + (c.low + c.high) / 2 : middle;
+        for (const std::size_t most : {1u, 10u}) {
+          for (const fcl::Transform3d& by : {here_, moved}) {
+            const auto found = contacts(prism, by, *c.geometry, by * there, most);
+            const auto swapped = contacts(*c.geometry, by * there, prism, by, most);
+            ASSERT_FALSE(found.empty() || swapped.empty());
+            EXPECT_NEAR((by.inverse() * found[0].pos).z(), expected, 1e-9) << z;
+            EXPECT_NEAR((by.inverse() * swapped[0].pos).z(), expected, 1e-9) << z;
+          }
+        }
+      }
+    }
+  }
+  const PolygonShaped prism(square, PolygonOptions{0, 0, 10});
+  const auto z = [&](const fcl::CollisionGeometryd& other) {
+    return contacts(prism, here_, other, here_, 1)[0].pos.z();
+  };
+  EXPECT_NEAR(z(fcl::Halfspaced(0, 0, 1, 2)), 1, 1e-12);     // below z = 2
+  EXPECT_NEAR(z(fcl::Halfspaced(1, 0, 0, -0.5)), 5, 1e-12);  // all heights
+}
+
 TEST_F(MixedContact, isOnePerPartOfTheOverlapDeepestFirst) {
   // Two teeth into a wall: 1 and 2 long.
   const PolygonShaped fork(tricover::Polygon(

@@ -27,6 +27,13 @@ fcl::DistanceResult<S> ask(fcl::GJKSolverType solver, bool is_signed, const fcl:
 }
 
 template <typename S>
+bool meets(const fcl::CollisionGeometry<S>& a, const fcl::Transform3<S>& tf_a, const fcl::CollisionGeometry<S>& b,
+           const fcl::Transform3<S>& tf_b) {
+  fcl::CollisionResult<S> result;
+  return askCollide<S>(a, tf_a, b, tf_b, fcl::CollisionRequest<S>(), result) > 0;
+}
+
+template <typename S>
 class MixedDistance : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { registerNarrowphase(); }
@@ -80,15 +87,59 @@ TYPED_TEST(MixedDistance, ofAnOverlapIsMinusOneOrTheDepth) {
   }
 }
 
-TYPED_TEST(MixedDistance, isNoneWithoutASection) {
+/// Above or below the polygon's heights it is that of two prisms, and never uninitialised.
+TYPED_TEST(MixedDistance, besideTheHeightsIsThatOfPrisms) {
   using S = TypeParam;
   for (const Known<S>& known : knownGeometries<S>()) {
     SCOPED_TRACE(known.name);
     const fcl::NODE_TYPE type = known.geometry->getNodeType();
     if (type == fcl::GEOM_PLANE || type == fcl::GEOM_HALFSPACE) continue;  // they go everywhere
-    const auto result = ask<S>(fcl::GST_LIBCCD, false, *tip<S>(), shifted<S>(0, 0, 60), *known.geometry, known.pose);
-    EXPECT_EQ(result.min_distance, std::numeric_limits<S>::max());
+    const fcl::Transform3<S> pose = shifted<S>(70, 0, 60);
+    const auto result = ask<S>(fcl::GST_LIBCCD, false, *tip<S>(), pose, *known.geometry, known.pose);
+    const auto swapped = ask<S>(fcl::GST_INDEP, true, *known.geometry, known.pose, *tip<S>(), pose);
+    EXPECT_LT(result.min_distance, S(100));
+    EXPECT_GT(result.min_distance, S(1));
+    EXPECT_EQ(result.min_distance, swapped.min_distance);
+    const auto between = (result.nearest_points[0] - result.nearest_points[1]).template cast<double>();
+    EXPECT_NEAR(between.norm(), static_cast<double>(result.min_distance), 20 * this->kError);
+    EXPECT_FALSE(meets(*tip<S>(), pose, *known.geometry, known.pose));
   }
+}
+
+TEST(MixedDistanceLaws, aboveAPolygonIsTheGapInSpace) {
+  registerNarrowphase();
+  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const PolygonShaped prism(square->polygon(), PolygonOptions{0.5, -1, 2});
+  const fcl::Transform3d moved = placed<double>({5, -6, 7}, turned(1, Vec3(1, 2, 3)));
+  const auto above = [&](const fcl::CollisionGeometryd& a, const fcl::CollisionGeometryd& b, double x, double z) {
+    const auto here = ask<double>(fcl::GST_LIBCCD, false, a, fcl::Transform3d::Identity(), b, shifted<double>(x, 0, z));
+    const auto there = ask<double>(fcl::GST_INDEP, true, b, moved * shifted<double>(x, 0, z), a, moved);
+    EXPECT_NEAR(there.min_distance, here.min_distance, 1e-12);
+    const int here_a = here.o1 == &a ? 0 : 1,
+              there_a = there.o1 == &a ? 0 : 1;  // FCL hands a mesh's row the mesh first
+    EXPECT_NEAR((moved * here.nearest_points[here_a] - there.nearest_points[there_a]).norm(), 0, 1e-12);
+    EXPECT_NEAR((here.nearest_points[0] - here.nearest_points[1]).norm(), here.min_distance, 1e-12);
+    return here.min_distance;
+  };
+  const fcl::Boxd box(1, 1, 1);
+  EXPECT_NEAR(above(*square, box, 0, 3.5), 3, 1e-12);    // right above
+  EXPECT_NEAR(above(*square, box, 5.5, 3.5), 5, 1e-12);  // 4 aside, 3 above
+  EXPECT_NEAR(above(prism, box, 6, 5.5), 5, 1e-12);      // 4.5 less the margin aside, 3 above
+  EXPECT_NEAR(above(prism, box, 6, -4.5), 5, 1e-12);     // as much below
+  EXPECT_NEAR(above(*square, fcl::Cylinderd(1, 2), 0, 4), 3, 1e-12);
+  EXPECT_NEAR(above(*square, fcl::Sphered(1), 0, 4), 3, 1e-12);
+  EXPECT_NEAR(above(*square, fcl::Halfspaced(0, 0, -1, 0), 0, 4), 4, 1e-12);
+  EXPECT_NEAR(above(*square, fcl::Planed(0, 0, 1, 0), 0, -4), 4, 1e-12);
+  EXPECT_NEAR(above(*square, *boxMesh<fcl::OBBRSSd>({0.5, 0.5, 0.5}), 0, 3.5), 3, 1e-12);
+
+  // There is nothing to be near to: the distance stays FCL's largest number, and the points are no numbers.
+  const auto free = std::make_shared<octomap::OcTree>(0.5);
+  free->updateNode(octomap::point3d(0.2f, 0.2f, 0.2f), false);
+  const fcl::OcTreed tree{std::shared_ptr<const octomap::OcTree>(free)};
+  const auto none =
+      ask<double>(fcl::GST_LIBCCD, false, *square, fcl::Transform3d::Identity(), tree, fcl::Transform3d::Identity());
+  EXPECT_EQ(none.min_distance, std::numeric_limits<double>::max());
+  for (const Vec3& point : none.nearest_points) EXPECT_TRUE(point.array().isNaN().all());
 }
 
 TEST(MixedDistanceLaws, zeroIfAndOnlyIfTheyCollideAndSwapsWithTheArguments) {
@@ -116,8 +167,8 @@ TEST(MixedDistanceLaws, zeroIfAndOnlyIfTheyCollideAndSwapsWithTheArguments) {
     if (result.min_distance > 0 && result.min_distance < 1e300) {
       const Vec3 between = result.nearest_points[0] - result.nearest_points[1];
       EXPECT_NEAR(between.norm(), result.min_distance, 1e-9);
-      // The plane is the polygon's.
-      EXPECT_NEAR((tf_polygon.inverse() * result.nearest_points[1]).z(), 0, 1e-12);
+      const int of_polygon = result.o1 == polygon.get() ? 0 : 1;  // FCL hands a mesh's row the mesh first
+      EXPECT_NEAR((tf_polygon.inverse() * result.nearest_points[of_polygon]).z(), 0, 1e-12);
     }
     hits += hit;
     ++cases;

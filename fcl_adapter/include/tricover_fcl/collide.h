@@ -23,10 +23,10 @@ namespace tricover_fcl {
 ///
 /// A hit adds fcl::Contacts as long as there are fewer than num_max_contacts: one without details, or with
 /// enable_contact one for each connected part of the overlap (tricover::contacts), deepest first: what a step of a
-/// simulation needs. pos is in the middle of that part and of the heights that the shapes share; normal, a unit vector
-/// in the plane, and penetration_depth are those of that part and the edges around it
-/// (tricover::ContactDetail::LocalDepth); b1 and b2 are edges (tricover::Contact::edge_a, edge_b). Where
-/// num_max_contacts is 1, FCL's default, that contact is the way to part the polygons altogether
+/// simulation needs. pos is in the middle of that part and of the heights that the shapes share, and in the middle of
+/// two faces that lie upon each other; normal, a unit vector in the plane, and penetration_depth are those of that part
+/// and the edges around it (tricover::ContactDetail::LocalDepth); b1 and b2 are edges (tricover::Contact::edge_a,
+/// edge_b). Where num_max_contacts is 1, FCL's default, that contact is the way to part the polygons altogether
 /// (tricover::penetration), which costs more unless both are convex. Depths are in the plane, and those of the polygons
 /// grown by their margins (and by options.margin); so is pos. Where only margins meet, it is between the nearest
 /// points, along which the normal points.
@@ -36,16 +36,16 @@ namespace tricover_fcl {
 /// the geometry is cut by them and seen along z. What touches is always a hit. A false alarm is possible
 /// - for box, convex, plane, halfspace, triangles and octree cells, where they come within 1e-13 of their size and
 ///   distance: the relative pose is rounded, and its rounding counts as contact;
-/// - for ellipsoid, cone, and what of capsules and cylinders leans, where they come within 1e-9 of the geometry's size,
-///   and 1e-6 where its surface only grazes the polygon's plane.
+/// - for ellipsoid, cone, and tilted capsules and cylinders, where they come within 1e-4 of the geometry's size: they
+///   are seen as one fixed polygon around their section, of a few hundred edges.
 /// Spheres, cylinders upright on the polygon, and capsules that stand or lie on it (to 1e-10 of their size) or whose
 /// axis is within the prism's heights are discs and stadiums: exact ones, if the polygon lies level in the world and
 /// its heights hold the geometry's centre or axis; otherwise the section's radius is rounded up, and the relative pose
 /// as above. A sphere is one whatever the rounding of its pose's rotation. Meshes are surfaces without an inside and
-/// cost a pass over their triangles; of octrees the occupied cells count. Contacts are as above, in the polygon's
-/// plane, `depth` right to 1e-6 of a round geometry's size (of two ways that differ by less than 1e-3 of it, the longer
-/// may be taken); b1 or b2 of a mesh is its triangle and of an octree its cell, otherwise NONE. A plane or halfspace
-/// parallel to the polygon is left along its own normal. CollideOptions: margin counts, tolerance changes
+/// cost a pass over their triangles; of octrees the occupied cells count. Contacts are as above, in the middle of the
+/// heights that the prism and the geometry share, `depth` at most 1e-4 of a round geometry's size above the truth where
+/// it is no disc or stadium; b1 or b2 of a mesh is its triangle and of an octree its cell, otherwise NONE. A plane or
+/// halfspace parallel to the polygon is left along its own normal. CollideOptions: margin counts, tolerance changes
 /// nothing.
 ///
 /// \snippet fcl.cpp fcl collide

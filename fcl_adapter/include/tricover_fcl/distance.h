@@ -15,23 +15,31 @@ namespace tricover_fcl {
 /// The distance in space of two flat polygons or prisms: tricover::distance in the plane, whose errors it shares, and
 /// the gap between their heights. The polygons, and the nearest points, are those grown by their margins. It is 0 or
 /// below exactly where collide() is true. request.rel_err and abs_err are what it may be above the truth by, 0 unless
-/// set; distance_tolerance and the solver change nothing. Margins that overlap by less than 1e-13 of themselves count as
-/// touching.
+/// set; distance_tolerance and the solver change nothing.
 /// - result keeps the least of the distances that it is given, with its geometries, its nearest points in the world
 ///   (nearest_points[0] on o1, always filled), and edges in b1 and b2 (tricover::DistanceResult). Returned is
 ///   result.min_distance. A pair that is farther apart than that already costs little, and changes nothing.
-/// - Polygons that only touch have distance 0, and such as overlap -1 or, with enable_signed_distance, minus the length
-///   of the shortest translation in the plane that parts them (tricover::penetration), and as nearest points those on
-///   the outlines that part last. (Under GST_INDEP FCL puts their middle in place of both.)
+/// - Polygons that only touch have distance 0. Polygons that overlap have -1 or, with enable_signed_distance, minus the
+///   length of the shortest translation in the plane that separates them (tricover::penetration), and as nearest points
+///   those on the outlines that separate last. (Under GST_INDEP FCL puts their middle in place of both.)
+/// - Without margins, -1 is exact: it says that the interiors meet, by however little (tricover::Touching::Allowed) or,
+///   of points, segments and other polygons without an interior, that the depth isn't 0. Signed distances are right to
+///   the precision of tricover::penetration: an overlap below it may be 0. Margins that overlap by less than 1e-13 of
+///   themselves count as touching.
+/// - Where no distance is found, because lengths overflow or the other geometry has no point at all (an octree without
+///   occupied cells), min_distance stays FCL's largest number and nearest_points are NaN.
 ///
-/// Other geometries: the distance, less the margin, within the polygon's plane (of a prism, from what its heights cut
-/// out, seen along z), which is at least the distance in space, and the same for geometries that stand upright on the
-/// plane. It is 0 or below exactly where collide() is true; right to 1e-13 of size and distance, and at most 1e-9 of a
-/// round geometry's size above the truth where that isn't a disc or a stadium (see collide()). nearest_points lie in
-/// the plane (in the middle of a prism's heights). A geometry that doesn't reach the plane has no such distance: result
-/// stays as it was, min_distance at FCL's largest number. Depths are those of collide()'s contacts; up to their error
-/// an overlap counts as a touch, except of surfaces (mesh, plane), which without enable_signed_distance answer -1
-/// wherever they meet the polygon.
+/// Other geometries that reach the polygon's heights: the distance, less the margin, within the polygon's plane, which
+/// is at least the distance in space, and the same for geometries that stand upright on the plane. (Of a prism: from
+/// the part of the geometry between its heights, seen along z.) It is 0 or below exactly where collide() is true. It is
+/// right to 1e-13 of size and distance. Where a round geometry is neither a disc nor a stadium (see collide()), it is
+/// at most 1e-4 of the geometry's size below the truth. nearest_points lie in the middle of the heights that both
+/// share. Depths are those of collide()'s contacts; up to their error an overlap counts as a touch, except of surfaces
+/// (mesh, plane), which without enable_signed_distance answer -1 wherever they meet the polygon.
+///
+/// Other geometries above or below the polygon's heights: the distance in space from an upright prism around the
+/// geometry, which is its whole shadow along z between its lowest and its highest point. That is at most the distance
+/// in space, and the same for geometries that stand upright. nearest_points are those of the two prisms.
 ///
 /// Throws std::invalid_argument as collide() does, and std::logic_error where FCL would abort: signed distance under
 /// GST_INDEP, or to a mesh or octree, of geometries that overlap and aren't both occupied.

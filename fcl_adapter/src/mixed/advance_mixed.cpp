@@ -29,10 +29,11 @@ double reach(const tricover::Motion& motion, const tricover::Vec2& center, doubl
 template <typename S>
 Course courseOf(const fcl::MotionBase<S>& motion, const MixedPair<S>& pair, const Eigen::AlignedBox2d& around,
                 const char* name) {
-  Course course{trajectoryInPlane(motion, pair.plane, name), {}, {}, {}};
+  const Plane plane = pair.planeOf(pair.view.slab.middle());
+  Course course{trajectoryInPlane(motion, plane, name), {}, {}, {}};
   if (course.known) return course;
-  const Plane body = Plane(poseAt(motion, S(0)).matrix().template cast<double>().eval()).inverse() * pair.plane;
-  return ownCourse(motion, around, pair.plane, body, name);
+  const Plane body = Plane(poseAt(motion, S(0)).matrix().template cast<double>().eval()).inverse() * plane;
+  return ownCourse(motion, around, plane, body, name);
 }
 
 /// How far the course takes anything in the box.
@@ -54,7 +55,6 @@ struct Section {
   tricover::Polygon polygon;
   tricover::Pose pose = tricover::Pose::Identity();
   double margin = 0;
-  std::optional<Shadow> shadow = {};  ///< to make the polygon finer
 
   Eigen::AlignedBox2d box() const {
     Eigen::AlignedBox2d around = boundsOf(polygon, pose);
@@ -75,7 +75,7 @@ std::optional<Section> sectionOf(const MixedPair<S>& pair) {
   }
   const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
   if (!shadow) return std::nullopt;
-  return Section{shadow->outline(), tricover::Pose::Identity(), 0, shadow};
+  return Section{shadow->region()};
 }
 
 /// The course of what lies at `pose` where the course begins.
@@ -93,20 +93,6 @@ Course carried(const Course& course, const tricover::Pose& pose) {
     return course.speed_along(part.transformed(pose), direction, time);
   };
   return {{}, [course, pose](double time) { return course.pose(time) * pose; }, course.speed, speed_along};
-}
-
-/// A polygon around a smooth body is made finer where it is met, until that is no matter of its corners: no contact is
-/// later than that with a polygon around.
-template <typename S>
-std::optional<double> firstContact(const tricover::Polygon& polygon, const Course& course, Section& section,
-                                   const Course& course_of_footprint, const tricover::ImpactOptions& options) {
-  for (;;) {
-    const auto contact = firstContact<S>(polygon, course, section.polygon, course_of_footprint, options);
-    if (!contact) return std::nullopt;
-    const bool meet_at_once = contact->time == 0 && section.shadow && section.shadow->meets(polygon, options.margin);
-    if (meet_at_once || !section.shadow || !section.shadow->refine(contact->edge_b)) return contact->time;
-    section.polygon = section.shadow->outline();
-  }
 }
 
 }  // namespace
@@ -144,7 +130,7 @@ S advanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>& mo
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
     options.margin = (margin + section->margin) * (1 + (margin > 0 ? 0x1p-52 : 0));
-    time = firstContact<S>(pair.polygon(), of_polygon, *section, carried(*of_other, section->pose), options);
+    time = firstContact<S>(pair.polygon(), of_polygon, section->polygon, carried(*of_other, section->pose), options);
   }
   return reportImpact(time, result);
 }

@@ -13,7 +13,7 @@
 namespace tricover_fcl {
 namespace {
 
-/// FCL asks collide about a negative distance, and insists on a depth that is a normal number.
+/// FCL calls collide about a negative distance, and insists on a depth that is a normal number.
 template <typename S>
 constexpr double kLeastDepth = static_cast<double>(std::numeric_limits<S>::min());
 
@@ -24,23 +24,51 @@ struct Span {
   std::ptrdiff_t edge_a, part_b;
 };
 
-/// What isn't deeper than the outline errs is a touch, but for surfaces if depths don't matter.
+/// Of a geometry that reaches the polygon's heights. What isn't deeper than the region errs is a touch, but for
+/// surfaces if depths don't matter.
 template <typename S>
 Span measured(const MixedPair<S>& pair, const Shadow& shadow, tricover::DistanceResult found, bool is_signed) {
   const double margin = pair.shape.options().margin, touch = std::max(shadow.outlineError(), kLeastDepth<S>);
-  const ShadowPair planar(pair.polygon(), shadow, margin, margin);
+  const PlanarPair planar = pairOf(pair.polygon(), shadow, margin, margin);
   moveByMargins(planar, found);
-  if (found.distance == 0 && !shadow.lift()) found = overlapOf(planar, is_signed, touch, found);
+  if (found.distance == 0 && !shadow.lift())
+    found = overlapOf(planar, is_signed, shadow.isSurface(), shadow.outlineError(), kLeastDepth<S>, found);
+  const Plane plane = pair.planeOf(shadow.heights().middle());
   const auto inWorld = [&](const tricover::Vec2& p) {
-    return Eigen::Vector3d(pair.plane * Eigen::Vector3d(p.x(), p.y(), 0));
+    return Eigen::Vector3d(plane * Eigen::Vector3d(p.x(), p.y(), 0));
   };
   Span span{found.distance, inWorld(found.point_a), inWorld(found.point_b), found.edge_a, shadow.partOf(found.edge_b)};
   const auto& lift = shadow.lift();
   if (found.distance > 0 || !lift || !(lift->depth > touch)) return span;
   span.distance = is_signed ? -lift->depth : -1;
   span.point_a = span.point_b = inWorld(pair.polygon().origin());
-  if (std::isfinite(lift->depth)) span.point_b -= pair.plane.linear() * (lift->depth * lift->normal);
+  if (std::isfinite(lift->depth)) span.point_b -= plane.linear() * (lift->depth * lift->normal);
   return span;
+}
+
+/// Of a geometry above or below the polygon's heights: as of two prisms, the geometry's being its whole shadow, between
+/// its lowest and its highest point. Nothing of a geometry that has no point at all.
+template <typename S>
+std::optional<Span> measuredBeside(MixedPair<S> pair, double limit, const tricover::DistanceOptions& options) {
+  const Slab slab = pair.view.slab;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  pair.view.slab = {-kInfinity, kInfinity};
+  const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
+  if (!shadow) return std::nullopt;
+  const bool is_above = shadow->heights().low > slab.high;
+  const double height_a = is_above ? slab.high : slab.low,
+               height_b = is_above ? shadow->heights().low : shadow->heights().high,
+               apart = std::max(std::abs(height_b - height_a), std::numeric_limits<double>::denorm_min());
+  if (apart >= limit) return std::nullopt;
+  auto found = shadow->distance(pair.polygon(), limit, options);
+  if (!found) return std::nullopt;
+  moveByMargins(pairOf(pair.polygon(), *shadow, options.margin, options.margin), *found);
+  const auto inWorld = [&](const tricover::Vec2& p, double height) {
+    return Eigen::Vector3d(pair.from_polygon * Eigen::Vector3d(p.x(), p.y(), height));
+  };
+  if (found->distance == 0) found->point_b = found->point_a;
+  return Span{std::hypot(found->distance, apart), inWorld(found->point_a, height_a), inWorld(found->point_b, height_b),
+              found->edge_a, shadow->partOf(found->edge_b)};
 }
 
 /// Of a disc or stadium. Nothing above the limit is of interest.
@@ -49,7 +77,7 @@ std::optional<Span> measured(const StadiumPair<S>& pair, const fcl::DistanceRequ
   auto found = pair.distanceWithin(limit, errorsOf(request));
   if (!found) return std::nullopt;
   moveByMargins(pair, *found);
-  if (found->distance == 0) *found = overlapOf(pair, request.enable_signed_distance, kLeastDepth<S>, *found);
+  if (found->distance == 0) *found = overlapOf(pair, request.enable_signed_distance, false, 0, kLeastDepth<S>, *found);
   return Span{found->distance, pair.inWorld(found->point_a), pair.inWorld(found->point_b), found->edge_a,
               fcl::Contact<S>::NONE};
 }
@@ -59,14 +87,14 @@ std::optional<Span> measured(bool polygon_first, const fcl::CollisionGeometry<S>
                              const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                              const fcl::DistanceRequest<S>& request, double limit) {
   const StadiumPair<S> round(polygon_first, o1, tf1, o2, tf2);
-  if (round.found == StadiumCase::OutOfSlab) return std::nullopt;
   if (round.found == StadiumCase::Pair) return measured(round, request, limit);
 
   const MixedPair<S> pair = mixedPair("distance", o1, tf1, o2, tf2);
-  const std::optional<Shadow> shadow = makeShadow(pair.other, pair.view);
-  if (!shadow) return std::nullopt;  // nothing in the polygon's plane to be near to
   tricover::DistanceOptions options = errorsOf(request);
   options.margin = pair.shape.options().margin;
+  std::optional<Shadow> shadow;
+  if (round.found == StadiumCase::None) shadow = makeShadow(pair.other, pair.view);
+  if (!shadow) return measuredBeside(pair, limit, options);
   const auto found = shadow->distance(pair.polygon(), limit, options);
   if (!found) return std::nullopt;
   return measured(pair, *shadow, *found, request.enable_signed_distance);
@@ -80,7 +108,7 @@ S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& t
   if (request.isSatisfied(result)) return result.min_distance;
   const bool polygon_first = isPolygon(o1);
   const auto span = measured(polygon_first, o1, tf1, o2, tf2, request, static_cast<double>(result.min_distance));
-  if (!span) return result.min_distance;
+  if (!span) return keepDistance(result);
   if (span->distance < 0) requireContactsIfSigned(o1, o2, request);
   if (polygon_first)
     updateDistance(o1, o2, span->distance, span->point_a, span->point_b, span->edge_a, span->part_b, result);

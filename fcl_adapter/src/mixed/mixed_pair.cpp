@@ -30,11 +30,7 @@ MixedPair<S> mixedPair(const char* operation, const fcl::CollisionGeometry<S>& o
   to_polygon.linear() = inverse * of_other.linear();
   to_polygon.translation() = inverse * (of_other.translation() - of_polygon.translation());
   const Slab slab{shape.options().z_low, shape.options().z_high};
-  return {shape,
-          other,
-          polygon_first,
-          of_polygon * planeAt(slab.middle()),
-          {to_polygon, slab, boundsOf(shape.polygon()), false}};
+  return {shape, other, polygon_first, of_polygon, {to_polygon, slab, boundsOf(shape.polygon()), false}};
 }
 
 template Plane rigidPose(const fcl::Transform3<float>&, const char*);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-
 #include "shadow/shadow.h"
 #include "shape/planar_pair.h"
 #include "shape/plane.h"
@@ -17,32 +15,20 @@ struct MixedPair {
   const PolygonShape<S>& shape;
   const fcl::CollisionGeometry<S>& other;
   bool polygon_first;
-  Plane plane;  ///< maps points of the polygon, the middle of its heights being z = 0, to the world
+  Plane from_polygon;  ///< the polygon's pose
   View view;
 
   const tricover::Polygon& polygon() const { return shape.polygon(); }
+  /// Maps points of the polygon's frame at that height, as z = 0, to the world.
+  Plane planeOf(double height) const { return from_polygon * planeAt(height); }
 };
 
-/// A polygon and a shadow in its frame.
-struct ShadowPair final : RegionPair {
-  ShadowPair(const tricover::Polygon& polygon_, const Shadow& shadow_, double of_polygon, double of_both)
-      : RegionPair(of_polygon, 0, of_both), polygon(polygon_), shadow(shadow_) {}
-
-  std::optional<tricover::Penetration> penetration() const override { return shadow.penetration(polygon, margin); }
-  std::vector<tricover::Contact> contacts(std::size_t most) const override {
-    return shadow.contacts(polygon, margin, most);
-  }
-  tricover::DistanceResult nearest() const override {
-    return *shadow.distance(polygon, std::numeric_limits<double>::infinity(), {});
-  }
-  bool areWithin(double length) const override { return shadow.isSurface() || shadow.meets(polygon, length); }
-  bool areDeeper(double depth, const tricover::DistanceResult&) const override {
-    return shadow.isDeeper(polygon, margin, depth);
-  }
-
-  const tricover::Polygon& polygon;
-  const Shadow& shadow;
-};
+/// A polygon and a shadow in its frame; `of_both` is the margin.
+inline PlanarPair pairOf(const tricover::Polygon& polygon, const Shadow& shadow, double of_polygon, double of_both) {
+  PlanarPair pair(polygon, shadow.region(), of_polygon, 0, of_both);
+  pair.pose_a = pair.pose_b = tricover::Pose::Identity();
+  return pair;
+}
 
 /// Throws std::invalid_argument, naming it, for a pose that isn't rigid within tricover::kRigidTolerance or isn't
 /// finite.

@@ -59,13 +59,13 @@ typename StadiumPair<S>::Other StadiumPair<S>::place() {
     const auto z = static_cast<double>(of_polygon_.matrix()(2, 3));
     setPlanarPart(pose_a, of_polygon_);
     other.slab = slabOf(options, of_polygon_);
-    height_ = z + other.slab.middle();
+    height_ = z;
     other.rounding_z = 0x1p-50 * (std::abs(z) + std::abs(other.center.z()));
     other.center.z() -= z;
   } else {
     const Plane from = rigidPose(of_polygon_, polygon_first ? "pose_a" : "pose_b");
     const Eigen::Matrix3d inverse = from.linear().inverse();
-    plane_ = from * planeAt(other.slab.middle());
+    plane_ = from;
     pose_a = Pose::Identity();
     other.center = inverse * (other.center - from.translation());
     other.axis = inverse * other.axis;
@@ -87,7 +87,7 @@ bool StadiumPair<S>::placeBall(double of_radius) {
   found = StadiumCase::Pair;
   setPlanarPart(pose_a, of_polygon_);
   setPlanarPart(pose_b, of_other_);
-  height_ = z + slab.middle();
+  height_ = z + Slab{rise - of_radius, rise + of_radius}.sharedWith(slab).middle();
   setRadius(of_radius);
   return true;
 }
@@ -123,6 +123,10 @@ StadiumPair<S>::StadiumPair(bool is_polygon_first, const fcl::CollisionGeometry<
   found = stadium->in_slab ? StadiumCase::Pair : StadiumCase::OutOfSlab;
   stadium->setPose(pose_b);
   setRadius(stadium->radius);
+  if (is_level_)
+    height_ += stadium->heights.middle();
+  else
+    plane_ = plane_ * planeAt(stadium->heights.middle());
   if (stadium->half_length == 0) return;
   b = &segment_.emplace(stadium->segment());
   keepFacts();

@@ -38,7 +38,7 @@ class StadiumPair : public PlanarPair {
   /// Of both geometries, named in the caller's order.
   void requireRigidPoses() const;
 
-  /// The plane in which both poses are, at the middle of the polygon's heights.
+  /// The plane in which both poses are, at the middle of the heights that both share.
   Plane plane() const { return is_level_ ? planeAt(height_) : plane_; }
   Eigen::Vector3d inWorld(const tricover::Vec2& p) const {
     return is_level_ ? Eigen::Vector3d(p.x(), p.y(), height_)
@@ -85,7 +85,7 @@ class StadiumPair : public PlanarPair {
   std::optional<tricover::Polygon> segment_;  ///< none for a disc
   bool is_level_ = true;
   double height_ = 0;  ///< of the plane, if it is level
-  Plane plane_;        ///< otherwise
+  Plane plane_;        ///< otherwise; until the heights are known, the polygon's pose
 };
 
 }  // namespace tricover_fcl

@@ -67,8 +67,7 @@ S advancePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>&
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
     options.margin = shape_a.options().margin + shape_b.options().margin;
-    const auto contact = firstContact<S>(shape_a.polygon(), a.course, shape_b.polygon(), b.course, options);
-    if (contact) time = contact->time;
+    time = firstContact<S>(shape_a.polygon(), a.course, shape_b.polygon(), b.course, options);
     if (!time && a.course.known && b.course.known &&
         tricover::collide(shape_a.polygon(), a.end, shape_b.polygon(), b.end, {options.margin}))
       time = 1;

@@ -44,18 +44,18 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2);
   const double apart = pair.heightsMeet() ? 0 : gap(pair.heightsOfA(), pair.heightsOfB());
   const auto limit = static_cast<double>(result.min_distance);
-  if (apart >= limit) return result.min_distance;
+  if (apart >= limit) return keepDistance(result);
 
   const bool are_errors = options.relative_error >= 0 && options.absolute_error >= 0;
   auto found = are_errors ? pair.distancePlainly() : std::nullopt;
   if (!found) found = pair.distanceWithin(limit, options);
-  if (!found) return result.min_distance;
+  if (!found) return keepDistance(result);
   moveByMargins(pair, *found);
   if (found->distance == 0 && apart == 0) {
     requireContactsIfSigned(o1, o2, request);
     // FCL takes a depth below the smallest normal number for none, and asserts that there is one.
-    *found =
-        overlapOf(pair, request.enable_signed_distance, static_cast<double>(std::numeric_limits<S>::min()), *found);
+    const auto least = static_cast<double>(std::numeric_limits<S>::min());
+    *found = overlapOf(pair, request.enable_signed_distance, false, 0, least, *found);
   }
   const PointsInSpace<S> points(pair, apart == 0, *found);
   const double distance = apart == 0 ? found->distance : std::hypot(found->distance, apart);

@@ -60,7 +60,15 @@ std::optional<Shadow> shadowOf(const char* name, const Eigen::Vector3d& normal, 
   if (ring.empty()) return std::nullopt;
   for (Vec2& v : ring) v += center;
   const Ring hull = convexHull(ring);
-  Shadow shadow(tricover::Polygon(hull.data(), hull.size(), tricover::FillRule::NonZero), rounding);
+  // What leans is at all heights.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Slab heights{-kInfinity, kInfinity};
+  if (steepness <= kMappingError) {
+    const double height = d / n.z();
+    heights = {below_too && n.z() > 0 ? -kInfinity : height, below_too && n.z() < 0 ? kInfinity : height};
+  }
+  Shadow shadow(tricover::Polygon(hull.data(), hull.size(), tricover::FillRule::NonZero), rounding,
+                heights.sharedWith(view.slab));
   if (!below_too) shadow.makeSurface();
   if (parallel) {
     const bool up = below_too || last <= -first;  // the way of the polygon, along n

@@ -30,6 +30,7 @@ std::optional<Shadow> shadowOf(const fcl::CollisionGeometry<S>& geometry, const 
 
   std::vector<tricover::Ring> rings;
   std::vector<Shadow::Part> parts;
+  Slab heights = kNoHeights;
   for (int i = 0; i < mesh.num_tris; ++i) {
     const fcl::Triangle& triangle = mesh.tri_indices[i];
     const Eigen::Vector3d corners[] = {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
@@ -44,10 +45,12 @@ std::optional<Shadow> shadowOf(const fcl::CollisionGeometry<S>& geometry, const 
       cut.addEdge(corners[k], corners[(k + 1) % 3]);
     }
     rings.push_back(convexHull(cut.corners()));
+    heights = united(heights, cut.heights());
     parts.push_back({i, rings.back().size()});
   }
   if (rings.empty()) return std::nullopt;
-  Shadow shadow(tricover::Polygon(std::move(rings), tricover::FillRule::NonZero), rounding, std::move(parts));
+  Shadow shadow(tricover::Polygon(std::move(rings), tricover::FillRule::NonZero), rounding,
+                heights.sharedWith(view.slab), std::move(parts));
   shadow.makeSurface();
   return shadow;
 }

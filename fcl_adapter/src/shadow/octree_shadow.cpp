@@ -23,6 +23,7 @@ class CellCollector {
       : tree_(tree),
         to_polygon_(view.to_polygon),
         rounding_(mappingError(view.to_polygon, tree.getRootBV().max_.template cast<double>().template lpNorm<1>())),
+        polygon_slab_(view.slab),
         slab_(grown(view.slab, rounding_)),
         around_(view.around.min().array() - 2 * rounding_, view.around.max().array() + 2 * rounding_),
         only_there_(view.only_there) {}
@@ -31,14 +32,16 @@ class CellCollector {
     const typename fcl::OcTree<S>::OcTreeNode* root = tree_.getRoot();
     if (root != nullptr) visit(root, tree_.getRootBV());
     if (rings_.empty()) return std::nullopt;
-    return Shadow(tricover::Polygon(std::move(rings_), tricover::FillRule::NonZero), rounding_, std::move(parts_));
+    return Shadow(tricover::Polygon(std::move(rings_), tricover::FillRule::NonZero), rounding_,
+                  heights_.sharedWith(polygon_slab_), std::move(parts_));
   }
 
  private:
   void visit(const typename fcl::OcTree<S>::OcTreeNode* node, const fcl::AABB<S>& cell) {
     if (!tree_.isNodeOccupied(node)) return;
-    const std::vector<tricover::Vec2> corners =
+    const SlabCut cut =
         cutBox(cell.min_.template cast<double>(), cell.max_.template cast<double>(), "fcl::OcTree", to_polygon_, slab_);
+    const std::vector<tricover::Vec2>& corners = cut.corners();
     if (corners.empty()) return;
     Eigen::AlignedBox2d box;
     for (const tricover::Vec2& corner : corners) box.extend(corner);
@@ -46,6 +49,7 @@ class CellCollector {
 
     if (!tree_.nodeHasChildren(node)) {
       rings_.push_back(convexHull(corners));
+      heights_ = united(heights_, cut.heights());
       parts_.push_back({static_cast<int>(node - tree_.getRoot()), rings_.back().size()});
       return;
     }
@@ -60,7 +64,7 @@ class CellCollector {
   const fcl::OcTree<S>& tree_;
   Eigen::Affine3d to_polygon_;
   double rounding_;
-  Slab slab_;
+  Slab polygon_slab_, slab_, heights_ = kNoHeights;
   Eigen::AlignedBox2d around_;
   bool only_there_;
   std::vector<tricover::Ring> rings_;

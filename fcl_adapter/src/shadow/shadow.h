@@ -10,15 +10,16 @@
 #include <vector>
 
 #include "shadow/slab_cut.h"
-#include "shadow/smooth_shadow.h"
-#include "tricover/contacts.h"
 #include "tricover/distance.h"
-#include "tricover/penetration.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl {
 
-/// What of a 3D geometry lies in a polygon's slab, seen along z in the polygon's frame: a planar region that meets the
-/// polygon's exactly where the two bodies meet.
+/// A round body's outline is a polygon around its part in the slab, larger by at most this share of that part's radius.
+constexpr double kRoundError = 1e-4;
+
+/// The part of a 3D geometry in a polygon's slab, seen along z in the polygon's frame: a planar region that meets the
+/// polygon exactly where the two bodies meet.
 class Shadow {
  public:
   /// `parts`: for each ring the part of the geometry that it is the shadow of, and the number of its edges.
@@ -26,16 +27,25 @@ class Shadow {
     int id;
     std::size_t edges;
   };
-  Shadow(tricover::Polygon region, double rounding, std::vector<Part> parts = {})
-      : region_(std::move(region)), rounding_(rounding), parts_(std::move(parts)) {}
-  explicit Shadow(SmoothShadow smooth) : smooth_(std::move(smooth)) {}
+  /// The true shadow lies in the region grown by `rounding`. `heights` are those that the slab and the geometry share.
+  Shadow(tricover::Polygon region, double rounding, const Slab& heights, std::vector<Part> parts = {})
+      : region_(std::move(region)), rounding_(rounding), heights_(heights), parts_(std::move(parts)) {}
+
+  const tricover::Polygon& region() const { return region_; }
+  double rounding() const { return rounding_; }
+  const Slab& heights() const { return heights_; }
+
+  /// How far the region and what meets() takes for it may be from the true shadow, a length.
+  double outlineError() const { return rounding_ + excess_; }
+  /// The region is larger than the true shadow, by at most that.
+  void addExcess(double excess) { excess_ = excess; }
 
   /// Whether it is a surface's, which has no inside to be in.
   bool isSurface() const { return is_surface_; }
   void makeSurface() { is_surface_ = true; }
 
-  /// How to part a polygon from a geometry that covers all of its plane: move the geometry along the unit normal (in
-  /// space, polygon's frame) by `depth`.
+  /// How to separate a polygon from a geometry that covers all of its plane: move the geometry along the unit normal
+  /// (in space, polygon's frame) by `depth`.
   struct Lift {
     Eigen::Vector3d normal;
     double depth;
@@ -46,39 +56,20 @@ class Shadow {
   /// Whether the polygon and the shadow come as close as `margin`; never false where they do.
   bool meets(const tricover::Polygon& polygon, double margin) const;
 
-  /// Of the polygon (a) and the shadow (b): 0 exactly where meets(polygon, options.margin), otherwise as `options`
-  /// allow, and for smooth bodies SmoothShadow::kError of the body's reach above the truth. Where it is above the
-  /// limit, it may be nothing.
+  /// Of the polygon (a) and the region (b): 0 exactly where meets(polygon, options.margin), otherwise as `options`
+  /// allow. Where it is above the limit, it may be nothing.
   std::optional<tricover::DistanceResult> distance(const tricover::Polygon& polygon, double limit,
                                                    const tricover::DistanceOptions& options) const;
 
-  /// The shadow itself, or, of a smooth body, a rough polygon around it.
-  tricover::Polygon outline() const;
-  /// Makes that finer at one of its edges, to kOutlineError of the body's reach; false if it is so fine.
-  bool refine(std::ptrdiff_t edge);
-  static constexpr double kOutlineError = 1e-6;
-  /// Of the polygon (a), grown by the margin, and the shadow (b). The way is right to kOutlineError of the body's reach
-  /// for its direction; of two ways out of a smooth body that differ by less than kFarOutlineError the longer one may
-  /// be taken.
-  std::optional<tricover::Penetration> penetration(const tricover::Polygon& polygon, double margin) const;
-  static constexpr double kFarOutlineError = 1e-3;
-  /// One for each part of their overlap, as PlanarPair's, as right.
-  std::vector<tricover::Contact> contacts(const tricover::Polygon& polygon, double margin, std::size_t most) const;
-  /// Whether one is deeper. Of a surface that is met, all are, if only touched.
-  bool isDeeper(const tricover::Polygon& polygon, double margin, double depth) const;
-
-  /// How far the outline and what meets() takes for it may be from the true shadow, a length.
-  double outlineError() const;
-
-  /// The triangle of a mesh or the cell of an octree (FCL's query cell id) which an edge of the outline comes from;
+  /// The triangle of a mesh or the cell of an octree (FCL's query cell id) which an edge of the region comes from;
   /// otherwise fcl::Contact's NONE.
   int partOf(std::ptrdiff_t edge) const;
 
  private:
-  std::optional<tricover::Polygon> region_;
-  double rounding_ = 0;
+  tricover::Polygon region_;
+  double rounding_, excess_ = 0;
+  Slab heights_;
   std::vector<Part> parts_;
-  std::optional<SmoothShadow> smooth_;
   std::optional<Lift> lift_;
   bool is_surface_ = false;
 };
@@ -108,6 +99,6 @@ std::optional<Shadow> makeMeshShadow(const fcl::CollisionGeometry<S>& mesh, cons
 template <typename S>
 std::optional<Shadow> makeOctreeShadow(const fcl::CollisionGeometry<S>& octree, const View& view);
 template <typename S>
-std::optional<Shadow> makeSmoothShadow(const fcl::CollisionGeometry<S>& shape, const View& view);
+std::optional<Shadow> makeRoundShadow(const fcl::CollisionGeometry<S>& shape, const View& view);
 
 }  // namespace tricover_fcl

@@ -7,12 +7,10 @@
 
 namespace tricover_fcl {
 
-using tricover::Vec2;
-
 void SlabCut::addCrossing(const Eigen::Vector3d& p, const Eigen::Vector3d& q, double z) {
   if ((p.z() < z) == (q.z() < z) || p.z() == z || q.z() == z) return;  // an end in the plane is a vertex already
   const double share = (z - p.z()) / (q.z() - p.z());
-  corners_.push_back(p.head<2>() + share * (q - p).head<2>());
+  add(p.head<2>() + share * (q - p).head<2>(), z);
 }
 
 Eigen::Vector3d mapVertex(const Eigen::Affine3d& to_polygon, const Eigen::Vector3d& vertex, const char* geometry,
@@ -24,8 +22,8 @@ Eigen::Vector3d mapVertex(const Eigen::Affine3d& to_polygon, const Eigen::Vector
   return mapped;
 }
 
-std::vector<Vec2> cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const char* geometry,
-                         const Eigen::Affine3d& to_polygon, const Slab& slab) {
+SlabCut cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const char* geometry,
+               const Eigen::Affine3d& to_polygon, const Slab& slab) {
   Eigen::Vector3d corners[8];
   SlabCut cut(slab);
   for (int i = 0; i < 8; ++i) {
@@ -36,7 +34,7 @@ std::vector<Vec2> cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high
       if (i & axis) cut.addEdge(corners[i - axis], corners[i]);
     }
   }
-  return cut.corners();
+  return cut;
 }
 
 }  // namespace tricover_fcl

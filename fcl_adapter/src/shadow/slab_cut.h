@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "tricover/pose.h"
@@ -15,9 +17,15 @@ namespace tricover_fcl {
 struct Slab {
   double low, high;
 
-  bool isAll() const { return std::isinf(high); }
-  double middle() const { return isAll() ? 0 : low / 2 + high / 2; }
-  double halfHeight() const { return isAll() ? 0 : high / 2 - low / 2; }
+  bool isAll() const { return std::isinf(low) && std::isinf(high); }
+  /// The end that is finite where the other one isn't; 0 for all heights.
+  double middle() const {
+    if (std::isinf(low) || std::isinf(high)) return !std::isinf(high) ? high : !std::isinf(low) ? low : 0;
+    return low / 2 + high / 2;
+  }
+  double halfHeight() const { return std::isinf(low) || std::isinf(high) ? 0 : high / 2 - low / 2; }
+  /// Both are there: at most a rounding apart.
+  Slab sharedWith(const Slab& other) const { return {std::max(low, other.low), std::min(high, other.high)}; }
 };
 
 /// A point mapped from a geometry's frame into the polygon's is right to this share of its distances from both frames'
@@ -29,6 +37,11 @@ constexpr double kMappingError = 0x1p-46;
 inline double mappingError(const Eigen::Affine3d& to_polygon, double reach) {
   return kMappingError * (to_polygon.translation().stableNorm() + reach) + 0x1p-1066;
 }
+
+/// Of nothing: what is united with it stays.
+constexpr Slab kNoHeights{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+inline Slab united(const Slab& a, const Slab& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
 inline Slab grown(const Slab& slab, double by) { return {slab.low - by, slab.high + by}; }
 
@@ -44,7 +57,7 @@ class SlabCut {
 
   void addVertex(const Eigen::Vector3d& p) {
     if (p.z() < slab_.low || p.z() > slab_.high) return;
-    corners_.push_back(p.head<2>());
+    add(p.head<2>(), p.z());
   }
 
   /// Where the edge passes the slab's planes.
@@ -55,17 +68,24 @@ class SlabCut {
 
   /// Empty where the polytope doesn't reach the slab.
   const std::vector<tricover::Vec2>& corners() const { return corners_; }
+  /// The heights of that part.
+  const Slab& heights() const { return heights_; }
 
  private:
   void addCrossing(const Eigen::Vector3d& p, const Eigen::Vector3d& q, double z);
+  void add(const tricover::Vec2& corner, double z) {
+    corners_.push_back(corner);
+    heights_ = {std::min(heights_.low, z), std::max(heights_.high, z)};
+  }
 
   Slab slab_;
   std::vector<tricover::Vec2> corners_;
+  Slab heights_ = kNoHeights;
 };
 
-/// Corners of the slab's part of the axis-parallel box from `low` to `high`, mapped into the polygon's frame;
-/// `geometry` names it to mapVertex().
-std::vector<tricover::Vec2> cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const char* geometry,
-                                   const Eigen::Affine3d& to_polygon, const Slab& slab);
+/// The slab's part of the axis-parallel box from `low` to `high`, mapped into the polygon's frame; `geometry` names it
+/// to mapVertex().
+SlabCut cutBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const char* geometry,
+               const Eigen::Affine3d& to_polygon, const Slab& slab);
 
 }  // namespace tricover_fcl

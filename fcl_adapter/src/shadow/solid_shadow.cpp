@@ -10,17 +10,18 @@
 namespace tricover_fcl {
 namespace {
 
-std::optional<Shadow> shadowOf(const std::vector<tricover::Vec2>& corners, double rounding) {
-  if (corners.empty()) return std::nullopt;
-  const tricover::Ring hull = convexHull(corners);
-  return Shadow(tricover::Polygon(hull.data(), hull.size(), tricover::FillRule::NonZero), rounding);
+std::optional<Shadow> shadowOf(const SlabCut& cut, double rounding, const View& view) {
+  if (cut.corners().empty()) return std::nullopt;
+  const tricover::Ring hull = convexHull(cut.corners());
+  return Shadow(tricover::Polygon(hull.data(), hull.size(), tricover::FillRule::NonZero), rounding,
+                cut.heights().sharedWith(view.slab));
 }
 
 template <typename S>
 std::optional<Shadow> shadowOf(const fcl::Box<S>& box, const View& view) {
   const Eigen::Vector3d half = 0.5 * box.side.template cast<double>();
   const double rounding = mappingError(view.to_polygon, half.lpNorm<1>());
-  return shadowOf(cutBox(-half, half, "fcl::Box", view.to_polygon, grown(view.slab, rounding)), rounding);
+  return shadowOf(cutBox(-half, half, "fcl::Box", view.to_polygon, grown(view.slab, rounding)), rounding, view);
 }
 
 template <typename S>
@@ -45,7 +46,7 @@ std::optional<Shadow> shadowOf(const fcl::Convex<S>& convex, const View& view) {
     next = face + 1 + static_cast<std::size_t>(faces[face]);
     for (std::size_t i = face + 1; i < next; ++i) cut.addEdge(vertexAt(i), vertexAt(i + 1 < next ? i + 1 : face + 1));
   }
-  return shadowOf(cut.corners(), rounding);
+  return shadowOf(cut, rounding, view);
 }
 
 }  // namespace

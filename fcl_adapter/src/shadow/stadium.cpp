@@ -44,6 +44,8 @@ struct RoundPlace {
   double outside(double rise) const {
     return std::max({slab.low - center.z() - rise - rounding_z, center.z() - rise - slab.high - rounding_z, 0.0});
   }
+  /// What the slab shares with heights within `rise` of the centre's.
+  Slab heights(double rise) const { return Slab{center.z() - rise, center.z() + rise}.sharedWith(slab); }
 };
 
 /// The radius of a ball's section at `height` from its centre; exactly `radius` at 0.
@@ -56,14 +58,16 @@ std::optional<Stadium> ofBalls(double radius, double half_length, const RoundPla
   const Vec3 &center = place.center, &axis = place.axis;
   if (half_length == 0) {
     const double least = place.outside(0);
-    return Stadium{least <= radius, center.head<2>(), Vec2::UnitX(), 0, section(radius, least) + place.rounding};
+    return Stadium{least <= radius,      center.head<2>(), Vec2::UnitX(), 0, section(radius, least) + place.rounding,
+                   place.heights(radius)};
   }
   const double rise = half_length * std::abs(axis.z()), slope = axis.head<2>().norm(), run = half_length * slope;
   const double finest = Stadium::kError * (radius + half_length);
   const double least = place.outside(rise);
-  if (!(least <= radius)) return Stadium{false, Vec2::Zero(), Vec2::UnitX(), 0, 0};
+  if (!(least <= radius)) return Stadium{false, Vec2::Zero(), Vec2::UnitX(), 0, 0, {}};
   const double widest = section(radius, least);
-  if (run <= finest) return Stadium{true, center.head<2>(), Vec2::UnitX(), 0, widest + run + place.rounding};
+  const Slab heights = place.heights(rise + radius);
+  if (run <= finest) return Stadium{true, center.head<2>(), Vec2::UnitX(), 0, widest + run + place.rounding, heights};
 
   const bool in_slab = center.z() - rise >= place.slab.low && center.z() + rise <= place.slab.high;
   const bool lies = rise <= finest;
@@ -73,8 +77,12 @@ std::optional<Stadium> ofBalls(double radius, double half_length, const RoundPla
   if (least > 0 && !(most < radius && widest - section(radius, most) <= finest)) return std::nullopt;
   // The axis as it is written is as long as the poses' errors leave it: the length stays that of the geometry.
   const bool level = lies && std::abs(slope - 1) <= 0.49 * tricover::kRigidTolerance;
-  return Stadium{true, center.head<2>(), level ? Vec2(axis.head<2>()) : Vec2(axis.head<2>() / slope),
-                 level ? half_length : run, widest + place.rounding + (level ? 0 : 0x1p-50 * run)};
+  return Stadium{true,
+                 center.head<2>(),
+                 level ? Vec2(axis.head<2>()) : Vec2(axis.head<2>() / slope),
+                 level ? half_length : run,
+                 widest + place.rounding + (level ? 0 : 0x1p-50 * run),
+                 heights};
 }
 
 /// If it stands upright.
@@ -82,8 +90,9 @@ std::optional<Stadium> ofCylinder(double radius, double half_length, const Round
   const double slope = place.axis.head<2>().norm();
   if (slope * (half_length + radius) > Stadium::kError * (radius + half_length)) return std::nullopt;
   const double rise = half_length * std::abs(place.axis.z()) + slope * radius;
-  return Stadium{place.outside(rise) == 0, place.center.head<2>(), Vec2::UnitX(), 0,
-                 radius + slope * half_length + place.rounding};
+  return Stadium{
+      place.outside(rise) == 0, place.center.head<2>(), Vec2::UnitX(), 0, radius + slope * half_length + place.rounding,
+      place.heights(rise)};
 }
 
 }  // namespace

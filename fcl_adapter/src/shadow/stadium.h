@@ -18,6 +18,7 @@ struct Stadium {
   tricover::Vec2 center, direction;
   double half_length;  ///< 0 for a disc
   double radius;
+  Slab heights;  ///< those that the geometry and the slab share
 
   /// The segment along x around the origin, of its length, and where that lies. This thread's segments are kept by
   /// their lengths: a polygon costs more to make than to ask, and facts are about polygons that stay.

@@ -54,13 +54,23 @@ void addCost(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S
 }
 
 template <typename S>
+S keepDistance(fcl::DistanceResult<S>& result) {
+  if (result.o1 == nullptr && result.o2 == nullptr)
+    result.nearest_points[0] = result.nearest_points[1] =
+        fcl::Vector3<S>::Constant(std::numeric_limits<S>::quiet_NaN());
+  return result.min_distance;
+}
+
+template <typename S>
 void updateDistance(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2, double distance,
                     const fcl::Vector3<double>& point1, const fcl::Vector3<double>& point2, std::ptrdiff_t edge1,
                     std::ptrdiff_t edge2, fcl::DistanceResult<S>& result) {
-  if (!(distance < static_cast<double>(std::numeric_limits<S>::max()))) return;
   S rounded = static_cast<S>(distance);
   if (rounded == 0 && distance > 0) rounded = std::numeric_limits<S>::denorm_min();
-  if (!(rounded < result.min_distance)) return;
+  if (!(distance < static_cast<double>(std::numeric_limits<S>::max())) || !(rounded < result.min_distance)) {
+    keepDistance(result);
+    return;
+  }
   result.update(rounded, &o1, &o2, fcl::DistanceResult<S>::NONE, fcl::DistanceResult<S>::NONE, point1.cast<S>(),
                 point2.cast<S>());
   result.b1 = edge1;  // update takes ints
@@ -86,6 +96,7 @@ S reportImpact(std::optional<double> time, fcl::ContinuousCollisionResult<S>& re
   template void updateDistance(const fcl::CollisionGeometry<S>&, const fcl::CollisionGeometry<S>&, double,       \
                                const fcl::Vector3<double>&, const fcl::Vector3<double>&, std::ptrdiff_t,         \
                                std::ptrdiff_t, fcl::DistanceResult<S>&);                                         \
+  template S keepDistance(fcl::DistanceResult<S>&);                                                              \
   template S reportImpact(std::optional<double>, fcl::ContinuousCollisionResult<S>&);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)

@@ -78,6 +78,11 @@ void updateDistance(const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeo
                     const fcl::Vector3<double>& point1, const fcl::Vector3<double>& point2, std::ptrdiff_t edge1,
                     std::ptrdiff_t edge2, fcl::DistanceResult<S>& result);
 
+/// Leaves the result as it is, because the pair is no nearer. Where nothing was ever found, FCL leaves the nearest
+/// points uninitialised: they become NaN. Returns the result's distance.
+template <typename S>
+S keepDistance(fcl::DistanceResult<S>& result);
+
 /// The first contact, or none. Rounded to S it is no later.
 template <typename S>
 S reportImpact(std::optional<double> time, fcl::ContinuousCollisionResult<S>& result);

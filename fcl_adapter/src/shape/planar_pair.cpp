@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape/planar_pair.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace tricover_fcl {
 namespace {
@@ -12,32 +14,54 @@ using tricover::Vec2;
 
 Vec2 middle(const Vec2& p, const Vec2& q) { return p / 2 + q / 2; }
 
-/// Whether the two edges cross, and go on to do so when either is moved a little, for certain: the ends of each are on
-/// both sides of the other's line. Rounding counts as touching.
-bool crossDeeply(const PlanarPair& pair, tricover::EdgeIndex edge_a, tricover::EdgeIndex edge_b) {
-  const Vec2 start_a = pair.a->edgeStart(edge_a), end_a = pair.a->edgeEnd(edge_a), start_b = pair.b->edgeStart(edge_b),
-             end_b = pair.b->edgeEnd(edge_b);
-  // A posed vertex errs by less than 4 roundings of what it is added from, which this size bounds.
-  const double size = 3 * (start_a.lpNorm<1>() + end_a.lpNorm<1>() + start_b.lpNorm<1>() + end_b.lpNorm<1>()) +
-                      pair.pose_a.translation().lpNorm<1>() + pair.pose_b.translation().lpNorm<1>();
-  const double error = 0x1p-48 * size;
-  const Vec2 p = pair.pose_a * start_a, q = pair.pose_a * end_a, r = pair.pose_b * start_b, s = pair.pose_b * end_b;
-  const auto separates = [error](const Vec2& from, const Vec2& to, const Vec2& left, const Vec2& right) {
-    const Vec2 along = to - from;
-    const auto above = [&](const Vec2& end) {
-      return along.x() * (end.y() - from.y()) - along.y() * (end.x() - from.x());
+/// Where a posed polygon's outline is straight around a point of it, across the normal of a contact: along `line`, a
+/// unit vector, and measured from that point. Edges that lean by less than 1e-6 are taken for straight.
+struct Face {
+  Face(const tricover::Polygon& polygon, const tricover::Pose& pose, const Vec2& point, const Vec2& line) {
+    constexpr double kLean = 1e-6;
+    const double rounding = 0x1p-46 * (point.lpNorm<1>() + pose.translation().lpNorm<1>());
+    const auto isOnLine = [&](const Vec2& p) {
+      return std::abs(line.x() * p.y() - line.y() * p.x()) <= kLean * std::abs(line.dot(p)) + rounding;
     };
-    const double least =
-        4 * error * (along.lpNorm<1>() + (left - from).lpNorm<1>() + (right - from).lpNorm<1>()) + 1e-300;  // underflow
-    return (above(left) > least && above(right) < -least) || (above(left) < -least && above(right) > least);
+    for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e) {
+      const Vec2 from = pose * polygon.edgeStart(e) - point, to = pose * polygon.edgeEnd(e) - point;
+      if (!isOnLine(from) || !isOnLine(to)) continue;
+      const double v = line.dot(from), w = line.dot(to);
+      edges.push_back({std::min(v, w), std::max(v, w), e});
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& i, const Edge& j) { return i.low < j.low; });
+    for (std::size_t i = 0; i < edges.size();) {  // those that follow each other
+      double from = edges[i].low, to = edges[i].high;
+      for (++i; i < edges.size() && edges[i].low <= to + rounding; ++i) to = std::max(to, edges[i].high);
+      if (!(from <= rounding && to >= -rounding)) continue;
+      low = std::min(low, from);
+      high = std::max(high, to);
+    }
+  }
+
+  /// The edge at a place of the face, `known` if that is there.
+  tricover::EdgeIndex edgeAt(double place, tricover::EdgeIndex known) const {
+    tricover::EdgeIndex found = -1;
+    for (const Edge& edge : edges) {
+      if (!(edge.low <= place && place <= edge.high)) continue;
+      if (edge.edge == known) return known;
+      if (found < 0) found = edge.edge;
+    }
+    return found < 0 ? known : found;
+  }
+
+  struct Edge {
+    double low, high;
+    tricover::EdgeIndex edge;
   };
-  return separates(p, q, r, s) && separates(r, s, p, q);
-}
+  std::vector<Edge> edges;
+  double low = 0, high = 0;
+};
 
 /// The points of the two grown outlines that part last, the way's length from each other. At its end the polygons are
 /// the margins apart, in a direction that isn't the way's where it leads into a corner.
 struct OutlinePoints {
-  OutlinePoints(const RegionPair& pair, const Penetration& way) {
+  OutlinePoints(const PlanarPair& pair, const Penetration& way) {
     const Vec2 between = way.point_b - way.point_a + way.depth * way.normal;
     const bool is_known = between.allFinite() && !between.isZero(0);
     const Vec2 out = is_known ? Vec2(between.stableNormalized()) : way.normal;
@@ -60,26 +84,40 @@ std::optional<DistanceResult> PlanarPair::distanceWithin(double limit, tricover:
 std::optional<Penetration> PlanarPair::penetration() const {
   tricover::PenetrationOptions options;
   options.margin = margin;
-  return tricover::penetration(*a, pose_a, *b, pose_b, options);
+  auto found = tricover::penetration(*a, pose_a, *b, pose_b, options);
+  if (!found || !std::isfinite(found->depth)) return found;
+  const Vec2 line(-found->normal.y(), found->normal.x());
+  const Face of_a(*a, pose_a, found->point_a, line), of_b(*b, pose_b, found->point_b, line);
+  const double middle = (std::max(of_a.low, of_b.low) + std::min(of_a.high, of_b.high)) / 2;
+  found->point_a += middle * line;
+  found->point_b += middle * line;
+  found->edge_a = of_a.edgeAt(middle, found->edge_a);
+  found->edge_b = of_b.edgeAt(middle, found->edge_b);
+  return found;
 }
 
 std::vector<tricover::Contact> PlanarPair::contacts(std::size_t most) const {
   return tricover::contacts(*a, pose_a, *b, pose_b, {margin, most, tricover::ContactDetail::LocalDepth});
 }
 
-DistanceResult PlanarPair::nearest() const { return tricover::distance(*a, pose_a, *b, pose_b); }
-
-bool PlanarPair::areWithin(double length) const { return tricover::collide(*a, pose_a, *b, pose_b, {length, 0}); }
-
-/// Edges that cross and rings that lie inside without meeting an edge go on overlapping when moved a little. Contacts
-/// are needed of the others only, which mostly touch.
-bool PlanarPair::areDeeper(double depth, const DistanceResult& common) const {
-  if (common.edge_a < 0 || common.edge_b < 0 || crossDeeply(*this, common.edge_a, common.edge_b)) return true;
-  const auto deepest = contacts(1);
-  return !deepest.empty() && deepest.front().depth > depth;
+bool PlanarPair::overlap(double error) const {
+  const double less = margin * (1 - 1e-13) - error;
+  if (less > 0) return tricover::collide(*a, pose_a, *b, pose_b, {less});
+  if (error > 0) {
+    const auto deepest = contacts(1);
+    return !deepest.empty() && deepest.front().depth > error;
+  }
+  const tricover::CollideOptions of_interiors{0, 0, tricover::Touching::Allowed};
+  if (tricover::collide(*a, pose_a, *b, pose_b, of_interiors)) return true;
+  const auto hasInterior = [&](const tricover::Polygon& polygon) {
+    return tricover::collide(polygon, pose_a, polygon, pose_a, of_interiors);
+  };
+  if (hasInterior(*a) && hasInterior(*b)) return false;
+  const auto way = penetration();
+  return way && way->depth > 0;
 }
 
-std::vector<PlanarContact> contactsOf(const RegionPair& pair, bool as_one, std::size_t most, const Vec2& touch) {
+std::vector<PlanarContact> contactsOf(const PlanarPair& pair, bool as_one, std::size_t most, const Vec2& touch) {
   std::vector<PlanarContact> shared;
   if (as_one) {
     if (const auto whole = pair.penetration()) {
@@ -91,7 +129,7 @@ std::vector<PlanarContact> contactsOf(const RegionPair& pair, bool as_one, std::
       shared.push_back({part.point, part.normal, part.depth, part.edge_a, part.edge_b});
   }
   if (shared.empty()) {
-    const DistanceResult nearest = pair.nearest();
+    const DistanceResult nearest = tricover::distance(*pair.a, pair.pose_a, *pair.b, pair.pose_b);
     const Vec2 between = nearest.point_b - nearest.point_a;
     shared.push_back({middle(nearest.point_a, nearest.point_b),
                       between.isZero(0) ? touch : Vec2(between.stableNormalized()), 0, nearest.edge_a, nearest.edge_b});
@@ -100,7 +138,7 @@ std::vector<PlanarContact> contactsOf(const RegionPair& pair, bool as_one, std::
   return shared;
 }
 
-void moveByMargins(const RegionPair& pair, DistanceResult& found) {
+void moveByMargins(const PlanarPair& pair, DistanceResult& found) {
   const double both = pair.margin_a + pair.margin_b;
   if (both == 0 || !std::isfinite(found.distance)) return;
   const Vec2 between = found.point_b - found.point_a;
@@ -114,17 +152,17 @@ void moveByMargins(const RegionPair& pair, DistanceResult& found) {
   }
 }
 
-DistanceResult overlapOf(const RegionPair& pair, bool is_signed, double touch, DistanceResult common) {
-  const double less = pair.margin * (1 - 1e-13) - touch;
-  if (less > 0 && !pair.areWithin(less)) return common;
-  if (is_signed) {
-    const auto way = pair.penetration();
-    if (!way || !(way->depth > touch)) return common;
-    const OutlinePoints points(pair, *way);
-    return {-way->depth, points.on_a, points.on_b, way->edge_a, way->edge_b};
+DistanceResult overlapOf(const PlanarPair& pair, bool is_signed, bool is_surface, double error, double least,
+                         DistanceResult common) {
+  if (!is_surface && !pair.overlap(error)) return common;
+  if (!is_signed) {
+    common.distance = -1;
+    return common;
   }
-  if (less > 0 || pair.areDeeper(touch, common)) common.distance = -1;
-  return common;
+  const auto way = pair.penetration();
+  if (!way || !(way->depth > std::max(error, least))) return common;
+  const OutlinePoints points(pair, *way);
+  return {-way->depth, points.on_a, points.on_b, way->edge_a, way->edge_b};
 }
 
 }  // namespace tricover_fcl
