@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "tricover/export.h"
-#include "tricover/pair_cache.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
@@ -13,19 +12,7 @@ namespace tricover {
 enum class Location { Outside, Boundary, Inside };
 
 namespace detail {
-
 struct CacheAccess;
-
-/// "The point was here, and so far, at the least, from all edges."
-struct PointFact {
-  std::uint64_t polygon_id = 0;  ///< Polygon::id() of the polygon that the fact is about; 0: none
-  Location location = Location::Outside;
-  double point[2] = {0, 0};  ///< in the polygon's frame
-  double clearance = 0;
-  std::uint32_t uses = 0;  ///< queries answered since
-  FactBalance balance;
-};
-
 }  // namespace detail
 
 /// Where `point`, in the polygon's own frame, lies. Exact for every finite point.
@@ -39,14 +26,17 @@ struct PointFact {
 /// \snippet locate.cpp locate
 TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point);
 
-/// What a moving point keeps between calls: a fact, as in a PairCache, with the same rules. It may serve another
-/// polygon from call to call.
+/// Remembers a certificate of a moving point between calls, by the rules of a PairCache. It may serve another polygon
+/// from call to call.
 ///
 /// \snippet locate.cpp locate with cache
-class PointCache {
+class TRICOVER_EXPORT PointCache {
+ public:
+  PointCache();
+
  private:
   friend struct detail::CacheAccess;
-  detail::PointFact facts_;
+  alignas(8) unsigned char bytes_[48];
 };
 
 /// The same answer, with coherence. The location changes at edges alone: while the point has moved by less than it was

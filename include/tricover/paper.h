@@ -13,11 +13,6 @@
 namespace tricover {
 namespace detail {
 struct CacheAccess;
-struct MaskFact {
-  std::uint64_t first_id = 0;  ///< of the polygons that the mask is about, in the kernel's own order (0: none)
-  std::uint64_t second_id = 0;
-  std::vector<std::uint64_t> mask;  ///< two bits an edge of the first polygon; empty: no fact
-};
 }  // namespace detail
 
 /// What *Efficient Collision Detection between 2D Polygons* (Jimenez, Segura and Feito, 2004) is made of, for who
@@ -76,14 +71,14 @@ TRICOVER_EXPORT std::vector<std::uint64_t> influenceMask(const Polygon& polygon,
 /// \snippet paper.cpp bounded influence area
 TRICOVER_EXPORT std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, EdgeIndex edge, double length);
 
-/// What Algorithm 3 remembers of a pair of polygons: on which side of every edge the moving centroid was when it was
-/// last outside every influence area and the regions were apart. The rules are those of a PairCache.
+/// Remembers a pair of polygons for Algorithm 3: on which side of every edge the moving centroid was when it was last
+/// outside every influence area and the regions were apart. The rules are those of a PairCache.
 ///
 /// \snippet paper.cpp collide
 class MaskCache {
  private:
   friend struct detail::CacheAccess;
-  detail::MaskFact facts_;
+  std::vector<std::uint64_t> facts_;
 };
 
 /// tricover::collide() by Algorithm 3, with the repairs that it needs. The same answers, from the same predicates and

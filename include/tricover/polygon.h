@@ -51,8 +51,8 @@ class TRICOVER_EXPORT Polygon {
   const std::vector<Ring>& rings() const;
   FillRule fillRule() const;  ///< As it was given.
 
-  /// What tells polygons apart. Copies share it, and no other polygon has it while the process lives. It means nothing
-  /// in another process.
+  /// Tells polygons apart. Copies share the id, and no other polygon has it while the process lives, not even one that
+  /// another copy of this library in the process makes (plugins). It is never 0, and means nothing in another process.
   std::uint64_t id() const;
 
   /// How many vertices all rings have.

@@ -64,8 +64,6 @@ class TRICOVER_EXPORT SvgDrawing {
 
  private:
   void include(const Vec2& point, double around = 0);
-  /// Adds a closed outline through corners of the pose's frame.
-  void corners(const std::vector<Vec2>& corners, const Pose& pose, const std::string& style, double px);
   /// Adds a mask that hides a region within a box, and returns its name.
   std::string outsideMask(const std::string& region, const Eigen::AlignedBox2d& box);
   void dot(const Vec2& at, const std::string& fill);

@@ -50,8 +50,8 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   // Pairs whose axes are kept overlapped the last time.
   CollisionFact* facts = cache != nullptr && cache->contact.first_id == 0 ? &cache->collision : nullptr;
   Recollection known{};
-  if (facts != nullptr && facts->balance.resting > 0) {
-    rest(*facts, a, pose_a, b, pose_b);
+  if (facts != nullptr && facts->back_off.isOn()) {
+    countDown(*facts, a, pose_a, b, pose_b);
     facts = nullptr;
   } else if (facts != nullptr) {
     known = recall(*facts, a, pose_a, b, pose_b, options.margin);
@@ -60,12 +60,7 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   const PosedPair pair(a, pose_a, b, pose_b);
   std::vector<Contact> result = allContacts(pair, cache, options);
   if (result.empty()) result = contactsBeside(pair, options);
-  if (facts != nullptr && result.empty()) {
-    renewFactApart(a, pose_a, b, pose_b, *facts, known, {options.margin, 0});
-    facts->cost += kQuery;  // all of it is beside the answer
-  } else if (facts != nullptr) {
-    isWorthIt(facts->balance, -1);
-  }
+  if (facts != nullptr && result.empty()) renewFact(a, pose_a, b, pose_b, *facts, known, {options.margin, 0});
   if (result.size() > 1)
     std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > options.most)

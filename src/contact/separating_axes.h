@@ -10,6 +10,7 @@
 #include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
+#include "polygon/cached_facts.h"
 #include "tricover/pair_cache.h"
 
 namespace tricover::detail {

@@ -46,6 +46,9 @@ constexpr double kClearProduct = 0x1p-43;
 constexpr double kSide = 0x1p-44;
 static_assert(kSide >= 2 * kUnitRows * errorOf(10 + 4));
 
+/// In a's units: a gap that floats don't tell from none.
+constexpr float kFloatDoubt = 0x1p-17f;
+
 constexpr int kMostNear = 8;
 /// To features that others lead to: more would cost after a jump what the cache saves.
 constexpr int kMostSteps = 2;
@@ -263,31 +266,17 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
     return found;
   }
   const UnitPlacement at = vertices.inUnits(defect);
-  ConvexSight seen;
   if (!discs_meet) {
-    seen = convexSight(*a, *b, at.map, at.rounding);
-    if (seen.gap > -kFloatDoubt) {
+    const ConvexGap guess = convexGap(*a, *b, at.map);
+    if (guess.gap > -kFloatDoubt) {
       FeatureSearch search(vertices, found);
-      // So that it doesn't depend on discs being there whether they seem to meet.
-      if (search.prove(seen) || (seen.gap > 0 && search.prove(walkToNearest(vertices)))) return found;
+      // The walk makes the answer independent of whether discs have been built.
+      if (search.prove(guess) || (guess.gap > 0 && search.prove(walkToNearest(vertices)))) return found;
     }
   }
   found.seem_to_meet = true;
-  if (std::abs(at.map.tx) + std::abs(at.map.ty) < 4)
-    found.crossing =
-        !discs_meet && seen.gap == ConvexSight::kMeet ? seen.crossing() : convexCrossing(*a, *b, at.map, at.rounding);
+  if (std::abs(at.map.tx) + std::abs(at.map.ty) < 4) found.crossing = convexCrossing(*a, *b, at.map, at.rounding);
   return found;
-}
-
-// Where the features are unique, the distance is theirs: right to kRelativeError if it is plain, otherwise to half of
-// kSide of the size. Where they aren't, in shares of the size:
-//   64U         the distance of the features
-//   kNear / 2   neighbours on either side that may be ahead, by kNear / 4 each
-//   2^-45       the gap along the axis, which may lead along the shortest way but for 2^-23: less by 2^-47 of itself
-// and the rest of kNear is for rounding.
-double NearestFeatures::atLeast(const PosedVertices& vertices) const {
-  if (is_unique && foot.is_plain) return foot.distance * (1 - 2 * PosedVertices::kRelativeError);
-  return foot.distance - (is_unique ? kSide / 2 : kNear) * vertices.size();
 }
 
 }  // namespace tricover::detail

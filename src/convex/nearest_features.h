@@ -22,9 +22,6 @@ struct NearestFeatures {
   Foot foot;                   ///< of these
   bool is_unique = false;      ///< whether only these can be nearest
   RingRange edges_a, edges_b;  ///< if not: all edges that can hold the least distance
-
-  /// A lower bound of the distance; positive.
-  double atLeast(const PosedVertices& vertices) const;
 };
 
 /// Features that were nearest at other poses are tried first. `defect` is defectOf() the poses, for the crossing alone.

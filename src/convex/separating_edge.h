@@ -34,10 +34,4 @@ struct GapAlong {
   std::uint32_t foremost_a, lowest_b;
 };
 
-/// Whether all of one polygon is certainly beyond the line of the other's edge: a separating axis.
-inline bool isSeparatingEdge(const Placement& placement, bool of_a, std::uint32_t edge) {
-  const BesideEdge beside(placement, of_a, edge);
-  return beside.isKnown() && beside.gap > beside.error;
-}
-
 }  // namespace tricover::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/convex_distance.h"
 
-#include "distance/distance_facts.h"
+#include "distance/distance_hint.h"
 #include "distance/distance_search.h"
 #include "distance/edge_distance.h"
 
@@ -27,7 +27,7 @@ DistanceResult leastDistance(const DistancePair& pair, const NearestFeatures& ne
   const ConvexRing a = convexRing(pair.a), b = convexRing(pair.b);
   for (std::uint32_t k = 0; k < nearest.edges_a.count; ++k)
     for (std::uint32_t l = 0; l < nearest.edges_b.count; ++l)
-      search.showNear(a.after(nearest.edges_a.first, k), b.after(nearest.edges_b.first, l));
+      search.show(a.after(nearest.edges_a.first, k), b.after(nearest.edges_b.first, l));
   search.finish();
   return resultOf(pair, search.best(), false, search.edgeA(), search.edgeB(), options);
 }
@@ -64,11 +64,11 @@ void findConvexOverlap(const DistancePair& pair, const ConvexCrossing& crossing,
   found.edges = {FeaturePair::kCrossing, i, j};
 }
 
-bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options,
+bool convexDistance(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options,
                     DistanceResult& result) {
-  const FeaturePair tried = cache != nullptr ? recallFeatures(*cache) : FeaturePair();
+  const FeaturePair tried = hint != nullptr ? recallFeatures(*hint) : FeaturePair();
   const auto store = [&](bool were_right, const FeaturePair& found) {
-    if (cache != nullptr) storeFeatures(*cache, tried, were_right, found);
+    if (hint != nullptr) storeFeatures(*hint, tried, were_right, found);
   };
   ConvexOverlap overlap;
   const bool was_right = tried.kind == FeaturePair::kCrossing && pair.isUnscaled() &&

@@ -5,14 +5,14 @@
 #include "convex/nearest_features.h"
 #include "distance/distance_result.h"
 #include "distance/options.h"
+#include "polygon/cached_facts.h"
 
 namespace tricover::detail {
 
 /// Of two convex polygons without straight vertices (cornersOf()) that are clearly apart, or small ones (SmallPolygon)
-/// that clearly meet; false of others. Keeps the features that it finds in `cache`, unless it is null, and tries those
-/// first.
-bool convexDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options,
-                    DistanceResult& result);
+/// that clearly meet; false of others. Tries the features of the hint first and keeps those that it finds there,
+/// unless `hint` is null.
+bool convexDistance(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options, DistanceResult& result);
 
 /// Where two convex polygons meet.
 struct ConvexOverlap {

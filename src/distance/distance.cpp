@@ -2,7 +2,7 @@
 #include "tricover/distance.h"
 
 #include "distance/convex_distance.h"
-#include "distance/distance_facts.h"
+#include "distance/distance_hint.h"
 #include "distance/options.h"
 #include "distance/point_distance.h"
 #include "distance/tree_distance.h"
@@ -16,7 +16,7 @@ namespace detail {
 
 namespace {
 
-DistanceResult solve(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options);
+DistanceResult solve(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options);
 
 /// The number of the edge that an edge of its corners, or none, has at a point in the world.
 EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, const Pose& pose, const Vec2& point,
@@ -28,37 +28,37 @@ EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, co
 
 /// Where some of the two have straight vertices or aren't convex; by the corners alone of what is convex.
 [[gnu::noinline]] DistanceResult solveOthers(const DistancePair& pair, const PolygonData* corners_a,
-                                             const PolygonData* corners_b, DistanceFacts* cache,
+                                             const PolygonData* corners_b, DistanceHint* hint,
                                              const DistanceQuery& options) {
   const PolygonData &a = corners_a != nullptr ? *corners_a : pair.a, &b = corners_b != nullptr ? *corners_b : pair.b;
   if (&a == &pair.a && &b == &pair.b) {
-    if (cache != nullptr) claim(*cache, pair);
-    return treeDistance(pair, cache, options);
+    if (hint != nullptr) claim(*hint, pair);
+    return treeDistance(pair, hint, options);
   }
-  const DistanceResult found = solve({a, pair.pose_a, b, pair.pose_b, false, pair.defect}, cache, options);
+  const DistanceResult found = solve({a, pair.pose_a, b, pair.pose_b, false, pair.defect}, hint, options);
   return inCallersOrder(pair, found.distance, found.point_a, found.point_b,
                         edgeOfGiven(pair.a, a, pair.pose_a, found.point_a, found.edge_a),
                         edgeOfGiven(pair.b, b, pair.pose_b, found.point_b, found.edge_b));
 }
 
 /// By the first solver that is certain of its answer; the last one always is.
-[[gnu::always_inline]] inline DistanceResult solveInline(const DistancePair& pair, DistanceFacts* cache,
+[[gnu::always_inline]] inline DistanceResult solveInline(const DistancePair& pair, DistanceHint* hint,
                                                          const DistanceQuery& options) {
   DistanceResult result;
   if (pair.b.isPoint() && pointDistance(pair, options, result)) return result;
   const PolygonData *a = cornersOf(pair.a), *b = cornersOf(pair.b);
-  if (a != &pair.a || b != &pair.b) return solveOthers(pair, a, b, cache, options);
-  if (cache != nullptr) claim(*cache, pair);
-  if (!convexDistance(pair, cache, options, result)) result = treeDistance(pair, cache, options);
+  if (a != &pair.a || b != &pair.b) return solveOthers(pair, a, b, hint, options);
+  if (hint != nullptr) claim(*hint, pair);
+  if (!convexDistance(pair, hint, options, result)) result = treeDistance(pair, hint, options);
   return result;
 }
 
-DistanceResult solve(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
-  return solveInline(pair, cache, options);
+DistanceResult solve(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options) {
+  return solveInline(pair, hint, options);
 }
 
-DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                        DistanceFacts* cache, const DistanceQuery& options) {
+DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, DistanceHint* hint,
+                        const DistanceQuery& options) {
   const double defect = requireRigid(pose_a, pose_b);
   checkOptions(options);
   requireNotNegative(options.limit, "limit");
@@ -66,7 +66,7 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   const bool is_swapped = !inOrder(first, pose_a, second, pose_b);
   return solveInline({is_swapped ? second : first, is_swapped ? pose_b : pose_a, is_swapped ? first : second,
                       is_swapped ? pose_a : pose_b, is_swapped, defect},
-                     cache, options);
+                     hint, options);
 }
 
 std::optional<DistanceResult> ifWithin(double limit, const DistanceResult& result) {

@@ -79,7 +79,6 @@ class EdgeDistances : public PosedVertices {
     double length_square[2];       ///< the edge's
   };
   View view(std::size_t i, std::size_t j) const;
-  Bounds bounds(const View& view) const { return boundsOf(view.distance, false); }
 
   /// For edges that don't meet. It depends on nothing but them, the poses and the options. These may allow errors of
   /// what is left beyond the margin, if something certainly is, and no more than the limit. Infinity may stand for
@@ -92,25 +91,6 @@ class EdgeDistances : public PosedVertices {
   /// The same for the starts of both edges.
   static EdgeDistance startAndStart(const PosedVertices& vertices, const Foot& foot, std::size_t i, std::size_t j,
                                     const DistanceQuery& options);
-
-  /// The way from a's vertex p to b's vertex q (positions in the paths), as doubles see it and scaled. And whether
-  /// another vertex of a is certainly farther back along it than p, or one of b farther on than q. What lies between
-  /// such vertices at() finds no nearer than p and q.
-  Double2 between(std::size_t p, std::size_t q) const {
-    return mapped(columns_b_, b.path[q]) + shift_ - mapped(columns_a_, a.path[p]);
-  }
-  bool isBehindOfA(Double2 way, std::size_t p, std::size_t v) const {
-    const Double2 products = way * (mapped(columns_a_, a.path[v]) - mapped(columns_a_, a.path[p]));
-    return products[0] + products[1] < -2 * unsure_;
-  }
-  bool isBehindOfB(Double2 way, std::size_t q, std::size_t w) const {
-    const Double2 products = way * (mapped(columns_b_, b.path[w]) - mapped(columns_b_, b.path[q]));
-    return products[0] + products[1] > 2 * unsure_;
-  }
-  double squareBetween(std::size_t p, std::size_t q) const {
-    const Double2 way = between(p, q), squares = way * way;
-    return squares[0] + squares[1];
-  }
 
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   EdgeDistance whereTheyMeet(const View& view) const;

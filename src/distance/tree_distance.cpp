@@ -3,10 +3,8 @@
 
 #include <cmath>
 
-#include "distance/distance_facts.h"
+#include "distance/distance_hint.h"
 #include "distance/distance_search.h"
-#include "distance/pruned_boxes.h"
-#include "distance/small_distance.h"
 #include "hierarchy/placement.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/containment.h"
@@ -28,27 +26,15 @@ Outcome descend(const PosedPair& pair, DistanceSearch& search) {
     search.show(static_cast<std::uint32_t>(pair.a.degenerate_edge), static_cast<std::uint32_t>(pair.b.degenerate_edge));
     return Outcome();
   }
-  // More pairs than there are edges are seldom shown, unless many are equally near: then it pays to prune those, and
-  // to begin again without them. As patience is doubled, all beginnings together cost no more than the last.
-  std::size_t patience = pair.a.path.size() + pair.b.path.size(), shown = 0;
-  PrunedBoxes pruned;
-  bool begins_again;
-  do {
-    begins_again = false;
-    forNearPairs(
-        pair, limit(), pruned.pairs(),
-        [&](double, std::size_t i, std::size_t j) {
-          if (!search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))) return -1.0;
-          if (++shown <= patience) return limit();
-          patience *= 2;
-          begins_again = search.prune(pruned);
-          return begins_again ? -1 : limit();
-        },
-        [&](double length) {
-          search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
-          return limit();
-        });
-  } while (begins_again);
+  forNearPairs(
+      pair, limit(),
+      [&](double, std::size_t i, std::size_t j) {
+        return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
+      },
+      [&](double length) {
+        search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
+        return limit();
+      });
   return search.meets() ? Outcome() : findContainment(pair);
 }
 
@@ -60,28 +46,26 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
   return outcome;
 }
 
-/// Shows the search what it must see when no fact helps; the result is where a ring lies inside the other region. The
+/// Shows the search what it must see when no hint meets; the result is where a ring lies inside the other region. The
 /// discs are built for it, because where they meet another common point is found.
 Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
   for (const PolygonData* polygon : {&pair.a, &pair.b})
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
   if (depthOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), 0) > 0) return findMeeting(pair, search);
-  if (showSmall(pair, search)) return Outcome();
   return descend(pair, search);
 }
 
 }  // namespace
 
-DistanceResult treeDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options) {
+DistanceResult treeDistance(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options) {
   const EdgeDistances edges(pair);
   DistanceSearch search(edges, options);
-  std::optional<Outcome> outcome;
-  if (cache != nullptr) outcome = recallNearest(pair, *cache, search);
-  if (!outcome) {
-    outcome = searchAll(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search);
-    if (cache != nullptr) storeNearest(pair, *cache, search, *outcome);
-  }
-  if (outcome->collides && !search.meets()) return containedResult(pair, *outcome);
+  const bool was_tried = hint != nullptr && showHint(*hint, search);
+  const double hinted = search.upper();
+  Outcome outcome;
+  if (!search.meets()) outcome = searchAll(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search);
+  if (hint != nullptr) storeHint(*hint, was_tried, hinted, search);
+  if (outcome.collides && !search.meets()) return containedResult(pair, outcome);
   search.finish();
   return resultOf(pair, search.best(), search.meets(), search.edgeA(), search.edgeB(), options);
 }

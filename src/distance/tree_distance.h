@@ -3,11 +3,11 @@
 
 #include "distance/distance_result.h"
 #include "distance/options.h"
+#include "polygon/cached_facts.h"
 
 namespace tricover::detail {
 
-/// Of any polygons, by branch and bound over the pairs of their edges. Uses and renews the facts in `cache`, unless it
-/// is null.
-DistanceResult treeDistance(const DistancePair& pair, DistanceFacts* cache, const DistanceQuery& options);
+/// Of any polygons, by branch and bound over the pairs of their edges. Uses and renews the hint, unless it is null.
+DistanceResult treeDistance(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options);
 
 }  // namespace tricover::detail

@@ -54,7 +54,7 @@ std::string escaped(const std::string& text) {
 
 /// A box of the hierarchy by its corners in the polygon's frame. It is given in lengths of `scale` units from `origin`,
 /// itself in units.
-std::vector<Vec2> cornersOf(const detail::PolygonData& polygon, const detail::Box& box, const Vec2& origin,
+std::array<Vec2, 4> corners(const detail::PolygonData& polygon, const detail::Box& box, const Vec2& origin,
                             double scale) {
   const Vec2 axis(box.ux, box.uy), normal(-box.uy, box.ux), u = axis * box.along, v = normal * box.across;
   const Vec2 center(box.x, box.y);
@@ -69,7 +69,7 @@ void forEachBox(const detail::PolygonData& polygon, const std::vector<detail::Bl
   for (std::size_t i = 0; i < block.count; ++i) {
     if (level == 1 || block.leaf) {
       const detail::Box box = {block.x[i], block.y[i], block.ux[i], block.uy[i], block.along[i], block.across[i]};
-      visit(cornersOf(polygon, box, {block.origin_x, block.origin_y}, block.scale));
+      visit(corners(polygon, box, {block.origin_x, block.origin_y}, block.scale));
     } else {
       forEachBox(polygon, blocks, blocks[block.child[i]], level - 1, visit);
     }
@@ -141,32 +141,33 @@ void SvgDrawing::scene(const Scene& scene, const std::string& fill, const std::s
     polygon(scene.polygon(body), scene.pose(body), fill, stroke, scene.options(body).margin);
 }
 
-void SvgDrawing::corners(const std::vector<Vec2>& corners, const Pose& pose, const std::string& style, double px) {
-  std::string points;
-  for (const Vec2& corner : corners) {
-    const Vec2 world = pose * corner;
-    include(world);
-    points += (points.empty() ? "" : " ") + pair(world);
-  }
-  elements_.push_back({"<polygon points=\"" + points + "\" " + style + " stroke-width=\"", px, "\"/>"});
-}
-
 void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
   checkPose(pose, "pose");
   for (const paper::CoveringTriangle& triangle : paper::covering(polygon)) {
     const std::string tint = triangle.sign > 0 ? "#3b82f6" : triangle.sign < 0 ? "#ef4444" : "none";
-    corners({triangle.s, triangle.v, triangle.w}, pose,
-            "fill=\"" + tint + "\" fill-opacity=\"0.12\" stroke=\"" + tint + "\" stroke-opacity=\"0.5\"", 0.6);
+    const Vec2 s = pose * triangle.s;
+    include(s);
+    elements_.push_back({"<polygon points=\"" + pair(s) + " " + pair(pose * triangle.v) + " " +
+                             pair(pose * triangle.w) + "\" fill=\"" + tint + "\" fill-opacity=\"0.12\" stroke=\"" +
+                             tint + "\" stroke-opacity=\"0.5\" stroke-width=\"",
+                         0.6, "\"/>"});
   }
 }
 
 void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill) {
   checkPose(pose, "pose");
-  const std::string style =
-      "fill=\"" + escaped(fill) + "\" fill-opacity=\"0.08\" stroke=\"" + escaped(fill) + "\" stroke-opacity=\"0.4\"";
-  for (EdgeIndex edge = 0; edge < polygon.edgeCount(); ++edge) {
-    const std::array<Vec2, 4> area = paper::boundedInfluenceArea(polygon, edge, length);
-    corners({area.begin(), area.end()}, pose, style, 0.5);
+  const EdgeIndex count = polygon.edgeCount();
+  for (EdgeIndex edge = 0; edge < count; ++edge) {
+    std::string points;
+    for (const Vec2& corner : paper::boundedInfluenceArea(polygon, edge, length)) {
+      const Vec2 world = pose * corner;
+      include(world);
+      points += pair(world) + " ";
+    }
+    elements_.push_back({"<polygon points=\"" + points + "\" fill=\"" + escaped(fill) +
+                             "\" fill-opacity=\"0.08\" stroke=\"" + escaped(fill) +
+                             "\" stroke-opacity=\"0.4\" stroke-width=\"",
+                         0.5, "\"/>"});
   }
 }
 
@@ -175,11 +176,19 @@ void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, cons
   if (level < 0) detail::refuse("level", std::to_string(level) + " is below 0");
   const detail::PolygonData& data = polygon.data();
   const detail::Hierarchy& hierarchy = hierarchyOf(data);
-  const auto draw = [&](const std::vector<Vec2>& box) {
-    corners(box, pose, "fill=\"none\" stroke=\"" + escaped(stroke) + "\" stroke-opacity=\"0.7\"", 1);
+  const auto draw = [&](const std::array<Vec2, 4>& box) {
+    std::string points;
+    for (const Vec2& corner : box) {
+      const Vec2 world = pose * corner;
+      include(world);
+      points += (points.empty() ? "" : " ") + pair(world);
+    }
+    elements_.push_back({"<polygon points=\"" + points + "\" fill=\"none\" stroke=\"" + escaped(stroke) +
+                             "\" stroke-opacity=\"0.7\" stroke-width=\"",
+                         1, "\"/>"});
   };
   if (level == 0)
-    draw(cornersOf(data, hierarchy.root, Vec2::Zero(), 1));
+    draw(corners(data, hierarchy.root, Vec2::Zero(), 1));
   else
     forEachBox(data, hierarchy.blocks, hierarchy.blocks.front(), level, draw);
 }
@@ -241,14 +250,13 @@ void SvgDrawing::text(const Vec2& position, const std::string& text) {
 void SvgDrawing::dot(const Vec2& at, const std::string& fill) {
   include(at);
   elements_.push_back(
-      {"<circle cx=\"" + number(at.x()) + "\" cy=\"" + number(-at.y()) + "\" fill=\"" + escaped(fill) + "\" r=\"", 4,
-       "\"/>"});
+      {"<circle cx=\"" + number(at.x()) + "\" cy=\"" + number(-at.y()) + "\" fill=\"" + fill + "\" r=\"", 4, "\"/>"});
 }
 
 void SvgDrawing::arrow(const Vec2& from, const Vec2& direction, const std::string& stroke) {
   include(from);
   const double degrees = std::atan2(-direction.y(), direction.x()) * (180 / static_cast<double>(EIGEN_PI));
-  elements_.push_back({"<path d=\"M0,0L24,0M17,-4L24,0L17,4\" fill=\"none\" stroke=\"" + escaped(stroke) +
+  elements_.push_back({"<path d=\"M0,0L24,0M17,-4L24,0L17,4\" fill=\"none\" stroke=\"" + stroke +
                            "\" stroke-width=\"2\" transform=\"translate(" + pair(from) + ") rotate(" + number(degrees) +
                            ") scale(",
                        1, ")\"/>"});

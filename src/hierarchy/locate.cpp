@@ -10,7 +10,6 @@
 #include "numbers/errors.h"
 #include "numbers/rounding.h"
 #include "polygon/cache_access.h"
-#include "polygon/fact_balance.h"
 
 namespace tricover {
 namespace {
@@ -50,14 +49,14 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
   const auto keep = [&](Location location, double clearance) {
-    cache = {data.id, location, {point.x(), point.y()}, clearance, 0, cache.balance};
+    cache = {data.id, {point.x(), point.y()}, clearance, 0, location, cache.back_off};
     return location;
   };
-  // The last of those that do without facts sees where the point is, so that the next one knows how far it has come.
-  if (cache.balance.resting > 0) {
+  // The last query of a back-off keeps the point: the next one then knows how far the point has come.
+  if (cache.back_off.isOn()) {
     hierarchyInTime(data);
     const Location location = locateUnchecked(data, point);
-    return --cache.balance.resting == 0 ? keep(location, 0) : location;
+    return --cache.back_off.left == 0 ? keep(location, 0) : location;
   }
   const Vec2 way = point - Vec2(cache.point[0], cache.point[1]);
   // At least as long: no squares, which might be 0.
@@ -68,15 +67,14 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
     return cache.location;
   }
   const detail::Hierarchy* tree = hierarchyInTime(data);
-  constexpr double kSteps = 16;               // that a fact is to last for
-  constexpr int kFactCost = 2, kLooking = 1;  // in quarters of a query
+  constexpr double kSteps = 16;         // that a certificate is to last for
+  constexpr std::uint32_t kPaying = 1;  // it costs half of a query
   const double most = known ? kSteps * moved / (cache.uses + 1.0) : 0;
   const bool jumped = !(most < data.radius);
-  const int uses = static_cast<int>(std::min(cache.uses, 1000u)), lost = known && jumped ? kLooking : 0;
-  const int saved = known && cache.clearance > 0 ? detail::kQuery * uses - kFactCost : 0;
-  const bool worth = isWorthIt(cache.balance, saved - lost);
+  if (known && (jumped || cache.clearance > 0)) cache.back_off.judge(!jumped && cache.uses >= kPaying);
   const Location location = locateUnchecked(data, point);
-  const bool may_last = worth && tree != nullptr && most > 0 && !jumped && location != Location::Boundary;
+  const bool may_last =
+      !cache.back_off.isOn() && tree != nullptr && most > 0 && !jumped && location != Location::Boundary;
   return keep(location, may_last ? clearanceOf(data, *tree, point, most) : 0);
 }
 

@@ -135,7 +135,7 @@ extern Simd<void(const Hierarchy& hierarchy, const Place& place, double limit, s
     showEdgesNear;
 
 /// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
-/// as for convexMeet().
+/// as for fewEdgesMeet().
 extern Simd<double(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding)> innerDepth;
 
 enum class Meeting { Apart, Meet, Unknown };
@@ -148,58 +148,26 @@ struct ConvexGap {
   bool of_a;
 };
 
-/// Two small convex polygons by separating axes; where that is unknown, `best` is the edge that comes nearest to
-/// parting them, without a vertex. `map` goes from b's units to a's and puts b's S within 4 of a's.
-extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding, ConvexGap& best)>
-    convexMeet;
-
 /// Whether two edges meet, by their positions: who knows where floats don't. Null: nobody.
 struct EdgeCheck {
   const void* context = nullptr;
   bool (*meet)(const void* context, std::size_t edge_a, std::size_t edge_b) = nullptr;
 };
 
-/// Two small polygons by all of their edges, where floats are certain or few pairs of edges need the check. `map` as
-/// for convexMeet().
+/// Two small polygons by all of their edges, where floats are certain or few pairs of edges need the check. `map` goes
+/// from b's units to a's and puts b's S within 4 of a's.
 extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
                     const EdgeCheck& check)>
     fewEdgesMeet;
 
-/// Whether smallMeet() may be asked.
-inline bool areSmall(const Hierarchy& a, const Hierarchy& b) {
-  return (a.small_convex != nullptr && b.small_convex != nullptr) || (a.small && b.small);
-}
-/// The one that is for them.
-inline Meeting smallMeet(const Hierarchy& a, const Hierarchy& b, const UnitMap& map, double rounding,
-                         const EdgeCheck& check = {}) {
-  if (a.small_convex != nullptr && b.small_convex != nullptr) {
-    ConvexGap best;
-    return convexMeet(*a.small_convex, *b.small_convex, map, rounding, best);
-  }
-  return fewEdgesMeet(*a.small, *b.small, map, rounding, check);
-}
-
-/// Two small polygons' distances in a's units, as floats see them: squares of what every edge is away from the nearest
-/// vertex of the other one, and the least of them. `map` goes from b's units to a's.
-struct SmallGaps {
-  float of_a[SmallPolygon::kMost], of_b[SmallPolygon::kMost], least;
-  /// b as SmallPolygon has it, in a's units.
-  float x[SmallPolygon::kMost], y[SmallPolygon::kMost], nx[SmallPolygon::kMost], ny[SmallPolygon::kMost],
-      d[SmallPolygon::kMost], middle[SmallPolygon::kMost], half[SmallPolygon::kMost];
-};
-extern Simd<void(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, SmallGaps& gaps)> smallGaps;
-
-/// For each edge of a a bit per edge of b with which it has a vertex beside an edge whose distance has at most this
-/// square. A vertex is of both its edges.
-extern Simd<void(const SmallPolygon& a, const SmallPolygon& b, const SmallGaps& gaps, float square,
-                 unsigned (&near)[SmallPolygon::kMost])>
-    nearEdges;
+/// Whether fewEdgesMeet() is for them.
+inline bool areSmall(const Hierarchy& a, const Hierarchy& b) { return a.small && b.small; }
 
 extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map)> convexGap;
 
 /// The same, and a bit for every edge of a, from kMost on of b, that has the other polygon no deeper behind it than
 /// that one has, or by no more than `more`, in a's units, as far as floats tell: all others are deeper, which is
-/// proven. None if the two are certainly apart. `map` as for convexMeet().
+/// proven. None if the two are certainly apart. `map` as for fewEdgesMeet().
 struct ConvexFaces : ConvexGap {
   unsigned near;
 };
@@ -213,22 +181,12 @@ extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMa
     convexEntry;
 
 /// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone (the other -1) of the
-/// polygon that is proven to lie inside the other; or none. `map` as for convexMeet().
+/// polygon that is proven to lie inside the other; or none. `map` as for fewEdgesMeet().
 struct ConvexCrossing {
   int edge_a, edge_b;
 };
 extern Simd<ConvexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)>
     convexCrossing;
-
-/// In a's units: what a gap is that floats don't tell from none; more are only asked in vain.
-constexpr float kFloatDoubt = 0x1p-17f;
-
-/// convexGap(); or, where that isn't above -kFloatDoubt, convexCrossing()'s edges, and kMeet for the gap.
-struct ConvexSight : ConvexGap {
-  static constexpr float kMeet = -1e30f;
-  ConvexCrossing crossing() const { return {edge, vertex}; }
-};
-extern Simd<ConvexSight(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)> convexSight;
 
 /// R_b q + t - R_a p of two poses' columns, where t is `shift`: right to 100 U^2 of what is summed.
 extern Simd<void(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold<Double2>& shift,

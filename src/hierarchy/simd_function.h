@@ -38,9 +38,9 @@ class Simd<Result(Arguments...)> {
 #define TRICOVER_SIMD_FUNCTIONS(X) \
   X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) X(visitMarkedNear) \
   X(showEdgesNear) X(visitEdgesOnRay) X(findEdgesOnWays) \
-  X(cutWindows) X(depthInDiscs) X(innerDepth) X(convexMeet) \
-  X(convexGap) X(convexFaces) X(convexEntry) X(convexCrossing) X(convexSight) X(fewEdgesMeet) \
-  X(smallGaps) X(nearEdges) X(boxesMeeting) X(boxesOnRay) X(boxesNear) \
+  X(cutWindows) X(depthInDiscs) X(innerDepth) \
+  X(convexGap) X(convexFaces) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
+  X(boxesMeeting) X(boxesOnRay) X(boxesNear) \
   X(measureDepths) X(twofoldWay) X(twofoldArea) X(twofoldBeside)
 // clang-format on
 

@@ -6,6 +6,13 @@
 
 namespace tricover::detail::simd {
 
+/// What distances from lines may be off by. Points, normals and offsets below 8 are rounded to floats and a few
+/// operations follow, in all less than 64 2^-24. 8 times a gap's rounding is more.
+inline float lineSlack(const UnitMap& map, double rounding) {
+  static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
+  return static_cast<float>(8 * rounding + map.error);
+}
+
 /// By how much the vertex of q that is farthest back is beyond each edge of eight. Boxes and triangles are the
 /// commonest polygons there are.
 template <class Lanes>
@@ -45,12 +52,12 @@ template <class Lanes>
   }
 }
 
-/// Rounding as in convexMeet(); 1 + 2^-10 is far more than the quotient's. With s the sum of two radii and d the
+/// 1 + 2^-10 is far more than the quotient's. With s the sum of two radii and d the
 /// distance of the centres, s - d >= (s^2 - d^2) / (2 s) where that is positive.
 template <class Lanes>
 double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
   const FloatMap to_a(map);
-  const float slack = static_cast<float>(8 * rounding + map.error);
+  const float slack = lineSlack(map, rounding);
   const float reach = a.reach + b.reach * to_a.scale;
   if (to_a.tx * to_a.tx + to_a.ty * to_a.ty > reach * reach) return 0;
   const Lanes bx = Lanes::load(b.x) * to_a.scale, by = Lanes::load(b.y) * to_a.scale;
@@ -98,41 +105,6 @@ template <class Lanes>
 [[gnu::always_inline]] inline Largest largestIn(const float* values, int lanes) {
   return largestOf<Lanes>(valuesOf<Lanes>(
       lanes, [&](int i) __attribute__((always_inline)) { return Lanes::load(values + i); }));
-}
-
-static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
-
-/// Convex polygons are apart if and only if some edge of either has all of the other beyond it. Rounding: points,
-/// normals and offsets below 8 are rounded to floats and a few operations follow, in all less than 64 2^-24; 8 times a
-/// gap's rounding is more.
-template <class Lanes>
-Meeting convexMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding, ConvexGap& best) {
-  const FloatMap to_a(map);
-  const float slack = static_cast<float>(8 * rounding + map.error);
-  float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
-  mapVertices<Lanes>(b, map, x, y);
-  unsigned inside = (1u << kLanes) - 1;
-  float of_a[SmallPolygon::kMost], of_b[SmallPolygon::kMost];
-  for (int i = 0; i < a.lanes; i += kLanes) {
-    const Lanes out = beyond(Lanes::load(a.nx + i), Lanes::load(a.ny + i), Lanes::load(a.d + i), x, y, b.count);
-    if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
-    inside &= above(Lanes::all(-slack), out);
-    out.store(of_a + i);
-  }
-  for (int i = 0; i < b.lanes; i += kLanes) {
-    const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
-    const Lanes nx = to_a.turnedX(bnx, bny), ny = to_a.turnedY(bnx, bny);
-    const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
-    const Lanes out = beyond(nx, ny, d, a.x, a.y, a.count);
-    if (above(out, Lanes::all(slack)) != 0) return Meeting::Apart;
-    inside &= above(Lanes::all(-slack), out);
-    out.store(of_b + i);
-  }
-  if (inside == (1u << kLanes) - 1) return Meeting::Meet;
-  const Largest best_a = largestIn<Lanes>(of_a, a.lanes), best_b = largestIn<Lanes>(of_b, b.lanes);
-  const bool is_of_a = best_a.value >= best_b.value;
-  best = {is_of_a ? best_a.value : best_b.value, is_of_a ? best_a.index : best_b.index, -1, is_of_a};
-  return Meeting::Unknown;
 }
 
 /// The first vertex that is farthest back along an axis.
@@ -203,18 +175,11 @@ template <class Lanes, class Score>
   return bestEdge<Lanes>(a, b, x, y, bnx, bny, scoresOf<Lanes>(a, b, map, x, y, bnx, bny, score));
 }
 
-template <class Lanes>
-[[gnu::always_inline]] inline ConvexGap widestGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
-                                                  const float* x, const float* y) {
-  return bestEdge<Lanes>(
-      a, b, map, x, y, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
-}
-
-/// Rounding as in convexMeet(); half as much more is for what is subtracted.
+/// Half as much slack more is for what is subtracted.
 template <class Lanes>
 ConvexFaces convexFaces(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
                         double more) {
-  const float slack = static_cast<float>(8 * rounding + map.error), far = 2.5f * slack + static_cast<float>(more);
+  const float slack = lineSlack(map, rounding), far = 2.5f * slack + static_cast<float>(more);
   float x[SmallPolygon::kMost], y[SmallPolygon::kMost], bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
   mapVertices<Lanes>(b, map, x, y);
   const EdgeScores<Lanes> gaps = scoresOf<Lanes>(
@@ -232,7 +197,8 @@ template <class Lanes>
 ConvexGap convexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map) {
   float x[SmallPolygon::kMost], y[SmallPolygon::kMost];
   mapVertices<Lanes>(b, map, x, y);
-  return widestGap<Lanes>(a, b, map, x, y);
+  return bestEdge<Lanes>(
+      a, b, map, x, y, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
 }
 
 template <class Lanes>
@@ -298,11 +264,12 @@ template <class Lanes>
 }
 
 /// An edge of b, whose vertices are at x, y, leads out of a from a vertex in it, or across it; or one of them lies in
-/// the other, by more than rounding, which is as in convexMeet().
+/// the other, by more than the slack.
 template <class Lanes>
-[[gnu::noinline]] ConvexCrossing crossingOf(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
-                                            double rounding, float* x, float* y) {
-  const Lanes limit = Lanes::all(-static_cast<float>(8 * rounding + map.error));
+ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
+  float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
+  mapVertices<Lanes>(b, map, x, y);
+  const Lanes limit = Lanes::all(-lineSlack(map, rounding));
   unsigned in = 0, shallow = 0;
   for (int i = 0; i < b.lanes; i += kLanes) {
     const Lanes out = outside<Lanes>(a.nx, a.ny, a.d, a.count, Lanes::load(x + i), Lanes::load(y + i));
@@ -324,23 +291,6 @@ template <class Lanes>
     if (above(out, limit) != 0) return {-1, -1};
   }
   return {0, -1};
-}
-
-template <class Lanes>
-ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
-  float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
-  mapVertices<Lanes>(b, map, x, y);
-  return crossingOf<Lanes>(a, b, map, rounding, x, y);
-}
-
-template <class Lanes>
-ConvexSight convexSight(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
-  float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
-  mapVertices<Lanes>(b, map, x, y);
-  const ConvexGap gap = widestGap<Lanes>(a, b, map, x, y);
-  if (gap.gap > -kFloatDoubt) return {gap};
-  const ConvexCrossing crossing = crossingOf<Lanes>(a, b, map, rounding, x, y);
-  return {{ConvexSight::kMeet, crossing.edge_a, crossing.edge_b, false}};
 }
 
 }  // namespace tricover::detail::simd

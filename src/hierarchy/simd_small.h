@@ -119,7 +119,7 @@ struct DoubtfulEdges {
 }
 
 /// Two segments cross if the ends of each are on different sides of the other's line, and share no point if those of
-/// one are on the same side. Rounding as in convexMeet(): signs are certain beyond the slack.
+/// one are on the same side. Signs are certain beyond the slack.
 template <class Lanes>
 Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
                      const EdgeCheck& check) {
@@ -128,7 +128,7 @@ Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap
   mapVertices<Lanes>(b, map, x, y);
   mapHalfPlanes<Lanes>(b, map, nx, ny, d);
   const SmallView view_a{a, a.x, a.y, a.nx, a.ny, a.d}, view_b{b, x, y, nx, ny, d};
-  const float slack = static_cast<float>(8 * rounding + map.error);
+  const float slack = lineSlack(map, rounding);
   DoubtfulEdges doubtful;
   for (unsigned left = edgesNear<Lanes>(a, view_b, slack); left != 0; left &= left - 1) {
     const int j = __builtin_ctz(left), k = b.next[j];

@@ -9,7 +9,6 @@
 #include "hierarchy/simd_ray.h"
 #include "hierarchy/simd_shapes.h"
 #include "hierarchy/simd_small.h"
-#include "hierarchy/simd_small_gaps.h"
 #include "hierarchy/simd_twofold.h"
 #include "hierarchy/simd_ways.h"
 #include "hierarchy/simd_windows.h"

@@ -4,21 +4,10 @@
 #include <cassert>
 #include <limits>
 
-#include "convex/separating_edge.h"
 #include "pair/containment.h"
-#include "polygon/convexity.h"
 
 namespace tricover::detail {
 
-Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test) {
-  const SmallPolygon &a = *topOf(test.a).small_convex, &b = *topOf(test.b).small_convex;
-  ConvexGap best;
-  const Meeting meeting = convexMeet(a, b, at.map, at.rounding, best);
-  if (meeting != Meeting::Unknown) return meeting;
-  const std::size_t edge = convexityOf(best.of_a ? test.a : test.b).corner(static_cast<std::size_t>(best.edge));
-  const bool are_apart = isSeparatingEdge(test.placement(), best.of_a, static_cast<std::uint32_t>(edge));
-  return are_apart ? Meeting::Apart : meeting;
-}
 
 Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   const double sum = test.options.margin + test.options.tolerance;

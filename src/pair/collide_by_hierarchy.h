@@ -17,18 +17,13 @@ namespace tricover::detail {
 /// shorter the ways to it.
 enum class Wanted { Answer, Clearance, Edges };
 
-/// Two small convex polygons: by floats or, where these don't tell, by the edge that they find best, in doubles.
-Meeting smallConvexMeet(const UnitPlacement& at, const EdgeTest& test);
-
 /// Whether b's S is within 4 of a's; false for NaN.
 inline bool areNear(const UnitMap& map) { return std::abs(map.tx) + std::abs(map.ty) < 4; }
 
 /// Two polygons that areNear() and areSmall(), without a margin.
 [[gnu::always_inline]] inline Meeting allEdgesMeet(const UnitPlacement& at, const Hierarchy& a, const Hierarchy& b,
                                                    const EdgeTest& test) {
-  const Meeting meeting = a.small_convex && b.small_convex
-                              ? smallConvexMeet(at, test)
-                              : fewEdgesMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
+  const Meeting meeting = fewEdgesMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
   // They serve the next query that meets, before its boxes; of one that doesn't they tell nothing.
   if (meeting == Meeting::Meet) innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
   return meeting;
@@ -77,7 +72,6 @@ Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double 
   if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
   outcome.collides = meeting == Meeting::Meet;
   outcome.clearance *= test.a.unit;
-  outcome.by = Outcome::By::Boxes;
   return outcome;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The paper's Algorithm 3, repaired.
-#include <utility>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "numbers/errors.h"
@@ -67,36 +69,41 @@ bool detailedTest(const PosedPair& pair, const std::vector<std::size_t>& held, c
   return false;
 }
 
+/// What a MaskCache keeps: the ids of the polygons in the kernel's own order, and then, if the regions were apart, two
+/// bits of the mask for each edge of the first one.
+using KeptMask = std::vector<std::uint64_t>;
+constexpr std::size_t kIds = 2;
+
 /// From the second step on. The bounding discs may meet.
-bool collideByPaper(const PosedPair& pair, MaskFact* fact, const CollideOptions& options) {
-  if (fact != nullptr && (fact->first_id != pair.a.id || fact->second_id != pair.b.id))
-    *fact = {pair.a.id, pair.b.id, {}};
+bool collideByPaper(const PosedPair& pair, KeptMask* kept, const CollideOptions& options) {
+  if (kept != nullptr && (kept->size() < kIds || (*kept)[0] != pair.a.id || (*kept)[1] != pair.b.id))
+    *kept = {pair.a.id, pair.b.id};
   // The mask, if any, was found outside every influence area, with the answer "free" (repair 1).
-  const bool known = fact != nullptr && !fact->mask.empty();
+  const bool known = kept != nullptr && kept->size() > kIds;
 
   // Second step. Grown by the margin; rounded outwards, the areas by what the centroid is known to, as well.
   const ApproxPoint centroid = pair.center();
   const double length = roundedUp<1>(pair.radiusB() + pair.reach(options.margin));
   std::vector<std::size_t> held;
-  std::vector<std::uint64_t> mask = influenceMask(pair, centroid, length, held);
+  const std::vector<std::uint64_t> mask = influenceMask(pair, centroid, length, held);
   if (held.empty()) {
     // No edge of a touches b's bounding disc: the disc, all of b with it, lies where the centroid lies. An unchanged
     // mask is an unchanged zone, by exact signs (repair 7).
-    if (known && mask == fact->mask) return false;
+    if (known && std::equal(mask.begin(), mask.end(), kept->begin() + kIds, kept->end())) return false;
     const bool collides = locate(pair, pair.b.origin) != Location::Outside;
-    if (fact != nullptr) {
-      if (collides) mask.clear();
-      fact->mask = std::move(mask);
+    if (kept != nullptr) {
+      kept->resize(kIds);
+      if (!collides) kept->insert(kept->end(), mask.begin(), mask.end());
     }
     return collides;
   }
-  if (fact != nullptr) fact->mask.clear();
+  if (kept != nullptr) kept->resize(kIds);
 
   // Third step.
   return detailedTest(pair, held, options) || findContainment(pair).collides;
 }
 
-bool collideByPaper(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, MaskFact* fact,
+bool collideByPaper(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, KeptMask* kept,
                     const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
@@ -106,7 +113,7 @@ bool collideByPaper(const Polygon& a, const Pose& pose_a, const Polygon& b, cons
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) {
         if (gapOfDiscs(Placement(operands...), options.margin) >= 0) return false;
-        return collideByPaper(PosedPair(operands...), fact, options);
+        return collideByPaper(PosedPair(operands...), kept, options);
       },
       [](bool) {});
   return collides && (!asksForInteriors(options) || interiorsMeet(a.data(), pose_a, b.data(), pose_b));

@@ -31,20 +31,18 @@ void forEachPair(const PosedPair& pair, double limit, Visit visit, const PrunedP
 }
 
 /// The same for who looks for the nearest: narrow(length) is told of lengths that some pair is proven to be within, and
-/// returns the new limit, too. Pruned boxes aren't shown, and of a point or segment only the one edge that is all of
-/// it.
+/// returns the new limit, too. Of a point or segment only the one edge that is all of it is shown.
 template <typename Visit, typename Narrow>
-void forNearPairs(const PosedPair& pair, double limit, const PrunedPairs& pruned, Visit visit, Narrow narrow) {
+void forNearPairs(const PosedPair& pair, double limit, Visit visit, Narrow narrow) {
   struct Call : PairCall<Visit> {
     Narrow& narrow;
   } call{{visit, pair.a.unit, pair.a.inverse_unit}, narrow};
-  showEdgePairs(pair, limit,
-                {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit,
-                 [](void* context, double length) {
-                   const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
-                   return c.narrow(length * c.unit) * c.inverse_unit;
-                 },
-                 pruned});
+  showEdgePairs(
+      pair, limit,
+      {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit, [](void* context, double length) {
+         const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
+         return c.narrow(length * c.unit) * c.inverse_unit;
+       }});
 }
 
 }  // namespace tricover::detail

@@ -25,8 +25,6 @@ class EdgeTest {
     return *pair_;
   }
 
-  Placement placement() const { return {a, pose_a_, b, pose_b_}; }
-
   bool operator()(std::size_t i, std::size_t j) const {
     return edgesWithin(pair(), i, j, options.margin, options.tolerance, options.touching == Touching::Allowed);
   }

@@ -9,7 +9,7 @@
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
-#include "polygon/fact_balance.h"
+#include "polygon/cached_facts.h"
 #include "polygon/polygon_data.h"
 #include "tricover/collide.h"
 
@@ -21,11 +21,12 @@ constexpr double kStepsAhead = 32;
 /// A motion by more than this part of a polygon's radius is a jump, a step that no clearance would pay for.
 constexpr double kCoherentPart = 0.25;
 
-/// What a cache's fact says of a query.
+/// What a cache's certificate says of a query.
 struct Recollection {
   bool certain;  ///< `collides` is the answer
   bool collides;
-  /// Whether the next fact is likely to be of use: the polygons are known, and have not jumped since.
+  bool known;  ///< the cache is this pair's
+  /// Whether the next certificate is likely to be of use: the polygons have not jumped since.
   bool coherent;
   double lookahead;  ///< the clearance, beyond the margin, that would pay for a good many steps like the last ones
 };
@@ -86,22 +87,6 @@ inline bool sameAs(const double (&fact)[6], const Pose& pose) {
 /// Keeps a pose with a fact.
 void store(double (&fact)[6], const Pose& pose);
 
-/// What is left, at the least, of a distance between two points of the polygons (or of the least of many) after a
-/// motion. Its own product and difference round twice, and so may what the motion was summed up from, which counts only
-/// where it is less than the distance: `factor` is to be rounded down by kRoundings.
-struct Remainder {
-  static constexpr int kRoundings = 2 + 2;
-
-  double of(double distance) const { return distance * factor - motion; }
-
-  double factor, motion;
-};
-
-/// Only the motion against each other counted, for pairs that travel together: in the first one's frame.
-Remainder remainderOfRelativeMotion(const double (&first_fact)[6], const double (&second_fact)[6],
-                                    const PolygonData& first, const Pose& first_pose, const PolygonData& second,
-                                    const Pose& second_pose);
-
 /// What recall() can't tell at a glance.
 Recollection recallMoved(CollisionFact& cache, const PolygonData& first, const Pose& first_pose,
                          const PolygonData& second, const Pose& second_pose, double margin);
@@ -127,23 +112,26 @@ inline Recollection recall(CollisionFact& cache, const PolygonData& a, const Pos
                                    : second_change.isBelow(room);
   if (!certain) return recallMoved(cache, first, first_pose, second, second_pose, margin);
   ++cache.uses;
-  return {true, cache.overlapping, true, 0};
+  return {true, cache.overlapping, true, true, 0};
 }
 
 /// Makes the cache one of these two polygons; empties it if it was another pair's.
 void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& second);
 
-/// Whether another fact is worth finding, now that this one doesn't answer.
-bool isWorthRenewing(CollisionFact& cache, bool coherent);
+/// Whether another certificate is worth finding, now that this one doesn't answer; judges this one.
+bool isWorthRenewing(CollisionFact& cache, const Recollection& recollection);
 
-/// Keeps a new fact of these poses.
+/// Keeps a new certificate of these poses.
 void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
               const Pose& second_pose, bool overlapping, double clearance);
+/// Keeps the poses alone: the next query then knows how far the polygons have moved.
+void rememberPoses(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                   const Pose& second_pose);
 
-/// Counts a query while facts rest; of the last one the poses, so that the next one knows how far the polygons came.
-inline void rest(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
-                 const Pose& second_pose) {
-  if (--cache.balance.resting == 0) remember(cache, first, first_pose, second, second_pose, false, 0);
+/// Counts a query during a back-off. The last one keeps its poses.
+inline void countDown(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                      const Pose& second_pose) {
+  if (--cache.back_off.left == 0) rememberPoses(cache, first, first_pose, second, second_pose);
 }
 
 }  // namespace tricover::detail

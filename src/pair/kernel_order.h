@@ -40,11 +40,18 @@ inline std::array<double, 17> numbersOf(const Motion& motion) {
           motion.angle_3};
 }
 
+/// Which of two polygons of equal radius is first by what it is made of: numbers of vertices and rings, fill rule,
+/// coordinates. Negative: a, positive: b. 0 if nothing distinguishes them.
+int compareData(const PolygonData& a, const PolygonData& b);
+
 /// The kernel's own order of two operands, so that answers don't depend on the caller's: the smaller polygon moves. Of
-/// a polygon and itself, the pose or motion decides; only equal ones leave the caller's order.
+/// polygons of equal radius their data decides, then the pose or motion. Neither ids nor addresses do: results repeat
+/// from run to run. Equal operands leave the caller's order.
 template <typename PoseOrMotion>
 bool inOrder(const PolygonData& a, const PoseOrMotion& pose_a, const PolygonData& b, const PoseOrMotion& pose_b) {
-  if (a.id != b.id) return a.radius != b.radius ? a.radius > b.radius : a.id < b.id;
+  if (a.radius != b.radius) return a.radius > b.radius;
+  if (&a != &b)
+    if (const int order = compareData(a, b); order != 0) return order < 0;
   const auto p = numbersOf(pose_a), q = numbersOf(pose_b);
   return !std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), isSmaller);
 }

@@ -14,8 +14,6 @@ struct Outcome {
   /// On a hit: the positions of two edges in reach of each other; or, in a containment, the contained ring's first edge
   /// and -1. Both -1 if inner discs answered, or boxes within the tolerance.
   std::ptrdiff_t edge_a = -1, edge_b = -1;
-  /// What it took: the largest discs around and inside the regions; the boxes around everything, or more discs.
-  enum class By { Discs, Boxes, Edges } by = By::Edges;
 };
 
 }  // namespace tricover::detail

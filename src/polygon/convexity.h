@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,8 +17,6 @@ constexpr double kClearCorner = 0x1p-19;
 struct Convexity : Derived::Thing {
   explicit Convexity(const PolygonData& polygon);
   ~Convexity() override;
-  /// Of a convex polygon, as a position in the path.
-  std::size_t corner(std::size_t k) const { return has_others ? corners[k] : k; }
 
   int direction = 0;                 ///< 1 counter-clockwise, -1 clockwise, 0 not convex
   bool has_others = false;           ///< convex, and not all vertices are corners
@@ -43,14 +40,6 @@ inline const Convexity& convexityOf(const PolygonData& polygon) {
 /// its vertices are corners. Null for a polygon that isn't convex.
 inline const PolygonData* cornersOf(const PolygonData& polygon) {
   return polygon.isDegenerate() ? nullptr : convexityOf(polygon).by_corners;
-}
-
-/// The corner of a convex polygon, as cornersOf() numbers them, that is the first from a position in the path on.
-inline std::uint32_t cornerFrom(const PolygonData& polygon, std::size_t position) {
-  const Convexity& convexity = convexityOf(polygon);
-  if (!convexity.has_others) return static_cast<std::uint32_t>(position);
-  const auto corner = std::lower_bound(convexity.corners.begin(), convexity.corners.end(), position);
-  return corner != convexity.corners.end() ? static_cast<std::uint32_t>(corner - convexity.corners.begin()) : 0;
 }
 
 /// Of the edges from one position in a ring's path on until another one, which are on a line, that which is beside p.

@@ -94,7 +94,7 @@ TEST(Coherence, aSlotThatWasAnotherPairsBeginsEmpty) {
   growTable();
   static const char places[1 << 17] = {};
   const auto rests = [](tricover::PairCache& slot) -> std::uint8_t& {
-    return tricover::detail::factsIn(slot).collision.balance.resting;
+    return tricover::detail::factsIn(slot).collision.back_off.left;
   };
   for (Place of_c : {Place(nullptr), Place(&places[0])}) {
     tricover::PairCache* const slot = slotOf(a, nullptr, b, nullptr);

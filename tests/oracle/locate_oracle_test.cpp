@@ -168,7 +168,7 @@ TEST(PointCacheWalk, FactsAnswerSlowSteps) {
     answered += uses > 0;
     PointCache copy = cache;
     EXPECT_EQ(locate(polygon, point, copy), location);
-    EXPECT_EQ(detail::factsIn(copy).uses, uses + (detail::factsIn(cache).balance.resting == 0))
+    EXPECT_EQ(detail::factsIn(copy).uses, uses + !detail::factsIn(cache).back_off.isOn())
         << "a point that stays where its fact is from, or within reach of it";
   }
   EXPECT_GT(answered, kSteps / 2);
@@ -183,7 +183,7 @@ TEST(PointCacheWalk, FactsRestWhileTheyDoNotPay) {
   for (int i = 0; i < 500; ++i) {
     const Vec2 point(random.real(-4, 4), random.real(-4, 4));
     EXPECT_EQ(locate(polygon, point, cache), locate(polygon, point));
-    rested += detail::factsIn(cache).balance.resting > 0;
+    rested += detail::factsIn(cache).back_off.isOn();
   }
   EXPECT_GT(rested, 400);
   int answered = 0;

@@ -30,7 +30,8 @@ inline std::vector<Contact> ask(const Polygon& a, const Pose& pose_a, const Poly
   for (std::size_t i = 0; i < std::min(found.size(), swapped.size()); ++i) {
     std::swap(swapped[i].edge_a, swapped[i].edge_b);
     swapped[i].normal = -swapped[i].normal;
-    EXPECT_TRUE(a.id() == b.id() || alike(found[i], swapped[i], size)) << i;
+    // Equal operands are interchangeable: nothing tells which one the normal leads from.
+    EXPECT_TRUE(a.rings() == b.rings() || alike(found[i], swapped[i], size)) << i;
     EXPECT_NEAR(found[i].normal.norm(), 1, 1e-12);
     EXPECT_GE(found[i].depth, 0);
     EXPECT_TRUE(i == 0 || found[i].depth <= found[i - 1].depth);

@@ -393,8 +393,7 @@ TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
       found = found || distances.bounds(k, l).high == least;
       return limit;
     };
-    detail::forNearPairs(
-        pair, limit, {}, visit, [&](double) { return limit; }, [](std::size_t) { return false; });
+    detail::forNearPairs(pair, limit, visit, [&](double) { return limit; });
     ASSERT_TRUE(found) << "case " << i;
   }
 }

@@ -212,10 +212,10 @@ TEST(Distance, RefusesAndNamesTheField) {
   EXPECT_EQ(distance(a, at(0, 0), a, at(3, 0), cache).distance, 2) << "a refusal changes nothing";
 }
 
-const detail::DistanceFacts& factsOf(PairCache& cache) { return detail::factsIn(cache).distance; }
+const detail::DistanceHint& hintOf(PairCache& cache) { return detail::factsIn(cache).distance; }
 
 /// A small polygon that jumps through an edge lies as near to the same edges as before, and yet inside.
-TEST(DistanceFacts, SeesAJumpThroughAnEdge) {
+TEST(DistanceCache, SeesAJumpThroughAnEdge) {
   const Polygon a = square(100), b({scaled(regular(3, 1), 0.01)});
   PairCache cache;
   for (const double x : {-0.04, -0.03, -0.02, -0.015})
@@ -225,68 +225,36 @@ TEST(DistanceFacts, SeesAJumpThroughAnEdge) {
   EXPECT_EQ(distance(a, at(0, 0), b, at(-0.02, 50), cache).distance, distance(a, at(0, 0), b, at(-0.02, 50)).distance);
 }
 
-/// The same, answered by the fact: a flat sliver beside a long edge moves by less than the fact looks ahead.
-TEST(DistanceFacts, AFactThatListsTheEdgeSeesWhoIsBehindIt) {
-  Ring ring;  // with so many vertices that facts pay in steps like these
-  for (int i = 0; i <= 16; ++i) ring.emplace_back(6.25 * i, 0);
-  ring.insert(ring.end(), {{50, 50}, {100, 100}, {0, 100}});
-  const Polygon a({ring}), b({rectangle(0, -5, 0.01, 5)});
+/// The hint is of one pair, and of the edges that were nearest or met.
+TEST(DistanceCache, KeepsTheHintOfOnePair) {
+  const Polygon a({regular(40, 3), regular(5, 1)}), b({regular(30, 1)}), c({regular(30, 1)});
   PairCache cache;
-  for (const double y : {40, 41, 42, 43})
-    EXPECT_NEAR(distance(a, at(0, 0), b, at(-0.21, y), cache).distance, 0.2, 1e-13);
-  const std::uint32_t uses = factsOf(cache).uses;
-  EXPECT_EQ(distance(a, at(0, 0), b, at(0.2, 43), cache).distance, 0);
-  EXPECT_GT(factsOf(cache).uses, uses) << "not answered by the fact";
-}
-
-/// More pairs of edges than it has room for are apart by less than rounding.
-TEST(DistanceFacts, HoldsLengthsInOrder) {
-  Ring left(12, Vec2(0, 0)), right(12, Vec2(0x1p-60, 0));
-  left.insert(left.end(), {{-1, -1}, {-1, 1}});
-  right.insert(right.end(), {{1, -1}, {1, 1}});
-  PairCache cache;
-  EXPECT_GT(distance(Polygon({left}), at(0, 0), Polygon({right}), at(0, 0), cache).distance, 0);
-  const detail::DistanceFacts& facts = factsOf(cache);
-  EXPECT_GE(facts.apart[0], 0);
-  EXPECT_TRUE(std::is_sorted(facts.apart, facts.apart + facts.count + 1));
-}
-
-/// Facts answer queries of a slow walk (more than these: a fact that is moved to new poses counts anew), and none of
-/// another pair's.
-TEST(DistanceFacts, KeepsFactsOfOnePair) {
-  const Polygon a({regular(40, 3), regular(5, 1)}), b({regular(30, 1)});
-  PairCache cache;
-  int by_facts = 0;
   for (int i = 0; i < 1000; ++i) {
     const Pose pose_b = pose(0.001 * i, 6 * std::cos(0.001 * i), 6 * std::sin(0.001 * i));
-    const std::uint32_t before = factsOf(cache).uses;
     ASSERT_EQ(distance(a, at(0, 0), b, pose_b, cache).distance, distance(a, at(0, 0), b, pose_b).distance);
-    by_facts += factsOf(cache).uses > before;
+    EXPECT_FALSE(hintOf(cache).back_off.isOn()) << i;
   }
-  EXPECT_GT(by_facts, 200);
-  const Polygon c({regular(30, 1)});
+  EXPECT_NE(hintOf(cache).kind, 0);
   EXPECT_EQ(distance(a, at(0, 0), c, at(10, 0), cache).distance, distance(a, at(0, 0), c, at(10, 0)).distance);
-  EXPECT_EQ(factsOf(cache).second_id, c.id());
+  EXPECT_EQ(hintOf(cache).second_id, c.id());
 }
 
-/// Facts that answer nothing are given up for a while, and found again when they would last.
-TEST(DistanceFacts, RestsWhileFactsWouldNotLast) {
+/// A hint that does not help backs off, and is tried again after that.
+TEST(DistanceCache, BacksOffWhileHintsDoNotHelp) {
   const Polygon a({scaled(regular(40, 1), 3), regular(5, 1)}), b({regular(30, 1)});
   PairCache cache;
   const auto asks = [&](double angle) {
-    const Pose pose_b = pose(angle, 6 * std::cos(angle), 6 * std::sin(angle));
+    const Pose pose_b = pose(angle, 4.1 * std::cos(angle), 4.1 * std::sin(angle));
     EXPECT_EQ(distance(a, at(0, 0), b, pose_b, cache).distance, distance(a, at(0, 0), b, pose_b).distance);
   };
   int rests = 0;
   for (int i = 0; i < 100; ++i) {
     asks(2.4 * i);
-    rests += factsOf(cache).balance.resting > 0;
+    rests += hintOf(cache).back_off.isOn();
   }
   EXPECT_GT(rests, 80) << "jumps";
   for (int i = 0; i < 300; ++i) asks(1e-5 * i);
-  const std::uint32_t uses = factsOf(cache).uses;
-  asks(3.0001e-3);
-  EXPECT_GT(factsOf(cache).uses, uses) << "not answered by a fact";
+  EXPECT_FALSE(hintOf(cache).back_off.isOn());
 }
 
 /// Sides of a convex polygon may be divided: the edges that are named are the given ones.

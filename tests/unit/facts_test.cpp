@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 #include "polygon/cache_access.h"
-#include "polygon/fact_balance.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -131,26 +130,20 @@ TEST(Claim, EmptiesAnotherPairsCache) {
 }
 
 /// What pair_cache.h says.
-TEST(PairCache, IsOfThatSize) { EXPECT_EQ(sizeof(PairCache), 544u); }
+TEST(PairCache, IsOfThatSize) { EXPECT_EQ(sizeof(PairCache), 320u); }
 
-/// What costs more than it saves rests longer each time, and not at all again once it has paid well.
-TEST(FactBalance, RestsLongerEachTime) {
-  detail::FactBalance balance;
-  EXPECT_TRUE(detail::isWorthIt(balance, -detail::kMostSaved)) << "a new one may try some";
-  for (const int rest : {3, 15, 63, 255, 255}) {
-    EXPECT_TRUE(detail::isWorthIt(balance, 0));
-    EXPECT_FALSE(detail::isWorthIt(balance, -1));
-    EXPECT_EQ(balance.resting, rest);
-    EXPECT_EQ(balance.saved, 0) << "what was lost is forgiven";
+TEST(BackOff, DoublesWithEachFailure) {
+  detail::BackOff back_off;
+  EXPECT_FALSE(back_off.isOn()) << "a new one is tried";
+  for (const int left : {2, 4, 8, 16, 32, 64, 128, 255, 255}) {
+    back_off.judge(false);
+    EXPECT_EQ(back_off.left, left);
   }
-  balance.resting = 0;
-  EXPECT_TRUE(detail::isWorthIt(balance, detail::kMostSaved - 1));
-  EXPECT_FALSE(detail::isWorthIt(balance, -detail::kMostSaved));
-  EXPECT_EQ(balance.resting, 255);
-  EXPECT_TRUE(detail::isWorthIt(balance, 1000));
-  EXPECT_EQ(balance.saved, detail::kMostSaved) << "no more in advance";
-  EXPECT_FALSE(detail::isWorthIt(balance, -detail::kMostSaved - 1));
-  EXPECT_EQ(balance.resting, 3);
+  back_off.left = 0;
+  back_off.judge(true);
+  EXPECT_FALSE(back_off.isOn());
+  back_off.judge(false);
+  EXPECT_EQ(back_off.left, 32) << "a success halves the count of failures";
 }
 
 /// Two outlines beside each other, whose discs overlap; and what a cache of theirs tells.
@@ -162,22 +155,22 @@ struct Walk {
   const detail::CollisionFact& fact() { return detail::factsIn(cache).collision; }
   void ask(double x, double y) {
     const std::uint32_t uses = fact().uses;
-    const bool rests = fact().balance.resting > 0;
+    const bool rests = fact().back_off.isOn();
     EXPECT_EQ(collide(a, Pose::Identity(), b, pose(0, x, y), cache), collide(a, Pose::Identity(), b, pose(0, x, y)));
     answered += fact().uses > uses;
     rested += rests;
   }
 };
 
-TEST(FactBalance, JumpsDoWithoutFacts) {
+TEST(BackOff, JumpsDoWithoutFacts) {
   Walk walk;
   for (int i = 0; i < 400; ++i) walk.ask(4.1, i % 2 == 0 ? -1.5 : 1.5);
   EXPECT_EQ(walk.answered, 0);
-  EXPECT_GT(walk.rested, 380);
+  EXPECT_GT(walk.rested, 350);
 }
 
 /// No fact lasts for a step, though none is a jump.
-TEST(FactBalance, StepsThatUseUpEveryFactDoWithout) {
+TEST(BackOff, StepsThatUseUpEveryFactDoWithout) {
   Walk walk;
   for (int i = 0; i < 400; ++i) walk.ask(4.1, 0.3 * std::abs(i % 8 - 4));
   EXPECT_EQ(walk.answered, 0);
@@ -185,44 +178,41 @@ TEST(FactBalance, StepsThatUseUpEveryFactDoWithout) {
 }
 
 /// After the rest, too, though the walk has gone on meanwhile.
-TEST(FactBalance, SlowStepsAreAnsweredByFacts) {
+TEST(BackOff, SlowStepsAreAnsweredByFacts) {
   Walk walk;
   for (int i = 0; i < 500; ++i) walk.ask(4.1, i % 2 == 0 ? -1.5 : 1.5);
-  while (walk.fact().balance.resting > 0) walk.ask(4.1, 0);
+  while (walk.fact().back_off.isOn()) walk.ask(4.1, 0);
   walk.answered = walk.rested = 0;
   for (int i = 0; i < 1000; ++i) walk.ask(4.1, 1e-3 * i);
   EXPECT_GT(walk.answered, 900);
   EXPECT_LT(walk.rested, 10);
 }
 
-/// A rest leaves what was found before: how far it pays to look ahead.
-TEST(FactBalance, ARestKeepsTheLookahead) {
+/// The last query of a back-off keeps the poses.
+TEST(BackOff, EndsWithThePoses) {
   Walk walk;
   for (int i = 0; i < 20; ++i) walk.ask(4.1, 1e-3 * i);
-  const float before = walk.fact().looked_ahead;
-  EXPECT_GT(before, 0);
-  detail::factsIn(walk.cache).collision.balance.resting = 2;
+  detail::factsIn(walk.cache).collision.back_off.left = 2;
   walk.ask(4.1, 0.02);
   EXPECT_GT(walk.fact().clearance, 0);
   walk.ask(4.1, 0.021);
-  EXPECT_EQ(walk.fact().balance.resting, 0);
+  EXPECT_FALSE(walk.fact().back_off.isOn());
   EXPECT_EQ(walk.fact().clearance, 0);
-  EXPECT_EQ(walk.fact().looked_ahead, before);
   const Pose last = pose(0, 4.1, 0.021);
   EXPECT_TRUE(
       detail::sameAs(walk.fact().first_id == walk.a.id() ? walk.fact().second_pose : walk.fact().first_pose, last));
 }
 
 /// Discs are asked first as long as they answer, and facts again from the second query that they leave open.
-TEST(FactBalance, WhatDiscsDecideAsksNoFact) {
+TEST(BackOff, WhatDiscsDecideAsksNoFact) {
   Walk walk;
   for (int i = 0; i < 100; ++i) walk.ask(20, 1e-3 * i);
   EXPECT_EQ(walk.answered, 0);
   EXPECT_GT(walk.rested, 95);
-  EXPECT_EQ(walk.fact().balance.resting, 1);
+  EXPECT_EQ(walk.fact().back_off.left, 1);
   EXPECT_EQ(walk.fact().clearance, 0);
   walk.ask(4.1, 0);
-  EXPECT_EQ(walk.fact().balance.resting, 0);
+  EXPECT_EQ(walk.fact().back_off.left, 0);
   walk.ask(4.1, 1e-5);
   EXPECT_GT(walk.fact().clearance, 0);
   walk.ask(4.1, 2e-5);

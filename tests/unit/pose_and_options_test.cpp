@@ -283,9 +283,7 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
     EXPECT_TRUE(std::equal(cache.first_pose, cache.first_pose + 6, before.first_pose));
     EXPECT_TRUE(std::equal(cache.second_pose, cache.second_pose + 6, before.second_pose));
     const auto &mask = detail::factsIn(caches.of_mask), &mask_before = detail::factsIn(copy.of_mask);
-    EXPECT_EQ(mask.first_id, mask_before.first_id);
-    EXPECT_EQ(mask.second_id, mask_before.second_id);
-    EXPECT_EQ(mask.mask, mask_before.mask);
+    EXPECT_EQ(mask, mask_before);
   }
   PointCache cache;
   locate(a, {0.5, 0.5}, cache);

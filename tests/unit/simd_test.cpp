@@ -121,55 +121,6 @@ TEST(LargeOutlines, AreSearchedAlikeAndExactly) {
   EXPECT_GT(tight, clear / 4);
 }
 
-/// Small convex polygons have a way of their own: never wrong, and seldom at a loss.
-TEST(ConvexMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
-  Random random(12);
-  int apart = 0, meet = 0, unknown = 0;
-  const int cases = scaledCount(4000);
-  for (int i = 0; i < cases; ++i) {
-    const double size = i % 5 == 0 ? 0.01 : 1, far = i % 7 == 0 ? 1e9 : 0;
-    const auto convex = [&](double radius) {
-      Ring ring = star(random, random.integer(3, 16), radius, radius);
-      if (random.coin())
-        for (Vec2& p : ring) p.y() *= 0.1;
-      if (random.coin()) ring = reversed(ring);
-      return Polygon({ring});
-    };
-    const Polygon a = convex(1), b = convex(size);
-    const double angle = random.real(0, 6.28), away = random.real(0, 1 + size);
-    const Pose pose_a = pose(random.real(0, 6.28), far, 0);
-    const Pose pose_b = pose(random.real(0, 6.28), far + away * std::cos(angle), away * std::sin(angle));
-    if (!hierarchyOf(a.data()).small_convex || !hierarchyOf(b.data()).small_convex)
-      continue;  // less than half a circle
-    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const detail::UnitMap map{pair.m00,
-                              pair.m01,
-                              pair.m10,
-                              pair.m11,
-                              (pair.center_x - a.origin().x()) * a.data().inverse_unit,
-                              (pair.center_y - a.origin().y()) * a.data().inverse_unit,
-                              b.data().unit * a.data().inverse_unit,
-                              4 * pair.error * a.data().inverse_unit};
-    detail::ConvexGap best;
-    const auto answer = [&] {
-      return detail::convexMeet(*hierarchyOf(a.data()).small_convex, *hierarchyOf(b.data()).small_convex, map, 0x1p-19,
-                                best);
-    };
-    const detail::Meeting meeting = answer();
-    ASSERT_EQ(onPortableLanes(answer), meeting);
-    if (meeting == detail::Meeting::Unknown) {
-      ++unknown;
-      continue;
-    }
-    const bool truth = exact::collide(a, pose_a, b, pose_b);
-    ASSERT_EQ(meeting == detail::Meeting::Meet, truth);
-    ++(truth ? meet : apart);
-  }
-  EXPECT_GT(apart, cases / 10);
-  EXPECT_GT(meet, cases / 10);
-  EXPECT_LT(unknown, cases / 100);
-}
-
 /// An answer about two polygons: the same on all lanes, and the truth unless it is Unknown.
 template <typename Answer>
 detail::Meeting meetingAlike(const Answer& answer, const Case& c) {

@@ -301,16 +301,6 @@ TEST(Svg, ALonePointHasRoom) {
   }
 }
 
-TEST(Svg, ACoveringAloneIsSeen) {
-  SvgDrawing drawing;
-  drawing.covering(Polygon({rectangle(0, 0, 10, 4)}), pose(0, 100, 0));
-  const std::vector<double> box = viewBox(drawing.str());
-  EXPECT_LE(box[0], 100);
-  EXPECT_GE(box[0] + box[2], 110);
-  EXPECT_LE(box[1], -4);
-  EXPECT_GE(box[1] + box[3], 0);
-}
-
 TEST(Svg, APolylineWithoutPointsIsNothing) {
   SvgDrawing drawing, alone;
   drawing.polyline({{0, 0}, {1, 1}}, "#333");

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contents of caches. Users see bytes alone: see cache_access.h.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "tricover/locate.h"
+#include "tricover/pair_cache.h"
+
+namespace tricover::detail {
+
+/// The back-off of certificates and hints: what failed to help k times in a row is left out of the next 2^k queries, at
+/// most 255. A success halves k, hence failures that alternate with successes back off, too.
+struct BackOff {
+  std::uint8_t failed = 0;  ///< k
+  std::uint8_t left = 0;    ///< queries that go without
+
+  bool isOn() const { return left > 0; }
+  void judge(bool has_helped) {
+    constexpr int kMostFailed = 8;
+    if (has_helped) {
+      failed /= 2;
+      return;
+    }
+    failed = static_cast<std::uint8_t>(std::min(failed + 1, kMostFailed));
+    left = static_cast<std::uint8_t>(std::min(1 << failed, 255));
+  }
+};
+
+/// A certificate of collide(): "With the polygons at these poses (columns of R, then t) the answer was `overlapping`.
+/// Whether the regions overlap stays so while no point is moved against the other polygon by `clearance`, a world
+/// length, or more." A hit by the margin or the tolerance alone is kept as overlapping, with a clearance of 0, by which
+/// nothing stays so.
+struct CollisionFact {
+  std::uint64_t first_id = 0;   ///< of the polygons, in the kernel's own order (0: none)
+  std::uint64_t second_id = 0;  ///< likewise
+  double first_pose[6] = {1, 0, 0, 1, 0, 0};
+  double second_pose[6] = {1, 0, 0, 1, 0, 0};
+  double clearance = 0;
+  std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next one looks ahead
+  /// The edges of the last hit, as the kernel numbers them; -1 if there were none. They are tried first at the next
+  /// pose.
+  std::int32_t first_edge = -1, second_edge = -1;
+  bool overlapping = false;
+  bool was_sought = false;  ///< finding the clearance cost more than the answer; false: poses alone are kept
+  BackOff back_off;
+};
+
+/// The features or edges that were nearest at the last distance() of two polygons, or crossed: tried first.
+struct DistanceHint {
+  std::uint64_t first_id = 0;
+  std::uint64_t second_id = 0;
+  std::uint32_t edge_a = 0, edge_b = 0;
+  std::uint8_t kind = 0;  ///< a kind of FeaturePair, or kNearEdges; 0: none
+  BackOff back_off;
+};
+
+/// "With the second polygon at this pose in the first one's frame, the other polygon reached at least `deeper` behind
+/// every edge but those listed here."
+struct ContactFacts {
+  static constexpr int kMost = 4;  ///< how many edges it has room for
+
+  std::uint64_t first_id = 0;
+  std::uint64_t second_id = 0;
+  double second_in_first[6] = {1, 0, 0, 1, 0, 0};
+  double error = 0;   ///< what that maps points wrong by, at most
+  double deeper = 0;  ///< a length in the first one's frame
+  std::uint8_t count = 0;
+  FactBalance balance;
+  bool of_first[kMost] = {};         ///< whether an edge is the first polygon's
+  std::uint32_t face[kMost] = {};    ///< the edges, as the kernel numbers them
+  std::uint32_t behind[kMost] = {};  ///< an edge of the other polygon at its vertex that was deepest behind them
+};
+
+/// What a PairCache holds.
+struct PairFacts {
+  CollisionFact collision;
+  DistanceHint distance;
+  ContactFacts contact;
+};
+
+/// What a PointCache holds: "The point was here, and at least so far from all edges."
+struct PointFact {
+  std::uint64_t polygon_id = 0;  ///< 0: none
+  double point[2] = {0, 0};      ///< in the polygon's frame
+  double clearance = 0;
+  std::uint32_t uses = 0;  ///< queries answered since
+  Location location = Location::Outside;
+  BackOff back_off;
+};
+
+}  // namespace tricover::detail
