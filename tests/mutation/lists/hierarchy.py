@@ -38,6 +38,8 @@ MUTATIONS = [
     ("src/hierarchy/simd_ray.h", "larger(beside, larger(behind, after)), Lanes::all(room)", "larger(beside, larger(behind, after)), Lanes::all(0)", "ray: boxes known exactly"),
     ("src/hierarchy/simd_ray.h", "kRayRounding * sum + ray.error * block.inverse", "kRayRounding * sum", "ray: its error"),
     ("src/hierarchy/simd_point.h", "upwards(reach * block.inverse + p.slack)", "upwards(0.9 * reach * block.inverse)", "ring starts: a disc too small"),
+    ("src/hierarchy/simd_ray.h", "above(boxDistances<Lanes>(block, p), Lanes::all(p.slack))", "above(boxDistances<Lanes>(block, p), Lanes::all(0))", "locate: boxes around rings known exactly"),
+    ("src/hierarchy/simd_ray.h", "lanes & (block.spanned | boxesAround<Lanes>(ray, block))", "lanes & block.spanned", "locate: rings around the point left out"),
     ("src/hierarchy/simd_shapes.h", "8 * rounding + map.error);\n  float x[SmallPolygon::kMost], y", "0);\n  float x[SmallPolygon::kMost], y", "convex: no slack"),
     ("src/hierarchy/simd_shapes.h", "8 * rounding + map.error);\n  float x[SmallPolygon::kMost], y", "8 * rounding);\n  float x[SmallPolygon::kMost], y", "convex: the map's error"),
     ("src/hierarchy/simd_shapes.h", "above(Lanes::all(-slack), out);\n    out.store(of_b + i);", "above(Lanes::all(0), out);\n    out.store(of_b + i);", "convex: meeting without slack"),
