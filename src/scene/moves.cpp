@@ -13,19 +13,19 @@
 namespace tricover::detail {
 namespace {
 
-/// A box looks ahead for so many moves, and by its body's size at the most: each box that is left costs a search of the
-/// tree, and a wider one meets more.
+/// A box looks ahead for this number of moves, and by its body's size at most. Each box that a body leaves costs a
+/// search of the tree, but a wider box meets more boxes.
 constexpr double kBoxSteps = 16;
-/// What the last move counts for in their average.
+/// The weight of the last move in the average step.
 constexpr double kOfAverage = 0.25;
-/// A count beyond so many times a body's size begins anew, so that what is added to it isn't lost to rounding.
+/// A count beyond this number of body sizes begins anew, so that steps aren't lost to rounding.
 constexpr double kLongWay = 0x1p20;
 
 double sizeOf(const SceneState::BodyState& body) { return body.polygon.data().radius + body.options.margin; }
 
 bool isCoherent(const SceneState::BodyState& body, double step) { return step <= kCoherentPart * sizeOf(body); }
 
-/// The count of motion after a step, and whether it goes on.
+/// The count of motion after a step, and whether the count goes on.
 double movedAfter(const SceneState::BodyState& body, double step) { return roundedUp<1>(body.moved + step); }
 bool staysCounted(const SceneState::BodyState& body, double step) {
   const double most = std::min(kLongWay * sizeOf(body), std::numeric_limits<double>::max());
@@ -34,7 +34,7 @@ bool staysCounted(const SceneState::BodyState& body, double step) {
 
 }  // namespace
 
-/// Returns a box around a body that holds it until its count reaches `box_until`, which is set.
+/// Sets `box_until` and returns a box that holds the body until its count reaches that.
 Bounds SceneState::newBox(Slot body) {
   BodyState& state = bodies[body];
   const double growth = std::min(kBoxSteps * state.step, sizeOf(state));
@@ -43,7 +43,7 @@ Bounds SceneState::newBox(Slot body) {
   return box;
 }
 
-/// How far the points of a body go at the most that moves there; negative if it doesn't move.
+/// Returns a bound of how far the points of a body go that moves to a pose; negative if it doesn't move.
 double SceneState::stepTo(Slot body, const Pose& pose) const {
   const BodyState& state = bodies[body];
   const double *was = state.pose.data(), *now = pose.data();
@@ -52,7 +52,8 @@ double SceneState::stepTo(Slot body, const Pose& pose) const {
   return change.any() ? change.displacement() : -1;
 }
 
-/// The body's own part of a move, by any number of threads for different bodies. Whether it is due.
+/// Changes the body's own data for a move and returns whether the body is due. Any number of threads may advance
+/// different bodies.
 bool SceneState::advance(Slot body, const Pose& pose, double step) {
   BodyState& state = bodies[body];
   const bool stays = staysCounted(state, step);
@@ -81,7 +82,7 @@ void SceneState::moveBody(Slot body, const Pose& pose) {
   listFresh(body);
 }
 
-/// Its box is new, and all of its pairs are due: pairs that may not meet any more are found not to collide.
+/// Makes all pairs of the body due, so that pairs whose categories no longer meet are found not to collide.
 void SceneState::setOptions(Slot body, const BodyOptions& options) {
   tree.prepareMove();
   BodyState& state = bodies[body];
@@ -101,7 +102,7 @@ SceneState::Moving::What SceneState::moveInBox(Slot body, const Pose& pose) {
   if (step < 0) return Moving::Done;
   if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until)) return Moving::Later;
   if (!advance(body, pose, step) || state.listed) return Moving::Done;
-  // Its place in the list comes later, but here its memory is at hand.
+  // The body is listed later, by one thread, but its memory is at hand here.
   state.listed = true;
   return Moving::IsDue;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ray against the bodies of a scene.
+// The body that a ray meets first.
 #include <utility>
 
 #include "impact/round_ray.h"
@@ -19,7 +19,7 @@ std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, const
   const detail::SlotFilter slots = state.slots(filter);
   std::optional<BodyRayHit> best;
   double limit = 1;
-  // A hit's fraction may be below the true one by 1e-14, and of a body with a margin by what timeOfImpact() allows.
+  // A hit's fraction may be below the true one by 1e-14, and by more for a body with a margin; see timeOfImpact().
   state.tree.visitOnRay(detail::BoxRay(from, to, options.margin), limit, [&](detail::Slot slot) {
     const auto& other = state.bodies[slot];
     if (!state.passes(slots, slot)) return limit;
