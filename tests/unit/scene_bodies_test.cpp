@@ -135,6 +135,10 @@ TEST(Scene, MovesABodyTwiceAtOnce) {
   scene.move({{moving, pose(0, 49.01, 0)}, {moving, pose(0, 0.2, 0)}});
   EXPECT_TRUE(scene.collisions().empty());
   EXPECT_EQ(scene.pose(moving).translation().x(), 0.2);
+  for (int i = 1; i < 20; ++i) scene.move({{moving, pose(0, 0.2 + 0.01 * i, 0)}});
+  scene.move({{moving, pose(0, 49, 0)}, {moving, pose(0, 0.4, 0)}});  // the second one alone is within its box
+  EXPECT_TRUE(scene.collisions().empty());
+  EXPECT_EQ(scene.pose(moving).translation().x(), 0.4);
 }
 
 TEST(Scene, KnowsWhatWasMovedWhenTheUsersThreadsFail) {

@@ -122,8 +122,20 @@ TEST(Scene, AsksBodiesWhoseDiscsDecideNothing) {
   EXPECT_FALSE(scene.collides(dot, pose(0, 1.25, 0)));
 }
 
-/// Two bodies whose distances differ by an ulp that rounding makes: whichever comes first, the nearest is the one that
-/// distance() says.
+/// Discs inside both regions overlap, but the interior of a point is empty.
+TEST(Scene, InnerDiscsOfPointsHaveNoInterior) {
+  const Polygon square({rectangle(-1, -1, 1, 1)}), dot = point({0.125, 0.25});
+  prepare(square);
+  CollideOptions open;
+  open.touching = Touching::Allowed;
+  Scene scene;
+  const Scene::Body body = scene.add(square, pose(0, 0, 0));
+  EXPECT_EQ(scene.anyColliding(dot, pose(0, 0, 0)), body);
+  EXPECT_FALSE(collide(dot, pose(0, 0, 0), square, pose(0, 0, 0), open));
+  EXPECT_FALSE(scene.collides(dot, pose(0, 0, 0), open));
+  EXPECT_TRUE(scene.colliding(dot, pose(0, 0, 0), open).empty());
+}
+
 TEST(Scene, MeetsWhatLiesWithinAndFarFromTheLargestDisc) {
   // A sickle, and something of many edges, too, in its slim end.
   Ring sickle, bean;
@@ -141,6 +153,8 @@ TEST(Scene, MeetsWhatLiesWithinAndFarFromTheLargestDisc) {
   EXPECT_FALSE(inside.collides(outer, pose(0, 4.5, 0.6)));
 }
 
+/// Two bodies whose distances differ by an ulp that rounding makes: whichever comes first, the nearest is the one that
+/// distance() says.
 TEST(Scene, NearestIsNoMatterOfWhoComesFirst) {
   const Polygon square({rectangle(0, 0, 1, 1)});
   const Pose asked = Pose::Identity();
