@@ -69,7 +69,6 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
   const StadiumPair<S> round(polygon_first, o1, tf1, o2, tf2, options.margin);
   const bool is_round = round.found != StadiumCase::None;
   if (is_round) {
-    if (!of_hit.contacts && !of_hit.costs) round.requireRigidPoses();
     if ((!of_hit.contacts && !of_hit.costs) || round.found == StadiumCase::OutOfSlab || !round.collide())
       return result.numContacts();
     if (!of_hit.costs && !request.enable_contact) {

@@ -4,7 +4,6 @@
 #include <fcl/geometry/collision_geometry.h>
 
 #include <optional>
-#include <stdexcept>
 
 #include "shadow/stadium.h"
 #include "shape/planar_pair.h"
@@ -22,21 +21,12 @@ enum class StadiumCase { None, OutOfSlab, Pair };
 template <typename S>
 class StadiumPair : public PlanarPair {
  public:
-  /// `more` is a length added to the margin, upwards. Throws as mixedPair() does, if not before the two are asked.
+  /// `more` is a length added to the margin, upwards. Throws what mixedPair() throws for a pose.
   StadiumPair(bool is_polygon_first, const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2, double more = 0);
 
   StadiumPair(const StadiumPair&) = delete;  // b is its own
   StadiumPair& operator=(const StadiumPair&) = delete;
-
-  bool collide() const {
-    return named([&] { return PlanarPair::collide(); });
-  }
-  std::optional<tricover::DistanceResult> distanceWithin(double limit, const tricover::DistanceOptions& options) const {
-    return named([&] { return PlanarPair::distanceWithin(limit, options); });
-  }
-  /// Of both geometries, named in the caller's order.
-  void requireRigidPoses() const;
 
   /// The plane in which both poses are, at the middle of the heights that both share.
   Plane plane() const { return is_level_ ? planeAt(height_) : plane_; }
@@ -58,28 +48,13 @@ class StadiumPair : public PlanarPair {
         of_polygon_(of_polygon),
         of_other_(of_other) {}
 
-  /// The kernel checks both poses, the polygon's being its first.
-  template <typename Ask>
-  auto named(Ask ask) const {
-    try {
-      return ask();
-    } catch (const std::invalid_argument&) {
-      requireRigidPoses();
-      throw;
-    }
-  }
-
   /// Where the other one is: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.
   struct Other {
     Slab slab;  ///< the polygon's
     Eigen::Vector3d center, axis;
     double rounding, rounding_z;  ///< as stadiumOf() has them
   };
-  /// Of a ball whose centre is between the heights of a polygon that lies level, if it is: all of place() and
-  /// stadiumOf() that it needs.
-  bool placeBall(double of_radius);
   Other place();
-  void setRadius(double radius);
 
   const fcl::Transform3<S>&of_polygon_, &of_other_;
   std::optional<tricover::Polygon> segment_;  ///< none for a disc

@@ -46,9 +46,7 @@ S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<
   const auto limit = static_cast<double>(result.min_distance);
   if (apart >= limit) return keepDistance(result);
 
-  const bool are_errors = options.relative_error >= 0 && options.absolute_error >= 0;
-  auto found = are_errors ? pair.distancePlainly() : std::nullopt;
-  if (!found) found = pair.distanceWithin(limit, options);
+  auto found = pair.distanceWithin(limit, options);
   if (!found) return keepDistance(result);
   moveByMargins(pair, *found);
   if (found->distance == 0 && apart == 0) {

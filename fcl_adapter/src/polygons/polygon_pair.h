@@ -65,17 +65,6 @@ struct PolygonPair final : PlanarPair {
     return std::nullopt;
   }
 
-  /// What the kernel would tell of two discs that are apart, if that is plain.
-  std::optional<tricover::DistanceResult> distancePlainly() const {
-    if (!(shape_a.isDisc() && shape_b.isDisc() && areRigid())) return std::nullopt;
-    // The distance of their centres errs by 3.1U of itself.
-    const tricover::Vec2 center_a = pose_a.translation(), center_b = pose_b.translation();
-    const double square = (center_b - center_a).squaredNorm(), distance = std::sqrt(square);
-    const bool are_apart = square > 0x1p-900 && square < 0x1p900 && distance * (1 - 0x1p-40) > margin;
-    if (!are_apart) return std::nullopt;
-    return tricover::DistanceResult{distance - margin, center_a, center_b, 0, 0};
-  }
-
   /// Most poses that the kernel doesn't refuse.
   bool areRigid() const { return tricover::detail::isPlainlyRigid(pose_a) && tricover::detail::isPlainlyRigid(pose_b); }
 };

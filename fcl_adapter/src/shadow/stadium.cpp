@@ -6,7 +6,6 @@
 #include <fcl/geometry/shape/sphere.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "shape/errors.h"
@@ -20,20 +19,6 @@ using Vec3 = Eigen::Vector3d;
 using tricover::Polygon;
 using tricover::Pose;
 using tricover::Vec2;
-
-/// One of each length: a polygon costs more to make than to ask, and facts are about polygons that stay.
-struct Segments {
-  struct Slot {
-    double half_length = 0;
-    Polygon polygon = tricover::point(Vec2::Zero());
-  };
-  std::array<Slot, 16> slots;
-  ~Segments();
-};
-
-/// Plain, so it can still be read when the segments are gone.
-thread_local bool segments_ended = false;
-Segments::~Segments() { segments_ended = true; }
 
 struct RoundPlace {
   const Vec3 &center, &axis;
@@ -109,15 +94,7 @@ const Polygon& Stadium::point() {
 }
 
 Polygon Stadium::segment() const {
-  if (half_length == 0) return point();
-  const auto make = [this] { return tricover::segment({-half_length, 0}, {half_length, 0}); };
-  if (segments_ended) return make();
-  thread_local Segments segments;
-  int exponent = 0;
-  const auto digits = static_cast<std::size_t>(std::abs(std::frexp(half_length, &exponent)) * 0x1p20);
-  Segments::Slot& slot = segments.slots[(digits + static_cast<std::size_t>(exponent + 2048)) % segments.slots.size()];
-  if (slot.half_length != half_length) slot = {half_length, make()};
-  return slot.polygon;
+  return half_length == 0 ? point() : tricover::segment({-half_length, 0}, {half_length, 0});
 }
 
 template <typename S>

@@ -20,8 +20,7 @@ struct Stadium {
   double radius;
   Slab heights;  ///< those that the geometry and the slab share
 
-  /// The segment along x around the origin, of its length, and where that lies. This thread's segments are kept by
-  /// their lengths: a polygon costs more to make than to ask, and facts are about polygons that stay.
+  /// The segment along x around the origin, of its length; setPose() puts it where it lies.
   tricover::Polygon segment() const;
   static const tricover::Polygon& point();  ///< the segment of all discs: the origin
   void setPose(tricover::Pose& pose) const;

@@ -5,7 +5,6 @@ MUTATIONS = [
     ("fcl_adapter/src/broadphase/footprint.cpp", "return is_rigid ? footprintOfBox(object, nullptr) : kAnywhere;", "return footprintOfBox(object, nullptr);", "footprint: a pose that isn't rigid"),
     ("fcl_adapter/src/shape/planar_pose.h", "return largest + (sum - sum);", "return largest;", "rigid: a NaN that a maximum passes over"),
     ("fcl_adapter/src/polygons/polygon_pair.h", "kSquares = 0x1p-48", "kSquares = 0", "discs: rounding decides"),
-    ("fcl_adapter/src/polygons/polygon_pair.h", "distance * (1 - 0x1p-40) > margin", "distance > margin", "discs: a touch up to rounding is apart"),
     ("fcl_adapter/src/shadow/shadow.cpp", "{margin + rounding_}", "{margin}", "shadow: rounding parts what meets"),
     ("fcl_adapter/src/shape/planar_pair.cpp", "on_b = way.point_b - pair.margin_b * out;", "on_b = way.point_b + pair.margin_b * out;", "depth: grown inwards"),
     ("fcl_adapter/src/shape/planar_pair.cpp", "(pair.margin_a - pair.margin_b) / 2 * contact.normal", "(pair.margin_b - pair.margin_a) / 2 * contact.normal", "contact: in the middle of polygons, not of grown ones"),
@@ -29,6 +28,4 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/planar_pair.cpp", "if (hasInterior(*a) && hasInterior(*b)) return false;", "", "distance: a touch by rounding overlaps"),
     ("fcl_adapter/src/shape/fcl_results.cpp", "if (result.o1 == nullptr && result.o2 == nullptr)", "if (false)", "distance: nearest points uninitialised"),
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "      slot->facts = {};\n", "", "table: another pair's rest is inherited"),
-    ("fcl_adapter/src/mixed/stadium_pair.cpp", "tiltOf(of_other_) <= kNoTilt && ", "", "balls: poses that nobody checks"),
-    ("fcl_adapter/src/mixed/stadium_pair.h", "      requireRigidPoses();\n", "", "balls: poses named in the kernel's order"),
 ]
