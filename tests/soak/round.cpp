@@ -129,6 +129,9 @@ void soakRound(Run& run) {
     const double rounding = (body.name[0] == 's' ? 0 : 1e-9) * size + stretch * farthest +
                             1e-13 * (size + farthest + c.a.radius() + c.pose_a.translation().lpNorm<1>() +
                                      c.pose_b.translation().lpNorm<1>());
+    // Cylinders, cones and ellipsoids are polygons around them: they collide too early, and never too late.
+    const bool is_outlined = body.name[0] == 'e' || (body.name[0] == 'c' && body.name[1] != 'a');
+    const double early = rounding + (is_outlined ? 1e-4 * size : 0);
     tricover_fcl::PolygonShaped shape(c.a, tricover_fcl::PolygonOptions::atAllHeights());
     fcl::CollisionResultd hit;
     const bool found = fcl::collide<double>(&shape, lifted<double>(c.pose_a), body.geometry.get(), pose,
@@ -137,9 +140,9 @@ void soakRound(Run& run) {
     fcl::distance<double>(&shape, lifted<double>(c.pose_a), body.geometry.get(), pose, fcl::DistanceRequestd(), apart);
     run.count(body.name, found);
     std::string problem;
-    if (found && nearest > rounding) problem = "collide, though it is apart";
+    if (found && nearest > early) problem = "collide, though it is apart";
     if (!found && farthest == 0 && overlapsBy(2 * rounding, within)) problem = "no collision, though they overlap";
-    if (!found && (apart.min_distance < nearest - rounding || apart.min_distance > farthest + rounding))
+    if (!found && (apart.min_distance < nearest - early || apart.min_distance > farthest + rounding))
       problem = "distance " + support::hex(apart.min_distance) + ", which is from " + support::hex(nearest) + " to " +
                 support::hex(farthest);
     if (problem.empty()) continue;
