@@ -8,24 +8,33 @@
 
 namespace tricover {
 
-/// A span of time in which two moving polygons meet.
+/// An interval of time in which two moving polygons meet.
 struct Conflict {
-  Impact impact;  ///< Its begin, as timeOfImpact() says it.
+  Impact impact;  ///< Its begin, as timeOfImpact() reports it.
   /// At most ImpactOptions::time_error later than the last contact, and never earlier; 1 if that is where they meet
   /// last.
   double end;
+  /// True if a search ended at its budget within this interval, which then reaches to 1. Contact before impact.time is
+  /// excluded, but the polygons may be apart for parts of the interval.
+  bool budget_ended = false;
 };
 
-/// All spans of time in which two moving polygons meet, from time 0 to 1: timeOfImpact(), and again after each end.
-/// With a margin, in which they are no farther apart than that; with `ignore_initial`, but for a span that begins at 0.
+/// Returns all intervals of time from 0 to 1 in which two moving polygons meet: timeOfImpact(), and again after each
+/// end. With a margin, these are the intervals in which the polygons are no farther apart than that. With
+/// `ignore_initial`, an interval that begins at 0 is left out.
 ///
-/// - Whenever they meet, a span says so: they are apart, as collide() says of both poses, at each end below 1, and from
-///   there as timeOfImpact() says, with what that says about coming within 1e-13 L.
-/// - Whenever a span says so, they meet, or did or will by less than `time_error`: what parts them for less than that
-///   may not be seen.
+/// - Whenever the polygons meet, an interval says so. They are apart, as collide() says of both poses, at each end
+/// below
+///   1, and from there as timeOfImpact() says. Coming within 1e-13 L counts as it does there.
+/// - Whenever an interval says so, the polygons meet, or did or will by less than `time_error`. Being apart for less
+///   than that may not be seen.
 ///
-/// Spans are in order and don't overlap. A span costs some ten collide()s, but two for each `time_error` for as long as
-/// polygons touch, or are within the margin, hardly deeper than they move meanwhile.
+/// Intervals are in order and don't overlap. An interval costs some ten collide()s, and two more for each `time_error`
+/// for as long as the polygons touch, or are within the margin, hardly deeper than they move meanwhile.
+///
+/// The search has a budget: that of each timeOfImpact(), and 2^21 steps along contacts, which a `time_error` of 1e-6 or
+/// more does not reach. If one of these ends, the last interval reaches to 1 and has `budget_ended` set.
+/// `ignore_initial` doesn't leave such an interval out.
 ///
 /// Throws as timeOfImpact() does. A `time_error` below 1e-9 is taken for that.
 ///

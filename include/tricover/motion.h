@@ -53,7 +53,8 @@ struct TRICOVER_EXPORT Motion {
   static Motion spline(const std::array<Vec2, 4>& positions, const std::array<double, 4>& angles,
                        const Vec2& pivot = Vec2::Zero());
 
-  /// The pose at `time`, rounded. At 0 it is exactly `start`.
+  /// The pose at `time`, rounded. At 0 it is exactly `start`. Throws std::invalid_argument for a time that is not
+  /// finite.
   Pose at(double time) const;
 
   /// The same motion from one time to another, which are its 0 and 1: at(0) of it is exactly at(from), and the rest is

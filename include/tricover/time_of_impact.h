@@ -31,6 +31,9 @@ struct Impact {
   Vec2 normal;
   EdgeIndex edge_a;  ///< The edge of a that meets b's. -1 where b lies inside a at time 0.
   EdgeIndex edge_b;  ///< The edge of b that meets a's. -1 where a lies inside b at time 0.
+  /// True if the search ended at its budget. Contact before `time` is excluded; whether the polygons meet then, later
+  /// or at all is unknown. The edges are two that may meet, and the point lies between them.
+  bool budget_ended = false;
 };
 
 /// The first contact of two moving polygons at a time from 0 to 1, both included, or nothing if there is none. With a
@@ -47,7 +50,10 @@ struct Impact {
 /// (For a polygon that doesn't turn, read origin() for the pivot.) Where L exceeds 1e307, whatever may come near may be
 /// reported.
 ///
-/// The cost grows with the number of turns that the polygons make near each other.
+/// The cost grows with the number of turns that the polygons make near each other. The search has a budget, which grows
+/// with the number of edges. It lasts for all but contrived inputs and contact that lasts: thousands of edges that come
+/// near thousands of others, or outlines that stay within rounding of each other. If it ends, the result is an impact
+/// at the time before which contact is excluded, with `budget_ended` set.
 ///
 /// Throws std::invalid_argument for motions that checkMotion() refuses, and for a time_error or a margin that is
 /// negative or not finite. Throws std::length_error as collide() does.

@@ -42,7 +42,8 @@ class TRICOVER_EXPORT Trajectory {
   explicit Trajectory(std::vector<Leg> legs);
 
   /// From pose to pose, as Motion::between() says, which waits where two are the same. Throws std::invalid_argument for
-  /// fewer than two, for times that don't increase, and as Motion::between() does.
+  /// fewer than two and for times that don't increase. Throws as Motion::between() does, naming the waypoint, as in
+  /// "poses[2].pose".
   static Trajectory through(const std::vector<TimedPose>& poses, const Vec2& pivot = Vec2::Zero());
   /// A cubic Hermite spline from knot to knot, as Motion::spline() says. Throws as through() and that do.
   static Trajectory spline(const std::vector<TimedKnot>& knots, const Vec2& pivot = Vec2::Zero());
@@ -50,7 +51,8 @@ class TRICOVER_EXPORT Trajectory {
   const std::vector<Leg>& legs() const { return legs_; }  ///< In order.
   double begin() const { return legs_.front().begin; }    ///< When it begins.
   double end() const { return legs_.back().end; }         ///< When it ends.
-  Pose at(double time) const;                             ///< The pose at any time, rounded.
+  /// The pose at any time, rounded; infinity is a time, too. Throws std::invalid_argument for NaN.
+  Pose at(double time) const;
   /// What it does from one time to a later one, between which no leg ends: time 0 of it is `from`, and 1 is `until`.
   Motion part(double from, double until) const;
 

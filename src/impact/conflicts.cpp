@@ -58,25 +58,27 @@ bool MovingContact::meetUntil(double time, double step) const {
   return fact.collides && fact.clearance + margin_ > way;
 }
 
-double MovingContact::endOfContact(double begin) const {
+MovingContact::End MovingContact::endOfContact(double begin) {
+  if (steps_left_-- <= 0) return {begin, false};
   // An impact is told up to so much too early.
   double time = begin, step = seen_;
   if (begin > 0 || !meetAt(0, margin_)) {
     time = std::min(1.0, begin + step);
-    if (!meetAt(time, margin_)) return time;
+    if (!meetAt(time, margin_)) return {time, true};
   }
   while (time < 1) {
     if (step > seen_ && !meetUntil(time, step)) {
       step = std::max(0.5 * step, seen_);
       continue;
     }
+    if (steps_left_-- <= 0) return {time, false};
     // A step that proves nothing is no longer than what is seen.
     const double next = std::min(1.0, time + step);
-    if (!meetAt(next, margin_)) return next;
+    if (!meetAt(next, margin_)) return {next, true};
     time = next;
     step *= 4;
   }
-  return 1;
+  return {1, true};
 }
 
 std::optional<Impact> MovingContact::next(double begin) const {
@@ -95,18 +97,17 @@ std::vector<Conflict> conflicts(const Polygon& a, const Motion& motion_a, const 
                                 const ImpactOptions& options) {
   detail::checkOptions(options);
   detail::checkMotions(motion_a, motion_b);
-  const detail::MovingContact contact(a, motion_a, b, motion_b, options);
+  detail::MovingContact contact(a, motion_a, b, motion_b, options);
   std::vector<Conflict> found;
   double time = 0;
   while (auto impact = contact.next(time)) {
-    const double end = contact.endOfContact(impact->time);
-    if (!found.empty() && impact->time <= found.back().end)  // it goes on
-      found.back().end = end;
-    else
-      found.push_back({*impact, end});
-    time = end;
+    const auto end = impact->budget_ended ? detail::MovingContact::End{1, false} : contact.endOfContact(impact->time);
+    time = end.is_known ? end.time : 1;
+    if (found.empty() || impact->time > found.back().end) found.push_back({*impact, time});
+    found.back().end = time;
+    found.back().budget_ended = !end.is_known;
   }
-  if (options.ignore_initial && !found.empty() && found.front().impact.time == 0) found.erase(found.begin());
+  if (options.ignore_initial) detail::leaveOutInitial(found, 0);
   return found;
 }
 

@@ -76,13 +76,13 @@ class Body {
     return dot(m, ring_.edge(vertex)) >= -dot(m, ring_.edge(before)) ? vertex : before;
   }
 
-  EdgeEnds edge(const Places& p, int lane, std::uint32_t k) const {
-    return is_small_ ? EdgeEnds(p, lane, vertices_[k], vertices_[k + 1]) : mover.ends(p, lane, k);
+  MovingEdge edge(const Places& p, int lane, std::uint32_t k) const {
+    return is_small_ ? MovingEdge(p, lane, vertices_[k], vertices_[k + 1]) : mover.ends(p, lane, k);
   }
 
   /// The edge beside one at the end that a point of it is nearer to.
   std::uint32_t neighbour(const Places& p, std::uint32_t k, const Vec2& point) const {
-    const EdgeEnds ends = edge(p, 0, k);
+    const MovingEdge ends = edge(p, 0, k);
     const double along = (2 * point - ends.from() - ends.to()).dot(ends.to() - ends.from());
     return along > 0 ? ring_.next(k) : ring_.previous(k);
   }
@@ -136,7 +136,7 @@ class ConvexAdvancement {
       }
       const Vec2 axis = (points.on_b - points.on_a) / points.distance;
       const double before = time_, end = std::min(1.0, time_ + windowFor(points, axis));
-      const Span window(pair_, time_, end, placesUntil(end, pair_.a, at_a_), placesUntil(end, pair_.b, at_b_));
+      const TimeWindow window(pair_, time_, end, placesUntil(end, pair_.a, at_a_), placesUntil(end, pair_.b, at_b_));
       distance_ = points.distance - pair_.margin;
       bool apart = advance(window, axis);
       stale = !(gap_ >= 0.5 * points.distance);
@@ -161,7 +161,7 @@ class ConvexAdvancement {
   Places placesUntil(double end, const Mover& mover, const Places& at) const {
     return mover.turns || &mover == &pair_.b ? at.to(mover.places(end, end)) : at;
   }
-  void place(const Span& window) {
+  void place(const TimeWindow& window) {
     const bool at_end = time_ == window.end;
     if (pair_.a.turns) at_a_ = at_end ? window.a.atEnd() : pair_.a.places(time_, time_);
     at_b_ = at_end ? window.b.atEnd() : pair_.b.places(time_, time_);
@@ -169,7 +169,7 @@ class ConvexAdvancement {
   NearestPoints nearest() const {
     return NearestPoints(a_.edge(at_a_, 0, edge_a_), b_.edge(at_b_, 0, edge_b_), pair_.error);
   }
-  double distanceAtEnd(const Span& window) const {
+  double distanceAtEnd(const TimeWindow& window) const {
     return NearestPoints(a_.edge(window.a, 1, edge_a_), b_.edge(window.b, 1, edge_b_), pair_.error).distance;
   }
 
@@ -249,7 +249,7 @@ class ConvexAdvancement {
 
   /// On to where contact may be, as an axis of length 1 from a to b has it, if anywhere in the window. Whether it parts
   /// the two throughout. The gap of the regions is that of their foremost vertices.
-  bool advance(const Span& window, const Vec2& axis) {
+  bool advance(const TimeWindow& window, const Vec2& axis) {
     GapCutter cutter(pair_);
     const GapCutter::Axis n = axisOver(window, axis);
     const Double2 gap = n.x * (window.b.x - window.a.x) + n.y * (window.b.y - window.a.y) -
@@ -262,7 +262,7 @@ class ConvexAdvancement {
   }
 
   /// One that stands still or, where ways bend by more than little of the distance, turns with a or b if that is less.
-  GapCutter::Axis axisOver(const Span& window, const Vec2& axis) const {
+  GapCutter::Axis axisOver(const TimeWindow& window, const Vec2& axis) const {
     const double still = window.fixedSag(a_.lever, b_.lever) - window.pull.sparedAlong(axis.x(), axis.y());
     if (!(still > kLittle * distance_)) return GapCutter::standing(axis, still);
     const double with_a = window.sagWithA().of(b_.lever, b_.leverFrom(window.a, window.b)),

@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
-#include "impact/node_corners.h"
-#include "impact/tight_nodes.h"
 #include "impact/vertex_ways.h"
 #include "impact/window_cutter.h"
 
@@ -31,25 +28,29 @@ struct Encounter {
 
 /// Branch and bound, best first: the encounter that begins first is divided, its nodes or its window, and what is left
 /// of the parts are encounters again. So their least begin is a proven lower bound of the time of impact; the upper one
-/// is the earliest time at which two edges were seen to touch.
+/// is the earliest time at which two edges were seen to touch. Divisions and encounters have a budget, at whose end the
+/// lower bound is the result.
 class ImpactSearch {
  public:
   ImpactSearch(const MovingPair& pair, double time_error)
       : pair_(pair),
         time_error_(time_error),
         touch_distance_(pair.margin + 4 * pair.error),
-        keep_lengths_(pair.keepLengths()) {
+        keep_lengths_(pair.keepLengths()),
+        most_encounters_(mostEncounters(pair)),
+        most_divisions_(mostDivisions(pair)) {
     encounters_.reserve(128);
   }
 
   FirstContact run(double begin) {
     offerAnew({begin, 1, kRootNode, kRootNode, 0});
     while (!encounters_.empty() && upper_bound_ - lowerBound() > time_error_) {
+      if (divided_ >= most_divisions_ || encounters_.size() > most_encounters_) return provenSoFar();
       std::pop_heap(encounters_.begin(), encounters_.end());
       Encounter encounter = encounters_.back();
       encounters_.pop_back();
       encounter.end = std::min(encounter.end, upper_bound_);
-      if (++divided_ == kFloatsAlone) fitTightly();
+      ++divided_;
       divide(encounter);
     }
     const double time = encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
@@ -57,57 +58,34 @@ class ImpactSearch {
   }
 
  private:
-  double lowerBound() const { return encounters_.front().begin; }
-
-  /// Of both movers.
-  struct FittedNodes {
-    TightNodes a, b;
-  };
-  struct CornersOfNodes {
-    NodeCorners a, b;
-  };
-
-  /// A node of either mover, and where it is in a window.
-  struct MovingNode {
-    Node node;
-    MovingBox box;
-  };
-  Node nodeA(std::uint32_t index) { return tight_ ? tight_->a.node(index) : pair_.a.node(index); }
-  Node nodeB(std::uint32_t index) { return tight_ ? tight_->b.node(index) : pair_.b.node(index); }
-  MovingNode movingA(const Window& window, const Node& node) const { return {node, pair_.a.box(window.a, node)}; }
-  MovingNode movingB(const Window& window, const Node& node) const { return {node, pair_.b.box(window.b, node)}; }
-
-  /// As a rule an impact is found by then; if not, gaps may be narrower than the floats' boxes are wide.
-  static constexpr int kFloatsAlone = 256;
-  void fitTightly() {
-    tight_.emplace(FittedNodes{TightNodes(pair_.a), TightNodes(pair_.b)});
-    corners_.emplace(CornersOfNodes{NodeCorners(pair_.a), NodeCorners(pair_.b)});
-    wasted_ = -kWastePerVertex * static_cast<std::int64_t>(pair_.a.polygon->path.size() + pair_.b.polygon->path.size());
+  /// The most that a test's search needs is 105,031 divisions and 71,694 encounters, which take 32 bytes each, at 602
+  /// edges.
+  static constexpr std::size_t kLeastEncounters = std::size_t{1} << 18, kEncountersPerEdge = 64;
+  static constexpr std::size_t kDivisionsPerEncounter = 4;
+  static std::size_t mostEncounters(const MovingPair& pair) {
+    return kLeastEncounters + kEncountersPerEdge * (pair.a.polygon->path.size() + pair.b.polygon->path.size());
+  }
+  /// Each radian is a search of its own, up to a limit.
+  static std::size_t mostDivisions(const MovingPair& pair) {
+    const double radians = std::min(pair.a.turn.size() + pair.b.turn.size(), 8.0);
+    return kDivisionsPerEncounter * mostEncounters(pair) * (1 + static_cast<std::size_t>(radians));
   }
 
-  /// Fans of edges have boxes that reach beyond their common points, however narrow they are: side by side, each edge
-  /// of one may meet each of the other. So nodes are cut as edges are, along the axis between their corners' hulls, and
-  /// are divided only where it doesn't tell. What is asked in vain is counted in corners: it may be little beside the
-  /// search, and as much as was asked with success.
-  static constexpr std::int64_t kWastePerDivision = 2, kWastePerVertex = 2, kSplitCosts = 512;
-  static constexpr double kLittleOfNodes = 1.0 / 8;
-  bool cutByCorners(const Window& window, const Encounter& encounter, const MovingBox& box_a, const MovingBox& box_b) {
-    if (wasted_ > kWastePerDivision * divided_) return false;
-    const std::vector<Vec2>&a = corners_->a.below(encounter.a), &b = corners_->b.below(encounter.b);
-    const auto count = static_cast<std::int64_t>(a.size() + b.size());
-    wasted_ += count;
-    const Vec2 guess(box_b.x[0] - box_a.x[0], box_b.y[0] - box_a.y[0]);
-    const std::optional<Vec2> axis = axisBetween(a, window.a, b, window.b, guess, touch_distance_);
-    if (!axis) return false;
-    WindowCutter cutter(window, box_a, box_b);
-    const GapCutter::Axis n = cutter.axisOver(*axis);
-    const bool apart = cutter.cutByGap(n, gapAlong(n, a, window.a, b, window.b));
-    const Rest rest = cutter.rest();
-    if (!apart && rest.low <= rest.high && !(rest.low > 0 && pushApproaching(window, encounter, rest))) return false;
-    // Where ways bend by so much, windows become many: that doesn't pay for itself.
-    const bool is_little = !apart && rest.low < kLittleOfNodes && rest.aim > rest.low;
-    wasted_ += is_little ? kSplitCosts : -2 * count;
-    return true;
+  double lowerBound() const { return encounters_.front().begin; }
+
+  /// The budget ended: no contact before the lower bound. Unless edges were seen to touch, it names some that may.
+  FirstContact provenSoFar() const {
+    FirstContact contact = upper_bound_ <= 1
+                               ? FirstContact::touch(lowerBound(), edge_a_, edge_b_)
+                               : FirstContact::touch(lowerBound(), edgeBelow(pair_.a, encounters_.front().a),
+                                                     edgeBelow(pair_.b, encounters_.front().b));
+    contact.budget_ended = true;
+    return contact;
+  }
+  static std::size_t edgeBelow(const Mover& mover, std::uint32_t index) {
+    Node node = mover.node(index);
+    while (!node.edge) node = mover.node(node.child * kLanes);
+    return node.child;
   }
 
   void push(const Encounter& encounter) {
@@ -123,43 +101,36 @@ class ImpactSearch {
     return encounter;
   }
 
-  void offer(const Window& window, const MovingNode& a, const MovingNode& b, const Encounter& encounter) {
-    WindowCutter cutter(window, a.box, b.box);
+  void offer(const Window& window, const Encounter& encounter) {
+    const MovingBox a = pair_.a.box(window.a, pair_.a.node(encounter.a));
+    const MovingBox b = pair_.b.box(window.b, pair_.b.node(encounter.b));
+    WindowCutter cutter(window, a, b);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
-    if (tight_ && partedByPivots(window, a.node, a.box, b.node, b.box)) return;
     const Rest rest = cutter.rest();
     if (rest.low <= rest.high) push(cut(encounter, rest));
   }
 
-  void offerAnew(const Encounter& encounter) {
-    const Window window(pair_, encounter.begin, encounter.end);
-    offer(window, movingA(window, nodeA(encounter.a)), movingB(window, nodeB(encounter.b)), encounter);
-  }
+  void offerAnew(const Encounter& encounter) { offer(Window(pair_, encounter.begin, encounter.end), encounter); }
 
   void divide(const Encounter& encounter) {
     const Window window(pair_, encounter.begin, encounter.end);
-    const Node node_a = nodeA(encounter.a), node_b = nodeB(encounter.b);
+    const Node node_a = pair_.a.node(encounter.a), node_b = pair_.b.node(encounter.b);
     if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
-    const MovingNode a = movingA(window, node_a), b = movingB(window, node_b);
-    if (tight_ && cutByCorners(window, encounter, a.box, b.box)) return;
-    const double size_a = a.box.along + a.box.across, size_b = b.box.along + b.box.across;
-    const WindowCutter cutter(window, a.box, b.box);
+    const MovingBox a = pair_.a.box(window.a, node_a), b = pair_.b.box(window.b, node_b);
+    const double size_a = a.along + a.across, size_b = b.along + b.across;
+    const WindowCutter cutter(window, a, b);
     // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter windows once they bend by less
     // than what boxes' axes don't see around their corners: rounding, and a part of the margin.
     if (cutter.bend() > std::max({size_a + size_b, pair_.error, pair_.margin / 16})) return halve(encounter);
     Encounter part = encounter;
     ++part.depth;
-    const bool divides_a = !a.node.edge && (b.node.edge || size_a >= size_b);
-    const std::uint32_t block = divides_a ? a.node.child : b.node.child;
-    if (!tight_ && offerEight(window, cutter, divides_a, block, divides_a ? b.box : a.box, part)) return;
+    const bool divides_a = !node_a.edge && (node_b.edge || size_a >= size_b);
+    const std::uint32_t block = divides_a ? node_a.child : node_b.child;
+    if (offerEight(window, cutter, divides_a, block, divides_a ? b : a, part)) return;
     const std::uint32_t count = (divides_a ? pair_.a : pair_.b).tree->blocks[block].count;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-      const std::uint32_t index = block * kLanes + lane;
-      (divides_a ? part.a : part.b) = index;
-      if (divides_a)
-        offer(window, movingA(window, nodeA(index)), b, part);
-      else
-        offer(window, a, movingB(window, nodeB(index)), part);
+      (divides_a ? part.a : part.b) = block * kLanes + lane;
+      offer(window, part);
     }
   }
 
@@ -213,7 +184,7 @@ class ImpactSearch {
   /// Where so small a share of a window is cut off two edges, their ends are looked at one by one: in a search that
   /// takes long, as most don't.
   static constexpr double kLittle = 1.0 / 64;
-  static constexpr int kWithoutEnds = 64;
+  static constexpr std::size_t kWithoutEnds = 64;
 
   void touch(double when, std::size_t position_a, std::size_t position_b) {
     if (!(when < upper_bound_)) return;
@@ -238,13 +209,8 @@ class ImpactSearch {
       rest = restOfEdges(window, position_a, position_b);
     if (rest.low > rest.high) return;
 
-    if (!pushApproaching(window, encounter, rest))
-      touch(encounter.begin, position_a, position_b);  // no time between the window's ends
-  }
-
-  /// What is left of an encounter that is apart at its begin. Contact is likely about as far beyond the aim as that is
-  /// beyond the proven bound, if not before: a window up to there is shorter by an order. None if time has no room.
-  bool pushApproaching(const Window& window, const Encounter& encounter, const Rest& rest) {
+    // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a time interval
+    // up to there is shorter by an order.
     const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / window.length;
     const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
     const double split = encounter.begin + share * window.length;
@@ -255,21 +221,18 @@ class ImpactSearch {
     } else if (part.begin > encounter.begin) {
       push(part);
     } else {
-      return false;
+      touch(encounter.begin, position_a, position_b);  // no time between the interval's ends
     }
-    return true;
   }
 
   const MovingPair& pair_;
   double time_error_, touch_distance_;
   bool keep_lengths_;
+  std::size_t most_encounters_, most_divisions_;  ///< the budget
   double upper_bound_ = kInfinity;
   std::size_t edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound
   std::vector<Encounter> encounters_;
-  int divided_ = 0;
-  std::optional<FittedNodes> tight_;
-  std::optional<CornersOfNodes> corners_;
-  std::int64_t wasted_ = 0;  ///< corners looked at in vain
+  std::size_t divided_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "impact/cubic.h"
+#include "impact/options.h"
 #include "numbers/double2.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -21,12 +22,18 @@ Motion Motion::translation(const Pose& start, const Vec2& shift) {
 }
 
 Motion Motion::between(const Pose& start, const Pose& end, const Vec2& pivot) {
-  checkPose(start, "start");
-  checkPose(end, "end");
-  detail::requireFinite(pivot, "pivot");
+  return detail::motionBetween(start, "start", end, "end", pivot);
+}
+
+Motion detail::motionBetween(const Pose& start, const std::string& start_name, const Pose& end,
+                             const std::string& end_name, const Vec2& pivot) {
+  requireRigid(start, start_name.c_str());
+  requireRigid(end, end_name.c_str());
+  requireFinite(pivot, "pivot");
   // The rotation nearest to end * start^-1.
   const Eigen::Matrix2d turn = end.linear() * start.linear().transpose();
-  if (turn.determinant() < 0) detail::refuse("end", "it mirrors where start doesn't, or the other way round");
+  if (turn.determinant() < 0)
+    refuse(end_name, "only one of it and " + start_name + " mirrors", "give both the same determinant");
   Motion motion;
   motion.start = start;
   motion.pivot = pivot;
@@ -89,6 +96,7 @@ Motion Motion::spline(const std::array<Vec2, 4>& positions, const std::array<dou
 
 Pose Motion::at(double time) const {
   if (time == 0) return start;
+  detail::requireFinite(time, "time");
   Pose pose = start;
   pose.translation() += detail::wayOf(*this).at(time);
   const detail::Cubic<double> turn = detail::turnOf(*this);
@@ -114,7 +122,8 @@ detail::Cubic<T> partOf(const detail::Cubic<T>& cubic, double begin, double leng
 }  // namespace
 
 Motion Motion::part(double from, double until) const {
-  if (!std::isfinite(from) || !std::isfinite(until)) detail::refuse("part", "its times must be finite");
+  detail::requireFinite(from, "from");
+  detail::requireFinite(until, "until");
   const double length = until - from;
   const detail::Cubic<Vec2> way = partOf(detail::wayOf(*this), from, length);
   const detail::Cubic<double> turn = partOf(detail::turnOf(*this), from, length);

@@ -224,7 +224,7 @@ namespace {
 /// Two points, a lane each, beside a segment: on which side they are, times its length, and the squares of how far away
 /// they are, but for rounding.
 struct TwoBeside {
-  TwoBeside(const EdgeEnds& points, const EdgeEnds& segment) {
+  TwoBeside(const MovingEdge& points, const MovingEdge& segment) {
     const double ux = segment.x[1] - segment.x[0], uy = segment.y[1] - segment.y[0];
     const Double2 dx = points.x - segment.x[0], dy = points.y - segment.y[0];
     const Double2 part = (dx * ux + dy * uy) / (ux * ux + uy * uy);
@@ -242,7 +242,7 @@ struct TwoBeside {
 
 }  // namespace
 
-NearestPoints::NearestPoints(const EdgeEnds& a, const EdgeEnds& b, double error) {
+NearestPoints::NearestPoints(const MovingEdge& a, const MovingEdge& b, double error) {
   const TwoBeside of_a(a, b), of_b(b, a);
   if (of_a.areOpposite(0) && of_b.areOpposite(0)) {
     // Where a sign isn't certain, an end of one is about as near to the other as rounding is large.

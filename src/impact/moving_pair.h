@@ -42,14 +42,14 @@ struct Places {
 };
 
 /// An edge's ends, one a lane, at one end of a window.
-struct EdgeEnds {
+struct MovingEdge {
   /// Of two vertices in the mover's frame, from S.
-  EdgeEnds(const Places& p, int lane, const Vec2& v, const Vec2& w) {
+  MovingEdge(const Places& p, int lane, const Vec2& v, const Vec2& w) {
     const Double2 of_x{v.x(), w.x()}, of_y{v.y(), w.y()};
     x = p.m00[lane] * of_x + p.m01[lane] * of_y + p.x[lane];
     y = p.m10[lane] * of_x + p.m11[lane] * of_y + p.y[lane];
   }
-  EdgeEnds(const MovingBox& edge, int lane) {
+  MovingEdge(const MovingBox& edge, int lane) {
     const double half_x = edge.along * edge.ux[lane], half_y = edge.along * edge.uy[lane];
     x = edge.x[lane] + Double2{-half_x, half_x};
     y = edge.y[lane] + Double2{-half_y, half_y};
@@ -65,8 +65,6 @@ struct Node {
   double x, y, ux, uy, along, across;  ///< in units
   std::uint32_t child;                 ///< the block below; of an edge, its position in the path
   bool edge;
-  /// No point of its chain is nearer to the pivot or farther from it, in units; only TightNodes know.
-  double near = 0, far = std::numeric_limits<double>::infinity();
 };
 
 /// The node that is around everything; all others are block * kLanes + lane.
@@ -81,7 +79,7 @@ struct Mover {
   MovingBox edge(const Places& places, std::size_t position) const;
   /// A vertex by its position, in the mover's frame, from S.
   Vec2 vertex(std::size_t position) const { return scale * polygon->inUnits(polygon->path[position]); }
-  EdgeEnds ends(const Places& places, int lane, std::size_t position) const {
+  MovingEdge ends(const Places& places, int lane, std::size_t position) const {
     return {places, lane, vertex(position), vertex(position + 1)};
   }
   /// Whether its unit and its pose do, and squares don't overflow. A pose: if it is off rigid by no more than rotations
@@ -169,6 +167,7 @@ struct FirstContact {
   Verdict verdict;
   double time;  ///< they are certainly apart before, from time 0 on; of a touch, it is at most `time_error` too early
   std::ptrdiff_t edge_a, edge_b;  ///< of a touch: positions in the paths; one is -1 where a ring is inside at time 0
+  bool budget_ended = false;      ///< of a touch: it was not found, only that nothing touches before
 
   static FirstContact never() { return {Verdict::Never, 1, -1, -1}; }
   static FirstContact unknown(double time) { return {Verdict::Unknown, time, -1, -1}; }
@@ -181,9 +180,9 @@ struct FirstContact {
 
 /// The nearest points of two edges; distance 0 where they certainly cross.
 struct NearestPoints {
-  NearestPoints(const EdgeEnds& a, const EdgeEnds& b, double error);
+  NearestPoints(const MovingEdge& a, const MovingEdge& b, double error);
   NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
-      : NearestPoints(EdgeEnds(edge_a, lane), EdgeEnds(edge_b, lane), error) {}
+      : NearestPoints(MovingEdge(edge_a, lane), MovingEdge(edge_b, lane), error) {}
   Vec2 on_a, on_b;
   double distance;
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+#include <string>
+
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "tricover/time_of_impact.h"
@@ -11,6 +14,14 @@ inline void checkOptions(const ImpactOptions& options) {
   requireFiniteNotNegative(options.time_error, "time_error");
   requireFiniteNotNegative(options.margin, "margin");
 }
+
+inline void requireFinite(double time, const char* field) {
+  if (!std::isfinite(time)) refuse(field, "it is not finite", "give a finite time");
+}
+
+/// Motion::between() of two poses that errors call by these names.
+Motion motionBetween(const Pose& start, const std::string& start_name, const Pose& end, const std::string& end_name,
+                     const Vec2& pivot);
 
 /// Of a motion's numbers, its start's aside: NaN or infinite where one of them is, or a sum overflows.
 inline double sumOf(const Motion& m) {

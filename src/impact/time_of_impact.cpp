@@ -55,7 +55,7 @@ Vec2 normalOfTouch(const MovingBox& a, const MovingBox& b, const Vec2& between_o
 }
 
 /// The number of an edge at a point of it.
-EdgeIndex givenEdge(const Mover& mover, std::size_t position, const EdgeEnds& edge, const Vec2& point) {
+EdgeIndex givenEdge(const Mover& mover, std::size_t position, const MovingEdge& edge, const Vec2& point) {
   if (mover.given == mover.polygon) return givenEdge(*mover.given, *mover.polygon, position, 0);
   const Vec2 way = edge.to() - edge.from();
   const double part = (point - edge.from()).dot(way) / way.squaredNorm();
@@ -81,15 +81,19 @@ Impact describe(const MovingPair& pair, const FirstContact& found) {
   if (found.edge_a < 0 || found.edge_b < 0) return describeContainment(pair, found);
   const auto position_a = static_cast<std::size_t>(found.edge_a), position_b = static_cast<std::size_t>(found.edge_b);
   const Places places_a = pair.a.places(found.time, found.time), places_b = pair.b.places(found.time, found.time);
-  const EdgeEnds a = pair.a.ends(places_a, 0, position_a), b = pair.b.ends(places_b, 0, position_b);
+  const MovingEdge a = pair.a.ends(places_a, 0, position_a), b = pair.b.ends(places_b, 0, position_b);
   const NearestPoints nearest(a, b, pair.error);
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
                           ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
                           : normalOfTouch(pair.a.edge(places_a, position_a), pair.b.edge(places_b, position_b),
                                           places_a.originTo(places_b), pair.error);
   assert(0 <= found.time && found.time <= 1 && std::abs(normal.norm() - 1) < 0x1p-40);
-  return {found.time, toWorld(pair, found.time, 0.5 * (nearest.on_a + nearest.on_b)), normal,
-          givenEdge(pair.a, position_a, a, nearest.on_a), givenEdge(pair.b, position_b, b, nearest.on_b)};
+  return {found.time,
+          toWorld(pair, found.time, 0.5 * (nearest.on_a + nearest.on_b)),
+          normal,
+          givenEdge(pair.a, position_a, a, nearest.on_a),
+          givenEdge(pair.b, position_b, b, nearest.on_b),
+          found.budget_ended};
 }
 
 /// Time 0 is collide()'s. A pair that is apart there meets at its edges first.
@@ -154,8 +158,15 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
         std::swap(impact->edge_a, impact->edge_b);
       });
   if (!options.ignore_initial || !first || first->time > 0) return first;
-  const detail::MovingContact contact(a, motion_a, b, motion_b, options);
-  return contact.next(contact.endOfContact(0));
+  detail::MovingContact contact(a, motion_a, b, motion_b, options);
+  const auto end = contact.endOfContact(0);
+  std::optional<Impact> next = contact.next(end.time);
+  if (end.is_known) return next;
+  // Whether the first contact lasts is unknown.
+  if (!next) next = first;
+  next->time = end.time;
+  next->budget_ended = true;
+  return next;
 }
 
 }  // namespace tricover

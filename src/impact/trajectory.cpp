@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "impact/conflicts.h"
 #include "impact/options.h"
 #include "numbers/errors.h"
 
@@ -70,8 +71,10 @@ double timeOf(double begin, double length, double part) {
 Trajectory::Trajectory(std::vector<Leg> legs) : legs_(std::move(legs)) { checkLegs(legs_); }
 
 Trajectory Trajectory::through(const std::vector<TimedPose>& poses, const Vec2& pivot) {
-  return Trajectory(legsBetween(
-      poses, "poses", [&](std::size_t i, double) { return Motion::between(poses[i - 1].pose, poses[i].pose, pivot); }));
+  const auto name = [](std::size_t i) { return "poses[" + std::to_string(i) + "].pose"; };
+  return Trajectory(legsBetween(poses, "poses", [&](std::size_t i, double) {
+    return detail::motionBetween(poses[i - 1].pose, name(i - 1), poses[i].pose, name(i), pivot);
+  }));
 }
 
 Trajectory Trajectory::spline(const std::vector<TimedKnot>& knots, const Vec2& pivot) {
@@ -97,7 +100,8 @@ Motion Trajectory::part(double from, double until) const {
 }
 
 Pose Trajectory::at(double time) const {
-  if (!(time > begin())) return legs_.front().motion.start;
+  if (std::isnan(time)) detail::refuse("time", "it is not a number", "give a time by the trajectory's clock");
+  if (time <= begin()) return legs_.front().motion.start;
   if (time >= end()) return legs_.back().motion.at(1);
   const auto ends_later = [](double at, const Leg& leg) { return at < leg.end; };
   const Leg& leg = *std::upper_bound(legs_.begin(), legs_.end(), time, ends_later);
@@ -109,7 +113,11 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajector
   detail::checkOptions(options);
   if (options.ignore_initial) {
     const std::vector<Conflict> all = conflicts(a, trajectory_a, b, trajectory_b, options);
-    return all.empty() ? std::nullopt : std::optional<Impact>(all.front().impact);
+    if (all.empty()) return std::nullopt;
+    const bool is_initial = all.front().impact.time == std::min(trajectory_a.begin(), trajectory_b.begin());
+    Impact first = all.front().impact;
+    first.budget_ended |= is_initial;  // see leaveOutInitial()
+    return first;
   }
   std::optional<Impact> found;
   forEachWindow(trajectory_a, trajectory_b, [&](double begin, double end) {
@@ -131,15 +139,13 @@ std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a
          conflicts(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end), within(options, length))) {
       found.impact.time = timeOf(begin, length, found.impact.time);
       found.end = found.end < 1 ? std::min(end, begin + length * found.end) : end;
-      if (!all.empty() && found.impact.time <= all.back().end)
-        all.back().end = found.end;
-      else
-        all.push_back(found);
+      if (all.empty() || found.impact.time > all.back().end) all.push_back(found);
+      all.back().end = found.end;
+      all.back().budget_ended |= found.budget_ended;
     }
     return true;
   });
-  const double start = std::min(trajectory_a.begin(), trajectory_b.begin());
-  if (options.ignore_initial && !all.empty() && all.front().impact.time == start) all.erase(all.begin());
+  if (options.ignore_initial) detail::leaveOutInitial(all, std::min(trajectory_a.begin(), trajectory_b.begin()));
   return all;
 }
 

@@ -101,11 +101,11 @@ struct Pull {
 };
 
 /// A window of time with both movers' places at its ends.
-struct Span {
-  Span(const Span&) = delete;
-  Span(const MovingPair& pair_, double begin_, double end_)
-      : Span(pair_, begin_, end_, pair_.a.places(begin_, end_), pair_.b.places(begin_, end_)) {}
-  Span(const MovingPair& pair_, double begin_, double end_, const Places& a_, const Places& b_)
+struct TimeWindow {
+  TimeWindow(const TimeWindow&) = delete;
+  TimeWindow(const MovingPair& pair_, double begin_, double end_)
+      : TimeWindow(pair_, begin_, end_, pair_.a.places(begin_, end_), pair_.b.places(begin_, end_)) {}
+  TimeWindow(const MovingPair& pair_, double begin_, double end_, const Places& a_, const Places& b_)
       : pair(pair_),
         begin(begin_),
         end(end_),
@@ -150,9 +150,9 @@ struct Span {
 };
 
 /// One that many pairs of boxes or edges are looked at in.
-struct Window : Span {
+struct Window : TimeWindow {
   Window(const MovingPair& pair_, double begin_, double end_)
-      : Span(pair_, begin_, end_), with_a(sagWithA()), with_b(sagWithB()) {}
+      : TimeWindow(pair_, begin_, end_), with_a(sagWithA()), with_b(sagWithB()) {}
   const TurningSag with_a, with_b;
 };
 

@@ -112,7 +112,7 @@ void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& 
   moves.resize(poses.size());
   inParallelTasks(parallel, poses.size(), [&](std::size_t i) {
     moves[i] = {slot(poses[i].body), Moving::Done};
-    requireRigid(poses[i].pose, "pose", i);
+    requireRigid(poses[i].pose, "poses", i);
   });
   ++turn;
   for (Moving& move : moves)

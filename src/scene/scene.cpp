@@ -26,9 +26,9 @@ void checkBody(const Pose& pose, const BodyOptions& options) {
 void checkBodies(const std::vector<BodyPlacement>& bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!(bodies[i].options.margin >= 0 && bodies[i].options.margin <= std::numeric_limits<double>::max()))
-      detail::requireFiniteNotNegative(bodies[i].options.margin, ("margin[" + std::to_string(i) + "]").c_str());
+      detail::requireFiniteNotNegative(bodies[i].options.margin, ("margins[" + std::to_string(i) + "]").c_str());
     detail::requireTouching(bodies[i].options.touching);
-    detail::requireRigid(bodies[i].pose, "pose", i);
+    detail::requireRigid(bodies[i].pose, "poses", i);
   }
 }
 

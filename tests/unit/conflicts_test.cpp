@@ -149,7 +149,7 @@ TEST(MotionPart, IsTheMotionFromOneTimeToAnother) {
     for (const double t : {0.25, 0.5, 1.0})
       EXPECT_TRUE(part.at(t).isApprox(motion.at(from + t * (until - from)), 1e-13));
   }
-  EXPECT_EQ(refusal([] { kThrough.part(0, std::nan("")); }), "tricover: part: its times must be finite");
+  EXPECT_EQ(refusal([] { kThrough.part(0, std::nan("")); }), "tricover: until: it is not finite; give a finite time");
 }
 
 TEST(Trajectory, GoesFromPoseToPoseAndRestsBeforeAndAfter) {
@@ -182,6 +182,25 @@ TEST(Trajectory, RefusesTimesThatDontIncrease) {
               Trajectory::through({{0, pose(0, 0, 0)}, {0, pose(0, 1, 0)}});
             }),
             "tricover: poses[1].time: times must be finite and increase");
+}
+
+TEST(Trajectory, NamesTheWaypointWhosePoseIsRefused) {
+  Pose bent = pose(0, 1, 0), mirrored = pose(0, 2, 0);
+  bent.linear()(0, 1) = 0.5;
+  mirrored.linear().col(0) *= -1;
+  const auto refusalOf = [](const Pose& second, const Pose& third) {
+    return refusal([&] { Trajectory::through({{0, pose(0, 0, 0)}, {1, second}, {2, third}}); });
+  };
+  EXPECT_EQ(refusalOf(bent, pose(0, 2, 0)).find("tricover: poses[1].pose: linear() is off rigid by "), 0u);
+  EXPECT_EQ(refusalOf(pose(0, 1, 0), bent).find("tricover: poses[2].pose: linear() is off rigid by "), 0u);
+  EXPECT_EQ(refusalOf(pose(0, 1, 0), mirrored).find("tricover: poses[2].pose: only one of it and poses[1].pose "), 0u);
+}
+
+TEST(Trajectory, RefusesATimeThatIsNoNumber) {
+  const Trajectory way = Trajectory::through({{0, pose(0, 0, 0)}, {1, pose(0, 1, 0)}});
+  EXPECT_EQ(refusal([&] { way.at(std::nan("")); }).find("tricover: time: it is not a number"), 0u);
+  EXPECT_EQ(way.at(std::numeric_limits<double>::infinity()).translation(), Vec2(1, 0));
+  EXPECT_EQ(way.at(-std::numeric_limits<double>::infinity()).translation(), Vec2(0, 0));
 }
 
 TEST(Trajectory, ConflictsGoOnFromLegToLegInTheClocksTime) {

@@ -137,6 +137,17 @@ TEST(Motion, BetweenRefusesAMirror) {
             std::string::npos);
 }
 
+TEST(Motion, HasNoPoseAtATimeThatIsNotFinite) {
+  for (const double time : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    EXPECT_EQ(refusal([&] { Motion::still(Pose::Identity()).at(time); }),
+              "tricover: time: it is not finite; give a finite time");
+    EXPECT_EQ(refusal([&] {
+                Motion::translation(Pose::Identity(), {1, 0}).at(time);
+              }),
+              "tricover: time: it is not finite; give a finite time");
+  }
+}
+
 TEST(CheckMotion, NamesTheField) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
   const auto refusalOf = [](const Motion& motion) { return refusal([&] { checkMotion(motion, "motion_b"); }); };

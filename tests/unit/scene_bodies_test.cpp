@@ -208,7 +208,7 @@ TEST(Scene, SaysWhichOfManyPosesIsWrong) {
               scene.collides(kSquare, std::vector<Pose>{pose(0, 0, 0), bad});
             }).find("tricover: poses[1]: "),
             0u);
-  EXPECT_EQ(textOf([&] { scene.move({{a, pose(0, 7, 0)}, {b, bad}}); }).find("tricover: pose[1]: "), 0u);
+  EXPECT_EQ(textOf([&] { scene.move({{a, pose(0, 7, 0)}, {b, bad}}); }).find("tricover: poses[1]: "), 0u);
   EXPECT_THROW(scene.move({{a, pose(0, 7, 0)}, {b + 1, bad}}), std::out_of_range);
   EXPECT_EQ(scene.pose(a).translation().x(), 0);
 }
