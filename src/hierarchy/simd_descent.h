@@ -7,28 +7,50 @@
 
 namespace tricover::detail::simd {
 
-/// The pairs of boxes that are left to look at, deepest on top.
+/// A pair of boxes.
+struct Visit {
+  std::uint32_t a, b;
+  float gap;
+};
+
+struct Visits;
+/// Defined beside the portable lanes, so that the standard library is not compiled for AVX2.
+void growVisits(Visits& visits);
+void releaseVisits(const Visit* visits);
+
+/// The pairs of boxes that are left to look at, deepest on top. Queries run on small stacks: six levels of full blocks
+/// fit there, and what deeper trees have in addition goes to the heap.
 struct Visits {
-  static constexpr int kMost = kLanes * kLanes * kMaxDepth + 1;  // a step takes one, adds at most 64, a level below
-  std::uint32_t a[kMost], b[kMost];
-  float gap[kMost];
-  int top;
+  static constexpr int kMostOfStep = kLanes * kLanes;  // a step takes one, adds at most 64, a level below
+  static constexpr int kFew = 6 * (kMostOfStep - 1) + 1;
+  static_assert(kFew * sizeof(Visit) < 5000);
+  Visit few[kFew];
+  Visit* all = few;
+  int top = 0, room = kFew;
+
+  [[gnu::always_inline]] Visits() {}
+  Visits(const Visits&) = delete;
+  Visits& operator=(const Visits&) = delete;
+  [[gnu::always_inline]] ~Visits() {
+    if (all != few) releaseVisits(all);
+  }
+
+  [[gnu::always_inline]] void add(std::uint32_t a, std::uint32_t b, float gap) { all[top++] = {a, b, gap}; }
+  /// Makes room for what one step may add.
+  [[gnu::always_inline]] void prepareStep() {
+    if (room - top < kMostOfStep) growVisits(*this);
+  }
 };
 
 /// Puts the deepest of the pairs from `first` on on top.
 [[gnu::always_inline]] inline void raiseDeepest(Visits& visits, int first) {
   const int last = visits.top - 1;
   int deepest = last;
-  for (int i = first; i < last; ++i) deepest = visits.gap[i] < visits.gap[deepest] ? i : deepest;
+  for (int i = first; i < last; ++i) deepest = visits.all[i].gap < visits.all[deepest].gap ? i : deepest;
   if (deepest == last || last < first) return;
-  const std::uint32_t a = visits.a[deepest], b = visits.b[deepest];
-  const float gap = visits.gap[deepest];
-  visits.a[deepest] = visits.a[last];
-  visits.b[deepest] = visits.b[last];
-  visits.gap[deepest] = visits.gap[last];
-  visits.a[last] = a;
-  visits.b[last] = b;
-  visits.gap[last] = gap;
+  const Visit raised = visits.all[deepest];
+  visits.all[deepest] = visits.all[last];
+  visits.all[last] = raised;
 }
 
 /// What the boxes of one step have in common.
@@ -191,12 +213,10 @@ bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other
     return false;
   }
   const int first = visits.top;
-  assert(first + kLanes < Visits::kMost);
   for (unsigned i = 0; i < kLanes; ++i) {
-    visits.a[visits.top] = into_a ? index * kLanes + i : visit_a;
-    visits.b[visits.top] = into_a ? visit_b : index * kLanes + i;
-    visits.gap[visits.top] = Goal::keptGap(step, gap[i]);
-    visits.top += static_cast<int>(near >> i & 1);
+    visits.add(into_a ? index * kLanes + i : visit_a, into_a ? visit_b : index * kLanes + i,
+               Goal::keptGap(step, gap[i]));
+    visits.top -= static_cast<int>(~near >> i & 1);
   }
   raiseDeepest(visits, first);
   return false;
@@ -322,7 +342,6 @@ template <class Lanes, class Goal>
       return true;
   }
   const int first = visits.top;
-  assert(first + kLanes * kLanes < Visits::kMost);
   for (unsigned left = near_b; left != 0; left &= left - 1) {
     const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
     const Query query = movedBox(t, j);
@@ -342,9 +361,7 @@ template <class Lanes, class Goal>
     }
     for (; near != 0; near &= near - 1) {
       const unsigned i = static_cast<unsigned>(__builtin_ctz(near));
-      visits.a[visits.top] = item_a.child * kLanes + i;
-      visits.b[visits.top] = item_b.child * kLanes + j;
-      visits.gap[visits.top++] = Goal::keptGap(step, gap[j][i]);
+      visits.add(item_a.child * kLanes + i, item_b.child * kLanes + j, Goal::keptGap(step, gap[j][i]));
     }
   }
   goal.leaveOut(left_out, step);
@@ -356,17 +373,14 @@ template <class Lanes, class Goal>
 template <class Lanes, class Goal>
 [[gnu::always_inline]] inline bool descendBoth(const Descent& d, Goal& goal) {
   Visits visits;
-  visits.a[0] = kRoot;
-  visits.b[0] = kRoot;
-  visits.gap[0] = -1e30f;
-  visits.top = 1;
+  visits.add(kRoot, kRoot, -1e30f);
   const std::size_t edge_a = d.degenerate ? d.polygon_a.degenerate_edge : PolygonData::kNotDegenerate;
   const std::size_t edge_b = d.degenerate ? d.polygon_b.degenerate_edge : PolygonData::kNotDegenerate;
   assert(edge_a == PolygonData::kNotDegenerate || edge_b == PolygonData::kNotDegenerate);
   while (visits.top > 0) {
-    --visits.top;
-    if (Goal::kNarrows && visits.gap[visits.top] > goal.limit) continue;
-    const std::uint32_t visit_a = visits.a[visits.top], visit_b = visits.b[visits.top];
+    const auto [visit_a, visit_b, gap] = visits.all[--visits.top];
+    if (Goal::kNarrows && gap > goal.limit) continue;
+    visits.prepareStep();
     const Item a = itemAt(d.a, visit_a, edge_a), b = itemAt(d.b, visit_b, edge_b);
     // What is so much smaller stays whole: divided, each part of it would go all the way down the larger one. Beyond
     // 32 floats couldn't tell its boxes apart in the larger one's frame, either.

@@ -48,7 +48,9 @@ class Simd<Result(Arguments...)> {
 void useAvx2();
 #endif
 
-/// Chooses for the whole process: at its begin the fastest; tests forbid AVX2.
+#ifdef TRICOVER_TEST_SWITCHES
+/// Chooses for the whole process: the fastest, as at its begin, or without AVX2.
 void usePortableLanes(bool portable);
+#endif
 
 }  // namespace tricover::detail

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The SIMD functions for every target, in vectors of four floats; and the choice of those that the processor has.
+#include <algorithm>
+
 #include "hierarchy/simd_templates.h"
 #include "numbers/double2.h"
 
@@ -105,22 +107,39 @@ struct PortableLanes {
 };
 
 }  // namespace
+
+void growVisits(Visits& visits) {
+  Visit* grown = new Visit[2 * static_cast<std::size_t>(visits.room)];
+  std::copy_n(visits.all, visits.top, grown);
+  if (visits.all != visits.few) releaseVisits(visits.all);
+  visits.all = grown;
+  visits.room *= 2;
+}
+void releaseVisits(const Visit* visits) { delete[] visits; }
+
 }  // namespace simd
 
 #define TRICOVER_DEFINE(function) decltype(function) function{&simd::function<simd::PortableLanes>};
 TRICOVER_SIMD_FUNCTIONS(TRICOVER_DEFINE)
 
+namespace {
+
+void useFastest() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) useAvx2();
+#endif
+}
+// Here, beside the functions' definitions, so that a program that links one of them from an archive links this, too.
+[[maybe_unused]] const bool initialised = (useFastest(), true);
+
+}  // namespace
+
+#ifdef TRICOVER_TEST_SWITCHES
 #define TRICOVER_USE(function) function = &simd::function<simd::PortableLanes>;
 void usePortableLanes(bool portable) {
-#ifdef __x86_64__
-  if (!portable && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return useAvx2();
-#endif
   TRICOVER_SIMD_FUNCTIONS(TRICOVER_USE)
+  if (!portable) useFastest();
 }
-
-namespace {
-// Here, beside the functions' definitions, so that who links one of them from an archive links this, too.
-[[maybe_unused]] const bool initialised = (usePortableLanes(false), true);
-}  // namespace
+#endif
 
 }  // namespace tricover::detail

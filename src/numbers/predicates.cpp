@@ -9,7 +9,12 @@
 namespace tricover::detail {
 namespace {
 
+#ifdef TRICOVER_TEST_SWITCHES
 thread_local std::uint64_t exact_calls = 0;
+void countExactCall() { ++exact_calls; }
+#else
+void countExactCall() {}
+#endif
 
 #ifdef TRICOVER_PLAIN_SIGNS
 struct Number {
@@ -128,13 +133,13 @@ double rootOf(const Dyadic::Scaled& square) { return std::ldexp(std::sqrt(square
 }  // namespace
 
 int orientExact(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r) {
-  ++exact_calls;
+  countExactCall();
   const int sign = orientTwofold(p, q, r);
   return sign != kUncertain ? sign : cross(difference(q, p), difference(r, p)).sign();
 }
 
 int compareExact(const PosedPoint& p, const PosedPoint& q, int axis) {
-  ++exact_calls;
+  countExactCall();
   return (coordinate(p, axis) - coordinate(q, axis)).sign();
 }
 
@@ -143,7 +148,7 @@ bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w)
 }
 
 bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length, bool strictly) {
-  ++exact_calls;
+  countExactCall();
   const int most = strictly ? -1 : 0;
   const Number square = Number(length) * Number(length);
   const ExactVector u = difference(w, v), from_v = difference(p, v);
@@ -158,7 +163,7 @@ bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, 
 // where the result is denormal.
 static_assert(kExactDistanceError >= errorOf(2 + 2 + 1));
 ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w) {
-  ++exact_calls;
+  countExactCall();
   const ExactVector u = difference(w, v), from_v = difference(p, v);
   const Number along = dot(from_v, u);
   if (along.sign() <= 0) return {rootOf(dot(from_v, from_v).scaled()), 0};
@@ -172,7 +177,7 @@ ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const Pose
 // Both mantissas are right to 2U, and their quotient rounds once more.
 static_assert(kExactFractionError >= errorOf(2 + 2 + 1));
 double fractionExact(const PosedSegment& ray, const PosedSegment& edge) {
-  ++exact_calls;
+  countExactCall();
   const Ratio ratio = fractionOf(ray, edge);
   if (ratio.numerator.sign() == 0) return 0;
   const Dyadic::Scaled part = ratio.numerator.scaled(), whole = ratio.denominator.scaled();
@@ -180,10 +185,12 @@ double fractionExact(const PosedSegment& ray, const PosedSegment& edge) {
 }
 
 int compareFractionsExact(const PosedSegment& ray, const PosedSegment& first, const PosedSegment& second) {
-  ++exact_calls;
+  countExactCall();
   return compare(fractionOf(ray, first), fractionOf(ray, second));
 }
 
+#ifdef TRICOVER_TEST_SWITCHES
 std::uint64_t exactCalls() { return exact_calls; }
+#endif
 
 }  // namespace tricover::detail

@@ -112,7 +112,9 @@ double fractionExact(const PosedSegment& ray, const PosedSegment& edge);
 /// The sign of one such fraction minus another edge's.
 int compareFractionsExact(const PosedSegment& ray, const PosedSegment& first, const PosedSegment& second);
 
-/// How often this thread has called an exact predicate: lets tests and benches tell the filter's share.
+#ifdef TRICOVER_TEST_SWITCHES
+/// How often this thread has called an exact predicate: tells tests the filter's share.
 std::uint64_t exactCalls();
+#endif
 
 }  // namespace tricover::detail

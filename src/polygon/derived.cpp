@@ -31,9 +31,11 @@ Turns& turns() {
 
 }  // namespace
 
+#ifdef TRICOVER_TEST_SWITCHES
 std::atomic<Stages> used_stages{Stages::Paid};
 
 void useStages(Stages stages) { used_stages.store(stages, std::memory_order_relaxed); }
+#endif
 
 /// Whether it is this thread's turn to build. Otherwise it has been built, by another one that may have been waited
 /// for.

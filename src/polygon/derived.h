@@ -56,15 +56,20 @@ class Derived {
 
 /// Up to which stage polygons' data is derived: by what has been paid, or, for tests, whatever has been.
 enum class Stages { Paid, Edges, Hierarchy, All };
+#ifdef TRICOVER_TEST_SWITCHES
 /// Chooses for the whole process. What has been built stays.
 void useStages(Stages stages);
 
 extern std::atomic<Stages> used_stages;
+inline Stages usedStages() { return used_stages.load(std::memory_order_relaxed); }
+#else
+constexpr Stages usedStages() { return Stages::Paid; }
+#endif
 
 /// What is still to be paid of the price of a stage.
 inline std::size_t leftOf(Stages stage, std::size_t price, std::size_t paid) {
   constexpr std::size_t kNeverPaid = std::size_t{1} << 60;
-  const Stages used = used_stages.load(std::memory_order_relaxed);
+  const Stages used = usedStages();
   if (used != Stages::Paid && stage != Stages::Paid) return used < stage ? kNeverPaid : 0;
   return paid < price ? price - paid : 0;
 }

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every query runs in a thread whose stack is small.
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+#include "tricover/conflicts.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/locate.h"
+#include "tricover/penetration.h"
+#include "tricover/ray.h"
+#include "tricover/scene.h"
+#include "tricover/time_of_impact.h"
+
+// Linked with sanitizers, whose frames are larger, or not.
+extern "C" void __asan_init() __attribute__((weak));
+extern "C" void __tsan_init() __attribute__((weak));
+
+namespace tricover::support {
+namespace {
+
+constexpr std::size_t kSmallStack = 64 * 1024, kStackOfSanitizers = 1024 * 1024;
+
+struct Call {
+  void (*ask)(const Polygon& a, const Polygon& b);
+  const Polygon *a, *b;
+  std::string failure;
+};
+
+void* run(void* context) {
+  Call& call = *static_cast<Call*>(context);
+  try {
+    call.ask(*call.a, *call.b);
+  } catch (const std::exception& error) {
+    call.failure = error.what();
+  }
+  return nullptr;
+}
+
+std::string onSmallStack(void (*ask)(const Polygon&, const Polygon&), const Polygon& a, const Polygon& b) {
+  Call call{ask, &a, &b, ""};
+  const bool sanitized = &__asan_init != nullptr || &__tsan_init != nullptr;
+  pthread_attr_t attributes;
+  pthread_t thread;
+  if (pthread_attr_init(&attributes) != 0 ||
+      pthread_attr_setstacksize(&attributes, sanitized ? kStackOfSanitizers : kSmallStack) != 0 ||
+      pthread_create(&thread, &attributes, &run, &call) != 0)
+    return "no thread";
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+  return call.failure;
+}
+
+/// A wheel whose every other vertex is nearer to its middle; nothing is derived from it yet.
+Polygon wheel(std::size_t vertices, double inner) {
+  std::vector<Vec2> ring;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(vertices);
+    ring.emplace_back((i % 2 == 0 ? 1 : inner) * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return Polygon({ring});
+}
+
+const Pose kHome = Pose::Identity(), kNear = pose(0, 1.5, 0.1), kApart = pose(0.3, 2.5, 0);
+
+constexpr void (*kQueries[])(const Polygon& a, const Polygon& b) = {
+    [](const Polygon& a, const Polygon& b) {
+      collide(a, kHome, b, kNear);
+      collide(a, kHome, b, kApart);
+    },
+    [](const Polygon& a, const Polygon& b) {
+      PairCache cache;
+      collide(a, kHome, b, kApart, cache);
+      collide(a, kHome, b, kNear, cache, {0.1, 0});
+    },
+    [](const Polygon& a, const Polygon& b) {
+      distance(a, kHome, b, kNear);
+      distance(a, kHome, b, kApart);
+    },
+    [](const Polygon& a, const Polygon& b) { contacts(a, kHome, b, kNear); },
+    [](const Polygon& a, const Polygon& b) { crossings(a, kHome, b, kNear); },
+    [](const Polygon& a, const Polygon& b) { penetration(a, kHome, b, kNear); },
+    [](const Polygon& a, const Polygon& b) {
+      timeOfImpact(a, Motion::still(kHome), b, Motion::translation(kApart, {-1, 0}));
+      timeOfImpact(a, Motion::still(kHome), b, Motion::between(kApart, pose(2, -2, 0.1)));
+    },
+    [](const Polygon& a, const Polygon& b) {
+      conflicts(a, Motion::still(kHome), b, Motion::translation(kApart, {-5, 0}), {0, 1e-3});
+    },
+    [](const Polygon& a, const Polygon& b) {
+      locate(a, kHome, {0.1, 0.2});
+      castRay(a, kHome, {-3, 0.1}, {3, 0.2});
+      castRay(b, kHome, {-3, 0.1}, {3, 0.2}, {0.1});
+    },
+    [](const Polygon& a, const Polygon& b) {
+      Scene scene;
+      const Scene::Body first = scene.add(a, kHome);
+      for (int i = 0; i < 40; ++i) scene.add(b, pose(0.1 * i, 2.0 * i, 1.5));
+      scene.collisions();
+      scene.move(first, kNear);
+      scene.collisions();
+      scene.collides(b, kApart);
+      scene.firstImpact(b, Motion::translation(kApart, {-5, 0}));
+    },
+};
+
+TEST(SmallStack, IsEnoughForEveryQuery) {
+  for (const std::size_t vertices : {8, 64, 4096})
+    for (const double inner : {1.0, 0.9})
+      for (std::size_t query = 0; query < std::size(kQueries); ++query)  // each is the first that the polygons meet
+        EXPECT_EQ(onSmallStack(kQueries[query], wheel(vertices, inner), wheel(vertices, inner)), "")
+            << vertices << " vertices, query " << query;
+}
+
+}  // namespace
+}  // namespace tricover::support
