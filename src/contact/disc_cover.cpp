@@ -7,51 +7,11 @@
 #include <limits>
 #include <memory>
 
-#include "hierarchy/inner_discs.h"
-
 namespace tricover::detail {
 namespace {
 
-std::vector<Disc> coverByDiscs(const PolygonData& polygon) {
-  constexpr int kGrid = 20;
-  static_assert(kGrid * kGrid % kLanes == 0);
-  constexpr std::size_t kMost = 64;
-  Vec2 low = polygon.inUnits(polygon.path[0]), high = low;
-  for (const Vec2& p : polygon.path) {
-    const Vec2 at = polygon.inUnits(p);
-    low = low.cwiseMin(at);
-    high = high.cwiseMax(at);
-  }
-  std::vector<Vec2> centers;
-  for (int row = 0; row < kGrid; ++row)
-    for (int column = 0; column < kGrid; ++column)
-      centers.emplace_back(low + Vec2((column + 0.5) / kGrid, (row + 0.5) / kGrid).cwiseProduct(high - low));
-  const ThinnedOutline outline(polygon);
-  std::vector<Disc> grid;
-  for (std::size_t k = 0; k < centers.size(); k += kLanes) {
-    DepthProbes probes;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      probes.x[i] = static_cast<float>(centers[k + i].x());
-      probes.y[i] = static_cast<float>(centers[k + i].y());
-    }
-    measureDepths(outline, probes);
-    for (std::size_t i = 0; i < kLanes; ++i)
-      if (probes.depth[i] > 0) grid.push_back({Vec2(probes.x[i], probes.y[i]), probes.depth[i]});
-  }
-  std::sort(grid.begin(), grid.end(), [](const Disc& c, const Disc& d) { return c.radius > d.radius; });
-  std::vector<Disc> discs;
-  for (const Disc& disc : grid) {
-    if (discs.size() == kMost) break;
-    const auto held = [&](const Disc& d) { return (d.center - disc.center).norm() < 0.5 * d.radius; };
-    if (std::any_of(discs.begin(), discs.end(), held)) continue;
-    const double radius = provenRadius(polygon, disc.center, static_cast<float>(disc.radius));
-    if (radius > 0) discs.push_back({disc.center, radius});
-  }
-  return discs;
-}
-
 struct DiscCover : Derived::Thing {
-  explicit DiscCover(const PolygonData& polygon) : discs(coverByDiscs(polygon)) {}
+  explicit DiscCover(const PolygonData& polygon) : discs(discsOnGrid(polygon, 20, 20, 64, 0.5)) {}
   const std::vector<Disc> discs;
 };
 

@@ -4,14 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "polygon/polygon_data.h"
+#include "hierarchy/inner_discs.h"
 
 namespace tricover::detail {
-
-struct Disc {
-  Vec2 center;
-  double radius;
-};
 
 /// Discs that are proven to lie in the polygon's region, many enough to fill most of it, in its units from S. Built at
 /// the first call, once for all copies and threads: O(n) with a large constant.

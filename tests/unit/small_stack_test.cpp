@@ -97,7 +97,7 @@ constexpr void (*kQueries[])(const Polygon& a, const Polygon& b) = {
       conflicts(a, Motion::still(kHome), b, Motion::translation(kApart, {-5, 0}), {0, 1e-3});
     },
     [](const Polygon& a, const Polygon& b) {
-      locate(a, kHome, {0.1, 0.2});
+      locate(a, {0.1, 0.2});
       castRay(a, kHome, {-3, 0.1}, {3, 0.2});
       castRay(b, kHome, {-3, 0.1}, {3, 0.2}, {0.1});
     },
