@@ -60,22 +60,6 @@ TEST(Conflicts, OfABarThatTurnsPastAPointAreTwoATurn) {
   expectSpans(conflicts(bar, turns, point({0, 4}), kStill, {0, kError}), spans);
 }
 
-/// Two squares slide along each other: each step proves no more than its own length.
-TEST(Conflicts, StayUnknownWhereTheBudgetEnds) {
-  if (isScaledDown()) GTEST_SKIP() << "two million steps";
-  const Motion beside = Motion::translation(pose(0, 2, -0.5), {0, 1});
-  const auto impact = timeOfImpact(kSquare, kStill, kSquare, beside, {0, 0, true});
-  ASSERT_TRUE(impact.has_value());
-  EXPECT_TRUE(impact->budget_ended);
-  EXPECT_NEAR(impact->time, 0x1p21 * 0.5e-9, 1e-8);
-  const std::vector<Conflict> all = conflicts(kSquare, kStill, kSquare, beside, {0, 0, true});
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_TRUE(all[0].budget_ended);
-  EXPECT_FALSE(all[0].impact.budget_ended);
-  EXPECT_EQ(all[0].impact.time, 0);
-  EXPECT_EQ(all[0].end, 1);
-}
-
 TEST(Conflicts, EndAtTheEnd) {
   expectSpans(conflicts(kSquare, kStill, kSquare, kStill), {{0, 1}}, 0);
   const Polygon beside({rectangle(1, -1, 3, 1)});

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Times of impact and conflicts whose search ends at its budget say what is proven, and that they do.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/conflicts.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover::support {
+namespace {
+
+const Polygon kSquare({rectangle(-1, -1, 1, 1)});
+const Motion kStill;
+
+/// Triangles side by side that share an apex at the origin, to the left or to the right of it.
+Polygon fan(int triangles, double side) {
+  Ring ring;
+  for (int i = 0; i < triangles; ++i) {
+    const double low = -1 + 2.0 * i / triangles, high = low + 1.0 / triangles;
+    ring.push_back({0, 0});
+    ring.push_back({side, side > 0 ? low : high});
+    ring.push_back({side, side > 0 ? high : low});
+  }
+  return Polygon({ring});
+}
+
+/// The apexes pass by each other: two million pairs of edges are a hair apart, all the time.
+TEST(ImpactBudget, EndsWithTheProvenTime) {
+  const Polygon left = fan(700, -1), right = fan(700, 1);
+  const Motion up = Motion::translation(pose(0, 1e-9, -1e-4), {0, 1e-3});
+  const auto impact = timeOfImpact(left, kStill, right, up);
+  ASSERT_TRUE(impact.has_value());
+  EXPECT_TRUE(impact->budget_ended);
+  EXPECT_GT(impact->time, 0);
+  EXPECT_LE(impact->time, 1);
+  EXPECT_GE(impact->edge_a, 0);
+  EXPECT_LT(impact->edge_a, left.edgeCount());
+  EXPECT_LT(impact->edge_b, right.edgeCount());
+  EXPECT_NEAR(impact->normal.norm(), 1, 1e-9);
+  const auto all = conflicts(left, kStill, right, up);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_TRUE(all[0].budget_ended && all[0].impact.budget_ended);
+  EXPECT_EQ(all[0].end, 1);
+  // Fewer edges are not too many.
+  EXPECT_FALSE(timeOfImpact(fan(20, -1), kStill, fan(20, 1), up).has_value());
+}
+
+/// Two squares slide along each other: each step proves no more than its own length.
+TEST(ImpactBudget, EndsWithConflictsThatStayUnknown) {
+  if (isScaledDown()) GTEST_SKIP() << "two million steps";
+  const Motion beside = Motion::translation(pose(0, 2, -0.5), {0, 1});
+  const auto impact = timeOfImpact(kSquare, kStill, kSquare, beside, {0, 0, true});
+  ASSERT_TRUE(impact.has_value());
+  EXPECT_TRUE(impact->budget_ended);
+  EXPECT_NEAR(impact->time, 0x1p21 * 0.5e-9, 1e-8);
+  const std::vector<Conflict> all = conflicts(kSquare, kStill, kSquare, beside, {0, 0, true});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_TRUE(all[0].budget_ended);
+  EXPECT_FALSE(all[0].impact.budget_ended);
+  EXPECT_EQ(all[0].impact.time, 0);
+  EXPECT_EQ(all[0].end, 1);
+}
+
+}  // namespace
+}  // namespace tricover::support
