@@ -2,13 +2,13 @@
 #include "hierarchy/inner_discs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include "hierarchy/inclusion.h"
 #include "hierarchy/simd.h"
-#include "numbers/segment.h"
 
 namespace tricover::detail {
 namespace {
@@ -16,7 +16,12 @@ namespace {
 /// A point in units from S.
 Vec2 inFrame(const PolygonData& polygon, const Vec2& p) { return polygon.origin + p * polygon.unit; }
 
-/// Places in floats: what is found has to be proven.
+/// A disc that may be in the region.
+struct Guess {
+  float x, y, depth;
+};
+
+/// Looks for deep places in floats: what it finds has to be proven.
 class DepthSearch {
  public:
   explicit DepthSearch(const PolygonData& polygon) : outline_(polygon) {}
@@ -26,6 +31,7 @@ class DepthSearch {
     const auto share = [](int k, int count) {
       return static_cast<float>(2 * k + 1 - count) / static_cast<float>(count);
     };
+    inside_.reserve(static_cast<std::size_t>(along * across + 8 * kLanes));
     for (int first = 0; first < along * across; first += kLanes) {
       DepthProbes probes;
       for (int i = 0; i < kLanes; ++i) {
@@ -52,10 +58,16 @@ class DepthSearch {
     }
   }
 
-  /// Those inside, the deepest first.
-  std::vector<Disc> sorted() {
-    std::sort(inside_.begin(), inside_.end(), [](const Disc& c, const Disc& d) { return c.radius > d.radius; });
-    return std::move(inside_);
+  const Guess& deepest() const { return best_; }
+  /// Leaves out what is within `radius` of a guess. Returns the deepest of the others, or depth 0 if there is none.
+  Guess deepestBeyond(const Guess& around, float radius) {
+    Guess best{0, 0, 0};
+    for (Guess& guess : inside_) {
+      const float dx = guess.x - around.x, dy = guess.y - around.y;
+      if (dx * dx + dy * dy <= radius * radius) guess.depth = 0;
+      if (guess.depth > best.depth) best = guess;
+    }
+    return best;
   }
 
  private:
@@ -63,22 +75,19 @@ class DepthSearch {
     measureDepths(outline_, probes);
     for (int i = 0; i < kLanes; ++i) {
       const float depth = probes.depth[i];
-      if (depth > 0) inside_.push_back({Vec2(probes.x[i], probes.y[i]), depth});
+      if (depth > 0) inside_.push_back({probes.x[i], probes.y[i], depth});
       if (depth > best_.depth) best_ = {probes.x[i], probes.y[i], depth};
     }
   }
 
   ThinnedOutline outline_;
-  std::vector<Disc> inside_;
-  struct {
-    float x, y, depth;
-  } best_{0, 0, -1e30f};
+  std::vector<Guess> inside_;
+  Guess best_{0, 0, -1e30f};
 };
 
 }  // namespace
 
 ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : is_even_odd(polygon.fill == FillRule::EvenOdd) {
-  constexpr std::size_t kSearched = 128;
   const std::size_t stride = polygon.path.size() / kSearched + 1;
   edges.reserve(polygon.path.size() / stride + polygon.ringCount());
   struct Vertex {
@@ -101,25 +110,22 @@ ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : is_even_odd(polygon
   }
 }
 
-double provenRadius(const PolygonData& polygon, const Vec2& center, double most) {
+double provenRadius(const PolygonData& polygon, const Vec2& center, float depth) {
+  const auto isInside = [&] {
+    const Vec2 p = inFrame(polygon, center);
+    return p.allFinite() && locateInPolygon(polygon, IncludedPoint::ofFrame(p)) == Location::Inside;
+  };
   // Taking the centre to the polygon's frame rounds it, in either coordinate, by U of the product and of the sum with
   // S, which may be far off.
   const Place place{center.x(), center.y(), 4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)};
-  double radius = most * (1 + 0x1p-10);
-  if (topOf(polygon).small == nullptr) {
-    radius = clearanceAt(hierarchyOf(polygon), place, radius);
-  } else {
-    // Few edges have no blocks yet. Within 4 units of S a distance is rounded by less than 2^-40.
-    for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-      for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-        const Vec2 v = polygon.inUnits(polygon.path[e]), w = polygon.inUnits(polygon.path[e + 1]);
-        radius = std::min(radius, std::sqrt(squaredDistanceToSegment(center, v, w)));
-      }
-    radius -= 2 * place.error + 0x1p-40;
+  if (ThinnedOutline::isWhole(polygon) && depth > kSurelyBeside && std::abs(place.x) + std::abs(place.y) < 4) {
+    const double radius = std::max(depth - kDepthError - 2 * place.error, 0.0);
+    assert(radius == 0 || isInside());
+    return radius;
   }
-  if (!(radius > 0 && std::isfinite(radius * polygon.unit))) return 0;
-  const Vec2 p = inFrame(polygon, center);
-  return p.allFinite() && locateInPolygon(polygon, IncludedPoint::ofFrame(p)) == Location::Inside ? radius : 0;
+  // What a thinned outline overlooks makes a disc smaller, rounding perhaps larger.
+  const double radius = clearanceAt(hierarchyOf(polygon), place, depth * (1 + 0x1p-10));
+  return radius > 0 && std::isfinite(radius * polygon.unit) && isInside() ? radius : 0;
 }
 
 std::vector<Disc> discsOnGrid(const PolygonData& polygon, int along, int across, std::size_t most, double spread) {
@@ -128,19 +134,21 @@ std::vector<Disc> discsOnGrid(const PolygonData& polygon, int along, int across,
   DepthSearch search(polygon);
   search.lookAround(topOf(polygon).root, along, across);
   search.climb();
-  for (const Disc& guess : search.sorted()) {
-    const auto holds = [&](const Disc& d) { return (d.center - guess.center).norm() < spread * d.radius; };
-    if (std::any_of(discs.begin(), discs.end(), holds)) continue;
-    const double radius = provenRadius(polygon, guess.center, guess.radius);
-    if (radius > 0) discs.push_back({guess.center, radius});
-    if (discs.size() == most) break;
+  Guess guess = search.deepest();
+  while (guess.depth > 0 && discs.size() < most) {
+    const Vec2 center(guess.x, guess.y);
+    const double radius = provenRadius(polygon, center, guess.depth);
+    if (radius > 0) discs.push_back({center, radius});
+    guess = search.deepestBeyond(guess, static_cast<float>(spread * radius));
   }
   return discs;
 }
 
 InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
   int first = 0;
-  for (const Disc& disc : discsOnGrid(polygon, 8, 5, kLanes, 1)) {
+  // Few edges are asked at once: little but the largest disc is worth its cost.
+  const bool few = topOf(polygon).small != nullptr;
+  for (const Disc& disc : discsOnGrid(polygon, 8, few ? 2 : 5, few ? 2 : kLanes, 1)) {
     const int k = count++;
     x[k] = static_cast<float>(disc.center.x());
     y[k] = static_cast<float>(disc.center.y());
