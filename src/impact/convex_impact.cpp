@@ -37,7 +37,7 @@ class Body {
   /// The farthest that it reaches along an axis from S, at both ends of a window: of few vertices by all, of others by
   /// those between an edge that certainly leads ahead at both ends and one that certainly leads back, near the last
   /// that was foremost.
-  [[gnu::always_inline]] Double2 reach(const Places& p, Double2 nx, Double2 ny) {
+  Double2 reach(const Places& p, Double2 nx, Double2 ny) {
     const Double2 mx = p.m00 * nx + p.m10 * ny, my = p.m01 * nx + p.m11 * ny;
     if (is_small_) {
       Double2 most = height(vertices_[0], mx, my);

@@ -6,7 +6,6 @@
 
 #include "impact/cubic.h"
 #include "impact/options.h"
-#include "numbers/double2.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 
@@ -132,12 +131,6 @@ Motion Motion::part(double from, double until) const {
 
 void checkMotion(const Motion& motion, const char* name) {
   if (!detail::isPlainlyRigid(motion.start)) checkPose(motion.start, (std::string(name) + ".start").c_str());
-  // What isn't finite leaves NaN.
-  const auto rest = [](const Vec2& v) { return detail::load2(v.data()) - detail::load2(v.data()); };
-  const detail::Double2 rests = rest(motion.shift) + rest(motion.pivot) + rest(motion.shift_2) + rest(motion.shift_3);
-  const double angles =
-      (motion.angle - motion.angle) + (motion.angle_2 - motion.angle_2) + (motion.angle_3 - motion.angle_3);
-  if (rests[0] + rests[1] + angles == 0) return;
   const auto require = [&](bool finite, const char* field) {
     if (!finite) detail::refuse(std::string(name) + "." + field, "it is not finite");
   };

@@ -22,7 +22,7 @@ void checkLegs(const std::vector<Leg>& legs) {
     if (!(leg.begin < leg.end && std::isfinite(leg.end - leg.begin)))
       detail::refuse(name(), "it must end after its begin, both finite");
     if (i > 0 && leg.begin != legs[i - 1].end) detail::refuse(name(), "it must begin when the one before ends");
-    if (!detail::isPlain(leg.motion)) checkMotion(leg.motion, (name() + ".motion").c_str());
+    checkMotion(leg.motion, (name() + ".motion").c_str());
   }
 }
 

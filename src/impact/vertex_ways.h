@@ -152,7 +152,7 @@ class VertexView {
     double aside, along, ahead;
   };
   /// Where the polygon stands still.
-  [[gnu::noinline]] Sags sagsBeside(const EdgeInUnits& edge, double beyond, double aside, double sag) const {
+  Sags sagsBeside(const EdgeInUnits& edge, double beyond, double aside, double sag) const {
     const Vec2 u(edge.ux, edge.uy), v(-edge.uy, edge.ux), along = beyond * u, up = aside * v;
     // On which side of the edge's middle and line the way begins isn't known any more: so either slope.
     const auto spared = [&](const Vec2& axis) { return pull_.sparedAlong(axis.x(), axis.y()); };
