@@ -344,15 +344,19 @@ struct Judged {
   bool met() const {
     return !figure || (floor->at_least ? figure->value >= floor->floor : figure->value <= floor->floor);
   }
-  std::string wanted() const { return with((floor->at_least ? ">= " : "<= ") + shortNumber(floor->floor)); }
-  std::string measured() const { return figure ? with(shortNumber(figure->value)) : "not measured"; }
+  std::string wanted() const {
+    return (floor->at_least ? "at least " : "at most ") + inWords(floor->floor) +
+           (floor->of == Floor::Median ? ", median" : "");
+  }
+  std::string measured() const { return figure ? inWords(figure->value) : "not measured"; }
   std::string statistic() const { return floor->of == Floor::Worst ? "worst" : "median"; }
   const char* verdict() const { return !figure ? "" : met() ? "yes" : "**no**"; }
 
  private:
-  std::string with(const std::string& number) const {
-    const std::string unit = floor->unit;
-    return unit == "x" ? number + " x" : unit.empty() ? "n^" + number : number + " " + unit;
+  std::string inWords(double value) const {
+    const std::string unit = floor->unit, number = shortNumber(value);
+    if (unit.empty()) return "n^" + number;
+    return number + (unit != "x" ? ' ' + unit : floor->at_least ? " times as fast" : " times as long");
   }
 };
 
@@ -389,19 +393,21 @@ int run(const std::string& directory) {
   const std::vector<Floor> floors = allFloors();
   std::vector<Judged> rows;
   for (const Floor& floor : floors) rows.push_back(judged(floor, cells));
-  TextTable lines = {{"row", "compared", "at f8f33f8", "floor", "", "measured", "cells", "met", "worst cell"}};
+  TextTable lines = {{"row", "compared", "at f8f33f8", "floor", "measured", "cells", "met", "worst cell"}};
   std::string short_of;
   std::size_t missing = 0;
   for (const Judged& row : rows) {
-    lines.push_back({row.floor->subject, row.floor->compared, row.floor->before, row.wanted(), row.statistic(),
-                     row.measured(), std::to_string(row.cells), row.verdict(), row.figure ? row.figure->cell : ""});
+    lines.push_back({row.floor->subject, row.floor->compared, row.floor->before, row.wanted(), row.measured(),
+                     std::to_string(row.cells), row.verdict(), row.figure ? row.figure->cell : ""});
     missing += row.figure ? 0 : 1;
     if (!row.met())
-      short_of += "- " + std::string(row.floor->subject) + ": " + row.floor->compared + ": " + row.measured() +
-                  " measured, " + row.wanted() + " wanted (" + row.figure->cell + ")\n";
+      short_of += "- " + std::string(row.floor->subject) + ": " + row.floor->compared + ": " + row.measured() + ", " +
+                  row.wanted() + " is the floor (" + row.figure->cell + ")\n";
   }
   const std::string text =
-      "# Floors\n\n" + markdown(lines) + "\nx: times as fast, or times as long where the floor is an upper limit.\n" +
+      "# Floors\n\n" + markdown(lines) +
+      "\n- A / B, times as fast: the time of A divided by that of B. Of A / B, times as long, less is better.\n"
+      "- cells: how many figures the worst, or the median, was chosen from.\n" +
       "\nBelow their floor:\n" + (short_of.empty() ? "- none\n" : short_of) +
       (missing > 0 ? "\n" + std::to_string(missing) + " rows were not measured in this run.\n" : "");
   std::fputs(text.c_str(), stdout);
