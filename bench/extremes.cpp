@@ -291,14 +291,16 @@ bool askAll(std::vector<Row>& rows, bool full) {
 std::string errorText(double error) { return error == 0 ? "0" : formatted("%.0e", error); }
 
 /// The median and the worst error over all extremes of a sweep, and what is no error but wrong.
-std::string summary(const std::vector<Answers>& sweep) {
+std::string summary(const std::vector<Answers>& sweep, bool counts_alone) {
   Answers all;
   for (const Answers& answers : sweep) all.add(answers);
   if (all.asked == 0) return "";
   if (all.failed == all.asked) return "fails";
-  std::string text = errorText(all.error(0.5)) + " / " + errorText(all.error(1));
-  if (all.wrong > 0) text += ", " + std::to_string(all.wrong) + " wrong";
-  if (all.failed > 0) text += ", " + std::to_string(all.failed) + " fail";
+  std::string text = counts_alone ? (all.wrong + all.failed > 0 ? "" : "0, ")
+                                  : errorText(all.error(0.5)) + " / " + errorText(all.error(1)) + ", ";
+  if (all.wrong > 0) text += std::to_string(all.wrong) + " wrong, ";
+  if (all.failed > 0) text += std::to_string(all.failed) + " fail, ";
+  text.resize(text.size() - 2);
   if (all.wrong + all.failed > 0) text += " of " + std::to_string(all.asked);
   return text;
 }
@@ -314,7 +316,8 @@ std::string tables(const std::vector<Row>& rows) {
       for (const Sweep& sweep : sweeps()) lines[0].push_back(sweep.name);
     }
     lines.push_back({rows[r].method});
-    for (const std::vector<Answers>& sweep : rows[r].at) lines.back().push_back(summary(sweep));
+    for (const std::vector<Answers>& sweep : rows[r].at)
+      lines.back().push_back(summary(sweep, rows[r].query == "collide"));
     if (r + 1 == rows.size() || rows[r].query != rows[r + 1].query) text += markdown(lines) + "\n";
   }
   return text;
