@@ -12,7 +12,7 @@
 
 namespace tricover_fcl {
 
-/// What a shape is besides its polygon. Lengths of the shape's own frame; doubles for S = float, too.
+/// Describes a shape besides its polygon. Lengths of the shape's own frame; doubles for S = float, too.
 struct PolygonOptions {
   /// Safety distance >= 0 in the plane: two shapes collide if and only if their heights overlap and their polygons come
   /// as close as the sum of their margins (rounded to a double) or closer. Distances and depths are those of the
@@ -80,8 +80,8 @@ class TRICOVER_EXPORT HullPlace {
 template <typename S>
 class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
-  /// Of a polygon and its options. Throws std::invalid_argument, naming the field, for an interval that isn't finite
-  /// (except that of atAllHeights()) or runs downwards, and a margin that is negative or not finite.
+  /// Makes a shape from a polygon and its options. Throws std::invalid_argument, naming the field, for an interval that
+  /// isn't finite (except that of atAllHeights()) or runs downwards, and a margin that is negative or not finite.
   /// Throws std::logic_error if the caller was compiled with another FCL than tricover, or with another alignment of
   /// Eigen's types (-march=native): nothing would work safely.
   /// The last argument is there for its default, which the caller's own code evaluates. The default sees FCL as the

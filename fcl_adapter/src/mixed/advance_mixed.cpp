@@ -50,7 +50,7 @@ void widen(Eigen::AlignedBox2d& box, double by) {
   box.max().array() += by;
 }
 
-/// What of the other geometry lies in the plane at time 0: a polygon, where it lies, and a margin around it.
+/// The part of the other geometry in the plane at time 0: a polygon, its pose, and a margin around it.
 struct Section {
   tricover::Polygon polygon;
   tricover::Pose pose = tricover::Pose::Identity();

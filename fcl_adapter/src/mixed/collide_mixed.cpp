@@ -28,7 +28,7 @@ Eigen::AlignedBox3d overlap(const MixedPair<S>& pair, const Shadow& shadow) {
   return world;
 }
 
-/// Of a contact from the polygon to the geometry, turned where the row's order is the other one.
+/// Adds a contact from the polygon to the geometry, swapped where the row's order is the other one.
 template <typename S>
 void addInOrder(bool polygon_first, const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2,
                 const Plane& plane, PlanarContact contact, fcl::CollisionResult<S>& result) {
@@ -69,6 +69,7 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
   const StadiumPair<S> round(polygon_first, o1, tf1, o2, tf2, options.margin);
   const bool is_round = round.found != StadiumCase::None;
   if (is_round) {
+    if (!of_hit.contacts && !of_hit.costs) round.requireRigidPoses();
     if ((!of_hit.contacts && !of_hit.costs) || round.found == StadiumCase::OutOfSlab || !round.collide())
       return result.numContacts();
     if (!of_hit.costs && !request.enable_contact) {

@@ -24,8 +24,8 @@ struct Span {
   std::ptrdiff_t edge_a, part_b;
 };
 
-/// Of a geometry that reaches the polygon's heights. What isn't deeper than the region errs is a touch, but for
-/// surfaces if depths don't matter.
+/// Measures a geometry that reaches the polygon's heights. An overlap not deeper than the region's error is a touch,
+/// but for surfaces if depths don't matter.
 template <typename S>
 Span measured(const MixedPair<S>& pair, const Shadow& shadow, tricover::DistanceResult found, bool is_signed) {
   const double margin = pair.shape.options().margin, touch = std::max(shadow.outlineError(), kLeastDepth<S>);
@@ -46,8 +46,8 @@ Span measured(const MixedPair<S>& pair, const Shadow& shadow, tricover::Distance
   return span;
 }
 
-/// Of a geometry above or below the polygon's heights: as of two prisms, the geometry's being its whole shadow, between
-/// its lowest and its highest point. Nothing of a geometry that has no point at all.
+/// Measures a geometry above or below the polygon's heights as a prism: its whole shadow, between its lowest and its
+/// highest point. Returns nothing for a geometry that has no point at all.
 template <typename S>
 std::optional<Span> measuredBeside(MixedPair<S> pair, double limit, const tricover::DistanceOptions& options) {
   const Slab slab = pair.view.slab;
@@ -71,7 +71,7 @@ std::optional<Span> measuredBeside(MixedPair<S> pair, double limit, const tricov
               found->edge_a, shadow->partOf(found->edge_b)};
 }
 
-/// Of a disc or stadium. Nothing above the limit is of interest.
+/// Measures a disc or stadium. Returns nothing above the limit.
 template <typename S>
 std::optional<Span> measured(const StadiumPair<S>& pair, const fcl::DistanceRequest<S>& request, double limit) {
   auto found = pair.distanceWithin(limit, errorsOf(request));

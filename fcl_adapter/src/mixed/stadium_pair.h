@@ -4,6 +4,7 @@
 #include <fcl/geometry/collision_geometry.h>
 
 #include <optional>
+#include <stdexcept>
 
 #include "shadow/stadium.h"
 #include "shape/planar_pair.h"
@@ -12,7 +13,7 @@
 
 namespace tricover_fcl {
 
-/// What becomes of a question about a polygon and another geometry: that is no stadium in the polygon's plane, or it
+/// Says how a query about a polygon and another geometry goes on: that is no stadium in the polygon's plane, or it
 /// doesn't reach the polygon's heights.
 enum class StadiumCase { None, OutOfSlab, Pair };
 
@@ -21,12 +22,21 @@ enum class StadiumCase { None, OutOfSlab, Pair };
 template <typename S>
 class StadiumPair : public PlanarPair {
  public:
-  /// `more` is a length added to the margin, upwards. Throws what mixedPair() throws for a pose.
+  /// `more` is a length added to the margin, upwards. Throws as mixedPair() does, if not before the two are asked.
   StadiumPair(bool is_polygon_first, const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2, double more = 0);
 
   StadiumPair(const StadiumPair&) = delete;  // b is its own
   StadiumPair& operator=(const StadiumPair&) = delete;
+
+  bool collide() const {
+    return named([&] { return PlanarPair::collide(); });
+  }
+  std::optional<tricover::DistanceResult> distanceWithin(double limit, const tricover::DistanceOptions& options) const {
+    return named([&] { return PlanarPair::distanceWithin(limit, options); });
+  }
+  /// Of both geometries, named in the caller's order.
+  void requireRigidPoses() const;
 
   /// The plane in which both poses are, at the middle of the heights that both share.
   Plane plane() const { return is_level_ ? planeAt(height_) : plane_; }
@@ -48,13 +58,28 @@ class StadiumPair : public PlanarPair {
         of_polygon_(of_polygon),
         of_other_(of_other) {}
 
+  /// The kernel checks both poses, the polygon's being its first.
+  template <typename Ask>
+  auto named(Ask ask) const {
+    try {
+      return ask();
+    } catch (const std::invalid_argument&) {
+      requireRigidPoses();
+      throw;
+    }
+  }
+
   /// Where the other one is: in the world's coordinates, exactly, if the polygon lies level, otherwise in its own.
   struct Other {
     Slab slab;  ///< the polygon's
     Eigen::Vector3d center, axis;
     double rounding, rounding_z;  ///< as stadiumOf() has them
   };
+  /// Of a ball whose centre is between the heights of a polygon that lies level, if it is: all of place() and
+  /// stadiumOf() that it needs.
+  bool placeBall(double of_radius);
   Other place();
+  void setRadius(double radius);
 
   const fcl::Transform3<S>&of_polygon_, &of_other_;
   std::optional<tricover::Polygon> segment_;  ///< none for a disc

@@ -60,7 +60,7 @@ std::optional<Shadow> shadowOf(const char* name, const Eigen::Vector3d& normal, 
   if (ring.empty()) return std::nullopt;
   for (Vec2& v : ring) v += center;
   const Ring hull = convexHull(ring);
-  // What leans is at all heights.
+  // A tilted one is at all heights.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Slab heights{-kInfinity, kInfinity};
   if (steepness <= kMappingError) {

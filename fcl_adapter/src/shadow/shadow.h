@@ -56,8 +56,8 @@ class Shadow {
   /// Whether the polygon and the shadow come as close as `margin`; never false where they do.
   bool meets(const tricover::Polygon& polygon, double margin) const;
 
-  /// Of the polygon (a) and the region (b): 0 exactly where meets(polygon, options.margin), otherwise as `options`
-  /// allow. Where it is above the limit, it may be nothing.
+  /// Returns the distance of the polygon (a) and the region (b): 0 exactly where meets(polygon, options.margin),
+  /// otherwise as `options` allow. Where it is above the limit, it may be nothing.
   std::optional<tricover::DistanceResult> distance(const tricover::Polygon& polygon, double limit,
                                                    const tricover::DistanceOptions& options) const;
 

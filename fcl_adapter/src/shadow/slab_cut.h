@@ -38,7 +38,7 @@ inline double mappingError(const Eigen::Affine3d& to_polygon, double reach) {
   return kMappingError * (to_polygon.translation().stableNorm() + reach) + 0x1p-1066;
 }
 
-/// Of nothing: what is united with it stays.
+/// The heights of nothing: other heights united with these stay as they are.
 constexpr Slab kNoHeights{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
 inline Slab united(const Slab& a, const Slab& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }

@@ -29,7 +29,7 @@ struct RoundPlace {
   double outside(double rise) const {
     return std::max({slab.low - center.z() - rise - rounding_z, center.z() - rise - slab.high - rounding_z, 0.0});
   }
-  /// What the slab shares with heights within `rise` of the centre's.
+  /// The heights within `rise` of the centre's that the slab shares.
   Slab heights(double rise) const { return Slab{center.z() - rise, center.z() + rise}.sharedWith(slab); }
 };
 

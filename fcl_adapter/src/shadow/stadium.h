@@ -11,7 +11,7 @@
 
 namespace tricover_fcl {
 
-/// What a round geometry leaves in a slab, seen along z, where that is a disc or a stadium: all points within `radius`
+/// The part of a round geometry in a slab, seen along z, where that is a disc or a stadium: all points within `radius`
 /// of the segment from center - half_length * direction to center + half_length * direction.
 struct Stadium {
   bool in_slab;  ///< nothing is, otherwise

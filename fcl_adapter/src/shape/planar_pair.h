@@ -45,9 +45,9 @@ struct PlanarPair {
   tricover::PairCache* cache() const { return place_a != nullptr ? pairCache(*a, place_a, *b, place_b) : nullptr; }
 };
 
-/// What a pair shares, as one or in parts, deepest first, in the middle between the two grown outlines. As one, its
-/// depth is the shortest way that parts the two. What a tolerance or rounding takes for a hit is between the nearest
-/// points, along `touch` if that is nothing.
+/// Returns the overlap of a pair, as one or by components, deepest first, in the middle between the two grown outlines.
+/// As one, its depth is the shortest way that parts the two. What a tolerance or rounding takes for a hit is between
+/// the nearest points, along `touch` if that is nothing.
 std::vector<PlanarContact> contactsOf(const PlanarPair& pair, bool as_one, std::size_t most,
                                       const tricover::Vec2& touch);
 
@@ -55,9 +55,9 @@ std::vector<PlanarContact> contactsOf(const PlanarPair& pair, bool as_one, std::
 /// the margins meet, both become one point that is within either.
 void moveByMargins(const PlanarPair& pair, tricover::DistanceResult& found);
 
-/// What FCL is told of a pair that shares a point: 0 where it only touches, up to `error` and that of a distance;
-/// otherwise -1 or, if signed, minus the depth, with the points of the two surfaces that separate last. A depth below
-/// `least` is none. Surfaces overlap wherever they meet.
+/// Returns the distance that FCL is told of a pair that shares a point: 0 where it only touches, up to `error` and that
+/// of a distance; otherwise -1 or, if signed, minus the depth, with the points of the two surfaces that separate last.
+/// A depth below `least` is none. Surfaces overlap wherever they meet.
 tricover::DistanceResult overlapOf(const PlanarPair& pair, bool is_signed, bool is_surface, double error, double least,
                                    tricover::DistanceResult common);
 

@@ -27,5 +27,7 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/planar_pair.cpp", "found->point_a += middle * line;", "", "contact: at an end of the face"),
     ("fcl_adapter/src/shape/planar_pair.cpp", "if (hasInterior(*a) && hasInterior(*b)) return false;", "", "distance: a touch by rounding overlaps"),
     ("fcl_adapter/src/shape/fcl_results.cpp", "if (result.o1 == nullptr && result.o2 == nullptr)", "if (false)", "distance: nearest points uninitialised"),
+    ("fcl_adapter/src/mixed/stadium_pair.cpp", "tiltOf(of_other_) <= kNoTilt && ", "", "balls: poses that nobody checks"),
+    ("fcl_adapter/src/mixed/stadium_pair.h", "      requireRigidPoses();\n", "", "balls: poses named in the kernel's order"),
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "      slot->facts = {};\n", "", "table: another pair's rest is inherited"),
 ]
