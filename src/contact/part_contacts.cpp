@@ -136,7 +136,7 @@ Exit ContactFinder::exitOfTouch(const Exit& exit) const {
 std::optional<Penetration> ContactFinder::shortestWay() const {
   const std::size_t most = std::min(kMostTranslations, kMostWork / (pair_.a.path.size() + pair_.b.path.size()));
   if (most < kLeastTranslations) return {};
-  return penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, {margin_}, most);
+  return penetrationInOrder(pair_.a, pair_.pose_a, pair_.b, pair_.pose_b, margin_, most);
 }
 
 /// The only part of the overlap, which has an exit of its own: the shortest way out of it parts the regions.

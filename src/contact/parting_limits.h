@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "contact/boundary_curves.h"
+#include "contact/boundary_lines.h"
 #include "contact/translation_probe.h"
 #include "contact/translation_search.h"
 
@@ -24,24 +24,21 @@ struct BestParting {
   }
 };
 
-/// Which points of an arrangement of curves free translations come near to, by samples beside them.
+/// Which points of an arrangement of lines free translations come near to, by samples beside them.
 class PartingLimits {
  public:
-  /// How far beside a point it looks for samples, by the radius of the square's circumcircle: curves beyond the square
-  /// matter so far.
+  /// How far beside a point it looks for samples, as a share of the radius of the square's circumcircle. Lines within
+  /// that distance of the square matter.
   static constexpr double kRoom = 0.02;
 
-  /// Curves nearer to each other than `resolution` are one.
-  PartingLimits(const TranslationSpace& space, double resolution)
-      : margin_(space.margin()), noise_(space.noise()), resolution_(resolution) {}
+  /// Lines nearer to each other than `resolution` count as one.
+  PartingLimits(const TranslationSpace& space, double resolution) : noise_(space.noise()), resolution_(resolution) {}
 
-  /// Looks at all that may be the nearest limit in a square, of a circumcircle of that radius, if the curves are all
-  /// that come near it: the nearest point of a free face of the curves' arrangement is the nearest point, an end or a
-  /// crossing of them. False if some are yet to be found in its parts.
-  ///
-  /// reach: how far away from 0 it looks, at least as far as the best is; then, how far away nothing is free.
-  bool find(const BoundaryCurves& curves, const Vec2& center, double half, double radius, TranslationProbe& probe,
-            BestParting& best, double& reach);
+  /// Looks at all points that may be the nearest limit in a square whose circumcircle has that radius, if the lines are
+  /// all that come near the square. The nearest point of a free face of the lines' arrangement is the nearest point, an
+  /// end or a crossing of them. False if the square's quarters have to be searched.
+  bool find(const BoundaryLines& lines, const Vec2& center, double half, double radius, TranslationProbe& probe,
+            BestParting& best);
 
  private:
   struct PossibleLimit {
@@ -49,13 +46,12 @@ class PartingLimits {
     double error;  ///< of p, along the lines that cross there
   };
 
-  bool decideTouch(const Vec2& p, const Vec2& along, double radius, TranslationProbe& probe, BestParting& best) const;
-  bool decide(const PossibleLimit& limit, const BoundaryCurves& curves, double radius, TranslationProbe& probe,
-              BestParting& best, double& reach);
+  bool decide(const PossibleLimit& limit, const BoundaryLines& lines, double radius, TranslationProbe& probe,
+              BestParting& best);
 
-  const double margin_, noise_, resolution_;
+  const double noise_, resolution_;
   std::vector<PossibleLimit> limits_;
-  std::vector<BoundaryCurves::Ray> rays_;
+  std::vector<BoundaryLines::Ray> rays_;
 };
 
 }  // namespace tricover::detail

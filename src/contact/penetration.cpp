@@ -81,8 +81,7 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   const PosedPair pair = space.at(at);
   double least = std::numeric_limits<double>::infinity();
   TranslationSpace::Segment nearest{};
-  const double margin = space.margin();
-  for (double radius = margin + 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
+  for (double radius = 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
     space.forEachSegment(
         pair, at, radius, [](const TranslationSpace::MeetingEdges&) { return true; },
         [&](const TranslationSpace::Segment& segment) {
@@ -91,8 +90,8 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
           least = std::min(apart, least);
           return true;
         });
-  const bool is_on = std::abs(least - margin) <= 64 * noise;
-  const Vec2 parted = !is_on || margin > 0 ? nearestOnSegment(t, nearest.v, nearest.w) : t;
+  const bool is_on = least <= 64 * noise;
+  const Vec2 parted = is_on ? t : nearestOnSegment(t, nearest.v, nearest.w);
   const std::size_t edge = nearest.vertex_of_a ? nearest.edge_b : nearest.edge_a,
                     vertex = nearest.vertex_of_a ? nearest.edge_a : nearest.edge_b;
   Features features = featuresOf(space, parted, !nearest.vertex_of_a, edge, edge, edge + 1, vertex);
@@ -129,18 +128,20 @@ Penetration noAnswer(const Vec2& normal) {
   return {kInfinity, normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), -1, -1};
 }
 
-/// The shortest translation that is proven to part them, of those that go on from the limit along `way`. Of either one:
-/// both poses' translations are rounded. False if there is none.
+/// Finds a translation that is proven to separate the regions by more than the margin. Tries limit + step * way, and
+/// doubles the step until that is longer than `longest`. Either region may be translated: both poses' translations are
+/// rounded.
 bool findTranslation(const PosedPair& pair, const Vec2& limit, const Vec2& way, double step, double margin,
-                     Penetration& result, double most = std::numeric_limits<double>::max()) {
-  for (; step <= most; step *= 2) {
+                     Penetration& result, double longest = std::numeric_limits<double>::infinity()) {
+  do {
     const Vec2 t = limit + step * way;
     if (areApartMoved(pair.a, pair.pose_a, Vec2::Zero(), pair.b, pair.pose_b, t, margin) &&
         areApartMoved(pair.a, pair.pose_a, -t, pair.b, pair.pose_b, Vec2::Zero(), margin)) {
       result.translation = t;
       return true;
     }
-  }
+    step *= 2;
+  } while (std::isfinite(step) && (limit + step * way).norm() <= longest);
   return false;
 }
 
@@ -151,16 +152,26 @@ Penetration nearestWithout(const PosedPair& pair) {
           nearest.point_a,   nearest.point_b, nearest.edge_a,    nearest.edge_b};
 }
 
-/// Grown by a margin, from the shortest way without one, whose depth is negative where the regions are apart. None is
-/// shorter than both together: back by the margin from its end there is one without. As long is the one straight on; of
-/// regions that aren't convex something else may be met there, and there is no answer.
-std::optional<Penetration> straightOn(const PosedPair& pair, Penetration way, double margin, bool are_convex) {
-  way.depth = std::max(way.depth + margin, 0.0);
-  way.lower_bound = std::max(way.lower_bound + margin, 0.0);
+/// With a margin, from the shortest translation without one, whose depth is negative where the regions are apart. The
+/// shortest with a margin is longer by the margin at least: back by the margin from its end there is one without. If
+/// the regions are within the margin straight on, it goes on until they are not, and at last as far as the hulls
+/// require.
+Penetration straightOn(const PosedPair& pair, Penetration p, const SupportGap& hulls, double margin,
+                       bool are_convex) {
   const double size = pair.a.radius + pair.b.radius + margin, step = 64 * kUnitRoundoff * size + kTiny;
-  const double most = are_convex ? std::numeric_limits<double>::max() : step;
-  if (findTranslation(pair, way.depth * way.normal, way.normal, step, margin, way, most)) return way;
-  return are_convex ? std::optional(noAnswer(way.normal)) : std::nullopt;
+  p.depth = std::max(p.depth + margin, 0.0);
+  p.lower_bound = std::max(p.lower_bound + margin, 0.0);
+  const double longest = are_convex ? std::numeric_limits<double>::infinity() : p.depth + 1e-13 * size;
+  if (findTranslation(pair, p.depth * p.normal, p.normal, step, margin, p, longest)) return p;
+  if (are_convex) return noAnswer(p.normal);
+  p.optimal = false;
+  const double least = p.depth, most = hulls.depth + margin;
+  if (!findTranslation(pair, least * p.normal, p.normal, std::max(step, margin / 16), margin, p, most)) {
+    p.normal = hulls.normal;
+    if (!findTranslation(pair, most * p.normal, p.normal, step, margin, p)) return noAnswer(p.normal);
+  }
+  p.depth = std::max(least, p.translation.norm());
+  return p;
 }
 
 }  // namespace
@@ -174,29 +185,23 @@ bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const Po
 }
 
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                               const PenetrationOptions& options, std::size_t most, SearchHints* hints) {
+                               double margin, std::size_t most, PenetrationHint* hint) {
   const ConvexOutline &outline_a = convexOutlineOf(a), &outline_b = convexOutlineOf(b);
   const PosedPair pair(a, pose_a, b, pose_b);
-  const double margin = options.margin;
   const bool are_convex = outline_a.is_region && outline_b.is_region;
-  if (margin > 0 && (are_convex || std::isfinite(options.depth_error))) {
-    const bool are_apart = areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, Vec2::Zero(), 0);
-    if (are_apart || !are_convex) {
-      const Penetration way = are_apart
-                                  ? nearestWithout(pair)
-                                  : penetrationInOrder(a, pose_a, b, pose_b, {0, options.depth_error}, most, hints);
-      if (way.optimal || options.depth_error > 0)
-        if (const auto result = straightOn(pair, way, margin, are_convex)) return *result;
-    }
-  }
   std::optional<SeparatingAxes> axes;
   if (outline_a.corners.size() > 2 && outline_b.corners.size() > 2) axes.emplace(pair);
   const SupportGap gap = leastSupportGap(pair, axes ? &*axes : nullptr, 0);
-  TranslationSpace space(a, pose_a, b, pose_b, margin);
+  if (margin > 0) {
+    const bool are_apart = areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, Vec2::Zero(), 0);
+    return straightOn(pair, are_apart ? nearestWithout(pair) : penetrationInOrder(a, pose_a, b, pose_b, 0, most, hint),
+                      gap, margin, are_convex);
+  }
+  TranslationSpace space(a, pose_a, b, pose_b);
   if (!space.isFinite()) return noAnswer(gap.normal);
-  Penetration result{gap.depth + margin, gap.normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
+  Penetration result{gap.depth, gap.normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
   const double unit = space.unit();
-  const Vec2 known = gap.normal * (gap.depth / unit + margin / unit);
+  const Vec2 known = gap.normal * (gap.depth / unit);
   ShortestParting shortest{known, known, known.norm()};
   Features features;
   if (are_convex) {
@@ -204,7 +209,14 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.lower_bound = result.depth;
     result.optimal = true;
   } else {
-    shortest = searchShortestParting(space, known, options.depth_error, most, margin > 0 ? nullptr : hints);
+    // Where b's S is in a's frame after the translation.
+    Vec2 last;
+    if (hint != nullptr) last = pose_a.linear() * Vec2(hint->end[0], hint->end[1]) / unit - space.between();
+    shortest = searchShortestParting(space, known, hint != nullptr ? &last : nullptr, most);
+    if (hint != nullptr) {
+      const Vec2 end = pose_a.linear().inverse() * ((space.between() + shortest.parting) * unit);
+      std::copy(end.begin(), end.end(), hint->end);
+    }
     features = featuresOf(space, shortest);
     if (shortest.limit != known) {
       const double length = shortest.limit.norm();
@@ -214,14 +226,14 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     result.lower_bound = std::min(shortest.lower_bound * unit, result.depth);
     // What tricover/penetration.h calls the precision.
     const double between = (pose_b.translation() / unit - pose_a.translation() / unit).norm();
-    const double size = a.radius / unit + b.radius / unit + space.margin() + between;
+    const double size = a.radius / unit + b.radius / unit + between;
     const double precision = std::max(32 * space.noise(), 1e-13 * size);
     result.optimal = result.depth - result.lower_bound <= 1e-12 * std::min(a.radius, b.radius) + precision * unit;
   }
   const Vec2 aside = shortest.parting - shortest.limit;
   const Vec2 way = !aside.isZero(0) ? Vec2(aside.stableNormalized()) : result.normal;
   // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
-  if (!findTranslation(pair, shortest.limit * unit, way, 8 * space.noise() * unit, margin, result))
+  if (!findTranslation(pair, shortest.limit * unit, way, 8 * space.noise() * unit, 0, result))
     return noAnswer(result.normal);
   result.point_a = space.inWorld(features.point_a);
   result.point_b = space.inWorld(features.point_b);
@@ -238,12 +250,14 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
 namespace {
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                                       SearchHints* hints, const PenetrationOptions& options) {
-  requireNotNegative(options.depth_error, "depth_error");
+                                       PairFacts* cache, const PenetrationOptions& options) {
   if (!collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching})) return std::nullopt;
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return penetrationInOrder(operands..., options, kMostTranslations, hints); },
+      [&](const auto&... operands) {
+        return penetrationInOrder(operands..., options.margin, kMostTranslations,
+                                  cache != nullptr ? &cache->penetration : nullptr);
+      },
       [](Penetration& p) {
         p.normal = -p.normal;
         p.translation = -p.translation;
@@ -261,7 +275,7 @@ std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, con
 }
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                                       PenetrationCache& cache, const PenetrationOptions& options) {
+                                       PairCache& cache, const PenetrationOptions& options) {
   return detail::penetration(a, pose_a, b, pose_b, &detail::factsIn(cache), options);
 }
 

@@ -19,7 +19,6 @@ bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const Po
 /// penetration() of operands that are known to overlap, but for the margin, in the kernel's order. The last step may
 /// try some translations more than `most`.
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                               const PenetrationOptions& options, std::size_t most = kMostTranslations,
-                               SearchHints* hints = nullptr);
+                               double margin, std::size_t most = kMostTranslations, PenetrationHint* hint = nullptr);
 
 }  // namespace tricover::detail

@@ -14,8 +14,6 @@ void PlacedVertices::place(std::size_t i) const {
   vertex.incoming = vertex.outgoing = Vec2::Zero();
   vertex.is_edge = vertex.is_reflex = false;
   vertex.side = 0;
-  const std::int8_t side = sides_.empty() ? std::int8_t{0} : sides_[ring];
-  if (side == kBoundsNothing) return;
   if (i < end && isEdge(i)) {
     std::size_t before = i;
     do before = (before == begin ? end : before) - 1;
@@ -23,9 +21,9 @@ void PlacedVertices::place(std::size_t i) const {
     vertex.is_edge = true;
     vertex.incoming = edge(before);
     vertex.outgoing = edge(i);
-    if (sides_.empty()) return;
+    if (sides_ == nullptr) return;
     const int turned = linear_.determinant() < 0 ? -1 : 1;
-    vertex.side = static_cast<std::int8_t>(turned * side);
+    vertex.side = static_cast<std::int8_t>(turned * sides_->rings[ring]);
     const double error = kVertexError * vertex.incoming.lpNorm<1>() * vertex.outgoing.lpNorm<1>();
     vertex.is_reflex = vertex.side * cross(vertex.incoming, vertex.outgoing) < -error;
   } else {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
+#include "contact/region_sides.h"
 #include "numbers/rounding.h"
 #include "polygon/polygon_data.h"
 
@@ -15,7 +15,7 @@ namespace tricover::detail {
 struct PlacedVertex {
   Vec2 at;
   Vec2 incoming, outgoing;  ///< edges at it, beyond its repetitions
-  bool is_edge;             ///< not a repetition of the next one, nor of a ring that bounds nothing
+  bool is_edge;             ///< not a repetition of the next one
   bool is_reflex;           ///< certainly, seen from its region
   std::int8_t side;         ///< of the outgoing edge on which the region is: 1: left, -1: right, 0: nobody knows
 };
@@ -29,18 +29,15 @@ Vec2 turnedInUnits(const Linear& linear, double inverse_unit, const Vec2& p, con
 /// A polygon's vertices by position, each placed when it is asked for first: overlaps that are shallow need few.
 class PlacedVertices {
  public:
-  static constexpr std::int8_t kBoundsNothing = 2;
-
   PlacedVertices() = default;
-  /// origin: where the polygon's S is. sides: of its rings on which the region is, or kBoundsNothing; empty: nobody
-  /// wants to know.
+  /// origin: where the polygon's S is. sides: null if they are not needed.
   PlacedVertices(const PolygonData& polygon, const Pose& pose, const Vec2& origin, double inverse_unit,
-                 std::vector<std::int8_t> sides)
+                 const RegionSides* sides)
       : polygon_(&polygon),
         linear_(pose.linear()),
         origin_(origin),
         inverse_unit_(inverse_unit),
-        sides_(std::move(sides)),
+        sides_(sides),
         is_placed_(polygon.path.size()),
         vertices_(new PlacedVertex[polygon.path.size()]) {}
 
@@ -60,7 +57,7 @@ class PlacedVertices {
   Eigen::Matrix2d linear_;
   Vec2 origin_;
   double inverse_unit_ = 0;
-  std::vector<std::int8_t> sides_;
+  const RegionSides* sides_ = nullptr;
   mutable std::vector<std::uint8_t> is_placed_;
   std::unique_ptr<PlacedVertex[]> vertices_;
 };

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "contact/own_crossings.h"
 #include "numbers/angle.h"
 #include "numbers/predicates.h"
-#include "numbers/rigidity.h"
 #include "numbers/segment.h"
+#include "polygon/covering.h"
 
 namespace tricover::detail {
 namespace {
@@ -37,34 +36,17 @@ int windingBelow(const PolygonData& polygon, const Vec2& p) {
 
 /// Of rings that don't meet themselves, so that none turns back upon itself, but for triangles without an area: these
 /// don't turn at all.
-RingSide sideOf(const PolygonData& polygon, std::size_t ring) {
+std::int8_t sideOf(const PolygonData& polygon, std::size_t ring) {
   const std::size_t begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
   const auto before = [&](std::size_t i) { return polygon.path[(i == begin ? end : i) - 1]; };
   std::size_t lowest = begin;
   for (std::size_t i = begin; i < end; ++i)
     if (isLower(polygon.path[i], polygon.path[lowest])) lowest = i;
   const int turn = orientation(before(lowest), polygon.path[lowest], polygon.path[lowest + 1]);
-  const auto isInside = [&](int winding) {
-    return polygon.fill == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
-  };
   // Just below its lowest vertex the ring itself is above.
   const int without = windingBelow(polygon, polygon.path[lowest]);
-  const bool outer = isInside(without), inner = isInside(without + turn);
-  RingSide side;
-  side.side = static_cast<std::int8_t>(outer == inner ? 0 : inner ? turn : -turn);
-  side.is_hole = outer && !inner;
-  return side;
-}
-
-/// Between its outermost vertices along an axis, which a ring's diameter isn't below; of a hole that of its box.
-double diameterOf(const PolygonData& polygon, const std::size_t ring, bool is_hole) {
-  const Vec2 *const begin = &polygon.path[polygon.edgeBegin(ring)], *const end = &polygon.path[polygon.edgeEnd(ring)];
-  const auto [left, right] =
-      std::minmax_element(begin, end, [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); });
-  const auto [low, high] = std::minmax_element(begin, end, [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
-  const auto length = [](const Vec2& way) { return std::hypot(way.x(), way.y()); };
-  if (is_hole) return length({right->x() - left->x(), high->y() - low->y()});
-  return std::max(length(*right - *left), length(*high - *low));
+  const bool outer = isInside(polygon.fill, without), inner = isInside(polygon.fill, without + turn);
+  return static_cast<std::int8_t>(outer == inner ? 0 : inner ? turn : -turn);
 }
 
 /// What a ring turns by at its corners, in full turns, away from the region where its side is known.
@@ -87,14 +69,10 @@ double turningOf(const PolygonData& polygon, std::size_t ring, std::int8_t side)
 
 struct KnownSides : Derived::Thing {
   explicit KnownSides(const PolygonData& polygon) {
-    sides.least_part = std::numeric_limits<double>::infinity();
     const bool are_known = polygon.ringCount() * polygon.path.size() <= kMostLooks && !meetsItself(polygon);
     for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
-      RingSide ring = are_known ? sideOf(polygon, r) : RingSide();
-      ring.corners = turningOf(polygon, r, ring.side);
-      ring.diameter = diameterOf(polygon, r, ring.is_hole);
-      if (!ring.is_hole) sides.least_part = std::min(sides.least_part, ring.diameter);
-      sides.rings.push_back(ring);
+      sides.rings.push_back(are_known ? sideOf(polygon, r) : std::int8_t{0});
+      sides.corners += turningOf(polygon, r, sides.rings.back());
     }
   }
 
@@ -102,11 +80,6 @@ struct KnownSides : Derived::Thing {
 };
 
 }  // namespace
-
-/// Poses may change lengths by less than kLargestDefect, which allows for the roundings, too.
-bool mayBound(const RingSide& ring, const RegionSides& other) {
-  return !(ring.is_hole && ring.diameter * (1 + kLargestDefect) + kTiny < other.least_part * (1 - kLargestDefect));
-}
 
 const RegionSides& regionSidesOf(const PolygonData& polygon) {
   const Derived::Thing* known =

@@ -11,24 +11,10 @@ constexpr std::size_t kMostMeetings = 32;
 
 }  // namespace
 
-double TranslationProbe::depthOf(const PosedPair& pair, const Vec2& t, std::size_t i, std::size_t j) const {
-  const double depth = inUnits(pair, crossingDepth(pair, i, j));
-  if (margin_ == 0) return depth;
-  return depth > 0 ? depth + margin_ - 4 * space_.noise() : margin_ - space_.gap(t, i, j) - 4 * space_.noise();
-}
-
-double TranslationProbe::depthOf(const MeetingEdges& meeting, const Vec2& t) const {
-  const double depth = meeting.depth(t) - 4 * space_.noise();
-  if (margin_ == 0 || depth > 0 || depth < -margin_) return depth + margin_;
-  return margin_ - space_.gap(t, meeting.edge_a, meeting.edge_b) - 4 * space_.noise();
-}
-
-double TranslationProbe::depthOf(const PosedPair& pair, const Vec2& t, const Outcome& outcome) const {
-  if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
-    return depthOf(pair, t, static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b));
-  // Boxes within the margin tell of no depth.
-  if (outcome.edge_a < 0 && outcome.edge_b < 0 && outcome.clearance == 0) return 0;
-  return inUnits(pair, outcome.clearance) + margin_ * (1 - 0x1p-40);
+double TranslationProbe::depthOf(const PosedPair& pair, const Outcome& outcome) const {
+  if (outcome.edge_a < 0 || outcome.edge_b < 0) return inUnits(pair, outcome.clearance);
+  return inUnits(pair, crossingDepth(pair, static_cast<std::size_t>(outcome.edge_a),
+                                     static_cast<std::size_t>(outcome.edge_b)));
 }
 
 bool TranslationProbe::overlapAround(const Vec2& t, double radius) {
@@ -49,7 +35,7 @@ void TranslationProbe::keep(const Outcome& outcome) {
 bool TranslationProbe::isFree(Vec2& t) {
   if (overlapAround(t, 0)) return false;
   ++queries_;
-  const Outcome outcome = collideByHierarchy(space_.at(t), options_, 0, Wanted::Answer);
+  const Outcome outcome = collideByHierarchy(space_.at(t), {}, 0, Wanted::Answer);
   if (outcome.collides) keep(outcome);
   return !outcome.collides;
 }

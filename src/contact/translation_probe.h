@@ -16,8 +16,7 @@ class TranslationProbe {
  public:
   using MeetingEdges = TranslationSpace::MeetingEdges;
 
-  explicit TranslationProbe(TranslationSpace& space)
-      : space_(space), margin_(space.margin()), options_{margin_ * space.unit(), 0} {}
+  explicit TranslationProbe(TranslationSpace& space) : space_(space) {}
 
   /// Forgets the edges that met, to look elsewhere.
   void leave() {
@@ -32,15 +31,15 @@ class TranslationProbe {
 
   /// The kernel's answer for a pair of space.at(), with a clearance up to a length in a's frame.
   Outcome ask(const PosedPair& pair, double lookahead) const {
-    return collideByHierarchy(pair, options_, lookahead, Wanted::Clearance);
+    return collideByHierarchy(pair, {}, lookahead, Wanted::Clearance);
   }
   /// Its edges, if these meet, are kept.
   void keep(const Outcome& outcome);
   /// Whether the regions are apart after a translation; t becomes the one that was asked for.
   bool isFree(Vec2& t);
 
-  /// How far the translation t may change while the regions overlap, at least, by the kernel's answer after it.
-  double depthOf(const PosedPair& pair, const Vec2& t, const Outcome& outcome) const;
+  /// A lower bound on how far the translation may change while the regions overlap, by the kernel's answer after it.
+  double depthOf(const PosedPair& pair, const Outcome& outcome) const;
   /// How far translations may differ from the pair's without a change, from a length in a's frame.
   double inUnits(const PosedPair& pair, double length) const {
     return roundedDown<2>(length * (1 - pair.scale_defect)) / space_.unit();
@@ -54,12 +53,9 @@ class TranslationProbe {
   void countQuery() { ++queries_; }
 
  private:
-  double depthOf(const PosedPair& pair, const Vec2& t, std::size_t i, std::size_t j) const;
-  double depthOf(const MeetingEdges& meeting, const Vec2& t) const;
+  double depthOf(const MeetingEdges& meeting, const Vec2& t) const { return meeting.depth(t) - 4 * space_.noise(); }
 
   TranslationSpace& space_;
-  const double margin_;
-  const CollideOptions options_;
   std::vector<MeetingEdges> near_;
   std::size_t queries_ = 0;
   bool overlaps_ = false;

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "contact/region_sides.h"
 #include "numbers/double_double.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
@@ -21,40 +19,15 @@ double turnOf(const Vec2& way) {
 }
 constexpr double kFullTurn = 4;
 
-/// What of a polygon may bound another one's free translations: see PlacedVertices, and RingSide.
-struct Bounding {
-  Bounding() = default;
-  Bounding(const PolygonData& polygon, const RegionSides& own, const RegionSides& other) {
-    for (std::size_t r = 0; r < own.rings.size(); ++r) {
-      const RingSide& ring = own.rings[r];
-      const bool bounds = mayBound(ring, other);
-      sides.push_back(bounds ? ring.side : PlacedVertices::kBoundsNothing);
-      if (!bounds) continue;
-      corners += ring.corners;
-      edges += static_cast<double>(polygon.edgeEnd(r) - polygon.edgeBegin(r) + 1);
-    }
-  }
-  /// Where all pairs of edges are shown, what is left out by them costs more than it saves.
-  void forgetSides() {
-    for (std::int8_t& side : sides)
-      if (side != PlacedVertices::kBoundsNothing) side = 0;
-  }
-
-  std::vector<std::int8_t> sides;
-  double corners = 0, edges = 0;
-};
-
 }  // namespace
 
-TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                                   double margin)
+TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
     : polygon_a_(a),
       polygon_b_(b),
       pose_a_(pose_a),
       pose_b_(pose_b),
       unit_(std::max(a.unit, b.unit)),
       inverse_unit_(std::min(a.inverse_unit, b.inverse_unit)),
-      margin_(margin / unit_),
       quarter_origin_(pose_a.linear() * (a.origin / 4) + pose_a.translation() / 4) {
   const auto& ra = pose_a.matrix();
   const auto& rb = pose_b.matrix();
@@ -70,29 +43,29 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
   }
   pose_a_.translation().setZero();
   const double radii = (a.radius * inverse_unit_ + b.radius * inverse_unit_) * (1 + kLargestDefect);
-  noise_ = kVertexError * (radii + between_.norm() + margin_) + kShiftError * (shift_.lpNorm<1>() * inverse_unit_) +
+  noise_ = kVertexError * (radii + between_.norm()) + kShiftError * (shift_.lpNorm<1>() * inverse_unit_) +
            0x1p-1073 * inverse_unit_;
 }
 
-void TranslationSpace::prepareSearch(double farthest, bool is_known) {
+void TranslationSpace::prepareSearch(double farthest) {
   // How far discs overlap steers a search of this plane: so they are there, whatever has been paid for.
   for (const PolygonData* polygon : {&polygon_a_, &polygon_b_})
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
   // Of a shallow overlap the trees show few pairs of edges.
   const double smaller = std::min(polygon_a_.radius, polygon_b_.radius) * inverse_unit_;
-  Bounding a, b;
+  const RegionSides *a = nullptr, *b = nullptr;
   if (farthest > 0.25 * smaller) {
-    const RegionSides &of_a = regionSidesOf(polygon_a_), &of_b = regionSidesOf(polygon_b_);
-    a = Bounding(polygon_a_, of_a, of_b), b = Bounding(polygon_b_, of_b, of_a);
-    const double segments = a.corners * b.edges + b.corners * a.edges;
-    const auto pairs = static_cast<double>(polygon_a_.path.size()) * static_cast<double>(polygon_b_.path.size());
+    a = &regionSidesOf(polygon_a_), b = &regionSidesOf(polygon_b_);
+    const auto edges_a = static_cast<double>(polygon_a_.path.size()),
+               edges_b = static_cast<double>(polygon_b_.path.size());
+    const double segments = a->corners * edges_b + b->corners * edges_a;
     // Measured: the fewer they are beside all pairs of edges, the more of them pay.
-    const double most = is_known ? kMostKept : std::numeric_limits<double>::infinity();
-    if (segments < std::min(most, 20 * std::pow(pairs / segments, 3))) segments_ = segments;
+    are_few_ = segments < 20 * std::pow(edges_a * edges_b / segments, 3);
   }
-  if (!areFew()) a.forgetSides(), b.forgetSides();
-  a_ = PlacedVertices(polygon_a_, pose_a_, Vec2::Zero(), inverse_unit_, std::move(a.sides));
-  b_ = PlacedVertices(polygon_b_, pose_b_, between_, inverse_unit_, std::move(b.sides));
+  // Where all pairs of edges are shown, the sides of rings cost more than they save.
+  if (!are_few_) a = b = nullptr;
+  a_ = PlacedVertices(polygon_a_, pose_a_, Vec2::Zero(), inverse_unit_, a);
+  b_ = PlacedVertices(polygon_b_, pose_b_, between_, inverse_unit_, b);
 }
 
 std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const PlacedVertices& vertices, double radius) {
@@ -161,7 +134,7 @@ std::vector<TranslationSpace::Segment> TranslationSpace::segmentsWithin(double r
 
 DiscSums TranslationSpace::discSums() const {
   // A centre is no less precise than a vertex, and so is t; the fourth is for the roundings where they are compared.
-  return sumsOf(discCoverOf(polygon_a_), discCoverOf(polygon_b_), margin_ - 4 * noise_,
+  return sumsOf(discCoverOf(polygon_a_), discCoverOf(polygon_b_), -4 * noise_,
                 (polygon_a_.path.size() + polygon_b_.path.size()) / 2);
 }
 

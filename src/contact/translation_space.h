@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -19,26 +18,23 @@ namespace tricover::detail {
 //   a vertex of a     p - q 1, products 1, sum 1                           3 r_a in either coordinate
 //   one of b          the same, the sum with c 1, c itself 1               4 r_b + 2 c
 //   a segment's end   their difference 1                                   4 r_a + 5 r_b + 3 c
-// which is sqrt2 5 reach in any direction; the margin is part of it, too. at() rounds a translation to the spacing of
+// which is sqrt2 5 reach in any direction. at() rounds a translation to the spacing of
 // doubles at t_b - t_a + t, of which no component is larger than reach and shift: two sums there and two differences
 // back, 4.
 constexpr double kVertexError = 16 * kUnitRoundoff, kShiftError = 4 * kUnitRoundoff;
 static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 
-/// The plane of b's translations, in which the regions overlap on M = A + (-B), and are within the margin of each other
-/// on M grown by that. Axes are the world's, the origin is b where it is, lengths are in units.
+/// The plane of b's translations, in which the regions overlap on M = A + (-B). Axes are the world's, the origin is b where it is, lengths are in units.
 ///
 /// The boundary of M lies on convolution segments: a vertex of a less an edge of b, or an edge of a less a vertex of b;
 /// and of these only where the edges at the vertex don't leave to both sides of the other's line, since otherwise the
 /// translations around a segment's inner point overlap, too. Where it is known on which side of an edge its region is
-/// (regionSidesOf()), the other's vertex has to be a corner of its own region, and on the other side; and a hole that
-/// is too small for the other region bounds nothing.
+/// (regionSidesOf()), the other's vertex has to be a corner of its own region, and on the other side.
 class TranslationSpace {
  public:
-  TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double margin);
-  /// Before edges and segments are asked for, no farther away than that. `is_known`: of most cells a cache knows what
-  /// they hold.
-  void prepareSearch(double farthest, bool is_known);
+  TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
+  /// To be called before the functions about edges and segments, which then are no farther away than that.
+  void prepareSearch(double farthest);
 
   /// Free translations may be on its left, and on its right if it has both sides.
   struct Segment {
@@ -86,25 +82,11 @@ class TranslationSpace {
     });
   }
 
-  /// Whether so few convolution segments may bound what the regions overlap on that a search gathers all at once; or
-  /// even that a cache keeps them.
-  bool areFew() const { return segments_ > 0; }
-  bool areKept() const { return areFew() && segments_ <= kMostKept; }
+  /// Whether so few convolution segments may bound what the regions overlap on that a search gathers all at once.
+  bool areFew() const { return are_few_; }
   /// The convolution segments within `radius` of 0, by the directions of edges: it takes what those of all of the plane
   /// are. But for some that bound nothing.
   std::vector<Segment> segmentsWithin(double radius) const;
-
-  /// The corners of the parallelogram of those translations that let two edges, by position, meet.
-  std::array<Vec2, 4> meetings(std::size_t i, std::size_t j) const {
-    return {a_[i].at - b_[j].at, a_[i + 1].at - b_[j].at, a_[i + 1].at - b_[j + 1].at, a_[i].at - b_[j + 1].at};
-  }
-
-  /// How far apart two edges that don't cross are after the translation t, but for a few of noise().
-  double gap(const Vec2& t, std::size_t i, std::size_t j) const {
-    const auto [p, q, r, s] = meetings(i, j);
-    return std::sqrt(std::min({squaredDistanceToSegment(t, p, q), squaredDistanceToSegment(t, q, r),
-                               squaredDistanceToSegment(t, r, s), squaredDistanceToSegment(t, s, p)}));
-  }
 
   /// Translations at which discs in the regions overlap: worth their while in a long search.
   DiscSums discSums() const;
@@ -115,7 +97,6 @@ class TranslationSpace {
   bool isFinite() const { return noise_ < 1; }
   /// At least what an end of a segment is wrong by, and t in at().
   double noise() const { return noise_; }
-  double margin() const { return margin_; }
 
   /// A vertex, by position, in the world from a's origin S, in units; b's where it is.
   Vec2 vertexOfA(std::size_t i) const { return wayInUnits(pose_a_, polygon_a_, i); }
@@ -124,7 +105,6 @@ class TranslationSpace {
   Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
 
  private:
-  static constexpr double kMostKept = 800;
   static constexpr std::size_t kFewSums = 4;  ///< eight: as many discs as these pay
 
   Vec2 wayInUnits(const Pose& pose, const PolygonData& polygon, std::size_t i) const {
@@ -179,10 +159,10 @@ class TranslationSpace {
   const PolygonData &polygon_a_, &polygon_b_;
   Pose pose_a_, pose_b_;     ///< less a's translation
   Vec2 shift_, shift_rest_;  ///< t_b - t_a, as a rounded part and the rest
-  double unit_, inverse_unit_, margin_, noise_;
+  double unit_, inverse_unit_, noise_;
   Vec2 quarter_origin_;  ///< of a's S in the world
   Vec2 between_;         ///< b's S, as vertices
-  double segments_ = 0;  ///< on average, of polygons of such corners; 0: too many
+  bool are_few_ = false;
   PlacedVertices a_, b_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "tricover/locate.h"
@@ -56,28 +57,16 @@ struct DistanceHint {
   BackOff back_off;
 };
 
-/// "With the second polygon at this pose in the first one's frame, the other polygon reached at least `deeper` behind
-/// every edge but those listed here."
-struct ContactFacts {
-  static constexpr int kMost = 4;  ///< how many edges it has room for
-
-  std::uint64_t first_id = 0;
-  std::uint64_t second_id = 0;
-  double second_in_first[6] = {1, 0, 0, 1, 0, 0};
-  double error = 0;   ///< what that maps points wrong by, at most
-  double deeper = 0;  ///< a length in the first one's frame
-  std::uint8_t count = 0;
-  FactBalance balance;
-  bool of_first[kMost] = {};         ///< whether an edge is the first polygon's
-  std::uint32_t face[kMost] = {};    ///< the edges, as the kernel numbers them
-  std::uint32_t behind[kMost] = {};  ///< an edge of the other polygon at its vertex that was deepest behind them
+/// Where the second polygon's origin S was, in the first one's frame, after the last penetration's translation.
+struct PenetrationHint {
+  double end[2] = {NAN, NAN};  ///< NaN: nowhere yet
 };
 
 /// What a PairCache holds.
 struct PairFacts {
   CollisionFact collision;
   DistanceHint distance;
-  ContactFacts contact;
+  PenetrationHint penetration;
 };
 
 /// What a PointCache holds: "The point was here, and at least so far from all edges."

@@ -36,7 +36,7 @@ TEST(Documentation, PenetrationWithCache) {
   //! [penetration with cache]
   const tricover::Polygon angle({{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}});
   const tricover::Pose still = tricover::Pose::Identity();
-  tricover::PenetrationCache cache;  // one a pair
+  tricover::PairCache cache;  // one a pair
   for (int step = 0; step < 10; ++step) {
     tricover::Pose pose = still;
     pose.translation() << 0.25, 0.5 + 0.01 * step;

@@ -32,7 +32,6 @@ int separate(tricover::Scene& scene, tricover::Scene::Body sheet, std::mt19937& 
   std::uniform_real_distribution<double> unit(0, 1);
   tricover::PenetrationOptions apart;
   apart.margin = kKerf;
-  apart.depth_error = 0.1;
   apart.touching = tricover::Touching::Allowed;
   for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<tricover::BodyPair> overlaps = scene.collisions();

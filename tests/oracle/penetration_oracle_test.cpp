@@ -23,7 +23,6 @@
 namespace tricover::support {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFamilyCases = 300;
 constexpr int kBruteForceCases = 600;
 constexpr int kConvexCases = 3000;
@@ -75,15 +74,6 @@ std::string swappedDiffers(const Case& c, const Penetration& p) {
   return same || c.a.id() == c.b.id() ? "" : "swapped, the result differs";
 }
 
-/// Where the search for the shortest comes to an end.
-std::string brokenError(Random& random, const Case& c, const Penetration& p) {
-  const double error = random.real(0, 0.5), tiny = precision(c);
-  const auto q = penetration(c.a, c.pose_a, c.b, c.pose_b, {0, error});
-  if (!q || !(q->depth <= (1 + error) * q->lower_bound + tiny)) return "deeper than the error allows";
-  if (!(q->depth >= p.lower_bound && q->lower_bound <= p.depth)) return "with an error, not a bound";
-  return brokenPromise(random, c, *q);
-}
-
 class PenetrationFamilies : public testing::TestWithParam<Family> {};
 
 TEST_P(PenetrationFamilies, KeepsItsPromises) {
@@ -109,7 +99,6 @@ TEST_P(PenetrationFamilies, KeepsItsPromises) {
     optimal += p->optimal;
     std::string what = brokenPromise(random, c, *p);
     if (what.empty()) what = swappedDiffers(c, *p);
-    if (what.empty() && p->optimal) what = brokenError(random, c, *p);
     if (!what.empty() && ++broken <= 3)
       ADD_FAILURE() << what << ": depth " << hex(p->depth) << ", lower bound " << hex(p->lower_bound) << "\n"
                     << reproduction(c);
@@ -168,8 +157,8 @@ TEST(PenetrationOracle, SmallPolygonsAgreeWithBruteForce) {
     ASSERT_EQ(p.has_value(), exact::collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
     if (!p) continue;
     ++overlapping;
-    const double bound = penetration(c.a, c.pose_a, c.b, c.pose_b, {0, kInfinity})->depth;
-    below_hulls += p->depth < bound;
+    const double bound = (1 + 1e-9) * exact::hullDepth(c.a, c.pose_a, c.b, c.pose_b);
+    below_hulls += p->depth < (1 - 1e-9) * bound;
     EXPECT_TRUE(p->optimal) << reproduction(c);
     const double truth = exact::penetrationDepth(c.a, c.pose_a, c.b, c.pose_b, bound);
     const double error = std::abs(p->depth - truth) / (c.a.radius() + c.b.radius());
@@ -193,12 +182,9 @@ TEST(PenetrationOracle, ManyVerticesDeepInEachOther) {
     Random random(static_cast<std::uint64_t>(i) + 1);
     const auto outline = [&] { return Polygon({star(random, 250, 1.9, 2), reversed(star(random, 20, 0.2, 0.5))}); };
     const Case c{outline(), pose(1, 3e5, -2e5), outline(), pose(random.real(0, 6.3), 3e5, -2e5 + random.unit())};
-    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b), q = penetration(c.a, c.pose_a, c.b, c.pose_b, {0, 0.3});
-    ASSERT_TRUE(p && q);
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_TRUE(p);
     EXPECT_TRUE(p->optimal);
-    EXPECT_LE(q->depth, 1.3 * q->lower_bound + precision(c));
-    EXPECT_LE(p->depth, q->depth);
-    EXPECT_GE(p->lower_bound, q->lower_bound - precision(c));
     for (int round = 0; round < 20; ++round) ASSERT_EQ(brokenPromise(random, c, *p), "") << reproduction(c);
   }
 }

@@ -169,4 +169,26 @@ mpq_class convexPenetrationSquared(const Polygon& a, const Pose& pose_a, const P
   return least;
 }
 
+double hullDepth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const auto pointsOf = [](const Polygon& polygon, const Pose& pose) {
+    std::vector<Vec2> points;
+    for (const Ring& ring : polygon.rings())
+      for (const Vec2& p : ring) points.push_back(pose * p);
+    return points;
+  };
+  const std::vector<Vec2> of_a = pointsOf(a, pose_a), of_b = pointsOf(b, pose_b);
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Vec2>* points : {&of_a, &of_b})
+    for (const Vec2& p : *points)
+      for (const Vec2& q : *points) {
+        const Vec2 normal = Vec2(q.y() - p.y(), p.x() - q.x()).stableNormalized();
+        if (!(normal.norm() > 0.5)) continue;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Vec2& r : of_a) high = std::max(high, normal.dot(r));
+        for (const Vec2& r : of_b) low = std::min(low, normal.dot(r));
+        least = std::min(least, high - low);
+      }
+  return least;
+}
+
 }  // namespace tricover::exact

@@ -19,4 +19,8 @@ double penetrationDepth(const Polygon& a, const Pose& pose_a, const Polygon& b, 
 /// Its square for two convex rings: the least support gap over the normals of all edges.
 mpq_class convexPenetrationSquared(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
 
+/// The depth of the two convex hulls, rounded: the least over the normals of the ways between any two vertices of one
+/// polygon. O(n^3).
+double hullDepth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
+
 }  // namespace tricover::exact

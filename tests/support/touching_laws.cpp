@@ -95,7 +95,7 @@ std::string wrongTouchingAtMargin(const Case& c) {
     half.margin = margin / 2;  // rounded, where it is small
     scene.add(c.a, c.pose_a, half);
     if (scene.collides(c.b, c.pose_b, open(margin - half.margin)) != is_below) return "margin, scene";
-    PenetrationOptions deep{margin, 1e3, Touching::Allowed};
+    PenetrationOptions deep{margin, Touching::Allowed};
     if (penetration(c.a, c.pose_a, c.b, c.pose_b, deep).has_value() != is_below) return "margin, penetration";
     ContactOptions parts;
     parts.margin = margin;
@@ -110,7 +110,6 @@ std::string wrongTouchingInLists(const Case& c, const Overlap& truth) {
   ContactOptions parts;
   PenetrationOptions deep;
   inner.touching = parts.touching = deep.touching = Touching::Allowed;
-  deep.depth_error = 1e3;
   const std::vector<Crossing> found = crossings(c.a, c.pose_a, c.b, c.pose_b, inner);
   if (!found.empty() && !truth.overlap) return "crossings where interiors are apart";
   if (found.size() > crossings(c.a, c.pose_a, c.b, c.pose_b).size()) return "crossings, more than without";

@@ -186,16 +186,16 @@ void defineMeasures(py::module_& m, const Records& records) {
   m.def(
       "penetration",
       [records](const Polygon& a, const py::object& pose_a, const Polygon& b, const py::object& pose_b, double margin,
-                double depth_error, tricover::Touching touching, std::size_t threads) {
+                tricover::Touching touching, std::size_t threads) {
         const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
         std::vector<std::optional<tricover::Penetration>> found(countOf(poses_a, poses_b));
         forEachInParallel(found.size(), threads, [&](std::size_t i) {
-          found[i] = penetration(a, poses_a[i], b, poses_b[i], {margin, depth_error, touching});
+          found[i] = penetration(a, poses_a[i], b, poses_b[i], {margin, touching});
         });
         return listOf(poses_a.is_one && poses_b.is_one, found, [&](const auto& one) { return records.of(one); });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
-      py::arg("depth_error") = 0.0, py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
+      py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
 }
 
 void defineContacts(py::module_& m, const Records& records) {

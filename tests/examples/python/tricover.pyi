@@ -178,7 +178,7 @@ def collide(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin
 def distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
              threads: int = 0) -> Distance: ...
 def penetration(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
-                depth_error: float = 0.0, touching: Touching = Touching.COLLIDES,
+                touching: Touching = Touching.COLLIDES,
                 threads: int = 0) -> Union[Optional[Penetration], List[Optional[Penetration]]]: ...
 def contacts(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
              most: Optional[int] = None, detail: ContactDetail = ContactDetail.WAY_OUT,

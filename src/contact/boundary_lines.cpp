@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/boundary_curves.h"
+#include "contact/boundary_lines.h"
 
 namespace tricover::detail {
 
 /// Whether the shorter one lies on the longer one's line; if so, `into` becomes both.
-bool BoundaryCurves::merged(Line& into, const Line& line) const {
+bool BoundaryLines::merged(Line& into, const Line& line) const {
   const bool longer = line.length > into.length;
   const Line &base = longer ? line : into, &other = longer ? into : line;
   if (!(base.length > 0)) return !((other.v - base.v).norm() > resolution_);
@@ -23,23 +23,16 @@ bool BoundaryCurves::merged(Line& into, const Line& line) const {
   return true;
 }
 
-BoundaryCurves::Added BoundaryCurves::addLine(const Line& line) {
+bool BoundaryLines::add(Line segment, const Vec2& t, double radius) {
+  segment.clip(t, radius);
   for (Line& other : lines_)
-    if (merged(other, line)) return Repeated;
-  if (lines_.size() + centers_.size() == most_) return TooMany;
-  lines_.push_back(line);
-  return New;
+    if (merged(other, segment)) return true;
+  if (lines_.size() == most_) return false;
+  lines_.push_back(segment);
+  return true;
 }
 
-BoundaryCurves::Added BoundaryCurves::addCircle(const Vec2& center) {
-  for (const Vec2& other : centers_)
-    if ((other - center).norm() <= resolution_) return Repeated;
-  if (lines_.size() + centers_.size() == most_) return TooMany;
-  centers_.push_back(center);
-  return New;
-}
-
-bool BoundaryCurves::addRays(const Vec2& p, std::vector<Ray>& rays, double& room) const {
+void BoundaryLines::addRays(const Vec2& p, std::vector<Ray>& rays, double& room) const {
   for (const Line& line : lines_) {
     const double apart = (nearestOnSegment(p, line.v, line.w) - p).norm();
     if (apart > 2 * resolution_) {
@@ -55,19 +48,6 @@ bool BoundaryCurves::addRays(const Vec2& p, std::vector<Ray>& rays, double& room
       rays.push_back({std::atan2(ray.y(), ray.x()), is_along || line.both_sides, !is_along || line.both_sides});
     }
   }
-  bool is_curved = false;
-  for (const Vec2& center : centers_) {
-    const Vec2 spoke = p - center;
-    const double apart = std::abs(spoke.norm() - margin_);
-    if (apart > 2 * resolution_) {
-      room = std::min(room, apart / 2);
-      continue;
-    }
-    is_curved = true;
-    rays.push_back({std::atan2(spoke.x(), -spoke.y()), false, true});
-    rays.push_back({std::atan2(-spoke.x(), spoke.y()), true, false});
-  }
-  return is_curved;
 }
 
 }  // namespace tricover::detail

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "numbers/segment.h"
+
+namespace tricover::detail {
+
+/// The convolution segments that may bound the free translations within a cell of the plane of translations. Free ones
+/// may be on the left of a line.
+class BoundaryLines {
+ public:
+  /// noise: the error of a segment's end. Lines within `resolution` of each other count as one.
+  BoundaryLines(double noise, double resolution) : noise_(noise), resolution_(resolution) {}
+
+  struct Ends {
+    Vec2 v, w;
+  };
+  /// A segment, or several ones that lie on a line within the resolution; axis: a unit vector, unless v and w are one.
+  struct Line : Ends {
+    /// noise: what an end is wrong by.
+    Line(const Ends& ends, bool both_sides_, double noise)
+        : Ends(ends), axis(w - v), length(axis.norm()), slack(1), both_sides(both_sides_) {
+      const double inverse = length > 0 ? 1 / length : 0;
+      axis *= inverse;
+      if (2 * noise < length) slack = 2 * noise * inverse;
+    }
+
+    /// Takes away what is farther along it than `radius` from t.
+    void clip(const Vec2& t, double radius) {
+      if (!(length > 0)) return;
+      const double middle = (t - v).dot(axis);
+      const double low = std::clamp(middle - radius, 0.0, length), high = std::clamp(middle + radius, 0.0, length);
+      if (high < length) w = v + high * axis;
+      if (low > 0) v += low * axis;
+      length = high - low;
+    }
+
+    /// Whether its box, and whether its line, meets a square around t: if both do, so does it.
+    bool boxMeets(const Vec2& t, double half) const {
+      return ((v.cwiseMin(w) - t).array() <= half).all() && ((t - v.cwiseMax(w)).array() <= half).all();
+    }
+    bool lineMeets(const Vec2& t, double half) const { return std::abs(cross(axis, t - v)) <= half * axis.lpNorm<1>(); }
+
+    Vec2 axis;
+    double length;
+    double slack;     ///< the sine of what the axis is wrong by, at most, and of what it stands for
+    bool both_sides;  ///< free translations may be on its right, too
+  };
+
+  /// Afterwards no more than `most` are added.
+  void clear(std::size_t most) {
+    most_ = most;
+    lines_.clear();
+  }
+  bool isEmpty() const { return lines_.empty(); }
+
+  /// The part of a segment within `radius` of t. False if there are too many lines then.
+  bool add(Line segment, const Vec2& t, double radius);
+
+  /// Calls offer(p, error) for every point of the lines' arrangement that may be the nearest one to 0 of a face: the
+  /// nearest point of a line, an end or a crossing. `error` bounds the error of p along the lines that cross there.
+  template <typename Offer>
+  void forEachPossibleLimit(Offer offer) const {
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      offerFoot(lines_[i], offer);
+      for (std::size_t j = 0; j < i; ++j) offerCrossing(lines_[i], lines_[j], offer);
+    }
+  }
+
+  /// A direction in which a line leaves a point, and the sides, seen along it, where free translations may be.
+  struct Ray {
+    double angle;
+    bool left, right;
+  };
+  /// Adds the rays of the lines through a point, and reduces `room` to keep clear of the other lines and of ends.
+  void addRays(const Vec2& p, std::vector<Ray>& rays, double& room) const;
+
+ private:
+  bool merged(Line& into, const Line& line) const;
+
+  /// From 0 to the nearest point p of a free face the way leads out of what bounds it there: it is a sum of normals
+  /// that point to the left of lines, of which this is `left` long or more. None is needed beside a line that is free
+  /// on both sides, nor where p is 0.
+  bool leads(const Vec2& p, const Line& line, double left, double error) const {
+    const double length = p.norm();
+    return line.both_sides || left >= -(4 * resolution_ + error + line.slack * length) || length <= 4 * resolution_;
+  }
+
+  template <typename Offer>
+  void offerFoot(const Line& line, Offer offer) const {
+    const Vec2 p = nearestOnSegment(Vec2::Zero(), line.v, line.w);
+    const bool is_foot = std::abs(line.axis.dot(p)) <= 4 * resolution_ + line.slack * p.norm();
+    if (is_foot && leads(p, line, cross(line.axis, p), 0)) offer(p, 0.0);
+  }
+
+  template <typename Offer>
+  void offerCrossing(const Line& line, const Line& other, Offer offer) const {
+    const Vec2 u = line.w - line.v, w = other.w - other.v;
+    const double area = cross(u, w);
+    if (area == 0) return;
+    const double s = cross(other.v - line.v, w) / area;
+    if (!(s >= -0x1p-20 && s <= 1 + 0x1p-20)) return;
+    const Vec2 p = line.v + s * u;
+    const double error = 2 * noise_ * u.norm() * w.norm() / std::abs(area), turn = area > 0 ? 1 : -1;
+    const double slack = error + (line.slack + other.slack) * p.norm();
+    if (!leads(p, line, turn * p.dot(other.axis), slack) || !leads(p, other, -turn * p.dot(line.axis), slack)) return;
+    if ((nearestOnSegment(p, other.v, other.w) - p).norm() <= resolution_) offer(p, error);
+  }
+
+  double noise_, resolution_;
+  std::size_t most_ = 0;
+  std::vector<Line> lines_;
+};
+
+}  // namespace tricover::detail
