@@ -32,7 +32,8 @@ struct Crossing {
   Vec2 point;
 };
 
-/// Every pair of edges that are no farther apart than the margin, so that without one they share a point. Exact: a pair
+/// Every pair of edges that are no farther apart than the margin, so that without one they share a point. Edges of
+/// length 0 are listed, too. Exact: a pair
 /// is listed if and only if it is. The order means nothing. The list is empty where one region lies within the other
 /// and no edges are so near.
 ///
@@ -78,8 +79,8 @@ struct Contact {
   Vec2 point;
   /// A unit vector, from a towards where b leaves it. For two convex polygons moving b along it by `depth` is the
   /// shortest way apart, and so it is wherever the overlap is a single part: they are penetration()'s, unless that
-  /// search is given up, which here is after 2^22 translations divided by the number of vertices (sooner than there
-  /// from 210 on, at once beyond 4096). Of several parts, and with LocalDepth, it takes the edges around this one past
+  /// search is given up or, with a margin, isn't optimal. Here it is given up after 2^22 translations divided by the
+  /// number of vertices (sooner than there from 210 on, at once beyond 4096). Of several parts, and with LocalDepth, it takes the edges around this one past
   /// each other, or, where one polygon lies within the other, past the nearest edge: good for a response that is
   /// repeated, not for one step. Where they only touch, moving b along it by a little parts them, unless they are
   /// wedged or touch at several parts; with LocalDepth that isn't tried.
@@ -108,7 +109,7 @@ struct Contact {
 TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b,
                                               const Pose& pose_b, const ContactOptions& options = {});
 
-/// The same to the last bit, using and renewing the facts in `cache`: O(1) while they are apart and that fact pays for
+/// The same to the last bit, using and renewing the certificate in `cache`: O(1) while they are apart and that fact pays for
 /// the motion since.
 ///
 /// \snippet contacts.cpp contacts with cache

@@ -11,13 +11,6 @@ namespace detail {
 
 struct CacheAccess;
 
-/// Whether a cache's facts pay: what they have saved lately beyond what they cost.
-struct FactBalance {
-  std::int8_t saved = 16;    ///< in quarters of a query; a new cache may try some
-  std::uint8_t failed = 0;   ///< how often in a row they cost more
-  std::uint8_t resting = 0;  ///< so many queries more do without facts
-};
-
 }  // namespace detail
 
 /// Remembers certificates and hints of one pair of polygons between queries, of whatever kind. Each stays true whatever

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/boundary_point.h"
 
+#include <algorithm>
+
 namespace tricover::detail {
 
 std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge) {
@@ -11,6 +13,13 @@ std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge) {
 std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge) {
   const std::size_t ring = polygon.ringOf(edge);
   return edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) - 1 : edge - 1;
+}
+
+bool beginsPoint(const PolygonData& polygon, std::size_t v) {
+  const std::size_t ring = polygon.ringOf(v);
+  if (v != polygon.edgeBegin(ring)) return false;
+  const Vec2 *const begin = polygon.path.begin() + v, *const end = polygon.path.begin() + polygon.edgeEnd(ring);
+  return std::all_of(begin, end, [&](const Vec2& p) { return p == *begin; });
 }
 
 BoundaryPoint vertexPoint(const PolygonData& polygon, int side, std::size_t v, const Vec2& at) {

@@ -19,6 +19,9 @@ struct BoundaryPoint {
 std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
 std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);
 
+/// Whether the vertex at a position begins a ring that is one point.
+bool beginsPoint(const PolygonData& polygon, std::size_t v);
+
 /// A vertex of one side (0: a, 1: b), and the edges there beyond repetitions of it.
 BoundaryPoint vertexPoint(const PolygonData& polygon, int side, std::size_t v, const Vec2& at);
 

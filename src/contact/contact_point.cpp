@@ -49,7 +49,7 @@ PartMiddle partMiddle(const Hull& part, const Vec2& up, double error) {
   }
   const double across = 0.5 * first + 0.5 * last;
   double highest = lowest;
-  const Vec2* p = &part.end()[-1].at;
+  const Vec2* p = &part.back().at;
   double from = side.dot(*p) - across;
   for (const BoundaryPoint& corner : part) {
     const Vec2& q = corner.at;

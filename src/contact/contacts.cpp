@@ -32,9 +32,9 @@ std::vector<Contact> contactsBeside(const PosedPair& pair, const ContactOptions&
   return {{middle, normal, std::max(margin - nearest.distance, 0.0), nearest.edge_a, nearest.edge_b}};
 }
 
-std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, const ContactOptions& options) {
+std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& options) {
   if (cornersOf(pair.a) == nullptr || cornersOf(pair.b) == nullptr) return partContacts(pair, nullptr, options);
-  const SeparatingAxes axes(pair, cache != nullptr ? &cache->contact : nullptr);
+  const SeparatingAxes axes(pair);
   if (axes.verdict() == SeparatingAxes::Apart) return {};
   if (axes.verdict() == SeparatingAxes::Meet)
     if (std::optional<Contact> contact = convexContact(pair, axes)) {
@@ -47,8 +47,7 @@ std::vector<Contact> allContacts(const PosedPair& pair, PairFacts* cache, const 
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      PairFacts* cache, const ContactOptions& options) {
   if (gapOfDiscs(Placement(a, pose_a, b, pose_b), options.margin) >= 0) return {};
-  // Pairs whose axes are kept overlapped the last time.
-  CollisionFact* facts = cache != nullptr && cache->contact.first_id == 0 ? &cache->collision : nullptr;
+  CollisionFact* facts = cache != nullptr ? &cache->collision : nullptr;
   Recollection known{};
   if (facts != nullptr && facts->back_off.isOn()) {
     countDown(*facts, a, pose_a, b, pose_b);
@@ -58,7 +57,7 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   }
   if (known.certain && !known.collides) return {};
   const PosedPair pair(a, pose_a, b, pose_b);
-  std::vector<Contact> result = allContacts(pair, cache, options);
+  std::vector<Contact> result = allContacts(pair, options);
   if (result.empty()) result = contactsBeside(pair, options);
   if (facts != nullptr && result.empty()) renewFact(a, pose_a, b, pose_b, *facts, known, {options.margin, 0});
   if (result.size() > 1)

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "contact/coincident_vertices.h"
 #include "contact/inner_crossings.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
@@ -30,8 +29,9 @@ std::vector<Crossing> crossingsInWorld(const PosedPair& pair, const CrossingOpti
                       static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)), frame.toWorld(point)});
   };
   std::optional<InnerCrossings> inner;
-  if (is_open && margin == 0) inner.emplace(pair);
-  for (const EdgeCrossing& crossing : findCrossings(pair, frame, Coincident::All))
+  const std::vector<EdgeCrossing> found = findCrossings(pair, frame);
+  if (is_open && margin == 0) inner.emplace(pair, found);
+  for (const EdgeCrossing& crossing : found)
     if (!inner || inner->has(crossing.edge_a, crossing.edge_b)) add(crossing.edge_a, crossing.edge_b, crossing.point);
   if (margin == 0) return result;
   const double reach = pair.reach(margin);
@@ -86,32 +86,17 @@ NearestPlaces nearestPlaces(const WorldFrame::Ends& edge_a, const WorldFrame::En
   return nearest;
 }
 
-std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Coincident coincident) {
+std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame) {
   std::vector<EdgeCrossing> result;
   result.reserve(8);
-  const std::size_t many = 4 * (pair.a.path.size() + pair.b.path.size());
-  std::optional<CoincidentVertices> known;
-  std::pair<std::ptrdiff_t, std::ptrdiff_t> largest(-1, -1);
-  const auto visit = [&](double, std::size_t i, std::size_t j) {
-    if (known && known->isKnown(i, j)) return 0.0;
+  forEachPair(pair, 0, [&](double, std::size_t i, std::size_t j) {
     if (edgesMeet(pair, i, j)) {
       const WorldFrame::Ends edge_a = frame.edgeEndsOfA(i), edge_b = frame.edgeEndsOfB(j);
       const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());
       result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
     }
-    if (coincident == Coincident::All || known || result.size() <= many) return 0.0;
-    // So many that edges may end in one point.
-    known.emplace(pair);
-    largest = known->largest(result);
-    return largest.first < 0 ? 0.0 : -1.0;
-  };
-  forEachPair(pair, 0, visit);
-  const auto [u, v] = largest;
-  if (u < 0) return result;
-  // Once more, without most pairs of those.
-  result.clear();
-  forEachPair(pair, 0, visit,
-              IncidentEdgeBoxes(pair, frame, static_cast<std::size_t>(u), static_cast<std::size_t>(v), *known).pairs());
+    return 0.0;
+  });
   return result;
 }
 

@@ -23,11 +23,6 @@ struct EdgeCrossing {
   int direction;  ///< see crossingDirection()
 };
 
-/// Ends of the two edges of a crossing, [0: a, 1: b][0: start, 1: end].
-struct EdgeEnds {
-  bool of[2][2] = {};
-};
-
 /// Where `edge` is no farther than `error` from `other`, which it meets, but for rounding.
 Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, double error);
 
@@ -37,8 +32,7 @@ struct NearestPlaces {
 };
 NearestPlaces nearestPlaces(const WorldFrame::Ends& edge_a, const WorldFrame::Ends& edge_b);
 
-/// All that share a point, exactly; or without those that are known by others, where many edges end in one point.
-enum class Coincident { All, Thinned };
-std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame, Coincident coincident);
+/// All pairs of edges that share a point, exactly.
+std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame);
 
 }  // namespace tricover::detail

@@ -3,11 +3,24 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
-#include "contact/part_hull.h"
+#include "contact/boundary_point.h"
+#include "numbers/convex_hull.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
+
+/// The corners of a convex hull, counter-clockwise from the leftmost one. A segment has two, a point one. Signs are
+/// rounded.
+using Hull = std::vector<BoundaryPoint>;
+
+inline Hull hullOf(std::vector<BoundaryPoint> points) {
+  return convexHull(
+      std::move(points), [](const BoundaryPoint& p) -> const Vec2& { return p.at; },
+      [](const Vec2& p, const Vec2& q, const Vec2& r) { return cross(q - p, r - q) > 0; });
+}
 
 /// Calls visit(from, to, normal, depth, deepest) for every face of the hull that is wanted, by isWanted(from, to):
 /// `body` reaches `depth` behind it, with `deepest`, which goes round the body as the face goes round the hull.

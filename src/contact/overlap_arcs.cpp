@@ -40,32 +40,26 @@ void OverlapArcs::join(bool with_own_crossings) {
 }
 
 std::size_t OverlapArcs::addNode(bool present) {
-  nodes_.push_back({present, false, false, kNone, {}});
+  nodes_.push_back({present, false, false, kNone});
   return sets_.add();
 }
 
 void OverlapArcs::addOwnCrossings(int side) {
-  const std::ptrdiff_t star = addRepeatedVertices(side);
-  forEachOwnCrossing(sides_[side].polygon, star, [&](std::size_t e, std::size_t f) {
+  addRepeatedVertices(side);
+  forEachOwnCrossing(sides_[side].polygon, [&](std::size_t e, std::size_t f) {
     addOwnCrossing(side, e, f);
     return true;
   });
 }
 
 /// A node for each point that several vertices are at: however many edges end there, it takes no pairs of them.
-/// One of the vertices where many are, or -1.
-std::ptrdiff_t OverlapArcs::addRepeatedVertices(int side) {
-  constexpr std::size_t kMany = 32;
-  std::ptrdiff_t star = -1;
-  std::size_t most = kMany;
+void OverlapArcs::addRepeatedVertices(int side) {
   Side& own = sides_[side];
   const Path& path = own.polygon.path;
   const std::vector<std::uint32_t> order = verticesByPlace(own.polygon);
   for (std::size_t k = 0, next = 0; k < order.size(); k = next) {
     while (next < order.size() && path[order[next]] == path[order[k]]) ++next;
     if (next - k < 2) continue;
-    if (next - k > most) star = static_cast<std::ptrdiff_t>(order[k]);
-    most = std::max(most, next - k);
     const std::size_t node = addNode(false);
     for (std::size_t i = k; i < next; ++i) {
       own.rings[own.polygon.ringOf(order[i])].meets_own = true;
@@ -73,7 +67,6 @@ std::ptrdiff_t OverlapArcs::addRepeatedVertices(int side) {
       own.stops.push_back({edgeBefore(own.polygon, order[i]), {1, 1}, node, {true, 0}, false});
     }
   }
-  return star;
 }
 
 /// Two nodes, where they cover each other: what is between needn't be in the overlap.
@@ -175,7 +168,6 @@ bool OverlapArcs::joinedRoundVertices(int side, const Stop& stop, const Stop& ne
   }
   if (!sides_[1 - side].isInside(winding.number)) return false;
   nodes_[stop.node].is_inner = nodes_[stop.node].is_present = true;
-  nodes_[stop.node].ends_within.of[side][1] = nodes_[next.node].ends_within.of[side][0] = true;
   arcs_.push_back({side, v, next.edge, stop.node});
   return true;
 }

@@ -8,7 +8,6 @@
 
 #include "contact/boundary_point.h"
 #include "contact/boundary_ray.h"
-#include "contact/coincident_vertices.h"
 #include "contact/crossings.h"
 #include "hierarchy/inclusion.h"
 #include "numbers/union_find.h"
@@ -117,7 +116,6 @@ class OverlapArcs {
     bool is_inner;    ///< the overlap has an inside there
     bool is_counted;  ///< of a set that is in the overlap, by its own node
     std::size_t component = kNone;
-    EdgeEnds ends_within;  ///< of a crossing: known to be in the overlap's part
   };
   UnionFind sets_;  ///< of nodes
   std::pmr::vector<Node> nodes_{&memory_};
@@ -127,7 +125,7 @@ class OverlapArcs {
   Inclusion includeVertex(int side, std::size_t v) const;
   std::size_t addNode(bool present);
   void addOwnCrossings(int side);
-  std::ptrdiff_t addRepeatedVertices(int side);
+  void addRepeatedVertices(int side);
   void addOwnCrossing(int side, std::size_t e, std::size_t f);
   void joinAlongRings(int side);
   void joinWhole(int side, std::size_t r);

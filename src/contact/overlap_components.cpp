@@ -16,7 +16,7 @@ class Grouping : OverlapArcs {
   Grouping(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
       : OverlapArcs(pair, frame, crossings) {}
 
-  Overlap components(ContactDetail detail) {
+  std::vector<OverlapComponent> components(ContactDetail detail) {
     join(false);
     std::size_t count = countSets();
     // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
@@ -128,26 +128,19 @@ class Grouping : OverlapArcs {
   }
 
   /// For points alone, without the points of components that have crossings.
-  Overlap collect(bool wants_all) {
-    Overlap overlap;
-    overlap.components.resize(numberComponents());
-    const auto of = [&](std::size_t node) -> OverlapComponent& { return overlap.components[nodes_[node].component]; };
-    for (std::size_t k = 0; k < crossings_.size(); ++k) of(k).crossings.count(1);
-    const auto isWanted = [&](const Arc& arc) { return wants_all || of(arc.node).crossings.empty(); };
-    if (wants_all)
-      for (OverlapComponent& component : overlap.components) component.points.count(component.crossings.size());
-    for (const Arc& arc : arcs_)
-      if (isWanted(arc)) of(arc.node).points.count(lengthOf(arc));
-    makeRoom(overlap);
+  std::vector<OverlapComponent> collect(bool wants_all) {
+    std::vector<OverlapComponent> components(numberComponents());
     for (std::size_t k = 0; k < crossings_.size(); ++k) {
-      OverlapComponent& component = of(k);
-      if (wants_all) component.points.push(crossingPoint(k));
-      component.crossings.push({k, nodes_[k].ends_within});
+      OverlapComponent& component = components[nodes_[k].component];
+      if (wants_all) component.points.push_back(crossingPoint(k));
+      component.crossings.push_back(k);
     }
-    for (const Arc& arc : arcs_)
-      if (isWanted(arc)) addVertices(arc, of(arc.node).points);
-    if (wants_all) lookInside(overlap.components);
-    return overlap;
+    for (const Arc& arc : arcs_) {
+      OverlapComponent& component = components[nodes_[arc.node].component];
+      if (wants_all || component.crossings.empty()) addVertices(arc, component.points);
+    }
+    if (wants_all) lookInside(components);
+    return components;
   }
 
   /// How many there are; their nodes know theirs.
@@ -164,38 +157,13 @@ class Grouping : OverlapArcs {
     return count;
   }
 
-  /// Of no more than so many vertices, where some are repeated.
-  std::size_t lengthOf(const Arc& arc) const {
-    if (arc.to >= arc.from) return arc.to - arc.from + 1;
-    const PolygonData& polygon = sides_[arc.side].polygon;
-    const std::size_t ring = polygon.ringOf(arc.from);
-    return arc.to + 1 + (polygon.edgeEnd(ring) - polygon.edgeBegin(ring)) - arc.from;
-  }
-
-  /// For as many as are counted.
-  static void makeRoom(Overlap& overlap) {
-    std::size_t points = 0, crossings = 0;
-    for (OverlapComponent& component : overlap.components) {
-      points += component.points.size();
-      crossings += component.crossings.size();
-    }
-    overlap.points.reset(new BoundaryPoint[points]);
-    overlap.crossings.reset(new PartCrossing[crossings]);
-    BoundaryPoint* point = overlap.points.get();
-    PartCrossing* crossing = overlap.crossings.get();
-    for (OverlapComponent& component : overlap.components) {
-      point = component.points.place(point);
-      crossing = component.crossings.place(crossing);
-    }
-  }
-
   BoundaryPoint crossingPoint(std::size_t k) const {
     const EdgeCrossing& c = crossings_[k];
     const auto i = static_cast<std::int32_t>(c.edge_a), j = static_cast<std::int32_t>(c.edge_b);
     return {c.point, i, i, j, j};
   }
 
-  void addVertices(const Arc& arc, Slice<BoundaryPoint>& points) const {
+  void addVertices(const Arc& arc, std::vector<BoundaryPoint>& points) const {
     const bool of_a = arc.side == 0;
     const PolygonData& polygon = sides_[arc.side].polygon;
     const Vec2* const path = &polygon.path[0];
@@ -203,7 +171,7 @@ class Grouping : OverlapArcs {
     forEachVertex(arc, [&](std::size_t v) {
       const Vec2 at = of_a ? frame_.fromA(path[v]) : frame_.fromB(path[v]);
       const auto edge = static_cast<std::int32_t>(v);
-      points.push(before < 0 ? vertexPoint(polygon, arc.side, v, at)
+      points.push_back(before < 0 ? vertexPoint(polygon, arc.side, v, at)
                   : of_a     ? BoundaryPoint{at, edge, before, -1, -1}
                              : BoundaryPoint{at, -1, -1, edge, before});
       before = edge;
@@ -237,8 +205,8 @@ class Grouping : OverlapArcs {
 
 }  // namespace
 
-Overlap findComponents(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
-                       ContactDetail detail) {
+std::vector<OverlapComponent> findComponents(const PosedPair& pair, const WorldFrame& frame,
+                                             const std::vector<EdgeCrossing>& crossings, ContactDetail detail) {
   return Grouping(pair, frame, crossings).components(detail);
 }
 

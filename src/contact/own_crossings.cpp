@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "numbers/convex_hull.h"
+
 namespace tricover::detail {
 namespace {
 
@@ -17,16 +19,19 @@ bool findTangle(const PolygonData& polygon) {
   const std::vector<std::uint32_t> order = verticesByPlace(polygon);
   const auto areEqual = [&](std::uint32_t v, std::uint32_t w) { return polygon.path[v] == polygon.path[w]; };
   bool found = std::adjacent_find(order.begin(), order.end(), areEqual) != order.end();
-  if (!found) forEachOwnCrossing(polygon, -1, [&](std::size_t, std::size_t) { return !(found = true); });
+  if (!found) forEachOwnCrossing(polygon, [&](std::size_t, std::size_t) { return !(found = true); });
   return found;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> verticesByPlace(const PolygonData& polygon) {
-  std::vector<std::uint32_t> order = sortedByPlace(polygon.path);
-  const auto closes = [&](std::uint32_t v) { return v == polygon.edgeEnd(polygon.ringOf(v)); };
-  order.erase(std::remove_if(order.begin(), order.end(), closes), order.end());
+  std::vector<std::uint32_t> order;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t v = polygon.edgeBegin(r); v < polygon.edgeEnd(r); ++v)
+      order.push_back(static_cast<std::uint32_t>(v));
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t v, std::uint32_t w) { return isBefore(polygon.path[v], polygon.path[w]); });
   return order;
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "contact/boundary_point.h"
-#include "contact/coincident_vertices.h"
 #include "numbers/predicates.h"
 #include "pair/edge_pairs.h"
 
@@ -27,21 +26,16 @@ inline bool meetAtVertex(const Path& path, std::size_t e, std::size_t f) {
   return false;
 }
 
-/// Calls visit(e, f), e < f, for a polygon's edges that meet in more than an end; of those that end in the vertex
-/// `star`, unless it is -1, not for all. visit returns whether to go on.
+/// Calls visit(e, f), e < f, for a polygon's edges that meet in more than an end. visit returns whether to go on.
 template <typename Visit>
-void forEachOwnCrossing(const PolygonData& polygon, std::ptrdiff_t star, Visit visit) {
+void forEachOwnCrossing(const PolygonData& polygon, Visit visit) {
   const Pose still = Pose::Identity();
   const PosedPair itself(polygon, still, polygon, still);
-  const auto show = [&](double, std::size_t e, std::size_t f) {
+  forEachPair(itself, 0, [&](double, std::size_t e, std::size_t f) {
     const bool meets = e < f && edgeAfter(polygon, e) != f && edgeAfter(polygon, f) != e &&
                        !meetAtVertex(polygon.path, e, f) && edgesMeet(itself, e, f);
     return meets && !visit(e, f) ? -1.0 : 0.0;
-  };
-  if (star < 0)
-    forEachPair(itself, 0, show);
-  else
-    forEachPair(itself, 0, show, IncidentEdgeBoxes(polygon, static_cast<std::size_t>(star)).pairs());
+  });
 }
 
 }  // namespace tricover::detail

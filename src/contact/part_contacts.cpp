@@ -27,14 +27,14 @@ class ContactFinder {
         detail_(options.detail),
         frame_(pair),
         leaves_touches_(options.touching == Touching::Allowed && options.margin == 0),
-        crossings_(findCrossings(pair, frame_, leaves_touches_ ? Coincident::All : Coincident::Thinned)),
+        crossings_(findCrossings(pair, frame_)),
         exits_(pair, frame_, crossings_) {}
 
   /// In the pair's order.
   std::vector<Contact> contacts() {
     const bool wants_all = axes_ != nullptr || leaves_touches_;
-    Overlap overlap = findComponents(pair_, frame_, crossings_, wants_all ? ContactDetail::WayOut : detail_);
-    std::vector<OverlapComponent>& components = overlap.components;
+    std::vector<OverlapComponent> components =
+        findComponents(pair_, frame_, crossings_, wants_all ? ContactDetail::WayOut : detail_);
     if (leaves_touches_) leaveTouches(components);
     std::vector<Contact> result;
     result.reserve(components.size());
@@ -104,26 +104,22 @@ class ContactFinder {
 /// found.
 constexpr std::size_t kMostWork = std::size_t{1} << 22, kLeastTranslations = std::size_t{1} << 10;
 
-/// Leaves out the parts that have no interior.
+/// Leaves out the components that have no interior.
 void ContactFinder::leaveTouches(std::vector<OverlapComponent>& components) const {
-  InnerCrossings inner(pair_);
-  const auto isBeside = [&](EdgeSides::Operand operand, std::int32_t edge) {
-    return edge >= 0 && inner.has(operand, static_cast<std::size_t>(edge));
-  };
+  InnerCrossings inner(pair_, crossings_);
   const auto isTouch = [&](const OverlapComponent& component) {
-    for (const auto& [k, ends] : component.crossings)
+    for (const std::size_t k : component.crossings)
       if (inner.has(crossings_[k].edge_a, crossings_[k].edge_b)) return false;
-    // One region within the other, or led to its inside by edges that have none.
-    for (const BoundaryPoint& p : component.points)
-      if ((p.b < 0 && isBeside(EdgeSides::A, p.a)) || (p.a < 0 && isBeside(EdgeSides::B, p.b))) return false;
-    return true;
+    // One region within the other, or led to its interior by edges that have none.
+    return std::none_of(component.points.begin(), component.points.end(),
+                        [&](const BoundaryPoint& p) { return inner.hasBeside(p); });
   };
   components.erase(std::remove_if(components.begin(), components.end(), isTouch), components.end());
 }
 
 /// Where the only part of the overlap is a touch.
 Exit ContactFinder::exitOfTouch(const Exit& exit) const {
-  if (exit.separates || partsFreely(exit)) return exit;
+  if (partsFreely(exit)) return exit;
   Exit result = freed(exit);
   if (parts(result)) return result;
   // They are wedged, or a thin corner reaches through by more than coordinates are off by.
@@ -188,8 +184,8 @@ Exit ContactFinder::freed(const Exit& exit) const {
 
 /// Of its crossings the one of the first edges, or else its first vertex.
 Contact ContactFinder::anyPointOf(const OverlapComponent& component) const {
-  const auto isFirst = [&](const PartCrossing& p, const PartCrossing& q) {
-    const EdgeCrossing &c = crossings_[p.index], &d = crossings_[q.index];
+  const auto isFirst = [&](std::size_t k, std::size_t l) {
+    const EdgeCrossing &c = crossings_[k], &d = crossings_[l];
     return c.edge_a != d.edge_a ? c.edge_a < d.edge_a : c.edge_b < d.edge_b;
   };
   const auto first = std::min_element(component.crossings.begin(), component.crossings.end(), isFirst);
@@ -197,7 +193,7 @@ Contact ContactFinder::anyPointOf(const OverlapComponent& component) const {
     const BoundaryPoint& vertex = component.points.front();
     return contactAt(vertex.at, Vec2::Zero(), 0, vertex.a, vertex.b);
   }
-  const EdgeCrossing& c = crossings_[first->index];
+  const EdgeCrossing& c = crossings_[*first];
   return contactAt(c.point, Vec2::Zero(), 0, static_cast<std::ptrdiff_t>(c.edge_a),
                    static_cast<std::ptrdiff_t>(c.edge_b));
 }
@@ -214,8 +210,8 @@ Vec2 ContactFinder::pointOf(const OverlapComponent& component, const Hull& hull,
 
 /// The middle, if it is on a common stretch of two edges; otherwise that of the longest one.
 Vec2 ContactFinder::pointOfTouch(const OverlapComponent& component, const Vec2& middle) const {
-  for (const PartCrossing& crossing : component.crossings) {
-    const EdgeCrossing& c = crossings_[crossing.index];
+  for (const std::size_t k : component.crossings) {
+    const EdgeCrossing& c = crossings_[k];
     const Vec2 from = frame_.edgeOfA(c.edge_a, c.on_a.low), to = frame_.edgeOfA(c.edge_a, c.on_a.high);
     if ((nearestOnSegment(middle, from, to) - middle).norm() <= 4 * frame_.error()) return middle;
   }
@@ -225,8 +221,7 @@ Vec2 ContactFinder::pointOfTouch(const OverlapComponent& component, const Vec2& 
 Contact ContactFinder::contactAt(const Vec2& point, const Vec2& normal, double depth, std::ptrdiff_t edge_a,
                                  std::ptrdiff_t edge_b) const {
   const auto number = [](const PolygonData& polygon, std::ptrdiff_t position) {
-    return position < 0 ? position
-                        : static_cast<std::ptrdiff_t>(polygon.edgeNumber(static_cast<std::size_t>(position)));
+    return position < 0 ? position : polygon.edgeName(static_cast<std::size_t>(position));
   };
   return {frame_.toWorld(point), normal, depth * frame_.unit(), number(pair_.a, edge_a), number(pair_.b, edge_b)};
 }

@@ -15,12 +15,7 @@
 namespace tricover::detail {
 namespace {
 
-/// Whether both points are on one edge of a polygon. Without branches: which faces are edges can't be predicted.
-bool haveCommon(std::int32_t p, std::int32_t p_before, std::int32_t q, std::int32_t q_before) {
-  return ((p >= 0) & ((p == q) | (p == q_before))) | ((p_before >= 0) & ((p_before == q) | (p_before == q_before)));
-}
-
-/// That edge; -1 if there is none.
+/// The edge of a polygon that two points are on; -1 if there is none.
 std::ptrdiff_t common(std::ptrdiff_t p, std::ptrdiff_t p_before, std::ptrdiff_t q, std::ptrdiff_t q_before) {
   if (p >= 0 && (p == q || p == q_before)) return p;
   if (p_before >= 0 && (p_before == q || p_before == q_before)) return p_before;
@@ -90,25 +85,15 @@ Exit PartExits::exitOfConvex(const OverlapComponent& component, const Separating
   return exit;
 }
 
-/// Of the part and the edges of one side that cross there.
-void PartExits::growPart(const OverlapComponent& component, bool of_a) {
-  const PolygonData& polygon = of_a ? pair_.a : pair_.b;
-  const auto edgeAt = [&](std::size_t k) {
-    const EdgeCrossing& c = crossings_[component.crossings[k].index];
-    return of_a ? c.edge_a : c.edge_b;
-  };
-  const auto add = [&](std::size_t v) { part_.add(of_a ? vertexOfA(v) : vertexOfB(v)); };
-  for (std::size_t k = 0; k < component.crossings.size(); ++k) {
-    const std::size_t edge = edgeAt(k);
-    // As a rule it has crossed another edge just before; once more does no harm.
-    bool is_known = false;
-    for (std::size_t before = k; before > 0 && before + 3 > k && !is_known;) is_known = edgeAt(--before) == edge;
-    if (is_known) continue;
-    const auto& is_within = component.crossings[k].ends.of[of_a ? 0 : 1];
-    if (!is_within[0]) add(edge);
-    if (!is_within[1]) add(edgeAfter(polygon, edge));
+/// The hull of the part and of the edges of one side that cross there.
+Hull PartExits::grownPart(const OverlapComponent& component, bool of_a) const {
+  Hull points = part_;
+  for (const std::size_t k : component.crossings) {
+    const std::size_t edge = of_a ? crossings_[k].edge_a : crossings_[k].edge_b;
+    for (const std::size_t v : {edge, edgeAfter(of_a ? pair_.a : pair_.b, edge)})
+      points.push_back(of_a ? vertexOfA(v) : vertexOfB(v));
   }
-  part_.grow(of_a ? 0 : 1);
+  return detail::hullOf(std::move(points));
 }
 
 /// Of the faces that are edges, or of the others.
@@ -119,14 +104,14 @@ PartExits::Found PartExits::leastFace(bool is_edge) const {
     if (isBetter(exit, best.exit)) best = {exit, &from, &to, &deepest};
   };
   forEachFace(
-      part_.grown(0), part_.grown(1),
-      [&](auto& from, auto& to) { return haveCommon(from.a, from.a_before, to.a, to.a_before) == is_edge; },
+      grown_[0], grown_[1],
+      [&](auto& from, auto& to) { return (commonOfA(from, to) >= 0) == is_edge; },
       [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
         offer({normal, depth, -1, -1, true}, from, to, deepest);
       });
   forEachFace(
-      part_.grown(1), part_.grown(0),
-      [&](auto& from, auto& to) { return haveCommon(from.b, from.b_before, to.b, to.b_before) == is_edge; },
+      grown_[1], grown_[0],
+      [&](auto& from, auto& to) { return (commonOfB(from, to) >= 0) == is_edge; },
       [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
         offer({-normal, depth, -1, -1, false}, from, to, deepest);
       });
@@ -136,8 +121,8 @@ PartExits::Found PartExits::leastFace(bool is_edge) const {
 /// As if this part of the overlap and the edges around it were all there is: by the faces of their hulls that are
 /// edges, or by any faces if none is.
 Exit PartExits::byFaces(const OverlapComponent& component) {
-  growPart(component, true);
-  growPart(component, false);
+  grown_[0] = grownPart(component, true);
+  grown_[1] = grownPart(component, false);
   Found found = leastFace(true);
   if (!(found.exit.depth < std::numeric_limits<double>::infinity())) found = leastFace(false);
   Exit& exit = found.exit;
@@ -167,10 +152,8 @@ void PartExits::completeEdges(const OverlapComponent& component, Exit& exit) con
 
 Exit PartExits::ofTouch(const OverlapComponent& component) const {
   const EdgeCrossing& main = crossings_[longestStretch(frame_, crossings_, component)];
-  const TouchNormal touch = touchNormal(frame_, crossings_, component, main, towards_b_);
-  Exit exit{touch.normal, 0, static_cast<std::ptrdiff_t>(main.edge_a), static_cast<std::ptrdiff_t>(main.edge_b), true};
-  exit.separates = touch.separates;
-  return exit;
+  return {touchNormal(frame_, crossings_, component, main, towards_b_), 0, static_cast<std::ptrdiff_t>(main.edge_a),
+          static_cast<std::ptrdiff_t>(main.edge_b), true};
 }
 
 /// The rings that a containment is made of, as a polygon of their own.

@@ -16,8 +16,7 @@ struct Exit {
   Vec2 normal = Vec2::UnitX();
   double depth = std::numeric_limits<double>::infinity();
   std::ptrdiff_t edge_a = -1, edge_b = -1;
-  bool from_a = true;      ///< a's face, and a point of b is the deepest behind it; or the other way round
-  bool separates = false;  ///< see TouchNormal
+  bool from_a = true;  ///< a's face, and a point of b is the deepest behind it; or the other way round
 };
 
 /// Of a containment it is a vertex of what is inside.
@@ -30,13 +29,11 @@ class PartExits {
       : pair_(pair),
         frame_(frame),
         crossings_(crossings),
-        towards_b_(-frame.originOfA()),
-        part_(2 * frame.error() * frame.size()) {}
+        towards_b_(-frame.originOfA()) {}
 
   /// Until the next call.
   const Hull& hullOf(const OverlapComponent& component) {
-    part_.make(component.points, 2 * component.crossings.size());
-    return part_.corners();
+    return part_ = detail::hullOf(component.points);
   }
   /// Of the component whose hull was asked for last.
   Exit exitOf(const OverlapComponent& component);
@@ -52,7 +49,7 @@ class PartExits {
   std::ptrdiff_t flatterOfB(const BoundaryPoint& p, const Vec2& normal) const;
   BoundaryPoint vertexOfA(std::size_t v) const { return vertexPoint(pair_.a, 0, v, frame_.fromA(pair_.a.path[v])); }
   BoundaryPoint vertexOfB(std::size_t v) const { return vertexPoint(pair_.b, 1, v, frame_.fromB(pair_.b.path[v])); }
-  void growPart(const OverlapComponent& component, bool of_a);
+  Hull grownPart(const OverlapComponent& component, bool of_a) const;
   struct Found {
     Exit exit;
     const BoundaryPoint *from = nullptr, *to = nullptr, *deepest = nullptr;  ///< the face, and what is behind it
@@ -68,7 +65,7 @@ class PartExits {
   const WorldFrame& frame_;
   const std::vector<EdgeCrossing>& crossings_;
   Vec2 towards_b_;
-  PartHull part_;
+  Hull part_, grown_[2];
 };
 
 }  // namespace tricover::detail

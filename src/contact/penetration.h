@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "polygon/cached_facts.h"
 #include "polygon/polygon_data.h"
 #include "tricover/penetration.h"
 

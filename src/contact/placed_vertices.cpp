@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/placed_vertices.h"
 
-#include "contact/coincident_vertices.h"
+#include "contact/boundary_point.h"
 #include "contact/translation_space.h"
 
 namespace tricover::detail {

@@ -6,8 +6,6 @@
 
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
-#include "pair/facts.h"
-#include "polygon/fact_balance.h"
 
 namespace tricover::detail {
 namespace {
@@ -28,31 +26,7 @@ static_assert(kClimbError >= kUnitRows * (Gram::kMatrixError + errorOf(4) + 2 * 
 //   cross product, determinant, the edge's length, quotient: 13U     2.9
 constexpr double kSumOfDepthErrors = 6.4 + kRoot2 + 0.7 + 2.9;
 
-/// A part of the smaller one's radius: faces that are deeper by less are kept, for steps of a hundredth of that and
-/// more.
-constexpr double kLookahead = 1.0 / 32;
-constexpr double kLeastSteps = 3;
-
-/// Whether depths behind faces of either are the same in a's frame, in b's and in the world.
-bool keepsLengths(const PosedPair& pair) { return pair.defect < 0x1p-46 && pair.scale_defect < 0x1p-46; }
-
-/// Whether facts about this pair, which overlapped the last time, are left alone.
-bool isResting(const ContactFacts& facts, const PosedPair& pair) {
-  return facts.balance.resting > 0 && facts.first_id == pair.a.id && facts.second_id == pair.b.id;
-}
-
 bool isLessDeep(const FaceDepth& f, const FaceDepth& g) { return f.depth < g.depth; }
-
-/// At most how far a point of either has moved against the other since. In a's frame the point q of b's frame has moved
-/// by d(q), where d is the difference of both maps. A point of a, at q then, has moved by as much in b's frame, but for
-/// what that frame is off by; and q is no farther from b's S than both radii and a's once more, because they overlap.
-double motionSince(const ContactFacts& facts, const PosedPair& pair) {
-  Change change(pair.b, load2(&pair.m00) - load2(facts.second_in_first),
-                load2(&pair.m01) - load2(facts.second_in_first + 2),
-                load2(&pair.tx) - load2(facts.second_in_first + 4));
-  change.radius += pair.b.radius + 3 * pair.a.radius;
-  return change.displacement() * (1 + 1e-12) + 2 * (pair.error + facts.error);
-}
 
 }  // namespace
 
@@ -69,7 +43,7 @@ Vec2 AxisSide::normalOf(std::uint32_t edge) const {
   return (mirrors ? Vec2(-way.y(), way.x()) : Vec2(way.y(), -way.x())).normalized();
 }
 
-SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
+SeparatingAxes::SeparatingAxes(const PosedPair& pair)
     : swapped_(pair.b, pair.pose_b, pair.a, pair.pose_a),
       a_(pair, convexOutlineOf(pair.a)),
       b_(swapped_, convexOutlineOf(pair.b)),
@@ -77,80 +51,11 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair, ContactFacts* facts)
       within_(tie() + 3 * kDepthError * error_) {
   static_assert(kDepthError >= kUnitRows * kSumOfDepthErrors);
   if (!(error_ / kMappingError < 0x1p200)) return;  // areas or their squares may overflow
-  if (facts != nullptr && !keepsLengths(pair)) facts = nullptr;
-  const bool are_resting = facts != nullptr && isResting(*facts, pair);
-  // Those of a pair that overlapped the last time.
-  if (facts != nullptr && !are_resting && facts->first_id != 0) {
-    const bool known = facts->first_id == pair.a.id && facts->second_id == pair.b.id;
-    const double motion = known ? motionSince(*facts, pair) : std::numeric_limits<double>::infinity();
-    if (facts->count > 0 && motion < facts->deeper) {
-      verdict_ = findLeastKept(*facts);
-      if (verdict_ == Meet && facts->deeper - motion > least_depth_ + within_ + 64 * error_) {
-        isWorthIt(facts->balance, kQuery / 2);
-        removeDeep();
-        return;
-      }
-      least_depth_ = least_left_out_ = std::numeric_limits<double>::infinity();
-      count_ = 0;
-    }
-    facts->count = 0;
-    facts->first_id = 0;
-    // It pays if it lasts for some more steps like the last one; after a jump another may follow.
-    if (kLeastSteps * motion < kLookahead * pair.b.radius)
-      lookahead_ = kLookahead * pair.b.radius;
-    else if (known)
-      isWorthIt(facts->balance, -1);
-  }
-  verdict_ = findLeast();
-  if (are_resting && verdict_ != Meet) facts->first_id = 0;
+  verdict_ = lookBehindAll(edgeTowardsOther(a_));
   if (verdict_ != Meet) return;
-  // Of queries that do without them the last one sees where the pair is.
-  if (facts != nullptr && (!are_resting || --facts->balance.resting == 0)) keep(*facts, pair);
-  removeDeep();
-}
-
-SeparatingAxes::Verdict SeparatingAxes::findLeast() {
-  ConvexFaces faces;
-  const Verdict verdict = findNear(faces) ? lookBehind(faces) : lookBehindAll(edgeTowardsOther(a_));
   // Too many may be as deep as the least but for rounding.
-  return verdict == Meet && least_left_out_ < least_depth_ + within_ ? Unsure : verdict;
-}
-
-/// Of few faces those that floats don't prove to be too deep; false if there are more, or those of a hull.
-///
-/// A depth d in a's units is D in the world, where |D - u d| <= u |d| s, u is the unit and s = scale_defect; |d| is at
-/// most 6. So the D of faces whose d differ by w / u + 16 s differ by at least
-///   u (w / u + 16 s) (1 - s) - 12 u s
-/// which is above w if w / u + 16 s < 1.
-bool SeparatingAxes::findNear(ConvexFaces& faces) const {
-  if (std::max(a_.ring.size(), b_.ring.size()) > SmallPolygon::kMost) return false;
-  const PolygonData *corners_a = cornersOf(a_.seen.a), *corners_b = cornersOf(a_.seen.b);
-  if (corners_a == nullptr || corners_b == nullptr) return false;
-  const PosedPair& pair = a_.seen;
-  const UnitPlacement at = unitsOf(pair);
-  const double wanted = within_ + lookahead_ + 2 * kDepthError * error_,
-               more = wanted * at.inverse_unit + 16 * at.scale_defect;
-  if (!(more < 1 && at.map.error < 1 && std::abs(at.map.tx) + std::abs(at.map.ty) < 4)) return false;
-  const SmallPolygon *a = topOf(*corners_a).small.get(), *b = topOf(*corners_b).small.get();
-  if (a == nullptr || b == nullptr) return false;
-  faces = convexFaces(*a, *b, at.map, at.rounding, more);
-  return true;
-}
-
-SeparatingAxes::Verdict SeparatingAxes::lookBehind(const ConvexFaces& faces) {
-  const AxisSide &own = side(faces.of_a), &other = side(!faces.of_a);
-  const std::uint32_t edge = own.outline.edgeOf(static_cast<std::uint32_t>(faces.edge)),
-                      vertex = other.outline.cornerOf(static_cast<std::uint32_t>(faces.vertex));
-  Verdict verdict = faces.near != 0 ? Meet : Apart;
-  for (unsigned left = faces.near; left != 0 && verdict == Meet; left &= left - 1) {
-    const auto number = static_cast<std::uint32_t>(__builtin_ctz(left));
-    const bool of_a = number < SmallPolygon::kMost;
-    FaceDepth face;
-    Vec2 deepest;
-    verdict = lookBehind(of_a, side(of_a).outline.edgeOf(number % SmallPolygon::kMost),
-                         of_a == faces.of_a ? vertex : edge, face, deepest);
-  }
-  return verdict;
+  if (least_left_out_ < least_depth_ + within_) verdict_ = Unsure;
+  removeDeep();
 }
 
 /// The first face to be asked is one that looks at the other polygon: what the least depth isn't above is soon known.
@@ -169,17 +74,6 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehindAll(std::uint32_t first_of_a) 
     }
     first = best.deepest;
     at = best.edge;
-  }
-  return Meet;
-}
-
-/// Of the faces in the facts, which were the least.
-SeparatingAxes::Verdict SeparatingAxes::findLeastKept(const ContactFacts& facts) {
-  for (int f = 0; f < facts.count; ++f) {
-    FaceDepth face;
-    Vec2 deepest;
-    const Verdict verdict = lookBehind(facts.of_first[f], facts.face[f], facts.behind[f], face, deepest);
-    if (verdict != Meet) return verdict;
   }
   return Meet;
 }
@@ -240,7 +134,7 @@ void SeparatingAxes::skipDeep(const AxisSide& side, const Vec2& p, std::uint32_t
 }
 
 /// Deeper faces are of no interest.
-double SeparatingAxes::limit() const { return std::min(least_depth_ + within_ + lookahead_, least_left_out_); }
+double SeparatingAxes::limit() const { return std::min(least_depth_ + within_, least_left_out_); }
 
 void SeparatingAxes::add(const FaceDepth& face) {
   if (face.depth > limit()) return;
@@ -263,28 +157,6 @@ void SeparatingAxes::removeDeep() {
   if (count_ > 1)
     std::sort(begin, kept,
               [](const FaceDepth& f, const FaceDepth& g) { return f.of_a != g.of_a ? f.of_a : f.edge < g.edge; });
-}
-
-/// Where they are, and if it may be of use the least faces, and how deep all others are at least.
-void SeparatingAxes::keep(ContactFacts& facts, const PosedPair& pair) {
-  facts.first_id = pair.a.id;
-  facts.second_id = pair.b.id;
-  std::copy(&pair.m00, &pair.m00 + 6, facts.second_in_first);
-  facts.error = pair.error;
-  if (!(lookahead_ > 0)) return;
-  const auto begin = least_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
-  std::sort(begin, end, isLessDeep);
-  double deeper = limit();
-  for (auto face = begin; face != end; ++face) {
-    if (face->depth > limit() || facts.count == ContactFacts::kMost) {
-      deeper = std::min(deeper, face->depth);
-      break;
-    }
-    facts.of_first[facts.count] = face->of_a;
-    facts.face[facts.count] = face->edge;
-    facts.behind[facts.count++] = face->deepest;
-  }
-  facts.deeper = deeper * (1 - 1e-12) - kDepthError * error_;
 }
 
 }  // namespace tricover::detail

@@ -10,8 +10,6 @@
 #include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
-#include "polygon/cached_facts.h"
-#include "tricover/pair_cache.h"
 
 namespace tricover::detail {
 
@@ -53,8 +51,7 @@ class SeparatingAxes {
  public:
   enum Verdict { Unsure, Apart, Meet };
 
-  /// The facts of these two in `facts`, unless it is null, are used and renewed; what is found is the same.
-  explicit SeparatingAxes(const PosedPair& pair, ContactFacts* facts = nullptr);
+  explicit SeparatingAxes(const PosedPair& pair);
   SeparatingAxes(const SeparatingAxes&) = delete;
   SeparatingAxes& operator=(const SeparatingAxes&) = delete;
 
@@ -73,17 +70,12 @@ class SeparatingAxes {
   double tie() const { return 4 * error_; }
 
  private:
-  Verdict findLeast();
-  bool findNear(ConvexFaces& faces) const;
-  Verdict lookBehind(const ConvexFaces& faces);
   Verdict lookBehindAll(std::uint32_t first_of_a);
-  Verdict findLeastKept(const ContactFacts& facts);
   Verdict lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Vec2& deepest);
   std::uint32_t edgeTowardsOther(const AxisSide& side) const;
   void skipDeep(const AxisSide& side, const Vec2& p, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;
   void add(const FaceDepth& face);
-  void keep(ContactFacts& facts, const PosedPair& pair);
   void removeDeep();
 
   /// What a depth is off by, at most, in units of error().
@@ -92,7 +84,6 @@ class SeparatingAxes {
   const PosedPair swapped_;
   const AxisSide a_, b_;
   const double error_, within_;
-  double lookahead_ = 0;  ///< faces that are deeper by so much are of interest, too
   double least_depth_ = std::numeric_limits<double>::infinity(), least_left_out_ = least_depth_;
   std::array<FaceDepth, 8> least_;
   std::size_t count_ = 0;

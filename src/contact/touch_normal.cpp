@@ -26,8 +26,8 @@ std::vector<Vec2> directionsFrom(const WorldFrame& frame, const std::vector<Edge
                                  const OverlapComponent& component, const EdgeCrossing& main) {
   const double error = frame.error();
   std::vector<std::size_t> edges_a, edges_b;
-  for (const PartCrossing& crossing : component.crossings) {
-    const EdgeCrossing& c = crossings[crossing.index];
+  for (const std::size_t k : component.crossings) {
+    const EdgeCrossing& c = crossings[k];
     if ((c.point - main.point).norm() > 8 * error) continue;
     edges_a.push_back(c.edge_a);
     edges_b.push_back(c.edge_b);
@@ -58,15 +58,15 @@ std::size_t longestStretch(const WorldFrame& frame, const std::vector<EdgeCrossi
     const WorldFrame::Ends edge = frame.edgeEndsOfA(c.edge_a);
     return (edge.w - edge.v).norm() * (c.on_a.high - c.on_a.low);
   };
-  std::size_t longest = component.crossings.front().index;
-  for (const PartCrossing& crossing : component.crossings)
-    if (length(crossing.index) > length(longest) + frame.error()) longest = crossing.index;
+  std::size_t longest = component.crossings.front();
+  for (const std::size_t k : component.crossings)
+    if (length(k) > length(longest) + frame.error()) longest = k;
   return longest;
 }
 
-TouchNormal touchNormal(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
-                        const OverlapComponent& component, const EdgeCrossing& main, const Vec2& towards_b) {
-  if (component.facing.norm() > 8 * frame.error()) return {component.facing.normalized(), false};
+Vec2 touchNormal(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings, const OverlapComponent& component,
+                 const EdgeCrossing& main, const Vec2& towards_b) {
+  if (component.facing.norm() > 8 * frame.error()) return component.facing.normalized();
   const std::vector<Vec2> directions = directionsFrom(frame, crossings, component, main);
   constexpr double kSameAngle = 1e-9;
   Vec2 best = towards_b.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(towards_b.stableNormalized());
@@ -80,13 +80,7 @@ TouchNormal touchNormal(const WorldFrame& frame, const std::vector<EdgeCrossing>
       best = normal;
     }
   }
-  const bool one_point =
-      std::all_of(component.crossings.begin(), component.crossings.end(), [&](const PartCrossing& crossing) {
-        return (crossings[crossing.index].point - main.point).norm() <= 8 * frame.error();
-      });
-  // Of few edges a query of the kernel tells for certain, of many it costs too much.
-  constexpr std::size_t kMany = 256;
-  return {best, one_point && least <= kSameAngle && component.crossings.size() > kMany};
+  return best;
 }
 
 }  // namespace tricover::detail

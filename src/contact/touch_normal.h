@@ -12,15 +12,10 @@ namespace tricover::detail {
 std::size_t longestStretch(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
                            const OverlapComponent& component);
 
-struct TouchNormal {
-  Vec2 normal;
-  bool separates;  ///< Many edges touch in one point and keep to their sides: it parts them, but for rounding.
-};
-
 /// From a to b. Where edges touch along a stretch, across these; where there is but a point, that of `main`, of the
 /// normals of its edges the one that both polygons' edges keep to their sides of best, among equal ones that nearest to
 /// `towards_b`.
-TouchNormal touchNormal(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
-                        const OverlapComponent& component, const EdgeCrossing& main, const Vec2& towards_b);
+Vec2 touchNormal(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings, const OverlapComponent& component,
+                 const EdgeCrossing& main, const Vec2& towards_b);
 
 }  // namespace tricover::detail

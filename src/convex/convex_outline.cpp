@@ -36,8 +36,6 @@ ConvexOutline makeOutline(const PolygonData& polygon) {
     const auto leftmost =
         std::min_element(outline.corners.begin(), outline.corners.end(),
                          [&](std::size_t i, std::size_t j) { return isBefore(polygon.path[i], polygon.path[j]); });
-    const auto before = static_cast<std::uint32_t>(leftmost - outline.corners.begin());
-    outline.first = outline.forward ? before : static_cast<std::uint32_t>(outline.corners.size()) - 1 - before;
     std::rotate(outline.corners.begin(), leftmost, outline.corners.end());
     outline.is_region = true;
   } else {

@@ -14,20 +14,8 @@ namespace tricover::detail {
 struct ConvexOutline : Derived::Thing {
   std::vector<std::size_t> corners;  ///< positions in the path
   std::vector<Vec2> points;          ///< where they are, the first once more at the end
-  bool is_region = false;   ///< the polygon's region is that convex set; otherwise it is the region's convex hull
-  bool forward = true;      ///< of a region: whether the path runs counter-clockwise
-  std::uint32_t first = 0;  ///< of a region: the leftmost corner, as cornersOf() numbers them
-
-  /// Of a region, as cornersOf() numbers them.
-  std::uint32_t cornerOf(std::uint32_t number) const {
-    const auto size = static_cast<std::uint32_t>(corners.size());
-    const std::uint32_t k = forward ? number - first : first - number;
-    return k < size ? k : k + size;  // less than none
-  }
-  std::uint32_t edgeOf(std::uint32_t number) const {
-    const std::uint32_t start = cornerOf(number);
-    return forward ? start : (start > 0 ? start : static_cast<std::uint32_t>(corners.size())) - 1;
-  }
+  bool is_region = false;  ///< the polygon's region is that convex set; otherwise it is the region's convex hull
+  bool forward = true;     ///< of a region: whether the path runs counter-clockwise
 };
 
 const ConvexOutline& findConvexOutline(const PolygonData& polygon);

@@ -165,15 +165,6 @@ inline bool areSmall(const Hierarchy& a, const Hierarchy& b) { return a.small &&
 
 extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map)> convexGap;
 
-/// The same, and a bit for every edge of a, from kMost on of b, that has the other polygon no deeper behind it than
-/// that one has, or by no more than `more`, in a's units, as far as floats tell: all others are deeper, which is
-/// proven. None if the two are certainly apart. `map` as for fewEdgesMeet().
-struct ConvexFaces : ConvexGap {
-  unsigned near;
-};
-extern Simd<ConvexFaces(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding, double more)>
-    convexFaces;
-
 /// The same of which edge parts the two longest, by more than a margin, while b moves straight by (way_x, way_y),
 /// both in a's units: the gap is the share of the way.
 extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double way_x, double way_y,

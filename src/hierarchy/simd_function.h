@@ -39,7 +39,7 @@ class Simd<Result(Arguments...)> {
   X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) X(visitMarkedNear) \
   X(showEdgesNear) X(visitEdgesOnRay) X(findEdgesOnWays) \
   X(cutWindows) X(depthInDiscs) X(innerDepth) \
-  X(convexGap) X(convexFaces) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
+  X(convexGap) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
   X(boxesMeeting) X(boxesOnRay) X(boxesNear) \
   X(measureDepths) X(twofoldWay) X(twofoldArea) X(twofoldBeside)
 // clang-format on

@@ -145,11 +145,12 @@ template <class Lanes, class Score>
   return {valuesOf<Lanes>(a.lanes, of_a), valuesOf<Lanes>(b.lanes, of_b)};
 }
 
-/// The edge with the highest score. b's vertices are at x, y, its normals at bnx, bny.
-template <class Lanes>
-[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const float* x,
-                                                 const float* y, const float* bnx, const float* bny,
-                                                 const EdgeScores<Lanes>& scores) {
+/// The edge with the highest score. b's vertices are at x, y.
+template <class Lanes, class Score>
+[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
+                                                 const float* x, const float* y, Score score) {
+  float bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
+  const EdgeScores<Lanes> scores = scoresOf<Lanes>(a, b, map, x, y, bnx, bny, score);
   Largest best;
   bool is_of_a;
   if (a.lanes + b.lanes == 2 * kLanes) {  // all at once
@@ -165,32 +166,6 @@ template <class Lanes>
   const int vertex = is_of_a ? farthestBack<Lanes>(x, y, b.lanes, a.nx[e], a.ny[e])
                              : farthestBack<Lanes>(a.x, a.y, a.lanes, bnx[e], bny[e]);
   return {best.value, e, vertex, is_of_a};
-}
-
-/// The same of scores as above.
-template <class Lanes, class Score>
-[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
-                                                 const float* x, const float* y, Score score) {
-  float bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
-  return bestEdge<Lanes>(a, b, x, y, bnx, bny, scoresOf<Lanes>(a, b, map, x, y, bnx, bny, score));
-}
-
-/// Half as much slack more is for what is subtracted.
-template <class Lanes>
-ConvexFaces convexFaces(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
-                        double more) {
-  const float slack = lineSlack(map, rounding), far = 2.5f * slack + static_cast<float>(more);
-  float x[SmallPolygon::kMost], y[SmallPolygon::kMost], bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
-  mapVertices<Lanes>(b, map, x, y);
-  const EdgeScores<Lanes> gaps = scoresOf<Lanes>(
-      a, b, map, x, y, bnx, bny, [](Lanes, Lanes, Lanes gap) __attribute__((always_inline)) { return gap; });
-  const ConvexGap best = bestEdge<Lanes>(a, b, x, y, bnx, bny, gaps);
-  if (best.gap > slack) return {best, 0};
-  const Lanes limit = Lanes::all(best.gap - far);
-  const auto nearBest = [&](const Values<Lanes>& of) __attribute__((always_inline)) {
-    return above(of.first, limit) | above(of.second, limit) << kLanes;
-  };
-  return {best, (nearBest(gaps.a) & a.edges) | (nearBest(gaps.b) & b.edges) << SmallPolygon::kMost};
 }
 
 template <class Lanes>

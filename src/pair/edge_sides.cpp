@@ -151,6 +151,15 @@ bool EdgeSides::isBeyond(const Ends& ends, const Cut& cut, int side) const {
   return isEndBeyond(2) && isEndBeyond(3);
 }
 
+bool EdgeSides::bordersBothUntil(const std::vector<std::size_t>& edges, int side) const {
+  return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {
+    const std::size_t cut = side > 0 ? piece.begin : piece.end;
+    return cut == kNone || std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) {
+             return isBeyond(Ends(*this, operand_ == A ? B : A, edge), cuts_[cut], -side);
+           });
+  });
+}
+
 bool EdgeSides::bordersBothAt(std::size_t edge) const {
   const Ends ends(*this, operand_ == A ? B : A, edge);
   return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {

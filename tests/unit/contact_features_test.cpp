@@ -168,7 +168,7 @@ TEST(ContactFeatures, FarAway) {
   expectContact(again[0], {3.5, 2}, {1, 0}, 1);
 }
 
-/// So many edges end in one point that their pairs are left to few: one contact, whose normal parts them.
+/// Many edges end in one point: one contact, whose normal separates them.
 TEST(ContactFeatures, OfFansThatTouchInOnePointAreOne) {
   constexpr int kSpikes = 60;
   const auto fan = [](double sign) {

@@ -87,6 +87,12 @@ TEST(NamedEdges, HaveALengthInEveryQuery) {
     const Motion motion = Motion::between(pose_b, pose(is_turned ? 1 : 0, -apart, 0));
     if (const auto impact = timeOfImpact(a, Motion::still(pose_a), b, motion))
       expectNamable(impact->edge_a, impact->edge_b, "timeOfImpact");
+    for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::WayOut}) {
+      ContactOptions options;
+      options.detail = detail;
+      for (const Contact& contact : contacts(a, pose_a, b, pose_b, options))
+        expectNamable(contact.edge_a, contact.edge_b, "contacts");
+    }
     if (const auto depth = penetration(a, pose_a, b, pose_b))
       expectNamable(depth->edge_a, depth->edge_b, "penetration");
     const EdgeIndex towards = anyEdge(random, b);
