@@ -17,7 +17,7 @@ struct CacheAccess;
 /// happens in between, because it names the polygons and poses that it is about. A cache may therefore be copied, used
 /// for other pairs, lost or stale: no answer changes, only its cost.
 ///
-/// A value of 320 bytes that is copied like any other. PairCache{} is empty. Two threads must not use one at once. A
+/// A value of 184 bytes that is copied like any other. PairCache{} is empty. Two threads must not use one at once. A
 /// cache means nothing in another process, nor to this program when it runs again, because Polygon::id() starts anew
 /// there: don't write caches to files.
 ///
@@ -28,7 +28,7 @@ class TRICOVER_EXPORT PairCache {
 
  private:
   friend struct detail::CacheAccess;
-  alignas(8) unsigned char bytes_[320];
+  alignas(8) unsigned char bytes_[184];
 };
 
 static_assert(std::is_trivially_copyable_v<PairCache> && sizeof(PairCache) <= 320);

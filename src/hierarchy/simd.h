@@ -51,11 +51,6 @@ struct DescentResult {
 /// The first pair of edges that makes a hit, deepest box first.
 extern Simd<DescentResult(const Descent& descent, const HitTest& test)> findHit;
 
-/// Boxes that need not be met with each other: bit per lane of each block of a's hierarchy and of b's. Null: none.
-struct PrunedPairs {
-  const std::uint8_t *a = nullptr, *b = nullptr;
-};
-
 /// A point in a hierarchy's units, known to within `error` in any direction.
 struct Place {
   double x, y, error;
@@ -123,7 +118,6 @@ struct PairVisitor {
   double (*visit)(void* context, double gap, std::uint32_t edge_a, std::uint32_t edge_b);
   /// Null, or told a length that some pair's distance is proven not to be above.
   double (*narrow)(void* context, double length);
-  PrunedPairs pruned = {};  ///< aren't shown
 };
 
 /// Shows every pair of edges that may be within the limit, near ones roughly first.

@@ -145,14 +145,6 @@ struct ShowPairs {
   template <class Lanes>
   [[gnu::always_inline]] static void leaveOut(Lanes, const Step&) {}
 
-  /// A block's pruned lanes, and one box by its index.
-  [[gnu::always_inline]] static unsigned prunedLanes(const std::uint8_t* pruned, std::uint32_t block) {
-    return pruned != nullptr ? pruned[block] : 0;
-  }
-  [[gnu::always_inline]] static bool isPruned(const std::uint8_t* pruned, std::uint32_t index) {
-    return pruned != nullptr && index != kRoot && (pruned[index / kLanes] >> index % kLanes & 1) != 0;
-  }
-
   /// What it proves, rounded downwards (as the threshold is upwards), to be compared with a limit that has been lowered
   /// since.
   [[gnu::always_inline]] static float keptGap(const Step& step, float gap) { return downwards(provenGap(step, gap)); }
@@ -192,12 +184,7 @@ bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other
   const Step step = stepOf(in_a, goal.limit / in_a, query.slack * Goal::kSlacks, query.cap);
   const Lanes found = gaps<Goal::kNarrows>(boxesOf<Lanes>(block), query);
   Lanes left_out = Lanes::all(1e30f);
-  unsigned near = entered(goal, block, step, found, left_out);
-  if constexpr (Goal::kNarrows) {
-    const PrunedPairs& pruned = goal.visitor.pruned;
-    if (goal.isPruned(into_a ? pruned.b : pruned.a, into_a ? visit_b : visit_a))
-      near &= ~goal.prunedLanes(into_a ? pruned.a : pruned.b, index);
-  }
+  const unsigned near = entered(goal, block, step, found, left_out);
   goal.leaveOut(left_out, step);
   float gap[kLanes];
   found.store(gap);
@@ -330,10 +317,7 @@ template <class Lanes, class Goal>
   Step step = t.step;
   float gap[kLanes][kLanes];
   LanePair shown;
-  unsigned pruned_a = 0, pruned_b = 0;
   if constexpr (Goal::kNarrows) {
-    pruned_a = goal.prunedLanes(goal.visitor.pruned.a, item_a.child);
-    pruned_b = goal.prunedLanes(goal.visitor.pruned.b, item_b.child);
     narrowFirst(a, b, boxes, t, near_b, gap, goal);
     step = stepOf(a.scale, goal.limit * a.inverse, step.slack, step.cap);
     // Of edges, the nearest: it may spare the others.
@@ -347,7 +331,6 @@ template <class Lanes, class Goal>
     const Query query = movedBox(t, j);
     if constexpr (!Goal::kNarrows) gaps<false>(boxes, query).store(gap[j]);
     unsigned near = entered(goal, a, step, Lanes::load(gap[j]), left_out);
-    if (Goal::kNarrows && (pruned_b >> j & 1) != 0) near &= ~pruned_a;
     if (goal.mayAccept() && (b.spanned >> j & 1) != 0 &&
         goal.accepts(step, near & a.spanned, gap[j], a.across, query.across))
       return true;

@@ -23,11 +23,10 @@ struct PairCall {
 };
 
 /// showEdgePairs() for a callable visit(gap, edge_a, edge_b), which returns the new limit; all lengths in a's frame.
-/// Pruned boxes aren't shown with each other.
 template <typename Visit>
-void forEachPair(const PosedPair& pair, double limit, Visit visit, const PrunedPairs& pruned = {}) {
+void forEachPair(const PosedPair& pair, double limit, Visit visit) {
   PairCall<Visit> call{visit, pair.a.unit, pair.a.inverse_unit};
-  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr, pruned});
+  showEdgePairs(pair, limit, {&call, &PairCall<Visit>::visit, nullptr});
 }
 
 /// The same for who looks for the nearest: narrow(length) is told of lengths that some pair is proven to be within, and
@@ -37,12 +36,11 @@ void forNearPairs(const PosedPair& pair, double limit, Visit visit, Narrow narro
   struct Call : PairCall<Visit> {
     Narrow& narrow;
   } call{{visit, pair.a.unit, pair.a.inverse_unit}, narrow};
-  showEdgePairs(
-      pair, limit,
-      {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit, [](void* context, double length) {
-         const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
-         return c.narrow(length * c.unit) * c.inverse_unit;
-       }});
+  showEdgePairs(pair, limit,
+                {static_cast<PairCall<Visit>*>(&call), &PairCall<Visit>::visit, [](void* context, double length) {
+                   const Call& c = *static_cast<Call*>(static_cast<PairCall<Visit>*>(context));
+                   return c.narrow(length * c.unit) * c.inverse_unit;
+                 }});
 }
 
 }  // namespace tricover::detail

@@ -130,7 +130,7 @@ TEST(Claim, EmptiesAnotherPairsCache) {
 }
 
 /// What pair_cache.h says.
-TEST(PairCache, IsOfThatSize) { EXPECT_EQ(sizeof(PairCache), 320u); }
+TEST(PairCache, IsOfThatSize) { EXPECT_EQ(sizeof(PairCache), 184u); }
 
 TEST(BackOff, DoublesWithEachFailure) {
   detail::BackOff back_off;
