@@ -14,6 +14,12 @@ namespace tricover {
 /// A point or vector of the plane.
 using Vec2 = Eigen::Vector2d;
 
+#if defined(__x86_64__) || defined(__aarch64__)
+static_assert(alignof(Vec2) == 16,
+              "tricover's types hold Eigen's vectors as its library was built, aligned to 16 bytes: build without "
+              "EIGEN_MAX_STATIC_ALIGN_BYTES, EIGEN_DONT_ALIGN and EIGEN_DONT_VECTORIZE");
+#endif
+
 /// A rigid map p -> R p + t from a polygon's own frame to the world. It is exactly the one that the stored doubles
 /// define: R may miss orthonormality by rounding and is never re-normalised. R may mirror (det R < 0).
 /// \snippet pose.cpp pose
