@@ -48,6 +48,8 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
   detail::PointFact& cache = detail::factsIn(caller_cache);
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
+  // The bounding disc answers sooner than a certificate, which stays as it is.
+  if (detail::outsideBoundingDisc(data, detail::IncludedPoint::ofFrame(point).approx)) return Location::Outside;
   const auto keep = [&](Location location, double clearance) {
     cache = {data.id, {point.x(), point.y()}, clearance, 0, location, cache.back_off};
     return location;
@@ -68,7 +70,7 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
   }
   const detail::Hierarchy* tree = hierarchyInTime(data);
   constexpr double kSteps = 16;         // that a certificate is to last for
-  constexpr std::uint32_t kPaying = 1;  // it costs half of a query
+  constexpr std::uint32_t kPaying = 2;  // it costs one to two queries
   const double most = known ? kSteps * moved / (cache.uses + 1.0) : 0;
   const bool jumped = !(most < data.radius);
   if (known && (jumped || cache.clearance > 0)) cache.back_off.judge(!jumped && cache.uses >= kPaying);

@@ -168,8 +168,9 @@ TEST(PointCacheWalk, FactsAnswerSlowSteps) {
     answered += uses > 0;
     PointCache copy = cache;
     EXPECT_EQ(locate(polygon, point, copy), location);
-    EXPECT_EQ(detail::factsIn(copy).uses, uses + !detail::factsIn(cache).back_off.isOn())
-        << "a point that stays where its fact is from, or within reach of it";
+    const bool is_near = (point - polygon.origin()).norm() <= polygon.radius();  // elsewhere the disc answers
+    EXPECT_EQ(detail::factsIn(copy).uses, uses + (is_near && !detail::factsIn(cache).back_off.isOn()))
+        << "a point that stays where its certificate is from, or within reach of it";
   }
   EXPECT_GT(answered, kSteps / 2);
 }
