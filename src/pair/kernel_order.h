@@ -40,20 +40,22 @@ inline std::array<double, 17> numbersOf(const Motion& motion) {
           motion.angle_3};
 }
 
-/// Which of two polygons of equal radius is first by what it is made of: numbers of vertices and rings, fill rule,
-/// coordinates. Negative: a, positive: b. 0 if nothing distinguishes them.
-int compareData(const PolygonData& a, const PolygonData& b);
+/// Which of two polygons of one fill rule, with equally many vertices, is first by its edges. Negative: a, positive: b. 0
+/// if their edges are the same, wherever rings begin and whichever way they run; under the non-zero rule, ways count.
+int compareEdges(const PolygonData& a, const PolygonData& b);
 
 /// The kernel's own order of two operands, so that answers don't depend on the caller's: the smaller polygon moves. Of
-/// polygons of equal radius their data decides, then the pose or motion. Neither ids nor addresses do: results repeat
-/// from run to run. Equal operands leave the caller's order.
+/// polygons of equal radius the number of vertices and the fill rule decide, then the pose or motion, then the edges.
+/// Neither ids nor addresses do: results repeat from run to run. Equal operands leave the caller's order.
 template <typename PoseOrMotion>
 bool inOrder(const PolygonData& a, const PoseOrMotion& pose_a, const PolygonData& b, const PoseOrMotion& pose_b) {
   if (a.radius != b.radius) return a.radius > b.radius;
-  if (&a != &b)
-    if (const int order = compareData(a, b); order != 0) return order < 0;
+  if (a.path.size() != b.path.size()) return a.path.size() < b.path.size();
+  if (a.fill != b.fill) return a.fill < b.fill;
   const auto p = numbersOf(pose_a), q = numbersOf(pose_b);
-  return !std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), isSmaller);
+  if (std::lexicographical_compare(q.begin(), q.end(), p.begin(), p.end(), isSmaller)) return true;
+  if (std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), isSmaller)) return false;
+  return &a == &b || compareEdges(a, b) <= 0;
 }
 
 /// What query(a, pose_a, b, pose_b) returns of the operands in the kernel's order; in the caller's order again by

@@ -123,14 +123,14 @@ TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   CollideOptions options;
   options.margin = 5;
   // Beside the largest disc inside, in another one.
-  const Pose here = Pose::Identity(), beside = pose(0, 15, 0);
+  const Pose here = Pose::Identity(), beside = pose(0, 10, 0);
   const detail::Outcome fact = detail::findFact(bar.data(), here, dot.data(), beside, options, {10, true});
   EXPECT_TRUE(fact.collides);
   EXPECT_GT(fact.clearance, 1);
   EXPECT_LE(fact.clearance, 4);
   // Discs are sooner asked than facts; this one is kept nevertheless.
   detail::remember(detail::factsIn(cache).collision, bar.data(), here, dot.data(), beside, true, fact.clearance);
-  EXPECT_FALSE(collide(bar, pose(0, 0, 0), dot, pose(0, 15, 6), cache));
+  EXPECT_FALSE(collide(bar, pose(0, 0, 0), dot, pose(0, 10, 6), cache));
 }
 
 /// Coordinates that cancel leave plain doubles less than what is promised.

@@ -3,7 +3,6 @@
 MUTATIONS = [
     ("src/convex/nearest_features.cpp", "is_ahead = !(height > -0.25 * near);", "is_ahead = false;", "convex nearest: a guess taken for proven"),
     ("src/convex/nearest_features.cpp", "distance > kSure * size &&", "distance > 0 &&", "convex nearest: an axis that rounding hides"),
-    ("src/convex/nearest_features.cpp", "foot.distance - (is_unique ? kSide / 2 : kNear) * vertices.size()", "foot.distance", "convex nearest: a bound without rounding"),
     ("src/convex/nearest_features.cpp", "foot.is_left != has_left", "(has_left || !foot.is_left)", "convex nearest: a vertex inside of an edge taken for one outside"),
     ("src/distance/convex_distance.cpp", "!edges.meet(i, j)", "false", "convex crossing: a guess taken for proven"),
     ("src/distance/distance_result.cpp", "EdgeDistances::below(finite) > margin", "finite > margin", "distance: margins within rounding (above)"),
