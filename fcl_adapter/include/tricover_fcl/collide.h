@@ -28,8 +28,9 @@ namespace tricover_fcl {
 /// and the edges around it (tricover::ContactDetail::LocalDepth); b1 and b2 are edges (tricover::Contact::edge_a,
 /// edge_b). Where num_max_contacts is 1, FCL's default, that contact is the way to part the polygons altogether
 /// (tricover::penetration), which costs more unless both are convex. Depths are in the plane, and those of the polygons
-/// grown by their margins (and by options.margin); so is pos. Where only margins meet, it is between the nearest
-/// points, along which the normal points.
+/// grown by their margins (and by options.margin); so is pos. With margins, and beside discs and stadiums (below), that
+/// translation separates polygons that aren't convex for certain, and may be longer than the shortest. Where only
+/// margins meet, it is between the nearest points, along which the normal points.
 ///
 /// Other geometries: a polygon may have any rigid pose in space, and so may a geometry of FCL's own. They collide if
 /// and only if they share a point within the polygon's plane (a prism's heights), decided in the polygon's frame, where
