@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which bodies a polygon collides with.
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -33,10 +35,29 @@ class CollisionQuery {
     bounds_ = boundsOf(polygon.data(), pose, options.margin);
   }
 
-  /// Returns a body that collides. Inner discs come first: two that meet save the tests of all outlines.
+  /// Returns a body that collides. Inner discs come first: two that meet save the tests of all outlines, which wait. Of
+  /// these the body whose box shares the largest area with the query's box is the likeliest to collide.
   std::optional<BodyHandle> anyColliding() const {
-    const auto met = firstNear([&](const BodyState& body, const Bounds&) { return innerDiscsMeet(body); });
-    return met ? met : firstNear([&](const BodyState& body, const Bounds& box) { return outlinesMeet(body, box); });
+    std::array<Waiting, kMostWaiting> waiting;
+    std::size_t count = 0;
+    std::optional<BodyHandle> found;
+    visitNear([&](Slot slot, const Bounds& box) {
+      const BodyState& body = state_.bodies[slot];
+      if (innerDiscsMeet(body) || (count == kMostWaiting && outlinesMeet(body, box)))
+        found = state_.handleOf(slot);
+      else if (count < kMostWaiting)
+        waiting[count++] = {slot, sharedArea(box)};
+      return !found;
+    });
+    if (found || count == 0) return found;
+    const auto end = waiting.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto isLess = [](const Waiting& p, const Waiting& q) { return p.shared_area < q.shared_area; };
+    std::iter_swap(waiting.begin(), std::max_element(waiting.begin(), end, isLess));
+    for (std::size_t i = 0; i < count; ++i) {
+      const Slot slot = waiting[i].slot;
+      if (outlinesMeet(state_.bodies[slot], state_.tree.boundsOf(slot))) return state_.handleOf(slot);
+    }
+    return found;
   }
 
   std::vector<BodyHandle> colliding() const {
@@ -53,6 +74,13 @@ class CollisionQuery {
  private:
   using BodyState = SceneState::BodyState;
 
+  struct Waiting {
+    Slot slot;
+    double shared_area;
+  };
+  /// More bodies than these don't wait.
+  static constexpr std::size_t kMostWaiting = 8;
+
   /// Calls visit(slot, box) for the bodies whose boxes meet the query's box, until it returns false.
   template <typename Visit>
   void visitNear(const Visit& visit) const {
@@ -62,15 +90,9 @@ class CollisionQuery {
     });
   }
 
-  /// Returns the first of these bodies for which test(body, box) holds.
-  template <typename Test>
-  std::optional<BodyHandle> firstNear(const Test& test) const {
-    std::optional<BodyHandle> found;
-    visitNear([&](Slot slot, const Bounds& box) {
-      if (test(state_.bodies[slot], box)) found = state_.handleOf(slot);
-      return !found;
-    });
-    return found;
+  double sharedArea(const Bounds& box) const {
+    return (std::min(box.max_x, bounds_.max_x) - std::max(box.min_x, bounds_.min_x)) *
+           (std::min(box.max_y, bounds_.max_y) - std::max(box.min_y, bounds_.min_y));
   }
 
   bool innerDiscsMeet(const BodyState& body) const {
