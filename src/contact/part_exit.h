@@ -26,14 +26,13 @@ const BoundaryPoint& leftmostOf(const OverlapComponent& component);
 class PartExits {
  public:
   PartExits(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
-      : pair_(pair),
-        frame_(frame),
-        crossings_(crossings),
-        towards_b_(-frame.originOfA()) {}
+      : pair_(pair), frame_(frame), crossings_(crossings), towards_b_(-frame.originOfA()) {}
 
   /// Until the next call.
   const Hull& hullOf(const OverlapComponent& component) {
-    return part_ = detail::hullOf(component.points);
+    // The second time, other points are beside those that are left.
+    const double same_area = 2 * frame_.error() * frame_.size();
+    return part_ = detail::hullOf(likelyCorners(likelyCorners(component.points, same_area), same_area));
   }
   /// Of the component whose hull was asked for last.
   Exit exitOf(const OverlapComponent& component);
