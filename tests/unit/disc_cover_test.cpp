@@ -64,7 +64,7 @@ TEST(DiscSums, HoldWhatOverlaps) {
     if (random.coin()) pose_a = mirrored(pose_a);
     if (random.coin()) pose_b = mirrored(pose_b);
     pose_b.translation() += pose_a * a.origin() - pose_b * b.origin();
-    const detail::TranslationSpace space(a.data(), pose_a, b.data(), pose_b, 0);
+    const detail::TranslationSpace space(a.data(), pose_a, b.data(), pose_b);
     const detail::DiscSums all = space.discSums();
     for (int k = 0; k < 10; ++k) {
       const Vec2 t = Vec2(random.real(-1, 1), random.real(-1, 1)) * (a.radius() + b.radius()) / space.unit();
