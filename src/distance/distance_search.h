@@ -85,7 +85,7 @@ class PairList {
   }
 
  private:
-  ShownPair listed_[kMost];
+  ShownPair listed_[kMost] = {};
   int count_ = 0;
 };
 
