@@ -78,9 +78,11 @@ class PairList {
       if (!is_near) return true;
       --count_;
     }
-    int k = count_++;
-    for (; k > 0 && listed_[k - 1].low > pair.low; --k) listed_[k] = listed_[k - 1];
-    listed_[k] = pair;
+    ShownPair* const end = listed_ + count_++;
+    ShownPair* const place = std::upper_bound(
+        listed_, end, pair.low, [](double low, const ShownPair& listed) { return low < listed.low; });
+    std::move_backward(place, end, end + 1);
+    *place = pair;
     return is_full;
   }
 
