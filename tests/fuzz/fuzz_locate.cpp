@@ -2,6 +2,7 @@
 // locate(), cold and along a walk with a cache, and castRay(), against the exact reference.
 #include "byte_reader.h"
 #include "exact_reference.h"
+#include "ray_laws.h"
 #include "reproduction.h"
 #include "tricover/locate.h"
 #include "tricover/ray.h"
@@ -24,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto truth = exact::castRay(polygon, pose, from, to);
     const auto hit = castRay(polygon, pose, from, to);
     const bool right = hit.has_value() == truth.has_value() &&
-                       (!hit || (hit->edge == truth->edge && abs(truth->fraction - hit->fraction) <= 1e-14));
+                       (!hit || (hit->edge == support::namedEdge(polygon, static_cast<EdgeIndex>(truth->edge)) &&
+                                 abs(truth->fraction - hit->fraction) <= 1e-14));
     if (!right) fuzz::fail("ray", support::reproduction({polygon, pose, segment(from, to), Pose::Identity()}));
   }
   return 0;

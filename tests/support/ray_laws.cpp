@@ -36,6 +36,20 @@ Vec2 direction(const Vec2& v, const Vec2& w) {
 
 }  // namespace
 
+EdgeIndex namedEdge(const Polygon& polygon, EdgeIndex edge) {
+  EdgeIndex begin = 0;
+  for (const Ring& ring : polygon.rings()) {
+    const auto size = static_cast<EdgeIndex>(ring.size());
+    if (edge >= begin && edge < begin + size)
+      for (EdgeIndex k = 0; k < size; ++k) {
+        const EdgeIndex next = begin + (edge - begin + k) % size;
+        if (polygon.edgeStart(next) != polygon.edgeEnd(next)) return next;
+      }
+    begin += size;
+  }
+  return edge;
+}
+
 Ray anyRay(Random& random, const Polygon& polygon, const Pose& pose) {
   const EdgeIndex edge = anyEdge(random, polygon);
   const Vec2 v = pose * polygon.edgeStart(edge), w = pose * polygon.edgeEnd(edge);
@@ -67,7 +81,7 @@ Ray anyRay(Random& random, const Polygon& polygon, const Pose& pose) {
 
 std::string wrongHit(const Polygon& polygon, const Pose& pose, const Ray& ray, const RayHit& hit,
                      const exact::FirstHit& truth) {
-  if (hit.edge != truth.edge) return "edge";
+  if (hit.edge != namedEdge(polygon, static_cast<EdgeIndex>(truth.edge))) return "edge";
   if (!(hit.fraction >= 0 && hit.fraction <= 1) || abs(mpq_class(hit.fraction) - truth.fraction) > mpq_class(1e-14))
     return "fraction";
   const double size = 2 * polygon.radius() + (pose * polygon.origin() - ray.from).stableNorm();

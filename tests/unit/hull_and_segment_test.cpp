@@ -83,11 +83,18 @@ TEST(NearestOnSegment, IsAtARightAngleFromEitherSide) {
 TEST(KernelOrder, IsTotalAndTellsTheZerosApart) {
   const Polygon b({rectangle(0, 0, 1, 1)}), c({rectangle(0, 0, 1, 1)}), a({rectangle(0, 0, 3, 3)});
   const Pose here = Pose::Identity(), there = pose(0.1, 2, 3);
-  // The larger first, whatever the poses; then the older.
+  // The larger first, whatever the poses. Of equal ones the poses decide, and never which one was made first.
   EXPECT_TRUE(detail::inOrder(a.data(), here, b.data(), there));
   EXPECT_FALSE(detail::inOrder(b.data(), there, a.data(), here));
-  EXPECT_TRUE(detail::inOrder(b.data(), there, c.data(), here));
-  EXPECT_FALSE(detail::inOrder(c.data(), here, b.data(), there));
+  EXPECT_NE(detail::inOrder(b.data(), there, c.data(), here), detail::inOrder(c.data(), here, b.data(), there));
+  EXPECT_EQ(detail::inOrder(b.data(), there, c.data(), here), detail::inOrder(c.data(), there, b.data(), here));
+  // Under equal poses the edges decide, wherever a ring begins and whichever way it runs.
+  Ring ring = rectangle(0, 0, 1, 1);
+  const Polygon other({{{0, 0}, {1, 0}, {1, 1}, {0, 0.5}}}), moved({{ring[2], ring[3], ring[0], ring[1]}}),
+      reversed({{ring[3], ring[2], ring[1], ring[0]}});
+  for (const Polygon* same : {&moved, &reversed}) EXPECT_EQ(detail::compareEdges(b.data(), same->data()), 0);
+  EXPECT_EQ(detail::compareEdges(b.data(), other.data()), -detail::compareEdges(other.data(), b.data()));
+  EXPECT_NE(detail::compareEdges(b.data(), other.data()), 0);
   // Of one polygon, any pose that differs by any entry comes before or after, the sign of a zero included.
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 3; ++column) {
