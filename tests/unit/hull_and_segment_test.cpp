@@ -90,11 +90,11 @@ TEST(KernelOrder, IsTotalAndTellsTheZerosApart) {
   EXPECT_EQ(detail::inOrder(b.data(), there, c.data(), here), detail::inOrder(c.data(), there, b.data(), here));
   // Under equal poses the edges decide, wherever a ring begins and whichever way it runs.
   Ring ring = rectangle(0, 0, 1, 1);
-  const Polygon other({{{0, 0}, {1, 0}, {1, 1}, {0, 0.5}}}), moved({{ring[2], ring[3], ring[0], ring[1]}}),
+  const Polygon slanted({{{0, 0}, {1, 0}, {1, 1}, {0, 0.5}}}), moved({{ring[2], ring[3], ring[0], ring[1]}}),
       reversed({{ring[3], ring[2], ring[1], ring[0]}});
   for (const Polygon* same : {&moved, &reversed}) EXPECT_EQ(detail::compareEdges(b.data(), same->data()), 0);
-  EXPECT_EQ(detail::compareEdges(b.data(), other.data()), -detail::compareEdges(other.data(), b.data()));
-  EXPECT_NE(detail::compareEdges(b.data(), other.data()), 0);
+  EXPECT_EQ(detail::compareEdges(b.data(), slanted.data()), -detail::compareEdges(slanted.data(), b.data()));
+  EXPECT_NE(detail::compareEdges(b.data(), slanted.data()), 0);
   // Of one polygon, any pose that differs by any entry comes before or after, the sign of a zero included.
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 3; ++column) {
