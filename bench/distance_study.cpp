@@ -19,7 +19,7 @@ namespace {
 /// Of the polygons' size, 100 units: GJK's tolerance and floats pass.
 constexpr Agreement kAgreement = {0, {0, 0}, {1e-4, 1e-4}};
 
-/// What compares all edges with all is timed up to this number of pairs: from there on it is slower than the others.
+/// Methods that compare all edges with all are timed up to this number of pairs. Beyond it they are the slowest.
 constexpr std::size_t kFewPairs = 64 * 64;
 
 /// The circle's first tenth, which begins at the smallest gap.

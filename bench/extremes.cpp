@@ -34,7 +34,7 @@ constexpr double kNoAnswer = std::numeric_limits<double>::quiet_NaN();
   const rlimit seconds{1, 1}, no_core{0, 0};
   setrlimit(RLIMIT_CPU, &seconds);
   setrlimit(RLIMIT_CORE, &no_core);
-  // What rivals print in their trouble is no part of the table.
+  // Messages that rivals print are no part of the table.
   if (!std::freopen("/dev/null", "w", stderr) || !std::freopen("/dev/null", "w", stdout)) _exit(1);
   Asker ask;
   for (std::size_t i = 0; i < count; ++i) {
@@ -206,14 +206,14 @@ std::vector<ValueProblem> problemsAt(const Scene& scene, const Scene& plain) {
   return problems;
 }
 
-/// What users who want the best would choose, and what is there by default.
+/// The settings of users who want the best, and the defaults.
 bool isShown(const ValueMethod& method) {
   for (const char* setting : {"", "exact", "1e-6", "1e-10", "1e-12", "time_error 1e-6", "time_error 1e-12", "1000"})
     if (method.setting == setting) return true;
   return false;
 }
 
-/// Of all kinds of polygons.
+/// For all kinds of polygons.
 struct Answers {
   std::vector<double> errors;  ///< of what was answered
   std::size_t asked = 0, wrong = 0, failed = 0;
@@ -224,7 +224,7 @@ struct Answers {
     wrong += other.wrong;
     failed += other.failed;
   }
-  /// Of the errors in order the one at that part of the way; 1 if there is none.
+  /// The error at that part of the sorted errors; 1 if there is none.
   double error(double part) const {
     if (errors.empty()) return 1;
     std::vector<double> sorted = errors;

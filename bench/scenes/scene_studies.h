@@ -6,7 +6,7 @@
 #include "countries.h"
 #include "measure.h"
 
-/// What is timed of many bodies at once, and drawn.
+/// Studies and pictures of many bodies at once.
 namespace tricover::bench {
 
 /// A part in a tight layout of 80, by its number of vertices and by how it is placed. Each of eight parts in turn is
@@ -28,7 +28,7 @@ std::vector<Result> measureFleet(bool full);
 /// vertices, then convex polygons of 8, which Box2D takes.
 std::vector<Result> measureFrames(const Settings& settings);
 
-/// What a frame of 1,000 to 100,000 outlines costs, a moving body; of two threads, too.
+/// The cost of a frame of 1,000 to 100,000 outlines for each moving body, with one thread and with two.
 std::vector<Result> measureCrowds();
 
 /// Writes layout.svg (a part among the others, placed anew) and rays.svg (rays from a robot in the map of countries,

@@ -116,7 +116,7 @@ class TreeMap {
   Tree tree_;
 };
 
-/// What costOf() gives; all in ns but the first.
+/// The results of costOf(), all in ns but the first.
 constexpr const char* kFigures[] = {"bytes a body", "made and added", "collides", "nearest to a hexagon",
                                     "nearest to a point"};
 

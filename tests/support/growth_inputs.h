@@ -7,8 +7,7 @@
 #include "tricover/motion.h"
 #include "tricover/polygon.h"
 
-/// Inputs whose cost once grew faster than they do, as functions of their size: what the growth tables time is what the
-/// tests verify.
+/// Inputs whose cost once grew faster than they do, as functions of their size.
 namespace tricover::growth {
 
 /// Two polygons: a at the identity, b at motion.start or moving.
