@@ -47,7 +47,7 @@ struct Penetration {
 ///
 /// It is the global one: b may also leave into a hole or a gap. Its depth is 0 where they only touch. Where they are
 /// wedged it isn't: a peg exactly as wide as its slot has to leave through the mouth. Swapping the operands gives the
-/// same depth and the opposite normal.
+/// same depth and the opposite normal, unless they are the same region at the same place.
 ///
 /// With a margin the translation is proven to separate the regions by more than the margin, and lower_bound bounds the
 /// shortest one that does. Of pairs that aren't convex it may be longer: the search is for the shortest translation

@@ -40,7 +40,8 @@ struct Impact {
 /// margin, the first time at which they are no farther apart than that.
 ///
 /// No contact is missed, however fast and thin the polygons are. The time is 0 exactly where collide(), with the same
-/// margin, is true of the two starts. Swapping the operands swaps the edges and turns the normal round.
+/// margin, is true of the two starts. Swapping the operands swaps the edges and turns the normal round,
+/// unless they are the same region that moves alike.
 ///
 /// Coming within 1e-13 L may be reported like a contact. L is the sum of
 /// - the margin and the distance between the two starts' translations,

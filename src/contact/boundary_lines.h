@@ -103,13 +103,20 @@ class BoundaryLines {
     const Vec2 u = line.w - line.v, w = other.w - other.v;
     const double area = cross(u, w);
     if (area == 0) return;
-    const double s = cross(other.v - line.v, w) / area;
-    if (!(s >= -0x1p-20 && s <= 1 + 0x1p-20)) return;
-    const Vec2 p = line.v + s * u;
-    const double error = 2 * noise_ * u.norm() * w.norm() / std::abs(area), turn = area > 0 ? 1 : -1;
+    // Segments that end in each other cross a little beyond their ends, where these are rounded: farther the smaller
+    // the angle between them.
+    const double error = 2 * noise_ * line.length * other.length / std::abs(area), turn = area > 0 ? 1 : -1;
+    const double s = cross(other.v - line.v, w) / area, beyond = (resolution_ + error) / line.length;
+    if (!(s >= -beyond && s <= 1 + beyond)) return;
+    Vec2 p = line.v + std::clamp(s, 0.0, 1.0) * u;
     const double slack = error + (line.slack + other.slack) * p.norm();
     if (!leads(p, line, turn * p.dot(other.axis), slack) || !leads(p, other, -turn * p.dot(line.axis), slack)) return;
-    if ((nearestOnSegment(p, other.v, other.w) - p).norm() <= resolution_) offer(p, error);
+    const Vec2 on_other = nearestOnSegment(p, other.v, other.w);
+    if (!((on_other - p).norm() <= resolution_)) {
+      p = on_other;
+      if (!((nearestOnSegment(p, line.v, line.w) - p).norm() <= resolution_)) return;
+    }
+    offer(p, error);
   }
 
   double noise_, resolution_;

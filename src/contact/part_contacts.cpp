@@ -61,7 +61,9 @@ class ContactFinder {
  private:
   /// Whether b, led along the normal by a little more than the depth, leaves a: by less than coordinates are off by.
   bool parts(const Exit& exit) const {
-    const double more = 16 * frame_.error() + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
+    // Translations are added to the pose's: by less than their spacing nothing moves.
+    const double spacing = 4 * kUnitRoundoff * (pair_.pose_b.translation() / frame_.unit()).lpNorm<1>();
+    const double more = 16 * frame_.error() + spacing + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
     return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,
                          (exit.depth + more) * frame_.unit() * exit.normal, margin_);
   }
@@ -141,8 +143,9 @@ Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) con
   const std::optional<Penetration> way = shortestWay();
   if (!way || !way->optimal) return exit;
   const Penetration& p = *way;
-  const double depth = p.depth / frame_.unit(), radius = std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
-  const bool agrees = std::abs(depth - exit.depth) <= 1e-12 * radius + 64 * frame_.error();
+  const double depth = p.depth / frame_.unit();
+  const double least = p.lower_bound / frame_.unit(), error = 4 * frame_.error();
+  const bool agrees = least - error <= exit.depth && exit.depth <= depth + error;
   const bool alike = agrees && exit.normal.dot(p.normal) >= 1 - 0x1p-20;
   if (agrees && !alike && partsFreely(exit)) return exit;
   // What agrees with it to its precision is known better.

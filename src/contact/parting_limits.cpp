@@ -8,7 +8,7 @@
 
 namespace tricover::detail {
 
-bool PartingLimits::find(const BoundaryLines& lines, const Vec2& center, double half, double radius,
+bool PartingLimits::find(const BoundaryLines& lines, const Vec2& center, double half, double surroundings,
                          TranslationProbe& probe, BestParting& best) {
   limits_.clear();
   lines.forEachPossibleLimit([&](const Vec2& p, double error) {
@@ -24,17 +24,16 @@ bool PartingLimits::find(const BoundaryLines& lines, const Vec2& center, double 
     if (!(limit.p.norm() < best.length)) break;
     // Its lines may stand for others beside them.
     if (probe.overlapAround(limit.p, limit.error + 2 * resolution_)) continue;
-    resolved &= decide(limit, lines, radius, probe, best);
+    resolved &= decide(limit, lines, kRoom * surroundings, probe, best);
   }
   return resolved;
 }
 
 /// Samples each sector between the lines through p. False if a sector is too narrow to be certain of it: a free
 /// translation found there counts, but one that is not free may be so for lines that count as one.
-bool PartingLimits::decide(const PossibleLimit& limit, const BoundaryLines& lines, double radius,
-                           TranslationProbe& probe, BestParting& best) {
+bool PartingLimits::decide(const PossibleLimit& limit, const BoundaryLines& lines, double room, TranslationProbe& probe,
+                           BestParting& best) {
   const Vec2& p = limit.p;
-  double room = kRoom * radius;
   rays_.clear();
   lines.addRays(p, rays_, room);
   if (rays_.empty()) rays_.push_back({std::atan2(-p.y(), -p.x()), true, true});

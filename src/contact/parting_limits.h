@@ -27,26 +27,25 @@ struct BestParting {
 /// Which points of an arrangement of lines free translations come near to, by samples beside them.
 class PartingLimits {
  public:
-  /// How far beside a point it looks for samples, as a share of the radius of the square's circumcircle. Lines within
-  /// that distance of the square matter.
-  static constexpr double kRoom = 0.02;
-
   /// Lines nearer to each other than `resolution` count as one.
   PartingLimits(const TranslationSpace& space, double resolution) : noise_(space.noise()), resolution_(resolution) {}
 
-  /// Looks at all points that may be the nearest limit in a square whose circumcircle has that radius, if the lines are
-  /// all that come near the square. The nearest point of a free face of the lines' arrangement is the nearest point, an
-  /// end or a crossing of them. False if the square's quarters have to be searched.
-  bool find(const BoundaryLines& lines, const Vec2& center, double half, double radius, TranslationProbe& probe,
+  /// Looks at all points that may be the nearest limit in a square, if the lines are all that come within
+  /// `surroundings` of it. The nearest point of a free face of the lines' arrangement is the nearest point, an end or a
+  /// crossing of them. False if the square's quarters have to be searched.
+  bool find(const BoundaryLines& lines, const Vec2& center, double half, double surroundings, TranslationProbe& probe,
             BestParting& best);
 
  private:
+  /// How far beside a point it looks for samples: the rest is for lines that count as one with others.
+  static constexpr double kRoom = 0.64;
+
   struct PossibleLimit {
     Vec2 p;
     double error;  ///< of p, along the lines that cross there
   };
 
-  bool decide(const PossibleLimit& limit, const BoundaryLines& lines, double radius, TranslationProbe& probe,
+  bool decide(const PossibleLimit& limit, const BoundaryLines& lines, double room, TranslationProbe& probe,
               BestParting& best);
 
   const double noise_, resolution_;

@@ -45,11 +45,10 @@ constexpr std::size_t kLong = 10;
 /// so small a part of what is searched that it may be one point they cross in.
 constexpr std::size_t kMostInherited = 24, kMostGathered = 6;
 constexpr double kSmall = 0x1p-8;
-/// How far beyond a cell its segments are gathered, by the radius of its circumcircle, so that samples around a point
-/// of it, or within the resolution of that, are understood: samples are of use from three of it on. And to where, from
-/// its centre, they are cut.
-constexpr double kSurroundings = 0x1p-5, kCut = 1 + 2 * kSurroundings;
-static_assert(kSurroundings >= PartingLimits::kRoom * 4 / 3);
+/// How far beyond a cell its segments are gathered, so that samples around a point of it are understood: a share of the
+/// radius of its circumcircle, and beside small cells so many resolutions, since a sector shows whether it is free only
+/// where it is a few of them wide.
+constexpr double kSurroundings = 0x1p-5, kLeastSurroundings = 64;
 
 using MeetingEdges = TranslationSpace::MeetingEdges;
 
@@ -179,7 +178,7 @@ class PartingSearch {
     if (!knows_segments) gathered = gather(cell, radius);
     if (gathered != Gathered::Lines) return gathered == Gathered::Deep;
     // Without a line the answer at the centre is that of the whole cell.
-    return lines_.isEmpty() || limits_.find(lines_, cell.center, cell.half, radius, probe_, best_);
+    return lines_.isEmpty() || limits_.find(lines_, cell.center, cell.half, surroundings(radius), probe_, best_);
   }
 
   /// Whether the kernel's answer at a cell's centre is that of the whole cell.
@@ -200,9 +199,15 @@ class PartingSearch {
     return clearance >= radius;
   }
 
+  double surroundings(double radius) const {
+    return std::max(kSurroundings * radius, kLeastSurroundings * resolution_);
+  }
+  /// To where, from a cell's centre, its lines are cut.
+  double cutAt(double radius) const { return radius + 2 * surroundings(radius); }
+
   /// All segments that a search by squares of such a half side needs.
   Segments segmentsAround(double half) {
-    for (const TranslationSpace::Segment& s : space_.segmentsWithin(best_.length + kSurroundings * half))
+    for (const TranslationSpace::Segment& s : space_.segmentsWithin(best_.length + surroundings(2 * half)))
       all_segments_.emplace_back(BoundaryLines::Ends{s.v, s.w}, s.both_sides, space_.noise());
     Segments all;
     all.reserve(all_segments_.size());
@@ -214,7 +219,7 @@ class PartingSearch {
 
   /// Keeps those of the segments that may come near a cell that do.
   void narrow(const Cell& cell, double radius) {
-    const double around = cell.half + kSurroundings * radius;
+    const double around = cell.half + surroundings(radius);
     const auto x = static_cast<float>(cell.center.x()), y = static_cast<float>(cell.center.y());
     const auto rounded = static_cast<float>((around + 0x1p-22 * cell.center.lpNorm<1>()) * (1 + 0x1p-20));
     // Without branches, as none could be predicted.
@@ -239,7 +244,7 @@ class PartingSearch {
     lines_.clear(kMostInherited);
     narrow(cell, radius);
     for (const NearSegment& segment : segments_)
-      if (!lines_.add(all_segments_[segment.number], cell.center, kCut * radius)) return Gathered::Many;
+      if (!lines_.add(all_segments_[segment.number], cell.center, cutAt(radius))) return Gathered::Many;
     return Gathered::Lines;
   }
 
@@ -249,8 +254,8 @@ class PartingSearch {
     lines_.clear(cell.half < kSmall * best_.length ? kMostInherited : kMostGathered);
     Vec2 t = cell.center;
     const PosedPair pair = space_.at(t);
-    const double off = (t - cell.center).norm(), around = kCut * radius + off;
-    const double half = cell.half + kSurroundings * radius + off;
+    const double off = (t - cell.center).norm(), around = cutAt(radius) + off;
+    const double half = cell.half + surroundings(radius) + off;
     space_.forEachSegment(
         pair, t, half * kDiagonal * (1 + 0x1p-40),
         [&](const MeetingEdges& meeting) {

@@ -106,6 +106,10 @@ const std::vector<Family>& families() {
   return all;
 }
 
+bool isOneTwice(const Case& c) {
+  return c.a.rings() == c.b.rings() && c.a.fillRule() == c.b.fillRule() && c.pose_a.matrix() == c.pose_b.matrix();
+}
+
 ContactOnWay contactOnWay(Case c, const Vec2& away, double far, int halvings) {
   ContactOnWay way{0, far};
   for (; halvings > 0; --halvings) {

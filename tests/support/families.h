@@ -16,6 +16,9 @@ struct Case {
   Pose pose_b;
 };
 
+/// The same region twice, at one place: there no direction from a to b is better than its opposite.
+bool isOneTwice(const Case& c);
+
 /// Moves b along `away` from a's place: between a distance at which the polygons meet, or 0, and one at which they
 /// don't, or `far`, after so many halvings.
 struct ContactOnWay {

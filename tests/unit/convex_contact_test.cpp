@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "contact/part_contacts.h"
+#include "contact_laws.h"
 #include "convex/convex_outline.h"
 #include "families.h"
 #include "numbers/segment.h"
@@ -237,6 +238,30 @@ TEST(ConvexContact, OfANeedleInABoxIsOnTheNeedle) {
     EXPECT_NEAR(found[0].point.x(), 10.25, 1e-14);
     EXPECT_EQ(found[0].point.y(), 4.5);
   }
+}
+
+/// Of points on a line, but for a last bit: its two sides are one to doubles.
+TEST(ConvexContact, OfAFlatPolygonIsOnIt) {
+  int deep = 0;
+  for (int i = 0; i < scaledCount(2000); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Vec2 from = randomPose(random, 1).translation(), way = direction(random.real(-3.2, 3.2));
+    const double length = random.real(0.1, 3);
+    Ring flat{from, from + random.real(0.1, 0.9) * length * way, from + length * way};
+    if (random.coin()) flat.push_back(from + random.real(0.1, 0.9) * length * way);
+    for (Vec2& p : flat)
+      for (const int axis : {0, 1})
+        if (random.oneIn(3)) p[axis] = std::nextafter(p[axis], random.coin() ? 9 : -9);
+    Case c{Polygon({eitherWay(random, anyConvex(random, 1))}), randomPose(random, 1), Polygon({flat}),
+           randomPose(random, 1)};
+    if (random.coin()) std::swap(c.a, c.b);
+    if (!collide(c.a, c.pose_a, c.b, c.pose_b)) continue;
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(found.size(), 1u);
+    deep += found[0].depth > 0.01 ? 1 : 0;
+    EXPECT_TRUE(isCommon(c, found[0])) << reproduction(c);
+  }
+  EXPECT_GE(deep, scaledCount(2000) / 10);
 }
 
 /// Of the edges at the deepest vertex the one that is more across the normal, whichever way round the ring runs.
