@@ -16,7 +16,7 @@
 namespace tricover::bench {
 namespace {
 
-MethodTable<Hits> methodsOn(const Polygon& fixed, const Polygon& moving) {
+MethodTable<Hits> methodsOn(const Polygon& fixed, const Polygon& moving, const std::shared_ptr<FclMpr>& mpr) {
   MethodTable<Hits> table;
   table.add("cold", Role::Ours, false, std::make_shared<Core>(fixed, moving));
   table.add("cached", Role::Ours, true, std::make_shared<CachedCore>(fixed, moving), onSmallSteps);
@@ -33,7 +33,7 @@ MethodTable<Hits> methodsOn(const Polygon& fixed, const Polygon& moving) {
             }};
   };
   table.addMade(plain, [](const Choice& choice) { return choice.plain; });
-  table.add("FCL MPR", Role::Rival, false, std::make_shared<FclMpr>(fixed, moving));
+  table.add("FCL MPR", Role::Rival, false, mpr);
   table.add("FCL GJK", Role::Rival, false, std::make_shared<FclGjk>(fixed, moving, false));
   table.add("FCL GJK guess", Role::Rival, true, std::make_shared<FclGjk>(fixed, moving, true), onSmallSteps);
   table.add("FCL BVH", Role::Rival, false, std::make_shared<FclBvh>(fixed, moving));
@@ -83,7 +83,8 @@ std::vector<Cell> studyCells(bool full) {
 
 std::vector<Result> measureCell(const Cell& cell, const Settings& settings) {
   const auto [fixed, moving] = polygonsOf(cell);
-  const MethodTable<Hits> methods = methodsOn(fixed, moving);
+  const auto mpr = std::make_shared<FclMpr>(fixed, moving);
+  const MethodTable<Hits> methods = methodsOn(fixed, moving, mpr);
   std::vector<Result> results;
   for (const std::string& name : cell.workloads) {
     const std::vector<Pose> poses = posesOf(name, fixed, moving);
@@ -94,6 +95,7 @@ std::vector<Result> measureCell(const Cell& cell, const Settings& settings) {
     const Workload workload{
         "study", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};
     results.push_back(measure(workload, methods.on(poses, choice), settings));
+    results.back().boxes_decide = mpr->decidedByBoxes();
   }
   return results;
 }

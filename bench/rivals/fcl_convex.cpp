@@ -37,4 +37,11 @@ void FclPieces::prepare(const std::vector<Pose>& poses) {
   transforms_ = toTransforms(poses);
 }
 
+std::size_t FclPieces::decidedByBoxes() {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < poses_.size(); ++i)
+    count += anyPair(i, [](const Prism&, const Prism&) { return true; }) ? 0 : 1;
+  return count;
+}
+
 }  // namespace tricover::bench

@@ -18,6 +18,8 @@ class FclPieces {
   FclPieces(const Polygon& fixed, const Polygon& moving);
 
   void prepare(const std::vector<Pose>& poses);
+  /// How many of the poses the boxes tell.
+  std::size_t decidedByBoxes();
 
  protected:
   struct Box {

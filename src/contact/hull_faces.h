@@ -46,6 +46,38 @@ inline std::vector<BoundaryPoint> likelyCorners(const std::vector<BoundaryPoint>
   return likely;
 }
 
+/// Adds makePoint(), which is at p, unless the hull holds it: in place of the corners between the edges that p is
+/// beyond. Signs are rounded, so corners may stay that hardly are ones.
+template <typename MakePoint>
+void addToHull(Hull& hull, const Vec2& p, MakePoint makePoint) {
+  const std::size_t count = hull.size();
+  if (count < 3) {
+    hull.push_back(makePoint());
+    hull = hullOf(std::move(hull));
+    return;
+  }
+  const auto next = [&](std::size_t k) { return k + 1 < count ? k + 1 : 0; };
+  const auto isInside = [&](std::size_t k) { return !(cross(hull[next(k)].at - hull[k].at, p - hull[k].at) < 0); };
+  // The first edge that p is beyond, after one that it isn't; and the next one that it isn't.
+  std::size_t first = 0;
+  if (isInside(count - 1)) {
+    while (first < count && isInside(first)) ++first;
+    if (first == count) return;
+  } else {
+    for (first = count - 1; first > 0 && !isInside(first - 1);) --first;
+  }
+  std::size_t end = next(first);
+  while (end != first && !isInside(end)) end = next(end);
+  const auto at = [&](std::size_t k) { return hull.begin() + static_cast<std::ptrdiff_t>(k); };
+  if (end > first) {
+    hull.insert(hull.erase(at(first + 1), at(end)), makePoint());
+  } else {
+    hull.erase(at(first + 1), hull.end());
+    hull.push_back(makePoint());
+    hull.erase(hull.begin(), at(end));
+  }
+}
+
 /// Calls visit(from, to, normal, depth, deepest) for every face of the hull that is wanted, by isWanted(from, to):
 /// `body` reaches `depth` behind it, with `deepest`, which goes round the body as the face goes round the hull.
 template <typename IsWanted, typename Visit>

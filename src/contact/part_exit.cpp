@@ -87,13 +87,16 @@ Exit PartExits::exitOfConvex(const OverlapComponent& component, const Separating
 
 /// The hull of the part and of the edges of one side that cross there.
 Hull PartExits::grownPart(const OverlapComponent& component, bool of_a) const {
-  Hull points = part_;
+  const PolygonData& polygon = of_a ? pair_.a : pair_.b;
+  Hull grown = part_;
   for (const std::size_t k : component.crossings) {
     const std::size_t edge = of_a ? crossings_[k].edge_a : crossings_[k].edge_b;
-    for (const std::size_t v : {edge, edgeAfter(of_a ? pair_.a : pair_.b, edge)})
-      points.push_back(of_a ? vertexOfA(v) : vertexOfB(v));
+    for (const std::size_t v : {edge, edgeAfter(polygon, edge)}) {
+      const Vec2 at = of_a ? frame_.fromA(polygon.path[v]) : frame_.fromB(polygon.path[v]);
+      addToHull(grown, at, [&] { return vertexPoint(polygon, of_a ? 0 : 1, v, at); });
+    }
   }
-  return detail::hullOf(std::move(points));
+  return grown;
 }
 
 /// Of the faces that are edges, or of the others.
@@ -104,14 +107,12 @@ PartExits::Found PartExits::leastFace(bool is_edge) const {
     if (isBetter(exit, best.exit)) best = {exit, &from, &to, &deepest};
   };
   forEachFace(
-      grown_[0], grown_[1],
-      [&](auto& from, auto& to) { return (commonOfA(from, to) >= 0) == is_edge; },
+      grown_[0], grown_[1], [&](auto& from, auto& to) { return (commonOfA(from, to) >= 0) == is_edge; },
       [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
         offer({normal, depth, -1, -1, true}, from, to, deepest);
       });
   forEachFace(
-      grown_[1], grown_[0],
-      [&](auto& from, auto& to) { return (commonOfB(from, to) >= 0) == is_edge; },
+      grown_[1], grown_[0], [&](auto& from, auto& to) { return (commonOfB(from, to) >= 0) == is_edge; },
       [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
         offer({-normal, depth, -1, -1, false}, from, to, deepest);
       });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "numbers/double2.h"
 #include "numbers/rigidity.h"
 #include "shape/heights.h"
 #include "shape/planar_pair.h"
@@ -49,24 +50,31 @@ struct PolygonPair final : PlanarPair {
     }
     return meet;
   }
-
-  /// Whether the two collide, if the discs around both shapes' own origins, which two discs are, tell that plainly:
-  /// before facts are looked up and the kernel is asked. Of the two squares, the way's errs by 4U and the reach's by
-  /// 9U; the last term is for what underflows.
-  std::optional<bool> collidePlainly() const {
-    constexpr double kSquares = 0x1p-48, kTiny = 0x1p-1000;
-    const tricover::Vec2 way = pose_b.translation() - pose_a.translation();
-    const auto square = [](double reach) { return reach * reach; };
-    const double apart = way.squaredNorm(),
-                 reach = static_cast<double>(shape_a.aabb_radius) + static_cast<double>(shape_b.aabb_radius);
-    const bool is_free = apart > square(reach + (margin - (margin_a + margin_b))) * (1 + kSquares) + kTiny;
-    const bool is_hit = shape_a.isDisc() && shape_b.isDisc() && apart < square(margin) * (1 - kSquares) - kTiny;
-    if ((is_free || is_hit) && areRigid()) return is_hit;
-    return std::nullopt;
-  }
-
-  /// Most poses that the kernel doesn't refuse.
-  bool areRigid() const { return tricover::detail::isPlainlyRigid(pose_a) && tricover::detail::isPlainlyRigid(pose_b); }
 };
+
+/// Whether the two collide, if the discs around both shapes' own origins, which two discs are, tell that plainly, and
+/// both poses plainly keep the plane and are rigid: before anything else is made of them. Of the two squares, the way's
+/// errs by 4U and the reach's by 9U; the last term is for what underflows.
+template <typename S>
+std::optional<bool> decidedByDiscs(const PolygonShape<S>& a, const fcl::Transform3<S>& tf1, const PolygonShape<S>& b,
+                                   const fcl::Transform3<S>& tf2, double more) {
+  using tricover::detail::Double2;
+  constexpr double kSquares = 0x1p-48, kUnderflow = 0x1p-1000;
+  const auto column = [](const fcl::Transform3<S>& tf, int k) {
+    return Double2{static_cast<double>(tf.matrix()(0, k)), static_cast<double>(tf.matrix()(1, k))};
+  };
+  const auto square = [](double reach) { return reach * reach; };
+  const Double2 way = column(tf2, 3) - column(tf1, 3);
+  const double apart = tricover::detail::dot(way, way), margin = more + (a.options().margin + b.options().margin),
+               reach = static_cast<double>(a.aabb_radius) + static_cast<double>(b.aabb_radius);
+  const bool is_free = apart > square(reach + more) * (1 + kSquares) + kUnderflow;
+  const bool is_hit = a.isDisc() && b.isDisc() && apart < square(margin) * (1 - kSquares) - kUnderflow;
+  if (!is_free && !is_hit) return std::nullopt;
+  const tricover::detail::Gram gram_a(column(tf1, 0), column(tf1, 1)), gram_b(column(tf2, 0), column(tf2, 1));
+  const Double2 norms = gram_a.norms + gram_b.norms;
+  const double off = (norms[0] + norms[1]) + (gram_a.dot + gram_b.dot) + (tiltOf(tf1) + tiltOf(tf2));
+  return off <= kTiltTolerance && std::isfinite(apart) ? std::optional(is_hit) : std::nullopt;
+}
+static_assert(kTiltTolerance < tricover::kRigidTolerance);
 
 }  // namespace tricover_fcl
