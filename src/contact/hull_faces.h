@@ -46,35 +46,37 @@ inline std::vector<BoundaryPoint> likelyCorners(const std::vector<BoundaryPoint>
   return likely;
 }
 
-/// Adds makePoint(), which is at p, unless the hull holds it: in place of the corners between the edges that p is
-/// beyond. Signs are rounded, so corners may stay that hardly are ones.
+/// Whether every corner turns left: what rounded signs have made a hull of may not.
+inline bool turnsLeft(const Hull& hull) {
+  bool does = hull.size() > 2;
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const Vec2 &p = hull[k].at, &q = hull[(k + 1) % hull.size()].at, &r = hull[(k + 2) % hull.size()].at;
+    does = does && cross(q - p, r - q) > 0;
+  }
+  return does;
+}
+
+/// Adds makePoint(), which is at p, to a hull of three corners or more, unless it holds p: in place of the corners
+/// between the edges that p is beyond, or on the line of. Rounding may leave corners that don't turn left.
 template <typename MakePoint>
 void addToHull(Hull& hull, const Vec2& p, MakePoint makePoint) {
   const std::size_t count = hull.size();
-  if (count < 3) {
-    hull.push_back(makePoint());
-    hull = hullOf(std::move(hull));
-    return;
-  }
   const auto next = [&](std::size_t k) { return k + 1 < count ? k + 1 : 0; };
-  const auto isInside = [&](std::size_t k) { return !(cross(hull[next(k)].at - hull[k].at, p - hull[k].at) < 0); };
-  // The first edge that p is beyond, after one that it isn't; and the next one that it isn't.
-  std::size_t first = 0;
-  if (isInside(count - 1)) {
-    while (first < count && isInside(first)) ++first;
-    if (first == count) return;
-  } else {
-    for (first = count - 1; first > 0 && !isInside(first - 1);) --first;
-  }
-  std::size_t end = next(first);
-  while (end != first && !isInside(end)) end = next(end);
+  const auto before = [&](std::size_t k) { return k > 0 ? k - 1 : count - 1; };
+  const auto turn = [&](std::size_t k) { return cross(hull[next(k)].at - hull[k].at, p - hull[k].at); };
+  std::size_t from = 0;
+  while (from < count && !(turn(from) < 0)) ++from;
+  if (from == count) return;
+  std::size_t to = next(from);
+  while (next(to) != from && !(turn(to) > 0)) to = next(to);
+  while (before(from) != to && !(turn(before(from)) > 0)) from = before(from);
   const auto at = [&](std::size_t k) { return hull.begin() + static_cast<std::ptrdiff_t>(k); };
-  if (end > first) {
-    hull.insert(hull.erase(at(first + 1), at(end)), makePoint());
+  if (to > from) {
+    hull.insert(hull.erase(at(from + 1), at(to)), makePoint());
   } else {
-    hull.erase(at(first + 1), hull.end());
+    hull.erase(at(from + 1), hull.end());
     hull.push_back(makePoint());
-    hull.erase(hull.begin(), at(end));
+    hull.erase(hull.begin(), at(to));
   }
 }
 

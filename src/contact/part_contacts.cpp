@@ -126,7 +126,7 @@ Exit ContactFinder::exitOfTouch(const Exit& exit) const {
   if (parts(result)) return result;
   // They are wedged, or a thin corner reaches through by more than coordinates are off by.
   const std::optional<Penetration> p = shortestWay();
-  if (p && p->optimal) result.normal = p->normal;
+  if (p && p->optimal) result.normal = p->translation.stableNormalized();
   return result;
 }
 
@@ -149,7 +149,7 @@ Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) con
   const bool alike = agrees && exit.normal.dot(p.normal) >= 1 - 0x1p-20;
   if (agrees && !alike && partsFreely(exit)) return exit;
   // What agrees with it to its precision is known better.
-  if (!alike) exit = {p.normal, depth, -1, -1, true};
+  if (!alike || !parts(exit)) exit = {p.normal, depth, -1, -1, true};
   // Of the edges at a vertex that parts last either will do.
   const auto partsLast = [&](const WorldFrame::Ends& edge, const Vec2& point) {
     const Vec2 at = frame_.fromWorld(point);
@@ -163,7 +163,11 @@ Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) con
   if (exit.edge_b < 0 || !partsLast(frame_.edgeEndsOfB(static_cast<std::size_t>(exit.edge_b)), p.point_b))
     exit.edge_b = positionOf(pair_.b, p.edge_b);
   if (component.crossings.empty()) (leftmostOf(component).b >= 0 ? exit.edge_a : exit.edge_b) = -1;
-  return depth > 64 * frame_.error() || partsFreely(exit) ? exit : freed(exit);
+  if (depth > 64 * frame_.error() || partsFreely(exit)) return exit;
+  exit = freed(exit);
+  // Into a corner that only a translation longer than coordinates are off by leads out of.
+  if (!parts(exit)) exit.normal = p.translation.stableNormalized();
+  return exit;
 }
 
 /// A touch whose normal leads into or along a wall: the middle of the widest range of directions that part them, if

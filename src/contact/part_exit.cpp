@@ -88,15 +88,21 @@ Exit PartExits::exitOfConvex(const OverlapComponent& component, const Separating
 /// The hull of the part and of the edges of one side that cross there.
 Hull PartExits::grownPart(const OverlapComponent& component, bool of_a) const {
   const PolygonData& polygon = of_a ? pair_.a : pair_.b;
-  Hull grown = part_;
-  for (const std::size_t k : component.crossings) {
-    const std::size_t edge = of_a ? crossings_[k].edge_a : crossings_[k].edge_b;
-    for (const std::size_t v : {edge, edgeAfter(polygon, edge)}) {
-      const Vec2 at = of_a ? frame_.fromA(polygon.path[v]) : frame_.fromB(polygon.path[v]);
-      addToHull(grown, at, [&] { return vertexPoint(polygon, of_a ? 0 : 1, v, at); });
+  const auto forEachEnd = [&](auto visit) {
+    for (const std::size_t k : component.crossings) {
+      const std::size_t edge = of_a ? crossings_[k].edge_a : crossings_[k].edge_b;
+      for (const std::size_t v : {edge, edgeAfter(polygon, edge)})
+        visit(v, of_a ? frame_.fromA(polygon.path[v]) : frame_.fromB(polygon.path[v]));
     }
-  }
-  return grown;
+  };
+  const auto pointOf = [&](std::size_t v, const Vec2& at) { return vertexPoint(polygon, of_a ? 0 : 1, v, at); };
+  Hull grown = part_;
+  if (grown.size() > 2)
+    forEachEnd([&](std::size_t v, const Vec2& at) { addToHull(grown, at, [&] { return pointOf(v, at); }); });
+  if (turnsLeft(grown)) return grown;
+  grown = part_;
+  forEachEnd([&](std::size_t v, const Vec2& at) { grown.push_back(pointOf(v, at)); });
+  return detail::hullOf(std::move(grown));
 }
 
 /// Of the faces that are edges, or of the others.

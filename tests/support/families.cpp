@@ -106,6 +106,21 @@ const std::vector<Family>& families() {
   return all;
 }
 
+Case tinyInCorner(Random& random) {
+  const double size = std::pow(10, random.integer(-11, -3)), far = random.real(1, 60);
+  std::vector<Ring> cells;
+  for (int k = random.integer(1, 4); k > 0; --k) {
+    const Vec2 low(random.integer(-3, 2) * size / 2, random.integer(-3, 2) * size / 2);
+    const Vec2 high = low + Vec2(random.integer(1, 2), random.integer(1, 2)) * size / 2;
+    cells.push_back(random.coin() ? rectangle(low.x(), low.y(), high.x(), high.y())
+                                  : Ring{low, {high.x(), low.y()}, {low.x(), high.y()}});
+  }
+  const Pose frame = pose(random.coin() ? 1.5707963267948966 : random.real(-3, 3), 0, 0);
+  const Pose turn = pose(random.coin() ? random.real(-1, 1) * 1e-4 : random.real(-3, 3), 0, 0);
+  return {Polygon({{{0, 0}, {far, 0}, {far, -far}, {-far, -far}, {-far, far}, {0, far}}}), frame,
+          Polygon(cells, FillRule::NonZero), frame * distorted(random, turn)};
+}
+
 bool isOneTwice(const Case& c) {
   return c.a.rings() == c.b.rings() && c.a.fillRule() == c.b.fillRule() && c.pose_a.matrix() == c.pose_b.matrix();
 }

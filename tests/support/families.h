@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "random.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
 
@@ -15,6 +16,10 @@ struct Case {
   Polygon b;
   Pose pose_b;
 };
+
+/// a: three quarters of a plane, cut off somewhere, around its corner at the origin; b: some cells of a grid near
+/// there, smaller than a by up to 1e11. Many edges lie on one line, but for rounding.
+Case tinyInCorner(Random& random);
 
 /// The same region twice, at one place: there no direction from a to b is better than its opposite.
 bool isOneTwice(const Case& c);

@@ -2,8 +2,10 @@
 // contacts(): one for each connected part of the overlap, by hand.
 #include <utility>
 
+#include "contact_laws.h"
 #include "contacts_by_hand.h"
 #include "exact_reference.h"
+#include "families.h"
 #include "random.h"
 #include "test_scale.h"
 #include "tricover/penetration.h"
@@ -232,6 +234,20 @@ TEST(Contacts, AreBesideTheDeepestPointWhicheverPolygonHasIt) {
     ASSERT_EQ(other.size(), 1u);
     expectContact(other[0], {0, -0.5}, {0, 1}, 1);
   }
+}
+
+/// Of one part the normal and depth are those of the shortest way apart, to the precision of coordinates.
+TEST(Contacts, OfATinyPolygonInACornerPartIt) {
+  int alone = 0;
+  for (int i = 0; i < scaledCount(600); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Case c = tinyInCorner(random);
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+    if (found.size() != 1) continue;
+    ++alone;
+    EXPECT_EQ(wrongWayApart(c, found[0]), "") << i;
+  }
+  EXPECT_GE(alone, scaledCount(600) / 4);
 }
 
 /// Found by the soak: beside the edge that the outlines take there is another one, turned by 4e-8, past which a little

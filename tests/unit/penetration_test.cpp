@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "families.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -411,31 +412,20 @@ TEST(Penetration, IsOptimalWhereDepthAndBoundAgree) {
   EXPECT_GE(deep, all / 10);
 }
 
-/// In the corner of a quarter plane, a polygon of some cells that is smaller by up to 1e11: what is far away doesn't
-/// matter, however far it reaches. Many edges lie on one line, but for rounding.
+/// What is far away doesn't matter, however far it reaches: free is the quarter beside the corner.
 TEST(Penetration, OfATinyPolygonInACornerIsTheWayToItsQuarter) {
   int deep = 0;
   for (int i = 0; i < scaledCount(600); ++i) {
     Random random(static_cast<std::uint64_t>(i));
-    const double size = std::pow(10, random.integer(-11, -3)), far = random.real(1, 60);
-    const Polygon corner({{{0, 0}, {far, 0}, {far, -far}, {-far, -far}, {-far, far}, {0, far}}});
-    std::vector<Ring> cells;
-    const Pose frame = pose(random.coin() ? 1.5707963267948966 : random.real(-3, 3), 0, 0);
-    const Pose turn = distorted(random, pose(random.coin() ? random.real(-1, 1) * 1e-4 : random.real(-3, 3), 0, 0));
-    Vec2 least(1, 1);
-    for (int k = random.integer(1, 4); k > 0; --k) {
-      const Vec2 low(random.integer(-3, 2) * size / 2, random.integer(-3, 2) * size / 2);
-      const Vec2 high = low + Vec2(random.integer(1, 2), random.integer(1, 2)) * size / 2;
-      cells.push_back(random.coin() ? rectangle(low.x(), low.y(), high.x(), high.y())
-                                    : Ring{low, {high.x(), low.y()}, {low.x(), high.y()}});
-      for (const Vec2& p : cells.back()) least = least.cwiseMin(turn * p);
-    }
-    const Polygon tiny(cells, FillRule::NonZero);
-    const auto p = penetration(corner, frame, tiny, frame * turn);
-    const double depth = (-least).cwiseMax(0).norm(), precision = 1e-12 * tiny.radius() + 2e-13 * corner.radius();
+    const Case c = tinyInCorner(random);
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
     if (!p) continue;
     ++deep;
-    EXPECT_NEAR(p->depth, depth, precision) << i;
+    Vec2 least(0, 0);
+    for (const Ring& ring : c.b.rings())
+      for (const Vec2& v : ring) least = least.cwiseMin(c.pose_a.inverse(Eigen::Isometry) * (c.pose_b * v));
+    const double precision = 1e-12 * c.b.radius() + 2e-13 * c.a.radius();
+    EXPECT_NEAR(p->depth, least.norm(), precision) << i;
     EXPECT_TRUE(p->optimal) << i;
     EXPECT_LE(p->depth - p->lower_bound, 1.2 * precision) << i;
   }
