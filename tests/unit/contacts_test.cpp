@@ -2,13 +2,10 @@
 // contacts(): one for each connected part of the overlap, by hand.
 #include <utility>
 
-#include "contact_laws.h"
 #include "contacts_by_hand.h"
 #include "exact_reference.h"
-#include "families.h"
 #include "random.h"
 #include "test_scale.h"
-#include "tricover/penetration.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -234,47 +231,6 @@ TEST(Contacts, AreBesideTheDeepestPointWhicheverPolygonHasIt) {
     ASSERT_EQ(other.size(), 1u);
     expectContact(other[0], {0, -0.5}, {0, 1}, 1);
   }
-}
-
-/// Of one part the normal and depth are those of the shortest way apart, to the precision of coordinates.
-TEST(Contacts, OfATinyPolygonInACornerPartIt) {
-  int alone = 0;
-  for (int i = 0; i < scaledCount(600); ++i) {
-    Random random(static_cast<std::uint64_t>(i));
-    const Case c = tinyInCorner(random);
-    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
-    if (found.size() != 1) continue;
-    ++alone;
-    EXPECT_EQ(wrongWayApart(c, found[0]), "") << i;
-  }
-  EXPECT_GE(alone, scaledCount(600) / 4);
-}
-
-/// Found by the soak: beside the edge that the outlines take there is another one, turned by 4e-8, past which a little
-/// less is enough.
-TEST(Contacts, OfOnePartAreNoDeeperThanThePenetration) {
-  const Polygon sliver({{{0x1.6ba48fdf6b5fp+4, -0x1.d168bf7fdce36p-17},
-                         {-0x1.4612fa5ade32fp+3, -0x1.d3bf2465c2c58p-15},
-                         {-0x1.99e90f1ddd425p+0, 0x1.007c7fbcb3ffep-14},
-                         {-0x1.7238cb6a2063ap+0, 0x1.0303796f245b6p-14},
-                         {-0x1.5ce91dec1d5eap+0, 0x1.02b31f6ef35aep-14},
-                         {0x1.fb5342d49b8e7p+3, 0x1.7d58fb695cdb2p-15}}});
-  const Polygon chamfered({{{0x1.756b1af046affp-9, -0x1.756b1af046affp-10},
-                            {-0x1.756b1af046affp-10, 0x1.756b1af046affp-9},
-                            {-0x1.756b1af046affp-9, 0x1.756b1af046affp-10},
-                            {-0x1.181054343503fp-9, 0x1.756b1af046affp-10},
-                            {-0x1.d2c5e1ac585bfp-10, 0x1.756b1af046affp-11},
-                            {-0x1.756b1af046affp-10, 0},
-                            {0, -0x1.756b1af046affp-12},
-                            {0x1.756b1af046affp-10, -0x1.756b1af046affp-11}}});
-  Pose pose_a = kHere;
-  pose_a.linear() << -0x1.737f6b2a7749bp-1, -0x1.605364a7a1cfbp-1, -0x1.605364a7a1cfbp-1, 0x1.737f6b2a7749bp-1;
-  const Pose pose_b = pose(0, 0x1.f9f0952156e9fp-1, 0x1.dfdab4cb8f031p-1);
-  const std::vector<Contact> found = contacts(sliver, pose_a, chamfered, pose_b);
-  const auto p = penetration(sliver, pose_a, chamfered, pose_b);
-  ASSERT_EQ(found.size(), 1u);
-  ASSERT_TRUE(p && p->optimal);
-  EXPECT_LE(found[0].depth, p->depth + 4e-13);  // what coordinates are rounded by
 }
 
 /// As contacts.h says: a common point but for 2^-1042, of coordinates without a full fraction.

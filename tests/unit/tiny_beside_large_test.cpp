@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Penetrations and contacts of what is tiny beside, or thin: how far apart things are is a few roundings there. Most of
+// these the soak has found.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "contact_laws.h"
+#include "families.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/contacts.h"
+#include "tricover/penetration.h"
+
+namespace tricover::support {
+namespace {
+
+const Pose kIdentity = Pose::Identity();
+
+/// What is far away doesn't matter, however far it reaches: free is the quarter beside the corner.
+TEST(Penetration, OfATinyPolygonInACornerIsTheWayToItsQuarter) {
+  int deep = 0;
+  for (int i = 0; i < scaledCount(600); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Case c = tinyInCorner(random);
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+    if (!p) continue;
+    ++deep;
+    Vec2 least(0, 0);
+    for (const Ring& ring : c.b.rings())
+      for (const Vec2& v : ring) least = least.cwiseMin(c.pose_a.inverse(Eigen::Isometry) * (c.pose_b * v));
+    const double precision = 1e-12 * c.b.radius() + 2e-13 * c.a.radius();
+    EXPECT_NEAR(p->depth, least.norm(), precision) << i;
+    EXPECT_TRUE(p->optimal) << i;
+    EXPECT_LE(p->depth - p->lower_bound, 1.2 * precision) << i;
+  }
+  EXPECT_GE(deep, scaledCount(600) / 2);
+}
+
+/// Found by the soak: a free wedge beside edges that only a few of the search's resolutions are between.
+TEST(Penetration, OfATinyMapBesideAnApex) {
+  const Polygon map(
+      {{{0, 0}, {0x1.97e200a0fd0c1p-37, 0}, {0, 0x1.97e200a0fd0c1p-37}},
+       {{0x1.07ff30666268ep-36, 0}, {0x1.07ff30666268ep-35, 0}, {0x1.07ff30666268ep-36, 0x1.07ff30666268ep-36}},
+       {{0, 0x1.07ff30666268ep-36}, {0x1.2e7c4bb9a6918p-37, 0x1.07ff30666268ep-36}, {0, 0x1.9f3d564335b1ap-36}},
+       {{0x1.07ff30666268ep-36, 0x1.07ff30666268ep-36},
+        {0x1.256e9563a4affp-36, 0x1.07ff30666268ep-36},
+        {0x1.256e9563a4affp-36, 0x1.256e9563a4affp-36},
+        {0x1.07ff30666268ep-36, 0x1.256e9563a4affp-36}}});
+  const Polygon spikes(
+      {{{-1, -1}, {1, -1}, {0.5, -0.5}, {0.75, -0.75}, {-1, -0.75}, {0, 0.75}, {-0.5, -0.75}, {0.75, 0}}},
+      FillRule::NonZero);
+  Pose pose_a = kIdentity, pose_b = kIdentity;
+  pose_a.linear() << -0x1.cb3c66b32a3c4p-1, 0x1.c4c0cd38c1a47p-2, -0x1.c4c0cd38c1a47p-2, -0x1.cb3c66b32a3c4p-1;
+  pose_b.matrix().topRows<2>() << 0x1.fff975a2438c4p-1, -0x1.a2976f1cee4d5p-15, 0x1.39f18f0c270c7p-15,
+      -0x1.a2976f1cee4d5p-15, 0x1.0003452ede39ep+0, -0x1.8004e7c655cafp-1;
+  const auto p = penetration(map, pose_a, spikes, pose_b);
+  ASSERT_TRUE(p);
+  const double precision = 1e-13 * (map.radius() + spikes.radius() + pose_b.translation().norm());
+  // The wedge's tip is 1.1322e-11 away, and where it is wider than twice the precision 1.15e-11.
+  EXPECT_GE(p->depth, 1.1322e-11 - precision);
+  EXPECT_LE(p->lower_bound, 1.15e-11);
+}
+
+/// Found by the soak: two convolution segments end a little more than rounding before they cross, since each stands for
+/// several.
+TEST(Penetration, OfATinyMapInTheCornerOfAComb) {
+  const double w = 0x1.85fd44e2c82dfp+3, s = 0x1.a1df23a4951f8p-29;
+  const Polygon comb({{{0, -4 * w},
+                       {7 * w, -4 * w},
+                       {7 * w, 4 * w},
+                       {6 * w, 4 * w},
+                       {6 * w, 0},
+                       {5 * w, 0},
+                       {5 * w, 4 * w},
+                       {4 * w, 4 * w},
+                       {4 * w, 0},
+                       {3 * w, 0},
+                       {3 * w, 4 * w},
+                       {2 * w, 4 * w},
+                       {2 * w, 0},
+                       {w, 0},
+                       {w, 4 * w},
+                       {0, 4 * w}}});
+  const Polygon map({rectangle(0, 0, s, s),
+                     {{s, 0}, {2 * s, 0}, {s, s}},
+                     {{0, s}, {s, s}, {0, 2 * s}},
+                     rectangle(s, s, 0x1.32c86f9ec609ap-28, 0x1.32c86f9ec609ap-28)},
+                    FillRule::NonZero);
+  Pose pose_b = kIdentity;
+  pose_b.matrix().topRows<2>() << 0x1.0003452ede39ep+0, -0x1.a2976f1cee4d5p-15, -0x1.a1df0208eba0ap-29,
+      0x1.a2976f1cee4d5p-15, -0x1.0003452ede39ep+0, 0x1.e77c961be2b14p+5;
+  const auto p = penetration(comb, mirrored(pose(1.5707963267948966, 0, 0)), map, pose_b);
+  ASSERT_TRUE(p);
+  // The comb's corner is at (0, 5w), and beside it, to the right and upwards, nothing.
+  Vec2 least(1, 1);
+  for (const Ring& ring : map.rings())
+    for (const Vec2& v : ring) least = least.cwiseMin(pose_b * v - Vec2(0, 5 * w));
+  EXPECT_NEAR(p->depth, least.norm(), 1e-12);
+}
+
+/// Of one part the normal and depth are those of the shortest way apart, to the precision of coordinates.
+TEST(Contacts, OfATinyPolygonInACornerPartIt) {
+  int alone = 0;
+  for (int i = 0; i < scaledCount(600); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Case c = tinyInCorner(random);
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+    if (found.size() != 1) continue;
+    ++alone;
+    EXPECT_EQ(wrongWayApart(c, found[0]), "") << i;
+  }
+  EXPECT_GE(alone, scaledCount(600) / 4);
+}
+
+/// Found by the soak: beside the edge that the outlines take there is another one, turned by 4e-8, past which a little
+/// less is enough.
+TEST(Contacts, OfOnePartAreNoDeeperThanThePenetration) {
+  const Polygon sliver({{{0x1.6ba48fdf6b5fp+4, -0x1.d168bf7fdce36p-17},
+                         {-0x1.4612fa5ade32fp+3, -0x1.d3bf2465c2c58p-15},
+                         {-0x1.99e90f1ddd425p+0, 0x1.007c7fbcb3ffep-14},
+                         {-0x1.7238cb6a2063ap+0, 0x1.0303796f245b6p-14},
+                         {-0x1.5ce91dec1d5eap+0, 0x1.02b31f6ef35aep-14},
+                         {0x1.fb5342d49b8e7p+3, 0x1.7d58fb695cdb2p-15}}});
+  const Polygon chamfered({{{0x1.756b1af046affp-9, -0x1.756b1af046affp-10},
+                            {-0x1.756b1af046affp-10, 0x1.756b1af046affp-9},
+                            {-0x1.756b1af046affp-9, 0x1.756b1af046affp-10},
+                            {-0x1.181054343503fp-9, 0x1.756b1af046affp-10},
+                            {-0x1.d2c5e1ac585bfp-10, 0x1.756b1af046affp-11},
+                            {-0x1.756b1af046affp-10, 0},
+                            {0, -0x1.756b1af046affp-12},
+                            {0x1.756b1af046affp-10, -0x1.756b1af046affp-11}}});
+  Pose pose_a = kIdentity;
+  pose_a.linear() << -0x1.737f6b2a7749bp-1, -0x1.605364a7a1cfbp-1, -0x1.605364a7a1cfbp-1, 0x1.737f6b2a7749bp-1;
+  const Pose pose_b = pose(0, 0x1.f9f0952156e9fp-1, 0x1.dfdab4cb8f031p-1);
+  const std::vector<Contact> found = contacts(sliver, pose_a, chamfered, pose_b);
+  const auto p = penetration(sliver, pose_a, chamfered, pose_b);
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_TRUE(p && p->optimal);
+  EXPECT_LE(found[0].depth, p->depth + 4e-13);  // what coordinates are rounded by
+}
+
+}  // namespace
+}  // namespace tricover::support
