@@ -142,5 +142,75 @@ TEST(Contacts, OfOnePartAreNoDeeperThanThePenetration) {
   EXPECT_LE(found[0].depth, p->depth + 4e-13);  // what coordinates are rounded by
 }
 
+/// Found by the soak, and made smaller: a pair whose only contact has to lead apart.
+void expectWayApart(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const std::vector<Contact> found = contacts(a, pose_a, b, pose_b);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(wrongWayApart({a, pose_a, b, pose_b}, found[0]), "");
+}
+
+Pose poseOf(double xx, double xy, double x, double yx, double yy, double y) {
+  Pose pose = Pose::Identity();
+  pose.matrix().topRows<2>() << xx, xy, x, yx, yy, y;
+  return pose;
+}
+
+/// The edges around the part tell almost the right normal, along which a neighbour stays in the way.
+TEST(Contacts, OfTwoChipsAtACornerLeadApart) {
+  const Polygon corner({{{0.875, 0}, {0.875, 0.5}, {0.75, 0.5}}});
+  const double u = 0x1.37185caf4f803p-26, v = 0x1.5acb5a0dbb496p-26;
+  const Polygon chips({{{u, 0}, {0x1.84b336d9daf45p-26, 0}, {u, 0x1.366b68aa2dd0cp-28}}, {{u, u}, {v, v}, {u, v}}});
+  expectWayApart(corner,
+                 poseOf(0x1.00029df066cbdp+0, 0x1.3bc53357f7a73p-15, 0, 0x1.3bc53357f7a73p-15, 0x1.fff9ac88285ebp-1, 0),
+                 chips, poseOf(1, 0, 0x1.c0070ab802535p-1, 0, 1, 0x1.000126dabb8b6p-1));
+}
+
+/// Deeper than coordinates are off by, less deep than a search resolves.
+TEST(Contacts, OfASplinterInALargeCornerLeadApart) {
+  const Polygon corner({{{0, -1e6}, {1.25e6, 0}, {1e6, 1e6}, {1e6, 0}, {0, 0}}});
+  const Polygon splinter(
+      {{{2, 3}, {0x1.fffff5c6f677cp+0, 0x1.80000706da7c8p+1}, {0x1.fffff1d94be9ep+0, 0x1.80000496a3316p+1}}});
+  expectWayApart(corner, pose(0, 4, -0.5), splinter,
+                 poseOf(0x1.8eb96f646ec99p-1, -0x1.413096c471d19p-1, 0x1.e8488a61ee586p+19, 0x1.413096c471d19p-1,
+                        0x1.8eb96f646ec99p-1, -0x1.05d1af76c6p+2));
+}
+
+/// A flat triangle's two sides are one to doubles: its ends are no place of the overlap.
+TEST(Contacts, OfAFlatTriangleAreOnIt) {
+  const Polygon chamfered({{{0x1.09dd85bd74452p-2, 0x1.5abfd7e0fdb3cp-2},
+                            {-0x1.a7b672365790ap-2, 0x1.aad7450822e8ap-4},
+                            {-0x1.a7b672365790ap-2, 0x1.aad7450822e89p-4},
+                            {-0x1.bbf688929315ap-3, -0x1.785b18270fc3p-2},
+                            {0x1.a8218fd8e4c9fp-3, -0x1.7e07f1bb028d4p-2}}});
+  const Polygon flat({{{0x1.35a322f14d91cp-3, -0x1.1204a8027541p+0},
+                       {-0x1.588cfa8dc056p+0, 0x1.4b1b850d1bedcp-1},
+                       {-0x1.6898c8514a5bdp-1, -0x1.6d58fb42a45a8p-4}}});
+  const Case c{chamfered, kIdentity, flat,
+               poseOf(0x1.1a62633145c07p-54, -1, -0x1.eabe8895eb10cp-2, 1, 0x1.1a62633145c07p-54, 0x1.829aa9c3f185p-1)};
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(isCommon(c, found[0]));
+}
+
+/// Corners that lie on each other but for rounding: a hull that is grown by them is bent.
+TEST(Contacts, OfRingsThatLieOnEachOtherTakeTheirEdgesPastEachOther) {
+  const Polygon a({{{-3, -2}, {-1, 0}, {-3, -2}, {-2, -3}},
+                   {{3, 3}, {-3, 3}, {-3, -3}, {3, -3}},
+                   {{-1, 2}, {2, 3}, {-1, 2}, {2, -3}}},
+                  FillRule::NonZero);
+  const Polygon b({{{-3, -2}, {-1, 2}, {1, 2}}, {{-1, 2}, {3, 2}, {3, 2}}});
+  const Pose there = poseOf(-0x1.791946dc7a4a3p-1, -0x1.5a5307598112p-1, -0x1.f4403f96919e2p+2, 0x1.5a5307598112p-1,
+                            -0x1.791946dc7a4a3p-1, 0x1.d3c146be7e6b8p+2);
+  ContactOptions options;
+  options.detail = ContactDetail::LocalDepth;
+  const std::vector<Contact> found = contacts(a, there, b, there, options);
+  ASSERT_EQ(found.size(), 1u);
+  Pose moved = there;
+  moved.translation() += found[0].depth * (1 + 1e-9) * found[0].normal;
+  for (const Crossing& now : crossings(a, there, b, there))
+    for (const Crossing& then : crossings(a, there, b, moved))
+      EXPECT_FALSE(now.edge_a == then.edge_a && now.edge_b == then.edge_b) << now.edge_a << " " << now.edge_b;
+}
+
 }  // namespace
 }  // namespace tricover::support

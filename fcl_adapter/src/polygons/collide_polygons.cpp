@@ -36,11 +36,10 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
   const std::optional<bool> plain = decidedByDiscs(shape_a, tf1, shape_b, tf2, options.margin);
   if (plain == false) return result.numContacts();
-  const Wanted want = wanted(o1, o2, request);
   const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2, options.margin);
-  if (!want.contacts && !want.costs) return result.numContacts();
   if (!(pair.heightsMeet() && (plain || pair.collide(options.tolerance)))) return result.numContacts();
 
+  const Wanted want = wanted(o1, o2, request);
   const std::size_t most = want.contacts ? room(request, result) : 0;
   if (most > 0 && !request.enable_contact) {
     addContact(o1, o2, result);

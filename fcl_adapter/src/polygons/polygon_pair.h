@@ -28,8 +28,7 @@ struct PolygonPair final : PlanarPair {
         shape_b(b_),
         tf_a(tf1),
         tf_b(tf2) {
-    requirePlanar(tf1, "pose_a");
-    requirePlanar(tf2, "pose_b");
+    requirePlanar(tf1, tf2);
     setPlanarPart(pose_a, tf1);
     setPlanarPart(pose_b, tf2);
     if ((shape_a.isDisc() && hasFewEdges(*b)) || (shape_b.isDisc() && hasFewEdges(*a))) return;

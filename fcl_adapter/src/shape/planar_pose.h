@@ -99,6 +99,14 @@ void requirePlanar(const fcl::Transform3<S>& transform, const char* name) {
   if (!keepsPlane(transform)) refusePose(transform.matrix().template cast<double>(), true, name);
 }
 
+/// Of two at once: most keep it together.
+template <typename S>
+void requirePlanar(const fcl::Transform3<S>& tf1, const fcl::Transform3<S>& tf2) {
+  if (tiltOf(tf1) + tiltOf(tf2) <= kTiltTolerance) return;
+  requirePlanar(tf1, "pose_a");
+  requirePlanar(tf2, "pose_b");
+}
+
 /// That of a pose that keeps the plane.
 template <typename S>
 PlanarPose planarPose(const fcl::Transform3<S>& transform, const char* name) {
