@@ -122,12 +122,7 @@ void ContactFinder::leaveTouches(std::vector<OverlapComponent>& components) cons
 /// Where the only part of the overlap is a touch.
 Exit ContactFinder::exitOfTouch(const Exit& exit) const {
   if (partsFreely(exit)) return exit;
-  Exit result = freed(exit);
-  if (parts(result)) return result;
-  // They are wedged, or a thin corner reaches through by more than coordinates are off by.
-  const std::optional<Penetration> p = shortestWay();
-  if (p && p->optimal) result.normal = p->translation.stableNormalized();
-  return result;
+  return freed(exit);
 }
 
 /// Nothing where so few translations may be tried that none would be found.

@@ -38,12 +38,17 @@ bool collideAfter(const Case& c, const Vec2& way) {
   return Reference(moved).collide();
 }
 
-/// A quarter of what the translation is longer by wouldn't do, as between edges that are nearly parallel.
+/// Half, or a quarter, of what the translation is longer by wouldn't do, as between edges that are nearly parallel: in
+/// the tip of a slit rounding decides which.
 bool needsAll(const Case& c, const Penetration& p) {
-  const Vec2 limit = p.depth * p.normal, quarter = limit + (p.translation - limit) / 4;
-  Case moved = c;
-  moved.pose_a.translation() -= quarter;
-  return collideAfter(c, quarter) || Reference(moved).collide();
+  const Vec2 limit = p.depth * p.normal;
+  const auto collides = [&](int part) {
+    const Vec2 shorter = limit + (p.translation - limit) / part;
+    Case moved = c;
+    moved.pose_a.translation() -= shorter;
+    return collideAfter(c, shorter) || Reference(moved).collide();
+  };
+  return collides(2) || collides(4);
 }
 
 std::string wrongConvex(const Case& c, const Penetration& p) {
