@@ -38,17 +38,18 @@ bool collideAfter(const Case& c, const Vec2& way) {
   return Reference(moved).collide();
 }
 
-/// Half, or a quarter, of what the translation is longer by wouldn't do, as between edges that are nearly parallel: in
-/// the tip of a slit rounding decides which.
+/// A quarter of what the translation is longer by wouldn't do, as between edges that are nearly parallel; or not a
+/// little aside, as in the tip of a slit, where rounding decides.
 bool needsAll(const Case& c, const Penetration& p) {
-  const Vec2 limit = p.depth * p.normal;
-  const auto collides = [&](int part) {
-    const Vec2 shorter = limit + (p.translation - limit) / part;
+  const Vec2 limit = p.depth * p.normal, quarter = limit + (p.translation - limit) / 4;
+  const Vec2 across = Vec2(-quarter.y(), quarter.x()).stableNormalized();
+  for (const double aside : {0.0, precision(c), -precision(c)}) {
+    const Vec2 way = quarter + aside * across;
     Case moved = c;
-    moved.pose_a.translation() -= shorter;
-    return collideAfter(c, shorter) || Reference(moved).collide();
-  };
-  return collides(2) || collides(4);
+    moved.pose_a.translation() -= way;
+    if (collideAfter(c, way) || Reference(moved).collide()) return true;
+  }
+  return false;
 }
 
 std::string wrongConvex(const Case& c, const Penetration& p) {
