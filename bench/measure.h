@@ -103,7 +103,7 @@ struct Result {
   Workload workload;
   std::size_t collisions;
   std::vector<Timing> timings;
-  std::size_t boxes_decide = 0;  ///< positions that FCL's boxes of convex pieces tell, before its solver is asked
+  std::size_t decided_at_once = 0;  ///< positions that FCL's first box or support tells
 };
 
 /// "scene vertices, workload".

@@ -164,14 +164,14 @@ std::string csv(const std::vector<Result>& results) {
   constexpr const char* kRoles[] = {"ours", "rival", "box2d", "empty", "inexact"};
   std::ostringstream out;
   out << "job,scene,workload,vertices_fixed,vertices_moving,queries,collisions,role,method,ns_per_query,"
-         "checked,false_alarms,misses,boxes_decide\n";
+         "checked,false_alarms,misses,decided_at_once\n";
   for (const Result& result : results) {
     const Workload& w = result.workload;
     for (const Timing& t : result.timings) {
       out << w.job << ',' << quotedField(w.scene) << ',' << quotedField(w.name) << ',' << w.vertices_fixed << ','
           << w.vertices_moving << ',' << w.positions << ',' << result.collisions << ','
           << kRoles[static_cast<int>(t.role)] << ",\"" << t.name << "\"," << formatted("%.6g", t.ns) << ',' << t.checked
-          << ',' << t.false_alarms << ',' << t.misses << ',' << result.boxes_decide << '\n';
+          << ',' << t.false_alarms << ',' << t.misses << ',' << result.decided_at_once << '\n';
     }
   }
   return out.str();

@@ -95,7 +95,7 @@ std::vector<Result> measureCell(const Cell& cell, const Settings& settings) {
     const Workload workload{
         "study", workloads::name(cell.kind), name, cell.vertices_fixed, cell.vertices_moving, poses.size(), 1};
     results.push_back(measure(workload, methods.on(poses, choice), settings));
-    results.back().boxes_decide = mpr->decidedByBoxes();
+    results.back().decided_at_once = mpr->decidedAtOnce();
   }
   return results;
 }

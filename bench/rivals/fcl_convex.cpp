@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fcl_convex.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace tricover::bench {
 namespace {
 
@@ -37,10 +40,22 @@ void FclPieces::prepare(const std::vector<Pose>& poses) {
   transforms_ = toTransforms(poses);
 }
 
-std::size_t FclPieces::decidedByBoxes() {
+std::size_t FclPieces::decidedAtOnce() {
+  const auto reach = [](const Prism& prism, const Vec2& way) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const fcl::Vector3d& v : prism.getVertices()) most = std::max(most, way.dot(v.head<2>()));
+    return most;
+  };
+  const bool is_one_pair = fixed_.prisms.size() * moving_.prisms.size() == 1;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < poses_.size(); ++i)
-    count += anyPair(i, [](const Prism&, const Prism&) { return true; }) ? 0 : 1;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const Vec2 way = poses_[i] * moving_.whole.center - fixed_.whole.center,
+               back = -poses_[i].linear().transpose() * way;
+    const auto meet = [&](const Prism& a, const Prism& b) {
+      return !is_one_pair || reach(a, way) + reach(b, back) >= way.dot(poses_[i].translation());
+    };
+    if (!anyPair(i, meet)) ++count;
+  }
   return count;
 }
 

@@ -18,8 +18,8 @@ class FclPieces {
   FclPieces(const Polygon& fixed, const Polygon& moving);
 
   void prepare(const std::vector<Pose>& poses);
-  /// How many of the poses the boxes tell.
-  std::size_t decidedByBoxes();
+  /// How many of the poses the boxes tell or, of convex polygons, the first support, between the centres.
+  std::size_t decidedAtOnce();
 
  protected:
   struct Box {
