@@ -50,7 +50,7 @@ Result measured(Kind kind, std::size_t n, bool deep) {
       task("crossings", [&](const Pose& pose) { return crossings(fixed, still, moving, pose).size(); }),
       task("points", askContacts(ContactDetail::Points)),
       task("local depths", askContacts(ContactDetail::LocalDepth)),
-      task("contacts", askContacts(ContactDetail::WayOut)),
+      task("contacts", askContacts(ContactDetail::GlobalDepth)),
       task("penetration",
            [&](const Pose& pose) { return std::size_t{penetration(fixed, still, moving, pose).has_value()}; }),
       task("GEOS overlay", [&](const Pose& pose) { return region->intersection(moved.at(pose))->getNumPoints(); })};

@@ -54,7 +54,7 @@ enum class ContactDetail {
   LocalDepth,
   /// And of an overlap in one part the shortest way apart, whatever stands in the way: for who wants to be free at
   /// once. Costs a penetration().
-  WayOut
+  GlobalDepth
 };
 
 /// What counts as a contact, how many are wanted, and what of them.
@@ -64,7 +64,7 @@ struct ContactOptions {
   double margin = 0;
   /// How many contacts are returned, the deepest ones.
   std::size_t most = std::numeric_limits<std::size_t>::max();
-  ContactDetail detail = ContactDetail::WayOut;  ///< What of each one is told.
+  ContactDetail detail = ContactDetail::GlobalDepth;  ///< What of each one is told.
   /// Allowed: parts of the overlap without an interior, where the regions only touch, are left out, and with a margin
   /// regions that are exactly so far apart.
   Touching touching = Touching::Collides;
@@ -80,10 +80,10 @@ struct Contact {
   /// A unit vector, from a towards where b leaves it. For two convex polygons moving b along it by `depth` is the
   /// shortest way apart, and so it is wherever the overlap is a single part: they are penetration()'s, unless that
   /// search is given up or, with a margin, isn't optimal. Here it is given up after 2^22 translations divided by the
-  /// number of vertices (sooner than there from 210 on, at once beyond 4096). Of several parts, and with LocalDepth, it takes the edges around this one past
-  /// each other, or, where one polygon lies within the other, past the nearest edge: good for a response that is
-  /// repeated, not for one step. Where they only touch, moving b along it by a little parts them, unless they are
-  /// wedged or touch at several parts; with LocalDepth that isn't tried.
+  /// number of vertices (sooner than there from 210 on, at once beyond 4096). Of several parts, and with LocalDepth, it
+  /// takes the edges around this one past each other, or, where one polygon lies within the other, past the nearest
+  /// edge: good for a response that is repeated, not for one step. Where they only touch, moving b along it by a little
+  /// parts them, unless they are wedged or touch at several parts; with LocalDepth that isn't tried.
   Vec2 normal;
   /// At least 0, and of two convex polygons as precise as coordinates are, however short their edges. It is 0 where
   /// they only touch, and may be 0 where the overlap is thinner than coordinates are rounded, as of regions without
@@ -109,8 +109,8 @@ struct Contact {
 TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b,
                                               const Pose& pose_b, const ContactOptions& options = {});
 
-/// The same to the last bit, using and renewing the certificate in `cache`: O(1) while they are apart and that fact pays for
-/// the motion since.
+/// The same to the last bit, using and renewing the certificate in `cache`: O(1) while they are apart and that fact
+/// pays for the motion since.
 ///
 /// \snippet contacts.cpp contacts with cache
 TRICOVER_EXPORT std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b,

@@ -23,6 +23,12 @@ enum class FillRule {
   NonZero,  ///< Inside is where the winding number isn't 0.
 };
 
+/// On which side of its outline a simplified polygon may differ from the original.
+enum class Simplify {
+  Both,      ///< On either side, by at most the tolerance.
+  Outwards,  ///< Only outside: the simplified region covers the original.
+};
+
 namespace detail {
 struct PolygonData;
 }
@@ -97,19 +103,21 @@ class TRICOVER_EXPORT Polygon {
   /// std::invalid_argument for a factor that isn't positive and finite, and where what comes out isn't finite.
   /// \snippet polygon.cpp measures
   Polygon scaled(double factor) const;
-  /// Of some of its vertices alone, fewer as a rule: no point of its region is farther than `tolerance` from the new
-  /// one's, and none of the new one's farther from its own. Exactly so, whatever the fill rule, and whatever crosses or
-  /// touches; rings that didn't cross may do so afterwards. Each ring keeps its first vertex; one that is smaller than
-  /// the tolerance becomes a segment or a point, as segment() and point() write them. (By the method of Douglas and
-  /// Peucker, in O(n log n) for most.)
+  /// Returns a polygon with fewer vertices, as a rule. No point of either region is farther than `tolerance` from the
+  /// other region. This holds exactly, under either fill rule, and for rings that cross or touch.
   ///
-  /// `outwards`: the new region covers its own, exactly so, too: what is free of it is free of this one. Corners may be
-  /// new points, holes become smaller, and what has no area, or can't be proven to be covered, stays as it is. It costs
-  /// some tens of microseconds a vertex, and more where hundreds of edges are on one line.
+  /// Simplify::Both keeps some of the vertices, among them the first one of each ring. Rings that did not cross may
+  /// cross afterwards. A ring smaller than the tolerance becomes a segment or a point, as segment() and point() write
+  /// them. The method is that of Douglas and Peucker. It takes O(n log n) for most polygons.
+  ///
+  /// Simplify::Outwards returns a region that covers this one exactly: a body that is free of the new region is free
+  /// of this one. Corners may be new points, and holes become smaller. A ring without area stays as it is, and so does
+  /// a ring that cannot be proven to be covered. It takes some tens of microseconds a vertex, and more where hundreds
+  /// of edges lie on one line.
   ///
   /// Throws std::invalid_argument for a tolerance that is negative or not finite.
   /// \snippet polygon.cpp simplified
-  Polygon simplified(double tolerance, bool outwards = false) const;
+  Polygon simplified(double tolerance, Simplify side = Simplify::Both) const;
 
   const detail::PolygonData& data() const { return *data_; }  ///< For the kernel.
 

@@ -27,13 +27,8 @@ namespace tricover {
 using Parallel = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
 /// A handle of a body in a Scene. It names that body until the body is removed, and never names another body. The low
-/// 32 bits are the body's slot; the high bits count the bodies that have had the slot before.
+/// 32 bits are the body's index, Scene::indexOf(); the high bits count the bodies that have had the index before.
 using BodyHandle = std::uint64_t;
-
-/// Returns a body's slot, an index for arrays of your own. No two bodies of a scene have the same slot at once. Slots
-/// are below the largest number of bodies that there have been at once, plus the removed bodies whose pairs
-/// collisions() has not reported as ended yet. \snippet scene.cpp scene handles
-constexpr std::uint32_t slotOf(BodyHandle body) { return static_cast<std::uint32_t>(body); }
 
 /// All bits of a mask.
 constexpr std::uint32_t kEveryCategory = ~std::uint32_t{0};
@@ -168,6 +163,11 @@ class TRICOVER_EXPORT Scene {
  public:
   using Body = BodyHandle;  ///< A handle of a body.
 
+  /// Returns an index for arrays of your own. No two bodies of a scene have the same index at once. Indices are below
+  /// the largest number of bodies that there have been at once, plus the number of removed bodies whose pairs
+  /// collisions() has not reported as ended yet. \snippet scene.cpp scene handles
+  static constexpr std::uint32_t indexOf(Body body) { return static_cast<std::uint32_t>(body); }
+
   Scene();  ///< Makes a scene without bodies.
   ~Scene();
   /// Makes an independent scene with the same bodies under the same handles, for planners that branch. Polygons are
@@ -261,8 +261,8 @@ class TRICOVER_EXPORT Scene {
   /// Returns the `count` nearest bodies no farther away than `limit`, or fewer if there are fewer, in the order of
   /// distances, then handles. Throws as tricover::distanceWithin() does.
   /// \snippet scene.cpp scene nearest
-  std::vector<BodyDistance> nearestFew(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
-                                       const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
+  std::vector<BodyDistance> nearestK(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
+                                     const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
   /// Returns the body that a moving polygon meets first among those that pass the filter. All bodies rest. Equal times:
   /// the lowest handle. Throws as timeOfImpact() does.
   /// \snippet scene.cpp scene queries

@@ -70,7 +70,7 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                               PairFacts* cache, const ContactOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
-  if (options.detail < ContactDetail::Points || options.detail > ContactDetail::WayOut)
+  if (options.detail < ContactDetail::Points || options.detail > ContactDetail::GlobalDepth)
     refuse("detail", "not a ContactDetail");
   requireRigid(pose_a, pose_b);
   if (options.touching != Touching::Collides && !collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching}))

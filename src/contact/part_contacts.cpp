@@ -34,7 +34,7 @@ class ContactFinder {
   std::vector<Contact> contacts() {
     const bool wants_all = axes_ != nullptr || leaves_touches_;
     std::vector<OverlapComponent> components =
-        findComponents(pair_, frame_, crossings_, wants_all ? ContactDetail::WayOut : detail_);
+        findComponents(pair_, frame_, crossings_, wants_all ? ContactDetail::GlobalDepth : detail_);
     if (leaves_touches_) leaveTouches(components);
     std::vector<Contact> result;
     result.reserve(components.size());
@@ -47,7 +47,7 @@ class ContactFinder {
       Exit exit = axes_ != nullptr ? exits_.exitOfConvex(component, *axes_) : exits_.exitOf(component);
       const double margin = margin_ / frame_.unit();
       exit.depth += margin;
-      if (detail_ == ContactDetail::WayOut && axes_ == nullptr && components.size() == 1)
+      if (detail_ == ContactDetail::GlobalDepth && axes_ == nullptr && components.size() == 1)
         exit = exitOfOnly(component, exit);
       // Of convex regions the depth is known better than whether there is an inside.
       const bool touches = !component.inner && !(axes_ != nullptr && exit.depth > margin + frame_.error());

@@ -213,9 +213,10 @@ std::vector<Ring> outerRings(const PolygonData& polygon, double tolerance) {
 
 }  // namespace detail
 
-Polygon Polygon::simplified(double tolerance, bool outwards) const {
+Polygon Polygon::simplified(double tolerance, Simplify side) const {
   detail::requireFiniteNotNegative(tolerance, "tolerance");
-  const auto rings = outwards ? detail::outerRings(*data_, tolerance) : detail::simplifiedRings(*data_, tolerance);
+  const auto rings =
+      side == Simplify::Outwards ? detail::outerRings(*data_, tolerance) : detail::simplifiedRings(*data_, tolerance);
   return Polygon(rings, data_->fill);
 }
 

@@ -204,7 +204,7 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
   double most = 1, begin = kInfinity, end = -kInfinity;
   std::size_t legs = 1;
   for (const Moving& moving : motions) {
-    const auto& body = state.bodies[slotOf(moving.body)];
+    const auto& body = state.bodies[Scene::indexOf(moving.body)];
     // The query's own margin counts once a pair: half of it for each body.
     const Sweep& sweep = sweeps.emplace_back(body.polygon, wayOf(moving), body.options.margin + 0.5 * margin);
     most = std::max(most, sweep.intervals());
@@ -224,14 +224,14 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
     for (std::uint32_t i = 0; i < motions.size(); ++i) boxes[i] = {sweeps[i].between(from, to), i};
     moving.pack(boxes);
     for (std::uint32_t i = 0; i < motions.size(); ++i) {
-      const Slot body = slotOf(motions[i].body);
+      const Slot body = Scene::indexOf(motions[i].body);
       const auto add = [&](Slot other) {
         if (!state.mayMeet(state.bodies[body], state.bodies[other])) return;
         const BodyHandle p = state.handleOf(body), q = state.handleOf(other);
         pairs.push_back({std::min(p, q), std::max(p, q)});
       };
       moving.visit(boxes[i].bounds, [&](std::uint32_t j, const Bounds&) {
-        if (j < i) add(slotOf(motions[j].body));
+        if (j < i) add(Scene::indexOf(motions[j].body));
         return true;
       });
       state.tree.visit(boxes[i].bounds.grown(rest), [&](Slot other, const Bounds&) {
@@ -273,7 +273,7 @@ void askPairs(const std::vector<Moving>& motions, const char* name, const SceneS
   };
   std::vector<Answer> found(pairs.size());
   detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
-    const Slot first = slotOf(pairs[i].first), second = slotOf(pairs[i].second);
+    const Slot first = Scene::indexOf(pairs[i].first), second = Scene::indexOf(pairs[i].second);
     const auto &p = state.bodies[first], &q = state.bodies[second];
     const ImpactOptions both = withMargin(withMargin(options, p.options.margin), q.options.margin);
     found[i] = ask(p.polygon, wayBeside(first, second), q.polygon, wayBeside(second, first), both);

@@ -96,8 +96,8 @@ std::optional<BodyDistance> Scene::nearestWithin(const Polygon& polygon, const P
   return NearestQuery(impl_->settled(), polygon, pose, limit, options, filter).nearest();
 }
 
-std::vector<BodyDistance> Scene::nearestFew(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
-                                            const DistanceOptions& options, const BodyFilter& filter) const {
+std::vector<BodyDistance> Scene::nearestK(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
+                                          const DistanceOptions& options, const BodyFilter& filter) const {
   detail::requireNotNegative(limit, "limit");
   return NearestQuery(impl_->settled(), polygon, pose, limit, options, filter).nearest(count);
 }

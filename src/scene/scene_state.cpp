@@ -38,8 +38,8 @@ void SceneState::listDue(Slot body) {
 }
 
 Slot SceneState::slot(BodyHandle body) const {
-  if (has(body)) return slotOf(body);
-  const bool was_there = slotOf(body) < bodies.size() && body <= handleOf(slotOf(body));
+  if (has(body)) return Scene::indexOf(body);
+  const bool was_there = Scene::indexOf(body) < bodies.size() && body <= handleOf(Scene::indexOf(body));
   throw std::out_of_range(refusal("body", "the scene has none of the handle " + std::to_string(body),
                                   was_there ? "it has been removed" : ""));
 }

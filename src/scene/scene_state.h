@@ -18,7 +18,7 @@
 
 namespace tricover::detail {
 
-/// The index of a body: slotOf() its handle.
+/// A body's Scene::indexOf().
 using Slot = std::uint32_t;
 constexpr Slot kNoSlot = ~Slot{0};
 
@@ -102,7 +102,8 @@ struct SceneState {
     return {std::min(p, q), std::max(p, q)};
   }
   bool has(BodyHandle body) const {
-    return slotOf(body) < bodies.size() && isUsed(slotOf(body)) && handleOf(slotOf(body)) == body;
+    return Scene::indexOf(body) < bodies.size() && isUsed(Scene::indexOf(body)) &&
+           handleOf(Scene::indexOf(body)) == body;
   }
   Slot slot(BodyHandle body) const;                   ///< throws std::out_of_range
   SlotFilter slots(const BodyFilter& filter) const {  ///< throws as that does

@@ -50,7 +50,8 @@ TEST(Documentation, PolygonSimplified) {
   const tricover::Polygon rough({{{0, 0}, {1, 0.01}, {2, 0}, {2, 1}, {1, 0.99}, {0, 1}}});
   EXPECT_EQ(rough.simplified(0.02).vertexCount(), 4u);
   EXPECT_EQ(rough.simplified(0.005).vertexCount(), 6u);
-  const tricover::Polygon cover = rough.simplified(0.02, true);  // of four vertices, too, and all of `rough` is in it
+  const tricover::Polygon cover =
+      rough.simplified(0.02, tricover::Simplify::Outwards);  // of four vertices, too, and all of `rough` is in it
   EXPECT_EQ(cover.vertexCount(), 4u);
   EXPECT_NE(tricover::locate(cover, {1, 0}), tricover::Location::Outside);
   EXPECT_NE(tricover::locate(cover, {1, 1}), tricover::Location::Outside);

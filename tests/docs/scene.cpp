@@ -98,7 +98,7 @@ TEST(Documentation, SceneHandles) {
   scene.remove(first);
   const tricover::Scene::Body second = scene.add(square, tricover::Pose::Identity());
   EXPECT_NE(second, first);  // though it has the same slot,
-  EXPECT_EQ(tricover::slotOf(second), tricover::slotOf(first));
+  EXPECT_EQ(tricover::Scene::indexOf(second), tricover::Scene::indexOf(first));
   EXPECT_THROW(scene.remove(first), std::out_of_range);  // so that a stale handle is an error
 
   tricover::BodyOptions options;
@@ -196,7 +196,7 @@ TEST(Documentation, SceneNearest) {
   };
   tricover::Scene scene;
   for (int i = 0; i < 10; ++i) scene.add(square, at(3 * i));
-  const std::vector<tricover::BodyDistance> few = scene.nearestFew(square, at(7.25), 3, 10);
+  const std::vector<tricover::BodyDistance> few = scene.nearestK(square, at(7.25), 3, 10);
   EXPECT_EQ(few.size(), 3u);
   EXPECT_EQ(few[0].result.distance, 0.25);  // the body at x = 6
   EXPECT_EQ(few[2].result.distance, 3.25);

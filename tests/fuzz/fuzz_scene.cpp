@@ -120,10 +120,10 @@ class Player {
     expect(scene_.collides(polygon, pose, options) == !expected.empty(), "collides");
     const auto nearest = scene_.nearestWithin(polygon, pose, 1e300, {options.margin});
     const bool meets = nearest && nearest->result.distance == 0;
-    const auto few = scene_.nearestFew(polygon, pose, 5, 1e300, {options.margin});
+    const auto few = scene_.nearestK(polygon, pose, 5, 1e300, {options.margin});
     const auto apart = [](const BodyDistance& body) { return body.result.distance > 0; };
     expect(static_cast<std::size_t>(std::find_if(few.begin(), few.end(), apart) - few.begin()) == expected.size(),
-           "nearestFew");
+           "nearestK");
     expect(meets != expected.empty() && (!meets || nearest->body == expected[0]), "nearest");
     castRay(bytes_.point(), bytes_.point());
   }

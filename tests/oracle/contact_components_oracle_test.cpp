@@ -138,8 +138,8 @@ class Cells {
     const Vec2 p(x, (low + high) / 2);
     const Location in_a = locationOf(a_, edges_a_, p), in_b = locationOf(b_, edges_b_, p);
     const bool held = in_a != Location::Outside && in_b != Location::Outside;
-    cells_.push_back({held, held && left < right && low < high, yAt(low, left), yAt(high, left), yAt(low, right),
-                      yAt(high, right)});
+    cells_.push_back(
+        {held, held && left < right && low < high, yAt(low, left), yAt(high, left), yAt(low, right), yAt(high, right)});
     parent_.push_back(parent_.size());
   }
 
@@ -185,7 +185,7 @@ TEST(ContactComponents, OfASpikeWithoutAreaIsNone) {
   const Counts truth = Cells(a, b).count();
   EXPECT_EQ(truth.all, 2u);
   EXPECT_EQ(truth.inner, 1u);
-  for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::WayOut}) {
+  for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::GlobalDepth}) {
     EXPECT_EQ(found(a, b, detail).all, 2u);
     EXPECT_EQ(found(a, b, detail).inner, 1u);
     EXPECT_EQ(found(b, a, detail).inner, 1u);

@@ -223,7 +223,7 @@ bool coversInterior(const Polygon& other, const Polygon& polygon) {
 void expectCovered(Random& random, const Polygon& polygon, int& fewer) {
   const double tolerance = polygon.radius() * std::pow(10, random.real(-3, -0.3));
   if (!std::isfinite(tolerance)) return;
-  const Polygon cover = polygon.simplified(tolerance, true);
+  const Polygon cover = polygon.simplified(tolerance, Simplify::Outwards);
   EXPECT_EQ(cover.fillRule(), polygon.fillRule());
   fewer += cover.vertexCount() < polygon.vertexCount();
   EXPECT_TRUE(coversInterior(cover, polygon)) << "within " << tolerance;

@@ -266,10 +266,10 @@ class SceneWalk {
     };
     check(scene_.nearestWithin(part.polygon, at, options.limit, options, filter), "nearest");
     const auto count = index(6);
-    for (const BodyDistance& near : scene_.nearestFew(part.polygon, at, count, options.limit, options, filter))
+    for (const BodyDistance& near : scene_.nearestK(part.polygon, at, count, options.limit, options, filter))
       found.push_back({near.result.distance, near.body});
     if (expected.size() > count) expected.resize(count);
-    expect(found == expected, "nearestFew");
+    expect(found == expected, "nearestK");
     if (options.limit < kInfinity || count == 0) return;
     check(scene_.nearest(part.polygon, at, options, filter), "nearest without a limit");
   }

@@ -87,7 +87,7 @@ TEST(NamedEdges, HaveALengthInEveryQuery) {
     const Motion motion = Motion::between(pose_b, pose(is_turned ? 1 : 0, -apart, 0));
     if (const auto impact = timeOfImpact(a, Motion::still(pose_a), b, motion))
       expectNamable(impact->edge_a, impact->edge_b, "timeOfImpact");
-    for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::WayOut}) {
+    for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::GlobalDepth}) {
       ContactOptions options;
       options.detail = detail;
       for (const Contact& contact : contacts(a, pose_a, b, pose_b, options))

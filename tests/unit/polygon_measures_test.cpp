@@ -108,35 +108,36 @@ TEST(PolygonSimplified, OutwardsPocketsAreFilledAndHolesShrink) {
   const Ring outer = {{0, 0}, {5, 0.125}, {10, 0}, {10, 10}, {0, 10}};
   const Ring hole = {{3, 3}, {5, 2.875}, {7, 3}, {7, 7}, {3, 7}};  // wider by an edge's bend
   const Polygon frame({outer, hole});
-  const Polygon cover = frame.simplified(0.125, true);
+  const Polygon cover = frame.simplified(0.125, Simplify::Outwards);
   EXPECT_EQ(cover.rings()[0].size(), 4u);
   ASSERT_EQ(cover.rings().size(), 2u);
   EXPECT_EQ(cover.rings()[1].size(), 4u);
   EXPECT_EQ(cover.area(), 100 - 16);
-  EXPECT_EQ(frame.simplified(0.1, true).vertexCount(), 10u);
+  EXPECT_EQ(frame.simplified(0.1, Simplify::Outwards).vertexCount(), 10u);
   // What bulges isn't cut off: the edges beside it are lengthened.
   const Polygon chamfered({{{0, 0}, {9, 0}, {9.5, 0.25}, {9.75, 0.5}, {9.75, 9}, {0, 9}}});
-  const Polygon box = chamfered.simplified(0.5, true);
+  const Polygon box = chamfered.simplified(0.5, Simplify::Outwards);
   EXPECT_EQ(box.vertexCount(), 4u);
   EXPECT_NEAR(box.area(), 9.75 * 9, 1e-12);
-  EXPECT_EQ(refusal([&] { frame.simplified(-1, true); }), "tricover: tolerance: it must be finite and not negative");
+  EXPECT_EQ(refusal([&] { frame.simplified(-1, Simplify::Outwards); }),
+            "tricover: tolerance: it must be finite and not negative");
 }
 
 TEST(PolygonSimplified, OutwardsNothingIsLost) {
   // Of a ring without an area, and of a spike.
   const Polygon bare({{{0, 0}, {4, 1}, {8, 0}, {4, 1}}});
-  EXPECT_EQ(bare.simplified(2, true).rings(), bare.rings());
+  EXPECT_EQ(bare.simplified(2, Simplify::Outwards).rings(), bare.rings());
   const Polygon spike({{{0, 0}, {4, 0}, {4, 4}, {5, 4}, {4, 4}, {0, 4}}});
-  EXPECT_EQ(locate(spike.simplified(3, true), {5, 4}), Location::Boundary);
+  EXPECT_EQ(locate(spike.simplified(3, Simplify::Outwards), {5, 4}), Location::Boundary);
   // A slot narrower than the tolerance: filled from both sides, it would be empty again by the even-odd rule.
   const Polygon slot({{{0, 0}, {4, 0}, {4, 4}, {2.125, 4}, {2.0625, 1}, {1.875, 4}, {0, 4}}});
-  const Polygon full = slot.simplified(0.25, true);
+  const Polygon full = slot.simplified(0.25, Simplify::Outwards);
   for (const Vec2& p : {Vec2(2, 0.5), Vec2(1, 4), Vec2(2.5, 4), Vec2(2, 1)})
     EXPECT_NE(locate(full, p), Location::Outside);
   // A ring's pocket that lies in another ring: to fill it changes what both cover.
   const std::vector<Ring> crossing = {rectangle(0, 0, 10, 10), {{8, 2}, {14, 2}, {14, 8}, {8, 8}, {8.5, 5}}};
   for (const FillRule fill : {FillRule::EvenOdd, FillRule::NonZero}) {
-    const Polygon cover = Polygon(crossing, fill).simplified(1, true);
+    const Polygon cover = Polygon(crossing, fill).simplified(1, Simplify::Outwards);
     for (const Vec2& p : {Vec2(8.25, 5), Vec2(12, 5), Vec2(1, 1)})
       EXPECT_TRUE(locate(Polygon(crossing, fill), p) == Location::Outside || locate(cover, p) != Location::Outside);
   }
@@ -144,14 +145,14 @@ TEST(PolygonSimplified, OutwardsNothingIsLost) {
 
 TEST(PolygonSimplified, OutwardsDiscsTakeFewCorners) {
   const Polygon disc({regular(1000, 1)});
-  const Polygon cover = disc.simplified(0.01, true);
+  const Polygon cover = disc.simplified(0.01, Simplify::Outwards);
   EXPECT_LE(cover.vertexCount(), 40u);  // the tolerance's ring holds a polygon of 23
   EXPECT_LE(cover.radius(), 1.01 + 1e-12);
   // A straight chain of any length is one edge first.
   Ring wall;
   for (int i = 0; i < 10000; ++i) wall.emplace_back(i, 0);
   wall.insert(wall.end(), {{1e4, 1}, {0, 1}});
-  EXPECT_EQ(Polygon({wall}).simplified(0.5, true).vertexCount(), 4u);
+  EXPECT_EQ(Polygon({wall}).simplified(0.5, Simplify::Outwards).vertexCount(), 4u);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(Scene, GivesSlotsAgain) {
     EXPECT_EQ(scene.size(), 0u);
     bodies.clear();
     for (int i = 0; i < 300; ++i) bodies.push_back(scene.add(kSquare, pose(0, 1.5 * i, 0)));
-    for (const Scene::Body body : bodies) EXPECT_LT(slotOf(body), 600u);
+    for (const Scene::Body body : bodies) EXPECT_LT(Scene::indexOf(body), 600u);
     EXPECT_EQ(scene.collisions().size(), 299u);
   }
 }
@@ -219,7 +219,7 @@ TEST(Scene, StaleHandlesAreErrorsAndNeverAnotherBody) {
   const Scene::Body stays = scene.add(kSquare, pose(0, 0, 0));
   for (int i = 0; i < 5; ++i) {
     const Scene::Body body = scene.add(kSquare, pose(0, 0.5, 0));
-    EXPECT_EQ(slotOf(body), 1u);
+    EXPECT_EQ(Scene::indexOf(body), 1u);
     EXPECT_EQ(scene.bodies(), (std::vector<Scene::Body>{stays, body}));
     EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{stays, body}}));
     EXPECT_EQ(scene.colliding(kSquare, pose(0, 0, 0)), (std::vector<Scene::Body>{stays, body}));

@@ -37,10 +37,10 @@ TEST(Scene, ReportsWhatCollidesAndWhatBeganAndEnded) {
 
   scene.remove(c);
   const Scene::Body d = scene.add(kSquare, pose(0, 2.5, 1));
-  EXPECT_NE(slotOf(d), slotOf(c));  // of which something is left to report
+  EXPECT_NE(Scene::indexOf(d), Scene::indexOf(c));  // of which something is left to report
   EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{b, d}}));
   EXPECT_EQ(scene.ended(), (std::vector<BodyPair>{{b, c}}));
-  EXPECT_EQ(slotOf(scene.add(kSquare, pose(0, 100, 0))), slotOf(c));
+  EXPECT_EQ(Scene::indexOf(scene.add(kSquare, pose(0, 100, 0))), Scene::indexOf(c));
   EXPECT_EQ(scene.size(), 4u);
 }
 
@@ -175,7 +175,7 @@ TEST(Scene, NearestIsNoMatterOfWhoComesFirst) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->body, expected);
     EXPECT_EQ(found->result.distance, least);
-    EXPECT_EQ(scene.nearestFew(square, asked, 1, 100, options).front().body, expected);
+    EXPECT_EQ(scene.nearestK(square, asked, 1, 100, options).front().body, expected);
   }
 }
 

@@ -105,7 +105,7 @@ void askAll(const Polygon& a, const Polygon& b, const Pose& pose_b) {
   for (int i = 0; i < 3; ++i) collide(a, kIdentity, b, pose_b, cache);
   distance(a, kIdentity, b, pose_b);
   crossings(a, kIdentity, b, pose_b);
-  for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::WayOut})
+  for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::GlobalDepth})
     for (const double margin : {0.0, 0.1}) {
       ContactOptions options;
       options.margin = margin;

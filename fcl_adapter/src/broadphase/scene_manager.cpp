@@ -18,7 +18,6 @@ namespace tricover_fcl {
 namespace {
 
 using tricover::BodyHandle;
-using tricover::slotOf;
 
 /// Categories, one bit each, that objects get in turn: the scene's nearest body to one of its own bodies is itself, so
 /// that is asked for among all others' categories.
@@ -57,7 +56,7 @@ struct SceneManager<S>::Impl {
   /// The scene finds its collisions in a function that isn't const, others ask meanwhile.
   mutable std::shared_mutex mutex;
 
-  const Entry& entryOf(BodyHandle body) const { return entries[place_of_slot[slotOf(body)]]; }
+  const Entry& entryOf(BodyHandle body) const { return entries[place_of_slot[tricover::Scene::indexOf(body)]]; }
 
   void add(Object* object);
   void remove(const Object* object);
@@ -94,7 +93,7 @@ void SceneManager<S>::Impl::remove(const Object* object) {
   else
     --anywhere;
   entry = entries.back();
-  if (entry.body) place_of_slot[slotOf(*entry.body)] = found->second;
+  if (entry.body) place_of_slot[tricover::Scene::indexOf(*entry.body)] = found->second;
   places[entry.object] = found->second;
   places.erase(found);
   entries.pop_back();
@@ -117,8 +116,9 @@ void SceneManager<S>::Impl::place(Entry& entry, const Footprint& print) {
       entry.body = scene.add(region.polygon(), region.pose, {region.margin, entry.category});
       entry.polygon = region.polygon().id();
       entry.margin = region.margin;
-      if (const std::size_t slot = slotOf(*entry.body); place_of_slot.size() <= slot) place_of_slot.resize(slot + 1);
-      place_of_slot[slotOf(*entry.body)] = places.at(entry.object);
+      if (const std::size_t slot = tricover::Scene::indexOf(*entry.body); place_of_slot.size() <= slot)
+        place_of_slot.resize(slot + 1);
+      place_of_slot[tricover::Scene::indexOf(*entry.body)] = places.at(entry.object);
     }
   } else {
     entry.body.reset();

@@ -43,6 +43,9 @@ Polygon polygonFrom(const py::object& rings, tricover::FillRule rule) {
 }
 
 void definePolygon(py::module_& m) {
+  py::enum_<tricover::Simplify>(m, "Simplify")
+      .value("BOTH", tricover::Simplify::Both)
+      .value("OUTWARDS", tricover::Simplify::Outwards);
   py::enum_<tricover::FillRule>(m, "FillRule")
       .value("EVEN_ODD", tricover::FillRule::EvenOdd)
       .value("NON_ZERO", tricover::FillRule::NonZero);
@@ -70,7 +73,7 @@ void definePolygon(py::module_& m) {
           "translated", [](const Polygon& polygon, const Array& by) { return polygon.translated(pointFrom(by, "by")); },
           py::arg("by"))
       .def("scaled", &Polygon::scaled, py::arg("factor"))
-      .def("simplified", &Polygon::simplified, py::arg("tolerance"), py::arg("outwards") = false,
+      .def("simplified", &Polygon::simplified, py::arg("tolerance"), py::arg("side") = tricover::Simplify::Both,
            py::call_guard<py::gil_scoped_release>())
       .def("edge",
            [](const Polygon& polygon, tricover::EdgeIndex edge) {
@@ -202,7 +205,7 @@ void defineContacts(py::module_& m, const Records& records) {
   py::enum_<tricover::ContactDetail>(m, "ContactDetail")
       .value("POINTS", tricover::ContactDetail::Points)
       .value("LOCAL_DEPTH", tricover::ContactDetail::LocalDepth)
-      .value("WAY_OUT", tricover::ContactDetail::WayOut);
+      .value("GLOBAL_DEPTH", tricover::ContactDetail::GlobalDepth);
   m.def(
       "contacts",
       [records](const Polygon& a, const py::object& pose_a, const Polygon& b, const py::object& pose_b, double margin,
@@ -224,7 +227,7 @@ void defineContacts(py::module_& m, const Records& records) {
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
-      py::arg("most") = py::none(), py::arg("detail") = tricover::ContactDetail::WayOut,
+      py::arg("most") = py::none(), py::arg("detail") = tricover::ContactDetail::GlobalDepth,
       py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
 }
 

@@ -51,7 +51,7 @@ class Polygons(unittest.TestCase):
         self.assertEqual(shape.scaled(2).area, 24)
         many = tc.Polygon([(x, 1e-3 * (x % 2)) for x in range(20)] + [(20, 5), (0, 5)])
         self.assertLess(many.simplified(0.01).vertex_count, 6)
-        covered = many.simplified(0.01, outwards=True)
+        covered = many.simplified(0.01, tc.Simplify.OUTWARDS)
         self.assertTrue(all(tc.locate(covered, ring).all() for ring in many.rings))
 
     def test_maps(self):

@@ -12,6 +12,12 @@ from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, TypeVar, U
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+class Simplify:
+    """On which side of its outline a simplified polygon may differ from the original."""
+    BOTH: Simplify
+    OUTWARDS: Simplify
+
+
 class FillRule:
     EVEN_ODD: FillRule
     NON_ZERO: FillRule
@@ -25,7 +31,7 @@ class ContactDetail:
     """What of a contact is worked out: each costs more than the one before."""
     POINTS: ContactDetail
     LOCAL_DEPTH: ContactDetail
-    WAY_OUT: ContactDetail
+    GLOBAL_DEPTH: ContactDetail
 
 class Touching:
     """Whether regions that only touch collide; ALLOWED asks whether the interiors meet."""
@@ -56,7 +62,7 @@ class Polygon:
     def is_convex(self) -> bool: ...
     def translated(self, by: ArrayLike) -> Polygon: ...
     def scaled(self, factor: float) -> Polygon: ...
-    def simplified(self, tolerance: float, outwards: bool = False) -> Polygon:
+    def simplified(self, tolerance: float, side: Simplify = Simplify.BOTH) -> Polygon:
         """Of fewer vertices; neither region is farther from the other than the tolerance. Outwards: it covers this one."""
     def edge(self, edge: int) -> NDArray[np.float64]:
         """Its two ends, (2, 2)."""
@@ -181,7 +187,7 @@ def penetration(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, ma
                 touching: Touching = Touching.COLLIDES,
                 threads: int = 0) -> Union[Optional[Penetration], List[Optional[Penetration]]]: ...
 def contacts(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
-             most: Optional[int] = None, detail: ContactDetail = ContactDetail.WAY_OUT,
+             most: Optional[int] = None, detail: ContactDetail = ContactDetail.GLOBAL_DEPTH,
              touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[List[Contact], List[List[Contact]]]: ...
 def time_of_impact(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
                    ignore_initial: bool = False) -> Optional[Impact]:
