@@ -8,19 +8,19 @@
 
 namespace tricover {
 
-/// What is asked of a boolean query. The default: do the regions share a point?
+/// The options of collide(). By default regions collide if they share a point.
 struct CollideOptions {
-  /// A world length, at least 0. The question becomes "is the distance at most margin?". Exact, equality included.
+  /// A world length, at least 0. Regions collide if their distance is at most the margin. Exact, equality included.
   double margin = 0;
-  /// A world length, at least 0, that buys time. Up to a distance of margin the answer is true, as ever. Above margin +
-  /// tolerance it is false. In between it may be either.
+  /// A world length, at least 0. A tolerance makes queries faster: the answer is true up to a distance of margin, false
+  /// above margin + tolerance, and either one in between.
   double tolerance = 0;
-  /// Allowed: what only touches doesn't collide. The question becomes "do the interiors meet?" or, with a margin, "is
-  /// the distance below margin?". Exact, too; with a tolerance touching is within it, so that it may be either.
+  /// If Allowed, regions collide if their interiors meet or, with a margin, if their distance is below the margin.
+  /// Exact, too. With a tolerance the answer for regions that touch may be either.
   Touching touching = Touching::Collides;
 };
 
-/// Whether the two closed regions share a point or, with a margin, come at least that close.
+/// Returns whether the two closed regions share a point or, with a margin, are no farther apart than the margin.
 ///
 /// Exact for every finite input. The answer depends neither on the order of the arguments nor on earlier calls nor on
 /// the thread. Typical cost: O(log n + log m + k), where k counts pairs of edges in reach and rings that begin near.

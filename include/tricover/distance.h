@@ -9,11 +9,11 @@
 
 namespace tricover {
 
-/// What a distance is measured from, and may be wrong by. The default is exact.
+/// The options of distance(): a margin, and errors that make it faster. By default the distance is exact.
 struct DistanceOptions {
-  /// A world length, at least 0 and finite. The result becomes max(0, distance - margin): that of the regions grown by
-  /// margins whose sum this is. It is 0 exactly where collide() with this margin is true. Points and edges stay those
-  /// of the regions themselves, nearest points also where they are closer than the margin.
+  /// A world length, at least 0 and finite: the sum of the margins that the regions are inflated by. The result becomes
+  /// max(0, distance - margin). It is 0 exactly where collide() with this margin is true. Points and edges are those of
+  /// the regions themselves, also where these are closer than the margin.
   double margin = 0;
   /// The result is at most truth * (1 + relative_error) + absolute_error. It is never below the truth but for rounding.
   /// Whether it is 0 stays exact. With a margin, the truth is what is left of the distance.
@@ -31,7 +31,7 @@ struct DistanceResult {
   EdgeIndex edge_b;  ///< The edge of b that point_b lies on. -1 where a ring of a lies inside b.
 };
 
-/// The distance of the two closed regions.
+/// Returns the distance of the two closed regions.
 ///
 /// It is 0 exactly where collide() is true, with the same margin. Otherwise it is right to 1e-14 of itself and the
 /// margin together, or to the smallest double where that is more, and infinity where the distance without the margin
@@ -44,8 +44,8 @@ TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, co
                                         const DistanceOptions& options = {});
 
 /// The same, using and renewing the facts in `cache`. O(1) while the pairs of edges that it lists pay for the motion
-/// since. The distance is the same to the last bit, unless options allow errors. Of equally near points, others may be
-/// found.
+/// since. The distance is the same to the last bit, unless options allow errors. Where several points are equally near,
+/// it may return other ones.
 ///
 /// \snippet distance.cpp distance with cache
 TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

@@ -6,8 +6,8 @@
 #error "tricover needs C++17: compile with -std=c++17 or later (CMake: link tricover::tricover, which says so)"
 #endif
 
-/// What a shared library of tricover's offers: all that carries this, and nothing else. The kernel (namespace detail)
-/// is no part of the binary interface.
+/// Marks a symbol that a shared library of tricover exports. The kernel (namespace detail) is no part of the binary
+/// interface.
 #if defined(__GNUC__)
 #define TRICOVER_EXPORT __attribute__((visibility("default")))
 #else

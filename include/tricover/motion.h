@@ -16,9 +16,9 @@ struct SplineEnd {
   double angular_velocity;  ///< Radians per unit of time.
 };
 
-/// A planar rigid motion from time 0 to time 1. The polygon turns about a pivot of its own, and the pivot moves.
+/// A planar rigid motion from time 0 to time 1. The polygon rotates about a pivot of its own, and the pivot moves.
 ///
-/// At time t the pivot has moved by t shift + t^2 shift_2 + t^3 shift_3, and the polygon has turned by t angle + t^2
+/// At time t the pivot has moved by t shift + t^2 shift_2 + t^3 shift_3, and the polygon has rotated by t angle + t^2
 /// angle_2 + t^3 angle_3. With `shift` and `angle` alone, both velocities are constant: with angle 0 that is a
 /// translation, with shift 0 a rotation about a fixed point (the plane's screw motion), and with both an interpolation
 /// between two poses. With the other terms it is a cubic spline in x, y and heading.
@@ -27,20 +27,21 @@ struct SplineEnd {
 struct TRICOVER_EXPORT Motion {
   Pose start = Pose::Identity();  ///< The pose at time 0, from the polygon's frame to the world.
   Vec2 shift = Vec2::Zero();      ///< How far the pivot moves from time 0 to 1, in the world; its velocity at time 0.
-  double angle = 0;               ///< How far the polygon turns: radians, counter-clockwise, any number of turns.
+  double angle = 0;               ///< How far the polygon rotates: radians, counter-clockwise, any number of turns.
   Vec2 pivot = Vec2::Zero();      ///< The pivot, in the polygon's frame.
-  Vec2 shift_2 = Vec2::Zero();    ///< What t^2 adds to the pivot's way, in the world.
-  Vec2 shift_3 = Vec2::Zero();    ///< What t^3 adds to the pivot's way, in the world.
-  double angle_2 = 0;             ///< What t^2 adds to the turn, in radians.
-  double angle_3 = 0;             ///< What t^3 adds to the turn, in radians.
+  Vec2 shift_2 = Vec2::Zero();    ///< The factor of t^2 in the pivot's translation, in the world.
+  Vec2 shift_3 = Vec2::Zero();    ///< The factor of t^3 in the pivot's translation, in the world.
+  double angle_2 = 0;             ///< The factor of t^2 in the rotation, in radians.
+  double angle_3 = 0;             ///< The factor of t^3 in the rotation, in radians.
 
-  /// At rest.
+  /// Returns a motion that stays at the pose.
   static Motion still(const Pose& pose);
-  /// A shift without a turn.
+  /// Returns a translation without a rotation.
   static Motion translation(const Pose& start, const Vec2& shift);
-  /// From pose to pose, with a turn in (-pi, pi] and the pivot on a straight line. at(1) is `end` up to rounding, and
-  /// up to how far the two linear parts differ by more than a rotation. Throws std::invalid_argument, naming the field,
-  /// for a pose that checkPose() refuses, for two poses of which only one mirrors, and for a pivot that is not finite.
+  /// Returns a motion from pose to pose: a rotation in (-pi, pi], and the pivot on a straight line. at(1) is `end` up
+  /// to rounding, and up to how far the two linear parts differ by more than a rotation. Throws std::invalid_argument,
+  /// naming the field, for a pose that checkPose() refuses, for two poses of which only one mirrors, and for a pivot
+  /// that is not finite.
   static Motion between(const Pose& start, const Pose& end, const Vec2& pivot = Vec2::Zero());
 
   /// The cubic Hermite spline from one end to the other. The polygon's frame has the ends' angles, and its pivot their

@@ -15,8 +15,8 @@ namespace detail {
 struct CacheAccess;
 }  // namespace detail
 
-/// What *Efficient Collision Detection between 2D Polygons* (Jimenez, Segura and Feito, 2004) is made of, for who
-/// studies it: its covering, its influence areas and its Algorithm 3. Nobody else needs this header.
+/// The covering, the influence areas and Algorithm 3 of *Efficient Collision Detection between 2D Polygons* (Jimenez,
+/// Segura and Feito, 2004), for readers of the paper. Other programs do not need this header.
 namespace paper {
 
 /// A triangle (S, v, w) of a polygon's covering (Definition 3). (v, w) is an edge.

@@ -50,17 +50,17 @@ struct Penetration {
 /// same depth and the opposite normal, unless they are the same region at the same place.
 ///
 /// With a margin the translation is proven to separate the regions by more than the margin, and lower_bound bounds the
-/// shortest one that does. Of pairs that aren't convex it may be longer: the search is for the shortest translation
-/// without a margin, which then goes straight on.
+/// shortest one that does. For pairs that are not convex it may be longer than the shortest: the search finds the
+/// shortest translation without a margin and then goes straight on.
 ///
-/// Precision of a convex pair: 1e-15 of the depth, as long as that is above 1e-14 of the coordinates. Of other pairs:
-/// 1e-12 of the smaller radius(), plus 1e-13 of both radii, of the margin and of the distance between the poses'
-/// translations.
+/// The depth of a convex pair is precise to 1e-15 of itself, as long as it is above 1e-14 of the coordinates. For other
+/// pairs the precision is 1e-12 of the smaller radius(), plus 1e-13 of both radii, of the margin and of the distance
+/// between the poses' translations.
 ///
-/// Cost of a convex pair: O(n + m); 1.5 us for 8 vertices each, 3 us for 64. Other pairs take a search. For 64 vertices
+/// A convex pair takes O(n + m): 1.5 us for 8 vertices each, 3 us for 64. Other pairs take a search. For 64 vertices
 /// each, that typically takes 15 to 40 us where they overlap by little, and 0.2 to 1 ms where they overlap by a third
-/// of their size; for 1024 vertices up to 0.2 s. A search ends after 20,000 translations, as it may be of outlines that
-/// are nearly, but not quite, parallel over a long way: then lower_bound says how deep they are at least.
+/// of their size; for 1024 vertices up to 0.2 s. A search ends after 20,000 translations. That happens where outlines
+/// are almost parallel over a long interval; then lower_bound bounds the depth from below.
 ///
 /// Throws as collide() does.
 ///

@@ -35,18 +35,18 @@ struct PolygonData;
 
 /// A closed planar region: every point that the fill rule calls inside, and every point of an edge.
 ///
-/// It never changes. Copies are cheap: they share the data and the id. Threads may share a polygon. What queries derive
-/// from it, its hierarchy, is built when first needed, once for all copies.
+/// A polygon never changes. Copies are cheap: they share the data and the id. Threads may share a polygon. The first
+/// queries that need a polygon's hierarchy build it, once for all copies.
 ///
 /// \snippet polygon.cpp polygon
 class TRICOVER_EXPORT Polygon {
  public:
-  /// Of rings and a fill rule. Throws std::invalid_argument, naming ring and vertex, for no ring, fewer than three
-  /// vertices in a ring, a coordinate that is not finite, or more than 2^29 vertices in all (one more counted for each
-  /// ring).
+  /// Makes a polygon from rings and a fill rule. Throws std::invalid_argument, naming ring and vertex, for no ring,
+  /// fewer than three vertices in a ring, a coordinate that is not finite, or more than 2^29 vertices in all (one more
+  /// counted for each ring).
   explicit Polygon(const std::vector<Ring>& rings, FillRule fill = FillRule::EvenOdd);
-  /// Of one ring, of `count` vertices side by side from `vertices` on, which are copied: as of that ring alone, for
-  /// less. Throws likewise, and for a null pointer. \snippet polygon.cpp raw
+  /// Makes a polygon from one ring of `count` contiguous vertices, which it copies. Cheaper than Polygon({ring}).
+  /// Throws likewise, and for a null pointer. \snippet polygon.cpp raw
   Polygon(const Vec2* vertices, std::size_t count, FillRule fill = FillRule::EvenOdd);
 
   Polygon(const Polygon& other) noexcept;             ///< Moving copies, too, so that no polygon is without its data.

@@ -8,17 +8,17 @@
 
 namespace tricover {
 
-/// What is asked of a ray.
+/// The options of castRay().
 struct RayOptions {
-  /// A world length, at least 0 and finite: the region grown by it is looked for.
+  /// A world length, at least 0 and finite. The ray is cast at the region inflated by it.
   double margin = 0;
 };
 
 /// Where a ray first meets a polygon's region, in the world.
 struct RayHit {
-  /// Of the way from `from` to `to`, from 0 to 1: right to 1e-14. On a ray that leads far beyond the polygon it is such
-  /// that the point is right to 1e-13 of the polygon's diameter and its distance from `from` together, unless it is
-  /// below 1e-300.
+  /// The share of the segment before the hit, from 0 to 1, to a precision of 1e-14. On a segment that ends far beyond
+  /// the polygon the fraction makes the point precise to 1e-13 of the polygon's diameter plus its distance from `from`,
+  /// unless the fraction is below 1e-300.
   double fraction;
   Vec2 point;  ///< from + fraction (to - from), rounded.
   /// A unit vector at right angles to the edge, against the ray. Where the ray runs along the edge or starts in the

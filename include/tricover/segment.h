@@ -16,7 +16,7 @@ TRICOVER_EXPORT Polygon point(const Vec2& p);
 
 /// The polygon that is the closed segment from p to q (their frame is the polygon's) and nothing else: one ring of p,
 /// q and q once more. With a margin of r it is an exact stadium: every point within r of the segment. Distances and
-/// impacts name its edge 0, from p to q. Of equal p and q it is their point.
+/// impacts name its edge 0, from p to q. If p and q are equal, it is that point.
 ///
 /// Throws std::invalid_argument for a coordinate that is not finite.
 ///

@@ -52,7 +52,7 @@ class TRICOVER_EXPORT SvgDrawing {
   void hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
   /// The nearest points and the line between them.
   void nearest(const DistanceResult& result);
-  /// Of each contact the point, an arrow along the normal and, in its true length, the way by `depth`.
+  /// Draws each contact: the point, an arrow along the normal and, in its true length, the translation by `depth`.
   void contacts(const std::vector<Contact>& contacts);
   /// The point of impact and an arrow along the normal: where the polygons are there, and in what colours, is yours.
   void impact(const Impact& impact, const std::string& stroke = "#dc2626");

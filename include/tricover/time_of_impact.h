@@ -11,23 +11,24 @@ namespace tricover {
 
 /// How exact a time of impact has to be.
 struct ImpactOptions {
-  /// A world length, at least 0 and finite. What is looked for is the first time at which the polygons are no farther
-  /// apart than this.
+  /// A world length, at least 0 and finite. An impact is the first time at which the polygons are no farther apart than
+  /// this.
   double margin = 0;
   /// How much earlier than the first contact an impact may be reported. Time runs from 0 to 1.
   double time_error = 1e-6;
-  /// What meets at time 0 counts only once it has parted: once collide(), with the margin, has said no. Parting for
-  /// less than `time_error` (or 1e-9, if that is more) may not be seen.
+  /// If true, polygons that collide at time 0, with the margin, have no impact before they have separated once. The
+  /// search may miss a separation shorter than `time_error` (or 1e-9, if that is more).
   bool ignore_initial = false;
 };
 
 /// The first contact of two motions, in the world.
 struct Impact {
   double time;  ///< Never later than the first contact, and at most ImpactOptions::time_error earlier.
-  /// The middle between the nearest points of the two edges at that time. Of regions that overlap at time 0, a common
-  /// point.
+  /// The middle between the nearest points of the two edges at that time, or a common point of regions that overlap at
+  /// time 0.
   Vec2 point;
-  /// A unit vector from a to b. Of regions that overlap at time 0 it need not be the shortest way out.
+  /// A unit vector from a to b. For regions that overlap at time 0 it may differ from the shortest separating
+  /// translation.
   Vec2 normal;
   EdgeIndex edge_a;  ///< The edge of a that meets b's. -1 where b lies inside a at time 0.
   EdgeIndex edge_b;  ///< The edge of b that meets a's. -1 where a lies inside b at time 0.
@@ -36,8 +37,8 @@ struct Impact {
   bool budget_ended = false;
 };
 
-/// The first contact of two moving polygons at a time from 0 to 1, both included, or nothing if there is none. With a
-/// margin, the first time at which they are no farther apart than that.
+/// Returns the first contact of two moving polygons at a time from 0 to 1, both included, or nothing if there is none.
+/// With a margin, that is the first time at which they are no farther apart than the margin.
 ///
 /// No contact is missed, however fast and thin the polygons are. The time is 0 exactly where collide(), with the same
 /// margin, is true of the two starts. Swapping the operands swaps the edges and turns the normal round,

@@ -9,8 +9,8 @@ namespace tricover {
 ///
 /// With Allowed a query is about the interiors, not about the closed regions: two parts that share an edge, or a peg in
 /// a slot that it fits exactly, don't collide, and they do as soon as they overlap by anything. The interior of a
-/// region is every point with a disc around it that is in the region. So an edge with the region on both sides is
-/// interior, and what has no area has none: a ring that goes back the way it came, a point, a segment.
+/// region is every point with a disc around it that is in the region. An edge with the region on both sides is
+/// interior. A point, a segment and a ring that goes back along itself have no interior.
 ///
 /// With a margin, regions that are exactly the margin apart touch.
 ///

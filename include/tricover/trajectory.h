@@ -36,8 +36,8 @@ struct TimedKnot {
 /// \snippet trajectory.cpp trajectory
 class TRICOVER_EXPORT Trajectory {
  public:
-  /// Of legs, at least one, of which each begins when the one before ends. (Where it begins isn't asked: what jumps
-  /// from one leg to the next meets nothing on the way.) Throws std::invalid_argument, naming the leg, for other times,
+  /// Makes a trajectory from at least one leg. Each leg begins when the one before ends. A leg may begin at another
+  /// pose: a body that jumps meets nothing on the jump. Throws std::invalid_argument, naming the leg, for other times,
   /// and as checkMotion() does.
   explicit Trajectory(std::vector<Leg> legs);
 
@@ -53,7 +53,8 @@ class TRICOVER_EXPORT Trajectory {
   double end() const { return legs_.back().end; }         ///< When it ends.
   /// The pose at any time, rounded; infinity is a time, too. Throws std::invalid_argument for NaN.
   Pose at(double time) const;
-  /// What it does from one time to a later one, between which no leg ends: time 0 of it is `from`, and 1 is `until`.
+  /// Returns the motion from one time to a later one, between which no leg ends. Its time 0 is `from`, and 1 is
+  /// `until`.
   Motion part(double from, double until) const;
 
  private:
@@ -67,7 +68,8 @@ class TRICOVER_EXPORT Trajectory {
 TRICOVER_EXPORT std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                                                    const Trajectory& trajectory_b, const ImpactOptions& options = {});
 
-/// All spans of time in which they meet; one that lasts until then ends at the last end of the two.
+/// Returns all time intervals in which the bodies meet. The last one ends at the last end of the two, if they meet
+/// then.
 ///
 /// \snippet trajectory.cpp trajectory
 TRICOVER_EXPORT std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,

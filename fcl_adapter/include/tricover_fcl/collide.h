@@ -34,7 +34,7 @@ namespace tricover_fcl {
 ///
 /// Other geometries: a polygon may have any rigid pose in space, and so may a geometry of FCL's own. They collide if
 /// and only if they share a point within the polygon's plane (a prism's heights), decided in the polygon's frame, where
-/// the geometry is cut by them and seen along z. What touches is always a hit. A false alarm is possible
+/// the geometry is cut by them and seen along z. A geometry that touches is always a hit. A false alarm is possible
 /// - for box, convex, plane, halfspace, triangles and octree cells, where they come within 1e-13 of their size and
 ///   distance: the relative pose is rounded, and its rounding counts as contact;
 /// - for ellipsoid, cone, and tilted capsules and cylinders, where they come within 1e-4 of the geometry's size: they

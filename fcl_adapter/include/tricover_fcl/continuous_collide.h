@@ -48,7 +48,7 @@ namespace tricover_fcl {
 /// - InterpMotion (CCDM_LINEAR) leaves the point that moves on a straight line uninitialised; here it is the origin.
 ///   One made by yourself needs that point if it turns.
 /// - ScrewMotion (CCDM_SCREW) without a turn goes on beyond its goal, to its own length times the way; here it is a
-///   TranslationMotion. Of one made by yourself the goal is taken for the end, but contact_tf1 and contact_tf2, which
+///   TranslationMotion. If you make one yourself, its goal is taken for the end, but contact_tf1 and contact_tf2, which
 ///   FCL fills, don't.
 /// - SplineMotion (CCDM_SPLINE) made from two transforms is left uninitialised as a whole; here that throws
 ///   std::logic_error. Make it from control points.

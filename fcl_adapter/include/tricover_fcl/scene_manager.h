@@ -21,7 +21,7 @@ namespace tricover_fcl {
 ///
 /// - Polygons are taken where they are when they are registered and at each update(), whatever their boxes; of other
 ///   geometries, and of polygons whose poses leave the plane, the box is taken: call computeAABB() first, as for FCL's
-///   managers. What has a box without bounds takes part in all pairs, as does a polygon whose pose isn't rigid or
+///   managers. A geometry without a finite box takes part in all pairs, as does a polygon whose pose isn't rigid or
 ///   finite, so that the callback's query refuses it.
 /// - Heights don't part the plane: many prisms one above the other are pairs that are looked at, if not shown.
 /// - Margins are those of the shapes. A callback that asks with a larger one (CollideOptions) needs another manager or
