@@ -34,7 +34,8 @@ struct CollideOptions {
 TRICOVER_EXPORT bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                              const CollideOptions& options = {});
 
-/// The same answer, using and renewing the facts in `cache`. O(1) while the fact in it pays for the motion since.
+/// Returns the same answer, and uses and renews the certificate in `cache`. O(1) while the certificate pays for the
+/// motion since.
 ///
 /// \snippet collide.cpp collide with cache
 TRICOVER_EXPORT bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

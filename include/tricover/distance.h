@@ -43,9 +43,9 @@ struct DistanceResult {
 TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                         const DistanceOptions& options = {});
 
-/// The same, using and renewing the facts in `cache`. O(1) while the pairs of edges that it lists pay for the motion
-/// since. The distance is the same to the last bit, unless options allow errors. Where several points are equally near,
-/// it may return other ones.
+/// Returns the same, and first tests the features that were nearest at the last call with this cache. The distance is
+/// the same to the last bit, unless options allow errors. Where several points are equally near, it may return other
+/// ones.
 ///
 /// \snippet distance.cpp distance with cache
 TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
@@ -65,7 +65,7 @@ TRICOVER_EXPORT std::optional<DistanceResult> distanceWithin(const Polygon& a, c
                                                              const Pose& pose_b, double limit,
                                                              const DistanceOptions& options = {});
 
-/// The same, using and renewing the facts in `cache`, as distance() does.
+/// Returns the same, and uses the cache as distance() does.
 ///
 /// \snippet distance.cpp distance within
 TRICOVER_EXPORT std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_a, const Polygon& b,

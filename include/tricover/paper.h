@@ -78,7 +78,7 @@ TRICOVER_EXPORT std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon,
 class MaskCache {
  private:
   friend struct detail::CacheAccess;
-  std::vector<std::uint64_t> facts_;
+  std::vector<std::uint64_t> masks_;
 };
 
 /// tricover::collide() by Algorithm 3, with the repairs that it needs. The same answers, from the same predicates and

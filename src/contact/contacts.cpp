@@ -10,10 +10,10 @@
 #include "contact/part_contacts.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/certificate.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
-#include "pair/facts.h"
-#include "pair/find_fact.h"
+#include "pair/find_certificate.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
 #include "polygon/convexity.h"
@@ -45,21 +45,22 @@ std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& op
 }
 
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                                     PairFacts* cache, const ContactOptions& options) {
+                                     PairCacheContents* cache, const ContactOptions& options) {
   if (gapOfDiscs(Placement(a, pose_a, b, pose_b), options.margin) >= 0) return {};
-  CollisionFact* facts = cache != nullptr ? &cache->collision : nullptr;
+  Certificate* certificate = cache != nullptr ? &cache->collision : nullptr;
   Recollection known{};
-  if (facts != nullptr && facts->back_off.isOn()) {
-    countDown(*facts, a, pose_a, b, pose_b);
-    facts = nullptr;
-  } else if (facts != nullptr) {
-    known = recall(*facts, a, pose_a, b, pose_b, options.margin);
+  if (certificate != nullptr && certificate->back_off.isOn()) {
+    countDown(*certificate, a, pose_a, b, pose_b);
+    certificate = nullptr;
+  } else if (certificate != nullptr) {
+    known = recall(*certificate, a, pose_a, b, pose_b, options.margin);
   }
   if (known.certain && !known.collides) return {};
   const PosedPair pair(a, pose_a, b, pose_b);
   std::vector<Contact> result = allContacts(pair, options);
   if (result.empty()) result = contactsBeside(pair, options);
-  if (facts != nullptr && result.empty()) renewFact(a, pose_a, b, pose_b, *facts, known, {options.margin, 0});
+  if (certificate != nullptr && result.empty())
+    renewCertificate(a, pose_a, b, pose_b, *certificate, known, {options.margin, 0});
   if (result.size() > 1)
     std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > options.most)
@@ -68,7 +69,7 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
 }
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                              PairFacts* cache, const ContactOptions& options) {
+                              PairCacheContents* cache, const ContactOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   if (options.detail < ContactDetail::Points || options.detail > ContactDetail::GlobalDepth)
     refuse("detail", "not a ContactDetail");
@@ -96,7 +97,7 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
 
 std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                               PairCache& cache, const ContactOptions& options) {
-  return detail::contacts(a, pose_a, b, pose_b, &detail::factsIn(cache), options);
+  return detail::contacts(a, pose_a, b, pose_b, &detail::contentsOf(cache), options);
 }
 
 }  // namespace tricover

@@ -156,8 +156,7 @@ Penetration nearestWithout(const PosedPair& pair) {
 /// shortest with a margin is longer by the margin at least: back by the margin from its end there is one without. If
 /// the regions are within the margin straight on, it goes on until they are not, and at last as far as the hulls
 /// require.
-Penetration straightOn(const PosedPair& pair, Penetration p, const SupportGap& hulls, double margin,
-                       bool are_convex) {
+Penetration straightOn(const PosedPair& pair, Penetration p, const SupportGap& hulls, double margin, bool are_convex) {
   const double size = pair.a.radius + pair.b.radius + margin, step = 64 * kUnitRoundoff * size + kTiny;
   p.depth = std::max(p.depth + margin, 0.0);
   p.lower_bound = std::max(p.lower_bound + margin, 0.0);
@@ -250,7 +249,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
 namespace {
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-                                       PairFacts* cache, const PenetrationOptions& options) {
+                                       PairCacheContents* cache, const PenetrationOptions& options) {
   if (!collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching})) return std::nullopt;
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
@@ -276,7 +275,7 @@ std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, con
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                        PairCache& cache, const PenetrationOptions& options) {
-  return detail::penetration(a, pose_a, b, pose_b, &detail::factsIn(cache), options);
+  return detail::penetration(a, pose_a, b, pose_b, &detail::contentsOf(cache), options);
 }
 
 }  // namespace tricover

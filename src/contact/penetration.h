@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "polygon/cached_facts.h"
+#include "polygon/cache_contents.h"
 #include "polygon/polygon_data.h"
 #include "tricover/penetration.h"
 

@@ -5,7 +5,7 @@
 #include "convex/nearest_features.h"
 #include "distance/distance_result.h"
 #include "distance/options.h"
-#include "polygon/cached_facts.h"
+#include "polygon/cache_contents.h"
 
 namespace tricover::detail {
 

@@ -88,7 +88,7 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
 
 DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
                         const DistanceOptions& options) {
-  return detail::distance(a, pose_a, b, pose_b, &detail::factsIn(cache).distance, {options});
+  return detail::distance(a, pose_a, b, pose_b, &detail::contentsOf(cache).distance, {options});
 }
 
 std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
@@ -98,8 +98,8 @@ std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_
 
 std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                              double limit, PairCache& cache, const DistanceOptions& options) {
-  return detail::ifWithin(limit,
-                          detail::distance(a, pose_a, b, pose_b, &detail::factsIn(cache).distance, {options, limit}));
+  return detail::ifWithin(
+      limit, detail::distance(a, pose_a, b, pose_b, &detail::contentsOf(cache).distance, {options, limit}));
 }
 
 }  // namespace tricover

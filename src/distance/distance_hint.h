@@ -6,7 +6,7 @@
 #include "convex/feature_walk.h"
 #include "distance/distance_result.h"
 #include "distance/distance_search.h"
-#include "polygon/cached_facts.h"
+#include "polygon/cache_contents.h"
 
 namespace tricover::detail {
 

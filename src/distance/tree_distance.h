@@ -3,7 +3,7 @@
 
 #include "distance/distance_result.h"
 #include "distance/options.h"
-#include "polygon/cached_facts.h"
+#include "polygon/cache_contents.h"
 
 namespace tricover::detail {
 

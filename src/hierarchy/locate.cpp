@@ -45,7 +45,7 @@ Location locate(const Polygon& polygon, const Vec2& point) {
 }
 
 Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_cache) {
-  detail::PointFact& cache = detail::factsIn(caller_cache);
+  detail::PointCertificate& cache = detail::contentsOf(caller_cache);
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
   // The bounding disc answers sooner than a certificate, which stays as it is.

@@ -7,7 +7,7 @@
 #include "impact/cubic.h"
 #include "impact/options.h"
 #include "numbers/rigidity.h"
-#include "pair/find_fact.h"
+#include "pair/find_certificate.h"
 #include "pair/kernel_order.h"
 #include "tricover/collide.h"
 
@@ -49,13 +49,13 @@ bool MovingContact::meetUntil(double time, double step) const {
   const double way = speed_ * step * kSpared;
   if (way <= margin_) return meetAt(time, margin_ - way);
   const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
-  const Outcome fact = inKernelOrder(
+  const Outcome found = inKernelOrder(
       a_.data(), pose_a, b_.data(), pose_b,
       [&](const auto&... operands) {
-        return findFact(operands..., {0, 0}, {2 * way, true});
+        return findCertificate(operands..., {0, 0}, {2 * way, true});
       },
       [](const Outcome&) {});
-  return fact.collides && fact.clearance + margin_ > way;
+  return found.collides && found.clearance + margin_ > way;
 }
 
 MovingContact::End MovingContact::endOfContact(double begin) {

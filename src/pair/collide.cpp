@@ -7,11 +7,11 @@
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/certificate.h"
 #include "pair/collide_by_edges.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
-#include "pair/facts.h"
-#include "pair/find_fact.h"
+#include "pair/find_certificate.h"
 #include "pair/interiors.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
@@ -34,7 +34,7 @@ Outcome collideAnew(const Placement& placement, double defect, const EdgeTest& t
 }
 
 /// What bounding and inner discs tell, if they decide.
-std::optional<Outcome> factOfDiscs(const Placement& placement, double margin, const FactWish& wish) {
+std::optional<Outcome> certificateOfDiscs(const Placement& placement, double margin, const CertificateWish& wish) {
   const double gap = gapOfDiscs(placement, margin);
   if (gap >= 0) return Outcome{false, gap, wish.edge_a, wish.edge_b};
   const double depth = depthOfDiscs(placement, margin);
@@ -43,7 +43,7 @@ std::optional<Outcome> factOfDiscs(const Placement& placement, double margin, co
 }
 
 /// What the hierarchy finds, or the edges that answered last.
-Outcome findCloseFact(const Placement& placement, const CollideOptions& options, const FactWish& wish) {
+Outcome findCloseCertificate(const Placement& placement, const CollideOptions& options, const CertificateWish& wish) {
   const EdgeTest test(placement, options);
   const auto hit = [&](std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
     const PosedPair& pair = test.pair();
@@ -66,7 +66,7 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
 /// Without a certificate. A cache in back-off counts down only on queries that discs don't decide.
 [[gnu::always_inline]] inline bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                                                  const Pose& pose_b, double defect, const CollideOptions& options,
-                                                 CollisionFact* backing_off) {
+                                                 Certificate* backing_off) {
   const Placement placement(a, pose_a, b, pose_b);
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
@@ -75,9 +75,8 @@ Outcome findCloseFact(const Placement& placement, const CollideOptions& options,
   return collideByHierarchy(placement.inUnits(defect), EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 
-
 bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,
-             CollisionFact* cache, const CollideOptions& options) {
+             Certificate* cache, const CollideOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireFiniteNotNegative(options.tolerance, "tolerance");
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
@@ -89,15 +88,14 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   const Recollection recollection = recall(*cache, a, pose_a, b, pose_b, options.margin);
   if (recollection.certain) return recollection.collides;
   return inOrder([&](const auto&... operands) {
-    const std::optional<bool> renewed = renewFact(operands..., *cache, recollection, options);
+    const std::optional<bool> renewed = renewCertificate(operands..., *cache, recollection, options);
     return renewed ? *renewed : collideAfresh(operands..., defectOf(pose_a, pose_b), options, nullptr);
   });
 }
 
 /// Where touching is allowed.
 [[gnu::cold, gnu::noinline]] bool collideInside(const Polygon& a, const Pose& pose_a, const Polygon& b,
-                                                const Pose& pose_b, CollisionFact* cache,
-                                                const CollideOptions& options) {
+                                                const Pose& pose_b, Certificate* cache, const CollideOptions& options) {
   requireTouching(options.touching);
   if (!asksForInteriors(options)) return collide(a, pose_a, b, pose_b, cache, options);
   return collide(a, pose_a, b, pose_b, cache, {}) && interiorsMeet(a.data(), pose_a, b.data(), pose_b);
@@ -105,42 +103,44 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
 
 }  // namespace
 
-Outcome findFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                 const CollideOptions& options, const FactWish& wish) {
+Outcome findCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                        const CollideOptions& options, const CertificateWish& wish) {
   if (asksForInteriors(options)) {
-    Outcome fact = findFact(a, pose_a, b, pose_b, {}, wish);
-    if (!fact.collides) return fact;
+    Outcome found = findCertificate(a, pose_a, b, pose_b, {}, wish);
+    if (!found.collides) return found;
     // What keeps regions together doesn't keep their interiors together.
-    fact.collides = interiorsMeet(a, pose_a, b, pose_b);
-    fact.clearance = 0;
-    return fact;
+    found.collides = interiorsMeet(a, pose_a, b, pose_b);
+    found.clearance = 0;
+    return found;
   }
   const Placement placement(a, pose_a, b, pose_b);
-  if (const auto fact = factOfDiscs(placement, options.margin, wish)) return *fact;
-  return findCloseFact(placement, options, wish);
+  if (const auto found = certificateOfDiscs(placement, options.margin, wish)) return *found;
+  return findCloseCertificate(placement, options, wish);
 }
 
-std::optional<bool> renewFact(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                              CollisionFact& cache, const Recollection& recollection, const CollideOptions& options) {
+std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                                     Certificate& cache, const Recollection& recollection,
+                                     const CollideOptions& options) {
   claim(cache, a, b);
   if (!isWorthRenewing(cache, recollection)) {
     rememberPoses(cache, a, pose_a, b, pose_b);
     return std::nullopt;
   }
-  const FactWish wish{recollection.lookahead, true, cache.first_edge, cache.second_edge};
+  const CertificateWish wish{recollection.lookahead, true, cache.first_edge, cache.second_edge};
   const Placement placement(a, pose_a, b, pose_b);
-  if (const auto fact = factOfDiscs(placement, options.margin, wish)) {
+  if (const auto found = certificateOfDiscs(placement, options.margin, wish)) {
     cache.back_off.left = 1;  // discs cost no more than recall(), as long as they decide
-    return fact->collides;
+    return found->collides;
   }
-  const Outcome fact = findCloseFact(placement, options, wish);
-  remember(cache, a, pose_a, b, pose_b, fact.collides, fact.clearance);
+  const Outcome found = findCloseCertificate(placement, options, wish);
+  remember(cache, a, pose_a, b, pose_b, found.collides, found.clearance);
   // The last hit's edges meet again: that costs less than the query, unless all edges are tested at once.
-  const bool hits_again = fact.collides && fact.edge_b >= 0 && fact.edge_a == wish.edge_a && fact.edge_b == wish.edge_b;
+  const bool hits_again =
+      found.collides && found.edge_b >= 0 && found.edge_a == wish.edge_a && found.edge_b == wish.edge_b;
   if (hits_again && a.path.size() > SmallPolygon::kMost + 1) cache.was_sought = false;
-  cache.first_edge = static_cast<std::int32_t>(fact.edge_a);
-  cache.second_edge = static_cast<std::int32_t>(fact.edge_b);
-  return fact.collides;
+  cache.first_edge = static_cast<std::int32_t>(found.edge_a);
+  cache.second_edge = static_cast<std::int32_t>(found.edge_b);
+  return found.collides;
 }
 
 }  // namespace detail
@@ -153,9 +153,9 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
              const CollideOptions& options) {
-  detail::CollisionFact* facts = &detail::factsIn(cache).collision;
-  if (options.touching != Touching::Collides) return detail::collideInside(a, pose_a, b, pose_b, facts, options);
-  return detail::collide(a, pose_a, b, pose_b, facts, options);
+  detail::Certificate* certificate = &detail::contentsOf(cache).collision;
+  if (options.touching != Touching::Collides) return detail::collideInside(a, pose_a, b, pose_b, certificate, options);
+  return detail::collide(a, pose_a, b, pose_b, certificate, options);
 }
 
 }  // namespace tricover

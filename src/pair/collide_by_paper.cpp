@@ -131,7 +131,7 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, MaskCache& cache,
              const CollideOptions& options) {
-  return detail::collideByPaper(a, pose_a, b, pose_b, &detail::factsIn(cache), options);
+  return detail::collideByPaper(a, pose_a, b, pose_b, &detail::contentsOf(cache), options);
 }
 
 }  // namespace paper

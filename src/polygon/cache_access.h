@@ -5,36 +5,38 @@
 #include <new>
 #include <type_traits>
 
-#include "polygon/cached_facts.h"
+#include "polygon/cache_contents.h"
 
 namespace tricover::detail {
 
 /// Caches are opaque to their users: bytes that hold a struct of the kernel's, or what a vector keeps.
 struct CacheAccess {
-  static PairFacts& factsIn(PairCache& cache) { return in<PairFacts>(cache.bytes_); }
-  static const PairFacts& factsIn(const PairCache& cache) { return factsIn(const_cast<PairCache&>(cache)); }
-  static PointFact& factsIn(PointCache& cache) { return in<PointFact>(cache.bytes_); }
+  static PairCacheContents& contentsOf(PairCache& cache) { return in<PairCacheContents>(cache.bytes_); }
+  static const PairCacheContents& contentsOf(const PairCache& cache) {
+    return contentsOf(const_cast<PairCache&>(cache));
+  }
+  static PointCertificate& contentsOf(PointCache& cache) { return in<PointCertificate>(cache.bytes_); }
   template <typename Cache>
-  static auto& factsIn(Cache& cache) {
-    return cache.facts_;
+  static auto& contentsOf(Cache& cache) {
+    return cache.masks_;
   }
 
   /// Begins the life of what is kept there.
-  static void begin(PairCache& cache) { new (cache.bytes_) PairFacts; }
-  static void begin(PointCache& cache) { new (cache.bytes_) PointFact; }
+  static void begin(PairCache& cache) { new (cache.bytes_) PairCacheContents; }
+  static void begin(PointCache& cache) { new (cache.bytes_) PointCertificate; }
 
  private:
-  template <typename Facts, std::size_t kBytes>
-  static Facts& in(unsigned char (&bytes)[kBytes]) {
-    static_assert(sizeof(Facts) <= kBytes && alignof(Facts) <= 8);
-    static_assert(std::is_trivially_copyable_v<Facts>, "a cache is copied as bytes");
-    return *std::launder(reinterpret_cast<Facts*>(bytes));
+  template <typename Contents, std::size_t kBytes>
+  static Contents& in(unsigned char (&bytes)[kBytes]) {
+    static_assert(sizeof(Contents) <= kBytes && alignof(Contents) <= 8);
+    static_assert(std::is_trivially_copyable_v<Contents>, "a cache is copied as bytes");
+    return *std::launder(reinterpret_cast<Contents*>(bytes));
   }
 };
 
 template <typename Cache>
-auto& factsIn(Cache& cache) {
-  return CacheAccess::factsIn(cache);
+auto& contentsOf(Cache& cache) {
+  return CacheAccess::contentsOf(cache);
 }
 
 }  // namespace tricover::detail

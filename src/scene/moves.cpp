@@ -6,7 +6,7 @@
 
 #include "numbers/rigidity.h"
 #include "numbers/rounding.h"
-#include "pair/facts.h"
+#include "pair/certificate.h"
 #include "scene/in_parallel.h"
 #include "scene/scene_state.h"
 

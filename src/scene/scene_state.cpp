@@ -13,8 +13,8 @@
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "numbers/rounding.h"
-#include "pair/facts.h"
-#include "pair/find_fact.h"
+#include "pair/certificate.h"
+#include "pair/find_certificate.h"
 #include "pair/kernel_order.h"
 #include "scene/in_parallel.h"
 
@@ -184,7 +184,7 @@ SceneState::Finding SceneState::look(Pair& pair) {
   const Outcome found = inKernelOrder(
       p.polygon.data(), p.pose, q.polygon.data(), q.pose,
       [&](const auto&... operands) {
-        return findFact(operands..., options, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
+        return findCertificate(operands..., options, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
       },
       [](const Outcome&) {});
   const double room = found.collides ? found.clearance : roundedDown<1>(found.clearance - options.margin);

@@ -94,7 +94,7 @@ TEST(Coherence, aSlotThatWasAnotherPairsBeginsEmpty) {
   growTable();
   static const char places[1 << 17] = {};
   const auto rests = [](tricover::PairCache& slot) -> std::uint8_t& {
-    return tricover::detail::factsIn(slot).collision.back_off.left;
+    return tricover::detail::contentsOf(slot).collision.back_off.left;
   };
   for (Place of_c : {Place(nullptr), Place(&places[0])}) {
     tricover::PairCache* const slot = slotOf(a, nullptr, b, nullptr);
@@ -121,9 +121,10 @@ TEST(Coherence, fclCallsFillThePairsSlot) {
     fcl::CollisionResultd result;
     fcl::collide(&object_b, &object_a, fcl::CollisionRequestd(), result);
   }
-  const tricover::detail::CollisionFact& fact =
-      tricover::detail::factsIn(*slotOf(a, &object_a.getTransform(), b, &object_b.getTransform())).collision;
-  EXPECT_EQ((std::set<std::uint64_t>{fact.first_id, fact.second_id}), (std::set<std::uint64_t>{a.id(), b.id()}));
+  const tricover::detail::Certificate& certificate =
+      tricover::detail::contentsOf(*slotOf(a, &object_a.getTransform(), b, &object_b.getTransform())).collision;
+  EXPECT_EQ((std::set<std::uint64_t>{certificate.first_id, certificate.second_id}),
+            (std::set<std::uint64_t>{a.id(), b.id()}));
 }
 
 TEST(Coherence, aTableIsSmallUntilUsed) {
@@ -157,8 +158,8 @@ TEST(Coherence, aPairKeepsItsCacheWhileTheTableGrows) {
     }
     int kept = 0;
     for (const char& place : places) {
-      const auto& fact = tricover::detail::factsIn(*slotOf(a, &place, b, nullptr)).collision;
-      kept += fact.first_id == a.id() || fact.first_id == b.id();
+      const auto& certificate = tricover::detail::contentsOf(*slotOf(a, &place, b, nullptr)).collision;
+      kept += certificate.first_id == a.id() || certificate.first_id == b.id();
     }
     EXPECT_GE(kept, 40);  // some share a slot
   }).join();

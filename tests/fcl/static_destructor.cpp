@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Destructors of static and thread_local objects may collide, after the thread's table of facts is gone.
+// Destructors of static and thread_local objects may collide, after the thread's table of certificates is gone.
 #include <tricover_fcl/collide.h>
 #include <tricover_fcl/distance.h>
 #include <tricover_fcl/polygon_shape.h>

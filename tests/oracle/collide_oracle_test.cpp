@@ -24,7 +24,7 @@ namespace {
 constexpr int kCases = 5000;
 constexpr double kRareOutcome = 0.15;
 
-/// b near where it is: facts about these poses are about to be used at the case's own.
+/// b near where it is: certificates about these poses are about to be used at the case's own.
 Pose elsewhere(Random& random, const Case& c) {
   const double size = std::min(c.a.radius(), c.b.radius()) * (random.coin() ? 1e-3 : 1.0);
   Pose result = pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0) * c.pose_b;  // as rigid as that is

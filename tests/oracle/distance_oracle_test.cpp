@@ -28,7 +28,7 @@ constexpr int kCases = 1000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-/// b near where it is: facts about these poses are about to be used at the case's own.
+/// b near where it is: certificates about these poses are about to be used at the case's own.
 Pose elsewhere(Random& random, const Case& c) {
   const double size = std::min(c.a.radius(), c.b.radius()) * (random.coin() ? 1e-3 : random.coin() ? 1e-12 : 1.0);
   Pose result = pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0) * c.pose_b;  // as rigid as that is
@@ -264,7 +264,7 @@ TEST_P(DistanceWalk, EveryCachedDistanceIsTheColdOne) {
         const double limited = cold.distance <= options.limit ? cold.distance : kInfinity;
         ++steps;
         hits += cold.distance == 0;
-        const detail::DistanceHint& hint = detail::factsIn(caches[k]).distance;
+        const detail::DistanceHint& hint = detail::contentsOf(caches[k]).distance;
         kept += hint.kind != 0 && !hint.back_off.isOn();
         const std::string points = own.distance == cold.distance ? wrongPoints(c, own) : "";
         if (own.distance == cold.distance && others.distance == limited && points.empty()) continue;

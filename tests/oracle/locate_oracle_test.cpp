@@ -154,7 +154,7 @@ TEST(PointCacheWalk, EveryCachedAnswerIsTheColdOne) {
   for (const int count : tally.by_location) EXPECT_GE(count, 0.01 * tally.points);
 }
 
-/// A fact answers for a point that stays, and for most steps of one that goes through the polygon slowly.
+/// A certificate answers for a point that stays, and for most steps of one that goes through the polygon slowly.
 TEST(PointCacheWalk, FactsAnswerSlowSteps) {
   Random random(5);
   const Polygon polygon({star(random, 300, 2, 4)});
@@ -164,12 +164,12 @@ TEST(PointCacheWalk, FactsAnswerSlowSteps) {
   for (int i = 0; i < kSteps; ++i) {
     const Vec2 point(-5 + 10.0 * i / kSteps, 0.3);
     const Location location = locate(polygon, point, cache);
-    const std::uint32_t uses = detail::factsIn(cache).uses;
+    const std::uint32_t uses = detail::contentsOf(cache).uses;
     answered += uses > 0;
     PointCache copy = cache;
     EXPECT_EQ(locate(polygon, point, copy), location);
     const bool is_near = (point - polygon.origin()).norm() <= polygon.radius();  // elsewhere the disc answers
-    EXPECT_EQ(detail::factsIn(copy).uses, uses + (is_near && !detail::factsIn(cache).back_off.isOn()))
+    EXPECT_EQ(detail::contentsOf(copy).uses, uses + (is_near && !detail::contentsOf(cache).back_off.isOn()))
         << "a point that stays where its certificate is from, or within reach of it";
   }
   EXPECT_GT(answered, kSteps / 2);
@@ -184,14 +184,14 @@ TEST(PointCacheWalk, FactsRestWhileTheyDoNotPay) {
   for (int i = 0; i < 500; ++i) {
     const Vec2 point(random.real(-4, 4), random.real(-4, 4));
     EXPECT_EQ(locate(polygon, point, cache), locate(polygon, point));
-    rested += detail::factsIn(cache).back_off.isOn();
+    rested += detail::contentsOf(cache).back_off.isOn();
   }
   EXPECT_GT(rested, 400);
   int answered = 0;
   for (int i = 0; i < 2000; ++i) {
     const Vec2 point(0.002 * i - 2, 0.3);
     EXPECT_EQ(locate(polygon, point, cache), locate(polygon, point));
-    answered += detail::factsIn(cache).uses > 0;
+    answered += detail::contentsOf(cache).uses > 0;
   }
   EXPECT_GT(answered, 1000);
 }

@@ -61,10 +61,10 @@ void walk(int seed, bool convex, Tally& tally, PairCache& cache) {
   const int manner = random.integer(0, 3);
   const double length = 0.002 * size * (random.coin() ? 1 : -1) * (random.oneIn(4) ? 10 : 1);
   const bool swaps = random.oneIn(4);
-  const detail::PairFacts& facts = detail::factsIn(cache);
+  const detail::PairCacheContents& certificates = detail::contentsOf(cache);
   for (int i = 0; i < 60; ++i, step(random, manner, length, along, c)) {
     const std::vector<Contact> expected = contacts(c.a, c.pose_a, c.b, c.pose_b);
-    const auto uses = facts.collision.uses;
+    const auto uses = certificates.collision.uses;
     std::vector<Contact> found =
         swaps && i % 2 ? contacts(c.b, c.pose_b, c.a, c.pose_a, cache) : contacts(c.a, c.pose_a, c.b, c.pose_b, cache);
     if (swaps && i % 2)
@@ -74,7 +74,7 @@ void walk(int seed, bool convex, Tally& tally, PairCache& cache) {
       }
     ++tally.queries;
     (expected.empty() ? tally.apart : tally.overlaps)++;
-    tally.apart_kept += expected.empty() && facts.collision.uses == uses + 1;
+    tally.apart_kept += expected.empty() && certificates.collision.uses == uses + 1;
     // Of a polygon and itself at one place the order is the caller's.
     if (c.a.id() == c.b.id() && found.size() == expected.size() && c.pose_a.matrix() == c.pose_b.matrix()) continue;
     if (!same(found, expected) && ++tally.wrong <= 3)

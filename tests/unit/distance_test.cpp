@@ -212,7 +212,7 @@ TEST(Distance, RefusesAndNamesTheField) {
   EXPECT_EQ(distance(a, at(0, 0), a, at(3, 0), cache).distance, 2) << "a refusal changes nothing";
 }
 
-const detail::DistanceHint& hintOf(PairCache& cache) { return detail::factsIn(cache).distance; }
+const detail::DistanceHint& hintOf(PairCache& cache) { return detail::contentsOf(cache).distance; }
 
 /// A small polygon that jumps through an edge lies as near to the same edges as before, and yet inside.
 TEST(DistanceCache, SeesAJumpThroughAnEdge) {

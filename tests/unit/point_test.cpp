@@ -15,7 +15,7 @@
 #include "hierarchy/simd.h"
 #include "limited_distance.h"
 #include "pair/collide_by_hierarchy.h"
-#include "pair/find_fact.h"
+#include "pair/find_certificate.h"
 #include "pair/root_box.h"
 #include "polygon/cache_access.h"
 #include "portable_lanes.h"
@@ -113,7 +113,7 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
   EXPECT_LE(hits, 0.95 * asked);
 }
 
-/// A margin makes a hit last, but not the overlap that the fact is about.
+/// A margin makes a hit last, but not the overlap that the certificate is about.
 TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   Ring ring;  // a bar of more edges than are asked at once
   for (int i = 0; i < 40; ++i) ring.push_back({i - 20.0, -4});
@@ -124,12 +124,14 @@ TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   options.margin = 5;
   // Beside the largest disc inside, in another one.
   const Pose here = Pose::Identity(), beside = pose(0, 10, 0);
-  const detail::Outcome fact = detail::findFact(bar.data(), here, dot.data(), beside, options, {10, true});
-  EXPECT_TRUE(fact.collides);
-  EXPECT_GT(fact.clearance, 1);
-  EXPECT_LE(fact.clearance, 4);
-  // Discs are sooner asked than facts; this one is kept nevertheless.
-  detail::remember(detail::factsIn(cache).collision, bar.data(), here, dot.data(), beside, true, fact.clearance);
+  const detail::Outcome certificate =
+      detail::findCertificate(bar.data(), here, dot.data(), beside, options, {10, true});
+  EXPECT_TRUE(certificate.collides);
+  EXPECT_GT(certificate.clearance, 1);
+  EXPECT_LE(certificate.clearance, 4);
+  // Discs are sooner asked than certificates; this one is kept nevertheless.
+  detail::remember(detail::contentsOf(cache).collision, bar.data(), here, dot.data(), beside, true,
+                   certificate.clearance);
   EXPECT_FALSE(collide(bar, pose(0, 0, 0), dot, pose(0, 10, 6), cache));
 }
 

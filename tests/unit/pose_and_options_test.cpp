@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "pair/facts.h"
+#include "pair/certificate.h"
 #include "polygon/cache_access.h"
 #include "random.h"
 #include "refusal.h"
@@ -65,15 +65,15 @@ TEST(Options, AreOfTheirEnumeration) {
             "tricover: detail: not a ContactDetail");
 }
 
-/// A fact that pays for any motion, of this pair in either order, of another one, or none.
+/// A certificate that pays for any motion, of this pair in either order, of another one, or none.
 TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
   const Pose here = Pose::Identity(), far = pose(0, 1e6, 0);
   PairCache of_pair, of_another;
-  detail::remember(detail::factsIn(of_pair).collision, a.data(), here, b.data(), far, false, 9e5);
-  detail::remember(detail::factsIn(of_another).collision, a.data(), here, a.data(), far, false, 9e5);
+  detail::remember(detail::contentsOf(of_pair).collision, a.data(), here, b.data(), far, false, 9e5);
+  detail::remember(detail::contentsOf(of_another).collision, a.data(), here, a.data(), far, false, 9e5);
   ASSERT_FALSE(collide(a, here, b, far, of_pair));
-  ASSERT_EQ(detail::factsIn(of_pair).collision.uses, 1u);
+  ASSERT_EQ(detail::contentsOf(of_pair).collision.uses, 1u);
   for (const PairCache& given : {of_pair, of_another, PairCache()}) {
     for (const Pose& bad : badPoses()) {
       PairCache cache = given;
@@ -81,7 +81,7 @@ TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
       EXPECT_TRUE(names(refusal([&] { collide(b, far, a, bad, cache); }), "tricover: pose_b"));
       EXPECT_TRUE(names(refusal([&] { collide(a, bad, b, far, cache); }), "tricover: pose_a"));
       EXPECT_TRUE(names(refusal([&] { collide(b, bad, a, here, cache); }), "tricover: pose_a"));
-      EXPECT_EQ(detail::factsIn(cache).collision.uses, detail::factsIn(given).collision.uses);
+      EXPECT_EQ(detail::contentsOf(cache).collision.uses, detail::contentsOf(given).collision.uses);
     }
   }
 }
@@ -273,8 +273,8 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
     for (const Pose& bad : badPoses())
       EXPECT_THROW(collide(strategy, a, Pose::Identity(), b, bad, caches), std::invalid_argument);
     EXPECT_THROW(collide(strategy, b, Pose::Identity(), b, Pose::Identity(), caches, {-1}), std::invalid_argument);
-    const detail::CollisionFact &cache = detail::factsIn(caches.of_pair).collision,
-                                &before = detail::factsIn(copy.of_pair).collision;
+    const detail::Certificate &cache = detail::contentsOf(caches.of_pair).collision,
+                              &before = detail::contentsOf(copy.of_pair).collision;
     EXPECT_EQ(cache.first_id, before.first_id);
     EXPECT_EQ(cache.second_id, before.second_id);
     EXPECT_EQ(cache.clearance, before.clearance);
@@ -282,14 +282,14 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
     EXPECT_EQ(cache.uses, before.uses);
     EXPECT_TRUE(std::equal(cache.first_pose, cache.first_pose + 6, before.first_pose));
     EXPECT_TRUE(std::equal(cache.second_pose, cache.second_pose + 6, before.second_pose));
-    const auto &mask = detail::factsIn(caches.of_mask), &mask_before = detail::factsIn(copy.of_mask);
+    const auto &mask = detail::contentsOf(caches.of_mask), &mask_before = detail::contentsOf(copy.of_mask);
     EXPECT_EQ(mask, mask_before);
   }
   PointCache cache;
   locate(a, {0.5, 0.5}, cache);
   EXPECT_THROW(locate(b, {kNaN, 0}, cache), std::invalid_argument);
-  EXPECT_EQ(detail::factsIn(cache).polygon_id, a.id());
-  EXPECT_EQ(detail::factsIn(cache).location, Location::Inside);
+  EXPECT_EQ(detail::contentsOf(cache).polygon_id, a.id());
+  EXPECT_EQ(detail::contentsOf(cache).location, Location::Inside);
 }
 
 TEST(Refusal, OfPointsAndLengths) {

@@ -16,7 +16,7 @@ namespace tricover_fcl {
 /// Its callbacks see the pairs that may collide: of two polygons those that do collide in the plane and whose heights
 /// meet (by boxes, rounded outwards), so that hardly any question is in vain; of a polygon and another geometry those
 /// in which the polygon meets the other's box; of two others those whose boxes meet. From call to call the scene's
-/// kinetic facts answer: a frame costs what moved and what may have changed. For distances the callback sees the pairs
+/// certificates answer: a frame costs what moved and what may have changed. For distances the callback sees the pairs
 /// that may be nearer than what it has reported so far, the nearest first.
 ///
 /// - Polygons are taken where they are when they are registered and at each update(), whatever their boxes; of other

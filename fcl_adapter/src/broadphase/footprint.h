@@ -32,7 +32,7 @@ struct Footprint {
 };
 
 /// A polygon in the plane is its own region. Of anything else it is the object's box: for one that moves, `last` is the
-/// box's polygon so far (or null), which is used again if it fits, so that facts about it last.
+/// box's polygon so far (or null), which is used again if it fits, so that certificates about it last.
 template <typename S>
 Footprint footprintOf(const fcl::CollisionObject<S>& object, const tricover::Polygon* last);
 

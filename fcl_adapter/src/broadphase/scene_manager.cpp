@@ -104,7 +104,7 @@ void SceneManager<S>::Impl::refresh(Entry& entry) {
   place(entry, footprintOf(*entry.object, entry.body ? &scene.polygon(*entry.body) : nullptr));
 }
 
-/// Where the footprint is. The same polygon is moved, because facts about it last.
+/// Where the footprint is. The same polygon is moved, because certificates about it last.
 template <typename S>
 void SceneManager<S>::Impl::place(Entry& entry, const Footprint& print) {
   const std::optional<BodyHandle> old = entry.body;

@@ -240,7 +240,7 @@ std::optional<double> advance(const Polygon& polygon_a, const Course& course_a, 
     return tricover::collide(polygon_a, course_a.pose(time), polygon_b, course_b.pose(time), {options.margin});
   };
   const double size = options.margin + radiusAround(polygon_a, Vec2::Zero()) + radiusAround(polygon_b, Vec2::Zero());
-  tricover::PairCache facts;
+  tricover::PairCache cache;
   // A step for each time_error / 16, between 65,536 and a million of them.
   const double most = std::clamp(16 / options.time_error, 0x1p16, 0x1p20);
   double time = static_cast<double>(roundDown<S>(begin));
@@ -248,7 +248,7 @@ std::optional<double> advance(const Polygon& polygon_a, const Course& course_a, 
     a.moveTo(time);
     b.moveTo(time);
     const tricover::DistanceResult nearest =
-        tricover::distance(polygon_a, a.pose, polygon_b, b.pose, facts, {options.margin});
+        tricover::distance(polygon_a, a.pose, polygon_b, b.pose, cache, {options.margin});
     if (nearest.distance == 0) return time;
     // What the distance is rounded by, and what the motions' poses are, also far from the world's origin.
     const double rounding = 1e-13 * (size + (a.pose.translation() - b.pose.translation()).norm()) +

@@ -16,7 +16,7 @@ constexpr int kFirstBits = 6, kMostBits = 13;
 
 struct alignas(64) Slot {
   std::uint64_t owner = 0;
-  tricover::PairCache facts;
+  tricover::PairCache cache;
 };
 static_assert(((sizeof(Slot) + sizeof(std::uint64_t)) << kFirstBits) <= std::size_t{1} << 16);
 
@@ -38,9 +38,9 @@ struct Table {
         slot = &slots[slotOf(key)];
       }
       slot->owner = key;
-      slot->facts = {};
+      slot->cache = {};
     }
-    return &slot->facts;
+    return &slot->cache;
   }
 
   void resize(int more_bits) {

@@ -75,10 +75,10 @@ struct OutlinePoints {
 }  // namespace
 
 std::optional<DistanceResult> PlanarPair::distanceWithin(double limit, tricover::DistanceOptions options) const {
-  tricover::PairCache* const facts = cache();
+  tricover::PairCache* const kept = cache();
   options.margin = margin;
-  return facts != nullptr ? tricover::distanceWithin(*a, pose_a, *b, pose_b, limit, *facts, options)
-                          : tricover::distanceWithin(*a, pose_a, *b, pose_b, limit, options);
+  return kept != nullptr ? tricover::distanceWithin(*a, pose_a, *b, pose_b, limit, *kept, options)
+                         : tricover::distanceWithin(*a, pose_a, *b, pose_b, limit, options);
 }
 
 std::optional<Penetration> PlanarPair::penetration() const {

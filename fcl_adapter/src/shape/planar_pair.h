@@ -20,9 +20,9 @@ struct PlanarPair {
       : a(&a_), b(&b_), margin_a(of_a), margin_b(of_b), margin(of_both) {}
 
   bool collide(double tolerance = 0) const {
-    tricover::PairCache* const facts = cache();
-    return facts != nullptr ? tricover::collide(*a, pose_a, *b, pose_b, *facts, {margin, tolerance})
-                            : tricover::collide(*a, pose_a, *b, pose_b, {margin, tolerance});
+    tricover::PairCache* const kept = cache();
+    return kept != nullptr ? tricover::collide(*a, pose_a, *b, pose_b, *kept, {margin, tolerance})
+                           : tricover::collide(*a, pose_a, *b, pose_b, {margin, tolerance});
   }
   std::optional<tricover::DistanceResult> distanceWithin(double limit, tricover::DistanceOptions options) const;
 

@@ -10,7 +10,7 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/planar_pair.cpp", "(pair.margin_a - pair.margin_b) / 2 * contact.normal", "(pair.margin_b - pair.margin_a) / 2 * contact.normal", "contact: in the middle of polygons, not of grown ones"),
     ("fcl_adapter/src/shadow/slab_cut.h", "return {slab.low - by, slab.high + by};", "return slab;", "cut: rounding at the slab"),
     ("fcl_adapter/src/shape/course.cpp", "largest / std::cos(M_PI / kDirections) * (1 + 4 * tricover::kRigidTolerance)", "largest * 0.9", "own motion: slower than it is"),
-    ("fcl_adapter/src/shape/course.cpp", "b.pose, facts, {options.margin});", "b.pose, facts);", "own motion: margins"),
+    ("fcl_adapter/src/shape/course.cpp", "b.pose, cache, {options.margin});", "b.pose, cache);", "own motion: margins"),
     ("fcl_adapter/src/shape/course.cpp", "- front.place - beside,", "- front.place - 0.5 * beside,", "own motion: margins along a direction"),
     ("fcl_adapter/src/shape/course.cpp", "speed = front.speed + other.speed;", "speed = front.speed;", "own motion: b stands still along a direction"),
     ("fcl_adapter/src/shape/heights.h", "return tricover::detail::twoSum(of_pose, of_shape).low;", "return 0;", "heights: what rounding left is lost"),
@@ -29,5 +29,5 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/fcl_results.cpp", "if (result.o1 == nullptr && result.o2 == nullptr)", "if (false)", "distance: nearest points uninitialised"),
     ("fcl_adapter/src/mixed/stadium_pair.cpp", "tiltOf(of_other_) <= kNoTilt && ", "", "balls: poses that nobody checks"),
     ("fcl_adapter/src/mixed/stadium_pair.h", "      requireRigidPoses();\n", "", "balls: poses named in the kernel's order"),
-    ("fcl_adapter/src/shape/pair_cache_table.cpp", "      slot->facts = {};\n", "", "table: another pair's rest is inherited"),
+    ("fcl_adapter/src/shape/pair_cache_table.cpp", "      slot->cache = {};\n", "", "table: another pair's rest is inherited"),
 ]

@@ -43,7 +43,7 @@ MUTATIONS = [
     ("src/impact/window.h", "slope_ < from_ || slope_ * slope_ < 4 * sag_ * from_", "slope_ < 2 * from_ || slope_ * slope_ < 4 * sag_ * from_", "window: parted too early"),
     ("src/impact/window.h", "std::min(2 * from / (slope + root), 1.0)", "std::min(2.5 * from / (slope + root), 1.0)", "window: cut by too much"),
     ("src/impact/conflicts.cpp", "impact->time > found.back().end)", "impact->time > found.back().end + options.time_error)", "conflicts: what parts them for longer than time_error isn't seen"),
-    ("src/impact/conflicts.cpp", "fact.clearance + margin_ > way", "fact.clearance + margin_ >= 0", "conflicts: a step is proven by the depth at its begin"),
+    ("src/impact/conflicts.cpp", "found.clearance + margin_ > way", "found.clearance + margin_ >= 0", "conflicts: a step is proven by the depth at its begin"),
     ("src/impact/conflicts.cpp", "meetAt(time, margin_ - way)", "meetAt(time, margin_)", "conflicts: a step is proven by what is left of the margin"),
     ("src/impact/motion.cpp", "length * length * (cubic.second + 3 * begin * cubic.third)", "length * length * cubic.second", "a part of a cubic motion"),
 ]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a cache's facts rest on: how far a change of pose moves a polygon at most.
-#include "pair/facts.h"
+// What a cache's certificates rest on: how far a change of pose moves a polygon at most.
+#include "pair/certificate.h"
 
 #include <gtest/gtest.h>
 
@@ -37,8 +37,8 @@ TEST(Change, BoundsTheWayOfEveryVertex) {
     double farthest = 0;
     for (const Vec2& p : ring) farthest = std::max(farthest, (after * p - before * p).norm());
     const auto& m = before.matrix();
-    const double fact[6] = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
-    const Change change(polygon.data(), fact, after);
+    const double certificate[6] = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
+    const Change change(polygon.data(), certificate, after);
     ASSERT_TRUE(change.any());
     ASSERT_GE(change.displacement(), farthest * (1 - 1e-9) - 1e-15);
     ASSERT_FALSE(change.isBelow(0.99 * farthest)) << "turn " << turn << ", way " << way;
@@ -46,13 +46,13 @@ TEST(Change, BoundsTheWayOfEveryVertex) {
   }
 }
 
-/// A fact pays for the motion of both, whichever moved by little.
+/// A certificate pays for the motion of both, whichever moved by little.
 TEST(Recollection, CountsTheMotionOfBoth) {
   const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(0, 0, 1, 1)});
   const auto ask = [&](double x_a, double x_b, bool truth) {
     for (const bool swapped : {false, true}) {
       PairCache cache;
-      detail::remember(detail::factsIn(cache).collision, a.data(), Pose::Identity(), b.data(), pose(0, 3, 0), false,
+      detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(), pose(0, 3, 0), false,
                        0.99);
       const bool answer = swapped ? collide(b, pose(0, x_b, 0), a, pose(0, x_a, 0), cache)
                                   : collide(a, pose(0, x_a, 0), b, pose(0, x_b, 0), cache);
@@ -78,7 +78,7 @@ TEST(Recollection, CountsAMirrorOfTheRelativePose) {
     const auto ask = [&](const Pose& pose_a, const Pose& pose_b) {
       return swapped ? collide(b, pose_b, a, pose_a, cache) : collide(a, pose_a, b, pose_b, cache);
     };
-    detail::remember(detail::factsIn(cache).collision, a.data(), Pose::Identity(), b.data(), Pose::Identity(), false,
+    detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(), Pose::Identity(), false,
                      2.99);
     EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
     EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
@@ -88,34 +88,34 @@ TEST(Recollection, CountsAMirrorOfTheRelativePose) {
 }
 
 TEST(SameAs, SeesEveryEntry) {
-  double fact[6];
+  double certificate[6];
   const Pose stored = pose(0.3, 7, -1e-300);
-  detail::store(fact, stored);
-  EXPECT_TRUE(detail::sameAs(fact, stored));
+  detail::store(certificate, stored);
+  EXPECT_TRUE(detail::sameAs(certificate, stored));
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 3; ++column) {
       for (const int steps : {-1, 1}) {
         Pose other = stored;
         other.matrix()(row, column) = nudged(stored.matrix()(row, column), steps);
-        EXPECT_FALSE(detail::sameAs(fact, other)) << row << " " << column;
+        EXPECT_FALSE(detail::sameAs(certificate, other)) << row << " " << column;
       }
     }
   }
   // Changes that cancel each other are changes.
   Pose both = stored;
   both.translation() += Vec2(1, -1);
-  EXPECT_FALSE(detail::sameAs(fact, both));
+  EXPECT_FALSE(detail::sameAs(certificate, both));
   // The two zeros are one place.
-  detail::store(fact, Pose::Identity());
+  detail::store(certificate, Pose::Identity());
   Pose negative = Pose::Identity();
   negative.translation() = Vec2(-0.0, -0.0);
-  EXPECT_TRUE(detail::sameAs(fact, negative));
+  EXPECT_TRUE(detail::sameAs(certificate, negative));
 }
 
 /// A cache that goes from pair to pair holds nothing of the last one.
 TEST(Claim, EmptiesAnotherPairsCache) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 2, 2)}), c({rectangle(0, 0, 3, 3)});
-  detail::CollisionFact cache;
+  detail::Certificate cache;
   detail::remember(cache, a.data(), pose(0, 1, 2), b.data(), pose(0, 3, 4), true, 5);
   cache.first_edge = cache.second_edge = 3;
   detail::claim(cache, a.data(), b.data());
@@ -152,12 +152,12 @@ struct Walk {
   PairCache cache;
   int answered = 0, rested = 0;
 
-  const detail::CollisionFact& fact() { return detail::factsIn(cache).collision; }
+  const detail::Certificate& certificate() { return detail::contentsOf(cache).collision; }
   void ask(double x, double y) {
-    const std::uint32_t uses = fact().uses;
-    const bool rests = fact().back_off.isOn();
+    const std::uint32_t uses = certificate().uses;
+    const bool rests = certificate().back_off.isOn();
     EXPECT_EQ(collide(a, Pose::Identity(), b, pose(0, x, y), cache), collide(a, Pose::Identity(), b, pose(0, x, y)));
-    answered += fact().uses > uses;
+    answered += certificate().uses > uses;
     rested += rests;
   }
 };
@@ -169,7 +169,7 @@ TEST(BackOff, JumpsDoWithoutFacts) {
   EXPECT_GT(walk.rested, 350);
 }
 
-/// No fact lasts for a step, though none is a jump.
+/// No certificate lasts for a step, though none is a jump.
 TEST(BackOff, StepsThatUseUpEveryFactDoWithout) {
   Walk walk;
   for (int i = 0; i < 400; ++i) walk.ask(4.1, 0.3 * std::abs(i % 8 - 4));
@@ -181,7 +181,7 @@ TEST(BackOff, StepsThatUseUpEveryFactDoWithout) {
 TEST(BackOff, SlowStepsAreAnsweredByFacts) {
   Walk walk;
   for (int i = 0; i < 500; ++i) walk.ask(4.1, i % 2 == 0 ? -1.5 : 1.5);
-  while (walk.fact().back_off.isOn()) walk.ask(4.1, 0);
+  while (walk.certificate().back_off.isOn()) walk.ask(4.1, 0);
   walk.answered = walk.rested = 0;
   for (int i = 0; i < 1000; ++i) walk.ask(4.1, 1e-3 * i);
   EXPECT_GT(walk.answered, 900);
@@ -192,29 +192,30 @@ TEST(BackOff, SlowStepsAreAnsweredByFacts) {
 TEST(BackOff, EndsWithThePoses) {
   Walk walk;
   for (int i = 0; i < 20; ++i) walk.ask(4.1, 1e-3 * i);
-  detail::factsIn(walk.cache).collision.back_off.left = 2;
+  detail::contentsOf(walk.cache).collision.back_off.left = 2;
   walk.ask(4.1, 0.02);
-  EXPECT_GT(walk.fact().clearance, 0);
+  EXPECT_GT(walk.certificate().clearance, 0);
   walk.ask(4.1, 0.021);
-  EXPECT_FALSE(walk.fact().back_off.isOn());
-  EXPECT_EQ(walk.fact().clearance, 0);
+  EXPECT_FALSE(walk.certificate().back_off.isOn());
+  EXPECT_EQ(walk.certificate().clearance, 0);
   const Pose last = pose(0, 4.1, 0.021);
-  EXPECT_TRUE(
-      detail::sameAs(walk.fact().first_id == walk.a.id() ? walk.fact().second_pose : walk.fact().first_pose, last));
+  EXPECT_TRUE(detail::sameAs(
+      walk.certificate().first_id == walk.a.id() ? walk.certificate().second_pose : walk.certificate().first_pose,
+      last));
 }
 
-/// Discs are asked first as long as they answer, and facts again from the second query that they leave open.
+/// Discs are asked first as long as they answer, and certificates again from the second query that they leave open.
 TEST(BackOff, WhatDiscsDecideAsksNoFact) {
   Walk walk;
   for (int i = 0; i < 100; ++i) walk.ask(20, 1e-3 * i);
   EXPECT_EQ(walk.answered, 0);
   EXPECT_GT(walk.rested, 95);
-  EXPECT_EQ(walk.fact().back_off.left, 1);
-  EXPECT_EQ(walk.fact().clearance, 0);
+  EXPECT_EQ(walk.certificate().back_off.left, 1);
+  EXPECT_EQ(walk.certificate().clearance, 0);
   walk.ask(4.1, 0);
-  EXPECT_EQ(walk.fact().back_off.left, 0);
+  EXPECT_EQ(walk.certificate().back_off.left, 0);
   walk.ask(4.1, 1e-5);
-  EXPECT_GT(walk.fact().clearance, 0);
+  EXPECT_GT(walk.certificate().clearance, 0);
   walk.ask(4.1, 2e-5);
   EXPECT_EQ(walk.answered, 1);
 }

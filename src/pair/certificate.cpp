@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/facts.h"
+#include "pair/certificate.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,16 +10,16 @@
 namespace tricover::detail {
 namespace {
 
-Pose restore(const double (&fact)[6]) {
+Pose restore(const double (&kept)[6]) {
   Pose pose = Pose::Identity();
-  pose.linear() << fact[0], fact[2], fact[1], fact[3];
-  pose.translation() << fact[4], fact[5];
+  pose.linear() << kept[0], kept[2], kept[1], kept[3];
+  pose.translation() << kept[4], kept[5];
   return pose;
 }
 
 /// What is left, at the least, of the certificate's clearance after the motion of the two against each other, seen in
 /// the first one's frame: for pairs that travel together.
-double clearanceLeft(const CollisionFact& cache, const PolygonData& first, const Pose& first_pose,
+double clearanceLeft(const Certificate& cache, const PolygonData& first, const Pose& first_pose,
                      const PolygonData& second, const Pose& second_pose) {
   const Pose first_then = restore(cache.first_pose), second_then = restore(cache.second_pose);
   const PosedPair now(first, first_pose, second, second_pose), then(first, first_then, second, second_then);
@@ -35,13 +35,13 @@ double clearanceLeft(const CollisionFact& cache, const PolygonData& first, const
 
 }  // namespace
 
-void store(double (&fact)[6], const Pose& pose) {
+void store(double (&kept)[6], const Pose& pose) {
   const auto& m = pose.matrix();
   const double values[6] = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), m(0, 2), m(1, 2)};
-  std::copy(values, values + 6, fact);
+  std::copy(values, values + 6, kept);
 }
 
-Recollection recallMoved(CollisionFact& cache, const PolygonData& first, const Pose& first_pose,
+Recollection recallMoved(Certificate& cache, const PolygonData& first, const Pose& first_pose,
                          const PolygonData& second, const Pose& second_pose, double margin) {
   // Rounds twice: the difference and the sum of two motions.
   const double needed = cache.overlapping ? 0 : margin, room = roundedDown<2>(cache.clearance - needed);
@@ -58,21 +58,21 @@ Recollection recallMoved(CollisionFact& cache, const PolygonData& first, const P
   return {false, false, true, motion <= most, ahead <= most ? ahead : 0};
 }
 
-void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& second) {
+void claim(Certificate& cache, const PolygonData& first, const PolygonData& second) {
   if (cache.first_id == first.id && cache.second_id == second.id) return;
-  cache = CollisionFact();
+  cache = Certificate();
   cache.first_id = first.id;
   cache.second_id = second.id;
 }
 
-bool isWorthRenewing(CollisionFact& cache, const Recollection& recollection) {
+bool isWorthRenewing(Certificate& cache, const Recollection& recollection) {
   constexpr std::uint32_t kPaying = 3;  // a certificate costs as much as two queries, at the most
   const bool coherent = recollection.coherent;
   if (recollection.known && (cache.was_sought || !coherent)) cache.back_off.judge(coherent && cache.uses >= kPaying);
   return coherent && !cache.back_off.isOn();
 }
 
-void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+void remember(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
               const Pose& second_pose, bool overlapping, double clearance) {
   rememberPoses(cache, first, first_pose, second, second_pose);
   cache.clearance = clearance > 0 ? clearance : 0;
@@ -80,7 +80,7 @@ void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_
   cache.was_sought = true;
 }
 
-void rememberPoses(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+void rememberPoses(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                    const Pose& second_pose) {
   claim(cache, first, second);
   store(cache.first_pose, first_pose);

@@ -9,7 +9,7 @@
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
-#include "polygon/cached_facts.h"
+#include "polygon/cache_contents.h"
 #include "polygon/polygon_data.h"
 #include "tricover/collide.h"
 
@@ -56,10 +56,10 @@ struct Change {
     square_of_way = squares[0] + squares[1] + 0x1p-1000;
   }
 
-  /// The same for a polygon that was at `fact` and is at `pose` now, in the world.
-  Change(const PolygonData& polygon, const double (&fact)[6], const Pose& pose)
-      : Change(polygon, load2(pose.data()) - load2(fact), load2(pose.data() + 3) - load2(fact + 2),
-               load2(pose.data() + 6) - load2(fact + 4)) {}
+  /// The same for a polygon that was at `kept` and is at `pose` now, in the world.
+  Change(const PolygonData& polygon, const double (&kept)[6], const Pose& pose)
+      : Change(polygon, load2(pose.data()) - load2(kept), load2(pose.data() + 3) - load2(kept + 2),
+               load2(pose.data() + 6) - load2(kept + 4)) {}
 
   double displacement() const {
     return roundedUp<kLengthRoundings>(std::sqrt(square_of_turn) * radius + std::sqrt(square_of_way));
@@ -77,22 +77,22 @@ struct Change {
   double radius, square_of_turn, square_of_way;
 };
 
-inline bool sameAs(const double (&fact)[6], const Pose& pose) {
+inline bool sameAs(const double (&kept)[6], const Pose& pose) {
   const double* m = pose.data();
-  const Double2 difference = absolute(load2(m) - load2(fact)) + absolute(load2(m + 3) - load2(fact + 2)) +
-                             absolute(load2(m + 6) - load2(fact + 4));
+  const Double2 difference = absolute(load2(m) - load2(kept)) + absolute(load2(m + 3) - load2(kept + 2)) +
+                             absolute(load2(m + 6) - load2(kept + 4));
   return difference[0] + difference[1] == 0;
 }
 
-/// Keeps a pose with a fact.
-void store(double (&fact)[6], const Pose& pose);
+/// Keeps a pose with a certificate.
+void store(double (&kept)[6], const Pose& pose);
 
 /// What recall() can't tell at a glance.
-Recollection recallMoved(CollisionFact& cache, const PolygonData& first, const Pose& first_pose,
+Recollection recallMoved(Certificate& cache, const PolygonData& first, const Pose& first_pose,
                          const PolygonData& second, const Pose& second_pose, double margin);
 
-/// Throws for a pose that isn't rigid. One that is a fact's, to the last bit, has been checked.
-inline Recollection recall(CollisionFact& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
+/// Throws for a pose that isn't rigid. One that equals the certificate's pose to the last bit, has been checked.
+inline Recollection recall(Certificate& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                            const Pose& pose_b, double margin) {
   const bool direct = cache.first_id == a.id && cache.second_id == b.id;
   if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) {
@@ -116,20 +116,20 @@ inline Recollection recall(CollisionFact& cache, const PolygonData& a, const Pos
 }
 
 /// Makes the cache one of these two polygons; empties it if it was another pair's.
-void claim(CollisionFact& cache, const PolygonData& first, const PolygonData& second);
+void claim(Certificate& cache, const PolygonData& first, const PolygonData& second);
 
 /// Whether another certificate is worth finding, now that this one doesn't answer; judges this one.
-bool isWorthRenewing(CollisionFact& cache, const Recollection& recollection);
+bool isWorthRenewing(Certificate& cache, const Recollection& recollection);
 
 /// Keeps a new certificate of these poses.
-void remember(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+void remember(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
               const Pose& second_pose, bool overlapping, double clearance);
 /// Keeps the poses alone: the next query then knows how far the polygons have moved.
-void rememberPoses(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+void rememberPoses(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                    const Pose& second_pose);
 
 /// Counts a query during a back-off. The last one keeps its poses.
-inline void countDown(CollisionFact& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+inline void countDown(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                       const Pose& second_pose) {
   if (--cache.back_off.left == 0) rememberPoses(cache, first, first_pose, second, second_pose);
 }

@@ -33,7 +33,7 @@ struct BackOff {
 /// Whether the regions overlap stays so while no point is moved against the other polygon by `clearance`, a world
 /// length, or more." A hit by the margin or the tolerance alone is kept as overlapping, with a clearance of 0, by which
 /// nothing stays so.
-struct CollisionFact {
+struct Certificate {
   std::uint64_t first_id = 0;   ///< of the polygons, in the kernel's own order (0: none)
   std::uint64_t second_id = 0;  ///< likewise
   double first_pose[6] = {1, 0, 0, 1, 0, 0};
@@ -63,14 +63,14 @@ struct PenetrationHint {
 };
 
 /// What a PairCache holds.
-struct PairFacts {
-  CollisionFact collision;
+struct PairCacheContents {
+  Certificate collision;
   DistanceHint distance;
   PenetrationHint penetration;
 };
 
 /// What a PointCache holds: "The point was here, and at least so far from all edges."
-struct PointFact {
+struct PointCertificate {
   std::uint64_t polygon_id = 0;  ///< 0: none
   double point[2] = {0, 0};      ///< in the polygon's frame
   double clearance = 0;
