@@ -32,12 +32,13 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                             const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
                             fcl::CollisionResult<S>& result) {
-  if (request.isSatisfied(result)) return result.numContacts();
+  const std::size_t before = result.numContacts();
+  if (before > 0 && request.isSatisfied(result)) return before;
   const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
   const std::optional<bool> plain = decidedByDiscs(shape_a, tf1, shape_b, tf2, options.margin);
-  if (plain == false) return result.numContacts();
+  if (plain == false) return before;
   const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2, options.margin);
-  if (!(pair.heightsMeet() && (plain || pair.collide(options.tolerance)))) return result.numContacts();
+  if (!(pair.heightsMeet() && (plain || pair.collide(options.tolerance)))) return before;
 
   const Wanted want = wanted(o1, o2, request);
   const std::size_t most = want.contacts ? room(request, result) : 0;

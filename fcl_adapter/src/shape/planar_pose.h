@@ -51,13 +51,13 @@ void requireRigid(const fcl::Transform3<S>& transform, const char* name) {
     refusePose(transform.matrix().template cast<double>(), false, name);
 }
 
-/// Column by column, and in place, as the kernel reads them: it would have to wait for entries written one by one.
+/// Column by column, and in place, as the kernel reads them: it would have to wait for entries written one by one. A
+/// pose that was made has its last row already.
 inline void setColumns(tricover::Pose& pose, const double* x, const double* y, const double* translation) {
   auto& m = pose.matrix();
   std::memcpy(&m(0, 0), x, 2 * sizeof(double));
   std::memcpy(&m(0, 1), y, 2 * sizeof(double));
   std::memcpy(&m(0, 2), translation, 2 * sizeof(double));
-  m.row(2) << 0, 0, 1;
 }
 
 /// Exact: the upper left 2 x 2 and the translation as they are stored.
