@@ -29,9 +29,7 @@ namespace {
 
 }  // namespace
 
-Inclusion includeInPolygon(const PolygonData& polygon, const IncludedPoint& point) {
-  if (outsideBoundingDisc(polygon, point.approx)) return {Location::Outside, 0};
-  const Hierarchy* hierarchy = hierarchyIfBuilt(polygon);
+Inclusion includeInDisc(const PolygonData& polygon, const Hierarchy* hierarchy, const IncludedPoint& point) {
   return hierarchy != nullptr ? includeByRay(polygon, *hierarchy, point) : includeInCovering(polygon, point);
 }
 

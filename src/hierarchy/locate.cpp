@@ -24,8 +24,13 @@ const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
   return is_due ? &detail::hierarchyOf(polygon) : nullptr;
 }
 
-Location locateUnchecked(const detail::PolygonData& polygon, const Vec2& point) {
-  return detail::locateInPolygon(polygon, detail::IncludedPoint::ofFrame(point));
+/// Whether the bounding disc, which answers sooner than a certificate, tells that a point is outside.
+bool isOutsideDisc(const detail::PolygonData& polygon, const Vec2& point) {
+  return detail::outsideBoundingDisc(polygon, detail::IncludedPoint::ofFrame(point).approx);
+}
+
+Location locateInDisc(const detail::PolygonData& polygon, const Vec2& point) {
+  return detail::includeInDisc(polygon, hierarchyInTime(polygon), detail::IncludedPoint::ofFrame(point)).location;
 }
 
 /// A lower bound of the distance from the edges, looked for within `most`.
@@ -36,29 +41,18 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
   return detail::clearanceAt(tree, place, most * polygon.inverse_unit) * polygon.unit;
 }
 
-}  // namespace
-
-Location locate(const Polygon& polygon, const Vec2& point) {
-  checkPoint(point);
-  hierarchyInTime(polygon.data());
-  return locateUnchecked(polygon.data(), point);
-}
-
-Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_cache) {
-  detail::PointCertificate& cache = detail::contentsOf(caller_cache);
-  checkPoint(point);
-  const detail::PolygonData& data = polygon.data();
-  // The bounding disc answers sooner than a certificate, which stays as it is.
-  if (detail::outsideBoundingDisc(data, detail::IncludedPoint::ofFrame(point).approx)) return Location::Outside;
+/// By the certificate, which is renewed where that may pay. Not inlined, because most queries of a back-off don't come
+/// here.
+[[gnu::noinline]] Location locateByCertificate(const detail::PolygonData& data, const Vec2& point,
+                                               detail::PointCertificate& cache) {
   const auto keep = [&](Location location, double clearance) {
     cache = {data.id, {point.x(), point.y()}, clearance, 0, location, cache.back_off};
     return location;
   };
   // The last query of a back-off keeps the point: the next one then knows how far the point has come.
   if (cache.back_off.isOn()) {
-    hierarchyInTime(data);
-    const Location location = locateUnchecked(data, point);
-    return --cache.back_off.left == 0 ? keep(location, 0) : location;
+    cache.back_off.left = 0;
+    return keep(locateInDisc(data, point), 0);
   }
   const Vec2 way = point - Vec2(cache.point[0], cache.point[1]);
   // At least as long: no squares, which might be 0.
@@ -70,14 +64,32 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
   }
   const detail::Hierarchy* tree = hierarchyInTime(data);
   constexpr double kSteps = 16;         // that a certificate is to last for
-  constexpr std::uint32_t kPaying = 2;  // it costs one to two queries
+  constexpr std::uint32_t kPaying = 4;  // it costs one to two queries, and saves less than one
   const double most = known ? kSteps * moved / (cache.uses + 1.0) : 0;
-  const bool jumped = !(most < data.radius);
+  const bool jumped = !(most < 0.5 * data.radius);  // few points have edges so far away
   if (known && (jumped || cache.clearance > 0)) cache.back_off.judge(!jumped && cache.uses >= kPaying);
-  const Location location = locateUnchecked(data, point);
+  const Location location = locateInDisc(data, point);
   const bool may_last =
       !cache.back_off.isOn() && tree != nullptr && most > 0 && !jumped && location != Location::Boundary;
   return keep(location, may_last ? clearanceOf(data, *tree, point, most) : 0);
+}
+
+}  // namespace
+
+Location locate(const Polygon& polygon, const Vec2& point) {
+  checkPoint(point);
+  const detail::PolygonData& data = polygon.data();
+  return isOutsideDisc(data, point) ? Location::Outside : locateInDisc(data, point);
+}
+
+Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_cache) {
+  detail::PointCertificate& cache = detail::contentsOf(caller_cache);
+  checkPoint(point);
+  const detail::PolygonData& data = polygon.data();
+  if (isOutsideDisc(data, point)) return Location::Outside;
+  if (cache.back_off.left <= 1) return locateByCertificate(data, point, cache);
+  --cache.back_off.left;
+  return locateInDisc(data, point);
 }
 
 }  // namespace tricover
