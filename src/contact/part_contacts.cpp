@@ -81,7 +81,7 @@ class ContactFinder {
 
   void leaveTouches(std::vector<OverlapComponent>& components) const;
   Exit exitOfOnly(const OverlapComponent& component, Exit exit) const;
-  Exit exitOfTouch(const Exit& exit) const;
+  Exit exitOfTouch(const Exit& exit, std::optional<Penetration> way) const;
   std::optional<Penetration> shortestWay() const;
   Exit freed(const Exit& exit) const;
   Contact anyPointOf(const OverlapComponent& component) const;
@@ -119,10 +119,15 @@ void ContactFinder::leaveTouches(std::vector<OverlapComponent>& components) cons
   components.erase(std::remove_if(components.begin(), components.end(), isTouch), components.end());
 }
 
-/// Where the only part of the overlap is a touch.
-Exit ContactFinder::exitOfTouch(const Exit& exit) const {
+/// The exit of a component that is the only one, where it is a touch. The shortest way is searched if it isn't known.
+Exit ContactFinder::exitOfTouch(const Exit& exit, std::optional<Penetration> way) const {
   if (partsFreely(exit)) return exit;
-  return freed(exit);
+  Exit result = freed(exit);
+  if (parts(result)) return result;
+  // They are wedged, or a corner reaches through by more than coordinates are off by.
+  if (!way) way = shortestWay();
+  if (way && way->optimal) result.normal = way->translation.stableNormalized();
+  return result;
 }
 
 /// Nothing where so few translations may be tried that none would be found.
@@ -134,7 +139,7 @@ std::optional<Penetration> ContactFinder::shortestWay() const {
 
 /// The only part of the overlap, which has an exit of its own: the shortest way out of it parts the regions.
 Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) const {
-  if (!component.inner) return exitOfTouch(exit);
+  if (!component.inner) return exitOfTouch(exit, {});
   const std::optional<Penetration> way = shortestWay();
   if (!way || !way->optimal) return exit;
   const Penetration& p = *way;
@@ -158,11 +163,7 @@ Exit ContactFinder::exitOfOnly(const OverlapComponent& component, Exit exit) con
   if (exit.edge_b < 0 || !partsLast(frame_.edgeEndsOfB(static_cast<std::size_t>(exit.edge_b)), p.point_b))
     exit.edge_b = positionOf(pair_.b, p.edge_b);
   if (component.crossings.empty()) (leftmostOf(component).b >= 0 ? exit.edge_a : exit.edge_b) = -1;
-  if (depth > 64 * frame_.error() || partsFreely(exit)) return exit;
-  exit = freed(exit);
-  // Into a corner that only a translation longer than coordinates are off by leads out of.
-  if (!parts(exit)) exit.normal = p.translation.stableNormalized();
-  return exit;
+  return depth > 64 * frame_.error() ? exit : exitOfTouch(exit, way);
 }
 
 /// A touch whose normal leads into or along a wall: the middle of the widest range of directions that part them, if

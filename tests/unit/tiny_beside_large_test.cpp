@@ -19,7 +19,13 @@ namespace {
 
 const Pose kIdentity = Pose::Identity();
 
-/// What is far away doesn't matter, however far it reaches: free is the quarter beside the corner.
+Pose poseOf(double xx, double xy, double x, double yx, double yy, double y) {
+  Pose pose = Pose::Identity();
+  pose.matrix().topRows<2>() << xx, xy, x, yx, yy, y;
+  return pose;
+}
+
+/// Only the quarter beside the corner is free. The rest of the large polygon doesn't matter, however far it reaches.
 TEST(Penetration, OfATinyPolygonInACornerIsTheWayToItsQuarter) {
   int deep = 0;
   for (int i = 0; i < scaledCount(600); ++i) {
@@ -52,10 +58,10 @@ TEST(Penetration, OfATinyMapBesideAnApex) {
   const Polygon spikes(
       {{{-1, -1}, {1, -1}, {0.5, -0.5}, {0.75, -0.75}, {-1, -0.75}, {0, 0.75}, {-0.5, -0.75}, {0.75, 0}}},
       FillRule::NonZero);
-  Pose pose_a = kIdentity, pose_b = kIdentity;
-  pose_a.linear() << -0x1.cb3c66b32a3c4p-1, 0x1.c4c0cd38c1a47p-2, -0x1.c4c0cd38c1a47p-2, -0x1.cb3c66b32a3c4p-1;
-  pose_b.matrix().topRows<2>() << 0x1.fff975a2438c4p-1, -0x1.a2976f1cee4d5p-15, 0x1.39f18f0c270c7p-15,
-      -0x1.a2976f1cee4d5p-15, 0x1.0003452ede39ep+0, -0x1.8004e7c655cafp-1;
+  const Pose pose_a =
+      poseOf(-0x1.cb3c66b32a3c4p-1, 0x1.c4c0cd38c1a47p-2, 0, -0x1.c4c0cd38c1a47p-2, -0x1.cb3c66b32a3c4p-1, 0);
+  const Pose pose_b = poseOf(0x1.fff975a2438c4p-1, -0x1.a2976f1cee4d5p-15, 0x1.39f18f0c270c7p-15,
+                             -0x1.a2976f1cee4d5p-15, 0x1.0003452ede39ep+0, -0x1.8004e7c655cafp-1);
   const auto p = penetration(map, pose_a, spikes, pose_b);
   ASSERT_TRUE(p);
   const double precision = 1e-13 * (map.radius() + spikes.radius() + pose_b.translation().norm());
@@ -89,9 +95,8 @@ TEST(Penetration, OfATinyMapInTheCornerOfAComb) {
                      {{0, s}, {s, s}, {0, 2 * s}},
                      rectangle(s, s, 0x1.32c86f9ec609ap-28, 0x1.32c86f9ec609ap-28)},
                     FillRule::NonZero);
-  Pose pose_b = kIdentity;
-  pose_b.matrix().topRows<2>() << 0x1.0003452ede39ep+0, -0x1.a2976f1cee4d5p-15, -0x1.a1df0208eba0ap-29,
-      0x1.a2976f1cee4d5p-15, -0x1.0003452ede39ep+0, 0x1.e77c961be2b14p+5;
+  const Pose pose_b = poseOf(0x1.0003452ede39ep+0, -0x1.a2976f1cee4d5p-15, -0x1.a1df0208eba0ap-29,
+                             0x1.a2976f1cee4d5p-15, -0x1.0003452ede39ep+0, 0x1.e77c961be2b14p+5);
   const auto p = penetration(comb, mirrored(pose(1.5707963267948966, 0, 0)), map, pose_b);
   ASSERT_TRUE(p);
   // The comb's corner is at (0, 5w), and beside it, to the right and upwards, nothing.
@@ -101,7 +106,7 @@ TEST(Penetration, OfATinyMapInTheCornerOfAComb) {
   EXPECT_NEAR(p->depth, least.norm(), 1e-12);
 }
 
-/// Of one part the normal and depth are those of the shortest way apart, to the precision of coordinates.
+/// The normal and depth of a single component are the shortest translation's, to the precision of coordinates.
 TEST(Contacts, OfATinyPolygonInACornerPartIt) {
   int alone = 0;
   for (int i = 0; i < scaledCount(600); ++i) {
@@ -149,12 +154,6 @@ void expectWayApart(const Polygon& a, const Pose& pose_a, const Polygon& b, cons
   EXPECT_EQ(wrongWayApart({a, pose_a, b, pose_b}, found[0]), "");
 }
 
-Pose poseOf(double xx, double xy, double x, double yx, double yy, double y) {
-  Pose pose = Pose::Identity();
-  pose.matrix().topRows<2>() << xx, xy, x, yx, yy, y;
-  return pose;
-}
-
 /// The edges around the part tell almost the right normal, along which a neighbour stays in the way.
 TEST(Contacts, OfTwoChipsAtACornerLeadApart) {
   const Polygon corner({{{0.875, 0}, {0.875, 0.5}, {0.75, 0.5}}});
@@ -173,6 +172,18 @@ TEST(Contacts, OfASplinterInALargeCornerLeadApart) {
   expectWayApart(corner, pose(0, 4, -0.5), splinter,
                  poseOf(0x1.8eb96f646ec99p-1, -0x1.413096c471d19p-1, 0x1.e8488a61ee586p+19, 0x1.413096c471d19p-1,
                         0x1.8eb96f646ec99p-1, -0x1.05d1af76c6p+2));
+}
+
+/// A chip that only touches but for rounding, and is too thin for a direction to free it by a little.
+TEST(Contacts, OfAChipOnASegmentLeadApart) {
+  const Polygon chip({{{-0x1.30371f4eeed47p-38, -0x1.610853a466b12p-58},
+                       {0x1.2449d131bef79p-38, -0x1.95be03af9d22bp-58},
+                       {0x1.2853c8fbeffcdp-38, 0x1.5118d6fa50476p-58}}});
+  const Vec2 end(-0x1.8b8d1646d49a6p-1, 0x1.72f75b7176313p-1);
+  const Polygon line({{end, {0x1.d418841e94568p-3, 0x1.443f22bb700b3p+0}, end}}, FillRule::NonZero);
+  expectWayApart(chip, poseOf(0x1.1a6264p-54, -1, -0x1.22bcf4569873p+0, 1, 0x1.1a6264p-54, -0x1.f5c839ac5d59cp+2), line,
+                 poseOf(0x1.ad4093ba14676p-1, 0x1.170ff7ef619abp-1, -0x1.d41b078650b82p+0, -0x1.17108b0efac9fp-1,
+                        0x1.ad3f0556d93c1p-1, -0x1.195efa6a52cb6p+3));
 }
 
 /// A flat triangle's two sides are one to doubles: its ends are no place of the overlap.

@@ -33,7 +33,7 @@ MUTATIONS = [
     ("src/contact/translation_probe.cpp", "return depth >= radius;", "return depth >= 0;", "penetration: a cell on part of which two edges meet is done with"),
     ("src/contact/translation_probe.cpp", "if (overlapAround(t, 0)) return false;", "if (overlapAround(t, -resolution_)) return false;", "penetration: what is beside two edges that meet is not free"),
     ("src/contact/translation_space.h", "return std::min({from_a, high_a - from_a, from_b, high_b - from_b});", "return std::min(from_a, from_b);", "penetration: edges meet on half a plane"),
-    ("src/contact/part_contacts.cpp", "if (!parts(exit)) exit.normal = p.translation.stableNormalized();", "", "contacts: in a corner that no direction frees by a little"),
+    ("src/contact/part_contacts.cpp", "if (way && way->optimal) result.normal = way->translation.stableNormalized();", "", "contacts: what no direction frees keeps a normal that leads on"),
     ("src/contact/part_contacts.cpp", "const double spacing = 4 * kUnitRoundoff", "const double spacing = 0 * kUnitRoundoff", "contacts: by less than a translation's spacing nothing parts"),
     ("src/contact/part_contacts.cpp", "exit.depth <= depth + error;", "exit.depth <= depth + 16 * error;", "contacts: deeper than a proven way apart"),
     ("src/contact/part_contacts.cpp", "if (!alike || !parts(exit)) exit", "if (!alike) exit", "contacts: a normal near the right one that doesn't part"),
