@@ -133,7 +133,7 @@ class OverlapMiddle {
   Side sideAt(Walk walk, std::uint32_t size, bool leads_down, double level) const {
     const double passed = level + tie_;
     double lowest = walk.to[1];
-    // Of an outline that is hardly higher than a tie the face's own end.
+    // An outline hardly higher than a tie has its face's end there.
     if (leads_down && walk.from[1] <= passed) return {walk.from[0], lowest, walk.to - walk.from};
     for (; size > 0 && (leads_down ? walk.to[1] > passed : walk.to[1] < passed); --size) {
       walk.advance();

@@ -29,8 +29,8 @@ bool isOutsideDisc(const detail::PolygonData& polygon, const Vec2& point) {
   return detail::outsideBoundingDisc(polygon, detail::IncludedPoint::ofFrame(point).approx);
 }
 
-Location locateInDisc(const detail::PolygonData& polygon, const Vec2& point) {
-  return detail::includeInDisc(polygon, hierarchyInTime(polygon), detail::IncludedPoint::ofFrame(point)).location;
+Location locateInDisc(const detail::PolygonData& polygon, const detail::Hierarchy* tree, const Vec2& point) {
+  return detail::includeInDisc(polygon, tree, detail::IncludedPoint::ofFrame(point)).location;
 }
 
 /// A lower bound of the distance from the edges, looked for within `most`.
@@ -52,7 +52,7 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
   // The last query of a back-off keeps the point: the next one then knows how far the point has come.
   if (cache.back_off.isOn()) {
     cache.back_off.left = 0;
-    return keep(locateInDisc(data, point), 0);
+    return keep(locateInDisc(data, hierarchyInTime(data), point), 0);
   }
   const Vec2 way = point - Vec2(cache.point[0], cache.point[1]);
   // At least as long: no squares, which might be 0.
@@ -68,7 +68,7 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
   const double most = known ? kSteps * moved / (cache.uses + 1.0) : 0;
   const bool jumped = !(most < 0.5 * data.radius);  // few points have edges so far away
   if (known && (jumped || cache.clearance > 0)) cache.back_off.judge(!jumped && cache.uses >= kPaying);
-  const Location location = locateInDisc(data, point);
+  const Location location = locateInDisc(data, tree, point);
   const bool may_last =
       !cache.back_off.isOn() && tree != nullptr && most > 0 && !jumped && location != Location::Boundary;
   return keep(location, may_last ? clearanceOf(data, *tree, point, most) : 0);
@@ -79,7 +79,7 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
 Location locate(const Polygon& polygon, const Vec2& point) {
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
-  return isOutsideDisc(data, point) ? Location::Outside : locateInDisc(data, point);
+  return isOutsideDisc(data, point) ? Location::Outside : locateInDisc(data, hierarchyInTime(data), point);
 }
 
 Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_cache) {
@@ -89,7 +89,7 @@ Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_ca
   if (isOutsideDisc(data, point)) return Location::Outside;
   if (cache.back_off.left <= 1) return locateByCertificate(data, point, cache);
   --cache.back_off.left;
-  return locateInDisc(data, point);
+  return locateInDisc(data, hierarchyInTime(data), point);
 }
 
 }  // namespace tricover

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a cache's certificates rest on: how far a change of pose moves a polygon at most.
+// A cache's certificates rest on a bound: how far a change of pose moves a polygon at most.
 #include "pair/certificate.h"
 
 #include <gtest/gtest.h>

@@ -240,7 +240,7 @@ TEST(ConvexContact, OfANeedleInABoxIsOnTheNeedle) {
   }
 }
 
-/// Of points on a line, but for a last bit: its two sides are one to doubles.
+/// The polygon's vertices lie on a line, but for a last bit. Its two sides are one to doubles.
 TEST(ConvexContact, OfAFlatPolygonIsOnIt) {
   int deep = 0;
   for (int i = 0; i < scaledCount(2000); ++i) {

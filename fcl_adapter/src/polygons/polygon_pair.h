@@ -69,9 +69,10 @@ std::optional<bool> decidedByDiscs(const PolygonShape<S>& a, const fcl::Transfor
   const bool is_free = apart > square(reach + more) * (1 + kSquares) + kUnderflow;
   const bool is_hit = a.isDisc() && b.isDisc() && apart < square(margin) * (1 - kSquares) - kUnderflow;
   if (!is_free && !is_hit) return std::nullopt;
-  const tricover::detail::Gram gram_a(column(tf1, 0), column(tf1, 1)), gram_b(column(tf2, 0), column(tf2, 1));
-  const Double2 norms = gram_a.norms + gram_b.norms;
-  const double off = (norms[0] + norms[1]) + (gram_a.dot + gram_b.dot) + (tiltOf(tf1) + tiltOf(tf2));
+  const auto defectOf = [&](const fcl::Transform3<S>& tf) {
+    return tricover::detail::Gram(column(tf, 0), column(tf, 1)).defect();
+  };
+  const double off = (defectOf(tf1) + defectOf(tf2)) + (tiltOf(tf1) + tiltOf(tf2));
   return off <= kTiltTolerance && std::isfinite(apart) ? std::optional(is_hit) : std::nullopt;
 }
 static_assert(kTiltTolerance < tricover::kRigidTolerance);

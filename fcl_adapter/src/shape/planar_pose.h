@@ -99,7 +99,7 @@ void requirePlanar(const fcl::Transform3<S>& transform, const char* name) {
   if (!keepsPlane(transform)) refusePose(transform.matrix().template cast<double>(), true, name);
 }
 
-/// Of two at once: most keep it together.
+/// The same for two poses, by one comparison for most of them.
 template <typename S>
 void requirePlanar(const fcl::Transform3<S>& tf1, const fcl::Transform3<S>& tf2) {
   if (tiltOf(tf1) + tiltOf(tf2) <= kTiltTolerance) return;
