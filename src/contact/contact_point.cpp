@@ -69,9 +69,10 @@ Vec2 pointOfPart(const PosedPair& pair, const WorldFrame& frame, const PartMiddl
   const Vec2 way = wanted - deepest;
   const double length = way.norm();
   if (!(length > error)) return wanted;
-  // `wanted` itself may be on an edge of another part.
-  if (isCommon(deepest + 0.5 * way) && !(wayToNextEdge(pair, frame, deepest, way / length, length) < length - error))
-    return wanted;
+  // `wanted` itself may be on an edge of another part, or behind one by rounding.
+  const double free = wayToNextEdge(pair, frame, deepest, way / length, length);
+  if (isCommon(deepest + 0.5 * way) && !(free < length - error))
+    return free < length ? Vec2(deepest + (free / length) * way) : wanted;
   const double chord = wayToNextEdge(pair, frame, deepest, up, 0x1p1000);
   const Vec2 middle = deepest + 0.5 * chord * up;
   return chord < 0x1p1000 && isCommon(middle) ? middle : deepest;

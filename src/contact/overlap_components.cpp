@@ -171,9 +171,11 @@ class Grouping : OverlapArcs {
     forEachVertex(arc, [&](std::size_t v) {
       const Vec2 at = of_a ? frame_.fromA(path[v]) : frame_.fromB(path[v]);
       const auto edge = static_cast<std::int32_t>(v);
-      points.push_back(before < 0 ? vertexPoint(polygon, arc.side, v, at)
-                  : of_a     ? BoundaryPoint{at, edge, before, -1, -1}
-                             : BoundaryPoint{at, -1, -1, edge, before});
+      if (before < 0)
+        points.push_back(vertexPoint(polygon, arc.side, v, at));
+      else
+        points.emplace_back() =
+            of_a ? BoundaryPoint{at, edge, before, -1, -1} : BoundaryPoint{at, -1, -1, edge, before};
       before = edge;
     });
   }

@@ -61,8 +61,8 @@ class ContactFinder {
  private:
   /// Whether b, led along the normal by a little more than the depth, leaves a: by less than coordinates are off by.
   bool parts(const Exit& exit) const {
-    // Translations are added to the pose's: by less than their spacing nothing moves.
-    const double spacing = 4 * kUnitRoundoff * (pair_.pose_b.translation() / frame_.unit()).lpNorm<1>();
+    // By so much the pose's translation is known: near a corner a shorter way may be free where a longer one isn't.
+    const double spacing = 256 * kUnitRoundoff * (pair_.pose_b.translation() / frame_.unit()).lpNorm<1>();
     const double more = 16 * frame_.error() + spacing + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
     return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,
                          (exit.depth + more) * frame_.unit() * exit.normal, margin_);

@@ -19,6 +19,9 @@ Polygon edgeOf(const Polygon& polygon, std::ptrdiff_t edge) {
   return Polygon({{polygon.edgeStart(edge), polygon.edgeEnd(edge), polygon.edgeStart(edge)}});
 }
 
+/// By how much more than the depth a way must lead apart.
+double beyond(const Case& c) { return 4 * rounding(c) + 1e-9 * std::min(c.a.radius(), c.b.radius()); }
+
 }  // namespace
 
 double rounding(const Case& c) {
@@ -45,9 +48,8 @@ bool isCommon(const Case& c, const Contact& contact) {
 
 bool parts(const Case& c, const Contact& contact) {
   // Farther on they may meet again, within what rounding costs where that isn't much less than they are large.
-  const double more = 4 * rounding(c) + 1e-9 * std::min(c.a.radius(), c.b.radius());
   for (const double share : {1.0, 0.5, 0.25}) {
-    const double way = contact.depth * (1 + 1e-9) + share * more;
+    const double way = contact.depth * (1 + 1e-9) + share * beyond(c);
     if (!exact::collide(c.a, c.pose_a, c.b, moved(c.pose_b, way * contact.normal))) return true;
   }
   return false;
@@ -79,8 +81,10 @@ std::string wrongWayApart(const Case& c, const Contact& contact) {
   const double shifts = c.pose_a.translation().lpNorm<1>() + c.pose_b.translation().lpNorm<1>();
   const double precision =
       1e-12 * std::min(c.a.radius(), c.b.radius()) + 1e-13 * (c.a.radius() + c.b.radius() + shifts) + rounding(c);
+  // Where the shortest way is longer than that, none can.
   if (contact.depth == 0)
-    return p->depth > precision || parts(c, contact) ? "" : "the normal of a touch doesn't part them";
+    return p->depth > std::min(precision, beyond(c)) || parts(c, contact) ? ""
+                                                                          : "the normal of a touch doesn't part them";
   if (!p->optimal) return "";
   if (!(std::abs(p->depth - contact.depth) <= precision)) return "another depth than the penetration's";
   // Of a short way the direction is known as well as its ends are.

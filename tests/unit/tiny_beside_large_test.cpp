@@ -12,6 +12,7 @@
 #include "shapes.h"
 #include "test_scale.h"
 #include "tricover/contacts.h"
+#include "tricover/distance.h"
 #include "tricover/penetration.h"
 
 namespace tricover::support {
@@ -184,6 +185,52 @@ TEST(Contacts, OfAChipOnASegmentLeadApart) {
   expectWayApart(chip, poseOf(0x1.1a6264p-54, -1, -0x1.22bcf4569873p+0, 1, 0x1.1a6264p-54, -0x1.f5c839ac5d59cp+2), line,
                  poseOf(0x1.ad4093ba14676p-1, 0x1.170ff7ef619abp-1, -0x1.d41b078650b82p+0, -0x1.17108b0efac9fp-1,
                         0x1.ad3f0556d93c1p-1, -0x1.195efa6a52cb6p+3));
+}
+
+/// A point, some roundings inside of a corner that leads inwards: what parts them by a rounding more may end in a wall.
+TEST(Contacts, OfAPointAtANotchLeadOutOfTheNotch) {
+  int touches = 0;
+  for (int i = 0; i < scaledCount(1000); ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 300);  // the 47th is one of those
+    const auto real = [&](double low, double high) { return random.real(low, high); };
+    const Vec2 notch(1e-6 * real(-1, 1), 1e-6 * real(1, 3)), at(real(-2, 2), real(-2, 2));
+    const Polygon notched({{{-1e-5, -1e-5}, {1e-5, -1e-5}, {1e-5, 1e-5 * real(0.2, 2)}, notch, {-1e-5, 1e-5}}});
+    Pose pose_a = Pose::Identity(), pose_b = Pose::Identity();
+    pose_a.rotate(Eigen::Rotation2Dd(real(-3, 3)));
+    pose_b.rotate(Eigen::Rotation2Dd(real(-3, 3)));
+    const Vec2 inwards(real(-4e-16, 4e-16), -5e-16);
+    pose_b.translation() = pose_a * (notch + inwards) - pose_b * at;
+    const Case c{notched, pose_a, Polygon({Ring(3, at)}), pose_b};
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+    if (found.empty()) continue;
+    ++touches;
+    EXPECT_EQ(wrongWayApart(c, found[0]), "") << i;
+  }
+  EXPECT_GE(touches, scaledCount(1000) / 2);
+}
+
+/// The chord through the deepest point leaves the lower triangle near the corner that the upper one begins at.
+TEST(Contacts, OfTrianglesThatMeetInACornerAreOnOneOfThem) {
+  const double size = 0x1p-42;
+  const Polygon wall({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});
+  int ends_at_corner = 0;
+  for (int i = 0; i < scaledCount(2000); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const auto real = [&](double low, double high) { return size * random.real(low, high); };
+    const Polygon two(
+        {{{0, 0}, {real(-3, -1), 0}, {0, real(-3, -1)}}, {{0, 0}, {real(-3, -1), real(0.1, 2)}, {0, real(1, 3)}}});
+    Pose pose_a = Pose::Identity(), pose_b = Pose::Identity();
+    pose_a.rotate(Eigen::Rotation2Dd(random.real(0.1, 0.5)));
+    pose_a.pretranslate(Vec2(0.498, 0.3097)).translate(Vec2(0, -1));
+    pose_b.pretranslate(Vec2(0.498, 0.3097 - 4 * size));
+    const std::vector<Contact> found = contacts(wall, pose_a, two, pose_b);
+    ASSERT_EQ(found.size(), 1u) << i;
+    const Polygon point({Ring(3, found[0].point)});
+    EXPECT_LE(distance(point, kIdentity, two, pose_b).distance, 0x1p-50) << i;
+    ends_at_corner += found[0].point.y() > pose_b.translation().y() - 0x1p-50;
+  }
+  EXPECT_GE(ends_at_corner, scaledCount(2000) / 200);
+  EXPECT_LE(ends_at_corner, scaledCount(2000) / 2);
 }
 
 /// A flat triangle's two sides are one to doubles: its ends are no place of the overlap.

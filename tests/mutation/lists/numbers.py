@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
+    ("src/numbers/convex_hull.h", "return turnsLeft(at(leftmost), at(p), at(rightmost));", "return turnsLeft(at(rightmost), at(p), at(leftmost));", "hull: the points of the other chain"),
     ("src/numbers/dyadic.h", "return a.at(i) > b.at(i) ? 1 : -1;", "return a.at(i) > b.at(i) ? -1 : 1;", "dyadic: comparison"),
     ("src/numbers/dyadic.h", "if (!Subtract && carry)", "if (false)", "dyadic: lost carry"),
     ("src/numbers/dyadic.h", "result.sign_ = a.sign_ * b.sign_;", "result.sign_ = a.sign_;", "dyadic: sign of a product"),
