@@ -51,7 +51,7 @@ std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S
     refuseQuestion("options", "they are for pairs with a PolygonShape", "ask fcl::collide");
   checkLength(options.margin, "margin");
   checkLength(options.tolerance, "tolerance");
-  return collideGeometries(*o1, tf1, *o2, tf2, request, options, result);
+  return collideGeometries(*o1, tf1, *o2, tf2, request, result, options.margin, options.tolerance);
 }
 
 template <typename S>

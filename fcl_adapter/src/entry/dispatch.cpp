@@ -11,8 +11,6 @@
 namespace tricover_fcl {
 namespace {
 
-const tricover::CollideOptions kNoOptions;
-
 /// What FCL does of a pair that it has no function for: fcl::TriangleP's row is ours, but not its pairs.
 template <typename S>
 void warnAsFcl(const char* function, const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2) {
@@ -20,25 +18,29 @@ void warnAsFcl(const char* function, const fcl::CollisionGeometry<S>& o1, const 
             << o2.getNodeType() << " is not supported\n";
 }
 
+template <typename S>
+[[gnu::noinline]] std::size_t collideOthers(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
+                                            const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
+                                            const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result,
+                                            double margin, double tolerance) {
+  const bool first = isPolygon(o1), second = isPolygon(o2);
+  if (first && second) return collidePolygons(o1, tf1, o2, tf2, request, result, margin, tolerance);
+  if (first || second) return collideMixed(o1, tf1, o2, tf2, request, result, margin);
+  warnAsFcl("collision", o1, o2);
+  return 0;
+}
+
 }  // namespace
 
 template <typename S>
 std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                              const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
-                              fcl::CollisionResult<S>& result) {
-  const bool first = isPolygon(o1), second = isPolygon(o2);
-  if (first && second) return collidePolygons(o1, tf1, o2, tf2, request, options, result);
-  if (first || second) return collideMixed(o1, tf1, o2, tf2, request, options, result);
-  warnAsFcl("collision", o1, o2);
-  return 0;
-}
-
-template <typename S>
-std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
-                              const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  return collideGeometries(o1, tf1, o2, tf2, request, kNoOptions, result);
+                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result, double margin,
+                              double tolerance) {
+  // FCL's own call costs 20 ns: a frame around this one would be felt.
+  return isPlainlyPolygon(o1) && isPlainlyPolygon(o2)
+             ? collidePolygons(o1, tf1, o2, tf2, request, result, margin, tolerance)
+             : collideOthers(o1, tf1, o2, tf2, request, result, margin, tolerance);
 }
 
 template <typename S>
@@ -62,19 +64,15 @@ S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S
   return -1;
 }
 
-#define TRICOVER_INSTANTIATE(S)                                                                            \
-  template std::size_t collideGeometries(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
-                                         const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
-                                         const fcl::CollisionRequest<S>&, const tricover::CollideOptions&, \
-                                         fcl::CollisionResult<S>&);                                        \
-  template std::size_t collideGeometries(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
-                                         const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
-                                         const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&);       \
-  template S distanceOfGeometries(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,             \
-                                  const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,             \
-                                  const fcl::DistanceRequest<S>&, fcl::DistanceResult<S>&);                \
-  template S advanceGeometries(const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&,                \
-                               const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&,                \
+#define TRICOVER_INSTANTIATE(S)                                                                                      \
+  template std::size_t collideGeometries(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,                \
+                                         const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,                \
+                                         const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&, double, double); \
+  template S distanceOfGeometries(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,                       \
+                                  const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,                       \
+                                  const fcl::DistanceRequest<S>&, fcl::DistanceResult<S>&);                          \
+  template S advanceGeometries(const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&,                          \
+                               const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&,                          \
                                const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)

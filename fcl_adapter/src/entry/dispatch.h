@@ -11,26 +11,18 @@
 
 #include <cstddef>
 
-namespace tricover {
-struct CollideOptions;
-}
-
 /// What our rows of FCL's tables answer, whatever the solver: two polygons are for polygons/, a polygon and another
 /// geometry for mixed/. At least one of the geometries has our node type. They return what a row returns.
 ///
 /// Nothing of ours is included here, so that the files with FCL's tables, which take long, are seldom compiled again.
 namespace tricover_fcl {
 
+/// `margin` comes on top of the shapes' own; `tolerance` counts between two polygons.
 template <typename S>
 std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
-
-template <typename S>
-std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
-                              const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                              const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
-                              fcl::CollisionResult<S>& result);
+                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result,
+                              double margin = 0, double tolerance = 0);
 
 template <typename S>
 S distanceOfGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,

@@ -53,8 +53,7 @@ Plane liftPlane(const MixedPair<S>& pair, const Plane& plane, const Shadow::Lift
 template <typename S>
 std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                          const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                         const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
-                         fcl::CollisionResult<S>& result) {
+                         const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result, double margin) {
   if (request.isSatisfied(result)) return result.numContacts();
   const Wanted of_hit = wanted(o1, o2, request);
   const bool polygon_first = isPolygon(o1);
@@ -66,7 +65,7 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
     }
   };
 
-  const StadiumPair<S> round(polygon_first, o1, tf1, o2, tf2, options.margin);
+  const StadiumPair<S> round(polygon_first, o1, tf1, o2, tf2, margin);
   const bool is_round = round.found != StadiumCase::None;
   if (is_round) {
     if (!of_hit.contacts && !of_hit.costs) round.requireRigidPoses();
@@ -83,7 +82,7 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
   }
 
   MixedPair<S> pair = mixedPair("collide", o1, tf1, o2, tf2);
-  const double margin = options.margin + pair.shape.options().margin;
+  margin += pair.shape.options().margin;
   if (!of_hit.contacts && !of_hit.costs) return result.numContacts();
 
   pair.view.only_there = !request.enable_contact;  // the way out of a mesh depends on all of it
@@ -109,11 +108,9 @@ std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transfo
 
 template std::size_t collideMixed(const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
                                   const fcl::CollisionGeometry<float>&, const fcl::Transform3<float>&,
-                                  const fcl::CollisionRequest<float>&, const tricover::CollideOptions&,
-                                  fcl::CollisionResult<float>&);
+                                  const fcl::CollisionRequest<float>&, fcl::CollisionResult<float>&, double);
 template std::size_t collideMixed(const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,
                                   const fcl::CollisionGeometry<double>&, const fcl::Transform3<double>&,
-                                  const fcl::CollisionRequest<double>&, const tricover::CollideOptions&,
-                                  fcl::CollisionResult<double>&);
+                                  const fcl::CollisionRequest<double>&, fcl::CollisionResult<double>&, double);
 
 }  // namespace tricover_fcl

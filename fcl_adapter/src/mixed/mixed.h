@@ -12,17 +12,14 @@
 
 #include <cstddef>
 
-#include "tricover/collide.h"
-
 /// What rows answer of a polygon and another geometry.
 namespace tricover_fcl {
 
-/// Of the options, the margin counts.
+/// The shape's margin comes on top of `margin`.
 template <typename S>
 std::size_t collideMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                          const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                         const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
-                         fcl::CollisionResult<S>& result);
+                         const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result, double margin);
 
 template <typename S>
 S distanceMixed(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1, const fcl::CollisionGeometry<S>& o2,

@@ -30,15 +30,15 @@ Eigen::AlignedBox3d boxOf(const PolygonShape<S>& shape, const tricover::Pose& po
 template <typename S>
 std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                            const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
-                            fcl::CollisionResult<S>& result) {
+                            const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result, double margin,
+                            double tolerance) {
   const std::size_t before = result.numContacts();
   if (before > 0 && request.isSatisfied(result)) return before;
   const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
-  const std::optional<bool> plain = decidedByDiscs(shape_a, tf1, shape_b, tf2, options.margin);
+  const std::optional<bool> plain = decidedByDiscs(shape_a, tf1, shape_b, tf2, margin);
   if (plain == false) return before;
-  const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2, options.margin);
-  if (!(pair.heightsMeet() && (plain || pair.collide(options.tolerance)))) return before;
+  const PolygonPair<S> pair(shape_a, tf1, shape_b, tf2, margin);
+  if (!(pair.heightsMeet() && (plain || pair.collide(tolerance)))) return before;
 
   const Wanted want = wanted(o1, o2, request);
   const std::size_t most = want.contacts ? room(request, result) : 0;
@@ -57,11 +57,10 @@ std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Tran
   return result.numContacts();
 }
 
-#define TRICOVER_INSTANTIATE(S)                                                                          \
-  template std::size_t collidePolygons(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
-                                       const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&,      \
-                                       const fcl::CollisionRequest<S>&, const tricover::CollideOptions&, \
-                                       fcl::CollisionResult<S>&);
+#define TRICOVER_INSTANTIATE(S)                                                                     \
+  template std::size_t collidePolygons(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&, \
+                                       const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&, \
+                                       const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&, double, double);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)
 #undef TRICOVER_INSTANTIATE

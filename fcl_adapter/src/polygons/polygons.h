@@ -12,17 +12,15 @@
 
 #include <cstddef>
 
-#include "tricover/collide.h"
-
 /// What rows answer of two polygons.
 namespace tricover_fcl {
 
-/// The shapes' margins come on top of the options'.
+/// The shapes' margins come on top of `margin`.
 template <typename S>
 std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                            const fcl::CollisionRequest<S>& request, const tricover::CollideOptions& options,
-                            fcl::CollisionResult<S>& result);
+                            const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result, double margin,
+                            double tolerance);
 
 template <typename S>
 S distanceOfPolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,

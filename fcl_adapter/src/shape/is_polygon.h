@@ -7,12 +7,18 @@
 
 namespace tricover_fcl {
 
+/// Whether it is one as far as the description of its class tells at a glance.
+template <typename S>
+bool isPlainlyPolygon(const fcl::CollisionGeometry<S>& geometry) {
+  return &typeid(geometry) == &typeid(PolygonShape<S>);
+}
+
 /// By its class, because fcl::TriangleP shares the node type. Most often one class has one description; where shared
 /// libraries have their own, names are compared, which takes longer and is left out for other node types.
 template <typename S>
 bool isPolygon(const fcl::CollisionGeometry<S>& geometry) {
-  const std::type_info &type = typeid(geometry), &ours = typeid(PolygonShape<S>);
-  return &type == &ours || (geometry.getNodeType() == fcl::GEOM_TRIANGLE && type == ours);
+  return isPlainlyPolygon(geometry) ||
+         (geometry.getNodeType() == fcl::GEOM_TRIANGLE && typeid(geometry) == typeid(PolygonShape<S>));
 }
 
 }  // namespace tricover_fcl

@@ -106,6 +106,8 @@ tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, 
   Table* const all = table != nullptr ? table : makeTable();
   if (all == nullptr) return nullptr;
   const std::uint64_t key = keyOf(a, place_a, b, place_b);
+  Slot& slot = all->slots[all->slotOf(key)];
+  if (slot.owner == key) return &slot.cache;
   std::uint64_t& last = all->lastAt(key);
   if (last == key) return all->cacheOf(key);
   last = key;
