@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -70,6 +71,12 @@ struct ContactOptions {
   Touching touching = Touching::Collides;
 };
 
+/// One of a contact's points, in the world.
+struct ContactPoint {
+  Vec2 point;    ///< Between the two outlines.
+  double depth;  ///< At least 0, and no more than the contact's.
+};
+
 /// One connected component of the regions' overlap, in the world. Coordinates are rounded: they are off by at most 128
 /// units of roundoff (2^-53) of the polygons' own coordinates and the poses' translations, added up, and by 2^-1042.
 struct Contact {
@@ -92,6 +99,13 @@ struct Contact {
   double depth;
   EdgeIndex edge_a;  ///< The edge of a that separates last. -1 where this component lies inside a, away from its edges.
   EdgeIndex edge_b;  ///< The edge of b that separates last. -1 where this component lies inside b, away from its edges.
+  /// What a physics step, a gripper or a docking check holds on to. Two points where edge_a and edge_b, with the edges
+  /// that go straight on from them, face each other along a stretch within the depth: the ends of that stretch, the
+  /// deeper one first, each with the depth along the normal there, and as far between the two edges as `point` is. A
+  /// crate that rests on a floor has them at its corners. Otherwise, as for a corner on an edge or with Points, one:
+  /// `point` and `depth`.
+  std::array<ContactPoint, 2> points;
+  std::size_t count;  ///< Of `points`: 1 or 2. The second repeats the first where there is one.
 };
 
 /// Returns one contact for each connected component of the overlap, the deepest first. Where the regions are apart and

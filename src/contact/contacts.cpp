@@ -27,9 +27,7 @@ std::vector<Contact> contactsBeside(const PosedPair& pair, const ContactOptions&
   const double margin = options.margin;
   const CollideOptions grown{margin, 0};
   if (margin == 0 || !collideByHierarchy(pair, grown, 0, Wanted::Answer).collides) return {};
-  const auto [nearest, normal] = nearestContact(pair);
-  const Vec2 middle = nearest.point_a / 2 + nearest.point_b / 2;
-  return {{middle, normal, std::max(margin - nearest.distance, 0.0), nearest.edge_a, nearest.edge_b}};
+  return {contactBeside(pair, margin)};
 }
 
 std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& options) {
@@ -37,10 +35,7 @@ std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& op
   const SeparatingAxes axes(pair);
   if (axes.verdict() == SeparatingAxes::Apart) return {};
   if (axes.verdict() == SeparatingAxes::Meet)
-    if (std::optional<Contact> contact = convexContact(pair, axes)) {
-      contact->depth += options.margin;
-      return {*contact};
-    }
+    if (const std::optional<Contact> contact = convexContact(pair, axes, options.margin)) return {1, *contact};
   return partContacts(pair, &axes, options);
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/contact_ends.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
@@ -212,8 +213,13 @@ class OverlapMiddle {
 
 class ConvexPair {
  public:
-  explicit ConvexPair(const PosedPair& pair, const SeparatingAxes& axes)
-      : pair_(pair), axes_(axes), face_(bestFace()), up_(axes_.side(face_.of_a).normalOf(face_.edge)) {
+  ConvexPair(const PosedPair& pair, const SeparatingAxes& axes, double margin)
+      : pair_(pair),
+        axes_(axes),
+        margin_(margin),
+        face_(bestFace()),
+        up_(axes_.side(face_.of_a).normalOf(face_.edge)),
+        incident_(incidentEdge()) {
     // In either coordinate a corner is at most r = kUnitRows size, and errs by at most e = error, which is at least
     // 16U size; a difference d of two is at most 2 r, and errs by 2 e and its own U d. An area, the product of two:
     //   the differences' roundings       two in each of two products     4U (2 r)^2
@@ -231,12 +237,26 @@ class ConvexPair {
     const Located own_place = middle.own_reaches_beyond ? Located::Outside : placeOfRegion(face_.of_a),
                   other_place = middle.other_reaches_beyond ? Located::Outside : placeOfRegion(!face_.of_a);
     if (own_place == Located::Unsure || other_place == Located::Unsure) return {};
-    const Vec2 point = middle.point.x() * right() + middle.point.y() * up_;
-    return contactAt(point + pair_.pose_a.translation(), other_place == Located::Inside, own_place == Located::Inside);
+    const bool is_own_inside = own_place == Located::Inside, is_other_inside = other_place == Located::Inside;
+    Contact contact = contactOf(inWorld(middle.point), is_other_inside, is_own_inside);
+    if (is_own_inside || is_other_inside) return contact;
+    const auto slopeOf = [&](const TurnedOutline& outline, std::uint32_t k) {
+      const Double2 v = outline.corner(k), w = outline.corner(outline.ring.next(k));
+      return Slope(Vec2(v[0], v[1]) - middle.point, Vec2(w[0], w[1]) - middle.point);
+    };
+    if (const auto ends = contactEnds(slopeOf(own, face_.edge), slopeOf(other, incident_.edge), contact.depth, margin_,
+                                      axes_.tie())) {
+      contact.count = 2;
+      for (std::size_t k = 0; k < 2; ++k)
+        contact.points[k] = {inWorld(middle.point + Vec2((*ends)[k].place, (*ends)[k].height)), (*ends)[k].depth};
+    }
+    return contact;
   }
 
  private:
-  Vec2 right() const { return {up_.y(), -up_.x()}; }
+  Vec2 inWorld(const Vec2& turned) const {
+    return turned.x() * Vec2(up_.y(), -up_.x()) + turned.y() * up_ + pair_.pose_a.translation();
+  }
 
   TurnedOutline turned(bool of_a) const {
     const Double2 column_x = load2(axes_.side(true).linear.data()),
@@ -275,45 +295,54 @@ class ConvexPair {
     return is_unsure ? Located::Unsure : Located::Inside;
   }
 
-  /// Of the path's edges at a corner the one that is more across `up`.
-  std::size_t flatterEdge(const AxisSide& side, std::uint32_t corner, const Vec2& up) const {
+  /// An edge at the corner that is deepest behind the face: the one that is more across its normal.
+  struct Incident {
+    std::uint32_t edge;     ///< of the outline
+    std::size_t path_edge;  ///< of the path's edges there, the one at the corner
+  };
+  Incident incidentEdge() const {
+    const AxisSide& side = axes_.side(!face_.of_a);
+    const std::uint32_t corner = face_.deepest;
     const auto slope = [&](std::uint32_t edge) {
       const Vec2 way = side.inWorld(side.corner(edge + 1) - side.corner(edge));
-      const double along = up.dot(way);
+      const double along = up_.dot(way);
       return along * along / way.squaredNorm();
     };
     const std::uint32_t before = side.ring.previous(corner);
     const bool forward = side.outline.forward;
-    const bool arriving = slope(forward ? before : corner) < slope(forward ? corner : before);
-    return arriving ? pathEdgeTo(side.seen.a, side.outline, corner) : side.outline.corners[corner];
+    const std::uint32_t arriving = forward ? before : corner, leaving = forward ? corner : before;
+    if (slope(arriving) < slope(leaving)) return {arriving, pathEdgeTo(side.seen.a, side.outline, corner)};
+    return {leaving, side.outline.corners[corner]};
   }
 
-  Contact contactAt(const Vec2& point, bool other_is_inside, bool own_is_inside) const {
+  Contact contactOf(const Vec2& point, bool other_is_inside, bool own_is_inside) const {
     const AxisSide &own = axes_.side(face_.of_a), &other = axes_.side(!face_.of_a);
     const Vec2 deepest = own.fromOther(other.corner(face_.deepest));
     // One ring: positions are numbers.
     const auto own_edge = other_is_inside
                               ? -1
                               : static_cast<std::ptrdiff_t>(pathEdge(own.seen.a, own.outline, face_.edge, deepest)),
-               other_edge = own_is_inside ? -1 : static_cast<std::ptrdiff_t>(flatterEdge(other, face_.deepest, up_));
+               other_edge = own_is_inside ? -1 : static_cast<std::ptrdiff_t>(incident_.path_edge);
     assert(face_.depth > 0 && std::abs(up_.norm() - 1) < 0x1p-40);
-    return {point, face_.of_a ? up_ : Vec2(-up_), face_.depth, face_.of_a ? own_edge : other_edge,
-            face_.of_a ? other_edge : own_edge};
+    return contactAt(point, face_.of_a ? up_ : Vec2(-up_), face_.depth + margin_, face_.of_a ? own_edge : other_edge,
+                     face_.of_a ? other_edge : own_edge);
   }
 
   const PosedPair& pair_;
   const SeparatingAxes& axes_;
+  const double margin_;
   const FaceDepth face_;
-  const Vec2 up_;    ///< outwards from the face
+  const Vec2 up_;  ///< outwards from the face
+  const Incident incident_;
   double doubtful_;  ///< areas of corners, up to this
 };
 
 }  // namespace
 
-std::optional<Contact> convexContact(const PosedPair& pair, const SeparatingAxes& axes) {
+std::optional<Contact> convexContact(const PosedPair& pair, const SeparatingAxes& axes, double margin) {
   // Less may be a touch.
   if (!(axes.leastDepth() > 64 * axes.error())) return {};
-  return ConvexPair(pair, axes).contact();
+  return ConvexPair(pair, axes, margin).contact();
 }
 
 }  // namespace tricover::detail

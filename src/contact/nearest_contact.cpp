@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/nearest_contact.h"
 
+#include <algorithm>
+
+#include "contact/boundary_point.h"
+#include "contact/contact_ends.h"
 #include "contact/crossings.h"
 #include "distance/distance_result.h"
 #include "numbers/rigidity.h"
@@ -33,6 +37,31 @@ NearestContact nearestContact(const PosedPair& pair) {
   if (isInner(on_a, edge_a)) return {nearest, across(edge_a)};
   if (isInner(on_b, edge_b)) return {nearest, across(edge_b)};
   return {nearest, side.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(side.stableNormalized())};
+}
+
+Contact contactBeside(const PosedPair& pair, double margin) {
+  const auto [nearest, normal] = nearestContact(pair);
+  const WorldFrame frame(pair);
+  const double error = 4 * frame.error(), depth = std::max(margin - nearest.distance, 0.0);
+  // At a vertex either edge may face the other polygon.
+  const auto facing = [&, &normal = normal](int side, EdgeIndex number, const Vec2& point) {
+    const PolygonData& polygon = side == 0 ? pair.a : pair.b;
+    const std::size_t edge = polygon.edgePosition(static_cast<std::size_t>(number));
+    const WorldFrame::Ends ends = side == 0 ? frame.edgeEndsOfA(edge) : frame.edgeEndsOfB(edge);
+    const Vec2 at = frame.fromWorld(point);
+    const bool at_v = (at - ends.v).norm() <= error;
+    if (!at_v && (at - ends.w).norm() > error) return edge;
+    const BoundaryPoint vertex = vertexPoint(polygon, 0, at_v ? edge : edgeAfter(polygon, edge), at);
+    return static_cast<std::size_t>(flatterEdge(frame, side, vertex.a, vertex.a_before, normal));
+  };
+  const std::size_t edge_a = facing(0, nearest.edge_a, nearest.point_a),
+                    edge_b = facing(1, nearest.edge_b, nearest.point_b);
+  const Vec2 middle = nearest.point_a / 2 + nearest.point_b / 2;
+  Contact contact = contactAt(middle, normal, depth, pair.a.edgeName(edge_a), pair.b.edgeName(edge_b));
+  const Extent all{Vec2(-normal.y(), normal.x())};
+  addEnds(contact, frame, straightPiece(pair, frame, 0, edge_a, all), straightPiece(pair, frame, 1, edge_b, all),
+          frame.fromWorld(middle), margin);
+  return contact;
 }
 
 }  // namespace tricover::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/world_frame.h"
+#include "tricover/contacts.h"
 #include "tricover/distance.h"
 
 namespace tricover::detail {
@@ -13,5 +14,8 @@ struct NearestContact {
 };
 
 NearestContact nearestContact(const PosedPair& pair);
+
+/// The contact of two regions that are apart, within a margin.
+Contact contactBeside(const PosedPair& pair, double margin);
 
 }  // namespace tricover::detail

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "contact/contact_ends.h"
 #include "contact/contact_point.h"
 #include "contact/inner_crossings.h"
 #include "contact/part_exit.h"
@@ -53,19 +54,25 @@ class ContactFinder {
       const bool touches = !component.inner && !(axes_ != nullptr && exit.depth > margin + frame_.error());
       if (touches || !(exit.depth > margin)) exit.depth = margin;
       assert(exit.depth >= 0 && std::abs(exit.normal.norm() - 1) < 0x1p-40);
-      result.push_back(contactAt(pointOf(component, part, exit), exit.normal, exit.depth, exit.edge_a, exit.edge_b));
+      const Vec2 point = pointOf(component, part, exit);
+      result.push_back(contactOf(point, exit.normal, exit.depth, exit.edge_a, exit.edge_b));
+      if (exit.edge_a >= 0 && exit.edge_b >= 0) addEnds(result.back(), point, exit, part);
     }
     return result;
   }
 
  private:
-  /// Whether b, led along the normal by a little more than the depth, leaves a: by less than coordinates are off by.
+  /// Whether b, led along the normal by a little more than the depth, leaves a: by as much as coordinates are off by,
+  /// and by a quarter of that, which details that are as small may be between.
   bool parts(const Exit& exit) const {
     // By so much the pose's translation is known: near a corner a shorter way may be free where a longer one isn't.
     const double spacing = 256 * kUnitRoundoff * (pair_.pose_b.translation() / frame_.unit()).lpNorm<1>();
     const double more = 16 * frame_.error() + spacing + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
-    return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,
-                         (exit.depth + more) * frame_.unit() * exit.normal, margin_);
+    const auto partsBy = [&](double length) {
+      return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,
+                           length * frame_.unit() * exit.normal, margin_);
+    };
+    return partsBy(exit.depth + more) && partsBy(exit.depth + 0.25 * more);
   }
 
   /// The same for directions near the normal: it doesn't just slide along a wall.
@@ -88,8 +95,9 @@ class ContactFinder {
   Vec2 pointOf(const OverlapComponent& component, const Hull& hull, const Exit& exit) const;
   Vec2 pointOfTouch(const OverlapComponent& component, const Vec2& middle) const;
   /// In the world, edges by number.
-  Contact contactAt(const Vec2& point, const Vec2& normal, double depth, std::ptrdiff_t edge_a,
+  Contact contactOf(const Vec2& point, const Vec2& normal, double depth, std::ptrdiff_t edge_a,
                     std::ptrdiff_t edge_b) const;
+  void addEnds(Contact& contact, const Vec2& point, const Exit& exit, const Hull& part) const;
 
   const PosedPair& pair_;
   const SeparatingAxes* axes_;
@@ -194,10 +202,10 @@ Contact ContactFinder::anyPointOf(const OverlapComponent& component) const {
   const auto first = std::min_element(component.crossings.begin(), component.crossings.end(), isFirst);
   if (first == component.crossings.end()) {
     const BoundaryPoint& vertex = component.points.front();
-    return contactAt(vertex.at, Vec2::Zero(), 0, vertex.a, vertex.b);
+    return contactOf(vertex.at, Vec2::Zero(), 0, vertex.a, vertex.b);
   }
   const EdgeCrossing& c = crossings_[*first];
-  return contactAt(c.point, Vec2::Zero(), 0, static_cast<std::ptrdiff_t>(c.edge_a),
+  return contactOf(c.point, Vec2::Zero(), 0, static_cast<std::ptrdiff_t>(c.edge_a),
                    static_cast<std::ptrdiff_t>(c.edge_b));
 }
 
@@ -221,12 +229,28 @@ Vec2 ContactFinder::pointOfTouch(const OverlapComponent& component, const Vec2& 
   return crossings_[longestStretch(frame_, crossings_, component)].point;
 }
 
-Contact ContactFinder::contactAt(const Vec2& point, const Vec2& normal, double depth, std::ptrdiff_t edge_a,
+Contact ContactFinder::contactOf(const Vec2& point, const Vec2& normal, double depth, std::ptrdiff_t edge_a,
                                  std::ptrdiff_t edge_b) const {
   const auto number = [](const PolygonData& polygon, std::ptrdiff_t position) {
     return position < 0 ? position : polygon.edgeName(static_cast<std::size_t>(position));
   };
-  return {frame_.toWorld(point), normal, depth * frame_.unit(), number(pair_.a, edge_a), number(pair_.b, edge_b)};
+  return contactAt(frame_.toWorld(point), normal, depth * frame_.unit(), number(pair_.a, edge_a),
+                   number(pair_.b, edge_b));
+}
+
+/// On the component, whose hull tells how far its edges matter.
+void ContactFinder::addEnds(Contact& contact, const Vec2& point, const Exit& exit, const Hull& part) const {
+  Extent extent{Vec2(-exit.normal.y(), exit.normal.x())};
+  const auto isBefore = [&](const BoundaryPoint& p, const BoundaryPoint& q) {
+    return extent.along.dot(p.at) < extent.along.dot(q.at);
+  };
+  const auto [first, last] = std::minmax_element(part.begin(), part.end(), isBefore);
+  extent.low = extent.along.dot(first->at);
+  extent.high = extent.along.dot(last->at);
+  const auto pieceOf = [&](int side, std::ptrdiff_t edge) {
+    return straightPiece(pair_, frame_, side, static_cast<std::size_t>(edge), extent);
+  };
+  detail::addEnds(contact, frame_, pieceOf(0, exit.edge_a), pieceOf(1, exit.edge_b), point, margin_);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "contact/contact_ends.h"
 #include "contact/convex_penetration.h"
 #include "contact/touch_normal.h"
 #include "numbers/segment.h"
@@ -51,22 +52,11 @@ bool PartExits::isBetter(const Exit& exit, const Exit& best) const {
          (exit.depth <= best.depth + error && exit.normal.dot(towards_b_) > best.normal.dot(towards_b_));
 }
 
-/// Of a point's edges the one that is most across the normal: where a whole edge is deepest, that.
-template <typename EdgeEnds>
-std::ptrdiff_t PartExits::flatter(std::ptrdiff_t e, std::ptrdiff_t f, const Vec2& normal, EdgeEnds ends) {
-  if (e < 0 || e == f) return e;
-  const auto slope = [&](std::ptrdiff_t edge) {
-    const WorldFrame::Ends at = ends(static_cast<std::size_t>(edge));
-    const Vec2 way = at.w - at.v;
-    return way.isZero(0) ? 1 : std::abs(way.stableNormalized().dot(normal));
-  };
-  return slope(f) < slope(e) ? f : e;
-}
 std::ptrdiff_t PartExits::flatterOfA(const BoundaryPoint& p, const Vec2& normal) const {
-  return flatter(p.a, p.a_before, normal, [this](std::size_t i) { return frame_.edgeEndsOfA(i); });
+  return flatterEdge(frame_, 0, p.a, p.a_before, normal);
 }
 std::ptrdiff_t PartExits::flatterOfB(const BoundaryPoint& p, const Vec2& normal) const {
-  return flatter(p.b, p.b_before, normal, [this](std::size_t j) { return frame_.edgeEndsOfB(j); });
+  return flatterEdge(frame_, 1, p.b, p.b_before, normal);
 }
 
 Exit PartExits::exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const {

@@ -42,8 +42,6 @@ class PartExits {
 
  private:
   bool isBetter(const Exit& exit, const Exit& best) const;
-  template <typename EdgeEnds>
-  static std::ptrdiff_t flatter(std::ptrdiff_t e, std::ptrdiff_t f, const Vec2& normal, EdgeEnds ends);
   std::ptrdiff_t flatterOfA(const BoundaryPoint& p, const Vec2& normal) const;
   std::ptrdiff_t flatterOfB(const BoundaryPoint& p, const Vec2& normal) const;
   BoundaryPoint vertexOfA(std::size_t v) const { return vertexPoint(pair_.a, 0, v, frame_.fromA(pair_.a.path[v])); }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "contact/boundary_point.h"
 #include "contact/convex_penetration.h"
 #include "contact/nearest_contact.h"
 #include "contact/translation_search.h"
@@ -27,19 +28,33 @@ namespace {
 struct Features {
   Vec2 point_a, point_b;       ///< in the space's units
   Vec2 normal;                 ///< unit
-  std::size_t edge_a, edge_b;  ///< positions: what they are on, or near it; at a vertex the edge that starts there
+  std::size_t edge_a, edge_b;  ///< positions: what they are on, or near it
 };
+
+/// Of the edges at a vertex the one that is more nearly parallel to another edge, and so may lie along it.
+template <typename VertexAt>
+std::size_t edgeAlong(const PolygonData& polygon, VertexAt vertexAt, std::size_t vertex, const Vec2& other) {
+  const BoundaryPoint at = vertexPoint(polygon, 0, vertex, Vec2::Zero());
+  const auto lean = [&](std::size_t e) {
+    const Vec2 way = vertexAt(e + 1) - vertexAt(e);
+    return way.isZero(0) ? 1 : std::abs(cross(other, way.stableNormalized()));
+  };
+  const auto after = static_cast<std::size_t>(at.a), before = static_cast<std::size_t>(at.a_before);
+  return lean(before) < lean(after) ? before : after;
+}
 
 /// After the translation t. The vertex may come beyond the edge's end only where the edge at it is parallel. The edge
 /// goes from one vertex to another, straight on where several are between these.
-Features featuresOf(const TranslationSpace& space, const Vec2& t, bool edge_of_a, std::size_t edge, std::size_t start,
-                    std::size_t end, std::size_t vertex) {
+Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const Vec2& t, bool edge_of_a,
+                    std::size_t edge, std::size_t start, std::size_t end, std::size_t vertex) {
+  const auto ofA = [&](std::size_t i) { return space.vertexOfA(i); };
+  const auto ofB = [&](std::size_t j) { return space.vertexOfB(j); };
   if (edge_of_a) {
-    const Vec2 p = nearestOnSegment(space.vertexOfB(vertex) + t, space.vertexOfA(start), space.vertexOfA(end));
-    return {p, p - t, t.normalized(), edge, vertex};
+    const Vec2 v = ofA(start), w = ofA(end), p = nearestOnSegment(ofB(vertex) + t, v, w);
+    return {p, p - t, t.normalized(), edge, edgeAlong(pair.b, ofB, vertex, w - v)};
   }
-  const Vec2 p = nearestOnSegment(space.vertexOfA(vertex) - t, space.vertexOfB(start), space.vertexOfB(end));
-  return {p + t, p, t.normalized(), vertex, edge};
+  const Vec2 v = ofB(start), w = ofB(end), p = nearestOnSegment(ofA(vertex) - t, v, w);
+  return {p + t, p, t.normalized(), edgeAlong(pair.a, ofA, vertex, w - v), edge};
 }
 
 /// Of convex regions. Edges beside the least face may be parallel to it but for rounding, and the corner behind it be
@@ -52,8 +67,8 @@ Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const 
   const ApproxPoint deepest = (gap.edge_of_a ? pair : swapped).fromB(other.path[corner]);
   const Vec2 t = gap.normal * (gap.depth / space.unit());
   const auto at = [&](std::size_t k) {
-    return featuresOf(space, t, gap.edge_of_a, pathEdge(own, outline, k, {deepest.x, deepest.y}), outline.corners[k],
-                      outline.corners[(k + 1) % count], corner);
+    return featuresOf(space, pair, t, gap.edge_of_a, pathEdge(own, outline, k, {deepest.x, deepest.y}),
+                      outline.corners[k], outline.corners[(k + 1) % count], corner);
   };
   const Vec2 vertex = gap.edge_of_a ? space.vertexOfB(corner) : space.vertexOfA(corner);
   const auto off = [&](const Features& f) { return ((gap.edge_of_a ? f.point_b : f.point_a) - vertex).norm(); };
@@ -94,7 +109,7 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   const Vec2 parted = is_on ? t : nearestOnSegment(t, nearest.v, nearest.w);
   const std::size_t edge = nearest.vertex_of_a ? nearest.edge_b : nearest.edge_a,
                     vertex = nearest.vertex_of_a ? nearest.edge_a : nearest.edge_b;
-  Features features = featuresOf(space, parted, !nearest.vertex_of_a, edge, edge, edge + 1, vertex);
+  Features features = featuresOf(space, pair, parted, !nearest.vertex_of_a, edge, edge, edge + 1, vertex);
   const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
   features.normal = way.stableNormalized();
   // Over a short way the segment's normal is known better than the way's direction.

@@ -132,16 +132,18 @@ TEST(Margin, contactOfANearMissIsBetweenTheGrownSurfaces) {
     ASSERT_EQ(
         fcl::collide(a.get(), lifted(tricover::Pose::Identity(), 3), b.get(),
                      lifted(tricover::support::pose(0, 1.5, 0.25), 3), fcl::CollisionRequestd(most, true), result),
-        1u);
-    const fcl::Contactd& contact = result.getContact(0);
-    EXPECT_EQ(contact.penetration_depth, 0.5);
-    EXPECT_EQ(contact.normal, fcl::Vector3d::UnitX());
-    EXPECT_EQ(contact.pos.x(), 1.75);
-    EXPECT_GE(contact.pos.y(), 0.25);
-    EXPECT_LE(contact.pos.y(), 1);
-    EXPECT_EQ(contact.pos.z(), 3);
-    expectOnEdge(*a, contact.b1, {1, contact.pos.y()});
-    expectOnEdge(*b, contact.b2, {0, contact.pos.y() - 0.25});
+        std::min<std::size_t>(most, 2));
+    for (std::size_t k = 0; k < result.numContacts(); ++k) {
+      const fcl::Contactd& contact = result.getContact(k);
+      EXPECT_EQ(contact.penetration_depth, 0.5);
+      EXPECT_EQ(contact.normal, fcl::Vector3d::UnitX());
+      EXPECT_NEAR(contact.pos.x(), 1.75, 1e-14);
+      EXPECT_GE(contact.pos.y(), 0.25);
+      EXPECT_LE(contact.pos.y(), 1);
+      EXPECT_EQ(contact.pos.z(), 3);
+      expectOnEdge(*a, contact.b1, {1, contact.pos.y()});
+      expectOnEdge(*b, contact.b2, {0, contact.pos.y() - 0.25});
+    }
   }
 }
 
@@ -153,7 +155,7 @@ TEST(Margin, depthsAreThoseOfTheGrownPolygons) {
       ASSERT_EQ(tricover_fcl::collide<double>(a.get(), lifted(tricover::Pose::Identity()), plain.get(),
                                               lifted(tricover::support::pose(0, 0.75, 0)),
                                               fcl::CollisionRequestd(most, true), {of_options}, result),
-                1u);
+                std::min<std::size_t>(most, 2));
       EXPECT_NEAR(result.getContact(0).penetration_depth, 1.25 + of_options, 1e-12);
       EXPECT_NEAR(result.getContact(0).normal.x(), 1, 1e-12);
       EXPECT_NEAR(result.getContact(0).pos.x(), 0.875 + 0.5, 1e-12);

@@ -44,7 +44,7 @@ TEST_F(MixedContact, isTheWayOutInThePolygonsPlane) {
     for (const std::size_t most : {1u, 10u}) {
       const fcl::Transform3d tf_other = moved * pose;
       const auto found = contacts(square_, moved, *other, tf_other, most);
-      ASSERT_EQ(found.size(), 1u);
+      ASSERT_TRUE(found.size() == 1 || (most > 1 && found.size() == 2));
       EXPECT_EQ(found[0].o1, other->getObjectType() == fcl::OT_BVH ? other.get() : &square_);
       const double side = found[0].o1 == &square_ ? 1 : -1;  // FCL hands a mesh's row the mesh first, and leaves it so
       EXPECT_LT((found[0].normal - side * moved.linear() * Vec3::UnitX()).norm(), 1e-3);
@@ -58,7 +58,7 @@ TEST_F(MixedContact, isTheWayOutInThePolygonsPlane) {
       EXPECT_TRUE(isThere(side > 0 ? found[0].b1 : found[0].b2));
 
       const auto swapped = contacts(*other, tf_other, square_, moved, most);
-      ASSERT_EQ(swapped.size(), 1u);
+      ASSERT_EQ(swapped.size(), found.size());
       EXPECT_EQ(swapped[0].o1, other.get());
       EXPECT_LT((swapped[0].normal + moved.linear() * Vec3::UnitX()).norm(), 1e-3);
       EXPECT_TRUE(isThere(swapped[0].b2));
@@ -127,11 +127,12 @@ TEST_F(MixedContact, isOnePerPartOfTheOverlapDeepestFirst) {
   const fcl::Boxd wall(20, 10, 1);
   const fcl::Transform3d at = shifted<double>(0, 6.5, 0);  // its lower side at y = 1.5
   const auto found = contacts(fork, here_, wall, at, 10);
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_NEAR(found[0].pos.x(), 3.5, 0.51);
-  EXPECT_NEAR(found[1].pos.x(), 1.5, 0.51);
-  EXPECT_GE(found[0].penetration_depth, found[1].penetration_depth);
-  EXPECT_NEAR(found[1].penetration_depth, 0.5, 1e-9);
+  ASSERT_EQ(found.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(std::abs(found[k].pos.x() - (k < 2 ? 3.5 : 1.5)), 0.5, 1e-9);  // both ends of each
+    EXPECT_NEAR(found[k].penetration_depth, k < 2 ? found[0].penetration_depth : 0.5, 1e-9);
+  }
+  EXPECT_GE(found[0].penetration_depth, 0.5);
   EXPECT_EQ(contacts(fork, here_, wall, at, 1).size(), 1u);
   EXPECT_NEAR(contacts(fork, here_, wall, at, 1)[0].penetration_depth, 1.5, 1e-9);  // of the whole
 }
@@ -146,12 +147,12 @@ TEST_F(MixedContact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
   for (const auto& [peg, pose] : pegs) {
     SCOPED_TRACE(peg->getNodeType());
     const auto parts = contacts(slot, here_, *peg, pose, 9);
-    ASSERT_EQ(parts.size(), 2u);
+    ASSERT_EQ(parts.size(), peg->getNodeType() == fcl::GEOM_BOX ? 4u : 2u);
     for (const fcl::Contactd& part : parts) {
       EXPECT_NEAR(part.penetration_depth, 0.25, 1e-5);
       EXPECT_LT((part.normal - Vec3(part.pos.x() > 0 ? -1 : 1, 0, 0)).norm(), 1e-2);
     }
-    EXPECT_LT(parts[0].pos.x() * parts[1].pos.x(), 0);
+    EXPECT_LT(parts.front().pos.x() * parts.back().pos.x(), 0);
     const auto whole = contacts(slot, here_, *peg, pose, 1);
     ASSERT_EQ(whole.size(), 1u);
     EXPECT_GT(whole[0].penetration_depth, 1);
@@ -177,8 +178,8 @@ TEST_F(MixedContact, namesTrianglesAndCells) {
   const auto of_tree = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 1);
   ASSERT_EQ(of_tree.size(), 1u);
   EXPECT_NE(of_tree[0].b1, int{fcl::Contactd::NONE});
-  const auto bare = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 3);
-  EXPECT_EQ(bare.size(), 1u);
+  const auto both = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 3);
+  EXPECT_EQ(both.size(), 2u);
   // As FCL's own row names the cell.
   const fcl::Boxd box(2, 2, 1);
   const auto of_box = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), box, here_, 1);
@@ -207,13 +208,16 @@ TEST_F(MixedContact, ofAPlaneIsLeftOnTheShorterWay) {
   }
 }
 
-TEST_F(MixedContact, touchingHasOneWithoutDepth) {
+TEST_F(MixedContact, touchingHasNoDepth) {
   const fcl::Boxd box(2, 2, 2);
   const auto found = contacts(square_, here_, box, shifted<double>(2, 0, 0), 10);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].penetration_depth, 0, 1e-13);
-  EXPECT_NEAR(found[0].normal.norm(), 1, 1e-12);
-  EXPECT_NEAR(found[0].pos.x(), 1, 1e-12);
+  ASSERT_EQ(found.size(), 2u);
+  for (const fcl::Contactd& end : found) {
+    EXPECT_NEAR(end.penetration_depth, 0, 1e-13);
+    EXPECT_NEAR(end.normal.norm(), 1, 1e-12);
+    EXPECT_NEAR(end.pos.x(), 1, 1e-12);
+  }
+  EXPECT_NEAR(std::abs(found[0].pos.y() - found[1].pos.y()), 2, 1e-12);
 }
 
 TEST_F(MixedContact, hasNoDetailsUnlessAskedForAndHonoursOccupancyAndCost) {

@@ -18,11 +18,25 @@
 namespace tricover::soak {
 namespace {
 
-bool isCommon(const Case& c, const Vec2& p) {
+/// Whether a point is within a length of both regions, but for rounding.
+bool isNear(const Case& c, const Vec2& p, double length) {
   const Polygon point({Ring(3, p)});
   const Case with_a{c.a, c.pose_a, point, Pose::Identity()}, with_b{c.b, c.pose_b, point, Pose::Identity()};
-  const double error = support::rounding(c);
+  const double error = length + support::rounding(c);
   return Reference(with_a).within(error) && Reference(with_b).within(error);
+}
+
+std::string wrongPoints(Random& random, const Case& c, const Contact& contact) {
+  const ContactPoint &first = contact.points[0], &second = contact.points[1];
+  if (contact.count == 1)
+    return first.point == contact.point && first.depth == contact.depth && second.point == first.point ? ""
+                                                                                                       : "one point";
+  if (contact.count != 2) return "how many points";
+  if (!(contact.depth >= first.depth && first.depth >= second.depth && second.depth >= 0)) return "a point's depth";
+  if (!(first.point.allFinite() && second.point.allFinite())) return "a point";
+  if (!random.oneIn(4)) return "";
+  const double depth = contact.depth * (1 + 1e-9);
+  return isNear(c, first.point, depth) && isNear(c, second.point, depth) ? "" : "an end that is far";
 }
 
 /// Whether a convex polygon is nowhere wider than so much, or hardly so.
@@ -61,7 +75,9 @@ std::string wrongContacts(Random& random, const Case& c, bool truth) {
     if (!(std::abs(contact.normal.norm() - 1) <= 1e-12)) return "a normal that isn't unit";
     if (!(contact.depth >= 0 && std::isfinite(contact.depth))) return "a depth";
     if (i > 0 && contact.depth > found[i - 1].depth) return "the order";
-    if (!contact.point.allFinite() || (random.oneIn(4) && !isCommon(c, contact.point))) return "a point outside";
+    if (!contact.point.allFinite() || (random.oneIn(4) && !isNear(c, contact.point, 0))) return "a point outside";
+    const std::string wrong = wrongPoints(random, c, contact);
+    if (!wrong.empty()) return wrong;
   }
   if (is_convex) {
     const std::string wrong = wrongConvex(c, found[0]);

@@ -98,7 +98,9 @@ std::string wrongWayApart(const Case& c, const Contact& contact) {
 bool same(const std::vector<Contact>& p, const std::vector<Contact>& q) {
   return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](const Contact& s, const Contact& t) {
     return s.point == t.point && s.normal == t.normal && s.depth == t.depth && s.edge_a == t.edge_a &&
-           s.edge_b == t.edge_b;
+           s.edge_b == t.edge_b && s.count == t.count && s.points[0].point == t.points[0].point &&
+           s.points[0].depth == t.points[0].depth && s.points[1].point == t.points[1].point &&
+           s.points[1].depth == t.points[1].depth;
   });
 }
 

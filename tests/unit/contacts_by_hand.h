@@ -18,7 +18,7 @@ inline const Pose kHere = Pose::Identity();
 
 inline bool alike(const Contact& p, const Contact& q, double size) {
   return std::abs(p.depth - q.depth) <= 1e-12 * size && ((p.point - q.point) / size).norm() <= 1e-12 &&
-         (p.normal - q.normal).norm() <= 1e-9 && p.edge_a == q.edge_a && p.edge_b == q.edge_b;
+         (p.normal - q.normal).norm() <= 1e-9 && p.edge_a == q.edge_a && p.edge_b == q.edge_b && p.count == q.count;
 }
 
 /// Whether two polygons have the same edges, wherever their rings begin and whichever way they run.

@@ -132,7 +132,7 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
     const PosedPair pair(c.a.data(), c.pose_a, c.b.data(), c.pose_b);
     const SeparatingAxes axes(pair);
     const bool meets = axes.verdict() == SeparatingAxes::Meet, apart = axes.verdict() == SeparatingAxes::Apart;
-    const std::optional<Contact> found = meets ? convexContact(pair, axes) : std::nullopt;
+    const std::optional<Contact> found = meets ? convexContact(pair, axes, 0) : std::nullopt;
     const std::vector<Contact> general = partContacts(pair, &axes, {});
     (found ? overlaps : apart ? aparts : unsure)++;
     contained += found && (found->edge_a < 0 || found->edge_b < 0);
@@ -273,7 +273,7 @@ TEST(ConvexContact, NamesTheFlatterEdgeAtAVertex) {
                                    {Ring{{1, 6}, {3, 6}, {3, 3.5}, {1, 3.6}}, 2}}) {
     const Polygon leaning({ring});
     const PosedPair pair(box.data(), here, leaning.data(), here);
-    const std::optional<Contact> found = convexContact(pair, SeparatingAxes(pair));
+    const std::optional<Contact> found = convexContact(pair, SeparatingAxes(pair), 0);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->normal, Vec2(0, 1));
     EXPECT_NEAR(found->depth, 0.5, 1e-15);

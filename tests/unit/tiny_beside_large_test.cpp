@@ -187,6 +187,15 @@ TEST(Contacts, OfAChipOnASegmentLeadApart) {
                         0x1.ad3f0556d93c1p-1, -0x1.195efa6a52cb6p+3));
 }
 
+/// The step that asks whether they part would take the triangle past itself.
+TEST(Contacts, OfATriangleOfSomeRoundingsLeadApart) {
+  const double s = 0x1.d6bb93461bb2p-44;
+  const Polygon triangle({{{0, 0}, {s / 2, 0}, {s, 0}, {s / 2, s / 2}, {0, s}, {0, s / 2}}});
+  const Polygon bent({{{0.75, -0.75}, {-1, 0.5}, {0, 0}, {-0.5, 0.25}, {0, -0.25}}});
+  expectWayApart(triangle, poseOf(-1, 0x1.1a62633145c07p-53, 0, 0x1.1a62633145c07p-53, 1, 0), bent,
+                 poseOf(-0x1.5944a2p-5, -0x1.ff8b88p-1, 0, 0x1.ff8b88p-1, -0x1.5944a2p-5, 0));
+}
+
 /// A point, some roundings inside of a corner that leads inwards: what parts them by a rounding more may end in a wall.
 TEST(Contacts, OfAPointAtANotchLeadOutOfTheNotch) {
   int touches = 0;

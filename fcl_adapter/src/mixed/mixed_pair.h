@@ -27,6 +27,7 @@ struct MixedPair {
 inline PlanarPair pairOf(const tricover::Polygon& polygon, const Shadow& shadow, double of_polygon, double of_both) {
   PlanarPair pair(polygon, shadow.region(), of_polygon, 0, of_both);
   pair.pose_a = pair.pose_b = tricover::Pose::Identity();
+  pair.has_faces = !shadow.isRound();
   return pair;
 }
 

@@ -39,6 +39,8 @@ class Shadow {
   double outlineError() const { return rounding_ + excess_; }
   /// The region is larger than the true shadow, by at most that.
   void addExcess(double excess) { excess_ = excess; }
+  /// Whether the region stands for a round body: its edges are none of the body's.
+  bool isRound() const { return excess_ > 0; }
 
   /// Whether it is a surface's, which has no inside to be in.
   bool isSurface() const { return is_surface_; }

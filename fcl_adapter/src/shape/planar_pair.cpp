@@ -125,8 +125,15 @@ std::vector<PlanarContact> contactsOf(const PlanarPair& pair, bool as_one, std::
       return {{middle(points.on_a, points.on_b), whole->normal, whole->depth, whole->edge_a, whole->edge_b}};
     }
   } else {
-    for (const tricover::Contact& part : pair.contacts(most))
-      shared.push_back({part.point, part.normal, part.depth, part.edge_a, part.edge_b});
+    const std::vector<tricover::Contact> parts = pair.contacts(most);
+    std::size_t spare = pair.has_faces ? most - parts.size() : 0;
+    for (const tricover::Contact& part : parts) {
+      const bool has_both = part.count == 2 && spare > 0;
+      spare -= has_both ? 1 : 0;
+      if (!has_both) shared.push_back({part.point, part.normal, part.depth, part.edge_a, part.edge_b});
+      for (std::size_t k = 0; has_both && k < 2; ++k)
+        shared.push_back({part.points[k].point, part.normal, part.points[k].depth, part.edge_a, part.edge_b});
+    }
   }
   if (shared.empty()) {
     const DistanceResult nearest = tricover::distance(*pair.a, pair.pose_a, *pair.b, pair.pose_b);

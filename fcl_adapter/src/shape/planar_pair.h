@@ -38,6 +38,7 @@ struct PlanarPair {
   double margin_a, margin_b;
   double margin;  ///< of both, and of the query
   tricover::Pose pose_a, pose_b;
+  bool has_faces = true;  ///< their edges are; those of a round body's outline are none to rest on
   /// As pairCache() has them; null where no certificates are kept.
   const void *place_a = nullptr, *place_b = nullptr;
 
@@ -46,6 +47,7 @@ struct PlanarPair {
 };
 
 /// Returns the overlap of a pair, as one or by components, deepest first, in the middle between the two grown outlines.
+/// Where more than the components are wanted, flat ones have both of their ends.
 /// As one, its depth is the shortest way that parts the two. What a tolerance or rounding takes for a hit is between
 /// the nearest points, along `touch` if that is nothing.
 std::vector<PlanarContact> contactsOf(const PlanarPair& pair, bool as_one, std::size_t most,

@@ -15,7 +15,7 @@ Records::Records(py::module_& m) {
   };
   distance_ = define("Distance", "distance point_a point_b edge_a edge_b");
   penetration_ = define("Penetration", "depth normal lower_bound optimal translation point_a point_b edge_a edge_b");
-  contact_ = define("Contact", "point normal depth edge_a edge_b");
+  contact_ = define("Contact", "point normal depth edge_a edge_b points depths");
   impact_ = define("Impact", "time point normal edge_a edge_b");
   conflict_ = define("Conflict", "impact end");
   body_options_ = define("BodyOptions", "margin category mask touching");
@@ -41,7 +41,10 @@ py::object Records::of(const tricover::Penetration& p) const {
 }
 
 py::object Records::of(const tricover::Contact& c) const {
-  return contact_(arrayOf(c.point), arrayOf(c.normal), c.depth, c.edge_a, c.edge_b);
+  std::vector<tricover::Vec2> points;
+  for (std::size_t k = 0; k < c.count; ++k) points.push_back(c.points[k].point);
+  return contact_(arrayOf(c.point), arrayOf(c.normal), c.depth, c.edge_a, c.edge_b, arrayOf(points),
+                  arrayOf<double>(c.count, [&](std::size_t k) { return c.points[k].depth; }));
 }
 
 py::object Records::of(const tricover::Impact& i) const {

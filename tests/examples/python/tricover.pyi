@@ -147,11 +147,14 @@ class Penetration(NamedTuple):
     edge_b: int
 
 class Contact(NamedTuple):
+    """points, (1, 2) or (2, 2), are the ends of a stretch where edges face each other, and depths those there."""
     point: NDArray[np.float64]
     normal: NDArray[np.float64]
     depth: float
     edge_a: int
     edge_b: int
+    points: NDArray[np.float64]
+    depths: NDArray[np.float64]
 
 class Impact(NamedTuple):
     time: float

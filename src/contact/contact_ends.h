@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "contact/world_frame.h"
+#include "numbers/segment.h"
+#include "tricover/contacts.h"
+
+namespace tricover::detail {
+
+/// A contact with one point, in the world.
+Contact contactAt(const Vec2& point, const Vec2& normal, double depth, EdgeIndex edge_a, EdgeIndex edge_b);
+
+/// A straight piece of an outline at a contact: heights along the normal over places across it, from the contact's
+/// point.
+struct Slope {
+  Slope(const Vec2& v, const Vec2& w)
+      : low(std::min(v.x(), w.x())),
+        high(std::max(v.x(), w.x())),
+        low_height(v.x() <= w.x() ? v.y() : w.y()),
+        high_height(v.x() <= w.x() ? w.y() : v.y()) {}
+  Slope(const WorldFrame::Ends& piece, const Vec2& point, const Vec2& normal)
+      : Slope(across(piece.v - point, normal), across(piece.w - point, normal)) {}
+
+  double at(double place) const {
+    const double t = (place - low) / (high - low);
+    return t < 0.5 ? low_height + t * (high_height - low_height) : high_height + (t - 1) * (high_height - low_height);
+  }
+
+  double low, high, low_height, high_height;
+
+ private:
+  static Vec2 across(const Vec2& way, const Vec2& normal) { return {cross(normal, way), normal.dot(way)}; }
+};
+
+/// The incident edge, clipped to the face: the ends of the interval where two pieces face each other and overlap by no
+/// more than the depth, the deeper one first, from the contact's point. The normal leads from the lower piece to the
+/// upper one. Both ends are between the two by the same share as that point. Nothing if the interval is a point, or an
+/// end of it isn't in contact. `depth` is with the margin, and lengths are off by `error`.
+struct ContactEnd {
+  double place, height, depth;
+};
+std::optional<std::array<ContactEnd, 2>> contactEnds(const Slope& lower, const Slope& upper, double depth,
+                                                     double margin, double error);
+
+/// Of two pieces and a point in the WorldFrame: the contact has both ends, if there are two.
+void addEnds(Contact& contact, const WorldFrame& frame, const WorldFrame::Ends& of_a, const WorldFrame::Ends& of_b,
+             const Vec2& point, double margin);
+
+/// Of the two edges at a vertex (side 0: a's, 1: b's; positions) the one that is more across a unit vector: where a
+/// whole edge is deepest, that. `first` may be -1, and is the answer then.
+std::ptrdiff_t flatterEdge(const WorldFrame& frame, int side, std::ptrdiff_t first, std::ptrdiff_t second,
+                           const Vec2& normal);
+
+/// Places along a unit vector.
+struct Extent {
+  Vec2 along;
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+};
+
+/// The straight piece of an outline (side 0: a's, 1: b's) that an edge is part of, but for rounding, up to the first
+/// vertices beyond the extent. In the WorldFrame.
+WorldFrame::Ends straightPiece(const PosedPair& pair, const WorldFrame& frame, int side, std::size_t edge,
+                               const Extent& extent);
+
+}  // namespace tricover::detail

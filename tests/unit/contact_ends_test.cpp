@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contacts of one or two points: boxes on floors and in corners, edge on edge, vertex on edge, beside, and a law.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "contact_laws.h"
+#include "families.h"
+#include "random.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+
+namespace tricover::support {
+namespace {
+
+const Pose kHere = Pose::Identity();
+const Polygon kFloor({rectangle(-10, -1, 10, 0)}), kCrate({rectangle(-0.5, 0, 0.5, 1)});
+
+/// The one contact of two polygons; with the operands swapped it has the same points.
+Contact only(const Polygon& a, const Polygon& b, const Pose& pose_b, const ContactOptions& options = {}) {
+  const std::vector<Contact> found = contacts(a, kHere, b, pose_b, options),
+                             swapped = contacts(b, pose_b, a, kHere, options);
+  EXPECT_EQ(found.size(), 1u);
+  EXPECT_EQ(swapped.size(), 1u);
+  if (found.size() != 1 || swapped.size() != 1) return {};
+  EXPECT_EQ(found[0].count, swapped[0].count);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(found[0].points[k].point, swapped[0].points[k].point);
+    EXPECT_EQ(found[0].points[k].depth, swapped[0].points[k].depth);
+  }
+  return found[0];
+}
+
+/// From left to right.
+void expectEnds(const Contact& contact, const ContactPoint& left, const ContactPoint& right, double precision = 1e-14) {
+  ASSERT_EQ(contact.count, 2u);
+  std::array<ContactPoint, 2> ends = contact.points;
+  EXPECT_GE(ends[0].depth, ends[1].depth);
+  EXPECT_LE(ends[0].depth, contact.depth);
+  if (ends[0].point.x() > ends[1].point.x()) std::swap(ends[0], ends[1]);
+  EXPECT_LE((ends[0].point - left.point).norm(), precision);
+  EXPECT_LE((ends[1].point - right.point).norm(), precision);
+  EXPECT_NEAR(ends[0].depth, left.depth, precision);
+  EXPECT_NEAR(ends[1].depth, right.depth, precision);
+}
+
+void expectOne(const Contact& contact) {
+  EXPECT_EQ(contact.count, 1u);
+  for (const ContactPoint& p : contact.points) {
+    EXPECT_EQ(p.point, contact.point);
+    EXPECT_EQ(p.depth, contact.depth);
+  }
+}
+
+constexpr ContactDetail kDetails[] = {ContactDetail::LocalDepth, ContactDetail::GlobalDepth};
+
+ContactOptions with(ContactDetail detail, double margin = 0) {
+  ContactOptions options;
+  options.detail = detail;
+  options.margin = margin;
+  return options;
+}
+
+TEST(ContactEnds, OfACrateOnAFloorAreItsCorners) {
+  for (const double depth : {0.0, 0x1p-40, 0x1p-20, 0x1p-6, 0.25}) {
+    const Contact contact = only(kFloor, kCrate, pose(0, 2, -depth));
+    EXPECT_EQ(contact.depth, depth);
+    EXPECT_LE((contact.point - Vec2(2, -depth / 2)).norm(), 1e-14);
+    expectEnds(contact, {{1.5, -depth / 2}, depth}, {{2.5, -depth / 2}, depth});
+  }
+  // Half over the floor's end.
+  expectEnds(only(kFloor, kCrate, pose(0, 9.75, -0.125)), {{9.25, -0.0625}, 0.125}, {{10, -0.0625}, 0.125});
+}
+
+/// A bar through a square that is deeper than the bar is wide: the ends are in the bar, as the middle is.
+TEST(ContactEnds, OfABarThroughASquareAreInTheBar) {
+  const Contact contact = only(Polygon({rectangle(-5, -5, 5, 5)}), Polygon({rectangle(-50, 1, 50, 3)}), kHere);
+  EXPECT_LE((contact.point - Vec2(0, 2)).norm(), 1e-14);
+  expectEnds(contact, {{-5, 2}, 4}, {{5, 2}, 4});
+}
+
+TEST(ContactEnds, OfEdgesThatLeanHaveTheirOwnDepths) {
+  for (const double angle : {1e-9, -1e-9, 1e-6, 1e-3}) {
+    Pose leaning = pose(angle, 2, 0);
+    // The lower corner is 2^-8 deep.
+    leaning.translation().y() = -0x1p-8 + 0.5 * std::abs(std::sin(angle));
+    const Contact contact = only(kFloor, kCrate, leaning);
+    EXPECT_NEAR(contact.depth, 0x1p-8, 1e-15);
+    ASSERT_EQ(contact.count, 2u);
+    EXPECT_NEAR(contact.points[0].depth, 0x1p-8, 1e-15);
+    EXPECT_NEAR(contact.points[1].depth, 0x1p-8 - std::abs(std::sin(angle)), 1e-15);
+    EXPECT_EQ(contact.points[0].point.x() < 2, angle > 0);
+    EXPECT_NEAR(contact.points[0].point.y(), -0x1p-9, 1e-15);
+  }
+}
+
+TEST(ContactEnds, OfWhatTouchesAtACornerAreOne) {
+  // The other corner is 1e-9 above the floor.
+  Pose leaning = pose(1e-9, 2, 0);
+  leaning.translation().y() = 0.5e-9 - 1e-12;
+  expectOne(only(kFloor, kCrate, leaning));
+  expectOne(only(kFloor, kCrate, pose(0.25 * std::acos(-1.0), 2, -0.125)));
+  const Polygon notched({{{-10, -1}, {10, -1}, {10, 0}, {-8, 0}, {-9, -0.5}, {-10, 0}}});
+  for (const ContactDetail detail : kDetails) {
+    expectOne(only(notched, kCrate, leaning, with(detail)));
+    expectOne(only(notched, kCrate, pose(0.25 * std::acos(-1.0), 2, -0.125), with(detail)));
+  }
+}
+
+/// Floors of many vertices, repeated ones and a closing one, that aren't convex: the stretch is all of it.
+TEST(ContactEnds, GoOnAlongStraightEdges) {
+  Ring ring = {{-10, -1}, {10, -1}, {10, 0}};
+  for (int i = 79; i > -40; --i) {
+    ring.emplace_back(0.125 * i, 0);
+    if (i % 3 == 0) ring.push_back(ring.back());
+  }
+  ring.emplace_back(-10, 0);
+  ring.emplace_back(-9, -0.5);
+  ring.push_back(ring.front());
+  const Polygon floor({ring}), convex({Ring(ring.begin(), ring.end() - 2)});
+  for (const ContactDetail detail : kDetails) {
+    for (const double depth : {0.0, 0x1p-30, 0x1p-6}) {
+      const Contact contact = only(floor, kCrate, pose(0, 2.0625, -depth), with(detail));
+      expectEnds(contact, {{1.5625, -depth / 2}, depth}, {{2.5625, -depth / 2}, depth});
+      expectEnds(only(convex, kCrate, pose(0, 2.0625, -depth), with(detail)), {{1.5625, -depth / 2}, depth},
+                 {{2.5625, -depth / 2}, depth});
+    }
+    for (const Polygon& below : {floor, convex})
+      expectEnds(only(below, kCrate, pose(0, 2.0625, 0.25), with(detail, 0.5)), {{1.5625, 0.125}, 0.25},
+                 {{2.5625, 0.125}, 0.25});
+  }
+}
+
+TEST(ContactEnds, WithAMarginAreOfWhatIsGrown) {
+  for (const double depth : {-0.25, 0.0, 0x1p-6, 0.125}) {
+    const Contact contact = only(kFloor, kCrate, pose(0, 2, -depth), with(ContactDetail::GlobalDepth, 0.5));
+    expectEnds(contact, {{1.5, -depth / 2}, depth + 0.5}, {{2.5, -depth / 2}, depth + 0.5});
+  }
+  // Away from the floor by more than the margin at one end.
+  Pose leaning = pose(0.75, 2, 0);
+  leaning.translation().y() = 0.5 * std::sin(0.75) + 0.25;
+  expectOne(only(kFloor, kCrate, leaning, with(ContactDetail::GlobalDepth, 0.5)));
+}
+
+/// The shortest translation out of a corner clears both of its edges; the contact is on one of them.
+TEST(ContactEnds, InACornerAreOnOneOfItsEdges) {
+  const Polygon corner({{{-10, -1}, {10, -1}, {10, 9}, {9, 9}, {9, 0}, {-10, 0}}});
+  for (const double deep : {0x1p-20, 0x1p-5}) {
+    const Contact contact = only(corner, kCrate, pose(0, 8.5 + deep, -deep));
+    EXPECT_NEAR(contact.depth, std::sqrt(2) * deep, 1e-14);
+    ASSERT_EQ(contact.count, 2u);
+    for (const ContactPoint& p : contact.points) EXPECT_NEAR(p.depth, contact.depth, 1e-14);
+    const bool is_floor = contact.edge_a == 4;
+    EXPECT_EQ(contact.edge_b, is_floor ? 0 : 1);
+    for (const ContactPoint& p : contact.points)
+      EXPECT_NEAR(is_floor ? p.point.y() : p.point.x() - 9, is_floor ? -deep / 2 : deep / 2, deep / 2 + 1e-14);
+  }
+}
+
+TEST(ContactEnds, OfTeethAreAsFarApartAsTheyAreWide) {
+  const Polygon above({rectangle(-10, 4.75, 100, 9)}), teeth({comb(7, 3, 1, 5)});
+  const std::vector<Contact> found = contacts(above, kHere, teeth, kHere, with(ContactDetail::LocalDepth));
+  ASSERT_EQ(found.size(), 7u);
+  for (const Contact& contact : found) {
+    const double x = contact.point.x();
+    expectEnds(contact, {{x - 0.5, 4.875}, 0.25}, {{x + 0.5, 4.875}, 0.25}, 1e-12);
+  }
+}
+
+/// Of all families: both kinds occur, and every point is as near to both regions as they are deep.
+TEST(ContactEnds, AreInReachOfBothRegions) {
+  int kinds[2] = {0, 0};
+  const auto look = [&](const Case& c, Random& random) {
+    ContactOptions options = with(random.coin() ? ContactDetail::LocalDepth : ContactDetail::GlobalDepth);
+    if (random.oneIn(4)) options.margin = random.real(0, 0.1) * std::min(c.a.radius(), c.b.radius());
+    for (const Contact& contact : contacts(c.a, c.pose_a, c.b, c.pose_b, options)) {
+      ASSERT_TRUE(contact.count == 1 || contact.count == 2);
+      ++kinds[contact.count - 1];
+      if (contact.count == 1) {
+        expectOne(contact);
+        continue;
+      }
+      ASSERT_GE(contact.points[0].depth, contact.points[1].depth);
+      ASSERT_LE(contact.points[0].depth, contact.depth);
+      for (const ContactPoint& p : contact.points) {
+        ASSERT_GE(p.depth, 0);
+        const Polygon point({Ring(3, p.point)});
+        const double reach = contact.depth * (1 + 1e-9) + rounding(c);
+        ASSERT_LE(distance(point, kHere, c.a, c.pose_a).distance, reach);
+        ASSERT_LE(distance(point, kHere, c.b, c.pose_b).distance, reach);
+      }
+    }
+  };
+  const int each = scaledCount(100);
+  for (const Family& family : families()) {
+    for (int i = 0; i < each; ++i) {
+      SCOPED_TRACE(testing::Message() << family.name << " " << i);
+      Random random(static_cast<std::uint64_t>(i));
+      look(family.make(static_cast<std::uint64_t>(i)), random);
+      if (HasFatalFailure()) return;
+    }
+  }
+  EXPECT_GT(kinds[0], each);
+  EXPECT_GT(kinds[1], each);
+}
+
+}  // namespace
+}  // namespace tricover::support
