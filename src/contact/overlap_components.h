@@ -16,7 +16,7 @@ struct OverlapComponent {
   std::vector<BoundaryPoint> points;   ///< crossings, and vertices inside the other region
   std::vector<std::size_t> crossings;  ///< by their indices; none in a containment
   bool inner = false;                  ///< it has an interior, but for rounding: they do more than touch
-  Vec2 facing = Vec2::Zero();  ///< where they touch along edges: the sum of these, rotated to point from a to b
+  Vec2 facing = Vec2::Zero();          ///< where they touch along edges: the sum of these, rotated to point from a to b
 };
 
 /// The components of the overlap; none exactly if the regions are apart. What is nearer than the frame's error counts

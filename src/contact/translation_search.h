@@ -14,8 +14,9 @@ struct ShortestParting {
   double lower_bound;  ///< no shorter translation parts the regions by more than a slit of the search's resolution
 };
 
-/// Searches best first over square cells of translations, from `known`, which is free. `last` (or null) is a translation
-/// that may be free and shorter. After `most` translations the search ends, and lower_bound is that of the cells left.
+/// Searches best first over square cells of translations, from `known`, which is free. `last` (or null) is a
+/// translation that may be free and shorter. After `most` translations the search ends, and lower_bound is that of the
+/// cells left.
 ShortestParting searchShortestParting(TranslationSpace& space, const Vec2& known, const Vec2* last, std::size_t most);
 
 }  // namespace tricover::detail

@@ -24,7 +24,8 @@ namespace tricover::detail {
 constexpr double kVertexError = 16 * kUnitRoundoff, kShiftError = 4 * kUnitRoundoff;
 static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
 
-/// The plane of b's translations, in which the regions overlap on M = A + (-B). Axes are the world's, the origin is b where it is, lengths are in units.
+/// The plane of b's translations, in which the regions overlap on M = A + (-B). Axes are the world's, the origin is b
+/// where it is, lengths are in units.
 ///
 /// The boundary of M lies on convolution segments: a vertex of a less an edge of b, or an edge of a less a vertex of b;
 /// and of these only where the edges at the vertex don't leave to both sides of the other's line, since otherwise the

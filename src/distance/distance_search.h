@@ -79,8 +79,8 @@ class PairList {
       --count_;
     }
     ShownPair* const end = listed_ + count_++;
-    ShownPair* const place = std::upper_bound(
-        listed_, end, pair.low, [](double low, const ShownPair& listed) { return low < listed.low; });
+    ShownPair* const place =
+        std::upper_bound(listed_, end, pair.low, [](double low, const ShownPair& listed) { return low < listed.low; });
     std::move_backward(place, end, end + 1);
     *place = pair;
     return is_full;

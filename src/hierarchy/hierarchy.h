@@ -17,8 +17,8 @@ struct Box {
   float x, y, ux, uy, along, across;
 };
 
-/// Up to eight boxes side by side, each around a chain of consecutive edges or around several rings, rounded outwards. They are floats relative to the block's own origin and scale, so that they are as precise as the
-/// block is small.
+/// Up to eight boxes side by side, each around a chain of consecutive edges or around several rings, rounded outwards.
+/// They are floats relative to the block's own origin and scale, so that they are as precise as the block is small.
 struct alignas(64) Block {
   float x[kLanes], y[kLanes], ux[kLanes], uy[kLanes], along[kLanes], across[kLanes];
   std::uint32_t child[kLanes];  ///< the block that the box is divided into; in a leaf the edge's position in the path

@@ -8,15 +8,13 @@
 
 namespace tricover::detail {
 
-
 Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   const double sum = test.options.margin + test.options.tolerance;
   const double accept = sum > 0 && wanted != Wanted::Edges ? at.within(sum) : -1;
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
   const Descent descent{test.a,      test.b, hierarchyOf(test.a), hierarchyOf(test.b), at.map,
                         at.rounding, limit,  /*degenerate*/ true};
-  const DescentResult found =
-      findHit(descent, {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
+  const DescentResult found = findHit(descent, {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
   Outcome outcome;
   if (found.hit) {
     outcome.collides = true;

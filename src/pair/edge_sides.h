@@ -29,8 +29,8 @@ class EdgeSides {
   bool bordersBoth() const { return !bordering_.empty(); }
   /// Whether that is beside a piece that shares a point with this edge, which meets it. `edge` is the other operand's.
   bool bordersBothAt(std::size_t edge) const;
-  /// The same on the way from its start (side 1), or back from its end (-1), to the first of some of the other operand's
-  /// edges, which meet it.
+  /// The same on the way from its start (side 1), or back from its end (-1), to the first of some of the other
+  /// operand's edges, which meet it.
   bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
   bool isBare() const { return is_bare_; }

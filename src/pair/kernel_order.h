@@ -40,8 +40,8 @@ inline std::array<double, 17> numbersOf(const Motion& motion) {
           motion.angle_3};
 }
 
-/// Which of two polygons of one fill rule, with equally many vertices, is first by its edges. Negative: a, positive: b. 0
-/// if their edges are the same, wherever rings begin and whichever way they run; under the non-zero rule, ways count.
+/// Which of two polygons of one fill rule, with equally many vertices, is first by its edges. Negative: a, positive: b.
+/// 0 if their edges are the same, wherever rings begin and whichever way they run; under the non-zero rule, ways count.
 int compareEdges(const PolygonData& a, const PolygonData& b);
 
 /// The kernel's own order of two operands, so that answers don't depend on the caller's: the smaller polygon moves. Of
