@@ -90,7 +90,7 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge
   const Double2 inwards{seen.m10 * way.x() - seen.m00 * way.y(), seen.m11 * way.x() - seen.m01 * way.y()};
   // No edge is longer than two radii.
   RingRange range{at, 0};
-  if (!other.ring.foremost(inwards, kClimbError * way.lpNorm<1>() * (2.001 * other.seen.a.radius) + kTiny, range))
+  if (!other.ring.supportVertex(inwards, kClimbError * way.lpNorm<1>() * (2.001 * other.seen.a.radius) + kTiny, range))
     return Unsure;
   face.certain = range.count == 1;
   face.deepest = range.first;
@@ -108,12 +108,12 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge
   return Meet;
 }
 
-/// An edge at the corner that is foremost on the way to the other one's S.
+/// An edge at the support vertex towards the other one's S.
 std::uint32_t SeparatingAxes::edgeTowardsOther(const AxisSide& side) const {
   const ApproxPoint center = side.seen.center();
   const Vec2 origin = side.seen.a.origin, way(center.x - origin.x(), center.y - origin.y());
-  const std::uint32_t foremost = side.ring.foremost(load2(way.data()));
-  return cross(way, side.corner(foremost) - origin) > 0 ? side.ring.previous(foremost) : foremost;
+  const std::uint32_t support = side.ring.supportVertex(load2(way.data()));
+  return cross(way, side.corner(support) - origin) > 0 ? side.ring.previous(support) : support;
 }
 
 /// Of the faces that are left, on to the next one that point p of the other polygon doesn't prove to be too deep.

@@ -42,9 +42,9 @@ class ConvexRing {
   /// Needs no next().
   Double2 edge(std::uint32_t k) const { return load2(vertices_[k + 1].data()) - load2(vertices_[k].data()); }
 
-  /// The foremost vertex along n, as plain doubles see it, in O(log n) steps: where edges begin to lead back, whose
+  /// The support vertex along n, as plain doubles see it, in O(log n) steps: where edges begin to lead back, whose
   /// directions turn one way from the first one on.
-  std::uint32_t foremost(Double2 n) const {
+  std::uint32_t supportVertex(Double2 n) const {
     const double turn = turn_;
     const Double2 sideways{-turn * n[1], turn * n[0]}, first = edge(0);
     const bool is_far = turn * cross(first, sideways) < 0;  // by more than half a turn
@@ -60,12 +60,12 @@ class ConvexRing {
     return low == size_ ? 0 : low;
   }
 
-  /// All vertices that may be the foremost one: those between an edge that certainly leads ahead and one that certainly
-  /// leads back, as its climb(edge) tells. The walk begins at range.first, so that it is short from one that was near
-  /// the foremost before. False if there are no such edges.
+  /// All vertices that may be the support vertex: those between an edge that certainly leads ahead and one that
+  /// certainly leads back, as its climb(edge) tells. The walk begins at range.first, so that it is short from one that
+  /// was near the support vertex before. False if there are no such edges.
   template <typename Climb, typename LeadsAhead, typename LeadsBack>
-  [[gnu::always_inline]] bool foremost(Climb climb, LeadsAhead leadsAhead, LeadsBack leadsBack,
-                                       RingRange& range) const {
+  [[gnu::always_inline]] bool supportVertex(Climb climb, LeadsAhead leadsAhead, LeadsBack leadsBack,
+                                            RingRange& range) const {
     std::uint32_t v = range.first, steps = 0;
     auto up = climb(v);
     for (; leadsAhead(up); up = climb(v = next(v)))
@@ -83,9 +83,9 @@ class ConvexRing {
   }
 
   /// The same along n, a climb of up to `doubt` being in doubt.
-  bool foremost(Double2 n, double doubt, RingRange& range) const {
-    return foremost([&](std::uint32_t k) { return dot(n, edge(k)); }, [&](double up) { return up > doubt; },
-                    [&](double up) { return up < -doubt; }, range);
+  bool supportVertex(Double2 n, double doubt, RingRange& range) const {
+    return supportVertex([&](std::uint32_t k) { return dot(n, edge(k)); }, [&](double up) { return up > doubt; },
+                         [&](double up) { return up < -doubt; }, range);
   }
 
  private:

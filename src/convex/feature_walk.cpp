@@ -22,7 +22,9 @@ class PosedRing {
     const Double2 along = ring_.way(from, to);
     return columns_[0] * along[0] + columns_[1] * along[1];
   }
-  std::uint32_t foremost(Double2 n) const { return ring_.foremost(Double2{dot(columns_[0], n), dot(columns_[1], n)}); }
+  std::uint32_t supportVertex(Double2 n) const {
+    return ring_.supportVertex(Double2{dot(columns_[0], n), dot(columns_[1], n)});
+  }
 
  private:
   ConvexRing ring_;
@@ -32,7 +34,7 @@ class PosedRing {
 
 }  // namespace
 
-// Let n be an axis from a to b, v the foremost vertex of a along n, w that of b along -n, and x = w - v. The gap along
+// Let n be an axis from a to b, v the support vertex of a along n, w that of b along -n, and x = w - v. The gap along
 // n is n . x. Its greatest value is the distance, and n grows towards it by turning towards x. Meanwhile v and w change
 // where n is across an edge that ends there. Which edge comes next, the directions of the two edges tell. Before it,
 //   x doesn't lead along the edge       the greatest gap was passed: it is between v and w;
@@ -42,7 +44,7 @@ class PosedRing {
 FeaturePair walkToNearest(const PosedVertices& vertices) {
   const PosedRing a(vertices.a, vertices.pose_a), b(vertices.b, vertices.pose_b);
   const Double2 n = vertices.way();
-  std::uint32_t v = a.foremost(n), w = b.foremost(-n);
+  std::uint32_t v = a.supportVertex(n), w = b.supportVertex(-n);
   Double2 x = vertices.way(v, w);
   const bool ccw = cross(n, x) > 0;
   std::uint32_t next_v = a.next(v, ccw), next_w = b.next(w, ccw);

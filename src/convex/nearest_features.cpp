@@ -162,17 +162,17 @@ class FeatureSearch {
     const bool is_inside = foot.inside >= kInside * foot.distance * foot.length &&
                            (foot.is_plain || foot.inside > kClearProduct * size * size);
     constexpr auto kKind = kEdgeOfA ? FeaturePair::kEdgeOfA : FeaturePair::kEdgeOfB;
-    return proveForemost<kKind>(kEdgeOfA ? e : v, kEdgeOfA ? v : e, foot, is_inside);
+    return proveSupports<kKind>(kEdgeOfA ? e : v, kEdgeOfA ? v : e, foot, is_inside);
   }
 
   bool proveVertices(std::uint32_t v, std::uint32_t w, const Foot& foot) {
     const bool is_clear = foot.is_plain || foot.distance > kClear * vertices_.size();
-    return proveForemost<FeaturePair::kVertices>(v, w, is_clear ? foot : vertices_.twofoldBetween(v, w), true);
+    return proveSupports<FeaturePair::kVertices>(v, w, is_clear ? foot : vertices_.twofoldBetween(v, w), true);
   }
 
-  /// Whether these are foremost, and the polygons are apart; and if they `may_be_unique`, whether they are.
+  /// Whether these are the support features, and the polygons are apart; and if they `may_be_unique`, whether they are.
   template <FeaturePair::Kind kKind>
-  [[gnu::always_inline]] bool proveForemost(std::uint32_t edge_a, std::uint32_t edge_b, const Foot& foot,
+  [[gnu::always_inline]] bool proveSupports(std::uint32_t edge_a, std::uint32_t edge_b, const Foot& foot,
                                             bool may_be_unique) {
     constexpr bool kVertices = kKind == FeaturePair::kVertices;
     const FeaturePair features{kKind, edge_a, edge_b};

@@ -69,7 +69,7 @@ GapAlong::GapAlong(const Placement& placement, Double2 normal) {
   static_assert(3 * Placement::kWayError >= kUnitRows * errorOf(16 + 5 + 12));
   error = 3 * placement.error() * (lengths[0] + lengths[1]);
   gap = dot(normal, placement.way(placement.a.path[0], placement.b.path[0])) + of_a.below_first + of_b.below_first;
-  foremost_a = of_a.vertex;
+  support_a = of_a.vertex;
   lowest_b = of_b.vertex;
 }
 

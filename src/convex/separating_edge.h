@@ -31,7 +31,7 @@ struct GapAlong {
 
   double gap;    ///< how far all of b is beyond all of a, times the normal's length
   double error;  ///< of that
-  std::uint32_t foremost_a, lowest_b;
+  std::uint32_t support_a, lowest_b;
 };
 
 }  // namespace tricover::detail

@@ -94,18 +94,18 @@ struct FewWays {
 /// Of each point a bit for every edge that it may come within its reach of. Nothing may exceed 2^30, in units.
 extern Simd<void(const SmallPolygon& polygon, const FewWays& ways, unsigned* near)> findEdgesOnWays;
 
-/// A box at both ends of a window of time, in a block's scale from its origin, in the frame that turns with the block;
-/// and WindowCutter's sags, along axes that turn with the block and with the box.
+/// A box at both ends of an interval of time, in a block's scale from its origin, in the frame that turns with the
+/// block; and IntervalCutter's chord errors, along axes that turn with the block and with the box.
 struct MovingQuery {
   float x[2], y[2], ux[2], uy[2], along, across;
-  float sag_with_block, sag_with_query;
+  float chord_error_with_block, chord_error_with_query;
   float slack;  ///< what a gap must exceed
 };
 /// Relative to the sum of what a gap is computed from, as for kGapRounding.
 constexpr double kMovingGapRounding = 4 * kGapRounding;
-/// A bit for each of the block's boxes that the query may meet, and the shares of the window, from its begin and from
+/// A bit for each of the block's boxes that the query may meet, and the shares of the interval, from its begin and from
 /// its end, in which they don't. Nothing may exceed 2^30.
-extern Simd<unsigned(const Block& block, const MovingQuery& query, float* from_begin, float* from_end)> cutWindows;
+extern Simd<unsigned(const Block& block, const MovingQuery& query, float* from_begin, float* from_end)> cutIntervals;
 
 /// How deep, in units, a point is at least in one of the discs: negative where it may be beside all, by no less than
 /// what it may be away from the nearest.

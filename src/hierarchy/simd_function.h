@@ -38,7 +38,7 @@ class Simd<Result(Arguments...)> {
 #define TRICOVER_SIMD_FUNCTIONS(X) \
   X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) X(visitMarkedNear) \
   X(showEdgesNear) X(visitEdgesOnRay) X(findEdgesOnWays) \
-  X(cutWindows) X(depthInDiscs) X(innerDepth) \
+  X(cutIntervals) X(depthInDiscs) X(innerDepth) \
   X(convexGap) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
   X(boxesMeeting) X(boxesOnRay) X(boxesNear) \
   X(measureDepths) X(twofoldWay) X(twofoldArea) X(twofoldBeside)

@@ -7,7 +7,7 @@
 
 #include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
-#include "impact/window_cutter.h"
+#include "impact/interval_cutter.h"
 #include "numbers/rounding.h"
 #include "polygon/convexity.h"
 
@@ -17,7 +17,7 @@ namespace {
 /// As a rule a few are enough.
 constexpr int kMostAdvances = 64;
 
-/// Windows are as long as a distance lasts, or a little longer: that much of it shortens a step by about as much.
+/// Intervals are as long as a distance lasts, or a little longer: that much of it shortens a step by about as much.
 constexpr double kLittle = 0x1p-4;
 
 /// One of the two polygons. Its vertices are known by their positions in the path, its edges by where they begin; axes
@@ -34,9 +34,9 @@ class Body {
       for (std::uint32_t k = 0; k <= ring_.size(); ++k) vertices_[k] = mover.vertex(k);
   }
 
-  /// The farthest that it reaches along an axis from S, at both ends of a window: of few vertices by all, of others by
-  /// those between an edge that certainly leads ahead at both ends and one that certainly leads back, near the last
-  /// that was foremost.
+  /// The farthest that it reaches along an axis from S, at both ends of an interval: of few vertices by all, of others
+  /// by those between an edge that certainly leads ahead at both ends and one that certainly leads back, near the last
+  /// that was the support vertex.
   Double2 reach(const Places& p, Double2 nx, Double2 ny) {
     const Double2 mx = p.m00 * nx + p.m10 * ny, my = p.m01 * nx + p.m11 * ny;
     if (is_small_) {
@@ -44,8 +44,8 @@ class Body {
       for (std::uint32_t k = 1; k < ring_.size(); ++k) most = larger(most, height(vertices_[k], mx, my));
       return most;
     }
-    RingRange range{foremost_, 0};
-    const bool is_certain = ring_.foremost(
+    RingRange range{support_, 0};
+    const bool is_certain = ring_.supportVertex(
         [&](std::uint32_t edge) {
           const Double2 e = ring_.edge(edge);
           return mx * e[0] + my * e[1];
@@ -53,26 +53,26 @@ class Body {
         [&](Double2 up) { return up[0] > doubt_ && up[1] > doubt_; },
         [&](Double2 up) { return up[0] < -doubt_ && up[1] < -doubt_; }, range);
     if (!is_certain) range.count = ring_.size();
-    std::uint32_t v = foremost_ = range.first;
+    std::uint32_t v = support_ = range.first;
     Double2 most = height(mover.vertex(v), mx, my);
     while (--range.count > 0) most = larger(most, height(mover.vertex(v = ring_.next(v)), mx, my));
     return most;
   }
 
-  /// The outer normal of an edge, at the window's begin.
+  /// The outer normal of an edge, at the interval's begin.
   Vec2 normal(const Places& p, std::uint32_t edge) const {
     const Double2 along = ring_.edge(edge) * mover.polygon->inverse_unit;
     const Vec2 outer = ring_.turn() * Vec2(along[1], -along[0]).normalized();
     return {p.m00[0] * outer.x() + p.m01[0] * outer.y(), p.m10[0] * outer.x() + p.m11[0] * outer.y()};
   }
 
-  /// The foremost edge along an axis, at the window's begin: of the foremost vertex the flatter one.
-  std::uint32_t foremostEdge(const Places& p, const Vec2& n) {
-    return flatterEdge(p, n, ring_.foremost(inFrame(p, n)));
+  /// The support edge along an axis, at the interval's begin: the flatter one at the support vertex.
+  std::uint32_t supportEdge(const Places& p, const Vec2& n) {
+    return flatterEdge(p, n, ring_.supportVertex(inFrame(p, n)));
   }
   std::uint32_t flatterEdge(const Places& p, const Vec2& n, std::uint32_t vertex) {
     const Double2 m = inFrame(p, n);
-    const std::uint32_t before = ring_.previous(foremost_ = vertex);
+    const std::uint32_t before = ring_.previous(support_ = vertex);
     return dot(m, ring_.edge(vertex)) >= -dot(m, ring_.edge(before)) ? vertex : before;
   }
 
@@ -87,7 +87,7 @@ class Body {
     return along > 0 ? ring_.next(k) : ring_.previous(k);
   }
 
-  /// How far it reaches from the other one's pivot, at the window's begin.
+  /// How far it reaches from the other one's pivot, at the interval's begin.
   double leverFrom(const Places& other, const Places& p) const {
     return lengthAbove(p.x[0] - other.pivot_x[0], p.y[0] - other.pivot_y[0]) + radiusOf(mover);
   }
@@ -105,7 +105,7 @@ class Body {
   }
   ConvexRing ring_;
   double doubt_;  ///< an edge's climb is wrong by less than 5 U of its length, which is at most twice the radius
-  std::uint32_t foremost_ = 0;
+  std::uint32_t support_ = 0;
   bool is_small_;
   Vec2 vertices_[SmallPolygon::kMost + 1];  ///< of few, all, and the first once more
 };
@@ -135,17 +135,18 @@ class ConvexAdvancement {
         return FirstContact::touch(time_, edge_a_, edge_b_);
       }
       const Vec2 axis = (points.on_b - points.on_a) / points.distance;
-      const double before = time_, end = std::min(1.0, time_ + windowFor(points, axis));
-      const TimeWindow window(pair_, time_, end, placesUntil(end, pair_.a, at_a_), placesUntil(end, pair_.b, at_b_));
+      const double before = time_, end = std::min(1.0, time_ + intervalFor(points, axis));
+      const TimeInterval interval(pair_, time_, end, placesUntil(end, pair_.a, at_a_),
+                                  placesUntil(end, pair_.b, at_b_));
       distance_ = points.distance - pair_.margin;
-      bool apart = advance(window, axis);
+      bool apart = advance(interval, axis);
       stale = !(gap_ >= 0.5 * points.distance);
-      if (!apart && stale && fresh) apart = advance(window, face_);
+      if (!apart && stale && fresh) apart = advance(interval, face_);
       if (apart && end == 1) return FirstContact::never();
-      if (!apart && time_ > before && end - time_ <= time_error_ && !(distanceAtEnd(window) > touch_distance_))
+      if (!apart && time_ > before && end - time_ <= time_error_ && !(distanceAtEnd(interval) > touch_distance_))
         return FirstContact::touch(time_, edge_a_, edge_b_);
       if (time_ > before) {
-        place(window);
+        place(interval);
       } else {
         if (fresh) break;
         stale = true;
@@ -161,16 +162,16 @@ class ConvexAdvancement {
   Places placesUntil(double end, const Mover& mover, const Places& at) const {
     return mover.turns || &mover == &pair_.b ? at.to(mover.places(end, end)) : at;
   }
-  void place(const TimeWindow& window) {
-    const bool at_end = time_ == window.end;
-    if (pair_.a.turns) at_a_ = at_end ? window.a.atEnd() : pair_.a.places(time_, time_);
-    at_b_ = at_end ? window.b.atEnd() : pair_.b.places(time_, time_);
+  void place(const TimeInterval& interval) {
+    const bool at_end = time_ == interval.end;
+    if (pair_.a.turns) at_a_ = at_end ? interval.a.atEnd() : pair_.a.places(time_, time_);
+    at_b_ = at_end ? interval.b.atEnd() : pair_.b.places(time_, time_);
   }
   NearestPoints nearest() const {
     return NearestPoints(a_.edge(at_a_, 0, edge_a_), b_.edge(at_b_, 0, edge_b_), pair_.error);
   }
-  double distanceAtEnd(const TimeWindow& window) const {
-    return NearestPoints(a_.edge(window.a, 1, edge_a_), b_.edge(window.b, 1, edge_b_), pair_.error).distance;
+  double distanceAtEnd(const TimeInterval& interval) const {
+    return NearestPoints(a_.edge(interval.a, 1, edge_a_), b_.edge(interval.b, 1, edge_b_), pair_.error).distance;
   }
 
   /// Of small polygons: the edge that has all of the other polygon farthest beyond it, as floats see it, and the
@@ -199,8 +200,8 @@ class ConvexAdvancement {
   NearestPoints walk() {
     if (time_ == begin_) {
       const Vec2 axis = at_a_.originTo(at_b_);
-      edge_a_ = a_.foremostEdge(at_a_, axis);
-      edge_b_ = b_.foremostEdge(at_b_, -axis);
+      edge_a_ = a_.supportEdge(at_a_, axis);
+      edge_b_ = b_.supportEdge(at_b_, -axis);
     }
     NearestPoints best = nearest();
     for (bool moved = true; moved && best.distance > touch_distance_;) {
@@ -224,7 +225,7 @@ class ConvexAdvancement {
   }
 
   /// About how long it may take the nearest points to meet: by how fast they approach now, and how that may change.
-  double windowFor(const NearestPoints& points, const Vec2& axis) const {
+  double intervalFor(const NearestPoints& points, const Vec2& axis) const {
     const auto pullAt = [&](double time) { return std::abs(axis.dot(pair_.b.way.accelerationAt(time))); };
     const double bend = pair_.is_steady
                             ? pair_.steady.bend(a_.lever, b_.lever)
@@ -242,33 +243,34 @@ class ConvexAdvancement {
     const double square = speed * speed, push = 2 * bend * gap, root = std::sqrt(std::max(square + push, 0.0));
     const double soonest = speed > 0 ? 2 * gap / (speed + root) : (root - speed) / bend;
     const double latest = speed > 0 && square > push ? 2 * gap / (speed + std::sqrt(square - push)) : 2;
-    // Somewhat past contact, as the error allows, but no farther: ways bend by more in a longer window.
+    // Somewhat past contact, as the error allows, but no farther: ways bend by more in a longer interval.
     constexpr double kMostPast = 0x1p-12;
     return std::min(1.25 * soonest, latest) + std::min(0.25 * time_error_, kMostPast);
   }
 
-  /// On to where contact may be, as an axis of length 1 from a to b has it, if anywhere in the window. Whether it parts
-  /// the two throughout. The gap of the regions is that of their foremost vertices.
-  bool advance(const TimeWindow& window, const Vec2& axis) {
+  /// On to where contact may be, as an axis of length 1 from a to b has it, if anywhere in the interval. Whether it
+  /// parts the two throughout. The gap of the regions is that of their support vertices.
+  bool advance(const TimeInterval& interval, const Vec2& axis) {
     GapCutter cutter(pair_);
-    const GapCutter::Axis n = axisOver(window, axis);
-    const Double2 gap = n.x * (window.b.x - window.a.x) + n.y * (window.b.y - window.a.y) -
-                        a_.reach(window.a, n.x, n.y) - b_.reach(window.b, -n.x, -n.y);
+    const GapCutter::Axis n = axisOver(interval, axis);
+    const Double2 gap = n.x * (interval.b.x - interval.a.x) + n.y * (interval.b.y - interval.a.y) -
+                        a_.reach(interval.a, n.x, n.y) - b_.reach(interval.b, -n.x, -n.y);
     gap_ = gap[0];
     const bool apart = cutter.cutByGap(n, gap);
-    const double time = apart ? window.end : std::min(window.begin + cutter.restLow() * window.length, window.end);
+    const double time =
+        apart ? interval.end : std::min(interval.begin + cutter.restLow() * interval.length, interval.end);
     time_ = std::max(time, time_);
     return apart;
   }
 
   /// One that stands still or, where ways bend by more than little of the distance, turns with a or b if that is less.
-  GapCutter::Axis axisOver(const TimeWindow& window, const Vec2& axis) const {
-    const double still = window.fixedSag(a_.lever, b_.lever) - window.pull.sparedAlong(axis.x(), axis.y());
+  GapCutter::Axis axisOver(const TimeInterval& interval, const Vec2& axis) const {
+    const double still = interval.fixedChordError(a_.lever, b_.lever) - interval.pull.sparedAlong(axis.x(), axis.y());
     if (!(still > kLittle * distance_)) return GapCutter::standing(axis, still);
-    const double with_a = window.sagWithA().of(b_.lever, b_.leverFrom(window.a, window.b)),
-                 with_b = window.sagWithB().of(a_.lever, a_.leverFrom(window.b, window.a));
+    const double with_a = interval.chordErrorWithA().of(b_.lever, b_.leverFrom(interval.a, interval.b)),
+                 with_b = interval.chordErrorWithB().of(a_.lever, a_.leverFrom(interval.b, interval.a));
     if (still <= std::min(with_a, with_b)) return GapCutter::standing(axis, still);
-    const Places& p = with_a <= with_b ? window.a : window.b;
+    const Places& p = with_a <= with_b ? interval.a : interval.b;
     return GapCutter::turning(axis, p.m00, p.m10, p.m01, p.m11, std::min(with_a, with_b));
   }
 
@@ -280,7 +282,7 @@ class ConvexAdvancement {
   std::uint32_t edge_a_ = 0, edge_b_ = 0;  ///< that may be nearest
   Vec2 face_;                              ///< an axis from a to b: the last that they were looked for by
   double distance_ = 0;                    ///< of the nearest points that are known, beyond the margin
-  double gap_ = 0;                         ///< along the last axis, at the window's begin
+  double gap_ = 0;                         ///< along the last axis, at the interval's begin
 };
 
 }  // namespace

@@ -283,8 +283,8 @@ class Slide {
         describeCorners(corners, time, between * (1 / length), impact);
         return FirstContact::touch(time, 0, 0);
       }
-      if (parting.foremost_a == corners.of_a && parting.lowest_b == corners.of_b) break;
-      corners = {parting.foremost_a, parting.lowest_b};
+      if (parting.support_a == corners.of_a && parting.lowest_b == corners.of_b) break;
+      corners = {parting.support_a, parting.lowest_b};
     }
     return FirstContact::unknown(time);
   }

@@ -26,8 +26,8 @@ struct Cubic {
   T rateAt(double t) const { return first + t * (2 * second + 3 * t * third); }
   T accelerationAt(double t) const { return 2 * second + 6 * t * third; }
 
-  /// An upper bound, but for rounding, of |rate| over a window: the rate is a quadratic, which leaves the line between
-  /// its values at the ends by at most |3 c_3| h^2 / 4, h the window's length.
+  /// An upper bound, but for rounding, of |rate| over an interval: the rate is a quadratic, which leaves the line
+  /// between its values at the ends by at most |3 c_3| h^2 / 4, h the interval's length.
   double mostRate(double begin, double end) const {
     if (isStraight()) return lengthOf(first);
     const double h = end - begin;

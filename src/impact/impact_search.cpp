@@ -6,15 +6,15 @@
 #include <limits>
 #include <vector>
 
+#include "impact/interval_cutter.h"
 #include "impact/vertex_ways.h"
-#include "impact/window_cutter.h"
 
 namespace tricover::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A window of time in which two nodes may meet: they certainly don't from time 0 to its begin.
+/// An interval of time in which two nodes may meet: they certainly don't from time 0 to its begin.
 struct Encounter {
   double begin, end;
   std::uint32_t a, b;
@@ -26,10 +26,10 @@ struct Encounter {
   }
 };
 
-/// Branch and bound, best first: the encounter that begins first is divided, its nodes or its window, and what is left
-/// of the parts are encounters again. So their least begin is a proven lower bound of the time of impact; the upper one
-/// is the earliest time at which two edges were seen to touch. Divisions and encounters have a budget, at whose end the
-/// lower bound is the result.
+/// Branch and bound, best first: the encounter that begins first is divided, its nodes or its interval, and what is
+/// left of the parts are encounters again. So their least begin is a proven lower bound of the time of impact; the
+/// upper one is the earliest time at which two edges were seen to touch. Divisions and encounters have a budget, at
+/// whose end the lower bound is the result.
 class ImpactSearch {
  public:
   ImpactSearch(const MovingPair& pair, double time_error)
@@ -101,48 +101,50 @@ class ImpactSearch {
     return encounter;
   }
 
-  void offer(const Window& window, const Encounter& encounter) {
-    const MovingBox a = pair_.a.box(window.a, pair_.a.node(encounter.a));
-    const MovingBox b = pair_.b.box(window.b, pair_.b.node(encounter.b));
-    WindowCutter cutter(window, a, b);
+  void offer(const SearchInterval& interval, const Encounter& encounter) {
+    const MovingBox a = pair_.a.box(interval.a, pair_.a.node(encounter.a));
+    const MovingBox b = pair_.b.box(interval.b, pair_.b.node(encounter.b));
+    IntervalCutter cutter(interval, a, b);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
     const Rest rest = cutter.rest();
     if (rest.low <= rest.high) push(cut(encounter, rest));
   }
 
-  void offerAnew(const Encounter& encounter) { offer(Window(pair_, encounter.begin, encounter.end), encounter); }
+  void offerAnew(const Encounter& encounter) {
+    offer(SearchInterval(pair_, encounter.begin, encounter.end), encounter);
+  }
 
   void divide(const Encounter& encounter) {
-    const Window window(pair_, encounter.begin, encounter.end);
+    const SearchInterval interval(pair_, encounter.begin, encounter.end);
     const Node node_a = pair_.a.node(encounter.a), node_b = pair_.b.node(encounter.b);
-    if (node_a.edge && node_b.edge) return divideEdges(window, encounter, node_a.child, node_b.child);
-    const MovingBox a = pair_.a.box(window.a, node_a), b = pair_.b.box(window.b, node_b);
+    if (node_a.edge && node_b.edge) return divideEdges(interval, encounter, node_a.child, node_b.child);
+    const MovingBox a = pair_.a.box(interval.a, node_a), b = pair_.b.box(interval.b, node_b);
     const double size_a = a.along + a.across, size_b = b.along + b.across;
-    const WindowCutter cutter(window, a, b);
-    // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter windows once they bend by less
-    // than what boxes' axes don't see around their corners: rounding, and a part of the margin.
+    const IntervalCutter cutter(interval, a, b);
+    // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter intervals once they bend by
+    // less than what boxes' axes don't see around their corners: rounding, and a part of the margin.
     if (cutter.bend() > std::max({size_a + size_b, pair_.error, pair_.margin / 16})) return halve(encounter);
     Encounter part = encounter;
     ++part.depth;
     const bool divides_a = !node_a.edge && (node_b.edge || size_a >= size_b);
     const std::uint32_t block = divides_a ? node_a.child : node_b.child;
-    if (offerEight(window, cutter, divides_a, block, divides_a ? b : a, part)) return;
+    if (offerEight(interval, cutter, divides_a, block, divides_a ? b : a, part)) return;
     const std::uint32_t count = (divides_a ? pair_.a : pair_.b).tree->blocks[block].count;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
       (divides_a ? part.a : part.b) = block * kLanes + lane;
-      offer(window, part);
+      offer(interval, part);
     }
   }
 
   /// Offers all boxes of a block together with the other mover's box, if floats tell enough. The edges in them are in
-  /// the box that is divided, too: so its sags bound theirs.
-  bool offerEight(const Window& window, const WindowCutter& cutter, bool divides_a, std::uint32_t index,
+  /// the box that is divided, too: so its chord errors bound theirs.
+  bool offerEight(const SearchInterval& interval, const IntervalCutter& cutter, bool divides_a, std::uint32_t index,
                   const MovingBox& box, Encounter part) {
     const Mover& mover = divides_a ? pair_.a : pair_.b;
-    const Places& p = divides_a ? window.a : window.b;
+    const Places& p = divides_a ? interval.a : interval.b;
     const Block& block = mover.tree->blocks[index];
     const double inverse = block.inverse / mover.scale, along = box.along * inverse, across = box.across * inverse;
-    const double sag_a = cutter.sagWithA() * inverse, sag_b = cutter.sagWithB() * inverse;
+    const double chord_error_a = cutter.chordErrorWithA() * inverse, chord_error_b = cutter.chordErrorWithB() * inverse;
     const Double2 dx = (box.x - p.x) * inverse, dy = (box.y - p.y) * inverse;
     const Double2 x = p.m00 * dx + p.m10 * dy - block.origin_x * block.inverse;
     const Double2 y = p.m01 * dx + p.m11 * dy - block.origin_y * block.inverse;
@@ -151,7 +153,7 @@ class ImpactSearch {
     const double sum = std::max(sizes[0], sizes[1]) + along + across + 4;
     // Lengths are kept to 2^-47 in turning differences back: as much as the error is once more.
     const double slack = kMovingGapRounding * sum + (pair_.margin * (1 + 0x1p-20) + 2 * pair_.error) * inverse;
-    if (!keep_lengths_ || !(sum + slack + sag_a + sag_b < 0x1p30)) return false;
+    if (!keep_lengths_ || !(sum + slack + chord_error_a + chord_error_b < 0x1p30)) return false;
     const auto f = [](double value) { return static_cast<float>(value); };
     const auto above = [](double value) { return static_cast<float>(value * (1 + 0x1p-16) + 0x1p-100); };
     const MovingQuery query = {{f(x[0]), f(x[1])},
@@ -160,11 +162,11 @@ class ImpactSearch {
                                {f(uy[0]), f(uy[1])},
                                f(along),
                                f(across),
-                               above(divides_a ? sag_a : sag_b),
-                               above(divides_a ? sag_b : sag_a),
+                               above(divides_a ? chord_error_a : chord_error_b),
+                               above(divides_a ? chord_error_b : chord_error_a),
                                above(slack)};
     float from_begin[kLanes], from_end[kLanes];
-    for (unsigned left = cutWindows(block, query, from_begin, from_end); left != 0; left &= left - 1) {
+    for (unsigned left = cutIntervals(block, query, from_begin, from_end); left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
       (divides_a ? part.a : part.b) = index * kLanes + static_cast<std::uint32_t>(lane);
       push(cut(part, {static_cast<double>(from_begin[lane]), 1 - static_cast<double>(from_end[lane]), 0}));
@@ -181,7 +183,7 @@ class ImpactSearch {
     }
   }
 
-  /// Where so small a share of a window is cut off two edges, their ends are looked at one by one: in a search that
+  /// Where so small a share of an interval is cut off two edges, their ends are looked at one by one: in a search that
   /// takes long, as most don't.
   static constexpr double kLittle = 1.0 / 64;
   static constexpr std::size_t kWithoutEnds = 64;
@@ -193,27 +195,28 @@ class ImpactSearch {
     edge_b_ = position_b;
   }
 
-  void divideEdges(const Window& window, const Encounter& encounter, std::size_t position_a, std::size_t position_b) {
-    const MovingBox a = pair_.a.edge(window.a, position_a), b = pair_.b.edge(window.b, position_b);
+  void divideEdges(const SearchInterval& interval, const Encounter& encounter, std::size_t position_a,
+                   std::size_t position_b) {
+    const MovingBox a = pair_.a.edge(interval.a, position_a), b = pair_.b.edge(interval.b, position_b);
     const NearestPoints at_begin(a, b, 0, pair_.error);
     // Written so that NaN, as where bounds overflow, is a touch.
     if (!(at_begin.distance > touch_distance_)) return touch(encounter.begin, position_a, position_b);
     if (!(NearestPoints(a, b, 1, pair_.error).distance > touch_distance_)) touch(encounter.end, position_a, position_b);
 
-    // Some axis parts the edges at the window's begin by nearly their distance: an edge's normal or, vertex to vertex,
-    // that between the nearest points. So it is cut there, once it is short enough for the sag to be.
-    WindowCutter cutter(window, a, b);
+    // Some axis parts the edges at the interval's begin by nearly their distance: an edge's normal or, vertex to
+    // vertex, that between the nearest points. So it is cut there, once it is short enough for the chord error to be.
+    IntervalCutter cutter(interval, a, b);
     if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
     Rest rest = cutter.rest();
     if (rest.low < kLittle && divided_ > kWithoutEnds && cutter.bend() > 0 && keep_lengths_)
-      rest = restOfEdges(window, position_a, position_b);
+      rest = restOfEdges(interval, position_a, position_b);
     if (rest.low > rest.high) return;
 
     // Contact is likely about as far beyond the aim as that is beyond the proven bound, if not before: a time interval
     // up to there is shorter by an order.
-    const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / window.length;
+    const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / interval.length;
     const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
-    const double split = encounter.begin + share * window.length;
+    const double split = encounter.begin + share * interval.length;
     const Encounter part = cut(encounter, rest);
     if (split > part.begin && split < part.end) {
       push({part.begin, split, part.a, part.b, part.depth + 1});

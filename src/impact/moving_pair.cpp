@@ -74,7 +74,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 //   pivots     five products, and six sums or differences at most                          11 f
 //   sqrt2 of these in any direction, of both movers together                               14.3 A r + 17 r + 15.6 f
 //   a gap      the dot products with unit axes                                             8 r + 8 f
-//   a window's end, moved by some 8 of its share, costs that of what the points travel, at rates of three times the
+//   an interval's end, moved by some 8 of its share, costs that of what the points travel, at rates of three times the
 //   terms' sizes at most                                                                   24 A r + 24 f
 constexpr double kGapError = 64 * kUnitRoundoff;
 static_assert(kGapError >= kUnitRows * (errorOf(12) * kRoot2 + errorOf(8)));         // of r
@@ -213,10 +213,10 @@ void MovingPair::prepare() {
 // A way of acceleration A or less leaves the line between its ends by at most A / 8.
 bool MovingPair::discsStayApart() const {
   const Vec2 chord = b.way.at(1);
-  const double sag = b.way.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
+  const double chord_error = b.way.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
   // Rounding moves the nearest point along the way, by so little that the distance differs in the second order only.
   const Vec2 nearest = b.base + nearestOnSegment(-b.base, Vec2::Zero(), chord);
-  return nearest.norm() - sag > a.reach + b.reach + margin + still_error;
+  return nearest.norm() - chord_error > a.reach + b.reach + margin + still_error;
 }
 
 namespace {

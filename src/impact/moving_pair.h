@@ -15,14 +15,14 @@
 
 namespace tricover::detail {
 
-/// A box (or an edge, as a box without width) of a moving polygon at both ends of a window of time, one a lane: its
+/// A box (or an edge, as a box without width) of a moving polygon at both ends of an interval of time, one a lane: its
 /// centre, the images of its axes, near unit length, and its half extents along them.
 struct MovingBox {
   Double2 x, y, ux, uy, vx, vy;
   double along, across;
 };
 
-/// Where a mover's hierarchy is at both ends of a window: p -> scale M p + (x, y); and its pivot.
+/// Where a mover's hierarchy is at both ends of an interval: p -> scale M p + (x, y); and its pivot.
 struct Places {
   Double2 m00, m10, m01, m11, x, y, pivot_x, pivot_y;
 
@@ -41,7 +41,7 @@ struct Places {
   }
 };
 
-/// An edge's ends, one a lane, at one end of a window.
+/// An edge's ends, one a lane, at one end of an interval.
 struct MovingEdge {
   /// Of two vertices in the mover's frame, from S.
   MovingEdge(const Places& p, int lane, const Vec2& v, const Vec2& w) {
@@ -101,8 +101,8 @@ struct Mover {
   bool is_straight = false;         ///< neither turn nor way is bent
 };
 
-/// Upper bounds, over a window of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's
-/// turn and a" its acceleration; and what WindowCutter makes of them.
+/// Upper bounds, over an interval of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's
+/// turn and a" its acceleration; and what IntervalCutter makes of them.
 struct Rates {
   double a, b;              ///< |a'|, |b'|
   double bend_a, bend_b;    ///< |a"| + a'^2, |b"| + b'^2

@@ -42,7 +42,7 @@ std::vector<Leg> legsBetween(const std::vector<Timed>& timed, const char* name, 
 
 /// visit(begin, end), in order, between all times at which a leg of either one ends, until it returns false.
 template <typename Visit>
-void forEachWindow(const Trajectory& a, const Trajectory& b, Visit visit) {
+void forEachInterval(const Trajectory& a, const Trajectory& b, Visit visit) {
   std::vector<double> times;
   times.reserve(a.legs().size() + b.legs().size() + 2);
   for (const Trajectory* trajectory : {&a, &b}) {
@@ -120,7 +120,7 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajector
     return first;
   }
   std::optional<Impact> found;
-  forEachWindow(trajectory_a, trajectory_b, [&](double begin, double end) {
+  forEachInterval(trajectory_a, trajectory_b, [&](double begin, double end) {
     found =
         timeOfImpact(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end), within(options, end - begin));
     if (found) found->time = timeOf(begin, end - begin, found->time);
@@ -133,7 +133,7 @@ std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a
                                 const Trajectory& trajectory_b, const ImpactOptions& options) {
   detail::checkOptions(options);
   std::vector<Conflict> all;
-  forEachWindow(trajectory_a, trajectory_b, [&](double begin, double end) {
+  forEachInterval(trajectory_a, trajectory_b, [&](double begin, double end) {
     const double length = end - begin;
     for (Conflict& found :
          conflicts(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end), within(options, length))) {

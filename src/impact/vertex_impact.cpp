@@ -12,7 +12,7 @@ namespace tricover::detail {
 namespace {
 
 /// As a rule ten are enough.
-constexpr int kMostWindows = 64;
+constexpr int kMostIntervals = 64;
 constexpr int kMost = SmallPolygon::kMost;
 
 /// A point b beside the edges of a, which the hierarchy finds.
@@ -20,8 +20,8 @@ class PointBesideTree {
  public:
   explicit PointBesideTree(const MovingPair& pair) : a_(*pair.a.polygon), pair_(pair), lever_(pair.b.arm.norm()) {}
 
-  Approach soonest(const Window& window, bool) const {
-    const VertexView view(window, true);
+  Approach soonest(const SearchInterval& interval, bool) const {
+    const VertexView view(interval, true);
     struct Call {
       static bool visit(void* context, std::uint32_t position) {
         Call& c = *static_cast<Call*>(context);
@@ -49,9 +49,9 @@ class PointBesideTree {
   }
 
   /// A point is on a degenerate polygon for no time at all: that is found where it is.
-  bool touchByEnd(const Window& window, const Approach& found) const {
+  bool touchByEnd(const SearchInterval& interval, const Approach& found) const {
     if (a_.isDegenerate()) return false;
-    const VertexView view(window, true);
+    const VertexView view(interval, true);
     return view.touchByEnd(view.wayOf(0, 0, lever_), EdgeInUnits(a_, found.edge));
   }
 
@@ -107,15 +107,15 @@ struct FewVertices {
   }
 };
 
-/// The vertices of either polygon beside the edges of the other, all at once. In a window within one that was asked
+/// The vertices of either polygon beside the edges of the other, all at once. In an interval within one that was asked
 /// before, only what may meet in that one may meet.
 class FewBesideFew {
  public:
   explicit FewBesideFew(const MovingPair& pair)
       : pair_(pair), a_(pair.a, pair.a.turns || pair.b.turns), b_(pair.b, pair.a.turns || pair.b.turns) {}
 
-  Approach soonest(const Window& window, bool is_within) {
-    const VertexView of_a(window, false), of_b(window, true);
+  Approach soonest(const SearchInterval& interval, bool is_within) {
+    const VertexView of_a(interval, false), of_b(interval, true);
     if (!is_within) {
       count_ = 0;
       collect(of_b, true);
@@ -137,8 +137,8 @@ class FewBesideFew {
     return best;
   }
 
-  bool touchByEnd(const Window& window, const Approach& found) const {
-    const VertexView view(window, found.of_b);
+  bool touchByEnd(const SearchInterval& interval, const Approach& found) const {
+    const VertexView view(interval, found.of_b);
     return view.touchByEnd((found.of_b ? b_ : a_).wayIn(view, found.vertex), (found.of_b ? a_ : b_).edge[found.edge]);
   }
 
@@ -155,7 +155,7 @@ class FewBesideFew {
     bool of_b;  ///< the vertex
   };
 
-  /// What may meet in the window.
+  /// What may meet in the interval.
   void collect(const VertexView& view, bool of_b) {
     const FewVertices &from = of_b ? a_ : b_, &of = of_b ? b_ : a_;
     FewWays ways;
@@ -188,24 +188,24 @@ class FewBesideFew {
   int count_ = 0;
 };
 
-/// Ways bend little in the first window.
+/// Ways bend little in the first interval.
 double firstLength(const MovingPair& pair, double size) {
   const Rates rates = pair.rates(0, 1);
   const double bend = rates.bend(pair.a.reach, pair.b.reach) + rates.pull;
   return bend > 0 ? std::min(1.0, 0.5 * std::sqrt(size / bend)) : 1;
 }
 
-/// From window to window: each begins where the one before shows that nothing meets until then. While nothing may meet
-/// at all they grow; where something may, the next one lies within, and as long as that should take.
+/// From interval to interval: each begins where the one before shows that nothing meets until then. While nothing may
+/// meet at all they grow; where something may, the next one lies within, and as long as that should take.
 template <class Ways>
 FirstContact follow(Ways ways, const MovingPair& pair, double begin, double time_error) {
   double time = begin, length = firstLength(pair, ways.size()), last = begin;
-  for (int asked = 0; asked < kMostWindows; ++asked) {
+  for (int asked = 0; asked < kMostIntervals; ++asked) {
     const bool is_within = time < last;
     const double end = std::min(time + length, is_within ? last : 1.0);
     last = end;
-    const Window window(pair, time, end);
-    const Approach best = ways.soonest(window, is_within);
+    const SearchInterval interval(pair, time, end);
+    const Approach best = ways.soonest(interval, is_within);
     if (!(best.share <= 1)) {
       if (end == 1) return FirstContact::never();
       time = end;
@@ -213,12 +213,12 @@ FirstContact follow(Ways ways, const MovingPair& pair, double begin, double time
       continue;
     }
     if (best.touches) return ways.touch(time, best);
-    const double lower = std::min(time + best.share * window.length, end);
-    if (best.is_exact || (end - lower <= time_error && ways.touchByEnd(window, best))) return ways.touch(lower, best);
+    const double lower = std::min(time + best.share * interval.length, end);
+    if (best.is_exact || (end - lower <= time_error && ways.touchByEnd(interval, best))) return ways.touch(lower, best);
     if (!(lower > time)) break;
     time = lower;
     const double ahead = best.aim - best.share;
-    length = (ahead > 0 && ahead < 0.25 ? 2 * ahead : 0.5) * window.length + 0.5 * time_error;
+    length = (ahead > 0 && ahead < 0.25 ? 2 * ahead : 0.5) * interval.length + 0.5 * time_error;
   }
   return FirstContact::unknown(time);
 }

@@ -8,11 +8,11 @@ double leverOf(const Mover& mover, const Vec2& vertex) {
   return lengthAbove(lever.x(), lever.y());
 }
 
-Rest restOfEdges(const Window& window, std::size_t edge_a, std::size_t edge_b) {
+Rest restOfEdges(const SearchInterval& interval, std::size_t edge_a, std::size_t edge_b) {
   Approach first;
   for (const bool of_b : {false, true}) {
-    const VertexView view(window, of_b);
-    const Mover &of = of_b ? window.pair.b : window.pair.a, &from = of_b ? window.pair.a : window.pair.b;
+    const VertexView view(interval, of_b);
+    const Mover &of = of_b ? interval.pair.b : interval.pair.a, &from = of_b ? interval.pair.a : interval.pair.b;
     const std::size_t own = of_b ? edge_b : edge_a, other = of_b ? edge_a : edge_b;
     const EdgeInUnits edge(*from.polygon, other);
     for (std::uint32_t end = 0; end < 2; ++end) {

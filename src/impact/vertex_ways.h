@@ -5,15 +5,15 @@
 #include <cmath>
 #include <limits>
 
-#include "impact/window.h"
+#include "impact/time_interval.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
 
-/// A vertex over a window, seen from the other polygon: its places at both ends, and how far its way bends.
+/// A vertex over an interval, seen from the other polygon: its places at both ends, and how far its way bends.
 struct VertexWay {
   Double2 x, y;
-  double sag;
+  double chord_error;
 };
 
 /// An edge in its polygon's units, from S: where it begins, its axis and its length.
@@ -40,10 +40,10 @@ struct EdgeInUnits {
   double x, y, ux = 1, uy = 0, length;
 };
 
-/// A vertex that may come to an edge of the other polygon in a window.
+/// A vertex that may come to an edge of the other polygon in an interval.
 struct Approach {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
-  double share = kNever;  ///< of the window, before which the two don't meet
+  double share = kNever;  ///< of the interval, before which the two don't meet
   double apart = kNever;  ///< at its begin
   double aim = 0;         ///< as in Rest
   bool touches = false;   ///< at the begin already
@@ -56,17 +56,19 @@ struct Approach {
   }
 };
 
-/// The vertices of one polygon over a window, seen from the other, which stands still, in that one's units. There a
-/// vertex leaves the straight way between its places at both ends by sag / 4 at most.
+/// The vertices of one polygon over an interval, seen from the other, which stands still, in that one's units. There a
+/// vertex leaves the straight way between its places at both ends by a quarter of its chord error at most.
 ///
 /// Rounding, beyond what MovingPair::error allows for, in units of U: turning differences f back by M^T 4.3 f; M^T M,
 /// which isn't quite the identity, 64 r; M itself once more 10.1 A r + 7 r. So gaps are within twice that error.
 class VertexView {
  public:
-  VertexView(const Window& window, bool of_b)
-      : from_(of_b ? window.pair.a : window.pair.b), sag_(of_b ? window.with_a : window.with_b), of_b_(of_b) {
-    const MovingPair& pair = window.pair;
-    const Places &p = of_b ? window.a : window.b, &q = of_b ? window.b : window.a;
+  VertexView(const SearchInterval& interval, bool of_b)
+      : from_(of_b ? interval.pair.a : interval.pair.b),
+        chord_error_(of_b ? interval.with_a : interval.with_b),
+        of_b_(of_b) {
+    const MovingPair& pair = interval.pair;
+    const Places &p = of_b ? interval.a : interval.b, &q = of_b ? interval.b : interval.a;
     unit_ = from_.polygon->isPoint() ? 1 : from_.scale;  // a point has no units
     inverse_ = 1 / unit_;
     const double scale = (of_b ? pair.b : pair.a).scale * inverse_;
@@ -79,24 +81,24 @@ class VertexView {
     ty_ = p.m01 * dx + p.m11 * dy;
     room_ = (pair.margin + 2 * pair.error) * inverse_;
     touch_ = (pair.margin + 4 * pair.error) * inverse_;
-    if (window.pull.most > 0 && (of_b ? window.rates.a : window.rates.b) == 0) {
-      const Double2 x = window.pull.x * inverse_, y = window.pull.y * inverse_;
-      pull_ = {window.pull.most * inverse_, p.m00 * x + p.m10 * y, p.m01 * x + p.m11 * y};
+    if (interval.pull.most > 0 && (of_b ? interval.rates.a : interval.rates.b) == 0) {
+      const Double2 x = interval.pull.x * inverse_, y = interval.pull.y * inverse_;
+      pull_ = {interval.pull.most * inverse_, p.m00 * x + p.m10 * y, p.m01 * x + p.m11 * y};
     }
-    if (sag_.by_distance > 0) pivot_ = from_.linear.transpose() * from_.arm * -inverse_;
+    if (chord_error_.by_distance > 0) pivot_ = from_.linear.transpose() * from_.arm * -inverse_;
   }
 
   VertexWay wayOf(double x, double y, double lever) const {
     const VertexWay way = {m00_ * x + m01_ * y + tx_, m10_ * x + m11_ * y + ty_, 0};
     const double distance =
-        sag_.by_distance > 0 ? lengthAbove(way.x[0] - pivot_.x(), way.y[0] - pivot_.y()) * unit_ : 0;
-    return {way.x, way.y, sag_.of(lever, distance) * inverse_};
+        chord_error_.by_distance > 0 ? lengthAbove(way.x[0] - pivot_.x(), way.y[0] - pivot_.y()) * unit_ : 0;
+    return {way.x, way.y, chord_error_.of(lever, distance) * inverse_};
   }
 
   /// What a straight way must not come within for its vertex to stay away.
-  double reach(const VertexWay& way) const { return room_ + 0.25 * way.sag; }
+  double reach(const VertexWay& way) const { return room_ + 0.25 * way.chord_error; }
 
-  /// Whether the two may meet in the window. If they may do so before `best` does, they are the best.
+  /// Whether the two may meet in the interval. If they may do so before `best` does, they are the best.
   bool approach(const VertexWay& way, const EdgeInUnits& edge, std::uint32_t vertex, std::uint32_t edge_number,
                 Approach& best) const {
     const double half = edge.half();
@@ -105,11 +107,13 @@ class VertexView {
     if (t[0] < 0) t = -t;
     const double beyond = t[0] - half, apart = beyond > 0 ? std::sqrt(n[0] * n[0] + beyond * beyond) : n[0];
     // Written so that NaN is a touch.
-    Approach found{0, apart, 0, !(apart > touch_), way.sag == 0, of_b_, vertex, edge_number};
-    if (way.sag == 0) {
+    Approach found{0, apart, 0, !(apart > touch_), way.chord_error == 0, of_b_, vertex, edge_number};
+    if (way.chord_error == 0) {
       if (apart > room_) found.share = entryOf(t, n, half);
-    } else if (pull_.most == 0 ? cutByAxes(t, n, half, apart, room_, {way.sag, way.sag, way.sag}, found)
-                               : cutByAxes(t, n, half, apart, room_, sagsBeside(edge, beyond, n[0], way.sag), found)) {
+    } else if (pull_.most == 0
+                   ? cutByAxes(t, n, half, apart, room_, {way.chord_error, way.chord_error, way.chord_error}, found)
+                   : cutByAxes(t, n, half, apart, room_, chordErrorsBeside(edge, beyond, n[0], way.chord_error),
+                               found)) {
       return false;
     }
     if (!(found.share <= 1)) return false;
@@ -117,7 +121,7 @@ class VertexView {
     return true;
   }
 
-  /// Whether the two touch at the window's end, or have passed each other by then.
+  /// Whether the two touch at the interval's end, or have passed each other by then.
   bool touchByEnd(const VertexWay& way, const EdgeInUnits& edge) const {
     const auto [aside, along] = edge.beside(way);
     const Double2 beyond = absolute(along) - edge.half();
@@ -148,41 +152,41 @@ class VertexView {
   }
 
   /// How far a way bends along an edge's normal, its axis, and from its end to the way's begin.
-  struct Sags {
+  struct ChordErrors {
     double aside, along, ahead;
   };
   /// Where the polygon stands still.
-  Sags sagsBeside(const EdgeInUnits& edge, double beyond, double aside, double sag) const {
+  ChordErrors chordErrorsBeside(const EdgeInUnits& edge, double beyond, double aside, double chord_error) const {
     const Vec2 u(edge.ux, edge.uy), v(-edge.uy, edge.ux), along = beyond * u, up = aside * v;
     // On which side of the edge's middle and line the way begins isn't known any more: so either slope.
     const auto spared = [&](const Vec2& axis) { return pull_.sparedAlong(axis.x(), axis.y()); };
-    return {sag - spared(v), sag - spared(u),
-            sag - std::min(spared((along + up).normalized()), spared((along - up).normalized()))};
+    return {chord_error - spared(v), chord_error - spared(u),
+            chord_error - std::min(spared((along + up).normalized()), spared((along - up).normalized()))};
   }
 
   /// Whether a bent way is parted from such an edge by its normal, its axis, or that from its end to the way's begin;
   /// or else from where on it may not be.
-  static bool cutByAxes(Double2 t, Double2 n, double half, double apart, double room, const Sags& sags,
+  static bool cutByAxes(Double2 t, Double2 n, double half, double apart, double room, const ChordErrors& chord_errors,
                         Approach& found) {
     CutSide first, last;
     const double beyond = t[0] - half;
-    if (first.offer(n[0] - room, n[1] - room, sags.aside)) return true;
-    if (first.offer(beyond - room, t[1] - half - room, sags.along)) return true;
+    if (first.offer(n[0] - room, n[1] - room, chord_errors.aside)) return true;
+    if (first.offer(beyond - room, t[1] - half - room, chord_errors.along)) return true;
     if (beyond > 0) {
       const double end = (beyond * (t[1] - half) + n[0] * n[1]) / apart;
-      if (first.offer(apart - room, end - room, sags.ahead)) return true;
+      if (first.offer(apart - room, end - room, chord_errors.ahead)) return true;
     }
     if (n[1] < 0) n = -n;
     if (t[1] < 0) t = -t;
-    if (last.offer(n[1] - room, n[0] - room, sags.aside)) return true;
-    if (last.offer(t[1] - half - room, t[0] - half - room, sags.along)) return true;
+    if (last.offer(n[1] - room, n[0] - room, chord_errors.aside)) return true;
+    if (last.offer(t[1] - half - room, t[0] - half - room, chord_errors.along)) return true;
     found.share = first.share();
     found.aim = first.aim();
     return found.share > 1 - last.share();
   }
 
   const Mover& from_;
-  const TurningSag& sag_;
+  const TurningChordError& chord_error_;
   bool of_b_;
   double unit_, inverse_, room_, touch_;  ///< in units: what a gap must exceed, and what is near enough
   Double2 m00_, m01_, m10_, m11_, tx_, ty_;
@@ -193,8 +197,8 @@ class VertexView {
 /// How far a vertex, in units, is from its polygon's pivot, at the most; in the pair's length.
 double leverOf(const Mover& mover, const Vec2& vertex);
 
-/// The share of the window that contact of two edges may lie in, which are apart at its begin; none if low > high. By
+/// The share of the interval that contact of two edges may lie in, which are apart at its begin; none if low > high. By
 /// their ends one by one: an end near its pivot moves by little, however far the other one does.
-Rest restOfEdges(const Window& window, std::size_t edge_a, std::size_t edge_b);
+Rest restOfEdges(const SearchInterval& interval, std::size_t edge_a, std::size_t edge_b);
 
 }  // namespace tricover::detail

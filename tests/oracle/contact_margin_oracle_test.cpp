@@ -137,7 +137,7 @@ Polygon grown(const Polygon& polygon, double radius, int corners) {
   const Ring round = regular(corners, radius);
   for (std::size_t i = 0; i < polygon.vertexCount(); ++i) {
     const Vec2 p = polygon.edgeStart(static_cast<EdgeIndex>(i)), way = polygon.edgeEnd(static_cast<EdgeIndex>(i)) - p;
-    // From the corner that is foremost to one side of the edge round the start to that on the other, and likewise.
+    // From the support vertex to one side of the edge round the start to that on the other, and likewise.
     Ring ring;
     const auto isBehind = [&](const Vec2& r) { return r.dot(way) < 0; };
     const auto first = std::find_if(round.begin(), round.end(), isBehind);

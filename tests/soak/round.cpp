@@ -30,8 +30,8 @@ struct Body {
   double radius, half_length;
   Vec3 radii;  ///< an ellipsoid's
 
-  /// The point of it that is foremost in a direction of its own frame.
-  Vec3 foremost(const Vec3& d) const {
+  /// Its support point along a direction of its own frame.
+  Vec3 supportVertex(const Vec3& d) const {
     const double across = std::hypot(d.x(), d.y());
     const Vec3 rim = across > 0 ? Vec3(radius * d.x() / across, radius * d.y() / across, 0) : Vec3(Vec3::Zero());
     const Vec3 top(0, 0, half_length), end = d.z() < 0 ? Vec3(-top) : top;
@@ -79,7 +79,7 @@ Outlines outlinesOf(const Body& body, const fcl::Transform3d& pose) {
   Outlines outlines;
   for (int i = 0; i < kDirections; ++i) {
     const Vec2 n = normal(i);
-    const Vec3 p = pose * body.foremost(pose.linear().transpose() * Vec3(n.x(), n.y(), 0));
+    const Vec3 p = pose * body.supportVertex(pose.linear().transpose() * Vec3(n.x(), n.y(), 0));
     outlines.within.emplace_back(p.x(), p.y());
   }
   for (int i = 0; i < kDirections; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The foremost vertex of a convex ring along any direction, by binary search and by a walk, against all vertices.
+// The support vertex of a convex ring along any direction, by binary search and by a walk, against all vertices.
 #include "convex/convex_ring.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using detail::ConvexRing;
 using detail::Double2;
 using detail::RingRange;
 
-TEST(ConvexRing, FindsTheForemostVertex) {
+TEST(ConvexRing, FindsTheSupportVertex) {
   Random random(31);
   int walked = 0, doubtful = 0;
   const int count = scaledCount(4000);
@@ -35,12 +35,12 @@ TEST(ConvexRing, FindsTheForemostVertex) {
     const auto height = [&](std::uint32_t k) { return n.dot(vertices[k]); };
     double highest = height(0);
     for (std::uint32_t k = 1; k < size; ++k) highest = std::max(highest, height(k));
-    EXPECT_NEAR(height(ring.foremost(Double2{n.x(), n.y()})), highest, 1e-15);
+    EXPECT_NEAR(height(ring.supportVertex(Double2{n.x(), n.y()})), highest, 1e-15);
     // What is walked over is all that is no lower than by the doubt, wherever the walk begins.
     const double doubt = random.oneIn(3) ? 0.01 : 1e-12;
     RingRange range{static_cast<std::uint32_t>(random.integer(0, static_cast<int>(size) - 1)), 0};
     const std::uint32_t begin = range.first;
-    if (!ring.foremost(Double2{n.x(), n.y()}, doubt, range)) continue;
+    if (!ring.supportVertex(Double2{n.x(), n.y()}, doubt, range)) continue;
     double best = height(range.first);
     for (std::uint32_t k = 0; k < range.count; ++k) best = std::max(best, height(ring.after(range.first, k)));
     EXPECT_EQ(best, highest);

@@ -244,8 +244,8 @@ TEST(NearestFeatures, ProvesWhereTheyMeet) {
   EXPECT_GT(found, 50);
 }
 
-/// Features that are still foremost, but for a little: the nearest point of a is on an edge that ends at one of them,
-/// and begins too far back to be one.
+/// Features that are still the support features, but for a little: the nearest point of a is on an edge that ends at
+/// one of them, and begins too far back to be one.
 TEST(NearestFeatures, LooksAtEdgesBeforeAndBehindAVertex) {
   const Ring below = {{-1, -1}, {1, -1}, {1, -0.006}, {0, 0}, {-1, -0.5}};
   const Ring above = {{0, 0.0008}, {0.05, 0.0001}, {1.2, 1}, {-1, 1}};

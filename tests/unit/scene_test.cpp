@@ -251,7 +251,7 @@ TEST(Scene, FollowsWaysThatBend) {
   EXPECT_NEAR(all[0].impact.time, time, 1e-5);
 }
 
-/// All of it within what is one window of the others' time.
+/// All of it within what is one interval of the others' time.
 TEST(Scene, FindsTheImpactsOfADashBetweenLongWaits) {
   Scene scene;
   const auto here = pose(0, 0, 0);

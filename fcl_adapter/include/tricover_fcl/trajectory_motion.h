@@ -22,7 +22,7 @@ struct TimedMotion {
 
 /// A body's way of many legs as one motion of FCL's, for fcl::continuousCollide and fcl::ContinuousCollisionObject:
 /// beside polygons, and of a polygon beside all else, each leg is followed as FCL's motions are, and who has plans of
-/// many knots needs no windows by hand. It keeps its height and turns about z.
+/// many knots needs no intervals by hand. It keeps its height and turns about z.
 ///
 /// FCL's time runs from 0 to 1, which is from `begin` to `end` by the caller's clock: the same for both bodies, whose
 /// legs need not begin or end together; before its first leg and after the last one a body rests. toc_err is by FCL's

@@ -46,5 +46,5 @@ MUTATIONS = [
     ("src/hierarchy/simd_shapes.h", "(deepest - slack) / (2.0 * ", "(deepest - slack) / (1.0 * ", "inner discs: depth too large"),
     ("src/hierarchy/simd_shapes.h", "if (shallow == 0) return {-1, 0};", "if ((in & 7) == 7) return {-1, 0};", "convex crossing: inside without slack"),
     ("src/hierarchy/simd_ways.h", "ways.reach[k] + kRounding * size", "ways.reach[k] + 0 * kRounding * size", "few edges: floats taken for exact"),
-    ("src/hierarchy/simd_windows.h", "(gap - to) + sag;", "gap - to;", "eight windows: no sag"),
+    ("src/hierarchy/simd_intervals.h", "(gap - to) + chord_error;", "gap - to;", "eight intervals: no chord_error"),
 ]

@@ -18,5 +18,5 @@ MUTATIONS = [
     ("src/scene/scene_state.cpp", "found.collides ? found.clearance : roundedDown<1>(found.clearance - options.margin)", "found.clearance", "scene: certificates forget margins"),
     ("src/scene/scene_state.cpp", "bodies[other].fresh && other <= body", "bodies[other].fresh", "scene: pairs of two bodies that are new found by neither"),
     ("src/scene/scene_state.cpp", "if (body < link.other || !finds(", "if (body < link.other && !finds(", "scene: pairs that are due for both bodies left out"),
-    ("src/scene/impacts.cpp", "leg != legs_.end() && leg->begin() <= end", "leg != legs_.end() && leg->begin() < begin", "scene: of a trajectory's legs in a window the first alone"),
+    ("src/scene/impacts.cpp", "leg != legs_.end() && leg->begin() <= end", "leg != legs_.end() && leg->begin() < begin", "scene: of a trajectory's legs in an interval the first alone"),
 ]

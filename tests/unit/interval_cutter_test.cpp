@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bounds that windows of time are cut by, each by itself: contact that is made to happen is never cut off.
-#include "impact/window_cutter.h"
+// The bounds that intervals of time are cut by, each by itself: contact that is made to happen is never cut off.
+#include "impact/interval_cutter.h"
 
 #include <gtest/gtest.h>
 
@@ -49,12 +49,12 @@ void anyAngles(Random& random, double& angle_a, double& angle_b) {
 
 constexpr int kWays = 5;
 
-/// What one of the ways leaves of a window in which two edges may meet; nothing if low > high.
-Rest restBy(int way, const Window& window, std::size_t edge_a, std::size_t edge_b) {
-  if (way == 4) return window.pair.keepLengths() ? restOfEdges(window, edge_a, edge_b) : Rest{0, 1, 0};
-  const MovingBox a = window.pair.a.edge(window.a, edge_a), b = window.pair.b.edge(window.b, edge_b);
-  const NearestPoints at_begin(a, b, 0, window.pair.error);
-  WindowCutter cutter(window, a, b);
+/// What one of the ways leaves of an interval in which two edges may meet; nothing if low > high.
+Rest restBy(int way, const SearchInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+  if (way == 4) return interval.pair.keepLengths() ? restOfEdges(interval, edge_a, edge_b) : Rest{0, 1, 0};
+  const MovingBox a = interval.pair.a.edge(interval.a, edge_a), b = interval.pair.b.edge(interval.b, edge_b);
+  const NearestPoints at_begin(a, b, 0, interval.pair.error);
+  IntervalCutter cutter(interval, a, b);
   const bool parts = way == 0   ? cutter.cutByAxesOfA()
                      : way == 1 ? cutter.cutByAxesOfB()
                      : way == 2 ? cutter.cutByNormals()
@@ -63,7 +63,7 @@ Rest restBy(int way, const Window& window, std::size_t edge_a, std::size_t edge_
 }
 
 /// A way that starts and ends at rest moves between, by up to 3/2: its rate isn't the larger of those at the ends.
-TEST(Cubic, BoundsTheRateWithinAWindow) {
+TEST(Cubic, BoundsTheRateWithinAnInterval) {
   const Cubic<double> way{0, 3, -2};
   EXPECT_EQ(way.rateAt(0), 0);
   EXPECT_EQ(way.rateAt(1), 0);
@@ -73,8 +73,8 @@ TEST(Cubic, BoundsTheRateWithinAWindow) {
   EXPECT_LE(way.mostRate(0.5 - 1e-3, 0.5 + 1e-3), 1.5 + 1e-5);
 }
 
-/// A vertex of one is put on an edge or a vertex of the other at some time of a window.
-TEST(WindowCutter, NeverCutsContactOff) {
+/// A vertex of one is put on an edge or a vertex of the other at some time of an interval.
+TEST(IntervalCutter, NeverCutsContactOff) {
   const int cases = scaledCount(400000);
   int parted[kWays] = {}, cuts[kWays] = {};
   for (int i = 0; i < cases; ++i) {
@@ -100,11 +100,11 @@ TEST(WindowCutter, NeverCutsContactOff) {
 
     MovingPair pair(a.data(), motion_a, b.data(), motion_b);
     pair.prepare();
-    const Window window(pair, begin, begin + length);
+    const SearchInterval interval(pair, begin, begin + length);
     for (int way = 0; way < kWays; ++way) {
-      const Rest rest = restBy(way, window, edge_a, edge_b);
+      const Rest rest = restBy(way, interval, edge_a, edge_b);
       ASSERT_LE(rest.low, rest.high) << "case " << i << ", way " << way << " parts edges that meet at " << share;
-      // What the window's length in time loses to rounding.
+      // What the interval's length in time loses to rounding.
       ASSERT_LE(rest.low, share + 1e-12) << "case " << i << ", way " << way;
       ASSERT_GE(rest.high, share - 1e-12) << "case " << i << ", way " << way;
       cuts[way] += rest.low > 0.5 * share || rest.high < 0.5 * (share + 1);
@@ -112,7 +112,7 @@ TEST(WindowCutter, NeverCutsContactOff) {
     // Moved aside by a little, they are parted where the bounds are of any use.
     motion_b.start.translation() += Vec2(0.3, 0.4) * anySize(random);
     const MovingPair aside(a.data(), motion_a, b.data(), motion_b);
-    const Window other(aside, begin, begin + length);
+    const SearchInterval other(aside, begin, begin + length);
     for (int way = 0; way < kWays; ++way) {
       const Rest rest = restBy(way, other, edge_a, edge_b);
       parted[way] += rest.low > rest.high;
@@ -153,13 +153,13 @@ MovingQuery queryOf(const MovedBox& box, double reach) {
   query.slack = f(kMovingGapRounding * sum);
   const double rate = std::abs(box.turn), extent = box.along + box.across, speed = box.way.norm() + box.bend.norm();
   const double apart = box.middle.norm() + box.way.norm() + box.bend.norm() + reach, pull = 2 * box.bend.norm();
-  query.sag_with_block = f(0.5 * (rate * rate * extent + pull) * (1 + 0x1p-10));
-  query.sag_with_query = f(0.5 * (rate * rate * apart + 2 * rate * speed + pull) * (1 + 0x1p-10));
+  query.chord_error_with_block = f(0.5 * (rate * rate * extent + pull) * (1 + 0x1p-10));
+  query.chord_error_with_query = f(0.5 * (rate * rate * apart + 2 * rate * speed + pull) * (1 + 0x1p-10));
   return query;
 }
 
 /// Of eight boxes at once, a point of each in turn is met by one of the box that moves.
-TEST(CutWindows, NeverCutsContactOff) {
+TEST(CutIntervals, NeverCutsContactOff) {
   const int cases = scaledCount(100000);
   int parted = 0, cuts = 0, met_boxes = 0;
   for (int i = 0; i < cases; ++i) {
@@ -191,8 +191,8 @@ TEST(CutWindows, NeverCutsContactOff) {
 
     const MovingQuery query = queryOf(box, 1.5);
     float from_begin[kLanes], from_end[kLanes], begin[kLanes], end[kLanes];
-    const unsigned left = cutWindows(block, query, from_begin, from_end);
-    ASSERT_EQ(onPortableLanes([&] { return cutWindows(block, query, begin, end); }), left) << i;
+    const unsigned left = cutIntervals(block, query, from_begin, from_end);
+    ASSERT_EQ(onPortableLanes([&] { return cutIntervals(block, query, begin, end); }), left) << i;
     ASSERT_EQ(left >> block.count, 0u) << i;
     ASSERT_NE(left >> lane & 1, 0u) << "case " << i << " parts boxes that meet at " << share;
     ASSERT_LE(d(from_begin[lane]), share) << i;
