@@ -99,11 +99,11 @@ struct Contact {
   double depth;
   EdgeIndex edge_a;  ///< The edge of a that separates last. -1 where this component lies inside a, away from its edges.
   EdgeIndex edge_b;  ///< The edge of b that separates last. -1 where this component lies inside b, away from its edges.
-  /// What a physics step, a gripper or a docking check holds on to. Two points where edge_a and edge_b, with the edges
-  /// that go straight on from them, face each other along a stretch within the depth: the ends of that stretch, the
-  /// deeper one first, each with the depth along the normal there, and as far between the two edges as `point` is. A
-  /// crate that rests on a floor has them at its corners. Otherwise, as for a corner on an edge or with Points, one:
-  /// `point` and `depth`.
+  /// Two points where edge_a and edge_b, with the edges that go straight on from them, face each other along an
+  /// interval within the depth: the ends of that interval, the deeper one first, each with the depth along the normal
+  /// there, and between the two edges as `point` is. A crate that rests on a floor has them at its corners: a physics
+  /// step, a gripper or a docking check needs both. Otherwise, as for a corner on an edge or with Points, one: `point`
+  /// and `depth`.
   std::array<ContactPoint, 2> points;
   std::size_t count;  ///< Of `points`: 1 or 2. The second repeats the first where there is one.
 };
