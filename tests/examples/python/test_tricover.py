@@ -186,6 +186,11 @@ class Pairs(unittest.TestCase):
         one = tc.contacts(FRAME, ORIGIN, beam, ORIGIN, most=1, detail=tc.ContactDetail.LOCAL_DEPTH)
         self.assertEqual(len(one), 1)
         self.assertGreater(one[0].depth, 0)
+        crate = tc.Polygon([(-0.5, 0), (0.5, 0), (0.5, 1), (-0.5, 1)])
+        floor = tc.Polygon([(-10, -1), (10, -1), (10, 0), (-10, 0)])
+        flat = tc.contacts(floor, ORIGIN, crate, (2, -0.25, 0))[0]
+        np.testing.assert_allclose(sorted(flat.points.tolist()), [(1.5, -0.125), (2.5, -0.125)], atol=1e-15)
+        np.testing.assert_allclose(flat.depths, [0.25, 0.25], atol=1e-15)
         counts = [len(found) for found in tc.contacts(FRAME, ORIGIN, beam, [(0, 0, 0), (0, 99, 0)])]
         self.assertEqual(counts, [2, 0])
 
