@@ -50,24 +50,10 @@ void addEnds(Contact& contact, const WorldFrame& frame, const WorldFrame::Ends& 
   }
 }
 
-std::ptrdiff_t flatterEdge(const WorldFrame& frame, int side, std::ptrdiff_t first, std::ptrdiff_t second,
-                           const Vec2& normal) {
-  if (first < 0 || first == second) return first;
-  const auto slope = [&](std::ptrdiff_t position) {
-    const auto edge = static_cast<std::size_t>(position);
-    const WorldFrame::Ends at = side == 0 ? frame.edgeEndsOfA(edge) : frame.edgeEndsOfB(edge);
-    const Vec2 way = at.w - at.v;
-    return way.isZero(0) ? 1 : std::abs(way.stableNormalized().dot(normal));
-  };
-  return slope(second) < slope(first) ? second : first;
-}
-
 WorldFrame::Ends straightPiece(const PosedPair& pair, const WorldFrame& frame, int side, std::size_t edge,
                                const Extent& extent) {
   const PolygonData& polygon = side == 0 ? pair.a : pair.b;
-  const auto at = [&](std::size_t k) {
-    return side == 0 ? frame.fromA(polygon.path[k]) : frame.fromB(polygon.path[k]);
-  };
+  const auto at = [&](std::size_t k) { return frame.from(side, polygon.path[k]); };
   WorldFrame::Ends piece{at(edge), at(edge + 1)};
   const Vec2 start = piece.v, way = (piece.w - start).stableNormalized();
   if (way.isZero(0)) return piece;

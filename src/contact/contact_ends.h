@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -48,14 +49,22 @@ struct ContactEnd {
 std::optional<std::array<ContactEnd, 2>> contactEnds(const Slope& lower, const Slope& upper, double depth,
                                                      double margin, double error);
 
-/// Of two pieces and a point in the WorldFrame: the contact has both ends, if there are two.
+/// Gives the contact both ends, if there are two, by two pieces and its point in the WorldFrame.
 void addEnds(Contact& contact, const WorldFrame& frame, const WorldFrame::Ends& of_a, const WorldFrame::Ends& of_b,
              const Vec2& point, double margin);
 
-/// Of the two edges at a vertex (side 0: a's, 1: b's; positions) the one that is more across a unit vector: where a
-/// whole edge is deepest, that. `first` may be -1, and is the answer then.
-std::ptrdiff_t flatterEdge(const WorldFrame& frame, int side, std::ptrdiff_t first, std::ptrdiff_t second,
-                           const Vec2& normal);
+/// Returns the one of the two edges at a vertex that is more across a direction: where a whole edge is deepest, that.
+/// `first` may be -1, and is the answer then. endsOf(edge) is where an edge is, in the direction's frame.
+template <typename EndsOf>
+std::ptrdiff_t flatterEdge(std::ptrdiff_t first, std::ptrdiff_t second, const Vec2& direction, EndsOf endsOf) {
+  if (first < 0 || first == second) return first;
+  const auto slope = [&](std::ptrdiff_t edge) {
+    const WorldFrame::Ends at = endsOf(static_cast<std::size_t>(edge));
+    const Vec2 way = at.w - at.v;
+    return way.isZero(0) ? 1 : std::abs(way.stableNormalized().dot(direction));
+  };
+  return slope(second) < slope(first) ? second : first;
+}
 
 /// Places along a unit vector.
 struct Extent {

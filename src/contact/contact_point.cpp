@@ -17,7 +17,7 @@ double wayToNextEdge(const PosedPair& pair, const WorldFrame& frame, const Vec2&
   const double error = 8 * frame.error();
   for (const int side : {0, 1})
     forEachEdgeOnRay(pair, frame, side, from, way, length, [&](std::size_t edge) {
-      const auto [v, w] = side == 0 ? frame.edgeEndsOfA(edge) : frame.edgeEndsOfB(edge);
+      const auto [v, w] = frame.edgeEnds(side, edge);
       const double over_v = cross(way, v - from), over_w = cross(way, w - from);
       if ((over_v > error && over_w > error) || (over_v < -error && over_w < -error)) return length;
       const double at_v = way.dot(v - from), at_w = way.dot(w - from);

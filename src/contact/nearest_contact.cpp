@@ -47,12 +47,13 @@ Contact contactBeside(const PosedPair& pair, double margin) {
   const auto facing = [&, &normal = normal](int side, EdgeIndex number, const Vec2& point) {
     const PolygonData& polygon = side == 0 ? pair.a : pair.b;
     const std::size_t edge = polygon.edgePosition(static_cast<std::size_t>(number));
-    const WorldFrame::Ends ends = side == 0 ? frame.edgeEndsOfA(edge) : frame.edgeEndsOfB(edge);
+    const WorldFrame::Ends ends = frame.edgeEnds(side, edge);
     const Vec2 at = frame.fromWorld(point);
     const bool at_v = (at - ends.v).norm() <= error;
     if (!at_v && (at - ends.w).norm() > error) return edge;
     const BoundaryPoint vertex = vertexPoint(polygon, 0, at_v ? edge : edgeAfter(polygon, edge), at);
-    return static_cast<std::size_t>(flatterEdge(frame, side, vertex.a, vertex.a_before, normal));
+    return static_cast<std::size_t>(
+        flatterEdge(vertex.a, vertex.a_before, normal, [&](std::size_t e) { return frame.edgeEnds(side, e); }));
   };
   const std::size_t edge_a = facing(0, nearest.edge_a, nearest.point_a),
                     edge_b = facing(1, nearest.edge_b, nearest.point_b);

@@ -84,11 +84,8 @@ class OverlapArcs {
   void join(bool with_own_crossings);
   std::size_t countSets();
 
-  Vec2 vertex(int side, std::size_t v) const {
-    const Vec2& local = sides_[side].polygon.path[v];
-    return side == 0 ? frame_.fromA(local) : frame_.fromB(local);
-  }
-  Ends ends(int side, std::size_t e) const { return side == 0 ? frame_.edgeEndsOfA(e) : frame_.edgeEndsOfB(e); }
+  Vec2 vertex(int side, std::size_t v) const { return frame_.from(side, sides_[side].polygon.path[v]); }
+  Ends ends(int side, std::size_t e) const { return frame_.edgeEnds(side, e); }
   bool holds(int side, const Vec2& p) const { return detail::holds(pair_, frame_, side, p); }
 
   /// Of a repeated vertex the last one stands for all.

@@ -53,10 +53,10 @@ bool PartExits::isBetter(const Exit& exit, const Exit& best) const {
 }
 
 std::ptrdiff_t PartExits::flatterOfA(const BoundaryPoint& p, const Vec2& normal) const {
-  return flatterEdge(frame_, 0, p.a, p.a_before, normal);
+  return flatterEdge(p.a, p.a_before, normal, [this](std::size_t e) { return frame_.edgeEndsOfA(e); });
 }
 std::ptrdiff_t PartExits::flatterOfB(const BoundaryPoint& p, const Vec2& normal) const {
-  return flatterEdge(frame_, 1, p.b, p.b_before, normal);
+  return flatterEdge(p.b, p.b_before, normal, [this](std::size_t e) { return frame_.edgeEndsOfB(e); });
 }
 
 Exit PartExits::exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact/boundary_point.h"
+#include "contact/contact_ends.h"
 #include "contact/convex_penetration.h"
 #include "contact/nearest_contact.h"
 #include "contact/translation_search.h"
@@ -31,16 +32,12 @@ struct Features {
   std::size_t edge_a, edge_b;  ///< positions: what they are on, or near it
 };
 
-/// Of the edges at a vertex the one that is more nearly parallel to another edge, and so may lie along it.
+/// Returns the edge at a vertex that is more nearly parallel to another edge, and so may lie along it.
 template <typename VertexAt>
 std::size_t edgeAlong(const PolygonData& polygon, VertexAt vertexAt, std::size_t vertex, const Vec2& other) {
   const BoundaryPoint at = vertexPoint(polygon, 0, vertex, Vec2::Zero());
-  const auto lean = [&](std::size_t e) {
-    const Vec2 way = vertexAt(e + 1) - vertexAt(e);
-    return way.isZero(0) ? 1 : std::abs(cross(other, way.stableNormalized()));
-  };
-  const auto after = static_cast<std::size_t>(at.a), before = static_cast<std::size_t>(at.a_before);
-  return lean(before) < lean(after) ? before : after;
+  const auto endsOf = [&](std::size_t e) { return WorldFrame::Ends{vertexAt(e), vertexAt(e + 1)}; };
+  return static_cast<std::size_t>(flatterEdge(at.a, at.a_before, Vec2(-other.y(), other.x()), endsOf));
 }
 
 /// After the translation t. The vertex may come beyond the edge's end only where the edge at it is parallel. The edge

@@ -22,6 +22,12 @@ class WorldFrame {
   Ends edgeEndsOfA(std::size_t i) const { return {fromA(pair_.a.path[i]), fromA(pair_.a.path[i + 1])}; }
   Ends edgeEndsOfB(std::size_t j) const { return {fromB(pair_.b.path[j]), fromB(pair_.b.path[j + 1])}; }
 
+  /// The same by side: 0 is a, 1 is b.
+  Vec2 from(int side, const Vec2& local) const { return side == 0 ? fromA(local) : fromB(local); }
+  Ends edgeEnds(int side, std::size_t position) const {
+    return side == 0 ? edgeEndsOfA(position) : edgeEndsOfB(position);
+  }
+
   /// Back into a polygon's own frame.
   Vec2 toA(const Vec2& p) const { return pair_.a.origin + linear_a_.inverse() * ((p - origin_a_) * unit_); }
   Vec2 toB(const Vec2& p) const { return pair_.b.origin + linear_b_.inverse() * (p * unit_); }

@@ -6,7 +6,7 @@
 
 namespace tricover::detail::simd {
 
-/// What is known from one end of an interval, of eight pairs: the share of it that parts them, and whether all does.
+/// Eight pairs, seen from one end of an interval: the share of it that separates them, and whether all of it does.
 template <class Lanes>
 struct IntervalSide {
   Lanes share;

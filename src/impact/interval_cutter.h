@@ -31,7 +31,7 @@ class GapCutter {
   /// parts that throughout.
   bool cutByGap(const Axis& axis, Double2 gap);
 
-  /// What no axis has cut off; nothing, low > high, is possible, too.
+  /// The part of the interval that no axis has cut off; low > high if nothing is left.
   Rest rest() const { return {first_.share(), 1 - last_.share(), first_.aim()}; }
   double restLow() const { return first_.share(); }
 
@@ -66,7 +66,7 @@ class IntervalCutter : public GapCutter {
   double chordErrorWithA() const { return chord_error_with_a_; }
   double chordErrorWithB() const { return chord_error_with_b_; }
 
-  /// What points' ways across the interval may bend by, seen along an axis that stands still.
+  /// By how much points' paths across the interval may bend, along an axis that stands still.
   double bend() const { return 0.25 * chord_error_fixed_; }
 
  private:
@@ -119,7 +119,8 @@ inline bool IntervalCutter::cutByAxesOf(const MovingBox& box, bool turns, double
   return cutInTheMiddle(box.ux, box.uy) || cutInTheMiddle(box.vx, box.vy);
 }
 
-/// What a gap must exceed. Gaps are as much longer than distances as the axis, by a pose off rigid, is than 1.
+/// Returns the length that a gap must exceed. Gaps are as much longer than distances as the axis, by a pose off rigid,
+/// is than 1.
 inline Double2 GapCutter::allowance(Double2 nx, Double2 ny) const {
   if (!(margin_ > 0)) return error_ - Double2{};
   const Double2 square = nx * nx + ny * ny;

@@ -79,8 +79,8 @@ struct TurningChordError {
   double always, by_lever;
   double other_always, other_by_lever, by_distance;
 
-  /// Of points no farther from their own pivot than `lever`, and from the other one, at the interval's begin, than
-  /// `distance`.
+  /// Returns the bound for points no farther from their own pivot than `lever`, and from the other one, at the
+  /// interval's begin, than `distance`.
   double of(double lever, double distance) const {
     return std::min(always + by_lever * lever, other_always + other_by_lever * lever + by_distance * distance);
   }

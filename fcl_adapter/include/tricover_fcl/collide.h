@@ -26,13 +26,13 @@ namespace tricover_fcl {
 /// simulation needs. pos is in the middle of that part and of the heights that the shapes share, and in the middle of
 /// two faces that lie upon each other; normal, a unit vector in the plane, and penetration_depth are those of that part
 /// and the edges around it (tricover::ContactDetail::LocalDepth); b1 and b2 are edges (tricover::Contact::edge_a,
-/// edge_b). As long as num_max_contacts is above the number of parts, a part where two edges face each other along a
-/// stretch gives two contacts, the ends of that stretch (tricover::Contact::points). Where num_max_contacts is 1, FCL's
-/// default, that contact is the way to part the polygons altogether (tricover::penetration), which costs more unless
-/// both are convex. Depths are in the plane, and those of the polygons grown by their margins (and by options.margin);
-/// so is pos. With margins, and beside discs and stadiums (below), that translation separates polygons that aren't
-/// convex for certain, and may be longer than the shortest. Where only margins meet, it is between the nearest points,
-/// along which the normal points.
+/// edge_b). As long as num_max_contacts is above the number of parts, a part where two edges face each other along an
+/// interval gives two contacts, the ends of that interval (tricover::Contact::points). Where num_max_contacts is 1,
+/// FCL's default, that contact is the way to part the polygons altogether (tricover::penetration), which costs more
+/// unless both are convex. Depths are in the plane, and those of the polygons grown by their margins (and by
+/// options.margin); so is pos. With margins, and beside discs and stadiums (below), that translation separates polygons
+/// that aren't convex for certain, and may be longer than the shortest. Where only margins meet, it is between the
+/// nearest points, along which the normal points.
 ///
 /// Other geometries: a polygon may have any rigid pose in space, and so may a geometry of FCL's own. They collide if
 /// and only if they share a point within the polygon's plane (a prism's heights), decided in the polygon's frame, where

@@ -41,7 +41,7 @@ MUTATIONS = [
     ("src/contact/contact_ends.cpp", "piece.w = at(e + 1);", "break;", "contact ends: on along straight edges"),
     ("src/contact/contact_ends.cpp", "? place < extent.high : place > extent.low;", "? place > extent.low : place < extent.high;", "contact ends: to the far end of the extent"),
     ("src/contact/nearest_contact.cpp", "if (!at_v && (at - ends.w).norm() > error) return edge;", "return edge;", "contact ends: the edge at a vertex that faces the other"),
-    ("src/contact/penetration.cpp", "return lean(before) < lean(after) ? before : after;", "return after;", "penetration: the edge at a vertex that lies along the other"),
+    ("src/contact/penetration.cpp", "return static_cast<std::size_t>(flatterEdge(at.a, at.a_before, Vec2(-other.y(), other.x()), endsOf));", "return static_cast<std::size_t>(at.a + 0 * flatterEdge(at.a, at.a_before, Vec2(-other.y(), other.x()), endsOf));", "penetration: the edge at a vertex that lies along the other"),
     ("src/contact/contact_point.cpp", "return free < length ? Vec2(deepest + (free / length) * way) : wanted;", "return wanted;", "contacts: a point behind an edge by rounding"),
     ("src/contact/part_contacts.cpp", "const double spacing = 256 * kUnitRoundoff", "const double spacing = 4 * kUnitRoundoff", "contacts: a few roundings aside may be free where more is not"),
     ("src/contact/part_contacts.cpp", "exit.depth <= depth + error;", "exit.depth <= depth + 16 * error;", "contacts: deeper than a proven way apart"),
