@@ -41,7 +41,7 @@ std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& op
 
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      PairCacheContents* cache, const ContactOptions& options) {
-  if (gapOfDiscs(Placement(a, pose_a, b, pose_b), options.margin) >= 0) return {};
+  if (gapOfDiscs(PosedPair(a, pose_a, b, pose_b), options.margin) >= 0) return {};
   Certificate* certificate = cache != nullptr ? &cache->collision : nullptr;
   Recollection known{};
   if (certificate != nullptr && certificate->back_off.isOn()) {

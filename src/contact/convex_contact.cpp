@@ -18,23 +18,11 @@
 namespace tricover::detail {
 namespace {
 
-/// Corners in the world less a's translation, turned so that a face's normal leads upwards.
-struct TurnedOutline {
-  Double2 corner(std::uint32_t k) const {
-    const Double2 p = ring.vertex(k);
-    return column_x * p[0] + column_y * p[1] + shift;
-  }
-
-  const ConvexRing& ring;
-  const bool is_mirrored;
-  const Double2 column_x, column_y, shift;
-};
-
 /// Edge by edge around an outline.
 class Walk {
  public:
   /// From a corner, which is at `start`.
-  Walk(const TurnedOutline& outline, std::uint32_t corner, const Double2& start, bool is_forward)
+  Walk(const PosedRing& outline, std::uint32_t corner, const Double2& start, bool is_forward)
       : to(start), outline_(outline), corner_(corner), is_forward_(is_forward) {
     advance();
   }
@@ -57,7 +45,7 @@ class Walk {
   Double2 from, to;
 
  private:
-  const TurnedOutline& outline_;
+  const PosedRing& outline_;
   std::uint32_t corner_;
   bool is_forward_;
 };
@@ -65,24 +53,25 @@ class Walk {
 enum class Located { Inside, Outside, Unsure };
 
 /// Where p is, in an outline's own frame, areas of up to `doubtful` being in doubt. O(log n).
-Located placeOf(const Vec2& p, const AxisSide& side, double doubtful) {
-  const Vec2 corner = side.corner(0), way = p - corner;
+Located placeOf(Double2 p, const AxisSide& side, double doubtful) {
+  const ConvexRing& ring = side.ring.ring;
+  const Double2 way = p - ring.vertex(0);
   bool is_unsure = false;
-  const auto isBeyond = [&](std::size_t edge) {
-    const double area = cross(side.corner(edge + 1) - side.corner(edge), p - side.corner(edge));
+  const auto isBeyond = [&](std::uint32_t edge) {
+    const double area = cross(ring.edge(edge), p - ring.vertex(edge));
     is_unsure = is_unsure || !(area > doubtful);
     return area < -doubtful;
   };
   // Between the ways from a corner to corners `low` and `high`.
-  std::size_t low = 1, high = side.ring.size() - 1;
+  std::uint32_t low = 1, high = ring.size() - 1;
   if (isBeyond(0) || isBeyond(high)) return Located::Outside;
   while (high - low > 1) {
-    const std::size_t middle = low + (high - low) / 2;
-    const double turn = cross(side.corner(middle) - corner, way);
+    const std::uint32_t middle = low + (high - low) / 2;
+    const double turn = cross(ring.way(0, middle), way);
     if (!(turn > doubtful || turn < -doubtful)) break;
     (turn > 0 ? low : high) = middle;
   }
-  for (std::size_t k = low; k < high; ++k)
+  for (std::uint32_t k = low; k < high; ++k)
     if (isBeyond(k)) return Located::Outside;
   return is_unsure ? Located::Unsure : Located::Inside;
 }
@@ -91,15 +80,15 @@ Located placeOf(const Vec2& p, const AxisSide& side, double doubtful) {
 /// corner `deepest`.
 class OverlapMiddle {
  public:
-  OverlapMiddle(const TurnedOutline& own, const TurnedOutline& other, const FaceDepth& face, double error, double tie)
+  OverlapMiddle(const PosedRing& own, const PosedRing& other, const FaceDepth& face, double error, double tie)
       : own_(own),
         other_(other),
         face_at_(own.corner(face.edge)),
         deepest_at_(other.corner(face.deepest)),
         own_right_(fromFace(face, true)),
         own_left_(fromFace(face, false)),
-        other_right_(other, face.deepest, deepest_at_, !other_.is_mirrored),
-        other_left_(other, face.deepest, deepest_at_, other_.is_mirrored),
+        other_right_(other, face.deepest, deepest_at_, !other_.mirrors()),
+        other_left_(other, face.deepest, deepest_at_, other_.mirrors()),
         error_(error),
         tie_(tie) {}
 
@@ -125,7 +114,7 @@ class OverlapMiddle {
   };
 
   Walk fromFace(const FaceDepth& face, bool to_right) const {
-    if (to_right != own_.is_mirrored) return {own_, face.edge, face_at_, false};
+    if (to_right != own_.mirrors()) return {own_, face.edge, face_at_, false};
     const std::uint32_t end = own_.ring.next(face.edge);
     return {own_, end, own_.corner(end), true};
   }
@@ -199,13 +188,13 @@ class OverlapMiddle {
     return top;
   }
 
-  static double highest(const TurnedOutline& outline) {
+  static double highest(const PosedRing& outline) {
     double height = -std::numeric_limits<double>::infinity();
     for (std::uint32_t k = 0; k < outline.ring.size(); ++k) height = std::max(height, outline.corner(k)[1]);
     return height;
   }
 
-  const TurnedOutline &own_, &other_;
+  const PosedRing &own_, &other_;
   const Double2 face_at_, deepest_at_;                          ///< where the face begins, and the corner
   const Walk own_right_, own_left_, other_right_, other_left_;  ///< from the face's ends, and from the corner
   const double error_, tie_;
@@ -226,12 +215,12 @@ class ConvexPair {
     //   the products', their difference                                  4U (2 r)^2
     //   what the corners are off by      two for each of four factors    8 e 2 r
     // which is 32U r^2 + 16 e r and terms of second order: 18 e r with all of them.
-    doubtful_ = 20 * axes_.error() * (axes_.error() / kMappingError);
+    doubtful_ = 20 * axes_.error() * axes_.size();
   }
 
   /// What is proven of a pair that meets.
   std::optional<Contact> contact() const {
-    const TurnedOutline own = turned(face_.of_a), other = turned(!face_.of_a);
+    const PosedRing own = turned(face_.of_a), other = turned(!face_.of_a);
     OverlapMiddle middle(own, other, face_, axes_.error(), axes_.tie());
     if (!middle.find()) return {};
     const Located own_place = middle.own_reaches_beyond ? Located::Outside : placeOfRegion(face_.of_a),
@@ -240,7 +229,7 @@ class ConvexPair {
     const bool is_own_inside = own_place == Located::Inside, is_other_inside = other_place == Located::Inside;
     Contact contact = contactOf(inWorld(middle.point), is_other_inside, is_own_inside);
     if (is_own_inside || is_other_inside) return contact;
-    const auto slopeOf = [&](const TurnedOutline& outline, std::uint32_t k) {
+    const auto slopeOf = [&](const PosedRing& outline, std::uint32_t k) {
       const Double2 v = outline.corner(k), w = outline.corner(outline.ring.next(k));
       return Slope(Vec2(v[0], v[1]) - middle.point, Vec2(w[0], w[1]) - middle.point);
     };
@@ -258,21 +247,13 @@ class ConvexPair {
     return turned.x() * Vec2(up_.y(), -up_.x()) + turned.y() * up_ + pair_.pose_a.translation();
   }
 
-  TurnedOutline turned(bool of_a) const {
-    const Double2 column_x = load2(axes_.side(true).linear.data()),
-                  column_y = load2(axes_.side(true).linear.data() + 2), to_x{up_.y(), up_.x()}, to_y{-up_.x(), up_.y()};
-    const auto turn = [&](Double2 way) { return to_x * way[0] + to_y * way[1]; };
-    const auto turnOwn = [&](double x, double y) { return turn(column_x * x + column_y * y); };
-    const AxisSide& side = axes_.side(of_a);
-    if (of_a) return {side.ring, side.mirrors, turn(column_x), turn(column_y), Double2{}};
-    return {side.ring, side.mirrors, turnOwn(pair_.m00, pair_.m10), turnOwn(pair_.m01, pair_.m11),
-            turnOwn(pair_.tx, pair_.ty)};
-  }
+  PosedRing turned(bool of_a) const { return axes_.side(of_a).ring.turnedUp(load2(up_.data())); }
 
   /// Of those that are equally deep but for rounding, the one that leads b's S away from a's.
   FaceDepth bestFace() const {
     if (axes_.end() - axes_.begin() == 1) return *axes_.begin();
-    const Vec2 towards_b = axes_.side(true).inWorld(Vec2(pair_.center_x, pair_.center_y) - pair_.a.origin);
+    const Double2 way = pair_.way();
+    const Vec2 towards_b(way[0], way[1]);
     const auto along = [&](const FaceDepth& face) {
       return (face.of_a ? 1 : -1) * axes_.side(face.of_a).normalOf(face.edge).dot(towards_b);
     };
@@ -287,8 +268,8 @@ class ConvexPair {
   Located placeOfRegion(bool of_a) const {
     const AxisSide &own = axes_.side(of_a), &other = axes_.side(!of_a);
     bool is_unsure = false;
-    for (std::uint32_t k = 0; k < own.ring.size(); ++k) {
-      const Located place = placeOf(other.fromOther(own.corner(k)), other, doubtful_);
+    for (std::uint32_t k = 0; k < own.ring.ring.size(); ++k) {
+      const Located place = placeOf(other.inOwnFrame(own.ring.corner(k)), other, doubtful_);
       if (place == Located::Outside) return place;
       is_unsure = is_unsure || place == Located::Unsure;
     }
@@ -304,24 +285,24 @@ class ConvexPair {
     const AxisSide& side = axes_.side(!face_.of_a);
     const std::uint32_t corner = face_.deepest;
     const auto slope = [&](std::uint32_t edge) {
-      const Vec2 way = side.inWorld(side.corner(edge + 1) - side.corner(edge));
-      const double along = up_.dot(way);
-      return along * along / way.squaredNorm();
+      const Double2 way = side.ring.edge(edge);
+      const double along = dot(load2(up_.data()), way);
+      return along * along / dot(way, way);
     };
-    const std::uint32_t before = side.ring.previous(corner);
+    const std::uint32_t before = side.ring.ring.previous(corner);
     const bool forward = side.outline.forward;
     const std::uint32_t arriving = forward ? before : corner, leaving = forward ? corner : before;
-    if (slope(arriving) < slope(leaving)) return {arriving, pathEdgeTo(side.seen.a, side.outline, corner)};
+    if (slope(arriving) < slope(leaving)) return {arriving, pathEdgeTo(side.polygon, side.outline, corner)};
     return {leaving, side.outline.corners[corner]};
   }
 
   Contact contactOf(const Vec2& point, bool other_is_inside, bool own_is_inside) const {
     const AxisSide &own = axes_.side(face_.of_a), &other = axes_.side(!face_.of_a);
-    const Vec2 deepest = own.fromOther(other.corner(face_.deepest));
+    const Double2 deepest = own.inOwnFrame(other.ring.corner(face_.deepest));
     // One ring: positions are numbers.
-    const auto own_edge = other_is_inside
-                              ? -1
-                              : static_cast<std::ptrdiff_t>(pathEdge(own.seen.a, own.outline, face_.edge, deepest)),
+    const auto own_edge = other_is_inside ? -1
+                                          : static_cast<std::ptrdiff_t>(pathEdge(own.polygon, own.outline, face_.edge,
+                                                                                 {deepest[0], deepest[1]})),
                other_edge = own_is_inside ? -1 : static_cast<std::ptrdiff_t>(incident_.path_edge);
     assert(face_.depth > 0 && std::abs(up_.norm() - 1) < 0x1p-40);
     return contactAt(point, face_.of_a ? up_ : Vec2(-up_), face_.depth + margin_, face_.of_a ? own_edge : other_edge,

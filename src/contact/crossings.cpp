@@ -34,13 +34,12 @@ std::vector<Crossing> crossingsInWorld(const PosedPair& pair, const CrossingOpti
   for (const EdgeCrossing& crossing : found)
     if (!inner || inner->has(crossing.edge_a, crossing.edge_b)) add(crossing.edge_a, crossing.edge_b, crossing.point);
   if (margin == 0) return result;
-  const double reach = pair.reach(margin);
-  forEachPair(pair, reach, [&](double, std::size_t i, std::size_t j) {
+  forEachPair(pair, margin, [&](double, std::size_t i, std::size_t j) {
     if (!edgesMeet(pair, i, j) && edgesWithin(pair, i, j, margin, 0, is_open)) {
       const auto [on_a, on_b] = nearestPlaces(frame.edgeEndsOfA(i), frame.edgeEndsOfB(j));
       add(i, j, 0.5 * on_a + 0.5 * on_b);
     }
-    return reach;
+    return margin;
   });
   return result;
 }

@@ -7,7 +7,6 @@
 #include "contact/contact_ends.h"
 #include "contact/crossings.h"
 #include "distance/distance_result.h"
-#include "numbers/rigidity.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
@@ -15,9 +14,7 @@ namespace tricover::detail {
 /// Beside the inner of an edge the normal is the edge's, which is known better than the way between points that are
 /// near. Where that is nothing but rounding, b's S tells the side.
 NearestContact nearestContact(const PosedPair& pair) {
-  const double defect = defectOf(pair.pose_a, pair.pose_b);
-  const DistanceResult nearest =
-      distanceInOrder(DistancePair(pair.a, pair.pose_a, pair.b, pair.pose_b, false, defect), {});
+  const DistanceResult nearest = distanceInOrder(PosedVertices(pair), {});
   const auto position = [](const PolygonData& polygon, EdgeIndex edge) {
     return polygon.edgePosition(static_cast<std::size_t>(edge));
   };

@@ -187,10 +187,9 @@ std::size_t OverlapArcs::countSets() {
 /// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.
 Inclusion OverlapArcs::includeVertex(int side, std::size_t v) const {
   const PosedPair& pair = side == 0 ? swapped_ : pair_;
-  const Vec2& local = pair.b.path[v];
-  const Inclusion found =
-      includeInPolygon(pair.a, {&pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed});
-  return {found.location, found.winding * pair.handed};
+  const SeenFromA seen(pair);
+  const Inclusion found = seen.include(pair.b.path[v]);
+  return {found.location, found.winding * seen.handed()};
 }
 
 }  // namespace tricover::detail

@@ -207,7 +207,7 @@ Exit PartExits::byNearestEdge(const OverlapComponent& component) const {
   const auto search = [&](const PosedPair& pair, bool inside_first) {
     forEachPair(pair, far, [&](double, std::size_t i, std::size_t j) {
       if (own.count(inside_first ? j : i) == 0) inside_first ? tryEdges(i, j) : tryEdges(j, i);
-      return std::min(far, pair.reach((nearest + frame_.error()) * frame_.unit()));
+      return std::min(far, (nearest + frame_.error()) * frame_.unit());
     });
   };
   if (inside.unit > outside.unit)

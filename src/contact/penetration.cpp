@@ -60,8 +60,8 @@ Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const 
   const PolygonData &own = gap.edge_of_a ? pair.a : pair.b, &other = gap.edge_of_a ? pair.b : pair.a;
   const ConvexOutline& outline = convexOutlineOf(own);
   const std::size_t corner = convexOutlineOf(other).corners[gap.corner], count = outline.corners.size();
-  const PosedPair swapped(pair.b, pair.pose_b, pair.a, pair.pose_a);
-  const ApproxPoint deepest = (gap.edge_of_a ? pair : swapped).fromB(other.path[corner]);
+  const PosedPair seen = gap.edge_of_a ? pair : pair.back();
+  const ApproxPoint deepest = SeenFromA(seen).at(other.path[corner]);
   const Vec2 t = gap.normal * (gap.depth / space.unit());
   const auto at = [&](std::size_t k) {
     return featuresOf(space, pair, t, gap.edge_of_a, pathEdge(own, outline, k, {deepest.x, deepest.y}),

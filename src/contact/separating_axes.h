@@ -7,33 +7,31 @@
 #include <limits>
 
 #include "convex/convex_outline.h"
-#include "convex/convex_ring.h"
-#include "hierarchy/simd.h"
-#include "pair/posed_pair.h"
+#include "convex/posed_ring.h"
+#include "hierarchy/placement.h"
 
 namespace tricover::detail {
 
-/// One of two polygons as its own frame sees it, and the other one's points there.
+/// One of two polygons by its outline, in the world less a's translation.
 struct AxisSide {
-  AxisSide(const PosedPair& seen_, const ConvexOutline& outline_);
+  AxisSide(const PolygonData& polygon_, const Pose& pose, Double2 shift)
+      : polygon(polygon_),
+        outline(convexOutlineOf(polygon)),
+        ring({outline.points.data(), outline.corners.size(), 1}, pose, shift),
+        into_frame(pose) {}
 
-  const Vec2& corner(std::size_t k) const { return outline.points[k]; }
-  /// The other one's point in this frame, off by at most SeparatingAxes::error().
-  Vec2 fromOther(const Vec2& p) const {
-    const ApproxPoint mapped = seen.fromB(p);
-    return {mapped.x, mapped.y};
+  /// The point in the polygon's own frame, off by at most SeparatingAxes::error().
+  Double2 inOwnFrame(Double2 p) const { return into_frame(p - ring.shift); }
+  /// Outwards from an edge, a unit vector.
+  Vec2 normalOf(std::uint32_t edge) const {
+    const Double2 normal = ring.normal(edge);
+    return Vec2(normal[0], normal[1]).normalized();
   }
-  /// Of this frame, in the world.
-  Vec2 inWorld(const Vec2& way) const { return linear * way; }
-  /// Outwards from an edge, in the world; a unit vector.
-  Vec2 normalOf(std::uint32_t edge) const;
 
-  const PosedPair& seen;
+  const PolygonData& polygon;
   const ConvexOutline& outline;
-  const ConvexRing ring;  ///< counter-clockwise
-  const Eigen::Matrix2d linear;
-  const bool mirrors;        ///< the pose
-  const double determinant;  ///< its magnitude
+  const PosedRing ring;  ///< counter-clockwise in its own frame
+  const TurnBack into_frame;
 };
 
 /// A face of either outline, and the corner of the other one that is deepest behind it.
@@ -64,26 +62,30 @@ class SeparatingAxes {
   double leastDepth() const { return least_depth_; }
 
   const AxisSide& side(bool of_a) const { return of_a ? a_ : b_; }
-  /// At least what a corner of either is off by in the other one's frame, and 16U of any coordinate there.
-  double error() const { return error_; }
+  /// At least what a corner is off by here and in the other one's frame, in either coordinate.
+  double error() const { return kError * size_; }
+  /// At least the lengths of any corner of a's frame, one of b's and the two translations' difference together.
+  double size() const { return size_; }
   /// What counts as equally deep.
-  double tie() const { return 4 * error_; }
+  double tie() const { return 4 * error(); }
 
  private:
   Verdict lookBehindAll(std::uint32_t first_of_a);
-  Verdict lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Vec2& deepest);
-  std::uint32_t edgeTowardsOther(const AxisSide& side) const;
-  void skipDeep(const AxisSide& side, const Vec2& p, std::uint32_t& edge, std::uint32_t& left) const;
+  Verdict lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Double2& deepest);
+  std::uint32_t edgeTowardsOther(bool of_a) const;
+  void skipDeep(const AxisSide& side, Double2 p, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;
   void add(const FaceDepth& face);
   void removeDeep();
 
   /// What a depth is off by, at most, in units of error().
   static constexpr double kDepthError = 12;
+  static constexpr double kError = 20 * kUnitRoundoff;
 
-  const PosedPair swapped_;
+  const PosedPair& pair_;
+  const double size_;
   const AxisSide a_, b_;
-  const double error_, within_;
+  const double within_;
   double least_depth_ = std::numeric_limits<double>::infinity(), least_left_out_ = least_depth_;
   std::array<FaceDepth, 8> least_;
   std::size_t count_ = 0;

@@ -12,9 +12,9 @@ constexpr std::size_t kMostMeetings = 32;
 }  // namespace
 
 double TranslationProbe::depthOf(const PosedPair& pair, const Outcome& outcome) const {
-  if (outcome.edge_a < 0 || outcome.edge_b < 0) return inUnits(pair, outcome.clearance);
+  if (outcome.edge_a < 0 || outcome.edge_b < 0) return inUnits(outcome.clearance);
   return inUnits(
-      pair, crossingDepth(pair, static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
+      crossingDepth(pair, static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
 }
 
 bool TranslationProbe::overlapAround(const Vec2& t, double radius) {

@@ -29,7 +29,7 @@ class TranslationProbe {
   /// Whether a meeting that is kept holds all within `radius` of t.
   bool overlapAround(const Vec2& t, double radius);
 
-  /// The kernel's answer for a pair of space.at(), with a clearance up to a length in a's frame.
+  /// The kernel's answer for a pair of space.at(), with a clearance up to `lookahead`.
   Outcome ask(const PosedPair& pair, double lookahead) const {
     return collideByHierarchy(pair, {}, lookahead, Wanted::Clearance);
   }
@@ -40,10 +40,7 @@ class TranslationProbe {
 
   /// A lower bound on how far the translation may change while the regions overlap, by the kernel's answer after it.
   double depthOf(const PosedPair& pair, const Outcome& outcome) const;
-  /// How far translations may differ from the pair's without a change, from a length in a's frame.
-  double inUnits(const PosedPair& pair, double length) const {
-    return roundedDown<2>(length * (1 - pair.scale_defect)) / space_.unit();
-  }
+  double inUnits(double length) const { return length / space_.unit(); }
 
   const std::vector<MeetingEdges>& meetings() const { return near_; }
   /// Whether edges were seen, since leave(), that meet at the translation they were seen at.

@@ -186,13 +186,13 @@ class PartingSearch {
     Vec2 t = center;
     const PosedPair pair = space_.at(t);
     radius += (t - center).norm() * (1 + 0x1p-40);
-    const Outcome outcome = probe_.ask(pair, pair.reach(2 * radius * space_.unit()));
+    const Outcome outcome = probe_.ask(pair, 2 * radius * space_.unit());
     if (outcome.collides) {
       discs_overlap_ = discs_overlap_ || (outcome.edge_a < 0 && outcome.clearance > 0);
       probe_.keep(outcome);
       return probe_.depthOf(pair, outcome) >= radius;
     }
-    const double clearance = probe_.inUnits(pair, outcome.clearance), length = t.norm();
+    const double clearance = probe_.inUnits(outcome.clearance), length = t.norm();
     const double back = std::clamp(clearance - space_.noise(), 0.0, length);
     const Vec2 nearest = length > 0 ? Vec2(t * (1 - back / length)) : t;
     best_.improve(nearest, nearest);

@@ -72,7 +72,7 @@ class TranslationSpace {
   /// within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
   template <typename Meet, typename Visit>
   void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) const {
-    const double limit = pair.reach((radius + noise_) * unit_);
+    const double limit = (radius + noise_) * unit_;
     forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
       if (gap <= 0 && !meet(meetingOf(i, j))) return -1.0;
       const PlacedVertex &of_a = a_[i], &of_b = b_[j];

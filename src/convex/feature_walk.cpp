@@ -1,39 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex/feature_walk.h"
 
-#include "convex/convex_ring.h"
+#include "convex/posed_ring.h"
 #include "numbers/double2.h"
 
 namespace tricover::detail {
-namespace {
-
-/// A convex ring in the world.
-class PosedRing {
- public:
-  PosedRing(const PolygonData& polygon, const Pose& pose)
-      : ring_(convexRing(polygon)),
-        columns_{load2(pose.data()), load2(pose.data() + 3)},
-        is_forward_((cross(columns_[0], columns_[1]) > 0) == (ring_.turn() > 0)) {}
-
-  /// Whether positions increase that way around.
-  bool isForward(bool ccw) const { return ccw == is_forward_; }
-  std::uint32_t next(std::uint32_t v, bool ccw) const { return isForward(ccw) ? ring_.next(v) : ring_.previous(v); }
-  Double2 way(std::uint32_t from, std::uint32_t to) const {
-    const Double2 along = ring_.way(from, to);
-    return columns_[0] * along[0] + columns_[1] * along[1];
-  }
-  std::uint32_t supportVertex(Double2 n) const {
-    return ring_.supportVertex(Double2{dot(columns_[0], n), dot(columns_[1], n)});
-  }
-
- private:
-  ConvexRing ring_;
-  Double2 columns_[2];
-  bool is_forward_;
-};
-
-}  // namespace
-
 // Let n be an axis from a to b, v the support vertex of a along n, w that of b along -n, and x = w - v. The gap along
 // n is n . x. Its greatest value is the distance, and n grows towards it by turning towards x. Meanwhile v and w change
 // where n is across an edge that ends there. Which edge comes next, the directions of the two edges tell. Before it,
@@ -42,7 +13,7 @@ class PosedRing {
 //   x no longer leads along the edge    the greatest gap is across this edge;
 //   x still does                        it comes later.
 FeaturePair walkToNearest(const PosedVertices& vertices) {
-  const PosedRing a(vertices.a, vertices.pose_a), b(vertices.b, vertices.pose_b);
+  const PosedRing a(convexRing(vertices.a), vertices.pose_a), b(convexRing(vertices.b), vertices.pose_b);
   const Double2 n = vertices.way();
   std::uint32_t v = a.supportVertex(n), w = b.supportVertex(-n);
   Double2 x = vertices.way(v, w);

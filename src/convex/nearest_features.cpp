@@ -254,7 +254,7 @@ bool innerDiscsMeet(const PosedVertices& vertices) {
 
 }  // namespace
 
-NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried, double defect) {
+NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried) {
   NearestFeatures found;
   if (!vertices.isUnscaled()) return found;
   if (tried.kind != FeaturePair::kNone) found.were_tried = FeatureSearch(vertices, found).proveOnWay(tried);
@@ -265,7 +265,7 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
     found.seem_to_meet = discs_meet || !FeatureSearch(vertices, found).prove(walkToNearest(vertices));
     return found;
   }
-  const UnitPlacement at = vertices.inUnits(defect);
+  const UnitPlacement at = vertices.inUnits(vertices.defect);
   if (!discs_meet) {
     const ConvexGap guess = convexGap(*a, *b, at.map);
     if (guess.gap > -kFloatDoubt) {

@@ -24,7 +24,7 @@ struct NearestFeatures {
   RingRange edges_a, edges_b;  ///< if not: all edges that can hold the least distance
 };
 
-/// Features that were nearest at other poses are tried first. `defect` is defectOf() the poses, for the crossing alone.
-NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried, double defect = 0);
+/// Features that were nearest at other poses are tried first.
+NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried);
 
 }  // namespace tricover::detail

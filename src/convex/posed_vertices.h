@@ -31,16 +31,21 @@ struct Foot {
   }
 };
 
-/// A placement's ways between vertices, as precise as plain doubles make them. Vertices and edges are given by their
-/// positions in the paths.
-class PosedVertices : public Placement {
+/// A pair's ways between vertices, as precise as plain doubles make them, for distances. Vertices and edges are given
+/// by their positions in the paths.
+class PosedVertices : public PosedPair {
  public:
-  PosedVertices(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_)
-      : Placement(a_, pose_a_, b_, pose_b_),
+  PosedVertices(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_, double defect_,
+                bool is_swapped_ = false)
+      : PosedPair(a_, pose_a_, b_, pose_b_),
+        defect(defect_),
+        is_swapped(is_swapped_),
         shift_rest_(twoSum(load2(pose_b.data() + 6), -load2(pose_a.data() + 6)).low),
         is_unscaled_(size_ > 0x1p-300 && size_ < 0x1p300) {
     size_ = roundedUp<4>(size_);
   }
+  explicit PosedVertices(const PosedPair& pair)
+      : PosedVertices(pair.a, pair.pose_a, pair.b, pair.pose_b, defectOf(pair.pose_a, pair.pose_b)) {}
 
   /// Whether a ring of a (or b) that runs counter-clockwise in its frame does so in the world.
   bool keepsHandOfA() const { return cross(columns_a_[0], columns_a_[1]) > 0; }
@@ -51,7 +56,10 @@ class PosedVertices : public Placement {
   /// |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q.
   double size() const { return size_; }
 
-  using Placement::way;
+  const double defect;    ///< defectOf() the poses
+  const bool is_swapped;  ///< the caller's order is the other one
+
+  using PosedPair::way;
   /// From a's vertex p to b's vertex q.
   Double2 way(std::size_t p, std::size_t q) const {
     return mapped(columns_b_, b.path[q]) + shift_ - mapped(columns_a_, a.path[p]) + shift_rest_;
@@ -120,9 +128,6 @@ class PosedVertices : public Placement {
 
  protected:
   using Twofold2 = Twofold<Double2>;
-
-  static Double2 mapped(const Double2 (&columns)[2], Double2 p) { return columns[0] * p[0] + columns[1] * p[1]; }
-  static Double2 mapped(const Double2 (&columns)[2], const Vec2& p) { return mapped(columns, load2(p.data())); }
 
   /// From a's vertex to b's, times `scale`: right to 100 U^2 of the size.
   Twofold2 twofoldWay(std::size_t p, std::size_t q, double scale) const;

@@ -13,7 +13,7 @@ inline bool isKnownBy(double error) { return error > 0x1p-900 && error < 0x1p900
 
 /// One polygon beside the line of the other's edge, a convex one's, in doubles, where floats can't tell.
 struct BesideEdge {
-  BesideEdge(const Placement& placement, bool of_a, std::uint32_t edge);
+  BesideEdge(const PosedPair& placement, bool of_a, std::uint32_t edge);
 
   bool isKnown() const { return isKnownBy(error); }
 
@@ -27,7 +27,7 @@ struct BesideEdge {
 
 /// Two polygons along any normal from a to b, likewise.
 struct GapAlong {
-  GapAlong(const Placement& placement, Double2 normal);
+  GapAlong(const PosedPair& placement, Double2 normal);
 
   double gap;    ///< how far all of b is beyond all of a, times the normal's length
   double error;  ///< of that

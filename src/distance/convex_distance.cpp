@@ -21,7 +21,7 @@ EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& ver
 }
 
 /// Of edges that can hold the least distance, all pairs.
-DistanceResult leastDistance(const DistancePair& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
+DistanceResult leastDistance(const PosedVertices& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
   const EdgeDistances edges(pair);
   DistanceSearch search(edges, options);
   const ConvexRing a = convexRing(pair.a), b = convexRing(pair.b);
@@ -32,13 +32,13 @@ DistanceResult leastDistance(const DistancePair& pair, const NearestFeatures& ne
   return resultOf(pair, search.best(), false, search.edgeA(), search.edgeB(), options);
 }
 
-DistanceResult resultOf(const DistancePair& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
+DistanceResult resultOf(const PosedVertices& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
   if (!nearest.is_unique) return leastDistance(pair, nearest, options);
   const std::size_t i = nearest.features.edge_a, j = nearest.features.edge_b;
   return plainResultOf(pair, distanceOf(nearest, pair, options), false, i, j, options);
 }
 
-DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, const DistanceQuery& options) {
+DistanceResult resultOf(const PosedVertices& pair, const ConvexOverlap& overlap, const DistanceQuery& options) {
   if (!overlap.isInside())
     return plainResultOf(pair, overlap.point, true, overlap.edges.edge_a, overlap.edges.edge_b, options);
   Outcome outcome;
@@ -49,7 +49,7 @@ DistanceResult resultOf(const DistancePair& pair, const ConvexOverlap& overlap, 
 
 }  // namespace
 
-void findConvexOverlap(const DistancePair& pair, const ConvexCrossing& crossing, ConvexOverlap& found) {
+void findConvexOverlap(const PosedVertices& pair, const ConvexCrossing& crossing, ConvexOverlap& found) {
   if (crossing.edge_a < 0 || crossing.edge_b < 0) {
     found.inner_a = crossing.edge_a;
     found.inner_b = crossing.edge_b;
@@ -64,7 +64,7 @@ void findConvexOverlap(const DistancePair& pair, const ConvexCrossing& crossing,
   found.edges = {FeaturePair::kCrossing, i, j};
 }
 
-bool convexDistance(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options,
+bool convexDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options,
                     DistanceResult& result) {
   const FeaturePair tried = hint != nullptr ? recallFeatures(*hint) : FeaturePair();
   const auto store = [&](bool were_right, const FeaturePair& found) {
@@ -76,7 +76,7 @@ bool convexDistance(const DistancePair& pair, DistanceHint* hint, const Distance
   if (was_right) {
     overlap.edges = tried;
   } else {
-    const NearestFeatures nearest = findNearestFeatures(pair, tried, pair.defect);
+    const NearestFeatures nearest = findNearestFeatures(pair, tried);
     if (nearest.are_apart) {
       store(nearest.were_tried, nearest.features);
       result = resultOf(pair, nearest, options);

@@ -12,7 +12,8 @@ namespace tricover::detail {
 /// Of two convex polygons without straight vertices (cornersOf()) that are clearly apart, or small ones (SmallPolygon)
 /// that clearly meet; false of others. Tries the features of the hint first and keeps those that it finds there,
 /// unless `hint` is null.
-bool convexDistance(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options, DistanceResult& result);
+bool convexDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options,
+                    DistanceResult& result);
 
 /// Where two convex polygons meet.
 struct ConvexOverlap {
@@ -25,6 +26,6 @@ struct ConvexOverlap {
 };
 
 /// Of those that seem to meet, where floats see them cross (NearestFeatures). Found only where that is certain.
-void findConvexOverlap(const DistancePair& pair, const ConvexCrossing& crossing, ConvexOverlap& found);
+void findConvexOverlap(const PosedVertices& pair, const ConvexCrossing& crossing, ConvexOverlap& found);
 
 }  // namespace tricover::detail

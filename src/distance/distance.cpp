@@ -16,7 +16,7 @@ namespace detail {
 
 namespace {
 
-DistanceResult solve(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options);
+DistanceResult solve(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options);
 
 /// The number of the edge that an edge of its corners, or none, has at a point in the world.
 EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, const Pose& pose, const Vec2& point,
@@ -27,7 +27,7 @@ EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, co
 }
 
 /// Where some of the two have straight vertices or aren't convex; by the corners alone of what is convex.
-[[gnu::noinline]] DistanceResult solveOthers(const DistancePair& pair, const PolygonData* corners_a,
+[[gnu::noinline]] DistanceResult solveOthers(const PosedVertices& pair, const PolygonData* corners_a,
                                              const PolygonData* corners_b, DistanceHint* hint,
                                              const DistanceQuery& options) {
   const PolygonData &a = corners_a != nullptr ? *corners_a : pair.a, &b = corners_b != nullptr ? *corners_b : pair.b;
@@ -35,14 +35,14 @@ EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, co
     if (hint != nullptr) claim(*hint, pair);
     return treeDistance(pair, hint, options);
   }
-  const DistanceResult found = solve({a, pair.pose_a, b, pair.pose_b, false, pair.defect}, hint, options);
+  const DistanceResult found = solve({a, pair.pose_a, b, pair.pose_b, pair.defect}, hint, options);
   return inCallersOrder(pair, found.distance, found.point_a, found.point_b,
                         edgeOfGiven(pair.a, a, pair.pose_a, found.point_a, found.edge_a),
                         edgeOfGiven(pair.b, b, pair.pose_b, found.point_b, found.edge_b));
 }
 
 /// By the first solver that is certain of its answer; the last one always is.
-[[gnu::always_inline]] inline DistanceResult solveInline(const DistancePair& pair, DistanceHint* hint,
+[[gnu::always_inline]] inline DistanceResult solveInline(const PosedVertices& pair, DistanceHint* hint,
                                                          const DistanceQuery& options) {
   DistanceResult result;
   if (pair.b.isPoint() && pointDistance(pair, options, result)) return result;
@@ -53,7 +53,7 @@ EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, co
   return result;
 }
 
-DistanceResult solve(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options) {
+DistanceResult solve(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options) {
   return solveInline(pair, hint, options);
 }
 
@@ -65,7 +65,7 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   const PolygonData &first = a.data(), &second = b.data();
   const bool is_swapped = !inOrder(first, pose_a, second, pose_b);
   return solveInline({is_swapped ? second : first, is_swapped ? pose_b : pose_a, is_swapped ? first : second,
-                      is_swapped ? pose_a : pose_b, is_swapped, defect},
+                      is_swapped ? pose_a : pose_b, defect, is_swapped},
                      hint, options);
 }
 
@@ -75,7 +75,7 @@ std::optional<DistanceResult> ifWithin(double limit, const DistanceResult& resul
 
 }  // namespace
 
-DistanceResult distanceInOrder(const DistancePair& pair, const DistanceQuery& options) {
+DistanceResult distanceInOrder(const PosedVertices& pair, const DistanceQuery& options) {
   return solve(pair, nullptr, options);
 }
 

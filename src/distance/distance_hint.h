@@ -14,7 +14,7 @@ namespace tricover::detail {
 constexpr std::uint8_t kNoHint = FeaturePair::kNone, kNearEdges = FeaturePair::kCrossing + 1;
 
 /// Makes the hint one of this pair. Empties it if it was another pair's.
-inline void claim(DistanceHint& hint, const DistancePair& pair) {
+inline void claim(DistanceHint& hint, const PosedVertices& pair) {
   if (hint.first_id == pair.a.id && hint.second_id == pair.b.id) return;
   hint = DistanceHint();
   hint.first_id = pair.a.id;

@@ -25,15 +25,15 @@ Vec2 worldPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, 
   return posed(smaller, along == 0 ? v : along == 1 ? w : Vec2(v + along * (w - v))) / kScale;
 }
 
-bool areWithin(const DistancePair& pair, double margin) {
+bool areWithin(const PosedVertices& pair, double margin) {
   CollideOptions options;
   options.margin = margin;
-  return collideByHierarchy(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), options, 0, Wanted::Answer).collides;
+  return collideByHierarchy(pair, options, 0, Wanted::Answer).collides;
 }
 
 /// What is left is above the limit, but what was found may be too large by rounding: whether the truth is within the
 /// limit and the margin together, their sum rounded down.
-bool isWithinLimit(const DistancePair& pair, double found, const DistanceQuery& options) {
+bool isWithinLimit(const PosedVertices& pair, double found, const DistanceQuery& options) {
   if (!(found <= SearchReach(options).most()) || options.limit == 0) return false;
   const DoubleDouble sum = twoSum(std::min(options.limit, kLargest), options.margin);
   return areWithin(pair, std::min(sum.low < 0 ? std::nextafter(sum.high, 0) : sum.high, kLargest));
@@ -41,7 +41,7 @@ bool isWithinLimit(const DistancePair& pair, double found, const DistanceQuery& 
 
 }  // namespace
 
-double beyondMargin(const DistancePair& pair, double distance, double margin) {
+double beyondMargin(const PosedVertices& pair, double distance, double margin) {
   if (margin == 0) return distance;
   const double finite = std::min(distance, kLargest);
   if (EdgeDistances::below(finite) > margin) return distance - margin;
@@ -54,8 +54,8 @@ DistanceResult farResult() {
   return {std::numeric_limits<double>::infinity(), none, none, -1, -1};
 }
 
-DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, bool meets, std::size_t i, std::size_t j,
-                        const DistanceQuery& options) {
+DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, std::size_t i,
+                        std::size_t j, const DistanceQuery& options) {
   const double distance = beyondMargin(pair, nearest.distance, options.margin);
   if (!(distance <= options.limit) && !isWithinLimit(pair, nearest.distance, options)) return farResult();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);
@@ -64,7 +64,7 @@ DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, b
                         pair.b.edgeName(j));
 }
 
-DistanceResult containedResult(const DistancePair& pair, const Outcome& outcome) {
+DistanceResult containedResult(const PosedVertices& pair, const Outcome& outcome) {
   const bool in_b = outcome.edge_a >= 0;
   const auto edge = static_cast<std::size_t>(in_b ? outcome.edge_a : outcome.edge_b);
   const Vec2 point = in_b ? worldPoint(pair.a, pair.pose_a, edge, 0) : worldPoint(pair.b, pair.pose_b, edge, 0);

@@ -17,16 +17,6 @@ inline Vec2 posed(const Pose& pose, const Vec2& p) {
   return point;
 }
 
-/// Two polygons under their poses, in the kernel's own order.
-struct DistancePair : PosedVertices {
-  DistancePair(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_, bool is_swapped_,
-               double defect_)
-      : PosedVertices(a_, pose_a_, b_, pose_b_), is_swapped(is_swapped_), defect(defect_) {}
-
-  bool is_swapped;  ///< the caller's order is the other one
-  double defect;    ///< defectOf() the poses
-};
-
 /// A point of an edge in the world, rounded as a posed vertex is; of what is neither large nor far from the origin.
 inline Vec2 plainPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, double along) {
   const Double2 v = load2(polygon.path[edge].data()), w = load2(polygon.path[edge + 1].data());
@@ -37,9 +27,9 @@ inline Vec2 plainPoint(const PolygonData& polygon, const Pose& pose, std::size_t
 
 /// What is left of a distance that EdgeDistances::at() returned. Where rounding hides whether anything is, collide()
 /// tells.
-double beyondMargin(const DistancePair& pair, double distance, double margin);
+double beyondMargin(const PosedVertices& pair, double distance, double margin);
 
-inline DistanceResult inCallersOrder(const DistancePair& pair, double distance, const Vec2& point_a,
+inline DistanceResult inCallersOrder(const PosedVertices& pair, double distance, const Vec2& point_a,
                                      const Vec2& point_b, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
   if (pair.is_swapped) return {distance, point_b, point_a, edge_b, edge_a};
   return {distance, point_a, point_b, edge_a, edge_b};
@@ -49,14 +39,14 @@ inline DistanceResult inCallersOrder(const DistancePair& pair, double distance, 
 DistanceResult farResult();
 
 /// distance(), without a cache and of checked options.
-DistanceResult distanceInOrder(const DistancePair& pair, const DistanceQuery& options);
+DistanceResult distanceInOrder(const PosedVertices& pair, const DistanceQuery& options);
 
 /// Of edges i and j, where they are nearest; or their common point, if they meet.
-DistanceResult resultOf(const DistancePair& pair, const EdgeDistance& nearest, bool meets, std::size_t i, std::size_t j,
-                        const DistanceQuery& options);
+DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, std::size_t i,
+                        std::size_t j, const DistanceQuery& options);
 
 /// The same of what is unscaled (PosedVertices::isUnscaled()): neither large nor far from the origin.
-inline DistanceResult plainResultOf(const DistancePair& pair, const EdgeDistance& nearest, bool meets, std::size_t i,
+inline DistanceResult plainResultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, std::size_t i,
                                     std::size_t j, const DistanceQuery& options) {
   const bool is_within = options.margin > 0 && !(EdgeDistances::below(nearest.distance) > options.margin);
   const double distance = nearest.distance - options.margin;
@@ -67,6 +57,6 @@ inline DistanceResult plainResultOf(const DistancePair& pair, const EdgeDistance
 }
 
 /// Where a ring lies inside the other region.
-DistanceResult containedResult(const DistancePair& pair, const Outcome& outcome);
+DistanceResult containedResult(const PosedVertices& pair, const Outcome& outcome);
 
 }  // namespace tricover::detail

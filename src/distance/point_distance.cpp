@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 #include "pair/root_box.h"
@@ -14,7 +13,7 @@ namespace tricover::detail {
 namespace {
 
 /// Where they are nearest, of an edge and a point that isn't on it.
-EdgeDistance besideEdge(const DistancePair& pair, std::size_t edge, const DistanceQuery& options) {
+EdgeDistance besideEdge(const PosedVertices& pair, std::size_t edge, const DistanceQuery& options) {
   const std::size_t at = pair.b.degenerate_edge;
   const Foot foot = pair.foot<true>(edge, at);
   if (foot.is_plain) return {foot.distance, foot.part(), 0};
@@ -26,7 +25,7 @@ EdgeDistance besideEdge(const DistancePair& pair, std::size_t edge, const Distan
 
 // Each distance is right to kRelativeError: so an edge that seems to be farther away than the nearest one is nearer by
 // that share at most.
-bool pointDistance(const DistancePair& pair, const DistanceQuery& options, DistanceResult& result) {
+bool pointDistance(const PosedVertices& pair, const DistanceQuery& options, DistanceResult& result) {
   if (!pair.isUnscaled()) return false;
   if (pair.a.isDegenerate()) {
     const Foot only = pair.foot<true>(pair.a.degenerate_edge, pair.b.degenerate_edge);
@@ -40,8 +39,7 @@ bool pointDistance(const DistancePair& pair, const DistanceQuery& options, Dista
   if (!(distanceFromRoot(tree.root, place) > 0)) {
     Outcome outcome;
     outcome.edge_b = static_cast<std::ptrdiff_t>(pair.b.edgeBegin(0));
-    const PosedPair posed(pair.a, pair.pose_a, pair.b, pair.pose_b);
-    const Location location = locate(posed, pair.b.path[pair.b.edgeBegin(0)]);
+    const Location location = SeenFromA(pair).locate(pair.b.path[pair.b.edgeBegin(0)]);
     if (location == Location::Boundary) return false;
     if (location == Location::Inside) {
       result = containedResult(pair, outcome);

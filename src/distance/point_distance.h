@@ -7,6 +7,6 @@
 namespace tricover::detail {
 
 /// Of a point b and anything; false where its edges are no way to tell.
-bool pointDistance(const DistancePair& pair, const DistanceQuery& options, DistanceResult& result);
+bool pointDistance(const PosedVertices& pair, const DistanceQuery& options, DistanceResult& result);
 
 }  // namespace tricover::detail

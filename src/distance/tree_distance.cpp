@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/tree_distance.h"
 
-#include <cmath>
-
 #include "distance/distance_hint.h"
 #include "distance/distance_search.h"
-#include "hierarchy/placement.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/containment.h"
 #include "pair/discs.h"
@@ -17,11 +14,9 @@ namespace {
 /// Shows the search what it must see; the result as of searchAll().
 Outcome descend(const PosedPair& pair, DistanceSearch& search) {
   // The discs' farthest points are no nearer than any of the polygons.
-  const double dx = std::abs(pair.center_x - pair.a.origin.x()), dy = std::abs(pair.center_y - pair.a.origin.y());
-  constexpr int kSums = 1 + 4;  // one difference, four sums; and the scale's sum and product
-  search.limitTo(
-      roundedUp<kSums + 2>((dx + dy + 2 * pair.error + pair.a.radius + pair.radiusB()) * (1 + pair.scale_defect)));
-  const auto limit = [&] { return pair.reach(EdgeDistances::above(search.reach())); };
+  const Double2 way = absolute(pair.way());
+  search.limitTo((way[0] + way[1] + pair.error() + pair.a.radius + pair.b.radius) * (1 + kLargestDefect));
+  const auto limit = [&] { return EdgeDistances::above(search.reach()); };
   if (pair.a.isDegenerate() && pair.b.isDegenerate()) {
     search.show(static_cast<std::uint32_t>(pair.a.degenerate_edge), static_cast<std::uint32_t>(pair.b.degenerate_edge));
     return Outcome();
@@ -32,7 +27,7 @@ Outcome descend(const PosedPair& pair, DistanceSearch& search) {
         return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
       },
       [&](double length) {
-        search.limitTo(roundedUp<2>(length * (1 + pair.scale_defect)));
+        search.limitTo(length);
         return limit();
       });
   return search.meets() ? Outcome() : findContainment(pair);
@@ -51,19 +46,19 @@ Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
 Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
   for (const PolygonData* polygon : {&pair.a, &pair.b})
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
-  if (depthOfDiscs(Placement(pair.a, pair.pose_a, pair.b, pair.pose_b), 0) > 0) return findMeeting(pair, search);
+  if (depthOfDiscs(pair, 0) > 0) return findMeeting(pair, search);
   return descend(pair, search);
 }
 
 }  // namespace
 
-DistanceResult treeDistance(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options) {
+DistanceResult treeDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options) {
   const EdgeDistances edges(pair);
   DistanceSearch search(edges, options);
   const bool was_tried = hint != nullptr && showHint(*hint, search);
   const double hinted = search.upper();
   Outcome outcome;
-  if (!search.meets()) outcome = searchAll(PosedPair(pair.a, pair.pose_a, pair.b, pair.pose_b), search);
+  if (!search.meets()) outcome = searchAll(pair, search);
   if (hint != nullptr) storeHint(*hint, was_tried, hinted, search);
   if (outcome.collides && !search.meets()) return containedResult(pair, outcome);
   search.finish();

@@ -8,6 +8,6 @@
 namespace tricover::detail {
 
 /// Of any polygons, by branch and bound over the pairs of their edges. Uses and renews the hint, unless it is null.
-DistanceResult treeDistance(const DistancePair& pair, DistanceHint* hint, const DistanceQuery& options);
+DistanceResult treeDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options);
 
 }  // namespace tricover::detail

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "hierarchy/simd.h"
 #include "numbers/double2.h"
+#include "numbers/predicates.h"
 #include "numbers/rigidity.h"
 #include "polygon/polygon_data.h"
 
@@ -16,12 +18,12 @@ namespace tricover::detail {
 /// There:
 ///   18 for the entries of R, wrong by 9U each, on two coordinates of two; 1 for the point, rounded once from S;
 ///   4 for products and sum; 2 |c| + 3 for the shifts to c and to a block's origin; 6 for the box's centre and axis;
-///   |c| for c itself, a rounded difference, or 2 |c| more where it is two products and their sum.
+///   6 |c| for c itself, turned back by R_a^-1, or less by R_a^T.
 /// Back, where a length l in a's units may be many of b's, but is as wrong as it is long:
 ///   26 + 26 |c| for the entries of the inverse, wrong by 13U each; 3 |c| for products and sum of the shift;
-///   4, 2 |c| + 3 and 6 as above; |c| for c, or 3 |c|.
-constexpr int kThere = 18 + 1 + 4 + 3 + 6, kThereShift = 2 + 1 + 2;
-constexpr int kBack = 26 + 4 + 3 + 6, kBackShift = 26 + 3 + 2 + 1 + 2;
+///   4, 2 |c| + 3 and 6 as above; 6 |c| for c.
+constexpr int kThere = 18 + 1 + 4 + 3 + 6, kThereShift = 2 + 1 + 6;
+constexpr int kBack = 26 + 4 + 3 + 6, kBackShift = 26 + 3 + 2 + 6;
 constexpr int kMapRounding = 64;  ///< of |c|_1 + 4
 static_assert(kThere <= 4 * kMapRounding && kBack <= 4 * kMapRounding, "of points");
 static_assert(kThereShift <= kMapRounding && kBackShift <= kMapRounding, "of the shift");
@@ -53,10 +55,14 @@ struct UnitPlacement {
   /// b's S, all there is of a point.
   Place origin() const { return {map.tx, map.ty, map.error}; }
 
-  /// At least the world's `length`, see PosedPair::reach().
+  /// At least the world's `length`: 1 / (1 - x) <= 1 + 2 x, with x - x^2 to spare, and scale_defect is at least 16U, so
+  /// that is more than the two roundings.
   double reach(double length) const { return length * (1 + 2 * scale_defect) * inverse_unit; }
   /// At most the world's `length`, for the few roundings here and where it is compared, too.
   double within(double length) const { return length * ((1 - 2 * scale_defect) * (1 - 0x1p-20) * inverse_unit); }
+
+  /// At most so long in the world is a length of a's units.
+  double inWorld(double length, double unit) const { return roundedDown<3>(length * unit * (1 - scale_defect)); }
 
   UnitMap map;  ///< from b's units to a's
   /// Descent::rounding. A box is taken for a rectangle after a map that is rigid only within a defect: its axis' length
@@ -66,15 +72,37 @@ struct UnitPlacement {
   double inverse_unit;  ///< a's
 };
 
-/// Two polygons under their poses, b seen from a, in three stages. Each costs more than the one before, and most
-/// queries are answered without the last:
-///   Placement      ways between points of a and points of b in the world: for discs
-///   UnitPlacement  b's units in a's, with R_a^T in the place of R_a^-1: for boxes, small rings, inner discs, points
-///   PosedPair      b's vertices in a's frame: for edges
-/// All are rounded and know by how much; the exact stage uses the two poses as given.
-class Placement {
+/// v -> R^-1 v = adj(R) v / det R, for the R of a pose: from the world, less the pose's translation, into its frame.
+struct TurnBack {
+  explicit TurnBack(const Pose& pose) {
+    const Double2 r0 = load2(pose.data()), r1 = load2(pose.data() + 3);  // columns of three
+    const double det = r0[0] * r1[1] - r1[0] * r0[1];
+    diagonal = Double2{r1[1], r0[0]};
+    off = Double2{r1[0], r0[1]};
+    d = 1 / det - Double2{};
+    handed = det < 0 ? -1 : 1;
+  }
+  Double2 operator()(Double2 v) const { return (diagonal * v - off * swapped(v)) * d; }
+
+  /// A rounded point. Either coordinate errs by
+  ///   det 2U, d 3U, products 1U, difference 1U, product with d 1U   6U |p|_1
+  ///   the point's own error e                                       at most sqrt2 e
+  ApproxPoint operator()(const ApproxPoint& p) const {
+    const Double2 at = (*this)(Double2{p.x, p.y});
+    return {at[0], at[1], 1.5 * p.error + kError * (std::abs(p.x) + std::abs(p.y)) + kTiny};
+  }
+  static constexpr double kError = 8 * kUnitRoundoff;
+  static_assert(kError >= kUnitRows * errorOf(6) && 1.5 > kUnitRows * kRoot2);
+
+  Double2 diagonal, off, d;
+  int handed;  ///< the sign of det R
+};
+
+/// Two polygons under their poses in the world, seen from a's translation: lengths are the true ones. All of it is
+/// rounded and knows by how much; the exact stage uses the two poses as given.
+class PosedPair {
  public:
-  Placement(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_)
+  PosedPair(const PolygonData& a_, const Pose& pose_a_, const PolygonData& b_, const Pose& pose_b_)
       : a(a_),
         b(b_),
         pose_a(pose_a_),
@@ -83,14 +111,40 @@ class Placement {
         columns_b_{load2(pose_b.data()), load2(pose_b.data() + 3)},
         shift_(load2(pose_b.data() + 6) - load2(pose_a.data() + 6)) {
     const Double2 apart = absolute(shift_);
-    size_ = a.extent + b.extent + (apart[0] + apart[1]);
+    size_of_b_ = b.extent + (apart[0] + apart[1]);
+    size_ = a.extent + size_of_b_;
   }
 
-  /// From a point of a's frame to one of b's, both within their polygon's bounding box, and from S to S.
-  Double2 way(const Vec2& p, const Vec2& q) const {
-    return (columns_b_[0] * q.x() + columns_b_[1] * q.y()) + (shift_ - (columns_a_[0] * p.x() + columns_a_[1] * p.y()));
+  // Poses are referred to, so that a temporary one would be gone.
+  PosedPair(const PolygonData&, const Pose&&, const PolygonData&, const Pose&) = delete;
+  PosedPair(const PolygonData&, const Pose&, const PolygonData&, const Pose&&) = delete;
+  PosedPair(const PolygonData&, const Pose&&, const PolygonData&, const Pose&&) = delete;
+
+  PosedPair back() const { return {b, pose_b, a, pose_a}; }
+
+  /// Points within a polygon's bounding box. In U times the other quantity of a row, either coordinate errs by, with
+  /// lengths p, q <= sqrt2 e of points in boxes of extent e:
+  ///   R_a p       products 1, sum 1                 2 p
+  ///   R_b q       the same, the sum with shift 1    3 q
+  ///   shift       itself 1, the sum with it 1       2 |t_b - t_a|_1
+  ApproxPoint fromA(const Vec2& p) const {
+    const Double2 at = mapped(columns_a_, p);
+    return {at[0], at[1], errorOfA()};
   }
+  ApproxPoint fromB(const Vec2& q) const {
+    const Double2 at = mapped(columns_b_, q) + shift_;
+    return {at[0], at[1], errorOfB()};
+  }
+  double errorOfA() const { return kErrorOfA * a.extent + kTiny; }
+  double errorOfB() const { return kErrorOfB * size_of_b_ + kTiny; }
+  static constexpr double kErrorOfA = 3 * kUnitRoundoff, kErrorOfB = 5 * kUnitRoundoff;
+  static_assert(kErrorOfA >= kUnitRows * kRoot2 * errorOf(2) && kErrorOfB >= kUnitRows * kRoot2 * errorOf(3));
+
+  /// From a point of a's frame to one of b's, both within their polygon's bounding box, and from S to S.
+  Double2 way(const Vec2& p, const Vec2& q) const { return mapped(columns_b_, q) + (shift_ - mapped(columns_a_, p)); }
   Double2 way() const { return way(a.origin, b.origin); }
+  /// t_b - t_a, rounded.
+  Double2 shift() const { return shift_; }
   /// A way in a's units, for guesses: with R_a^T for the inverse.
   Double2 inUnitsOfA(Double2 way) const { return turnedToA(way) * a.inverse_unit; }
 
@@ -104,7 +158,7 @@ class Placement {
   static constexpr double kWayError = 16 * kUnitRoundoff;
   static_assert(kWayError >= kUnitRows * kRoot2 * kRoot2 * errorOf(4));
 
-  /// The next stage. `defect` is defectOf() the poses: no singular value of R_a^T R_b misses 1 by more, nor one of R_a.
+  /// b in a's units. `defect` is defectOf() the poses: no singular value of R_a^T R_b misses 1 by more, nor one of R_a.
   ///   c      the way, turned back by what is no longer than 1 + kLargestDefect; two products and their sum round it
   ///   R      R_a^T R_b: 2U for an entry, 4U as a matrix, where kMapRounding counts 9U for an entry
   ///   R^T    differs from R^-1 by R^T R - I, at most the defect less 16U, times R^-1; on the way and on b's points,
@@ -121,11 +175,28 @@ class Placement {
             defect,
             defect};
   }
-  UnitPlacement inUnits() const { return inUnits(defectOf(pose_a, pose_b)); }
+
+  /// The same with R_a^-1, by a division: boxes are no larger for poses that miss orthonormality. As a matrix, R_a^-1
+  /// R_b errs by the spectral norms of 3U times itself (det and d), U times itself (the last product, entry by entry:
+  /// sqrt2) and 2U s_ij (at most 2U * 2). c rounds by 6U |c|_1 (TurnBack).
+  UnitPlacement inUnits() const {
+    const TurnBack to_a(pose_a);
+    const Double2 r0 = to_a(columns_b_[0]), r1 = to_a(columns_b_[1]);
+    return {a,
+            b,
+            r0,
+            r1,
+            to_a(way()) * a.inverse_unit,
+            1.1 * error(),
+            0,
+            Gram(r0, r1).defect(),
+            Gram(columns_a_[0], columns_a_[1]).defect()};
+  }
+  static_assert(Gram::kMatrixError >= kUnitRows * errorOf(1) * (3 + kRoot2 + 2 * 2));
 
   /// From b's frame to a's, with R_a^T in the place of R_a^-1, so that nothing is divided. `defect` as for inUnits().
   /// In U times the other quantity of a row, for the coordinates of a point of b in its bounding box, of extent e:
-  ///   R_a^T R_b   products and sum 2 s_ij, see kMappingError         4 e
+  ///   R_a^T R_b   products and sum 2 s_ij, of rows with s_i0^2 + s_i1^2 <= 2   4 e
   ///   the map     two products, their sum, the last sum              3 sqrt2 e
   ///   t           shift 1, products 1, sum 1, the last sum 1         4 |t_b - t_a|_1
   /// and R_a^T misses the inverse by the defect, on what is no longer than sqrt2 e + |t_b - t_a|_1, but for kUnitRows.
@@ -145,12 +216,14 @@ class Placement {
   const Pose &pose_a, &pose_b;
 
  protected:
+  static Double2 mapped(const Double2 (&columns)[2], Double2 p) { return columns[0] * p[0] + columns[1] * p[1]; }
+  static Double2 mapped(const Double2 (&columns)[2], const Vec2& p) { return mapped(columns, load2(p.data())); }
   Double2 turnedToA(Double2 v) const {
     return Double2{columns_a_[0][0], columns_a_[1][0]} * v[0] + Double2{columns_a_[0][1], columns_a_[1][1]} * v[1];
   }
 
   Double2 columns_a_[2], columns_b_[2], shift_;
-  double size_;  ///< both extents and |t_b - t_a|_1, rounded four times
+  double size_, size_of_b_;  ///< |p|_1, |q|_1 and |t_b - t_a|_1 together, and of b and t alone, rounded four times
 };
 
 }  // namespace tricover::detail

@@ -88,7 +88,7 @@ double lengthOne(Double2 v) {
 struct MovingGap {
   /// All but the margin as many times as long as they are as the normal is.
   MovingGap(double gap, double error_of_gap, Double2 normal, Double2 way_of_other, double margin)
-      : error(error_of_gap + 3 * Placement::kWayError * lengthOne(way_of_other) * lengthOne(normal)),
+      : error(error_of_gap + 3 * PosedPair::kWayError * lengthOne(way_of_other) * lengthOne(normal)),
         speed(dot(normal, way_of_other)),
         beyond(gap - error) {
     if (margin > 0) beyond -= margin * std::sqrt(dot(normal, normal)) * (1 + 16 * kUnitRoundoff);
@@ -112,7 +112,7 @@ struct MovingGap {
 
 /// An edge's line, beyond which the other polygon is for a part of the time.
 struct PartingEdge : BesideEdge {
-  PartingEdge(const Placement& placement, Double2 way, double margin, const ConvexGap& guess)
+  PartingEdge(const PosedPair& placement, Double2 way, double margin, const ConvexGap& guess)
       : BesideEdge(placement, guess.of_a, positionOf(guess.of_a ? placement.a : placement.b, guess.edge)),
         of_a(guess.of_a),
         edge(positionOf(guess.of_a ? placement.a : placement.b, guess.edge)),
@@ -167,7 +167,7 @@ class Slide {
         at_(corners_a, motion_a.start, corners_b, motion_b.start) {}
 
   FirstContact run(Impact& impact) const {
-    if (!squarable(at_.error() / Placement::kWayError + lengthOne(way_) + margin_)) return FirstContact::unknown(0);
+    if (!squarable(at_.error() / PosedPair::kWayError + lengthOne(way_) + margin_)) return FirstContact::unknown(0);
     if (discsStayApart()) return FirstContact::never();
     if (at_.a.isPoint()) return meetCorners({}, 0, impact);
     ConvexGap guess;
@@ -192,7 +192,7 @@ class Slide {
     const Vec2 start(from[0], from[1]), way(way_[0], way_[1]);
     const double reach = (at_.a.radius + at_.b.radius + margin_) * (1 + kLargestDefect);
     const Vec2 nearest = start + nearestOnSegment(-start, Vec2::Zero(), way);
-    return nearest.norm() > reach + 2 * (at_.error() + Placement::kWayError * lengthOne(way_));
+    return nearest.norm() > reach + 2 * (at_.error() + PosedPair::kWayError * lengthOne(way_));
   }
 
   /// The edge that parts them longest, as floats see it: from time 0 on, or backwards from time 1.
@@ -313,7 +313,7 @@ class Slide {
   const Motion &motion_a_, &motion_b_;
   double margin_;
   Double2 way_;
-  Placement at_;  ///< at time 0
+  PosedPair at_;  ///< at time 0
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "pair/posed_pair.h"
+#include "hierarchy/placement.h"
 
 namespace tricover::detail {
 namespace {
@@ -22,15 +22,16 @@ Pose restore(const double (&kept)[6]) {
 double clearanceLeft(const Certificate& cache, const PolygonData& first, const Pose& first_pose,
                      const PolygonData& second, const Pose& second_pose) {
   const Pose first_then = restore(cache.first_pose), second_then = restore(cache.second_pose);
-  const PosedPair now(first, first_pose, second, second_pose), then(first, first_then, second, second_then);
-  const Change change(second, load2(&now.m00) - load2(&then.m00), load2(&now.m01) - load2(&then.m01),
-                      load2(&now.tx) - load2(&then.tx));
+  const double defect_now = defectOf(first_pose, second_pose), defect_then = defectOf(first_then, second_then);
+  const auto now = PosedPair(first, first_pose, second, second_pose).turnedMap(defect_now),
+             then = PosedPair(first, first_then, second, second_then).turnedMap(defect_then);
+  const Change change(second, now.column0 - then.column0, now.column1 - then.column1, now.t - then.t);
   // Either map is off by sqrt2 error in any direction.
   const double motion = change.displacement() + 1.5 * (now.error + then.error);
   // Two differences and their product, the product with the clearance, the difference; the motion's own sum rounds
   // twice.
   constexpr int kRoundings = 3 + 2 + 2;
-  return roundedDown<kRoundings>((1 - then.scale_defect) * (1 - now.scale_defect)) * cache.clearance - motion;
+  return roundedDown<kRoundings>((1 - defect_then) * (1 - defect_now)) * cache.clearance - motion;
 }
 
 }  // namespace

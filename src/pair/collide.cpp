@@ -20,21 +20,18 @@ namespace tricover {
 namespace detail {
 namespace {
 
-/// At most so much is a length of a's frame in the world.
-double inWorld(double length, double scale_defect) { return roundedDown<2>(length * (1 - scale_defect)); }
-
 /// Of polygons of which one lacks a hierarchy, for now or until now.
-Outcome collideAnew(const Placement& placement, double defect, const EdgeTest& test, double lookahead, Wanted wanted) {
+Outcome collideAnew(const PosedPair& placement, double defect, const EdgeTest& test, double lookahead, Wanted wanted) {
   if (const std::optional<Outcome> outcome = collideByEdges(placement, defect, test)) return *outcome;
   return collideByHierarchy(placement.inUnits(defect), test, lookahead, wanted);
 }
-[[gnu::cold, gnu::noinline]] bool collideAnew(const Placement& placement, double defect,
+[[gnu::cold, gnu::noinline]] bool collideAnew(const PosedPair& placement, double defect,
                                               const CollideOptions& options) {
   return collideAnew(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 
 /// What bounding and inner discs tell, if they decide.
-std::optional<Outcome> certificateOfDiscs(const Placement& placement, double margin, const CertificateWish& wish) {
+std::optional<Outcome> certificateOfDiscs(const PosedPair& placement, double margin, const CertificateWish& wish) {
   const double gap = gapOfDiscs(placement, margin);
   if (gap >= 0) return Outcome{false, gap, wish.edge_a, wish.edge_b};
   const double depth = depthOfDiscs(placement, margin);
@@ -43,31 +40,30 @@ std::optional<Outcome> certificateOfDiscs(const Placement& placement, double mar
 }
 
 /// What the hierarchy finds, or the edges that answered last.
-Outcome findCloseCertificate(const Placement& placement, const CollideOptions& options, const CertificateWish& wish) {
+Outcome findCloseCertificate(const PosedPair& placement, const CollideOptions& options, const CertificateWish& wish) {
   const EdgeTest test(placement, options);
   const auto hit = [&](std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
-    const PosedPair& pair = test.pair();
-    const double depth = crossingDepth(pair, static_cast<std::size_t>(edge_a), static_cast<std::size_t>(edge_b));
-    return Outcome{true, inWorld(depth, pair.scale_defect), edge_a, edge_b};
+    const double depth = crossingDepth(placement, static_cast<std::size_t>(edge_a), static_cast<std::size_t>(edge_b));
+    return Outcome{true, depth, edge_a, edge_b};
   };
   if (wish.edge_a >= 0 && wish.edge_b >= 0)
     if (test(static_cast<std::size_t>(wish.edge_a), static_cast<std::size_t>(wish.edge_b)))
       return hit(wish.edge_a, wish.edge_b);
   const Wanted wanted = wish.wants_clearance ? Wanted::Clearance : Wanted::Answer;
-  const UnitPlacement at = placement.inUnits();
+  const double defect = defectOf(placement.pose_a, placement.pose_b);
   const Outcome outcome = haveHierarchies(placement.a, placement.b)
-                              ? collideByHierarchy(at, test, wish.lookahead, wanted)
-                              : collideAnew(placement, at.scale_defect, test, wish.lookahead, wanted);
+                              ? collideByHierarchy(placement.inUnits(defect), test, wish.lookahead, wanted)
+                              : collideAnew(placement, defect, test, wish.lookahead, wanted);
   assert(!(outcome.clearance < 0));
   if (outcome.edge_a >= 0 && outcome.edge_b >= 0) return hit(outcome.edge_a, outcome.edge_b);
-  return {outcome.collides, inWorld(outcome.clearance, at.scale_defect), outcome.edge_a, outcome.edge_b};
+  return outcome;
 }
 
 /// Without a certificate. A cache in back-off counts down only on queries that discs don't decide.
 [[gnu::always_inline]] inline bool collideAfresh(const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                                                  const Pose& pose_b, double defect, const CollideOptions& options,
                                                  Certificate* backing_off) {
-  const Placement placement(a, pose_a, b, pose_b);
+  const PosedPair placement(a, pose_a, b, pose_b);
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
   if (backing_off != nullptr) countDown(*backing_off, a, pose_a, b, pose_b);
@@ -113,7 +109,7 @@ Outcome findCertificate(const PolygonData& a, const Pose& pose_a, const PolygonD
     found.clearance = 0;
     return found;
   }
-  const Placement placement(a, pose_a, b, pose_b);
+  const PosedPair placement(a, pose_a, b, pose_b);
   if (const auto found = certificateOfDiscs(placement, options.margin, wish)) return *found;
   return findCloseCertificate(placement, options, wish);
 }
@@ -127,7 +123,7 @@ std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, c
     return std::nullopt;
   }
   const CertificateWish wish{recollection.lookahead, true, cache.first_edge, cache.second_edge};
-  const Placement placement(a, pose_a, b, pose_b);
+  const PosedPair placement(a, pose_a, b, pose_b);
   if (const auto found = certificateOfDiscs(placement, options.margin, wish)) {
     cache.back_off.left = 1;  // discs cost no more than recall(), as long as they decide
     return found->collides;

@@ -77,13 +77,13 @@ struct PointsOfA {
 };
 struct PointsOfB {
   const Path& path;
-  const Placement::TurnedMap& to_a;
+  const PosedPair::TurnedMap& to_a;
   Double2 operator()(std::size_t i) const { return to_a(path[i]); }
 };
 
 /// Two polygons in a's frame.
 struct PointsOf {
-  PointsOf(const Placement& pair, const CollideOptions& options, double defect)
+  PointsOf(const PosedPair& pair, const CollideOptions& options, double defect)
       : to_a(pair.turnedMap(defect)),
         of_a{pair.a.path},
         of_b{pair.b.path, to_a},
@@ -91,10 +91,10 @@ struct PointsOf {
         grown((2 * to_a.error + reach) * (1 + 4 * kUnitRoundoff)) {}
   PointsOf(const PointsOf&) = delete;
 
-  const Placement::TurnedMap to_a;
+  const PosedPair::TurnedMap to_a;
   const PointsOfA of_a;
   const PointsOfB of_b;
-  double reach;  ///< see PosedPair::reach()
+  double reach;  ///< see UnitPlacement::reach()
   /// More than b's points are off in either coordinate, and than growing a box rounds: that is at most an ulp of what
   /// they are from a's origin, a quarter of the error, and one of the margin.
   double grown;
@@ -279,12 +279,12 @@ Outcome collideChains(const PointsOf& points, const EdgeTest& test) {
   if (!box_a.meets(box_b)) return outcome;
   const unsigned near_b = of_b.edgesNear(box_a.grown(grown));
   if (findMeetingEdges(test, 0, end_a, box_a, of_b, box_b, near_b, points, outcome)) return outcome;
-  return mayHold(box_a, box_b, grown) ? findContainment(test.pair()) : outcome;
+  return mayHold(box_a, box_b, grown) ? findContainment(test.pair) : outcome;
 }
 
 }  // namespace
 
-std::optional<Outcome> collideByEdges(const Placement& pair, double defect, const EdgeTest& test) {
+std::optional<Outcome> collideByEdges(const PosedPair& pair, double defect, const EdgeTest& test) {
   if (arePaidFor(pair.a, pair.b)) return std::nullopt;
   const PointsOf points(pair, test.options, defect);
   const double grown = points.grown;
@@ -309,7 +309,7 @@ std::optional<Outcome> collideByEdges(const Placement& pair, double defect, cons
                            outcome))
         return outcome;
     }
-  return mayHold(box_a, box_b, grown) || pair.a.ringCount() + pair.b.ringCount() > 2 ? findContainment(test.pair())
+  return mayHold(box_a, box_b, grown) || pair.a.ringCount() + pair.b.ringCount() > 2 ? findContainment(test.pair)
                                                                                      : outcome;
 }
 

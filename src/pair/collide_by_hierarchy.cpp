@@ -22,14 +22,14 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
     outcome.edge_b = found.edge_b;
     return outcome;
   }
-  outcome = findContainment(test.pair());
+  outcome = findContainment(test.pair);
   if (wanted == Wanted::Clearance)
-    outcome.clearance = std::min(found.clearance * test.a.unit, std::numeric_limits<double>::max());
+    outcome.clearance = std::min(at.inWorld(found.clearance, test.a.unit), std::numeric_limits<double>::max());
   return outcome;
 }
 
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
-  return collideByHierarchy(unitsOf(pair), EdgeTest(pair, options), lookahead, wanted);
+  return collideByHierarchy(pair.inUnits(), EdgeTest(pair, options), lookahead, wanted);
 }
 
 }  // namespace tricover::detail

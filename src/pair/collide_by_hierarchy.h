@@ -59,9 +59,9 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
 /// Of two degenerate polygons, by no tree, or a point b, by a's tree alone.
 Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted);
 
-/// The default strategy. Whatever is farther apart than the margin by `lookahead`, a length in a's frame, isn't looked
-/// at, so that a clearance of at least that much is found if there is one. The pair must be in order (inOrder()), and
-/// its bounding discs may meet. Inlined, because what discs have computed is in registers.
+/// The default strategy. Whatever is farther apart than the margin by `lookahead` isn't looked at, so that a clearance
+/// of at least that much is found if there is one. The pair must be in order (inOrder()), and its bounding discs may
+/// meet. Inlined, because what discs have computed is in registers.
 [[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitPlacement& at, const EdgeTest& test,
                                                          double lookahead, Wanted wanted) {
   if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
@@ -71,7 +71,7 @@ Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double 
   const Meeting meeting = meetAtOnce(at, limit, wanted, test, outcome.clearance);
   if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
   outcome.collides = meeting == Meeting::Meet;
-  outcome.clearance *= test.a.unit;
+  outcome.clearance = at.inWorld(outcome.clearance, test.a.unit);
   return outcome;
 }
 

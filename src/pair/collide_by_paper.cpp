@@ -25,7 +25,10 @@ namespace {
 constexpr std::uint64_t kHeld = 3;
 constexpr std::size_t kPerWord = 32;
 
-std::vector<std::uint64_t> influenceMask(const PosedPair& pair, const ApproxPoint& centroid, double length,
+/// A vertex of a as a's frame has it.
+ApproxPoint ofFrame(const Vec2& p) { return {p.x(), p.y(), 0}; }
+
+std::vector<std::uint64_t> influenceMask(const PosedPair& pair, int handed, const ApproxPoint& centroid, double length,
                                          std::vector<std::size_t>& held) {
   std::vector<std::uint64_t> mask((pair.a.path.size() + kPerWord - 1) / kPerWord, 0);
   for (std::size_t r = 0; r < pair.a.ringCount(); ++r)
@@ -35,9 +38,9 @@ std::vector<std::uint64_t> influenceMask(const PosedPair& pair, const ApproxPoin
       if (inBoundedArea(v, w, centroid, length)) {
         held.push_back(e);
       } else {
-        int side = orientFilter(PosedPair::fromA(v), PosedPair::fromA(w), centroid);
+        int side = orientFilter(ofFrame(v), ofFrame(w), centroid);
         if (side == kUncertain)
-          side = pair.handed * orientExact({&pair.pose_a, v}, {&pair.pose_a, w}, {&pair.pose_b, pair.b.origin});
+          side = handed * orientExact({&pair.pose_a, v}, {&pair.pose_a, w}, {&pair.pose_b, pair.b.origin});
         state = static_cast<std::uint64_t>(side + 1);
       }
       mask[e / kPerWord] |= state << 2 * (e % kPerWord);
@@ -54,7 +57,7 @@ bool detailedTest(const PosedPair& pair, const std::vector<std::size_t>& held, c
   moved.reserve(pair.b.path.size());
   for (const Vec2& p : pair.b.path) moved.push_back(pair.fromB(p));
   for (const std::size_t i : held) {
-    const ApproxPoint v = PosedPair::fromA(pair.a.path[i]), w = PosedPair::fromA(pair.a.path[i + 1]);
+    const ApproxPoint v = pair.fromA(pair.a.path[i]), w = pair.fromA(pair.a.path[i + 1]);
     for (std::size_t r = 0; r < pair.b.ringCount(); ++r) {
       int sign = orientFilter(v, w, moved[pair.b.edgeBegin(r)]);
       for (std::size_t j = pair.b.edgeBegin(r); j < pair.b.edgeEnd(r); ++j) {
@@ -82,15 +85,16 @@ bool collideByPaper(const PosedPair& pair, KeptMask* kept, const CollideOptions&
   const bool known = kept != nullptr && kept->size() > kIds;
 
   // Second step. Grown by the margin; rounded outwards, the areas by what the centroid is known to, as well.
-  const ApproxPoint centroid = pair.center();
-  const double length = roundedUp<1>(pair.radiusB() + pair.reach(options.margin));
+  const SeenFromA seen(pair);
+  const ApproxPoint centroid = seen.at(pair.b.origin);
+  const double length = (pair.b.radius + options.margin) * (1 + 2.1 * kLargestDefect);
   std::vector<std::size_t> held;
-  const std::vector<std::uint64_t> mask = influenceMask(pair, centroid, length, held);
+  const std::vector<std::uint64_t> mask = influenceMask(pair, seen.handed(), centroid, length, held);
   if (held.empty()) {
     // No edge of a touches b's bounding disc: the disc, all of b with it, lies where the centroid lies. An unchanged
     // mask is an unchanged zone, by exact signs (repair 7).
     if (known && std::equal(mask.begin(), mask.end(), kept->begin() + kIds, kept->end())) return false;
-    const bool collides = locate(pair, pair.b.origin) != Location::Outside;
+    const bool collides = seen.locate(pair.b.origin) != Location::Outside;
     if (kept != nullptr) {
       kept->resize(kIds);
       if (!collides) kept->insert(kept->end(), mask.begin(), mask.end());
@@ -112,7 +116,7 @@ bool collideByPaper(const Polygon& a, const Pose& pose_a, const Polygon& b, cons
   const bool collides = inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) {
-        if (gapOfDiscs(Placement(operands...), options.margin) >= 0) return false;
+        if (gapOfDiscs(PosedPair(operands...), options.margin) >= 0) return false;
         return collideByPaper(PosedPair(operands...), kept, options);
       },
       [](bool) {});

@@ -17,19 +17,19 @@ Outcome collidePoint(const UnitPlacement& at, const EdgeTest& test, double looka
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
   const double accept = at.within(sum);
   const double outside = distanceFromRoot(tree.root, place);
-  if (outside > limit) return {false, outside * unit, -1, -1};
+  if (outside > limit) return {false, at.inWorld(outside, unit), -1, -1};
   const bool may_be_inside = !(outside > 0);
   if (may_be_inside && wanted != Wanted::Edges) {
     if (const InnerDiscs* discs = innerDiscsIfPaid(test.a)) {
       const double depth = depthInDiscs(*discs, place);
-      if (depth > 0 || -depth < accept) return {true, std::max(depth, 0.0) * unit, -1, -1};
+      if (depth > 0 || -depth < accept) return {true, at.inWorld(std::max(depth, 0.0), unit), -1, -1};
     }
   }
   const DescentResult found = findEdgeNear(tree, place, limit, {&test, &EdgeTest::meetDegenerate, reach, accept});
   if (found.hit) return hit(found.edge_a, static_cast<std::int64_t>(test.b.degenerate_edge));
   Outcome outcome;
-  if (may_be_inside) outcome = findContainment(test.pair());
-  if (wanted == Wanted::Clearance) outcome.clearance = found.clearance * unit;
+  if (may_be_inside) outcome = findContainment(test.pair);
+  if (wanted == Wanted::Clearance) outcome.clearance = at.inWorld(found.clearance, unit);
   return outcome;
 }
 

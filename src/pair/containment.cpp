@@ -19,10 +19,14 @@ bool outsideRoot(const PolygonData& polygon, const ApproxPoint& p) {
   return distanceFromRoot(hierarchy->root, {at.x(), at.y(), 1.5 * p.error * polygon.inverse_unit}) > 0;
 }
 
-/// A disc around b in a's frame, rounded outwards.
+/// A disc around b in a's frame, rounded outwards: poses' defects grow its radius.
 struct DiscOfB {
-  explicit DiscOfB(const PosedPair& pair)
-      : x(pair.center_x), y(pair.center_y), radius((pair.radiusB() + 4 * pair.error) * (1 + 16 * kUnitRoundoff)) {}
+  explicit DiscOfB(const SeenFromA& seen, const PolygonData& b) {
+    const ApproxPoint center = seen.at(b.origin);
+    x = center.x;
+    y = center.y;
+    radius = (b.radius * (1 + 2.1 * kLargestDefect) + 4 * center.error) * (1 + 16 * kUnitRoundoff);
+  }
 
   bool holds(const Vec2& p) const {
     const double dx = p.x() - x, dy = p.y() - y;
@@ -55,32 +59,31 @@ template <typename MakeDisc, typename IsNear, typename IsInside>
 }
 
 /// Of b in a, on its boundary or inside.
-std::ptrdiff_t ringOfBInside(const PosedPair& pair, Location least) {
+std::ptrdiff_t ringOfBInside(const PosedPair& pair, const SeenFromA& seen, Location least) {
   return firstInside(
-      pair.b, [&] { return DiscOfB(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a)); },
-      [&](const Vec2& p) { return !outsideRoot(pair.a, pair.fromB(p)); },
-      [&](const Vec2& p) { return locate(pair, p) >= least; });
+      pair.b, [&] { return DiscOfB(SeenFromA(pair.back()), pair.a); },
+      [&](const Vec2& p) { return !outsideRoot(pair.a, seen.at(p)); },
+      [&](const Vec2& p) { return seen.locate(p) >= least; });
 }
 
 /// Of a in b. Most starts are outside of b's disc, which is known in a's frame.
-std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
-  const DiscOfB disc(pair);
+std::ptrdiff_t ringOfAInside(const PosedPair& pair, const SeenFromA& seen) {
+  const DiscOfB disc(seen, pair.b);
   return firstInside(
       pair.a, [&] { return disc; }, [&](const Vec2& p) { return disc.holds(p); },
-      [&](const Vec2& p) {
-        return locate(PosedPair(pair.b, pair.pose_b, pair.a, pair.pose_a), p) != Location::Outside;
-      });
+      [&](const Vec2& p) { return SeenFromA(pair.back()).locate(p) != Location::Outside; });
 }
 
 }  // namespace
 
-std::ptrdiff_t ringInside(const PosedPair& pair) { return ringOfBInside(pair, Location::Inside); }
+std::ptrdiff_t ringInside(const PosedPair& pair) { return ringOfBInside(pair, SeenFromA(pair), Location::Inside); }
 
 Outcome findContainment(const PosedPair& pair) {
   Outcome outcome;
+  const SeenFromA seen(pair);
   // A segment holds nothing that doesn't meet it.
-  if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair, Location::Boundary);
-  if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
+  if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair, seen, Location::Boundary);
+  if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair, seen);
   outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
   return outcome;
 }

@@ -14,7 +14,7 @@ namespace tricover::detail {
 constexpr int kDiscSquares = 2 + 1 + 2;
 
 /// The largest disc known to be inside of a region. A point or segment has one of radius 0 around S, which is on it but
-/// for 2U: Placement::kWayError is twice what it must be.
+/// for 2U: PosedPair::kWayError is twice what it must be.
 struct InnerDisc {
   explicit InnerDisc(const PolygonData& polygon) {
     const InnerDiscs* discs = innerDiscsIfBuilt(polygon);
@@ -43,7 +43,7 @@ inline bool isWithin(Double2 way, double within) {
 }
 
 /// The gap between the bounding discs, a lower bound of the distance, if it is above the margin; otherwise -1.
-inline double gapOfDiscs(const Placement& pair, double margin) {
+inline double gapOfDiscs(const PosedPair& pair, double margin) {
   const Double2 way = pair.way();
   const double sum = (pair.a.radius + pair.b.radius) * (1 + kLargestDefect) + pair.error();
   if (!isBeyond(way, sum + margin)) return -1;
@@ -53,7 +53,7 @@ inline double gapOfDiscs(const Placement& pair, double margin) {
 }
 
 /// How deep discs inside the two regions overlap, 0 if they are within the margin at least; otherwise -1.
-inline double depthOfDiscs(const Placement& pair, double margin) {
+inline double depthOfDiscs(const PosedPair& pair, double margin) {
   const InnerDisc disc_a(pair.a), disc_b(pair.b);
   if (!(disc_a.radius >= 0 && disc_b.radius >= 0)) return -1;
   const Double2 way = pair.way(disc_a.center, disc_b.center);

@@ -9,7 +9,7 @@
 
 namespace tricover::detail {
 
-/// The edge's ends, 0 and 1, and another one's, 2 and 3. Signs are those of a's frame.
+/// The edge's ends, 0 and 1, and another one's, 2 and 3.
 struct EdgeSides::Ends : FourEnds<Ends> {
   Ends(const EdgeSides& sides_, Operand operand_, std::size_t edge_)
       : FourEnds{{sides_.approx(sides_.operand_, sides_.edge_), sides_.approx(sides_.operand_, sides_.edge_ + 1),
@@ -22,7 +22,6 @@ struct EdgeSides::Ends : FourEnds<Ends> {
     const auto end = static_cast<std::size_t>(p);
     return p < 2 ? sides.exact(sides.operand_, sides.edge_ + end) : sides.exact(operand, edge + end - 2);
   }
-  int handed() const { return sides.pair_.handed; }
 
   int sign(int p, int q, int r) const { return resolve(filter(p, q, r), p, q, r); }
 
@@ -64,9 +63,10 @@ EdgeSides::EdgeSides(const PosedPair& pair, const PosedPair& back, Operand opera
 /// 2 e (|w| + 1) / l. Twice that is taken.
 void EdgeSides::findCuts(Operand operand, const PosedPair& seen) {
   const PolygonData& of = polygon(operand);
+  const SeenFromA view(seen);
   const auto place = [&](std::size_t position) {
     const Vec2& p = polygon(operand_).path[position];
-    return operand == operand_ ? PosedPair::fromA(p) : seen.fromB(p);
+    return operand == operand_ ? ApproxPoint{p.x(), p.y(), 0} : view.at(p);
   };
   const ApproxPoint v = place(edge_), w = place(edge_ + 1);
   const Vec2 from = of.inUnits({w.x, w.y}), way = of.inUnits({v.x, v.y}) - from;
@@ -146,7 +146,7 @@ bool EdgeSides::isBeyond(const Ends& ends, const Cut& cut, int side) const {
   }
   const auto isEndBeyond = [&](int end) {
     const int sign = orientExact(exact(cut.operand, cut.edge), exact(cut.operand, cut.edge + 1), ends.exact(end));
-    return pair_.handed * sign * -cut.turn * side < 0;
+    return sign * -cut.turn * side < 0;
   };
   return isEndBeyond(2) && isEndBeyond(3);
 }

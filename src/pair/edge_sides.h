@@ -61,7 +61,7 @@ class EdgeSides {
     return {operand == A ? &pair_.pose_a : &pair_.pose_b, polygon(operand).path[position]};
   }
   ApproxPoint approx(Operand operand, std::size_t position) const {
-    return operand == A ? PosedPair::fromA(pair_.a.path[position]) : pair_.fromB(pair_.b.path[position]);
+    return operand == A ? pair_.fromA(pair_.a.path[position]) : pair_.fromB(pair_.b.path[position]);
   }
 
   void findCuts(Operand operand, const PosedPair& seen);

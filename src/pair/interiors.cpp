@@ -25,10 +25,10 @@ namespace {
 class InteriorSearch {
  public:
   InteriorSearch(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-      : pair_(a, pose_a, b, pose_b), back_(b, pose_b, a, pose_a) {}
+      : pair_(a, pose_a, b, pose_b), back_(pair_.back()) {}
 
   bool meet() {
-    const UnitPlacement at = unitsOf(pair_);
+    const UnitPlacement at = pair_.inUnits();
     const auto look = [](const void* search, std::size_t i, std::size_t j) {
       return static_cast<InteriorSearch*>(const_cast<void*>(search))->meetBeside(i, j);
     };
@@ -72,7 +72,7 @@ bool interiorsMeet(const PolygonData& polygon_a, const Pose& pose_a, const Polyg
   return inKernelOrder(
       polygon_a, pose_a, polygon_b, pose_b,
       [](const auto&... operands) {
-        const Placement placement(operands...);
+        const PosedPair placement(operands...);
         if (gapOfDiscs(placement, 0) >= 0) return false;
         return depthOfDiscs(placement, 0) >= 0 || InteriorSearch(operands...).meet();
       },

@@ -5,7 +5,7 @@
 
 namespace tricover::detail {
 
-/// What a query found, in a's frame and the pair's order.
+/// What a query found, in the pair's order; lengths are the world's.
 struct Outcome {
   bool collides = false;
   /// Without a hit, a proven lower bound of the distance between any edge of a and any of b; on a hit without edges, of

@@ -16,8 +16,8 @@ namespace {
 /// a's edge at position i and b's at j.
 struct EdgePair : FourEnds<EdgePair> {
   EdgePair(const PosedPair& pair_, std::size_t i_, std::size_t j_)
-      : FourEnds{{PosedPair::fromA(pair_.a.path[i_]), PosedPair::fromA(pair_.a.path[i_ + 1]),
-                  pair_.fromB(pair_.b.path[j_]), pair_.fromB(pair_.b.path[j_ + 1])}},
+      : FourEnds{{pair_.fromA(pair_.a.path[i_]), pair_.fromA(pair_.a.path[i_ + 1]), pair_.fromB(pair_.b.path[j_]),
+                  pair_.fromB(pair_.b.path[j_ + 1])}},
         pair(pair_),
         i(i_),
         j(j_) {}
@@ -26,7 +26,6 @@ struct EdgePair : FourEnds<EdgePair> {
     const auto end = static_cast<std::size_t>(p);
     return p < 2 ? PosedPoint{&pair.pose_a, pair.a.path[i + end]} : PosedPoint{&pair.pose_b, pair.b.path[j + end - 2]};
   }
-  int handed() const { return pair.handed; }
   bool within(int p, int v, int w, double reach, bool strictly) const {
     return withinExact(exact(p), exact(v), exact(w), reach, strictly);
   }
@@ -58,10 +57,11 @@ double leastOfEnds(const ApproxPoint (&e)[4]) {
   return least;
 }
 
-/// How far a mapped end of an edge is off in any direction, in PosedPair::error: so much at most a distance from it is,
-/// the other edge being known.
-constexpr double kEndError = 1.5;
-static_assert(kEndError > kRoot2 * (1 + errorOf(8)));
+/// What a distance is off by because both edges' ends are, in any direction.
+double endsError(const PosedPair& pair) {
+  static_assert(1.5 > kRoot2 * (1 + errorOf(8)));
+  return 1.5 * (pair.errorOfA() + pair.errorOfB());
+}
 
 }  // namespace
 
@@ -77,9 +77,9 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
   const double d = leastOfEnds(ends.approx);
   const double length =
       std::max(std::hypot(e[1].x - e[0].x, e[1].y - e[0].y), std::hypot(e[3].x - e[2].x, e[3].y - e[2].y));
-  const double err = kEndError * pair.error + kSegmentDistanceError * (length + d) + kTiny;
-  if ((d + err) * (1 + pair.scale_defect) <= reach + tolerance) return true;
-  const bool apart = (d - err) * (1 - pair.scale_defect) > reach;
+  const double err = endsError(pair) + kSegmentDistanceError * (length + d) + kTiny;
+  if (d + err <= reach + tolerance) return true;
+  const bool apart = d - err > reach;
   // A point crosses nothing: the lower bound holds.
   if (apart && (pair.a.path[i] == pair.a.path[i + 1] || pair.b.path[j] == pair.b.path[j + 1])) return false;
   if (ends.meet()) return true;
@@ -91,7 +91,7 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
 int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j) {
   const EdgePair ends(pair, i, j);
   const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
-  return p * q == -1 && v * w == -1 ? pair.handed * q : 0;
+  return p * q == -1 && v * w == -1 ? q : 0;
 }
 
 double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
@@ -104,12 +104,12 @@ double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
   const double length =
       std::abs(e[1].x - e[0].x) + std::abs(e[1].y - e[0].y) + std::abs(e[3].x - e[2].x) + std::abs(e[3].y - e[2].y);
   // D is at most the length of either edge, the sum of which is rounded.
-  const double below = d - kEndError * pair.error - 2 * kSegmentDistanceError * length;
+  const double below = d - endsError(pair) - 2 * kSegmentDistanceError * length;
   return below > 0 ? below : 0;  // NaN is 0
 }
 
-Location locate(const PosedPair& pair, const Vec2& local) {
-  return locateInPolygon(pair.a, {&pair.pose_a, pair.fromB(local), {&pair.pose_b, local}, pair.handed});
+Inclusion SeenFromA::include(const Vec2& local) const {
+  return includeInPolygon(pair_.a, {&pair_.pose_a, at(local), {&pair_.pose_b, local}, back_.handed});
 }
 
 }  // namespace tricover::detail

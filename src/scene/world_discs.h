@@ -21,7 +21,7 @@ struct WorldDiscs {
     const InnerDisc disc(polygon);
     // How far off both centres are, in any direction.
     const Double2 away = absolute(load2(pose.data() + 6));
-    const double error = Placement::kWayError * (polygon.extent + away[0] + away[1]) + kTiny;
+    const double error = PosedPair::kWayError * (polygon.extent + away[0] + away[1]) + kTiny;
     center = placed(polygon.origin, pose);
     radius = polygon.radius * (1 + kLargestDefect) + error;
     inner = placed(disc.center, pose);

@@ -95,7 +95,8 @@ TEST(SeparatingAxes, HaveAllOfTheLeastFaces) {
     if (axes.verdict() == SeparatingAxes::Unsure) continue;
     long double least = INFINITY;
     for (const bool of_a : {true, false})
-      for (std::size_t k = 0; k < axes.side(of_a).ring.size(); ++k) least = std::min(least, depthBehind(pair, of_a, k));
+      for (std::size_t k = 0; k < axes.side(of_a).ring.ring.size(); ++k)
+        least = std::min(least, depthBehind(pair, of_a, k));
     const long double doubt = 64 * axes.error();
     if (axes.verdict() == SeparatingAxes::Apart) {
       ++aparts;
@@ -105,7 +106,7 @@ TEST(SeparatingAxes, HaveAllOfTheLeastFaces) {
     ASSERT_LE(std::abs(axes.leastDepth() - least), doubt) << reproduction(c);
     std::ptrdiff_t count = 0;
     for (const bool of_a : {true, false})
-      for (std::uint32_t k = 0; k < axes.side(of_a).ring.size(); ++k) {
+      for (std::uint32_t k = 0; k < axes.side(of_a).ring.ring.size(); ++k) {
         if (depthBehind(pair, of_a, k) > least + axes.tie()) continue;
         ++count;
         ASSERT_TRUE(std::any_of(axes.begin(), axes.end(), [&](const FaceDepth& f) {
@@ -113,8 +114,8 @@ TEST(SeparatingAxes, HaveAllOfTheLeastFaces) {
         })) << reproduction(c);
       }
     several += count > 1;
-    ++(std::max(axes.side(true).ring.size(), axes.side(false).ring.size()) <= 16 ? few : many);
-    mirrored_ones += axes.side(false).mirrors;
+    ++(std::max(axes.side(true).ring.ring.size(), axes.side(false).ring.ring.size()) <= 16 ? few : many);
+    mirrored_ones += axes.side(false).ring.mirrors();
   }
   EXPECT_GT(few, cases / 4);
   EXPECT_GT(many, cases / 40);

@@ -213,7 +213,7 @@ TEST(RootGap, IsTheBoxesSeparationButForRounding) {
     const Polygon a = polygon(1), b = polygon(i % 2 ? 0.3 : 0.01);
     const Pose pose_a = randomPose(random, 0.9), pose_b = mirrored(randomPose(random, 0.9));
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const detail::UnitPlacement at = detail::unitsOf(pair);
+    const detail::UnitPlacement at = pair.inUnits();
     const detail::UnitMap& map = at.map;
     const detail::Box &box_a = hierarchyOf(pair.a).root, &box_b = hierarchyOf(pair.b).root;
     const double gap = detail::rootGap(box_a, box_b, map, at.rounding);
@@ -363,8 +363,9 @@ TEST(Ray, ThroughVerticesFarAway) {
     const Pose frame = pose(random.real(0, 6.28), 0, 0);
     Pose pose_dot = pose(random.real(0, 6.28), 0, 0);
     pose_dot.translation() = frame * point - pose_dot * far;
-    ASSERT_EQ(locate(PosedPair(built.data(), frame, dot.data(), pose_dot), far),
-              locate(PosedPair(scanned.data(), frame, dot.data(), pose_dot), far));
+    const PosedPair by_tree(built.data(), frame, dot.data(), pose_dot),
+        by_scan(scanned.data(), frame, dot.data(), pose_dot);
+    ASSERT_EQ(detail::SeenFromA(by_tree).locate(far), detail::SeenFromA(by_scan).locate(far));
   }
   ASSERT_EQ(hierarchyIfBuilt(scanned.data()), nullptr) << "so it was scanned";
 }
@@ -383,11 +384,11 @@ TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
     Pose pose_b = pose(random.real(0, 6), 0, 0);
     pose_b.translation() = std::pow(10, random.real(1, 7)) * direction(random.real(0, 6.3));
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const detail::EdgeDistances distances(detail::PosedVertices(a.data(), pose_a, b.data(), pose_b));
+    const detail::EdgeDistances distances{detail::PosedVertices(pair)};
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < edges; ++k)
       for (std::size_t l = 0; l < edges; ++l) least = std::min(least, distances.bounds(k, l).high);
-    const double limit = pair.reach(least);
+    const double limit = least;
     bool found = false;
     const auto visit = [&](double, std::size_t k, std::size_t l) {
       found = found || distances.bounds(k, l).high == least;
@@ -450,8 +451,8 @@ TEST(DescentDeathTest, APairOutOfOrderIsStopped) {
   const Polygon small({regular(5, 1)}), large({regular(5, 100)});
   const Pose here = Pose::Identity();
   const PosedPair in_order(large.data(), here, small.data(), here), swapped(small.data(), here, large.data(), here);
-  EXPECT_LE(detail::unitsOf(in_order).map.scale, 1);
-  EXPECT_DEATH(detail::unitsOf(swapped), "unit");
+  EXPECT_LE(in_order.inUnits().map.scale, 1);
+  EXPECT_DEATH(swapped.inUnits(), "unit");
 }
 #endif
 

@@ -119,7 +119,8 @@ TEST(Inclusion, AlongARayUnderPoses) {
       const Pose pose_b = pose(random.real(0, 6.28), at.x(), at.y());
       const detail::PosedPair pair(polygon.data(), pose_a, few.data(), pose_b);
       const Vec2 p(0, random.coin() ? 0 : 1e-17);
-      const IncludedPoint point{&pair.pose_a, pair.fromB(p), {&pair.pose_b, p}, pair.handed};
+      const detail::SeenFromA seen(pair);
+      const IncludedPoint point{&pair.pose_a, seen.at(p), {&pair.pose_b, p}, seen.handed()};
       const Inclusion found = located(polygon, point);
       ASSERT_FALSE(testing::Test::HasFailure()) << i << ", " << k;
       inside += found.location == Location::Inside;

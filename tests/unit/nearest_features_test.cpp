@@ -68,15 +68,11 @@ struct Found : NearestFeatures {
   bool crosses() const { return overlap.edges.kind == FeaturePair::kCrossing; }
 };
 
-DistancePair inOrder(const PosedPair& pair) {
-  return {pair.a, pair.pose_a, pair.b, pair.pose_b, false, defectOf(pair.pose_a, pair.pose_b)};
-}
-
 Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
   Found found;
   if (cornersOf(pair.a) != &pair.a || cornersOf(pair.b) != &pair.b) return found;
-  const DistancePair in_order = inOrder(pair);
-  static_cast<NearestFeatures&>(found) = findNearestFeatures(in_order, tried, in_order.defect);
+  const PosedVertices in_order(pair);
+  static_cast<NearestFeatures&>(found) = findNearestFeatures(in_order, tried);
   if (found.seem_to_meet) findConvexOverlap(in_order, found.crossing, found.overlap);
   if (found.are_apart) found.meeting = Meeting::Apart;
   if (found.overlap.isFound()) found.meeting = Meeting::Meet;
@@ -87,10 +83,10 @@ Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
 double leastDistance(const PosedPair& pair, const Found& found) {
   if (found.is_unique) {
     DistanceResult result;
-    EXPECT_TRUE(convexDistance(inOrder(pair), nullptr, {}, result));
+    EXPECT_TRUE(convexDistance(PosedVertices(pair), nullptr, {}, result));
     return result.distance;
   }
-  const EdgeDistances edges(PosedVertices(pair.a, pair.pose_a, pair.b, pair.pose_b));
+  const EdgeDistances edges{PosedVertices(pair)};
   const DistanceQuery options;
   DistanceSearch search(edges, options);
   const std::size_t count_a = pair.a.path.size() - 1, count_b = pair.b.path.size() - 1;
@@ -140,7 +136,7 @@ TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
       if (!found.crosses()) continue;
       const FeaturePair& edges = found.overlap.edges;
       EdgeDistance point;
-      crossing_proven += EdgeDistances::cross(inOrder(pair), edges.edge_a, edges.edge_b, point);
+      crossing_proven += EdgeDistances::cross(PosedVertices(pair), edges.edge_a, edges.edge_b, point);
       // A vertex of one that is in the other, beside an edge of that: nothing is apart.
       for (const auto kind : {FeaturePair::kEdgeOfA, FeaturePair::kEdgeOfB, FeaturePair::kVertices})
         for (const std::uint32_t step : {0u, 1u}) {
@@ -152,7 +148,7 @@ TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
         }
       continue;
     }
-    const EdgeDistances edges(PosedVertices(pair.a, pair.pose_a, pair.b, pair.pose_b));
+    const EdgeDistances edges{PosedVertices(pair)};
     const DistanceQuery options;
     DistanceSearch all(edges, options);
     for (std::uint32_t k = 0; k + 1 < pair.a.path.size(); ++k)
@@ -210,7 +206,7 @@ TEST(NearestFeatures, SeesCrossingsThatAreCertain) {
     const PosedPair pair(a.data(), at_a, b.data(), at_b);
     const bool meets = edgesMeet(pair, 0, 0);
     EdgeDistance point;
-    const bool is_seen = EdgeDistances::cross(PosedVertices(a.data(), at_a, b.data(), at_b), 0, 0, point);
+    const bool is_seen = EdgeDistances::cross(PosedVertices(PosedPair(a.data(), at_a, b.data(), at_b)), 0, 0, point);
     ASSERT_TRUE(!is_seen || meets) << reproduction({a, at_a, b, at_b});
     seen += is_seen;
     meeting += meets;
@@ -294,14 +290,15 @@ TEST(NearestFeatures, AreUniqueWhereBothNeighboursFallAwaySteeplyEnough) {
     for (const double after : {0x1p-17, 0x1p-23}) {
       const Polygon a({{{-1, -4}, {1, -4}, {1, -before}, {0, 0}, {-1, -after}}});
       const Pose still = Pose::Identity();
-      const NearestFeatures nearest = findNearestFeatures(PosedVertices(a.data(), still, b.data(), still), {});
+      const NearestFeatures nearest =
+          findNearestFeatures(PosedVertices(PosedPair(a.data(), still, b.data(), still)), {});
       ASSERT_TRUE(nearest.are_apart);
       EXPECT_EQ(nearest.is_unique, before > 0x1p-20 && after > 0x1p-20) << before << ", " << after;
     }
   }
 }
 
-bool hasSeparatingEdge(const Placement& placement) {
+bool hasSeparatingEdge(const PosedPair& placement) {
   for (const bool of_a : {true, false})
     for (std::uint32_t e = 0; e + 1 < (of_a ? placement.a : placement.b).path.size(); ++e)
       if (const BesideEdge beside(placement, of_a, e); beside.isKnown() && beside.gap > beside.error) return true;
@@ -327,7 +324,7 @@ TEST(NearestFeatures, AreNeverApartWhereRegionsMeet) {
     const DistanceResult far = distance(a, pose_a, b, pose_b);
     const double gap = far.distance * std::pow(10, random.real(-17, 0)) * (random.oneIn(8) ? -1 : 1);
     pose_b.translation() -= (1 - gap / far.distance) * (far.point_b - far.point_a);
-    const PosedVertices vertices(a.data(), pose_a, b.data(), pose_b);
+    const PosedVertices vertices(PosedPair(a.data(), pose_a, b.data(), pose_b));
     const auto anyVertex = [&](const Polygon& polygon) {
       return static_cast<std::uint32_t>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
     };
@@ -358,7 +355,7 @@ TEST(NearestFeatures, GoesOnAlongBothOutlines) {
   int were_tried = 0;
   for (int i = 0; i < 200; ++i) {
     const Pose here = Pose::Identity(), there = pose(-0.013 * i, -1.0 + 0.01 * i, 1.01);
-    const PosedVertices vertices(floor.data(), here, wheel.data(), there);
+    const PosedVertices vertices(PosedPair(floor.data(), here, wheel.data(), there));
     const NearestFeatures nearest = findNearestFeatures(vertices, tried);
     ASSERT_TRUE(nearest.are_apart) << i;
     EXPECT_NEAR(nearest.foot.distance, distance(floor, here, wheel, there).distance, 1e-9) << i;

@@ -49,7 +49,7 @@ Case besidePoint(Random& random, const Case& c) {
 
 /// What the nearest edges say, where they are a way to tell.
 std::optional<DistanceResult> byEdges(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
-  const detail::DistancePair pair(a.data(), pose_a, b.data(), pose_b, false, defectOf(pose_a, pose_b));
+  const detail::PosedVertices pair(PosedPair(a.data(), pose_a, b.data(), pose_b));
   DistanceResult result;
   return pointDistance(pair, {}, result) ? std::optional(result) : std::nullopt;
 }
@@ -95,7 +95,7 @@ TEST_P(Points, AreAsFarAsTheNearestEdge) {
     const PosedPair pair(a, c.pose_a, b, c.pose_b);
     const Outcome outcome = collideByHierarchy(pair, options, below, detail::Wanted::Clearance);
     ASSERT_EQ(outcome.collides, truth) << margin << "\n" << reproduction(c);
-    const mpq_class clearance = mpq_class(outcome.clearance) * (1 - mpq_class(2 * pair.scale_defect));
+    const mpq_class clearance = mpq_class(outcome.clearance);
     ASSERT_TRUE(truth || squared >= clearance * clearance) << margin << "\n" << reproduction(c);
     const PortableLanes portable;
     const auto alike = byEdges(c.a, c.pose_a, c.b, c.pose_b);

@@ -69,7 +69,7 @@ TEST_P(Descents, AreAlikeAndProveWhatTheySay) {
     if (found.collides || found.clearance == 0) continue;
     ++clear;
     const mpq_class distance_squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
-    const mpq_class clearance = mpq_class(found.clearance) * mpq_class(1 - pair.scale_defect);
+    const mpq_class clearance = mpq_class(found.clearance);
     ASSERT_TRUE(clearance * clearance <= distance_squared) << found.clearance << "\n" << reproduction(c);
     tight += 16 * clearance * clearance >= distance_squared;
   }
@@ -167,7 +167,7 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     const PosedPair pair = largerFirst(c);
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
-    const detail::UnitPlacement units = detail::unitsOf(pair);
+    const detail::UnitPlacement units = pair.inUnits();
     const auto answer = [&] { return detail::fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {}); };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
@@ -222,7 +222,7 @@ TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
     Check check{pair};
-    const detail::UnitPlacement units = detail::unitsOf(pair);
+    const detail::UnitPlacement units = pair.inUnits();
     const auto answer = [&] {
       return detail::fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {&check, &Check::meet});
     };

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "convex/convex_ring.h"
+#include "numbers/double2.h"
+#include "tricover/pose.h"
+
+namespace tricover::detail {
+
+/// A convex ring in the world, seen from `shift` before its pose's translation: p -> R p + shift.
+class PosedRing {
+ public:
+  PosedRing(const ConvexRing& ring_, const Pose& pose, Double2 shift_ = Double2{})
+      : PosedRing(ring_, {load2(pose.data()), load2(pose.data() + 3), shift_}) {}
+
+  Double2 corner(std::uint32_t k) const { return turned(ring.vertex(k)) + shift; }
+  Double2 way(std::uint32_t from, std::uint32_t to) const { return turned(ring.way(from, to)); }
+  /// From corner k to the next one: the direction is as precise as the ring's, however short the edge is.
+  Double2 edge(std::uint32_t k) const { return turned(ring.edge(k)); }
+
+  /// Whether the pose mirrors.
+  bool mirrors() const { return cross(column_x, column_y) < 0; }
+  /// Whether positions increase that way around.
+  bool isForward(bool ccw) const { return ccw == ((ring.turn() > 0) != mirrors()); }
+  std::uint32_t next(std::uint32_t k, bool ccw) const { return isForward(ccw) ? ring.next(k) : ring.previous(k); }
+  /// Outwards from an edge, as long as that.
+  Double2 normal(std::uint32_t k) const {
+    const Double2 along = edge(k);
+    return isForward(true) ? Double2{along[1], -along[0]} : Double2{-along[1], along[0]};
+  }
+
+  /// The direction in the ring's frame along which heights of its vertices are those of the corners along n.
+  Double2 inFrame(Double2 n) const { return Double2{dot(column_x, n), dot(column_y, n)}; }
+  /// The support vertex along n, as ConvexRing finds it.
+  std::uint32_t supportVertex(Double2 n) const { return ring.supportVertex(inFrame(n)); }
+
+  /// The same ring in a frame whose upward axis is the unit vector `up`.
+  PosedRing turnedUp(Double2 up) const {
+    const auto turn = [&](Double2 v) { return Double2{-cross(up, v), dot(up, v)}; };
+    return {ring, {turn(column_x), turn(column_y), turn(shift)}};
+  }
+
+  const ConvexRing ring;
+  const Double2 column_x, column_y, shift;
+
+ private:
+  struct Map {
+    Double2 x, y, shift;
+  };
+  PosedRing(const ConvexRing& ring_, const Map& map)
+      : ring(ring_), column_x(map.x), column_y(map.y), shift(map.shift) {}
+
+  Double2 turned(Double2 p) const { return column_x * p[0] + column_y * p[1]; }
+};
+
+}  // namespace tricover::detail
