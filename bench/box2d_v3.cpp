@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "inputs.h"
 #include "measure.h"
-#include "poses.h"
 #include "random.h"
 #include "report.h"
 #include "shapes.h"
@@ -40,20 +40,24 @@ b2Polygon shapeOf(const Polygon& polygon) {
 }
 b2ShapeProxy proxyOf(const b2Polygon& shape) { return b2MakeProxy(shape.vertices, shape.count, 0); }
 
+float distanceOf(const b2ShapeProxy& a, const b2Transform& pose_a, const b2ShapeProxy& b, const b2Transform& pose_b,
+                 b2SimplexCache& cache) {
+  b2DistanceInput input{};
+  input.proxyA = a;
+  input.proxyB = b;
+  input.transform = b2InvMulTransforms(pose_a, pose_b);
+  return b2ShapeDistance(&input, &cache, nullptr, 0).distance;
+}
+
 Polygon regular(int n, double radius) { return Polygon({support::regular(n, radius)}); }
 
 /// Each way's time for one of `count` answers; `misses` counts those that differ by more than 0.01.
 Result timed(const std::string& bodies, const std::string& query, std::size_t count,
              const std::function<double(std::size_t i)>& ours, const std::function<double(std::size_t i)>& theirs) {
   std::vector<double> of_ours(count), of_theirs(count);
-  const auto asks = [count](const std::function<double(std::size_t)>& ask, std::vector<double>& answers) {
-    return [count, &ask, &answers] {
-      for (std::size_t i = 0; i < count; ++i) answers[i] = ask(i);
-    };
-  };
   Result result = measureInTurn(
-      {"Box2D v3", bodies, query, 0, 0, count, 1},
-      {{"tricover", Role::Ours, asks(ours, of_ours)}, {"Box2D v3", Role::Rival, asks(theirs, of_theirs)}}, kRounds);
+      {"Box2D v3", bodies, query, 0, 0, count},
+      {taskOf("tricover", Role::Ours, of_ours, ours), taskOf("Box2D v3", Role::Rival, of_theirs, theirs)}, kRounds);
   result.timings[1].checked = count;
   for (std::size_t i = 0; i < count; ++i) result.timings[1].misses += std::abs(of_ours[i] - of_theirs[i]) > 0.01;
   return result;
@@ -66,14 +70,6 @@ struct Pair {
   Polygon fixed, moving;
   b2Polygon fixed_shape = shapeOf(fixed), moving_shape = shapeOf(moving);
   b2ShapeProxy fixed_proxy = proxyOf(fixed_shape), moving_proxy = proxyOf(moving_shape);
-
-  double distanceOf(const b2Transform& pose, b2SimplexCache& cache) const {
-    b2DistanceInput input{};
-    input.proxyA = fixed_proxy;
-    input.proxyB = moving_proxy;
-    input.transform = b2InvMulTransforms(b2Transform_identity, pose);
-    return static_cast<double>(b2ShapeDistance(&input, &cache, nullptr, 0).distance);
-  }
 };
 
 std::vector<Pair> pairs() {
@@ -102,7 +98,8 @@ void addDistances(const Pair& pair, std::vector<Result>& rows) {
         },
         [&](std::size_t i) {
           if (!cached) simplex = {};
-          return pair.distanceOf(transforms[i], simplex);
+          return static_cast<double>(
+              distanceOf(pair.fixed_proxy, b2Transform_identity, pair.moving_proxy, transforms[i], simplex));
         }));
   };
   add("distance near", separatedPoses(pair.fixed, pair.moving, 1.03, 1.5), false);
@@ -112,30 +109,10 @@ void addDistances(const Pair& pair, std::vector<Result>& rows) {
   add("distance on a walk, both with caches", posesOf("gap 0.1", pair.fixed, pair.moving), true);
 }
 
-std::vector<Motion> motions(const Pair& pair, bool turning) {
-  support::Random random(3);
-  const double radius = (pair.fixed.radius() + pair.moving.radius()) / 2;
-  std::vector<Motion> motions;
-  for (const Pose& near : separatedPoses(pair.fixed, pair.moving, 1.03, 1.5)) {
-    Motion motion;
-    motion.start = near;
-    motion.pivot = pair.moving.origin();
-    const Vec2 inwards = (pair.fixed.origin() - near * motion.pivot).normalized();
-    motion.shift = radius * random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1.2, 1.2)) * inwards);
-    if (turning) motion.angle = random.real(-0.5, 0.5);  // Box2D goes along the chord of larger ones
-    motions.push_back(motion);
-  }
-  return motions;
-}
-
-/// The time, or 1 where the two don't meet.
-double ourImpact(const Pair& pair, const Motion& motion) {
-  const auto impact = timeOfImpact(pair.fixed, {}, pair.moving, motion, {0, 1e-3});
-  return impact ? impact->time : 1;
-}
-
 void addImpacts(const Pair& pair, bool turning, std::vector<Result>& rows) {
-  const std::vector<Motion> all = motions(pair, turning);
+  // Box2D goes along the chord of larger angles.
+  const std::vector<Motion> all =
+      randomMotions(pair.fixed, pair.moving, (pair.fixed.radius() + pair.moving.radius()) / 2, turning ? 0.5 : 0, 3);
   std::vector<b2TOIInput> sweeps;
   for (const Motion& motion : all) {
     const Vec2 from = motion.start * motion.pivot;
@@ -151,7 +128,10 @@ void addImpacts(const Pair& pair, bool turning, std::vector<Result>& rows) {
     input.maxFraction = 1;
     sweeps.push_back(input);
   }
-  const auto ours = [&](std::size_t i) { return ourImpact(pair, all[i]); };
+  const auto ours = [&](std::size_t i) {
+    const auto impact = timeOfImpact(pair.fixed, {}, pair.moving, all[i], {0, 1e-3});
+    return impact ? impact->time : 1;  // 1 where the two don't meet
+  };
   rows.push_back(timed(pair.name, turning ? "rotates, b2TimeOfImpact" : "slides, b2TimeOfImpact", all.size(), ours,
                        [&](std::size_t i) { return static_cast<double>(b2TimeOfImpact(&sweeps[i]).fraction); }));
   if (turning) return;
@@ -201,12 +181,8 @@ class NearestTree {
       if (entry.gap >= square) continue;
       const b2TreeNode& node = tree_.nodes[entry.node];
       if (node.flags & b2_leafNode) {
-        b2DistanceInput input{};
-        input.proxyA = proxy_;
-        input.proxyB = query;
-        input.transform = b2InvMulTransforms(transforms_[node.userData], pose);
         b2SimplexCache cache{};
-        best = std::min(best, b2ShapeDistance(&input, &cache, nullptr, 0).distance);
+        best = std::min(best, distanceOf(proxy_, transforms_[node.userData], query, pose, cache));
         square = best * best;
         if (best == 0) break;
         continue;
@@ -287,7 +263,9 @@ void addNearest(const std::string& name, const Polygon& body, double size, std::
   }
 }
 
-int run(const std::string& directory) {
+}  // namespace
+
+bool run(const std::string& directory, bool) {
   std::vector<Result> rows;
   for (const Pair& pair : pairs()) {
     addDistances(pair, rows);
@@ -297,19 +275,10 @@ int run(const std::string& directory) {
   addNearest("10,000 slim boxes", Polygon({{{-2, -0.2}, {2, -0.2}, {2, 0.2}, {-2, 0.2}}}), 252, rows);
   addNearest("10,000 8-gons", regular(8, 1), 252, rows);
 
-  writeFile(directory + "/box2d_v3.md",
-            "# Beside Box2D v3\n\n" + table(rows) +
-                "\n- CPU time of one thread, medians, in turn. Pairs of about ten metres; Box2D computes in "
-                "floats, and its times end 0.005 before contact.\n- Our times of impact are to 1e-3. Misses: answers "
-                "that differ by more than 0.01.\n");
-  writeFile(directory + "/box2d_v3.csv", csv(rows));
-  return 0;
+  return writeStudies(directory, "box2d_v3", {{"Beside Box2D v3", rows}},
+                      "- CPU time of one thread, medians, in turn. Pairs of about ten metres; Box2D computes in "
+                      "floats, and its times end 0.005 before contact.\n- Our times of impact are to 1e-3. Misses: "
+                      "answers that differ by more than 0.01.\n");
 }
 
-}  // namespace
 }  // namespace tricover::bench
-
-int main(int argc, char** argv) {
-  using namespace tricover::bench;
-  return runProgram(argv[0], "<existing report directory>", argc == 2, [&] { return run(argv[1]); });
-}

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "asked.h"
+#include "scenes/placed.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
@@ -38,12 +39,7 @@ std::vector<Pair> pairs() {
   return pairs;
 }
 
-Pose at(double x, double y) {
-  Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Rotation2Dd(0.3).toRotationMatrix();
-  pose.translation() = Vec2(x, y);
-  return pose;
-}
+Pose at(double x, double y) { return poseAt({x, y}, 0.3); }
 
 /// Where they touch, coming from the right.
 double contactOf(const Pair& pair) {
@@ -87,16 +83,12 @@ std::vector<std::pair<std::string, std::vector<Pose>>> deepWalksOf(const Pair& p
 template <class Cache = PairCache, class Ask>
 Result measured(const Pair& pair, const std::string& query, const std::string& walk, const std::vector<Pose>& poses,
                 Ask ask) {
-  double sum = 0;  // so that nothing is optimised away
+  std::vector<double> answers(poses.size());
   Cache cache;
-  const auto none = [&] {
-    for (const Pose& pose : poses) sum += ask(pose);
-  };
-  const auto cached = [&] {
-    for (const Pose& pose : poses) sum += ask(pose, cache);
-  };
-  return measureInTurn({"cache", pair.name, query + ", " + walk, 0, 0, poses.size(), 1},
-                       {{"none", Role::Ours, none}, {"cached", Role::Ours, cached}}, kRounds);
+  return measureInTurn({"cache", pair.name, query + ", " + walk, 0, 0, poses.size()},
+                       {taskOf("none", Role::Ours, answers, [&](std::size_t i) { return ask(poses[i]); }),
+                        taskOf("cached", Role::Ours, answers, [&](std::size_t i) { return ask(poses[i], cache); })},
+                       kRounds);
 }
 
 }  // namespace

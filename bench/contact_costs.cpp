@@ -2,8 +2,7 @@
 #include <string>
 
 #include "asked.h"
-#include "rivals/geos_moved.h"
-#include "rivals/geos_region.h"
+#include "rivals/geos.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/penetration.h"
@@ -33,11 +32,9 @@ Result measured(Kind kind, std::size_t n, bool deep) {
   const auto region = geosRegion(fixed);
   GeosMoved moved(moving);
   const Pose still = Pose::Identity();
-  std::size_t found = 0;  // so that nothing is optimised away
-  const auto task = [&](const char* name, auto ask) {
-    return Task{name, Role::Ours, [&, ask] {
-                  for (const Pose& pose : poses) found += ask(pose);
-                }};
+  std::vector<double> found(poses.size());
+  const auto task = [&](const char* name, auto ask, Role role = Role::Ours) {
+    return taskOf(name, role, found, [&, ask](std::size_t i) { return ask(poses[i]); });
   };
   const auto askContacts = [&](ContactDetail detail) {
     return [&, detail](const Pose& pose) {
@@ -46,16 +43,16 @@ Result measured(Kind kind, std::size_t n, bool deep) {
       return contacts(fixed, still, moving, pose, options).size();
     };
   };
-  std::vector<Task> tasks = {
+  const std::vector<Task> tasks = {
       task("crossings", [&](const Pose& pose) { return crossings(fixed, still, moving, pose).size(); }),
       task("points", askContacts(ContactDetail::Points)),
       task("local depths", askContacts(ContactDetail::LocalDepth)),
       task("contacts", askContacts(ContactDetail::GlobalDepth)),
-      task("penetration",
-           [&](const Pose& pose) { return std::size_t{penetration(fixed, still, moving, pose).has_value()}; }),
-      task("GEOS overlay", [&](const Pose& pose) { return region->intersection(moved.at(pose))->getNumPoints(); })};
-  tasks.back().role = Role::Rival;
-  return measureInTurn({"detail", workloads::name(kind), deep ? "deep" : "shallow", n, n, poses.size(), 1}, tasks,
+      task("penetration", [&](const Pose& pose) { return penetration(fixed, still, moving, pose).has_value(); }),
+      task(
+          "GEOS overlay", [&](const Pose& pose) { return region->intersection(moved.at(pose))->getNumPoints(); },
+          Role::Rival)};
+  return measureInTurn({"detail", workloads::name(kind), deep ? "deep" : "shallow", n, n, poses.size()}, tasks,
                        kRounds);
 }
 

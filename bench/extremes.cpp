@@ -9,16 +9,15 @@
 #include <cstdio>
 #include <exception>
 #include <limits>
-#include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "exact_reference.h"
-#include "extreme_scenes.h"
 #include "random.h"
 #include "report.h"
-#include "tradeoff.h"
+#include "scenes/placed.h"
 #include "tradeoff_methods.h"
 #include "value_problems.h"
 
@@ -30,28 +29,29 @@ using workloads::Kind;
 constexpr double kNoAnswer = std::numeric_limits<double>::quiet_NaN();
 
 /// The child's part: each answer is written when it is there.
-[[noreturn]] void answerInto(int pipe_end, std::size_t count, const std::function<Asker()>& make) {
+[[noreturn]] void answerInto(int pipe_end, std::size_t count, const std::function<ValueContender()>& make) {
   const rlimit seconds{1, 1}, no_core{0, 0};
   setrlimit(RLIMIT_CPU, &seconds);
   setrlimit(RLIMIT_CORE, &no_core);
   // Messages that rivals print are no part of the table.
   if (!std::freopen("/dev/null", "w", stderr) || !std::freopen("/dev/null", "w", stdout)) _exit(1);
-  Asker ask;
+  std::optional<ValueContender> method;
   for (std::size_t i = 0; i < count; ++i) {
-    double answer = kNoAnswer;
+    Values answer;
     try {
-      if (!ask) ask = make();
-      answer = ask(i);
+      if (!method) method = make();
+      method->walk({count, 1, i}, answer);
     } catch (const std::exception&) {
+      answer = {kNoAnswer};
     }
-    if (write(pipe_end, &answer, sizeof answer) != static_cast<ssize_t>(sizeof answer)) _exit(1);
+    if (write(pipe_end, answer.data(), sizeof(double)) != static_cast<ssize_t>(sizeof(double))) _exit(1);
   }
   _exit(0);
 }
 
-/// What `make()` answers to `count` queries in a child process, where it may throw, crash or hang. NaN where it threw
+/// Asks `make()` `count` queries in a child process, where it may throw, crash or hang. NaN where it threw
 /// or answered that, and for all that it didn't come to: it has one second of CPU time.
-std::vector<double> askInChild(std::size_t count, const std::function<Asker()>& make) {
+Values askInChild(std::size_t count, const std::function<ValueContender()>& make) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("bench: no pipe");
   std::fflush(nullptr);  // or the child prints it, too
@@ -59,7 +59,7 @@ std::vector<double> askInChild(std::size_t count, const std::function<Asker()>& 
   if (child < 0) throw std::runtime_error("bench: no child process");
   if (child == 0) answerInto(ends[1], count, make);
   close(ends[1]);
-  std::vector<double> answers(count, kNoAnswer);
+  Values answers(count, kNoAnswer);
   for (double& answer : answers) {
     double read_answer;
     if (read(ends[0], &read_answer, sizeof read_answer) != static_cast<ssize_t>(sizeof read_answer)) break;
@@ -70,6 +70,47 @@ std::vector<double> askInChild(std::size_t count, const std::function<Asker()>& 
   waitpid(child, &status, 0);
   return answers;
 }
+
+/// One way to the extreme: far from the origin, scaled, or squeezed to slivers.
+struct Sweep {
+  std::string name;
+  std::vector<int> exponents;
+  KnownScene (*at)(const KnownScene& plain, double power);
+};
+
+const std::vector<Sweep>& sweeps() {
+  static const std::vector<int> away = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  static const auto both = [](const KnownScene& plain, auto map) {
+    return makeScene("", "", map(plain.fixed), map(plain.moving));
+  };
+  static const std::vector<Sweep> all = {
+      {"both polygons' vertices moved by", away,
+       [](const KnownScene& plain, double by) {
+         return both(plain, [=](const Polygon& polygon) { return polygon.translated(Vec2::Constant(by)); });
+       }},
+      {"both poses moved by", away,
+       [](const KnownScene& plain, double by) {
+         KnownScene scene = plain;
+         scene.fixed_pose.translation() = Vec2::Constant(by);
+         return scene;
+       }},
+      {"scaled by",
+       {-300, -200, -100, -50, -20, -10, -5, 0, 5, 10, 20, 50, 100, 200, 300},
+       [](const KnownScene& plain, double factor) {
+         return both(plain, [=](const Polygon& polygon) { return polygon.scaled(factor); });
+       }},
+      {"slivers, squeezed to",
+       {-1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15},
+       [](const KnownScene& plain, double factor) {
+         return both(plain, [=](const Polygon& polygon) {
+           return mapped(polygon, [=](const Vec2& v) { return Vec2(v.x(), v.y() * factor); });
+         });
+       }}};
+  return all;
+}
+
+/// "1e-15".
+std::string powerOfTen(int exponent) { return "1e" + std::to_string(exponent); }
 
 struct ExactPoint {
   mpq_class x, y;
@@ -99,7 +140,7 @@ std::vector<ExactEdge> exactEdges(const Polygon& polygon, const Pose& pose) {
 
 /// When a vertex first meets an edge, of polygons that are apart at time 0 and of which one moves by `shift` without
 /// turning: exact but for the last rounding. Edges along the way are met at their ends, which others have, too.
-double slidingImpact(const Scene& scene, const Motion& motion) {
+double slidingImpact(const KnownScene& scene, const Motion& motion) {
   const std::vector<ExactEdge> fixed = exactEdges(scene.fixed, scene.fixed_pose),
                                moving = exactEdges(scene.moving, motion.start);
   mpq_class first = 2;
@@ -120,29 +161,19 @@ double slidingImpact(const Scene& scene, const Motion& motion) {
   return first > 1 ? kNoContact : first.get_d();
 }
 
-/// Rounding may have dented it.
-bool isExactlyConvex(const Polygon& polygon) {
-  const std::vector<ExactEdge> edges = exactEdges(polygon, Pose::Identity());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const ExactEdge &edge = edges[e], &next = edges[(e + 1) % edges.size()];
-    if (cross(edge.w - edge.v, next.w - next.v) < 0) return false;
-  }
-  return true;
-}
-
 /// Slides from a tenth of the size before contact towards a tenth behind it.
-ValueProblem impactsAt(const Scene& scene, bool convex) {
+ValueProblem impactsAt(const KnownScene& scene, bool convex) {
   support::Random random(8);
   std::vector<Motion> motions;
   Values truth;
-  for (std::size_t i = 1; i < scene.placements.size(); ++i) {
-    const Placement &behind = scene.placements[i - 1], &ahead = scene.placements[i];
+  for (std::size_t i = 1; i < scene.poses.size(); ++i) {
+    const KnownPose &behind = scene.poses[i - 1], &ahead = scene.poses[i];
     if (ahead.collides || offsetNames()[ahead.offset] != "1e-1") continue;
     const Vec2 way = behind.pose.translation() - ahead.pose.translation();
     motions.push_back(Motion::translation(ahead.pose, random.real(0.7, 1.5) * way));
     truth.push_back(slidingImpact(scene, motions.back()));
   }
-  ValueProblem problem{impactQuery(), "", &scene, truth, impactMethods(scene, motions, convex, 1000)};
+  ValueProblem problem{kImpact, "", &scene, truth, impactMethods(scene, motions, convex, 1000)};
   // Early by no more than timeOfImpact() says: within 1e-13 of these lengths it may report a contact.
   problem.may_round = [=, &scene](std::size_t i, double time) {
     const double lengths = (motions[i].start.translation() - scene.fixed_pose.translation()).norm() +
@@ -156,50 +187,48 @@ ValueProblem impactsAt(const Scene& scene, bool convex) {
 }
 
 /// Overlaps by much: from contact a part of the way towards the place where the origins of both coverings coincide.
-ValueProblem penetrationsAt(const Scene& scene) {
+ValueProblem penetrationsAt(const KnownScene& scene) {
   support::Random random(7);
   std::vector<Pose> poses;
   Values truth;
-  for (const Placement& placement : scene.placements) {
-    if (!placement.collides) continue;
-    Pose pose = placement.pose;
+  for (const KnownPose& known : scene.poses) {
+    if (!known.collides) continue;
+    Pose pose = known.pose;
     const Vec2 middle = scene.fixed_pose * scene.fixed.origin() - pose.linear() * scene.moving.origin();
     pose.translation() += random.real(0.2, 0.9) * (middle - pose.translation());
     poses.push_back(pose);
     truth.push_back(exactDepth(scene, pose));
   }
-  return {penetrationQuery(), "", &scene, truth, penetrationMethods(scene, poses, true)};
+  return {kPenetration, "", &scene, truth, penetrationMethods(scene, poses, true)};
 }
 
 /// Whether they collide, 1 or 0, by every method at its best settings. Stages that say "maybe" alone are left out.
-/// `plain` is the scene before it is moved or scaled.
-ValueProblem collisionsAt(const Scene& scene, const Scene& plain) {
+ValueProblem collisionsAt(const KnownScene& scene, bool convex) {
   static const ValueQuery query = {"collide", ValueQuery::Error::OfTruth,
                                    [](double value, double truth, double) { return value != truth; }};
   ValueProblem problem{query, "", &scene, {}, {}};
-  for (const Placement& placement : scene.placements) problem.truth.push_back(placement.collides ? 1 : 0);
-  for (const Method& method : tradeoffMethods()) {
+  for (const KnownPose& known : scene.poses) problem.truth.push_back(known.collides ? 1 : 0);
+  const std::size_t count = scene.poses.size();
+  for (const CollisionMethod& method : collisionMethods(scene, convex)) {
     const bool is_stage = method.family == "bounding discs" || method.family == "influence areas";
-    if (is_stage || method.setting == "1e-10" || !method.takes(plain)) continue;
-    problem.methods.push_back({method.family, method.setting, method.family == kExact ? 0 : kNoContact, [&] {
-                                 return [&](std::size_t i) {
-                                   Scene one = scene;
-                                   one.placements = {scene.placements[i]};
-                                   Hits hits;
-                                   method.make(one).walk(Sampling{}, hits);
-                                   return hits.empty() ? 0.0 : 1.0;
-                                 };
-                               }});
+    if (is_stage || method.setting == "1e-10") continue;
+    // Fresh polygons for every pose, as plain signs answer by the stages that are built.
+    const auto ask = [=](std::size_t i) {
+      Hits hits;
+      method.make().walk({count, 1, i}, hits);
+      return hits.empty() ? 0.0 : 1.0;
+    };
+    problem.methods.push_back({method.family, method.setting, method.promise,
+                               [=] { return contender<Values>("", Role::Rival, false, count, ask); }});
   }
   return problem;
 }
 
-/// Depths are known of convex polygons.
-std::vector<ValueProblem> problemsAt(const Scene& scene, const Scene& plain) {
-  const bool convex = isConvexPair(plain);
-  std::vector<ValueProblem> problems = {collisionsAt(scene, plain), nearDistances(scene, convex),
+/// `convex`: before the scene was moved or scaled. Depths are known of polygons that rounding didn't dent then.
+std::vector<ValueProblem> problemsAt(const KnownScene& scene, bool convex) {
+  std::vector<ValueProblem> problems = {collisionsAt(scene, convex), nearDistances(scene, convex),
                                         impactsAt(scene, convex)};
-  if (convex && isExactlyConvex(scene.fixed) && isExactlyConvex(scene.moving)) {
+  if (convex && isConvexPair(scene)) {
     problems.push_back(shallowContacts(scene));
     problems.push_back(penetrationsAt(scene));
   }
@@ -251,7 +280,7 @@ Row& rowOf(std::vector<Row>& rows, const std::string& query, const std::string& 
 
 /// Enters a method's answers. False if it is one of ours and doesn't keep its promise.
 bool ask(const ValueProblem& problem, const ValueMethod& method, Answers& to) {
-  const std::vector<double> values = askInChild(problem.truth.size(), method.make);
+  const Values values = askInChild(problem.truth.size(), method.make);
   const bool ours = std::isfinite(method.promise);
   bool kept = true;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -276,9 +305,12 @@ bool askAll(std::vector<Row>& rows, bool full) {
     const Sweep& sweep = sweeps()[s];
     for (std::size_t e = 0; e < sweep.exponents.size(); ++e) {
       if (!full && (sweep.exponents.size() - 1 - e) % 2 == 1) continue;
-      for (const Kind kind : extremeKinds()) {
-        const Scene plain = plainScene(kind), scene = extremeScene(sweep, sweep.exponents[e], kind, full ? 16 : 4);
-        for (const ValueProblem& problem : problemsAt(scene, plain))
+      for (const Kind kind : {Kind::Convex, Kind::Slim, Kind::Starred, Kind::WithHole}) {
+        const KnownScene plain = makeScene(kind, 8);
+        KnownScene scene = sweep.at(plain, std::pow(10, sweep.exponents[e]));
+        scene.name = workloads::name(kind) + ", " + sweep.name + " " + powerOfTen(sweep.exponents[e]);
+        scene.poses = placementsAroundContact(scene, full ? 16 : 4, 3, 5);
+        for (const ValueProblem& problem : problemsAt(scene, isConvexPair(plain)))
           for (const ValueMethod& method : problem.methods)
             if (isShown(method))
               kept = ask(problem, method, rowOf(rows, problem.query.name, method.name()).at[s][e]) && kept;
@@ -346,20 +378,18 @@ std::string csvOf(const std::vector<Row>& rows) {
   return csv;
 }
 
-/// One gnuplot block a query and sweep, "distance 0" and so on: column and row, their names, the worst error's power of
-/// ten, and the share of what is wrong or failed.
-std::string dataOf(const std::vector<Row>& rows) {
-  std::map<std::string, std::string> blocks;
+/// A block a query and sweep, "distance 0" and so on: column and row, their names, the worst error's power of ten, and
+/// the share of what is wrong or failed.
+Blocks blocksOf(const std::vector<Row>& rows) {
+  Blocks blocks;
   forEachCell(rows, [&](const Row& row, std::size_t r, std::size_t s, std::size_t e, const Answers& answers) {
     const double faults = static_cast<double>(answers.wrong + answers.failed) / static_cast<double>(answers.asked);
-    std::string& block = blocks[row.query + ' ' + std::to_string(s)];
-    block += std::to_string(e) + ' ' + std::to_string(r) + " \"" + row.method + "\" \"" +
-             powerOfTen(sweeps()[s].exponents[e]) + "\" " +
-             formatted("%.1f", std::log10(std::max(answers.error(1), 1e-16))) + ' ' + formatted("%.4f", faults) + '\n';
+    blocks[row.query + ' ' + std::to_string(s)] += std::to_string(e) + ' ' + std::to_string(r) + " \"" + row.method +
+                                                   "\" \"" + powerOfTen(sweeps()[s].exponents[e]) + "\" " +
+                                                   formatted("%.1f", std::log10(std::max(answers.error(1), 1e-16))) +
+                                                   ' ' + formatted("%.4f", faults) + '\n';
   });
-  std::string data;
-  for (const auto& [name, lines] : blocks) data += "# " + name + "\n" + lines + "\n\n";
-  return data;
+  return blocks;
 }
 
 const char* const kHow =
@@ -393,7 +423,7 @@ bool runExtremes(const std::string& directory, bool full) {
   writeFile(directory + "/extremes.md",
             "# At the extremes: median and worst errors\n\n" + tables(rows) + "# How it was measured\n\n" + kHow);
   writeFile(directory + "/extremes.csv", csvOf(rows));
-  writeFile(directory + "/extremes.dat", dataOf(rows));
+  writeBlocks(directory + "/extremes.dat", blocksOf(rows));
   return kept;
 }
 

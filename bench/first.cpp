@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
+#include "inputs.h"
 #include "measure.h"
-#include "poses.h"
 #include "random.h"
 #include "report.h"
 #include "tricover/collide.h"
@@ -157,14 +157,11 @@ std::size_t askBox2d(const FirstAsked& asked) {
   return hits;
 }
 
-const std::vector<FirstMethod>& firstMethods() {
-  static const std::vector<FirstMethod> methods = {{"tricover", Role::Ours, false, askTricover},
-                                                   {"Boost", Role::Rival, false, askBoost},
-                                                   {"GEOS", Role::Rival, false, askGeos<false>},
-                                                   {"GEOS prepared", Role::Rival, false, askGeos<true>},
-                                                   {"Box2D", Role::Box2d, true, askBox2d}};
-  return methods;
-}
+const FirstMethod kMethods[] = {{"tricover", Role::Ours, false, askTricover},
+                                {"Boost", Role::Rival, false, askBoost},
+                                {"GEOS", Role::Rival, false, askGeos<false>},
+                                {"GEOS prepared", Role::Rival, false, askGeos<true>},
+                                {"Box2D", Role::Box2d, true, askBox2d}};
 
 constexpr std::size_t kQueries[] = {1, 2, 3, 5, 10, 20, 30, 50, 100};
 constexpr std::size_t kVertices[] = {4, 8, 24, 64, 1024};
@@ -214,7 +211,7 @@ FirstCell makeCell(std::size_t vertices, bool convex, const std::string& poses) 
   return cell;
 }
 
-/// What polygons answer that have been asked often.
+/// The answers of polygons that have been asked often.
 std::size_t hitsKnown(const FirstCell& cell, std::size_t queries) {
   std::size_t hits = 0;
   for (std::size_t i = 0; i < cell.visits(); ++i)
@@ -228,7 +225,7 @@ std::size_t hitsKnown(const FirstCell& cell, std::size_t queries) {
 Result measureRow(const FirstCell& cell, std::size_t queries) {
   std::vector<Task> tasks;
   std::size_t hits = 0, of_ours = 0;
-  for (const FirstMethod& method : firstMethods()) {
+  for (const FirstMethod& method : kMethods) {
     if (!method.takes(cell.convex, cell.vertices)) continue;
     tasks.push_back({method.name, method.role, [&] {
                        hits = 0;
@@ -238,8 +235,8 @@ Result measureRow(const FirstCell& cell, std::size_t queries) {
   }
   const std::string name = cell.poses + " k=" + std::to_string(queries);
   Result result = measureInTurn(
-      {"first", cell.convex ? "convex" : "outline", name, cell.vertices, cell.vertices, cell.visits() * queries, 1},
-      tasks, kRounds);
+      {"first", cell.convex ? "convex" : "outline", name, cell.vertices, cell.vertices, cell.visits() * queries}, tasks,
+      kRounds);
   if (of_ours != hitsKnown(cell, queries)) throw std::logic_error("first answers differ from later ones: " + name);
   result.workload.positions = queries;
   return result;
@@ -250,7 +247,9 @@ const char* const kHow =
   thread, methods in turn, medians of 7. Others move the vertices and build what they need.
 )";
 
-int run(const std::string& directory) {
+}  // namespace
+
+bool run(const std::string& directory, bool) {
   std::vector<Result> results;
   for (const bool convex : {false, true}) {
     for (const std::size_t vertices : kVertices) {
@@ -261,15 +260,7 @@ int run(const std::string& directory) {
       }
     }
   }
-  writeFile(directory + "/first.md", "# First answers\n\n" + table(results) + "\n" + kHow);
-  writeFile(directory + "/first.csv", csv(results));
-  return 0;
+  return writeStudies(directory, "first", {{"First answers", results}}, kHow);
 }
 
-}  // namespace
 }  // namespace tricover::bench
-
-int main(int argc, char** argv) {
-  using namespace tricover::bench;
-  return runProgram(argv[0], "<existing report directory>", argc == 2, [&] { return run(argv[1]); });
-}

@@ -6,6 +6,8 @@
 
 #include "asked.h"
 #include "report.h"
+#include "scenes/placed.h"
+#include "shapes.h"
 #include "tricover/tricover.h"
 
 namespace tricover::bench {
@@ -36,8 +38,7 @@ struct Row {
 
   Motion motion(double gap) const {
     Motion motion;
-    motion.start.linear() = Eigen::Rotation2Dd(0.1).toRotationMatrix();
-    motion.start.translation() = Vec2(0.3, gap + margin);
+    motion.start = poseAt({0.3, gap + margin}, 0.1);
     motion.angle = angle;
     motion.shift = Vec2(shift, 0);
     motion.shift_2 = Vec2(shift_2, 0);
@@ -53,22 +54,6 @@ std::vector<Row> impactRows() {
           {"a triangle slides along the floor ever faster", triangle(), 0, 0, 0, 1},
           {"a triangle tips and slides ever faster", triangle(), 0, 1.2, 0, 1},
           {"a rod of 22 vertices tips and slides ever faster", rod(), 0, 1.2, 0, 1}};
-}
-
-/// A body whose corner, `reach` to the left of its frame's origin, comes near a box's side after a turn.
-struct Corner {
-  const char* input;
-  Polygon body;
-  double reach, turn;
-};
-
-std::vector<Corner> corners() {
-  constexpr double kHalf = 0.70710678118654752;
-  const Polygon octagon(
-      {{{-1, 0}, {-kHalf, -kHalf}, {0, -1}, {kHalf, -kHalf}, {1, 0}, {kHalf, kHalf}, {0, 1}, {-kHalf, kHalf}}});
-  return {{"a box, its corner beside another one's side", Polygon({{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}}), 1, 0.1},
-          {"a triangle, its corner beside a box's side", Polygon({{{-1, 0}, {1, -1}, {1, 1}}}), 1, 0.1},
-          {"an octagon, its corner beside a box's side", octagon, 1, 0.1}};
 }
 
 /// The least of several means, since these are no averages: one hard query each.
@@ -87,9 +72,9 @@ double secondsOf(const std::function<void()>& ask) {
 }
 
 Result measured(const char* input, const std::string& query, const std::function<void(double gap)>& ask) {
-  Result result{{"gap", input, query, 0, 0, 1, 1}, 0, {}};
+  Result result{{"gap", input, query}};
   for (const double gap : kGaps)
-    result.timings.push_back({"gap " + shortNumber(gap), Role::Ours, 1e9 * secondsOf([&] { ask(gap); }), 0, 0, 0});
+    result.timings.push_back({"gap " + shortNumber(gap), Role::Ours, 1e9 * secondsOf([&] { ask(gap); })});
   return result;
 }
 
@@ -106,17 +91,17 @@ std::vector<Result> measureGaps() {
     }
   }
   const Polygon box({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});
-  for (const Corner& corner : corners()) {
-    const auto beside = [&](double gap) {
-      Pose pose = Pose::Identity();
-      pose.linear() = Eigen::Rotation2Dd(corner.turn).toRotationMatrix();
-      pose.translation() = Vec2(1 + corner.reach * std::cos(corner.turn) + gap, 0.1);
-      return pose;
-    };
+  // Bodies whose corner, one to the left of their frame's origin, comes near a box's side after a turn.
+  const std::pair<const char*, Polygon> corners[] = {
+      {"a box, its corner beside another one's side", Polygon({{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}})},
+      {"a triangle, its corner beside a box's side", Polygon({{{-1, 0}, {1, -1}, {1, 1}}})},
+      {"an octagon, its corner beside a box's side", Polygon({support::regular(8, 1)})}};
+  for (const auto& corner : corners) {
+    const auto beside = [](double gap) { return poseAt({1 + std::cos(0.1) + gap, 0.1}, 0.1); };
     results.push_back(
-        measured(corner.input, "collide", [&](double gap) { collide(box, kIdentity, corner.body, beside(gap)); }));
+        measured(corner.first, "collide", [&](double gap) { collide(box, kIdentity, corner.second, beside(gap)); }));
     results.push_back(
-        measured(corner.input, "distance", [&](double gap) { distance(box, kIdentity, corner.body, beside(gap)); }));
+        measured(corner.first, "distance", [&](double gap) { distance(box, kIdentity, corner.second, beside(gap)); }));
   }
   return results;
 }

@@ -4,6 +4,7 @@
 
 #include "asked.h"
 #include "random.h"
+#include "scenes/placed.h"
 #include "tricover/tricover.h"
 
 namespace tricover::bench {
@@ -70,10 +71,10 @@ constexpr Query kAsked[] = {
 
 std::vector<Pose> anyPoses(double size) {
   support::Random random(5);
-  std::vector<Pose> poses(kQueries, Pose::Identity());
-  for (Pose& pose : poses) {
-    pose.linear() = Eigen::Rotation2Dd(random.real(0, 6.3)).toRotationMatrix();
-    pose.translation() = Vec2(random.real(0, size), random.real(0, size));
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < kQueries; ++i) {
+    const double angle = random.real(0, 6.3);
+    poses.push_back(poseAt(Vec2(random.real(0, size), random.real(0, size)), angle));
   }
   return poses;
 }
@@ -86,18 +87,13 @@ std::vector<Result> measureIslands() {
     Map map(side);
     const std::vector<Pose> poses = anyPoses(map.size);
     for (const Query& query : kAsked) {
-      std::size_t of_polygon = 0, of_scene = 0;
-      const auto askPolygon = [&] {
-        of_polygon = 0;
-        for (const Pose& pose : poses) of_polygon += query.of_polygon(map.polygon, pose);
-      };
-      const auto askScene = [&] {
-        of_scene = 0;
-        for (const Pose& pose : poses) of_scene += query.of_scene(map.scene, pose);
-      };
-      results.push_back(measureInTurn({"islands", "islands", query.name, map.polygon.rings().size(), 4, kQueries, 1},
-                                      {{"one polygon", Role::Ours, askPolygon}, {"Scene", Role::Rival, askScene}},
-                                      kRounds));
+      std::vector<double> of_polygon(kQueries), of_scene(kQueries);
+      results.push_back(measureInTurn(
+          {"islands", "islands", query.name, map.polygon.rings().size(), 4, kQueries},
+          {taskOf("one polygon", Role::Ours, of_polygon,
+                  [&](std::size_t i) { return query.of_polygon(map.polygon, poses[i]); }),
+           taskOf("Scene", Role::Rival, of_scene, [&](std::size_t i) { return query.of_scene(map.scene, poses[i]); })},
+          kRounds));
       if (of_polygon != of_scene)
         throw std::runtime_error(std::string("islands: polygon and scene differ: ") + query.name);
     }

@@ -12,8 +12,6 @@
 #include <map>
 #include <string>
 
-#include "report.h"
-
 namespace tricover::bench {
 namespace {
 
@@ -77,12 +75,12 @@ std::vector<Timing> timeAll(const Workload& workload, const std::vector<Contende
   benchmark::ClearRegisteredBenchmarks();
   Sampling of_reference;
   for (const ContenderFor<Answers>& contender : contenders) {
-    // What exactness costs is asked of the same positions: among fewer, a processor foresees more branches.
+    // The cost of exactness is measured at the same positions: among fewer, a processor foresees more branches.
     const bool as_reference = contender.role == Role::Inexact;
     const Sampling sampling = as_reference ? of_reference : chooseSampling(workload, contender, settings);
     if (timings.empty()) of_reference = sampling;
     const std::size_t walked = sampleCount(workload, sampling);
-    timings.push_back({contender.name, contender.role, 0, contender.role == Role::Floor ? 0 : walked, 0, 0});
+    timings.push_back({contender.name, contender.role, 0, contender.role == Role::Floor ? 0 : walked});
     const auto time = [&, sampling, index = timings.size() - 1](benchmark::State& state) {
       Answers answers;
       for (auto _ : state) {
@@ -103,14 +101,6 @@ std::vector<Timing> timeAll(const Workload& workload, const std::vector<Contende
   return timings;
 }
 
-/// The reference's answers at all positions.
-template <class Answers>
-Answers askReference(const ContenderFor<Answers>& reference) {
-  Answers answers;
-  reference.walk(Sampling{}, answers);
-  return answers;
-}
-
 }  // namespace
 
 double threadSeconds() {
@@ -129,20 +119,6 @@ double medianOf(std::vector<double> values) {
   return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-std::vector<double> secondsInTurn(const std::vector<std::function<void()>>& tasks, int rounds, double (*clock)()) {
-  std::vector<std::vector<double>> seconds(tasks.size());
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      const double start = clock();
-      tasks[i]();
-      seconds[i].push_back(clock() - start);
-    }
-  }
-  std::vector<double> medians;
-  for (const std::vector<double>& some : seconds) medians.push_back(medianOf(some));
-  return medians;
-}
-
 std::size_t heapBytes() {
   const struct mallinfo2 info = mallinfo2();
   return info.uordblks + info.hblkhd;
@@ -154,19 +130,25 @@ std::string cellName(const Workload& w) {
 }
 
 Result measureInTurn(const Workload& workload, const std::vector<Task>& tasks, int rounds) {
-  Result result{workload, 0, {}};
-  std::vector<std::function<void()>> runs;
-  for (const Task& task : tasks) runs.push_back(task.run);
-  const std::vector<double> seconds = secondsInTurn(runs, rounds, threadSeconds);
+  Result result{workload};
+  std::vector<std::vector<double>> seconds(tasks.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const double start = threadSeconds();
+      tasks[i].run();
+      seconds[i].push_back(threadSeconds() - start);
+    }
+  }
   for (std::size_t i = 0; i < tasks.size(); ++i)
     result.timings.push_back(
-        {tasks[i].name, tasks[i].role, 1e9 * seconds[i] / static_cast<double>(workload.positions), 0, 0, 0});
+        {tasks[i].name, tasks[i].role, 1e9 * medianOf(seconds[i]) / static_cast<double>(workload.positions)});
   return result;
 }
 
 Result measure(const Workload& workload, const std::vector<Contender>& contenders, const Settings& settings) {
-  Result result{workload, 0, {}};
-  Hits reference = askReference(contenders.front());
+  Result result{workload};
+  Hits reference;
+  contenders.front().walk(Sampling{}, reference);
   std::sort(reference.begin(), reference.end());
   result.collisions = positionsOnlyIn(reference, {}, workload.targets);
   result.timings = timeAll(workload, contenders, settings, [&](Hits& hits, const Sampling& sampling, Timing& timing) {
@@ -178,10 +160,11 @@ Result measure(const Workload& workload, const std::vector<Contender>& contender
   return result;
 }
 
-Result measure(const Workload& workload, const std::vector<ValueContender>& contenders, const Agreement& agreement,
-               const Settings& settings) {
-  Result result{workload, 0, {}};
-  const Values reference = askReference(contenders.front());
+Result measure(const Workload& workload, const std::vector<ValueContender>& contenders, const Settings& settings) {
+  const Agreement& agreement = settings.agreement;
+  Result result{workload};
+  Values reference;
+  contenders.front().walk(Sampling{}, reference);
   result.collisions = static_cast<std::size_t>(
       std::count_if(reference.begin(), reference.end(), [&](double value) { return value <= agreement.hit; }));
   result.timings =
@@ -197,17 +180,6 @@ Result measure(const Workload& workload, const std::vector<ValueContender>& cont
         timing.misses = std::max(timing.misses, high);
       });
   return result;
-}
-
-int runStudy(int argc, char** argv, int (*run)(const std::string& data, const std::string& directory, bool full)) {
-  const bool full = argc == 4 && std::string(argv[3]) == "--full";
-  return runProgram(argv[0], "<countries file> <existing report directory> [--full]", argc == 3 || full, [&] {
-    std::string interleave = "--benchmark_enable_random_interleaving=true";
-    char* benchmark_arguments[] = {argv[0], interleave.data(), nullptr};
-    int benchmark_count = 2;
-    benchmark::Initialize(&benchmark_count, benchmark_arguments);
-    return run(argv[1], argv[2], full);
-  });
 }
 
 }  // namespace tricover::bench

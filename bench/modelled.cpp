@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each kind of query makes tricover build from fresh polygons: what isn't used isn't paid for.
+// Counts what each kind of query makes tricover build from fresh polygons: what isn't used isn't paid for.
 #include <malloc.h>
 
 #include <algorithm>
@@ -16,12 +16,13 @@
 
 #include "measure.h"
 #include "report.h"
+#include "scenes/placed.h"
 #include "tricover/tricover.h"
 #include "workloads.h"
 
 namespace {
 
-/// What operator new handed out and didn't get back, with what malloc rounds it up to.
+/// The bytes that operator new handed out and didn't get back, with what malloc rounds them up to.
 std::size_t heap_bytes = 0;
 
 void* counted(void* block) {
@@ -88,11 +89,7 @@ struct Query {
   bool of_discs = true;
 };
 
-Pose at(const Vec2& position) {
-  Pose pose = Pose::Identity();
-  pose.translation() = position;
-  return pose;
-}
+Pose at(const Vec2& position) { return poseAt(position, 0); }
 
 const Pose kIdentity = Pose::Identity();
 
@@ -104,26 +101,27 @@ Pose near(const Pair& pair) {
 }
 Pose upon(const Pair& pair) { return at({pair.radius() / 2, 0}); }
 
-template <Pose (*Where)(const Pair&)>
+template <Pose (*Where)(const Pair&), bool Cached = false>
 bool askCollide(Pair& pair) {
-  return collide(pair.fixed, kIdentity, pair.moving, Where(pair), {2 * pair.margin});
+  const CollideOptions options{2 * pair.margin, 0};
+  return Cached ? collide(pair.fixed, kIdentity, pair.moving, Where(pair), pair.cache, options)
+                : collide(pair.fixed, kIdentity, pair.moving, Where(pair), options);
 }
 
-template <Pose (*Where)(const Pair&)>
+template <Pose (*Where)(const Pair&), bool Cached = false>
 bool askDistance(Pair& pair) {
-  DistanceOptions options;
-  options.margin = 2 * pair.margin;
-  return distance(pair.fixed, kIdentity, pair.moving, Where(pair), options).distance > 0;
+  const DistanceOptions options{2 * pair.margin};
+  return (Cached ? distance(pair.fixed, kIdentity, pair.moving, Where(pair), pair.cache, options)
+                 : distance(pair.fixed, kIdentity, pair.moving, Where(pair), options))
+             .distance > 0;
 }
 
 /// From near, or far, to there.
 template <Pose (*From)(const Pair&), Pose (*To)(const Pair&)>
 bool askImpact(Pair& pair) {
-  ImpactOptions options;
-  options.margin = 2 * pair.margin;
   const Pose start = From(pair);
   const Motion motion = Motion::translation(start, To(pair).translation() - start.translation());
-  return timeOfImpact(pair.fixed, {}, pair.moving, motion, options).has_value();
+  return timeOfImpact(pair.fixed, {}, pair.moving, motion, {2 * pair.margin}).has_value();
 }
 
 template <Pose (*Where)(const Pair&)>
@@ -135,11 +133,9 @@ bool askContacts(Pair& pair) {
 template <Pose (*Where)(const Pair&)>
 bool askScene(Pair& pair) {
   if (!pair.scene) {
-    BodyOptions options;
-    options.margin = pair.margin;
     pair.scene.emplace();
-    pair.scene->add(pair.fixed, kIdentity, options);
-    pair.scene->add(pair.moving, Where(pair), options);
+    pair.scene->add(pair.fixed, kIdentity, {pair.margin});
+    pair.scene->add(pair.moving, Where(pair), {pair.margin});
   }
   return !pair.scene->collisions().empty();
 }
@@ -153,21 +149,13 @@ const Query kQueries[] = {
     {"collide, discs apart", false, askCollide<far>},
     {"collide, near", false, askCollide<near>},
     {"collide, overlapping", true, askCollide<upon>},
-    {"collide, near, PairCache", false,
-     [](Pair& pair) {
-       return collide(pair.fixed, kIdentity, pair.moving, near(pair), pair.cache, {2 * pair.margin, 0});
-     }},
+    {"collide, near, PairCache", false, askCollide<near, true>},
     {"paper::collide, near", false,
      [](Pair& pair) { return paper::collide(pair.fixed, kIdentity, pair.moving, near(pair), {2 * pair.margin}); },
      false},
     {"distance, discs apart", true, askDistance<far>},
     {"distance, near", true, askDistance<near>},
-    {"distance, near, PairCache", true,
-     [](Pair& pair) {
-       DistanceOptions options;
-       options.margin = 2 * pair.margin;
-       return distance(pair.fixed, kIdentity, pair.moving, near(pair), pair.cache, options).distance > 0;
-     }},
+    {"distance, near, PairCache", true, askDistance<near, true>},
     {"distance, overlapping", false, askDistance<upon>},
     {"time of impact, passes by", false, askImpact<far, far>},
     {"time of impact, hits", true, askImpact<near, upon>},
@@ -190,7 +178,7 @@ const Query kQueries[] = {
     {"Scene: added, overlapping", true, askScene<upon>},
 };
 
-/// Of one call of `work`.
+/// The time of one call of `work`.
 template <class Work>
 double nanoseconds(Work work) {
   const auto start = std::chrono::steady_clock::now();
@@ -258,17 +246,20 @@ const char* const kHow =
 - polygon: one polygon from its rings, copied; that much every polygon pays, and the other rows come on top.
 - )";
 
-int run(const std::string& directory) {
+}  // namespace
+
+bool run(const std::string& directory, bool) {
   const std::vector<Shape> all = shapes();
-  const char* const measures[] = {"bytes that the first query leaves", "time to build them", "a later query"};
-  std::vector<Result> tables[3];
+  std::vector<Study> tables = {
+      {"bytes that the first query leaves", {}}, {"time to build them", {}}, {"a later query", {}}};
   const auto enter = [&](const std::string& name, auto costOfShape) {
-    for (int i = 0; i < 3; ++i) tables[i].push_back({{"modelled", measures[i], name, 0, 0, 1, 1}, 0, {}});
+    for (Study& table : tables) table.results.push_back({{"modelled", table.title, name}});
     for (const Shape& shape : all) {
       const std::optional<Cost> cost = costOfShape(shape);
       if (!cost) continue;
       const double values[] = {static_cast<double>(cost->bytes), cost->extra_ns, cost->warm_ns};
-      for (int i = 0; i < 3; ++i) tables[i].back().timings.push_back({shape.name, Role::Ours, values[i], 0, 0, 0});
+      for (std::size_t i = 0; i < tables.size(); ++i)
+        tables[i].results.back().timings.push_back({shape.name, Role::Ours, values[i]});
     }
   };
   enter("polygon and no query", [](const Shape& shape) { return std::optional<Cost>(costOfPolygon(shape)); });
@@ -276,23 +267,10 @@ int run(const std::string& directory) {
     enter(query.name, [&](const Shape& shape) {
       return shape.margin > 0 && !query.of_discs ? std::nullopt : std::optional<Cost>(costOf(shape, query));
     });
-  std::string text = "# Model only what a scene requires\n\n";
-  std::vector<Result> results;
-  for (const std::vector<Result>& some : tables) {
-    text += table(some, "Bytes or nanoseconds, both polygons together") + "\n";
-    results.insert(results.end(), some.begin(), some.end());
-  }
-  writeFile(directory + "/modelled.md", text + "# How it was measured\n\n" + kHow + "A PairCache itself is " +
-                                            std::to_string(sizeof(PairCache)) + " bytes, a PointCache " +
-                                            std::to_string(sizeof(PointCache)) + ", both the caller's.\n");
-  writeFile(directory + "/modelled.csv", csv(results));
-  return 0;
+  return writeStudies(directory, "modelled", tables,
+                      kHow + std::string("A PairCache itself is ") + std::to_string(sizeof(PairCache)) +
+                          " bytes, a PointCache " + std::to_string(sizeof(PointCache)) + ", both the caller's.\n",
+                      "Bytes or nanoseconds, both polygons together");
 }
 
-}  // namespace
 }  // namespace tricover::bench
-
-int main(int argc, char** argv) {
-  using namespace tricover::bench;
-  return runProgram(argv[0], "<existing report directory>", argc == 2, [&] { return run(argv[1]); });
-}

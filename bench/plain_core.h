@@ -12,9 +12,9 @@
 using PlainRings = std::vector<std::vector<Eigen::Vector2d>>;
 
 /// Appends to `hits` those of the poses with indices below `positions`, of which it asks the first `run` in every
-/// `period`, at which the moving polygon collides with the fixed one.
+/// `period` from `first` on, at which the moving polygon collides with the fixed one.
 using PlainWalk = std::function<void(const Eigen::Isometry2d* poses, std::size_t positions, std::size_t period,
-                                     std::size_t run, std::vector<std::uint32_t>& hits)>;
+                                     std::size_t run, std::size_t first, std::vector<std::uint32_t>& hits)>;
 
 namespace tricover_plain_double {
 PlainWalk plainWalk(const PlainRings& fixed, const PlainRings& moving,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <map>
 #include <sstream>
 
 #include "report.h"
@@ -10,7 +10,7 @@
 namespace tricover::bench {
 namespace {
 
-/// What is drawn after the vertices; of several methods the fastest.
+/// The columns after the vertices: each draws the fastest of several methods.
 using Columns = std::vector<std::vector<std::string>>;
 const Columns kCollisions = {{"cold"},    {"cached"}, {"via FCL"}, {"FCL MPR", "FCL GJK", "FCL GJK guess"},
                              {"FCL BVH"}, {"GEOS"},   {"Boost"},   {"paper"}};
@@ -31,22 +31,10 @@ double fastest(const Result& result, const std::vector<std::string>& methods) {
   return ns;
 }
 
-/// A block of gnuplot's a kind and workload, which is its name.
-using Blocks = std::map<std::string, std::map<std::size_t, std::string>>;
-
+/// A block a kind and workload.
 std::string blockName(const Workload& workload) { return workload.scene + " " + workload.name; }
 
-void writeBlocks(const Blocks& blocks, const std::string& path) {
-  std::string text;
-  for (const auto& [name, lines] : blocks) {
-    text += "# " + name + "\n";
-    for (const auto& [vertices, line] : lines) text += line;
-    text += "\n\n";
-  }
-  writeFile(path, text);
-}
-
-/// Of equally many vertices.
+/// Only cells of equally many vertices.
 Blocks timesOf(const std::vector<Result>& results, const Columns& columns) {
   Blocks blocks;
   for (const Result& result : results) {
@@ -55,7 +43,7 @@ Blocks timesOf(const std::vector<Result>& results, const Columns& columns) {
     std::ostringstream line;
     line << w.vertices_fixed;
     for (const auto& methods : columns) line << ' ' << fastest(result, methods);
-    blocks[blockName(w)][w.vertices_fixed] = line.str() + "\n";
+    blocks[blockName(w)] += line.str() + "\n";
   }
   return blocks;
 }
@@ -64,25 +52,24 @@ Blocks timesOf(const std::vector<Result>& results, const Columns& columns) {
 
 void writePlotData(const std::vector<Result>& study, const std::vector<Result>& distances,
                    const std::vector<Result>& impacts, const std::string& directory) {
-  writeBlocks(timesOf(study, kCollisions), directory + "/times.dat");
-  writeBlocks(timesOf(distances, kValues), directory + "/distance.dat");
-  writeBlocks(timesOf(impacts, kValues), directory + "/impact.dat");
+  writeBlocks(directory + "/times.dat", timesOf(study, kCollisions));
+  writeBlocks(directory + "/distance.dat", timesOf(distances, kValues));
+  writeBlocks(directory + "/impact.dat", timesOf(impacts, kValues));
   Blocks grid;
   for (const Result& result : study) {
     const Workload& w = result.workload;
-    const double cached = fastest(result, {"cached"}), cold = fastest(result, {"cold"});
+    const double cached = fastest(result, {"cached"});
+    const double ours = std::isfinite(cached) ? cached : fastest(result, {"cold"});
     double rival = std::numeric_limits<double>::infinity();
-    for (const Timing& timing : result.timings) {
+    for (const Timing& timing : result.timings)
       if (timing.role == Role::Rival) rival = std::min(rival, timing.ns);
-    }
-    const double ours = cached < std::numeric_limits<double>::infinity() ? cached : cold;
     std::ostringstream line;
     line << w.vertices_fixed << ' ' << w.vertices_moving << ' ' << ours << ' ' << rival << ' ' << rival / ours << '\n';
     // A blank line between the rows of a surface; cells come row by row.
     if (w.vertices_moving == 1024) line << '\n';
-    grid[blockName(w)][w.vertices_fixed] += line.str();
+    grid[blockName(w)] += line.str();
   }
-  writeBlocks(grid, directory + "/grid.dat");
+  writeBlocks(directory + "/grid.dat", grid);
 }
 
 }  // namespace tricover::bench

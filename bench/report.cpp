@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include <benchmark/benchmark.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 namespace tricover::bench {
 namespace {
 
-/// What is wrong in either direction with a workload's answers.
+/// The faults in either direction of a workload's answers.
 std::pair<std::string, std::string> faults(const Workload& workload) {
   const std::string& name = workload.name;
   if (workload.job == "distance" || name == "distance") return {"too short", "too long"};
@@ -60,36 +61,6 @@ const char* const kConditions =
   Sphere; 1 x 1 are two discs. libccd and indep are FCL's solvers. collide: about half of the poses collide; distance:
   apart.
 )";
-
-}  // namespace
-
-std::string markdown(const TextTable& lines) {
-  std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  }
-  std::string text;
-  for (std::size_t l = 0; l < lines.size(); ++l) {
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      const std::string padding(widths[i] - lines[l][i].size(), ' ');
-      text += i == 0 ? "| " + lines[l][i] + padding : " | " + padding + lines[l][i];
-    }
-    text += " |\n";
-    if (l > 0) continue;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      const std::string dashes(widths[i] + 1, '-');
-      text += i == 0 ? "|:" + dashes + "|" : dashes + ":|";
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, std::abs(value) < 100 ? "%.3g" : "%.0f", value);
-  return text;
-}
 
 std::string table(const std::vector<Result>& results, const std::string& unit) {
   std::vector<std::string> methods;
@@ -137,12 +108,6 @@ std::string table(const std::vector<Result>& results, const std::string& unit) {
          (checked ? "\nDisagreements with tricover's exact answers:\n" + disagreements : "");
 }
 
-void showProgress(std::size_t done, std::size_t total, const std::string& title) {
-  if (!isatty(STDERR_FILENO)) return;
-  std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total, title.c_str());
-  if (done == total) std::fprintf(stderr, "\n");
-}
-
 bool oursAgree(const std::vector<Result>& results) {
   bool agree = true;
   for (const Result& result : results) {
@@ -154,10 +119,6 @@ bool oursAgree(const std::vector<Result>& results) {
     }
   }
   return agree;
-}
-
-std::string quotedField(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
 
 std::string csv(const std::vector<Result>& results) {
@@ -175,6 +136,46 @@ std::string csv(const std::vector<Result>& results) {
     }
   }
   return out.str();
+}
+
+}  // namespace
+
+std::string markdown(const TextTable& lines) {
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  }
+  std::string text;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      const std::string padding(widths[i] - lines[l][i].size(), ' ');
+      text += i == 0 ? "| " + lines[l][i] + padding : " | " + padding + lines[l][i];
+    }
+    text += " |\n";
+    if (l > 0) continue;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      const std::string dashes(widths[i] + 1, '-');
+      text += i == 0 ? "|:" + dashes + "|" : dashes + ":|";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, std::abs(value) < 100 ? "%.3g" : "%.0f", value);
+  return text;
+}
+
+void showProgress(std::size_t done, std::size_t total, const std::string& title) {
+  if (!isatty(STDERR_FILENO)) return;
+  std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total, title.c_str());
+  if (done == total) std::fprintf(stderr, "\n");
+}
+
+std::string quotedField(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
 
 std::string machine(const Settings& settings) {
@@ -201,19 +202,6 @@ std::string formatted(const char* format, double value) {
   return text;
 }
 
-int runProgram(const char* program, const char* usage, bool fits, const std::function<int()>& run) {
-  if (!fits) {
-    std::fprintf(stderr, "usage: %s %s\n", program, usage);
-    return 2;
-  }
-  try {
-    return run();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
-}
-
 void writeFile(const std::string& path, const std::string& content) {
   std::ofstream out(path, std::ios::binary);
   out << content;
@@ -221,4 +209,41 @@ void writeFile(const std::string& path, const std::string& content) {
   if (!out) throw std::runtime_error("cannot write " + path);
 }
 
+void writeBlocks(const std::string& path, const Blocks& blocks) {
+  std::string text;
+  for (const auto& [name, lines] : blocks) text += "# " + name + "\n" + lines + "\n\n";
+  writeFile(path, text);
+}
+
+bool writeStudies(const std::string& directory, const std::string& name, const std::vector<Study>& studies,
+                  const std::string& how, const std::string& unit) {
+  std::string text;
+  std::vector<Result> all;
+  for (const auto& [title, results] : studies) {
+    text += "# " + title + "\n\n" + table(results, unit) + "\n";
+    all.insert(all.end(), results.begin(), results.end());
+  }
+  writeFile(directory + "/" + name + ".md", text + how);
+  writeFile(directory + "/" + name + ".csv", csv(all));
+  return oursAgree(all);
+}
+
 }  // namespace tricover::bench
+
+int main(int argc, char** argv) {
+  const bool full = argc == 3 && std::string(argv[2]) == "--full";
+  if (argc != 2 && !full) {
+    std::fprintf(stderr, "usage: %s <existing report directory> [--full]\n", argv[0]);
+    return 2;
+  }
+  std::string interleave = "--benchmark_enable_random_interleaving=true";
+  char* benchmark_arguments[] = {argv[0], interleave.data(), nullptr};
+  int benchmark_count = 2;
+  benchmark::Initialize(&benchmark_count, benchmark_arguments);
+  try {
+    return tricover::bench::run(argv[1], full) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+}

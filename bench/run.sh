@@ -23,7 +23,7 @@ quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BU
   -DTRICOVER_WERROR=ON -DTRICOVER_BENCH_BOX2D_V3="${BOX2D_V3-}"
 step "building (FCL's headers take their time)"
 quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff bench_modelled bench_first bench_asked \
-  bench_floors bench_pages ${BOX2D_V3:+bench_box2d_v3}
+  bench_floors ${BOX2D_V3:+bench_box2d_v3}
 # Nothing of an earlier run may pass for a figure of this one.
 rm -f "$report"/*.{csv,md,dat,svg,html}
 failed=
@@ -33,18 +33,28 @@ measure bench_asked "$report"
 step "first answers"
 measure bench_first "$report"
 step "collisions, distances, impacts, contacts"
-measure bench_main bench/data/countries_110m.txt "$report" "$@"
+measure bench_main "$report" "$@"
 step "scenes"
-measure bench_scenes bench/data/countries_110m.txt "$report" "$@"
+measure bench_scenes "$report" "$@"
 step "counting wrong answers around contact and at the extremes"
-measure bench_tradeoff bench/data/countries_110m.txt "$report" "$@"
+measure bench_tradeoff "$report" "$@"
 measure bench_modelled "$report"
 [ -z "${BOX2D_V3-}" ] || measure bench_box2d_v3 "$report"
 step ""
 for plots in plots tradeoff; do LC_ALL=C.UTF-8 gnuplot -e "report='$report'" "bench/$plots.gp" || failed+=" $plots.gp"; done
 "$build/bench/bench_floors" "$report"
 [ "${1-}" = --full ] || echo "--full measures more cells of the same rows: the column cells says how many count here."
-"$build/bench/bench_pages" bench/pages.html "$report"
+# Fills the page with what is in the report: `@picture <file>` is an SVG, `@tables <file>` Markdown, which the page's own
+# script turns into HTML, `@details <file> <title>` the same folded away.
+awk -v report="$report" '
+  !/^@(picture|tables|details) / { print; next }
+  (getline line < (report "/" $2)) <= 0 { print "<p class=\"missing\">" $2 " was not made in this run.</p>"; next }
+  $1 == "@picture" { print "<a href=\"" $2 "\"><img src=\"" $2 "\" alt=\"" $2 "\"></a>"; next }
+  $1 == "@details" { title = $0; sub(/^@details [^ ]+ /, "", title); print "<details><summary>" title "</summary>" }
+  { print "<script type=\"text/markdown\">"
+    do print line; while ((getline line < (report "/" $2)) > 0)
+    print "</script>" }
+  $1 == "@details" { print "</details>" }' bench/page.html >"$report/index.html"
 if [ "${1-}" = --full ]; then
   mkdir -p bench/results
   # Rows that the READMEs quote; of the extremes the farthest; of first answers the first, tenth and hundredth.

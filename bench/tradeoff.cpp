@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts wrong answers around first contact and at the extremes, measures what values are off by, and times both.
 
-#include "tradeoff.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -15,7 +11,7 @@
 
 #include "measure.h"
 #include "report.h"
-#include "tradeoff_methods.h"
+#include "value_problems.h"
 
 namespace tricover::bench {
 namespace {
@@ -41,15 +37,26 @@ struct Score {
   double ns = 0;           ///< per query
   double worst_miss = -1;  ///< way back to first contact over the size; -1: none
   double worst_alarm = 0;  ///< distance over the size
-  /// By Placement::offset.
+  /// By KnownPose::offset.
   std::vector<std::size_t> asked_at = std::vector<std::size_t>(offsetNames().size(), 0);
   std::vector<std::size_t> wrong_at = std::vector<std::size_t>(offsetNames().size(), 0);
 
   std::size_t wrong() const { return misses + false_alarms; }
-  std::string name() const { return setting.empty() ? family : family + " " + setting; }
-  /// Enters the answers to a scene's placements, which took `ns_per_query` each. `hits` is sorted.
-  void add(const Scene& scene, const Hits& hits, double ns_per_query);
+  std::string name() const { return setting.empty() ? family : family + ", " + setting; }
+  /// Enters the answers at a scene's poses, which took `ns_per_query` each. `hits` is sorted.
+  void add(const KnownScene& scene, const Hits& hits, double ns_per_query);
 };
+
+/// In the order of first appearance.
+Score& scoreOf(std::vector<Score>& scores, const std::string& group, const std::string& family,
+               const std::string& setting) {
+  const auto found = std::find_if(scores.begin(), scores.end(), [&](const Score& score) {
+    return score.group == group && score.family == family && score.setting == setting;
+  });
+  if (found != scores.end()) return *found;
+  scores.push_back({group, family, setting});
+  return scores.back();
+}
 
 std::vector<std::string> groupsOf(const std::vector<Score>& scores) {
   std::vector<std::string> groups;
@@ -68,17 +75,17 @@ std::string worstAlarm(const Score& score) {
   return score.false_alarms == 0 ? "-" : formatted("%.0e", score.worst_alarm);
 }
 
-void Score::add(const Scene& scene, const Hits& hits, double ns_per_query) {
-  const auto count = static_cast<double>(scene.placements.size());
+void Score::add(const KnownScene& scene, const Hits& hits, double ns_per_query) {
+  const auto count = static_cast<double>(scene.poses.size());
   ns = (ns * static_cast<double>(asked) + ns_per_query * count) / (static_cast<double>(asked) + count);
-  for (std::size_t i = 0; i < scene.placements.size(); ++i) {
-    const Placement& placement = scene.placements[i];
+  for (std::size_t i = 0; i < scene.poses.size(); ++i) {
+    const KnownPose& known = scene.poses[i];
     const bool hit = std::binary_search(hits.begin(), hits.end(), static_cast<std::uint32_t>(i));
     ++asked;
-    ++asked_at[placement.offset];
-    if (hit == placement.collides) continue;
-    ++wrong_at[placement.offset];
-    const double gap = std::abs(placement.gap) / scene.size;
+    ++asked_at[known.offset];
+    if (hit == known.collides) continue;
+    ++wrong_at[known.offset];
+    const double gap = std::abs(known.gap) / scene.size;
     if (hit) {
       ++false_alarms;
       worst_alarm = std::max(worst_alarm, gap);
@@ -118,29 +125,19 @@ std::string tradeoffCsv(const std::vector<Score>& scores) {
 }
 
 void writeTradeoffData(const std::vector<Score>& scores, const std::string& directory) {
-  // One gnuplot block a group and family: tolerance, ns, share of wrong answers.
-  std::map<std::string, std::string> blocks;
+  Blocks blocks;              // a group and family: tolerance, ns, share of wrong answers
   std::vector<Score> totals;  // a method, over all groups
   for (const Score& score : scores) {
     blocks[score.group + ": " + score.family] +=
         (score.setting.empty() ? "0" : score.setting) + " " + formatted("%.2f", score.ns) + " " +
         formatted("%.6g", static_cast<double>(score.wrong()) / static_cast<double>(score.asked)) + "\n";
-    const auto same = [&](const Score& total) { return total.name() == score.name(); };
-    auto total = std::find_if(totals.begin(), totals.end(), same);
-    if (total == totals.end()) {
-      totals.emplace_back();
-      totals.back().family = score.family;
-      totals.back().setting = score.setting;
-      total = totals.end() - 1;
-    }
+    Score& total = scoreOf(totals, "", score.family, score.setting);
     for (std::size_t offset = 0; offset < score.asked_at.size(); ++offset) {
-      total->asked_at[offset] += score.asked_at[offset];
-      total->wrong_at[offset] += score.wrong_at[offset];
+      total.asked_at[offset] += score.asked_at[offset];
+      total.wrong_at[offset] += score.wrong_at[offset];
     }
   }
-  std::string front;
-  for (const auto& [name, lines] : blocks) front += "# " + name + "\n" + lines + "\n\n";
-  writeFile(directory + "/tradeoff.dat", front);
+  writeBlocks(directory + "/tradeoff.dat", blocks);
 
   // Column and row numbers, name of the row, name of the column, share.
   std::string accuracy;
@@ -157,46 +154,36 @@ void writeTradeoffData(const std::vector<Score>& scores, const std::string& dire
 }
 
 /// Scores of all methods on all scenes, by group.
-std::vector<Score> scoreAll(const std::vector<Scene>& scenes, const Settings& settings) {
+std::vector<Score> scoreAll(const std::vector<KnownScene>& scenes, const Settings& settings) {
   std::vector<Score> scores;
-  for (const Scene& scene : scenes) {
-    const std::size_t positions = scene.placements.size();
+  for (const KnownScene& scene : scenes) {
+    const std::size_t positions = scene.poses.size();
     Hits truth;
     for (std::size_t i = 0; i < positions; ++i) {
-      if (scene.placements[i].collides) truth.push_back(static_cast<std::uint32_t>(i));
+      if (scene.poses[i].collides) truth.push_back(static_cast<std::uint32_t>(i));
     }
-    std::vector<const Method*> methods;
+    const std::vector<CollisionMethod> methods = collisionMethods(scene, isConvexPair(scene));
     std::vector<Contender> contenders = {{"truth", Role::Floor, false, [&](const Sampling& sampling, Hits& hits) {
                                             for (const std::uint32_t hit : truth) {
                                               if (sampling.holds(hit)) hits.push_back(hit);
                                             }
                                           }}};
-    for (const Method& method : tradeoffMethods()) {
-      if (!method.takes(scene)) continue;
-      methods.push_back(&method);
-      contenders.push_back(method.make(scene));
+    for (const CollisionMethod& method : methods) {
+      contenders.push_back(method.make());
+      contenders.back().name = method.name();
     }
-    const Workload workload{
-        "tradeoff", scene.group, scene.name, scene.fixed.vertexCount(), scene.moving.vertexCount(), positions, 1};
+    const Workload workload{"tradeoff", scene.group, scene.name, scene.fixed.vertexCount(), scene.moving.vertexCount(),
+                            positions};
     const Result result = measure(workload, contenders, settings);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const Method& method = *methods[m];
+      const CollisionMethod& method = methods[m];
       const Timing& timing = result.timings[m + 1];
       if (method.family == kExact && timing.misses + timing.false_alarms > 0) {
         throw std::logic_error("tradeoff: wrong while it was timed: " + scene.name);
       }
-      const auto same = [&](const Score& score) { return score.group == scene.group && score.name() == method.name(); };
-      auto score = std::find_if(scores.begin(), scores.end(), same);
-      if (score == scores.end()) {
-        scores.emplace_back();
-        scores.back().group = scene.group;
-        scores.back().family = method.family;
-        scores.back().setting = method.setting;
-        score = scores.end() - 1;
-      }
       Hits hits;
       contenders[m + 1].walk(Sampling{}, hits);
-      score->add(scene, hits, timing.ns);
+      scoreOf(scores, scene.group, method.family, method.setting).add(scene, hits, timing.ns);
     }
   }
   return scores;
@@ -215,13 +202,11 @@ bool keepsItsWord(const std::vector<Score>& scores) {
   return keeps;
 }
 
-int run(const std::string& data, const std::string& directory, bool full) {
-  std::ifstream in(data);
-  if (!in) throw std::runtime_error("cannot read " + data);
-  const auto countries = workloads::readPolygons(in);
+}  // namespace
 
+bool run(const std::string& directory, bool full) {
   const Settings settings = full ? Settings{5, 0.02} : Settings{5, 0.002};
-  const std::vector<Score> scores = scoreAll(tradeoffScenes(countries, full), settings);
+  const std::vector<Score> scores = scoreAll(tradeoffScenes(full), settings);
   const std::string tables = "# Speed against accuracy, around first contact\n\n" + tradeoffTables(scores);
   writeFile(directory + "/tradeoff.md", tables + "# How it was measured\n\n" + kHow);
   writeFile(directory + "/tradeoff.csv", tradeoffCsv(scores));
@@ -229,10 +214,7 @@ int run(const std::string& data, const std::string& directory, bool full) {
 
   const bool kept = keepsItsWord(scores), right = runValueTradeoff(directory, full),
              right_anywhere = runExtremes(directory, full);
-  return kept && right && right_anywhere ? 0 : 1;
+  return kept && right && right_anywhere;
 }
 
-}  // namespace
 }  // namespace tricover::bench
-
-int main(int argc, char** argv) { return tricover::bench::runStudy(argc, argv, tricover::bench::run); }

@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "exact_reference.h"
+#include "inputs.h"
 #include "random.h"
+#include "scenes/placed.h"
+#include "shapes.h"
 
 namespace tricover::bench {
 namespace {
@@ -22,18 +25,12 @@ constexpr std::size_t kTouch = kDecades + 1;  // among the offsets: -1e-1 .. -1e
 std::size_t behind(std::size_t decade) { return decade - 1; }
 std::size_t ahead(std::size_t decade) { return 2 * kTouch - behind(decade); }
 
-bool collides(const Scene& scene, const Pose& pose) {
+bool collides(const KnownScene& scene, const Pose& pose) {
   return exact::collide(scene.fixed, scene.fixed_pose, scene.moving, pose);
 }
 
 Pose translated(Pose pose, const Vec2& by) {
   pose.translation() += by;
-  return pose;
-}
-
-Pose turned(const Eigen::Matrix2d& linear) {
-  Pose pose = Pose::Identity();
-  pose.linear() = linear;
   return pose;
 }
 
@@ -46,7 +43,7 @@ Pose ulpFurther(Pose pose, const Vec2& direction) {
 }
 
 /// A free pose, its distance taken from the exact one. `most` is how far it is from a colliding pose.
-Placement freePlacement(const Scene& scene, const Pose& pose, double most, std::size_t offset) {
+KnownPose freePlacement(const KnownScene& scene, const Pose& pose, double most, std::size_t offset) {
   const double gap = exact::distanceBelow(exact::distanceSquared(scene.fixed, scene.fixed_pose, scene.moving, pose));
   if (gap > most) throw std::logic_error("tradeoff: the exact distance exceeds the way to a colliding pose");
   return {pose, false, gap, offset};
@@ -54,7 +51,7 @@ Placement freePlacement(const Scene& scene, const Pose& pose, double most, std::
 
 /// The last colliding pose on the way out along `direction`, whose neighbour ulpFurther is free: coming from far away,
 /// that neighbour is the last free one. False where the way doesn't meet the polygon, or grazes it.
-bool findContact(const Scene& scene, const Pose& start, const Vec2& direction, Pose& last) {
+bool findContact(const KnownScene& scene, const Pose& start, const Vec2& direction, Pose& last) {
   constexpr int kSteps = 64, kUlps = 64;
   const double reach = 1.01 * (scene.fixed.radius() + scene.moving.radius());
   const auto at = [&](double way) { return translated(start, way * direction); };
@@ -77,8 +74,6 @@ bool findContact(const Scene& scene, const Pose& start, const Vec2& direction, P
   }
   return false;
 }
-
-Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 double randomAngle(Random& random) { return random.real(0, 2 * static_cast<double>(EIGEN_PI)); }
 
@@ -114,18 +109,15 @@ std::vector<Spot> hullEdges(const Polygon& polygon) {
   return spots;
 }
 
-Polygon onGrid(const Polygon& polygon) {
-  std::vector<Ring> rings = polygon.rings();
-  for (Ring& ring : rings) {
-    for (Vec2& v : ring) v = ((v - polygon.origin()) / workloads::kGrid).array().round() * workloads::kGrid;
-  }
-  return Polygon(std::move(rings), polygon.fillRule());
-}
-
-const Polygon& country(const std::vector<workloads::NamedPolygon>& countries, const std::string& name) {
+/// A country's outline on the grid, its origin at 0.
+Polygon country(const std::string& name) {
+  static const Countries countries = readCountries();
   for (const auto& [full_name, polygon] : countries) {
     const std::size_t underscore = full_name.find('_');
-    if (underscore != std::string::npos && full_name.substr(underscore + 1) == name) return polygon;
+    if (underscore != std::string::npos && full_name.substr(underscore + 1) == name)
+      return mapped(polygon, [origin = polygon.origin()](const Vec2& v) -> Vec2 {
+        return ((v - origin) / workloads::kGrid).array().round() * workloads::kGrid;
+      });
   }
   throw std::invalid_argument("countries: no '" + name + "'");
 }
@@ -147,15 +139,15 @@ const std::vector<std::string>& offsetNames() {
   return names;
 }
 
-std::vector<Placement> placementsAroundContact(const Scene& scene, std::size_t contacts, std::size_t decades,
+std::vector<KnownPose> placementsAroundContact(const KnownScene& scene, std::size_t contacts, std::size_t decades,
                                                std::uint64_t seed) {
   Random random(seed);
-  std::vector<Placement> placements;
+  std::vector<KnownPose> placements;
   const Vec2 center = scene.fixed_pose * scene.fixed.origin();
   for (std::size_t found = 0, tried = 0; found < contacts; ++tried) {
     if (tried > 20 * contacts) throw std::runtime_error("tradeoff: no contact found for " + scene.name);
-    const Vec2 direction = unit(randomAngle(random));
-    Pose pose = turned(Eigen::Rotation2Dd(randomAngle(random)).toRotationMatrix());
+    const Vec2 direction = support::direction(randomAngle(random));
+    Pose pose = poseAt({0, 0}, randomAngle(random));
     pose.translation() = center - pose.linear() * scene.moving.origin();
     Pose last;
     if (!findContact(scene, pose, direction, last)) continue;
@@ -182,25 +174,26 @@ std::vector<Placement> placementsAroundContact(const Scene& scene, std::size_t c
   return placements;
 }
 
-std::vector<Placement> touchingPlacements(const Scene& scene, std::size_t touches, std::uint64_t seed) {
+std::vector<KnownPose> touchingPlacements(const KnownScene& scene, std::size_t touches, std::uint64_t seed) {
   Random random(seed);
   const Ring fixed = allVertices(scene.fixed), moving = allVertices(scene.moving);
   const std::vector<Spot> edges = hullEdges(scene.fixed);
-  std::vector<Placement> placements;
+  std::vector<KnownPose> placements;
   for (std::size_t i = 0; i < touches; ++i) {
     Spot spot;
     if (i % 2 == 0 && !edges.empty()) {
       spot = edges[static_cast<std::size_t>(random.integer(0, static_cast<int>(edges.size()) - 1))];
     } else {
-      spot.outwards = unit(randomAngle(random));
+      spot.outwards = support::direction(randomAngle(random));
       spot.at = extremeVertex(fixed, spot.outwards);
     }
     Eigen::Matrix2d turn;
     const int quarters = random.integer(0, 3);
     turn << (quarters % 2 ? 0 : 1 - quarters), (quarters % 2 ? quarters - 2 : 0), (quarters % 2 ? 2 - quarters : 0),
         (quarters % 2 ? 0 : 1 - quarters);
-    const Pose pose =
-        translated(turned(turn), spot.at - turn * extremeVertex(moving, -turn.transpose() * spot.outwards));
+    Pose pose = Pose::Identity();
+    pose.linear() = turn;
+    pose.translation() = spot.at - turn * extremeVertex(moving, -turn.transpose() * spot.outwards);
     if (!collides(scene, pose) || collides(scene, ulpFurther(pose, spot.outwards))) {
       throw std::logic_error("tradeoff: not a touch in " + scene.name);
     }
@@ -209,43 +202,37 @@ std::vector<Placement> touchingPlacements(const Scene& scene, std::size_t touche
   return placements;
 }
 
-Scene makeScene(std::string group, std::string name, Polygon fixed, Polygon moving) {
+KnownScene makeScene(std::string group, std::string name, Polygon fixed, Polygon moving) {
   const double size = 2 * std::max(fixed.radius(), moving.radius());
   return {std::move(group), std::move(name), std::move(fixed), Pose::Identity(), std::move(moving), size, {}};
 }
 
-Polygon inWorld(const Scene& scene) {
-  if (scene.fixed_pose.matrix() == Pose::Identity().matrix()) return scene.fixed;
-  std::vector<Ring> rings = scene.fixed.rings();
-  for (Ring& ring : rings) {
-    for (Vec2& v : ring) v = scene.fixed_pose * v;
-  }
-  return Polygon(std::move(rings), scene.fixed.fillRule());
+KnownScene makeScene(Kind kind, std::size_t vertices) {
+  const std::string name = workloads::name(kind) + ", " + std::to_string(vertices) + " vertices";
+  return makeScene(name, name, workloads::makePolygon(kind, vertices, 1), workloads::makePolygon(kind, vertices, 2));
 }
 
-std::vector<Scene> tradeoffScenes(const std::vector<workloads::NamedPolygon>& countries, bool full) {
+std::vector<KnownScene> tradeoffScenes(bool full) {
   const std::size_t few = 8, many = full ? 64 : 32;
-  std::vector<Scene> scenes;
+  std::vector<KnownScene> scenes;
   for (const Kind kind : workloads::allKinds()) {
     const bool convex = kind == Kind::Convex || kind == Kind::Slim;
     for (const std::size_t vertices : {few, many}) {
       if (!convex && vertices == few) continue;
-      const std::string count = std::to_string(vertices) + " vertices";
-      scenes.push_back(makeScene((convex ? "convex, " : "not convex, ") + count, workloads::name(kind) + ", " + count,
-                                 workloads::makePolygon(kind, vertices, 1), workloads::makePolygon(kind, vertices, 2)));
+      scenes.push_back(makeScene(kind, vertices));
+      scenes.back().group = (convex ? "convex, " : "not convex, ") + std::to_string(vertices) + " vertices";
     }
   }
   std::vector<std::pair<const char*, const char*>> pairs = {{"Switzerland", "Slovenia"}, {"Denmark", "Estonia"}};
   if (full) pairs.insert(pairs.end(), {{"Iceland", "Haiti"}, {"Portugal", "Cuba"}, {"New_Zealand", "Greece"}});
   for (const auto& [fixed, moving] : pairs) {
-    scenes.push_back(makeScene("countries", std::string(fixed) + " and " + moving, onGrid(country(countries, fixed)),
-                               onGrid(country(countries, moving))));
+    scenes.push_back(makeScene("countries", std::string(fixed) + " and " + moving, country(fixed), country(moving)));
   }
   const std::size_t contacts = full ? 48 : 16;
-  for (Scene& scene : scenes) {
-    scene.placements = touchingPlacements(scene, contacts, 3);
+  for (KnownScene& scene : scenes) {
+    scene.poses = touchingPlacements(scene, contacts, 3);
     const auto around = placementsAroundContact(scene, contacts, 1, 4);
-    scene.placements.insert(scene.placements.end(), around.begin(), around.end());
+    scene.poses.insert(scene.poses.end(), around.begin(), around.end());
   }
   return scenes;
 }

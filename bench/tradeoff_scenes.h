@@ -11,7 +11,7 @@
 namespace tricover::bench {
 
 /// A pose of the moving polygon.
-struct Placement {
+struct KnownPose {
   Pose pose;
   bool collides;  ///< exact::collide on these very doubles
   /// Apart: the exact distance, rounded down. Touching: 0. Else minus the way back along the direction of approach to
@@ -20,36 +20,37 @@ struct Placement {
   std::size_t offset;  ///< index into offsetNames()
 };
 
-struct Scene {
+/// A scene whose answers are known.
+struct KnownScene {
   std::string group, name;
   Polygon fixed;
   Pose fixed_pose;
   Polygon moving;
   double size;  ///< the larger bounding disc's diameter: what offsets and tolerances are parts of
-  std::vector<Placement> placements;
+  std::vector<KnownPose> poses;
 };
 
 /// Offsets along the direction of approach, from -1e-1 of the size through -1 ulp, 0 and +1 ulp to +1e-1. An ulp is a
 /// step from the last double of one coordinate that collides to the first one that doesn't.
 const std::vector<std::string>& offsetNames();
 
-/// What `contacts` random turns and directions of approach give: first contact by bisection on exact::collide, then
+/// Poses by `contacts` random turns and directions of approach: first contact by bisection on exact::collide, then
 /// every offset but 0. `decades` thins them out: the offsets are 1e-1, 1e-(1 + decades) and so on.
-std::vector<Placement> placementsAroundContact(const Scene& scene, std::size_t contacts, std::size_t decades,
+std::vector<KnownPose> placementsAroundContact(const KnownScene& scene, std::size_t contacts, std::size_t decades,
                                                std::uint64_t seed);
 
 /// Exact touches at offset 0: quarter turns with the moving polygon's vertex on a vertex of the fixed one or on the
 /// middle of an edge. Coordinates must be multiples of workloads::kGrid below 128, so that the poses are exact; the
 /// fixed polygon is at the identity.
-std::vector<Placement> touchingPlacements(const Scene& scene, std::size_t touches, std::uint64_t seed);
+std::vector<KnownPose> touchingPlacements(const KnownScene& scene, std::size_t touches, std::uint64_t seed);
 
 /// The scene of two polygons, its placements yet to be found.
-Scene makeScene(std::string group, std::string name, Polygon fixed, Polygon moving);
-
-/// For rivals that want the fixed polygon in the world: its vertices there, rounded as such a rival's user rounds them.
-Polygon inWorld(const Scene& scene);
+KnownScene makeScene(std::string group, std::string name, Polygon fixed, Polygon moving);
 
 /// The trade-off's scenes: the kinds with 8 vertices each and with more, and pairs of countries.
-std::vector<Scene> tradeoffScenes(const std::vector<workloads::NamedPolygon>& countries, bool full);
+std::vector<KnownScene> tradeoffScenes(bool full);
+
+/// A scene of two polygons of a kind, likewise without poses.
+KnownScene makeScene(workloads::Kind kind, std::size_t vertices);
 
 }  // namespace tricover::bench

@@ -9,8 +9,7 @@
 
 #include "exact_penetration.h"
 #include "exact_reference.h"
-#include "poses.h"
-#include "random.h"
+#include "inputs.h"
 #include "tricover/penetration.h"
 #include "tricover/time_of_impact.h"
 
@@ -24,7 +23,7 @@ double relativeError(double value, double truth) {
 }
 
 /// From contact on, and far away.
-std::vector<ValueProblem> distanceProblems(const Scene& scene, bool full) {
+std::vector<ValueProblem> distanceProblems(const KnownScene& scene, bool full) {
   const bool convex = isConvexPair(scene);
   ValueProblem near = nearDistances(scene, convex);
   near.group = scene.name + ", gaps of 1e-13 to 1e-1 of the size";
@@ -33,28 +32,12 @@ std::vector<ValueProblem> distanceProblems(const Scene& scene, bool full) {
   Values truth;
   for (const Pose& pose : poses)
     truth.push_back(exact::distanceBelow(exact::distanceSquared(scene.fixed, scene.fixed_pose, scene.moving, pose)));
-  return {near, {distanceQuery(), scene.name + ", far apart", &scene, truth, distanceMethods(scene, poses, convex)}};
-}
-
-std::vector<Motion> motionsOf(const Scene& scene, bool turning, std::size_t count) {
-  support::Random random(turning ? 6 : 5);
-  std::vector<Motion> motions;
-  for (const Pose& start : separatedPoses(scene.fixed, scene.moving, 1.03, 1.5)) {
-    if (motions.size() == count) break;
-    Motion motion;
-    motion.start = start;
-    const Vec2 inwards = (scene.fixed.origin() - start * scene.moving.origin()).normalized();
-    motion.shift = scene.size / 2 * random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1.2, 1.2)) * inwards);
-    motion.pivot = scene.moving.origin();
-    if (turning) motion.angle = random.real(-2.6, 2.6);
-    motions.push_back(motion);
-  }
-  return motions;
+  return {near, {kDistance, scene.name + ", far apart", &scene, truth, distanceMethods(scene, poses, convex)}};
 }
 
 /// The first contact to 1e-12, by the finest of our own settings; exact collisions confirm it: none at many times
 /// before, and one right after (or none at all).
-double confirmedImpact(const Scene& scene, const Motion& motion) {
+double confirmedImpact(const KnownScene& scene, const Motion& motion) {
   constexpr int kSamples = 64;
   constexpr double kAfter = 1e-9;
   ImpactOptions options;
@@ -74,20 +57,23 @@ double confirmedImpact(const Scene& scene, const Motion& motion) {
   return !impact ? kNoContact : confirmed ? impact->time : std::numeric_limits<double>::quiet_NaN();
 }
 
-ValueProblem impactProblem(const Scene& scene, bool turning, bool full) {
+ValueProblem impactProblem(const KnownScene& scene, bool turning, bool full) {
   std::vector<Motion> motions;
   Values truth;
-  for (const Motion& motion : motionsOf(scene, turning, full ? 200 : 60)) {
+  std::vector<Motion> all =
+      randomMotions(scene.fixed, scene.moving, scene.size / 2, turning ? 2.6 : 0, turning ? 6 : 5);
+  all.resize(std::min<std::size_t>(all.size(), full ? 200 : 60));
+  for (const Motion& motion : all) {
     const double time = confirmedImpact(scene, motion);
     if (std::isnan(time)) continue;  // a graze
     motions.push_back(motion);
     truth.push_back(time);
   }
-  return {impactQuery(), scene.name + (turning ? ", turning" : ", sliding"), &scene, truth,
+  return {kImpact, scene.name + (turning ? ", turning" : ", sliding"), &scene, truth,
           impactMethods(scene, motions, isConvexPair(scene), full ? 10000 : 1000)};
 }
 
-ValueProblem penetrationProblem(const Scene& scene, bool full) {
+ValueProblem penetrationProblem(const KnownScene& scene, bool full) {
   std::vector<Pose> poses;
   Values truth;
   const bool convex = isConvexPair(scene);
@@ -98,36 +84,21 @@ ValueProblem penetrationProblem(const Scene& scene, bool full) {
     poses.push_back(pose);
     truth.push_back(convex ? exactDepth(scene, pose) : best->depth);
   }
-  return {penetrationQuery(), scene.name, &scene, truth, penetrationMethods(scene, poses, convex)};
+  return {kPenetration, scene.name, &scene, truth, penetrationMethods(scene, poses, convex)};
 }
 
 }  // namespace
 
-const ValueQuery& distanceQuery() {
-  static const ValueQuery query = {"distance", ValueQuery::Error::OfTruth, [](double value, double truth, double size) {
-                                     return (value == 0 || !std::isfinite(value)) && truth > 1e-13 * size;
-                                   }};
-  return query;
-}
-
-const ValueQuery& impactQuery() {
-  static const ValueQuery query = {"time of impact", ValueQuery::Error::OfTime,
-                                   [](double value, double truth, double) { return value > truth + 1e-9; }};
-  return query;
-}
-
-const ValueQuery& penetrationQuery() {
-  static const ValueQuery query = {"penetration", ValueQuery::Error::OfTruth,
-                                   [](double value, double truth, double size) { return value < truth - 1e-9 * size; }};
-  return query;
-}
-
-const ValueQuery& contactQuery() {
-  static const ValueQuery query = {"contacts", ValueQuery::Error::OfSize, [](double value, double truth, double size) {
-                                     return value == kNoContact || value < truth - 1e-9 * size;
-                                   }};
-  return query;
-}
+const ValueQuery kDistance = {"distance", ValueQuery::Error::OfTruth, [](double value, double truth, double size) {
+                                return (value == 0 || !std::isfinite(value)) && truth > 1e-13 * size;
+                              }};
+const ValueQuery kImpact = {"time of impact", ValueQuery::Error::OfTime,
+                            [](double value, double truth, double) { return value > truth + 1e-9; }};
+const ValueQuery kPenetration = {"penetration", ValueQuery::Error::OfTruth,
+                                 [](double value, double truth, double size) { return value < truth - 1e-9 * size; }};
+const ValueQuery kContacts = {"contacts", ValueQuery::Error::OfSize, [](double value, double truth, double size) {
+                                return value == kNoContact || value < truth - 1e-9 * size;
+                              }};
 
 ValueError errorOf(const ValueProblem& problem, const ValueMethod& method, std::size_t query, double value) {
   const double truth = problem.truth[query], relative = relativeError(value, truth), size = problem.scene->size;
@@ -141,41 +112,41 @@ ValueError errorOf(const ValueProblem& problem, const ValueMethod& method, std::
           near || (problem.may_round && problem.may_round(query, value))};
 }
 
-ValueProblem nearDistances(const Scene& scene, bool convex) {
+ValueProblem nearDistances(const KnownScene& scene, bool convex) {
   std::vector<Pose> poses;
   Values truth;
-  for (const Placement& placement : scene.placements) {
-    if (placement.collides || placement.gap < 1e-13 * scene.size) continue;
-    poses.push_back(placement.pose);
-    truth.push_back(placement.gap);
+  for (const KnownPose& known : scene.poses) {
+    if (known.collides || known.gap < 1e-13 * scene.size) continue;
+    poses.push_back(known.pose);
+    truth.push_back(known.gap);
   }
-  return {distanceQuery(), scene.name, &scene, truth, distanceMethods(scene, poses, convex)};
+  return {kDistance, scene.name, &scene, truth, distanceMethods(scene, poses, convex)};
 }
 
-ValueProblem shallowContacts(const Scene& scene) {
+ValueProblem shallowContacts(const KnownScene& scene) {
   std::vector<Pose> poses;
   Values truth;
-  for (const Placement& placement : scene.placements) {
-    if (!placement.collides || placement.gap > -0.9e-13 * scene.size) continue;
-    poses.push_back(placement.pose);
-    truth.push_back(exactDepth(scene, placement.pose));
+  for (const KnownPose& known : scene.poses) {
+    if (!known.collides || known.gap > -0.9e-13 * scene.size) continue;
+    poses.push_back(known.pose);
+    truth.push_back(exactDepth(scene, known.pose));
   }
-  return {contactQuery(), scene.name, &scene, truth, contactMethods(scene, poses, true)};
+  return {kContacts, scene.name, &scene, truth, contactMethods(scene, poses, true)};
 }
 
-double exactDepth(const Scene& scene, const Pose& pose) {
+double exactDepth(const KnownScene& scene, const Pose& pose) {
   return exact::distanceBelow(exact::convexPenetrationSquared(scene.fixed, scene.fixed_pose, scene.moving, pose));
 }
 
-std::vector<ValueProblem> valueProblems(const std::vector<Scene>& scenes, bool full) {
+std::vector<ValueProblem> valueProblems(const std::vector<KnownScene>& scenes, bool full) {
   std::vector<ValueProblem> problems;
-  for (const Scene& scene : scenes)
+  for (const KnownScene& scene : scenes)
     for (ValueProblem& problem : distanceProblems(scene, full)) problems.push_back(std::move(problem));
-  for (const Scene& scene : scenes)
+  for (const KnownScene& scene : scenes)
     for (const bool turning : {false, true}) problems.push_back(impactProblem(scene, turning, full));
-  for (const Scene& scene : scenes)
+  for (const KnownScene& scene : scenes)
     if (isConvexPair(scene)) problems.push_back(shallowContacts(scene));
-  for (const Scene& scene : scenes) problems.push_back(penetrationProblem(scene, full));
+  for (const KnownScene& scene : scenes) problems.push_back(penetrationProblem(scene, full));
   return problems;
 }
 

@@ -3,12 +3,10 @@
 #include <cstdio>
 #include <limits>
 #include <sstream>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "report.h"
-#include "tradeoff.h"
 #include "value_problems.h"
 
 namespace tricover::bench {
@@ -23,41 +21,31 @@ struct Row {
   bool of_time;
   std::string group, family, method;
   std::size_t asked;
-  double ns, worst, worst_relative, worst_of_size;
-  std::size_t wrong;
-  bool keeps_promise;
+  double ns, worst = 0, worst_relative = 0, worst_of_size = 0;
+  std::size_t wrong = 0;
+  bool keeps_promise = true;
 };
 
-std::vector<Row> scored(const ValueProblem& problem, const Settings& settings) {
+std::vector<Row> scored(const ValueProblem& problem, Settings settings) {
   const std::size_t queries = problem.truth.size();
-  std::vector<ValueContender> contenders;
-  const auto add = [&](const std::string& name, Role role, const Asker& ask) {
-    contenders.push_back({name, role, false, [=](const Sampling& sampling, Values& values) {
-                            forEachSample(sampling, queries, [&](std::size_t i) { values.push_back(ask(i)); });
-                          }});
-  };
-  add("truth", Role::Floor, [&](std::size_t i) { return problem.truth[i]; });
-  for (const ValueMethod& method : problem.methods) add(method.name(), Role::Rival, method.make());
-  const Scene& scene = *problem.scene;
-  const Workload workload{
-      "values", scene.group, scene.name, scene.fixed.vertexCount(), scene.moving.vertexCount(), queries, 1};
-  const Agreement anything{0, {kInfinity, kInfinity}, {kInfinity, kInfinity}};
-  const Result result = measure(workload, contenders, anything, settings);
+  std::vector<ValueContender> contenders = {
+      contender<Values>("truth", Role::Floor, false, queries, [&problem](std::size_t i) { return problem.truth[i]; })};
+  for (const ValueMethod& method : problem.methods) {
+    contenders.push_back(method.make());
+    contenders.back().name = method.name();
+  }
+  const KnownScene& scene = *problem.scene;
+  const Workload workload{"values", scene.group, scene.name, scene.fixed.vertexCount(), scene.moving.vertexCount(),
+                          queries};
+  settings.agreement = {0, {kInfinity, kInfinity}, {kInfinity, kInfinity}};
+  const Result result = measure(workload, contenders, settings);
   std::vector<Row> rows;
   for (std::size_t m = 0; m < problem.methods.size(); ++m) {
     const ValueMethod& method = problem.methods[m];
-    Row row{problem.query.name,
-            problem.query.error == ValueQuery::Error::OfTime,
-            problem.group,
-            method.family,
-            method.name(),
-            queries,
-            result.timings[m + 1].ns,
-            0,
-            0,
-            0,
-            0,
-            true};
+    Row row{problem.query.name,      problem.query.error == ValueQuery::Error::OfTime,
+            problem.group,           method.family,
+            method.name(),           queries,
+            result.timings[m + 1].ns};
     Values values;
     contenders[m + 1].walk(Sampling{}, values);
     for (std::size_t i = 0; i < queries; ++i) {
@@ -122,28 +110,14 @@ std::string csvOf(const std::vector<Row>& rows) {
   return out.str();
 }
 
-/// One gnuplot block a query, group and family, named so: time and worst error.
-std::string dataOf(const std::vector<Row>& rows) {
-  std::string text, name;
-  for (const Row& row : rows) {
-    const std::string block = row.query + " | " + row.group + " | " + row.family;
-    if (block != name) text += (text.empty() ? "" : "\n\n") + ("# " + block + "\n");
-    name = block;
-    text += formatted("%.2f", row.ns) + " " + formatted("%.3e", row.worst) + "\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 bool runValueTradeoff(const std::string& directory, bool full) {
-  std::vector<Scene> scenes;
+  std::vector<KnownScene> scenes;
   for (const auto& [kind, vertices] : std::vector<std::pair<Kind, std::size_t>>{
            {Kind::Convex, 8}, {Kind::Slim, 8}, {Kind::Convex, 32}, {Kind::Contour, 32}, {Kind::Irregular, 32}}) {
-    const std::string name = workloads::name(kind) + ", " + std::to_string(vertices) + " vertices";
-    scenes.push_back(
-        makeScene(name, name, workloads::makePolygon(kind, vertices, 1), workloads::makePolygon(kind, vertices, 2)));
-    scenes.back().placements = placementsAroundContact(scenes.back(), full ? 16 : 6, 1, 4);
+    scenes.push_back(makeScene(kind, vertices));
+    scenes.back().poses = placementsAroundContact(scenes.back(), full ? 16 : 6, 1, 4);
   }
   const Settings settings = full ? Settings{5, 0.02} : Settings{3, 0.002};
   std::vector<Row> rows;
@@ -157,11 +131,11 @@ bool runValueTradeoff(const std::string& directory, bool full) {
     }
   writeFile(directory + "/values.md", tables(rows) + "\n# How it was measured\n\n" + kHow);
   writeFile(directory + "/values.csv", csvOf(rows));
-  // Blocks of a family must be together.
-  std::stable_sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) {
-    return std::tie(p.query, p.group, p.family) < std::tie(q.query, q.group, q.family);
-  });
-  writeFile(directory + "/values.dat", dataOf(rows));
+  Blocks blocks;  // time and worst error
+  for (const Row& row : rows)
+    blocks[row.query + " | " + row.group + " | " + row.family] +=
+        formatted("%.2f", row.ns) + " " + formatted("%.3e", row.worst) + "\n";
+  writeBlocks(directory + "/values.dat", blocks);
   return kept;
 }
 

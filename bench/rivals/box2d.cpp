@@ -6,17 +6,16 @@
 #include <limits>
 #include <stdexcept>
 
-#include "convex_pieces.h"
-
 namespace tricover::bench {
 
 b2Vec2 box2dVector(const Vec2& v, float scale) {
   return {scale * static_cast<float>(v.x()), scale * static_cast<float>(v.y())};
 }
 
+static double angleOf(const Pose& pose) { return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)); }
+
 b2Transform box2dTransform(const Pose& pose, float scale) {
-  const double angle = std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
-  return {box2dVector(pose.translation(), scale), b2Rot(static_cast<float>(angle))};
+  return {box2dVector(pose.translation(), scale), b2Rot(static_cast<float>(angleOf(pose)))};
 }
 
 b2PolygonShape box2dShape(const Polygon& polygon, float scale) {
@@ -36,7 +35,7 @@ b2PolygonShape box2dShape(const Polygon& polygon, float scale) {
 }
 
 bool box2dTakes(const Polygon& polygon) {
-  return polygon.rings().size() == 1 && polygon.vertexCount() <= b2_maxPolygonVertices && isConvex(polygon);
+  return polygon.rings().size() == 1 && polygon.vertexCount() <= b2_maxPolygonVertices && polygon.isConvex();
 }
 
 Box2dPair::Box2dPair(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose)
@@ -57,10 +56,17 @@ double Box2dManifold::value(std::size_t i) {
   return static_cast<double>(depth / kBox2dScale);
 }
 
+Box2dDistance::Box2dDistance(const Polygon& fixed, const Polygon& moving, bool coherent, const Pose& fixed_pose)
+    : Box2dPair(fixed, moving, fixed_pose), coherent_(coherent) {
+  setProxies(input_);
+  input_.transformA = fixed_transform_;
+  input_.useRadii = false;
+  cache_.count = 0;
+}
+
 Box2dImpact::Box2dImpact(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose)
     : Box2dPair(fixed, moving, fixed_pose) {
-  input_.proxyA.Set(&fixed_, 0);
-  input_.proxyB.Set(&moving_, 0);
+  setProxies(input_);
   input_.sweepA = {};
   input_.sweepA.c0 = input_.sweepA.c = fixed_transform_.p;
   input_.sweepA.a0 = input_.sweepA.a = fixed_transform_.q.GetAngle();
@@ -71,7 +77,7 @@ void Box2dImpact::prepare(const std::vector<Motion>& motions) {
   sweeps_.clear();
   for (const Motion& motion : motions) {
     const Vec2 from = motion.start * motion.pivot;
-    const double angle = std::atan2(motion.start.linear()(1, 0), motion.start.linear()(0, 0));
+    const double angle = angleOf(motion.start);
     b2Sweep sweep{};
     sweep.localCenter = box2dVector(motion.pivot);
     sweep.c0 = box2dVector(from);
@@ -91,8 +97,7 @@ double Box2dImpact::value(std::size_t i) {
 }
 
 Box2dCast::Box2dCast(const Polygon& fixed, const Polygon& moving) : Box2dPair(fixed, moving) {
-  input_.proxyA.Set(&fixed_, 0);
-  input_.proxyB.Set(&moving_, 0);
+  setProxies(input_);
   input_.transformA = fixed_transform_;
 }
 

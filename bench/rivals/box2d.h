@@ -27,7 +27,7 @@ b2Transform box2dTransform(const Pose& pose, float scale = kBox2dScale);
 /// Throws std::invalid_argument for a polygon that Box2D can't hold as it is.
 b2PolygonShape box2dShape(const Polygon& polygon, float scale = kBox2dScale);
 
-/// What all of Box2D's calls need: convex polygons of at most b2_maxPolygonVertices = 8 vertices.
+/// The base of all of Box2D's calls: convex polygons of at most b2_maxPolygonVertices = 8 vertices.
 class Box2dPair {
  public:
   /// Throws as box2dShape() does.
@@ -36,6 +36,12 @@ class Box2dPair {
   void prepare(const std::vector<Pose>& poses);
 
  protected:
+  template <class Input>
+  void setProxies(Input& input) const {
+    input.proxyA.Set(&fixed_, 0);
+    input.proxyB.Set(&moving_, 0);
+  }
+
   b2PolygonShape fixed_, moving_;
   b2Transform fixed_transform_;
   std::vector<b2Transform> transforms_;
@@ -67,14 +73,7 @@ class Box2dManifold : public Box2dPair {
 /// b2Distance, without the skin: GJK, which can start from its last simplex.
 class Box2dDistance : public Box2dPair {
  public:
-  Box2dDistance(const Polygon& fixed, const Polygon& moving, bool coherent, const Pose& fixed_pose = Pose::Identity())
-      : Box2dPair(fixed, moving, fixed_pose), coherent_(coherent) {
-    input_.proxyA.Set(&fixed_, 0);
-    input_.proxyB.Set(&moving_, 0);
-    input_.transformA = fixed_transform_;
-    input_.useRadii = false;
-    cache_.count = 0;
-  }
+  Box2dDistance(const Polygon& fixed, const Polygon& moving, bool coherent, const Pose& fixed_pose = Pose::Identity());
 
   double value(std::size_t i) {
     if (!coherent_) cache_.count = 0;
@@ -96,9 +95,7 @@ class Box2dImpact : public Box2dPair {
   Box2dImpact(const Polygon& fixed, const Polygon& moving, const Pose& fixed_pose = Pose::Identity());
 
   void prepare(const std::vector<Motion>& motions);
-
-  /// Infinity where they don't meet.
-  double value(std::size_t i);
+  double value(std::size_t i);  ///< infinity where they don't meet
 
  private:
   b2TOIInput input_;
@@ -111,9 +108,7 @@ class Box2dCast : public Box2dPair {
   Box2dCast(const Polygon& fixed, const Polygon& moving);
 
   void prepare(const std::vector<Motion>& motions);
-
-  /// Infinity where they don't meet.
-  double value(std::size_t i);
+  double value(std::size_t i);  ///< infinity where they don't meet
 
  private:
   b2ShapeCastInput input_;

@@ -24,7 +24,7 @@ class Box2dCrowd {
   /// One body a pose, with shapes[i % size]. `scale`: Box2D's units for one of ours.
   Box2dCrowd(const std::vector<Polygon>& shapes, const std::vector<Pose>& poses, float scale);
 
-  /// What poses become before they are timed.
+  /// Converts poses, before they are timed.
   std::vector<b2Transform> transforms(const std::vector<Pose>& poses) const;
 
   void move(std::size_t body, const b2Transform& transform);

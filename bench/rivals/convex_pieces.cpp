@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "geos_region.h"
+#include "geos.h"
 
 namespace tricover::bench {
 namespace {
@@ -107,7 +107,5 @@ std::vector<Triangle> triangulate(const Polygon& polygon) {
 }
 
 std::vector<Ring> convexPieces(const std::vector<Triangle>& triangles) { return PieceMerger(triangles).pieces(); }
-
-bool isConvex(const Polygon& polygon) { return convexPieces(triangulate(polygon)).size() == 1; }
 
 }  // namespace tricover::bench

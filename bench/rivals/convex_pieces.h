@@ -6,7 +6,7 @@
 
 #include "tricover/polygon.h"
 
-/// What rivals that know only convex shapes or triangles need in a polygon's place.
+/// Convex shapes and triangles for rivals that know nothing else.
 namespace tricover::bench {
 
 using Triangle = std::array<Vec2, 3>;  ///< counter-clockwise
@@ -17,7 +17,5 @@ std::vector<Triangle> triangulate(const Polygon& polygon);
 
 /// Hertel and Mehlhorn: drops every diagonal that convexity can spare; at most four times the fewest pieces possible.
 std::vector<Ring> convexPieces(const std::vector<Triangle>& triangles);
-
-bool isConvex(const Polygon& polygon);
 
 }  // namespace tricover::bench

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "asked.h"
-#include "core_scan.h"
 #include "layout.h"
-#include "tricover/scene.h"
+#include "shapes.h"
 
 namespace tricover::bench {
 namespace {
-
-/// A frame around the layout, with a hole that it fills.
-Placed containerOf(const Eigen::AlignedBox2d& hole) {
-  const auto ring = [](const Vec2& low, const Vec2& high) {
-    return Ring{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-  };
-  const Vec2 wide = hole.sizes();
-  return {Polygon({ring(hole.min() - wide, hole.max() + wide), ring(hole.min(), hole.max())}), poseAt({0, 0}, 0)};
-}
 
 /// A part that was taken out, and where it is tried.
 struct Trial {
@@ -28,44 +20,38 @@ struct Trial {
   Scene scene;
 };
 
-std::vector<Trial> trialsIn(const Placement& layout, const Placed& container, Placing placing) {
-  constexpr std::size_t kLifted = 8, kPoses = 125;
-  std::vector<Trial> trials;
-  for (std::size_t k = 0; k < kLifted; ++k) {
-    const std::size_t part = k * layout.size() / kLifted;
-    Placement others = layout;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(part));
-    Trial trial{layout[part].polygon, placings(layout[part], others, placing, kPoses, part), CoreScan(others), {}};
-    for (const Placed& other : others) trial.scene.add(other.polygon, other.pose);
-    trial.scene.add(container.polygon, container.pose);
-    trials.push_back(std::move(trial));
-  }
-  return trials;
-}
-
 Result costOf(const Placement& layout, const std::string& parts, Placing placing, const std::string& name) {
+  // A frame around the layout, with a hole that it fills.
   const Eigen::AlignedBox2d hole = boundsOf(layout);
-  const Placed container = containerOf(hole);
-  std::vector<Trial> trials = trialsIn(layout, container, placing);
-  std::vector<bool> by_scan, by_scene;
-  const auto task = [&](const char* method, Role role, std::vector<bool>& answers, auto ask) {
-    return Task{method, role, [&trials, &answers, ask] {
-                  answers.clear();
-                  for (const Trial& trial : trials)
-                    for (const Pose& pose : trial.poses) answers.push_back(ask(trial, pose));
-                }};
-  };
-  const auto scan = [&](const Trial& trial, const Pose& pose) {
+  const Vec2 low = hole.min() - hole.sizes(), high = hole.max() + hole.sizes();
+  const Placed container = {
+      Polygon({support::rectangle(low.x(), low.y(), high.x(), high.y()),
+               support::rectangle(hole.min().x(), hole.min().y(), hole.max().x(), hole.max().y())}),
+      Pose::Identity()};
+  std::vector<Trial> trials;
+  for (const Lifted& lifted : liftedParts(layout)) {
+    Placement bodies = lifted.others;
+    bodies.push_back(container);
+    trials.push_back({lifted.part.polygon, placings(lifted, placing, kPlacings, lifted.index), CoreScan(lifted.others),
+                      sceneOf(bodies)});
+  }
+  const std::size_t count = trials.size() * kPlacings;
+  std::vector<double> by_scan(count), by_scene(count);
+  const auto scan = [&](std::size_t i) {
+    const Trial& trial = trials[i / kPlacings];
+    const Pose& pose = trial.poses[i % kPlacings];
     return trial.scan.collides(trial.part, pose) ||
            (!hole.contains(boundsOf(trial.part, pose)) && collide(container.polygon, container.pose, trial.part, pose));
   };
-  const auto scene = [](const Trial& trial, const Pose& pose) { return trial.scene.collides(trial.part, pose); };
-  const std::size_t queries = trials.size() * trials.front().poses.size();
+  const auto scene = [&](std::size_t i) {
+    const Trial& trial = trials[i / kPlacings];
+    return trial.scene.collides(trial.part, trial.poses[i % kPlacings]);
+  };
   Result result =
-      measureInTurn({"container", parts, name, 0, 0, queries, 1},
-                    {task("scan", Role::Rival, by_scan, scan), task("scene", Role::Ours, by_scene, scene)}, 9);
+      measureInTurn({"container", parts, name, 0, 0, count},
+                    {taskOf("scan", Role::Rival, by_scan, scan), taskOf("scene", Role::Ours, by_scene, scene)}, 9);
   if (by_scan != by_scene) throw std::logic_error("containers: scan and scene differ: " + parts + ", " + name);
-  for (const bool hit : by_scan) result.collisions += hit ? 1 : 0;
+  result.collisions = static_cast<std::size_t>(std::count(by_scan.begin(), by_scan.end(), 1));
   return result;
 }
 

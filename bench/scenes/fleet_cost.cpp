@@ -8,7 +8,7 @@
 
 #include "placed.h"
 #include "random.h"
-#include "rivals/boost_tree.h"
+#include "rivals/boost.h"
 #include "scene_studies.h"
 #include "tricover/scene.h"
 #include "workloads.h"
@@ -38,11 +38,8 @@ Fleet makeFleet(std::size_t robots, std::size_t obstacles) {
                                            {to, turn + random.real(-1.5, 1.5), shift(20), random.real(-3, 3)}));
   }
   for (std::size_t i = 0; i < obstacles; ++i) {
-    std::vector<Ring> rings = workloads::makePolygon(workloads::Kind::Contour, 32, i % 20 + 1).rings();
-    for (Ring& ring : rings) {
-      for (Vec2& v : ring) v *= 0.02;
-    }
-    fleet.obstacles.push_back({Polygon(std::move(rings)), poseAt(anywhere(), random.real(0, 6))});
+    const Polygon outline = workloads::makePolygon(workloads::Kind::Contour, 32, i % 20 + 1).scaled(0.02);
+    fleet.obstacles.push_back({outline, poseAt(anywhere(), random.real(0, 6))});
   }
   return fleet;
 }
@@ -108,7 +105,7 @@ std::vector<Result> measureFleet(bool full) {
   for (const Motion& motion : fleet.motions) motions.push_back({scene.add(fleet.robot, motion.start), motion});
   for (const Placed& obstacle : fleet.obstacles) scene.add(obstacle.polygon, obstacle.pose);
   std::vector<PairImpact> ours, swept;
-  Result result = measureInTurn({"fleet", std::to_string(robots) + " robots", "conflicts", 6, 32, 1, 1},
+  Result result = measureInTurn({"fleet", std::to_string(robots) + " robots", "conflicts", 6, 32},
                                 {{"scene", Role::Ours, [&] { ours = scene.impacts(motions); }},
                                  {"swept boxes", Role::Rival, [&] { swept = bySweptBoxes(fleet); }}},
                                 5);

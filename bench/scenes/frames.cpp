@@ -1,24 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fcl/narrowphase/collision.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
+#include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "crowd.h"
+#include "placed.h"
 #include "rivals/box2d.h"
 #include "rivals/box2d_scene.h"
-#include "rivals/fcl_geometry.h"
-#include "rivals/fcl_manager.h"
+#include "rivals/fcl_call.h"
 #include "scene_studies.h"
 #include "tricover/collide.h"
 #include "tricover/scene.h"
 #include "tricover_fcl/tricover_fcl.h"
+#include "workloads.h"
 
 namespace tricover::bench {
 namespace {
 
 constexpr std::size_t kObjects = 2000, kFrames = 50;
+
+/// Outlines that drive in circles and turn, each at speeds of its own.
+struct Crowd {
+  std::vector<Polygon> shapes;
+  std::vector<std::vector<Pose>> poses;  ///< by frame, then object
+
+  const Polygon& shapeOf(std::size_t object) const { return shapes[object % shapes.size()]; }
+  std::size_t size() const { return poses.front().size(); }
+  std::size_t frames() const { return poses.size(); }
+};
+
+/// Homes in rows, however many there are, so that all neighbours meet alike; with this much between them, orbits that
+/// reach the neighbours: chosen so that about 5 % of the outlines collide. The density is the same for any number of
+/// them.
+constexpr std::size_t kCrowdRow = 50;
+constexpr double kContourSpacing = 405;
+constexpr double kConvexSpacing = 475;
+
+constexpr std::size_t kShapes = 50;
+constexpr double kOrbit = 480;
+
+/// Irrational steps spread phases and speeds without a random generator.
+double spread(std::size_t i, double step) { return std::fmod(static_cast<double>(i) * step, 1); }
+
+/// Where they are in one frame.
+std::vector<Pose> crowdPoses(double spacing, std::size_t objects, std::size_t frame) {
+  const double turn = 2 * static_cast<double>(EIGEN_PI);
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < objects; ++i) {
+    const double speed = 0.5 + spread(i, 0.7548776662466927);
+    const double angle = turn * (spread(i, 0.6180339887498949) + speed * static_cast<double>(frame) / 1000);
+    const Vec2 home(spacing * static_cast<double>(i % kCrowdRow), spacing * static_cast<double>(i / kCrowdRow));
+    poses.push_back(poseAt(home + kOrbit * Vec2(std::cos(angle), std::sin(angle)), angle * (i % 2 != 0 ? 1.7 : -1.3)));
+  }
+  return poses;
+}
+
+Crowd makeCrowd(workloads::Kind kind, std::size_t vertices, double spacing, std::size_t objects, std::size_t frames) {
+  Crowd crowd;
+  for (std::size_t i = 0; i < kShapes; ++i) crowd.shapes.push_back(workloads::makePolygon(kind, vertices, i + 1));
+  for (std::size_t frame = 0; frame < frames; ++frame) crowd.poses.push_back(crowdPoses(spacing, objects, frame));
+  return crowd;
+}
 
 using SharedCrowd = std::shared_ptr<const Crowd>;
 
@@ -80,18 +126,6 @@ class FclFrames {
     manager_->setup();
   }
 
-  /// `ask(frames, i, j)` decides a pair of objects.
-  template <bool ask(FclFrames&, std::size_t, std::size_t)>
-  void walk(Hits& hits) {
-    hits_ = &hits;
-    walk_(kFrames, [&](std::size_t frame) {
-      frame_ = frame;
-      for (std::size_t i = 0; i < kObjects; ++i) place(i, frame);
-      manager_->update();
-      manager_->collide(this, meet<ask>);
-    });
-  }
-
   static bool askNothing(FclFrames&, std::size_t, std::size_t) { return false; }
 
   static bool askCore(FclFrames& frames, std::size_t i, std::size_t j) {
@@ -104,6 +138,18 @@ class FclFrames {
     static const fcl::CollisionRequestd request;
     frames.result_.clear();
     return fcl::collide(frames.objects_[i].get(), frames.objects_[j].get(), request, frames.result_) > 0;
+  }
+
+  /// `ask(frames, i, j)` decides a pair of objects.
+  template <bool ask(FclFrames&, std::size_t, std::size_t) = askFcl>
+  void walk(Hits& hits) {
+    hits_ = &hits;
+    walk_(kFrames, [&](std::size_t frame) {
+      frame_ = frame;
+      for (std::size_t i = 0; i < kObjects; ++i) place(i, frame);
+      manager_->update();
+      manager_->collide(this, meet<ask>);
+    });
   }
 
  private:
@@ -162,23 +208,8 @@ using Objects = FclFrames<fcl::CollisionObjectd>;
 using TightObjects = FclFrames<tricover_fcl::PolygonObjectd>;
 
 template <class Frames>
-Contender fclContender(const std::string& name, Role role, std::shared_ptr<Frames> frames) {
-  return framesContender(name, role, [=](Hits& hits) { frames->template walk<Frames::askFcl>(hits); });
-}
-
-template <class Frames>
 Contender ownContender(const std::string& name, Role role, std::shared_ptr<Frames> frames) {
   return framesContender(name, role, [=](Hits& hits) { frames->walk(hits); });
-}
-
-/// Box2D is asked at several scales: where its skin of 0.02 is small to the bodies, so is what it grows their boxes by.
-void addBox2d(const Crowd& crowd, std::vector<Contender>& contenders) {
-  const auto add = [&](const std::string& name, float scale) {
-    contenders.push_back(ownContender(name, Role::Box2d, std::make_shared<Box2dFrames>(crowd, scale)));
-  };
-  add("Box2D", 1);
-  add("Box2D, x 0.01", 0.01F);
-  add("Box2D, x 0.1", 0.1F);
 }
 
 Result measureKind(workloads::Kind kind, std::size_t vertices, double spacing, const Settings& settings) {
@@ -190,16 +221,61 @@ Result measureKind(workloads::Kind kind, std::size_t vertices, double spacing, c
   std::vector<Contender> contenders = {
       framesContender("cold", Role::Ours, [=](Hits& hits) { shapes->walk<Objects::askCore>(hits); }),
       ownContender("scene", Role::Ours, std::make_shared<SceneFrames>(crowd)),
-      fclContender("SceneManager", Role::Ours,
+      ownContender("SceneManager", Role::Ours,
                    std::make_shared<TightObjects>(crowd, std::make_unique<tricover_fcl::SceneManagerd>(), shape)),
-      fclContender("via FCL", Role::Ours, shapes),
-      fclContender("tight boxes", Role::Ours, std::make_shared<TightObjects>(crowd, tree(), shape)),
-      fclContender("FCL BVH", Role::Rival, std::make_shared<Objects>(crowd, tree(), mesh)),
+      ownContender("via FCL", Role::Ours, shapes),
+      ownContender("tight boxes", Role::Ours, std::make_shared<TightObjects>(crowd, tree(), shape)),
+      ownContender("FCL BVH", Role::Rival, std::make_shared<Objects>(crowd, tree(), mesh)),
       framesContender("manager alone", Role::Floor, [=](Hits& hits) { shapes->walk<Objects::askNothing>(hits); })};
-  const bool box2d = kind == workloads::Kind::Convex;
-  if (box2d) addBox2d(*crowd, contenders);
+  // Box2D is asked at several scales: where its skin of 0.02 is small to the bodies, so is what it grows their boxes
+  // by.
+  if (kind == workloads::Kind::Convex)
+    for (const auto& [name, scale] : {std::pair("Box2D", 1.F), {"Box2D, x 0.01", 0.01F}, {"Box2D, x 0.1", 0.1F}})
+      contenders.push_back(ownContender(name, Role::Box2d, std::make_shared<Box2dFrames>(*crowd, scale)));
   const Workload workload{"frames", name(kind), "2000 moving", vertices, vertices, kFrames, kObjects * kObjects};
   return measure(workload, contenders, settings);
+}
+
+Scene sceneOf(const Crowd& crowd) {
+  Placement bodies;
+  for (std::size_t i = 0; i < crowd.size(); ++i) bodies.push_back({crowd.shapeOf(i), crowd.poses[0][i]});
+  return sceneOf(bodies);
+}
+
+/// Frames in which every `step`th body moves: on one thread by CPU time, then on one and on two by wall time.
+/// Nanoseconds a moving body.
+Result costOfFrames(std::size_t bodies, std::size_t step) {
+  constexpr std::size_t kWarmUp = 6, kTimed = 9;
+  const Crowd crowd = makeCrowd(workloads::Kind::Contour, 64, kContourSpacing, bodies, 1);
+  Scene one = sceneOf(crowd), other = sceneOf(crowd);
+  tbb::task_arena arena(2);
+  const Parallel on_threads = [&arena](std::size_t n, const std::function<void(std::size_t)>& task) {
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, n, task); });
+  };
+  std::vector<double> cpu, serial, threads;
+  for (std::size_t frame = 1; frame <= kWarmUp + kTimed; ++frame) {
+    const std::vector<Pose> poses = crowdPoses(kContourSpacing, bodies, frame);
+    std::vector<BodyPose> moves;
+    for (std::size_t i = 0; i < bodies; i += step) moves.push_back({static_cast<Scene::Body>(i), poses[i]});
+    const double cpu_start = threadSeconds(), start = wallSeconds();
+    one.move(moves);
+    one.collisions();
+    const double cpu_end = threadSeconds(), middle = wallSeconds();
+    other.move(moves, on_threads);
+    other.collisions(on_threads);
+    const double end = wallSeconds();
+    if (one.collisions() != other.collisions()) throw std::logic_error("crowds: threads change the answer");
+    if (frame <= kWarmUp) continue;
+    cpu.push_back(cpu_end - cpu_start);
+    serial.push_back(middle - start);
+    threads.push_back(end - middle);
+  }
+  const double ns = 1e9 * static_cast<double>(step) / static_cast<double>(bodies);
+  const std::string name = step == 1 ? "all moving" : "one in " + std::to_string(step) + " moving";
+  return {{"crowd", std::to_string(bodies) + " bodies", name, 64, 64},
+          {{"scene", Role::Ours, ns * medianOf(cpu)},
+           {"wall time", Role::Floor, ns * medianOf(serial)},
+           {"wall time, two threads", Role::Floor, ns * medianOf(threads)}}};
 }
 
 }  // namespace
@@ -207,6 +283,13 @@ Result measureKind(workloads::Kind kind, std::size_t vertices, double spacing, c
 std::vector<Result> measureFrames(const Settings& settings) {
   return {measureKind(workloads::Kind::Contour, 64, kContourSpacing, settings),
           measureKind(workloads::Kind::Convex, 8, kConvexSpacing, settings)};
+}
+
+std::vector<Result> measureCrowds() {
+  std::vector<Result> results;
+  for (std::size_t bodies = 1000; bodies <= 100000U; bodies *= 10)
+    for (const std::size_t step : {1u, 100u}) results.push_back(costOfFrames(bodies, step));
+  return results;
 }
 
 }  // namespace tricover::bench

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core_scan.h"
 #include "random.h"
+#include "shapes.h"
 
 namespace tricover::bench {
 namespace {
@@ -14,15 +14,6 @@ namespace {
 using support::Random;
 
 constexpr double kTurn = 2 * static_cast<double>(EIGEN_PI);
-
-Ring regular(int vertices) {
-  Ring ring;
-  for (int i = 0; i < vertices; ++i) {
-    const double angle = kTurn * i / vertices;
-    ring.emplace_back(0.5 * std::cos(angle), 0.5 * std::sin(angle));
-  }
-  return ring;
-}
 
 /// About as large as the unit square: brackets, arrows, nuts and the like.
 const std::vector<Ring>& kinds() {
@@ -36,9 +27,9 @@ const std::vector<Ring>& kinds() {
       {{0, .3}, {.55, .3}, {.55, 0}, {1, .5}, {.55, 1}, {.55, .7}, {0, .7}},
       {{0, 0}, {.5, .2}, {1, 0}, {.7, .6}, {.4, 1}},
       {{0, 0}, {1, 0}, {.85, .4}, {.6, .5}, {.15, .5}},
-      regular(5),
-      regular(6),
-      regular(8),
+      support::regular(5, 0.5),
+      support::regular(6, 0.5),
+      support::regular(8, 0.5),
   };
   return rings;
 }
@@ -70,16 +61,6 @@ Polygon makePart(int least, int most, Random& random) {
   const Vec2 origin = Polygon({ring}).origin();
   for (Vec2& v : ring) v -= origin;
   return Polygon({ring});
-}
-
-double areaOf(const Polygon& polygon) {
-  double area = 0;
-  const Ring& ring = polygon.rings().front();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 &v = ring[i], &w = ring[(i + 1) % ring.size()];
-    area += 0.5 * (v.x() * w.y() - v.y() * w.x());
-  }
-  return std::abs(area);
 }
 
 class Filler {
@@ -149,21 +130,33 @@ Placement makeLayout(std::size_t parts, int least, int most, std::uint64_t seed)
   double area = 0;
   for (std::size_t i = 0; i < parts; ++i) {
     polygons.push_back(makePart(least, most, random));
-    area += areaOf(polygons.back());
+    area += polygons.back().area();
   }
   std::stable_sort(polygons.begin(), polygons.end(),
-                   [](const Polygon& p, const Polygon& q) { return areaOf(p) > areaOf(q); });
+                   [](const Polygon& p, const Polygon& q) { return p.area() > q.area(); });
   Filler filler(1.2 * std::sqrt(area));
   Placement layout;
   for (const Polygon& polygon : polygons) layout.push_back({polygon, filler.place(polygon, random)});
   return layout;
 }
 
-std::vector<Pose> placings(const Placed& part, const Placement& others, Placing placing, std::size_t count,
-                           std::uint64_t seed) {
+Lifted lifted(const Placement& layout, std::size_t index) {
+  Lifted lifted{index, layout[index], layout};
+  lifted.others.erase(lifted.others.begin() + static_cast<std::ptrdiff_t>(index));
+  return lifted;
+}
+
+std::vector<Lifted> liftedParts(const Placement& layout) {
+  std::vector<Lifted> parts;
+  for (std::size_t k = 0; k < 8; ++k) parts.push_back(lifted(layout, k * layout.size() / 8));
+  return parts;
+}
+
+std::vector<Pose> placings(const Lifted& lifted, Placing placing, std::size_t count, std::uint64_t seed) {
   Random random(seed);
-  const CoreScan scan(others);
-  const auto bounds = boundsOf(others);
+  const Placed& part = lifted.part;
+  const CoreScan scan(lifted.others);
+  const auto bounds = boundsOf(lifted.others);
   const auto near = [&](double size) {
     const Vec2 by(random.real(-size, size), random.real(-size, size));
     Pose pose = poseAt({0, 0}, random.real(-size, size)) * part.pose;

@@ -21,8 +21,19 @@ enum class Placing {
   Uniform     ///< Anywhere in the layout, turned anyhow.
 };
 
-/// Poses for a part that was taken out of the layout, of which `others` is the rest.
-std::vector<Pose> placings(const Placed& part, const Placement& others, Placing placing, std::size_t count,
-                           std::uint64_t seed);
+/// A part that was taken out of a layout.
+struct Lifted {
+  std::size_t index;
+  Placed part;
+  Placement others;
+};
+Lifted lifted(const Placement& layout, std::size_t index);
+
+/// Eight from all over it, one at a time.
+std::vector<Lifted> liftedParts(const Placement& layout);
+
+/// Poses for it; that many in the studies.
+constexpr std::size_t kPlacings = 125;
+std::vector<Pose> placings(const Lifted& lifted, Placing placing, std::size_t count, std::uint64_t seed);
 
 }  // namespace tricover::bench

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scenes beside what people use for them: many against many, one against many, rays, conflicts of a fleet.
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include "report.h"
@@ -33,33 +31,21 @@ const char* const kHow =
   timeOfImpact() for every pair whose swept boxes meet. Nanoseconds are those of all conflicts.
 )";
 
-int run(const std::string& data, const std::string& directory, bool full) {
+}  // namespace
+
+bool run(const std::string& directory, bool full) {
   tricover_fcl::registerNarrowphase();
-  std::ifstream in(data);
-  if (!in) throw std::runtime_error("cannot read " + data);
-  const Countries countries = readCountries(in);
+  const Countries countries = readCountries();
   const Settings settings = full ? Settings{5, 0.1} : Settings{3, 0.01};
   drawScenes(countries, directory);
-  std::vector<Result> all;
-  std::string text;
-  std::size_t done = 0;
-  const auto measured = [&](const char* title, const std::vector<Result>& results) {
-    text += "# " + std::string(title) + "\n\n" + table(results) + "\n";
-    all.insert(all.end(), results.begin(), results.end());
-    showProgress(++done, 6, title);
-  };
-  measured("Frames", measureFrames(settings));
-  measured("Layouts", measureLayouts(settings));
-  measured("Maps", measureMaps(countries, settings));
-  measured("Rays", measureRays(countries, settings));
-  measured("Growing crowds, a body and frame", measureCrowds());
-  measured("Conflicts of a fleet on splines", measureFleet(full));
-  writeFile(directory + "/scenes.md", text + "# How it was measured\n\n" + machine(settings) + kHow);
-  writeFile(directory + "/scenes.csv", csv(all));
-  return oursAgree(all) ? 0 : 1;
+  return writeStudies(directory, "scenes",
+                      {{"Frames", measureFrames(settings)},
+                       {"Layouts", measureLayouts(settings)},
+                       {"Maps", measureMaps(countries, settings)},
+                       {"Rays", measureRays(countries, settings)},
+                       {"Growing crowds, a body and frame", measureCrowds()},
+                       {"Conflicts of a fleet on splines", measureFleet(full)}},
+                      "# How it was measured\n\n" + machine(settings) + kHow);
 }
 
-}  // namespace
 }  // namespace tricover::bench
-
-int main(int argc, char** argv) { return tricover::bench::runStudy(argc, argv, tricover::bench::run); }

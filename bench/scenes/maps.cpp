@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "core_scan.h"
 #include "random.h"
 
 namespace tricover::bench {
@@ -49,13 +48,8 @@ Placement countriesMap(const Countries& countries, std::size_t obstacles) {
   const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(obstacles))));
   std::vector<Polygon> outlines;
   for (const auto& country : countries) {
-    const Polygon centred_outline = centred(country.polygon);
-    const double scale = random.real(20, 65) / centred_outline.radius();
-    std::vector<Ring> rings = centred_outline.rings();
-    for (Ring& ring : rings) {
-      for (Vec2& v : ring) v *= scale;
-    }
-    outlines.emplace_back(std::move(rings));
+    const Polygon centred = country.polygon.translated(-country.polygon.origin());
+    outlines.push_back(centred.scaled(random.real(20, 65) / centred.radius()));
   }
   Placement map;
   for (std::size_t i = 0; i < obstacles; ++i) {

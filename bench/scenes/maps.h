@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "countries.h"
+#include "inputs.h"
 #include "placed.h"
 
 namespace tricover::bench {
@@ -30,8 +30,8 @@ Polygon forkLift();
 /// Anywhere in the map, turned anyhow.
 std::vector<Pose> randomPoses(const Placement& map, std::size_t count, std::uint64_t seed);
 
-/// What a planner that grows a tree asks for: from a random free pose in small steps towards another one nearby, until
-/// it is reached or a step collides; then from the next free pose.
+/// The poses that a planner that grows a tree asks about: from a random free pose in small steps towards another one
+/// nearby, until it is reached or a step collides; then from the next free pose.
 std::vector<Pose> plannerPath(const Placement& map, const Polygon& robot, std::size_t count, std::uint64_t seed);
 
 /// A turn of rays from each of some free places of the robot.

@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "tricover/collide.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
+#include "tricover/scene.h"
 
 namespace tricover::bench {
 
@@ -51,13 +53,51 @@ inline Pose poseAt(const Vec2& position, double angle) {
   return pose;
 }
 
-/// The polygon with its vertices where the pose takes them, rounded: for rivals that know no poses.
-inline Polygon posed(const Polygon& polygon, const Pose& pose) {
+/// The polygon with its vertices where `map` takes them.
+template <class Map>
+Polygon mapped(const Polygon& polygon, Map map) {
   std::vector<Ring> rings = polygon.rings();
-  for (Ring& ring : rings) {
-    for (Vec2& v : ring) v = pose * v;
-  }
+  for (Ring& ring : rings)
+    for (Vec2& v : ring) v = map(v);
   return Polygon(std::move(rings), polygon.fillRule());
 }
+
+/// Where the pose takes them, rounded: for rivals that know no poses.
+inline Polygon posed(const Polygon& polygon, const Pose& pose) {
+  return mapped(polygon, [&](const Vec2& v) { return pose * v; });
+}
+
+inline Scene sceneOf(const Placement& placement) {
+  Scene scene;
+  for (const Placed& placed : placement) scene.add(placed.polygon, placed.pose);
+  return scene;
+}
+
+/// The core without a scene: all boxes are compared with the asking polygon's, and collide() decides where they meet.
+class CoreScan {
+ public:
+  CoreScan() = default;
+  explicit CoreScan(const Placement& placement) {
+    for (const Placed& placed : placement) add(placed);
+  }
+
+  void add(const Placed& placed) {
+    boxes_.push_back(boundsOf(placed.polygon, placed.pose));
+    placement_.push_back(placed);
+  }
+
+  bool collides(const Polygon& polygon, const Pose& pose) const {
+    const Eigen::AlignedBox2d box = boundsOf(polygon, pose);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (!box.intersects(boxes_[i])) continue;
+      if (collide(placement_[i].polygon, placement_[i].pose, polygon, pose)) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::vector<Eigen::AlignedBox2d> boxes_;
+  Placement placement_;
+};
 
 }  // namespace tricover::bench

@@ -16,27 +16,21 @@ const std::string kFree = "#86d3a0", kHit = "#f8b4b4", kStill = "#f1f3f5", kTouc
 
 std::string layoutPicture() {
   const Placement layout = makeLayout(80, 5, 8, 7);
-  const std::size_t lifted = 30;
-  Placement others = layout;
-  others.erase(others.begin() + lifted);
-  Scene scene;
-  for (const Placed& placed : others) scene.add(placed.polygon, placed.pose);
+  const Lifted one = lifted(layout, 30);
+  const Scene scene = sceneOf(one.others);
   SvgDrawing drawing(1500);
-  for (const Placed& placed : others) drawing.polygon(placed.polygon, placed.pose, kStill);
-  const Polygon& part = layout[lifted].polygon;
-  for (const Placing placing : {Placing::Uniform, Placing::Local, Placing::Free}) {
-    for (const Pose& pose : placings(layout[lifted], others, placing, placing == Placing::Uniform ? 6 : 2, 9)) {
+  for (const Placed& placed : one.others) drawing.polygon(placed.polygon, placed.pose, kStill);
+  const Polygon& part = one.part.polygon;
+  for (const Placing placing : {Placing::Uniform, Placing::Local, Placing::Free})
+    for (const Pose& pose : placings(one, placing, placing == Placing::Uniform ? 6 : 2, 9))
       drawing.polygon(part, pose, scene.collides(part, pose) ? kHit : kFree);
-    }
-  }
   return drawing.str();
 }
 
 void drawRays(const Placement& map, const Vec2& aside, std::uint64_t seed, SvgDrawing& drawing) {
   const Pose moved = poseAt(aside, 0);
   const Polygon robot = forkLift();
-  Scene scene;
-  for (const Placed& placed : map) scene.add(placed.polygon, placed.pose);
+  const Scene scene = sceneOf(map);
   std::set<Scene::Body> seen;
   std::vector<std::pair<Vec2, Vec2>> lines;
   const std::vector<Ray> rays = raysAround(map, robot, 1, 300, seed);

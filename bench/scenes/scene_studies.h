@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "countries.h"
+#include "inputs.h"
 #include "measure.h"
 
 /// Studies and pictures of many bodies at once.
@@ -17,7 +17,7 @@ std::vector<Result> measureLayouts(const Settings& settings);
 std::vector<Result> measureMaps(const Countries& countries, const Settings& settings);
 
 /// The nearest hit of each of 360 rays around some poses in those maps.
-std::vector<Result> measureRays(const Countries& countries, const Settings& settings);
+std::vector<Result> measureRays(const Countries& countries, Settings settings);
 
 /// All conflicts of robots on splines with each other and with obstacles: Scene::impacts() beside timeOfImpact() of the
 /// pairs whose swept boxes meet.

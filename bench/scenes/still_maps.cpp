@@ -1,44 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <array>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "asked.h"
-#include "placed.h"
 #include "random.h"
-#include "tricover/collide.h"
-#include "tricover/distance.h"
+#include "rivals/boost.h"
+#include "shapes.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"
 
 namespace tricover::bench {
 namespace {
-
-namespace bg = boost::geometry;
-namespace bgi = boost::geometry::index;
-using Point = bg::model::point<double, 2, bg::cs::cartesian>;
-using Box = bg::model::box<Point>;
-using Tree = bgi::rtree<std::pair<Box, std::uint32_t>, bgi::rstar<16>>;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Polygon regular(int vertices, double radius) {
-  Ring ring;
-  for (int i = 0; i < vertices; ++i) {
-    const double angle = 2 * static_cast<double>(EIGEN_PI) * i / vertices;
-    ring.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-  }
-  return Polygon({ring});
-}
-
-Box boxOf(const Polygon& polygon, const Pose& pose) {
-  const Eigen::AlignedBox2d box = boundsOf(polygon, pose);
-  return {{box.min().x(), box.min().y()}, {box.max().x(), box.max().y()}};
-}
 
 /// Bodies of unit radius, so dense that a point of the plane is in a third of a body.
 class Places {
@@ -51,19 +24,17 @@ class Places {
   support::Random random_;
 };
 
-Scene sceneOf(std::size_t bodies) {
-  Places places(bodies, 1);
-  std::vector<BodyPlacement> all;
-  all.reserve(bodies);
-  for (std::size_t i = 0; i < bodies; ++i) all.push_back({regular(8, 1), places.next(), {}});
-  Scene scene;
-  scene.add(all);
-  return scene;
-}
+Polygon octagon() { return Polygon({support::regular(8, 1)}); }
 
 class SceneMap {
  public:
-  explicit SceneMap(std::size_t bodies) : scene_(sceneOf(bodies)) {}
+  explicit SceneMap(std::size_t bodies) {
+    Places places(bodies, 1);
+    std::vector<BodyPlacement> all;
+    all.reserve(bodies);
+    for (std::size_t i = 0; i < bodies; ++i) all.push_back({octagon(), places.next(), {}});
+    scene_.add(all);
+  }
   bool collides(const Polygon& polygon, const Pose& pose) const { return scene_.collides(polygon, pose); }
   double distance(const Polygon& polygon, const Pose& pose) const {
     return scene_.nearest(polygon, pose)->result.distance;
@@ -73,47 +44,18 @@ class SceneMap {
   Scene scene_;
 };
 
-/// boost::geometry's R-tree of the bodies' boxes, packed, and our own collide() and distance().
-class TreeMap {
+class TreeMap : public BoostMap {
  public:
-  explicit TreeMap(std::size_t bodies) {
-    Places places(bodies, 1);
-    bodies_.reserve(bodies);
-    std::vector<std::pair<Box, std::uint32_t>> boxes;
-    boxes.reserve(bodies);
-    for (std::uint32_t i = 0; i < bodies; ++i) {
-      bodies_.push_back({regular(8, 1), places.next()});
-      boxes.push_back({boxOf(bodies_[i].polygon, bodies_[i].pose), i});
-    }
-    tree_ = Tree(boxes);
-  }
-  bool collides(const Polygon& polygon, const Pose& pose) const {
-    for (auto at = tree_.qbegin(bgi::intersects(boxOf(polygon, pose))); at != tree_.qend(); ++at)
-      if (tricover::collide(bodies_[at->second].polygon, bodies_[at->second].pose, polygon, pose)) return true;
-    return false;
-  }
-  double distance(const Polygon& polygon, const Pose& pose) const {
-    const Box box = boxOf(polygon, pose);
-    double least = kInfinity, reach = -1;
-    // As many nearest boxes as it takes: going on one by one, the tree sorts all of them again and again.
-    for (unsigned count = 4; reach <= least && count < 2 * bodies_.size(); count *= 4) {
-      double farthest = 0;
-      for (auto at = tree_.qbegin(bgi::nearest(box, count)); at != tree_.qend(); ++at) {
-        const double gap = bg::distance(box, at->first);
-        farthest = std::max(farthest, gap);
-        if (gap < reach || gap > least) continue;
-        const Placed& body = bodies_[at->second];
-        if (const auto found = distanceWithin(polygon, pose, body.polygon, body.pose, least)) least = found->distance;
-      }
-      if (farthest > least) break;
-      reach = farthest;
-    }
-    return least;
-  }
+  explicit TreeMap(std::size_t bodies) : BoostMap(placementOf(bodies)) {}
 
  private:
-  Placement bodies_;
-  Tree tree_;
+  static Placement placementOf(std::size_t bodies) {
+    Places places(bodies, 1);
+    Placement all;
+    all.reserve(bodies);
+    for (std::size_t i = 0; i < bodies; ++i) all.push_back({octagon(), places.next()});
+    return all;
+  }
 };
 
 /// The results of costOf(), all in ns but the first.
@@ -124,7 +66,7 @@ constexpr const char* kFigures[] = {"bytes a body", "made and added", "collides"
 template <class Map>
 std::array<double, 5> costOf(std::size_t bodies, double& answers) {
   constexpr std::size_t kQueries = 20000;
-  const Polygon hexagon = regular(6, 1), dot = point({0, 0});
+  const Polygon hexagon({support::regular(6, 1)}), dot = point({0, 0});
   Places places(bodies, 2);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < kQueries; ++i) poses.push_back(places.next());
@@ -157,9 +99,8 @@ std::vector<Result> measureStillMaps() {
     if (std::abs(of_scene - of_tree) > 1e-9 * of_tree)
       throw std::logic_error("still maps: the scene and the rtree give different answers");
     for (std::size_t i = 0; i < scene.size(); ++i)
-      results.push_back({{"still map", std::to_string(bodies) + " 8-gons", kFigures[i], 0, 0, 1, 1},
-                         0,
-                         {{"scene", Role::Ours, scene[i], 0, 0, 0}, {"Boost rtree", Role::Rival, tree[i], 0, 0, 0}}});
+      results.push_back({{"still map", std::to_string(bodies) + " 8-gons", kFigures[i]},
+                         {{"scene", Role::Ours, scene[i]}, {"Boost rtree", Role::Rival, tree[i]}}});
   }
   return results;
 }

@@ -1,44 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fcl_convex.h"
+#include "fcl_prisms.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace tricover::bench {
-namespace {
 
-Ring allVertices(const Polygon& polygon) {
-  Ring all;
-  for (const Ring& ring : polygon.rings()) all.insert(all.end(), ring.begin(), ring.end());
-  return all;
-}
-
-}  // namespace
-
-FclPieces::Box::Box(const Ring& ring) {
-  Vec2 low = ring[0], high = ring[0];
-  for (const Vec2& v : ring) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  center = (low + high) / 2;
-  half = (high - low) / 2;
-}
-
-FclPieces::Pieces::Pieces(const Polygon& polygon, double half_height) : whole(allVertices(polygon)) {
-  for (const Ring& ring : convexPieces(triangulate(polygon))) {
-    prisms.push_back(makePrism(ring, half_height));
-    boxes.emplace_back(ring);
+FclPieces::Pieces::Pieces(const Polygon& polygon, double half_height, bool one) : whole(polygon.bounds()) {
+  for (const Ring& ring : one ? std::vector<Ring>{polygon.rings()[0]} : convexPieces(triangulate(polygon))) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2& v : ring) box.extend(v);
+    prisms.push_back(support::makePrism(ring, half_height));
+    boxes.emplace_back(box);
   }
 }
 
-FclPieces::FclPieces(const Polygon& fixed, const Polygon& moving)
-    : fixed_(fixed, kHalfHeight), moving_(moving, 2 * kHalfHeight) {}
-
-void FclPieces::prepare(const std::vector<Pose>& poses) {
-  poses_ = poses;
-  transforms_ = toTransforms(poses);
-}
+FclPieces::FclPieces(const Polygon& fixed, const Polygon& moving, const Prisms& prisms)
+    : FclPosed(prisms.fixed_pose),
+      fixed_(fixed, prisms.half_height, prisms.one_each),
+      moving_(moving, 2 * prisms.half_height, prisms.one_each) {}
 
 std::size_t FclPieces::decidedAtOnce() {
   const auto reach = [](const Prism& prism, const Vec2& way) {
