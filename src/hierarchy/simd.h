@@ -6,6 +6,7 @@
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/simd_function.h"
 #include "hierarchy/unit_map.h"
+#include "numbers/double2.h"
 #include "numbers/double_double.h"
 
 namespace tricover::detail {
@@ -86,26 +87,29 @@ constexpr int kMostNearest = 8;
 extern Simd<int(const Hierarchy& hierarchy, const Place& place, std::uint32_t (&edges)[kMostNearest])> findNearestEdges;
 
 /// Points that move straight, each with a reach of its own.
-struct FewWays {
+struct StraightPaths {
   static constexpr int kMost = SmallPolygon::kMost;
   float x[kMost], y[kMost], to_x[kMost], to_y[kMost], reach[kMost];
   int count;
 };
 /// Of each point a bit for every edge that it may come within its reach of. Nothing may exceed 2^30, in units.
-extern Simd<void(const SmallPolygon& polygon, const FewWays& ways, unsigned* near)> findEdgesOnWays;
+extern Simd<void(const SmallPolygon& polygon, const StraightPaths& paths, unsigned* near)> findEdgesOnPaths;
 
-/// A box at both ends of an interval of time, in a block's scale from its origin, in the frame that turns with the
-/// block; and IntervalCutter's chord errors, along axes that turn with the block and with the box.
-struct MovingQuery {
-  float x[2], y[2], ux[2], uy[2], along, across;
-  float chord_error_with_block, chord_error_with_query;
-  float slack;  ///< what a gap must exceed
+/// A box, or an edge as a box without width, at both ends of an interval of time, one a lane: its centre, the images of
+/// its axes, near unit length, and its half extents along them.
+struct MovingBox {
+  Double2 x, y, ux, uy, vx, vy;
+  double along, across;
 };
 /// Relative to the sum of what a gap is computed from, as for kGapRounding.
 constexpr double kMovingGapRounding = 4 * kGapRounding;
-/// A bit for each of the block's boxes that the query may meet, and the shares of the interval, from its begin and from
-/// its end, in which they don't. Nothing may exceed 2^30.
-extern Simd<unsigned(const Block& block, const MovingQuery& query, float* from_begin, float* from_end)> cutIntervals;
+/// A bit for each of the block's boxes that another box may meet, and the shares of the interval, from its begin and
+/// from its end, in which they don't. The box is in the block's scale from its origin, in the frame that turns with the
+/// block; IntervalCutter's chord errors are those along axes that turn with the block and with the box; a gap must
+/// exceed the slack. Nothing may exceed 2^30.
+extern Simd<unsigned(const Block& block, const MovingBox& moving, double chord_error_with_block,
+                     double chord_error_with_box, double slack, float* from_begin, float* from_end)>
+    cutIntervals;
 
 /// How deep, in units, a point is at least in one of the discs: negative where it may be beside all, by no less than
 /// what it may be away from the nearest.

@@ -30,24 +30,30 @@ struct IntervalSide {
 /// are parted, and from and to are at most twice the sum, 2^-18; `from` by what rounds the squares, 2^-21 of it. Four
 /// times 2^-19 is more. Of the share, 2^-9 is for its root and for all that rounds it.
 template <class Lanes>
-unsigned cutIntervals(const Block& block, const MovingQuery& q, float* from_begin, float* from_end) {
+unsigned cutIntervals(const Block& block, const MovingBox& moving, double chord_error_with_block,
+                      double chord_error_with_box, double slack_, float* from_begin, float* from_end) {
+  const auto f = [](double value) { return static_cast<float>(value); };
+  const auto upwards = [f](double value) { return f(value * (1 + 0x1p-16) + 0x1p-100); };
+  const float along = f(moving.along), across = f(moving.across), slack = upwards(slack_);
+  const Lanes with_block = Lanes::all(upwards(chord_error_with_block)),
+              with_box = Lanes::all(upwards(chord_error_with_box));
   const Boxes<Lanes> box = boxesOf<Lanes>(block);
   Lanes d[4][2], gap[4][2];
   for (int end = 0; end < 2; ++end) {
-    const float x = q.ux[end], y = q.uy[end];
-    const Lanes dx = box.x - q.x[end], dy = box.y - q.y[end];
+    const float x = f(moving.ux[end]), y = f(moving.uy[end]);
+    const Lanes dx = box.x - f(moving.x[end]), dy = box.y - f(moving.y[end]);
     const Lanes c = absolute(box.ux * x + box.uy * y), s = absolute(box.ux * y - box.uy * x);
-    const Lanes reach[4] = {box.along + c * q.along + s * q.across, box.across + s * q.along + c * q.across,
-                            box.along * c + box.across * s + q.along, box.along * s + box.across * c + q.across};
+    const Lanes reach[4] = {box.along + c * along + s * across, box.across + s * along + c * across,
+                            box.along * c + box.across * s + along, box.along * s + box.across * c + across};
     d[0][end] = box.ux * dx + box.uy * dy;
     d[1][end] = box.ux * dy - box.uy * dx;
     d[2][end] = dx * x + dy * y;
     d[3][end] = dy * x - dx * y;
-    for (int i = 0; i < 4; ++i) gap[i][end] = reach[i] + q.slack;
+    for (int i = 0; i < 4; ++i) gap[i][end] = reach[i] + slack;
   }
   IntervalSide<Lanes> first{Lanes::all(0), 0}, last{Lanes::all(0), 0};
   for (int i = 0; i < 4; ++i) {
-    const Lanes chord_error = Lanes::all(i < 2 ? q.chord_error_with_block : q.chord_error_with_query);
+    const Lanes chord_error = i < 2 ? with_block : with_box;
     first.offer(absolute(d[i][0]) - gap[i][0], flipped(d[i][1], d[i][0]) - gap[i][1], chord_error);
     last.offer(absolute(d[i][1]) - gap[i][1], flipped(d[i][0], d[i][1]) - gap[i][0], chord_error);
   }

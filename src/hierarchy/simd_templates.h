@@ -11,4 +11,4 @@
 #include "hierarchy/simd_shapes.h"
 #include "hierarchy/simd_small.h"
 #include "hierarchy/simd_twofold.h"
-#include "hierarchy/simd_ways.h"
+#include "hierarchy/simd_paths.h"

@@ -20,11 +20,11 @@ constexpr double kSpared = 1 + 0x1p-10;
 
 /// How fast a point of a polygon moves at the most, from time 0 to 1.
 double speedOf(const PolygonData& polygon, const Motion& motion) {
-  const Cubic<Vec2> way = wayOf(motion);
-  const Cubic<double> turn = turnOf(motion);
+  const Cubic<Vec2> path = pathOf(motion);
+  const Cubic<double> rotation = rotationOf(motion);
   const Vec2 arm = polygon.origin - motion.pivot;
   const double reach = std::hypot(arm.x(), arm.y()) + polygon.radius;
-  return (way.mostRate(0, 1) + turn.mostRate(0, 1) * reach) * kSpared;
+  return (path.mostRate(0, 1) + rotation.mostRate(0, 1) * reach) * kSpared;
 }
 
 }  // namespace
@@ -44,18 +44,18 @@ bool MovingContact::meetAt(double time, double margin) const {
 }
 
 /// Whether they certainly meet for all of a step, by how deep they are in each other, or within the margin, at its
-/// begin: no two points come closer or part by more than `way`.
+/// begin: no two points approach or separate by more than `travel`.
 bool MovingContact::meetUntil(double time, double step) const {
-  const double way = speed_ * step * kSpared;
-  if (way <= margin_) return meetAt(time, margin_ - way);
+  const double travel = speed_ * step * kSpared;
+  if (travel <= margin_) return meetAt(time, margin_ - travel);
   const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
   const Outcome found = inKernelOrder(
       a_.data(), pose_a, b_.data(), pose_b,
       [&](const auto&... operands) {
-        return findCertificate(operands..., {0, 0}, {2 * way, true});
+        return findCertificate(operands..., {0, 0}, {2 * travel, true});
       },
       [](const Outcome&) {});
-  return found.collides && found.clearance + margin_ > way;
+  return found.collides && found.clearance + margin_ > travel;
 }
 
 MovingContact::End MovingContact::endOfContact(double begin) {
@@ -83,11 +83,9 @@ MovingContact::End MovingContact::endOfContact(double begin) {
 
 std::optional<Impact> MovingContact::next(double begin) const {
   if (begin >= 1) return std::nullopt;
-  const ImpactOptions rest{margin_, std::min(seen_ / (1 - begin), 1.0), false};
-  auto impact = timeOfImpact(a_, motion_a_.part(begin, 1), b_, motion_b_.part(begin, 1), rest);
-  // No later than it is: rounded down, but for time 0.
-  if (impact && begin > 0)
-    impact->time = std::clamp(std::nextafter(begin + (1 - begin) * impact->time, 0.0), begin, 1.0);
+  const ImpactOptions options = optionsWithin({margin_, seen_}, 1 - begin);
+  auto impact = timeOfImpact(a_, motion_a_.part(begin, 1), b_, motion_b_.part(begin, 1), options);
+  if (impact) impact->time = timeWithin(begin, 1 - begin, impact->time);
   return impact;
 }
 

@@ -14,29 +14,36 @@
 namespace tricover::detail {
 namespace {
 
-/// As a rule a few are enough.
+/// As a rule fewer than ten are enough.
 constexpr int kMostAdvances = 64;
 
 /// Intervals are as long as a distance lasts, or a little longer: that much of it shortens a step by about as much.
 constexpr double kLittle = 0x1p-4;
 
-/// One of the two polygons. Its vertices are known by their positions in the path, its edges by where they begin; axes
-/// are in the pair's frame.
+/// One of the two polygons, or a point or a segment. Its vertices and edges are known by their numbers; axes are in the
+/// pair's frame.
 class Body {
  public:
   explicit Body(const Mover& mover_)
       : mover(mover_),
         lever(lengthAbove(mover.arm.x(), mover.arm.y()) + radiusOf(mover)),
-        ring_(convexRing(*mover.polygon)),
-        doubt_(mover.polygon->radius * 0x1p-47 + kTiny),
-        is_small_(ring_.size() <= SmallPolygon::kMost) {
-    if (is_small_)
-      for (std::uint32_t k = 0; k <= ring_.size(); ++k) vertices_[k] = mover.vertex(k);
+        doubt_(mover.polygon->radius * 0x1p-47 + kTiny) {
+    const PolygonData& polygon = *mover.polygon;
+    const std::size_t size = polygon.isPoint() ? 1 : polygon.isDegenerate() ? 2 : polygon.path.size() - 1;
+    is_small_ = size <= SmallPolygon::kMost;
+    if (is_small_) {
+      const std::size_t first = position(0);
+      for (std::size_t k = 0; k < size; ++k) vertices_[k] = mover.vertex(first + k);
+      vertices_[size] = vertices_[0];
+    }
+    ring_ = ConvexRing(is_small_ ? vertices_ : polygon.path.data(), size,
+                       polygon.isDegenerate() ? 1 : convexityOf(polygon).direction);
   }
+  Body(const Body&) = delete;
 
-  /// The farthest that it reaches along an axis from S, at both ends of an interval: of few vertices by all, of others
-  /// by those between an edge that certainly leads ahead at both ends and one that certainly leads back, near the last
-  /// that was the support vertex.
+  /// The farthest that it reaches along an axis from S, at both ends of an interval: of at most 16 vertices by all, of
+  /// others by those between an edge that certainly leads ahead at both ends and one that certainly leads back, near
+  /// the last that was the support vertex.
   Double2 reach(const Places& p, Double2 nx, Double2 ny) {
     const Double2 mx = p.m00 * nx + p.m10 * ny, my = p.m01 * nx + p.m11 * ny;
     if (is_small_) {
@@ -59,21 +66,22 @@ class Body {
     return most;
   }
 
-  /// The outer normal of an edge, at the interval's begin.
+  /// The outer normal of an edge of a small polygon, at the interval's begin: that of its image, as a pose may be off
+  /// rigid.
   Vec2 normal(const Places& p, std::uint32_t edge) const {
-    const Double2 along = ring_.edge(edge) * mover.polygon->inverse_unit;
-    const Vec2 outer = ring_.turn() * Vec2(along[1], -along[0]).normalized();
-    return {p.m00[0] * outer.x() + p.m01[0] * outer.y(), p.m10[0] * outer.x() + p.m11[0] * outer.y()};
+    const Double2 e = ring_.edge(edge);
+    const double x = p.m00[0] * e[0] + p.m01[0] * e[1], y = p.m10[0] * e[0] + p.m11[0] * e[1];
+    const bool is_mirrored = p.m00[0] * p.m11[0] < p.m10[0] * p.m01[0];
+    return (is_mirrored ? -ring_.turn() : ring_.turn()) * Vec2(y, -x).normalized();
   }
 
   /// The support edge along an axis, at the interval's begin: the flatter one at the support vertex.
   std::uint32_t supportEdge(const Places& p, const Vec2& n) {
-    return flatterEdge(p, n, ring_.supportVertex(inFrame(p, n)));
-  }
-  std::uint32_t flatterEdge(const Places& p, const Vec2& n, std::uint32_t vertex) {
     const Double2 m = inFrame(p, n);
-    const std::uint32_t before = ring_.previous(support_ = vertex);
-    return dot(m, ring_.edge(vertex)) >= -dot(m, ring_.edge(before)) ? vertex : before;
+    return flatterEdge(m, support_ = ring_.supportVertex(m));
+  }
+  std::uint32_t flatterEdge(const Places& p, const Vec2& n, std::uint32_t vertex) const {
+    return flatterEdge(inFrame(p, n), vertex);
   }
 
   MovingEdge edge(const Places& p, int lane, std::uint32_t k) const {
@@ -92,6 +100,11 @@ class Body {
     return lengthAbove(p.x[0] - other.pivot_x[0], p.y[0] - other.pivot_y[0]) + radiusOf(mover);
   }
 
+  /// An edge's position in the path.
+  std::size_t position(std::uint32_t edge) const {
+    return mover.polygon->isDegenerate() ? mover.polygon->degenerate_edge : edge;
+  }
+
   const Mover& mover;
   const double lever;  ///< how far it reaches from its own pivot
 
@@ -99,15 +112,19 @@ class Body {
   static Double2 inFrame(const Places& p, const Vec2& n) {
     return Double2{p.m00[0] * n.x() + p.m10[0] * n.y(), p.m01[0] * n.x() + p.m11[0] * n.y()};
   }
+  std::uint32_t flatterEdge(Double2 n, std::uint32_t vertex) const {
+    const std::uint32_t before = ring_.previous(vertex);
+    return dot(n, ring_.edge(vertex)) >= -dot(n, ring_.edge(before)) ? vertex : before;
+  }
   static Double2 height(const Vec2& p, Double2 mx, Double2 my) { return mx * p.x() + my * p.y(); }
   static double radiusOf(const Mover& mover) {
     return mover.polygon->radius * mover.polygon->inverse_unit * mover.scale * (1 + kLargestDefect);
   }
-  ConvexRing ring_;
+  ConvexRing ring_{nullptr, 0, 1};  ///< of at most 16 vertices, around the copies
   double doubt_;  ///< an edge's climb is wrong by less than 5 U of its length, which is at most twice the radius
   std::uint32_t support_ = 0;
   bool is_small_;
-  Vec2 vertices_[SmallPolygon::kMost + 1];  ///< of few, all, and the first once more
+  Vec2 vertices_[SmallPolygon::kMost + 1];  ///< of at most 16, all, and the first once more
 };
 
 class ConvexAdvancement {
@@ -132,7 +149,7 @@ class ConvexAdvancement {
       // Written so that NaN is a touch.
       if (!(points.distance > touch_distance_)) {
         if (time_ == 0) break;
-        return FirstContact::touch(time_, edge_a_, edge_b_);
+        return FirstContact::touch(time_, a_.position(edge_a_), b_.position(edge_b_));
       }
       const Vec2 axis = (points.on_b - points.on_a) / points.distance;
       const double before = time_, end = std::min(1.0, time_ + intervalFor(points, axis));
@@ -144,7 +161,7 @@ class ConvexAdvancement {
       if (!apart && stale && fresh) apart = advance(interval, face_);
       if (apart && end == 1) return FirstContact::never();
       if (!apart && time_ > before && end - time_ <= time_error_ && !(distanceAtEnd(interval) > touch_distance_))
-        return FirstContact::touch(time_, edge_a_, edge_b_);
+        return FirstContact::touch(time_, a_.position(edge_a_), b_.position(edge_b_));
       if (time_ > before) {
         place(interval);
       } else {
@@ -160,11 +177,11 @@ class ConvexAdvancement {
 
   /// a's pivot stays.
   Places placesUntil(double end, const Mover& mover, const Places& at) const {
-    return mover.turns || &mover == &pair_.b ? at.to(mover.places(end, end)) : at;
+    return mover.rotates || &mover == &pair_.b ? at.to(mover.places(end, end)) : at;
   }
   void place(const TimeInterval& interval) {
     const bool at_end = time_ == interval.end;
-    if (pair_.a.turns) at_a_ = at_end ? interval.a.atEnd() : pair_.a.places(time_, time_);
+    if (pair_.a.rotates) at_a_ = at_end ? interval.a.atEnd() : pair_.a.places(time_, time_);
     at_b_ = at_end ? interval.b.atEnd() : pair_.b.places(time_, time_);
   }
   NearestPoints nearest() const {
@@ -178,14 +195,8 @@ class ConvexAdvancement {
   /// flatter edge of that one's vertex that is the farthest back.
   bool guess() {
     const double inverse = 1 / pair_.a.scale;
-    const auto fromPair = [&](double x, double y) {
-      return Vec2(at_a_.m00[0] * x + at_a_.m10[0] * y, at_a_.m01[0] * x + at_a_.m11[0] * y);
-    };
-    const Vec2 column_0 = fromPair(at_b_.m00[0], at_b_.m10[0]), column_1 = fromPair(at_b_.m01[0], at_b_.m11[0]);
-    const Vec2 between = at_a_.originTo(at_b_), shift = fromPair(between.x(), between.y()) * inverse;
-    if (!(shift.lpNorm<1>() < 0x1p60)) return false;  // floats may overflow
-    const UnitMap map = {
-        column_0.x(), column_1.x(), column_0.y(), column_1.y(), shift.x(), shift.y(), pair_.b.scale * inverse, 0};
+    const UnitMap map = at_a_.seen(at_b_, inverse).unitMap(pair_.b.scale * inverse);
+    if (!(std::abs(map.tx) + std::abs(map.ty) < 0x1p60)) return false;  // floats may overflow
     const ConvexGap gap = convexGap(*pair_.a.tree->small_convex, *pair_.b.tree->small_convex, map);
     const auto edge = static_cast<std::uint32_t>(gap.edge);
     face_ = gap.of_a ? a_.normal(at_a_, edge) : Vec2(-b_.normal(at_b_, edge));
@@ -226,30 +237,30 @@ class ConvexAdvancement {
 
   /// About how long it may take the nearest points to meet: by how fast they approach now, and how that may change.
   double intervalFor(const NearestPoints& points, const Vec2& axis) const {
-    const auto pullAt = [&](double time) { return std::abs(axis.dot(pair_.b.way.accelerationAt(time))); };
+    const auto pullAt = [&](double time) { return std::abs(axis.dot(pair_.b.path.accelerationAt(time))); };
     const double bend = pair_.is_steady
                             ? pair_.steady.bend(a_.lever, b_.lever)
                             : pair_.ratesOf(time_, 1).bend(a_.lever, b_.lever) + std::max(pullAt(time_), pullAt(1));
     if (bend == 0) return 1;
-    const auto turning = [&](const Mover& mover, const Places& at, const Vec2& p) {
-      if (!mover.turns) return 0.0;
-      const double rate = mover.is_straight ? mover.turn.first : mover.turn.rateAt(time_);
+    const auto speedOf = [&](const Mover& mover, const Places& at, const Vec2& p) {
+      if (!mover.rotates) return 0.0;
+      const double rate = mover.is_straight ? mover.rotation.first : mover.rotation.rateAt(time_);
       return rate * ((p.x() - at.pivot_x[0]) * axis.y() - (p.y() - at.pivot_y[0]) * axis.x());
     };
-    const double speed = turning(pair_.a, at_a_, points.on_a) - turning(pair_.b, at_b_, points.on_b) -
-                         axis.dot(pair_.is_steady ? pair_.b.way.first : pair_.b.way.rateAt(time_));
+    const double speed = speedOf(pair_.a, at_a_, points.on_a) - speedOf(pair_.b, at_b_, points.on_b) -
+                         axis.dot(pair_.is_steady ? pair_.b.path.first : pair_.b.path.rateAt(time_));
     const double gap = points.distance - pair_.margin;
     // The bounds of the acceleration push them together, and apart.
     const double square = speed * speed, push = 2 * bend * gap, root = std::sqrt(std::max(square + push, 0.0));
     const double soonest = speed > 0 ? 2 * gap / (speed + root) : (root - speed) / bend;
     const double latest = speed > 0 && square > push ? 2 * gap / (speed + std::sqrt(square - push)) : 2;
-    // Somewhat past contact, as the error allows, but no farther: ways bend by more in a longer interval.
+    // Somewhat past contact, as the error allows, but no farther: paths bend by more in a longer interval.
     constexpr double kMostPast = 0x1p-12;
     return std::min(1.25 * soonest, latest) + std::min(0.25 * time_error_, kMostPast);
   }
 
   /// On to where contact may be, as an axis of length 1 from a to b has it, if anywhere in the interval. Whether it
-  /// parts the two throughout. The gap of the regions is that of their support vertices.
+  /// separates the two throughout. The gap of the regions is that of their support vertices.
   bool advance(const TimeInterval& interval, const Vec2& axis) {
     GapCutter cutter(pair_);
     const GapCutter::Axis n = axisOver(interval, axis);
@@ -263,15 +274,16 @@ class ConvexAdvancement {
     return apart;
   }
 
-  /// One that stands still or, where ways bend by more than little of the distance, turns with a or b if that is less.
+  /// One that stands still or, where paths bend by more than little of the distance, rotates with a or b if that is
+  /// less.
   GapCutter::Axis axisOver(const TimeInterval& interval, const Vec2& axis) const {
     const double still = interval.fixedChordError(a_.lever, b_.lever) - interval.pull.sparedAlong(axis.x(), axis.y());
     if (!(still > kLittle * distance_)) return GapCutter::standing(axis, still);
-    const double with_a = interval.chordErrorWithA().of(b_.lever, b_.leverFrom(interval.a, interval.b)),
-                 with_b = interval.chordErrorWithB().of(a_.lever, a_.leverFrom(interval.b, interval.a));
+    const double with_a = interval.with_a.of(b_.lever, b_.leverFrom(interval.a, interval.b)),
+                 with_b = interval.with_b.of(a_.lever, a_.leverFrom(interval.b, interval.a));
     if (still <= std::min(with_a, with_b)) return GapCutter::standing(axis, still);
     const Places& p = with_a <= with_b ? interval.a : interval.b;
-    return GapCutter::turning(axis, p.m00, p.m10, p.m01, p.m11, std::min(with_a, with_b));
+    return GapCutter::rotating(axis, p.m00, p.m10, p.m01, p.m11, std::min(with_a, with_b));
   }
 
   const MovingPair& pair_;
@@ -288,8 +300,11 @@ class ConvexAdvancement {
 }  // namespace
 
 bool isConvexPair(const MovingPair& pair) {
-  // Axes turn with the polygons: off rigid, they wouldn't part what touches to its precision.
-  return cornersOf(*pair.a.polygon) != nullptr && cornersOf(*pair.b.polygon) != nullptr && pair.keepLengths();
+  const auto isConvex = [](const PolygonData& p) { return p.isDegenerate() || cornersOf(p) != nullptr; };
+  if (!isConvex(*pair.a.polygon) || !isConvex(*pair.b.polygon)) return false;
+  // Axes may rotate with the polygons: off rigid, they wouldn't separate what touches to its precision. A point is
+  // followed for less.
+  return pair.keepLengths() ? !pair.b.polygon->isPoint() : pair.slides() && pair.error < 1;
 }
 
 FirstContact advanceAlongAxis(const MovingPair& pair, double begin, double time_error) {

@@ -5,7 +5,8 @@
 
 namespace tricover::detail {
 
-/// Whether advanceAlongAxis() may be asked: two convex polygons, whose poses keep lengths but for rounding.
+/// Whether advanceAlongAxis() may be called: two convex polygons that don't rotate, or whose poses keep lengths but for
+/// rounding.
 bool isConvexPair(const MovingPair& pair);
 
 /// Conservative advancement along the axis between the nearest features, from `begin` on, before which they are

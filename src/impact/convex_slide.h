@@ -6,9 +6,10 @@
 
 namespace tricover::detail {
 
-/// Of two convex polygons of few corners each, in the kernel's order, that move straight and don't turn: a ray against
-/// their Minkowski difference, by the edge that parts them longest. Of a touch `impact` is all there is to tell.
-/// Unknown at time 0 for others, and where they may touch there; rarely later, before which they are apart.
+/// For two convex polygons of at most 16 corners each, larger polygon first, that move straight and don't rotate: a ray
+/// against their Minkowski difference, by the edge that separates them longest. `impact` describes a touch. Unknown at
+/// time 0 for other operands, and where they may touch there. Unknown later where the ray passes that edge's ends: they
+/// are apart until then.
 FirstContact slideConvex(const PolygonData& a, const Motion& motion_a, const PolygonData& b, const Motion& motion_b,
                          double margin, Impact& impact);
 

@@ -39,7 +39,7 @@ struct Cubic {
     return std::max(lengthOf(accelerationAt(begin)), lengthOf(accelerationAt(end)));
   }
 
-  /// No part of it is longer, on the way from 0 to any time.
+  /// No part of it is longer, from time 0 to any other.
   double size() const { return lengthOf(first) + lengthOf(second) + lengthOf(third); }
 
   friend Cubic operator+(const Cubic& p, const Cubic& q) {
@@ -53,7 +53,7 @@ struct Cubic {
   }
 };
 
-inline Cubic<Vec2> wayOf(const Motion& motion) { return {motion.shift, motion.shift_2, motion.shift_3}; }
-inline Cubic<double> turnOf(const Motion& motion) { return {motion.angle, motion.angle_2, motion.angle_3}; }
+inline Cubic<Vec2> pathOf(const Motion& motion) { return {motion.shift, motion.shift_2, motion.shift_3}; }
+inline Cubic<double> rotationOf(const Motion& motion) { return {motion.angle, motion.angle_2, motion.angle_3}; }
 
 }  // namespace tricover::detail

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "impact/interval_cutter.h"
-#include "impact/vertex_ways.h"
+#include "impact/vertex_paths.h"
 
 namespace tricover::detail {
 namespace {
@@ -67,7 +67,7 @@ class ImpactSearch {
   }
   /// Each radian is a search of its own, up to a limit.
   static std::size_t mostDivisions(const MovingPair& pair) {
-    const double radians = std::min(pair.a.turn.size() + pair.b.turn.size(), 8.0);
+    const double radians = std::min(pair.a.rotation.size() + pair.b.rotation.size(), 8.0);
     return kDivisionsPerEncounter * mostEncounters(pair) * (1 + static_cast<std::size_t>(radians));
   }
 
@@ -101,7 +101,7 @@ class ImpactSearch {
     return encounter;
   }
 
-  void offer(const SearchInterval& interval, const Encounter& encounter) {
+  void offer(const TimeInterval& interval, const Encounter& encounter) {
     const MovingBox a = pair_.a.box(interval.a, pair_.a.node(encounter.a));
     const MovingBox b = pair_.b.box(interval.b, pair_.b.node(encounter.b));
     IntervalCutter cutter(interval, a, b);
@@ -110,25 +110,23 @@ class ImpactSearch {
     if (rest.low <= rest.high) push(cut(encounter, rest));
   }
 
-  void offerAnew(const Encounter& encounter) {
-    offer(SearchInterval(pair_, encounter.begin, encounter.end), encounter);
-  }
+  void offerAnew(const Encounter& encounter) { offer(TimeInterval(pair_, encounter.begin, encounter.end), encounter); }
 
   void divide(const Encounter& encounter) {
-    const SearchInterval interval(pair_, encounter.begin, encounter.end);
+    const TimeInterval interval(pair_, encounter.begin, encounter.end);
     const Node node_a = pair_.a.node(encounter.a), node_b = pair_.b.node(encounter.b);
     if (node_a.edge && node_b.edge) return divideEdges(interval, encounter, node_a.child, node_b.child);
     const MovingBox a = pair_.a.box(interval.a, node_a), b = pair_.b.box(interval.b, node_b);
     const double size_a = a.along + a.across, size_b = b.along + b.across;
     const IntervalCutter cutter(interval, a, b);
-    // Smaller boxes don't help where ways bend by more than the boxes' size, nor shorter intervals once they bend by
+    // Smaller boxes don't help where paths bend by more than the boxes' size, nor shorter intervals once they bend by
     // less than what boxes' axes don't see around their corners: rounding, and a part of the margin.
     if (cutter.bend() > std::max({size_a + size_b, pair_.error, pair_.margin / 16})) return halve(encounter);
     Encounter part = encounter;
     ++part.depth;
     const bool divides_a = !node_a.edge && (node_b.edge || size_a >= size_b);
     const std::uint32_t block = divides_a ? node_a.child : node_b.child;
-    if (offerEight(interval, cutter, divides_a, block, divides_a ? b : a, part)) return;
+    if (offerEight(interval, cutter, divides_a, block, divides_a ? node_b : node_a, part)) return;
     const std::uint32_t count = (divides_a ? pair_.a : pair_.b).tree->blocks[block].count;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
       (divides_a ? part.a : part.b) = block * kLanes + lane;
@@ -138,35 +136,25 @@ class ImpactSearch {
 
   /// Offers all boxes of a block together with the other mover's box, if floats tell enough. The edges in them are in
   /// the box that is divided, too: so its chord errors bound theirs.
-  bool offerEight(const SearchInterval& interval, const IntervalCutter& cutter, bool divides_a, std::uint32_t index,
-                  const MovingBox& box, Encounter part) {
-    const Mover& mover = divides_a ? pair_.a : pair_.b;
-    const Places& p = divides_a ? interval.a : interval.b;
+  bool offerEight(const TimeInterval& interval, const IntervalCutter& cutter, bool divides_a, std::uint32_t index,
+                  const Node& node, Encounter part) {
+    const Mover &mover = divides_a ? pair_.a : pair_.b, &other = divides_a ? pair_.b : pair_.a;
     const Block& block = mover.tree->blocks[index];
-    const double inverse = block.inverse / mover.scale, along = box.along * inverse, across = box.across * inverse;
+    const double inverse = block.inverse / mover.scale;
     const double chord_error_a = cutter.chordErrorWithA() * inverse, chord_error_b = cutter.chordErrorWithB() * inverse;
-    const Double2 dx = (box.x - p.x) * inverse, dy = (box.y - p.y) * inverse;
-    const Double2 x = p.m00 * dx + p.m10 * dy - block.origin_x * block.inverse;
-    const Double2 y = p.m01 * dx + p.m11 * dy - block.origin_y * block.inverse;
-    const Double2 ux = p.m00 * box.ux + p.m10 * box.uy, uy = p.m01 * box.ux + p.m11 * box.uy;
-    const Double2 sizes = absolute(x) + absolute(y);
-    const double sum = std::max(sizes[0], sizes[1]) + along + across + 4;
-    // Lengths are kept to 2^-47 in turning differences back: as much as the error is once more.
+    const Places seen = divides_a ? interval.a.seen(interval.b, inverse) : interval.b.seen(interval.a, inverse);
+    MovingBox box = other.box(seen, node, inverse);
+    box.x -= block.origin_x * block.inverse;
+    box.y -= block.origin_y * block.inverse;
+    const Double2 sizes = absolute(box.x) + absolute(box.y);
+    const double sum = std::max(sizes[0], sizes[1]) + box.along + box.across + 4;
+    // Lengths are kept to 2^-47 in rotating differences back: as much as the error is once more.
     const double slack = kMovingGapRounding * sum + (pair_.margin * (1 + 0x1p-20) + 2 * pair_.error) * inverse;
     if (!keep_lengths_ || !(sum + slack + chord_error_a + chord_error_b < 0x1p30)) return false;
-    const auto f = [](double value) { return static_cast<float>(value); };
-    const auto above = [](double value) { return static_cast<float>(value * (1 + 0x1p-16) + 0x1p-100); };
-    const MovingQuery query = {{f(x[0]), f(x[1])},
-                               {f(y[0]), f(y[1])},
-                               {f(ux[0]), f(ux[1])},
-                               {f(uy[0]), f(uy[1])},
-                               f(along),
-                               f(across),
-                               above(divides_a ? chord_error_a : chord_error_b),
-                               above(divides_a ? chord_error_b : chord_error_a),
-                               above(slack)};
     float from_begin[kLanes], from_end[kLanes];
-    for (unsigned left = cutIntervals(block, query, from_begin, from_end); left != 0; left &= left - 1) {
+    for (unsigned left = cutIntervals(block, box, divides_a ? chord_error_a : chord_error_b,
+                                      divides_a ? chord_error_b : chord_error_a, slack, from_begin, from_end);
+         left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
       (divides_a ? part.a : part.b) = index * kLanes + static_cast<std::uint32_t>(lane);
       push(cut(part, {static_cast<double>(from_begin[lane]), 1 - static_cast<double>(from_end[lane]), 0}));
@@ -195,15 +183,19 @@ class ImpactSearch {
     edge_b_ = position_b;
   }
 
-  void divideEdges(const SearchInterval& interval, const Encounter& encounter, std::size_t position_a,
+  void divideEdges(const TimeInterval& interval, const Encounter& encounter, std::size_t position_a,
                    std::size_t position_b) {
     const MovingBox a = pair_.a.edge(interval.a, position_a), b = pair_.b.edge(interval.b, position_b);
-    const NearestPoints at_begin(a, b, 0, pair_.error);
+    const auto nearest = [&](int lane) {
+      return NearestPoints(pair_.a.ends(interval.a, lane, position_a), pair_.b.ends(interval.b, lane, position_b),
+                           pair_.error);
+    };
+    const NearestPoints at_begin = nearest(0);
     // Written so that NaN, as where bounds overflow, is a touch.
     if (!(at_begin.distance > touch_distance_)) return touch(encounter.begin, position_a, position_b);
-    if (!(NearestPoints(a, b, 1, pair_.error).distance > touch_distance_)) touch(encounter.end, position_a, position_b);
+    if (!(nearest(1).distance > touch_distance_)) touch(encounter.end, position_a, position_b);
 
-    // Some axis parts the edges at the interval's begin by nearly their distance: an edge's normal or, vertex to
+    // Some axis separates the edges at the interval's begin by nearly their distance: an edge's normal or, vertex to
     // vertex, that between the nearest points. So it is cut there, once it is short enough for the chord error to be.
     IntervalCutter cutter(interval, a, b);
     if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;

@@ -22,13 +22,13 @@ class GapCutter {
   static Axis standing(const Vec2& axis, double chord_error) {
     return {axis.x() - Double2{}, axis.y() - Double2{}, chord_error};
   }
-  /// One that turns with a frame of axes u and v.
-  static Axis turning(const Vec2& axis, Double2 ux, Double2 uy, Double2 vx, Double2 vy, double chord_error) {
+  /// One that rotates with a frame of axes u and v.
+  static Axis rotating(const Vec2& axis, Double2 ux, Double2 uy, Double2 vx, Double2 vy, double chord_error) {
     const double u = axis.x() * ux[0] + axis.y() * uy[0], v = axis.x() * vx[0] + axis.y() * vy[0];
     return {u * ux + v * vx, u * uy + v * vy, chord_error};
   }
   /// By the gap, at both ends of the interval, of all that may meet: computed, error and margin still in it. Whether it
-  /// parts that throughout.
+  /// separates that throughout.
   bool cutByGap(const Axis& axis, Double2 gap);
 
   /// The part of the interval that no axis has cut off; low > high if nothing is left.
@@ -45,20 +45,20 @@ class GapCutter {
 /// The same of two boxes.
 class IntervalCutter : public GapCutter {
  public:
-  IntervalCutter(const SearchInterval& interval, const MovingBox& a, const MovingBox& b);
+  IntervalCutter(const TimeInterval& interval, const MovingBox& a, const MovingBox& b);
 
-  /// An axis of length 1 at the interval's begin, which turns with a, with b or not at all, as is best for points of
+  /// An axis of length 1 at the interval's begin, which rotates with a, with b or not at all, as is best for points of
   /// them.
   Axis axisOver(const Vec2& axis) const;
 
-  /// Each returns whether it parts the boxes throughout. By such an axis:
+  /// Each returns whether it separates the boxes throughout. By such an axis:
   bool cutByAxis(const Vec2& axis);
   /// By the axes of a or b, which turn with it or, if that loses more, stand still as in the middle of the interval.
   bool cutByAxesOfA() {
-    return cutByAxesOf(a_, turns_with_a_, turns_with_a_ ? chord_error_with_a_ : chord_error_fixed_);
+    return cutByAxesOf(a_, rotates_with_a_, rotates_with_a_ ? chord_error_with_a_ : chord_error_fixed_);
   }
   bool cutByAxesOfB() {
-    return cutByAxesOf(b_, turns_with_b_, turns_with_b_ ? chord_error_with_b_ : chord_error_fixed_);
+    return cutByAxesOf(b_, rotates_with_b_, rotates_with_b_ ? chord_error_with_b_ : chord_error_fixed_);
   }
   /// By the normals of two edges.
   bool cutByNormals() { return cut(a_.vx, a_.vy, chord_error_with_a_) || cut(b_.vx, b_.vy, chord_error_with_b_); }
@@ -70,20 +70,20 @@ class IntervalCutter : public GapCutter {
   double bend() const { return 0.25 * chord_error_fixed_; }
 
  private:
-  bool cutByAxesOf(const MovingBox& box, bool turns, double chord_error);
+  bool cutByAxesOf(const MovingBox& box, bool rotates, double chord_error);
   bool cut(Double2 nx, Double2 ny, double chord_error);
 
   const MovingBox &a_, &b_;
   const Pull& pull_;
   double chord_error_fixed_ = 0, chord_error_with_a_ = 0, chord_error_with_b_ = 0;
-  bool turns_with_a_ = false, turns_with_b_ = false;
+  bool rotates_with_a_ = false, rotates_with_b_ = false;
 };
 
-// The gap along an axis is the least of n . (p_b - p_a) over points of both boxes: see TurningChordError.
-inline IntervalCutter::IntervalCutter(const SearchInterval& interval, const MovingBox& a, const MovingBox& b)
+// The gap along an axis is the least of n . (p_b - p_a) over points of both boxes: see RotatingChordError.
+inline IntervalCutter::IntervalCutter(const TimeInterval& interval, const MovingBox& a, const MovingBox& b)
     : GapCutter(interval.pair), a_(a), b_(b), pull_(interval.pull) {
   const Rates& rates = interval.rates;
-  if (!rates.turns()) {
+  if (!rates.rotates()) {
     chord_error_fixed_ = chord_error_with_a_ = chord_error_with_b_ = interval.with_a.always;
     return;
   }
@@ -91,10 +91,10 @@ inline IntervalCutter::IntervalCutter(const SearchInterval& interval, const Movi
   chord_error_fixed_ = interval.fixedChordError(lever_a, lever_b);
   chord_error_with_a_ = interval.with_a.of(lever_b, leverAtBegin(b, interval.a));
   chord_error_with_b_ = interval.with_b.of(lever_a, leverAtBegin(a, interval.b));
-  // A box that turns while the axis stands still loses as much as its ends rise.
+  // A box that rotates while the axis stands still loses as much as its ends rise.
   const double twice = 2 * interval.length;
-  turns_with_a_ = chord_error_with_a_ < chord_error_fixed_ + twice * rates.a * (a.along + a.across);
-  turns_with_b_ = chord_error_with_b_ < chord_error_fixed_ + twice * rates.b * (b.along + b.across);
+  rotates_with_a_ = chord_error_with_a_ < chord_error_fixed_ + twice * rates.a * (a.along + a.across);
+  rotates_with_b_ = chord_error_with_b_ < chord_error_fixed_ + twice * rates.b * (b.along + b.across);
 }
 
 inline IntervalCutter::Axis IntervalCutter::axisOver(const Vec2& axis) const {
@@ -102,7 +102,7 @@ inline IntervalCutter::Axis IntervalCutter::axisOver(const Vec2& axis) const {
   if (chord_error_fixed <= std::min(chord_error_with_a_, chord_error_with_b_)) return standing(axis, chord_error_fixed);
   const bool with_a = chord_error_with_a_ <= chord_error_with_b_;
   const MovingBox& box = with_a ? a_ : b_;
-  return turning(axis, box.ux, box.uy, box.vx, box.vy, with_a ? chord_error_with_a_ : chord_error_with_b_);
+  return rotating(axis, box.ux, box.uy, box.vx, box.vy, with_a ? chord_error_with_a_ : chord_error_with_b_);
 }
 
 inline bool IntervalCutter::cutByAxis(const Vec2& axis) {
@@ -110,8 +110,8 @@ inline bool IntervalCutter::cutByAxis(const Vec2& axis) {
   return cut(n.x, n.y, n.chord_error);
 }
 
-inline bool IntervalCutter::cutByAxesOf(const MovingBox& box, bool turns, double chord_error) {
-  if (turns) return cut(box.ux, box.uy, chord_error) || cut(box.vx, box.vy, chord_error);
+inline bool IntervalCutter::cutByAxesOf(const MovingBox& box, bool rotates, double chord_error) {
+  if (rotates) return cut(box.ux, box.uy, chord_error) || cut(box.vx, box.vy, chord_error);
   const auto cutInTheMiddle = [&](Double2 x, Double2 y) {
     const Double2 nx = 0.5 * (x + swapped(x)), ny = 0.5 * (y + swapped(y));
     return cut(nx, ny, chord_error - pull_.sparedAlong(nx[0], ny[0]));

@@ -30,13 +30,13 @@ Motion detail::motionBetween(const Pose& start, const std::string& start_name, c
   requireRigid(end, end_name.c_str());
   requireFinite(pivot, "pivot");
   // The rotation nearest to end * start^-1.
-  const Eigen::Matrix2d turn = end.linear() * start.linear().transpose();
-  if (turn.determinant() < 0)
+  const Eigen::Matrix2d rotation = end.linear() * start.linear().transpose();
+  if (rotation.determinant() < 0)
     refuse(end_name, "only one of it and " + start_name + " mirrors", "give both the same determinant");
   Motion motion;
   motion.start = start;
   motion.pivot = pivot;
-  motion.angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
+  motion.angle = std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
   if (motion.angle == std::atan2(-0.0, -1.0)) motion.angle = -motion.angle;
   motion.shift = (end.translation() - start.translation()) + (end.linear() - start.linear()) * pivot;
   return motion;
@@ -45,26 +45,26 @@ Motion detail::motionBetween(const Pose& start, const std::string& start_name, c
 namespace {
 
 /// From where the pivot and the body's angle are at time 0.
-Motion splineFrom(const Vec2& position, double angle, const Vec2& pivot, const detail::Cubic<Vec2>& way,
-                  const detail::Cubic<double>& turn) {
+Motion splineFrom(const Vec2& position, double angle, const Vec2& pivot, const detail::Cubic<Vec2>& path,
+                  const detail::Cubic<double>& rotation) {
   Motion motion;
   motion.pivot = pivot;
   motion.start.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
   motion.start.translation() = position - motion.start.linear() * pivot;
-  motion.shift = way.first;
-  motion.shift_2 = way.second;
-  motion.shift_3 = way.third;
-  motion.angle = turn.first;
-  motion.angle_2 = turn.second;
-  motion.angle_3 = turn.third;
+  motion.shift = path.first;
+  motion.shift_2 = path.second;
+  motion.shift_3 = path.third;
+  motion.angle = rotation.first;
+  motion.angle_2 = rotation.second;
+  motion.angle_3 = rotation.third;
   return motion;
 }
 
 /// From the ends p, q and the rates u, v there.
 template <typename T>
 detail::Cubic<T> hermite(const T& p, const T& u, const T& q, const T& v) {
-  const T way = q - p;
-  return {u, 3 * way - 2 * u - v, u + v - 2 * way};
+  const T change = q - p;
+  return {u, 3 * change - 2 * u - v, u + v - 2 * change};
 }
 
 template <typename T>
@@ -97,14 +97,14 @@ Pose Motion::at(double time) const {
   if (time == 0) return start;
   detail::requireFinite(time, "time");
   Pose pose = start;
-  pose.translation() += detail::wayOf(*this).at(time);
-  const detail::Cubic<double> turn = detail::turnOf(*this);
-  if (turn.isZero()) return pose;
-  // The pivot's place is kept by what the lever from it to the frame's origin turns by: (I - turn) lever, without the
-  // cancellation of 1 - cos.
-  const double turned = turn.at(time), sine = std::sin(turned), half = std::sin(turned / 2);
+  pose.translation() += detail::pathOf(*this).at(time);
+  const detail::Cubic<double> rotation = detail::rotationOf(*this);
+  if (rotation.isZero()) return pose;
+  // The pivot's place is kept by what the lever from it to the frame's origin rotates by: (I - rotation) lever, without
+  // the cancellation of 1 - cos.
+  const double angle_now = rotation.at(time), sine = std::sin(angle_now), half = std::sin(angle_now / 2);
   const Vec2 lever = start.linear() * pivot;
-  pose.linear() = Eigen::Rotation2Dd(turned).toRotationMatrix() * start.linear();
+  pose.linear() = Eigen::Rotation2Dd(angle_now).toRotationMatrix() * start.linear();
   pose.translation() += 2 * half * half * lever + sine * Vec2(lever.y(), -lever.x());
   return pose;
 }
@@ -124,9 +124,9 @@ Motion Motion::part(double from, double until) const {
   detail::requireFinite(from, "from");
   detail::requireFinite(until, "until");
   const double length = until - from;
-  const detail::Cubic<Vec2> way = partOf(detail::wayOf(*this), from, length);
-  const detail::Cubic<double> turn = partOf(detail::turnOf(*this), from, length);
-  return {at(from), way.first, turn.first, pivot, way.second, way.third, turn.second, turn.third};
+  const detail::Cubic<Vec2> path = partOf(detail::pathOf(*this), from, length);
+  const detail::Cubic<double> rotation = partOf(detail::rotationOf(*this), from, length);
+  return {at(from), path.first, rotation.first, pivot, path.second, path.third, rotation.second, rotation.third};
 }
 
 void checkMotion(const Motion& motion, const char* name) {

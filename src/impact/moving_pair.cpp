@@ -16,17 +16,17 @@ namespace tricover::detail {
 
 Places Mover::places(double begin, double end) const {
   const Double2 time{begin, end};
-  Double2 x = base.x() + way.first.x() * time, y = base.y() + way.first.y() * time, angle = turn.first * time;
+  Double2 x = base.x() + path.first.x() * time, y = base.y() + path.first.y() * time, angle = rotation.first * time;
   if (!is_straight) {
     const auto place = [&](int i) {
-      return base[i] + ((way.third[i] * time + way.second[i]) * time + way.first[i]) * time;
+      return base[i] + ((path.third[i] * time + path.second[i]) * time + path.first[i]) * time;
     };
     x = place(0);
     y = place(1);
-    angle = ((turn.third * time + turn.second) * time + turn.first) * time;
+    angle = ((rotation.third * time + rotation.second) * time + rotation.first) * time;
   }
   const auto all = [](double value) { return value - Double2{}; };
-  if (!turns) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
+  if (!rotates) return {all(linear(0, 0)), all(linear(1, 0)), all(linear(0, 1)), all(linear(1, 1)), x, y, x, y};
   const Double2 at_begin = sineAndCosine(angle[0]), at_end = begin == end ? at_begin : sineAndCosine(angle[1]);
   const Double2 s{at_begin[0], at_end[0]}, c{at_begin[1], at_end[1]};
   return {c * linear(0, 0) - s * linear(1, 0),
@@ -67,7 +67,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 // Error of a gap between computed points or boxes, all lengths in the pair's length; in units of U, with A = |angle|, r
 // = reach, f the shifts, levers, the margin and the difference of the starts; |angle| and |shift| are the sums of all
 // their terms' sizes:
-//   rotation   the turn's three products and two sums 5 A, sine and cosine an ulp 2        5 A + 2
+//   rotation   the rotation's three products and two sums 5 A, sine and cosine an ulp 2        5 A + 2
 //   M          those of two entries sqrt2 (5 A + 2), product 1, sum 1                      7.1 A + 4.9
 //   a point    two entries of M, product 1, two sums 2, to units 1: (10.1 A + 11) r        in either coordinate
 //   the arm    itself 4, two entries, product 1, two sums 2: (7.1 A + 12) r                the same
@@ -104,16 +104,16 @@ Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
   mover.polygon = mover.given = &polygon;
   mover.motion = &motion;
   mover.linear = motion.start.linear();
-  // A point stays where it is if it turns about itself.
-  const bool turns = !(polygon.isPoint() && motion.pivot == polygon.origin);
-  mover.turn = turns ? turnOf(motion) : Cubic<double>{0, 0, 0};
-  mover.turns = !mover.turn.isZero();
-  // Without a turn any pivot will do, and S is the nearest.
-  mover.pivot = mover.turns ? motion.pivot : polygon.origin;
+  // A point stays where it is if it rotates about itself.
+  const bool rotates = !(polygon.isPoint() && motion.pivot == polygon.origin);
+  mover.rotation = rotates ? rotationOf(motion) : Cubic<double>{0, 0, 0};
+  mover.rotates = !mover.rotation.isZero();
+  // Without a rotation any pivot will do, and S is the nearest.
+  mover.pivot = mover.rotates ? motion.pivot : polygon.origin;
   mover.is_straight = isStraight(motion);
   const Vec2 pivot = shrink * mover.pivot;
   mover.base = mover.linear * pivot;
-  mover.way = shrink * wayOf(motion);
+  mover.path = shrink * pathOf(motion);
   mover.arm = mover.linear * (shrink * polygon.origin - pivot);
   mover.reach = mover.arm.lpNorm<1>() + shrink * polygon.radius * (1 + kLargestDefect);
   // Of the largest polygons the hierarchy knows nothing.
@@ -124,16 +124,16 @@ Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
 
 /// What f stands for above, of one mover; and its reach.
 double roundedBy(const Mover& mover, double shrink) {
-  return mover.reach + (shrink * mover.pivot).lpNorm<1>() + mover.way.first.lpNorm<1>() + mover.way.second.lpNorm<1>() +
-         mover.way.third.lpNorm<1>();
+  return mover.reach + (shrink * mover.pivot).lpNorm<1>() + mover.path.first.lpNorm<1>() +
+         mover.path.second.lpNorm<1>() + mover.path.third.lpNorm<1>();
 }
 
 /// Of constant velocities, at any time.
-Rates steadyRates(double a, double b, const Vec2& way) {
+Rates steadyRates(double a, double b, const Vec2& path) {
   const double rate_a = std::abs(a), rate_b = std::abs(b);
   return {
-      rate_a,     rate_b, a * a, b * b, (b - a) * (b - a), rate_a * std::abs(a - 2 * b), rate_b * std::abs(b - 2 * a),
-      way.norm(), 0};
+      rate_a,      rate_b, a * a, b * b, (b - a) * (b - a), rate_a * std::abs(a - 2 * b), rate_b * std::abs(b - 2 * a),
+      path.norm(), 0};
 }
 
 }  // namespace
@@ -151,33 +151,33 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
       given_margin(margin_),
       margin(shrink * margin_) {
   const Vec2 apart = shrink * motion_b.start.translation() - shrink * motion_a.start.translation();
-  const double turned = a.turn.size() * a.reach + b.turn.size() * b.reach;
+  const double rotated = a.rotation.size() * a.reach + b.rotation.size() * b.reach;
   const double others = roundedBy(a, shrink) + roundedBy(b, shrink) + (apart.lpNorm<1>() + margin);
   expansion = 1 / shrink;
 
   b.base = apart + (b.base - a.base);
-  b.way = b.way - a.way;
+  b.path = b.path - a.path;
   a.base = Vec2::Zero();
-  a.way = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  a.path = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
   if (!is_steady) {  // one alone is, or both bend alike
-    a.is_straight = a.turn.isStraight();
-    b.is_straight = b.turn.isStraight() && b.way.isStraight();
+    a.is_straight = a.rotation.isStraight();
+    b.is_straight = b.rotation.isStraight() && b.path.isStraight();
     is_steady = a.is_straight && b.is_straight;
   }
   const double inverse = divideByLength();
   still_error = (kGapError * others + kTiny) * inverse;
-  error = kGapError * turned * inverse + still_error;
+  error = kGapError * rotated * inverse + still_error;
 }
 
 double MovingPair::divideByLength() {
-  const double largest = std::max({a.reach, b.reach, b.base.lpNorm<1>(), b.way.first.lpNorm<1>(),
-                                   b.way.second.lpNorm<1>(), b.way.third.lpNorm<1>(), margin});
+  const double largest = std::max({a.reach, b.reach, b.base.lpNorm<1>(), b.path.first.lpNorm<1>(),
+                                   b.path.second.lpNorm<1>(), b.path.third.lpNorm<1>(), margin});
   const int exponent = std::clamp(std::ilogb(largest), -1000, 1020);
   const double inverse = powerOfTwo(-exponent);
   length = powerOfTwo(exponent);
   for (Mover* mover : {&a, &b}) {
     mover->base *= inverse;
-    mover->way = inverse * mover->way;
+    mover->path = inverse * mover->path;
     mover->arm *= inverse;
     mover->reach *= inverse;
     mover->scale *= inverse;
@@ -187,34 +187,34 @@ double MovingPair::divideByLength() {
 }
 
 Rates MovingPair::ratesOf(double begin, double end) const {
-  const Cubic<double> relative = b.turn - a.turn;
-  const double rate_a = a.turn.mostRate(begin, end), rate_b = b.turn.mostRate(begin, end);
-  const double of_a = a.turn.mostAcceleration(begin, end), of_b = b.turn.mostAcceleration(begin, end);
+  const Cubic<double> relative = b.rotation - a.rotation;
+  const double rate_a = a.rotation.mostRate(begin, end), rate_b = b.rotation.mostRate(begin, end);
+  const double of_a = a.rotation.mostAcceleration(begin, end), of_b = b.rotation.mostAcceleration(begin, end);
   const double between = relative.mostRate(begin, end);
   return {rate_a,
           rate_b,
           of_a + rate_a * rate_a,
           of_b + rate_b * rate_b,
           relative.mostAcceleration(begin, end) + between * between,
-          of_a + rate_a * (relative + b.turn).mostRate(begin, end),
-          of_b + rate_b * (relative - a.turn).mostRate(begin, end),
-          b.way.mostRate(begin, end),
-          b.way.mostAcceleration(begin, end)};
+          of_a + rate_a * (relative + b.rotation).mostRate(begin, end),
+          of_b + rate_b * (relative - a.rotation).mostRate(begin, end),
+          b.path.mostRate(begin, end),
+          b.path.mostAcceleration(begin, end)};
 }
 
 void MovingPair::prepare() {
-  if (is_steady) steady = steadyRates(a.turn.first, b.turn.first, b.way.first);
+  if (is_steady) steady = steadyRates(a.rotation.first, b.rotation.first, b.path.first);
   for (Mover* mover : {&a, &b}) {
     if (const PolygonData* corners = cornersOf(*mover->given)) mover->polygon = corners;  // of the same S and unit
     mover->tree = &hierarchyOf(*mover->polygon);
   }
 }
 
-// A way of acceleration A or less leaves the line between its ends by at most A / 8.
+// A path of acceleration A or less leaves the line between its ends by at most A / 8.
 bool MovingPair::discsStayApart() const {
-  const Vec2 chord = b.way.at(1);
-  const double chord_error = b.way.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
-  // Rounding moves the nearest point along the way, by so little that the distance differs in the second order only.
+  const Vec2 chord = b.path.at(1);
+  const double chord_error = b.path.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
+  // Rounding moves the nearest point along the path, by so little that the distance differs in the second order only.
   const Vec2 nearest = b.base + nearestOnSegment(-b.base, Vec2::Zero(), chord);
   return nearest.norm() - chord_error > a.reach + b.reach + margin + still_error;
 }
@@ -230,8 +230,8 @@ struct TwoBeside {
     const Double2 part = (dx * ux + dy * uy) / (ux * ux + uy * uy);
     const Double2 share = smaller(larger(part, Double2{}), Double2{1, 1});  // 0 where the segment is a point
     side = ux * dy - uy * dx;
-    const Double2 way_x = dx - share * ux, way_y = dy - share * uy;
-    square = way_x * way_x + way_y * way_y;
+    const Double2 path_x = dx - share * ux, path_y = dy - share * uy;
+    square = path_x * path_x + path_y * path_y;
   }
   /// Whether both are certainly on different sides; as long as that isn't known, of no doubt.
   bool areOpposite(double doubt) const {

@@ -7,20 +7,15 @@
 #include <limits>
 
 #include "hierarchy/hierarchy.h"
+#include "hierarchy/simd.h"
 #include "hierarchy/simd_gaps.h"
+#include "hierarchy/unit_map.h"
 #include "impact/cubic.h"
 #include "numbers/double2.h"
 #include "polygon/polygon_data.h"
 #include "tricover/motion.h"
 
 namespace tricover::detail {
-
-/// A box (or an edge, as a box without width) of a moving polygon at both ends of an interval of time, one a lane: its
-/// centre, the images of its axes, near unit length, and its half extents along them.
-struct MovingBox {
-  Double2 x, y, ux, uy, vx, vy;
-  double along, across;
-};
 
 /// Where a mover's hierarchy is at both ends of an interval: p -> scale M p + (x, y); and its pivot.
 struct Places {
@@ -39,6 +34,22 @@ struct Places {
     return {ends(m00, other.m00), ends(m10, other.m10), ends(m01, other.m01),         ends(m11, other.m11),
             ends(x, other.x),     ends(y, other.y),     ends(pivot_x, other.pivot_x), ends(pivot_y, other.pivot_y)};
   }
+  /// Another mover's, in lengths of 1 / `inverse`, in the frame that rotates with this one from its S: M^T rotates back
+  /// what keeps lengths.
+  Places seen(const Places& other, double inverse) const {
+    const Double2 dx = (other.x - x) * inverse, dy = (other.y - y) * inverse;
+    const Double2 px = (other.pivot_x - x) * inverse, py = (other.pivot_y - y) * inverse;
+    return {m00 * other.m00 + m10 * other.m10,
+            m01 * other.m00 + m11 * other.m10,
+            m00 * other.m01 + m10 * other.m11,
+            m01 * other.m01 + m11 * other.m11,
+            m00 * dx + m10 * dy,
+            m01 * dx + m11 * dy,
+            m00 * px + m10 * py,
+            m01 * px + m11 * py};
+  }
+  /// The map at their begin, for guesses in floats.
+  UnitMap unitMap(double scale) const { return {m00[0], m01[0], m10[0], m11[0], x[0], y[0], scale, 0}; }
 };
 
 /// An edge's ends, one a lane, at one end of an interval.
@@ -49,14 +60,10 @@ struct MovingEdge {
     x = p.m00[lane] * of_x + p.m01[lane] * of_y + p.x[lane];
     y = p.m10[lane] * of_x + p.m11[lane] * of_y + p.y[lane];
   }
-  MovingEdge(const MovingBox& edge, int lane) {
-    const double half_x = edge.along * edge.ux[lane], half_y = edge.along * edge.uy[lane];
-    x = edge.x[lane] + Double2{-half_x, half_x};
-    y = edge.y[lane] + Double2{-half_y, half_y};
-  }
   Vec2 end(int i) const { return {x[i], y[i]}; }
   Vec2 from() const { return end(0); }
   Vec2 to() const { return end(1); }
+  Vec2 half() const { return 0.5 * (to() - from()); }
   Double2 x, y;
 };
 
@@ -74,7 +81,9 @@ constexpr std::uint32_t kRootNode = simd::kRoot;
 struct Mover {
   Places places(double begin, double end) const;
   Node node(std::uint32_t index) const;
-  MovingBox box(const Places& places, const Node& node) const;
+  MovingBox box(const Places& places, const Node& node) const { return box(places, node, 1); }
+  /// By places in lengths of 1 / `inverse`.
+  MovingBox box(const Places& places, const Node& node, double inverse) const;
   Node edgeNode(std::size_t position) const;
   MovingBox edge(const Places& places, std::size_t position) const;
   /// A vertex by its position, in the mover's frame, from S.
@@ -93,16 +102,16 @@ struct Mover {
   Vec2 pivot;                       ///< in the polygon's frame
   Eigen::Matrix2d linear;           ///< the start's
   Vec2 base;                        ///< where the pivot is at time 0
-  Cubic<Vec2> way;                  ///< of the pivot, from there
+  Cubic<Vec2> path;                 ///< of the pivot, from there
   Vec2 arm;                         ///< from the pivot to S, at time 0
-  Cubic<double> turn;               ///< radians
+  Cubic<double> rotation;           ///< radians
   double scale, reach;              ///< a unit; no point is farther from the pivot
-  bool turns = false;               ///< it does, at all
-  bool is_straight = false;         ///< neither turn nor way is bent
+  bool rotates = false;             ///< it does, at all
+  bool is_straight = false;         ///< neither rotation nor path is bent
 };
 
-/// Upper bounds, over an interval of time, of how fast movers turn and pivots move: absolute values, a' the rate of a's
-/// turn and a" its acceleration; and what IntervalCutter makes of them.
+/// Upper bounds, over an interval of time, of how fast movers rotate and pivots move: absolute values, a' the rate of
+/// a's rotation and a" its acceleration; and what IntervalCutter makes of them.
 struct Rates {
   double a, b;              ///< |a'|, |b'|
   double bend_a, bend_b;    ///< |a"| + a'^2, |b"| + b'^2
@@ -110,12 +119,12 @@ struct Rates {
   double mixed_a, mixed_b;  ///< |a"| + |a'| |a' - 2 b'|, |b"| + |b'| |b' - 2 a'|
   double speed, pull;       ///< of b's pivot, as seen from a's: velocity and acceleration
 
-  bool turns() const { return a != 0 || b != 0; }
-  /// What turning adds to the second derivative along an axis that stands still.
+  bool rotates() const { return a != 0 || b != 0; }
+  /// What rotating adds to the second derivative along an axis that stands still.
   double bend(double lever_a, double lever_b) const { return bend_a * lever_a + bend_b * lever_b; }
 };
 
-/// Two moving polygons in a frame that goes with a's pivot without turning, so that only differences of positions
+/// Two moving polygons in a frame that goes with a's pivot without rotating, so that only differences of positions
 /// enter, and in a length, a power of two, in which none of them is much above 1.
 struct MovingPair {
   MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b, const Motion& motion_b,
@@ -127,6 +136,9 @@ struct MovingPair {
   /// Whether the discs around the pivots stay farther apart than the margin for all of the time.
   bool discsStayApart() const;
 
+  /// Whether no direction changes, nor any velocity.
+  bool slides() const { return is_steady && !a.rotates && !b.rotates; }
+
   /// Whether both keep lengths but for rounding. A point b has none.
   bool keepLengths() const { return error < 1 && a.keepsLengths() && (b.polygon->isPoint() || b.keepsLengths()); }
 
@@ -136,7 +148,7 @@ struct MovingPair {
   Mover a, b;
   bool is_steady;            ///< all velocities are constant
   Rates steady;              ///< then, at any time
-  double given_margin;       ///< what is asked for is coming this near
+  double given_margin;       ///< what counts as contact is coming this near
   double margin;             ///< the same in the pair's length
   double error;              ///< of a gap: see the constructor
   double still_error;        ///< of one between the pivots' places
@@ -154,11 +166,12 @@ inline Node Mover::node(std::uint32_t index) const {
   return {item.x, item.y, item.ux, item.uy, item.along, item.across, item.child, item.leaf};
 }
 
-inline MovingBox Mover::box(const Places& p, const Node& node) const {
+inline MovingBox Mover::box(const Places& p, const Node& node, double inverse) const {
   const Double2 ux = p.m00 * node.ux + p.m01 * node.uy, uy = p.m10 * node.ux + p.m11 * node.uy;
   const Double2 vx = p.m01 * node.ux - p.m00 * node.uy, vy = p.m11 * node.ux - p.m10 * node.uy;
-  const double x = node.x * scale, y = node.y * scale, along = node.along * scale, across = node.across * scale;
-  return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy, along, across};
+  const double unit = scale * inverse, x = node.x * unit, y = node.y * unit;
+  return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy,
+          node.along * unit,           node.across * unit};
 }
 
 /// What is known of the first contact.
@@ -181,8 +194,6 @@ struct FirstContact {
 /// The nearest points of two edges; distance 0 where they certainly cross.
 struct NearestPoints {
   NearestPoints(const MovingEdge& a, const MovingEdge& b, double error);
-  NearestPoints(const MovingBox& edge_a, const MovingBox& edge_b, int lane, double error)
-      : NearestPoints(MovingEdge(edge_a, lane), MovingEdge(edge_b, lane), error) {}
   Vec2 on_a, on_b;
   double distance;
 };

@@ -9,7 +9,7 @@
 
 namespace tricover::detail {
 
-/// See TurningChordError.
+/// See RotatingChordError.
 constexpr double kChordErrorGrowth = 1 + 0x1p-10;
 static_assert(kChordErrorGrowth > (1 + 2 * kLargestDefect) * (1 + 2 * kLargestDefect));
 
@@ -54,28 +54,28 @@ struct CutSide {
   double aim() const { return from / (from - to); }
 };
 
-// How far ways bend in an interval. Say that along an axis no distance n . (p_b - p_a) of two points, as a function of
+// How far paths bend in an interval. Say that along an axis no distance n . (p_b - p_a) of two points, as a function of
 // time, has a second derivative beyond A. Then after a share x of the interval, of length h, each is at least what is
 // interpolated between its values at both ends, minus A h^2 x (1 - x) / 2; and so is the gap of the two polygons, the
 // least of them. `chord_error` is A h^2 / 2.
 //
-// With r_a, r_b the points' levers from their pivots, which turn at rates alpha and beta, D the vector from a's pivot
+// With r_a, r_b the points' levers from their pivots, which rotate at rates alpha and beta, D the vector from a's pivot
 // to b's, V its velocity and W its acceleration, a dash for derivatives in time: along a fixed axis of length 1,
 //   A <= (alpha^2 + |alpha'|) |r_a| + (beta^2 + |beta'|) |r_b| + |W|.
-// In a frame around a's pivot that turns with a at the rate alpha, where r_a stands still, the acceleration of p_b is,
-// with J the quarter turn,
+// In a frame around a's pivot that rotates with a at the rate alpha, where r_a stands still, the acceleration of p_b
+// is, with J the quarter turn,
 //   W - 2 alpha J V - (alpha' J + alpha^2) D + ((beta' - alpha') J - (beta - alpha)^2) r_b.
-// So along an axis that turns with a,
+// Along an axis that rotates with a, that makes
 //   A <= (|beta' - alpha'| + (beta - alpha)^2) |r_b| + (|alpha'| + alpha^2) |D| + 2 |alpha| |V| + |W|,
 // or, by D = (p_b - c_a) - r_b for a's pivot c_a, with the first two terms replaced by
 //   (|beta'| + |beta| |beta - 2 alpha|) |r_b| + (|alpha'| + alpha^2) |p_b - c_a|;
-// and likewise for an axis that turns with b. |D| and |p_b - c_a| are bounded over the interval by their value at its
+// and likewise for an axis that rotates with b. |D| and |p_b - c_a| are bounded over the interval by their value at its
 // begin and how fast they change. Where the axis n stands still, |W| is |n . W|. kChordErrorGrowth pays for rounding,
 // for axes that a pose off rigid makes longer than 1, and for extents that it stretches.
 
-/// The chord error along axes that turn with one polygon, of points of the other one: the smaller of two bounds, both
+/// The chord error along axes that rotate with one polygon, of points of the other one: the smaller of two bounds, both
 /// linear.
-struct TurningChordError {
+struct RotatingChordError {
   double always, by_lever;
   double other_always, other_by_lever, by_distance;
 
@@ -87,13 +87,13 @@ struct TurningChordError {
 };
 
 /// What W makes of the chord error: along any axis at most so much, and its values at both ends of the interval,
-/// between which it is linear, as W is of a cubic way.
+/// between which it is linear, as W is of a cubic path.
 struct Pull {
   double most = 0;
   Double2 x, y;  ///< unless the most is 0
 
   /// By how much less the chord error is along an axis of length 1 that stands still. Rounding is below 16U of the
-  /// most: 4U of x and y, as much once they are turned into a frame, 3U of their product with an axis that is wrong by
+  /// most: 4U of x and y, as much once they are mapped into a frame, 3U of their product with an axis that is wrong by
   /// 3U itself.
   double sparedAlong(double nx, double ny) const {
     if (most == 0) return 0;
@@ -115,21 +115,15 @@ struct TimeInterval {
         half_square(0.5 * kChordErrorGrowth * length * length),
         rates(pair.is_steady ? pair.steady : (own_rates = pair.ratesOf(begin, end))),
         a(a_),
-        b(b_) {
-    if (rates.pull > 0) {
-      const Vec2 from = pair.b.way.accelerationAt(begin), to = pair.b.way.accelerationAt(end);
-      pull = {half_square * rates.pull, half_square * Double2{from.x(), to.x()},
-              half_square * Double2{from.y(), to.y()}};
-    }
-  }
+        b(b_),
+        pull(pullOf()),
+        with_a(rotatingChordError(rates.a, rates.bend_a, rates.b, rates.mixed_b)),
+        with_b(rotatingChordError(rates.b, rates.bend_b, rates.a, rates.mixed_a)) {}
 
   /// Along axes that stand still.
   double fixedChordError(double lever_a, double lever_b) const {
     return half_square * rates.bend(lever_a, lever_b) + pull.most;
   }
-  /// Along those that turn with a, or with b.
-  TurningChordError chordErrorWithA() const { return turningChordError(rates.a, rates.bend_a, rates.b, rates.mixed_b); }
-  TurningChordError chordErrorWithB() const { return turningChordError(rates.b, rates.bend_b, rates.a, rates.mixed_a); }
 
   const MovingPair& pair;
   double begin, end;
@@ -138,24 +132,23 @@ struct TimeInterval {
   const Rates& rates;
   Places a, b;
   Pull pull;
+  const RotatingChordError with_a, with_b;  ///< along axes that rotate with a, or with b
 
  private:
-  /// `turn` and `bend` are those of the polygon that the axes turn with, `own` and `mixed` the other one's.
-  TurningChordError turningChordError(double turn, double bend, double own, double mixed) const {
-    if (!rates.turns()) return {pull.most, 0, pull.most, 0, 0};
+  Pull pullOf() const {
+    if (!(rates.pull > 0)) return {0, Double2{}, Double2{}};
+    const Vec2 from = pair.b.path.accelerationAt(begin), to = pair.b.path.accelerationAt(end);
+    return {half_square * rates.pull, half_square * Double2{from.x(), to.x()}, half_square * Double2{from.y(), to.y()}};
+  }
+  /// `rate` and `bend` are those of the polygon that the axes rotate with, `own` and `mixed` the other one's.
+  RotatingChordError rotatingChordError(double rate, double bend, double own, double mixed) const {
+    if (!rates.rotates()) return {pull.most, 0, pull.most, 0, 0};
     const double apart = lengthAbove(b.pivot_x[0] - a.pivot_x[0], b.pivot_y[0] - a.pivot_y[0]) + length * rates.speed;
-    const double always = 2 * turn * rates.speed + rates.pull;
+    const double always = 2 * rate * rates.speed + rates.pull;
     return {half_square * (always + bend * apart), half_square * rates.relative_bend,
             half_square * (always + bend * length * rates.speed), half_square * (mixed + bend * length * own),
             half_square * bend};
   }
-};
-
-/// One that many pairs of boxes or edges are looked at in.
-struct SearchInterval : TimeInterval {
-  SearchInterval(const MovingPair& pair_, double begin_, double end_)
-      : TimeInterval(pair_, begin_, end_), with_a(chordErrorWithA()), with_b(chordErrorWithB()) {}
-  const TurningChordError with_a, with_b;
 };
 
 }  // namespace tricover::detail

@@ -26,39 +26,40 @@ namespace {
 /// From the pair's frame at `time` to the world.
 Vec2 toWorld(const MovingPair& pair, double time, const Vec2& p) {
   const Motion& motion_a = *pair.a.motion;
-  const Vec2 pivot = motion_a.start * pair.a.pivot, way = wayOf(motion_a).at(time);
-  const Vec2 world = pivot + way + p * pair.length * pair.expansion;
+  const Vec2 pivot = motion_a.start * pair.a.pivot, path = pathOf(motion_a).at(time);
+  const Vec2 world = pivot + path + p * pair.length * pair.expansion;
   if (world.allFinite()) return world;
   // Infinite only if the sum is, and not because its parts are.
-  const Vec2 quarter = motion_a.start.linear() * (pair.a.pivot / 4) + motion_a.start.translation() / 4 + way / 4;
+  const Vec2 quarter = motion_a.start.linear() * (pair.a.pivot / 4) + motion_a.start.translation() / 4 + path / 4;
   return (quarter + p * (pair.length / 4) * pair.expansion) * 4;
 }
 
-/// The axis of an edge, or normal to it, that parts two edges best, for such as are so near that the difference of
-/// their nearest points is mostly rounding. Where the edges don't tell axis or side, the origins do.
-Vec2 normalOfTouch(const MovingBox& a, const MovingBox& b, const Vec2& between_origins, double error) {
-  const Vec2 middles(b.x[0] - a.x[0], b.y[0] - a.y[0]);
+/// The axis of an edge, or normal to it, that separates two edges best, for edges so near that the difference of their
+/// nearest points is mostly rounding. Where the edges don't tell axis or side, the origins do.
+Vec2 normalOfTouch(const MovingEdge& a, const MovingEdge& b, const Vec2& between_origins, double error) {
+  const Vec2 half_a = a.half(), half_b = b.half(), middles = (b.from() + half_b) - (a.from() + half_a);
   double widest = -std::numeric_limits<double>::infinity();
   Vec2 best(1, 0);
-  for (const MovingBox* edge : {&a, &b})
-    for (const Vec2& axis : {Vec2(edge->vx[0], edge->vy[0]), Vec2(edge->ux[0], edge->uy[0])}) {
-      const Vec2 normal = axis.normalized();
+  for (const Vec2& half : {half_a, half_b}) {
+    const double size = half.lpNorm<Eigen::Infinity>();  // squares may underflow
+    const Vec2 axis = size > 0 ? (half / size).normalized() : Vec2(1, 0);
+    for (const Vec2& normal : {Vec2(-axis.y(), axis.x()), axis}) {
       const double apart = normal.dot(middles);
-      const double gap = std::abs(apart) - std::abs(normal.x() * a.ux[0] + normal.y() * a.uy[0]) * a.along -
-                         std::abs(normal.x() * b.ux[0] + normal.y() * b.uy[0]) * b.along;
+      const double gap = std::abs(apart) - std::abs(normal.dot(half_a)) - std::abs(normal.dot(half_b));
       const bool alike = std::abs(gap - widest) <= error;
       if (alike ? std::abs(normal.dot(between_origins)) <= std::abs(best.dot(between_origins)) : gap < widest) continue;
       widest = gap;
       best = (std::abs(apart) > error ? apart : normal.dot(between_origins)) < 0 ? Vec2(-normal) : normal;
     }
+  }
   return best;
 }
 
 /// The number of an edge at a point of it.
 EdgeIndex givenEdge(const Mover& mover, std::size_t position, const MovingEdge& edge, const Vec2& point) {
   if (mover.given == mover.polygon) return givenEdge(*mover.given, *mover.polygon, position, 0);
-  const Vec2 way = edge.to() - edge.from();
-  const double part = (point - edge.from()).dot(way) / way.squaredNorm();
+  const Vec2 along = edge.to() - edge.from();
+  const double part = (point - edge.from()).dot(along) / along.squaredNorm();
   return givenEdge(*mover.given, *mover.polygon, position, std::clamp(part, 0.0, 1.0));
 }
 
@@ -85,8 +86,7 @@ Impact describe(const MovingPair& pair, const FirstContact& found) {
   const NearestPoints nearest(a, b, pair.error);
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
                           ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
-                          : normalOfTouch(pair.a.edge(places_a, position_a), pair.b.edge(places_b, position_b),
-                                          places_a.originTo(places_b), pair.error);
+                          : normalOfTouch(a, b, places_a.originTo(places_b), pair.error);
   assert(0 <= found.time && found.time <= 1 && std::abs(normal.norm() - 1) < 0x1p-40);
   return {found.time,
           toWorld(pair, found.time, 0.5 * (nearest.on_a + nearest.on_b)),
@@ -107,7 +107,7 @@ FirstContact collideAtStart(const MovingPair& pair, double begin, double) {
   return {FirstContact::Verdict::Touch, 0, outcome.edge_a, outcome.edge_b};
 }
 
-/// One way to the first contact. What it leaves unknown is known up to a time, at which the next one begins.
+/// One method for the first contact. What it leaves unknown is known up to a time, at which the next one begins.
 struct Solver {
   bool (*fits)(const MovingPair& pair);
   FirstContact (*solve)(const MovingPair& pair, double begin, double time_error);
@@ -115,12 +115,12 @@ struct Solver {
 
 bool fitsAll(const MovingPair&) { return true; }
 
-/// Each is asked what those before it don't know. The second is the only one that sees what touches or overlaps at time
-/// 0; those after it take for granted that nothing does. The last one always knows.
+/// Each is called for what those before it leave unknown. The second is the only one that sees what touches or overlaps
+/// at time 0; those after it take for granted that nothing does. The last one always knows.
 constexpr Solver kSolvers[] = {
     {isConvexPair, advanceAlongAxis},
     {fitsAll, collideAtStart},
-    {haveFewVertexWays, followVertices},
+    {haveFewVertices, followVertices},
     {fitsAll, searchBoxes},
 };
 

@@ -55,17 +55,6 @@ void forEachInterval(const Trajectory& a, const Trajectory& b, Visit visit) {
     if (!visit(times[i - 1], times[i])) return;
 }
 
-ImpactOptions within(const ImpactOptions& options, double length) {
-  return {options.margin, std::min(options.time_error / length, 1.0), false};
-}
-
-/// Rounded down, where it is rounded: an impact is told no later than it is.
-double timeOf(double begin, double length, double part) {
-  if (begin == 0 && length == 1) return part;
-  return part > 0 ? std::max(begin, std::nextafter(begin + length * part, -std::numeric_limits<double>::infinity()))
-                  : begin;
-}
-
 }  // namespace
 
 Trajectory::Trajectory(std::vector<Leg> legs) : legs_(std::move(legs)) { checkLegs(legs_); }
@@ -121,9 +110,9 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajector
   }
   std::optional<Impact> found;
   forEachInterval(trajectory_a, trajectory_b, [&](double begin, double end) {
-    found =
-        timeOfImpact(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end), within(options, end - begin));
-    if (found) found->time = timeOf(begin, end - begin, found->time);
+    found = timeOfImpact(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end),
+                         detail::optionsWithin(options, end - begin));
+    if (found) found->time = detail::timeWithin(begin, end - begin, found->time);
     return !found;
   });
   return found;
@@ -135,9 +124,9 @@ std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a
   std::vector<Conflict> all;
   forEachInterval(trajectory_a, trajectory_b, [&](double begin, double end) {
     const double length = end - begin;
-    for (Conflict& found :
-         conflicts(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end), within(options, length))) {
-      found.impact.time = timeOf(begin, length, found.impact.time);
+    for (Conflict& found : conflicts(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end),
+                                     detail::optionsWithin(options, length))) {
+      found.impact.time = detail::timeWithin(begin, length, found.impact.time);
       found.end = found.end < 1 ? std::min(end, begin + length * found.end) : end;
       if (all.empty() || found.impact.time > all.back().end) all.push_back(found);
       all.back().end = found.end;

@@ -5,9 +5,9 @@
 
 namespace tricover::detail {
 
-/// Whether followVertices() may be asked: b is a point, or both have few edges; their poses keep lengths but for
-/// rounding.
-bool haveFewVertexWays(const MovingPair& pair);
+/// Whether followVertices() may be called: b is a point, or both have at most 16 edges; their poses keep lengths but
+/// for rounding.
+bool haveFewVertices(const MovingPair& pair);
 
 /// Of two that are apart from time 0 to `begin`. They meet first where a vertex of either comes to an edge of the
 /// other.

@@ -40,8 +40,8 @@ class SweptLeg {
         margin_(margin),
         begin_(begin),
         duration_(length),
-        way_(detail::wayOf(motion)),
-        turn_(detail::turnOf(motion)) {
+        way_(detail::pathOf(motion)),
+        turn_(detail::rotationOf(motion)) {
     const Vec2 arm = polygon_.origin - motion.pivot;
     reach_ = (std::hypot(arm.x(), arm.y()) + polygon_.radius) * (1 + 2 * detail::kLargestDefect);
     // Sums of coordinates, because squares may leave the range of doubles.

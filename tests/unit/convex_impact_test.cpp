@@ -183,13 +183,12 @@ TEST(ConvexImpact, SlidesAreSolvedAtOnce) {
     const FirstContact contact = slideConvex(a.data(), swaps ? slide.motion_b : slide.motion_a, b.data(),
                                              swaps ? slide.motion_a : slide.motion_b, slide.margin, found);
     const auto isSmall = [](const Polygon& polygon) {
-      const PolygonData* corners = polygon.data().isDegenerate() ? &polygon.data() : cornersOf(polygon.data());
+      const PolygonData* corners = cornersOf(polygon.data());
       return corners != nullptr && corners->path.size() <= SmallPolygon::kMost + 1;
     };
-    const bool turns_about_itself = slide.motion_b.angle == 0 || slide.motion_b.pivot == slide.b.origin();
-    const bool is_plain = isSmall(a) && isSmall(b) && turns_about_itself;
+    const bool is_plain = isSmall(a) && isSmall(b) && slide.motion_b.angle == 0 && slide.margin == 0;
     plain += is_plain;
-    round += is_plain && slide.margin > 0;
+    round += slide.margin > 0;
     solved += is_plain && contact.verdict != FirstContact::Verdict::Unknown;
     if (!truth) continue;
     ++hits;
@@ -209,9 +208,11 @@ TEST(ConvexImpact, SlidesAreSolvedAtOnce) {
     EXPECT_NEAR(impact->normal.norm(), 1, 1e-12) << i;
     level += std::abs(impact->normal.x()) == 1 || std::abs(impact->normal.y()) == 1;
   }
-  std::printf("%d slides, %d apart at first, %d of %d small ones solved, %d with a margin, %d hits, %d of them level\n",
-              count, apart, solved, plain, round, hits, level);
-  EXPECT_GE(plain, 0.8 * apart);
+  std::printf(
+      "%d slides, %d apart at first, %d of %d small ones without a margin solved, %d with one, %d hits, %d of them "
+      "level\n",
+      count, apart, solved, plain, round, hits, level);
+  EXPECT_GE(plain, 0.4 * apart);
   EXPECT_GE(round, 0.2 * apart);
   EXPECT_GE(solved, 0.99 * plain);
   EXPECT_GE(hits, 0.3 * apart);
@@ -261,16 +262,15 @@ TEST(ConvexImpact, DiscsMeetWhereTheirCentresAreSoFarApart) {
     motion_b.start.translation() = motion_a.start * Vec2(1, 2) + apart - motion_b.start * Vec2(-3, 0);
     const double margin = random.real(0, 3), half = apart.dot(way),
                  root = half * half - way.squaredNorm() * (apart.squaredNorm() - margin * margin);
-    Impact impact{};
-    const FirstContact found = slideConvex(a.data(), motion_a, b.data(), motion_b, margin, impact);
+    const std::optional<Impact> impact = timeOfImpact(a, motion_a, b, motion_b, {margin, 1e-12});
     if (std::abs(root) < 1e-9) continue;
-    ASSERT_EQ(found.verdict, root > 0 ? FirstContact::Verdict::Touch : FirstContact::Verdict::Never) << i;
+    ASSERT_EQ(impact.has_value(), root > 0) << i;
     if (root < 0) continue;
     ++hits;
-    EXPECT_NEAR(impact.time, (-half - std::sqrt(root)) / way.squaredNorm(), 1e-12) << i;
-    const Vec2 between = apart + impact.time * way;
-    EXPECT_LT((margin * impact.normal - between).norm(), 1e-10) << i;
-    EXPECT_LT((motion_a.at(impact.time) * Vec2(1, 2) + 0.5 * between - impact.point).norm(), 1e-10) << i;
+    EXPECT_NEAR(impact->time, (-half - std::sqrt(root)) / way.squaredNorm(), 1e-12) << i;
+    const Vec2 between = apart + impact->time * way;
+    EXPECT_LT((margin * impact->normal - between).norm(), 1e-10) << i;
+    EXPECT_LT((motion_a.at(impact->time) * Vec2(1, 2) + 0.5 * between - impact->point).norm(), 1e-10) << i;
   }
   EXPECT_GE(hits, 0.3 * count);
   EXPECT_LE(hits, 0.9 * count);

@@ -10,7 +10,7 @@
 
 #include "hierarchy/simd.h"
 #include "impact/cubic.h"
-#include "impact/vertex_ways.h"
+#include "impact/vertex_paths.h"
 #include "portable_lanes.h"
 #include "random.h"
 #include "shapes.h"
@@ -50,10 +50,11 @@ void anyAngles(Random& random, double& angle_a, double& angle_b) {
 constexpr int kWays = 5;
 
 /// What one of the ways leaves of an interval in which two edges may meet; nothing if low > high.
-Rest restBy(int way, const SearchInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+Rest restBy(int way, const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
   if (way == 4) return interval.pair.keepLengths() ? restOfEdges(interval, edge_a, edge_b) : Rest{0, 1, 0};
   const MovingBox a = interval.pair.a.edge(interval.a, edge_a), b = interval.pair.b.edge(interval.b, edge_b);
-  const NearestPoints at_begin(a, b, 0, interval.pair.error);
+  const NearestPoints at_begin(interval.pair.a.ends(interval.a, 0, edge_a), interval.pair.b.ends(interval.b, 0, edge_b),
+                               interval.pair.error);
   IntervalCutter cutter(interval, a, b);
   const bool parts = way == 0   ? cutter.cutByAxesOfA()
                      : way == 1 ? cutter.cutByAxesOfB()
@@ -100,7 +101,7 @@ TEST(IntervalCutter, NeverCutsContactOff) {
 
     MovingPair pair(a.data(), motion_a, b.data(), motion_b);
     pair.prepare();
-    const SearchInterval interval(pair, begin, begin + length);
+    const TimeInterval interval(pair, begin, begin + length);
     for (int way = 0; way < kWays; ++way) {
       const Rest rest = restBy(way, interval, edge_a, edge_b);
       ASSERT_LE(rest.low, rest.high) << "case " << i << ", way " << way << " parts edges that meet at " << share;
@@ -112,7 +113,7 @@ TEST(IntervalCutter, NeverCutsContactOff) {
     // Moved aside by a little, they are parted where the bounds are of any use.
     motion_b.start.translation() += Vec2(0.3, 0.4) * anySize(random);
     const MovingPair aside(a.data(), motion_a, b.data(), motion_b);
-    const SearchInterval other(aside, begin, begin + length);
+    const TimeInterval other(aside, begin, begin + length);
     for (int way = 0; way < kWays; ++way) {
       const Rest rest = restBy(way, other, edge_a, edge_b);
       parted[way] += rest.low > rest.high;
@@ -136,25 +137,32 @@ struct MovedBox {
   }
 };
 
+struct MovingQuery {
+  MovingBox box;
+  double with_block, with_box, slack;
+
+  unsigned cut(const Block& block, float* from_begin, float* from_end) const {
+    return cutIntervals(block, box, with_block, with_box, slack, from_begin, from_end);
+  }
+};
 MovingQuery queryOf(const MovedBox& box, double reach) {
   MovingQuery query{};
-  const auto f = [](double value) { return static_cast<float>(value); };
   double sum = 0;
   for (int end = 0; end < 2; ++end) {
     const Vec2 p = box.at(end, 0, 0), axis = direction(box.angle + end * box.turn);
-    query.x[end] = f(p.x());
-    query.y[end] = f(p.y());
-    query.ux[end] = f(axis.x());
-    query.uy[end] = f(axis.y());
+    query.box.x[end] = p.x();
+    query.box.y[end] = p.y();
+    query.box.ux[end] = axis.x();
+    query.box.uy[end] = axis.y();
     sum = std::max(sum, p.lpNorm<1>() + box.along + box.across + 4);
   }
-  query.along = f(box.along);
-  query.across = f(box.across);
-  query.slack = f(kMovingGapRounding * sum);
+  query.box.along = box.along;
+  query.box.across = box.across;
+  query.slack = kMovingGapRounding * sum;
   const double rate = std::abs(box.turn), extent = box.along + box.across, speed = box.way.norm() + box.bend.norm();
   const double apart = box.middle.norm() + box.way.norm() + box.bend.norm() + reach, pull = 2 * box.bend.norm();
-  query.chord_error_with_block = f(0.5 * (rate * rate * extent + pull) * (1 + 0x1p-10));
-  query.chord_error_with_query = f(0.5 * (rate * rate * apart + 2 * rate * speed + pull) * (1 + 0x1p-10));
+  query.with_block = 0.5 * (rate * rate * extent + pull) * (1 + 0x1p-10);
+  query.with_box = 0.5 * (rate * rate * apart + 2 * rate * speed + pull) * (1 + 0x1p-10);
   return query;
 }
 
@@ -191,8 +199,8 @@ TEST(CutIntervals, NeverCutsContactOff) {
 
     const MovingQuery query = queryOf(box, 1.5);
     float from_begin[kLanes], from_end[kLanes], begin[kLanes], end[kLanes];
-    const unsigned left = cutIntervals(block, query, from_begin, from_end);
-    ASSERT_EQ(onPortableLanes([&] { return cutIntervals(block, query, begin, end); }), left) << i;
+    const unsigned left = query.cut(block, from_begin, from_end);
+    ASSERT_EQ(onPortableLanes([&] { return query.cut(block, begin, end); }), left) << i;
     ASSERT_EQ(left >> block.count, 0u) << i;
     ASSERT_NE(left >> lane & 1, 0u) << "case " << i << " parts boxes that meet at " << share;
     ASSERT_LE(d(from_begin[lane]), share) << i;

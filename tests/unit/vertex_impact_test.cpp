@@ -66,7 +66,7 @@ TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
                             : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
     pair.prepare();
     ++asked;
-    if (haveFewVertexWays(pair)) {
+    if (haveFewVertices(pair)) {
       ++few;
       const FirstContact found = followVertices(pair, 0, options.time_error);
       answered += found.verdict != FirstContact::Verdict::Unknown;
@@ -99,7 +99,7 @@ TEST(VertexImpact, LooksAtTheEdgesInReach) {
     const int count = random.integer(1, SmallPolygon::kMost);
     const auto made = emptySmallPolygon(count > kLanes ? SmallPolygon::kMost : kLanes);
     SmallPolygon& edges = *made;
-    FewWays ways{};
+    StraightPaths ways{};
     edges.count = count;
     edges.edges = (1u << edges.count) - 1;
     std::vector<Vec2> begin, end;
@@ -124,8 +124,8 @@ TEST(VertexImpact, LooksAtTheEdgesInReach) {
       ways.reach[k] = random.oneIn(3) ? 0 : static_cast<float>(random.real(0, 0.5));
     }
     unsigned near[SmallPolygon::kMost], portable[SmallPolygon::kMost];
-    findEdgesOnWays(edges, ways, near);
-    onPortableLanes([&] { findEdgesOnWays(edges, ways, portable); });
+    findEdgesOnPaths(edges, ways, near);
+    onPortableLanes([&] { findEdgesOnPaths(edges, ways, portable); });
     for (int k = 0; k < ways.count; ++k) {
       ASSERT_EQ(near[k], portable[k]);
       const Vec2 p(ways.x[k], ways.y[k]), q(ways.to_x[k], ways.to_y[k]);

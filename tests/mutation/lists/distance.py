@@ -22,6 +22,5 @@ MUTATIONS = [
     ("src/convex/posed_vertices.h", "<= kPlainShare * (distance * distance);", "<= 1e6 * kPlainShare * (distance * distance);", "plain distances: of cancelled coordinates"),
     ("src/convex/posed_vertices.h", "return distance > kLeastPlain && ", "return ", "plain distances: squares that underflow"),
     ("src/distance/point_distance.cpp", "if (foot.is_plain) return {foot.distance, foot.part(), 0};", "return {foot.distance, foot.part(), 0};", "points: distances of cancelled coordinates in plain doubles"),
-    ("src/convex/separating_edge.cpp", "gap = to_first + least.below_first;", "gap = to_first;", "convex: an edge that one vertex is beyond"),
     ("src/hierarchy/simd_twofold.h", "(sums + shift.low)", "sums", "two-fold ways: what the shift was rounded by"),
 ]

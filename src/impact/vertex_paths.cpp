@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "impact/vertex_ways.h"
+#include "impact/vertex_paths.h"
 
 namespace tricover::detail {
 
@@ -8,7 +8,7 @@ double leverOf(const Mover& mover, const Vec2& vertex) {
   return lengthAbove(lever.x(), lever.y());
 }
 
-Rest restOfEdges(const SearchInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+Rest restOfEdges(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
   Approach first;
   for (const bool of_b : {false, true}) {
     const VertexView view(interval, of_b);
@@ -17,7 +17,7 @@ Rest restOfEdges(const SearchInterval& interval, std::size_t edge_a, std::size_t
     const EdgeInUnits edge(*from.polygon, other);
     for (std::uint32_t end = 0; end < 2; ++end) {
       const Vec2 vertex = of.polygon->inUnits(of.polygon->path[own + end]);
-      view.approach(view.wayOf(vertex.x(), vertex.y(), leverOf(of, vertex)), edge, end, 0, first);
+      view.approach(view.pathOf(vertex, leverOf(of, vertex)), edge, end, 0, first);
     }
   }
   return {first.share, 1, first.aim};
