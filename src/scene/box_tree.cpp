@@ -241,25 +241,14 @@ void BoxTree::packGroups(std::uint32_t index, Middle* first, std::size_t count, 
 void BoxTree::pack(const std::vector<Entry>& entries) {
   BoxTree tree;
   if (!entries.empty()) {
-    const auto middleAt = [&](const Entry& entry) {
-      const Bounds& b = entry.bounds;
-      return Vec2(middleOf(b.min_x, b.max_x), middleOf(b.min_y, b.max_y));
-    };
-    Vec2 low = middleAt(entries.front()), high = low;
     std::uint32_t last = 0;
-    for (const Entry& entry : entries) {
-      low = low.cwiseMin(middleAt(entry)), high = high.cwiseMax(middleAt(entry));
-      last = std::max(last, entry.child);
-    }
-    // In units of the longer side. Middles that overflow, or all lie at one place, are divided arbitrarily.
-    const double side = (high - low).maxCoeff();
-    const double unit = std::isfinite(side) && side > kTiny ? 1 / side : 0;
     std::vector<Middle> middles;
     middles.reserve(entries.size());
     for (const Entry& entry : entries) {
-      const Vec2 middle = unit > 0 ? Vec2(unit * (middleAt(entry) - low)) : Vec2(0, 0);
+      const Bounds& b = entry.bounds;
       middles.push_back(
-          {static_cast<float>(middle.x()), static_cast<float>(middle.y()), static_cast<std::uint32_t>(middles.size())});
+          {middleOf(b.min_x, b.max_x), middleOf(b.min_y, b.max_y), static_cast<std::uint32_t>(middles.size())});
+      last = std::max(last, entry.child);
     }
     int height = 0;
     while (capacityOf(height) < entries.size()) ++height;

@@ -37,7 +37,7 @@ class BoxTree {
   std::size_t changes() const { return changes_; }
   Bounds boundsOf(std::uint32_t item) const { return nodes_[places_[item] / kLanes].at(places_[item] % kLanes); }
 
-  /// Calls visit(item, box) for every item whose box meets `bounds`, until it returns false.
+  /// Calls visit(item) for every item whose box meets `bounds`, until it returns false.
   template <typename Visit>
   void visit(const Bounds& bounds, const Visit& visit) const {
     if (root_ == kNone) return;
@@ -51,10 +51,8 @@ class BoxTree {
         for (; met != 0; met &= met - 1) stack[top++] = node.child[__builtin_ctz(met)];
         continue;
       }
-      for (; met != 0; met &= met - 1) {
-        const unsigned i = static_cast<unsigned>(__builtin_ctz(met));
-        if (!visit(node.child[i], node.at(i))) return;
-      }
+      for (; met != 0; met &= met - 1)
+        if (!visit(node.child[__builtin_ctz(met)])) return;
     }
   }
 
@@ -90,9 +88,9 @@ class BoxTree {
     Bounds all() const;
   };
 
-  /// The middle of an entry's box, in units of the box around all middles.
+  /// The middle of an entry's box.
   struct Middle {
-    float x, y;
+    double x, y;
     std::uint32_t entry;
   };
 

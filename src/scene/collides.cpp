@@ -31,40 +31,39 @@ class CollisionQuery {
     detail::requireFiniteNotNegative(options.tolerance, "tolerance");
     detail::requireTouching(options.touching);
     detail::requireRigid(pose, "pose");
-    discs_ = detail::WorldDiscs(polygon.data(), pose);
     bounds_ = boundsOf(polygon.data(), pose, options.margin);
   }
 
-  /// Returns a body that collides. Inner discs come first: two that meet save the tests of all outlines, which wait. Of
-  /// these the body whose box shares the largest area with the query's box is the likeliest to collide.
+  /// Returns a body that collides. Discs come first: two inner discs that meet save the tests of all outlines, which
+  /// wait. Among these the body whose box shares the largest area with the query's box is the likeliest to collide.
   std::optional<BodyHandle> anyColliding() const {
-    std::array<Waiting, kMostWaiting> waiting;
+    std::array<Slot, kMostWaiting> waiting;
     std::size_t count = 0;
     std::optional<BodyHandle> found;
-    visitNear([&](Slot slot, const Bounds& box) {
-      const BodyState& body = state_.bodies[slot];
-      if (innerDiscsMeet(body) || (count == kMostWaiting && outlinesMeet(body, box)))
+    visitNear([&](Slot slot, bool discs_meet) {
+      if (discs_meet || (count == kMostWaiting && outlinesMeet(slot)))
         found = state_.handleOf(slot);
       else if (count < kMostWaiting)
-        waiting[count++] = {slot, sharedArea(box)};
+        waiting[count++] = slot;
       return !found;
     });
     if (found || count == 0) return found;
-    const auto end = waiting.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto isLess = [](const Waiting& p, const Waiting& q) { return p.shared_area < q.shared_area; };
-    std::iter_swap(waiting.begin(), std::max_element(waiting.begin(), end, isLess));
+    std::size_t likeliest = 0;
+    double most = -1;
     for (std::size_t i = 0; i < count; ++i) {
-      const Slot slot = waiting[i].slot;
-      if (outlinesMeet(state_.bodies[slot], state_.tree.boundsOf(slot))) return state_.handleOf(slot);
+      const double shared = sharedArea(state_.tree.boundsOf(waiting[i]));
+      if (shared > most) most = shared, likeliest = i;
     }
+    std::swap(waiting[0], waiting[likeliest]);
+    for (std::size_t i = 0; i < count; ++i)
+      if (outlinesMeet(waiting[i])) return state_.handleOf(waiting[i]);
     return found;
   }
 
   std::vector<BodyHandle> colliding() const {
     std::vector<BodyHandle> found;
-    visitNear([&](Slot slot, const Bounds& box) {
-      const BodyState& body = state_.bodies[slot];
-      if (innerDiscsMeet(body) || outlinesMeet(body, box)) found.push_back(state_.handleOf(slot));
+    visitNear([&](Slot slot, bool discs_meet) {
+      if (discs_meet || outlinesMeet(slot)) found.push_back(state_.handleOf(slot));
       return true;
     });
     std::sort(found.begin(), found.end());
@@ -72,21 +71,23 @@ class CollisionQuery {
   }
 
  private:
-  using BodyState = SceneState::BodyState;
-
-  struct Waiting {
-    Slot slot;
-    double shared_area;
-  };
   /// More bodies than these don't wait.
   static constexpr std::size_t kMostWaiting = 8;
 
-  /// Calls visit(slot, box) for the bodies whose boxes meet the query's box, until it returns false.
+  /// Calls visit(slot, discs_meet) for the bodies whose boxes meet the query's box, until it returns false.
+  /// `discs_meet`: the inner discs prove that the body collides.
   template <typename Visit>
   void visitNear(const Visit& visit) const {
-    state_.tree.visit(bounds_, [&](Slot slot, const Bounds& box) {
-      const bool is_near = state_.passes(filter_, slot) && !state_.bodies[slot].clear.holds(bounds_);
-      return !is_near || visit(slot, box);
+    state_.tree.visit(bounds_, [&](Slot slot) {
+      const auto& body = state_.bodies[slot];
+      if (!state_.passes(filter_, slot) || body.clear.holds(bounds_)) return true;
+      const CollideOptions options = detail::withBody(options_, body.options);
+      const detail::PolygonData& other = body.polygon.data();
+      const detail::Placement placement(polygon_.data(), pose_, other, body.pose);
+      // The discs of points and segments have no interior.
+      const bool may_touch =
+          !detail::asksForInteriors(options) || !(polygon_.data().isDegenerate() || other.isDegenerate());
+      return visit(slot, depthOfDiscs(placement, options.margin) >= 0 && may_touch);
     });
   }
 
@@ -95,22 +96,13 @@ class CollisionQuery {
            (std::min(box.max_y, bounds_.max_y) - std::max(box.min_y, bounds_.min_y));
   }
 
-  bool innerDiscsMeet(const BodyState& body) const {
+  /// Tests what discs don't decide.
+  bool outlinesMeet(Slot slot) const {
+    const auto& body = state_.bodies[slot];
     const CollideOptions options = detail::withBody(options_, body.options);
-    const detail::WorldDiscs discs = body.discs.of(body.polygon.data(), body.pose);
-    // The inner discs of points and segments have no interior.
-    const bool are_open = discs_.inner_radius > 0 && discs.inner_radius > 0;
-    return discs_.innerMeet(discs, options.margin) && (are_open || !detail::asksForInteriors(options));
-  }
-
-  /// Tests what inner discs don't decide.
-  bool outlinesMeet(const BodyState& body, const Bounds& box) const {
-    const CollideOptions options = detail::withBody(options_, body.options);
-    const detail::WorldDiscs discs = body.discs.of(body.polygon.data(), body.pose);
-    if (discs_.areApart(discs, options.margin)) return false;
     if (collide(polygon_, pose_, body.polygon, body.pose, options)) return true;
     if (options.touching == Touching::Collides)
-      body.clear.learn(body.polygon.data(), body.pose, body.options.margin, box, bounds_);
+      body.clear.learn(body.polygon.data(), body.pose, body.options.margin, state_.tree.boundsOf(slot), bounds_);
     return false;
   }
 
@@ -119,7 +111,6 @@ class CollisionQuery {
   const Pose& pose_;
   const CollideOptions& options_;
   const detail::SlotFilter filter_;
-  detail::WorldDiscs discs_;
   Bounds bounds_;  ///< around all points within the query's margin
 };
 

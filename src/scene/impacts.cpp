@@ -31,25 +31,25 @@ constexpr double kMostIntervals = 64;
 /// less than its boxes cost.
 constexpr double kMostPairIntervals = 8;
 
-/// A polygon on a leg of its way, which runs from 0 to 1 in the leg's own time.
+/// A polygon on a leg of its path, which runs from 0 to 1 in the leg's own time.
 class SweptLeg {
  public:
-  SweptLeg(const Polygon& polygon, const Motion& motion, double margin, double begin, double length)
+  SweptLeg(const Polygon& polygon, const Leg& leg, double margin)
       : polygon_(polygon.data()),
-        motion_(motion),
+        motion_(leg.motion),
         margin_(margin),
-        begin_(begin),
-        duration_(length),
-        way_(detail::pathOf(motion)),
-        turn_(detail::rotationOf(motion)) {
-    const Vec2 arm = polygon_.origin - motion.pivot;
+        begin_(leg.begin),
+        duration_(leg.end - leg.begin),
+        path_(detail::pathOf(motion_)),
+        rotation_(detail::rotationOf(motion_)) {
+    const Vec2 arm = polygon_.origin - motion_.pivot;
     reach_ = (std::hypot(arm.x(), arm.y()) + polygon_.radius) * (1 + 2 * detail::kLargestDefect);
     // Sums of coordinates, because squares may leave the range of doubles.
-    path_ = (way_.first.cwiseAbs() + way_.second.cwiseAbs() + way_.third.cwiseAbs()).sum();
+    length_ = (path_.first.cwiseAbs() + path_.second.cwiseAbs() + path_.third.cwiseAbs()).sum();
     // timeOfImpact() may report bodies at a distance of 1e-13 of this length, and eight times that on a trajectory's
     // leg. Ten times as much covers what rounds here.
-    const double size = motion.start.translation().cwiseAbs().sum() + motion.pivot.cwiseAbs().sum() + path_ +
-                        (1 + turn_.size()) * reach_;
+    const double size = motion_.start.translation().cwiseAbs().sum() + motion_.pivot.cwiseAbs().sum() + length_ +
+                        (1 + rotation_.size()) * reach_;
     margin_ += 1e-12 * size;
   }
 
@@ -60,25 +60,25 @@ class SweptLeg {
 
   /// Into how many intervals the leg is divided.
   double intervals() const {
-    const double wide = 2 * reach_ + margin_, way = path_ + turn_.size() * reach_;
-    return way < kMostIntervals * wide ? std::max(1.0, std::ceil(way / wide)) : kMostIntervals;
+    const double wide = 2 * reach_ + margin_, longest = length_ + rotation_.size() * reach_;
+    return longest < kMostIntervals * wide ? std::max(1.0, std::ceil(longest / wide)) : kMostIntervals;
   }
 
   /// A box around all points within the margin of the polygon at some time from `begin` to `end`.
   Bounds between(double begin, double end) const {
     const double half = 0.5 * (end - begin), middle = begin + half;
     // A bound of how far points move against the pivot from their places at the middle.
-    const double turned = turn_.mostRate(begin, end) * half * reach_;
+    const double rotated = rotation_.mostRate(begin, end) * half * reach_;
     const Vec2 pivot = motion_.start * motion_.pivot;
     const double r = reach_ + margin_;
-    const bool turns_far = !(turned < reach_);
-    const Bounds box = turns_far ? Bounds{pivot.x() - r, pivot.y() - r, pivot.x() + r, pivot.y() + r}
-                                 : detail::boundsOf(polygon_, motion_.at(middle), margin_ + turned);
-    const Vec2 now = turns_far ? Vec2(0, 0) : way_.at(middle);
+    const bool rotates_far = !(rotated < reach_);
+    const Bounds box = rotates_far ? Bounds{pivot.x() - r, pivot.y() - r, pivot.x() + r, pivot.y() + r}
+                                   : detail::boundsOf(polygon_, motion_.at(middle), margin_ + rotated);
+    const Vec2 now = rotates_far ? Vec2(0, 0) : path_.at(middle);
     // A cubic leaves its chord by at most its acceleration times h^2 / 8, h the interval's length.
     const Vec2 bend =
-        0.5 * half * half * way_.accelerationAt(begin).cwiseAbs().cwiseMax(way_.accelerationAt(end).cwiseAbs());
-    const Vec2 first = way_.at(begin), last = way_.at(end);
+        0.5 * half * half * path_.accelerationAt(begin).cwiseAbs().cwiseMax(path_.accelerationAt(end).cwiseAbs());
+    const Vec2 first = path_.at(begin), last = path_.at(end);
     const Vec2 low = first.cwiseMin(last) - bend - now, high = first.cwiseMax(last) + bend - now;
     const Bounds bounds{box.min_x + low.x(), box.min_y + low.y(), box.max_x + high.x(), box.max_y + high.y()};
     // Negated for NaN.
@@ -89,23 +89,23 @@ class SweptLeg {
 
  private:
   const detail::PolygonData& polygon_;
-  const Motion& motion_;
+  const Motion motion_;
   double margin_, begin_, duration_;
-  double reach_;  ///< no point of the polygon is farther from the pivot
-  double path_;   ///< at least the length of the pivot's way
-  detail::Cubic<Vec2> way_;
-  detail::Cubic<double> turn_;
+  double reach_;   ///< no point of the polygon is farther from the pivot
+  double length_;  ///< at least that of the pivot's path
+  detail::Cubic<Vec2> path_;
+  detail::Cubic<double> rotation_;
 };
 
-/// A polygon on all of its way, by a clock. A motion runs from 0 to 1.
+/// A motion as a trajectory's one leg: it runs from 0 to 1.
+std::vector<Leg> legsOf(const Motion& motion) { return {{0, 1, motion}}; }
+const std::vector<Leg>& legsOf(const Trajectory& trajectory) { return trajectory.legs(); }
+
+/// A polygon on all of its path, by a clock.
 class Sweep {
  public:
-  Sweep(const Polygon& polygon, const Motion& motion, double margin) {
-    legs_.emplace_back(polygon, motion, margin, 0.0, 1.0);
-  }
-  Sweep(const Polygon& polygon, const Trajectory& trajectory, double margin) {
-    for (const Leg& leg : trajectory.legs())
-      legs_.emplace_back(polygon, leg.motion, margin, leg.begin, leg.end - leg.begin);
+  Sweep(const Polygon& polygon, const std::vector<Leg>& legs, double margin) {
+    for (const Leg& leg : legs) legs_.emplace_back(polygon, leg, margin);
   }
 
   const std::vector<SweptLeg>& legs() const { return legs_; }
@@ -117,8 +117,8 @@ class Sweep {
     return sum;
   }
 
-  /// A box around all points within the margin of the polygon at some time from `begin` to `end`. The polygon rests
-  /// before its first leg and after the last.
+  /// A box around all points within the margin of the polygon at some time from `begin` to `end`. The polygon stands
+  /// still before its first leg and after the last.
   Bounds between(double begin, double end) const {
     const auto ends_before = [](const SweptLeg& leg, double time) { return leg.end() < time; };
     auto leg = std::lower_bound(legs_.begin(), std::prev(legs_.end()), begin, ends_before);
@@ -132,8 +132,8 @@ class Sweep {
   std::vector<SweptLeg> legs_;
 };
 
-Motion restBeside(const Motion&, const Pose& pose) { return Motion::still(pose); }
-Trajectory restBeside(const Trajectory& other, const Pose& pose) {
+Motion stillBeside(const Motion&, const Pose& pose) { return Motion::still(pose); }
+Trajectory stillBeside(const Trajectory& other, const Pose& pose) {
   return Trajectory({{other.begin(), other.end(), Motion::still(pose)}});
 }
 
@@ -142,11 +142,11 @@ ImpactOptions withMargin(ImpactOptions options, double margin) {
   return options;
 }
 
-/// `way` is a Motion or a Trajectory.
-template <typename Way>
-std::optional<BodyImpact> firstImpactOn(const Way& way, const Polygon& polygon, const ImpactOptions& options,
+/// `path` is a Motion or a Trajectory.
+template <typename Path>
+std::optional<BodyImpact> firstImpactOn(const Path& path, const Polygon& polygon, const ImpactOptions& options,
                                         const SceneState& state, const BodyFilter& filter) {
-  const Sweep sweep(polygon, way, options.margin);
+  const Sweep sweep(polygon, legsOf(path), options.margin);
   std::optional<BodyImpact> best;
   const detail::SlotFilter slots = state.slots(filter);
   std::vector<Slot> tested, near;  // in earlier intervals, sorted; in this interval for the first time
@@ -157,14 +157,14 @@ std::optional<BodyImpact> firstImpactOn(const Way& way, const Polygon& polygon, 
       const double clock = leg.clockAt(i / count);
       if (best && best->impact.time < clock - options.time_error - 0x1p-50 * std::abs(clock)) return best;
       near.clear();
-      state.tree.visit(leg.between(i / count, (i + 1) / count), [&](Slot slot, const Bounds&) {
+      state.tree.visit(leg.between(i / count, (i + 1) / count), [&](Slot slot) {
         if (state.passes(slots, slot) && !std::binary_search(tested.begin(), tested.end(), slot)) near.push_back(slot);
         return true;
       });
       for (const Slot slot : near) {
         const auto& other = state.bodies[slot];
         const BodyHandle body = state.handleOf(slot);
-        const auto impact = timeOfImpact(polygon, way, other.polygon, restBeside(way, other.pose),
+        const auto impact = timeOfImpact(polygon, path, other.polygon, stillBeside(path, other.pose),
                                          withMargin(options, other.options.margin));
         if (impact && (!best || std::pair(impact->time, body) < std::pair(best->impact.time, best->body)))
           best = BodyImpact{body, *impact};
@@ -193,8 +193,8 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Traje
 
 namespace {
 
-const Motion& wayOf(const BodyMotion& moving) { return moving.motion; }
-const Trajectory& wayOf(const BodyTrajectory& moving) { return moving.trajectory; }
+const Motion& pathOf(const BodyMotion& moving) { return moving.motion; }
+const Trajectory& pathOf(const BodyTrajectory& moving) { return moving.trajectory; }
 
 /// Returns the pairs of bodies that may meet while some of them move, sorted. They are near in some interval of time.
 template <typename Moving>
@@ -206,14 +206,14 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
   for (const Moving& moving : motions) {
     const auto& body = state.bodies[Scene::indexOf(moving.body)];
     // The query's own margin counts once a pair: half of it for each body.
-    const Sweep& sweep = sweeps.emplace_back(body.polygon, wayOf(moving), body.options.margin + 0.5 * margin);
+    const Sweep& sweep = sweeps.emplace_back(body.polygon, legsOf(pathOf(moving)), body.options.margin + 0.5 * margin);
     most = std::max(most, sweep.intervals());
     legs = std::max(legs, sweep.legs().size());
     begin = std::min(begin, sweep.begin());
     end = std::max(end, sweep.end());
   }
-  // Boxes of bodies at rest hold their own margins alone.
-  const double rest = 0.5 * margin * (1 + 0x1p-40);
+  // Boxes of bodies that stand still hold their own margins alone.
+  const double half = 0.5 * margin * (1 + 0x1p-40);
   const double count = std::ceil(std::min(0.5 * most, kMostPairIntervals * static_cast<double>(legs)));
   std::vector<BodyPair> pairs;
   std::vector<detail::BoxTree::Entry> boxes(motions.size());
@@ -230,11 +230,11 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
         const BodyHandle p = state.handleOf(body), q = state.handleOf(other);
         pairs.push_back({std::min(p, q), std::max(p, q)});
       };
-      moving.visit(boxes[i].bounds, [&](std::uint32_t j, const Bounds&) {
+      moving.visit(boxes[i].bounds, [&](std::uint32_t j) {
         if (j < i) add(Scene::indexOf(motions[j].body));
         return true;
       });
-      state.tree.visit(boxes[i].bounds.grown(rest), [&](Slot other, const Bounds&) {
+      state.tree.visit(boxes[i].bounds.grown(half), [&](Slot other) {
         if (motion_of[other] == motions.size()) add(other);
         return true;
       });
@@ -248,35 +248,35 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
 /// By the slots of bodies: which of the motions is theirs, or how many there are. Throws, naming them by `name`.
 template <typename Moving>
 std::vector<std::uint32_t> motionsOf(const SceneState& state, const std::vector<Moving>& motions, const char* name) {
-  const auto at_rest = static_cast<std::uint32_t>(motions.size());
-  std::vector<std::uint32_t> motion_of(state.bodies.size(), at_rest);
+  const auto still = static_cast<std::uint32_t>(motions.size());
+  std::vector<std::uint32_t> motion_of(state.bodies.size(), still);
   for (std::uint32_t i = 0; i < motions.size(); ++i) {
     std::uint32_t& of_body = motion_of[state.slot(motions[i].body)];
-    if (of_body != at_rest) detail::refuse(name + ("[" + std::to_string(i)) + "]", "its body has a motion already");
+    if (of_body != still) detail::refuse(name + ("[" + std::to_string(i)) + "]", "its body has a motion already");
     of_body = i;
   }
   return motion_of;
 }
 
-/// Calls ask(polygon, way, polygon, way, options) for each pair that may meet, in parallel, then report(pair, answer)
-/// in the order of handles. `motions` are BodyMotions or BodyTrajectories.
-template <typename Answer, typename Moving, typename Ask, typename Report>
-void askPairs(const std::vector<Moving>& motions, const char* name, const SceneState& state,
-              const ImpactOptions& options, const Parallel& parallel, const Ask& ask, const Report& report) {
+/// Calls query(polygon, path, polygon, path, options) for each pair that may meet, in parallel, then report(pair,
+/// answer) in the order of handles. `motions` are BodyMotions or BodyTrajectories.
+template <typename Answer, typename Moving, typename Query, typename Report>
+void queryPairs(const std::vector<Moving>& motions, const char* name, const SceneState& state,
+                const ImpactOptions& options, const Parallel& parallel, const Query& query, const Report& report) {
   const std::vector<std::uint32_t> motion_of = motionsOf(state, motions, name);
   const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, options.margin);
-  // One body of a pair may rest while the other one moves.
-  const auto wayBeside = [&](Slot slot, Slot other) {
+  // One body of a pair may stand still while the other one moves.
+  const auto pathBeside = [&](Slot slot, Slot other) {
     const std::uint32_t own = motion_of[slot];
-    return own < motions.size() ? wayOf(motions[own])
-                                : restBeside(wayOf(motions[motion_of[other]]), state.bodies[slot].pose);
+    return own < motions.size() ? pathOf(motions[own])
+                                : stillBeside(pathOf(motions[motion_of[other]]), state.bodies[slot].pose);
   };
   std::vector<Answer> found(pairs.size());
   detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
     const Slot first = Scene::indexOf(pairs[i].first), second = Scene::indexOf(pairs[i].second);
     const auto &p = state.bodies[first], &q = state.bodies[second];
     const ImpactOptions both = withMargin(withMargin(options, p.options.margin), q.options.margin);
-    found[i] = ask(p.polygon, wayBeside(first, second), q.polygon, wayBeside(second, first), both);
+    found[i] = query(p.polygon, pathBeside(first, second), q.polygon, pathBeside(second, first), both);
   });
   for (std::size_t i = 0; i < pairs.size(); ++i) report(pairs[i], found[i]);
 }
@@ -285,7 +285,7 @@ template <typename Moving>
 std::vector<PairImpact> impactsOf(const std::vector<Moving>& motions, const char* name, const SceneState& state,
                                   const ImpactOptions& options, const Parallel& parallel) {
   std::vector<PairImpact> impacts;
-  askPairs<std::optional<Impact>>(
+  queryPairs<std::optional<Impact>>(
       motions, name, state, options, parallel, [](const auto&... operands) { return timeOfImpact(operands...); },
       [&](const BodyPair& pair, const std::optional<Impact>& impact) {
         if (impact) impacts.push_back({pair, *impact});
@@ -317,7 +317,7 @@ std::vector<PairConflict> Scene::conflicts(const std::vector<BodyTrajectory>& tr
                                            const ImpactOptions& options, const Parallel& parallel) const {
   detail::checkOptions(options);
   std::vector<PairConflict> all;
-  askPairs<std::vector<Conflict>>(
+  queryPairs<std::vector<Conflict>>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
       [](const auto&... operands) { return tricover::conflicts(operands...); },
       [&](const BodyPair& pair, const std::vector<Conflict>& found) {

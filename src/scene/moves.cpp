@@ -19,7 +19,7 @@ constexpr double kBoxSteps = 16;
 /// The weight of the last move in the average step.
 constexpr double kOfAverage = 0.25;
 /// A count beyond this number of body sizes begins anew, so that steps aren't lost to rounding.
-constexpr double kLongWay = 0x1p20;
+constexpr double kLongestPath = 0x1p20;
 
 double sizeOf(const SceneState::BodyState& body) { return body.polygon.data().radius + body.options.margin; }
 
@@ -28,7 +28,7 @@ bool isCoherent(const SceneState::BodyState& body, double step) { return step <=
 /// The count of motion after a step, and whether the count goes on.
 double movedAfter(const SceneState::BodyState& body, double step) { return roundedUp<1>(body.moved + step); }
 bool staysCounted(const SceneState::BodyState& body, double step) {
-  const double most = std::min(kLongWay * sizeOf(body), std::numeric_limits<double>::max());
+  const double most = std::min(kLongestPath * sizeOf(body), std::numeric_limits<double>::max());
   return isCoherent(body, step) && movedAfter(body, step) <= most;
 }
 
@@ -59,7 +59,6 @@ bool SceneState::advance(Slot body, const Pose& pose, double step) {
   const bool stays = staysCounted(state, step);
   state.step = isCoherent(state, step) ? state.step + kOfAverage * (step - state.step) : 0;
   state.pose = pose;
-  state.discs.forget();
   state.clear.forget();
   state.moved = movedAfter(state, step);
   if (!stays) {
@@ -114,9 +113,9 @@ void SceneState::moveBodies(const std::vector<BodyPose>& poses, const Parallel& 
     moves[i] = {slot(poses[i].body), Moving::Done};
     requireRigid(poses[i].pose, "poses", i);
   });
-  ++turn;
+  ++batch;
   for (Moving& move : moves)
-    if (std::exchange(tenancies[move.body].turn, turn) == turn) move.what = Moving::Later;  // the body moves twice
+    if (std::exchange(tenancies[move.body].batch, batch) == batch) move.what = Moving::Later;  // the body moves twice
   const auto moveTheRest = [&] {
     for (std::size_t i = 0; i < moves.size(); ++i) {
       if (moves[i].what == Moving::IsDue) due.push_back(moves[i].body);

@@ -57,7 +57,7 @@ void SceneState::makeRoomFor(std::size_t more) {
 Slot SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   const bool anew = free_bodies.empty();
   const Slot body = anew ? static_cast<Slot>(bodies.size()) : free_bodies.back();
-  BodyState state{polygon, pose, options, 0, {}, {}, 0, 0, 0, {}, false, false, false};
+  BodyState state{polygon, pose, options, 0, {}, 0, 0, 0, {}, false, false, false};
   if (anew) {
     bodies.push_back(std::move(state));
     tenancies.emplace_back();
@@ -79,7 +79,7 @@ Slot SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions
 }
 
 void SceneState::settle() {
-  const std::lock_guard<std::mutex> lock(settling.turn);
+  const std::lock_guard<std::mutex> lock(settling.mutex);
   if (!settling.is_done.load(std::memory_order_relaxed)) placeWaiting();
   settling.is_done.store(true, std::memory_order_release);
 }
@@ -109,7 +109,7 @@ void SceneState::findPairs(Slot body, std::vector<SlotPair>& found) const {
     const auto& links = first ? links_p : links_q;
     return std::any_of(links.begin(), links.end(), [&](const Link& link) { return link.other == (first ? q : p); });
   };
-  tree.visit(tree.boundsOf(body), [&](Slot other, const Bounds&) {
+  tree.visit(tree.boundsOf(body), [&](Slot other) {
     const bool is_found_there = bodies[other].fresh && other <= body;
     if (!is_found_there && mayMeet(bodies[body], bodies[other]) && !linked(body, other))
       found.push_back({std::min(body, other), std::max(body, other)});
@@ -131,7 +131,6 @@ void SceneState::link(const SlotPair& ends) {
       {first, second},
       {static_cast<std::uint32_t>(bodies[first].links.size()), static_cast<std::uint32_t>(bodies[second].links.size())},
       {-1, -1},
-      /*used*/ true,
       /*collides*/ false,
       /*reported*/ false};
   bodies[first].links.push_back({-1, pair, second});
@@ -161,7 +160,7 @@ void SceneState::unlink(std::uint32_t index) {
       moved.link[moved.body[0] == pair.body[end] ? 0 : 1] = pair.link[end];
     }
   }
-  pair.used = pair.reported = pair.collides = false;
+  pair.reported = pair.collides = false;
   free_pairs.push_back(index);
 }
 
@@ -265,7 +264,7 @@ void SceneState::report() {
   lost.clear();
   for (const std::uint32_t index : changed) {
     const Pair& pair = pairs[index];
-    if (!pair.used || pair.collides == pair.reported) continue;
+    if (pair.collides == pair.reported) continue;
     (pair.collides ? began : ended).push_back(handlesOf(pair));
     pairs[index].reported = pair.collides;
   }

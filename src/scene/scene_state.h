@@ -13,7 +13,6 @@
 #include "scene/bounds.h"
 #include "scene/box_tree.h"
 #include "scene/clear_box.h"
-#include "scene/world_discs.h"
 #include "tricover/scene.h"
 
 namespace tricover::detail {
@@ -56,7 +55,6 @@ struct SceneState {
     Pose pose;
     BodyOptions options;
     double step;  ///< the length of its moves, a moving average
-    mutable KeptDiscs discs;
     ClearBox clear;
     double moved, due, box_until;
     std::vector<Link> links;  ///< its pairs
@@ -68,15 +66,14 @@ struct SceneState {
   /// Data of a slot that outlive its body.
   struct Tenancy {
     std::uint32_t changes = 0;  ///< bodies added and removed: odd while there is one
-    std::uint32_t turn = 0;     ///< the last call of moveBodies() that named the slot
+    std::uint32_t batch = 0;    ///< the last call of moveBodies() that named the slot
   };
 
   struct Pair {
     Slot body[2];             ///< the lower slot first
     std::uint32_t link[2];    ///< its index among each body's links
     std::ptrdiff_t edge[2];   ///< the edges of the last hit, in the kernel's order; -1: none
-    bool used;                ///< false: the place is free
-    bool collides, reported;  ///< by its certificate; by `collisions`
+    bool collides, reported;  ///< by its certificate; by `collisions`. Both are false of a free place
   };
 
   /// Puts all waiting bodies into the tree. New bodies wait for the next query, because a tree that is packed at once
@@ -92,7 +89,7 @@ struct SceneState {
     Settling() = default;
     Settling(const Settling& other) : is_done(other.is_done.load()) {}
     std::atomic<bool> is_done{true};
-    std::mutex turn;
+    std::mutex mutex;
   };
 
   BodyHandle handleOf(Slot body) const { return BodyHandle{tenancies[body].changes / 2} << 32 | body; }
@@ -167,7 +164,7 @@ struct SceneState {
   std::vector<std::uint32_t> changed;       ///< pairs whose `collides` may differ from what was reported
   std::vector<Finding> findings;            ///< of listed pairs
   std::vector<Moving> moves;                ///< of bodies that are moved together
-  std::uint32_t turn = 0;                   ///< counts calls of moveBodies()
+  std::uint32_t batch = 0;                  ///< counts calls of moveBodies()
   std::vector<BodyPair> lost;               ///< reported pairs that have been removed
   std::vector<BodyPair> collisions, began, ended;
 };

@@ -45,7 +45,7 @@ void expectAll(const detail::BoxTree& tree, const std::map<std::uint32_t, Bounds
     if (box.meets(asked)) expected.push_back(item);
     least = std::min(least, gap(box, asked));
   }
-  tree.visit(asked, [&](std::uint32_t item, const Bounds&) {
+  tree.visit(asked, [&](std::uint32_t item) {
     found.push_back(item);
     return true;
   });
@@ -117,7 +117,7 @@ TEST(BoxTree, PacksWhatCannotBeDivided) {
       detail::BoxTree tree;
       tree.pack(entries);
       std::uint32_t shown = 0;
-      tree.visit({-1.7e308, -1.7e308, 1.7e308, 1.7e308}, [&](std::uint32_t, const Bounds&) { return ++shown, true; });
+      tree.visit({-1.7e308, -1.7e308, 1.7e308, 1.7e308}, [&](std::uint32_t) { return ++shown, true; });
       EXPECT_EQ(shown, count);
     }
 }
