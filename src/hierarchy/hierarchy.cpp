@@ -366,8 +366,8 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
 }
 
 const Hierarchy& buildTop(const PolygonData& polygon) {
-  return *static_cast<const Hierarchy*>(polygon.hierarchy.built(
-      [&] { return std::make_unique<const Hierarchy>(polygon); }, polygon.path.size() <= SmallPolygon::kMost));
+  return *static_cast<const Hierarchy*>(
+      polygon.hierarchy.built([&] { return std::make_unique<const Hierarchy>(polygon); }));
 }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {

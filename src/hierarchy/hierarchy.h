@@ -129,7 +129,7 @@ inline const Hierarchy& hierarchyOf(const PolygonData& polygon) {
   return ready != nullptr ? *ready : buildHierarchy(polygon);
 }
 
-/// What building the hierarchy costs, see Rent.
+/// What building the hierarchy costs, see SkiRental.
 inline std::size_t hierarchyPrice(const PolygonData& polygon) { return 16 * polygon.path.size(); }
 
 /// The discs if they have been built, otherwise null.

@@ -177,7 +177,7 @@ const InnerDiscs* payForDiscs(const PolygonData& polygon) {
   constexpr std::size_t kOfEdge = 16, kMostEdges = 80, kOfQuery = 24, kOfFewEdges = 4;
   const bool few = polygon.path.size() - polygon.ringCount() <= SmallPolygon::kMost;
   const bool is_due =
-      polygon.discs_rent.isDue(few ? kOfFewEdges : kOfQuery, kOfEdge * std::min(polygon.path.size(), kMostEdges));
+      polygon.discs_rental.isDue(few ? kOfFewEdges : kOfQuery, kOfEdge * std::min(polygon.path.size(), kMostEdges));
   return is_due ? &innerDiscsOf(polygon) : nullptr;
 }
 

@@ -20,7 +20,7 @@ void checkPoint(const Vec2& point) { detail::requireFinite(point, "point"); }
 const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
   const detail::Hierarchy* built = detail::hierarchyIfBuilt(polygon);
   if (built != nullptr) return built;
-  const bool is_due = polygon.hierarchy_rent.isDue(polygon.path.size(), detail::hierarchyPrice(polygon));
+  const bool is_due = polygon.hierarchy_rental.isDue(polygon.path.size(), detail::hierarchyPrice(polygon));
   return is_due ? &detail::hierarchyOf(polygon) : nullptr;
 }
 

@@ -27,12 +27,12 @@ std::size_t savedBy(const PolygonData& polygon) {
 /// and, of a ring that may be inside, those of the other one.
 bool arePaidFor(const PolygonData& a, const PolygonData& b) {
   const auto leftOf = [](const PolygonData& polygon) {
-    return topIfBuilt(polygon) != nullptr ? 0 : polygon.hierarchy_rent.left(hierarchyPrice(polygon));
+    return topIfBuilt(polygon) != nullptr ? 0 : polygon.hierarchy_rental.left(hierarchyPrice(polygon));
   };
   const std::size_t cost = a.path.size() * b.ringCount() + b.path.size() * a.ringCount();
   if (leftOf(a) + leftOf(b) <= cost) return true;
-  a.hierarchy_rent.pay(savedBy(a));
-  b.hierarchy_rent.pay(savedBy(b));
+  a.hierarchy_rental.add(savedBy(a));
+  b.hierarchy_rental.add(savedBy(b));
   return false;
 }
 

@@ -70,7 +70,7 @@ const RingStarts* ringStarts(const PolygonData& polygon) {
   constexpr std::size_t kPerEdge = 32;
   if (hasFewRings(polygon)) return nullptr;
   if (const Derived::Thing* ready = polygon.starts.ifBuilt()) return static_cast<const RingStarts*>(ready);
-  if (polygon.starts_rent.left(kPerEdge * polygon.path.size()) > 0) return nullptr;
+  if (polygon.starts_rental.left(kPerEdge * polygon.path.size()) > 0) return nullptr;
   buildRingStarts(polygon);
   return static_cast<const RingStarts*>(polygon.starts.ifBuilt());
 }
@@ -78,7 +78,7 @@ const RingStarts* ringStarts(const PolygonData& polygon) {
 void countRings(const PolygonData& polygon, std::size_t rings, std::size_t located) {
   constexpr std::size_t kPerLocation = 1000;
   if (hasFewRings(polygon) || hierarchyIfBuilt(polygon) == nullptr) return;
-  polygon.starts_rent.pay(rings + kPerLocation * located);
+  polygon.starts_rental.add(rings + kPerLocation * located);
 }
 
 }  // namespace tricover::detail

@@ -58,7 +58,7 @@ std::size_t findCorners(const PolygonData& polygon, std::size_t* corners, int& d
     middle = after;
     into = out;
   }
-  // The second one that is distinct was the first to be asked.
+  // The second distinct vertex was tested first.
   if (count > 0 && corners[count - 1] < corners[0]) std::rotate(corners, corners + count - 1, corners + count);
   // Once around: x falls and rises once each.
   return turns_in_x == 2 ? count : 0;
@@ -107,9 +107,8 @@ Convexity::~Convexity() {
 }
 
 const Convexity& findConvexity(const PolygonData& polygon) {
-  constexpr std::size_t kBrief = 32;
-  return *static_cast<const Convexity*>(polygon.convexity.built(
-      [&] { return std::make_unique<const Convexity>(polygon); }, polygon.path.size() <= kBrief));
+  return *static_cast<const Convexity*>(
+      polygon.convexity.built([&] { return std::make_unique<const Convexity>(polygon); }));
 }
 
 std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p) {

@@ -9,8 +9,8 @@
 namespace tricover::detail {
 namespace {
 
-/// Of all polygons, and held for moments only.
-struct Turns {
+/// Which data of all polygons is being built. The mutex is held for moments only.
+struct Builds {
   std::mutex mutex;
   std::condition_variable ended;
   std::vector<const Derived*> building;
@@ -23,9 +23,9 @@ struct Turns {
   }
 };
 
-/// Never destroyed: polygons may be asked while the program ends.
-Turns& turns() {
-  static Turns& all = *new Turns;
+/// Never destroyed: queries may run while the program ends.
+Builds& builds() {
+  static Builds& all = *new Builds;
   return all;
 }
 
@@ -37,10 +37,9 @@ std::atomic<Stages> used_stages{Stages::Paid};
 void useStages(Stages stages) { used_stages.store(stages, std::memory_order_relaxed); }
 #endif
 
-/// Whether it is this thread's turn to build. Otherwise it has been built, by another one that may have been waited
-/// for.
+/// Returns whether this thread is to build. Otherwise another thread, which this one may have waited for, has built it.
 bool Derived::begin() const {
-  Turns& all = turns();
+  Builds& all = builds();
   std::unique_lock<std::mutex> lock(all.mutex);
   while (all.areBuilding(this)) {
     ++all.waiting;
@@ -53,7 +52,7 @@ bool Derived::begin() const {
 }
 
 void Derived::end(const Thing* thing) const {
-  Turns& all = turns();
+  Builds& all = builds();
   const std::lock_guard<std::mutex> lock(all.mutex);
   all.building.erase(std::find(all.building.begin(), all.building.end(), this));
   ready_.store(thing, std::memory_order_release);

@@ -17,6 +17,7 @@
 #include "numbers/predicates.h"
 #include "polygon/convexity.h"
 #include "polygon/polygon_data.h"
+#include "tricover/segment.h"
 
 namespace tricover {
 namespace detail {
@@ -324,6 +325,42 @@ Eigen::AlignedBox2d Polygon::bounds() const {
   Eigen::AlignedBox2d box;
   for (const Vec2& vertex : data_->path) box.extend(vertex);
   return box;
+}
+
+namespace {
+
+template <typename Map>
+Polygon mapped(const Polygon& polygon, Map map) {
+  const detail::PolygonData& data = polygon.data();
+  std::vector<Ring> rings;
+  rings.reserve(data.ringCount());
+  for (std::size_t r = 0; r < data.ringCount(); ++r)
+    for (Vec2& vertex : rings.emplace_back(data.vertices(r))) vertex = map(vertex);
+  return Polygon(rings, polygon.fillRule());
+}
+
+}  // namespace
+
+Polygon Polygon::translated(const Vec2& by) const {
+  detail::requireFinite(by, "by");
+  return mapped(*this, [&](const Vec2& vertex) { return Vec2(vertex + by); });
+}
+
+Polygon Polygon::scaled(double factor) const {
+  if (!(factor > 0 && std::isfinite(factor))) detail::refuse("factor", "it must be finite and positive");
+  return mapped(*this, [&](const Vec2& vertex) { return Vec2(factor * vertex); });
+}
+
+Polygon point(const Vec2& p) {
+  detail::requireFinite(p, "p");
+  return segment(p, p);
+}
+
+Polygon segment(const Vec2& p, const Vec2& q) {
+  detail::requireFinite(p, "p");
+  detail::requireFinite(q, "q");
+  const Vec2 ring[] = {p, q, q};
+  return Polygon(ring, 3);
 }
 
 bool Polygon::isConvex() const { return detail::cornersOf(*data_) != nullptr; }

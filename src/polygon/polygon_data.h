@@ -114,14 +114,14 @@ struct PolygonData {
   /// A power of two, at least the radius (where that is finite and above 2^-1000) and below 2 radii; and 1 / unit.
   double unit, inverse_unit;
   std::uint64_t id;
-  // The places of what is derived, and what has been paid for doing without.
+  // Derived data, and what queries have cost so far without it.
   Derived hierarchy, discs;  ///< boxes around edges; discs in the region
-  Derived convexity;         ///< whether it is convex, and what of
-  Derived starts;            ///< the starts of rings that need be asked for
+  Derived convexity;         ///< whether it is convex, and its corners
+  Derived starts;            ///< the starts of rings that containment tests
   Derived rings;             ///< as they were given
-  Rent<Stages::Hierarchy> hierarchy_rent;
-  Rent<Stages::All> discs_rent;
-  Rent<Stages::Paid> starts_rent;
+  SkiRental<Stages::Hierarchy> hierarchy_rental;
+  SkiRental<Stages::All> discs_rental;
+  SkiRental<Stages::Paid> starts_rental;
   mutable std::atomic<std::uint32_t> users{1};
   FillRule fill;
   bool is_point;  ///< whether it is a degenerate polygon whose edge has no length

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "numbers/predicates.h"
+#include "numbers/segment.h"
 
 namespace tricover::detail {
 namespace {
@@ -79,10 +80,7 @@ class ChainSimplifier {
 }  // namespace
 
 double Tolerance::distance(const Vec2& p, const Vec2& v, const Vec2& w) const {
-  const Vec2 from = polygon_.inUnits(p) - polygon_.inUnits(v), way = polygon_.inUnits(w) - polygon_.inUnits(v);
-  const double square = way.squaredNorm();
-  const double part = square > 0 ? std::clamp(from.dot(way) / square, 0.0, 1.0) : 0;
-  return (from - part * way).norm();
+  return std::sqrt(squaredDistanceToSegment(polygon_.inUnits(p), polygon_.inUnits(v), polygon_.inUnits(w)));
 }
 
 bool Tolerance::holds(double distance, const Vec2& p, const Vec2& v, const Vec2& w) const {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "numbers/rounding.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {
@@ -19,15 +20,18 @@ class Tolerance {
   bool holds(double distance, const Vec2& p, const Vec2& v, const Vec2& w) const;
 
  private:
-  /// In units of the roundoff: 13 lengths of the segment and 8 distances (see BesideSegment), which are at most 4 units
-  /// each, and what underflows.
+  /// In units of the roundoff, with |u| and D at most 4:
+  ///   as for BesideSegment                                     13 |u| + 8 D
+  ///   the foot is a point, and 1 - s is rounded: two roundings of coordinates up to 8, in any direction
   static constexpr double kError = 0x1p-45;
+
+  static_assert(kError >= 4 * errorOf(13 + 8) + 2 * kRoot2 * 8 * errorOf(1));
 
   const PolygonData& polygon_;
   const double tolerance_;
 };
 
-/// Of some of their vertices alone, see Polygon::simplified().
+/// The rings with fewer vertices, see Polygon::simplified().
 std::vector<Ring> simplifiedRings(const PolygonData& polygon, double tolerance);
 
 }  // namespace tricover::detail

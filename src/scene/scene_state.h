@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -28,9 +29,7 @@ struct SlotFilter {
 };
 
 /// Two bodies, the lower slot first.
-struct SlotPair {
-  Slot first, second;
-};
+using SlotPair = std::array<Slot, 2>;
 
 /// The state of a Scene: the bodies, a tree of boxes around them, and certificates of pairs.
 ///
@@ -70,7 +69,7 @@ struct SceneState {
   };
 
   struct Pair {
-    Slot body[2];             ///< the lower slot first
+    SlotPair body;
     std::uint32_t link[2];    ///< its index among each body's links
     std::ptrdiff_t edge[2];   ///< the edges of the last hit, in the kernel's order; -1: none
     bool collides, reported;  ///< by its certificate; by `collisions`. Both are false of a free place

@@ -20,6 +20,6 @@ MUTATIONS = [
     ("src/polygon/area.cpp", "steps[begin->first[1]] -= begin->second;", "steps[begin->first[1]] += begin->second;", "centroid: edges of a line never end"),
     ("src/polygon/area.cpp", "return isOn(edge.first[0]) && isOn(edge.first[1]);", "return isOn(edge.first[0]);", "centroid: edges that begin on a line lie on it"),
     ("src/polygon/simplified.cpp", "if (all_are_near && !tolerance_.holds(distance, polygon_.path[i], v, w)) all_are_near = false;", "if (i == chain.begin + 1 && !tolerance_.holds(distance, polygon_.path[i], v, w)) all_are_near = false;", "simplified: one vertex asked of a chain"),
-    ("src/polygon/simplified.cpp", "std::clamp(from.dot(way) / square, 0.0, 1.0)", "from.dot(way) / square", "simplified: the chord's line"),
+    ("src/polygon/simplified.cpp", "polygon_.inUnits(p), polygon_.inUnits(v), polygon_.inUnits(w)", "polygon_.inUnits(p), polygon_.inUnits(v), polygon_.inUnits(v)", "simplified: the chord's start alone"),
     ("src/polygon/simplified.cpp", "if (polygon_.fitsUnit() && distance < most - error) return true;", "if (polygon_.fitsUnit() && distance < most + error) return true;", "simplified: rounding of distances"),
 ]
