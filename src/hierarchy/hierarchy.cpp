@@ -94,7 +94,7 @@ class Builder {
   }
 
  private:
-  /// Along the way to the vertex that is farthest from S or, if that box is smaller, along the longest edge.
+  /// Along the line from S to its farthest vertex or, if that box is smaller, along the longest edge.
   FittedBox fitAll(const Part& all) const {
     Double2 farthest{}, longest{};
     double most = -1, most_along = -1;

@@ -146,7 +146,7 @@ std::vector<Disc> discsOnGrid(const PolygonData& polygon, int along, int across,
 
 InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
   int first = 0;
-  // Few edges are asked at once: little but the largest disc is worth its cost.
+  // At most 16 edges are tested at once: little but the largest disc is worth its cost.
   const bool few = topOf(polygon).small != nullptr;
   for (const Disc& disc : discsOnGrid(polygon, 8, few ? 2 : 5, few ? 2 : kLanes, 1)) {
     const int k = count++;
@@ -157,7 +157,7 @@ InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
     if (radius[k] > radius[first]) first = k;
   }
   if (count == 0) return;
-  // What the thinned outline overlooked may have turned their order.
+  // The thinned outline may have overlooked something, and the first isn't the largest.
   std::swap(x[0], x[first]);
   std::swap(y[0], y[first]);
   std::swap(radius[0], radius[first]);
@@ -172,8 +172,7 @@ const InnerDiscs& innerDiscsOf(const PolygonData& polygon) {
 }
 
 const InnerDiscs* payForDiscs(const PolygonData& polygon) {
-  // Of more edges than a thinned outline has nothing is looked at but what the hierarchy finds. Few edges are asked at
-  // once, so that discs save a query little.
+  // A thinned outline bounds the price. At most 16 edges are tested at once, and discs save such a query little.
   constexpr std::size_t kOfEdge = 16, kMostEdges = 80, kOfQuery = 24, kOfFewEdges = 4;
   const bool few = polygon.path.size() - polygon.ringCount() <= SmallPolygon::kMost;
   const bool is_due =

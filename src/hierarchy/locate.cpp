@@ -16,7 +16,7 @@ namespace {
 
 void checkPoint(const Vec2& point) { detail::requireFinite(point, "point"); }
 
-/// Null where the first few points are no reason to build one.
+/// Null until the queries so far have cost as much as a tree (ski-rental).
 const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
   const detail::Hierarchy* built = detail::hierarchyIfBuilt(polygon);
   if (built != nullptr) return built;

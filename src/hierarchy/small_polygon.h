@@ -7,7 +7,7 @@
 
 namespace tricover::detail {
 
-/// Of no edges, its lanes all 0.
+/// Makes one without edges, its lanes all 0.
 std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes);
 
 /// Null where the polygon has more edges, or one without a direction; `local` is its path in units, from S.

@@ -19,7 +19,7 @@ inline std::string refusal(const std::string& field, const std::string& wrong, c
   throw std::invalid_argument(refusal(field, wrong, instead));
 }
 
-/// What is wrong with a pose of which an entry of R^T R misses the identity's by so much.
+/// The fault of a pose: an entry of R^T R misses the identity's by so much.
 inline std::string offRigid(double by) {
   char text[128];
   std::snprintf(text, sizeof text, "linear() is off rigid by %.3g, more than %g (tricover::kRigidTolerance)", by,
@@ -38,7 +38,7 @@ inline void requireFinite(const Vec2& point, const char* field) {
   refuse(field, finite ? "it must be finite and not negative" : "it must be a number and not negative");
 }
 
-/// Of a length or another number, infinity included. Written so that NaN fails, as below.
+/// Refuses a negative length or number. Infinity passes; NaN fails, as below.
 inline void requireNotNegative(double value, const char* field) {
   if (!(value >= 0)) refuseLength(field, false);
 }

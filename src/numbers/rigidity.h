@@ -73,7 +73,7 @@ inline double requireRigid(const Pose& pose, const char* name) {
   return defect;
 }
 
-/// Of two operands' poses at once: most pass together. Returns defectOf() them.
+/// The same for two operands' poses at once: most pass together.
 inline double requireRigid(const Pose& pose_a, const Pose& pose_b) {
   const double defect = defectOf(pose_a, pose_b);
   if (defect <= kRigidTolerance) return defect;

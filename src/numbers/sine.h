@@ -7,7 +7,7 @@
 
 namespace tricover::detail {
 
-/// Sine and cosine, each right to 2U: by their series up to x^19 and x^18 for what turns by no more than 1, side
+/// Sine and cosine, each right to 2U: by their series up to x^19 and x^18 for angles up to 1, side
 /// by side; by the library's, which are right to an ulp, beyond that. In units of U, with z = x^2, |x| <= 1:
 ///   sin x = x + x h, h = z (s1 + z (s2 + ...)), |h| <= 1/6
 ///     h             s1, its sum, the product and z 1 of 1/6 each, the terms from s2 on 5 of 1/120    0.71

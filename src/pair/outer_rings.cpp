@@ -27,13 +27,14 @@ namespace {
 ///   to the interior, and the new region is closed.
 ///
 /// It is within the tolerance of the old one where, for each edge pq of a ring, p and q are within it of places on old
-/// edges, their feet; the old vertices from one foot to the other are within it of pq; and pq is longer than the ways
+/// edges, their feet; the old vertices from one foot to the other are within it of pq; and pq is longer than the lines
 /// from p and q to their feet. With these the chain from foot to foot and pq are a loop; all such loops together are
 /// what changes. Let x be a point that one winds around, or on pq:
-/// - Beside pq, the way from x straight away from pq meets the chain, in reach; or a way to a foot, between which and
+/// - Beside pq, the line from x straight away from pq meets the chain, in reach; or a line to a foot, between which and
 ///   pq nothing is farther from the foot than its corner.
-/// - Beyond p, the way from x straight away from p meets the chain, no farther from x than from p; or it is p's way to
-///   its foot, and x on it. It doesn't meet q's way, which doesn't come so far.
+/// - Beyond p, the line from x straight away from p meets the chain, no farther from x than from p; or it is p's line
+/// to
+///   its foot, and x on it. It doesn't meet q's line, which doesn't come so far.
 class RingCover {
  public:
   RingCover(const PolygonData& polygon, double tolerance)
@@ -63,12 +64,12 @@ class RingCover {
 
  private:
   struct Corner {
-    bool isNew() const { return way > 0; }
+    bool isNew() const { return offset > 0; }
 
     Vec2 place;
     std::size_t foot;   ///< the old edge that it is near; of an old vertex the one that begins there
     std::size_t chain;  ///< how many old vertices there are from its foot to the next one's
-    double way;         ///< to the foot, in units, rounded up; 0 for an old vertex
+    double offset;      ///< to the foot, in units, rounded up; 0 for an old vertex
     std::size_t previous, next;
     std::uint64_t changed;  ///< when
   };
@@ -106,7 +107,7 @@ class RingCover {
     return std::max(changed, at(at(b.next).next).changed) > proposal.made;
   }
 
-  /// Where the ways from a to b and from d to c meet, beyond b and c, and a little farther out, for what is rounded;
+  /// Where the lines from a to b and from d to c meet, beyond b and c, and a little farther out, for what is rounded;
   /// NaN where they don't.
   Vec2 meet(std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
     const Vec2 &p = at(b).place, &q = at(c).place;
@@ -146,30 +147,31 @@ class RingCover {
     return true;
   }
 
-  /// Of a corner that is where another one was, at or after the foot of that; how many edges after it.
+  /// Sets the foot of a corner that takes another one's place, at or after that one's foot. Returns how many edges
+  /// after.
   std::size_t findFoot(Corner& corner) const {
     const std::size_t first = corner.foot;
     std::size_t steps = 0;
-    corner.way = std::numeric_limits<double>::infinity();
+    corner.offset = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i <= corner.chain; ++i) {
       const double way = near_.distance(corner.place, vertex(first + i), vertex(first + i + 1));
-      if (way < corner.way) corner.way = way, steps = i;
+      if (way < corner.offset) corner.offset = way, steps = i;
     }
-    corner.way = corner.way * (1 + 1e-9) + 0x1p-44;
+    corner.offset = corner.offset * (1 + 1e-9) + 0x1p-44;
     corner.foot = (first + steps) % count_;
     return steps;
   }
 
   /// Whether what the edge between two corners stands for is within the tolerance, as above.
   bool isInReach(const Corner& p, std::size_t chain, const Corner& q) const {
-    const double length = near_.distance(p.place, q.place, q.place), way = std::max(p.way, q.way);
+    const double length = near_.distance(p.place, q.place, q.place), way = std::max(p.offset, q.offset);
     if (way > 0 && !(way < length * (1 - 1e-9))) return false;
     for (std::size_t i = 1; i <= chain; ++i)
       if (!near_.holds(vertex(p.foot + i), p.place, q.place)) return false;
     return true;
   }
 
-  /// Of an edge that stands for several that has been asked before.
+  /// Whether the inside is missing beside an old edge. An edge that stands for several was tested before.
   bool isBare(std::size_t corner) {
     if (at(corner).chain != 1 || at(corner).isNew() || at(at(corner).next).isNew()) return false;
     return EdgeSides(itself_, itself_, EdgeSides::A, begin_ + at(corner).foot).isBare();

@@ -66,7 +66,7 @@ void buildRingStarts(const PolygonData& polygon) {
 }
 
 const RingStarts* ringStarts(const PolygonData& polygon) {
-  // In the cost of looking at a ring: an edge's part in finding the starts.
+  // An edge's share in the price of the starts, in the cost of looking at a ring.
   constexpr std::size_t kPerEdge = 32;
   if (hasFewRings(polygon)) return nullptr;
   if (const Derived::Thing* ready = polygon.starts.ifBuilt()) return static_cast<const RingStarts*>(ready);

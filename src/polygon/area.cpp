@@ -16,7 +16,7 @@ namespace tricover {
 namespace detail {
 namespace {
 
-/// What a region, or a part of it, adds to an area and to its first moments.
+/// The area of a region, or of a piece of it, and its first moments.
 struct Moments {
   double area = 0, x = 0, y = 0;
 
@@ -60,7 +60,7 @@ std::vector<RisingEdge> risingEdges(const PolygonData& polygon) {
   return edges;
 }
 
-/// What is left of the edge, from one height to another, and right of x = 0.
+/// The moments of the trapezoid between x = 0 and an edge, from one height to another.
 Moments leftOf(double x, double y, double x_above, double y_above) {
   const double h = y_above - y;
   return {0.5 * h * (x + x_above), h / 6 * (x * x + x * x_above + x_above * x_above),

@@ -9,11 +9,11 @@
 
 namespace tricover::detail {
 
-/// Corners that turn by less, as a sine, are hardly any.
+/// The sine of the smallest turn of a clear corner.
 constexpr double kClearCorner = 0x1p-19;
 
-/// Whether a polygon is convex, and has an area: one ring that turns one way and goes around once. Its straight and
-/// repeated vertices are no corners.
+/// Whether a polygon is convex, and has an area: its one ring turns only left or only right, and goes around once. Its
+/// straight and repeated vertices are no corners.
 struct Convexity : Derived::Thing {
   explicit Convexity(const PolygonData& polygon);
   ~Convexity() override;
@@ -22,8 +22,8 @@ struct Convexity : Derived::Thing {
   bool has_others = false;           ///< convex, and not all vertices are corners
   std::vector<std::size_t> corners;  ///< if it has others: as positions in the path, which increase
   const PolygonData* by_corners;     ///< see cornersOf()
-  /// Of cornersOf() itself, if all its corners are clear: from the line along any edge its neighbours' other ends are
-  /// at least that far away, but for a few roundings. Otherwise 0.
+  /// If this is cornersOf() itself and all its corners are clear: from the line along any edge, the neighbours' other
+  /// ends are at least that far away, but for a few roundings. Otherwise 0.
   double edge_depth = 0;
   Derived outline;  ///< by its corners alone, or of its hull
 };
@@ -42,14 +42,14 @@ inline const PolygonData* cornersOf(const PolygonData& polygon) {
   return polygon.isDegenerate() ? nullptr : convexityOf(polygon).by_corners;
 }
 
-/// Of the edges from one position in a ring's path on until another one, which are on a line, that which is beside p.
+/// Returns the edge beside p. The edges between the two positions in a ring's path are on a line.
 std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p);
 
-/// The edge of a convex polygon's path, with a length, that edge k of cornersOf() it has beside p.
+/// Returns the edge of a convex polygon's path, one with a length, that lies on edge k of cornersOf() beside p.
 std::size_t edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p);
 
-/// The number of a polygon's edge that an edge of the polygon it is taken for, its corners' or itself, is at a part of
-/// it, from its start (0) to its end (1).
+/// `taken` is the given polygon or its corners alone. Returns the number of the given polygon's edge that lies on the
+/// taken one's edge, at a part of that from its start (0) to its end (1).
 EdgeIndex givenEdge(const PolygonData& given, const PolygonData& taken, std::size_t position, double part);
 
 }  // namespace tricover::detail

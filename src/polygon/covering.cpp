@@ -13,7 +13,7 @@ CoveringSum::CoveringSum(const PolygonData& polygon, const IncludedPoint& point,
   const auto isOff = [&](const Vec2& v, double by) {  // false for NaN
     return std::abs(p.x - v.x()) > p.error + by || std::abs(p.y - v.y()) > p.error + by;
   };
-  // So near s, a ray away from it has no certain direction: the covering is taken from elsewhere, if it can be.
+  // A ray away from a point this near has no certain direction. Another origin serves, if there is one.
   const double near = 0x1p-9 * polygon.unit;
   if (isOff(s_, near)) return;
   for (const std::size_t position : {std::size_t{0}, polygon.path.size() / 2})

@@ -15,7 +15,7 @@ struct Inclusion {
   int winding;
 };
 
-/// A point whose place in a polygon is asked for. It is given twice: in the polygon's frame to within its error, and
+/// A point that is located in a polygon. The point is given twice: in the polygon's frame to within its error, and
 /// exactly in the world, where `pose` (none: the identity) puts the polygon; `handed` is the sign of that pose's
 /// determinant.
 struct IncludedPoint {

@@ -35,7 +35,7 @@ void check(const OccupancyGrid& grid) {
   if (!(grid.resolution > 0)) detail::refuse("resolution", "it must be positive");
 }
 
-/// The four ways along a grid's lines, counter-clockwise.
+/// The four directions along a grid's lines, counter-clockwise.
 enum Heading { kEast, kNorth, kWest, kSouth };
 
 class Tracer {
@@ -66,7 +66,7 @@ class Tracer {
   /// Cells are kept with a free margin around them.
   std::size_t cell(std::size_t x, std::size_t y) const { return (y + 1) * stride_ + x + 1; }
 
-  /// Of the cells around the corner (x, y), those ahead on the left and on the right.
+  /// The cells around the corner (x, y) that are ahead, on the left and on the right.
   bool aheadLeft(std::size_t x, std::size_t y, Heading heading) const {
     return occupied_[cell(x, y) - (heading == kWest || heading == kNorth ? 1 : 0) -
                      (heading == kWest || heading == kSouth ? stride_ : 0)];

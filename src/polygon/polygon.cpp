@@ -57,7 +57,7 @@ void forEachTwo(const Path& path, Visit visit) {
   visit(load2(last[0].data()), load2(last[1].data()));
 }
 
-/// Of all vertices.
+/// The extremes of all vertices.
 struct Extremes {
   explicit Extremes(const Path& path) {
     low = Double2{kInfinity, kInfinity}, high = -low;
@@ -169,7 +169,7 @@ std::uint8_t degenerateEdgeOf(const Path& path) {
   return path[0] == path[1] ? 1 : PolygonData::kNotDegenerate;
 }
 
-/// Apart, so that asking for an edge that is there is brief.
+/// Out of line, which keeps the check of an edge's number short.
 [[noreturn, gnu::cold]] void refuseEdge(EdgeIndex number, std::size_t count) {
   throw std::out_of_range(refusal(
       "edge",

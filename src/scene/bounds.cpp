@@ -19,11 +19,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// which no coordinate is above, nor a quarter of the radius, nor an eighth of the unit, of which a block's scale is at
 /// most 2:
 ///   the block's origin in the frame, product and sum     2 e
-///   its way to the world, products and sums              3 e, 1 |t|
+///   the origin in the world, products and sums           3 e, 1 |t|
 ///   a box's centre from there, products and a sum        3 * 2 scale, 96 e
 ///   to there, product and sum                            2 (e + |t|), and 16 e
 ///   reach and error, sums                                3 reach, 3 (e + |t|)
-/// (a vertex of few is on a shorter way)
+/// (a vertex that is mapped by itself takes fewer steps)
 /// and, twice, 1e-13 (2 e + |t|), as near as which timeOfImpact() may report what doesn't meet.
 constexpr double kBoundsError = 0x1p-41;
 static_assert(kBoundsError >= kUnitRows * errorOf(2 + 3 + 96 + 2 + 16 + 3) + 2 * 2e-13);
@@ -51,7 +51,7 @@ Bounds grownBox(Double2 low, Double2 high, Double2 grow) {
   return bounds;
 }
 
-/// Around the vertices at these positions. What is turned is never inf - inf: R's rows are of length 1.
+/// Around the vertices at these positions. R p is never inf - inf: R's rows are of length 1.
 Bounds boundsOfVertices(const PolygonData& polygon, std::size_t begin, std::size_t end, const Pose& pose,
                         double reach) {
   const double* m = pose.data();  // columns of three

@@ -56,7 +56,7 @@ void BoxTree::put(std::uint32_t index, unsigned lane, const Entry& entry) {
   }
 }
 
-/// Returns the leaf whose boxes grow least, and grows the boxes above it.
+/// Returns the leaf whose boxes grow least, and inflates the boxes above it.
 std::uint32_t BoxTree::leafFor(const Bounds& bounds) {
   std::uint32_t index = root_;
   while (!nodes_[index].leaf) {
