@@ -83,11 +83,11 @@ class CollisionQuery {
       if (!state_.passes(filter_, slot) || body.clear.holds(bounds_)) return true;
       const CollideOptions options = detail::withBody(options_, body.options);
       const detail::PolygonData& other = body.polygon.data();
-      const detail::Placement placement(polygon_.data(), pose_, other, body.pose);
+      const detail::PosedPair pair(polygon_.data(), pose_, other, body.pose);
       // The discs of points and segments have no interior.
       const bool may_touch =
           !detail::asksForInteriors(options) || !(polygon_.data().isDegenerate() || other.isDegenerate());
-      return visit(slot, depthOfDiscs(placement, options.margin) >= 0 && may_touch);
+      return visit(slot, depthOfDiscs(pair, options.margin) >= 0 && may_touch);
     });
   }
 
