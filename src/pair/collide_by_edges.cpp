@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "hierarchy/axis_boxes.h"
@@ -13,8 +12,6 @@
 
 namespace tricover::detail {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What hierarchies would have saved a query that looks at all edges, in these. Few edges are asked at once then: the
 /// more there are, the more that saves each.
@@ -50,8 +47,6 @@ struct SideBits {
     bits |= bitsOf(is_left) << k;
     bits |= bitsOf(is_right) << k << kRight;
   }
-  /// Of a ring, behind so many, the first one once more.
-  void close(std::size_t edges) { bits |= (bits & (1u | 1u << kRight)) << edges; }
 
   /// Of edges, by their first vertices: whether both ends are on one side.
   unsigned beside() const { return either(bits & bits >> 1); }
@@ -150,47 +145,37 @@ class Chains {
 };
 
 /// A chain's vertices of b, as a sees them, side by side: two are asked at once, for which the last one may stand once
-/// more behind them. A chain that is a ring ends at its first vertex, which is asked for both.
-template <bool kIsRing>
+/// more behind them.
 struct ChainPoints {
   ChainPoints(std::size_t begin_, std::size_t end, const PointsOfB& point) : begin(begin_), edges(end - begin) {
-    for (std::size_t k = 0; k < asked(); k += 2) {
+    for (std::size_t k = 0; k <= edges; k += 2) {
       const Double2 p = point(begin + k), q = point(begin + std::min(k + 1, edges));
-      if (kIsRing) low = smaller(q, smaller(p, low)), high = larger(q, larger(p, high));
       store2(x + k, Double2{p[0], q[0]});
       store2(y + k, Double2{p[1], q[1]});
     }
-    if (kIsRing) x[edges] = x[0], y[edges] = y[0];
   }
-
-  std::size_t asked() const { return kIsRing ? edges : edges + 1; }
-  /// Of a ring.
-  Bounds box(double grown) const { return Bounds::between(low - grown, high + grown); }
 
   /// The edges that aren't beyond one side of a box, or all of few; a bit each.
   unsigned edgesNear(const Bounds& box) const {
     const unsigned all = (1u << edges) - 1;
     if (edges <= kFewEdges) return all;
     SideBits of_x, of_y;
-    for (std::size_t k = 0; k < asked(); k += 2) {
+    for (std::size_t k = 0; k <= edges; k += 2) {
       const Double2 px = load2(x + k), py = load2(y + k);
       of_x.add(box.min_x > px, px > box.max_x, k);
       of_y.add(box.min_y > py, py > box.max_y, k);
     }
-    if (kIsRing) of_x.close(edges), of_y.close(edges);
     return all & ~(of_x.beside() | of_y.beside());
   }
 
   std::size_t begin, edges;
-  Double2 low{kInfinity, kInfinity}, high = -low;
   double x[Chain::kMost + 2], y[Chain::kMost + 2];
 };
 
 /// The line of an edge: how far points are to its left, times its length.
 struct EdgeLine {
   EdgeLine(Double2 from, Double2 to) : x(from[0]), y(from[1]), along_x(to[0] - x), along_y(to[1] - y) {}
-  template <bool kIsRing>
-  EdgeLine(const ChainPoints<kIsRing>& chain, std::size_t k)
+  EdgeLine(const ChainPoints& chain, std::size_t k)
       : x(chain.x[k]), y(chain.y[k]), along_x(chain.x[k + 1] - x), along_y(chain.y[k + 1] - y) {}
 
   /// Two vertices' sides, if they are more than `bound` from the line.
@@ -214,11 +199,10 @@ unsigned sidesBeyond(const Bounds& box, Double2 p) { return bitsOf(p < box.low()
 /// `size`, the sum of both extents of the box around them, what approxArea() has at most: a's vertices are exact, b's
 /// known to `error`, so that e_u <= 2 error, e_w <= error. A reach adds itself times the edge's length, which is off
 /// by 4 error.
-template <bool kIsRing>
-[[gnu::always_inline]] inline bool findMeetingEdges(const EdgeTest& test, std::size_t begin_a, std::size_t end_a,
-                                                    const Bounds& box_a, const ChainPoints<kIsRing>& of_b,
-                                                    const Bounds& box_b, unsigned near_b, const PointsOf& points,
-                                                    Outcome& outcome) {
+bool findMeetingEdges(const EdgeTest& test, const Chain& chain_a, const ChainPoints& of_b, const Bounds& box_b,
+                      unsigned near_b, const PointsOf& points, Outcome& outcome) {
+  const std::size_t begin_a = chain_a.begin, end_a = chain_a.end;
+  const Bounds& box_a = chain_a.box;
   const Bounds around = unite(box_a, box_b);
   const Double2 extents = around.high() - around.low();
   const double size = extents[0] + extents[1], error = points.to_a.error, reach = points.reach;
@@ -239,9 +223,8 @@ template <bool kIsRing>
     const EdgeLine line_a(from, to);
     const double bound_a = rounding + reach_up * line_a.length();
     SideBits of_b_vertices;
-    for (std::size_t k = 0; k < of_b.asked(); k += 2)
+    for (std::size_t k = 0; k <= of_b.edges; k += 2)
       line_a.addSides(load2(of_b.x + k), load2(of_b.y + k), bound_a, k, of_b_vertices);
-    if (kIsRing) of_b_vertices.close(of_b.edges);
     const Double2 ends_x{from[0], to[0]}, ends_y{from[1], to[1]};
     for (unsigned near = near_b & ~of_b_vertices.beside(); near != 0; near &= near - 1) {
       const auto j = static_cast<std::size_t>(__builtin_ctz(near));
@@ -265,23 +248,6 @@ bool mayHold(const Bounds& box_a, const Bounds& box_b, double grown) {
   return box_b.contains(box_a) || box_a.grown(2 * grown).contains(box_b);
 }
 
-/// Whether a polygon is one ring of a chain alone, whose points are mapped once.
-bool isChain(const PolygonData& polygon) { return polygon.path.size() <= Chain::kMost + 1 && polygon.ringCount() == 1; }
-
-Outcome collideChains(const PointsOf& points, const EdgeTest& test) {
-  Outcome outcome;
-  const double grown = points.grown;
-  const std::size_t end_a = test.a.path.size() - 1;
-  Double2 low = points.of_a(0), high = low;
-  for (std::size_t i = 1; i < end_a; ++i) low = smaller(points.of_a(i), low), high = larger(points.of_a(i), high);
-  const ChainPoints<true> of_b(0, test.b.path.size() - 1, points.of_b);
-  const Bounds box_a = Bounds::between(low, high), box_b = of_b.box(grown);
-  if (!box_a.meets(box_b)) return outcome;
-  const unsigned near_b = of_b.edgesNear(box_a.grown(grown));
-  if (findMeetingEdges(test, 0, end_a, box_a, of_b, box_b, near_b, points, outcome)) return outcome;
-  return mayHold(box_a, box_b, grown) ? findContainment(test.pair) : outcome;
-}
-
 }  // namespace
 
 std::optional<Outcome> collideByEdges(const PosedPair& pair, double defect, const EdgeTest& test) {
@@ -289,7 +255,6 @@ std::optional<Outcome> collideByEdges(const PosedPair& pair, double defect, cons
   const PointsOf points(pair, test.options, defect);
   const double grown = points.grown;
   if (!(grown < 0x1p900 && pair.a.extent < 0x1p900)) return std::nullopt;
-  if (isChain(pair.a) && isChain(pair.b)) return collideChains(points, test);
   Outcome outcome;
   Chains of_a(pair.a, points.of_a, 0), of_b(pair.b, points.of_b, grown);
   const Bounds box_a = of_a.box(), box_b = of_b.box();
@@ -302,12 +267,10 @@ std::optional<Outcome> collideByEdges(const PosedPair& pair, double defect, cons
   for (const Chain& chain_a : of_a)
     for (const Chain& chain_b : of_b) {
       if (!chain_a.box.meets(chain_b.box)) continue;
-      const ChainPoints<false> points_b(chain_b.begin, chain_b.end, points.of_b);
+      const ChainPoints points_b(chain_b.begin, chain_b.end, points.of_b);
       const unsigned near_b = points_b.edgesNear(chain_a.box.grown(grown));
       if (near_b == 0) continue;
-      if (findMeetingEdges(test, chain_a.begin, chain_a.end, chain_a.box, points_b, chain_b.box, near_b, points,
-                           outcome))
-        return outcome;
+      if (findMeetingEdges(test, chain_a, points_b, chain_b.box, near_b, points, outcome)) return outcome;
     }
   return mayHold(box_a, box_b, grown) || pair.a.ringCount() + pair.b.ringCount() > 2 ? findContainment(test.pair)
                                                                                      : outcome;
