@@ -127,16 +127,20 @@ class PosedPair {
   ///   R_a p       products 1, sum 1                 2 p
   ///   R_b q       the same, the sum with shift 1    3 q
   ///   shift       itself 1, the sum with it 1       2 |t_b - t_a|_1
+  Double2 atA(const Vec2& p) const { return mapped(columns_a_, p); }
+  Double2 atB(const Vec2& q) const { return mapped(columns_b_, q) + shift_; }
   ApproxPoint fromA(const Vec2& p) const {
-    const Double2 at = mapped(columns_a_, p);
+    const Double2 at = atA(p);
     return {at[0], at[1], errorOfA()};
   }
   ApproxPoint fromB(const Vec2& q) const {
-    const Double2 at = mapped(columns_b_, q) + shift_;
+    const Double2 at = atB(q);
     return {at[0], at[1], errorOfB()};
   }
   double errorOfA() const { return kErrorOfA * a.extent + kTiny; }
   double errorOfB() const { return kErrorOfB * size_of_b_ + kTiny; }
+  /// Both together.
+  double pointError() const { return kErrorOfB * size_ + 2 * kTiny; }
   static constexpr double kErrorOfA = 3 * kUnitRoundoff, kErrorOfB = 5 * kUnitRoundoff;
   static_assert(kErrorOfA >= kUnitRows * kRoot2 * errorOf(2) && kErrorOfB >= kUnitRows * kRoot2 * errorOf(3));
 
@@ -193,24 +197,6 @@ class PosedPair {
             Gram(columns_a_[0], columns_a_[1]).defect()};
   }
   static_assert(Gram::kMatrixError >= kUnitRows * errorOf(1) * (3 + kRoot2 + 2 * 2));
-
-  /// From b's frame to a's, with R_a^T in the place of R_a^-1, so that nothing is divided. `defect` as for inUnits().
-  /// In U times the other quantity of a row, for the coordinates of a point of b in its bounding box, of extent e:
-  ///   R_a^T R_b   products and sum 2 s_ij, of rows with s_i0^2 + s_i1^2 <= 2   4 e
-  ///   the map     two products, their sum, the last sum              3 sqrt2 e
-  ///   t           shift 1, products 1, sum 1, the last sum 1         4 |t_b - t_a|_1
-  /// and R_a^T misses the inverse by the defect, on what is no longer than sqrt2 e + |t_b - t_a|_1, but for kUnitRows.
-  struct TurnedMap {
-    Double2 operator()(const Vec2& p) const { return column0 * p.x() + column1 * p.y() + t; }
-
-    Double2 column0, column1, t;
-    double error;  ///< of a coordinate, in a's frame
-  };
-  TurnedMap turnedMap(double defect) const {
-    return {turnedToA(columns_b_[0]), turnedToA(columns_b_[1]), turnedToA(shift_),
-            (kWayError + 1.5 * defect) * size_ + kTiny};
-  }
-  static_assert(kWayError >= kUnitRows * errorOf(1) * (2 * kRoot2 * kRoot2 + 3 * kRoot2) && 1.5 > kUnitRows * kRoot2);
 
   const PolygonData &a, &b;
   const Pose &pose_a, &pose_b;

@@ -127,11 +127,6 @@ struct PairVisitor {
 /// Shows every pair of edges that may be within the limit, near ones roughly first.
 extern Simd<void(const Descent& descent, const PairVisitor& visitor)> showPairs;
 
-/// The same for the edges near a point, each together with b's edge at this position.
-extern Simd<void(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
-                 const PairVisitor& visitor)>
-    showEdgesNear;
-
 /// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
 /// as for fewEdgesMeet().
 extern Simd<double(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding)> innerDepth;

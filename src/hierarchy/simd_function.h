@@ -37,7 +37,7 @@ class Simd<Result(Arguments...)> {
 // clang-format off
 #define TRICOVER_SIMD_FUNCTIONS(X) \
   X(findHit) X(showPairs) X(findEdgeNear) X(findNearestEdges) X(visitMarkedNear) \
-  X(showEdgesNear) X(visitEdgesOnRay) X(findEdgesOnPaths) \
+  X(visitEdgesOnRay) X(findEdgesOnPaths) \
   X(cutIntervals) X(depthInDiscs) X(innerDepth) \
   X(convexGap) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
   X(boxesMeeting) X(boxesOnRay) X(boxesNear) \

@@ -145,47 +145,6 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
   return found;
 }
 
-template <class Lanes>
-void showEdgesNear(const Hierarchy& hierarchy, const Place& place, double limit, std::uint32_t edge_b,
-                   const PairVisitor& visitor) {
-  double low[kLanes];
-  const auto near = [&](const Block& block, float(&at)[kLanes]) {
-    const PlaceInBlock p = placeIn(block, place);
-    const bool known = p.slack < 1e12f;  // squares don't overflow
-    boxDistances<Lanes>(block, p).store(at);
-    float nearest = 1e30f;
-    for (int i = 0; i < block.count; ++i) {
-      const float upper = (block.spanned >> i & 1) != 0 ? at[i] + 2 * block.across[i] : 1e30f;
-      nearest = upper < nearest ? upper : nearest;
-    }
-    if (known && nearest < 1e29f) {
-      const double upper = (static_cast<double>(nearest) + p.slack) * block.scale * (1 + 0x1p-20);
-      if (upper < limit) limit = visitor.narrow(visitor.context, upper);
-    }
-    unsigned lanes = 0;
-    for (int i = 0; i < block.count; ++i) {
-      low[i] = known ? (static_cast<double>(at[i]) - p.slack) * block.scale : 0;
-      lanes |= (low[i] <= limit ? 1u : 0u) << i;
-      if (!block.leaf) at[i] = downwards(low[i]);
-    }
-    return lanes;
-  };
-  const auto show = [&](const Block& block, unsigned lanes, const float* distance) {
-    while (lanes != 0) {
-      int next = __builtin_ctz(lanes);
-      for (unsigned left = lanes & (lanes - 1); left != 0; left &= left - 1)
-        next = distance[__builtin_ctz(left)] < distance[next] ? __builtin_ctz(left) : next;
-      lanes &= ~(1u << next);
-      if (low[next] > limit) return true;
-      limit = visitor.visit(visitor.context, low[next] > 0 ? low[next] : 0, block.child[next], edge_b);
-      if (limit < 0) return false;
-    }
-    return true;
-  };
-  descendOne<true>(
-      hierarchy, [&](float at) { return !(at > limit); }, near, show);
-}
-
 /// Rounding as in boxDistances(); the radii, below 2, are floats.
 template <class Lanes>
 double depthInDiscs(const InnerDiscs& discs, const Place& place) {

@@ -23,11 +23,12 @@ double clearanceLeft(const Certificate& cache, const PolygonData& first, const P
                      const PolygonData& second, const Pose& second_pose) {
   const Pose first_then = restore(cache.first_pose), second_then = restore(cache.second_pose);
   const double defect_now = defectOf(first_pose, second_pose), defect_then = defectOf(first_then, second_then);
-  const auto now = PosedPair(first, first_pose, second, second_pose).turnedMap(defect_now),
-             then = PosedPair(first, first_then, second, second_then).turnedMap(defect_then);
-  const Change change(second, now.column0 - then.column0, now.column1 - then.column1, now.t - then.t);
-  // Either map is off by sqrt2 error in any direction.
-  const double motion = change.displacement() + 1.5 * (now.error + then.error);
+  const UnitMap now = PosedPair(first, first_pose, second, second_pose).inUnits(defect_now).map,
+                then = PosedPair(first, first_then, second, second_then).inUnits(defect_then).map;
+  const Double2 way = Double2{now.tx - then.tx, now.ty - then.ty} * first.unit;
+  const Change change(second, Double2{now.r00 - then.r00, now.r10 - then.r10},
+                      Double2{now.r01 - then.r01, now.r11 - then.r11}, way, way);
+  const double motion = change.displacement() + (now.error + then.error) * first.unit;
   // Two differences and their product, the product with the clearance, the difference; the motion's own sum rounds
   // twice.
   constexpr int kRoundings = 3 + 2 + 2;

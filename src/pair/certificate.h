@@ -47,14 +47,18 @@ struct Change {
   static constexpr int kLengthRoundings = 9, kSquareRoundings = 16;
   static_assert(kWayError >= kRoot2 * errorOf(5));
 
-  Change(const PolygonData& polygon, Double2 d0, Double2 d1, Double2 shift)
+  /// D by its columns, d, and what these make of S.
+  Change(const PolygonData& polygon, Double2 d0, Double2 d1, Double2 shift, Double2 way)
       : entries(absolute(d0) + absolute(d1) + absolute(shift)),
         radius(polygon.radius + kWayError * (std::abs(polygon.origin.x()) + std::abs(polygon.origin.y()))) {
     const Double2 x{d0[0], d1[0]}, y{d0[1], d1[1]}, norms = x * x + y * y, product = d0 * d1;
     square_of_turn = std::max(norms[0], norms[1]) + std::abs(product[0] + product[1]) + 0x1p-1000;
-    const Double2 way = d0 * polygon.origin.x() + d1 * polygon.origin.y() + shift, squares = way * way;
+    const Double2 squares = way * way;
     square_of_way = squares[0] + squares[1] + 0x1p-1000;
   }
+
+  Change(const PolygonData& polygon, Double2 d0, Double2 d1, Double2 shift)
+      : Change(polygon, d0, d1, shift, d0 * polygon.origin.x() + d1 * polygon.origin.y() + shift) {}
 
   /// The same for a polygon that was at `kept` and is at `pose` now, in the world.
   Change(const PolygonData& polygon, const double (&kept)[6], const Pose& pose)

@@ -22,7 +22,7 @@ namespace {
 
 /// Of polygons of which one lacks a hierarchy, for now or until now.
 Outcome collideAnew(const PosedPair& placement, double defect, const EdgeTest& test, double lookahead, Wanted wanted) {
-  if (const std::optional<Outcome> outcome = collideByEdges(placement, defect, test)) return *outcome;
+  if (const std::optional<Outcome> outcome = collideByEdges(placement, test)) return *outcome;
   return collideByHierarchy(placement.inUnits(defect), test, lookahead, wanted);
 }
 [[gnu::cold, gnu::noinline]] bool collideAnew(const PosedPair& placement, double defect,

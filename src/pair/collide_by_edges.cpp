@@ -65,33 +65,21 @@ struct SideBits {
 /// The lines of so few edges cost no more than looking which of them are beyond one side of a box.
 constexpr std::size_t kFewEdges = 4;
 
-/// a's vertices, and b's as a sees them.
-struct PointsOfA {
-  const Path& path;
-  Double2 operator()(std::size_t i) const { return load2(path[i].data()); }
-};
-struct PointsOfB {
-  const Path& path;
-  const PosedPair::TurnedMap& to_a;
-  Double2 operator()(std::size_t i) const { return to_a(path[i]); }
-};
-
-/// Two polygons in a's frame.
+/// Two polygons in the world.
 struct PointsOf {
-  PointsOf(const PosedPair& pair, const CollideOptions& options, double defect)
-      : to_a(pair.turnedMap(defect)),
-        of_a{pair.a.path},
-        of_b{pair.b.path, to_a},
-        reach(options.margin * (1 + 2 * defect)),
-        grown((2 * to_a.error + reach) * (1 + 4 * kUnitRoundoff)) {}
-  PointsOf(const PointsOf&) = delete;
+  PointsOf(const PosedPair& pair_, const CollideOptions& options)
+      : pair(pair_),
+        reach(options.margin),
+        error(pair.pointError()),
+        grown((2 * error + reach) * (1 + 4 * kUnitRoundoff)) {}
 
-  const PosedPair::TurnedMap to_a;
-  const PointsOfA of_a;
-  const PointsOfB of_b;
-  double reach;  ///< see UnitPlacement::reach()
-  /// More than b's points are off in either coordinate, and than growing a box rounds: that is at most an ulp of what
-  /// they are from a's origin, a quarter of the error, and one of the margin.
+  Double2 ofA(std::size_t i) const { return pair.atA(pair.a.path[i]); }
+  Double2 ofB(std::size_t j) const { return pair.atB(pair.b.path[j]); }
+
+  const PosedPair& pair;
+  double reach, error;
+  /// More than two points are off in either coordinate, and than growing a box rounds: that is at most an ulp of the
+  /// pair's size, a fifth of the error, and one of the margin.
   double grown;
 };
 
@@ -147,9 +135,9 @@ class Chains {
 /// A chain's vertices of b, as a sees them, side by side: two are asked at once, for which the last one may stand once
 /// more behind them.
 struct ChainPoints {
-  ChainPoints(std::size_t begin_, std::size_t end, const PointsOfB& point) : begin(begin_), edges(end - begin) {
+  ChainPoints(std::size_t begin_, std::size_t end, const PointsOf& points) : begin(begin_), edges(end - begin) {
     for (std::size_t k = 0; k <= edges; k += 2) {
-      const Double2 p = point(begin + k), q = point(begin + std::min(k + 1, edges));
+      const Double2 p = points.ofB(begin + k), q = points.ofB(begin + std::min(k + 1, edges));
       store2(x + k, Double2{p[0], q[0]});
       store2(y + k, Double2{p[1], q[1]});
     }
@@ -196,8 +184,8 @@ unsigned sidesBeyond(const Bounds& box, Double2 p) { return bitsOf(p < box.low()
 /// are [begin_a, end_a); those beyond one side of b's box are left out, if they are many.
 ///
 /// Bound. Of areas that edges and vertices of both chains span, in which no difference of coordinates is more than
-/// `size`, the sum of both extents of the box around them, what approxArea() has at most: a's vertices are exact, b's
-/// known to `error`, so that e_u <= 2 error, e_w <= error. A reach adds itself times the edge's length, which is off
+/// `size`, the sum of both extents of the box around them, what approxArea() has at most: all vertices are known to
+/// `error`, so that e_u and e_w are at most 2 error. A reach adds itself times the edge's length, which is off
 /// by 4 error.
 bool findMeetingEdges(const EdgeTest& test, const Chain& chain_a, const ChainPoints& of_b, const Bounds& box_b,
                       unsigned near_b, const PointsOf& points, Outcome& outcome) {
@@ -205,16 +193,16 @@ bool findMeetingEdges(const EdgeTest& test, const Chain& chain_a, const ChainPoi
   const Bounds& box_a = chain_a.box;
   const Bounds around = unite(box_a, box_b);
   const Double2 extents = around.high() - around.low();
-  const double size = extents[0] + extents[1], error = points.to_a.error, reach = points.reach;
+  const double size = extents[0] + extents[1], error = points.error, reach = points.reach;
   const double rounding =
-      (1 + 0x1p-10) * (kAreaError * size * size + error * (3 * size + 4 * error + 4 * reach)) + kTiny;
+      (1 + 0x1p-10) * (kAreaError * size * size + error * (4 * size + 8 * error + 4 * reach)) + kTiny;
   const double reach_up = (1 + 0x1p-10) * reach;
   const bool are_few = end_a - begin_a <= kFewEdges;
-  Double2 to = points.of_a(begin_a);
+  Double2 to = points.ofA(begin_a);
   unsigned beyond = are_few ? 0 : sidesBeyond(box_b, to);
   for (std::size_t i = begin_a; i < end_a; ++i) {
     const Double2 from = to;
-    to = points.of_a(i + 1);
+    to = points.ofA(i + 1);
     if (!are_few) {
       const unsigned from_beyond = beyond;
       beyond = sidesBeyond(box_b, to);
@@ -250,13 +238,16 @@ bool mayHold(const Bounds& box_a, const Bounds& box_b, double grown) {
 
 }  // namespace
 
-std::optional<Outcome> collideByEdges(const PosedPair& pair, double defect, const EdgeTest& test) {
+std::optional<Outcome> collideByEdges(const PosedPair& pair, const EdgeTest& test) {
   if (arePaidFor(pair.a, pair.b)) return std::nullopt;
-  const PointsOf points(pair, test.options, defect);
+  const PointsOf points(pair, test.options);
   const double grown = points.grown;
-  if (!(grown < 0x1p900 && pair.a.extent < 0x1p900)) return std::nullopt;
+  if (!(pair.error() < 0x1p850 && grown < 0x1p900)) return std::nullopt;
   Outcome outcome;
-  Chains of_a(pair.a, points.of_a, 0), of_b(pair.b, points.of_b, grown);
+  Chains of_a(
+      pair.a, [&](std::size_t i) { return points.ofA(i); }, 0),
+      of_b(
+          pair.b, [&](std::size_t j) { return points.ofB(j); }, grown);
   const Bounds box_a = of_a.box(), box_b = of_b.box();
   if (!box_a.meets(box_b)) return outcome;
   of_a.keepMeeting(box_b);
@@ -267,7 +258,7 @@ std::optional<Outcome> collideByEdges(const PosedPair& pair, double defect, cons
   for (const Chain& chain_a : of_a)
     for (const Chain& chain_b : of_b) {
       if (!chain_a.box.meets(chain_b.box)) continue;
-      const ChainPoints points_b(chain_b.begin, chain_b.end, points.of_b);
+      const ChainPoints points_b(chain_b.begin, chain_b.end, points);
       const unsigned near_b = points_b.edgesNear(chain_a.box.grown(grown));
       if (near_b == 0) continue;
       if (findMeetingEdges(test, chain_a, points_b, chain_b.box, near_b, points, outcome)) return outcome;

@@ -28,7 +28,7 @@ MUTATIONS = [
     ("src/hierarchy/simd_point.h", "if (low > test.reach) continue;", "if (distance[i] * block.scale > test.reach) continue;", "points: slack of what is out of reach"),
     ("src/hierarchy/simd_point.h", "(known && high <= test.accept)", "(known && low <= test.accept)", "points: hits without proof"),
     ("src/hierarchy/simd_point.h", "limit * block.inverse + p.slack", "limit * block.inverse", "points: slack of what isn't entered"),
-    ("src/hierarchy/simd_point.h", "const bool known = p.slack < 1e12f;", "const bool known = p.slack < 1e15f;", "points: squares of floats that overflow"),
+    ("src/hierarchy/simd_point.h", "if (!(p.slack < 1e12f)) {", "if (!(p.slack < 1e15f)) {", "points: squares of floats that overflow"),
     ("src/hierarchy/simd_small.h", "const float slack = lineSlack(map, rounding);", "const float slack = 0;", "rings: no slack"),
     ("src/hierarchy/simd_small.h", "doubtful.of_b |= 1u << j;", "", "rings: doubtful edges taken as apart"),
     ("src/hierarchy/simd_small.h", "polygon.fill == FillRule::EvenOdd ? ", "true ? ", "rings: even-odd always"),
