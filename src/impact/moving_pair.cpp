@@ -90,7 +90,7 @@ double shrinkOf(const PolygonData& polygon_a, const Motion& motion_a, const Poly
                             motion->shift_3.data(), motion->pivot.data()})
       largest = larger(largest, absolute(load2(v)));
   const double given = std::min(std::max(largest[0], largest[1]), kLargest);
-  return given > 0 ? powerOfTwo(std::min(1000 - std::ilogb(given), 1000)) : 1;
+  return given > 0 ? powerOfTwo(std::min(1000 - exponentOf(given), 1000)) : 1;
 }
 
 bool isStraight(const Motion& motion) {
@@ -172,7 +172,7 @@ MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, con
 double MovingPair::divideByLength() {
   const double largest = std::max({a.reach, b.reach, b.base.lpNorm<1>(), b.path.first.lpNorm<1>(),
                                    b.path.second.lpNorm<1>(), b.path.third.lpNorm<1>(), margin});
-  const int exponent = std::clamp(std::ilogb(largest), -1000, 1020);
+  const int exponent = std::clamp(exponentOf(largest), -1000, 1020);
   const double inverse = powerOfTwo(-exponent);
   length = powerOfTwo(exponent);
   for (Mover* mover : {&a, &b}) {
