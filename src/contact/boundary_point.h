@@ -4,25 +4,65 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "polygon/polygon_data.h"
+#include "hierarchy/inclusion.h"
+#include "hierarchy/simd.h"
+#include "pair/world_frame.h"
+#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 
-/// A point of an overlap's boundary, in the WorldFrame, and the edges that it is on (positions; -1: none): a crossing
-/// is on one of each, a vertex on two of its polygon.
+// Sides of a pair are 0 for a and 1 for b.
+inline const PolygonData& polygonOf(const PosedPair& pair, int side) { return side == 0 ? pair.a : pair.b; }
+inline const Pose& poseOf(const PosedPair& pair, int side) { return side == 0 ? pair.pose_a : pair.pose_b; }
+
+/// A point of an overlap's boundary, in the WorldFrame, and the edges by side that it is on (positions; -1: none): a
+/// crossing is on one of each, a vertex on two of its polygon.
 struct BoundaryPoint {
   Vec2 at;
-  std::int32_t a, a_before, b, b_before;
+  std::int32_t edge[2] = {-1, -1}, before[2] = {-1, -1};
 };
 
-/// The next edge of a ring, all around, and the one before; positions in the path.
-std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
-std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);
+/// A vertex, and the edges there beyond repetitions of it.
+inline BoundaryPoint vertexPoint(const PolygonData& polygon, int side, std::size_t v, const Vec2& at) {
+  const EdgesAt edges = edgesAt(polygon, v);
+  BoundaryPoint point{at};
+  point.edge[side] = static_cast<std::int32_t>(edges.after);
+  point.before[side] = static_cast<std::int32_t>(edges.before);
+  return point;
+}
 
-/// Whether the vertex at a position begins a ring that is one point.
-bool beginsPoint(const PolygonData& polygon, std::size_t v);
+/// Whether a rounded point of the WorldFrame is in one side's region (0: a's, 1: b's).
+inline bool holds(const PosedPair& pair, const WorldFrame& frame, int side, const Vec2& p) {
+  const Vec2 local = side == 0 ? frame.toA(p) : frame.toB(p);
+  return locateInPolygon(polygonOf(pair, side), IncludedPoint::ofFrame(local)) != Location::Outside;
+}
 
-/// A vertex of one side (0: a, 1: b), and the edges there beyond repetitions of it.
-BoundaryPoint vertexPoint(const PolygonData& polygon, int side, std::size_t v, const Vec2& at);
+/// Calls visit(edge), a position, for every edge of one polygon (side 0: a's, 1: b's) that the way from `from` along
+/// the unit vector `direction` may come within a few of the frame's errors of. visit returns how long the way still is;
+/// all are in the WorldFrame.
+template <typename Visit>
+void forEachEdgeOnRay(const PosedPair& pair, const WorldFrame& frame, int side, const Vec2& from, const Vec2& direction,
+                      double length, Visit visit) {
+  const PolygonData& polygon = polygonOf(pair, side);
+  const Vec2 at = polygon.inUnits(side == 0 ? frame.toA(from) : frame.toB(from));
+  const Eigen::Matrix2d linear = poseOf(pair, side).linear();
+  const Vec2 along = (linear.inverse() * direction).normalized();
+  const double scale = frame.unit() * polygon.inverse_unit;
+  const double error = 4 * frame.error() * scale + 0x1p-40 * (at.norm() + 4);
+  struct Context {
+    double inUnits(double world) const { return world * scale * (1 + 0x1p-10) + error; }
+
+    Visit& visit;
+    Ray ray;
+    double scale, error;
+  } context{visit, {at.x(), at.y(), along.x(), along.y(), error}, scale, error};
+  context.ray.length = context.inUnits(length);
+  const auto call = [](void* c, std::uint32_t edge) {
+    auto& seen = *static_cast<Context*>(c);
+    seen.ray.length = seen.inUnits(seen.visit(std::size_t{edge}));
+    return true;
+  };
+  visitEdgesOnRay(hierarchyOf(polygon), context.ray, call, &context);
+}
 
 }  // namespace tricover::detail

@@ -8,8 +8,9 @@
 #include <limits>
 #include <optional>
 
-#include "contact/world_frame.h"
 #include "numbers/segment.h"
+#include "pair/world_frame.h"
+#include "polygon/edge_walk.h"
 #include "tricover/contacts.h"
 
 namespace tricover::detail {
@@ -52,19 +53,6 @@ std::optional<std::array<ContactEnd, 2>> contactEnds(const Slope& lower, const S
 /// Gives the contact both ends, if there are two, by two pieces and its point in the WorldFrame.
 void addEnds(Contact& contact, const WorldFrame& frame, const WorldFrame::Ends& of_a, const WorldFrame::Ends& of_b,
              const Vec2& point, double margin);
-
-/// Returns the one of the two edges at a vertex that is more across a direction: where a whole edge is deepest, that.
-/// `first` may be -1, and is the answer then. endsOf(edge) is where an edge is, in the direction's frame.
-template <typename EndsOf>
-std::ptrdiff_t flatterEdge(std::ptrdiff_t first, std::ptrdiff_t second, const Vec2& direction, EndsOf endsOf) {
-  if (first < 0 || first == second) return first;
-  const auto slope = [&](std::ptrdiff_t edge) {
-    const WorldFrame::Ends at = endsOf(static_cast<std::size_t>(edge));
-    const Vec2 way = at.w - at.v;
-    return way.isZero(0) ? 1 : std::abs(way.stableNormalized().dot(direction));
-  };
-  return slope(second) < slope(first) ? second : first;
-}
 
 /// Places along a unit vector.
 struct Extent {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "contact/component_contacts.h"
+#include "contact/contact_ends.h"
 #include "contact/convex_contact.h"
-#include "contact/nearest_contact.h"
-#include "contact/part_contacts.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/certificate.h"
@@ -15,6 +15,7 @@
 #include "pair/discs.h"
 #include "pair/find_certificate.h"
 #include "pair/kernel_order.h"
+#include "penetration/penetration.h"
 #include "polygon/cache_access.h"
 #include "polygon/convexity.h"
 
@@ -22,21 +23,39 @@ namespace tricover {
 namespace detail {
 namespace {
 
-/// Of regions that don't overlap.
-std::vector<Contact> contactsBeside(const PosedPair& pair, const ContactOptions& options) {
-  const double margin = options.margin;
-  const CollideOptions grown{margin, 0};
-  if (margin == 0 || !collideByHierarchy(pair, grown, 0, Wanted::Answer).collides) return {};
-  return {contactBeside(pair, margin)};
+/// The contact of two regions that are apart, within a margin.
+Contact contactBeside(const PosedPair& pair, double margin) {
+  const auto [nearest, normal] = nearestContact(pair);
+  const WorldFrame frame(pair);
+  const double error = 4 * frame.error(), depth = std::max(margin - nearest.distance, 0.0);
+  // At a vertex either edge may face the other polygon.
+  const auto facing = [&, &normal = normal](int side, EdgeIndex number, const Vec2& point) {
+    const PolygonData& polygon = side == 0 ? pair.a : pair.b;
+    const std::size_t edge = polygon.edgePosition(static_cast<std::size_t>(number));
+    const WorldFrame::Ends ends = frame.edgeEnds(side, edge);
+    const Vec2 at = frame.fromWorld(point);
+    const bool at_v = (at - ends.v).norm() <= error;
+    if (!at_v && (at - ends.w).norm() > error) return edge;
+    const EdgesAt vertex = edgesAt(polygon, at_v ? edge : edgeAfter(polygon, edge));
+    return flatterEdge(vertex, normal, [&](std::size_t e) { return frame.edgeEnds(side, e); });
+  };
+  const std::size_t edge_a = facing(0, nearest.edge_a, nearest.point_a),
+                    edge_b = facing(1, nearest.edge_b, nearest.point_b);
+  const Vec2 middle = nearest.point_a / 2 + nearest.point_b / 2;
+  Contact contact = contactAt(middle, normal, depth, pair.a.edgeName(edge_a), pair.b.edgeName(edge_b));
+  const Extent all{Vec2(-normal.y(), normal.x())};
+  addEnds(contact, frame, straightPiece(pair, frame, 0, edge_a, all), straightPiece(pair, frame, 1, edge_b, all),
+          frame.fromWorld(middle), margin);
+  return contact;
 }
 
 std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& options) {
-  if (cornersOf(pair.a) == nullptr || cornersOf(pair.b) == nullptr) return partContacts(pair, nullptr, options);
+  if (cornersOf(pair.a) == nullptr || cornersOf(pair.b) == nullptr) return componentContacts(pair, nullptr, options);
   const SeparatingAxes axes(pair);
   if (axes.verdict() == SeparatingAxes::Apart) return {};
   if (axes.verdict() == SeparatingAxes::Meet)
     if (const std::optional<Contact> contact = convexContact(pair, axes, options.margin)) return {1, *contact};
-  return partContacts(pair, &axes, options);
+  return componentContacts(pair, &axes, options);
 }
 
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
@@ -53,7 +72,8 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   if (known.certain && !known.collides) return {};
   const PosedPair pair(a, pose_a, b, pose_b);
   std::vector<Contact> result = allContacts(pair, options);
-  if (result.empty()) result = contactsBeside(pair, options);
+  if (const double margin = options.margin; result.empty() && margin > 0)
+    if (collideByHierarchy(pair, {margin, 0}, 0, Wanted::Answer).collides) result = {contactBeside(pair, margin)};
   if (certificate != nullptr && result.empty())
     renewCertificate(a, pose_a, b, pose_b, *certificate, known, {options.margin, 0});
   if (result.size() > 1)

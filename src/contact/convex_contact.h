@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "contact/separating_axes.h"
+#include "penetration/separating_axes.h"
 #include "tricover/contacts.h"
 
 namespace tricover::detail {

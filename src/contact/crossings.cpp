@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "contact/inner_crossings.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
@@ -32,7 +31,7 @@ std::vector<Crossing> crossingsInWorld(const PosedPair& pair, const CrossingOpti
   const std::vector<EdgeCrossing> found = findCrossings(pair, frame);
   if (is_open && margin == 0) inner.emplace(pair, found);
   for (const EdgeCrossing& crossing : found)
-    if (!inner || inner->has(crossing.edge_a, crossing.edge_b)) add(crossing.edge_a, crossing.edge_b, crossing.point);
+    if (!inner || inner->has(crossing)) add(crossing.edge[0], crossing.edge[1], crossing.point);
   if (margin == 0) return result;
   forEachPair(pair, margin, [&](double, std::size_t i, std::size_t j) {
     if (!edgesMeet(pair, i, j) && edgesWithin(pair, i, j, margin, 0, is_open)) {
@@ -71,20 +70,6 @@ Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, doubl
   return span;
 }
 
-NearestPlaces nearestPlaces(const WorldFrame::Ends& edge_a, const WorldFrame::Ends& edge_b) {
-  NearestPlaces nearest{edge_a.v, edge_b.v};
-  double least = std::numeric_limits<double>::infinity();
-  const auto offer = [&](const Vec2& on_a, const Vec2& on_b) {
-    const double square = (on_b - on_a).squaredNorm();
-    if (!(square < least)) return;
-    least = square;
-    nearest = {on_a, on_b};
-  };
-  for (const Vec2& p : {edge_a.v, edge_a.w}) offer(p, nearestOnSegment(p, edge_b.v, edge_b.w));
-  for (const Vec2& q : {edge_b.v, edge_b.w}) offer(nearestOnSegment(q, edge_a.v, edge_a.w), q);
-  return nearest;
-}
-
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame) {
   std::vector<EdgeCrossing> result;
   result.reserve(8);
@@ -92,7 +77,7 @@ std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame&
     if (edgesMeet(pair, i, j)) {
       const WorldFrame::Ends edge_a = frame.edgeEndsOfA(i), edge_b = frame.edgeEndsOfB(j);
       const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());
-      result.push_back({i, j, on_a, on_b, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
+      result.push_back({{i, j}, {on_a, on_b}, frame.edgeOfB(j, on_b.middle()), crossingDirection(pair, i, j)});
     }
     return 0.0;
   });

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <vector>
 
-#include "contact/world_frame.h"
+#include "contact/boundary_point.h"
+#include "pair/edge_sides.h"
+#include "pair/world_frame.h"
 
 namespace tricover::detail {
 
@@ -14,11 +18,11 @@ struct Span {
   double middle() const { return 0.5 * low + 0.5 * high; }
 };
 
-/// Two edges (positions in the paths) that share a point, and where, but for rounding: more than a point where they
-/// are collinear.
+/// Two edges by side (positions in the paths) that share a point, and where, but for rounding: more than a point where
+/// they are collinear.
 struct EdgeCrossing {
-  std::size_t edge_a, edge_b;
-  Span on_a, on_b;
+  std::size_t edge[2];
+  Span on[2];
   Vec2 point;     ///< in the WorldFrame
   int direction;  ///< see crossingDirection()
 };
@@ -26,13 +30,48 @@ struct EdgeCrossing {
 /// Where `edge` is no farther than `error` from `other`, which it meets, but for rounding.
 Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, double error);
 
-/// Where two edges are nearest to each other, rounded, of those that don't cross.
-struct NearestPlaces {
-  Vec2 on_a, on_b;
-};
-NearestPlaces nearestPlaces(const WorldFrame::Ends& edge_a, const WorldFrame::Ends& edge_b);
-
 /// All pairs of edges that share a point, exactly.
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame);
+
+/// Where the outline of the overlap of the interiors is: see CrossingOptions::touching. Each edge is looked at once.
+class InnerCrossings {
+ public:
+  /// crossings: all of the pair's.
+  InnerCrossings(const PosedPair& pair, const std::vector<EdgeCrossing>& crossings)
+      : pair_(pair), back_(pair.b, pair.pose_b, pair.a, pair.pose_a) {
+    for (const EdgeCrossing& c : crossings) {
+      met_[EdgeSides::A][c.edge[0]].push_back(c.edge[1]);
+      met_[EdgeSides::B][c.edge[1]].push_back(c.edge[0]);
+    }
+  }
+
+  /// Whether it is at this crossing.
+  bool has(const EdgeCrossing& c) {
+    return of(EdgeSides::A, c.edge[0]).bordersBothAt(c.edge[1]) || of(EdgeSides::B, c.edge[1]).bordersBothAt(c.edge[0]);
+  }
+  /// Whether it is at a vertex inside the other region, or along its edges as far as they lead without meeting the
+  /// other polygon's edges.
+  bool hasBeside(const BoundaryPoint& vertex) {
+    return (vertex.edge[1] < 0 && hasBeside(EdgeSides::A, vertex.edge[0], vertex.before[0])) ||
+           (vertex.edge[0] < 0 && hasBeside(EdgeSides::B, vertex.edge[1], vertex.before[1]));
+  }
+
+ private:
+  bool hasBeside(EdgeSides::Operand operand, std::int32_t after, std::int32_t before) {
+    const auto edge = static_cast<std::size_t>(after), last = static_cast<std::size_t>(before);
+    return of(operand, edge).bordersBothUntil(met_[operand][edge], 1) ||
+           of(operand, last).bordersBothUntil(met_[operand][last], -1);
+  }
+  const EdgeSides& of(EdgeSides::Operand operand, std::size_t edge) {
+    const auto known = known_[operand].find(edge);
+    if (known != known_[operand].end()) return known->second;
+    return known_[operand].emplace(edge, EdgeSides(pair_, back_, operand, edge)).first->second;
+  }
+
+  const PosedPair& pair_;
+  const PosedPair back_;
+  std::map<std::size_t, std::vector<std::size_t>> met_[2];  ///< by edge: the other polygon's edges that it meets
+  std::map<std::size_t, EdgeSides> known_[2];
+};
 
 }  // namespace tricover::detail

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "contact/own_crossings.h"
+#include "penetration/rings.h"
 
 namespace tricover::detail {
 
@@ -30,8 +30,9 @@ void OverlapArcs::join(bool with_own_crossings) {
   for (const EdgeCrossing& c : crossings_) {
     const std::size_t node = addNode(true);
     const bool known = c.direction != 0;
-    sides_[0].stops.push_back({c.edge_a, c.on_a, node, {known, -c.direction}, false});
-    sides_[1].stops.push_back({c.edge_b, c.on_b, node, {known, c.direction}, false});
+    for (const int side : {0, 1})
+      sides_[side].stops.push_back(
+          {c.edge[side], c.on[side], node, {known, side == 0 ? -c.direction : c.direction}, false});
   }
   for (int side : {0, 1}) {
     if (with_own_crossings) addOwnCrossings(side);
@@ -40,7 +41,7 @@ void OverlapArcs::join(bool with_own_crossings) {
 }
 
 std::size_t OverlapArcs::addNode(bool present) {
-  nodes_.push_back({present, false, false, kNone});
+  nodes_.push_back({present, false, kNone});
   return sets_.add();
 }
 
@@ -139,9 +140,8 @@ void OverlapArcs::pass(int other, const Stop& stop, Winding& winding) {
   const int before = winding.number;
   winding.number += stop.change.number;
   if (stop.node < crossings_.size()) {
-    const EdgeCrossing& crossing = crossings_[stop.node];
     Side& crossed = sides_[other];
-    const std::size_t ring = crossed.polygon.ringOf(other == 0 ? crossing.edge_a : crossing.edge_b);
+    const std::size_t ring = crossed.polygon.ringOf(crossings_[stop.node].edge[other]);
     crossed.rings[ring].left = {true, std::max(before, winding.number)};
   }
 }
@@ -160,7 +160,7 @@ bool OverlapArcs::joinedOnEdge(int side, const Stop& stop, const Stop& next, dou
 /// all.
 bool OverlapArcs::joinedRoundVertices(int side, const Stop& stop, const Stop& next, Winding& winding) {
   const Side& own = sides_[side];
-  const std::size_t v = own.after(stop.edge);
+  const std::size_t v = edgeAfter(own.polygon, stop.edge);
   if (!winding.known) {
     const Inclusion found = includeVertex(side, v);
     if (found.location == Location::Boundary) return true;
@@ -170,18 +170,6 @@ bool OverlapArcs::joinedRoundVertices(int side, const Stop& stop, const Stop& ne
   nodes_[stop.node].is_inner = nodes_[stop.node].is_present = true;
   arcs_.push_back({side, v, next.edge, stop.node});
   return true;
-}
-
-std::size_t OverlapArcs::countSets() {
-  for (Node& node : nodes_) node.is_counted = false;
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < sets_.size(); ++k) {
-    if (!nodes_[k].is_present) continue;
-    Node& root = nodes_[sets_.find(k)];
-    count += !root.is_counted;
-    root.is_counted = true;
-  }
-  return count;
 }
 
 /// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "contact/boundary_point.h"
-#include "contact/boundary_ray.h"
 #include "contact/crossings.h"
 #include "hierarchy/inclusion.h"
 #include "numbers/union_find.h"
@@ -42,7 +41,6 @@ struct Side {
 
   Side(const PolygonData& polygon_, std::pmr::memory_resource* memory) : polygon(polygon_), stops(memory) {}
 
-  std::size_t after(std::size_t edge) const { return edgeAfter(polygon, edge); }
   bool isInside(int winding) const { return detail::isInside(polygon.fill, winding); }
 
   const PolygonData& polygon;
@@ -82,7 +80,6 @@ class OverlapArcs {
 
   /// Along all rings; a polygon's own crossings join its arcs only if asked to.
   void join(bool with_own_crossings);
-  std::size_t countSets();
 
   Vec2 vertex(int side, std::size_t v) const { return frame_.from(side, sides_[side].polygon.path[v]); }
   Ends ends(int side, std::size_t e) const { return frame_.edgeEnds(side, e); }
@@ -111,7 +108,6 @@ class OverlapArcs {
   struct Node {
     bool is_present;  ///< it is in the overlap, which a polygon's own crossing needn't be
     bool is_inner;    ///< the overlap has an inside there
-    bool is_counted;  ///< of a set that is in the overlap, by its own node
     std::size_t component = kNone;
   };
   UnionFind sets_;  ///< of nodes

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "contact/overlap_arcs.h"
-#include "contact/own_crossings.h"
 #include "numbers/segment.h"
+#include "penetration/rings.h"
 
 namespace tricover::detail {
 namespace {
@@ -18,11 +18,11 @@ class Grouping : OverlapArcs {
 
   std::vector<OverlapComponent> components(ContactDetail detail) {
     join(false);
-    std::size_t count = countSets();
+    std::size_t count = numberComponents();
     // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
     if (count > 1 && (meetsItself(pair_.a) || meetsItself(pair_.b))) {
       join(true);
-      count = countSets();
+      count = numberComponents();
     }
     if (count > 1) joinHoles();
     return collect(detail != ContactDetail::Points);
@@ -55,8 +55,8 @@ class Grouping : OverlapArcs {
     if (point.side != NodePoint::kCrossing) return vertex(point.side, point.at);
     const EdgeCrossing& crossing = crossings_[point.at];
     if (crossing.direction != 0) return crossing.point;
-    const Vec2 low = frame_.edgeOfA(crossing.edge_a, crossing.on_a.low),
-               high = frame_.edgeOfA(crossing.edge_a, crossing.on_a.high);
+    const Vec2 low = frame_.edgeOfA(crossing.edge[0], crossing.on[0].low),
+               high = frame_.edgeOfA(crossing.edge[0], crossing.on[0].high);
     return low.x() < high.x() ? low : high;
   }
 
@@ -68,8 +68,7 @@ class Grouping : OverlapArcs {
     } else {
       const int side = point.side;
       const BoundaryPoint p = vertexPoint(sides_[side].polygon, side, point.at, at);
-      const auto edge = static_cast<std::size_t>(side == 0 ? p.a : p.b),
-                 before = static_cast<std::size_t>(side == 0 ? p.a_before : p.b_before);
+      const auto edge = static_cast<std::size_t>(p.edge[side]), before = static_cast<std::size_t>(p.before[side]);
       const Side& own = sides_[side];
       const Side::RingStops& ring = own.rings[own.polygon.ringOf(edge)];
       // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
@@ -145,13 +144,11 @@ class Grouping : OverlapArcs {
 
   /// How many there are; their nodes know theirs.
   std::size_t numberComponents() {
-    for (Node& node : nodes_) node.is_counted = false;
+    for (Node& node : nodes_) node.component = kNone;
     std::size_t count = 0;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       Node& root = nodes_[sets_.find(k)];
-      if (!nodes_[k].is_present || root.is_counted) continue;
-      root.is_counted = true;
-      root.component = count++;
+      if (nodes_[k].is_present && root.component == kNone) root.component = count++;
     }
     for (std::size_t k = 0; k < nodes_.size(); ++k) nodes_[k].component = nodes_[sets_.find(k)].component;
     return count;
@@ -159,23 +156,22 @@ class Grouping : OverlapArcs {
 
   BoundaryPoint crossingPoint(std::size_t k) const {
     const EdgeCrossing& c = crossings_[k];
-    const auto i = static_cast<std::int32_t>(c.edge_a), j = static_cast<std::int32_t>(c.edge_b);
-    return {c.point, i, i, j, j};
+    const auto i = static_cast<std::int32_t>(c.edge[0]), j = static_cast<std::int32_t>(c.edge[1]);
+    return {c.point, {i, j}, {i, j}};
   }
 
   void addVertices(const Arc& arc, std::vector<BoundaryPoint>& points) const {
-    const bool of_a = arc.side == 0;
-    const PolygonData& polygon = sides_[arc.side].polygon;
-    const Vec2* const path = &polygon.path[0];
+    const int side = arc.side;
     std::int32_t before = -1;
     forEachVertex(arc, [&](std::size_t v) {
-      const Vec2 at = of_a ? frame_.fromA(path[v]) : frame_.fromB(path[v]);
       const auto edge = static_cast<std::int32_t>(v);
-      if (before < 0)
-        points.push_back(vertexPoint(polygon, arc.side, v, at));
-      else
-        points.emplace_back() =
-            of_a ? BoundaryPoint{at, edge, before, -1, -1} : BoundaryPoint{at, -1, -1, edge, before};
+      if (before < 0) {
+        points.push_back(vertexPoint(sides_[side].polygon, side, v, vertex(side, v)));
+      } else {
+        BoundaryPoint& point = points.emplace_back(BoundaryPoint{vertex(side, v)});
+        point.edge[side] = edge;
+        point.before[side] = before;
+      }
       before = edge;
     });
   }
@@ -191,12 +187,12 @@ class Grouping : OverlapArcs {
 
   /// Which sides of a common stretch of two edges the regions are on.
   void lookBeside(const EdgeCrossing& crossing, OverlapComponent& component) const {
-    const Ends edge = frame_.edgeEndsOfA(crossing.edge_a);
+    const Ends edge = frame_.edgeEndsOfA(crossing.edge[0]);
     const Vec2 way = edge.w - edge.v;
-    const double length = way.norm() * (crossing.on_a.high - crossing.on_a.low), error = frame_.error();
+    const double length = way.norm() * (crossing.on[0].high - crossing.on[0].low), error = frame_.error();
     if (!(length > 32 * error)) return;
     const Vec2 normal = Vec2(-way.y(), way.x()).normalized(), beside = 8 * error * normal;
-    const Vec2 point = frame_.edgeOfA(crossing.edge_a, somewhere(crossing.on_a));
+    const Vec2 point = frame_.edgeOfA(crossing.edge[0], somewhere(crossing.on[0]));
     const bool a_left = holds(0, point + beside), a_right = holds(0, point - beside);
     const bool b_left = holds(1, point + beside), b_right = holds(1, point - beside);
     component.inner = (a_left && b_left) || (a_right && b_right);

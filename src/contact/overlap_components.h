@@ -6,7 +6,7 @@
 
 #include "contact/boundary_point.h"
 #include "contact/crossings.h"
-#include "contact/world_frame.h"
+#include "pair/world_frame.h"
 #include "tricover/contacts.h"
 
 namespace tricover::detail {

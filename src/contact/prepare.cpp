@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/prepare.h"
 
-#include "contact/disc_cover.h"
-#include "contact/own_crossings.h"
-#include "contact/region_sides.h"
 #include "convex/convex_outline.h"
 #include "hierarchy/hierarchy.h"
 #include "pair/ring_starts.h"
+#include "penetration/rings.h"
 
 namespace tricover {
 
@@ -15,7 +13,6 @@ void prepare(const Polygon& polygon) {
   detail::hierarchyOf(data);
   detail::innerDiscsOf(data);
   detail::convexOutlineOf(data);
-  detail::discCoverOf(data);
   if (const detail::PolygonData* corners = detail::cornersOf(data)) {
     detail::hierarchyOf(*corners);
     detail::innerDiscsOf(*corners);

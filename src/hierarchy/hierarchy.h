@@ -45,7 +45,6 @@ struct InnerDiscs : Derived::Thing {
   int count = 0;
   Vec2 center = Vec2::Zero();  ///< the first of them once more, in the polygon's frame
   double largest = 0;          ///< its radius; 0 if there is none
-  Derived cover;               ///< more discs, which a search for a way apart asks first
 };
 
 /// The few edges of a polygon, of any number of rings, in units from S. Edge i begins at vertex i; lanes beyond repeat

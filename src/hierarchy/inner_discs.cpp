@@ -128,32 +128,26 @@ double provenRadius(const PolygonData& polygon, const Vec2& center, float depth)
   return radius > 0 && std::isfinite(radius * polygon.unit) && isInside() ? radius : 0;
 }
 
-std::vector<Disc> discsOnGrid(const PolygonData& polygon, int along, int across, std::size_t most, double spread) {
-  std::vector<Disc> discs;
-  if (!polygon.fitsUnit()) return discs;
-  DepthSearch search(polygon);
-  search.lookAround(topOf(polygon).root, along, across);
-  search.climb();
-  Guess guess = search.deepest();
-  while (guess.depth > 0 && discs.size() < most) {
-    const Vec2 center(guess.x, guess.y);
-    const double radius = provenRadius(polygon, center, guess.depth);
-    if (radius > 0) discs.push_back({center, radius});
-    guess = search.deepestBeyond(guess, static_cast<float>(spread * radius));
-  }
-  return discs;
-}
-
+/// Around the deepest places of a grid over the root box and the deepest near those, deepest first. No centre is in a
+/// disc before it.
 InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
-  int first = 0;
+  if (!polygon.fitsUnit()) return;
   // At most 16 edges are tested at once: little but the largest disc is worth its cost.
   const bool few = topOf(polygon).small != nullptr;
-  for (const Disc& disc : discsOnGrid(polygon, 8, few ? 2 : 5, few ? 2 : kLanes, 1)) {
+  DepthSearch search(polygon);
+  search.lookAround(topOf(polygon).root, 8, few ? 2 : 5);
+  search.climb();
+  int first = 0;
+  for (Guess guess = search.deepest(); guess.depth > 0 && count < (few ? 2 : kLanes);) {
+    const Vec2 at(guess.x, guess.y);
+    const double proven = provenRadius(polygon, at, guess.depth);
+    guess = search.deepestBeyond(guess, static_cast<float>(proven));
+    if (!(proven > 0)) continue;
     const int k = count++;
-    x[k] = static_cast<float>(disc.center.x());
-    y[k] = static_cast<float>(disc.center.y());
-    radius[k] = static_cast<float>(disc.radius * (1 - 0x1p-22));
-    reach = std::max(reach, static_cast<float>((disc.center.norm() + radius[k]) * (1 + 0x1p-20)));
+    x[k] = static_cast<float>(at.x());
+    y[k] = static_cast<float>(at.y());
+    radius[k] = static_cast<float>(proven * (1 - 0x1p-22));
+    reach = std::max(reach, static_cast<float>((at.norm() + radius[k]) * (1 + 0x1p-20)));
     if (radius[k] > radius[first]) first = k;
   }
   if (count == 0) return;

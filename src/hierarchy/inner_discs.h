@@ -54,14 +54,4 @@ constexpr double kSurelyBeside = 0x1p-15;
 /// measured, more than which it need not be; 0 if that can't be shown.
 double provenRadius(const PolygonData& polygon, const Vec2& center, float depth);
 
-/// A disc in a polygon's units, from S.
-struct Disc {
-  Vec2 center;
-  double radius;
-};
-
-/// Up to `most` discs that are proven to lie in the region: around the deepest places of a grid over the root box and
-/// the deepest near those, deepest first. No centre is within `spread` times the radius of a disc before it.
-std::vector<Disc> discsOnGrid(const PolygonData& polygon, int along, int across, std::size_t most, double spread);
-
 }  // namespace tricover::detail

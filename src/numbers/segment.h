@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "tricover/pose.h"
 
 namespace tricover::detail {
@@ -21,6 +23,29 @@ inline Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
 
 inline double squaredDistanceToSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
   return (nearestOnSegment(p, v, w) - p).squaredNorm();
+}
+
+/// A segment.
+struct Ends {
+  Vec2 v, w;
+};
+
+/// Where two segments are nearest to each other, rounded, if they don't cross.
+struct NearestPlaces {
+  Vec2 on_a, on_b;
+};
+inline NearestPlaces nearestPlaces(const Ends& a, const Ends& b) {
+  NearestPlaces nearest{a.v, b.v};
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Vec2& on_a, const Vec2& on_b) {
+    const double square = (on_b - on_a).squaredNorm();
+    if (!(square < least)) return;
+    least = square;
+    nearest = {on_a, on_b};
+  };
+  for (const Vec2& p : {a.v, a.w}) offer(p, nearestOnSegment(p, b.v, b.w));
+  for (const Vec2& q : {b.v, b.w}) offer(nearestOnSegment(q, a.v, a.w), q);
+  return nearest;
 }
 
 }  // namespace tricover::detail

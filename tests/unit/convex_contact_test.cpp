@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/part_contacts.h"
+#include "contact/component_contacts.h"
 #include "contact_laws.h"
 #include "convex/convex_outline.h"
 #include "families.h"
@@ -134,7 +134,7 @@ TEST(ConvexContact, IsThatOfTheGeneralWay) {
     const SeparatingAxes axes(pair);
     const bool meets = axes.verdict() == SeparatingAxes::Meet, apart = axes.verdict() == SeparatingAxes::Apart;
     const std::optional<Contact> found = meets ? convexContact(pair, axes, 0) : std::nullopt;
-    const std::vector<Contact> general = partContacts(pair, &axes, {});
+    const std::vector<Contact> general = componentContacts(pair, &axes, {});
     (found ? overlaps : apart ? aparts : unsure)++;
     contained += found && (found->edge_a < 0 || found->edge_b < 0);
     missed += !found && !apart && !general.empty() && general[0].depth > 1e-9;

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "contact/world_frame.h"
+#include "pair/world_frame.h"
 #include "hierarchy/placement.h"
 #include "random.h"
 #include "shapes.h"

@@ -82,7 +82,7 @@ TEST(Stages, PrepareBuildsAll) {
     EXPECT_NE(polygon.data().convexity.ifBuilt(), nullptr);
   }
   EXPECT_NE(islands.data().starts.ifBuilt(), nullptr);
-  EXPECT_NE(innerDiscsIfBuilt(islands.data())->cover.ifBuilt(), nullptr);
+  EXPECT_NE(hierarchyIfBuilt(islands.data())->sides.ifBuilt(), nullptr);
   EXPECT_NE(convexityOf(round.data()).outline.ifBuilt(), nullptr);
 }
 
@@ -92,8 +92,7 @@ std::vector<const void*> derivedFrom(const Polygon& polygon) {
   std::vector<const void*> all = {data.hierarchy.ifBuilt(), data.discs.ifBuilt(), data.convexity.ifBuilt(),
                                   data.starts.ifBuilt()};
   if (const detail::Hierarchy* hierarchy = hierarchyIfBuilt(data))
-    all.insert(all.end(), {hierarchy->few_blocks.ifBuilt(), hierarchy->tangles.ifBuilt()});
-  if (const detail::InnerDiscs* discs = innerDiscsIfBuilt(data)) all.push_back(discs->cover.ifBuilt());
+    all.insert(all.end(), {hierarchy->few_blocks.ifBuilt(), hierarchy->tangles.ifBuilt(), hierarchy->sides.ifBuilt()});
   if (data.convexity.ifBuilt() != nullptr) all.push_back(detail::convexityOf(data).outline.ifBuilt());
   return all;
 }

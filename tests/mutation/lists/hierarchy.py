@@ -5,7 +5,7 @@ MUTATIONS = [
     ("src/hierarchy/hierarchy.cpp", "constexpr double kOutwards = 0x1p-21;", "constexpr double kOutwards = -0x1p-12;", "boxes: rounded inwards"),
     ("src/hierarchy/inclusion.cpp", "error * (2 + 16 / distance)}", "0}", "ray: known exactly"),
     ("src/hierarchy/inner_discs.h", "constexpr double kDepthError = 0x1p-17;", "constexpr double kDepthError = -0x1p-12;", "inner discs: measured depths, rounded outwards"),
-    ("src/hierarchy/inner_discs.cpp", "disc.radius * (1 - 0x1p-22)", "disc.radius / (1 - 0x1p-22)", "inner discs: rounded outwards"),
+    ("src/hierarchy/inner_discs.cpp", "proven * (1 - 0x1p-22)", "proven / (1 - 0x1p-22)", "inner discs: rounded outwards"),
     ("src/hierarchy/inner_discs.cpp", "ThinnedOutline::isWhole(polygon) && ", "", "inner discs: the side that a thinned outline sees"),
     ("src/hierarchy/inner_discs.cpp", "4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)", "0", "inner discs: an ulp of S"),
     ("src/hierarchy/inner_discs.cpp", "polygon.unit) && isInside()", "polygon.unit)", "inner discs: the side that isn't certain"),

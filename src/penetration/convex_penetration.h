@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "contact/separating_axes.h"
+#include "penetration/separating_axes.h"
 
 namespace tricover::detail {
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/translation_space.h"
+#include "penetration/translation_space.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "hierarchy/inner_discs.h"
 #include "numbers/double_double.h"
 #include "numbers/rigidity.h"
-#include "numbers/segment.h"
+#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 namespace {
@@ -21,14 +22,39 @@ constexpr double kFullTurn = 4;
 
 }  // namespace
 
+void PlacedPolygon::prepare(const RegionSides* sides) {
+  sides_ = sides;
+  is_placed_.assign(polygon.path.size(), 0);
+  vertices_.reset(new PlacedVertex[polygon.path.size()]);
+}
+
+void PlacedPolygon::place(std::size_t i) const {
+  const std::size_t ring = polygon.ringOf(i);
+  PlacedVertex& placed = vertices_[i];
+  is_placed_[i] = 1;
+  placed = {vertex(i), Vec2::Zero(), Vec2::Zero(), false, false, 0};
+  if (i == polygon.edgeEnd(ring) || polygon.path[i] == polygon.path[i + 1]) {
+    placed.is_edge = beginsPoint(polygon, i);  // one edge without a length
+    return;
+  }
+  const std::size_t before = edgesAt(polygon, i).before;
+  placed.is_edge = true;
+  placed.incoming = offset(polygon.path[before + 1], polygon.path[before]);
+  placed.outgoing = offset(polygon.path[i + 1], polygon.path[i]);
+  if (sides_ == nullptr) return;
+  placed.side = static_cast<std::int8_t>((linear.determinant() < 0 ? -1 : 1) * sides_->rings[ring]);
+  const double error = kVertexError * placed.incoming.lpNorm<1>() * placed.outgoing.lpNorm<1>();
+  placed.is_reflex = placed.side * cross(placed.incoming, placed.outgoing) < -error;
+}
+
 TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-    : polygon_a_(a),
-      polygon_b_(b),
+    : unit_(std::max(a.unit, b.unit)),
+      a_(a, pose_a, std::min(a.inverse_unit, b.inverse_unit)),
+      b_(b, pose_b, a_.inverse_unit),
       pose_a_(pose_a),
       pose_b_(pose_b),
-      unit_(std::max(a.unit, b.unit)),
-      inverse_unit_(std::min(a.inverse_unit, b.inverse_unit)),
       quarter_origin_(pose_a.linear() * (a.origin / 4) + pose_a.translation() / 4) {
+  const double inverse_unit = a_.inverse_unit;
   const auto& ra = pose_a.matrix();
   const auto& rb = pose_b.matrix();
   for (int row = 0; row < 2; ++row) {
@@ -36,39 +62,37 @@ TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, con
     shift_[row] = shift.high;
     shift_rest_[row] = shift.low;
     const auto inUnits = [&](const Eigen::Matrix3d& m, const Vec2& s) {
-      return twoProduct(m(row, 0), s.x() * inverse_unit_) + twoProduct(m(row, 1), s.y() * inverse_unit_);
+      return twoProduct(m(row, 0), s.x() * inverse_unit) + twoProduct(m(row, 1), s.y() * inverse_unit);
     };
-    const DoubleDouble scaled{shift.high * inverse_unit_, shift.low * inverse_unit_};
-    between_[row] = (inUnits(rb, b.origin) - inUnits(ra, a.origin) + scaled).high;
+    const DoubleDouble scaled{shift.high * inverse_unit, shift.low * inverse_unit};
+    b_.origin[row] = (inUnits(rb, b.origin) - inUnits(ra, a.origin) + scaled).high;
   }
   pose_a_.translation().setZero();
-  const double radii = (a.radius * inverse_unit_ + b.radius * inverse_unit_) * (1 + kLargestDefect);
-  noise_ = kVertexError * (radii + between_.norm()) + kShiftError * (shift_.lpNorm<1>() * inverse_unit_) +
-           0x1p-1073 * inverse_unit_;
+  const double radii = (a.radius * inverse_unit + b.radius * inverse_unit) * (1 + kLargestDefect);
+  noise_ = kVertexError * (radii + b_.origin.norm()) + kShiftError * (shift_.lpNorm<1>() * inverse_unit) +
+           0x1p-1073 * inverse_unit;
 }
 
 void TranslationSpace::prepareSearch(double farthest) {
-  // How far discs overlap steers a search of this plane: so they are there, whatever has been paid for.
-  for (const PolygonData* polygon : {&polygon_a_, &polygon_b_})
+  const PolygonData &a = a_.polygon, &b = b_.polygon;
+  // The kernel's depths, and so the search, depend on inner discs: they are there, whatever has been paid for.
+  for (const PolygonData* polygon : {&a, &b})
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
+  const RegionSides *of_a = nullptr, *of_b = nullptr;
   // Of a shallow overlap the trees show few pairs of edges.
-  const double smaller = std::min(polygon_a_.radius, polygon_b_.radius) * inverse_unit_;
-  const RegionSides *a = nullptr, *b = nullptr;
-  if (farthest > 0.25 * smaller) {
-    a = &regionSidesOf(polygon_a_), b = &regionSidesOf(polygon_b_);
-    const auto edges_a = static_cast<double>(polygon_a_.path.size()),
-               edges_b = static_cast<double>(polygon_b_.path.size());
-    const double segments = a->corners * edges_b + b->corners * edges_a;
+  if (farthest > 0.25 * std::min(a.radius, b.radius) * a_.inverse_unit) {
+    of_a = &regionSidesOf(a), of_b = &regionSidesOf(b);
+    const auto edges_a = static_cast<double>(a.path.size()), edges_b = static_cast<double>(b.path.size());
+    const double segments = of_a->corners * edges_b + of_b->corners * edges_a;
     // Measured: the fewer they are beside all pairs of edges, the more of them pay.
     are_few_ = segments < 20 * std::pow(edges_a * edges_b / segments, 3);
   }
   // Where all pairs of edges are shown, the sides of rings cost more than they save.
-  if (!are_few_) a = b = nullptr;
-  a_ = PlacedVertices(polygon_a_, pose_a_, Vec2::Zero(), inverse_unit_, a);
-  b_ = PlacedVertices(polygon_b_, pose_b_, between_, inverse_unit_, b);
+  a_.prepare(are_few_ ? of_a : nullptr);
+  b_.prepare(are_few_ ? of_b : nullptr);
 }
 
-std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const PlacedVertices& vertices, double radius) {
+std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const PlacedPolygon& vertices, double radius) {
   std::vector<Direction> directions;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (!vertices[k].is_edge) continue;
@@ -115,46 +139,46 @@ void TranslationSpace::forEachEdgeBeside(const PlacedVertex& vertex, const std::
 
 std::vector<TranslationSpace::Segment> TranslationSpace::segmentsWithin(double radius) const {
   std::vector<Segment> segments;
-  // What lies in a disc bounds nothing, if it is farther from its edge than both of what ends and centres are off by.
-  const DiscSums sums = sumsOf(largestDiscsOf(polygon_a_), largestDiscsOf(polygon_b_), -8 * noise_, kFewSums);
-  const auto add = [&](const Segment& segment) {
-    if (!sums.holdSegment(segment.v, segment.w)) segments.push_back(segment);
+  const std::vector<Disc> discs = overlappingDiscs();
+  // What lies in a disc bounds nothing.
+  const auto add = [&](const Segment& s) {
+    if (std::none_of(discs.begin(), discs.end(), [&](const Disc& disc) { return disc.holds(s.v) && disc.holds(s.w); }))
+      segments.push_back(s);
     return true;
   };
   const double farthest = radius + noise_;
   const std::vector<Direction> along_a = directionsOf(a_, farthest), along_b = directionsOf(b_, farthest);
   for (std::size_t i = 0; i < a_.size(); ++i)
-    forEachEdgeBeside(a_[i], along_b,
-                      [&](std::size_t j) { show<true>(a_[i], b_[j], i, j, Vec2::Zero(), radius, add); });
+    forEachEdgeBeside(a_[i], along_b, [&](std::size_t j) { show<true>(i, j, Vec2::Zero(), radius, add); });
   for (std::size_t j = 0; j < b_.size(); ++j)
-    forEachEdgeBeside(b_[j], along_a,
-                      [&](std::size_t i) { show<false>(a_[i], b_[j], i, j, Vec2::Zero(), radius, add); });
+    forEachEdgeBeside(b_[j], along_a, [&](std::size_t i) { show<false>(i, j, Vec2::Zero(), radius, add); });
   return segments;
 }
 
-DiscSums TranslationSpace::discSums() const {
-  // A centre is no less precise than a vertex, and so is t; the fourth is for the roundings where they are compared.
-  return sumsOf(discCoverOf(polygon_a_), discCoverOf(polygon_b_), -4 * noise_,
-                (polygon_a_.path.size() + polygon_b_.path.size()) / 2);
-}
-
-DiscSums TranslationSpace::sumsOf(std::vector<Disc> of_a, std::vector<Disc> of_b, double grown,
-                                  std::size_t most) const {
-  const auto place = [&](const PolygonData& polygon, const Pose& pose, const Vec2& origin, std::vector<Disc>& discs) {
-    const double scale = polygon.unit * inverse_unit_;
-    for (Disc& disc : discs)
-      disc = {origin + pose.linear() * (disc.center * scale), disc.radius * scale * (1 - kLargestDefect)};
+/// Smaller by more than what ends of segments and centres are off by.
+std::vector<TranslationSpace::Disc> TranslationSpace::overlappingDiscs() const {
+  constexpr int kMost = 16;  // the largest with so many: small ones of both hold less than either with a large one
+  std::vector<Disc> discs;
+  if (a_.polygon.isDegenerate() || b_.polygon.isDegenerate()) return discs;
+  const InnerDiscs &of_a = innerDiscsOf(a_.polygon), &of_b = innerDiscsOf(b_.polygon);
+  const auto placed = [](const PlacedPolygon& side, const InnerDiscs& inner, int k) {
+    const double scale = side.polygon.unit * side.inverse_unit;
+    return Disc{side.origin + side.linear * (Vec2(inner.x[k], inner.y[k]) * scale),
+                inner.radius[k] * scale * (1 - kLargestDefect)};
   };
-  place(polygon_a_, pose_a_, Vec2::Zero(), of_a);
-  place(polygon_b_, pose_b_, between_, of_b);
-  return DiscSums(of_a, of_b, grown, most);
+  for (int i = 0; i < of_a.count; ++i)
+    for (int j = 0; j < of_b.count && (i + 1) * (j + 1) <= kMost; ++j) {
+      const Disc a = placed(a_, of_a, i), b = placed(b_, of_b, j);
+      discs.push_back({a.center - b.center, a.radius + b.radius - 8 * noise_});
+    }
+  return discs;
 }
 
 PosedPair TranslationSpace::at(Vec2& t) {
   const Vec2 translation = shift_ + (shift_rest_ + t * unit_);
-  t = ((translation - shift_) - shift_rest_) * inverse_unit_;
+  t = ((translation - shift_) - shift_rest_) * a_.inverse_unit;
   pose_b_.translation() = translation;
-  return PosedPair(polygon_a_, pose_a_, polygon_b_, pose_b_);
+  return PosedPair(a_.polygon, pose_a_, b_.polygon, pose_b_);
 }
 
 TranslationSpace::MeetingEdges TranslationSpace::meetingOf(std::size_t i, std::size_t j) const {
@@ -164,9 +188,7 @@ TranslationSpace::MeetingEdges TranslationSpace::meetingOf(std::size_t i, std::s
     up_a = -up_a;
     up_b = -up_b;
   }
-  return {
-      a_[i].at - b_[j].at,          up_a, up_b, up_a.dot(of_b), std::abs(up_b.dot(of_a)), static_cast<std::uint32_t>(i),
-      static_cast<std::uint32_t>(j)};
+  return {a_[i].at - b_[j].at, up_a, up_b, up_a.dot(of_b), std::abs(up_b.dot(of_a))};
 }
 
 }  // namespace tricover::detail

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/region_sides.h"
+#include "penetration/rings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "contact/own_crossings.h"
 #include "numbers/angle.h"
-#include "numbers/predicates.h"
+#include "numbers/convex_hull.h"
 #include "numbers/segment.h"
 #include "polygon/covering.h"
 
@@ -79,7 +78,34 @@ struct KnownSides : Derived::Thing {
   RegionSides sides;
 };
 
+struct OwnMeetings : Derived::Thing {
+  explicit OwnMeetings(const PolygonData& polygon) {
+    const std::vector<std::uint32_t> order = verticesByPlace(polygon);
+    const auto areEqual = [&](std::uint32_t v, std::uint32_t w) { return polygon.path[v] == polygon.path[w]; };
+    some = std::adjacent_find(order.begin(), order.end(), areEqual) != order.end();
+    if (!some) forEachOwnCrossing(polygon, [&](std::size_t, std::size_t) { return !(some = true); });
+  }
+
+  bool some;
+};
+
 }  // namespace
+
+std::vector<std::uint32_t> verticesByPlace(const PolygonData& polygon) {
+  std::vector<std::uint32_t> order;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (std::size_t v = polygon.edgeBegin(r); v < polygon.edgeEnd(r); ++v)
+      order.push_back(static_cast<std::uint32_t>(v));
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t v, std::uint32_t w) { return isBefore(polygon.path[v], polygon.path[w]); });
+  return order;
+}
+
+bool meetsItself(const PolygonData& polygon) {
+  const Derived::Thing* meetings =
+      hierarchyOf(polygon).tangles.built([&] { return std::make_unique<const OwnMeetings>(polygon); });
+  return static_cast<const OwnMeetings*>(meetings)->some;
+}
 
 const RegionSides& regionSidesOf(const PolygonData& polygon) {
   const Derived::Thing* known =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/separating_axes.h"
+#include "penetration/separating_axes.h"
 
 #include <algorithm>
 #include <cmath>

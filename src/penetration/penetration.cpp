@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/penetration.h"
+#include "penetration/penetration.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,67 +8,61 @@
 #include <optional>
 #include <utility>
 
-#include "contact/boundary_point.h"
-#include "contact/contact_ends.h"
-#include "contact/convex_penetration.h"
-#include "contact/nearest_contact.h"
-#include "contact/translation_search.h"
 #include "convex/convex_outline.h"
+#include "distance/distance_result.h"
 #include "numbers/errors.h"
 #include "numbers/segment.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
+#include "penetration/convex_penetration.h"
+#include "penetration/translation_search.h"
 #include "polygon/cache_access.h"
+#include "polygon/edge_walk.h"
 #include "tricover/collide.h"
 
 namespace tricover {
 namespace detail {
 namespace {
 
-/// Where an edge and a vertex part last.
+/// Where an edge and a vertex part last, by side (0: a, 1: b).
 struct Features {
-  Vec2 point_a, point_b;       ///< in the space's units
-  Vec2 normal;                 ///< unit
-  std::size_t edge_a, edge_b;  ///< positions: what they are on, or near it
+  Vec2 points[2];        ///< in the space's units
+  Vec2 normal;           ///< unit
+  std::size_t edges[2];  ///< positions: what they are on, or near it
 };
 
-/// Returns the edge at a vertex that is more nearly parallel to another edge, and so may lie along it.
-template <typename VertexAt>
-std::size_t edgeAlong(const PolygonData& polygon, VertexAt vertexAt, std::size_t vertex, const Vec2& other) {
-  const BoundaryPoint at = vertexPoint(polygon, 0, vertex, Vec2::Zero());
-  const auto endsOf = [&](std::size_t e) { return WorldFrame::Ends{vertexAt(e), vertexAt(e + 1)}; };
-  return static_cast<std::size_t>(flatterEdge(at.a, at.a_before, Vec2(-other.y(), other.x()), endsOf));
-}
-
-/// After the translation t. The vertex may come beyond the edge's end only where the edge at it is parallel. The edge
-/// goes from one vertex to another, straight on where several are between these.
-Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const Vec2& t, bool edge_of_a,
-                    std::size_t edge, std::size_t start, std::size_t end, std::size_t vertex) {
-  const auto ofA = [&](std::size_t i) { return space.vertexOfA(i); };
-  const auto ofB = [&](std::size_t j) { return space.vertexOfB(j); };
-  if (edge_of_a) {
-    const Vec2 v = ofA(start), w = ofA(end), p = nearestOnSegment(ofB(vertex) + t, v, w);
-    return {p, p - t, t.normalized(), edge, edgeAlong(pair.b, ofB, vertex, w - v)};
-  }
-  const Vec2 v = ofB(start), w = ofB(end), p = nearestOnSegment(ofA(vertex) - t, v, w);
-  return {p + t, p, t.normalized(), edgeAlong(pair.a, ofA, vertex, w - v), edge};
+/// After the translation t: an edge of `side`, from one vertex to another, straight on where several are between these,
+/// and a vertex of the other. The vertex may come beyond the edge's end only where an edge at it is parallel: that one
+/// is taken.
+Features featuresOf(const TranslationSpace& space, const Vec2& t, int side, std::size_t edge, std::size_t start,
+                    std::size_t end, std::size_t vertex) {
+  const int other = 1 - side;
+  const Vec2 v = space.side(side).vertex(start), w = space.side(side).vertex(end), by = side == 0 ? t : Vec2(-t);
+  const Vec2 p = nearestOnSegment(space.side(other).vertex(vertex) + by, v, w);
+  const auto endsOf = [&](std::size_t e) { return Ends{space.side(other).vertex(e), space.side(other).vertex(e + 1)}; };
+  const Vec2 across(v.y() - w.y(), w.x() - v.x());
+  Features features{{p, p}, t.normalized(), {edge, edge}};
+  features.points[other] -= by;
+  features.edges[other] = flatterEdge(edgesAt(space.side(other).polygon, vertex), across, endsOf);
+  return features;
 }
 
 /// Of convex regions. Edges beside the least face may be parallel to it but for rounding, and the corner behind it be
 /// beside one of those.
 Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const SupportGap& gap) {
-  const PolygonData &own = gap.edge_of_a ? pair.a : pair.b, &other = gap.edge_of_a ? pair.b : pair.a;
+  const int side = gap.edge_of_a ? 0 : 1, other = 1 - side;
+  const PolygonData& own = space.side(side).polygon;
   const ConvexOutline& outline = convexOutlineOf(own);
-  const std::size_t corner = convexOutlineOf(other).corners[gap.corner], count = outline.corners.size();
-  const PosedPair seen = gap.edge_of_a ? pair : pair.back();
-  const ApproxPoint deepest = SeenFromA(seen).at(other.path[corner]);
-  const Vec2 t = gap.normal * (gap.depth / space.unit());
+  const std::size_t corner = convexOutlineOf(space.side(other).polygon).corners[gap.corner],
+                    count = outline.corners.size();
+  const PosedPair seen = side == 0 ? pair : pair.back();
+  const ApproxPoint deepest = SeenFromA(seen).at(space.side(other).polygon.path[corner]);
+  const Vec2 t = gap.normal * (gap.depth / space.unit()), vertex = space.side(other).vertex(corner);
   const auto at = [&](std::size_t k) {
-    return featuresOf(space, pair, t, gap.edge_of_a, pathEdge(own, outline, k, {deepest.x, deepest.y}),
-                      outline.corners[k], outline.corners[(k + 1) % count], corner);
+    return featuresOf(space, t, side, pathEdge(own, outline, k, {deepest.x, deepest.y}), outline.corners[k],
+                      outline.corners[(k + 1) % count], corner);
   };
-  const Vec2 vertex = gap.edge_of_a ? space.vertexOfB(corner) : space.vertexOfA(corner);
-  const auto off = [&](const Features& f) { return ((gap.edge_of_a ? f.point_b : f.point_a) - vertex).norm(); };
+  const auto off = [&](const Features& f) { return (f.points[other] - vertex).norm(); };
   const double on = 64 * space.noise();
   const Features parted = at(gap.edge);
   for (const std::size_t step : {std::size_t{1}, count - 1}) {
@@ -103,10 +97,10 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
           return true;
         });
   const bool is_on = least <= 64 * noise;
-  const Vec2 parted = is_on ? t : nearestOnSegment(t, nearest.v, nearest.w);
   const std::size_t edge = nearest.vertex_of_a ? nearest.edge_b : nearest.edge_a,
                     vertex = nearest.vertex_of_a ? nearest.edge_a : nearest.edge_b;
-  Features features = featuresOf(space, pair, parted, !nearest.vertex_of_a, edge, edge, edge + 1, vertex);
+  Features features = featuresOf(space, is_on ? t : nearestOnSegment(t, nearest.v, nearest.w), nearest.vertex_of_a,
+                                 edge, edge, edge + 1, vertex);
   const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
   features.normal = way.stableNormalized();
   // Over a short way the segment's normal is known better than the way's direction.
@@ -117,13 +111,15 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   return features;
 }
 
-/// The number of the edge that p is on: the expected one, or else the nearest.
-template <typename VertexAt>
-std::ptrdiff_t edgeAt(const PolygonData& polygon, VertexAt vertexAt, const Vec2& p, std::size_t expected,
-                      double error) {
-  const auto distanceTo = [&](std::size_t e) { return squaredDistanceToSegment(p, vertexAt(e), vertexAt(e + 1)); };
-  std::size_t nearest = expected;
-  double least = distanceTo(expected);
+/// The number of the edge that a feature's point is on: the expected one, or else the nearest.
+std::ptrdiff_t edgeAt(const TranslationSpace& space, const Features& features, int side) {
+  const PolygonData& polygon = space.side(side).polygon;
+  const double error = 4 * space.noise();
+  std::size_t nearest = features.edges[side];
+  const auto distanceTo = [&](std::size_t e) {
+    return squaredDistanceToSegment(features.points[side], space.side(side).vertex(e), space.side(side).vertex(e + 1));
+  };
+  double least = distanceTo(nearest);
   for (std::size_t r = 0; r < polygon.ringCount() && !(least <= error * error); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
       const double square = distanceTo(e);
@@ -187,6 +183,31 @@ Penetration straightOn(const PosedPair& pair, Penetration p, const SupportGap& h
 
 }  // namespace
 
+/// Beside the inner of an edge the normal is the edge's, which is known better than the way between points that are
+/// near. Where that is nothing but rounding, b's S tells the side.
+NearestContact nearestContact(const PosedPair& pair) {
+  const DistanceResult nearest = distanceInOrder(PosedVertices(pair), {});
+  const auto position = [](const PolygonData& polygon, EdgeIndex edge) {
+    return polygon.edgePosition(static_cast<std::size_t>(edge));
+  };
+  const WorldFrame frame(pair);
+  const WorldFrame::Ends edge_a = frame.edgeEndsOfA(position(pair.a, nearest.edge_a)),
+                         edge_b = frame.edgeEndsOfB(position(pair.b, nearest.edge_b));
+  const auto [on_a, on_b] = nearestPlaces(edge_a, edge_b);
+  const double error = 4 * frame.error();
+  const Vec2 way = on_b - on_a, side = way.norm() > error ? way : Vec2(-frame.originOfA());
+  const auto across = [&](const WorldFrame::Ends& edge) {
+    const Vec2 normal = Vec2(edge.v.y() - edge.w.y(), edge.w.x() - edge.v.x()).stableNormalized();
+    return normal.dot(side) < 0 ? Vec2(-normal) : normal;
+  };
+  const auto isInner = [&](const Vec2& p, const WorldFrame::Ends& edge) {
+    return (p - edge.v).norm() > error && (p - edge.w).norm() > error;
+  };
+  if (isInner(on_a, edge_a)) return {nearest, across(edge_a)};
+  if (isInner(on_b, edge_b)) return {nearest, across(edge_b)};
+  return {nearest, side.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(side.stableNormalized())};
+}
+
 bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const PolygonData& b, Pose pose_b,
                    const Vec2& by_b, double margin) {
   pose_a.translation() += by_a;
@@ -246,13 +267,10 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
   if (!findTranslation(pair, shortest.limit * unit, way, 8 * space.noise() * unit, 0, result))
     return noAnswer(result.normal);
-  result.point_a = space.inWorld(features.point_a);
-  result.point_b = space.inWorld(features.point_b);
-  const double error = 4 * space.noise();
-  const auto ofA = [&](std::size_t i) { return space.vertexOfA(i); };
-  const auto ofB = [&](std::size_t j) { return space.vertexOfB(j); };
-  result.edge_a = edgeAt(a, ofA, features.point_a, features.edge_a, error);
-  result.edge_b = edgeAt(b, ofB, features.point_b, features.edge_b, error);
+  result.point_a = space.inWorld(features.points[0]);
+  result.point_b = space.inWorld(features.points[1]);
+  result.edge_a = edgeAt(space, features, 0);
+  result.edge_b = edgeAt(space, features, 1);
   assert(std::abs(result.normal.norm() - 1) < 0x1p-40);
   assert(0 <= result.lower_bound && result.lower_bound <= result.depth);
   return result;

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "contact/disc_cover.h"
-#include "contact/placed_vertices.h"
 #include "numbers/segment.h"
 #include "pair/edge_pairs.h"
+#include "penetration/rings.h"
 
 namespace tricover::detail {
 
@@ -23,6 +23,45 @@ namespace tricover::detail {
 // back, 4.
 constexpr double kVertexError = 16 * kUnitRoundoff, kShiftError = 4 * kUnitRoundoff;
 static_assert(kVertexError >= kUnitRows * kRoot2 * errorOf(5) + errorOf(4));
+
+struct PlacedVertex {
+  Vec2 at;
+  Vec2 incoming, outgoing;  ///< edges at it, beyond its repetitions
+  bool is_edge;             ///< not a repetition of the next one
+  bool is_reflex;           ///< certainly, seen from its region
+  std::int8_t side;         ///< of the outgoing edge on which the region is: 1: left, -1: right, 0: unknown
+};
+
+/// A polygon, in units. Its vertices, by position, are placed when they are first needed: shallow overlaps need few.
+class PlacedPolygon {
+ public:
+  PlacedPolygon(const PolygonData& polygon_, const Pose& pose, double inverse_unit_)
+      : polygon(polygon_), linear(pose.linear()), inverse_unit(inverse_unit_) {}
+
+  /// From the origin S: of points in units, since their difference may overflow.
+  Vec2 offset(const Vec2& p, const Vec2& from) const { return linear * (p * inverse_unit - from * inverse_unit); }
+  Vec2 vertex(std::size_t i) const { return origin + offset(polygon.path[i], polygon.origin); }
+
+  /// To be called before the following ones. sides: null if they are not needed.
+  void prepare(const RegionSides* sides);
+  std::size_t size() const { return is_placed_.size(); }
+  const PlacedVertex& operator[](std::size_t i) const {
+    if (!is_placed_[i]) place(i);
+    return vertices_[i];
+  }
+
+  const PolygonData& polygon;
+  const Eigen::Matrix2d linear;
+  const double inverse_unit;
+  Vec2 origin = Vec2::Zero();  ///< where S is
+
+ private:
+  void place(std::size_t i) const;
+
+  const RegionSides* sides_ = nullptr;
+  mutable std::vector<std::uint8_t> is_placed_;
+  std::unique_ptr<PlacedVertex[]> vertices_;
+};
 
 /// The plane of b's translations, in which the regions overlap on M = A + (-B). Axes are the world's, the origin is b
 /// where it is, lengths are in units.
@@ -48,24 +87,20 @@ class TranslationSpace {
   /// pair made is the valid one.
   PosedPair at(Vec2& t);
 
-  /// Two edges, by position, and the parallelogram of those translations that let them meet. Its sides are convolution
-  /// segments.
+  /// The parallelogram of those translations that let two edges meet. Its sides are convolution segments.
   struct MeetingEdges {
     Vec2 corner;            ///< where their starts meet
     Vec2 up_a, up_b;        ///< unit normals of the sides along a's and along b's edge, into the parallelogram
     double high_a, high_b;  ///< how far the opposite sides are from these
-    std::uint32_t edge_a, edge_b;
 
     /// How deep t is in it; outside, no more than its distance with the opposite sign. But for three of noise().
     double depth(const Vec2& t) const {
-      const double from_a = heightFromA(t), from_b = heightFromB(t);
+      const double from_a = up_a.dot(t - corner), from_b = up_b.dot(t - corner);
       return std::min({from_a, high_a - from_a, from_b, high_b - from_b});
     }
-    double heightFromA(const Vec2& t) const { return up_a.dot(t - corner); }
-    double heightFromB(const Vec2& t) const { return up_b.dot(t - corner); }
   };
 
-  /// Of two edges, by position.
+  /// By two edges' positions.
   MeetingEdges meetingOf(std::size_t i, std::size_t j) const;
 
   /// Calls meet(meeting) for each pair of edges that may meet at t, and visit(segment) for each convolution segment
@@ -75,10 +110,8 @@ class TranslationSpace {
     const double limit = (radius + noise_) * unit_;
     forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
       if (gap <= 0 && !meet(meetingOf(i, j))) return -1.0;
-      const PlacedVertex &of_a = a_[i], &of_b = b_[j];
-      const bool goes_on =
-          !of_a.is_edge || !of_b.is_edge ||
-          (show<true>(of_a, of_b, i, j, t, radius, visit) && show<false>(of_a, of_b, i, j, t, radius, visit));
+      const bool goes_on = !a_[i].is_edge || !b_[j].is_edge ||
+                           (show<true>(i, j, t, radius, visit) && show<false>(i, j, t, radius, visit));
       return goes_on ? limit : -1;
     });
   }
@@ -89,28 +122,19 @@ class TranslationSpace {
   /// are. But for some that bound nothing.
   std::vector<Segment> segmentsWithin(double radius) const;
 
-  /// Translations at which discs in the regions overlap: worth their while in a long search.
-  DiscSums discSums() const;
-
   /// Where b's S is from a's.
-  const Vec2& between() const { return between_; }
+  const Vec2& between() const { return b_.origin; }
   double unit() const { return unit_; }
   bool isFinite() const { return noise_ < 1; }
   /// At least what an end of a segment is wrong by, and t in at().
   double noise() const { return noise_; }
 
-  /// A vertex, by position, in the world from a's origin S, in units; b's where it is.
-  Vec2 vertexOfA(std::size_t i) const { return wayInUnits(pose_a_, polygon_a_, i); }
-  Vec2 vertexOfB(std::size_t j) const { return between_ + wayInUnits(pose_b_, polygon_b_, j); }
+  /// a (side 0) from its origin S in the world, in units, and b (side 1) where it is.
+  const PlacedPolygon& side(int side) const { return side == 0 ? a_ : b_; }
   /// Infinite where it is beyond the largest double, and only there.
   Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
 
  private:
-  static constexpr std::size_t kFewSums = 4;  ///< eight: as many discs as these pay
-
-  Vec2 wayInUnits(const Pose& pose, const PolygonData& polygon, std::size_t i) const {
-    return turnedInUnits(pose.linear(), inverse_unit_, polygon.path[i], polygon.origin);
-  }
   /// Where free translations may be on both sides of a segment, on one, or on none.
   struct Open {
     bool left, right;
@@ -133,8 +157,8 @@ class TranslationSpace {
   /// Segments go along a's edge, of which b's vertex may be moved to the left; and back along b's: where a's vertex is
   /// to its left b is moved to its right, and that is the segment's left.
   template <bool vertex_of_a, typename Visit>
-  bool show(const PlacedVertex& of_a, const PlacedVertex& of_b, std::size_t i, std::size_t j, const Vec2& t,
-            double radius, Visit& visit) const {
+  bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
+    const PlacedVertex &of_a = a_[i], &of_b = b_[j];
     const Open open = vertex_of_a ? opening(of_b, of_a) : opening(of_a, of_b);
     if (!open.left && !open.right) return true;
     const Vec2 start = of_a.at - of_b.at, end = vertex_of_a ? of_a.at - b_[j + 1].at : a_[i + 1].at - of_b.at;
@@ -143,8 +167,13 @@ class TranslationSpace {
     return visit(Segment{open.left ? start : end, open.left ? end : start, i, j, vertex_of_a, open.left && open.right});
   }
 
-  /// Of discs in units of their polygons: see DiscSums.
-  DiscSums sumsOf(std::vector<Disc> of_a, std::vector<Disc> of_b, double grown, std::size_t most) const;
+  /// A disc of translations at which a disc in a and one in b overlap: the sum of one of a and one of -b.
+  struct Disc {
+    Vec2 center;
+    double radius;
+    bool holds(const Vec2& p) const { return (p - center).squaredNorm() < radius * std::abs(radius); }
+  };
+  std::vector<Disc> overlappingDiscs() const;
 
   /// An edge's, with the region on its left: both where nobody knows.
   struct Direction {
@@ -153,18 +182,17 @@ class TranslationSpace {
     double reach_square;  ///< vertices farther from its start aren't within a radius of it
     std::uint32_t edge;
   };
-  static std::vector<Direction> directionsOf(const PlacedVertices& vertices, double radius);
+  static std::vector<Direction> directionsOf(const PlacedPolygon& vertices, double radius);
   template <typename Visit>
   static void forEachEdgeBeside(const PlacedVertex& vertex, const std::vector<Direction>& directions, Visit visit);
 
-  const PolygonData &polygon_a_, &polygon_b_;
+  double unit_;
+  PlacedPolygon a_, b_;
   Pose pose_a_, pose_b_;     ///< less a's translation
   Vec2 shift_, shift_rest_;  ///< t_b - t_a, as a rounded part and the rest
-  double unit_, inverse_unit_, noise_;
+  double noise_;
   Vec2 quarter_origin_;  ///< of a's S in the world
-  Vec2 between_;         ///< b's S, as vertices
   bool are_few_ = false;
-  PlacedVertices a_, b_;
 };
 
 }  // namespace tricover::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "numbers/segment.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
@@ -16,9 +17,7 @@ class WorldFrame {
   Vec2 edgeOfA(std::size_t position, double t) const { return between(edgeEndsOfA(position), t); }
   Vec2 edgeOfB(std::size_t position, double t) const { return between(edgeEndsOfB(position), t); }
 
-  struct Ends {
-    Vec2 v, w;
-  };
+  using Ends = detail::Ends;
   Ends edgeEndsOfA(std::size_t i) const { return {fromA(pair_.a.path[i]), fromA(pair_.a.path[i + 1])}; }
   Ends edgeEndsOfB(std::size_t j) const { return {fromB(pair_.b.path[j]), fromB(pair_.b.path[j + 1])}; }
 

@@ -3,11 +3,21 @@
 
 #include <cstddef>
 
+#include "pair/world_frame.h"
 #include "polygon/cache_contents.h"
 #include "polygon/polygon_data.h"
+#include "tricover/distance.h"
 #include "tricover/penetration.h"
 
 namespace tricover::detail {
+
+/// Where two regions that are apart are nearest, and the unit vector from a to b there.
+struct NearestContact {
+  DistanceResult nearest;
+  Vec2 normal;
+};
+
+NearestContact nearestContact(const PosedPair& pair);
 
 /// So many translations are tried at most.
 constexpr std::size_t kMostTranslations = 20000;

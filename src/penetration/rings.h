@@ -5,18 +5,28 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/boundary_point.h"
 #include "numbers/predicates.h"
 #include "pair/edge_pairs.h"
+#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 
+// How a polygon's rings lie. Both are found at the first call, once for all copies and threads.
+
+/// Whether edges of a polygon meet beyond the ends that they share in their ring, or vertices are repeated.
+bool meetsItself(const PolygonData& polygon);
+
+struct RegionSides {
+  /// On which side of each ring's edges the region is, in the polygon's frame. 1: on the left; -1: on the right; 0: on
+  /// both, or unknown, as where edges meet or rings are too many.
+  std::vector<std::int8_t> rings;
+  /// At so many corners, on average over directions, an edge of another region may lie against one of the rings.
+  double corners = 0;
+};
+const RegionSides& regionSidesOf(const PolygonData& polygon);
+
 /// The vertices' positions, but for those that close a ring; equal ones side by side.
 std::vector<std::uint32_t> verticesByPlace(const PolygonData& polygon);
-
-/// Whether edges of a polygon meet beyond the ends that they share in their ring, or vertices are repeated. Found at
-/// the first call, once for all copies and threads.
-bool meetsItself(const PolygonData& polygon);
 
 /// Whether two edges of a path have an end in common and nothing else.
 inline bool meetAtVertex(const Path& path, std::size_t e, std::size_t f) {

@@ -17,9 +17,6 @@ class BoundaryLines {
   /// noise: the error of a segment's end. Lines within `resolution` of each other count as one.
   BoundaryLines(double noise, double resolution) : noise_(noise), resolution_(resolution) {}
 
-  struct Ends {
-    Vec2 v, w;
-  };
   /// A segment, or several ones that lie on a line within the resolution; axis: a unit vector, unless v and w are one.
   struct Line : Ends {
     /// noise: what an end is wrong by.
@@ -60,7 +57,14 @@ class BoundaryLines {
   bool isEmpty() const { return lines_.empty(); }
 
   /// The part of a segment within `radius` of t. False if there are too many lines then.
-  bool add(Line segment, const Vec2& t, double radius);
+  bool add(Line segment, const Vec2& t, double radius) {
+    segment.clip(t, radius);
+    for (Line& other : lines_)
+      if (merged(other, segment)) return true;
+    if (lines_.size() == most_) return false;
+    lines_.push_back(segment);
+    return true;
+  }
 
   /// Calls offer(p, error) for every point of the lines' arrangement that may be the nearest one to 0 of a face: the
   /// nearest point of a line, an end or a crossing. `error` bounds the error of p along the lines that cross there.
@@ -78,10 +82,44 @@ class BoundaryLines {
     bool left, right;
   };
   /// Adds the rays of the lines through a point, and reduces `room` to keep clear of the other lines and of ends.
-  void addRays(const Vec2& p, std::vector<Ray>& rays, double& room) const;
+  void addRays(const Vec2& p, std::vector<Ray>& rays, double& room) const {
+    for (const Line& line : lines_) {
+      const double apart = (nearestOnSegment(p, line.v, line.w) - p).norm();
+      if (apart > 2 * resolution_) {
+        room = std::min(room, apart / 2);
+        continue;
+      }
+      for (const Vec2& end : {line.v, line.w}) {
+        const Vec2 ray = end - p;
+        const double length = ray.norm();
+        if (length <= 2 * resolution_) continue;
+        room = std::min(room, length / 2);
+        const bool is_along = ray.dot(line.axis) > 0;
+        rays.push_back({std::atan2(ray.y(), ray.x()), is_along || line.both_sides, !is_along || line.both_sides});
+      }
+    }
+  }
 
  private:
-  bool merged(Line& into, const Line& line) const;
+  /// Whether the shorter one lies on the longer one's line; if so, `into` becomes both.
+  bool merged(Line& into, const Line& line) const {
+    const bool longer = line.length > into.length;
+    const Line &base = longer ? line : into, &other = longer ? into : line;
+    if (!(base.length > 0)) return !((other.v - base.v).norm() > resolution_);
+    if (std::abs(cross(base.axis, other.v - base.v)) > resolution_ ||
+        std::abs(cross(base.axis, other.w - base.v)) > resolution_)
+      return false;
+    const double p = (other.v - base.v).dot(base.axis), q = (other.w - base.v).dot(base.axis);
+    const double low = std::min({0.0, p, q}), high = std::max({base.length, p, q});
+    Line both = base;
+    if (low < 0) both.v = base.v + low * base.axis;
+    if (high > base.length) both.w = base.v + high * base.axis;
+    both.length = high - low;
+    both.slack = std::max({base.slack, other.slack, std::abs(cross(base.axis, other.axis))});
+    both.both_sides = base.both_sides || other.both_sides || !(base.axis.dot(other.axis) > 0.5);
+    into = both;
+    return true;
+  }
 
   /// From 0 to the nearest point p of a free face the way leads out of what bounds it there: it is a sum of normals
   /// that point to the left of lines, of which this is `left` long or more. None is needed beside a line that is free
@@ -100,15 +138,17 @@ class BoundaryLines {
 
   template <typename Offer>
   void offerCrossing(const Line& line, const Line& other, Offer offer) const {
-    const Vec2 u = line.w - line.v, w = other.w - other.v;
-    const double area = cross(u, w);
-    if (area == 0) return;
+    const Vec2 u = line.w - line.v, w = other.w - other.v, between = other.v - line.v;
+    const double area = cross(u, w), turn = area > 0 ? 1 : -1, size = std::abs(area);
     // Segments that end in each other cross a little beyond their ends, where these are rounded: farther the smaller
     // the angle between them.
-    const double error = 2 * noise_ * line.length * other.length / std::abs(area), turn = area > 0 ? 1 : -1;
-    const double s = cross(other.v - line.v, w) / area, beyond = (resolution_ + error) / line.length;
-    if (!(s >= -beyond && s <= 1 + beyond)) return;
-    Vec2 p = line.v + std::clamp(s, 0.0, 1.0) * u;
+    const double s = turn * cross(between, w), t = turn * cross(between, u), near = resolution_ + 2 * noise_;
+    const auto isBeyond = [&](double place, double length) {
+      return !(std::abs(2 * place - size) <= size + 2 * near * length);
+    };
+    if (area == 0 || isBeyond(s, other.length) || isBeyond(t, line.length)) return;
+    const double error = 2 * noise_ * line.length * other.length / size;
+    Vec2 p = line.v + std::clamp(s / size, 0.0, 1.0) * u;
     const double slack = error + (line.slack + other.slack) * p.norm();
     if (!leads(p, line, turn * p.dot(other.axis), slack) || !leads(p, other, -turn * p.dot(line.axis), slack)) return;
     const Vec2 on_other = nearestOnSegment(p, other.v, other.w);

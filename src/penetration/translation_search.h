@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "contact/translation_space.h"
+#include "penetration/translation_space.h"
 
 namespace tricover::detail {
 

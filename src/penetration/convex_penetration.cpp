@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/convex_penetration.h"
+#include "penetration/convex_penetration.h"
 
 #include <algorithm>
 #include <cmath>

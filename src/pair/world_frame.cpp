@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/world_frame.h"
+#include "pair/world_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/component_exit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_set>
+#include <utility>
+
+#include "pair/edge_pairs.h"
+#include "penetration/convex_penetration.h"
+
+namespace tricover::detail {
+namespace {
+
+/// One side's edge that two points are on; -1 if there is none.
+std::ptrdiff_t common(const BoundaryPoint& p, const BoundaryPoint& q, int side) {
+  for (const std::ptrdiff_t edge : {p.edge[side], p.before[side]})
+    if (edge >= 0 && (edge == q.edge[side] || edge == q.before[side])) return edge;
+  return -1;
+}
+
+double angleOf(const Vec2& d) { return std::atan2(d.y(), d.x()); }
+
+}  // namespace
+
+const BoundaryPoint& leftmostOf(const OverlapComponent& component) {
+  return *std::min_element(component.points.begin(), component.points.end(),
+                           [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.at.x() < q.at.x(); });
+}
+
+std::size_t longestStretch(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
+                           const OverlapComponent& component) {
+  const auto length = [&](std::size_t k) {
+    const EdgeCrossing& c = crossings[k];
+    const WorldFrame::Ends edge = frame.edgeEndsOfA(c.edge[0]);
+    return (edge.w - edge.v).norm() * (c.on[0].high - c.on[0].low);
+  };
+  std::size_t longest = component.crossings.front();
+  for (const std::size_t k : component.crossings)
+    if (length(k) > length(longest) + frame.error()) longest = k;
+  return longest;
+}
+
+Exit ComponentExits::exitOf(const OverlapComponent& component) {
+  if (component.crossings.empty()) return byNearestEdge(component);
+  if (!component.inner) return ofTouch(component);
+  const Exit exit = byFaces(component);
+  // All of it may be one rounded point.
+  return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
+}
+
+/// Of translations that are equally long but for rounding, the one that leads b's origin away from a's.
+bool ComponentExits::isBetter(const Exit& exit, const Exit& best) const {
+  const double error = 4 * frame_.error();
+  return exit.depth < best.depth - error ||
+         (exit.depth <= best.depth + error && exit.normal.dot(towards_b_) > best.normal.dot(towards_b_));
+}
+
+std::ptrdiff_t ComponentExits::flatter(int side, const BoundaryPoint& p, const Vec2& normal) const {
+  if (p.edge[side] < 0) return -1;
+  const EdgesAt at{static_cast<std::size_t>(p.edge[side]), static_cast<std::size_t>(p.before[side])};
+  const auto endsOf = [&](std::size_t e) { return frame_.edgeEnds(side, e); };
+  return static_cast<std::ptrdiff_t>(flatterEdge(at, normal, endsOf));
+}
+
+Exit ComponentExits::exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const {
+  const SupportGap gap = leastSupportGap(pair_, &axes, 4 * frame_.error() * frame_.unit());
+  const int face = gap.edge_of_a ? 0 : 1, other = 1 - face;
+  const PolygonData &own = polygonOf(pair_, face), &behind = polygonOf(pair_, other);
+  const std::size_t corner = convexOutlineOf(behind).corners[gap.corner];
+  const BoundaryPoint deepest = vertexPoint(behind, other, corner, frame_.from(other, behind.path[corner]));
+  const Vec2 in_own = face == 0 ? frame_.toA(deepest.at) : frame_.toB(deepest.at);
+  Exit exit{gap.normal, gap.depth / frame_.unit(), {-1, -1}, face};
+  exit.edges[face] = static_cast<std::ptrdiff_t>(pathEdge(own, convexOutlineOf(own), gap.edge, in_own));
+  exit.edges[other] = flatter(other, deepest, gap.normal);
+  if (component.crossings.empty()) exit.edges[component.points.front().edge[0] < 0 ? 0 : 1] = -1;
+  return exit;
+}
+
+/// The hull of the component and of one side's edges that cross there.
+Hull ComponentExits::grownHull(const OverlapComponent& component, int side) const {
+  const PolygonData& polygon = polygonOf(pair_, side);
+  const auto forEachEnd = [&](auto visit) {
+    for (const std::size_t k : component.crossings) {
+      const std::size_t edge = crossings_[k].edge[side];
+      for (const std::size_t v : {edge, edgeAfter(polygon, edge)}) visit(v, frame_.from(side, polygon.path[v]));
+    }
+  };
+  Hull grown = hull_;
+  if (grown.size() > 2)
+    forEachEnd([&](std::size_t v, const Vec2& at) {
+      addToHull(grown, at, [&] { return vertexPoint(polygon, side, v, at); });
+    });
+  if (turnsLeft(grown)) return grown;
+  grown = hull_;
+  forEachEnd([&](std::size_t v, const Vec2& at) { grown.push_back(vertexPoint(polygon, side, v, at)); });
+  return detail::hullOf(std::move(grown));
+}
+
+/// Of the faces that are edges, or of the others.
+ComponentExits::Found ComponentExits::leastFace(bool is_edge) const {
+  Found best;
+  for (const int side : {0, 1})
+    forEachFace(
+        grown_[side], grown_[1 - side], [&](auto& from, auto& to) { return (common(from, to, side) >= 0) == is_edge; },
+        [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
+          const Exit exit{side == 0 ? normal : Vec2(-normal), depth, {-1, -1}, side};
+          if (isBetter(exit, best.exit)) best = {exit, &from, &to, &deepest};
+        });
+  return best;
+}
+
+/// By the faces of both hulls that are edges, or by any faces if none is.
+Exit ComponentExits::byFaces(const OverlapComponent& component) {
+  for (const int side : {0, 1}) grown_[side] = grownHull(component, side);
+  Found found = leastFace(true);
+  if (!(found.exit.depth < std::numeric_limits<double>::infinity())) found = leastFace(false);
+  Exit& exit = found.exit;
+  if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;
+  exit.edges[exit.face] = common(*found.from, *found.to, exit.face);
+  exit.edges[1 - exit.face] = flatter(1 - exit.face, *found.deepest, exit.normal);
+  completeEdges(component, exit);
+  return exit;
+}
+
+/// The deepest point may be a vertex of the other polygon, and have no edge of its own.
+void ComponentExits::completeEdges(const OverlapComponent& component, Exit& exit) const {
+  for (const int side : {0, 1}) {
+    if (exit.edges[side] >= 0) continue;
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const BoundaryPoint& point : component.points) {
+      const double along = (side == 0 ? 1 : -1) * exit.normal.dot(point.at);
+      if (point.edge[side] < 0 || !(along >= farthest)) continue;
+      farthest = along;
+      exit.edges[side] = point.edge[side];
+    }
+  }
+}
+
+Exit ComponentExits::ofTouch(const OverlapComponent& component) const {
+  const EdgeCrossing& main = crossings_[longestStretch(frame_, crossings_, component)];
+  return {normalOfTouch(component, main),
+          0,
+          {static_cast<std::ptrdiff_t>(main.edge[0]), static_cast<std::ptrdiff_t>(main.edge[1])},
+          0};
+}
+
+/// From a to b. Where edges touch along an interval, across these. Where they share a point alone, the normal of one of
+/// its edges: the one that both polygons' edges keep to their sides of best, among equal ones that nearest to b's
+/// origin.
+Vec2 ComponentExits::normalOfTouch(const OverlapComponent& component, const EdgeCrossing& main) const {
+  if (component.facing.norm() > 8 * frame_.error()) return component.facing.normalized();
+  const std::vector<Vec2> directions = directionsFrom(component, main);
+  constexpr double kSameAngle = 1e-9;
+  Vec2 best = towards_b_.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(towards_b_.stableNormalized());
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2& direction : directions) {
+    for (const Vec2& normal : {Vec2(direction.y(), -direction.x()), Vec2(-direction.y(), direction.x())}) {
+      double most = 0;
+      for (const Vec2& other : directions) most = std::max(most, other.dot(normal));
+      const bool better = normal.dot(towards_b_) > best.dot(towards_b_);
+      if (most > least + kSameAngle || (most >= least - kSameAngle && !better)) continue;
+      least = most;
+      best = normal;
+    }
+  }
+  return best;
+}
+
+/// Where the edges that meet at main's point lead from there, sorted by angle: a's on, b's reversed, so that none
+/// should go along the normal.
+std::vector<Vec2> ComponentExits::directionsFrom(const OverlapComponent& component, const EdgeCrossing& main) const {
+  const double error = frame_.error();
+  std::vector<Vec2> directions;
+  for (const int side : {0, 1}) {
+    std::vector<std::size_t> edges;
+    for (const std::size_t k : component.crossings)
+      if (!((crossings_[k].point - main.point).norm() > 8 * error)) edges.push_back(crossings_[k].edge[side]);
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (const std::size_t edge : edges) {
+      const WorldFrame::Ends ends = frame_.edgeEnds(side, edge);
+      for (const Vec2& end : {ends.v, ends.w}) {
+        const Vec2 way = side == 0 ? Vec2(end - main.point) : Vec2(main.point - end);
+        if (way.norm() > 8 * error) directions.push_back(way.normalized());
+      }
+    }
+  }
+  std::sort(directions.begin(), directions.end(), [](const Vec2& d, const Vec2& e) { return angleOf(d) < angleOf(e); });
+  return directions;
+}
+
+/// One side's rings that a containment is made of, as a polygon of their own.
+Polygon ComponentExits::ringsOf(const OverlapComponent& component, int side) const {
+  const PolygonData& polygon = polygonOf(pair_, side);
+  std::vector<Ring> rings;
+  std::size_t last = polygon.ringCount();
+  for (const BoundaryPoint& point : component.points) {
+    if (point.edge[side] < 0) continue;
+    const std::size_t ring = polygon.ringOf(static_cast<std::size_t>(point.edge[side]));
+    if (ring != last) rings.push_back(polygon.vertices(ring));
+    last = ring;
+  }
+  return Polygon(rings, polygon.fill);
+}
+
+/// In a containment: past the nearest of the outer polygon's edges.
+Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
+  const int inner = leftmostOf(component).edge[1] >= 0 ? 1 : 0, outer = 1 - inner;
+  // Only the inner polygon is searched from, so that many components don't cost their number squared.
+  const Polygon own_rings = ringsOf(component, inner);
+  const PolygonData &inside = own_rings.data(), &outside = polygonOf(pair_, outer);
+  // Edges of the component's own rings are no way out of it.
+  std::unordered_set<std::size_t> own;
+  for (const BoundaryPoint& point : component.points)
+    if (point.edge[outer] >= 0) own.insert(static_cast<std::size_t>(point.edge[outer]));
+  double nearest = std::numeric_limits<double>::infinity();
+  Vec2 in = leftmostOf(component).at, out = in, across = Vec2::UnitX();
+  const auto tryEdges = [&](std::size_t i, std::size_t o) {
+    if (own.count(o) != 0) return;
+    const WorldFrame::Ends edge{frame_.from(inner, inside.path[i]), frame_.from(inner, inside.path[i + 1])},
+        outer_edge = frame_.edgeEnds(outer, o);
+    const auto [on_inner, on_outer] = nearestPlaces(edge, outer_edge);
+    const double distance = (on_outer - on_inner).norm();
+    if (!(distance < nearest)) return;
+    nearest = distance;
+    in = on_inner;
+    out = on_outer;
+    const Vec2 way = outer_edge.w - outer_edge.v;
+    if (!way.isZero(0)) across = Vec2(way.y(), -way.x()).stableNormalized();
+  };
+  const double far = 4 * std::min(pair_.a.radius + pair_.b.radius, 0x1p1020);
+  const auto search = [&](const PosedPair& pair, auto tryPair) {
+    forEachPair(pair, far, [&](double, std::size_t i, std::size_t j) {
+      tryPair(i, j);
+      return std::min(far, (nearest + frame_.error()) * frame_.unit());
+    });
+  };
+  if (inside.unit > outside.unit)
+    search(PosedPair(inside, poseOf(pair_, inner), outside, poseOf(pair_, outer)), tryEdges);
+  else
+    search(PosedPair(outside, poseOf(pair_, outer), inside, poseOf(pair_, inner)),
+           [&](std::size_t o, std::size_t i) { tryEdges(i, o); });
+  Vec2 outwards = across;
+  if (nearest > 4 * frame_.error())
+    outwards = (out - in).normalized();
+  else if (across.dot(out - (inner == 1 ? Vec2(Vec2::Zero()) : frame_.originOfA())) < 0)
+    outwards = -across;
+  Exit exit{inner == 1 ? outwards : Vec2(-outwards), 0, {-1, -1}, outer};
+  for (const BoundaryPoint& point : component.points) {
+    const double depth = outwards.dot(out - point.at);
+    if (depth < exit.depth) continue;
+    exit.depth = depth;
+    for (const int side : {0, 1}) exit.edges[side] = flatter(side, point, outwards);
+  }
+  return exit;
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "contact/hull_faces.h"
+#include "contact/overlap_components.h"
+#include "penetration/separating_axes.h"
+
+namespace tricover::detail {
+
+/// The translation that takes b out of a past one component of their overlap, in the WorldFrame.
+struct Exit {
+  Vec2 normal = Vec2::UnitX();
+  double depth = std::numeric_limits<double>::infinity();
+  std::ptrdiff_t edges[2] = {-1, -1};  ///< positions
+  int face = 0;  ///< the side whose face it leads across: a point of the other is deepest behind it
+};
+
+/// In a containment a vertex of the inner polygon.
+const BoundaryPoint& leftmostOf(const OverlapComponent& component);
+
+/// The crossing of a component whose edges have the longest interval in common.
+std::size_t longestStretch(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
+                           const OverlapComponent& component);
+
+/// Of each component by itself, as if it and the edges around it were all there is.
+class ComponentExits {
+ public:
+  ComponentExits(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
+      : pair_(pair), frame_(frame), crossings_(crossings), towards_b_(-frame.originOfA()) {}
+
+  /// Until the next call.
+  const Hull& hullOf(const OverlapComponent& component) {
+    // The second time, other points are beside those that are left.
+    const double same_area = 2 * frame_.error() * frame_.size();
+    return hull_ = detail::hullOf(likelyCorners(likelyCorners(component.points, same_area), same_area));
+  }
+  /// Of the component whose hull was asked for last.
+  Exit exitOf(const OverlapComponent& component);
+  /// The only component of two convex regions: the least depth of their separating axes, which no translation that
+  /// separates them is shorter than.
+  Exit exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const;
+
+ private:
+  struct Found {
+    Exit exit;
+    const BoundaryPoint *from = nullptr, *to = nullptr, *deepest = nullptr;  ///< the face, and what is behind it
+  };
+  bool isBetter(const Exit& exit, const Exit& best) const;
+  std::ptrdiff_t flatter(int side, const BoundaryPoint& p, const Vec2& normal) const;
+  Hull grownHull(const OverlapComponent& component, int side) const;
+  Found leastFace(bool is_edge) const;
+  Exit byFaces(const OverlapComponent& component);
+  void completeEdges(const OverlapComponent& component, Exit& exit) const;
+  Exit ofTouch(const OverlapComponent& component) const;
+  Vec2 normalOfTouch(const OverlapComponent& component, const EdgeCrossing& main) const;
+  std::vector<Vec2> directionsFrom(const OverlapComponent& component, const EdgeCrossing& main) const;
+  Polygon ringsOf(const OverlapComponent& component, int side) const;
+  Exit byNearestEdge(const OverlapComponent& component) const;
+
+  const PosedPair& pair_;
+  const WorldFrame& frame_;
+  const std::vector<EdgeCrossing>& crossings_;
+  Vec2 towards_b_;
+  Hull hull_, grown_[2];
+};
+
+}  // namespace tricover::detail

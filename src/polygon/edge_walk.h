@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "polygon/polygon_data.h"
+
+namespace tricover::detail {
+
+/// The next edge of a ring, all around, and the one before; positions in the path.
+std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
+std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);
+
+/// Whether the vertex at a position begins a ring that is one point.
+bool beginsPoint(const PolygonData& polygon, std::size_t v);
+
+/// The edge that leaves a vertex and the one that leads to it, beyond repetitions of it.
+struct EdgesAt {
+  std::size_t after, before;
+};
+EdgesAt edgesAt(const PolygonData& polygon, std::size_t v);
+
+/// Returns the one of the two edges at a vertex that is more across a direction: where a whole edge is deepest, that.
+/// endsOf(edge) has an edge's ends v and w, in the direction's frame.
+template <typename EndsOf>
+std::size_t flatterEdge(const EdgesAt& at, const Vec2& direction, EndsOf endsOf) {
+  if (at.after == at.before) return at.after;
+  const auto slope = [&](std::size_t edge) {
+    const auto ends = endsOf(edge);
+    const Vec2 way = ends.w - ends.v;
+    return way.isZero(0) ? 1 : std::abs(way.stableNormalized().dot(direction));
+  };
+  return slope(at.before) < slope(at.after) ? at.before : at.after;
+}
+
+}  // namespace tricover::detail
