@@ -14,7 +14,7 @@ namespace {
 template <typename S>
 constexpr double kLeastDepth = static_cast<double>(std::numeric_limits<S>::min());
 
-/// What distances may be wrong by.
+/// The errors that a distance may have.
 template <typename S>
 tricover::DistanceOptions errorsOf(const fcl::DistanceRequest<S>& request) {
   tricover::DistanceOptions options;
@@ -67,7 +67,7 @@ Span spanOf(const PlanarPair& pair, const tricover::DistanceResult& found) {
       pair.inWorld(found.distance == 0 ? found.point_a : found.point_b, (is_b_below ? b.high() : b.low()).rounded())};
 }
 
-/// Of a polygon all of whose plane the other one covers.
+/// The distance of a polygon from a geometry that covers all of its plane.
 Span liftOf(const PlanarPair& pair, const Shadow::Lift& lift, bool is_signed) {
   const bool first = pair.other == &pair.b;
   const Eigen::Vector3d at = pair.inWorld((first ? pair.a : pair.b).polygon->origin(), pair.middle());

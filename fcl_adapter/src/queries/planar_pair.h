@@ -22,15 +22,15 @@ struct PlanarPair {
   PlanarPair(const PlanarPair&) = delete;  // a region's polygon may be the shadow's
   PlanarPair& operator=(const PlanarPair&) = delete;
 
-  /// Whether they come as close as the margin; never false where the true ones do.
+  /// Whether the two come as close as the margin; never false where the true ones do.
   bool collide(double tolerance = 0) const {
     tricover::PairCache* const kept = cache();
     const tricover::CollideOptions options{margin + rounding, tolerance};
     return kept != nullptr ? tricover::collide(*a.polygon, a.pose, *b.polygon, b.pose, *kept, options)
                            : tricover::collide(*a.polygon, a.pose, *b.polygon, b.pose, options);
   }
-  /// Returns their distance: 0 exactly where they collide, otherwise as `options` allow. Where it is above the limit,
-  /// it may be nothing.
+  /// Returns the distance of the two: 0 exactly where they collide, otherwise as `options` allow. A distance above the
+  /// limit may be left out.
   std::optional<tricover::DistanceResult> distanceWithin(double limit, tricover::DistanceOptions options) const;
 
   /// The middle of the heights that both share.
@@ -40,17 +40,17 @@ struct PlanarPair {
     return frame ? Eigen::Vector3d(*frame * point) : point;
   }
   Region& of(bool first) { return first ? a : b; }
-  /// What FCL is told of a region's edge: a polygon's own, a shadow's part, -1 for none.
+  /// The number that FCL is told for a region's edge: a polygon's own, a shadow's part, -1 for none.
   std::ptrdiff_t idOf(const Region& region, std::ptrdiff_t edge) const {
     return &region != other ? edge : shadow ? shadow->partOf(edge) : -1;
   }
 
   Region a, b;
-  double margin;                  ///< of both, and of the query
-  double rounding = 0;            ///< the true shadow lies in its region inflated by so much
-  double apart = 0;               ///< how far their heights are, infinite for what has none or whose height isn't known
+  double margin;        ///< of both, and of the query
+  double rounding = 0;  ///< the true shadow lies in its region inflated by so much
+  double apart = 0;     ///< how far their heights are; infinite where the other one doesn't reach the polygon's
   const Region* other = nullptr;  ///< the one that isn't a polygon's
-  std::optional<Shadow> shadow;   ///< the same; of a stadium only its segment, and none of a disc
+  std::optional<Shadow> shadow;   ///< where `other` comes from; a stadium's holds its segment alone, a disc has none
   /// Maps the plane's coordinates and heights to the world; none where they are the world's.
   std::optional<Plane> frame;
   /// As pairCache() has them; null where no certificates are kept.
@@ -62,7 +62,7 @@ struct PlanarPair {
   }
 };
 
-/// What a row gets of a polygon and a geometry of FCL's own.
+/// The arguments of a row about a polygon and a geometry of FCL's own.
 template <typename S>
 struct MixedGeometries {
   const fcl::CollisionGeometry<S>& o1;
@@ -125,7 +125,7 @@ void placePolygons(PlanarPair& pair, const PolygonShape<S>& shape_a, const fcl::
   pair.place_b = &tf2;
 }
 
-/// What o1 and o2 share, in the plane.
+/// A point that o1 and o2 share, in the plane.
 struct PlanarContact {
   tricover::Vec2 point;
   tricover::Vec2 normal;  ///< from o1 to o2

@@ -29,7 +29,7 @@ template <typename S>
                  "make a triangle a PolygonShape or an fcl::BVHModel, and others of FCL's shapes, meshes or octrees");
 }
 
-/// What FCL does of a pair that it has no function for: fcl::TriangleP's row is ours, but not its pairs.
+/// Warns as FCL does about a pair that it has no function for: fcl::TriangleP's row is ours, but not its pairs.
 template <typename S>
 void warnAsFcl(const char* function, const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2) {
   std::cerr << "Warning: " << function << " function between node type " << o1.getNodeType() << " and node type "
