@@ -54,17 +54,16 @@ struct Span {
   Eigen::Vector3d on_a, on_b;
 };
 
-/// Planar points of a and b, each at a height of its own geometry: as near to each other as the heights allow.
+/// Planar points of a and b, each at a height of its own geometry: as near to each other as the heights allow. A prism
+/// around parts above and below the polygon shares its heights.
 Span spanOf(const PlanarPair& pair, const tricover::DistanceResult& found) {
-  if (pair.apart == 0) {
-    const double z = pair.middle();
-    return {found.distance, pair.inWorld(found.point_a, z), pair.inWorld(found.point_b, z)};
-  }
   const Heights &a = pair.a.heights, &b = pair.b.heights;
-  const bool is_b_below = isBelow(b.high(), a.low());
-  return {
-      std::hypot(found.distance, pair.apart), pair.inWorld(found.point_a, (is_b_below ? a.low() : a.high()).rounded()),
-      pair.inWorld(found.distance == 0 ? found.point_a : found.point_b, (is_b_below ? b.high() : b.low()).rounded())};
+  const bool is_beside = pair.apart > 0 && gap(a, b) > 0, is_b_below = is_beside && isBelow(b.high(), a.low());
+  const double z_a = !is_beside ? pair.middle() : (is_b_below ? a.low() : a.high()).rounded();
+  const double z_b = !is_beside ? z_a : (is_b_below ? b.high() : b.low()).rounded();
+  const bool is_one = pair.apart > 0 && found.distance == 0;
+  return {pair.apart > 0 ? std::hypot(found.distance, pair.apart) : found.distance, pair.inWorld(found.point_a, z_a),
+          pair.inWorld(is_one ? found.point_a : found.point_b, z_b)};
 }
 
 /// The distance of a polygon from a geometry that covers all of its plane.
