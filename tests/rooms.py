@@ -14,7 +14,7 @@ import sys
 
 # First to last; rooms that share a line don't see each other.
 CORE = [["numbers"], ["polygon"], ["hierarchy"], ["convex"], ["pair"], ["distance", "impact"], ["penetration"], ["contact"], ["scene"], ["drawing", "io"]]
-ADAPTER = [["shape"], ["shadow"], ["polygons"], ["mixed"], ["broadphase", "entry"]]
+ADAPTER = [["shape"], ["shadow"], ["queries"], ["broadphase", "entry"]]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 # At a namespace's level: a function's name, and ';' after a declaration or '{' after a definition.

@@ -83,7 +83,7 @@ if(SHARED)
       COMMAND_ERROR_IS_FATAL ANY)
     # A symbol's name begins after its type's letter; the standard library's templates may be of the kernel's types.
     if(${library} MATCHES " [A-Za-z] (tricover::detail::[^\n]*)"
-        OR ${library} MATCHES " [A-Za-z] (tricover_fcl::collideMixed[^\n]*)")
+        OR ${library} MATCHES " [A-Za-z] (tricover_fcl::placeMixed[^\n]*)")
       message(FATAL_ERROR "lib${library}.so exports ${CMAKE_MATCH_1}")
     endif()
   endforeach()

@@ -132,6 +132,15 @@ TEST(MixedDistanceLaws, aboveAPolygonIsTheGapInSpace) {
   EXPECT_NEAR(above(*square, fcl::Planed(0, 0, 1, 0), 0, -4), 4, 1e-12);
   EXPECT_NEAR(above(*square, *boxMesh<fcl::OBBRSSd>({0.5, 0.5, 0.5}), 0, 3.5), 3, 1e-12);
 
+  // Cells above and below, none between the polygon's heights: the prism around both is never farther than the nearer.
+  const auto scattered = std::make_shared<octomap::OcTree>(0.5);
+  for (const float z : {3.2f, -0.8f}) scattered->updateNode(octomap::point3d(0.2f, 0.2f, z), true);
+  const fcl::OcTreed cells{std::shared_ptr<const octomap::OcTree>(scattered)};
+  const auto either =
+      ask<double>(fcl::GST_LIBCCD, false, *square, fcl::Transform3d::Identity(), cells, fcl::Transform3d::Identity());
+  EXPECT_GT(either.min_distance, 0);
+  EXPECT_LE(either.min_distance, 0.5);
+
   // There is nothing to be near to: the distance stays FCL's largest number, and the points are no numbers.
   const auto free = std::make_shared<octomap::OcTree>(0.5);
   free->updateNode(octomap::point3d(0.2f, 0.2f, 0.2f), false);

@@ -75,7 +75,7 @@ Footprint footprintOfBox(const fcl::CollisionObject<S>& object, const tricover::
                     (halfOf(*last).array() <= need.array() + 4 * pad).all();
   tricover::Pose pose = tricover::Pose::Identity();
   pose.translation() = center.head<2>();
-  Footprint print{Region(last, pose, 0), low.z() - pad, high.z() + pad};
+  Footprint print{Shadow(last, pose, 0), low.z() - pad, high.z() + pad};
   if (!fits) print.region->made = rectangle(need.array() + 2 * pad);
   return print;
 }

@@ -65,7 +65,7 @@ struct SceneManager<S>::Impl {
 
   Query queryFor(const Object* object) const;
   Query queryFor(const Entry& entry) const;
-  std::vector<BodyHandle> near(const Region& region, double distance, double tolerance) const;
+  std::vector<BodyHandle> near(const Shadow& region, double distance, double tolerance) const;
   template <typename Show>
   bool showMeeting(const Query& query, const Show& show) const;
   template <typename Show>
@@ -109,7 +109,7 @@ template <typename S>
 void SceneManager<S>::Impl::place(Entry& entry, const Footprint& print) {
   const std::optional<BodyHandle> old = entry.body;
   if (print.region) {
-    const Region& region = *print.region;
+    const Shadow& region = *print.region;
     if (old && entry.polygon == region.polygon().id() && entry.margin == region.margin) {
       scene.move(*old, region.pose);
     } else {
@@ -148,7 +148,7 @@ typename SceneManager<S>::Impl::Query SceneManager<S>::Impl::queryFor(const Entr
 
 /// The bodies within a distance of the region, which may be more by `tolerance`.
 template <typename S>
-std::vector<BodyHandle> SceneManager<S>::Impl::near(const Region& region, double distance, double tolerance) const {
+std::vector<BodyHandle> SceneManager<S>::Impl::near(const Shadow& region, double distance, double tolerance) const {
   const double reach = std::min(distance + region.margin, std::numeric_limits<double>::max());
   const std::shared_lock<std::shared_mutex> lock(mutex);
   return scene.colliding(region.polygon(), region.pose, {reach, tolerance});

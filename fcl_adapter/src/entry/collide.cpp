@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "entry/dispatch.h"
+#include "queries/queries.h"
 #include "shape/errors.h"
 #include "shape/is_polygon.h"
 

@@ -4,7 +4,7 @@
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
-#include "entry/dispatch.h"
+#include "queries/queries.h"
 #include "shape/is_polygon.h"
 #include "shape/motion_in_plane.h"
 

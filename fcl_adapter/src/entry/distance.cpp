@@ -3,7 +3,7 @@
 
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
-#include "entry/dispatch.h"
+#include "queries/queries.h"
 #include "shape/is_polygon.h"
 
 // In float_distance.cpp.

@@ -6,8 +6,8 @@
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
 
-#include "entry/dispatch.h"
 #include "entry/fill_tables.h"
+#include "queries/queries.h"
 
 // FCL's distances and advancements ask collide, too: without this its tables would be instantiated with theirs.
 namespace fcl {

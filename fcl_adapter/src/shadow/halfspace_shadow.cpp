@@ -59,7 +59,6 @@ std::optional<Shadow> shadowOf(const char* name, const Eigen::Vector3d& normal, 
   if (!below_too) ring = clip(ring, -across, rounding - first);
   if (ring.empty()) return std::nullopt;
   for (Vec2& v : ring) v += center;
-  const Ring hull = convexHull(ring);
   // A tilted one is at all heights.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Slab heights{-kInfinity, kInfinity};
@@ -67,12 +66,11 @@ std::optional<Shadow> shadowOf(const char* name, const Eigen::Vector3d& normal, 
     const double height = d / n.z();
     heights = {below_too && n.z() > 0 ? -kInfinity : height, below_too && n.z() < 0 ? kInfinity : height};
   }
-  Shadow shadow(tricover::Polygon(hull.data(), hull.size(), tricover::FillRule::NonZero), rounding,
-                heights.sharedWith(view.slab));
-  if (!below_too) shadow.makeSurface();
+  Shadow shadow = shadowOf(outlineOf(convexHull(ring)), rounding, heights, view);
+  shadow.is_surface = !below_too;
   if (parallel) {
     const bool up = below_too || last <= -first;  // the way of the polygon, along n
-    shadow.coverAll({(up ? -1 : 1) * n.normalized(), std::max(up ? last : -first, 0.0)});
+    shadow.lift = {(up ? -1 : 1) * n.normalized(), std::max(up ? last : -first, 0.0)};
   }
   return shadow;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "shadow/shadow.h"
-#include "shape/convex_hull.h"
 #include "shape/errors.h"
 
 namespace tricover_fcl {
@@ -24,34 +23,24 @@ std::optional<Shadow> shadowOf(const fcl::CollisionGeometry<S>& geometry, const 
     reach = std::max(reach, vertex.template lpNorm<1>());
     vertices[i] = mapVertex(view.to_polygon, vertex, "fcl::BVHModel", i);
   }
-  const double rounding = mappingError(view.to_polygon, reach);
-  const Slab slab = grown(view.slab, rounding);
-  const Eigen::AlignedBox2d around(view.around.min().array() - 2 * rounding, view.around.max().array() + 2 * rounding);
-
-  std::vector<tricover::Ring> rings;
-  std::vector<Shadow::Part> parts;
-  Slab heights = kNoHeights;
+  PartShadows shadows(view, mappingError(view.to_polygon, reach));
   for (int i = 0; i < mesh.num_tris; ++i) {
     const fcl::Triangle& triangle = mesh.tri_indices[i];
     const Eigen::Vector3d corners[] = {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& corner : corners) box.extend(corner);
-    if (box.min().z() > slab.high || box.max().z() < slab.low) continue;
-    if (view.only_there && !around.intersects({box.min().head<2>(), box.max().head<2>()})) continue;
+    if (box.min().z() > shadows.slab.high || box.max().z() < shadows.slab.low) continue;
+    if (!shadows.isWanted({box.min().head<2>(), box.max().head<2>()})) continue;
 
-    SlabCut cut(slab);
+    SlabCut cut(shadows.slab);
     for (int k = 0; k < 3; ++k) {
       cut.addVertex(corners[k]);
       cut.addEdge(corners[k], corners[(k + 1) % 3]);
     }
-    rings.push_back(convexHull(cut.corners()));
-    heights = united(heights, cut.heights());
-    parts.push_back({i, rings.back().size()});
+    shadows.add(i, cut);
   }
-  if (rings.empty()) return std::nullopt;
-  Shadow shadow(tricover::Polygon(std::move(rings), tricover::FillRule::NonZero), rounding,
-                heights.sharedWith(view.slab), std::move(parts));
-  shadow.makeSurface();
+  std::optional<Shadow> shadow = shadows.all();
+  if (shadow) shadow->is_surface = true;
   return shadow;
 }
 

@@ -17,7 +17,6 @@
 namespace tricover_fcl {
 namespace {
 
-using tricover::Polygon;
 using tricover::Ring;
 using tricover::Vec2;
 
@@ -67,10 +66,10 @@ class RoundOutline {
     }
   }
 
-  Polygon polygon() const {
+  Ring ring() const {
     Ring ring;
     for (std::size_t i = 0; i < tangents_.size(); ++i) ring.push_back(capAfter(i).tip);
-    return Polygon(ring.data(), ring.size(), tricover::FillRule::NonZero);
+    return ring;
   }
   /// The polygon lies in C grown by that length: caps are no higher.
   double excess() const { return highest_; }
@@ -224,8 +223,8 @@ std::optional<Shadow> makeRoundShadow(const fcl::CollisionGeometry<S>& shape, co
   const Slab heights{(view.to_polygon * body.support(-up)).z(), (view.to_polygon * body.support(up)).z()};
   if (heights.low > slab.high || heights.high < slab.low) return std::nullopt;
   const RoundOutline outline(body, view.to_polygon, slab, rounding);
-  Shadow shadow(outline.polygon(), outline.slack(), heights.sharedWith(view.slab));
-  shadow.addExcess(outline.excess());
+  Shadow shadow = shadowOf(outlineOf(outline.ring()), outline.slack(), heights, view);
+  shadow.excess = outline.excess();
   return shadow;
 }
 

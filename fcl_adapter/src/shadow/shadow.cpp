@@ -1,41 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shadow/shadow.h"
 
-#include <fcl/narrowphase/contact.h>
+#include <utility>
 
-#include <limits>
-
-#include "tricover/collide.h"
+#include "shape/convex_hull.h"
 
 namespace tricover_fcl {
-using tricover::Polygon;
-using tricover::Pose;
 
-bool Shadow::meets(const Polygon& polygon, double margin) const {
-  const Pose here = Pose::Identity();
-  return tricover::collide(polygon, here, region_, here, {margin + rounding_});
+Shadow shadowOf(tricover::Polygon outline, double rounding, const Slab& heights, const View& view) {
+  Shadow shadow;
+  shadow.made = std::move(outline);
+  shadow.heights = {0, heights.sharedWith(view.slab)};
+  shadow.rounding = rounding;
+  return shadow;
 }
 
-std::optional<tricover::DistanceResult> Shadow::distance(const Polygon& polygon, double limit,
-                                                         const tricover::DistanceOptions& options) const {
-  // Regions that meet up to rounding are a little apart: a limit below that must not cost them their nearest points.
-  const Pose here = Pose::Identity();
-  const bool touching = meets(polygon, options.margin);
-  auto found = tricover::distanceWithin(polygon, here, region_, here,
-                                        touching ? std::numeric_limits<double>::infinity() : limit, options);
-  if (touching && found) found->distance = 0;
-  return found;
+void PartShadows::add(int id, const SlabCut& cut) {
+  rings_.push_back(convexHull(cut.corners()));
+  heights_ = united(heights_, cut.heights());
+  parts_.push_back({id, rings_.back().size()});
 }
 
-int Shadow::partOf(std::ptrdiff_t edge) const {
-  auto beyond = static_cast<std::size_t>(edge);
-  if (edge >= 0) {
-    for (const Part& part : parts_) {
-      if (beyond < part.edges) return part.id;
-      beyond -= part.edges;
-    }
-  }
-  return fcl::Contact<double>::NONE;
+std::optional<Shadow> PartShadows::all() {
+  if (rings_.empty()) return std::nullopt;
+  tricover::Polygon outline(std::move(rings_), tricover::FillRule::NonZero);
+  Shadow shadow = shadowOf(std::move(outline), rounding_, heights_, view_);
+  shadow.parts = std::move(parts_);
+  return shadow;
 }
 
 template <typename S>

@@ -5,28 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
+#include "shape/heights.h"
 #include "tricover/pose.h"
 
 namespace tricover_fcl {
-
-/// The heights between which a polygon reaches, in its own frame. A flat polygon has {0, 0}, one at all heights
-/// {-infinity, infinity}.
-struct Slab {
-  double low, high;
-
-  bool isAll() const { return std::isinf(low) && std::isinf(high); }
-  /// The end that is finite where the other one isn't; 0 for all heights.
-  double middle() const {
-    if (std::isinf(low) || std::isinf(high)) return !std::isinf(high) ? high : !std::isinf(low) ? low : 0;
-    return low / 2 + high / 2;
-  }
-  double halfHeight() const { return std::isinf(low) || std::isinf(high) ? 0 : high / 2 - low / 2; }
-  /// Both are there: at most a rounding apart.
-  Slab sharedWith(const Slab& other) const { return {std::max(low, other.low), std::min(high, other.high)}; }
-};
 
 /// A point mapped from a geometry's frame into the polygon's is right to this share of its distances from both frames'
 /// origins: a matrix inverse, a product and a mapping, less than 2^-49 each. Shadows are those of geometries grown by
@@ -37,13 +21,6 @@ constexpr double kMappingError = 0x1p-46;
 inline double mappingError(const Eigen::Affine3d& to_polygon, double reach) {
   return kMappingError * (to_polygon.translation().stableNorm() + reach) + 0x1p-1066;
 }
-
-/// The heights of nothing: other heights united with these stay as they are.
-constexpr Slab kNoHeights{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-inline Slab united(const Slab& a, const Slab& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
-
-inline Slab grown(const Slab& slab, double by) { return {slab.low - by, slab.high + by}; }
 
 /// The vertex in the polygon's frame. Throws std::invalid_argument, naming the geometry and the vertex, unless that is
 /// finite: nothing after it expects NaN.

@@ -12,9 +12,7 @@ namespace {
 
 std::optional<Shadow> shadowOf(const SlabCut& cut, double rounding, const View& view) {
   if (cut.corners().empty()) return std::nullopt;
-  const tricover::Ring hull = convexHull(cut.corners());
-  return Shadow(tricover::Polygon(hull.data(), hull.size(), tricover::FillRule::NonZero), rounding,
-                cut.heights().sharedWith(view.slab));
+  return shadowOf(outlineOf(convexHull(cut.corners())), rounding, cut.heights(), view);
 }
 
 template <typename S>

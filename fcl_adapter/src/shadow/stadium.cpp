@@ -16,15 +16,30 @@ namespace tricover_fcl {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
-using tricover::Polygon;
-using tricover::Pose;
 using tricover::Vec2;
+
+/// Of the error documented for round geometries, by how much of its reach a shadow may be taken for a stadium around
+/// it: a tilt, or a height, by a rounding.
+constexpr double kError = 1e-10;
 
 struct RoundPlace {
   const Vec3 &center, &axis;
   const Slab& slab;
   double rounding, rounding_z;
 
+  std::optional<Stadium> stadium(const Vec2& direction, double half_length, double radius, const Slab& heights) const {
+    std::optional<Stadium> stadium(std::in_place);
+    const Vec2 across(-direction.y(), direction.x());
+    setColumns(stadium->region.pose, direction.data(), across.data(), center.data());
+    stadium->region.polygon = half_length == 0 ? &originPoint() : nullptr;
+    stadium->region.margin = radius;
+    stadium->region.heights = {0, heights};
+    stadium->half_length = half_length;
+    return stadium;
+  }
+  std::optional<Stadium> disc(double radius, const Slab& heights) const {
+    return stadium(Vec2::UnitX(), 0, radius, heights);
+  }
   /// How far heights within `rise` of the centre's are from the slab, at least; 0 if it may hold one.
   double outside(double rise) const {
     return std::max({slab.low - center.z() - rise - rounding_z, center.z() - rise - slab.high - rounding_z, 0.0});
@@ -41,18 +56,13 @@ double section(double radius, double height) {
 /// Around all balls of that radius with centres on the axis, as far as half_length from the geometry's own.
 std::optional<Stadium> ofBalls(double radius, double half_length, const RoundPlace& place) {
   const Vec3 &center = place.center, &axis = place.axis;
-  if (half_length == 0) {
-    const double least = place.outside(0);
-    return Stadium{least <= radius,      center.head<2>(), Vec2::UnitX(), 0, section(radius, least) + place.rounding,
-                   place.heights(radius)};
-  }
   const double rise = half_length * std::abs(axis.z()), slope = axis.head<2>().norm(), run = half_length * slope;
-  const double finest = Stadium::kError * (radius + half_length);
+  const double finest = kError * (radius + half_length);
   const double least = place.outside(rise);
-  if (!(least <= radius)) return Stadium{false, Vec2::Zero(), Vec2::UnitX(), 0, 0, {}};
+  if (!(least <= radius)) return place.disc(0, kNoHeights);
   const double widest = section(radius, least);
   const Slab heights = place.heights(rise + radius);
-  if (run <= finest) return Stadium{true, center.head<2>(), Vec2::UnitX(), 0, widest + run + place.rounding, heights};
+  if (run <= finest) return place.disc(widest + run + place.rounding, heights);
 
   const bool in_slab = center.z() - rise >= place.slab.low && center.z() + rise <= place.slab.high;
   const bool lies = rise <= finest;
@@ -62,39 +72,25 @@ std::optional<Stadium> ofBalls(double radius, double half_length, const RoundPla
   if (least > 0 && !(most < radius && widest - section(radius, most) <= finest)) return std::nullopt;
   // The axis as it is written is as long as the poses' errors leave it: the length stays that of the geometry.
   const bool level = lies && std::abs(slope - 1) <= 0.49 * tricover::kRigidTolerance;
-  return Stadium{true,
-                 center.head<2>(),
-                 level ? Vec2(axis.head<2>()) : Vec2(axis.head<2>() / slope),
-                 level ? half_length : run,
-                 widest + place.rounding + (level ? 0 : 0x1p-50 * run),
-                 heights};
+  return place.stadium(level ? Vec2(axis.head<2>()) : Vec2(axis.head<2>() / slope), level ? half_length : run,
+                       widest + place.rounding + (level ? 0 : 0x1p-50 * run), heights);
 }
 
 /// If it stands upright.
 std::optional<Stadium> ofCylinder(double radius, double half_length, const RoundPlace& place) {
   const double slope = place.axis.head<2>().norm();
-  if (slope * (half_length + radius) > Stadium::kError * (radius + half_length)) return std::nullopt;
+  if (slope * (half_length + radius) > kError * (radius + half_length)) return std::nullopt;
   const double rise = half_length * std::abs(place.axis.z()) + slope * radius;
-  return Stadium{
-      place.outside(rise) == 0, place.center.head<2>(), Vec2::UnitX(), 0, radius + slope * half_length + place.rounding,
-      place.heights(rise)};
+  return place.disc(radius + slope * half_length + place.rounding,
+                    place.outside(rise) == 0 ? place.heights(rise) : kNoHeights);
 }
 
 }  // namespace
 
-void Stadium::setPose(Pose& pose) const {
-  const Vec2 across(-direction.y(), direction.x());
-  setColumns(pose, direction.data(), across.data(), center.data());
-}
-
-const Polygon& Stadium::point() {
+const tricover::Polygon& originPoint() {
   // Never destroyed: destructors of static objects may still ask.
-  static const Polygon& point = *new Polygon(tricover::point(Vec2::Zero()));
+  static const tricover::Polygon& point = *new tricover::Polygon(tricover::point(Vec2::Zero()));
   return point;
-}
-
-Polygon Stadium::segment() const {
-  return half_length == 0 ? point() : tricover::segment({-half_length, 0}, {half_length, 0});
 }
 
 template <typename S>

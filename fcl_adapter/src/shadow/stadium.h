@@ -6,28 +6,18 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "shadow/slab_cut.h"
-#include "tricover/polygon.h"
+#include "shape/region.h"
 
 namespace tricover_fcl {
 
-/// The part of a round geometry in a slab, seen along z, where that is a disc or a stadium: all points within `radius`
-/// of the segment from center - half_length * direction to center + half_length * direction.
+/// The polygon of all discs: the origin.
+const tricover::Polygon& originPoint();
+
+/// The part of a round geometry in a slab, seen along z, where that is a disc or a stadium: a point or a segment with a
+/// margin. The heights are those that the geometry and the slab share, kNoHeights where there is none.
 struct Stadium {
-  bool in_slab;  ///< nothing is, otherwise
-  tricover::Vec2 center, direction;
-  double half_length;  ///< 0 for a disc
-  double radius;
-  Slab heights;  ///< those that the geometry and the slab share
-
-  /// The segment along x around the origin, of its length; setPose() puts it where it lies.
-  tricover::Polygon segment() const;
-  static const tricover::Polygon& point();  ///< the segment of all discs: the origin
-  void setPose(tricover::Pose& pose) const;
-
-  /// Of the error documented for round geometries, by how much of its reach a shadow may be taken for a stadium around
-  /// it: a tilt, or a height, by a rounding.
-  static constexpr double kError = 1e-10;
+  Region region;       ///< without a polygon for a segment: that along x around the origin
+  double half_length;  ///< of the segment; 0 for a disc
 };
 
 /// Of a sphere, wherever it is, a cylinder that stands upright, a capsule that stands or lies, or that is between the

@@ -16,6 +16,7 @@
 #include "numbers/rigidity.h"
 #include "shape/errors.h"
 #include "shape/motion_in_plane.h"
+#include "shape/planar_pose.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
 
@@ -28,6 +29,20 @@ using tricover::Pose;
 using tricover::Vec2;
 
 constexpr const char* kSayBound = "make computeMotionBound return a bound of the speed, or ";
+
+/// The pose of a motion that began at `begin`, in `plane`; `body` maps what lies in the plane at time 0 to the frame
+/// that moves. Throws std::invalid_argument, naming the motion, if it leaves the plane or isn't finite.
+template <typename S>
+Pose poseInPlane(const fcl::Transform3<S>& pose, const fcl::Transform3<S>& begin, const Plane& plane, const Plane& body,
+                 const char* name) {
+  const Plane now = seenFrom(plane, planeOf(pose) * body), first = seenFrom(plane, planeOf(begin) * body);
+  const PlanarPose planar = planarPose<double>(now, name);
+  const double rise = kTiltTolerance * (now.translation() - first.translation()).head<2>().norm() +
+                      8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
+                          (plane.translation().norm() + pose.translation().template cast<double>().norm());
+  if (!(std::abs(planar.z) <= rise)) refuseDeparture(name);
+  return planar.pose;
+}
 
 /// FCL's own visitor, but for one question: of a motion that isn't FCL's it knows nothing, and says 0.
 template <typename S>

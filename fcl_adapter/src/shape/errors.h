@@ -3,6 +3,7 @@
 
 #include <fcl/geometry/collision_geometry.h>
 
+#include <iostream>
 #include <string>
 #include <typeinfo>
 
@@ -26,6 +27,13 @@ template <typename S>
                              const fcl::CollisionGeometry<S>& o2) {
   refuseQuestion(operation, "not supported for " + className(typeid(o1)) + " and " + className(typeid(o2)),
                  "make a triangle a PolygonShape or an fcl::BVHModel, and others of FCL's shapes, meshes or octrees");
+}
+
+/// Warns as FCL does about a pair that it has no function for: fcl::TriangleP's row is ours, but not its pairs.
+template <typename S>
+void warnAsFcl(const char* function, const fcl::CollisionGeometry<S>& o1, const fcl::CollisionGeometry<S>& o2) {
+  std::cerr << "Warning: " << function << " function between node type " << o1.getNodeType() << " and node type "
+            << o2.getNodeType() << " is not supported\n";
 }
 
 }  // namespace tricover_fcl

@@ -3,11 +3,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "numbers/double_double.h"
 #include "tricover_fcl/polygon_shape.h"
 
 namespace tricover_fcl {
+
+/// The heights between which a shape reaches, in a frame. A flat polygon has {0, 0} in its own, one at all heights
+/// {-infinity, infinity}.
+struct Slab {
+  double low, high;
+
+  bool isAll() const { return std::isinf(low) && std::isinf(high); }
+  bool isNone() const { return low == std::numeric_limits<double>::infinity(); }
+  /// The end that is finite where the other one isn't; 0 for all heights.
+  double middle() const {
+    const double middle = low / 2 + high / 2;
+    return std::isfinite(middle) ? middle : !std::isinf(high) ? high : !std::isinf(low) ? low : 0;
+  }
+  /// Both are there: at most a rounding apart.
+  Slab sharedWith(const Slab& other) const { return {std::max(low, other.low), std::min(high, other.high)}; }
+};
+
+/// The heights of nothing: other heights united with these stay as they are.
+constexpr Slab kNoHeights{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+inline Slab united(const Slab& a, const Slab& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+
+inline Slab grown(const Slab& slab, double by) { return {slab.low - by, slab.high + by}; }
 
 /// A height of a pose plus one of its shape: the exact sum of two doubles.
 struct Height {
@@ -33,37 +57,35 @@ inline double gap(const Height& x, const Height& y) {
   return (y.rounded() - x.rounded()) + (y.rest() - x.rest());
 }
 
-/// Where a posed shape lies along the world's z.
+/// Where a posed shape lies along the z of a pair's frame.
 struct Heights {
-  Height low, high;
+  double of_pose;
+  Slab of_shape;
+
+  Height low() const { return {of_pose, of_shape.low}; }
+  Height high() const { return {of_pose, of_shape.high}; }
 };
 
-inline Heights heightsOf(const PolygonOptions& shape, double z, bool upside_down) {
-  if (upside_down) return {{z, -shape.z_high}, {z, -shape.z_low}};
-  return {{z, shape.z_low}, {z, shape.z_high}};
-}
+/// A polygon's under a pose that keeps the plane.
 template <typename S>
 Heights heightsOf(const PolygonOptions& shape, const fcl::Transform3<S>& pose) {
-  return heightsOf(shape, static_cast<double>(pose.matrix()(2, 3)), pose.matrix()(2, 2) < 0);
+  const auto& m = pose.matrix();
+  const bool upside_down = m(2, 2) < 0;
+  return {static_cast<double>(m(2, 3)),
+          {upside_down ? -shape.z_high : shape.z_low, upside_down ? -shape.z_low : shape.z_high}};
 }
 
-/// Exact, touching counts.
-inline bool share(const Heights& a, const Heights& b) { return !isBelow(a.high, b.low) && !isBelow(b.high, a.low); }
-
-/// How far apart they are: 0 if and only if they share one.
-inline double gap(const Heights& a, const Heights& b) { return std::max(gap(a.high, b.low), gap(b.high, a.low)); }
+/// How far apart they are: 0 if and only if they share one, exactly.
+inline double gap(const Heights& a, const Heights& b) {
+  if (a.of_pose == b.of_pose)
+    return std::max({b.of_shape.low - a.of_shape.high, a.of_shape.low - b.of_shape.high, 0.0});
+  return std::max(gap(a.high(), b.low()), gap(b.high(), a.low()));
+}
 
 /// What heights that meet share, rounded; if that is all of them, those of the poses.
-struct SharedHeights {
-  double low, high;
-  double middle() const { return low / 2 + high / 2; }
-};
-
-inline SharedHeights sharedHeights(const Heights& a, const Heights& b) {
-  if (std::isinf(a.high.of_shape) && std::isinf(b.high.of_shape)) {
-    return {std::min(a.low.of_pose, b.low.of_pose), std::max(a.low.of_pose, b.low.of_pose)};
-  }
-  return {std::max(a.low.rounded(), b.low.rounded()), std::min(a.high.rounded(), b.high.rounded())};
+inline Slab sharedHeights(const Heights& a, const Heights& b) {
+  const Slab shared = Slab{a.low().rounded(), a.high().rounded()}.sharedWith({b.low().rounded(), b.high().rounded()});
+  return shared.isAll() ? Slab{std::min(a.of_pose, b.of_pose), std::max(a.of_pose, b.of_pose)} : shared;
 }
 
 }  // namespace tricover_fcl

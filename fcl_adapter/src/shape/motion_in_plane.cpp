@@ -86,11 +86,6 @@ std::optional<SpatialMotion> spatialMotion(const fcl::MotionBase<S>& motion) {
   return result;
 }
 
-[[noreturn]] void refuseDeparture(const char* name) {
-  refuse(name, "it leaves the polygon's plane",
-         std::string("shift within the plane and turn about its normal, or ") + kSampleInstead);
-}
-
 /// What a pose's own rounding may lift it by out of the plane.
 template <typename S>
 double roundingAround(const Vec3& start, const Plane& plane, const Vec3& pivot) {
@@ -141,6 +136,11 @@ tricover::Motion splineInPlane(const fcl::SplineMotion<S>& spline, const Plane& 
 
 }  // namespace
 
+void refuseDeparture(const char* name) {
+  refuse(name, "it leaves the polygon's plane",
+         std::string("shift within the plane and turn about its normal, or ") + kSampleInstead);
+}
+
 template <typename S>
 std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>& begin, const fcl::Transform3<S>& end,
                                                   fcl::CCDMotionType type, bool of_polygon) {
@@ -183,26 +183,6 @@ fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time) {
   motion.integrate(time);
   motion.getCurrentTransform(pose);
   return pose;
-}
-
-template <typename S>
-tricover::Pose poseInPlane(const fcl::Transform3<S>& pose, const fcl::Transform3<S>& begin, const Plane& plane,
-                           const Plane& body, const char* name) {
-  const Eigen::Matrix3d inverse = plane.linear().inverse();
-  const auto seen = [&](const fcl::Transform3<S>& place) {
-    const Plane in_space = Plane(place.matrix().template cast<double>().eval()) * body;
-    Plane there = Plane::Identity();
-    there.linear() = inverse * in_space.linear();
-    there.translation() = inverse * (in_space.translation() - plane.translation());
-    return there;
-  };
-  const Plane now = seen(pose);
-  const PlanarPose planar = planarPose<double>(now, name);
-  const double rise = kTiltTolerance * (now.translation() - seen(begin).translation()).template head<2>().norm() +
-                      8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
-                          (plane.translation().norm() + pose.translation().template cast<double>().norm());
-  if (!(std::abs(planar.z) <= rise)) refuseDeparture(name);
-  return planar.pose;
 }
 
 template <typename S>
@@ -272,24 +252,15 @@ std::optional<tricover::Trajectory> trajectoryInPlane(const fcl::MotionBase<S>& 
   return in_plane ? std::optional<tricover::Trajectory>(wholeOf(*in_plane)) : std::nullopt;
 }
 
-template std::shared_ptr<fcl::MotionBase<float>> motionBetween(const fcl::Transform3<float>&,
-                                                               const fcl::Transform3<float>&, fcl::CCDMotionType, bool);
-template std::shared_ptr<fcl::MotionBase<double>> motionBetween(const fcl::Transform3<double>&,
-                                                                const fcl::Transform3<double>&, fcl::CCDMotionType,
-                                                                bool);
-template bool isSpoiled(const fcl::MotionBase<float>&);
-template bool isSpoiled(const fcl::MotionBase<double>&);
-template fcl::Transform3<float> poseAt(const fcl::MotionBase<float>&, float);
-template fcl::Transform3<double> poseAt(const fcl::MotionBase<double>&, double);
-template tricover::Pose poseInPlane(const fcl::Transform3<float>&, const fcl::Transform3<float>&, const Plane&,
-                                    const Plane&, const char*);
-template tricover::Pose poseInPlane(const fcl::Transform3<double>&, const fcl::Transform3<double>&, const Plane&,
-                                    const Plane&, const char*);
-template std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<float>&, const Plane&, const char*);
-template std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<double>&, const Plane&, const char*);
-template std::optional<tricover::Trajectory> trajectoryInPlane(const fcl::MotionBase<float>&, const Plane&,
-                                                               const char*);
-template std::optional<tricover::Trajectory> trajectoryInPlane(const fcl::MotionBase<double>&, const Plane&,
-                                                               const char*);
+#define TRICOVER_INSTANTIATE(S)                                                                                    \
+  template std::shared_ptr<fcl::MotionBase<S>> motionBetween(const fcl::Transform3<S>&, const fcl::Transform3<S>&, \
+                                                             fcl::CCDMotionType, bool);                            \
+  template bool isSpoiled(const fcl::MotionBase<S>&);                                                              \
+  template fcl::Transform3<S> poseAt(const fcl::MotionBase<S>&, S);                                                \
+  template std::optional<tricover::Motion> motionInPlane(const fcl::MotionBase<S>&, const Plane&, const char*);    \
+  template std::optional<tricover::Trajectory> trajectoryInPlane(const fcl::MotionBase<S>&, const Plane&, const char*);
+TRICOVER_INSTANTIATE(float)
+TRICOVER_INSTANTIATE(double)
+#undef TRICOVER_INSTANTIATE
 
 }  // namespace tricover_fcl

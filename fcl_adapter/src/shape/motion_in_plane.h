@@ -42,11 +42,8 @@ bool isSpoiled(const fcl::MotionBase<S>& motion);
 template <typename S>
 fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time);
 
-/// The pose of a motion that began at `begin`, in `plane`; `body` maps what lies in the plane at time 0 to the frame
-/// that moves. Throws std::invalid_argument, naming the motion, if it leaves the plane or isn't finite.
-template <typename S>
-tricover::Pose poseInPlane(const fcl::Transform3<S>& pose, const fcl::Transform3<S>& begin, const Plane& plane,
-                           const Plane& body, const char* name);
+/// Throws std::invalid_argument: the motion leaves the plane.
+[[noreturn]] void refuseDeparture(const char* name);
 
 /// What the motion does to things in `plane`, in its coordinates: from where they are at time 0, so it starts with the
 /// identity. For FCL's TranslationMotion, InterpMotion, ScrewMotion and SplineMotion; these types exactly, nothing for

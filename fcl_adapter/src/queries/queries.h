@@ -11,8 +11,8 @@
 
 #include <cstddef>
 
-/// What our rows of FCL's tables answer, whatever the solver: two polygons are for polygons/, a polygon and another
-/// geometry for mixed/. At least one of the geometries has our node type. They return what a row returns.
+/// The answers of our rows of FCL's tables, whatever the solver: about two polygons or about one and another geometry.
+/// At least one of the geometries has our node type. They return what a row returns.
 ///
 /// Nothing of ours is included here, so that the files with FCL's tables, which take long, are seldom compiled again.
 namespace tricover_fcl {
