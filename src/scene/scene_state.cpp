@@ -149,7 +149,7 @@ void SceneState::linkFresh(const Parallel& parallel) {
 void SceneState::unlink(std::uint32_t index) {
   Pair& pair = pairs[index];
   if (pair.reported) lost.push_back(handlesOf(pair));
-  for (const std::size_t end : {0, 1}) {
+  for (const std::size_t end : {0U, 1U}) {
     auto& links = bodies[pair.body[end]].links;
     Link& place = links[pair.link[end]];
     assert(place.pair == index);
@@ -200,7 +200,7 @@ void SceneState::keep(std::uint32_t index, const Finding& found) {
     changed.push_back(index);
     pair.collides = !pair.collides;
   }
-  for (const std::size_t end : {0, 1}) {
+  for (const std::size_t end : {0U, 1U}) {
     BodyState& state = bodies[pair.body[end]];
     state.due = std::min(state.due, state.links[pair.link[end]].due);
   }
@@ -233,7 +233,7 @@ void SceneState::lookAtPairs(const Parallel& parallel) {
     inParallelTasks(parallel, listed_pairs.size(), [&](std::size_t i) { findings[i] = look(pairs[listed_pairs[i]]); });
   } catch (...) {  // the findings are lost: all pairs stay due
     for (const std::uint32_t index : listed_pairs)
-      for (const std::size_t end : {0, 1}) bodies[pairs[index].body[end]].links[pairs[index].link[end]].due = -1;
+      for (const std::size_t end : {0U, 1U}) bodies[pairs[index].body[end]].links[pairs[index].link[end]].due = -1;
     throw;
   }
   for (std::size_t i = 0; i < listed_pairs.size(); ++i) keep(listed_pairs[i], findings[i]);
