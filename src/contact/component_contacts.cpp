@@ -37,7 +37,7 @@ double wayToNextEdge(const PosedPair& pair, const WorldFrame& frame, const Vec2&
   return length;
 }
 
-/// Of a component, along a unit vector `up`, in the WorldFrame.
+/// Where a component is deepest along a unit vector `up`, in the WorldFrame.
 struct Middle {
   Vec2 deepest;  ///< its lowest point
   Vec2 middle;   ///< of what its hull has of the line along `up` through the deepest point, or the middle of those
@@ -127,7 +127,7 @@ class ContactFinder {
       exit.depth += margin;
       if (detail_ == ContactDetail::GlobalDepth && axes_ == nullptr && components.size() == 1)
         exit = exitOfOnly(component, exit);
-      // Of convex regions the depth is known better than whether there is an inside.
+      // The depth of convex regions is known better than whether there is an inside.
       const bool touches = !component.inner && !(axes_ != nullptr && exit.depth > margin + frame_.error());
       if (touches || !(exit.depth > margin)) exit.depth = margin;
       assert(exit.depth >= 0 && std::abs(exit.normal.norm() - 1) < 0x1p-40);
@@ -205,7 +205,7 @@ class ContactFinder {
     const bool agrees = least - error <= exit.depth && exit.depth <= depth + error;
     const bool alike = agrees && exit.normal.dot(p.normal) >= 1 - 0x1p-20;
     if (agrees && !alike && partsFreely(exit)) return exit;
-    // What agrees with it to its precision is known better.
+    // An exit that agrees with the search to its precision is known better.
     if (!alike || !parts(exit)) exit = {p.normal, depth, {-1, -1}, 0};
     // Either edge at a vertex that parts last will do.
     const auto partsLast = [&](int side, std::size_t position) {
@@ -242,7 +242,7 @@ class ContactFinder {
     return longest > 0 ? at(end - 0.5 * (longest - 1)) : exit;
   }
 
-  /// Of its crossings the one of the first edges, or else its first vertex.
+  /// The component's crossing of the first edges, or else its first vertex.
   Contact anyPointOf(const OverlapComponent& component) const {
     const auto isFirst = [&](std::size_t k, std::size_t l) {
       const EdgeCrossing &c = crossings_[k], &d = crossings_[l];

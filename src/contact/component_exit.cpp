@@ -50,7 +50,7 @@ Exit ComponentExits::exitOf(const OverlapComponent& component) {
   return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
 }
 
-/// Of translations that are equally long but for rounding, the one that leads b's origin away from a's.
+/// Among translations that are equally long but for rounding, the one that leads b's origin away from a's is better.
 bool ComponentExits::isBetter(const Exit& exit, const Exit& best) const {
   const double error = 4 * frame_.error();
   return exit.depth < best.depth - error ||
@@ -98,7 +98,7 @@ Hull ComponentExits::grownHull(const OverlapComponent& component, int side) cons
   return detail::hullOf(std::move(grown));
 }
 
-/// Of the faces that are edges, or of the others.
+/// The least deep face, among those that are edges or among the others.
 ComponentExits::Found ComponentExits::leastFace(bool is_edge) const {
   Found best;
   for (const int side : {0, 1})

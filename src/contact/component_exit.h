@@ -26,7 +26,7 @@ const BoundaryPoint& leftmostOf(const OverlapComponent& component);
 std::size_t longestStretch(const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
                            const OverlapComponent& component);
 
-/// Of each component by itself, as if it and the edges around it were all there is.
+/// The exit of each component by itself, as if it and the edges around it were all there is.
 class ComponentExits {
  public:
   ComponentExits(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)

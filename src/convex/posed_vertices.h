@@ -53,8 +53,6 @@ class PosedVertices : public PosedPair {
 
   /// Whether squares of lengths neither overflow nor underflow. What follows is for those that don't.
   bool isUnscaled() const { return is_unscaled_; }
-  /// |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q.
-  double size() const { return size_; }
 
   const double defect;    ///< defectOf() the poses
   const bool is_swapped;  ///< the caller's order is the other one

@@ -144,6 +144,9 @@ class PosedPair {
   static constexpr double kErrorOfA = 3 * kUnitRoundoff, kErrorOfB = 5 * kUnitRoundoff;
   static_assert(kErrorOfA >= kUnitRows * kRoot2 * errorOf(2) && kErrorOfB >= kUnitRows * kRoot2 * errorOf(3));
 
+  /// |p|_1 + |q|_1 + |t_b - t_a|_1 is at most this for all vertices p, q, but for four roundings.
+  double size() const { return size_; }
+
   /// From a point of a's frame to one of b's, both within their polygon's bounding box, and from S to S.
   Double2 way(const Vec2& p, const Vec2& q) const { return mapped(columns_b_, q) + (shift_ - mapped(columns_a_, p)); }
   Double2 way() const { return way(a.origin, b.origin); }

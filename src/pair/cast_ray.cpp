@@ -16,7 +16,7 @@
 namespace tricover::detail {
 namespace {
 
-/// In either coordinate R^-1 (p - t) errs as the shift of a relative pose does (kMappingError): by 7U |p - t|_1.
+/// In either coordinate R^-1 (p - t) errs by 7U |p - t|_1: 1 for the difference, 6 as TurnBack's table says.
 constexpr double kPointError = 8 * kUnitRoundoff;
 static_assert(kPointError >= kUnitRows * errorOf(7));
 

@@ -29,14 +29,11 @@ constexpr double kSumOfDepthErrors = 18 * 2 * kRoot2 + 5 * kRoot2 + 4.9 * 3 + 10
 
 bool isLessDeep(const FaceDepth& f, const FaceDepth& g) { return f.depth < g.depth; }
 
-/// The sum of all lengths, rounded up.
-double sizeOf(const PosedPair& pair) { return pair.error() / PosedPair::kWayError * (1 + 8 * kUnitRoundoff); }
-
 }  // namespace
 
 SeparatingAxes::SeparatingAxes(const PosedPair& pair)
     : pair_(pair),
-      size_(sizeOf(pair)),
+      size_(roundedUp<4>(pair.size())),
       a_(pair.a, pair.pose_a, Double2{}),
       b_(pair.b, pair.pose_b, pair.shift()),
       within_(tie() + 3 * kDepthError * error()) {

@@ -18,8 +18,8 @@ namespace {
 using Vec3 = Eigen::Vector3d;
 using tricover::Vec2;
 
-/// Of the error documented for round geometries, by how much of its reach a shadow may be taken for a stadium around
-/// it: a tilt, or a height, by a rounding.
+/// A shadow is taken for the stadium around it if that is larger by at most this share of its reach: a tilt, or a
+/// height, by a rounding. It is a part of the error that is documented for round geometries.
 constexpr double kError = 1e-10;
 
 struct RoundPlace {
