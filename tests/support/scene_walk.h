@@ -36,7 +36,7 @@ class SceneWalk {
       parts_.push_back({c.a, c.pose_a});
       parts_.push_back({c.b, c.pose_b});
     }
-    while (bodies_.size() < most_ * 2 / 3) add();
+    while (bodies_.size() < most_ * 2 / 3) add(random_.integer(1, 9));
   }
 
   void frame() {
@@ -51,7 +51,7 @@ class SceneWalk {
       scene_.move(together, random_.coin() ? backwards : Parallel());
     }
     if (random_.oneIn(6) && bodies_.size() > most_ / 3) remove();
-    if (random_.oneIn(6) && bodies_.size() < most_) add();
+    if (random_.oneIn(6) && bodies_.size() < most_) add(random_.oneIn(4) ? random_.integer(0, 3) : 1);
     if (random_.oneIn(4)) {
       const Scene::Body body = bodies_[index(bodies_.size())];
       scene_.setOptions(body, anyOptions(scene_.polygon(body)));
@@ -103,9 +103,15 @@ class SceneWalk {
     if (random_.oneIn(6)) options.mask = random_.coin() ? 1 : 2;
     return options;
   }
-  void add() {
-    const Part& part = anyPart();
-    bodies_.push_back(scene_.add(part.polygon, part.pose, anyOptions(part.polygon)));
+  void add(int count) {
+    std::vector<BodyPlacement> more;
+    for (int i = 0; i < count; ++i) {
+      const Part& part = anyPart();
+      more.push_back({part.polygon, part.pose, anyOptions(part.polygon)});
+    }
+    if (count == 1) return bodies_.push_back(scene_.add(more[0].polygon, more[0].pose, more[0].options));
+    const std::vector<Scene::Body> added = scene_.add(more);
+    bodies_.insert(bodies_.end(), added.begin(), added.end());
   }
 
   void remove() {
@@ -130,6 +136,7 @@ class SceneWalk {
     Vec2 moved = kind == 0 ? nudged(random_, pose.translation(), 2)
                            : Vec2(pose.translation() + step * Vec2(random_.real(-1, 1), random_.real(-1, 1)));
     if (kind == 1) pose.linear() = Eigen::Rotation2Dd(random_.real(-0.1, 0.1)).toRotationMatrix() * pose.linear();
+    if (random_.oneIn(60)) pose = mirrored(pose);
     if (moved.allFinite()) pose.translation() = moved;
     return pose.linear().isUnitary(1e-7) ? pose : scenePose(polygon);  // rotated often, it is none any more
   }

@@ -3,13 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "random.h"
 #include "shapes.h"
+#include "test_scale.h"
 #include "tricover/prepare.h"
 #include "tricover/segment.h"
 
@@ -355,6 +359,55 @@ TEST(Scene, FollowsHugeBodies) {
   }
   EXPECT_GT(hits, 3);
   EXPECT_LT(hits, 100);
+}
+
+/// In and about containers, which learn where they are clear: the answers are collide()'s, up to the walls.
+TEST(Scene, AnswersInContainersAsAnywhere) {
+  Random random(17);
+  int hits = 0, asked = 0, by_the_wall = 0;
+  for (int i = 0; i < scaledCount(60); ++i) {
+    const Ring hole = i % 3 == 0 ? rectangle(-7, -4, 7, 4) : star(random, i % 3 == 1 ? 9 : 40, 3, 8);
+    const Polygon container({rectangle(-9, -9, 9, 9), hole});
+    BodyOptions body;
+    if (random.oneIn(3)) body.margin = random.real(0, 0.5);
+    Scene scene;
+    const Scene::Body is_in = scene.add(container, pose(random.oneIn(2) ? 0 : random.real(0, 6), 0, 0), body);
+    const Polygon part({rectangle(-0.5, -0.5, 0.5, 0.5)});
+    for (int k = 0; k < 100; ++k) {
+      if (k == 50) scene.move(is_in, pose(random.real(0, 6), random.real(-2, 2), random.real(-2, 2)));
+      CollideOptions options;
+      if (random.oneIn(3)) options.margin = random.real(0, 0.5);
+      Pose at = pose(0, random.real(-8, 8), random.real(-5, 5));
+      if (i % 3 == 0 && random.oneIn(4)) at.translation().y() = 3.5 - body.margin - options.margin, ++by_the_wall;
+      CollideOptions sum;
+      sum.margin = options.margin + body.margin;
+      const bool hit = collide(part, at, container, scene.pose(is_in), sum);
+      ASSERT_EQ(scene.collides(part, at, options), hit) << i << " " << k;
+      ASSERT_EQ(scene.colliding(part, at, options).size(), hit ? 1u : 0u);
+      hits += hit;
+      ++asked;
+    }
+  }
+  EXPECT_GT(hits, asked / 4);
+  EXPECT_LT(hits, 3 * asked / 4);
+  EXPECT_GT(by_the_wall, 0);
+}
+
+TEST(Scene, AnswersManyPosesAtOnceAsOneByOne) {
+  Random random(13);
+  Scene scene;
+  for (int i = 0; i < 20; ++i) scene.add(Polygon({star(random, 5 + i, 0.4, 1.2)}), randomPose(random, 9));
+  std::vector<Pose> poses;
+  for (int i = 0; i < 2000; ++i) poses.push_back(randomPose(random, 9));
+  const std::vector<bool> answers = scene.collides(kSquare, poses);
+  const auto backwards = [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    while (count-- > 0) task(count);
+  };
+  EXPECT_EQ(scene.collides(kSquare, poses, {}, kEveryCategory, backwards), answers);
+  for (std::size_t i = 0; i < poses.size(); ++i) ASSERT_EQ(answers[i], scene.collides(kSquare, poses[i]));
+  const auto hits = std::count(answers.begin(), answers.end(), true);
+  EXPECT_GT(hits, 100);
+  EXPECT_LT(hits, 1900);
 }
 
 }  // namespace
