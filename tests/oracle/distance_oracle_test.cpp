@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // distance() against the exact reference: every family, both orders, cold and with caches that saw other poses and
-// other pairs; what the options allow, no more; and walks on which every cached distance is the cold one.
+// other pairs; and what the options allow, no more.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,6 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "limited_distance.h"
-#include "polygon/cache_access.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -169,128 +168,6 @@ TEST_P(DistanceOracle, AgreesWithExactRationals) {
 std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Families, DistanceOracle, testing::ValuesIn(families()), familyName);
-
-/// A pair on a walk; lengths of its motion are measured in `size`.
-struct Walker {
-  Case c;
-  double size;
-};
-
-struct Kind {
-  const char* name;
-  void (*step)(Random& random, Walker& walker, int i);
-};
-
-/// Around a, near and far, into it and out of it.
-void slow(Random& random, Walker& w, int i) {
-  const double t = i * 0.02 + random.unit() * 1e-3;
-  w.c.pose_b.translation() = w.c.pose_a.translation() + 5 * w.size * Vec2(std::cos(t), std::sin(2.3 * t));
-  turn(w.c.pose_b, 0.003);
-}
-
-/// By steps from an ulp to a tenth, both polygons.
-void creeping(Random& random, Walker& w, int i) {
-  if (i % 50 == 0) w.c.pose_b.translation() = w.c.pose_a.translation() + 4.5 * w.size * direction(random.real(0, 6.3));
-  Pose& moving = random.oneIn(3) ? w.c.pose_a : w.c.pose_b;
-  moving.translation() += w.size * std::pow(10, random.integer(-16, -1)) * direction(random.real(0, 6.3));
-  if (random.coin()) turn(moving, random.real(-1, 1) * std::pow(10, random.integer(-12, -1)));
-}
-
-/// Through an outline between two queries: nothing is near before and after, and yet they overlap now.
-void hopping(Random& random, Walker& w, int) {
-  w.c.pose_b.translation() = w.c.pose_a.translation() + w.size * random.real(0, 5) * direction(random.real(0, 6.3));
-}
-
-/// Both carried by a frame that turns, so that their relative pose only changes by rounding, and a little by b's own.
-void carried(Random& random, Walker& w, int i) {
-  if (i % 60 == 0)
-    w.c.pose_b.translation() = w.c.pose_a.translation() + random.real(1, 6) * w.size * direction(random.real(0, 6.3));
-  const Pose frame = randomPose(random, w.size);
-  w.c.pose_b.translation() += w.size * random.real(-0.05, 0.05) * direction(random.real(0, 6.3));
-  w.c.pose_a = frame * w.c.pose_a;
-  w.c.pose_b = frame * w.c.pose_b;
-}
-
-/// Both carried on, and one of them mirrored now and then: where both have moved, only the relative pose tells.
-void flipping(Random& random, Walker& w, int i) {
-  if (i % 20 == 0)
-    w.c.pose_b.translation() = w.c.pose_a.translation() + random.real(1, 5) * w.size * direction(random.real(0, 6.3));
-  const Vec2 shift = 0.3 * w.size * direction(random.real(0, 6.3));
-  w.c.pose_a.translation() += shift;
-  w.c.pose_b.translation() += shift;
-  if (!random.oneIn(4)) return;
-  Pose& flipped = random.coin() ? w.c.pose_a : w.c.pose_b;
-  flipped.linear().col(random.integer(0, 1)) *= -1;
-}
-
-constexpr Kind kKinds[] = {
-    {"slow", slow}, {"creeping", creeping}, {"hopping", hopping}, {"carried", carried}, {"flipping", flipping}};
-
-Walker walker(Random& random) {
-  const double sizes[] = {1, 1, 1, 1e-150, 1e150, 1e300, 1e-300}, size = sizes[random.integer(0, 6)];
-  const auto polygon = [&](double part) {
-    std::vector<Ring> rings = {star(random, random.integer(3, 40), 2 * part, 4 * part)};
-    if (random.coin()) rings.push_back(regular(random.integer(3, 24), 1.2 * part));
-    for (Ring& ring : rings) ring = scaled(std::move(ring), size);
-    return Polygon(rings);
-  };
-  const double far = random.oneIn(4) ? 1e6 * size : 0;
-  const Polygon b = polygon(random.coin() ? 0.1 : 0.5);
-  return {{polygon(1), pose(random.real(0, 6.3), far, -far), b, pose(0, far, -far)}, size};
-}
-
-class DistanceWalk : public testing::TestWithParam<Kind> {};
-
-/// Bit for bit: the exact reference has nothing to add to what holds of every cold distance.
-TEST_P(DistanceWalk, EveryCachedDistanceIsTheColdOne) {
-  constexpr int kWalks = 60, kSteps = 300;
-  int steps = 0, hits = 0, disagreements = 0, kept = 0;
-  PairCache shared;
-  for (int walk = 0; walk < scaledCount(kWalks); ++walk) {
-    Random random(static_cast<std::uint64_t>(walk));
-    Walker walkers[] = {walker(random), walker(random)};
-    PairCache caches[2];
-    for (int i = 0; i < kSteps; ++i) {
-      for (int k = 0; k < 2; ++k) {
-        GetParam().step(random, walkers[k], i);
-        const Case& c = walkers[k].c;
-        const DistanceResult cold = distance(c.a, c.pose_a, c.b, c.pose_b);
-        const bool turned = random.oneIn(3);
-        const DistanceResult own = turned ? swapped(distance(c.b, c.pose_b, c.a, c.pose_a, caches[k]))
-                                          : distance(c.a, c.pose_a, c.b, c.pose_b, caches[k]);
-        LimitedOptions options;
-        if (random.oneIn(3)) options.limit = walkers[k].size * random.real(0, 6);
-        const DistanceResult others = distance(c.a, c.pose_a, c.b, c.pose_b, shared, options);
-        const double limited = cold.distance <= options.limit ? cold.distance : kInfinity;
-        ++steps;
-        hits += cold.distance == 0;
-        const detail::DistanceHint& hint = detail::contentsOf(caches[k]).distance;
-        kept += hint.kind != 0 && !hint.back_off.isOn();
-        const std::string points = own.distance == cold.distance ? wrongPoints(c, own) : "";
-        if (own.distance == cold.distance && others.distance == limited && points.empty()) continue;
-        if (++disagreements <= 3) {
-          ADD_FAILURE() << "walk " << walk << ", step " << i << ", cold " << hex(cold.distance) << ", cached "
-                        << hex(own.distance) << ", shared " << hex(others.distance) << " of " << hex(limited) << " "
-                        << points << "\n"
-                        << reproduction(c);
-        }
-      }
-    }
-  }
-  std::printf("%-10s %6d steps %6d hits %6d with hints %4d disagreements\n", GetParam().name, steps, hits, kept,
-              disagreements);
-  EXPECT_EQ(disagreements, 0);
-  if (steps < 6000) return;  // one walk is like itself
-  EXPECT_GE(hits, 0.1 * steps);
-  EXPECT_LE(hits, 0.85 * steps);
-  if (GetParam().step != hopping) {
-    EXPECT_GE(kept, 0.1 * steps);
-  }
-}
-
-std::string kindName(const testing::TestParamInfo<Kind>& kind) { return kind.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Kinds, DistanceWalk, testing::ValuesIn(kKinds), kindName);
 
 }  // namespace
 }  // namespace tricover::support

@@ -4,14 +4,10 @@
 #include <vector>
 
 #include "cases.h"
-#include "contact_laws.h"
-#include "distance_laws.h"
-#include "limited_distance.h"
+#include "queries.h"
 #include "reproduction.h"
 #include "soak.h"
 #include "tricover/collide.h"
-#include "tricover/contacts.h"
-#include "tricover/distance.h"
 #include "tricover/locate.h"
 
 namespace tricover::soak {
@@ -25,27 +21,12 @@ struct Caches {
 
 /// What differs from the cold answer; empty if nothing does.
 std::string wrongAnswer(Random& random, const Case& c, double size, Caches& caches) {
-  CollideOptions options;
-  if (random.oneIn(4)) options.margin = size * random.real(0, 2);
-  const bool cold = collide(c.a, c.pose_a, c.b, c.pose_b, options);
-  const bool turned = random.oneIn(4);
-  if (cold != (turned ? collide(c.b, c.pose_b, c.a, c.pose_a, caches.pair, options)
-                      : collide(c.a, c.pose_a, c.b, c.pose_b, caches.pair, options)))
-    return "collide, margin " + support::hex(options.margin);
-  if (random.coin()) {
-    support::LimitedOptions limits;
-    limits.margin = options.margin;
-    if (random.oneIn(3)) limits.limit = size * random.real(0, 3);
-    const DistanceResult without = distance(c.a, c.pose_a, c.b, c.pose_b, limits),
-                         with = turned ? support::swapped(distance(c.b, c.pose_b, c.a, c.pose_a, caches.pair, limits))
-                                       : distance(c.a, c.pose_a, c.b, c.pose_b, caches.pair, limits);
-    if (with.distance != without.distance)
-      return "distance, margin " + support::hex(limits.margin) + ", limit " + support::hex(limits.limit);
+  const double margin = random.oneIn(4) ? size * random.real(0, 2) : 0;
+  for (const support::Query& query : support::queries()) {
+    if (query.alike == nullptr || !random.oneIn(3)) continue;
+    const std::string wrong = support::wrongWithCache(c, query, {margin, random.oneIn(4), &caches.pair});
+    if (!wrong.empty()) return wrong;
   }
-  const ContactOptions few{random.oneIn(3) ? options.margin : 0, random.oneIn(4) ? std::size_t{1} : 8};
-  if (random.oneIn(4) && !support::same(contacts(c.a, c.pose_a, c.b, c.pose_b, caches.pair, few),
-                                        contacts(c.a, c.pose_a, c.b, c.pose_b, few)))
-    return "contacts";
   const Vec2 p = c.pose_a.inverse() * c.pose_b.translation();
   if (p.allFinite() && locate(c.a, p, caches.point) != locate(c.a, p)) return "locate " + support::reproduction(c.a, p);
   return {};

@@ -280,6 +280,20 @@ TEST(Distance, NamesTheEdgesOfDividedSides) {
   }
 }
 
+/// As every ring of WKT and GeoJSON is closed.
+TEST(Distance, NamesEdgesWithLengthOfAClosedRing) {
+  const Polygon l({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}}});
+  const DistanceResult nearest = distance(l, at(0, 0), l, at(-2, -2.5));
+  EXPECT_DOUBLE_EQ(nearest.distance, std::hypot(1, 0.5));
+  EXPECT_NE(nearest.edge_a, 6);
+  EXPECT_NE(nearest.edge_b, 6);
+  EXPECT_EQ(nearest.point_a, Vec2(0, 0));
+  const DistanceResult of_point = distance(point({1, 2}), at(0, 0), Polygon({rectangle(3, 1, 4, 3)}), at(0, 0));
+  EXPECT_EQ(of_point.distance, 2);
+  EXPECT_GE(of_point.edge_a, 0);
+  EXPECT_LT(of_point.edge_a, 3);
+}
+
 /// So flat that nothing but exact arithmetic tells the edges' distances apart: which ones it is spared changes nothing.
 TEST(Distance, OfRingsSqueezedFlatIsThatOfTheirNearestEdges) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Laws of all queries, in all families: one table of laws, one of queries (tests/support/queries.h).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "portable_lanes.h"
+#include "queries.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "stages.h"
+#include "test_scale.h"
+
+namespace tricover::support {
+namespace {
+
+struct Asked {
+  const Case& c;
+  const Query& query;
+  double margin;
+  const Answer& answer;
+  bool truth;  ///< whether the regions are within the margin
+  Random& random;
+  PairCache& old;  ///< that has seen other pairs
+
+  Answer again(bool swapped = false) const { return query.ask(c, {margin, swapped}); }
+};
+
+bool agreesWithExactRationals(const Asked& q) { return !q.answer.meets || *q.answer.meets == q.truth; }
+
+bool isTheSameOfSwappedOperands(const Asked& q) {
+  const Answer swapped = q.again(true);
+  return isOneTwice(q.c) ? swapped.meets == q.answer.meets : sameButForZeros(q.answer, swapped);
+}
+
+bool namesEdgesWithLength(const Asked& q) { return wrongName(q.c, q.answer).empty(); }
+
+bool isTheSameOnPortableLanes(const Asked& q) {
+  return same(q.answer, onPortableLanes([&] { return q.again(); }));
+}
+
+/// Of polygons from which nothing is derived yet, up to any stage.
+bool isTheSameAtEveryStage(const Asked& q) {
+  for (const auto stages : {detail::Stages::Edges, detail::Stages::Hierarchy, detail::Stages::Paid}) {
+    const UpTo these(stages);
+    const Case c{afresh(q.c.a), q.c.pose_a, afresh(q.c.b), q.c.pose_b};
+    const Answer answer = q.query.ask(c, {q.margin});
+    if (q.query.depends_on_stages ? answer.meets != q.answer.meets : !same(answer, q.answer)) return false;
+  }
+  return true;
+}
+
+bool isTheSameWhicheverPolygonIsMadeFirst(const Asked& q) {
+  const Polygon b = afresh(q.c.b), a = afresh(q.c.a);
+  return same(q.answer, q.query.ask({a, q.c.pose_a, b, q.c.pose_b}, {q.margin}));
+}
+
+/// b near where it is: certificates about these poses are about to be used at the case's own.
+Pose elsewhere(Random& random, const Case& c) {
+  const double size = std::min(c.a.radius(), c.b.radius()) * (random.coin() ? 1e-3 : random.coin() ? 1e-12 : 1.0);
+  Pose result = pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0) * c.pose_b;  // as rigid as that is
+  const Vec2 moved = c.pose_b.translation() + Vec2(random.real(-size, size), random.real(-size, size));
+  if (moved.allFinite()) result.translation() = moved;
+  return result;
+}
+
+bool isTheSameWithACache(const Asked& q) {
+  if (q.query.alike == nullptr) return true;
+  PairCache cache;
+  for (int i = 0; i < 3; ++i) {
+    const double margin = q.random.coin() ? q.margin : q.margin * q.random.unit();
+    q.query.ask({q.c.a, q.c.pose_a, q.c.b, elsewhere(q.random, q.c)}, {margin, q.random.coin(), &cache});
+  }
+  return wrongWithCache(q.c, q.query, {q.margin, false, &cache}).empty() &&
+         wrongWithCache(q.c, q.query, {q.margin, true, &cache}).empty() &&
+         wrongWithCache(q.c, q.query, {q.margin, q.random.coin(), &q.old}).empty();
+}
+
+struct Law {
+  const char* name;
+  bool (*holds)(const Asked& asked);
+};
+
+constexpr Law kLaws[] = {
+    {"agrees with exact rationals", agreesWithExactRationals},
+    {"is the same of swapped operands", isTheSameOfSwappedOperands},
+    {"names edges with length", namesEdgesWithLength},
+    {"is the same on portable lanes", isTheSameOnPortableLanes},
+    {"is the same at every stage", isTheSameAtEveryStage},
+    {"is the same whichever polygon is made first", isTheSameWhicheverPolygonIsMadeFirst},
+    {"is the same with a cache", isTheSameWithACache},
+};
+
+Pose anyPoseOfB(Random& random) {
+  const double apart = random.real(0, 3);
+  return pose(random.coin() ? random.real(-3, 3) : 0, apart, random.coin() ? std::round(2 * apart) / 4 : 0);
+}
+
+/// Rings that are closed by their first vertex again, as WKT's and GeoJSON's are, begun anywhere, convex or not, on a
+/// lattice as often as not; here and there a vertex is said thrice.
+Ring closedRing(Random& random) {
+  Ring ring = random.coin() ? regular(random.integer(3, 9), 1) : star(random, random.integer(3, 20), 0.3, 1);
+  if (random.coin())
+    for (Vec2& v : ring) v = Vec2(std::round(4 * v.x()), std::round(4 * v.y())) / 4;
+  std::rotate(ring.begin(), ring.begin() + random.integer(0, static_cast<int>(ring.size()) - 1), ring.end());
+  if (random.coin()) ring = withRepeatedAndMidpoints(random, ring);
+  for (int more = random.integer(0, 2); more >= 0; --more) ring.push_back(ring.front());
+  return eitherWay(random, ring);
+}
+
+Case closedRings(std::uint64_t seed) {
+  Random random(seed);
+  const auto polygon = [&] {
+    std::vector<Ring> rings = {closedRing(random)};
+    if (random.oneIn(3)) rings.push_back(shifted(scaled(closedRing(random), 0.25), {0.1, 0}));
+    return Polygon(rings);
+  };
+  const Polygon a = polygon(), b = polygon();
+  return {a, Pose::Identity(), b, anyPoseOfB(random)};
+}
+
+/// Two rings of the same radius: of equal vertices, mirrored, or begun elsewhere.
+Case twins(std::uint64_t seed) {
+  Random random(seed);
+  const Ring ring = random.coin() ? regular(random.integer(3, 12), 1) : star(random, random.integer(3, 24), 0.4, 1);
+  Ring other = ring;
+  if (random.coin()) std::rotate(other.begin(), other.begin() + 1, other.end());
+  if (random.coin())
+    for (Vec2& v : other) v.x() = -v.x();
+  return {Polygon({ring}), pose(random.real(0, 6.3), 0.1, 0.7), Polygon({other}), anyPoseOfB(random)};
+}
+
+/// Outlines of up to some hundred vertices, of one or more rings, beside, in and around each other.
+Case largeOutlines(std::uint64_t seed) {
+  Random random(seed);
+  const double size = std::pow(10, random.real(-1.5, 0.3));
+  std::vector<Ring> of_a = {star(random, random.integer(3, 300), 6, 10)},
+                    of_b = {star(random, random.integer(3, 300), 3 * size, 5 * size)};
+  if (random.coin()) of_a.push_back(star(random, random.integer(3, 40), 2, 5));
+  if (random.coin()) of_b.push_back(star(random, random.integer(3, 40), size, 2 * size));
+  if (random.oneIn(3)) of_b.push_back(star(random, 5, size, 2 * size, {random.real(-20, 20), random.real(-20, 20)}));
+  const Vec2 away = random.real(0, 20 + 5 * size) * direction(random.real(0, 6.28));
+  return {Polygon(of_a), Pose::Identity(), Polygon(of_b), pose(random.real(0, 6.28), away.x(), away.y())};
+}
+
+std::vector<Family> allFamilies() {
+  std::vector<Family> all = families();
+  all.insert(all.end(), {{"closed_rings", closedRings}, {"twins", twins}, {"large_outlines", largeOutlines}});
+  return all;
+}
+
+/// Contacts are shallow; b is pushed into a by up to a radius.
+Case pushed(Random& random, Case c) {
+  const Vec2 way = c.pose_a * c.a.origin() - c.pose_b * c.b.origin();
+  const double length = way.stableNorm(), smaller = std::min(c.a.radius(), c.b.radius());
+  if (length > 0 && std::isfinite(length))
+    c.pose_b.translation() += way * (std::min(smaller / length, 1.0) * random.unit());
+  return c;
+}
+
+/// None, the distance itself, or any.
+double anyMargin(Random& random, const Case& c) {
+  const double size = std::max(c.a.radius(), c.b.radius());
+  if (random.coin() || !(size > 1e-140 && size < 1e140)) return 0;
+  const double apart = exact::distanceBelow(exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b));
+  const double margin = random.coin() ? nudged(apart, random.integer(0, 1)) : size * random.unit();
+  return margin < 1e150 ? margin : 0;
+}
+
+class Laws : public testing::TestWithParam<Family> {};
+
+TEST_P(Laws, HoldOfAllQueries) {
+  const int cases = scaledCount(GetParam().make == twins || GetParam().make == closedRings ? 400 : 40);
+  int hits = 0, asked = 0, broken = 0;
+  PairCache old;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Case made = GetParam().make(static_cast<std::uint64_t>(i) + 40000),
+               c = i % 2 == 0 ? made : pushed(random, made);
+    const double margin = anyMargin(random, c);
+    const bool truth = margin == 0 ? exact::collide(c.a, c.pose_a, c.b, c.pose_b)
+                                   : exact::within(exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b), margin);
+    hits += truth;
+    for (const Query& query : queries()) {
+      const Answer answer = query.ask(c, {margin});
+      for (const Law& law : kLaws) {
+        ++asked;
+        if (!law.holds({c, query, margin, answer, truth, random, old}) && ++broken <= 3)
+          ADD_FAILURE() << GetParam().name << " seed " << i << ": not so: " << query.name << " " << law.name
+                        << ", margin " << hex(margin) << ", truth " << truth << "\n"
+                        << reproduction(c);
+      }
+    }
+  }
+  std::printf("%-22s %4d cases %4d hits %6d laws asked %4d broken\n", GetParam().name, cases, hits, asked, broken);
+  EXPECT_EQ(broken, 0);
+  if (cases < 20) return;
+  EXPECT_GE(hits, cases / 4);
+  EXPECT_LT(hits, cases);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Laws, testing::ValuesIn(allFamilies()),
+                         [](const auto& family) { return family.param.name; });
+
+}  // namespace
+}  // namespace tricover::support
