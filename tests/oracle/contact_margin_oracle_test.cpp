@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "exact_penetration.h"
 #include "exact_reference.h"
 #include "families.h"
+#include "penetration_laws.h"
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -50,35 +50,6 @@ std::string wrongCrossings(const Case& c, double margin) {
   return found == nearEdges(c, margin) ? "" : "pairs of edges";
 }
 
-double precision(const Case& c, double margin) {
-  const double between = (c.pose_b.translation() - c.pose_a.translation()).norm();
-  const double shifts = c.pose_a.translation().lpNorm<1>() + c.pose_b.translation().lpNorm<1>();
-  return 1e-12 * std::min(c.a.radius(), c.b.radius()) + 1e-13 * (c.a.radius() + c.b.radius() + margin + between) +
-         1e-15 * shifts + 0x1p-1060;
-}
-
-std::string wrongPenetration(Random& random, const Case& c, double margin, bool truth) {
-  const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b, {margin});
-  if (p.has_value() != truth) return "a penetration, or none";
-  if (!p || std::isinf(p->depth)) return "";
-  const double error = precision(c, margin);
-  if (!(0 <= p->lower_bound && p->lower_bound <= p->depth)) return "the bound";
-  if (!(std::abs(p->normal.norm() - 1) <= 1e-12)) return "the normal";
-  if (p->optimal && !(p->depth - p->lower_bound <= error)) return "not optimal";
-  if (areWithin(c, p->translation, margin)) return "the translation doesn't part them";
-  for (const double part : {0.999, random.unit()}) {
-    const double way = part * p->lower_bound - error;
-    if (way > 0 && !areWithin(c, way * direction(random.real(0, 6.3)), margin)) return "a shorter one parts them";
-  }
-  const double apart = exact::distanceBelow(exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b));
-  if (!(p->depth >= margin - apart - error)) return "less than what is left of the margin";
-  const Vec2 between = p->point_a - p->point_b - p->depth * p->normal;
-  if (p->optimal && margin > 1e3 * error &&
-      std::abs(std::hypot(between.x(), between.y()) - margin) > 1e-3 * margin + 64 * error)
-    return "the points aren't the margin apart";
-  return "";
-}
-
 std::string wrongContacts(const Case& c, double margin, bool truth) {
   const ContactOptions options{margin};
   const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, options);
@@ -86,7 +57,8 @@ std::string wrongContacts(const Case& c, double margin, bool truth) {
   PairCache cache;
   for (int i = 0; i < 2; ++i)
     if (contacts(c.a, c.pose_a, c.b, c.pose_b, cache, options).size() != found.size()) return "another with a cache";
-  const double error = precision(c, margin);
+  const double error =
+      precisionOf(c, margin) + 1e-15 * (c.pose_a.translation().lpNorm<1>() + c.pose_b.translation().lpNorm<1>());
   const double apart = exact::distanceBelow(exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b));
   for (const Contact& contact : found) {
     if (!(contact.depth >= margin - apart - error)) return "a depth";
@@ -115,7 +87,7 @@ TEST(ContactMargins, AgreeWithExactDistancesInAllFamilies) {
       ++cases, hits += truth, beside += truth && apart > 0;
       std::string problem = wrongContacts(c, margin, truth);
       if (problem.empty() && c.a.vertexCount() * c.b.vertexCount() < 2000)
-        problem = wrongPenetration(random, c, margin, truth);
+        problem = wrongPenetration(random, c, margin, penetration(c.a, c.pose_a, c.b, c.pose_b, {margin}), 2);
       if (problem.empty() && c.a.vertexCount() * c.b.vertexCount() < 200) problem = wrongCrossings(c, margin);
       if (!problem.empty() && ++wrong <= 5)
         ADD_FAILURE() << family.name << " " << i << ", margin " << hex(margin) << ": " << problem << "\n"

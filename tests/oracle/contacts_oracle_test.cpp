@@ -129,9 +129,8 @@ TEST_P(ContactsOracle, AgreesWithExactRationals) {
   }
 }
 
-std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Families, ContactsOracle, testing::ValuesIn(families()), familyName);
+INSTANTIATE_TEST_SUITE_P(Families, ContactsOracle, testing::ValuesIn(families()),
+                         [](const auto& family) { return family.param.name; });
 
 /// By all faces of both against all vertices.
 double depthBySeparatingAxes(const Case& c) {

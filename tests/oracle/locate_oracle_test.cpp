@@ -96,9 +96,8 @@ TEST_P(LocateOracle, AgreesWithExactRationals) {
   for (const int count : by) EXPECT_GE(count, 0.05 * tally.points);
 }
 
-std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Families, LocateOracle, testing::ValuesIn(families()), familyName);
+INSTANTIATE_TEST_SUITE_P(Families, LocateOracle, testing::ValuesIn(families()),
+                         [](const auto& family) { return family.param.name; });
 
 /// Squares in rows, with S among them and as large as doubles go, so many that rays are led past them.
 TEST(LocateOracleRows, AgreesWithExactRationals) {

@@ -70,9 +70,8 @@ TEST_P(RayOracle, AgreesWithExactRationals) {
   expectAllOutcomes(tally);
 }
 
-std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Families, RayOracle, testing::ValuesIn(families()), familyName);
+INSTANTIATE_TEST_SUITE_P(Families, RayOracle, testing::ValuesIn(families()),
+                         [](const auto& family) { return family.param.name; });
 
 /// Points, segments and rings without area, under poses of all kinds.
 TEST(RayOracle, PointsAndSegments) {

@@ -74,9 +74,8 @@ TEST(SceneCrowds, SayWhatAllPairsSay) {
   }
 }
 
-std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Families, SceneOracle, testing::ValuesIn(families()), familyName);
+INSTANTIATE_TEST_SUITE_P(Families, SceneOracle, testing::ValuesIn(families()),
+                         [](const auto& family) { return family.param.name; });
 
 }  // namespace
 }  // namespace tricover::support

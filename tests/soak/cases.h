@@ -3,12 +3,14 @@
 
 #include "families.h"
 #include "random.h"
+#include "reference.h"
 
 /// Pairs of every kind: shapes from points to soups, sizes from 1e-300 to 1e300, contacts to the ulp and gaps beyond.
 namespace tricover::soak {
 
 using support::Case;
 using support::Random;
+using support::Reference;
 
 struct Drawn {
   const char* family;  ///< of the shapes

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "cases.h"
-#include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
 #include "soak.h"

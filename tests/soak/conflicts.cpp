@@ -4,7 +4,6 @@
 
 #include "cases.h"
 #include "conflict_laws.h"
-#include "reference.h"
 #include "reproduction.h"
 #include "soak.h"
 

@@ -11,7 +11,6 @@
 #include "convex_depth.h"
 #include "exact_penetration.h"
 #include "exact_reference.h"
-#include "reference.h"
 #include "reproduction.h"
 #include "soak.h"
 
@@ -52,7 +51,7 @@ bool isThin(const Polygon& polygon, double width) {
 
 std::string wrongConvex(const Case& c, const Contact& contact) {
   const long double depth = contact.depth, error = support::rounding(c);
-  const Reference::Bounds truth = convexDepth(c);
+  const Reference::Bounds truth = support::convexDepth(c);
   if (!(depth <= truth.low + error && depth >= truth.high - error)) {
     const double exactly = exact::distanceBelow(exact::convexPenetrationSquared(c.a, c.pose_a, c.b, c.pose_b));
     const bool is_thin = isThin(c.a, support::rounding(c)) || isThin(c.b, support::rounding(c));
@@ -68,7 +67,7 @@ std::string wrongConvex(const Case& c, const Contact& contact) {
 std::string wrongContacts(Random& random, const Case& c, bool truth) {
   const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
   if (found.empty() == truth) return "contacts, or none";
-  const bool is_convex = truth && isStrictlyConvex(c.a) && isStrictlyConvex(c.b);
+  const bool is_convex = truth && support::isStrictlyConvex(c.a) && support::isStrictlyConvex(c.b);
   if (is_convex && found.size() != 1) return "how many there are";
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Contact& contact = found[i];

@@ -7,7 +7,6 @@
 
 #include "cases.h"
 #include "contact_laws.h"
-#include "reference.h"
 #include "reproduction.h"
 #include "soak.h"
 #include "tricover/contacts.h"

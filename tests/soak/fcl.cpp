@@ -7,7 +7,6 @@
 #include <type_traits>
 
 #include "cases.h"
-#include "reference.h"
 #include "reproduction.h"
 #include "soak.h"
 #include "spatial.h"

@@ -6,7 +6,6 @@
 
 #include "cases.h"
 #include "contact_laws.h"
-#include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
 #include "soak.h"

@@ -5,7 +5,6 @@
 
 #include "cases.h"
 #include "exact_reference.h"
-#include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
 #include "soak.h"

@@ -12,7 +12,6 @@
 #include <string>
 
 #include "cases.h"
-#include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
 #include "soak.h"

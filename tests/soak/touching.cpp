@@ -22,7 +22,7 @@ void soakTouching(Run& run) {
     const Drawn drawn = random.coin() ? anyCase(random, limits) : Drawn{family.name, family.make(random.bits()), 1};
     const support::Overlap truth = support::overlapOf(drawn.c);
     run.count(drawn.family, truth.overlap);
-    std::string wrong = support::wrongTouching(drawn.c, truth, old);
+    std::string wrong = support::wrongTouching(drawn.c, truth, old, random);
     if (wrong.empty()) wrong = support::wrongTouchingInScene(drawn.c, truth);
     if (wrong.empty() && random.oneIn(4)) wrong = support::wrongTouchingInLists(drawn.c, truth);
     if (wrong.empty() && !truth.meet) wrong = support::wrongTouchingAtMargin(drawn.c);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact_reference.h"
+#include "reproduction.h"
 
 namespace tricover::support {
 namespace {
@@ -72,6 +73,50 @@ std::string wrongPoints(const Case& c, const DistanceResult& r) {
   const mpq_class low = mpq_class(std::min(r.distance, kLargest)) - 4 * mpq_class(error);
   const bool apart = (r.distance == kInfinity || squared <= high * high) && (sgn(low) <= 0 || low * low <= squared);
   return apart ? "" : "the points are not as far apart as the distance says";
+}
+
+std::string wrongDistance(double found, const LimitedOptions& options, const mpq_class& squared) {
+  const double below = std::min(exact::distanceBelow(squared), kLargest);
+  const bool within = exact::within(squared, mpq_class(options.margin));
+  if ((found == 0) != within) return "zero or not";
+  if (found > options.limit && found < kInfinity) return "above the limit";
+  if (found == kInfinity) {
+    // Where the distance overflows, or by the sum of limit and margin, rounded down to a double.
+    const mpq_class sum = mpq_class(std::min(options.limit, kLargest)) + mpq_class(options.margin);
+    return below < kLargest * (1 - 1e-14) && exact::within(squared, mpq_class(sum.get_d())) ? "not found" : "";
+  }
+  if (within) return "";
+  // Of the distance and the margin together.
+  const mpq_class slack = (mpq_class(below) + options.margin) * mpq_class("15/1000000000000000") + 0x1p-1073;
+  const mpq_class result(found), margin(options.margin), most = result + margin + slack;
+  if (squared > most * most) return "below the truth";
+  const mpq_class least =
+      (result - mpq_class(options.absolute_error)) / (1 + mpq_class(options.relative_error)) + margin - slack;
+  return sgn(least) > 0 && least * least > squared ? "more than the options allow" : "";
+}
+
+std::string wrongDistances(const Case& c, const LimitedOptions& options, const mpq_class& squared, PairCache& cache) {
+  const DistanceResult cold = distance(c.a, c.pose_a, c.b, c.pose_b, options),
+                       turned = swapped(distance(c.b, c.pose_b, c.a, c.pose_a, options)),
+                       cached = distance(c.a, c.pose_a, c.b, c.pose_b, cache, options);
+  const auto described = [&](const std::string& wrong, const char* way, double found) {
+    return wrong.empty() ? wrong
+                         : "distance" + std::string(way) + ": " + wrong + ": " + hex(found) + ", margin " +
+                               hex(options.margin) + ", errors " + hex(options.relative_error) + " and " +
+                               hex(options.absolute_error) + ", limit " + hex(options.limit);
+  };
+  std::string wrong = described(wrongDistance(cold.distance, options, squared), "", cold.distance);
+  if (!wrong.empty()) return wrong;
+  if (!same(cold, turned)) return described("another", ", swapped", turned.distance);
+  wrong = wrongDistance(cached.distance, options, squared);
+  const bool is_exact = options.relative_error == 0 && options.absolute_error == 0;
+  if (wrong.empty() && is_exact && cached.distance != cold.distance) wrong = "another";
+  if (!wrong.empty() || cold.distance == kInfinity) return described(wrong, ", with a cache", cached.distance);
+  // Points are where the edges say, as far apart as the distance without a margin, whatever the margin leaves.
+  if (!is_exact || options.limit < kInfinity) return "";
+  const double apart = sgn(squared) == 0 ? 0 : std::max(exact::distanceBelow(squared), 0x1p-1074);
+  const DistanceResult points{apart, cold.point_a, cold.point_b, cold.edge_a, cold.edge_b};
+  return described(wrongPoints(c, points), "", cold.distance);
 }
 
 bool same(const DistanceResult& p, const DistanceResult& q) {

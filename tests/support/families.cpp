@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "families.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "family_makers.h"
@@ -123,6 +125,14 @@ Case tinyInCorner(Random& random) {
 
 bool isOneTwice(const Case& c) {
   return c.a.rings() == c.b.rings() && c.a.fillRule() == c.b.fillRule() && c.pose_a.matrix() == c.pose_b.matrix();
+}
+
+Pose elsewhere(Random& random, const Case& c) {
+  const double size = std::min(c.a.radius(), c.b.radius()) * (random.coin() ? 1e-3 : random.coin() ? 1e-12 : 1.0);
+  Pose result = pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0) * c.pose_b;  // as rigid as that is
+  const Vec2 moved = c.pose_b.translation() + Vec2(random.real(-size, size), random.real(-size, size));
+  if (moved.allFinite()) result.translation() = moved;
+  return result;
 }
 
 ContactOnWay contactOnWay(Case c, const Vec2& away, double far, int halvings) {

@@ -24,6 +24,9 @@ Case tinyInCorner(Random& random);
 /// The same region twice, at one place: there no direction from a to b is better than its opposite.
 bool isOneTwice(const Case& c);
 
+/// b near where it is: certificates about these poses are about to be used at the case's own.
+Pose elsewhere(Random& random, const Case& c);
+
 /// Moves b along `away` from a's place: between a distance at which the polygons meet, or 0, and one at which they
 /// don't, or `far`, after so many halvings.
 struct ContactOnWay {

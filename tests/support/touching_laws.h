@@ -4,6 +4,7 @@
 #include <string>
 
 #include "families.h"
+#include "random.h"
 #include "strategies.h"
 
 namespace tricover::support {
@@ -18,8 +19,8 @@ Overlap overlapOf(const Case& c);
 
 // The first way of asking that gives another answer than the truth; empty if there is none.
 
-/// Of collide(), at all stages, in both orders, with caches that are new, and one that has seen other cases.
-std::string wrongTouching(const Case& c, const Overlap& truth, StrategyCaches& old);
+/// Of collide(), in every way to ask it.
+std::string wrongTouching(const Case& c, const Overlap& truth, StrategyCaches& old, Random& random);
 /// The same of a Scene, which has it of a query or of a body.
 std::string wrongTouchingInScene(const Case& c, const Overlap& truth);
 /// At the margin that the distance is, if that is one, and near it.

@@ -8,7 +8,7 @@
 
 #include "exact_reference.h"
 
-namespace tricover::soak {
+namespace tricover::support {
 namespace {
 
 /// Twice the unit roundoff. Terms of second order are below what the bounds leave over.
@@ -200,4 +200,4 @@ bool Reference::within(double margin) const {
   return exact::within(distanceSquared(), mpq_class(margin));
 }
 
-}  // namespace tricover::soak
+}  // namespace tricover::support

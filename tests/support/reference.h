@@ -10,9 +10,7 @@
 #include "families.h"
 #include "tricover/locate.h"
 
-namespace tricover::soak {
-
-using support::Case;
+namespace tricover::support {
 
 /// The exact reference made fast: long doubles with a bound of their errors decide what they can, pairs of edges that
 /// they leave in doubt are asked of tests/support/exact_reference.h. Shares nothing with the kernel but the types.
@@ -67,4 +65,4 @@ class Reference {
   mutable std::optional<bool> collides_;
 };
 
-}  // namespace tricover::soak
+}  // namespace tricover::support

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace tricover::soak {
+namespace tricover::support {
 namespace {
 
 constexpr long double kEpsilon = std::numeric_limits<long double>::epsilon();
@@ -94,4 +94,4 @@ Reference::Bounds convexDepth(const Case& c) {
   return {std::max(std::min(by_a.low, by_b.low), 0.0L), std::min(by_a.high, by_b.high)};
 }
 
-}  // namespace tricover::soak
+}  // namespace tricover::support

@@ -3,7 +3,7 @@
 
 #include "reference.h"
 
-namespace tricover::soak {
+namespace tricover::support {
 
 /// One ring that turns the same way at every vertex, once around, beyond doubt.
 bool isStrictlyConvex(const Polygon& polygon);
@@ -11,4 +11,4 @@ bool isStrictlyConvex(const Polygon& polygon);
 /// How deep two of them that overlap are in each other, by the least gap over the faces of both: in long doubles.
 Reference::Bounds convexDepth(const Case& c);
 
-}  // namespace tricover::soak
+}  // namespace tricover::support

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Margins, tolerances and limits against exact distances, at lengths of exactly the distance and some ulps either side
+// of it: of polygons of all families, and of points and segments (discs and stadiums, with a margin) beside them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "collide_laws.h"
+#include "distance_laws.h"
+#include "exact_reference.h"
+#include "families.h"
+#include "random.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "strategies.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr int kCases = 300;
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+/// A place that is likely to be degenerate: a vertex, on an edge, beside either, deep inside, or anywhere.
+Vec2 placeNear(Random& random, const Polygon& polygon) {
+  const EdgeIndex edge = anyEdge(random, polygon);
+  const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
+  const double size = std::min(polygon.radius(), kLargest / 4);
+  switch (random.integer(0, 5)) {
+    case 0:
+      return v;
+    case 1:
+      return 0.5 * v + 0.5 * w;
+    case 2:
+      return nudged(random, 0.5 * v + 0.5 * w, 2);
+    case 3:
+      return 0.25 * v + 0.75 * polygon.origin();
+    case 4:
+      return polygon.origin();
+    default: {
+      const Vec2 p = polygon.origin() + size * Vec2(random.real(-2, 2), random.real(-2, 2));
+      return p.allFinite() ? p : v;
+    }
+  }
+}
+
+/// One operand, or both, replaced by a point or a segment near the other.
+Case withDegenerate(Random& random, const Case& c) {
+  const auto degenerateNear = [&](const Polygon& polygon) {
+    const Vec2 p = placeNear(random, polygon);
+    return random.coin() ? point(p) : segment(p, random.coin() ? placeNear(random, polygon) : nudged(random, p, 3));
+  };
+  const Polygon degenerate = degenerateNear(c.a);
+  const Pose& pose = random.coin() ? c.pose_a : c.pose_b;
+  if (random.oneIn(4)) return {degenerateNear(c.a), c.pose_a, degenerate, pose};
+  return random.coin() ? Case{c.a, c.pose_a, degenerate, pose} : Case{degenerate, pose, c.a, c.pose_a};
+}
+
+std::vector<double> lengthsAround(Random& random, const mpq_class& squared, double size) {
+  const double below = std::min(exact::distanceBelow(squared), nudged(kLargest, -4));
+  std::vector<double> lengths = {0,
+                                 below,
+                                 nudged(below, 1),
+                                 nudged(below, 2),
+                                 below * (1 + 1e-12),
+                                 below * (1 + 1e-7),
+                                 below * 2,
+                                 size * random.unit()};
+  if (below > 0) lengths.insert(lengths.end(), {nudged(below, -1), below * (1 - 1e-12), below * (1 - 1e-7), below / 2});
+  for (double& length : lengths) length = std::min(length, kLargest);
+  return lengths;
+}
+
+/// Of collide() and distance(); empty if everything is right.
+std::string wrongAt(const Case& c, const mpq_class& squared, double length, StrategyCaches& caches, Random& random) {
+  const auto within = [&](double margin, double tolerance) {
+    return exact::within(squared, mpq_class(margin) + mpq_class(tolerance));
+  };
+  std::string wrong = wrongCollide(c, {length}, {within(length, 0), within(length, 0)}, caches, random);
+  const CollideOptions tolerant{random.coin() ? 0 : length / 2, random.coin() ? length : length * random.unit()};
+  if (wrong.empty())
+    wrong = wrongCollide(c, tolerant, {within(tolerant.margin, 0), within(tolerant.margin, tolerant.tolerance)}, caches,
+                         random);
+  LimitedOptions options;
+  options.margin = length;
+  return wrong.empty() ? wrongDistances(c, options, squared, caches.of_pair) : wrong;
+}
+
+class MarginOracle : public testing::TestWithParam<Family> {};
+
+TEST_P(MarginOracle, MarginIsExactAndToleranceKeepsItsPromise) {
+  int queries = 0, hits = 0, touches = 0, disagreements = 0;
+  StrategyCaches old;
+  for (int i = 0; i < scaledCount(kCases); ++i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 1000000;
+    Random random(seed);
+    Case c = GetParam().make(seed);
+    if (i % 2 == 0) {
+      c = withDegenerate(random, c);
+    } else if (random.coin()) {
+      const double size = std::min({c.a.radius(), c.b.radius(), kLargest});
+      const Vec2 apart = c.pose_b.translation() + size * Vec2(random.real(-2, 2), random.real(-2, 2));
+      if (apart.allFinite()) c.pose_b.translation() = apart;
+    }
+    const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
+    touches += sgn(squared) == 0;
+    StrategyCaches fresh;
+    StrategyCaches& caches = random.coin() ? old : fresh;
+    const double size = std::min(std::max(c.a.radius(), c.b.radius()), kLargest);
+    for (const double length : lengthsAround(random, squared, size)) {
+      ++queries;
+      hits += exact::within(squared, mpq_class(length));
+      const std::string wrong = wrongAt(c, squared, length, caches, random);
+      if (wrong.empty()) continue;
+      if (++disagreements <= 3)
+        ADD_FAILURE() << GetParam().name << " seed " << seed << ": " << wrong << ", length " << hex(length)
+                      << ", distance above " << hex(exact::distanceBelow(squared)) << "\n"
+                      << reproduction(c);
+      break;
+    }
+  }
+  std::printf("%-22s %6d queries %6d hits %6d touches %4d disagreements\n", GetParam().name, queries, hits, touches,
+              disagreements);
+  EXPECT_EQ(disagreements, 0);
+  if (queries < 100) return;
+  EXPECT_GE(hits, 0.3 * queries);
+  EXPECT_LE(hits, 0.95 * queries);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, MarginOracle, testing::ValuesIn(families()),
+                         [](const auto& family) { return family.param.name; });
+
+/// Distances that are doubles: 3-4-5 between two vertices, and the gap between two parallel edges, at every size.
+TEST(Margin, EqualityIsIncluded) {
+  for (const double unit : {1.0, 0x1p-498, 0x1p498, 0x1p990, 0x1p-1070}) {
+    const Polygon a({scaled(rectangle(0, 0, 1, 1), unit)});
+    for (const Vec2& by : {Vec2(4, 5), Vec2(-5, 4), Vec2(6, 0.5), Vec2(0, -6)}) {
+      const double distance = 5 * unit;
+      Pose pose_b = Pose::Identity();
+      pose_b.translation() = by * unit;
+      for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
+        const auto within = [&](double margin) { return collide(strategy, a, Pose::Identity(), a, pose_b, {margin}); };
+        EXPECT_TRUE(within(distance)) << hex(unit);
+        EXPECT_FALSE(within(nudged(distance, -1))) << hex(unit);
+        EXPECT_TRUE(within(nudged(distance, 1))) << hex(unit);
+        EXPECT_TRUE(within(kLargest)) << hex(unit);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
