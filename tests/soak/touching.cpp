@@ -2,7 +2,9 @@
 #include <string>
 
 #include "cases.h"
+#include "laws.h"
 #include "reproduction.h"
+#include "shapes.h"
 #include "soak.h"
 #include "touching_families.h"
 #include "touching_laws.h"
@@ -24,8 +26,12 @@ void soakTouching(Run& run) {
     run.count(drawn.family, truth.overlap);
     std::string wrong = support::wrongTouching(drawn.c, truth, old, random);
     if (wrong.empty()) wrong = support::wrongTouchingInScene(drawn.c, truth);
-    if (wrong.empty() && random.oneIn(4)) wrong = support::wrongTouchingInLists(drawn.c, truth);
-    if (wrong.empty() && !truth.meet) wrong = support::wrongTouchingAtMargin(drawn.c);
+    if (wrong.empty() && random.oneIn(100)) {
+      const double apart = static_cast<double>(Reference(drawn.c).distance().low);
+      const double margin = random.coin() && apart < 1e300 ? support::nudged(apart, random.integer(0, 2)) : 0;
+      wrong = support::brokenLaw(drawn.c, margin, Touching::Allowed,
+                                 support::areWithin(drawn.c, margin, Touching::Allowed), random, old.of_pair);
+    }
     if (wrong.empty()) continue;
     run.fail(drawn.family,
              wrong + ", truth: meet " + std::to_string(truth.meet) + ", overlap " + std::to_string(truth.overlap),

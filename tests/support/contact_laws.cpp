@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convex_depth.h"
+#include "exact_penetration.h"
 #include "exact_reference.h"
+#include "reference.h"
+#include "reproduction.h"
 #include "tricover/penetration.h"
 
 namespace tricover::support {
@@ -22,6 +26,38 @@ Polygon edgeOf(const Polygon& polygon, std::ptrdiff_t edge) {
 /// By how much more than the depth a way must lead apart.
 double beyond(const Case& c) { return 4 * rounding(c) + 1e-9 * std::min(c.a.radius(), c.b.radius()); }
 
+/// Whether a point is within a length of both regions, but for rounding.
+bool isNear(const Case& c, const Vec2& p, double length) {
+  const Polygon point({Ring(3, p)});
+  const Case with_a{c.a, c.pose_a, point, Pose::Identity()}, with_b{c.b, c.pose_b, point, Pose::Identity()};
+  const double error = length + rounding(c);
+  return Reference(with_a).within(error) && Reference(with_b).within(error);
+}
+
+std::string wrongPoints(Random& random, const Case& c, const Contact& contact) {
+  const ContactPoint &first = contact.points[0], &second = contact.points[1];
+  if (contact.count == 1)
+    return first.point == contact.point && first.depth == contact.depth && second.point == first.point ? ""
+                                                                                                       : "one point";
+  if (contact.count != 2) return "how many points";
+  if (!(contact.depth >= first.depth && first.depth >= second.depth && second.depth >= 0)) return "a point's depth";
+  if (!(first.point.allFinite() && second.point.allFinite())) return "a point";
+  if (!random.oneIn(4)) return "";
+  const double depth = contact.depth * (1 + 1e-9);
+  return isNear(c, first.point, depth) && isNear(c, second.point, depth) ? "" : "an end that is far";
+}
+
+/// Whether a convex polygon is nowhere wider than so much, or hardly so.
+bool isThin(const Polygon& polygon, double width) {
+  long double area = 0;
+  const Vec2 s = polygon.edgeStart(0);
+  for (EdgeIndex i = 0; i < polygon.edgeCount(); ++i) {
+    const Vec2 v = polygon.edgeStart(i) - s, w = polygon.edgeEnd(i) - s;
+    area += static_cast<long double>(v.x()) * w.y() - static_cast<long double>(v.y()) * w.x();
+  }
+  return std::abs(area) < 8.0L * width * polygon.radius();
+}
+
 }  // namespace
 
 double rounding(const Case& c) {
@@ -38,6 +74,45 @@ Pose moved(const Pose& pose, const Vec2& way) {
   Pose result = pose;
   result.translation() += way;
   return result;
+}
+
+std::string wrongContacts(Random& random, const Case& c, const std::vector<Contact>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Contact& contact = found[i];
+    if (!(std::abs(contact.normal.norm() - 1) <= 1e-12)) return "a normal that isn't unit";
+    if (!(contact.depth >= 0 && std::isfinite(contact.depth))) return "a depth";
+    if (i > 0 && contact.depth > found[i - 1].depth) return "the order";
+    if (!contact.point.allFinite() || (random.oneIn(4) && !isNear(c, contact.point, 0))) return "a point outside";
+    const std::string wrong = wrongPoints(random, c, contact);
+    if (!wrong.empty()) return wrong;
+  }
+  return {};
+}
+
+std::string wrongEdges(const Case& c, const std::vector<Contact>& found, bool crossed) {
+  const auto isEdge = [](const Polygon& polygon, EdgeIndex edge) { return edge >= 0 && edge < polygon.edgeCount(); };
+  for (const Contact& contact : found) {
+    const bool of_a = isEdge(c.a, contact.edge_a), of_b = isEdge(c.b, contact.edge_b);
+    if (!of_a && !(contact.edge_a == -1 && of_b)) return "edge_a";
+    if (!of_b && !(contact.edge_b == -1 && of_a)) return "edge_b";
+    if (!crossed && of_a && of_b) return "an edge of what holds the other";
+    if (crossed && found.size() == 1 && !(of_a && of_b)) return "no edge, where edges cross";
+  }
+  return {};
+}
+
+std::string wrongConvexContact(const Case& c, const Contact& contact) {
+  const long double depth = contact.depth, error = rounding(c);
+  const Reference::Bounds truth = convexDepth(c);
+  if (!(depth <= truth.low + error && depth >= truth.high - error)) {
+    const double exactly = exact::distanceBelow(exact::convexPenetrationSquared(c.a, c.pose_a, c.b, c.pose_b));
+    const bool is_thin = isThin(c.a, rounding(c)) || isThin(c.b, rounding(c));
+    if (contact.depth == 0 && is_thin) return "";
+    if (!(std::abs(depth - exactly) <= error)) return "depth " + hex(contact.depth) + ", which is " + hex(exactly);
+  }
+  Case moved = c;
+  moved.pose_b.translation() += (contact.depth * (1 + 1e-9) + 4 * rounding(c)) * contact.normal;
+  return Reference(moved).collide() ? "the way doesn't part them" : "";
 }
 
 bool isCommon(const Case& c, const Contact& contact) {

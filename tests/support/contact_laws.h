@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "families.h"
+#include "random.h"
 #include "tricover/contacts.h"
 
 /// What contacts() promises, on exact numbers.
@@ -14,6 +15,16 @@ namespace tricover::support {
 double rounding(const Case& c);
 
 Pose moved(const Pose& pose, const Vec2& way);
+
+/// What is wrong with contacts, whatever their number: order, normals, depths and points, with how near these are to
+/// the regions now and then; empty if nothing is.
+std::string wrongContacts(Random& random, const Case& c, const std::vector<Contact>& found);
+
+/// What is wrong with the edges that they name, given whether edges meet; empty if nothing is.
+std::string wrongEdges(const Case& c, const std::vector<Contact>& found, bool crossed);
+
+/// What is wrong with the depth and normal of the contact of two strictly convex polygons; empty if nothing is.
+std::string wrongConvexContact(const Case& c, const Contact& contact);
 
 /// The point lies in both regions.
 bool isCommon(const Case& c, const Contact& contact);

@@ -55,14 +55,16 @@ auto asked(const Case& c, const Question& q, const Ask& ask) {
 }
 
 Answer askCollide(const Case& c, const Question& q) {
+  const CollideOptions options{q.margin, 0, q.touching};
   const bool meets = asked(c, q, [&](const auto&... pair) {
-    return q.cache != nullptr ? collide(pair..., *q.cache, {q.margin}) : collide(pair..., {q.margin});
+    return q.cache != nullptr ? collide(pair..., *q.cache, options) : collide(pair..., options);
   });
   return Telling(q).meets(meets).done();
 }
 
 Answer askPaper(const Case& c, const Question& q) {
-  return Telling(q).meets(asked(c, q, [&](const auto&... pair) { return paper::collide(pair..., {q.margin}); })).done();
+  const CollideOptions options{q.margin, 0, q.touching};
+  return Telling(q).meets(asked(c, q, [&](const auto&... pair) { return paper::collide(pair..., options); })).done();
 }
 
 Answer tell(const Question& q, const DistanceResult& r) {
@@ -79,7 +81,7 @@ Answer askDistance(const Case& c, const Question& q) {
   LimitedOptions options;
   options.margin = q.margin;
   Answer answer = tell(q, distanceOf(c, q, options));
-  answer.meets = answer.numbers[0] == 0;
+  if (q.touching == Touching::Collides) answer.meets = answer.numbers[0] == 0;
   return answer;
 }
 
@@ -103,6 +105,7 @@ Answer askContacts(const Case& c, const Question& q) {
   ContactOptions options;
   options.margin = q.margin;
   options.detail = detail;
+  options.touching = q.touching;
   const std::vector<Contact> found = asked(c, q, [&](const auto&... pair) {
     return q.cache != nullptr ? contacts(pair..., *q.cache, options) : contacts(pair..., options);
   });
@@ -118,20 +121,24 @@ Answer askContacts(const Case& c, const Question& q) {
 
 /// In the order of their edges: theirs means nothing.
 Answer askCrossings(const Case& c, const Question& q) {
-  std::vector<Crossing> found = asked(c, q, [&](const auto&... pair) { return crossings(pair..., {q.margin}); });
+  const CrossingOptions options{q.margin, q.touching};
+  std::vector<Crossing> found = asked(c, q, [&](const auto&... pair) { return crossings(pair..., options); });
   const auto edges = [&](const Crossing& x) {
     return q.swapped ? std::pair(x.edge_b, x.edge_a) : std::pair(x.edge_a, x.edge_b);
   };
   std::sort(found.begin(), found.end(), [&](const Crossing& x, const Crossing& y) { return edges(x) < edges(y); });
-  Telling telling(q);  // edges are numbers here, as edges without length are listed too
+  Telling telling(q);
+  if (!found.empty()) telling.meets(true);
+  // Edges are numbers here, as those without length are listed too.
   for (const Crossing& x : found)
     telling.point(x.point).number(static_cast<double>(edges(x).first)).number(static_cast<double>(edges(x).second));
   return telling.done();
 }
 
 Answer askPenetration(const Case& c, const Question& q) {
+  const PenetrationOptions options{q.margin, q.touching};
   const auto p = asked(c, q, [&](const auto&... pair) {
-    return q.cache != nullptr ? penetration(pair..., *q.cache, {q.margin}) : penetration(pair..., {q.margin});
+    return q.cache != nullptr ? penetration(pair..., *q.cache, options) : penetration(pair..., options);
   });
   Telling telling(q);
   telling.meets(p.has_value());
@@ -184,7 +191,7 @@ template <int angle>
 Answer askImpact(const Case& c, const Question& q) {
   const auto impact = askedOfMotions(c, q, angle, [](const auto&... all) { return timeOfImpact(all...); });
   Telling telling(q);
-  telling.meets(impact && impact->time == 0);
+  if (q.touching == Touching::Collides) telling.meets(impact && impact->time == 0);
   if (impact) telling.impact(*impact);
   return telling.done();
 }
@@ -192,7 +199,7 @@ Answer askImpact(const Case& c, const Question& q) {
 Answer askConflicts(const Case& c, const Question& q) {
   const auto found = askedOfMotions(c, q, 1, [](const auto&... all) { return conflicts(all...); });
   Telling telling(q);
-  telling.meets(!found.empty() && found.front().impact.time == 0);
+  if (q.touching == Touching::Collides) telling.meets(!found.empty() && found.front().impact.time == 0);
   for (const Conflict& span : found) telling.impact(span.impact).number(span.end);
   return telling.done();
 }
@@ -203,7 +210,7 @@ Answer askScene(const Case& c, const Question& q) {
     Scene scene;
     scene.add(b, pose_b);
     Answer answer = tell(q, scene.nearest(a, pose_a, {q.margin})->result);
-    answer.meets = scene.collides(a, pose_a, {q.margin});
+    answer.meets = scene.collides(a, pose_a, {q.margin, 0, q.touching});
     return answer;
   });
 }
@@ -259,7 +266,8 @@ const std::vector<Query>& queries() {
 }
 
 std::string wrongWithCache(const Case& c, const Query& query, const Question& question) {
-  const Answer without = query.ask(c, {question.margin}), with = query.ask(c, question);
+  const Answer without = query.ask(c, {question.margin, false, nullptr, question.touching}),
+               with = query.ask(c, question);
   // Of a polygon and itself at one place the order is the caller's.
   if (question.swapped && isOneTwice(c)) return with.meets == without.meets ? "" : query.name;
   const bool alike = question.swapped && query.alike == exactlyAlike ? sameButForZeros(without, with)

@@ -8,6 +8,7 @@
 
 #include "families.h"
 #include "tricover/pair_cache.h"
+#include "tricover/touching.h"
 
 /// Every query about a pair as one type, so that a law of all of them is written once.
 namespace tricover::support {
@@ -16,11 +17,12 @@ struct Question {
   double margin = 0;
   bool swapped = false;        ///< asked about b and a
   PairCache* cache = nullptr;  ///< none
+  Touching touching = Touching::Collides;
 };
 
 /// Everything that a query tells, as if a had been the first operand.
 struct Answer {
-  std::optional<bool> meets;  ///< whether the regions are within the margin; nothing where the query doesn't tell
+  std::optional<bool> meets;  ///< whether the regions are within the margin; nothing where the answer doesn't tell
   std::vector<double> numbers;
   std::vector<std::pair<EdgeIndex, EdgeIndex>> edges;  ///< of a and of b
 };

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "touching_laws.h"
 
-#include <cmath>
 #include <vector>
 
 #include "collide_laws.h"
 #include "exact_reference.h"
 #include "tricover/collide.h"
-#include "tricover/contacts.h"
-#include "tricover/penetration.h"
 #include "tricover/scene.h"
 
 namespace tricover::support {
 namespace {
 
 CollideOptions closed() { return {}; }
-CollideOptions open(double margin = 0) { return {margin, 0, Touching::Allowed}; }
+CollideOptions open() { return {0, 0, Touching::Allowed}; }
 
 }  // namespace
 
@@ -64,60 +61,6 @@ std::string wrongTouchingInScene(const Case& c, const Overlap& truth) {
       scene.move(first, c.pose_a);
     }
   }
-  return {};
-}
-
-std::string wrongTouchingAtMargin(const Case& c) {
-  const mpq_class square = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
-  const double apart = exact::distanceBelow(square);
-  if (!(apart > 0 && apart < 1e300)) return {};
-  for (const double margin : {apart, std::nextafter(apart, 0.0), std::nextafter(apart, 2e300), 2 * apart}) {
-    const bool is_below = square < mpq_class(margin) * margin;
-    if (collide(c.a, c.pose_a, c.b, c.pose_b, open(margin)) != is_below) return "margin";
-    PairCache cache;
-    for (int i = 0; i < 2; ++i) {
-      if (collide(c.b, c.pose_b, c.a, c.pose_a, cache, open(margin)) != is_below) return "margin, with a cache";
-      if (collide(c.a, c.pose_a, c.b, c.pose_b, cache, {margin}) != exact::within(square, margin))
-        return "margin, closed, with a cache";
-    }
-    if (collide(Strategy::Paper, c.a, c.pose_a, c.b, c.pose_b, open(margin)) != is_below) return "margin, paper";
-    Scene scene;
-    BodyOptions half;
-    half.margin = margin / 2;  // rounded, where it is small
-    scene.add(c.a, c.pose_a, half);
-    if (scene.collides(c.b, c.pose_b, open(margin - half.margin)) != is_below) return "margin, scene";
-    PenetrationOptions deep{margin, Touching::Allowed};
-    if (penetration(c.a, c.pose_a, c.b, c.pose_b, deep).has_value() != is_below) return "margin, penetration";
-    ContactOptions parts;
-    parts.margin = margin;
-    parts.touching = Touching::Allowed;
-    if (contacts(c.a, c.pose_a, c.b, c.pose_b, parts).empty() == is_below) return "margin, contacts";
-  }
-  return {};
-}
-
-std::string wrongTouchingInLists(const Case& c, const Overlap& truth) {
-  CrossingOptions inner;
-  ContactOptions parts;
-  PenetrationOptions deep;
-  inner.touching = parts.touching = deep.touching = Touching::Allowed;
-  const std::vector<Crossing> found = crossings(c.a, c.pose_a, c.b, c.pose_b, inner);
-  if (!found.empty() && !truth.overlap) return "crossings where interiors are apart";
-  if (found.size() > crossings(c.a, c.pose_a, c.b, c.pose_b).size()) return "crossings, more than without";
-  if (found.size() != crossings(c.b, c.pose_b, c.a, c.pose_a, inner).size()) return "crossings, swapped";
-  for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth}) {
-    parts.detail = detail;
-    PairCache cache;
-    for (int i = 0; i < 2; ++i)
-      if (contacts(c.a, c.pose_a, c.b, c.pose_b, cache, parts).empty() == truth.overlap)
-        return "contacts, with a cache";
-    const std::size_t count = contacts(c.a, c.pose_a, c.b, c.pose_b, parts).size();
-    if ((count > 0) != truth.overlap) return "contacts";
-    ContactOptions all;
-    all.detail = detail;
-    if (count > contacts(c.a, c.pose_a, c.b, c.pose_b, all).size()) return "contacts, more than without";
-  }
-  if (penetration(c.a, c.pose_a, c.b, c.pose_b, deep).has_value() != truth.overlap) return "penetration";
   return {};
 }
 

@@ -23,9 +23,5 @@ Overlap overlapOf(const Case& c);
 std::string wrongTouching(const Case& c, const Overlap& truth, StrategyCaches& old, Random& random);
 /// The same of a Scene, which has it of a query or of a body.
 std::string wrongTouchingInScene(const Case& c, const Overlap& truth);
-/// At the margin that the distance is, if that is one, and near it.
-std::string wrongTouchingAtMargin(const Case& c);
-/// What is listed, beside what is without the option, and that it is symmetric.
-std::string wrongTouchingInLists(const Case& c, const Overlap& truth);
 
 }  // namespace tricover::support

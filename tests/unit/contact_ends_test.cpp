@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts of one or two points: boxes on floors and in corners, edge on edge, vertex on edge, beside, and a law.
+// Contacts of one or two points: boxes on floors and in corners, edge on edge, vertex on edge, beside.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "contact_laws.h"
-#include "families.h"
-#include "random.h"
 #include "shapes.h"
-#include "test_scale.h"
 #include "tricover/contacts.h"
-#include "tricover/distance.h"
 
 namespace tricover::support {
 namespace {
@@ -169,43 +164,6 @@ TEST(ContactEnds, OfTeethAreAsFarApartAsTheyAreWide) {
     const double x = contact.point.x();
     expectEnds(contact, {{x - 0.5, 4.875}, 0.25}, {{x + 0.5, 4.875}, 0.25}, 1e-12);
   }
-}
-
-/// Of all families: both kinds occur, and every point is as near to both regions as they are deep.
-TEST(ContactEnds, AreInReachOfBothRegions) {
-  int kinds[2] = {0, 0};
-  const auto look = [&](const Case& c, Random& random) {
-    ContactOptions options = with(random.coin() ? ContactDetail::LocalDepth : ContactDetail::GlobalDepth);
-    if (random.oneIn(4)) options.margin = random.real(0, 0.1) * std::min(c.a.radius(), c.b.radius());
-    for (const Contact& contact : contacts(c.a, c.pose_a, c.b, c.pose_b, options)) {
-      ASSERT_TRUE(contact.count == 1 || contact.count == 2);
-      ++kinds[contact.count - 1];
-      if (contact.count == 1) {
-        expectOne(contact);
-        continue;
-      }
-      ASSERT_GE(contact.points[0].depth, contact.points[1].depth);
-      ASSERT_LE(contact.points[0].depth, contact.depth);
-      for (const ContactPoint& p : contact.points) {
-        ASSERT_GE(p.depth, 0);
-        const Polygon point({Ring(3, p.point)});
-        const double reach = contact.depth * (1 + 1e-9) + rounding(c);
-        ASSERT_LE(distance(point, kHere, c.a, c.pose_a).distance, reach);
-        ASSERT_LE(distance(point, kHere, c.b, c.pose_b).distance, reach);
-      }
-    }
-  };
-  const int each = scaledCount(100);
-  for (const Family& family : families()) {
-    for (int i = 0; i < each; ++i) {
-      SCOPED_TRACE(testing::Message() << family.name << " " << i);
-      Random random(static_cast<std::uint64_t>(i));
-      look(family.make(static_cast<std::uint64_t>(i)), random);
-      if (HasFatalFailure()) return;
-    }
-  }
-  EXPECT_GT(kinds[0], each);
-  EXPECT_GT(kinds[1], each);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <vector>
 
 #include "exact_reference.h"
@@ -72,85 +72,76 @@ Vec2 somePoint(Random& random, const Polygon& polygon, double size) {
   }
 }
 
-/// By the edges along a ray, which is expected to be as by all edges.
-Inclusion located(const Polygon& polygon, const IncludedPoint& point) {
-  const Inclusion found = includeInPolygon(polygon.data(), point), truth = includeInCovering(polygon.data(), point);
-  EXPECT_EQ(found.location, truth.location);
-  EXPECT_EQ(found.winding, truth.winding);
-  return found;
+struct Tally {
+  int all = 0, inside = 0, outside = 0;
+
+  /// By the edges along a ray, which is expected to be as by all edges.
+  Inclusion locate(const Polygon& polygon, const IncludedPoint& point) {
+    const Inclusion found = includeInPolygon(polygon.data(), point), truth = includeInCovering(polygon.data(), point);
+    EXPECT_EQ(found.location, truth.location);
+    EXPECT_EQ(found.winding, truth.winding);
+    ++all;
+    inside += found.location == Location::Inside;
+    outside += found.location == Location::Outside;
+    return found;
+  }
+};
+
+/// check(random, polygon, its size, number of the point, tally) of so many polygons and points of each.
+template <typename Check>
+Tally checkPoints(std::uint64_t seed, int polygons, int points, bool resized, const Check& check) {
+  Tally tally;
+  for (int i = 0; i < scaledCount(polygons); ++i) {
+    Random random(static_cast<std::uint64_t>(i) + seed);
+    const double size = !resized || random.coin() ? 1 : std::pow(2, random.integer(-900, 900));
+    const Polygon polygon = manyRings(random, size);
+    prepare(polygon);
+    for (int k = 0; k < points && !testing::Test::HasFailure(); ++k) {
+      SCOPED_TRACE(testing::Message() << i << ", " << k);
+      check(random, polygon, size, k, tally);
+    }
+  }
+  EXPECT_GE(tally.inside, tally.all / 10);
+  EXPECT_LE(tally.inside, 9 * tally.all / 10);
+  return tally;
 }
 
 TEST(Inclusion, AlongARayIsAsByAllEdges) {
-  int inside = 0, outside = 0, boundary = 0;
-  for (int i = 0; i < scaledCount(300); ++i) {
-    Random random(static_cast<std::uint64_t>(i));
-    const double size = random.coin() ? 1 : std::pow(2, random.integer(-900, 900));
-    const Polygon polygon = manyRings(random, size);
-    prepare(polygon);
-    for (int k = 0; k < 60; ++k) {
-      const Vec2 p = somePoint(random, polygon, size);
-      const Inclusion found = located(polygon, IncludedPoint::ofFrame(p));
-      ASSERT_FALSE(testing::Test::HasFailure()) << i << ", " << k;
-      if (k < 10) {
-        ASSERT_EQ(found.location, exact::locate(polygon, p)) << i << ", " << k;
-      }
-      ++(found.location == Location::Inside ? inside : found.location == Location::Outside ? outside : boundary);
-    }
-  }
-  std::printf("%d inside, %d outside, %d on the boundary\n", inside, outside, boundary);
-  const int all = inside + outside + boundary;
-  EXPECT_GE(inside, all / 10);
-  EXPECT_GE(outside, all / 10);
-  EXPECT_GE(boundary, all / 10);
+  const Tally tally =
+      checkPoints(0, 300, 60, true, [](Random& random, const Polygon& polygon, double size, int k, Tally& points) {
+        const Vec2 p = somePoint(random, polygon, size);
+        const Inclusion found = points.locate(polygon, IncludedPoint::ofFrame(p));
+        if (k < 10) {
+          EXPECT_EQ(found.location, exact::locate(polygon, p));
+        }
+      });
+  EXPECT_GE(tally.outside, tally.all / 10);
+  EXPECT_GE(tally.all - tally.inside - tally.outside, tally.all / 10) << "on the boundary";
 }
 
 /// Under poses, by which the point is known only roughly in the polygon's frame, or not at all so far away.
 TEST(Inclusion, AlongARayUnderPoses) {
-  int inside = 0, all = 0;
-  for (int i = 0; i < scaledCount(200); ++i) {
-    Random random(static_cast<std::uint64_t>(i) + 1000);
-    const Polygon polygon = manyRings(random, 1), few = Polygon({rectangle(-1, -1, 1, 1)});
-    prepare(polygon);
-    const double far = std::pow(10, random.integer(0, 17));
-    const Vec2 shift = far * Vec2(random.real(-1, 1), random.real(-1, 1));
+  const Polygon few = Polygon({rectangle(-1, -1, 1, 1)});
+  checkPoints(1000, 1000, 6, false, [&](Random& random, const Polygon& polygon, double, int, Tally& points) {
+    const Vec2 shift = std::pow(10, random.integer(0, 17)) * Vec2(random.real(-1, 1), random.real(-1, 1));
     const Pose pose_a = pose(random.real(0, 6.28), shift.x(), shift.y());
-    for (int k = 0; k < 30; ++k) {
-      const Vec2 at = pose_a * somePoint(random, polygon, 1);
-      const Pose pose_b = pose(random.real(0, 6.28), at.x(), at.y());
-      const detail::PosedPair pair(polygon.data(), pose_a, few.data(), pose_b);
-      const Vec2 p(0, random.coin() ? 0 : 1e-17);
-      const detail::SeenFromA seen(pair);
-      const IncludedPoint point{&pair.pose_a, seen.at(p), {&pair.pose_b, p}, seen.handed()};
-      const Inclusion found = located(polygon, point);
-      ASSERT_FALSE(testing::Test::HasFailure()) << i << ", " << k;
-      inside += found.location == Location::Inside;
-      ++all;
-    }
-  }
-  EXPECT_GE(inside, all / 10);
-  EXPECT_LE(inside, 9 * all / 10);
+    const Vec2 at = pose_a * somePoint(random, polygon, 1);
+    const Pose pose_b = pose(random.real(0, 6.28), at.x(), at.y());
+    const detail::PosedPair pair(polygon.data(), pose_a, few.data(), pose_b);
+    const Vec2 p(0, random.coin() ? 0 : 1e-17);
+    const detail::SeenFromA seen(pair);
+    points.locate(polygon, {&pair.pose_a, seen.at(p), {&pair.pose_b, p}, seen.handed()});
+  });
 }
 
 /// A point that is known only so far that it may seem to be beyond an edge, as a far pose makes of it.
 TEST(Inclusion, AlongARayOfPointsKnownRoughly) {
-  int inside = 0, all = 0;
-  for (int i = 0; i < scaledCount(200); ++i) {
-    Random random(static_cast<std::uint64_t>(i) + 2000);
-    const Polygon polygon = manyRings(random, 1);
-    prepare(polygon);
-    for (int k = 0; k < 100; ++k) {
-      const double error = polygon.data().unit * std::pow(2, random.integer(-23, -21));
-      const auto aside = [&]() -> Vec2 { return error * Vec2(random.integer(-1, 1), random.integer(-1, 1)); };
-      const Vec2 p = somePoint(random, polygon, 1) + 0.5 * aside(), seen = p + aside();
-      const IncludedPoint point{nullptr, {seen.x(), seen.y(), 1.001 * error}, {nullptr, p}, 1};
-      const Inclusion found = located(polygon, point);
-      ASSERT_FALSE(testing::Test::HasFailure()) << i << ", " << k;
-      inside += found.location == Location::Inside;
-      ++all;
-    }
-  }
-  EXPECT_GE(inside, all / 10);
-  EXPECT_LE(inside, 9 * all / 10);
+  checkPoints(2000, 200, 100, false, [](Random& random, const Polygon& polygon, double, int, Tally& points) {
+    const double error = polygon.data().unit * std::pow(2, random.integer(-23, -21));
+    const auto aside = [&]() -> Vec2 { return error * Vec2(random.integer(-1, 1), random.integer(-1, 1)); };
+    const Vec2 p = somePoint(random, polygon, 1) + 0.5 * aside(), seen = p + aside();
+    points.locate(polygon, {nullptr, {seen.x(), seen.y(), 1.001 * error}, {nullptr, p}, 1});
+  });
 }
 
 }  // namespace

@@ -2,15 +2,16 @@
 // Rings of 100,000 vertices (fewer where the tests are scaled): linear memory, and no recursion that grows with them
 // (the queries run on a small stack).
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <new>
+#include <utility>
 
 #include "shapes.h"
+#include "small_stack.h"
 #include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
@@ -38,19 +39,7 @@ namespace {
 const int kVertices = scaledCount(100000);
 constexpr std::size_t kStackBytes = 512 * 1024;
 
-void onSmallStack(std::function<void()> work) {
-  pthread_attr_t attributes;
-  ASSERT_EQ(pthread_attr_init(&attributes), 0);
-  ASSERT_EQ(pthread_attr_setstacksize(&attributes, kStackBytes), 0);
-  pthread_t thread;
-  const auto run = [](void* argument) -> void* {
-    (*static_cast<std::function<void()>*>(argument))();
-    return nullptr;
-  };
-  ASSERT_EQ(pthread_create(&thread, &attributes, run, &work), 0);
-  ASSERT_EQ(pthread_join(thread, nullptr), 0);
-  pthread_attr_destroy(&attributes);
-}
+void onSmallStack(std::function<void()> work) { ASSERT_EQ(onStackOf(kStackBytes, std::move(work)), ""); }
 
 /// Cold, cached and in both orders.
 bool collideAllWays(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every query runs in a thread whose stack is small.
+#include "small_stack.h"
+
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <iterator>
-#include <string>
 #include <vector>
 
 #include "shapes.h"
@@ -29,36 +28,6 @@ namespace tricover::support {
 namespace {
 
 constexpr std::size_t kSmallStack = 64 * 1024, kStackOfSanitizers = 1024 * 1024;
-
-struct Call {
-  void (*ask)(const Polygon& a, const Polygon& b);
-  const Polygon *a, *b;
-  std::string failure;
-};
-
-void* run(void* context) {
-  Call& call = *static_cast<Call*>(context);
-  try {
-    call.ask(*call.a, *call.b);
-  } catch (const std::exception& error) {
-    call.failure = error.what();
-  }
-  return nullptr;
-}
-
-std::string onSmallStack(void (*ask)(const Polygon&, const Polygon&), const Polygon& a, const Polygon& b) {
-  Call call{ask, &a, &b, ""};
-  const bool sanitized = &__asan_init != nullptr || &__tsan_init != nullptr;
-  pthread_attr_t attributes;
-  pthread_t thread;
-  if (pthread_attr_init(&attributes) != 0 ||
-      pthread_attr_setstacksize(&attributes, sanitized ? kStackOfSanitizers : kSmallStack) != 0 ||
-      pthread_create(&thread, &attributes, &run, &call) != 0)
-    return "no thread";
-  pthread_join(thread, nullptr);
-  pthread_attr_destroy(&attributes);
-  return call.failure;
-}
 
 /// A wheel whose every other vertex is nearer to its middle; nothing is derived from it yet.
 Polygon wheel(std::size_t vertices, double inner) {
@@ -114,11 +83,14 @@ constexpr void (*kQueries[])(const Polygon& a, const Polygon& b) = {
 };
 
 TEST(SmallStack, IsEnoughForEveryQuery) {
+  const bool sanitized = &__asan_init != nullptr || &__tsan_init != nullptr;
   for (const std::size_t vertices : {8, 64, 4096})
     for (const double inner : {1.0, 0.9})
-      for (std::size_t query = 0; query < std::size(kQueries); ++query)  // each is the first that the polygons meet
-        EXPECT_EQ(onSmallStack(kQueries[query], wheel(vertices, inner), wheel(vertices, inner)), "")
+      for (std::size_t query = 0; query < std::size(kQueries); ++query) {  // each is the first that the polygons meet
+        const Polygon a = wheel(vertices, inner), b = wheel(vertices, inner);
+        EXPECT_EQ(onStackOf(sanitized ? kStackOfSanitizers : kSmallStack, [&] { kQueries[query](a, b); }), "")
             << vertices << " vertices, query " << query;
+      }
 }
 
 }  // namespace
