@@ -33,25 +33,6 @@ std::string wrongContacts(Random& random, const Case& c, bool truth) {
   return support::same(found, swapped) ? "" : "swapped, they differ";
 }
 
-/// Contacts with a margin are where the regions are within it; apart, there is one, as deep as is left of the margin.
-std::string wrongWithMargin(Random& random, const Case& c) {
-  const double margin = random.unit() * std::max(c.a.radius(), c.b.radius());
-  if (!std::isfinite(margin)) return "";
-  const Reference reference(c);
-  const bool truth = reference.within(margin);
-  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, ContactOptions{margin});
-  if (found.empty() == truth) return "contacts, or none, with a margin of " + support::hex(margin);
-  const double error = support::rounding(c) + 1e-12 * margin;
-  for (const Contact& contact : found)
-    if (contact.depth < margin - error && reference.within(margin - contact.depth - error))
-      return "shallower than what is left of the margin " + support::hex(margin);
-  if (!truth || reference.collide()) return "";
-  if (found.size() != 1) return "how many there are within the margin " + support::hex(margin);
-  return found[0].depth <= margin && reference.within(margin - found[0].depth + error)
-             ? ""
-             : "deeper than what is left of the margin " + support::hex(margin);
-}
-
 }  // namespace
 
 /// contacts() by its laws, of convex pairs against the exact depth.
@@ -66,7 +47,8 @@ void soakContacts(Run& run) {
     const bool truth = Reference(drawn.c).collide();
     run.count(drawn.family, truth);
     std::string problem = wrongContacts(random, drawn.c, truth);
-    if (problem.empty() && random.oneIn(4)) problem = wrongWithMargin(random, drawn.c);
+    const double margin = random.unit() * std::max(drawn.c.a.radius(), drawn.c.b.radius());
+    if (problem.empty() && random.oneIn(4)) problem = support::wrongContactsWithMargin(drawn.c, margin);
     if (!problem.empty()) run.fail(drawn.family, problem, support::reproduction(drawn.c));
   }
 }

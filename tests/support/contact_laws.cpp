@@ -9,6 +9,7 @@
 #include "exact_reference.h"
 #include "reference.h"
 #include "reproduction.h"
+#include "tricover/distance.h"
 #include "tricover/penetration.h"
 
 namespace tricover::support {
@@ -113,6 +114,29 @@ std::string wrongConvexContact(const Case& c, const Contact& contact) {
   Case moved = c;
   moved.pose_b.translation() += (contact.depth * (1 + 1e-9) + 4 * rounding(c)) * contact.normal;
   return Reference(moved).collide() ? "the way doesn't part them" : "";
+}
+
+std::string wrongContactsWithMargin(const Case& c, double margin) {
+  if (!std::isfinite(margin)) return "";
+  const Reference reference(c);
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, ContactOptions{margin});
+  const std::string with = " with the margin " + hex(margin);
+  if (found.empty() == reference.within(margin)) return "contacts, or none," + with;
+  const double error = rounding(c) + 1e-12 * margin;
+  for (const Contact& contact : found) {
+    if (!(std::abs(contact.normal.norm() - 1) <= 1e-12)) return "a normal that isn't unit" + with;
+    if (contact.depth < margin - error && reference.within(margin - contact.depth - error))
+      return "shallower than what is left" + with;
+  }
+  if (found.empty() || reference.collide()) return "";
+  if (found.size() != 1) return "how many there are" + with;
+  if (!(found[0].depth <= margin && reference.within(margin - found[0].depth + error)))
+    return "deeper than what is left" + with;
+  // Of what is clearly apart.
+  const DistanceResult nearest = distance(c.a, c.pose_a, c.b, c.pose_b);
+  const double apart = nearest.distance;
+  const bool is_normal = (nearest.point_b - nearest.point_a - apart * found[0].normal).norm() <= 1e-5 * apart;
+  return apart < 1e6 * error || is_normal ? "" : "the normal" + with;
 }
 
 bool isCommon(const Case& c, const Contact& contact) {

@@ -23,6 +23,10 @@ std::string wrongContacts(Random& random, const Case& c, const std::vector<Conta
 /// What is wrong with the edges that they name, given whether edges meet; empty if nothing is.
 std::string wrongEdges(const Case& c, const std::vector<Contact>& found, bool crossed);
 
+/// What is wrong with the contacts with a margin: they are where the regions are within it; apart, there is one, as
+/// deep as is left of the margin, and its normal leads from the one nearest point to the other. Empty if nothing is.
+std::string wrongContactsWithMargin(const Case& c, double margin);
+
 /// What is wrong with the depth and normal of the contact of two strictly convex polygons; empty if nothing is.
 std::string wrongConvexContact(const Case& c, const Contact& contact);
 

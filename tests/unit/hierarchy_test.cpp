@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -45,13 +46,21 @@ bool holds(const Block& block, int i, const Vec2& p, double room) {
          std::abs(y * ux - x * uy) <= block.across[i] * norm + room;
 }
 
-Polygon outline(Random& random) {
+/// Of all sizes, far from the origin or not.
+Polygon outline(Random& random, double size = 1) {
   std::vector<Ring> rings = {star(random, random.integer(3, 300), 5, 10)};
-  for (int k = random.integer(0, 3); k > 0; --k)
+  for (int k = random.oneIn(7) ? random.integer(30, 90) : random.integer(0, 3); k > 0; --k)
     rings.push_back(shifted(star(random, random.integer(3, 30), 0.5, 1), {random.real(-3, 3), random.real(-3, 3)}));
+  if (random.oneIn(5)) rings[0][1] = rings[0][0];
+  if (random.oneIn(10)) rings[0].back() = rings[0][rings[0].size() - 2] + Vec2(1e-13, 0);
   const Vec2 far(random.coin() ? 0 : 1e9, random.coin() ? 0 : -1e6);
-  for (Ring& ring : rings) ring = shifted(ring, far);
+  for (Ring& ring : rings) ring = scaled(shifted(ring, far), size);
   return Polygon(rings);
+}
+
+double anySize(Random& random) {
+  const double sizes[] = {1, 1, 1e-13, 1e-290, 1e290};
+  return sizes[random.integer(0, 4)];
 }
 
 /// Visits the edges below a box.
@@ -62,14 +71,27 @@ void forEachEdge(const Hierarchy& hierarchy, const Block& block, int lane, Visit
   for (int i = 0; i < below.count; ++i) forEachEdge(hierarchy, below, i, visit);
 }
 
-/// Their own rounding is part of it: a quarter of kOutwards is left, for what is computed with the axis.
+int depthOf(const Hierarchy& hierarchy, const Block& block) {
+  int depth = 0;
+  for (int lane = 0; lane < block.count && !block.leaf; ++lane)
+    depth = std::max(depth, depthOf(hierarchy, hierarchy.blocks[block.child[lane]]));
+  return depth + 1;
+}
+
+/// Their own rounding is part of it: a quarter of kOutwards is left, for what is computed with the axis. Each edge has
+/// one leaf, and each block but the root is some box.
 TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
   Random random(21);
-  for (int i = 0; i < scaledCount(100); ++i) {
-    const Polygon polygon = outline(random);
+  int deepest = 0;
+  for (int i = 0; i < scaledCount(200); ++i) {
+    const Polygon polygon = outline(random, anySize(random));
     const PolygonData& data = polygon.data();
     const Hierarchy& hierarchy = hierarchyOf(data);
+    std::vector<int> leaves(data.path.size());
+    std::size_t boxes = 0;
     for (const Block& block : hierarchy.blocks) {
+      boxes += block.count;
+      ASSERT_EQ(block.scale * block.inverse, 1);
       for (int lane = 0; lane < block.count; ++lane) {
         std::size_t first = data.path.size(), last = 0, edges = 0;
         forEachEdge(hierarchy, block, lane, [&](std::size_t e) {
@@ -79,13 +101,24 @@ TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
           last = std::max(last, e);
           ++edges;
         });
+        if (block.leaf) ++leaves[first];
         const bool one_chain = data.ringOf(first) == data.ringOf(last) && last - first + 1 == edges;
         ASSERT_TRUE(one_chain || (block.spanned >> lane & 1) == 0);
+        // As the descent may assume them to be.
+        ASSERT_LE(std::max(std::abs(block.x[lane]), std::abs(block.y[lane])), 1);
+        ASSERT_LE(block.along[lane] + block.across[lane], 1 + 0x1p-19);
       }
       for (int lane = block.count; lane < kLanes; ++lane) ASSERT_LT(block.along[lane], -1e20f) << "an unused lane";
     }
     ASSERT_TRUE(data.ringCount() == 1 || !hierarchy.root_spanned);
+    const auto edges = static_cast<std::size_t>(polygon.edgeCount());
+    EXPECT_LE(hierarchy.blocks.size(), std::max<std::size_t>(edges / 2, 1));
+    EXPECT_EQ(boxes, edges + hierarchy.blocks.size() - 1);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(leaves.begin(), leaves.end(), 1)), edges);
+    deepest = std::max(deepest, depthOf(hierarchy, hierarchy.blocks[0]));
   }
+  EXPECT_GE(deepest, 3);
+  EXPECT_LE(deepest, 9);
 }
 
 /// Exactly: the centre is inside, and no edge is nearer than the radius.
@@ -97,12 +130,16 @@ void expectInside(const Polygon& polygon, const Vec2& center, const mpq_class& r
 
 TEST(InnerDiscs, AreInTheRegion) {
   Random random(22);
-  int discs = 0;
-  for (int i = 0; i < scaledCount(400); ++i) {
-    const Polygon polygon = outline(random);
+  int discs = 0, found = 0, large = 0;
+  const int cases = scaledCount(400);
+  for (int i = 0; i < cases; ++i) {
+    const double size = random.coin() ? 1 : random.coin() ? 1e-200 : 1e200;
+    const Polygon polygon = outline(random, size);
     const PolygonData& data = polygon.data();
     const detail::InnerDiscs& inner = innerDiscsOf(data);
     if (inner.largest > 0) expectInside(polygon, inner.center, inner.largest);
+    found += inner.largest > 0;
+    large += inner.largest > 2 * size;
     for (int k = 0; k < inner.count; ++k, ++discs) {
       const float radius = inner.radius[k];
       const Vec2 place(inner.x[k], inner.y[k]), center = data.origin + place * data.unit;
@@ -113,7 +150,9 @@ TEST(InnerDiscs, AreInTheRegion) {
       }
     }
   }
-  EXPECT_GT(discs, scaledCount(400));
+  EXPECT_GT(discs, cases);
+  EXPECT_GE(found, 0.95 * cases);
+  EXPECT_GE(large, 0.3 * cases);
 }
 
 /// Edges that are nearly level, ones that are nearly points, and probes at the very heights of vertices.

@@ -5,7 +5,6 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -13,11 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "exact_reference.h"
-#include "hierarchy/hierarchy.h"
 #include "numbers/dyadic.h"
 #include "pair/posed_pair.h"
-#include "test_scale.h"
 #include "tricover/collide.h"
 
 namespace tricover::detail {
@@ -269,24 +265,6 @@ TEST(OrientFilter, LeavesOverflowAndUnderflowToTheExactStage) {
   EXPECT_EQ(orientFilter({0, 0, 0}, {0, 1, 0}, {1, 0, 0}), -1);
 }
 
-TEST(NormBelow, IsNeverAboveTheLengthAndTightWhereSquaresAreSafe) {
-  Random random(8);
-  int tight = 0, zero = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const double scale = std::ldexp(1.0, static_cast<int>(random() % 2040) - 1060);
-    const double x = uniform(random, -1, 1) * scale, y = i % 3 == 0 ? 0 : uniform(random, -1, 1) * scale;
-    const double bound = normBelow(x, y);
-    const mpq_class square = mpq_class(x) * x + mpq_class(y) * y;
-    ASSERT_LE(mpq_class(bound) * bound, square) << std::hexfloat << x << " " << y;
-    tight += mpq_class(bound) * bound > (1 - mpq_class(32 * kUnitRoundoff)) * square;
-    zero += bound == 0;
-  }
-  EXPECT_GT(tight, 8000);
-  EXPECT_GT(zero, 4000);
-  EXPECT_EQ(tight + zero, 20000);
-  EXPECT_LE(normBelow(1.7e-162, 0), 1.7e-162);  // its square rounds up to the smallest denormal
-}
-
 TEST(PosedPair, MapsWithinItsStatedErrorWhichIsSmall) {
   Random random(5);
   for (int i = 0; i < 3000; ++i) {
@@ -358,106 +336,6 @@ TEST(Stages, TheFilterAnswersWhatIsApartOrCrossingAndTheExactStageWhatTouches) {
   EXPECT_GT(exactCalls(), touching) << "a touch can't be a filter's answer";
   right.translation().x() = std::nextafter(1.0, 2.0);
   EXPECT_FALSE(collide(square, Pose::Identity(), square, right));
-}
-
-/// Whether lane `lane` of the block, taken as exact numbers, holds p, a point of the polygon's frame.
-void expectHolds(const Block& block, unsigned lane, const PolygonData& polygon, const Vec2& p) {
-  const mpq_class unit(polygon.unit), scale(block.scale);
-  const mpq_class x = ((mpq_class(p.x()) - polygon.origin.x()) / unit - block.origin_x) / scale - block.x[lane];
-  const mpq_class y = ((mpq_class(p.y()) - polygon.origin.y()) / unit - block.origin_y) / scale - block.y[lane];
-  const mpq_class ux(block.ux[lane]), uy(block.uy[lane]);
-  const mpq_class along = x * ux + y * uy, across = y * ux - x * uy;
-  ASSERT_LE(abs(along), mpq_class(block.along[lane]));
-  ASSERT_LE(abs(across), mpq_class(block.across[lane]));
-  // Also as the descent may assume them to be.
-  ASSERT_LE(std::abs(block.x[lane]), 1);
-  ASSERT_LE(std::abs(block.y[lane]), 1);
-  ASSERT_LE(block.along[lane] + block.across[lane], 1 + 0x1p-19);
-}
-
-TEST(Hierarchy, EveryBoxHoldsItsChainAndEveryEdgeHasOneLeaf) {
-  Random random(7);
-  std::size_t deepest = 0;
-  for (int i = 0; i < support::scaledCount(300); ++i) {
-    const double scale = i % 4 == 0 ? 1e-290 : i % 4 == 1 ? 1e290 : i % 4 == 2 ? 1e-13 : 1;
-    const Vec2 offset = i % 3 == 0 ? Vec2(3 * scale, -1e4 * scale) : Vec2(0, 0);
-    std::vector<Ring> rings(1 + random() % (i % 7 == 0 ? 90 : 9));
-    std::size_t edges = 0;
-    for (Ring& ring : rings) {
-      ring.resize(3 + random() % (i % 6 == 0 ? 300 : 40));
-      edges += ring.size();
-      for (Vec2& p : ring) p = offset + scale * Vec2(uniform(random, -1, 1), uniform(random, -1, 1));
-      if (i % 5 == 0) ring[1] = ring[0];
-      if (i % 10 == 0) ring.back() = ring[ring.size() - 2] + Vec2(1e-14 * scale, 0);
-    }
-    const Polygon polygon(rings);
-    const PolygonData& data = polygon.data();
-    const Hierarchy& tree = hierarchyOf(data);
-    std::vector<int> leaves(data.path.size(), 0);
-    struct Visit {
-      std::uint32_t block;
-      std::vector<std::pair<std::uint32_t, unsigned>> ancestors;
-    };
-    std::vector<Visit> stack{{0, {}}};
-    std::size_t blocks = 0, lanes = 0;
-    while (!stack.empty()) {
-      Visit visit = stack.back();
-      stack.pop_back();
-      ++blocks;
-      ASSERT_LE(visit.ancestors.size(), 9u);
-      deepest = std::max(deepest, visit.ancestors.size());
-      const Block& block = tree.blocks[visit.block];
-      lanes += block.count;
-      ASSERT_EQ(block.scale * block.inverse, 1);
-      visit.ancestors.emplace_back(visit.block, 0);
-      for (unsigned lane = 0; lane < block.count; ++lane) {
-        visit.ancestors.back().second = lane;
-        if (!block.leaf) {
-          stack.push_back({block.child[lane], visit.ancestors});
-          continue;
-        }
-        const std::uint32_t edge = block.child[lane];
-        ++leaves[edge];
-        for (const auto& [ancestor, held_by] : visit.ancestors)
-          for (const Vec2& p : {data.path[edge], data.path[edge + 1]})
-            expectHolds(tree.blocks[ancestor], held_by, data, p);
-        if (HasFatalFailure()) return;
-      }
-    }
-    EXPECT_EQ(blocks, tree.blocks.size());
-    EXPECT_LE(blocks, edges / 2);
-    EXPECT_EQ(lanes, edges + blocks - 1);  // each block but the root is some box
-    EXPECT_EQ(static_cast<std::size_t>(std::count(leaves.begin(), leaves.end(), 1)), edges);
-  }
-  EXPECT_GE(deepest, 3u);
-}
-
-TEST(InnerDisc, LiesInTheRegionAndIsNotSmall) {
-  Random random(8);
-  int found = 0, large = 0;
-  for (int i = 0; i < 300; ++i) {
-    const double scale = i % 3 == 0 ? 1e-200 : i % 3 == 1 ? 1e200 : 1;
-    std::vector<Ring> rings(1 + random() % 2);
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-      const int n = 3 + static_cast<int>(random() % 60);
-      for (int k = 0; k < n; ++k) {
-        const double angle = 6.2831853 * k / n, radius = (r == 0 ? 1 : 0.4) * uniform(random, 0.5, 1) * scale;
-        rings[r].emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-      }
-    }
-    const Polygon polygon(rings);
-    const InnerDiscs& discs = innerDiscsOf(polygon.data());
-    if (!(discs.largest > 0)) continue;
-    ++found;
-    large += discs.largest > 0.2 * scale;
-    ASSERT_EQ(exact::locate(polygon, discs.center), Location::Inside);
-    const mpq_class square = mpq_class(discs.largest) * discs.largest;
-    for (const Ring& ring : rings)
-      for (std::size_t k = 0; k < ring.size(); ++k)
-        ASSERT_GE(exact::distanceSquared(discs.center, ring[k], ring[(k + 1) % ring.size()]), square);
-  }
-  EXPECT_GE(found, 290);
-  EXPECT_GE(large, 150);
 }
 
 }  // namespace

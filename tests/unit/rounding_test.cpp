@@ -70,7 +70,8 @@ TEST(Rounded, UpAndDownUndoTheWorst) {
 TEST(NormBelow, IsATightLowerBoundOrNone) {
   Random random(6);
   for (int i = 0; i < 20000; ++i) {
-    const double size = std::ldexp(random.real(1, 2), random.integer(-520, 520));
+    const int exponent = random.coin() ? random.integer(-520, 520) : random.integer(-1060, 980);
+    const double size = std::ldexp(random.real(1, 2), exponent);
     const double x = size * random.real(-1, 1), y = size * (random.oneIn(5) ? 0 : random.real(-1, 1));
     const mpq_class bound(detail::normBelow(x, y)), exact = mpq_class(x) * x + mpq_class(y) * y;
     ASSERT_LE(mpq_class(bound * bound), exact) << x << " " << y;
@@ -81,6 +82,7 @@ TEST(NormBelow, IsATightLowerBoundOrNone) {
   // Squares that lose digits, and such that overflow.
   EXPECT_EQ(detail::normBelow(0x1p-500, 0), 0);
   EXPECT_EQ(detail::normBelow(0x1p-1074, 0x1p-1074), 0);
+  EXPECT_LE(detail::normBelow(1.7e-162, 0), 1.7e-162);  // its square rounds up to the smallest denormal
   EXPECT_EQ(detail::normBelow(0x1p600, 1), 0);
   EXPECT_EQ(detail::normBelow(std::numeric_limits<double>::infinity(), 1), 0);
   EXPECT_EQ(detail::normBelow(std::numeric_limits<double>::quiet_NaN(), 1), 0);
