@@ -135,7 +135,7 @@ std::string wrongContactsWithMargin(const Case& c, double margin) {
   // Of what is clearly apart.
   const DistanceResult nearest = distance(c.a, c.pose_a, c.b, c.pose_b);
   const double apart = nearest.distance;
-  const bool is_normal = (nearest.point_b - nearest.point_a - apart * found[0].normal).norm() <= 1e-5 * apart;
+  const bool is_normal = ((nearest.point_b - nearest.point_a) / apart - found[0].normal).norm() <= 1e-5;
   return apart < 1e6 * error || is_normal ? "" : "the normal" + with;
 }
 
