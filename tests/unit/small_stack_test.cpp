@@ -84,7 +84,7 @@ constexpr void (*kQueries[])(const Polygon& a, const Polygon& b) = {
 
 TEST(SmallStack, IsEnoughForEveryQuery) {
   const bool sanitized = &__asan_init != nullptr || &__tsan_init != nullptr;
-  for (const std::size_t vertices : {8, 64, 4096})
+  for (const std::size_t vertices : {8U, 64U, 4096U})
     for (const double inner : {1.0, 0.9})
       for (std::size_t query = 0; query < std::size(kQueries); ++query) {  // each is the first that the polygons meet
         const Polygon a = wheel(vertices, inner), b = wheel(vertices, inner);
