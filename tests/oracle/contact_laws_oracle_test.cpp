@@ -172,9 +172,8 @@ TEST(ContactLaws, TheWayOutOfASliverPartsItByNoMoreThanCoordinatesAreOffBy) {
                     {-0x1.b7c0d66c81568p-2, 0x1.9082f5846856cp-1},
                     {-0x1.b332d4fc371dcp-1, 0x1.354d228e1197p-3},
                     {0x1.7fc94ce18abccp-1, -0x1.e6fbbf1686ca2p-1}}});
-  Pose pose_a = Pose::Identity(), pose_b = pose_a;
-  pose_a.matrix().topRows<2>() << -0x1.59febec9429f2p-1, -0x1.79669d3f646b8p-1, 0, 0x1.79669d3f646b8p-1,
-      -0x1.59febec9429f2p-1, 0;
+  const Pose pose_a =
+      pose(-0x1.59febec9429f2p-1, -0x1.79669d3f646b8p-1, 0, 0x1.79669d3f646b8p-1, -0x1.59febec9429f2p-1, 0);
   const Polygon b({{{0x1.cba477ea68819p-35, 0},
                     {0x1.73dbca6851b96p-35, 0x1.d524c5fa6a734p-45},
                     {0x1.1c131ce63af14p-36, 0x1.7b8b9111e9afbp-44},
@@ -191,8 +190,8 @@ TEST(ContactLaws, TheWayOutOfASliverPartsItByNoMoreThanCoordinatesAreOffBy) {
                     {0x1.1c131ce63af1p-36, -0x1.7b8b9111e9afcp-44},
                     {0x1.73dbca6851b95p-35, -0x1.d524c5fa6a738p-45},
                     {0x1.88db2651d8575p-35, -0x1.64ed3b6d2f39bp-45}}});
-  pose_b.matrix().topRows<2>() << -0x1.a96c897495633p-1, 0x1.1ce21a17b05fcp-1, -0x1.1adda9a2d5655p+0,
-      -0x1.1ce21a17b05fcp-1, -0x1.a96c897495633p-1, -0x1.30d4097a83b53p-3;
+  const Pose pose_b = pose(-0x1.a96c897495633p-1, 0x1.1ce21a17b05fcp-1, -0x1.1adda9a2d5655p+0, -0x1.1ce21a17b05fcp-1,
+                           -0x1.a96c897495633p-1, -0x1.30d4097a83b53p-3);
   const Case c{a, pose_a, b, pose_b};
   const std::vector<Contact> found = contacts(a, pose_a, b, pose_b);
   ASSERT_EQ(found.size(), 1u);

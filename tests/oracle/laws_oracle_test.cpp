@@ -67,23 +67,10 @@ Case twins(std::uint64_t seed) {
   return {Polygon({ring}), pose(random.real(0, 6.3), 0.1, 0.7), Polygon({other}), anyPoseOfB(random)};
 }
 
-/// Outlines of up to some hundred vertices, of one or more rings, beside, in and around each other.
-Case largeOutlines(std::uint64_t seed) {
-  Random random(seed);
-  const double size = std::pow(10, random.real(-1.5, 0.3));
-  std::vector<Ring> of_a = {star(random, random.integer(3, 300), 6, 10)},
-                    of_b = {star(random, random.integer(3, 300), 3 * size, 5 * size)};
-  if (random.coin()) of_a.push_back(star(random, random.integer(3, 40), 2, 5));
-  if (random.coin()) of_b.push_back(star(random, random.integer(3, 40), size, 2 * size));
-  if (random.oneIn(3)) of_b.push_back(star(random, 5, size, 2 * size, {random.real(-20, 20), random.real(-20, 20)}));
-  const Vec2 away = random.real(0, 20 + 5 * size) * direction(random.real(0, 6.28));
-  return {Polygon(of_a), Pose::Identity(), Polygon(of_b), pose(random.real(0, 6.28), away.x(), away.y())};
-}
-
 std::vector<Family> allFamilies() {
-  std::vector<Family> all = families();
+  std::vector<Family> all = familiesOfAllSizes();
   all.insert(all.end(), touchingFamilies().begin(), touchingFamilies().end());
-  all.insert(all.end(), {{"closed_rings", closedRings}, {"twins", twins}, {"large_outlines", largeOutlines}});
+  all.insert(all.end(), {{"closed_rings", closedRings}, {"twins", twins}});
   return all;
 }
 

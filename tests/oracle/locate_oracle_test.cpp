@@ -96,7 +96,7 @@ TEST_P(LocateOracle, AgreesWithExactRationals) {
   for (const int count : by) EXPECT_GE(count, 0.05 * tally.points);
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, LocateOracle, testing::ValuesIn(families()),
+INSTANTIATE_TEST_SUITE_P(Families, LocateOracle, testing::ValuesIn(familiesOfAllSizes()),
                          [](const auto& family) { return family.param.name; });
 
 /// Squares in rows, with S among them and as large as doubles go, so many that rays are led past them.

@@ -25,12 +25,6 @@ namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-Polygon scaledPolygon(const Polygon& polygon, double factor) {
-  std::vector<Ring> rings = polygon.rings();
-  for (Ring& ring : rings) ring = scaled(std::move(ring), factor);
-  return Polygon(rings, polygon.fillRule());
-}
-
 /// The same with its largest coordinate near the largest double.
 Case enlarged(Random& random, Case c) {
   double most =
@@ -39,8 +33,8 @@ Case enlarged(Random& random, Case c) {
     for (const Ring& ring : polygon->rings())
       for (const Vec2& p : ring) most = std::max(most, p.lpNorm<Eigen::Infinity>());
   const double factor = kLargest / most * (random.coin() ? 1 - 1e-9 : random.real(0.01, 1));
-  c.a = scaledPolygon(c.a, factor);
-  c.b = scaledPolygon(c.b, factor);
+  c.a = c.a.scaled(factor);
+  c.b = c.b.scaled(factor);
   c.pose_a.translation() *= factor;
   c.pose_b.translation() *= factor;
   return c;

@@ -212,9 +212,8 @@ TEST(PenetrationOracle, AWayBetweenEdgesThatAreCloseTogetherIsFound) {
                     {-0x1.888a7d4a82f86p-38, 0x1.57592bb8a4a7ep-38},
                     {0x1.7ba219ad2870cp-40, 0x1.17520895fa426p-41}}},
                   FillRule::EvenOdd);
-  Pose pose_a = Pose::Identity();
-  pose_a.matrix().topRows<2>() << 0x1.1a62633145c07p-54, 0x1p+0, -0x1.0495fbd43a622p+1, 0x1p+0, -0x1.1a62633145c07p-54,
-      0x1.91682f665e0aap+2;
+  const Pose pose_a =
+      pose(0x1.1a62633145c07p-54, 0x1p+0, -0x1.0495fbd43a622p+1, 0x1p+0, -0x1.1a62633145c07p-54, 0x1.91682f665e0aap+2);
   const Polygon b({{{0x1.8f38a723df3f6p-1, 0x1.db0e6109bfba8p-1},
                     {-0x1.17ac29407c11p-3, -0x1.fe95c008ecf18p-2},
                     {0x1.1d2cbccaefe64p-1, 0x1.3b082cddba532p-1},
@@ -223,8 +222,7 @@ TEST(PenetrationOracle, AWayBetweenEdgesThatAreCloseTogetherIsFound) {
                     {-0x1.f5171869325ap-4, 0x1.3d089fa3cee02p-1},
                     {-0x1.d6e999cb73394p-1, -0x1.41ae0fc08192p-3}}},
                   FillRule::NonZero);
-  Pose pose_b = Pose::Identity();
-  pose_b.matrix().topRows<2>() << 0x1p+0, 0x0p+0, -0x1.4be12b06f59f3p+1, 0x0p+0, 0x1p+0, 0x1.6a0729caa7394p+2;
+  const Pose pose_b = pose(0x1p+0, 0x0p+0, -0x1.4be12b06f59f3p+1, 0x0p+0, 0x1p+0, 0x1.6a0729caa7394p+2);
   const auto p = penetration(a, pose_a, b, pose_b);
   ASSERT_TRUE(p);
   const Vec2 way = 9.75e-12 * Vec2(std::cos(0.2), std::sin(0.2));
@@ -244,8 +242,7 @@ TEST(PenetrationOracle, AWayPastLinesThatAreTakenForOneIsFound) {
                     {-0x1.ca01397d77d4ap+4, 0x1.31562653a5387p+3},
                     {0x1.31562653a5387p+4, -0x1.31562653a5387p+4}}},
                   FillRule::EvenOdd);
-  Pose pose_a = Pose::Identity();
-  pose_a.matrix().topRows<2>() << 0x1p+0, -0x0p+0, 0x1.3397f83709da6p+7, 0x0p+0, 0x1p+0, 0x1.15d13e9afa134p+6;
+  const Pose pose_a = pose(0x1p+0, -0x0p+0, 0x1.3397f83709da6p+7, 0x0p+0, 0x1p+0, 0x1.15d13e9afa134p+6);
   const Polygon b({{{-0x1.7e4bbfc970b09p-36, 0x1.75bf4a6f6e2b8p-40},
                     {0x1.e4781ada59ed2p-36, -0x1.726607e9a004fp-41},
                     {-0x1.95c0d8aba319ap-39, -0x1.2ba75b13f5896p-36},
@@ -254,9 +251,8 @@ TEST(PenetrationOracle, AWayPastLinesThatAreTakenForOneIsFound) {
                     {0x1.bd1b5c7567316p-36, -0x1.338228c8d5ee7p-37},
                     {0x1.32e298c768353p-37, -0x1.cfd3424fd530cp-40}}},
                   FillRule::EvenOdd);
-  Pose pose_b = Pose::Identity();
-  pose_b.matrix().topRows<2>() << 0x1.ffd3c2076e867p-1, -0x1.a9a88387cde2dp-6, 0x1.2c40a706d47d7p+7,
-      0x1.a9a88387cde2dp-6, 0x1.ffd3c2076e867p-1, 0x1.6ac6ad402f2f2p+6;
+  const Pose pose_b = pose(0x1.ffd3c2076e867p-1, -0x1.a9a88387cde2dp-6, 0x1.2c40a706d47d7p+7, 0x1.a9a88387cde2dp-6,
+                           0x1.ffd3c2076e867p-1, 0x1.6ac6ad402f2f2p+6);
   const auto p = penetration(a, pose_a, b, pose_b);
   ASSERT_TRUE(p);
   const Vec2 way = 0.02 * Vec2(-0.894427191, 0.4472135955);
@@ -272,9 +268,8 @@ TEST(PenetrationOracle, BruteForceSeesTheNextFaceAsAnother) {
                     {0x1.fffbce3af32dcp-1, 0x1.3461798049ea8p-9},
                     {0x1.fffdf6f2e55a3p-1, 0x1.31b51e8205fcp-9}}},
                   FillRule::NonZero);
-  Pose pose_a = Pose::Identity();
-  pose_a.matrix().topRows<2>() << 0x1.c94344a253c13p-1, -0x1.ccac21c639c3p-2, 0x0p+0, 0x1.ccac21c639c3p-2,
-      0x1.c94344a253c13p-1, 0x0p+0;
+  const Pose pose_a =
+      pose(0x1.c94344a253c13p-1, -0x1.ccac21c639c3p-2, 0x0p+0, 0x1.ccac21c639c3p-2, 0x1.c94344a253c13p-1, 0x0p+0);
   const Polygon b({{{-0x1.b2cb9415a91eep-3, -0x1.b2cb9415a91eep-1},
                     {0x1.b2cb9415a91eep-3, 0x1.b2cb9415a91eep-2},
                     {-0x1.b2cb9415a91eep-3, 0x1.b2cb9415a91eep-3},
@@ -282,8 +277,7 @@ TEST(PenetrationOracle, BruteForceSeesTheNextFaceAsAnother) {
                     {-0x1.b2cb9415a91eep-1, 0x1.b2cb9415a91eep-2},
                     {-0x1.4618af103ed72p-1, 0x0p+0}}},
                   FillRule::EvenOdd);
-  Pose pose_b = Pose::Identity();
-  pose_b.matrix().topRows<2>() << 0x1p+0, 0x0p+0, -0x1.90d5cfbfa4c9ep-1, 0x0p+0, 0x1p+0, 0x1.809aebc50cf3cp-1;
+  const Pose pose_b = pose(0x1p+0, 0x0p+0, -0x1.90d5cfbfa4c9ep-1, 0x0p+0, 0x1p+0, 0x1.809aebc50cf3cp-1);
   const auto p = penetration(a, pose_a, b, pose_b);
   ASSERT_TRUE(p);
   EXPECT_NEAR(p->depth, exact::penetrationDepth(a, pose_a, b, pose_b, 1), 1e-16);
@@ -326,9 +320,8 @@ TEST(ConvexPenetration, AnEdgeAsShortAsAnUlpHasADirection) {
                     {0x1.b1383d9efa2cfp-1, 0x1.8d5be81265534p-2},
                     {0x1.b1384573d6861p-1, 0x1.8d5bdbf212c45p-2},
                     {0x1.c468ef2d5a797p-1, 0x1.c47dbabf05efep-3}}});
-  Pose pose_a = Pose::Identity();
-  pose_a.matrix().topRows<2>() << 0x1.c49c483786082p-1, -0x1.deb27cc02b8b3p-2, 0x0p+0, 0x1.deb27cc02b8b3p-2,
-      0x1.c49c483786082p-1, 0x0p+0;
+  const Pose pose_a =
+      pose(0x1.c49c483786082p-1, -0x1.deb27cc02b8b3p-2, 0x0p+0, 0x1.deb27cc02b8b3p-2, 0x1.c49c483786082p-1, 0x0p+0);
   const Polygon b({{{0x1.4d507e1461a11p-1, 0x0p+0},
                     {0x1.4d507e1461a12p-2, 0x1.7a593731e3ffdp-3},
                     {-0x1.4d507e1461a0ep-2, 0x1.7a593731e3fffp-3},
@@ -337,9 +330,8 @@ TEST(ConvexPenetration, AnEdgeAsShortAsAnUlpHasADirection) {
                     {-0x1.4d507e0c3c84dp-2, -0x1.7a593731e3ffcp-3},
                     {0x1.4d507e1461a11p-2, -0x1.7a593731e3ffdp-3},
                     {0x1.4d507e1461a12p-2, -0x1.7a593731e3ffdp-3}}});
-  Pose pose_b = Pose::Identity();
-  pose_b.matrix().topRows<2>() << -0x1.ef1c780d0c76cp-1, 0x1.04b258affea67p-2, 0x1.e40eedade9c03p-2,
-      -0x1.04a2ef76ae28p-2, -0x1.ef257f6a191ddp-1, -0x1.be8931b6a88a7p-1;
+  const Pose pose_b = pose(-0x1.ef1c780d0c76cp-1, 0x1.04b258affea67p-2, 0x1.e40eedade9c03p-2, -0x1.04a2ef76ae28p-2,
+                           -0x1.ef257f6a191ddp-1, -0x1.be8931b6a88a7p-1);
   const auto p = penetration(a, pose_a, b, pose_b);
   ASSERT_TRUE(p);
   const double truth = exact::distanceBelow(exact::convexPenetrationSquared(a, pose_a, b, pose_b));

@@ -127,12 +127,6 @@ constexpr Shape kShapes[] = {
     {"map", false, [](Random& r, int most) { return map(r, most); }},
 };
 
-Polygon resized(const Polygon& polygon, double factor) {
-  std::vector<Ring> rings = polygon.rings();
-  for (Ring& ring : rings) ring = scaled(std::move(ring), factor);
-  return Polygon(rings, polygon.fillRule());
-}
-
 Vec2 pointOf(Random& random, const Polygon& polygon) {
   const EdgeIndex edge = anyEdge(random, polygon);
   const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
@@ -197,8 +191,8 @@ Drawn anyCase(Random& random, const Limits& limits) {
   Polygon a = anyShape(random, family, limits), b = anyShape(random, other, limits);
   const double most = limits.most_exponent, ratio = random.oneIn(4) ? powerOf10(random, -12, 0) : random.real(0.2, 1);
   const double size = random.oneIn(6) ? powerOf10(random, -most, most) : random.oneIn(3) ? random.real(1, 100) : 1;
-  a = resized(a, size);
-  b = resized(b, size * ratio);
+  a = a.scaled(size);
+  b = b.scaled(size * ratio);
   if (random.coin()) std::swap(a, b), std::swap(family, other);
   Case c{a, anyRotation(random), b, anyRotation(random)};
   if (random.oneIn(3))

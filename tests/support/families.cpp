@@ -18,12 +18,6 @@ Case seeded(std::uint64_t seed) {
   return maker(random);
 }
 
-Polygon scaledPolygon(const Polygon& polygon, double factor) {
-  std::vector<Ring> rings = polygon.rings();
-  for (Ring& ring : rings) ring = scaled(std::move(ring), factor);
-  return Polygon(rings, polygon.fillRule());
-}
-
 /// Contacts and regions at another size. A power of two keeps the truth; any other factor rounds every coordinate anew.
 Case scaledCase(Random& random, double factor) {
   Case c = [&] {
@@ -42,8 +36,8 @@ Case scaledCase(Random& random, double factor) {
         return smallGrid(random);
     }
   }();
-  c.a = scaledPolygon(c.a, factor);
-  c.b = scaledPolygon(c.b, factor);
+  c.a = c.a.scaled(factor);
+  c.b = c.b.scaled(factor);
   c.pose_a.translation() *= factor;
   c.pose_b.translation() *= factor;
   return c;
@@ -64,6 +58,18 @@ Case nearOverflow(Random& random) { return scaledCase(random, near(random, 0x1p1
 /// Coordinates of a few to some millions of the smallest double.
 Case denormals(Random& random) {
   return scaledCase(random, random.real(1, 2) * static_cast<double>(1 << random.integer(2, 20)) * 0x1p-1074);
+}
+
+/// Of one or more rings, beside, in and around each other, of like sizes or as different as a map's and a robot's.
+Case largeOutlines(Random& random) {
+  const double size = std::pow(10, random.oneIn(4) ? random.real(-5, -1.5) : random.real(-1.5, 0.3));
+  std::vector<Ring> of_a = {star(random, random.integer(3, 300), 6, 10)},
+                    of_b = {star(random, random.integer(3, 300), 3 * size, 5 * size)};
+  if (random.coin()) of_a.push_back(star(random, random.integer(3, 40), 2, 5));
+  if (random.coin()) of_b.push_back(star(random, random.integer(3, 40), size, 2 * size));
+  if (random.oneIn(3)) of_b.push_back(star(random, 5, size, 2 * size, {random.real(-20, 20), random.real(-20, 20)}));
+  const Vec2 away = random.real(0, 20 + 5 * size) * direction(random.real(0, 6.28));
+  return {Polygon(of_a), Pose::Identity(), Polygon(of_b), pose(random.real(0, 6.28), away.x(), away.y())};
 }
 
 }  // namespace
@@ -105,6 +111,12 @@ const std::vector<Family>& families() {
       {"small_grid", seeded<smallGrid>},
       {"flat_rings", seeded<flatRings>},
   };
+  return all;
+}
+
+std::vector<Family> familiesOfAllSizes() {
+  std::vector<Family> all = families();
+  all.push_back({"large_outlines", seeded<largeOutlines>});
   return all;
 }
 

@@ -103,27 +103,30 @@ void addSquare(std::vector<Ring>& rings, const Vec2& low) {
   rings.push_back({s[0], s[2], s[3]});
 }
 
-}  // namespace
-
+/// n islands, each a small square, above a plate that holds them all.
 Input islandsOnPlate(std::size_t n) {
   const double side = 2 * std::ceil(std::sqrt(static_cast<double>(n))) + 1;
   return {Polygon({square(Vec2(-1, -1), side)}), Polygon(islands(n)), Motion::still(Pose::Identity())};
 }
 
+/// The same islands, and themselves shifted by a quarter of an island.
 Input islandsOnIslands(std::size_t n) {
   return {Polygon(islands(n)), Polygon(islands(n)), Motion::still(shiftedBy({0.25, 0.25}))};
 }
 
+/// A diagonal row of them upon itself, likewise shifted.
 Input islandsInRow(std::size_t n) {
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < n; ++i) rings.push_back(square(2.0 * static_cast<double>(i) * Vec2(1, 1), 1));
   return {Polygon(rings), Polygon(rings), Motion::still(shiftedBy({0.25, 0.25}))};
 }
 
+/// Two outlines of n vertices that are as jagged as they are fine, half a radius off each other's middle.
 Input jaggedOutlines(std::size_t n) {
   return {Polygon({jagged(n, 0)}), Polygon({jagged(n, 1)}), Motion::still(shiftedBy({0.4, 0.3}))};
 }
 
+/// Two triangles that point at each other, 1 apart, with the nearest corner of either given k times.
 Input repeatedCorners(std::size_t k) {
   Ring left(k, Vec2(0, 0)), right(k, Vec2(0, 0));
   left.insert(left.end(), {Vec2(-2, 1), Vec2(-2, -1)});
@@ -131,29 +134,28 @@ Input repeatedCorners(std::size_t k) {
   return {Polygon({left}), Polygon({right}), Motion::translation(shiftedBy({1, 0}), Vec2(-2, 0))};
 }
 
+/// Two rings of n equal points each, 1 apart.
 Input equalPoints(std::size_t n) {
   const Polygon points({Ring(n, Vec2(0, 0))});
   return {points, Polygon({Ring(n, Vec2(0, 0))}), Motion::translation(shiftedBy({1, 0}), Vec2(-2, 0))};
 }
 
+/// Two fans of n edges through one point each, which face each other and are 1 apart: b comes to touch a.
 Input fans(std::size_t n) {
   return {Polygon({fan(n, -1)}), Polygon({fan(n, 1)}), Motion::translation(shiftedBy({1, 0}), Vec2(-2, 0))};
 }
 
+/// The same fans where their two points are one.
 Input touchingFans(std::size_t n) {
   return {Polygon({fan(n, -1)}), Polygon({fan(n, 1)}), Motion::still(Pose::Identity())};
 }
 
-Input passingFans(std::size_t n, double gap, double angle) {
-  Motion motion = Motion::translation(shiftedBy({gap - 0.7, -0.7}), Vec2(1.4, 1.4));
-  motion.angle = angle;
-  return {Polygon({fan(n, -1, 1.3)}), Polygon({fan(n, 1, 1.3)}), motion};
-}
-
+/// Two bars whose facing sides are cut into n edges each: b slides along a by half its length, at a distance of `gap`.
 Input slidingBars(std::size_t n, double gap) {
   return {Polygon({bar(n, -1)}), Polygon({bar(n, 1)}), Motion::translation(shiftedBy({-5, gap}), Vec2(5, 0))};
 }
 
+/// A regular n-gon that makes half a turn in a hole of as many edges, `gap` larger in radius.
 Input discInHole(std::size_t n, double gap) {
   Motion motion = Motion::still(Pose::Identity());
   motion.angle = kPi;
@@ -161,14 +163,14 @@ Input discInHole(std::size_t n, double gap) {
           motion};
 }
 
+/// Two spirals of n edges wound into each other, a gap of 1 between them; b moves by nine tenths of what it may. Edges
+/// are as long as the gap is wide.
 Input spirals(std::size_t n) {
   return woundSpirals(n, [](double radius) { return std::min(1 / radius, 2 * kPi / 64); });
 }
 
-Input coarseSpirals(std::size_t n) {
-  return woundSpirals(n, [](double) { return 2 * kPi / 64; });
-}
-
+/// A maze of about n cells, its walls cut into triangles, each of them a ring (FillRule::NonZero); and a robot of 31
+/// rings that overlap, in one of its corridors.
 Input ringsInMaze(std::size_t n) {
   // Cells and walls of a grid of squares: walls stand on even columns or rows but for openings.
   const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n)))) * 2 + 1;
@@ -191,6 +193,18 @@ Input ringsInMaze(std::size_t n) {
   const double middle = static_cast<double>(side / 4) * 2 + 1.5;  // of a cell
   return {Polygon(maze, FillRule::NonZero), Polygon(robot, FillRule::NonZero),
           Motion::still(shiftedBy({middle, middle}))};
+}
+
+}  // namespace
+
+Input passingFans(std::size_t n, double gap, double angle) {
+  Motion motion = Motion::translation(shiftedBy({gap - 0.7, -0.7}), Vec2(1.4, 1.4));
+  motion.angle = angle;
+  return {Polygon({fan(n, -1, 1.3)}), Polygon({fan(n, 1, 1.3)}), motion};
+}
+
+Input coarseSpirals(std::size_t n) {
+  return woundSpirals(n, [](double) { return 2 * kPi / 64; });
 }
 
 const std::vector<Kind>& allKinds() {

@@ -102,6 +102,12 @@ std::vector<Ring> redirected(Random& random, std::vector<Ring> rings) {
   return rings;
 }
 
+Pose pose(double xx, double xy, double x, double yx, double yy, double y) {
+  Pose result = Pose::Identity();
+  result.matrix().topRows<2>() << xx, xy, x, yx, yy, y;
+  return result;
+}
+
 Pose pose(double angle, double x, double y) {
   Pose result = Pose::Identity();
   result.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();

@@ -52,6 +52,8 @@ Polygon goneRoundOften(std::vector<Ring> rings);
 std::vector<Ring> redirected(Random& random, std::vector<Ring> rings);
 
 Pose pose(double angle, double x, double y);
+/// By its entries, a row after the other.
+Pose pose(double xx, double xy, double x, double yx, double yy, double y);
 /// On the spot. What the rotation missed of one, or mirrored, is gone.
 void turn(Pose& pose, double angle);
 Pose mirrored(Pose pose);

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <limits>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 
 #include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
 #include "tricover/locate.h"
 
 namespace tricover::workloads {
@@ -26,43 +25,15 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (area > 0) - (area < 0);
 }
 
-bool segmentsMeet(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
-  const Vec2 low = p.cwiseMin(q).cwiseMax(r.cwiseMin(s)), high = p.cwiseMax(q).cwiseMin(r.cwiseMax(s));
-  if ((low.array() > high.array()).any()) return false;
-  return orientation(p, q, r) * orientation(p, q, s) <= 0 && orientation(r, s, p) * orientation(r, s, q) <= 0;
-}
-
 double area(const Ring& ring) {
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
   return sum / 2;
 }
 
-double pointToSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
-  const double along = std::clamp((p - v).dot(w - v) / (w - v).squaredNorm(), 0.0, 1.0);
-  return (p - v - along * (w - v)).norm();
-}
-
-std::vector<std::pair<Vec2, Vec2>> edges(const Polygon& polygon, const Pose& pose) {
-  std::vector<std::pair<Vec2, Vec2>> result;
-  for (EdgeIndex i = 0; i < polygon.edgeCount(); ++i) {
-    result.emplace_back(pose * polygon.edgeStart(i), pose * polygon.edgeEnd(i));
-  }
-  return result;
-}
-
-/// Between the outlines, which is between the regions for regions that don't overlap.
-double outlineDistance(const Polygon& a, const Polygon& b, const Pose& pose_b) {
-  double distance = std::numeric_limits<double>::infinity();
-  const auto edges_a = edges(a, Pose::Identity()), edges_b = edges(b, pose_b);
-  for (const auto& [v, w] : edges_a) {
-    for (const auto& [p, q] : edges_b) {
-      if (segmentsMeet(v, w, p, q)) return 0;
-      distance = std::min({distance, pointToSegment(v, p, q), pointToSegment(w, p, q), pointToSegment(p, v, w),
-                           pointToSegment(q, v, w)});
-    }
-  }
-  return distance;
+/// Of `moving` at a pose from `fixed`.
+double gapAt(const Polygon& fixed, const Polygon& moving, const Pose& pose) {
+  return distance(fixed, Pose::Identity(), moving, pose).distance;
 }
 
 class EveryKind : public testing::TestWithParam<Kind> {};
@@ -81,24 +52,13 @@ TEST_P(EveryKind, IsSimpleWithTheVerticesAskedFor) {
       ASSERT_EQ(polygon.rings().size(), GetParam() == Kind::WithHole ? 2u : 1u);
       EXPECT_GT(area(polygon.rings()[0]), 0);
 
-      std::vector<std::size_t> next(n);
-      std::size_t first = 0;
-      for (const Ring& ring : polygon.rings()) {
-        for (std::size_t i = 0; i < ring.size(); ++i) next[first + i] = first + (i + 1) % ring.size();
-        first += ring.size();
-      }
-      for (std::size_t i = 0; i < n; ++i) {
-        const auto edge = static_cast<EdgeIndex>(i);
-        const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
-        for (double x : {v.x(), v.y()}) ASSERT_TRUE(std::abs(x) < 128 && std::fmod(x, kGrid) == 0);
-        ASSERT_NE(orientation(v, w, polygon.edgeEnd(static_cast<EdgeIndex>(next[i]))), 0);
-        for (std::size_t j = i + 1; j < n; ++j) {
-          if (j == next[i] || i == next[j]) continue;
-          ASSERT_FALSE(segmentsMeet(v, w, polygon.edgeStart(static_cast<EdgeIndex>(j)),
-                                    polygon.edgeEnd(static_cast<EdgeIndex>(j))))
-              << "edges " << i << " and " << j;
+      for (const Ring& ring : polygon.rings())
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          for (const double x : {ring[i].x(), ring[i].y()}) ASSERT_TRUE(std::abs(x) < 128 && std::fmod(x, kGrid) == 0);
+          ASSERT_NE(orientation(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]), 0);
         }
-      }
+      // Each edge meets itself and the two beside it.
+      EXPECT_EQ(crossings(polygon, Pose::Identity(), polygon, Pose::Identity()).size(), 3 * n);
     }
   }
 }
@@ -115,9 +75,9 @@ TEST_P(EveryKind, CircularTrajectoryComesWithinTheGapAndNoNearer) {
       const Polygon fixed = makePolygon(GetParam(), n, seed), moving = makePolygon(GetParam(), n, seed + 100);
       const auto poses = circularTrajectory(fixed, moving);
       ASSERT_EQ(poses.size(), kCircularPositions);
-      EXPECT_NEAR(outlineDistance(fixed, moving, poses.front()), kGap, 1e-9);
+      EXPECT_NEAR(gapAt(fixed, moving, poses.front()), kGap, 1e-9);
       for (std::size_t i = 0; i < poses.size(); i += n < 100 ? 211 : 4001) {
-        ASSERT_GE(outlineDistance(fixed, moving, poses[i]), kGap - 1e-9) << "position " << i;
+        ASSERT_GE(gapAt(fixed, moving, poses[i]), kGap - 1e-9) << "position " << i;
         ASSERT_FALSE(collide(fixed, Pose::Identity(), moving, poses[i])) << "position " << i;
       }
       const double arm = (poses.front() * moving.origin() - fixed.origin()).norm();
@@ -136,10 +96,10 @@ TEST_P(EveryKind, LinearTrajectoryStartsAtTheGapAndEndsInCollision) {
       const Polygon fixed = makePolygon(GetParam(), n, seed), moving = makePolygon(GetParam(), n, seed + 100);
       const auto poses = linearTrajectory(fixed, moving);
       ASSERT_EQ(poses.size(), kLinearPositions);
-      EXPECT_NEAR(outlineDistance(fixed, moving, poses.front()), kGap, 1e-9);
-      EXPECT_GT(outlineDistance(fixed, moving, poses[kLinearPositions * 9 / 10 - 2]), 0) << "before contact";
-      EXPECT_EQ(outlineDistance(fixed, moving, poses[kLinearPositions * 9 / 10 + 2]), 0) << "after contact";
-      EXPECT_EQ(outlineDistance(fixed, moving, poses.back()), 0);
+      EXPECT_NEAR(gapAt(fixed, moving, poses.front()), kGap, 1e-9);
+      EXPECT_GT(gapAt(fixed, moving, poses[kLinearPositions * 9 / 10 - 2]), 0) << "before contact";
+      EXPECT_EQ(gapAt(fixed, moving, poses[kLinearPositions * 9 / 10 + 2]), 0) << "after contact";
+      EXPECT_EQ(gapAt(fixed, moving, poses.back()), 0);
       EXPECT_FALSE(collide(fixed, Pose::Identity(), moving, poses.front()));
       EXPECT_TRUE(collide(fixed, Pose::Identity(), moving, poses.back()));
     }
@@ -152,7 +112,7 @@ TEST_P(EveryKind, CircularTrajectoryMayComeAsNearAsAsked) {
       SCOPED_TRACE("vertices " + std::to_string(n) + " gap " + std::to_string(gap));
       const Polygon fixed = makePolygon(GetParam(), n, 1), moving = makePolygon(GetParam(), n, 2);
       const auto poses = circularTrajectory(fixed, moving, gap);
-      EXPECT_NEAR(outlineDistance(fixed, moving, poses.front()), gap, 1e-9);
+      EXPECT_NEAR(gapAt(fixed, moving, poses.front()), gap, 1e-9);
       for (const Pose& pose : poses) ASSERT_FALSE(collide(fixed, Pose::Identity(), moving, pose));
     }
   }
@@ -224,18 +184,12 @@ TEST(Workloads, RandomPosesDependOnTheirSeedAlone) {
 }
 
 TEST(Workloads, ConvexKindsAreConvexAndOthersAreNot) {
-  for (const Kind kind : allKinds()) {
+  for (const Kind kind : allKinds())
     for (std::size_t n = 8; n <= 1024; n *= 2) {
-      const Polygon polygon = makePolygon(kind, n, n);
-      const Ring& ring = polygon.rings()[0];
-      bool convex = polygon.rings().size() == 1;
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        convex = convex && orientation(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) > 0;
-      }
       if (n == 8 && kind == Kind::Contour) continue;  // may be either
-      EXPECT_EQ(convex, kind == Kind::Convex || kind == Kind::Slim) << name(kind) << " with " << n << " vertices";
+      EXPECT_EQ(makePolygon(kind, n, n).isConvex(), kind == Kind::Convex || kind == Kind::Slim)
+          << name(kind) << " with " << n << " vertices";
     }
-  }
 }
 
 TEST(Workloads, HoleLiesInsideTheContour) {
@@ -278,7 +232,7 @@ TEST(Workloads, OverlappingRingsDoOverlap) {
     }
     EXPECT_GT(2 * covered, rings);
     const auto circle = circularTrajectory(polygon, make(2), kGap, 4);
-    EXPECT_NEAR(outlineDistance(polygon, make(2), circle.front()), kGap, 1e-9);
+    EXPECT_NEAR(gapAt(polygon, make(2), circle.front()), kGap, 1e-9);
   }
 }
 

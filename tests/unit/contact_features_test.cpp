@@ -220,11 +220,10 @@ TEST(ContactFeatures, OfACornerThroughALineLeadBack) {
                          {0x1.8ee94a2fd44d1p-27, 0x1.bfba2c2804293p-27},
                          {0x1.44c74bf9fb143p-25, -0x1.546c614c7c417p-27},
                          {0x1.3f7f45d34bd9bp-25, -0x1.6fa420178d744p-25}}});
-  Pose pose_a = Pose::Identity(), pose_b = Pose::Identity();
-  pose_a.matrix().topRows<2>() << 0x1.0dbb0f06201c2p-15, -0x1.fffcb62e15463p-1, -0x1.9222231b87d6ap+8,
-      0x1.0000ffffe504ep+0, -0x1.0dbb0f061bb2ap-15, 0x1.d3db30048cd9p+8;
-  pose_b.matrix().topRows<2>() << 0x1.45fae8a21ef9cp-1, 0x1.8ad16aca0ad03p-1, -0x1.92222445989fap+8,
-      -0x1.8ac8dd1485eaep-1, 0x1.45fe6b02ab607p-1, 0x1.d3db2fe4c8e2dp+8;
+  const Pose pose_a = pose(0x1.0dbb0f06201c2p-15, -0x1.fffcb62e15463p-1, -0x1.9222231b87d6ap+8, 0x1.0000ffffe504ep+0,
+                           -0x1.0dbb0f061bb2ap-15, 0x1.d3db30048cd9p+8);
+  const Pose pose_b = pose(0x1.45fae8a21ef9cp-1, 0x1.8ad16aca0ad03p-1, -0x1.92222445989fap+8, -0x1.8ac8dd1485eaep-1,
+                           0x1.45fe6b02ab607p-1, 0x1.d3db2fe4c8e2dp+8);
   const auto found = ask(line, pose_a, corner, pose_b);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].depth, 0);

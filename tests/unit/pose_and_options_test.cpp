@@ -254,16 +254,6 @@ TEST(CollideOptions, NegativeOrNotFiniteLengthsAreRefusedByName) {
   }
 }
 
-/// A box over two rings is thin, but they don't span it: the tolerance doesn't fill what lies between them.
-TEST(CollideOptions, ToleranceLeavesTheSpaceBetweenRingsFree) {
-  const Polygon apart({rectangle(-10, 0, -9.99, 0.01), rectangle(9.99, 0, 10, 0.01)}),
-      between({rectangle(0, 0, 0.01, 0.01)});
-  CollideOptions options;
-  options.tolerance = 0.1;
-  EXPECT_FALSE(collide(apart, Pose::Identity(), between, Pose::Identity(), options));
-  EXPECT_TRUE(collide(apart, Pose::Identity(), between, pose(0, 9.99, 0), options));
-}
-
 TEST(Refusal, LeavesTheCachesAsTheyWere) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {

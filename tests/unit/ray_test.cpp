@@ -91,26 +91,6 @@ TEST(Ray, MeetsPointsAndSegments) {
   EXPECT_EQ(cast(segment({1, 0}, {3, 0}), {5, 0}, {1, 0}).fraction, 0.5);
 }
 
-TEST(Ray, NormalsFaceTheRayUnderMirroredPoses) {
-  Random random(1);
-  int hits = 0;
-  for (int i = 0; i < scaledCount(2000); ++i) {
-    const Polygon polygon({star(random, random.integer(3, 30), 0.5, 1)});
-    Pose placed = randomPose(random, 1);
-    if (random.coin()) placed = mirrored(placed);
-    const Vec2 from(random.real(-4, 4), random.real(-4, 4)), to(random.real(-4, 4), random.real(-4, 4));
-    const auto hit = castRay(polygon, placed, from, to);
-    if (!hit || hit->edge < 0) continue;
-    ++hits;
-    const Vec2 v = placed * polygon.edgeStart(hit->edge), w = placed * polygon.edgeEnd(hit->edge);
-    EXPECT_LT(hit->normal.dot(to - from), 0);
-    EXPECT_GT(hit->normal.dot(from - v), 0);
-    EXPECT_NEAR(hit->normal.dot((w - v).normalized()), 0, 1e-14);
-    EXPECT_NEAR(hit->normal.dot(hit->point - v), 0, 1e-13);
-  }
-  EXPECT_GT(hits, scaledCount(2000) / 10);
-}
-
 /// Up to the limit the answer doesn't depend on it.
 TEST(Ray, LimitLeavesOutWhatIsBeyondAndNothingElse) {
   Random random(2);

@@ -218,41 +218,6 @@ TEST(RingStarts, OfManyRingsInASmallPolygon) {
   EXPECT_GE(contained, 0.02 * cases);
 }
 
-/// A small polygon among islands of few edges and of many, near and far: what a polygon of each island would tell.
-TEST(AmongRings, IsAsBesideEachRing) {
-  int hits = 0, cases = 0;
-  for (int i = 0; i < scaledCount(400); ++i) {
-    Random random(static_cast<std::uint64_t>(i));
-    const double size = random.coin() ? 1 : std::pow(2, random.integer(-300, 300));
-    const int side = random.integer(4, 12);
-    std::vector<Ring> rings;
-    for (int k = 0; k < side * side; ++k)
-      rings.push_back(star(random, random.integer(3, random.oneIn(8) ? 30 : 8), 0.2, random.real(0.05, 0.45),
-                           {k % side, k / side}));
-    Ring robot = star(random, random.integer(3, 16), 0.1, 0.5);
-    for (Ring& ring : rings)
-      for (Vec2& p : ring) p *= size;
-    for (Vec2& p : robot) p *= size;
-    const Polygon map(rings), small({robot});
-    prepare(map);
-    const double far = random.oneIn(3) ? std::pow(10, random.integer(1, 20)) : side;
-    for (int k = 0; k < 4; ++k, ++cases) {
-      const Pose at = pose(random.real(0, 6.28), size * random.real(0, far), size * random.real(0, far));
-      const Pose frame = pose(random.real(0, 6.28), size * random.real(-9, 9), 0), placed = frame * at;
-      double least = std::numeric_limits<double>::infinity();
-      for (const Ring& ring : rings) least = std::min(least, distance(Polygon({ring}), frame, small, placed).distance);
-      ASSERT_EQ(collide(map, frame, small, placed), least == 0) << i;
-      const double found = distance(map, frame, small, placed).distance;
-      ASSERT_EQ(found == 0, least == 0) << i;
-      ASSERT_NEAR(found, least, 1e-14 * least) << i;
-      hits += least == 0;
-    }
-  }
-  std::printf("%d of %d meet\n", hits, cases);
-  EXPECT_GE(hits, cases / 5);
-  EXPECT_LE(hits, 4 * cases / 5);
-}
-
 /// Where edges of all rings meet all others', finding the components ends early, with more starts than need be.
 TEST(RingStarts, OfVeryManyCrossings) {
   std::vector<Ring> rings;

@@ -311,22 +311,6 @@ TEST(TimeOfImpact, TurnsWithoutEnd) {
   }
 }
 
-TEST(TimeOfImpact, TimeErrorIsTheCallersChoice) {
-  const Polygon square({rectangle(0, 0, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
-  const double truth = (3 - std::sqrt(0.5) - 0.5) / 8;
-  for (const double time_error : {0.0, 1e-12, 1e-3, 0.1}) {
-    ImpactOptions options;
-    options.time_error = time_error;
-    Motion motion = turning(Pose::Identity(), 0.5 * kPi / (8 * truth) * 8 * truth, {8, 0}, {0.5, 0.5});
-    const auto impact = timeOfImpact(square, motion, wall, kStill, options);
-    ASSERT_TRUE(impact);
-    // Bracketed by the exact answer at the poses around.
-    EXPECT_FALSE(collide(square, motion.at(impact->time - 1e-12), wall, Pose::Identity()));
-    EXPECT_TRUE(collide(square, motion.at(impact->time + time_error + 1e-12), wall, Pose::Identity()) ||
-                time_error > 1e-3);
-  }
-}
-
 TEST(TimeOfImpact, CubicWayMeetsTheWallWhenItsCubicDoes) {
   const Polygon square({rectangle(0, 0, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
   Motion motion;

@@ -20,12 +20,6 @@ namespace {
 
 const Pose kIdentity = Pose::Identity();
 
-Pose poseOf(double xx, double xy, double x, double yx, double yy, double y) {
-  Pose pose = Pose::Identity();
-  pose.matrix().topRows<2>() << xx, xy, x, yx, yy, y;
-  return pose;
-}
-
 /// Only the quarter beside the corner is free. The rest of the large polygon doesn't matter, however far it reaches.
 TEST(Penetration, OfATinyPolygonInACornerIsTheWayToItsQuarter) {
   int deep = 0;
@@ -60,9 +54,9 @@ TEST(Penetration, OfATinyMapBesideAnApex) {
       {{{-1, -1}, {1, -1}, {0.5, -0.5}, {0.75, -0.75}, {-1, -0.75}, {0, 0.75}, {-0.5, -0.75}, {0.75, 0}}},
       FillRule::NonZero);
   const Pose pose_a =
-      poseOf(-0x1.cb3c66b32a3c4p-1, 0x1.c4c0cd38c1a47p-2, 0, -0x1.c4c0cd38c1a47p-2, -0x1.cb3c66b32a3c4p-1, 0);
-  const Pose pose_b = poseOf(0x1.fff975a2438c4p-1, -0x1.a2976f1cee4d5p-15, 0x1.39f18f0c270c7p-15,
-                             -0x1.a2976f1cee4d5p-15, 0x1.0003452ede39ep+0, -0x1.8004e7c655cafp-1);
+      pose(-0x1.cb3c66b32a3c4p-1, 0x1.c4c0cd38c1a47p-2, 0, -0x1.c4c0cd38c1a47p-2, -0x1.cb3c66b32a3c4p-1, 0);
+  const Pose pose_b = pose(0x1.fff975a2438c4p-1, -0x1.a2976f1cee4d5p-15, 0x1.39f18f0c270c7p-15, -0x1.a2976f1cee4d5p-15,
+                           0x1.0003452ede39ep+0, -0x1.8004e7c655cafp-1);
   const auto p = penetration(map, pose_a, spikes, pose_b);
   ASSERT_TRUE(p);
   const double precision = 1e-13 * (map.radius() + spikes.radius() + pose_b.translation().norm());
@@ -96,8 +90,8 @@ TEST(Penetration, OfATinyMapInTheCornerOfAComb) {
                      {{0, s}, {s, s}, {0, 2 * s}},
                      rectangle(s, s, 0x1.32c86f9ec609ap-28, 0x1.32c86f9ec609ap-28)},
                     FillRule::NonZero);
-  const Pose pose_b = poseOf(0x1.0003452ede39ep+0, -0x1.a2976f1cee4d5p-15, -0x1.a1df0208eba0ap-29,
-                             0x1.a2976f1cee4d5p-15, -0x1.0003452ede39ep+0, 0x1.e77c961be2b14p+5);
+  const Pose pose_b = pose(0x1.0003452ede39ep+0, -0x1.a2976f1cee4d5p-15, -0x1.a1df0208eba0ap-29, 0x1.a2976f1cee4d5p-15,
+                           -0x1.0003452ede39ep+0, 0x1.e77c961be2b14p+5);
   const auto p = penetration(comb, mirrored(pose(1.5707963267948966, 0, 0)), map, pose_b);
   ASSERT_TRUE(p);
   // The comb's corner is at (0, 5w), and beside it, to the right and upwards, nothing.
@@ -138,8 +132,8 @@ TEST(Contacts, OfOnePartAreNoDeeperThanThePenetration) {
                             {-0x1.756b1af046affp-10, 0},
                             {0, -0x1.756b1af046affp-12},
                             {0x1.756b1af046affp-10, -0x1.756b1af046affp-11}}});
-  Pose pose_a = kIdentity;
-  pose_a.linear() << -0x1.737f6b2a7749bp-1, -0x1.605364a7a1cfbp-1, -0x1.605364a7a1cfbp-1, 0x1.737f6b2a7749bp-1;
+  const Pose pose_a =
+      pose(-0x1.737f6b2a7749bp-1, -0x1.605364a7a1cfbp-1, 0, -0x1.605364a7a1cfbp-1, 0x1.737f6b2a7749bp-1, 0);
   const Pose pose_b = pose(0, 0x1.f9f0952156e9fp-1, 0x1.dfdab4cb8f031p-1);
   const std::vector<Contact> found = contacts(sliver, pose_a, chamfered, pose_b);
   const auto p = penetration(sliver, pose_a, chamfered, pose_b);
@@ -161,8 +155,8 @@ TEST(Contacts, OfTwoChipsAtACornerLeadApart) {
   const double u = 0x1.37185caf4f803p-26, v = 0x1.5acb5a0dbb496p-26;
   const Polygon chips({{{u, 0}, {0x1.84b336d9daf45p-26, 0}, {u, 0x1.366b68aa2dd0cp-28}}, {{u, u}, {v, v}, {u, v}}});
   expectWayApart(corner,
-                 poseOf(0x1.00029df066cbdp+0, 0x1.3bc53357f7a73p-15, 0, 0x1.3bc53357f7a73p-15, 0x1.fff9ac88285ebp-1, 0),
-                 chips, poseOf(1, 0, 0x1.c0070ab802535p-1, 0, 1, 0x1.000126dabb8b6p-1));
+                 pose(0x1.00029df066cbdp+0, 0x1.3bc53357f7a73p-15, 0, 0x1.3bc53357f7a73p-15, 0x1.fff9ac88285ebp-1, 0),
+                 chips, pose(1, 0, 0x1.c0070ab802535p-1, 0, 1, 0x1.000126dabb8b6p-1));
 }
 
 /// Deeper than coordinates are off by, less deep than a search resolves.
@@ -171,8 +165,8 @@ TEST(Contacts, OfASplinterInALargeCornerLeadApart) {
   const Polygon splinter(
       {{{2, 3}, {0x1.fffff5c6f677cp+0, 0x1.80000706da7c8p+1}, {0x1.fffff1d94be9ep+0, 0x1.80000496a3316p+1}}});
   expectWayApart(corner, pose(0, 4, -0.5), splinter,
-                 poseOf(0x1.8eb96f646ec99p-1, -0x1.413096c471d19p-1, 0x1.e8488a61ee586p+19, 0x1.413096c471d19p-1,
-                        0x1.8eb96f646ec99p-1, -0x1.05d1af76c6p+2));
+                 pose(0x1.8eb96f646ec99p-1, -0x1.413096c471d19p-1, 0x1.e8488a61ee586p+19, 0x1.413096c471d19p-1,
+                      0x1.8eb96f646ec99p-1, -0x1.05d1af76c6p+2));
 }
 
 /// A chip that only touches but for rounding, and is too thin for a direction to free it by a little.
@@ -182,9 +176,9 @@ TEST(Contacts, OfAChipOnASegmentLeadApart) {
                        {0x1.2853c8fbeffcdp-38, 0x1.5118d6fa50476p-58}}});
   const Vec2 end(-0x1.8b8d1646d49a6p-1, 0x1.72f75b7176313p-1);
   const Polygon line({{end, {0x1.d418841e94568p-3, 0x1.443f22bb700b3p+0}, end}}, FillRule::NonZero);
-  expectWayApart(chip, poseOf(0x1.1a6264p-54, -1, -0x1.22bcf4569873p+0, 1, 0x1.1a6264p-54, -0x1.f5c839ac5d59cp+2), line,
-                 poseOf(0x1.ad4093ba14676p-1, 0x1.170ff7ef619abp-1, -0x1.d41b078650b82p+0, -0x1.17108b0efac9fp-1,
-                        0x1.ad3f0556d93c1p-1, -0x1.195efa6a52cb6p+3));
+  expectWayApart(chip, pose(0x1.1a6264p-54, -1, -0x1.22bcf4569873p+0, 1, 0x1.1a6264p-54, -0x1.f5c839ac5d59cp+2), line,
+                 pose(0x1.ad4093ba14676p-1, 0x1.170ff7ef619abp-1, -0x1.d41b078650b82p+0, -0x1.17108b0efac9fp-1,
+                      0x1.ad3f0556d93c1p-1, -0x1.195efa6a52cb6p+3));
 }
 
 /// The step that asks whether they part would take the triangle past itself.
@@ -192,8 +186,8 @@ TEST(Contacts, OfATriangleOfSomeRoundingsLeadApart) {
   const double s = 0x1.d6bb93461bb2p-44;
   const Polygon triangle({{{0, 0}, {s / 2, 0}, {s, 0}, {s / 2, s / 2}, {0, s}, {0, s / 2}}});
   const Polygon bent({{{0.75, -0.75}, {-1, 0.5}, {0, 0}, {-0.5, 0.25}, {0, -0.25}}});
-  expectWayApart(triangle, poseOf(-1, 0x1.1a62633145c07p-53, 0, 0x1.1a62633145c07p-53, 1, 0), bent,
-                 poseOf(-0x1.5944a2p-5, -0x1.ff8b88p-1, 0, 0x1.ff8b88p-1, -0x1.5944a2p-5, 0));
+  expectWayApart(triangle, pose(-1, 0x1.1a62633145c07p-53, 0, 0x1.1a62633145c07p-53, 1, 0), bent,
+                 pose(-0x1.5944a2p-5, -0x1.ff8b88p-1, 0, 0x1.ff8b88p-1, -0x1.5944a2p-5, 0));
 }
 
 /// A point, some roundings inside of a corner that leads inwards: what parts them by a rounding more may end in a wall.
@@ -253,7 +247,7 @@ TEST(Contacts, OfAFlatTriangleAreOnIt) {
                        {-0x1.588cfa8dc056p+0, 0x1.4b1b850d1bedcp-1},
                        {-0x1.6898c8514a5bdp-1, -0x1.6d58fb42a45a8p-4}}});
   const Case c{chamfered, kIdentity, flat,
-               poseOf(0x1.1a62633145c07p-54, -1, -0x1.eabe8895eb10cp-2, 1, 0x1.1a62633145c07p-54, 0x1.829aa9c3f185p-1)};
+               pose(0x1.1a62633145c07p-54, -1, -0x1.eabe8895eb10cp-2, 1, 0x1.1a62633145c07p-54, 0x1.829aa9c3f185p-1)};
   const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(isCommon(c, found[0]));
@@ -266,8 +260,8 @@ TEST(Contacts, OfRingsThatLieOnEachOtherTakeTheirEdgesPastEachOther) {
                    {{-1, 2}, {2, 3}, {-1, 2}, {2, -3}}},
                   FillRule::NonZero);
   const Polygon b({{{-3, -2}, {-1, 2}, {1, 2}}, {{-1, 2}, {3, 2}, {3, 2}}});
-  const Pose there = poseOf(-0x1.791946dc7a4a3p-1, -0x1.5a5307598112p-1, -0x1.f4403f96919e2p+2, 0x1.5a5307598112p-1,
-                            -0x1.791946dc7a4a3p-1, 0x1.d3c146be7e6b8p+2);
+  const Pose there = pose(-0x1.791946dc7a4a3p-1, -0x1.5a5307598112p-1, -0x1.f4403f96919e2p+2, 0x1.5a5307598112p-1,
+                          -0x1.791946dc7a4a3p-1, 0x1.d3c146be7e6b8p+2);
   ContactOptions options;
   options.detail = ContactDetail::LocalDepth;
   const std::vector<Contact> found = contacts(a, there, b, there, options);
