@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The laws that collide, distance and continuousCollide share, along random walks, and the managers' distance.
-#include <fcl/broadphase/broadphase_SSaP.h>
-#include <fcl/broadphase/broadphase_SaP.h>
-#include <fcl/broadphase/broadphase_bruteforce.h>
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
-#include <fcl/broadphase/broadphase_interval_tree.h>
-#include <fcl/broadphase/broadphase_spatialhash.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 #include <fcl/math/motion/interp_motion.h>
 #include <fcl/narrowphase/collision.h>
@@ -16,13 +9,11 @@
 #include <algorithm>
 #include <functional>
 
+#include "managers.h"
 #include "scene.h"
-#include "test_scale.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-using tricover::support::Random;
 
 bool collide(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b, fcl::GJKSolverType solver) {
   fcl::CollisionRequestd request;
@@ -53,7 +44,7 @@ double timeOfContact(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd
 TEST(Agreement, alongWalks) {
   Random random(71);
   int hits = 0, queries = 0;
-  for (int walk = 0; walk < tricover::support::scaledCount(150); ++walk) {
+  for (int walk = 0; walk < scaledCount(150); ++walk) {
     const double heights[3] = {0, random.real(0, 0.2), 0};
     const auto shape = [&](double height) {
       return std::make_shared<PolygonShaped>(randomPolygon(random, 1), PolygonOptions{0, 0, height});
@@ -92,24 +83,9 @@ TEST(Agreement, alongWalks) {
   EXPECT_LT(hits, queries * 8 / 10);
 }
 
-using Manager = std::unique_ptr<fcl::BroadPhaseCollisionManagerd>;
-
-std::vector<std::pair<const char*, Manager>> managers() {
-  std::vector<std::pair<const char*, Manager>> all;
-  all.emplace_back("DynamicAABBTree", std::make_unique<fcl::DynamicAABBTreeCollisionManagerd>());
-  all.emplace_back("DynamicAABBTreeArray", std::make_unique<fcl::DynamicAABBTreeCollisionManager_Array<double>>());
-  all.emplace_back("SSaP", std::make_unique<fcl::SSaPCollisionManagerd>());
-  all.emplace_back("SaP", std::make_unique<fcl::SaPCollisionManagerd>());
-  all.emplace_back("Naive", std::make_unique<fcl::NaiveCollisionManagerd>());
-  all.emplace_back("IntervalTree", std::make_unique<fcl::IntervalTreeCollisionManagerd>());
-  all.emplace_back("SpatialHashing", std::make_unique<fcl::SpatialHashingCollisionManager<double>>(
-                                         4, fcl::Vector3d(-41, -41, -5), fcl::Vector3d(41, 41, 5)));
-  return all;
-}
-
 TEST(Agreement, managersFindTheLeastDistance) {
   Random random(72);
-  int apart = 0, scenes = tricover::support::scaledCount(60);
+  int apart = 0, scenes = scaledCount(60);
   for (int scene = 0; scene < scenes; ++scene) {
     const double spread = random.coin() ? 6 : 18;
     std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
@@ -118,8 +94,8 @@ TEST(Agreement, managersFindTheLeastDistance) {
       const double height = random.oneIn(3) ? 0.5 : 0;
       const auto shape = std::make_shared<PolygonShaped>(randomPolygon(random, random.real(0.5, 1.5)),
                                                          PolygonOptions{random.oneIn(3) ? 0.3 : 0, 0, height});
-      objects.push_back(std::make_unique<fcl::CollisionObjectd>(
-          shape, lifted(tricover::support::randomPose(random, spread), random.oneIn(4) ? 1 : 0)));
+      objects.push_back(
+          std::make_unique<fcl::CollisionObjectd>(shape, lifted(randomPose(random, spread), random.oneIn(4) ? 1 : 0)));
       registered.push_back(objects.back().get());
     }
     const fcl::CollisionObjectd& probe = *objects.back();
@@ -131,7 +107,7 @@ TEST(Agreement, managersFindTheLeastDistance) {
       from_probe = std::min(from_probe, distance(*registered[i], probe, solver, false));
       for (std::size_t j = 0; j < i; ++j) all = std::min(all, distance(*registered[i], *registered[j], solver, false));
     }
-    for (const auto& [name, manager] : managers()) {
+    for (const auto& [name, manager] : managersOfEveryKind()) {
       SCOPED_TRACE(name);
       manager->registerObjects(registered);
       manager->setup();

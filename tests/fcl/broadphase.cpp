@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every broadphase manager, FCL's and ours, with FCL's own callback finds the pairs that brute force finds.
-#include <fcl/broadphase/broadphase_SSaP.h>
-#include <fcl/broadphase/broadphase_SaP.h>
-#include <fcl/broadphase/broadphase_bruteforce.h>
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/broadphase/broadphase_interval_tree.h>
-#include <fcl/broadphase/broadphase_spatialhash.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
 #include <algorithm>
@@ -14,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "managers.h"
 #include "scene.h"
 #include "tricover/collide.h"
 
@@ -28,7 +23,6 @@ extern "C" const char* __lsan_default_suppressions() {
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
 using Pairs = std::set<std::pair<const fcl::CollisionGeometryd*, const fcl::CollisionGeometryd*>>;
 
 struct Scene {
@@ -55,25 +49,6 @@ struct Scene {
   }
 };
 
-struct Manager {
-  const char* name;
-  std::unique_ptr<fcl::BroadPhaseCollisionManagerd> manager;
-};
-
-std::vector<Manager> managers() {
-  std::vector<Manager> all;
-  all.push_back({"DynamicAABBTree", std::make_unique<fcl::DynamicAABBTreeCollisionManagerd>()});
-  all.push_back({"SaP", std::make_unique<fcl::SaPCollisionManagerd>()});
-  all.push_back({"SSaP", std::make_unique<fcl::SSaPCollisionManagerd>()});
-  all.push_back({"Naive", std::make_unique<fcl::NaiveCollisionManagerd>()});
-  all.push_back({"IntervalTree", std::make_unique<fcl::IntervalTreeCollisionManagerd>()});
-  // Its cells' bounds lie off the origin: an object that is one point for it, on such a bound, gets no cell.
-  all.push_back({"SpatialHashing", std::make_unique<fcl::SpatialHashingCollisionManager<double>>(
-                                       4, fcl::Vector3d(-41, -41, -1), fcl::Vector3d(41, 41, 1))});
-  all.push_back({"Scene", std::make_unique<SceneManagerd>()});
-  return all;
-}
-
 Pairs pairsFoundBy(fcl::BroadPhaseCollisionManagerd& manager, fcl::GJKSolverType solver,
                    fcl::CollisionCallBack<double> callback) {
   fcl::DefaultCollisionData<double> data;
@@ -92,7 +67,7 @@ Pairs pairsFoundBy(fcl::BroadPhaseCollisionManagerd& manager, fcl::GJKSolverType
 void expectAgreement(Scene& scene, const std::function<void()>& move) {
   std::vector<fcl::CollisionObjectd*> objects;
   for (const auto& object : scene.objects) objects.push_back(object.get());
-  std::vector<Manager> all = managers();
+  std::vector<Manager> all = managersOfEveryKind();
   for (const Manager& m : all) {
     // All at once: SaP's registerObject overlooks a box that spans the new one (its own bug, with any shapes).
     m.manager->registerObjects(objects);
@@ -136,7 +111,7 @@ TEST(Broadphase, randomScene) {
   EXPECT_LT(hits, boxes * 7 / 10);
   expectAgreement(scene, [&] {
     for (const auto& object : scene.objects) {
-      object->setTransform(lifted(tricover::support::randomPose(random, 15), object->getTranslation().z()));
+      object->setTransform(lifted(randomPose(random, 15), object->getTranslation().z()));
     }
   });
 }
@@ -146,7 +121,7 @@ TEST(Broadphase, touchingGrid) {
   Scene scene;
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
-      scene.add(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}), tricover::support::pose(0, i, j));
+      scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::pose(0, i, j));
     }
   }
   EXPECT_EQ(scene.pairs().size(), 2u * 6 * 5 + 2 * 5 * 5);
@@ -158,9 +133,8 @@ TEST(Broadphase, touchingGrid) {
 TEST(Broadphase, tinyRotationsCountToo) {
   // The rotation that FCL's box leaves out lifts the bar's tip into the square above it.
   Scene scene;
-  scene.add(tricover::Polygon({tricover::support::rectangle(0, 0, 1e6, 1)}), tricover::support::pose(0.9e-12, 0, 0));
-  scene.add(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}),
-            tricover::support::pose(0, 1e6 - 1, 1 + 8e-7));
+  scene.add(tricover::Polygon({rectangle(0, 0, 1e6, 1)}), tricover::support::pose(0.9e-12, 0, 0));
+  scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::pose(0, 1e6 - 1, 1 + 8e-7));
   EXPECT_EQ(scene.pairs().size(), 1u);
   expectAgreement(scene, [&] { scene.objects[0]->setRotation(fcl::Matrix3d::Identity()); });
   EXPECT_EQ(scene.pairs().size(), 0u);
@@ -173,20 +147,19 @@ TEST(Broadphase, extremeSizesAndOffsets) {
     Random random(22);
     Scene scene;
     for (int i = 0; i < 14; ++i) {
-      scene.add(randomPolygon(random, size), tricover::support::randomPose(random, 2 * size));
+      scene.add(randomPolygon(random, size), randomPose(random, 2 * size));
     }
     const std::size_t hits = scene.pairs().size();
     EXPECT_GT(hits, 10u);
     EXPECT_LT(hits, 80u);  // of 91
-    expectAgreement(scene,
-                    [&] { scene.objects[0]->setTransform(lifted(tricover::support::randomPose(random, size))); });
+    expectAgreement(scene, [&] { scene.objects[0]->setTransform(lifted(randomPose(random, size))); });
   }
   for (const double place : {1e12, 1e14, 1e15}) {
     SCOPED_TRACE(place);
     Random random(23);
     Scene scene;
     for (int i = 0; i < 14; ++i) {
-      tricover::Pose pose = tricover::support::randomPose(random, 2);
+      tricover::Pose pose = randomPose(random, 2);
       pose.translation().array() += place;
       scene.add(randomPolygon(random, 1), pose);
     }
@@ -200,7 +173,7 @@ TEST(Broadphase, extremeSizesAndOffsets) {
 TEST(Broadphase, callbackStopsAsFclsDoes) {
   Scene scene;
   for (int i = 0; i < 5; ++i) {
-    scene.add(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}), tricover::support::pose(0, 0.1 * i, 0));
+    scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::pose(0, 0.1 * i, 0));
   }
   fcl::NaiveCollisionManagerd manager;
   for (const auto& object : scene.objects) manager.registerObject(object.get());

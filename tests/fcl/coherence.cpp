@@ -14,8 +14,6 @@
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
-
 TEST(Coherence, walksAnswerAsColdQueriesInEitherOrder) {
   Random random(11);
   int hits = 0, queries = 0;
@@ -116,7 +114,7 @@ TEST(Coherence, aSlotThatWasAnotherPairsBeginsEmpty) {
 TEST(Coherence, fclCallsFillThePairsSlot) {
   Random random(13);
   const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
-  const fcl::CollisionObjectd object_a(shapeOf(a)), object_b(shapeOf(b), lifted(tricover::support::pose(0, 1.7, 0)));
+  const fcl::CollisionObjectd object_a(shapeOf(a)), object_b(shapeOf(b), lifted(0, 1.7, 0));
   for (int time = 0; time < 2; ++time) {
     fcl::CollisionResultd result;
     fcl::collide(&object_b, &object_a, fcl::CollisionRequestd(), result);

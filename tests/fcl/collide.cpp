@@ -8,12 +8,9 @@
 #include "families.h"
 #include "reproduction.h"
 #include "scene.h"
-#include "test_scale.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-using tricover::support::Random;
 
 fcl::CollisionRequestd requestFor(fcl::GJKSolverType solver) {
   fcl::CollisionRequestd request;
@@ -43,7 +40,7 @@ TEST(Collide, agreesWithTheCoreOnEveryFamily) {
   for (const tricover::support::Family& family : tricover::support::families()) {
     SCOPED_TRACE(family.name);
     // The first of some families all overlap.
-    const int count = std::max(20, tricover::support::scaledCount(200));
+    const int count = std::max(20, scaledCount(200));
     int hits = 0;
     for (int i = 0; i < count; ++i) {
       const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));
@@ -59,16 +56,15 @@ TEST(Collide, agreesWithTheCoreOnEveryFamily) {
 
 TEST(Collide, ignoresToleranceAndCachedGuess) {
   // A gap of one ulp, where FCL's own solvers see what their tolerance lets them see.
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
-  for (const double x : {1.0, tricover::support::nudged(1.0, 1)}) {
+  const Shape<double> square = rectangular(0, 0, 1, 1);
+  for (const double x : {1.0, nudged(1.0, 1)}) {
     for (const double tolerance : {1e-15, 1e-6, 1.0}) {
       fcl::CollisionRequestd request;
       request.gjk_tolerance = tolerance;
       request.enable_cached_gjk_guess = true;
       request.cached_gjk_guess = fcl::Vector3d(-3, 1, 7);
       fcl::CollisionResultd result;
-      EXPECT_EQ(fcl::collide(square.get(), lifted(tricover::support::pose(0, 0, 0)), square.get(),
-                             lifted(tricover::support::pose(0, x, 0)), request, result),
+      EXPECT_EQ(fcl::collide(square.get(), lifted(0, 0, 0), square.get(), lifted(0, x, 0), request, result),
                 std::size_t{x == 1.0});
     }
   }

@@ -25,7 +25,7 @@ struct Pair {
 Pair boxes() { return {std::make_shared<fcl::Boxd>(2, 2, 4), std::make_shared<fcl::Boxd>(2, 2, 8)}; }
 
 Pair prisms() {
-  const tricover::Polygon square({tricover::support::rectangle(-1, -1, 1, 1)});
+  const tricover::Polygon square({rectangle(-1, -1, 1, 1)});
   return {std::make_shared<PolygonShaped>(square, PolygonOptions{0, -2, 2}),
           std::make_shared<PolygonShaped>(square, PolygonOptions{0, -4, 4})};
 }
@@ -44,7 +44,7 @@ Pair grown(const Pair& pair, double by) {
   return {wide(*pair.a), wide(*pair.b)};
 }
 
-fcl::Transform3d at(double x, double z = 0) { return lifted(tricover::support::pose(0, x, 0), z); }
+fcl::Transform3d at(double x, double z = 0) { return lifted(0, x, 0, z); }
 
 /// Six digits, as far as FCL's own answers go.
 std::string text(double value) {

@@ -1,48 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a hit leaves in FCL's result.
-#include <fcl/narrowphase/collision.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "scene.h"
-#include "test_scale.h"
+#include "ask.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
-
 class Contact : public ::testing::Test {
  protected:
   std::size_t collide(double x, const fcl::CollisionRequestd& request, double z = 0) {
-    return fcl::collide(square_.get(), fcl::Transform3d::Identity(), other_.get(),
-                        lifted(tricover::support::pose(0, x, 0), z), request, result_);
+    return fcl::collide(square_.get(), fcl::Transform3d::Identity(), other_.get(), lifted(0, x, 0, z), request,
+                        result_);
   }
 
-  Shape<double> square_ = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 2, 2)}));
-  Shape<double> other_ = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0.5, 2, 1.5)}));
+  Shape<double> square_ = rectangular(0, 0, 2, 2);
+  Shape<double> other_ = rectangular(0, 0.5, 2, 1.5);
+  const fcl::Transform3d here_ = fcl::Transform3d::Identity();
   fcl::CollisionResultd result_;
 };
 
-TEST_F(Contact, isAddedWithoutDetailsUnlessAskedFor) {
-  EXPECT_EQ(collide(1, fcl::CollisionRequestd()), 1u);
-  const fcl::Contactd& contact = result_.getContact(0);
-  EXPECT_EQ(contact.o1, square_.get());
-  EXPECT_EQ(contact.o2, other_.get());
-  EXPECT_EQ(contact.b1, int{fcl::Contactd::NONE});
-  EXPECT_EQ(contact.b2, int{fcl::Contactd::NONE});
-  EXPECT_EQ(contact.penetration_depth, 0);
-}
-
 TEST_F(Contact, hasPlaceNormalDepthAndEdgesInTheWorld) {
-  for (const std::size_t most : {1u, 9u}) {
-    fcl::CollisionResultd result;
-    ASSERT_EQ(fcl::collide(square_.get(), lifted(tricover::support::pose(0, 10, 20), 5), other_.get(),
-                           lifted(tricover::support::pose(0, 11.5, 20), 5), fcl::CollisionRequestd(most, true), result),
-              std::min<std::size_t>(most, 2));
-    for (std::size_t k = 0; k < result.numContacts(); ++k) {
-      const fcl::Contactd& contact = result.getContact(k);
+  for (const std::size_t most : {1U, 9U}) {
+    const auto found = contactsOf(*square_, lifted(0, 10, 20, 5), *other_, lifted(0, 11.5, 20, 5), most);
+    ASSERT_EQ(found.size(), std::min<std::size_t>(most, 2));
+    for (const fcl::Contactd& contact : found) {
       EXPECT_EQ(contact.o1, square_.get());
       EXPECT_EQ(contact.o2, other_.get());
       EXPECT_TRUE(contact.normal.isApprox(fcl::Vector3d::UnitX()));
@@ -61,11 +44,11 @@ TEST_F(Contact, hasPlaceNormalDepthAndEdgesInTheWorld) {
 TEST_F(Contact, swapsWithTheArguments) {
   Random random(41);
   int hits = 0;
-  const int count = tricover::support::scaledCount(300);
+  const int count = scaledCount(300);
   for (int i = 0; i < count; ++i) {
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
-    const fcl::Transform3d tf_a = lifted(tricover::support::randomPose(random, 1.5));
-    const fcl::Transform3d tf_b = lifted(tricover::support::randomPose(random, 1.5));
+    const fcl::Transform3d tf_a = lifted(randomPose(random, 1.5));
+    const fcl::Transform3d tf_b = lifted(randomPose(random, 1.5));
     fcl::CollisionRequestd request(random.oneIn(4) ? 1 : 100, true);
     fcl::CollisionResultd result, swapped;
     const std::size_t hit = fcl::collide(a.get(), tf_a, b.get(), tf_b, request, result);
@@ -97,11 +80,10 @@ TEST_F(Contact, ofEachPartOfTheOverlapDeepestFirst) {
   }
   teeth.emplace_back(10, 2);
   const Shape<double> comb = shapeOf(tricover::Polygon({teeth}));
-  const Shape<double> bar = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -5, 11, 0)}));
-  for (const std::size_t most : {2u, 3u, 5u, 100u}) {
+  const Shape<double> bar = rectangular(-1, -5, 11, 0);
+  for (const std::size_t most : {2U, 3U, 5U, 100U}) {
     fcl::CollisionResultd result;
-    fcl::collide(bar.get(), fcl::Transform3d::Identity(), comb.get(), fcl::Transform3d::Identity(),
-                 fcl::CollisionRequestd(most, true), result);
+    fcl::collide(bar.get(), here_, comb.get(), here_, fcl::CollisionRequestd(most, true), result);
     ASSERT_EQ(result.numContacts(), std::min<std::size_t>(most, 5));
     for (std::size_t k = 0; k < result.numContacts(); ++k) {
       const fcl::Contactd& contact = result.getContact(k);
@@ -120,14 +102,9 @@ TEST_F(Contact, ofEachPartOfTheOverlapDeepestFirst) {
 TEST_F(Contact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
   const Shape<double> slot =
       shapeOf(tricover::Polygon({{{-5, -5}, {5, -5}, {5, 5}, {1, 5}, {1, 0}, {-1, 0}, {-1, 5}, {-5, 5}}}));
-  const Shape<double> peg = shapeOf(tricover::Polygon({tricover::support::rectangle(-1.25, 3, 1.25, 9)}));
+  const Shape<double> peg = rectangular(-1.25, 3, 1.25, 9);
   const auto contacts = [&](const Shape<double>& a, const Shape<double>& b, std::size_t most) {
-    std::vector<fcl::Contactd> found;
-    fcl::CollisionResultd result;
-    fcl::collide(a.get(), fcl::Transform3d::Identity(), b.get(), fcl::Transform3d::Identity(),
-                 fcl::CollisionRequestd(most, true), result);
-    result.getContacts(found);
-    return found;
+    return contactsOf(*a, here_, *b, here_, most);
   };
   const auto only = contacts(slot, peg, 1), swapped = contacts(peg, slot, 1);
   ASSERT_EQ(only.size(), 1u);
@@ -135,7 +112,7 @@ TEST_F(Contact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
   EXPECT_NEAR(only[0].penetration_depth, 2, 1e-9);
   EXPECT_TRUE(only[0].normal.isApprox(fcl::Vector3d::UnitY()));
   EXPECT_TRUE(swapped[0].normal.isApprox(-fcl::Vector3d::UnitY()));
-  for (const std::size_t most : {2u, 9u}) {
+  for (const std::size_t most : {2U, 9U}) {
     for (const double side : {1.0, -1.0}) {
       const auto parts = side > 0 ? contacts(slot, peg, most) : contacts(peg, slot, most);
       ASSERT_EQ(parts.size(), most == 2 ? 2u : 4u);
@@ -150,7 +127,7 @@ TEST_F(Contact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
   }
 
   // In one part, too: there is no room for the step that it takes.
-  const Shape<double> tight = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.95, 3, 1.1, 9)}));
+  const Shape<double> tight = rectangular(-0.95, 3, 1.1, 9);
   const auto local = contacts(slot, tight, 9);
   ASSERT_EQ(local.size(), 2u);
   for (const fcl::Contactd& end : local) {
@@ -165,20 +142,18 @@ TEST_F(Contact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
 TEST_F(Contact, ofManyPartPolygonsStepByStep) {
   Random random(43);
   int hits = 0, parted = 0;
-  const int count = tricover::support::scaledCount(60);
+  const int count = scaledCount(60);
   for (int i = 0; i < count; ++i) {
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
-    const fcl::Transform3d tf_a = lifted(tricover::support::randomPose(random, 1.5));
-    fcl::Transform3d tf_b = lifted(tricover::support::randomPose(random, 1.5));
+    const fcl::Transform3d tf_a = lifted(randomPose(random, 1.5));
+    fcl::Transform3d tf_b = lifted(randomPose(random, 1.5));
     for (int step = 0; step <= 100; ++step) {
-      fcl::CollisionResultd result;
-      if (fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(100, true), result) == 0) {
+      const auto parts = contactsOf(*a, tf_a, *b, tf_b, 100);
+      if (parts.empty()) {
         parted += step > 0;
         break;
       }
       hits += step == 0;
-      std::vector<fcl::Contactd> parts;
-      result.getContacts(parts);
       for (const fcl::Contactd& part : parts) {
         ASSERT_NEAR(part.normal.norm(), 1, 1e-12);
         ASSERT_GE(part.penetration_depth, 0);
@@ -193,34 +168,30 @@ TEST_F(Contact, ofManyPartPolygonsStepByStep) {
 TEST_F(Contact, movingTheSecondByDepthAlongTheNormalPartsThem) {
   Random random(42);
   int hits = 0;
-  const int count = tricover::support::scaledCount(150);
+  const int count = scaledCount(150);
   for (int i = 0; i < count; ++i) {
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
-    const fcl::Transform3d tf_a = lifted(tricover::support::randomPose(random, 1));
-    fcl::Transform3d tf_b = lifted(tricover::support::randomPose(random, 1));
-    fcl::CollisionResultd result, parted, held;
-    if (fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(1, true), result) == 0) continue;
-    const fcl::Contactd contact = result.getContact(0);
-    ASSERT_NEAR(contact.normal.norm(), 1, 1e-12);
-    tf_b.pretranslate(fcl::Vector3d((contact.penetration_depth + 1e-9) * contact.normal));
-    EXPECT_EQ(fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(), parted), 0u) << i;
-    tf_b.pretranslate(fcl::Vector3d(-2e-9 * contact.normal));
-    EXPECT_EQ(fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(), held), 1u) << i;
+    const fcl::Transform3d tf_a = lifted(randomPose(random, 1));
+    fcl::Transform3d tf_b = lifted(randomPose(random, 1));
+    const auto found = contactsOf(*a, tf_a, *b, tf_b, 1);
+    if (found.empty()) continue;
+    ASSERT_NEAR(found[0].normal.norm(), 1, 1e-12);
+    tf_b.pretranslate(fcl::Vector3d((found[0].penetration_depth + 1e-9) * found[0].normal));
+    EXPECT_FALSE(meet(a, tf_a, b, tf_b)) << i;
+    tf_b.pretranslate(fcl::Vector3d(-2e-9 * found[0].normal));
+    EXPECT_TRUE(meet(a, tf_a, b, tf_b)) << i;
     ++hits;
   }
   EXPECT_GT(hits, count * 3 / 10);
 }
 
 TEST_F(Contact, ofContainmentHasDepth) {
-  const Shape<double> small = shapeOf(tricover::Polygon({tricover::support::rectangle(0.5, 0.75, 1, 1)}));
-  for (const std::size_t most : {1u, 9u}) {
-    fcl::CollisionResultd result;
-    ASSERT_EQ(fcl::collide(square_.get(), fcl::Transform3d::Identity(), small.get(), fcl::Transform3d::Identity(),
-                           fcl::CollisionRequestd(most, true), result),
-              1u);
-    const fcl::Contactd& contact = result.getContact(0);
-    EXPECT_NEAR(contact.penetration_depth, 1, 1e-9);
-    EXPECT_NEAR(std::abs(contact.normal.x() + contact.normal.y()), 1, 1e-9);
+  const Shape<double> small = rectangular(0.5, 0.75, 1, 1);
+  for (const std::size_t most : {1U, 9U}) {
+    const auto found = contactsOf(*square_, here_, *small, here_, most);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].penetration_depth, 1, 1e-9);
+    EXPECT_NEAR(std::abs(found[0].normal.x() + found[0].normal.y()), 1, 1e-9);
   }
 }
 
@@ -242,53 +213,42 @@ TEST_F(Contact, ofFacesIsInTheirMiddleOrAtBothEnds) {
   const auto floors = shapes({{-10, -0.5}, {10, -0.5}, {10, 0.5}, {3, 0.5}, {2.2, 0.5}, {-10, 0.5}}),
              crates = shapes({{-0.5, -0.5}, {0.1, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}),
              notched = shapes({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {0, 0.25}, {-0.5, 0.5}});  // not convex
-  const fcl::Transform3d here = fcl::Transform3d::Identity(), there = lifted(tricover::support::pose(0, 2, 0.99));
-  for (const auto& floor : floors) {
-    for (const auto* kind : {&crates, &notched}) {
-      for (const auto& crate : *kind) {
-        for (const std::size_t most : {1u, 2u}) {
-          fcl::CollisionResultd result, swapped;
-          const fcl::CollisionRequestd request(most, true);
-          ASSERT_EQ(fcl::collide<double>(floor.get(), here, crate.get(), there, request, result), most);
-          ASSERT_EQ(fcl::collide<double>(crate.get(), there, floor.get(), here, request, swapped), most);
-          for (const fcl::CollisionResultd* found : {&result, &swapped}) {
+  const fcl::Transform3d there = lifted(0, 2, 0.99);
+  for (const auto& floor : floors)
+    for (const auto* kind : {&crates, &notched})
+      for (const auto& crate : *kind)
+        for (const std::size_t most : {1U, 2U})
+          for (const auto& found :
+               {contactsOf(*floor, here_, *crate, there, most), contactsOf(*crate, there, *floor, here_, most)}) {
+            ASSERT_EQ(found.size(), most);
             fcl::Vector3d middle = fcl::Vector3d::Zero();
-            for (std::size_t k = 0; k < most; ++k) {
-              const fcl::Contactd& contact = found->getContact(k);
+            for (const fcl::Contactd& contact : found) {
               middle += contact.pos / static_cast<double>(most);
               EXPECT_NEAR(contact.penetration_depth, 0.01, 1e-12);
               EXPECT_NEAR(std::abs(contact.pos.x() - 2), most == 1 ? 0 : 0.5, 1e-12);
             }
             EXPECT_LT((middle - fcl::Vector3d(2, 0.495, 0)).norm(), 1e-12) << middle.transpose();
           }
-        }
-      }
-    }
-  }
 }
 
 TEST_F(Contact, ofATouchHasDepthZero) {
-  for (const std::size_t most : {1u, 9u}) {
-    fcl::CollisionResultd result;
-    ASSERT_EQ(fcl::collide(square_.get(), fcl::Transform3d::Identity(), other_.get(),
-                           lifted(tricover::support::pose(0, 2, 0)), fcl::CollisionRequestd(most, true), result),
-              std::min<std::size_t>(most, 2));
-    EXPECT_EQ(result.getContact(0).penetration_depth, 0);
-    EXPECT_TRUE(result.getContact(0).normal.isApprox(fcl::Vector3d::UnitX()));
-    EXPECT_NEAR(result.getContact(0).pos.x(), 2, 1e-12);
+  for (const std::size_t most : {1U, 9U}) {
+    const auto found = contactsOf(*square_, here_, *other_, lifted(0, 2, 0), most);
+    ASSERT_EQ(found.size(), std::min<std::size_t>(most, 2));
+    EXPECT_EQ(found[0].penetration_depth, 0);
+    EXPECT_TRUE(found[0].normal.isApprox(fcl::Vector3d::UnitX()));
+    EXPECT_NEAR(found[0].pos.x(), 2, 1e-12);
   }
 }
 
 TEST_F(Contact, ofHugePolygonsIsFinite) {
-  const Shape<double> huge = shapeOf(tricover::Polygon({tricover::support::rectangle(-1e300, -1e300, 1e300, 1e300)}));
-  for (const std::size_t most : {1u, 9u}) {
-    fcl::CollisionResultd result;
-    ASSERT_EQ(fcl::collide(huge.get(), lifted(tricover::support::pose(0, -9e299, 0)), huge.get(),
-                           lifted(tricover::support::pose(0, 9e299, 0)), fcl::CollisionRequestd(most, true), result),
-              std::min<std::size_t>(most, 2));
-    EXPECT_TRUE(result.getContact(0).normal.isApprox(fcl::Vector3d::UnitX()));
-    EXPECT_TRUE(result.getContact(0).pos.allFinite());
-    EXPECT_NEAR(result.getContact(0).penetration_depth, 2e299, 1e288);
+  const Shape<double> huge = rectangular(-1e300, -1e300, 1e300, 1e300);
+  for (const std::size_t most : {1U, 9U}) {
+    const auto found = contactsOf(*huge, lifted(0, -9e299, 0), *huge, lifted(0, 9e299, 0), most);
+    ASSERT_EQ(found.size(), std::min<std::size_t>(most, 2));
+    EXPECT_TRUE(found[0].normal.isApprox(fcl::Vector3d::UnitX()));
+    EXPECT_TRUE(found[0].pos.allFinite());
+    EXPECT_NEAR(found[0].penetration_depth, 2e299, 1e288);
   }
 }
 
@@ -298,19 +258,6 @@ TEST_F(Contact, accumulatesUpToTheNumberAskedFor) {
   EXPECT_EQ(collide(9, request), 1u);  // a miss takes nothing away
   EXPECT_EQ(collide(1, request), 2u);
   EXPECT_EQ(collide(1, request), 2u);
-}
-
-TEST_F(Contact, satisfiedRequestIsLeftAlone) {
-  ASSERT_EQ(collide(1, fcl::CollisionRequestd()), 1u);
-  fcl::Transform3d bad = fcl::Transform3d::Identity();
-  bad.translation().x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(fcl::collide(square_.get(), bad, other_.get(), bad, fcl::CollisionRequestd(), result_), 1u);
-}
-
-TEST_F(Contact, needsBothOccupied) {
-  other_->cost_density = 0.5;  // uncertain: neither free nor occupied
-  ASSERT_TRUE(other_->isUncertain());
-  EXPECT_EQ(collide(1, fcl::CollisionRequestd()), 0u);
 }
 
 TEST_F(Contact, costIsTheOverlapTimesTheDensities) {

@@ -11,26 +11,15 @@
 #include <limits>
 #include <vector>
 
-#include "scene.h"
-#include "test_scale.h"
+#include "ask.h"
 #include "tricover/distance.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
-
 constexpr double kPi = 3.14159265358979323846;
-constexpr fcl::GJKSolverType kSolvers[] = {fcl::GST_LIBCCD, fcl::GST_INDEP};
 
-fcl::Transform3d placed(double angle, double x, double y, double z = 0) {
-  return lifted(tricover::support::pose(angle, x, y), z);
-}
-
-fcl::ContinuousCollisionRequestd requestFor(fcl::CCDMotionType type, double error = 1e-9,
-                                            fcl::GJKSolverType solver = fcl::GST_LIBCCD) {
-  return fcl::ContinuousCollisionRequestd(10, error, type, solver, fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
-}
+fcl::Transform3d placed(double angle, double x, double y, double z = 0) { return lifted(angle, x, y, z); }
 
 using Motion = fcl::MotionBase<double>;
 
@@ -38,32 +27,25 @@ fcl::ContinuousCollisionResultd along(const Shape<double>& a, const Motion& moti
                                       const Motion& motion_b, double error = 1e-9,
                                       fcl::GJKSolverType solver = fcl::GST_LIBCCD) {
   fcl::ContinuousCollisionResultd result;
-  const double time = fcl::continuousCollide(a.get(), &motion_a, b.get(), &motion_b,
-                                             requestFor(fcl::CCDM_TRANS, error, solver), result);
+  const double time =
+      fcl::continuousCollide(a.get(), &motion_a, b.get(), &motion_b, advancing(error, fcl::CCDM_TRANS, solver), result);
   EXPECT_EQ(time, result.time_of_contact);
   EXPECT_TRUE(result.is_collide || time == 1);
   return result;
 }
 
-fcl::Transform3d at(const Motion& motion, double time) {
-  fcl::Transform3d transform;
-  motion.integrate(time);
-  motion.getCurrentTransform(transform);
-  return transform;
-}
-
-const Shape<double> kSquare = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
+const Shape<double> kSquare = rectangular(-0.5, -0.5, 0.5, 0.5);
 
 TEST(Continuous, bulletsDoNotTunnel) {
-  const Shape<double> bullet = shapeOf(tricover::Polygon({tricover::support::rectangle(-5e-4, -5e-4, 5e-4, 5e-4)}));
-  const Shape<double> wall = shapeOf(tricover::Polygon({tricover::support::rectangle(0, -1, 1e-3, 1)}));
+  const Shape<double> bullet = rectangular(-5e-4, -5e-4, 5e-4, 5e-4);
+  const Shape<double> wall = rectangular(0, -1, 1e-3, 1);
   const fcl::Transform3d begin = placed(0, -500, 0), end = placed(0, 500, 0), here = placed(0, 0, 0);
   const double truth = (500 - 5e-4) / 1000;
   for (const fcl::CCDMotionType type : {fcl::CCDM_TRANS, fcl::CCDM_LINEAR, fcl::CCDM_SCREW}) {
     for (const fcl::GJKSolverType solver : kSolvers) {
       for (const double error : {1e-4, 1e-9}) {
         fcl::ContinuousCollisionResultd fcls, swapped, objects, ours;
-        const fcl::ContinuousCollisionRequestd request = requestFor(type, error, solver);
+        const fcl::ContinuousCollisionRequestd request = advancing(error, type, solver);
         fcl::continuousCollide(bullet.get(), begin, end, wall.get(), here, here, request, fcls);
         fcl::continuousCollide(wall.get(), here, here, bullet.get(), begin, end, request, swapped);
         const fcl::CollisionObjectd object_a(bullet, begin), object_b(wall, here);
@@ -92,7 +74,7 @@ TEST(Continuous, bulletsDoNotTunnel) {
 TEST(Continuous, contactAtTheEndsCounts) {
   for (const fcl::CCDMotionType type : {fcl::CCDM_TRANS, fcl::CCDM_LINEAR, fcl::CCDM_SCREW}) {
     for (const fcl::CCDSolverType solver : {fcl::CCDC_NAIVE, fcl::CCDC_CONSERVATIVE_ADVANCEMENT}) {
-      fcl::ContinuousCollisionRequestd request = requestFor(type);
+      fcl::ContinuousCollisionRequestd request = advancing(1e-9, type);
       request.ccd_solver_type = solver;
       const auto ask = [&](double from, double to) {
         fcl::ContinuousCollisionResultd result;
@@ -112,7 +94,7 @@ TEST(Continuous, contactAtTheEndsCounts) {
     }
     fcl::ContinuousCollisionResultd ours;
     EXPECT_NEAR(tricover_fcl::continuousCollide(kSquare.get(), placed(0, -3, 0), placed(0, 0, 0), kSquare.get(),
-                                                placed(0, 1, 0), placed(0, 1, 0), requestFor(type), ours),
+                                                placed(0, 1, 0), placed(0, 1, 0), advancing(1e-9, type), ours),
                 1, 1e-9);
     EXPECT_TRUE(ours.is_collide);
   }
@@ -120,8 +102,8 @@ TEST(Continuous, contactAtTheEndsCounts) {
 
 TEST(Continuous, turnsCount) {
   // A rod that sweeps past a post, about its own end; the poses at both ends are free.
-  const Shape<double> rod = shapeOf(tricover::Polygon({tricover::support::rectangle(0, -0.01, 10, 0.01)}));
-  const Shape<double> post = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.01, -0.01, 0.01, 0.01)}));
+  const Shape<double> rod = rectangular(0, -0.01, 10, 0.01);
+  const Shape<double> post = rectangular(-0.01, -0.01, 0.01, 0.01);
   const fcl::TranslationMotiond still(placed(0, 0, 8), placed(0, 0, 8));
   const double truth = (kPi / 2 - std::atan2(0.01, 7.99) - std::asin(0.01 / std::hypot(7.99, 0.01))) / (0.9 * kPi);
   const fcl::InterpMotion<double> linear(placed(0, 0, 0).linear(), fcl::Vector3d::Zero(),
@@ -139,7 +121,7 @@ TEST(Continuous, turnsCount) {
   for (const fcl::CCDMotionType type : {fcl::CCDM_LINEAR, fcl::CCDM_SCREW, fcl::CCDM_TRANS}) {
     fcl::ContinuousCollisionResultd ours;
     tricover_fcl::continuousCollide(rod.get(), placed(0, 0, 0), placed(0.9 * kPi, 0, 0), post.get(), placed(0, 0, 8),
-                                    placed(0, 0, 8), requestFor(type), ours);
+                                    placed(0, 0, 8), advancing(1e-9, type), ours);
     EXPECT_EQ(ours.is_collide, type != fcl::CCDM_TRANS);  // which drops the turn, as FCL's does
     EXPECT_NEAR(ours.time_of_contact, type != fcl::CCDM_TRANS ? truth : 1, 2e-9);
   }
@@ -153,10 +135,10 @@ void leaveBehind(double rest) {
 }
 
 TEST(Continuous, fclsTurnsBetweenTwoPosesAreAboutTheOrigin) {
-  const Shape<double> rod = shapeOf(tricover::Polygon({tricover::support::rectangle(0, -0.1, 10, 0.1)}));
+  const Shape<double> rod = rectangular(0, -0.1, 10, 0.1);
   const fcl::Transform3d begin = placed(0, 0, 0), end = placed(2, 1, 0), there = placed(0, 0, 8);
   const fcl::CollisionObjectd object(rod, begin), post(kSquare, there);
-  const fcl::ContinuousCollisionRequestd request = requestFor(fcl::CCDM_LINEAR);
+  const fcl::ContinuousCollisionRequestd request = advancing(1e-9, fcl::CCDM_LINEAR);
   fcl::ContinuousCollisionResultd expected;
   tricover_fcl::continuousCollide(rod.get(), begin, end, kSquare.get(), there, there, request, expected);
   ASSERT_TRUE(expected.is_collide);
@@ -175,8 +157,8 @@ TEST(Continuous, fclsTurnsBetweenTwoPosesAreAboutTheOrigin) {
 
 /// A random motion that keeps the plane, of each type, some upside down.
 std::shared_ptr<Motion> randomMotion(Random& random, double reach, double z) {
-  fcl::Transform3d begin = lifted(tricover::support::randomPose(random, reach), z);
-  fcl::Transform3d end = lifted(tricover::support::randomPose(random, reach), z);
+  fcl::Transform3d begin = lifted(randomPose(random, reach), z);
+  fcl::Transform3d end = lifted(randomPose(random, reach), z);
   if (random.oneIn(4)) {
     const fcl::AngleAxis<double> half_turn(kPi, fcl::Vector3d::UnitX());
     begin.linear() = begin.linear() * half_turn;
@@ -197,7 +179,7 @@ std::shared_ptr<Motion> randomMotion(Random& random, double reach, double z) {
 TEST(Continuous, noSampleOfFclsOwnMotionIsInContactBefore) {
   Random random(61);
   int hits = 0, at_once = 0;
-  const int count = tricover::support::scaledCount(3000);
+  const int count = scaledCount(3000);
   for (int i = 0; i < count; ++i) {
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
     const auto motion_a = randomMotion(random, 4, 1.5), motion_b = randomMotion(random, 4, 1.5);
@@ -231,7 +213,7 @@ TEST(Continuous, noSampleOfFclsOwnMotionIsInContactBefore) {
 TEST(Continuous, collideAtTheBeginIsTimeZero) {
   Random random(62);
   int hits = 0;
-  const int count = tricover::support::scaledCount(2000);
+  const int count = scaledCount(2000);
   for (int i = 0; i < count; ++i) {
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
     const auto motion_a = randomMotion(random, 1.2, 0), motion_b = randomMotion(random, 1.2, 0);
@@ -311,12 +293,10 @@ fcl::SplineMotion<double> anySpline(Random& random, double z) {
 
 TEST(Continuous, splinesAreFollowedByTheirControlPoints) {
   Random random(51);
-  const int cases = tricover::support::scaledCount(1500);
+  const int cases = scaledCount(1500);
   int hits = 0, at_start = 0;
   for (int i = 0; i < cases; ++i) {
-    const auto polygon = [&] {
-      return tricover::Polygon({tricover::support::star(random, random.integer(3, 9), 0.5, 3)});
-    };
+    const auto polygon = [&] { return tricover::Polygon({star(random, random.integer(3, 9), 0.5, 3)}); };
     const double z = random.real(-5, 5);
     const double margins[] = {random.oneIn(3) ? random.real(0, 2) : 0, random.oneIn(3) ? random.real(0, 2) : 0};
     const Shape<double> a = std::make_shared<PolygonShaped>(polygon(), PolygonOptions{margins[0], 0, 0});
@@ -386,7 +366,7 @@ TEST(Continuous, splinesThatLeaveThePlaneAreRefused) {
     return thrownBy<std::logic_error>([&] {
       fcl::ContinuousCollisionResultd result;
       continuous_collide(kSquare.get(), placed(0, 0, 0), placed(0, 9, 0), kSquare.get(), placed(0, 5, 0),
-                         placed(0, 5, 0), requestFor(fcl::CCDM_SPLINE), result);
+                         placed(0, 5, 0), advancing(1e-9, fcl::CCDM_SPLINE), result);
     });
   };
   EXPECT_NE(between([](auto&&... asked) { tricover_fcl::continuousCollide<double>(asked...); }).find("control points"),
@@ -410,7 +390,7 @@ TEST(Continuous, otherPairsGoToFcl) {
   const fcl::Sphered sphere(1);
   fcl::ContinuousCollisionResultd result;
   tricover_fcl::continuousCollide<double>(&sphere, placed(0, -5, 0), placed(0, 5, 0), &sphere, placed(0, 0, 0),
-                                          placed(0, 0, 0), requestFor(fcl::CCDM_LINEAR), result);
+                                          placed(0, 0, 0), advancing(1e-9, fcl::CCDM_LINEAR), result);
   EXPECT_TRUE(result.is_collide);
   EXPECT_NEAR(result.time_of_contact, 0.3, 1e-2);
 }

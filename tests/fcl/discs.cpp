@@ -9,7 +9,6 @@
 
 #include "exact_reference.h"
 #include "scene.h"
-#include "test_scale.h"
 #include "tricover/distance.h"
 #include "tricover/segment.h"
 
@@ -25,7 +24,6 @@ namespace tricover_fcl::test {
 namespace {
 
 using tricover::Vec2;
-using tricover::support::Random;
 
 template <typename S = double>
 Shape<S> disc(double margin, const Vec2& center = Vec2::Zero(), double z_low = -1, double z_high = 1) {
@@ -52,7 +50,7 @@ template <typename S>
 fcl::Transform3<S> randomPlace(Random& random, double size) {
   tricover::Pose pose =
       tricover::support::pose(random.real(-4, 4), size * random.real(-1, 1), size * random.real(-1, 1));
-  if (random.oneIn(4)) pose = tricover::support::mirrored(pose);
+  if (random.oneIn(4)) pose = mirrored(pose);
   fcl::Transform3<S> place = lifted<S>(pose, random.real(-0.4, 0.4));
   if (random.oneIn(4)) place.matrix()(2, 2) = -1;
   if (random.oneIn(4)) place.matrix()(random.integer(0, 1), 2) = static_cast<S>(random.real(-1e-6, 1e-6));
@@ -63,7 +61,7 @@ fcl::Transform3<S> randomPlace(Random& random, double size) {
 template <typename S>
 void expectExact(std::uint64_t seed) {
   Random random(seed);
-  const int count = tricover::support::scaledCount(3000);
+  const int count = scaledCount(3000);
   int hits = 0, near = 0;
   for (int i = 0; i < count; ++i) {
     // Some so small that squares lose digits, some so large that they overflow.
@@ -76,7 +74,7 @@ void expectExact(std::uint64_t seed) {
     const mpq_class square = tricover::exact::distanceSquared(a, pose_a, b, pose_b);
     const double gap = tricover::exact::distanceBelow(square);
     const int steps = random.integer(-12, 12);
-    const double reach = random.coin() ? tricover::support::nudged(gap, steps) : gap * random.real(0, 2);
+    const double reach = random.coin() ? nudged(gap, steps) : gap * random.real(0, 2);
     const double of_a = reach * random.unit(), of_b = reach - of_a;
     const bool expected = tricover::exact::within(square, mpq_class(of_a + of_b));
     const Shape<S> disc_a = disc<S>(of_a, center_a), disc_b = disc<S>(of_b);
@@ -132,7 +130,7 @@ TEST(Discs, thatTouchAreNotApartByARoundedRoot) {
     const double m = random.integer(1 << 24, 1 << 25), n = random.integer(1, 1 << 24);
     const double x = m * m - n * n, y = 2 * m * n, apart = m * m + n * n;
     const Shape<double> a = disc(apart - 1), b = disc(1);
-    const fcl::Transform3d here = fcl::Transform3d::Identity(), there = lifted(tricover::support::pose(0, x, y));
+    const fcl::Transform3d here = fcl::Transform3d::Identity(), there = lifted(0, x, y);
     ASSERT_EQ(collide(a, here, b, there), 1u) << i;
     ASSERT_EQ(distanceOf(a, here, b, there).min_distance, 0) << i;
     rounded += std::sqrt(x * x + y * y) > apart;
@@ -150,9 +148,9 @@ TEST(Discs, arePointsAtTheOrigin) {
 
 TEST(Discs, meetAtSharedHeightsAlone) {
   const Shape<double> low = disc(2), high = disc(1, Vec2::Zero(), 1, 4);
-  const auto at = [](double x, double z) { return lifted(tricover::support::pose(0, x, 0), z); };
+  const auto at = [](double x, double z) { return lifted(0, x, 0, z); };
   EXPECT_EQ(collide(low, at(0, 0), high, at(2, 0)), 1u);
-  EXPECT_EQ(collide(low, at(0, 0), high, at(2, tricover::support::nudged(0, 1))), 0u);
+  EXPECT_EQ(collide(low, at(0, 0), high, at(2, nudged(0, 1))), 0u);
   EXPECT_EQ(collide(high, at(2, 5), low, at(0, 0)), 0u);
   const auto apart = distanceOf(low, at(0, 0), high, at(6, 4));
   EXPECT_EQ(apart.min_distance, 5);  // 3 aside, 4 up
@@ -175,7 +173,7 @@ TEST(Discs, meetAtSharedHeightsAlone) {
 
 TEST(Discs, whatIsFoundFartherAwayIsNoNews) {
   const Shape<double> a = disc(1), b = disc(1);
-  const fcl::Transform3d place = lifted(tricover::support::pose(0, 5, 0));
+  const fcl::Transform3d place = lifted(0, 5, 0);
   EXPECT_EQ(distanceOf(a, fcl::Transform3d::Identity(), b, place, 3.5).min_distance, 3);
   const auto known = distanceOf(a, fcl::Transform3d::Identity(), b, place, 2.5);
   EXPECT_EQ(known.min_distance, 2.5);
@@ -184,7 +182,7 @@ TEST(Discs, whatIsFoundFartherAwayIsNoNews) {
 
 TEST(Discs, contactsAndOccupancyAreThoseOfPolygons) {
   const Shape<double> a = disc(1), b = disc(2);
-  const fcl::Transform3d place = lifted(tricover::support::pose(0, 2, 0));
+  const fcl::Transform3d place = lifted(0, 2, 0);
   fcl::CollisionResultd result;
   ASSERT_EQ(
       fcl::collide(a.get(), fcl::Transform3d::Identity(), b.get(), place, fcl::CollisionRequestd(1, true), result), 1u);
@@ -196,7 +194,7 @@ TEST(Discs, contactsAndOccupancyAreThoseOfPolygons) {
 
 TEST(Discs, posesAreCheckedAsThoseOfPolygons) {
   const Shape<double> a = disc(1), b = disc(1);
-  const fcl::Transform3d good = lifted(tricover::support::pose(1, 5, 0));
+  const fcl::Transform3d good = lifted(1, 5, 0);
   const auto refusals = [&](const fcl::Transform3d& bad) {
     int refused = 0;
     refused += thrownBy<std::invalid_argument>([&] { collide(a, bad, b, good); }).find("pose_a") != std::string::npos;
@@ -229,7 +227,7 @@ TEST(Discs, posesAreCheckedAsThoseOfPolygons) {
 
 TEST(Discs, optionsAreCheckedAsThoseOfPolygons) {
   const Shape<double> a = disc(1), b = disc(1);
-  const fcl::Transform3d place = lifted(tricover::support::pose(0, 5, 0));
+  const fcl::Transform3d place = lifted(0, 5, 0);
   for (const auto& [relative, absolute] :
        {std::pair{-1.0, 0.0}, {0.0, -1.0}, {std::nan(""), 0.0}, {0.0, std::nan("")}}) {
     fcl::DistanceRequestd request(false, false, relative, absolute);

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/distance.h"
 
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "ask.h"
 #include "families.h"
 #include "reproduction.h"
-#include "scene.h"
-#include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/penetration.h"
 #include "tricover/segment.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-using tricover::support::Random;
-
-constexpr fcl::GJKSolverType kSolvers[] = {fcl::GST_LIBCCD, fcl::GST_INDEP};
 
 fcl::DistanceRequestd requestFor(fcl::GJKSolverType solver, bool is_signed = false) {
   fcl::DistanceRequestd request;
@@ -37,7 +29,7 @@ TEST(Distance, isTheCoresOnEveryFamily) {
     SCOPED_TRACE(family.name);
     int overlaps = 0;
     // The first of some families all overlap.
-    const int count = std::max(20, tricover::support::scaledCount(60));
+    const int count = std::max(20, scaledCount(60));
     for (int i = 0; i < count; ++i) {
       const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));
       const double truth = tricover::distance(c.a, c.pose_a, c.b, c.pose_b).distance;
@@ -81,14 +73,12 @@ TEST(Distance, isTheCoresOnEveryFamily) {
 }
 
 TEST(Distance, tellsTouchFromOverlap) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
-  for (const fcl::GJKSolverType solver : kSolvers) {
-    for (const bool is_signed : {false, true}) {
-      for (const double x : {1.0, tricover::support::nudged(1, -1), tricover::support::nudged(1, 1)}) {
-        fcl::DistanceResultd result;
-        const double answer =
-            fcl::distance(square.get(), fcl::Transform3d::Identity(), square.get(),
-                          lifted(tricover::support::pose(0, x, 0)), requestFor(solver, is_signed), result);
+  const Shape<double> square = rectangular(0, 0, 1, 1);
+  for (const fcl::GJKSolverType solver : kSolvers)
+    for (const bool is_signed : {false, true})
+      for (const double x : {1.0, nudged(1, -1), nudged(1, 1)}) {
+        const auto result = distanceOf<double>(solver, is_signed, *square, lifted(0, 0, 0), *square, lifted(0, x, 0));
+        const double answer = result.min_distance;
         if (x >= 1) {
           EXPECT_EQ(answer, x - 1);
         } else if (is_signed) {
@@ -97,45 +87,36 @@ TEST(Distance, tellsTouchFromOverlap) {
         } else {
           EXPECT_EQ(answer, -1);
         }
-        EXPECT_EQ(result.min_distance, answer);
         EXPECT_NEAR(result.nearest_points[0].x(), 1, 1e-12);
       }
-    }
-  }
 }
 
 TEST(Distance, signedIsMinusTheShortestWayOut) {
   Random random(51);
   int hits = 0;
-  const int count = tricover::support::scaledCount(200);
+  const int count = scaledCount(200);
   for (int i = 0; i < count; ++i) {
     const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
-    const tricover::Pose pose_a = tricover::support::randomPose(random, 1);
-    const tricover::Pose pose_b = tricover::support::randomPose(random, 1);
+    const tricover::Pose pose_a = randomPose(random, 1);
+    const tricover::Pose pose_b = randomPose(random, 1);
     const Shape<double> shape_a = shapeOf(a), shape_b = shapeOf(b);
     const auto penetration = tricover::penetration(a, pose_a, b, pose_b);
     for (const fcl::GJKSolverType solver : kSolvers) {
-      fcl::DistanceRequestd request = requestFor(solver, true);
-      request.enable_nearest_points = true;
-      fcl::DistanceResultd result;
-      const double answer =
-          fcl::distance(shape_a.get(), lifted(pose_a, 2), shape_b.get(), lifted(pose_b, 2), request, result);
+      const auto result = distanceOf<double>(solver, true, *shape_a, lifted(pose_a, 2), *shape_b, lifted(pose_b, 2));
+      const double answer = result.min_distance;
       if (!penetration) {
         ASSERT_GT(answer, 0);
         continue;
       }
       ASSERT_EQ(answer, -penetration->depth) << i;
-      ASSERT_EQ(result.min_distance, answer) << i;
       const tricover::Vec2 middle = (penetration->point_a + penetration->point_b) / 2;
       // INDEP asks collide again, and puts the contact's place in.
       const bool places = solver == fcl::GST_INDEP;
       ASSERT_NEAR((flat(result.nearest_points[0]) - (places ? middle : penetration->point_a)).norm(), 0, 1e-15) << i;
       ASSERT_NEAR((flat(result.nearest_points[1]) - (places ? middle : penetration->point_b)).norm(), 0, 1e-15) << i;
       ASSERT_EQ(result.nearest_points[0].z(), 2);
-      fcl::CollisionResultd contact;
-      fcl::collide(shape_a.get(), lifted(pose_a), shape_b.get(), lifted(pose_b), fcl::CollisionRequestd(1, true),
-                   contact);
-      ASSERT_EQ(contact.getContact(0).penetration_depth, -answer);
+      const auto contacts = contactsOf(*shape_a, lifted(pose_a), *shape_b, lifted(pose_b), 1);
+      ASSERT_EQ(contacts.at(0).penetration_depth, -answer);
     }
     hits += penetration.has_value();
   }
@@ -144,13 +125,13 @@ TEST(Distance, signedIsMinusTheShortestWayOut) {
 }
 
 TEST(Distance, resultKeepsTheLeast) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  const Shape<double> square = rectangular(0, 0, 1, 1);
   const Shape<double> other = shapeOf(tricover::Polygon({{{1, 1}, {0, 1}, {0, 0}, {1, 0}}}));  // other numbers of edges
   for (const fcl::GJKSolverType solver : kSolvers) {
     fcl::DistanceResultd result;
     const auto ask = [&](const Shape<double>& b, double x) {
-      return fcl::distance(square.get(), fcl::Transform3d::Identity(), b.get(),
-                           lifted(tricover::support::pose(0, x, 0)), requestFor(solver), result);
+      return fcl::distance(square.get(), fcl::Transform3d::Identity(), b.get(), lifted(0, x, 0), requestFor(solver),
+                           result);
     };
     EXPECT_EQ(ask(square, 4), 3);
     const auto edge = result.b2;
@@ -173,9 +154,8 @@ TEST(Distance, resultKeepsTheLeast) {
 }
 
 TEST(Distance, badPosesAreRefusedHoweverFarApart) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
-  fcl::Transform3d scaled = lifted(tricover::support::pose(0, 5, 0), 100),
-                   tilted(fcl::AngleAxis<double>(1, fcl::Vector3d::UnitX()));
+  const Shape<double> square = rectangular(0, 0, 1, 1);
+  fcl::Transform3d scaled = lifted(0, 5, 0, 100), tilted(fcl::AngleAxis<double>(1, fcl::Vector3d::UnitX()));
   scaled.matrix()(0, 0) = 2;
   fcl::DistanceResultd result(1);
   for (const fcl::Transform3d& bad : {scaled, tilted}) {
@@ -186,18 +166,18 @@ TEST(Distance, badPosesAreRefusedHoweverFarApart) {
   }
   fcl::DistanceRequestd negative;
   negative.rel_err = -1;
-  EXPECT_THROW(fcl::distance(square.get(), fcl::Transform3d::Identity(), square.get(),
-                             lifted(tricover::support::pose(0, 1.5, 0)), negative, result),
-               std::invalid_argument);
+  EXPECT_THROW(
+      fcl::distance(square.get(), fcl::Transform3d::Identity(), square.get(), lifted(0, 1.5, 0), negative, result),
+      std::invalid_argument);
 }
 
 TEST(Distance, errorsStayWithinWhatTheRequestAllows) {
   Random random(52);
   int inexact = 0, apart = 0;
-  for (int i = 0; i < tricover::support::scaledCount(500); ++i) {
+  for (int i = 0; i < scaledCount(500); ++i) {
     const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
-    const tricover::Pose pose_a = tricover::support::randomPose(random, 1);
-    const tricover::Pose pose_b = tricover::support::randomPose(random, 4);
+    const tricover::Pose pose_a = randomPose(random, 1);
+    const tricover::Pose pose_b = randomPose(random, 4);
     const double truth = tricover::distance(a, pose_a, b, pose_b).distance, z = random.coin() ? 0 : 1.5;
     fcl::DistanceRequestd request = requestFor(kSolvers[i % 2]);
     request.rel_err = 0.2;
@@ -218,12 +198,10 @@ TEST(Distance, errorsStayWithinWhatTheRequestAllows) {
 }
 
 TEST(Distance, signedOfWhatIsNotOccupiedDoesNotAbort) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  const Shape<double> square = rectangular(0, 0, 1, 1);
   square->cost_density = 0.5;
   const auto ask = [&](fcl::GJKSolverType solver, double x) {
-    fcl::DistanceResultd result;
-    return fcl::distance(square.get(), fcl::Transform3d::Identity(), square.get(),
-                         lifted(tricover::support::pose(0, x, 0)), requestFor(solver, true), result);
+    return distanceOf<double>(solver, true, *square, lifted(0, 0, 0), *square, lifted(0, x, 0)).min_distance;
   };
   EXPECT_NEAR(ask(fcl::GST_LIBCCD, 0.75), -0.25, 1e-12);
   EXPECT_THROW(ask(fcl::GST_INDEP, 0.75), std::logic_error);
@@ -243,13 +221,11 @@ TEST(DistanceOfTouches, areMinusOneExactlyWhereInteriorsMeet) {
   const auto ask = [](const tricover::Polygon& a, const tricover::Polygon& b, double x, double y) {
     const Shape<double> first = shapeOf(a), second = shapeOf(b);
     fcl::DistanceResultd result, swapped;
-    const fcl::Transform3d here = fcl::Transform3d::Identity(), there = lifted(tricover::support::pose(0, x, y));
-    fcl::distance<double>(first.get(), here, second.get(), there, fcl::DistanceRequestd(), result);
-    fcl::distance<double>(second.get(), there, first.get(), here, fcl::DistanceRequestd(), swapped);
-    EXPECT_EQ(result.min_distance, swapped.min_distance);
-    return result.min_distance;
+    const fcl::Transform3d here = lifted(0, 0, 0), there = lifted(0, x, y);
+    const double found = distanceOf<double>(fcl::GST_LIBCCD, false, *first, here, *second, there).min_distance;
+    EXPECT_EQ(distanceOf<double>(fcl::GST_LIBCCD, false, *second, there, *first, here).min_distance, found);
+    return found;
   };
-  using tricover::support::rectangle;
   const tricover::Polygon square({rectangle(-1, -1, 0, 1)}), other({rectangle(0, -1, 1, 1)}),
       diamond({{{0, 0}, {1, 1}, {2, 0}, {1, -1}}});
   for (const tricover::Polygon& beside : {other, diamond}) {

@@ -10,7 +10,6 @@
 
 #include "families.h"
 #include "scene.h"
-#include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"

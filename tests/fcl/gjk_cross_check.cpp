@@ -12,7 +12,6 @@
 #include "prism.h"
 #include "reproduction.h"
 #include "scene.h"
-#include "test_scale.h"
 #include "tricover/collide.h"
 
 namespace tricover_fcl::test {
@@ -21,7 +20,6 @@ namespace {
 using tricover::Ring;
 using tricover::Vec2;
 using tricover::support::Case;
-using tricover::support::Random;
 
 using Prisms = std::vector<std::shared_ptr<const fcl::Convexd>>;
 
@@ -32,13 +30,13 @@ struct Shaped {
 };
 
 Shaped convex(Random& random) {
-  const Ring ring = tricover::support::regular(random.integer(3, 12), random.real(0.5, 1.5));
+  const Ring ring = regular(random.integer(3, 12), random.real(0.5, 1.5));
   return {tricover::Polygon({ring}), {ring}};
 }
 
 /// Not convex: triangles from its centre, which sees all of it.
 Shaped starred(Random& random) {
-  const Ring ring = tricover::support::star(random, random.integer(5, 14), 0.3, 1.5);
+  const Ring ring = star(random, random.integer(5, 14), 0.3, 1.5);
   Shaped shaped{tricover::Polygon({ring}), {}};
   for (std::size_t i = 0; i < ring.size(); ++i) {
     shaped.pieces.push_back({Vec2::Zero(), ring[i], ring[(i + 1) % ring.size()]});
@@ -102,7 +100,7 @@ struct Tally {
 void crossCheck(const char* title, Shaped (*make)(Random&)) {
   // Steps back from (positive) or into (negative) the touch, in lengths of shapes about 1 in size.
   const std::vector<double> steps = {0.3, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0, -1e-12, -1e-8, -1e-6, -1e-4, -1e-2, -0.3};
-  const int count = tricover::support::scaledCount(150);
+  const int count = scaledCount(150);
   std::vector<Tally> tallies(kSolvers.size());
   int hits = 0, cases = 0;
   for (int i = 0; i < count; ++i) {

@@ -12,7 +12,6 @@
 #include "exact_reference.h"
 #include "prism.h"
 #include "scene.h"
-#include "test_scale.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
 

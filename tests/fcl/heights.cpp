@@ -9,57 +9,46 @@
 #include <cmath>
 #include <limits>
 
-#include "scene.h"
-#include "test_scale.h"
+#include "ask.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
-
 constexpr double kPi = 3.14159265358979323846;
-const tricover::Polygon kSquare({tricover::support::rectangle(0, 0, 1, 1)});
+const tricover::Polygon kSquare({rectangle(0, 0, 1, 1)});
 
 Shape<double> prism(double z_low, double z_high, const tricover::Polygon& polygon = kSquare) {
   return std::make_shared<PolygonShaped>(polygon, PolygonOptions{0, z_low, z_high});
 }
 
-fcl::Transform3d at(double z, double x = 0) { return lifted(tricover::support::pose(0, x, 0), z); }
-
-bool collide(const Shape<double>& a, const fcl::Transform3d& tf_a, const Shape<double>& b,
-             const fcl::Transform3d& tf_b) {
-  fcl::CollisionResultd result, swapped;
-  const bool hit = fcl::collide(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequestd(), result) > 0;
-  EXPECT_EQ(fcl::collide(b.get(), tf_b, a.get(), tf_a, fcl::CollisionRequestd(), swapped) > 0, hit);
-  return hit;
-}
+fcl::Transform3d at(double z, double x = 0) { return lifted(0, x, 0, z); }
 
 TEST(Heights, touchingCounts) {
   const Shape<double> low = prism(-1, 2), high = prism(2, 3), flat = shapeOf(kSquare);
-  EXPECT_TRUE(collide(low, at(0), high, at(0)));
-  EXPECT_FALSE(collide(low, at(0), high, at(1e-300)));
-  EXPECT_TRUE(collide(low, at(0), flat, at(2)));
-  EXPECT_TRUE(collide(low, at(0), flat, at(-1)));
-  EXPECT_FALSE(collide(low, at(0), flat, at(tricover::support::nudged(2, 1))));
-  EXPECT_FALSE(collide(low, at(0), high, at(0, 2)));  // apart in the plane
-  EXPECT_TRUE(collide(prism(0.5, 0.5), at(0), flat, at(0.5)));
+  EXPECT_TRUE(meet(low, at(0), high, at(0)));
+  EXPECT_FALSE(meet(low, at(0), high, at(1e-300)));
+  EXPECT_TRUE(meet(low, at(0), flat, at(2)));
+  EXPECT_TRUE(meet(low, at(0), flat, at(-1)));
+  EXPECT_FALSE(meet(low, at(0), flat, at(nudged(2, 1))));
+  EXPECT_FALSE(meet(low, at(0), high, at(0, 2)));  // apart in the plane
+  EXPECT_TRUE(meet(prism(0.5, 0.5), at(0), flat, at(0.5)));
 }
 
 TEST(Heights, sumsAreExact) {
   // Rounded, both sums are 0.30000000000000004.
   EXPECT_EQ(0.1 + 0.2, 0.3 + 0x1p-54);
-  EXPECT_FALSE(collide(prism(0, 0.2), at(0.1), shapeOf(kSquare), at(0.1 + 0.2)));
-  EXPECT_TRUE(collide(prism(0, 0.2), at(0.1), shapeOf(kSquare), at(0.3)));
+  EXPECT_FALSE(meet(prism(0, 0.2), at(0.1), shapeOf(kSquare), at(0.1 + 0.2)));
+  EXPECT_TRUE(meet(prism(0, 0.2), at(0.1), shapeOf(kSquare), at(0.3)));
 
   Random random(31);
   int hits = 0;
-  const int count = tricover::support::scaledCount(20000);
+  const int count = scaledCount(20000);
   for (int i = 0; i < count; ++i) {
     const double z = random.real(-1, 1) * std::ldexp(1, random.integer(-40, 3)), top = random.real(0, 1);
     const double bottom = random.real(-1, 1);
-    const double other = tricover::support::nudged((z + top) - bottom, random.integer(-1, 1));
+    const double other = nudged((z + top) - bottom, random.integer(-1, 1));
     const bool expected = mpq_class(z) + mpq_class(top) >= mpq_class(other) + mpq_class(bottom);
-    ASSERT_EQ(collide(prism(-9, top), at(z), prism(bottom, 9), at(other)), expected) << i;
+    ASSERT_EQ(meet(prism(-9, top), at(z), prism(bottom, 9), at(other)), expected) << i;
     hits += expected;
   }
   EXPECT_GT(hits, count * 3 / 10);
@@ -68,10 +57,10 @@ TEST(Heights, sumsAreExact) {
 
 TEST(Heights, hugeSumsDoNotOverflow) {
   const double huge = 1.7e308;
-  EXPECT_TRUE(collide(prism(0, huge), at(huge), prism(0, huge), at(huge)));
-  EXPECT_FALSE(collide(prism(0, 1), at(-huge), prism(huge, huge), at(huge)));
-  EXPECT_TRUE(collide(prism(huge, huge), at(huge), prism(huge, huge), at(huge)));
-  EXPECT_FALSE(collide(prism(huge, huge), at(huge), prism(huge, huge), at(tricover::support::nudged(huge, 1))));
+  EXPECT_TRUE(meet(prism(0, huge), at(huge), prism(0, huge), at(huge)));
+  EXPECT_FALSE(meet(prism(0, 1), at(-huge), prism(huge, huge), at(huge)));
+  EXPECT_TRUE(meet(prism(huge, huge), at(huge), prism(huge, huge), at(huge)));
+  EXPECT_FALSE(meet(prism(huge, huge), at(huge), prism(huge, huge), at(nudged(huge, 1))));
   fcl::DistanceResultd result;
   EXPECT_EQ(fcl::distance<double>(prism(0, 1).get(), at(-huge), prism(huge, huge).get(), at(huge),
                                   fcl::DistanceRequestd(), result),
@@ -80,18 +69,18 @@ TEST(Heights, hugeSumsDoNotOverflow) {
 
 TEST(Heights, posesUpsideDownTurnTheInterval) {
   fcl::Transform3d upside_down(fcl::AngleAxis<double>(kPi, fcl::Vector3d::UnitX()));
-  const tricover::Polygon centred({tricover::support::rectangle(-1, -1, 1, 1)});
+  const tricover::Polygon centred({rectangle(-1, -1, 1, 1)});
   const Shape<double> a = prism(1, 2, centred), flat = shapeOf(centred);
-  for (const double z : {-2.0, -1.5, -1.0}) EXPECT_TRUE(collide(a, upside_down, flat, at(z)));
-  for (const double z : {-2.1, -0.9, 1.0, 1.5}) EXPECT_FALSE(collide(a, upside_down, flat, at(z)));
+  for (const double z : {-2.0, -1.5, -1.0}) EXPECT_TRUE(meet(a, upside_down, flat, at(z)));
+  for (const double z : {-2.1, -0.9, 1.0, 1.5}) EXPECT_FALSE(meet(a, upside_down, flat, at(z)));
   upside_down.translation().z() = 5;
-  EXPECT_TRUE(collide(a, upside_down, flat, at(3)));
-  EXPECT_FALSE(collide(a, upside_down, flat, at(6)));
+  EXPECT_TRUE(meet(a, upside_down, flat, at(3)));
+  EXPECT_FALSE(meet(a, upside_down, flat, at(6)));
 }
 
 TEST(Heights, distanceIsThatInSpace) {
   const Shape<double> low = prism(0, 1), high = prism(0, 1);
-  for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+  for (const fcl::GJKSolverType solver : kSolvers) {
     fcl::DistanceRequestd request;
     request.gjk_solver_type = solver;
     fcl::DistanceResultd slanted, above, beside;
@@ -136,11 +125,11 @@ TEST(Heights, contactsAndCostsAreWhereTheIntervalsOverlap) {
 TEST(Heights, broadphaseFindsWhatTouches) {
   Random random(32);
   int hits = 0, pairs = 0;
-  for (int scene = 0; scene < tricover::support::scaledCount(40); ++scene) {
+  for (int scene = 0; scene < scaledCount(40); ++scene) {
     std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
     for (int i = 0; i < 12; ++i) {
       const double low = random.integer(-2, 2) * 0.1, high = low + random.integer(0, 3) * 0.1;
-      tricover::Pose pose = tricover::support::randomPose(random, 1.5);
+      tricover::Pose pose = randomPose(random, 1.5);
       if (random.coin()) pose.linear().setIdentity();
       objects.push_back(std::make_unique<fcl::CollisionObjectd>(prism(low, high, randomPolygon(random, 1)),
                                                                 lifted(pose, random.integer(-4, 4) * 0.1)));
@@ -173,13 +162,13 @@ TEST(Heights, allOfThemMeetWhateverZ) {
   const Shape<double> a = planar(), b = planar(0.5), flat = shapeOf(kSquare);
   fcl::Transform3d upside_down(fcl::AngleAxis<double>(kPi, fcl::Vector3d::UnitX()));
   for (const double z : {0.0, 1e-9, -7.0, 1e300}) {
-    EXPECT_TRUE(collide(a, at(z), a, at(0, 1)));
-    EXPECT_FALSE(collide(a, at(z), a, at(0, 1.25)));
-    EXPECT_TRUE(collide(a, at(z), b, at(0, 1.25)));
-    EXPECT_TRUE(collide(a, at(z), flat, at(-z, 1)));
-    EXPECT_TRUE(collide(a, at(z), prism(1, 2), at(-z, 1)));
+    EXPECT_TRUE(meet(a, at(z), a, at(0, 1)));
+    EXPECT_FALSE(meet(a, at(z), a, at(0, 1.25)));
+    EXPECT_TRUE(meet(a, at(z), b, at(0, 1.25)));
+    EXPECT_TRUE(meet(a, at(z), flat, at(-z, 1)));
+    EXPECT_TRUE(meet(a, at(z), prism(1, 2), at(-z, 1)));
     upside_down.translation().z() = z;
-    EXPECT_TRUE(collide(a, upside_down, a, at(0)));
+    EXPECT_TRUE(meet(a, upside_down, a, at(0)));
     fcl::DistanceResultd result;
     EXPECT_EQ(fcl::distance<double>(a.get(), at(z), flat.get(), at(3, 4), fcl::DistanceRequestd(), result), 3);
     EXPECT_EQ(result.nearest_points[0].z(), 3);
@@ -202,7 +191,7 @@ TEST(Heights, allOfThemAreFiniteForAManager) {
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
   fcl::DynamicAABBTreeCollisionManagerd manager;
   for (int i = 0; i < 60; ++i) {
-    tricover::Pose pose = tricover::support::randomPose(random, 5);
+    tricover::Pose pose = randomPose(random, 5);
     if (random.coin()) pose.linear().setIdentity();
     const auto shape = std::make_shared<PolygonShaped>(randomPolygon(random, 1), PolygonOptions::atAllHeights(0.1));
     objects.push_back(std::make_unique<fcl::CollisionObjectd>(shape, lifted(pose, random.real(-0.5, 0.5))));

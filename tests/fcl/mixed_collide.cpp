@@ -1,40 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A polygon against every geometry of FCL's own: a body meets a polygon in the polygon's plane.
-#include <fcl/broadphase/broadphase_SSaP.h>
-#include <fcl/broadphase/broadphase_SaP.h>
-#include <fcl/broadphase/broadphase_bruteforce.h>
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
 
+#include "managers.h"
 #include "mixed_scene.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
 using Vec3 = fcl::Vector3<double>;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// The answer, which is the same in both orders and under both solvers.
-template <typename S>
-bool meet(const PolygonShape<S>& polygon, const fcl::Transform3<S>& tf_polygon, const fcl::CollisionGeometry<S>& other,
-          const fcl::Transform3<S>& tf_other) {
-  std::size_t hits = 0;
-  for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
-    fcl::CollisionRequest<S> request;
-    request.gjk_solver_type = solver;
-    fcl::CollisionResult<S> result, swapped;
-    hits += askCollide<S>(polygon, tf_polygon, other, tf_other, request, result);
-    hits += askCollide<S>(other, tf_other, polygon, tf_polygon, request, swapped);
-  }
-  EXPECT_TRUE(hits == 0 || hits == 4) << hits;
-  return hits > 0;
-}
 
 template <typename S>
 class MixedCollide : public ::testing::Test {
@@ -82,7 +61,7 @@ TYPED_TEST(MixedCollide, isTheSameAnywhereInSpace) {
 
 TYPED_TEST(MixedCollide, missesWhatDoesntReachThePlane) {
   using S = TypeParam;
-  const Shape<S> large = shapeOf<S>(tricover::Polygon({tricover::support::rectangle(-50, -50, 50, 50)}));
+  const Shape<S> large = shapeOf<S>(tricover::Polygon({rectangle(-50, -50, 50, 50)}));
   for (const Known<S>& known : knownGeometries<S>()) {
     SCOPED_TRACE(known.name);
     const fcl::NODE_TYPE type = known.geometry->getNodeType();
@@ -96,12 +75,12 @@ TYPED_TEST(MixedCollide, missesWhatDoesntReachThePlane) {
 
 /// Of identity poses: the square from -1 to 1 and `other`.
 bool squareMeets(const fcl::CollisionGeometryd& other, const fcl::Transform3d& pose) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const Shape<double> square = rectangular(-1, -1, 1, 1);
   return meet<double>(*square, fcl::Transform3d::Identity(), other, pose);
 }
 
 TEST(MixedCollideWhere, containmentCountsOfSolidsAndNotOfSurfaces) {
-  const Shape<double> small = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.1, -0.1, 0.1, 0.1)}));
+  const Shape<double> small = rectangular(-0.1, -0.1, 0.1, 0.1);
   const fcl::Transform3d here = fcl::Transform3d::Identity();
   const fcl::Boxd box(1, 1, 1);
   const fcl::Sphered sphere(1);
@@ -115,8 +94,7 @@ TEST(MixedCollideWhere, containmentCountsOfSolidsAndNotOfSurfaces) {
 }
 
 TEST(MixedCollideWhere, holesLetBodiesThrough) {
-  const Shape<double> frame = shapeOf(
-      tricover::Polygon({tricover::support::rectangle(-3, -3, 3, 3), tricover::support::rectangle(-1, -1, 1, 1)}));
+  const Shape<double> frame = shapeOf(tricover::Polygon({rectangle(-3, -3, 3, 3), rectangle(-1, -1, 1, 1)}));
   const fcl::Transform3d here = fcl::Transform3d::Identity();
   for (const double step : {1e-3, 1e-8}) {
     EXPECT_FALSE(meet<double>(*frame, here, fcl::Sphered(1 - step), here));
@@ -152,8 +130,7 @@ TEST(MixedCollideWhere, planesInOrParallelToThePolygon) {
 
 TEST(MixedCollideWhere, atAllHeightsWhatLeansIsMetAnywhere) {
   registerNarrowphase();
-  const PolygonShaped square(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}),
-                             PolygonOptions::atAllHeights());
+  const PolygonShaped square(tricover::Polygon({rectangle(-1, -1, 1, 1)}), PolygonOptions::atAllHeights());
   const auto meets = [&](const fcl::CollisionGeometryd& other, double x) {
     fcl::CollisionResultd result;
     const fcl::Transform3d here = fcl::Transform3d::Identity();
@@ -186,7 +163,7 @@ TEST(MixedCollideWhere, touchingCountsAndRoundingNeverPartsWhatTouches) {
   const fcl::Transform3d here = fcl::Transform3d::Identity();
   for (const double size : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {
     SCOPED_TRACE(size);
-    const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-size, -size, size, size)}));
+    const Shape<double> square = rectangular(-size, -size, size, size);
     const auto at = [size](double x) { return shifted<double>(x * size, 0, 0); };
     const fcl::Boxd box(size, size, size);
     const fcl::Sphered sphere(size);
@@ -203,7 +180,7 @@ TEST(MixedCollideWhere, touchingCountsAndRoundingNeverPartsWhatTouches) {
     EXPECT_FALSE(meet<double>(*square, here, fcl::Halfspaced(1, 0, 0, -size * (1 + 1e-8)), here));
   }
   // Far from the world's origin, with poses that are exact there.
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const Shape<double> square = rectangular(-1, -1, 1, 1);
   for (const double place : {1e6, 1e12, 1e15}) {
     EXPECT_TRUE(meet<double>(*square, shifted<double>(place, place, place), fcl::Sphered(2),
                              shifted<double>(place + 3, place, place)));
@@ -216,7 +193,7 @@ TEST(MixedCollideWhere, randomTouchesOfTurnedBoxesAreHits) {
   // A corner of the box is put on the polygon's edge, as far as doubles can: answers are hits, and misses from 1e-12
   // on.
   Random random(62);
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const Shape<double> square = rectangular(-1, -1, 1, 1);
   const fcl::Boxd box(1, 2, 3);
   for (int i = 0; i < 300; ++i) {
     const Vec3 axis(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
@@ -236,14 +213,14 @@ TEST(MixedCollideWhere, randomTouchesOfTurnedBoxesAreHits) {
     }
     for (const double step : {-1e-6, -1e-12, 0.0, 1e-12, 1e-6}) {
       const fcl::Transform3d pose = placed<double>(center + Vec3(1 - left + step, 0, 0), rotation);
-      const Shape<double> wall = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -9, 1, 9)}));
+      const Shape<double> wall = rectangular(-1, -9, 1, 9);
       EXPECT_EQ(meet<double>(*wall, fcl::Transform3d::Identity(), box, pose), step <= 0) << i << " " << step;
     }
   }
 }
 
 TEST(MixedCollideWhere, posesAreChecked) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const Shape<double> square = rectangular(-1, -1, 1, 1);
   const fcl::Boxd box(1, 1, 1);
   fcl::Transform3d scaled = fcl::Transform3d::Identity(), infinite = scaled, nan = scaled;
   scaled.linear() *= 1.1;
@@ -319,17 +296,12 @@ TEST(MixedCollideOctree, onlyOccupiedCellsAreThere) {
 
 TEST(MixedCollideOctree, worksUnderTheBroadphase) {
   // FCL hands the callback boxes of its own for the tree's cells.
-  std::vector<std::unique_ptr<fcl::BroadPhaseCollisionManagerd>> managers;
-  managers.push_back(std::make_unique<fcl::DynamicAABBTreeCollisionManagerd>());
-  managers.push_back(std::make_unique<fcl::DynamicAABBTreeCollisionManager_Array<double>>());
-  managers.push_back(std::make_unique<fcl::NaiveCollisionManagerd>());
-  managers.push_back(std::make_unique<fcl::SaPCollisionManagerd>());
-  managers.push_back(std::make_unique<fcl::SSaPCollisionManagerd>());
-  for (const auto& manager : managers) {
+  for (const auto& [name, manager] : managersOfEveryKind()) {
+    SCOPED_TRACE(name);
     std::vector<std::unique_ptr<fcl::CollisionObjectd>> polygons;
     std::vector<fcl::CollisionObjectd*> pointers;
     for (const double x : {-10.0, -2.9, 1.25, 2.2}) {
-      const Shape<double> small = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.2, -0.2, 0.2, 0.2)}));
+      const Shape<double> small = rectangular(-0.2, -0.2, 0.2, 0.2);
       polygons.push_back(std::make_unique<fcl::CollisionObjectd>(small, shifted<double>(x, x, 0.25)));
       pointers.push_back(polygons.back().get());
     }

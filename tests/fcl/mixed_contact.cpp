@@ -15,17 +15,7 @@ class MixedContact : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { registerNarrowphase(); }
 
-  static std::vector<fcl::Contactd> contacts(const fcl::CollisionGeometryd& a, const fcl::Transform3d& tf_a,
-                                             const fcl::CollisionGeometryd& b, const fcl::Transform3d& tf_b,
-                                             std::size_t most) {
-    fcl::CollisionResultd result;
-    fcl::collide(&a, tf_a, &b, tf_b, fcl::CollisionRequestd(most, true), result);
-    std::vector<fcl::Contactd> all;
-    result.getContacts(all);
-    return all;
-  }
-
-  const PolygonShaped square_{tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)})};
+  const PolygonShaped square_{tricover::Polygon({rectangle(-1, -1, 1, 1)})};
   const fcl::Transform3d here_ = fcl::Transform3d::Identity();
 };
 
@@ -43,7 +33,7 @@ TEST_F(MixedContact, isTheWayOutInThePolygonsPlane) {
     SCOPED_TRACE(other->getNodeType());
     for (const std::size_t most : {1u, 10u}) {
       const fcl::Transform3d tf_other = moved * pose;
-      const auto found = contacts(square_, moved, *other, tf_other, most);
+      const auto found = contactsOf(square_, moved, *other, tf_other, most);
       ASSERT_TRUE(found.size() == 1 || (most > 1 && found.size() == 2));
       EXPECT_EQ(found[0].o1, other->getObjectType() == fcl::OT_BVH ? other.get() : &square_);
       const double side = found[0].o1 == &square_ ? 1 : -1;  // FCL hands a mesh's row the mesh first, and leaves it so
@@ -57,7 +47,7 @@ TEST_F(MixedContact, isTheWayOutInThePolygonsPlane) {
       const auto isThere = [](std::ptrdiff_t edge) { return edge >= 0 && edge <= 2; };
       EXPECT_TRUE(isThere(side > 0 ? found[0].b1 : found[0].b2));
 
-      const auto swapped = contacts(*other, tf_other, square_, moved, most);
+      const auto swapped = contactsOf(*other, tf_other, square_, moved, most);
       ASSERT_EQ(swapped.size(), found.size());
       EXPECT_EQ(swapped[0].o1, other.get());
       EXPECT_LT((swapped[0].normal + moved.linear() * Vec3::UnitX()).norm(), 1e-3);
@@ -102,8 +92,8 @@ TEST_F(MixedContact, liesInSharedHeights) {
         const double expected = prism.isAtAllHeights() ? z + (c.low + c.high) / 2 : middle;
         for (const std::size_t most : {1u, 10u}) {
           for (const fcl::Transform3d& by : {here_, moved}) {
-            const auto found = contacts(prism, by, *c.geometry, by * there, most);
-            const auto swapped = contacts(*c.geometry, by * there, prism, by, most);
+            const auto found = contactsOf(prism, by, *c.geometry, by * there, most);
+            const auto swapped = contactsOf(*c.geometry, by * there, prism, by, most);
             ASSERT_FALSE(found.empty() || swapped.empty());
             EXPECT_NEAR((by.inverse() * found[0].pos).z(), expected, 1e-9) << z;
             EXPECT_NEAR((by.inverse() * swapped[0].pos).z(), expected, 1e-9) << z;
@@ -114,7 +104,7 @@ TEST_F(MixedContact, liesInSharedHeights) {
   }
   const PolygonShaped prism(square, PolygonOptions{0, 0, 10});
   const auto z = [&](const fcl::CollisionGeometryd& other) {
-    return contacts(prism, here_, other, here_, 1)[0].pos.z();
+    return contactsOf(prism, here_, other, here_, 1)[0].pos.z();
   };
   EXPECT_NEAR(z(fcl::Halfspaced(0, 0, 1, 2)), 1, 1e-12);     // below z = 2
   EXPECT_NEAR(z(fcl::Halfspaced(1, 0, 0, -0.5)), 5, 1e-12);  // all heights
@@ -126,15 +116,15 @@ TEST_F(MixedContact, isOnePerPartOfTheOverlapDeepestFirst) {
       {{{0, 0}, {5, 0}, {5, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}}}));
   const fcl::Boxd wall(20, 10, 1);
   const fcl::Transform3d at = shifted<double>(0, 6.5, 0);  // its lower side at y = 1.5
-  const auto found = contacts(fork, here_, wall, at, 10);
+  const auto found = contactsOf(fork, here_, wall, at, 10);
   ASSERT_EQ(found.size(), 4u);
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(std::abs(found[k].pos.x() - (k < 2 ? 3.5 : 1.5)), 0.5, 1e-9);  // both ends of each
     EXPECT_NEAR(found[k].penetration_depth, k < 2 ? found[0].penetration_depth : 0.5, 1e-9);
   }
   EXPECT_GE(found[0].penetration_depth, 0.5);
-  EXPECT_EQ(contacts(fork, here_, wall, at, 1).size(), 1u);
-  EXPECT_NEAR(contacts(fork, here_, wall, at, 1)[0].penetration_depth, 1.5, 1e-9);  // of the whole
+  EXPECT_EQ(contactsOf(fork, here_, wall, at, 1).size(), 1u);
+  EXPECT_NEAR(contactsOf(fork, here_, wall, at, 1)[0].penetration_depth, 1.5, 1e-9);  // of the whole
 }
 
 /// As of two polygons: of many the part's own way, of one the way out.
@@ -146,14 +136,14 @@ TEST_F(MixedContact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
       {std::make_shared<fcl::Sphered>(1.25), shifted<double>(0, 2, 0)}};
   for (const auto& [peg, pose] : pegs) {
     SCOPED_TRACE(peg->getNodeType());
-    const auto parts = contacts(slot, here_, *peg, pose, 9);
+    const auto parts = contactsOf(slot, here_, *peg, pose, 9);
     ASSERT_EQ(parts.size(), peg->getNodeType() == fcl::GEOM_BOX ? 4u : 2u);
     for (const fcl::Contactd& part : parts) {
       EXPECT_NEAR(part.penetration_depth, 0.25, 1e-5);
       EXPECT_LT((part.normal - Vec3(part.pos.x() > 0 ? -1 : 1, 0, 0)).norm(), 1e-2);
     }
     EXPECT_LT(parts.front().pos.x() * parts.back().pos.x(), 0);
-    const auto whole = contacts(slot, here_, *peg, pose, 1);
+    const auto whole = contactsOf(slot, here_, *peg, pose, 1);
     ASSERT_EQ(whole.size(), 1u);
     EXPECT_GT(whole[0].penetration_depth, 1);
     EXPECT_LT((whole[0].normal - Vec3::UnitY()).norm(), 1e-3);
@@ -168,32 +158,32 @@ TEST_F(MixedContact, ofManyAreLocalAndTheOnlyOneIsTheWayOut) {
 
 TEST_F(MixedContact, namesTrianglesAndCells) {
   const auto mesh = boxMesh<fcl::OBBRSSd>({1, 1, 1});
-  const auto of_mesh = contacts(*mesh, shifted<double>(1.5, 0, 0), square_, here_, 1);
+  const auto of_mesh = contactsOf(*mesh, shifted<double>(1.5, 0, 0), square_, here_, 1);
   ASSERT_EQ(of_mesh.size(), 1u);
   EXPECT_EQ(of_mesh[0].o1, mesh.get());
   ASSERT_GE(of_mesh[0].b1, 0);
   ASSERT_LT(of_mesh[0].b1, 12);
 
   const auto tree = octree<double>();
-  const auto of_tree = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 1);
+  const auto of_tree = contactsOf(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 1);
   ASSERT_EQ(of_tree.size(), 1u);
   EXPECT_NE(of_tree[0].b1, int{fcl::Contactd::NONE});
-  const auto both = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 3);
+  const auto both = contactsOf(*tree, shifted<double>(-2.25, -1.25, -0.25), square_, here_, 3);
   EXPECT_EQ(both.size(), 2u);
   // As FCL's own row names the cell.
   const fcl::Boxd box(2, 2, 1);
-  const auto of_box = contacts(*tree, shifted<double>(-2.25, -1.25, -0.25), box, here_, 1);
+  const auto of_box = contactsOf(*tree, shifted<double>(-2.25, -1.25, -0.25), box, here_, 1);
   ASSERT_EQ(of_box.size(), 1u);
   EXPECT_EQ(of_tree[0].b1, of_box[0].b1);
 }
 
 TEST_F(MixedContact, ofAPlaneParallelToThePolygonIsAlongItsNormal) {
   const fcl::Halfspaced ground(0, 0, 1, 0);
-  const auto found = contacts(square_, shifted<double>(3, 4, -0.25), ground, here_, 10);
+  const auto found = contactsOf(square_, shifted<double>(3, 4, -0.25), ground, here_, 10);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_LT((found[0].normal + Vec3::UnitZ()).norm(), 1e-12);
   EXPECT_NEAR(found[0].penetration_depth, 0.25, 1e-12);
-  const auto swapped = contacts(ground, here_, square_, shifted<double>(3, 4, -0.25), 10);
+  const auto swapped = contactsOf(ground, here_, square_, shifted<double>(3, 4, -0.25), 10);
   ASSERT_EQ(swapped.size(), 1u);
   EXPECT_LT((swapped[0].normal - Vec3::UnitZ()).norm(), 1e-12);
 }
@@ -201,7 +191,7 @@ TEST_F(MixedContact, ofAPlaneParallelToThePolygonIsAlongItsNormal) {
 TEST_F(MixedContact, ofAPlaneIsLeftOnTheShorterWay) {
   const PolygonShaped prism(square_.polygon(), PolygonOptions{0, -1, 3});
   for (const double z : {-0.75, 2.5}) {
-    const auto found = contacts(prism, here_, fcl::Planed(0, 0, 1, z), here_, 1);
+    const auto found = contactsOf(prism, here_, fcl::Planed(0, 0, 1, z), here_, 1);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_LT((found[0].normal - (z > 0 ? 1 : -1) * Vec3::UnitZ()).norm(), 1e-12);
     EXPECT_NEAR(found[0].penetration_depth, z > 0 ? 0.5 : 0.25, 1e-12);
@@ -210,7 +200,7 @@ TEST_F(MixedContact, ofAPlaneIsLeftOnTheShorterWay) {
 
 TEST_F(MixedContact, touchingHasNoDepth) {
   const fcl::Boxd box(2, 2, 2);
-  const auto found = contacts(square_, here_, box, shifted<double>(2, 0, 0), 10);
+  const auto found = contactsOf(square_, here_, box, shifted<double>(2, 0, 0), 10);
   ASSERT_EQ(found.size(), 2u);
   for (const fcl::Contactd& end : found) {
     EXPECT_NEAR(end.penetration_depth, 0, 1e-13);
@@ -245,12 +235,12 @@ TEST_F(MixedContact, marginsCount) {
   const PolygonShaped wide(square_.polygon(), options);
   for (const auto& other : {Geometry<double>(std::make_shared<fcl::Boxd>(2, 2, 2)),
                             Geometry<double>(std::make_shared<fcl::Sphered>(1)), boxMesh<fcl::OBBRSSd>({1, 1, 1})}) {
-    EXPECT_TRUE(contacts(square_, here_, *other, shifted<double>(2.01, 0, 0), 1).empty());
-    const auto found = contacts(wide, here_, *other, shifted<double>(2.5 - 1e-8, 0, 0), 1);
+    EXPECT_TRUE(contactsOf(square_, here_, *other, shifted<double>(2.01, 0, 0), 1).empty());
+    const auto found = contactsOf(wide, here_, *other, shifted<double>(2.5 - 1e-8, 0, 0), 1);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NEAR(found[0].penetration_depth, 1e-8, 1e-14);
     EXPECT_NEAR(found[0].pos.x(), 1.5, 1e-7);
-    EXPECT_TRUE(contacts(wide, here_, *other, shifted<double>(2.5 + 1e-8, 0, 0), 1).empty());
+    EXPECT_TRUE(contactsOf(wide, here_, *other, shifted<double>(2.5 + 1e-8, 0, 0), 1).empty());
   }
 }
 
@@ -261,13 +251,10 @@ TEST_F(MixedContact, ofAMeshSeesWhatIsThere) {
   const PolygonShaped wide(square_.polygon(), options);
   const auto cube = boxMesh<fcl::OBBRSSd>({1, 1, 1});
   for (const tricover::Vec2& way : {tricover::Vec2(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-    const auto hits = [&](double apart) {
-      const fcl::Transform3d at = shifted<double>(apart * way.x(), apart * way.y(), 0);
-      fcl::CollisionResultd result;
-      return fcl::collide(&wide, here_, cube.get(), at, fcl::CollisionRequestd(), result) > 0;
-    };
-    EXPECT_TRUE(hits(2.5 - 1e-8)) << way.transpose();
-    EXPECT_FALSE(hits(2.5 + 1e-8)) << way.transpose();
+    for (const double more : {-1e-8, 1e-8}) {
+      const fcl::Transform3d at = shifted<double>((2.5 + more) * way.x(), (2.5 + more) * way.y(), 0);
+      EXPECT_EQ(meet<double>(wide, here_, *cube, at), more < 0) << way.transpose();
+    }
   }
 
   // Two sheets in the plane: from the right one the way to the left is shorter, but there is the other one.
@@ -279,7 +266,7 @@ TEST_F(MixedContact, ofAMeshSeesWhatIsThere) {
     sheets->addTriangle(corners[0], corners[2], corners[3]);
   }
   sheets->endModel();
-  const auto found = contacts(*sheets, here_, square_, here_, 1);
+  const auto found = contactsOf(*sheets, here_, square_, here_, 1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].penetration_depth, 2.5, 1e-9);
 }

@@ -13,7 +13,6 @@
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
 using Vec3 = fcl::Vector3<double>;
 
 class MixedContinuous : public ::testing::Test {
@@ -26,7 +25,7 @@ class MixedContinuous : public ::testing::Test {
                      fcl::CCDMotionType type = fcl::CCDM_LINEAR,
                      fcl::CCDSolverType solver = fcl::CCDC_CONSERVATIVE_ADVANCEMENT) {
     double times[2];
-    for (const fcl::GJKSolverType gjk : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+    for (const fcl::GJKSolverType gjk : kSolvers) {
       fcl::ContinuousCollisionRequestd request(1000, 1e-6, type, gjk, solver);
       fcl::ContinuousCollisionResultd result;
       // FCL's own function leaves the point of linear motions that goes straight uninitialised.
@@ -77,13 +76,11 @@ TEST_F(MixedContinuous, aMarginMeetsEveryGeometryBeforeTheTipDoes) {
     const auto place = [&](double gap) { return shifted<double>(known.right + gap, 0, 0); };
     const double found = time(wide, place(5), place(-1), *known.geometry, known.pose, known.pose, fcl::CCDM_TRANS);
     EXPECT_LE(found, 4.5 / 6 + 1e-12);
-    const auto collides = [&](double at) {
-      fcl::CollisionResultd result;
-      return fcl::collide(&wide, place(5 - 6 * at), known.geometry.get(), known.pose, fcl::CollisionRequestd(),
-                          result) > 0;
+    const auto collidesAt = [&](double at) {
+      return meet<double>(wide, place(5 - 6 * at), *known.geometry, known.pose);
     };
-    EXPECT_FALSE(found > 0 && collides(found - kEarliest));
-    EXPECT_TRUE(collides(found + kEarliest));
+    EXPECT_FALSE(found > 0 && collidesAt(found - kEarliest));
+    EXPECT_TRUE(collidesAt(found + kEarliest));
   }
 }
 
@@ -113,7 +110,7 @@ TEST_F(MixedContinuous, aSplineCarriesATipToABox) {
 }
 
 TEST_F(MixedContinuous, aRodTurnsIntoASphere) {
-  const PolygonShaped rod(tricover::Polygon({tricover::support::rectangle(0, -0.1, 3, 0)}));
+  const PolygonShaped rod(tricover::Polygon({rectangle(0, -0.1, 3, 0)}));
   const fcl::Sphered sphere(0.5);
   const double end = 3 * M_PI / 4, truth = (M_PI / 2 - std::asin(0.25)) / end;
   const fcl::Transform3d start = fcl::Transform3d::Identity(),
@@ -142,7 +139,7 @@ TEST_F(MixedContinuous, aSpheroidIsRoundAllAround) {
 }
 
 TEST_F(MixedContinuous, nothingTunnels) {
-  const PolygonShaped bullet(tricover::Polygon({tricover::support::rectangle(0, 0, 1e-3, 1e-3)}));
+  const PolygonShaped bullet(tricover::Polygon({rectangle(0, 0, 1e-3, 1e-3)}));
   const fcl::Boxd wall(1e-3, 10, 10);
   const double found = time(bullet, shifted<double>(-500, 0, 0), shifted<double>(500, 0, 0), wall,
                             shifted<double>(1, 0, 0), shifted<double>(1, 0, 0), fcl::CCDM_TRANS);
@@ -153,7 +150,7 @@ TEST_F(MixedContinuous, nothingTunnels) {
 
 /// What has no end is there wherever a polygon comes, however far along it.
 TEST_F(MixedContinuous, aLongWayToAHalfspaceEndsThere) {
-  const PolygonShaped square(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const PolygonShaped square(tricover::Polygon({rectangle(-1, -1, 1, 1)}));
   const fcl::Transform3d start = fcl::Transform3d::Identity(), up = shifted<double>(0, 0.5, 0);
   for (const double side : {-1.0, 1.0}) {
     const fcl::Halfspaced ground(0, -side, 0, -50);  // beyond y = 50 side

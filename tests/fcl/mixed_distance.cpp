@@ -5,33 +5,11 @@
 #include <stdexcept>
 
 #include "mixed_scene.h"
-#include "test_scale.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
 using Vec3 = fcl::Vector3<double>;
-
-template <typename S>
-fcl::DistanceResult<S> ask(fcl::GJKSolverType solver, bool is_signed, const fcl::CollisionGeometry<S>& a,
-                           const fcl::Transform3<S>& tf_a, const fcl::CollisionGeometry<S>& b,
-                           const fcl::Transform3<S>& tf_b) {
-  fcl::DistanceRequest<S> request;
-  request.gjk_solver_type = solver;
-  request.enable_nearest_points = true;
-  request.enable_signed_distance = is_signed;
-  fcl::DistanceResult<S> result;
-  askDistance<S>(a, tf_a, b, tf_b, request, result);
-  return result;
-}
-
-template <typename S>
-bool meets(const fcl::CollisionGeometry<S>& a, const fcl::Transform3<S>& tf_a, const fcl::CollisionGeometry<S>& b,
-           const fcl::Transform3<S>& tf_b) {
-  fcl::CollisionResult<S> result;
-  return askCollide<S>(a, tf_a, b, tf_b, fcl::CollisionRequest<S>(), result) > 0;
-}
 
 template <typename S>
 class MixedDistance : public ::testing::Test {
@@ -50,9 +28,9 @@ TYPED_TEST(MixedDistance, ofATipIsWhatItIsAlongX) {
     for (const double gap : {2.0, 1e-3}) {
       const fcl::Transform3<S> pose = shifted<S>(known.right + gap, 0, 0);
       const Vec3 on_tip(known.right + gap, 0, 0), on_other(known.right, 0, 0);
-      for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
-        const auto first = ask<S>(solver, false, *tip<S>(), pose, *known.geometry, known.pose);
-        const auto second = ask<S>(solver, true, *known.geometry, known.pose, *tip<S>(), pose);
+      for (const fcl::GJKSolverType solver : kSolvers) {
+        const auto first = distanceOf<S>(solver, false, *tip<S>(), pose, *known.geometry, known.pose);
+        const auto second = distanceOf<S>(solver, true, *known.geometry, known.pose, *tip<S>(), pose);
         for (const auto& result : {first, second}) {
           EXPECT_NEAR(result.min_distance, gap, this->kError);
           const int polygon = result.o1 == known.geometry.get() ? 1 : 0;
@@ -76,13 +54,13 @@ TYPED_TEST(MixedDistance, ofAnOverlapIsMinusOneOrTheDepth) {
     if (known.name.find("tip") != std::string::npos || known.name.find("convex") != std::string::npos) continue;
     const double depth = 1e-3;
     const fcl::Transform3<S> pose = shifted<S>(known.right - depth, 0, 0);
-    for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
-      const auto meeting = ask<S>(solver, false, *tip<S>(), pose, *known.geometry, known.pose);
+    for (const fcl::GJKSolverType solver : kSolvers) {
+      const auto meeting = distanceOf<S>(solver, false, *tip<S>(), pose, *known.geometry, known.pose);
       EXPECT_EQ(meeting.min_distance, S(-1));
       EXPECT_LT((meeting.nearest_points[0] - meeting.nearest_points[1]).norm(), 5e-6);
-      EXPECT_EQ(ask<S>(solver, false, *known.geometry, known.pose, *tip<S>(), pose).min_distance, S(-1));
-      EXPECT_NEAR(ask<S>(solver, true, *tip<S>(), pose, *known.geometry, known.pose).min_distance, -depth, 5e-6);
-      EXPECT_NEAR(ask<S>(solver, true, *known.geometry, known.pose, *tip<S>(), pose).min_distance, -depth, 5e-6);
+      EXPECT_EQ(distanceOf<S>(solver, false, *known.geometry, known.pose, *tip<S>(), pose).min_distance, S(-1));
+      EXPECT_NEAR(distanceOf<S>(solver, true, *tip<S>(), pose, *known.geometry, known.pose).min_distance, -depth, 5e-6);
+      EXPECT_NEAR(distanceOf<S>(solver, true, *known.geometry, known.pose, *tip<S>(), pose).min_distance, -depth, 5e-6);
     }
   }
 }
@@ -95,25 +73,26 @@ TYPED_TEST(MixedDistance, besideTheHeightsIsThatOfPrisms) {
     const fcl::NODE_TYPE type = known.geometry->getNodeType();
     if (type == fcl::GEOM_PLANE || type == fcl::GEOM_HALFSPACE) continue;  // they go everywhere
     const fcl::Transform3<S> pose = shifted<S>(70, 0, 60);
-    const auto result = ask<S>(fcl::GST_LIBCCD, false, *tip<S>(), pose, *known.geometry, known.pose);
-    const auto swapped = ask<S>(fcl::GST_INDEP, true, *known.geometry, known.pose, *tip<S>(), pose);
+    const auto result = distanceOf<S>(fcl::GST_LIBCCD, false, *tip<S>(), pose, *known.geometry, known.pose);
+    const auto swapped = distanceOf<S>(fcl::GST_INDEP, true, *known.geometry, known.pose, *tip<S>(), pose);
     EXPECT_LT(result.min_distance, S(100));
     EXPECT_GT(result.min_distance, S(1));
     EXPECT_EQ(result.min_distance, swapped.min_distance);
     const auto between = (result.nearest_points[0] - result.nearest_points[1]).template cast<double>();
     EXPECT_NEAR(between.norm(), static_cast<double>(result.min_distance), 20 * this->kError);
-    EXPECT_FALSE(meets(*tip<S>(), pose, *known.geometry, known.pose));
+    EXPECT_FALSE(collides(*tip<S>(), pose, *known.geometry, known.pose));
   }
 }
 
 TEST(MixedDistanceLaws, aboveAPolygonIsTheGapInSpace) {
   registerNarrowphase();
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const Shape<double> square = rectangular(-1, -1, 1, 1);
   const PolygonShaped prism(square->polygon(), PolygonOptions{0.5, -1, 2});
   const fcl::Transform3d moved = placed<double>({5, -6, 7}, turned(1, Vec3(1, 2, 3)));
   const auto above = [&](const fcl::CollisionGeometryd& a, const fcl::CollisionGeometryd& b, double x, double z) {
-    const auto here = ask<double>(fcl::GST_LIBCCD, false, a, fcl::Transform3d::Identity(), b, shifted<double>(x, 0, z));
-    const auto there = ask<double>(fcl::GST_INDEP, true, b, moved * shifted<double>(x, 0, z), a, moved);
+    const auto here =
+        distanceOf<double>(fcl::GST_LIBCCD, false, a, fcl::Transform3d::Identity(), b, shifted<double>(x, 0, z));
+    const auto there = distanceOf<double>(fcl::GST_INDEP, true, b, moved * shifted<double>(x, 0, z), a, moved);
     EXPECT_NEAR(there.min_distance, here.min_distance, 1e-12);
     const int here_a = here.o1 == &a ? 0 : 1,
               there_a = there.o1 == &a ? 0 : 1;  // FCL hands a mesh's row the mesh first
@@ -136,8 +115,8 @@ TEST(MixedDistanceLaws, aboveAPolygonIsTheGapInSpace) {
   const auto scattered = std::make_shared<octomap::OcTree>(0.5);
   for (const float z : {3.2f, -0.8f}) scattered->updateNode(octomap::point3d(0.2f, 0.2f, z), true);
   const fcl::OcTreed cells{std::shared_ptr<const octomap::OcTree>(scattered)};
-  const auto either =
-      ask<double>(fcl::GST_LIBCCD, false, *square, fcl::Transform3d::Identity(), cells, fcl::Transform3d::Identity());
+  const auto either = distanceOf<double>(fcl::GST_LIBCCD, false, *square, fcl::Transform3d::Identity(), cells,
+                                         fcl::Transform3d::Identity());
   EXPECT_GT(either.min_distance, 0);
   EXPECT_LE(either.min_distance, 0.5);
 
@@ -145,8 +124,8 @@ TEST(MixedDistanceLaws, aboveAPolygonIsTheGapInSpace) {
   const auto free = std::make_shared<octomap::OcTree>(0.5);
   free->updateNode(octomap::point3d(0.2f, 0.2f, 0.2f), false);
   const fcl::OcTreed tree{std::shared_ptr<const octomap::OcTree>(free)};
-  const auto none =
-      ask<double>(fcl::GST_LIBCCD, false, *square, fcl::Transform3d::Identity(), tree, fcl::Transform3d::Identity());
+  const auto none = distanceOf<double>(fcl::GST_LIBCCD, false, *square, fcl::Transform3d::Identity(), tree,
+                                       fcl::Transform3d::Identity());
   EXPECT_EQ(none.min_distance, std::numeric_limits<double>::max());
   for (const Vec3& point : none.nearest_points) EXPECT_TRUE(point.array().isNaN().all());
 }
@@ -156,7 +135,7 @@ TEST(MixedDistanceLaws, zeroIfAndOnlyIfTheyCollideAndSwapsWithTheArguments) {
   Random random(63);
   int hits = 0, cases = 0;
   const auto geometries = knownGeometries<double>();
-  for (int i = 0; i < tricover::support::scaledCount(2000); ++i) {
+  for (int i = 0; i < scaledCount(2000); ++i) {
     const Known<double>& known = geometries[static_cast<std::size_t>(i) % geometries.size()];
     SCOPED_TRACE(known.name + " " + std::to_string(i));
     const Shape<double> polygon = shapeOf(randomPolygon(random, random.real(0.2, 2)));
@@ -169,8 +148,8 @@ TEST(MixedDistanceLaws, zeroIfAndOnlyIfTheyCollideAndSwapsWithTheArguments) {
     fcl::CollisionResultd collision;
     const bool hit = fcl::collide(polygon.get(), tf_polygon, known.geometry.get(), tf_other, fcl::CollisionRequestd(),
                                   collision) > 0;
-    const auto result = ask<double>(fcl::GST_LIBCCD, false, *polygon, tf_polygon, *known.geometry, tf_other);
-    const auto swapped = ask<double>(fcl::GST_INDEP, false, *known.geometry, tf_other, *polygon, tf_polygon);
+    const auto result = distanceOf<double>(fcl::GST_LIBCCD, false, *polygon, tf_polygon, *known.geometry, tf_other);
+    const auto swapped = distanceOf<double>(fcl::GST_INDEP, false, *known.geometry, tf_other, *polygon, tf_polygon);
     EXPECT_EQ(result.min_distance <= 0, hit);
     EXPECT_EQ(result.min_distance, swapped.min_distance);
     if (result.min_distance > 0 && result.min_distance < 1e300) {
@@ -192,18 +171,18 @@ TEST(MixedDistanceLaws, isFarAwayWhatItIsHere) {
   Random random(75);
   const Vec3 far(std::ldexp(1, 33), -std::ldexp(3, 32), 0);
   const fcl::Boxd box(1, 2, 3);
-  const auto bar = shapeOf<double>(tricover::Polygon({tricover::support::rectangle(-2, -0.5, 2, 0.5)}));
+  const auto bar = shapeOf<double>(tricover::Polygon({rectangle(-2, -0.5, 2, 0.5)}));
   const auto onGrid = [&] { return std::ldexp(random.integer(-(1 << 20), 1 << 20), -18); };
   int apart = 0;
-  const int asked = tricover::support::scaledCount(200);
+  const int asked = scaledCount(200);
   for (int i = 0; i < asked; ++i) {
     const fcl::Matrix3<double> turn = turned(random.real(-3, 3), Vec3::UnitZ()),
                                turn_of_box = turned(random.real(-3, 3), Vec3(1, 2, 3));
     const Vec3 at(onGrid(), onGrid(), 0), at_of_box(onGrid(), onGrid(), 0);
-    const auto here = ask<double>(fcl::GST_LIBCCD, false, *bar, placed<double>(at, turn), box,
-                                  placed<double>(at_of_box, turn_of_box));
-    const auto there = ask<double>(fcl::GST_LIBCCD, false, *bar, placed<double>(at + far, turn), box,
-                                   placed<double>(at_of_box + far, turn_of_box));
+    const auto here = distanceOf<double>(fcl::GST_LIBCCD, false, *bar, placed<double>(at, turn), box,
+                                         placed<double>(at_of_box, turn_of_box));
+    const auto there = distanceOf<double>(fcl::GST_LIBCCD, false, *bar, placed<double>(at + far, turn), box,
+                                          placed<double>(at_of_box + far, turn_of_box));
     EXPECT_NEAR(there.min_distance, here.min_distance, 1e-13);
     apart += here.min_distance > 0;
   }
@@ -214,11 +193,11 @@ TEST(MixedDistanceLaws, isFarAwayWhatItIsHere) {
 /// A surface has no inside to be deep in: where it is met it is overlapped, if only touched.
 TEST(MixedDistanceLaws, ofATouchedSurfaceIsThatOfAnOverlap) {
   registerNarrowphase();
-  const auto square = shapeOf<double>(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const auto square = shapeOf<double>(tricover::Polygon({rectangle(-1, -1, 1, 1)}));
   const auto mesh = boxMesh<fcl::OBBRSSd>({1, 1, 1});
   const fcl::Transform3d here = fcl::Transform3d::Identity();
   const auto at = [&](double x) {
-    return ask<double>(fcl::GST_LIBCCD, false, *square, here, *mesh, shifted<double>(x, 0, 0)).min_distance;
+    return distanceOf<double>(fcl::GST_LIBCCD, false, *square, here, *mesh, shifted<double>(x, 0, 0)).min_distance;
   };
   EXPECT_EQ(at(1.5), -1);
   EXPECT_EQ(at(2), -1);
@@ -228,7 +207,7 @@ TEST(MixedDistanceLaws, ofATouchedSurfaceIsThatOfAnOverlap) {
 TEST(MixedDistanceLaws, contactUpToRoundingHasNearestPointsBelowAnyLimit) {
   registerNarrowphase();
   // A million from the polygon's origin, rounding counts a gap of 1e-9 as contact.
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, -1, 1, 1)}));
+  const Shape<double> square = rectangular(0, -1, 1, 1);
   const fcl::Boxd box(2e6, 2, 2);
   const fcl::Transform3d pose = shifted<double>(1 + 1e6 + 1e-9, 0, 0);
   for (const bool box_first : {false, true}) {
@@ -251,14 +230,14 @@ TEST(MixedDistanceLaws, contactUpToRoundingHasNearestPointsBelowAnyLimit) {
 TEST(MixedDistanceLaws, depthOfWhatIsFarInside) {
   registerNarrowphase();
   // A square whose left side is 1.6 from the round outline's rightmost point, and farther from any other.
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0.4, -0.1, 0.6, 0.1)}));
+  const Shape<double> square = rectangular(0.4, -0.1, 0.6, 0.1);
   const fcl::Sphered sphere(2.5);  // a disc of 2 at this height
   const fcl::Cylinderd cylinder(2, 4);
   for (const double angle : {0.0, 0.3, 2.0}) {
     const fcl::Transform3d pose = placed<double>({0, 0, 0}, turned(angle, Vec3::UnitZ()));
-    for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
-      const auto in_sphere = ask<double>(solver, true, *square, pose, sphere, shifted<double>(0, 0, 1.5));
-      const auto in_cylinder = ask<double>(solver, true, *square, pose, cylinder, shifted<double>(0, 0, 1.5));
+    for (const fcl::GJKSolverType solver : kSolvers) {
+      const auto in_sphere = distanceOf<double>(solver, true, *square, pose, sphere, shifted<double>(0, 0, 1.5));
+      const auto in_cylinder = distanceOf<double>(solver, true, *square, pose, cylinder, shifted<double>(0, 0, 1.5));
       EXPECT_NEAR(in_sphere.min_distance, -1.6, 1e-5);
       EXPECT_NEAR(in_cylinder.min_distance, -1.6, 1e-5);
     }
@@ -271,22 +250,22 @@ TEST(MixedDistanceLaws, signedWhereFclWouldAbortThrows) {
   fcl::Boxd box(2, 2, 2);
   const Geometry<double> mesh = boxMesh<fcl::OBBRSSd>({0.5, 0.5, 0.5});
   box.cost_density = mesh->cost_density = 0.5;  // uncertain: collide has no contact for them
-  EXPECT_LT(ask<double>(fcl::GST_LIBCCD, true, *tip<double>(), here, box, here).min_distance, 0);
-  EXPECT_THROW(ask<double>(fcl::GST_INDEP, true, *tip<double>(), here, box, here), std::logic_error);
-  EXPECT_THROW(ask<double>(fcl::GST_INDEP, true, *tip<double>(), here, *mesh, here), std::logic_error);
-  EXPECT_THROW(ask<double>(fcl::GST_LIBCCD, true, *mesh, here, *tip<double>(), here), std::logic_error);
-  EXPECT_EQ(ask<double>(fcl::GST_INDEP, false, *tip<double>(), here, box, here).min_distance, -1);
+  EXPECT_LT(distanceOf<double>(fcl::GST_LIBCCD, true, *tip<double>(), here, box, here).min_distance, 0);
+  EXPECT_THROW(distanceOf<double>(fcl::GST_INDEP, true, *tip<double>(), here, box, here), std::logic_error);
+  EXPECT_THROW(distanceOf<double>(fcl::GST_INDEP, true, *tip<double>(), here, *mesh, here), std::logic_error);
+  EXPECT_THROW(distanceOf<double>(fcl::GST_LIBCCD, true, *mesh, here, *tip<double>(), here), std::logic_error);
+  EXPECT_EQ(distanceOf<double>(fcl::GST_INDEP, false, *tip<double>(), here, box, here).min_distance, -1);
 }
 
 TEST(MixedDistanceLaws, planesParallelToThePolygonAreLeftAlongTheirNormal) {
   registerNarrowphase();
   const fcl::Halfspaced below(0, 0, 1, 0);
-  for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
-    const auto result =
-        ask<double>(solver, true, *tip<double>(), shifted<double>(0, 0, -0.25), below, fcl::Transform3d::Identity());
+  for (const fcl::GJKSolverType solver : kSolvers) {
+    const auto result = distanceOf<double>(solver, true, *tip<double>(), shifted<double>(0, 0, -0.25), below,
+                                           fcl::Transform3d::Identity());
     EXPECT_NEAR(result.min_distance, -0.25, 1e-12);
     const auto touch =
-        ask<double>(solver, true, *tip<double>(), shifted<double>(0, 0, 0), below, fcl::Transform3d::Identity());
+        distanceOf<double>(solver, true, *tip<double>(), shifted<double>(0, 0, 0), below, fcl::Transform3d::Identity());
     EXPECT_EQ(touch.min_distance, 0);
   }
 }

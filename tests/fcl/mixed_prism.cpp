@@ -9,13 +9,11 @@
 
 #include "mixed_scene.h"
 #include "prism.h"
-#include "test_scale.h"
 #include "tricover/distance.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
 using Vec3 = fcl::Vector3<double>;
 
 Geometry<double> randomBody(Random& random) {
@@ -53,7 +51,7 @@ struct Tally {
 class CrossCheck {
  public:
   explicit CrossCheck(Random& random)
-      : ring_(tricover::support::regular(random.integer(3, 9), random.real(0.3, 2))),
+      : ring_(regular(random.integer(3, 9), random.real(0.3, 2))),
         half_height_(random.real(0.05, 1)),
         shape_(tricover::Polygon({ring_}), heights(half_height_)),
         prism_(tricover::support::makePrism(ring_, half_height_)),
@@ -111,7 +109,7 @@ class CrossCheck {
 TEST(MixedPrism, agreesWithGjk) {
   registerNarrowphase();
   Tally tally;
-  for (int i = 0; i < tricover::support::scaledCount(20000); ++i) {
+  for (int i = 0; i < scaledCount(20000); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     CrossCheck(random).ask(tally);
   }
@@ -173,7 +171,7 @@ TEST(MixedPrism, posesOfBallsAreCheckedAndNamed) {
 TEST(MixedPrism, spheresMeetItAsTheirCentresDistanceSays) {
   registerNarrowphase();
   int hits = 0, cases = 0;
-  for (int i = 0; i < tricover::support::scaledCount(2000); ++i) {
+  for (int i = 0; i < scaledCount(2000); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const tricover::Polygon polygon = randomPolygon(random, 1);
     PolygonOptions options;
@@ -191,28 +189,25 @@ TEST(MixedPrism, spheresMeetItAsTheirCentresDistanceSays) {
     const fcl::Transform3d moved = anywhere(random, 5);
     for (const double step : {-1e-3, -3e-9, 3e-9, 1e-3}) {
       const fcl::Sphered sphere(distance + step);
-      fcl::CollisionResultd result;
       const fcl::Transform3d at = moved * shifted<double>(center.x(), center.y(), center.z());
-      const bool hit = fcl::collide<double>(&sphere, at, &shape, moved, fcl::CollisionRequestd(), result) > 0;
+      const bool hit = meet<double>(sphere, at, shape, moved);
       EXPECT_EQ(hit, step > 0) << i << " " << step;
       hits += hit;
       ++cases;
     }
   }
   EXPECT_EQ(2 * hits, cases);
-  EXPECT_GT(cases, tricover::support::scaledCount(2000));
+  EXPECT_GT(cases, scaledCount(2000));
 }
 
 TEST(MixedPrism, heightsReachAboveAndBelow) {
   PolygonOptions options;
   options.z_low = 1;
   options.z_high = 3;
-  const PolygonShaped shape(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}), options);
+  const PolygonShaped shape(tricover::Polygon({rectangle(-1, -1, 1, 1)}), options);
   const fcl::Sphered sphere(0.5);
   const auto meets = [&](const fcl::CollisionGeometryd& other, double x, double z) {
-    fcl::CollisionResultd result;
-    const fcl::Transform3d at = shifted<double>(x, 0, z);
-    return fcl::collide<double>(&shape, fcl::Transform3d::Identity(), &other, at, fcl::CollisionRequestd(), result) > 0;
+    return meet<double>(shape, fcl::Transform3d::Identity(), other, shifted<double>(x, 0, z));
   };
   for (const double x : {0.0, 1.0}) {
     EXPECT_FALSE(meets(sphere, x, 0.5 - 1e-8));

@@ -6,7 +6,6 @@
 #include "families.h"
 #include "mixed_scene.h"
 #include "reproduction.h"
-#include "test_scale.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
 #include "tricover/segment.h"
@@ -16,19 +15,7 @@ namespace {
 
 using tricover::Polygon;
 using tricover::Pose;
-using tricover::support::Random;
 using Vec3 = fcl::Vector3<double>;
-
-bool hits(const fcl::CollisionGeometryd& a, const fcl::Transform3d& tf_a, const fcl::CollisionGeometryd& b,
-          const fcl::Transform3d& tf_b, bool enable_contact = false) {
-  fcl::CollisionRequestd request;
-  request.enable_contact = enable_contact;
-  fcl::CollisionResultd result, swapped;
-  const bool hit = fcl::collide(&a, tf_a, &b, tf_b, request, result) > 0;
-  request.gjk_solver_type = fcl::GST_INDEP;
-  EXPECT_EQ(fcl::collide(&b, tf_b, &a, tf_a, request, swapped) > 0, hit);
-  return hit;
-}
 
 double distance(const fcl::CollisionGeometryd& a, const fcl::Transform3d& tf_a, const fcl::CollisionGeometryd& b,
                 const fcl::Transform3d& tf_b) {
@@ -49,7 +36,7 @@ TEST(MixedRound, isExactOnEveryFamily) {
   int cases = 0, found = 0;
   for (const tricover::support::Family& family : tricover::support::families()) {
     SCOPED_TRACE(family.name);
-    for (int i = 0; i < tricover::support::scaledCount(30); ++i) {
+    for (int i = 0; i < scaledCount(30); ++i) {
       const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));
       const tricover::Vec2 center = c.pose_b * c.b.origin();
       if (!(center.norm() < 1e300)) continue;
@@ -67,16 +54,17 @@ TEST(MixedRound, isExactOnEveryFamily) {
       const fcl::Transform3d pose = lifted(c.pose_a, 5);
       const Vec3 at(center.x(), center.y(), 5.5);
       for (const int steps : {-1, 0, 1}) {
-        const double radius = tricover::support::nudged(gap, steps);
+        const double radius = nudged(gap, steps);
         const bool expected = tricover::exact::within(square, radius);
         if (size == 0) {
           const fcl::Transform3d there = placed<double>(at, fcl::Matrix3d::Identity());
-          ASSERT_EQ(hits(shape, pose, fcl::Sphered(radius), there), expected) << reproduction(c);
-          ASSERT_EQ(hits(shape, pose, fcl::Cylinderd(radius, 1), there), expected) << reproduction(c);
-          ASSERT_EQ(hits(shape, pose, fcl::Capsuled(radius, 0), there), expected) << reproduction(c);
+          ASSERT_EQ(meet<double>(shape, pose, fcl::Sphered(radius), there), expected) << reproduction(c);
+          ASSERT_EQ(meet<double>(shape, pose, fcl::Cylinderd(radius, 1), there), expected) << reproduction(c);
+          ASSERT_EQ(meet<double>(shape, pose, fcl::Capsuled(radius, 0), there), expected) << reproduction(c);
           ASSERT_EQ(distance(shape, pose, fcl::Sphered(radius), there) <= 0, expected) << reproduction(c);
         } else {
-          ASSERT_EQ(hits(shape, pose, fcl::Capsuled(radius, size), lying(axis, at)), expected) << reproduction(c);
+          ASSERT_EQ(meet<double>(shape, pose, fcl::Capsuled(radius, size), lying(axis, at)), expected)
+              << reproduction(c);
           ASSERT_EQ(distance(shape, pose, fcl::Capsuled(radius, size), lying(axis, at)) <= 0, expected)
               << reproduction(c);
         }
@@ -142,14 +130,14 @@ Scene anyRound(Random& random, double low, double high) {
 
 TEST(MixedRound, sectionsDistancesAndNearestPoints) {
   Random random(82);
-  const int cases = tricover::support::scaledCount(2000);
+  const int cases = scaledCount(2000);
   int found = 0, apart = 0, away = 0;
   for (int i = 0; i < cases; ++i) {
     const double low = random.coin() ? 0 : random.real(-2, 0), high = low == 0 ? 0 : random.real(0, 2),
                  margin = random.coin() ? 0 : random.real(0, 1);
     const PolygonShaped shape(randomPolygon(random, 2), PolygonOptions{margin, low, high});
     const Scene scene = anyRound(random, low, high);
-    const Pose pose = tricover::support::randomPose(random, 2);
+    const Pose pose = randomPose(random, 2);
     const Pose identity = Pose::Identity();
     const double gap = tricover::distance(shape.polygon(), pose, scene.segment, identity).distance;
     const double left = gap - scene.radius - margin;
@@ -159,14 +147,13 @@ TEST(MixedRound, sectionsDistancesAndNearestPoints) {
     for (const fcl::Transform3d& by : {fcl::Transform3d(fcl::Transform3d::Identity()), carried}) {
       const fcl::Transform3d there = by * lifted(pose), other = by * scene.pose;
       if (scene.radius < 0) {
-        ASSERT_FALSE(hits(shape, there, *scene.geometry, other)) << i;
+        ASSERT_FALSE(meet<double>(shape, there, *scene.geometry, other)) << i;
         ASSERT_GT(distance(shape, there, *scene.geometry, other), 0) << i;
         ++away;
         continue;
       }
       if (std::abs(left) < 1e-10) continue;
-      ASSERT_EQ(hits(shape, there, *scene.geometry, other), left < 0) << i << ": " << left;
-      ASSERT_EQ(hits(shape, there, *scene.geometry, other, true), left < 0) << i << ": " << left;
+      ASSERT_EQ(meet<double>(shape, there, *scene.geometry, other), left < 0) << i << ": " << left;
       fcl::DistanceResultd result;
       const double measured =
           fcl::distance<double>(&shape, there, scene.geometry.get(), other, fcl::DistanceRequestd(), result);
@@ -204,17 +191,17 @@ Polygon around(const Polygon& segment, double radius, int vertices) {
 
 TEST(MixedRound, contactsPartThemByTheShortestWay) {
   Random random(83);
-  const int cases = tricover::support::scaledCount(300), corners = 48;
+  const int cases = scaledCount(300), corners = 48;
   int direct = 0, searched = 0, whole = 0;
   while (direct + searched < cases) {
     SCOPED_TRACE(direct + searched);
     const double margin = random.coin() ? 0 : random.real(0, 1);
     const bool is_convex = random.coin();
     const PolygonShaped shape(
-        is_convex ? Polygon({tricover::support::star(random, random.integer(3, 9), 2, 2)}) : randomPolygon(random, 2),
+        is_convex ? Polygon({star(random, random.integer(3, 9), 2, 2)}) : randomPolygon(random, 2),
         PolygonOptions{margin, 0, 0});
     const Scene scene = anyRound(random, 0, 0);
-    const Pose pose = tricover::support::randomPose(random, 2), identity = Pose::Identity();
+    const Pose pose = randomPose(random, 2), identity = Pose::Identity();
     if (scene.radius < 0) continue;
     const double both = scene.radius + margin;  // parts the polygon from the segment
     const double gap = tricover::distance(shape.polygon(), pose, scene.segment, identity).distance;
@@ -281,7 +268,7 @@ TEST(MixedRound, contactsPartThemByTheShortestWay) {
 }
 
 TEST(MixedRound, contactsOfWhatTouchesLeadAway) {
-  const PolygonShaped square(Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const PolygonShaped square(Polygon({rectangle(-1, -1, 1, 1)}));
   const auto contact = [&](const Vec3& center, double radius) {
     fcl::CollisionResultd result;
     const fcl::Sphered sphere(radius);
@@ -305,7 +292,7 @@ TEST(MixedRound, contactsOfWhatTouchesLeadAway) {
 
 TEST(MixedRound, contactsAcrossTheNearestEdgeAtAnyScale) {
   for (const double size : {1e-200, 1.0, 1e200}) {
-    const PolygonShaped square(Polygon({tricover::support::rectangle(-size, -size, size, size)}));
+    const PolygonShaped square(Polygon({rectangle(-size, -size, size, size)}));
     const fcl::Sphered sphere(0.5 * size);
     fcl::CollisionResultd result;
     fcl::collide<double>(&square, fcl::Transform3d::Identity(), &sphere, shifted<double>(0.5 * size, 0.75 * size, 0),
@@ -343,17 +330,16 @@ TEST(MixedRound, aNearestPointThatRoundsToTheMiddle) {
   leaning.linear() << 0x1.f9609f900737ep-1, 0x1.47154aa3b3825p-3, 0x1.c9e246808e1cdp-7, -0x1.45270f06d177dp-3,
       0x1.f8c61c5f90922p-1, -0x1.b31f6eaea2adcp-5, -0x1.6cb24a5871ad6p-6, 0x1.9b520d2bd6dbp-5, 0x1.ff3a28eab1e36p-1;
   there.translation() = leaning.translation() = Vec3(-0x1.442c77ba80f16p+2, 0x1.c023f0f8d381p+0, 0);
-  EXPECT_TRUE(hits(needle, there, cylinder, leaning));
+  EXPECT_TRUE(meet<double>(needle, there, cylinder, leaning));
 }
 
 TEST(MixedRound, motionsMeetDiscsOnTime) {
   // A corner goes straight to a stadium's end, and past it by less than its radius.
-  const PolygonShaped square(Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  const PolygonShaped square(Polygon({rectangle(0, 0, 1, 1)}));
   const fcl::Capsuled capsule(0.5, 2);
   const fcl::Transform3d still = lying({1, 0}, {0, 0, 0.3});
   const double section = 0.4;
-  fcl::ContinuousCollisionRequestd request(10, 1e-9, fcl::CCDM_TRANS, fcl::GST_LIBCCD,
-                                           fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+  const fcl::ContinuousCollisionRequestd request = advancing(1e-9, fcl::CCDM_TRANS);
   for (const double aside : {0.0, 0.3999, 0.4, 0.4001}) {
     const auto place = [&](double x) { return shifted<double>(x, aside, 0); };
     const bool meets = aside <= section;
@@ -370,12 +356,11 @@ TEST(MixedRound, motionsMeetDiscsOnTime) {
 
 TEST(MixedRound, whatTurnsDoesSoAboutItsOwnPivot) {
   // A stadium turns by a quarter about its middle, far from every origin, until its tip meets a wall.
-  const PolygonShaped wall(Polygon({tricover::support::rectangle(0, -3, 1, 3)}));
+  const PolygonShaped wall(Polygon({rectangle(0, -3, 1, 3)}));
   const fcl::Capsuled capsule(0.5, 2);
   const Vec3 middle(5, 7, 0);
   const fcl::Transform3d place = shifted<double>(middle.x() + 1.3, middle.y(), 0);
-  fcl::ContinuousCollisionRequestd request(10, 1e-9, fcl::CCDM_SCREW, fcl::GST_LIBCCD,
-                                           fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+  const fcl::ContinuousCollisionRequestd request = advancing(1e-9, fcl::CCDM_SCREW);
   const double truth = std::asin(1.3 - 0.5) / (M_PI / 2);
   fcl::ContinuousCollisionResultd result, swapped;
   const fcl::Transform3d begin = lying({0, 1}, middle), end = lying({1, 0}, middle);
@@ -388,29 +373,29 @@ TEST(MixedRound, whatTurnsDoesSoAboutItsOwnPivot) {
 }
 
 TEST(MixedRound, prismsUpsideDownReachTheOtherWay) {
-  const PolygonShaped prism(Polygon({tricover::support::rectangle(-1, -1, 1, 1)}), PolygonOptions{0, -1, 3});
+  const PolygonShaped prism(Polygon({rectangle(-1, -1, 1, 1)}), PolygonOptions{0, -1, 3});
   fcl::Transform3d upside_down = fcl::Transform3d::Identity();
   upside_down.linear().diagonal() << 1, -1, -1;
   const fcl::Sphered sphere(0.5);
   const auto at = [](double z) { return shifted<double>(0, 0, z); };
-  EXPECT_TRUE(hits(prism, fcl::Transform3d::Identity(), sphere, at(3.25)));
-  EXPECT_FALSE(hits(prism, fcl::Transform3d::Identity(), sphere, at(-3.25)));
-  EXPECT_FALSE(hits(prism, upside_down, sphere, at(3.25)));
-  EXPECT_TRUE(hits(prism, upside_down, sphere, at(-3.25)));
+  EXPECT_TRUE(meet<double>(prism, fcl::Transform3d::Identity(), sphere, at(3.25)));
+  EXPECT_FALSE(meet<double>(prism, fcl::Transform3d::Identity(), sphere, at(-3.25)));
+  EXPECT_FALSE(meet<double>(prism, upside_down, sphere, at(3.25)));
+  EXPECT_TRUE(meet<double>(prism, upside_down, sphere, at(-3.25)));
 }
 
 TEST(MixedRound, whatLeansIsNoDisc) {
   // A cylinder that leans by more than rounding has the section of one that leans.
-  const PolygonShaped square(Polygon({tricover::support::rectangle(0, -1, 1, 1)}));
+  const PolygonShaped square(Polygon({rectangle(0, -1, 1, 1)}));
   const fcl::Cylinderd cylinder(1, 10);
   const double lean = 0.1, reach = 1 / std::cos(lean);
   const auto at = [&](double x, double by) { return placed<double>({x, 0, 0}, turned(by, Vec3::UnitY())); };
   const fcl::Transform3d here = fcl::Transform3d::Identity();
-  EXPECT_TRUE(hits(square, here, cylinder, at(-1, 0)));
-  EXPECT_FALSE(hits(square, here, cylinder, at(-1 - 1e-8, 0)));
-  EXPECT_TRUE(hits(square, here, cylinder, at(-reach, lean)));
-  EXPECT_FALSE(hits(square, here, cylinder, at(-reach - 1e-6, lean)));
-  EXPECT_TRUE(hits(square, here, cylinder, at(-1, 1e-13)));
+  EXPECT_TRUE(meet<double>(square, here, cylinder, at(-1, 0)));
+  EXPECT_FALSE(meet<double>(square, here, cylinder, at(-1 - 1e-8, 0)));
+  EXPECT_TRUE(meet<double>(square, here, cylinder, at(-reach, lean)));
+  EXPECT_FALSE(meet<double>(square, here, cylinder, at(-reach - 1e-6, lean)));
+  EXPECT_TRUE(meet<double>(square, here, cylinder, at(-1, 1e-13)));
 }
 
 }  // namespace

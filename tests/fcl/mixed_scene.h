@@ -12,15 +12,12 @@
 #include <fcl/geometry/shape/halfspace.h>
 #include <fcl/geometry/shape/plane.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
 
 #include <memory>
 #include <string>
-#include <type_traits>
 #include <vector>
 
-#include "scene.h"
+#include "ask.h"
 
 namespace tricover_fcl::test {
 
@@ -88,27 +85,6 @@ std::shared_ptr<fcl::OcTree<S>> octree() {
   tree->updateNode(octomap::point3d(-2.8f, -2.8f, 0.2f), true);
   tree->updateNode(octomap::point3d(2.2f, 0.2f, 0.2f), false);
   return std::make_shared<fcl::OcTree<S>>(std::shared_ptr<const octomap::OcTree>(tree));
-}
-
-/// FCL's entry points for double; for float, which are templates that take minutes to instantiate (float_scalar.cpp has
-/// them), tricover's own.
-template <typename S>
-std::size_t askCollide(const fcl::CollisionGeometry<S>& a, const fcl::Transform3<S>& tf_a,
-                       const fcl::CollisionGeometry<S>& b, const fcl::Transform3<S>& tf_b,
-                       const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result) {
-  if constexpr (std::is_same_v<S, double>)
-    return fcl::collide(&a, tf_a, &b, tf_b, request, result);
-  else
-    return tricover_fcl::collide(&a, tf_a, &b, tf_b, request, result);
-}
-
-template <typename S>
-S askDistance(const fcl::CollisionGeometry<S>& a, const fcl::Transform3<S>& tf_a, const fcl::CollisionGeometry<S>& b,
-              const fcl::Transform3<S>& tf_b, const fcl::DistanceRequest<S>& request, fcl::DistanceResult<S>& result) {
-  if constexpr (std::is_same_v<S, double>)
-    return fcl::distance(&a, tf_a, &b, tf_b, request, result);
-  else
-    return tricover_fcl::distance(&a, tf_a, &b, tf_b, request, result);
 }
 
 /// A tip to the left, on the line y = 0, at x = 0.

@@ -12,14 +12,11 @@
 #include <cmath>
 #include <limits>
 
-#include "scene.h"
-#include "test_scale.h"
+#include "ask.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-using tricover::support::Random;
 
 /// What answers nothing but where it is and how fast.
 template <typename S>
@@ -95,19 +92,6 @@ Swing<S> anySwing(Random& random) {
   return {vector(9), vector(9), random.real(0.5, 6), random.real(0, 6), random.real(-3, 3), random.real(-2, 2)};
 }
 
-template <typename S>
-fcl::Transform3<S> at(const fcl::MotionBase<S>& motion, double time) {
-  fcl::Transform3<S> transform;
-  motion.integrate(static_cast<S>(time));
-  motion.getCurrentTransform(transform);
-  return transform;
-}
-
-fcl::ContinuousCollisionRequestd advancing(double error) {
-  return fcl::ContinuousCollisionRequestd(15, error, fcl::CCDM_TRANS, fcl::GST_LIBCCD,
-                                          fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
-}
-
 double radiusOf(const tricover::Polygon& polygon) {
   double radius = 0;
   for (const tricover::Ring& ring : polygon.rings()) {
@@ -146,20 +130,17 @@ bool follows(const fcl::CollisionGeometry<S>& a, const fcl::MotionBase<S>& motio
 template <typename S>
 void swingsMeetOnTime(int full, S error) {
   Random random(71);
-  const int cases = tricover::support::scaledCount(full);
+  const int cases = scaledCount(full);
   int hits = 0, margins = 0;
   for (int i = 0; i < cases; ++i) {
     SCOPED_TRACE(i);
-    const auto polygon = [&] {
-      return tricover::Polygon({tricover::support::star(random, random.integer(3, 9), 0.5, 3)});
-    };
+    const auto polygon = [&] { return tricover::Polygon({star(random, random.integer(3, 9), 0.5, 3)}); };
     const double margin = random.coin() ? random.real(0, 1) : 0;
     const auto a = std::make_shared<PolygonShape<S>>(polygon(), PolygonOptions{margin, 0, 0});
     const auto b = std::make_shared<PolygonShape<S>>(polygon());
     const SwingMotion<S> motion_a(anySwing<S>(random), radiusOf(a->polygon())),
         motion_b(anySwing<S>(random), radiusOf(b->polygon()));
-    const fcl::TranslationMotion<S> straight(lifted<S>(tricover::support::randomPose(random, 9)),
-                                             lifted<S>(tricover::support::randomPose(random, 9)));
+    const fcl::TranslationMotion<S> straight(lifted<S>(randomPose(random, 9)), lifted<S>(randomPose(random, 9)));
     const bool hit = i % 3 == 0   ? follows<S>(*a, motion_a, *b, motion_b, error)
                      : i % 3 == 1 ? follows<S>(*a, motion_a, *b, straight, error)
                                   : follows<S>(*b, straight, *a, motion_a, error);
@@ -177,15 +158,15 @@ TEST(OwnMotions, floatSwingsMeetOnTime) { swingsMeetOnTime<float>(100, 1e-3f); }
 
 TEST(OwnMotions, swingsMeetOtherGeometriesOnTime) {
   Random random(72);
-  const int cases = std::max(15, tricover::support::scaledCount(150));  // few of them hit
+  const int cases = std::max(15, scaledCount(150));  // few of them hit
   const fcl::Boxd box(3, 2, 2);
   int hits = 0;
   for (int i = 0; i < cases; ++i) {
     SCOPED_TRACE(i);
-    const PolygonShaped shape(tricover::Polygon({tricover::support::star(random, random.integer(3, 9), 0.5, 3)}));
+    const PolygonShaped shape(tricover::Polygon({star(random, random.integer(3, 9), 0.5, 3)}));
     const SwingMotion<double> driven(anySwing<double>(random), radiusOf(shape.polygon()), 0.5);
     const SwingMotion<double> carried(anySwing<double>(random), std::hypot(1.5, 1), 0.5);
-    const StaticMotion still(lifted(tricover::support::randomPose(random, 9), 0.5));
+    const StaticMotion still(lifted(randomPose(random, 9), 0.5));
     hits += i % 3 == 0   ? follows<double>(shape, driven, box, carried, 1e-6)
             : i % 3 == 1 ? follows<double>(box, carried, shape, still, 1e-6)
                          : follows<double>(box, still, shape, driven, 1e-6);
@@ -198,12 +179,11 @@ TEST(OwnMotions, swingsMeetOtherGeometriesOnTime) {
 /// The planner's question: a robot on a spline, and one that waits.
 TEST(OwnMotions, splinesMeetWhatStandsStill) {
   Random random(73);
-  const int cases = tricover::support::scaledCount(300);
+  const int cases = scaledCount(300);
   int hits = 0;
   for (int i = 0; i < cases; ++i) {
     const auto polygon = [&] {
-      return std::make_shared<PolygonShaped>(
-          tricover::Polygon({tricover::support::star(random, random.integer(3, 9), 0.5, 3)}));
+      return std::make_shared<PolygonShaped>(tricover::Polygon({star(random, random.integer(3, 9), 0.5, 3)}));
     };
     const auto vector = [&] { return fcl::Vector3d(random.real(-12, 12), random.real(-12, 12), 0); };
     const auto turn = [&] { return fcl::Vector3d(0, 0, random.real(-4, 4)); };
@@ -231,10 +211,10 @@ TEST(OwnMotions, splinesMeetWhatStandsStill) {
   EXPECT_GT(cases - hits, cases / 10);
 }
 
-const Shape<double> kSquare = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
+const Shape<double> kSquare = rectangular(-0.5, -0.5, 0.5, 0.5);
 
 TEST(OwnMotions, standingStillIsOneCollide) {
-  const auto pose = [](double x) { return lifted(tricover::support::pose(0, x, 0)); };
+  const auto pose = [](double x) { return lifted(0, x, 0); };
   for (const double x : {0.5, 1.0, 1.5}) {
     const StaticMotion a(pose(0)), b(pose(x));
     fcl::ContinuousCollisionResultd result;
@@ -284,7 +264,7 @@ fcl::InterpMotion<double> turning(const tricover::Pose& begin, const tricover::P
 }
 
 TEST(OwnMotions, narrowGapsTakeFewSteps) {
-  const auto floor = shapeOf(tricover::Polygon({tricover::support::rectangle(-3, -2, 3, 0)}));
+  const auto floor = rectangular(-3, -2, 3, 0);
   const auto triangle = shapeOf(tricover::Polygon({{{0, 0}, {1, 1}, {-0.5, 1}}}));
   const fcl::TranslationMotion<double> still(fcl::Transform3d::Identity(), fcl::Transform3d::Identity());
   for (double gap = 1e-3; gap > 1e-11; gap /= 10) {
@@ -322,16 +302,16 @@ TEST(OwnMotions, narrowGapsTakeFewSteps) {
 /// The same motion by FCL's class, which is known, and by one that is asked for its bounds alone.
 TEST(OwnMotions, boundsAlongDirectionsMissNothing) {
   Random random(74);
-  const int cases = tricover::support::scaledCount(600);
+  const int cases = scaledCount(600);
   int hits = 0;
   for (int i = 0; i < cases; ++i) {
     SCOPED_TRACE(i);
     const auto shape = [&](double margin) {
-      const tricover::Polygon polygon({tricover::support::star(random, random.integer(3, 40), 0.5, 3)});
+      const tricover::Polygon polygon({star(random, random.integer(3, 40), 0.5, 3)});
       return std::make_shared<PolygonShaped>(polygon, PolygonOptions{margin, 0, 0});
     };
     const auto a = shape(random.coin() ? random.real(0, 1) : 0), b = shape(0);
-    const auto pose = [&] { return tricover::support::randomPose(random, 7); };
+    const auto pose = [&] { return randomPose(random, 7); };
     const auto inner_a = turning(pose(), pose(), {random.real(-9, 9), random.real(-9, 9)}),
                inner_b = turning(pose(), pose(), {0, 0});
     const Handing motion_a(inner_a), motion_b(inner_b);
@@ -351,7 +331,7 @@ TEST(OwnMotions, boundsAlongDirectionsMissNothing) {
 }
 
 TEST(OwnMotions, tightBoundsAreNotPassed) {
-  const auto wall = shapeOf(tricover::Polygon({tricover::support::rectangle(8.5, -9, 9, 9)}));
+  const auto wall = rectangular(8.5, -9, 9, 9);
   const auto time = [&](const fcl::MotionBase<double>& motion, const fcl::MotionBase<double>& of_wall) {
     fcl::ContinuousCollisionResultd result;
     return fcl::continuousCollide<double>(kSquare.get(), &motion, wall.get(), &of_wall, advancing(1e-7), result);
@@ -407,7 +387,7 @@ class Rising : public SwingMotion<double> {
 
 TEST(OwnMotions, whatCannotBeAnsweredThrows) {
   const Swing<double> swing{{2, 0}, {1, 1}, 1, 0, 0, 0.1};
-  const StaticMotion still(lifted(tricover::support::pose(0, 0, 0)));
+  const StaticMotion still(lifted(0, 0, 0));
   const auto ask = [&](const fcl::MotionBase<double>& motion, double error = 1e-9) {
     fcl::ContinuousCollisionResultd result;
     fcl::continuousCollide<double>(kSquare.get(), &still, kSquare.get(), &motion, advancing(error), result);
@@ -439,8 +419,7 @@ TEST(OwnMotions, whatCannotBeAnsweredThrows) {
 /// a time until which nothing is met.
 TEST(OwnMotion, aSearchEndsWithALowerBound) {
   const Swing<double> still{{0, 0}, {0, 0}, 1, 0, 0, 0}, along{{1 + 1e-9, 0}, {0, 1}, 1, 0, 0, 0};
-  const Shape<double> wall = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -9, 0, 9)})),
-                      square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const Shape<double> wall = rectangular(-1, -9, 0, 9), square = rectangular(-1, -1, 1, 1);
   const SwingMotion<double> moving(along, 2);
   const StaticMotion standing(lifted(still.at(0)));
   fcl::ContinuousCollisionResultd result;

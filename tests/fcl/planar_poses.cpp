@@ -10,7 +10,7 @@ namespace tricover_fcl::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-const Shape<double> kSquare = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+const Shape<double> kSquare = rectangular(0, 0, 1, 1);
 
 bool collide(const fcl::Transform3d& tf1, const fcl::Transform3d& tf2) {
   fcl::CollisionResultd result;
@@ -66,9 +66,9 @@ TEST(PlanarPoses, scalesAreNamedByThemselves) {
 }
 
 TEST(PlanarPoses, productsOfFloatQuaternionsAreNotRefused) {
-  tricover::support::Random random(4);
+  Random random(4);
   const fcl::Boxf box(1, 1, 1);
-  const auto square = shapeOf<float>(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  const auto square = shapeOf<float>(tricover::Polygon({rectangle(0, 0, 1, 1)}));
   for (int i = 0; i < 20000; ++i) {
     fcl::Quaternionf product(1, 0, 0, 0);
     for (int k = 0; k < 4; ++k)
@@ -86,11 +86,10 @@ TEST(PlanarPoses, halfTurnsAboutAnAxisInThePlaneMirror) {
   // About x: the square lies below the x axis.
   const fcl::Transform3d below = turned(kPi, {1, 0, 0});
   EXPECT_TRUE(collide(below, kIdentity));  // both hold the x axis, up to cos and sin of a rounded pi
-  EXPECT_TRUE(collide(below, lifted(tricover::support::pose(0, 0, -0.5))));
-  EXPECT_FALSE(collide(below, lifted(tricover::support::pose(0, 0, 0.5))));
+  EXPECT_TRUE(collide(below, lifted(0, 0, -0.5)));
+  EXPECT_FALSE(collide(below, lifted(0, 0, 0.5)));
   // A mirror that is no rotation of space is one in the plane all the same.
-  EXPECT_FALSE(collide(lifted(tricover::support::mirrored(tricover::Pose::Identity())),
-                       lifted(tricover::support::pose(0, 2, 2))));
+  EXPECT_FALSE(collide(lifted(mirrored(tricover::Pose::Identity())), lifted(0, 2, 2)));
 }
 
 TEST(PlanarPoses, whatIsNotRigidOrFiniteIsRefusedAtAnyHeight) {

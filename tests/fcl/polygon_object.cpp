@@ -12,12 +12,9 @@
 #include <utility>
 
 #include "scene.h"
-#include "test_scale.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-using tricover::support::Random;
 
 template <typename S>
 std::shared_ptr<PolygonShape<S>> shapeWith(const tricover::Polygon& polygon, const PolygonOptions& options) {
@@ -62,18 +59,18 @@ void expectTight(const PolygonShape<S>& shape, const fcl::Transform3<S>& pose, c
 template <typename S>
 void expectTightBoxes(double precision) {
   Random random(41);
-  for (int i = 0; i < tricover::support::scaledCount(400); ++i) {
+  for (int i = 0; i < scaledCount(400); ++i) {
     const double size = std::ldexp(1, random.integer(-20, 20));
     const tricover::Vec2 off =
         random.coin() ? tricover::Vec2(0, 0) : tricover::Vec2(random.real(-50, 50) * size, random.real(-50, 50) * size);
-    const tricover::Polygon polygon({tricover::support::star(random, random.integer(3, 40), 0.3 * size, size, off)});
+    const tricover::Polygon polygon({star(random, random.integer(3, 40), 0.3 * size, size, off)});
     PolygonOptions options;
     if (random.coin()) options.z_low = random.real(-2, 0) * size, options.z_high = random.real(0, 3) * size;
     if (random.coin()) options.margin = random.real(0, 1) * size;
     const auto shape = shapeWith<S>(polygon, options);
 
     // In the plane, upside down or mirrored; and now and then anyhow.
-    fcl::Transform3<S> pose = lifted<S>(tricover::support::randomPose(random, 100 * size), random.real(-9, 9) * size);
+    fcl::Transform3<S> pose = lifted<S>(randomPose(random, 100 * size), random.real(-9, 9) * size);
     if (random.coin()) pose.linear() = pose.linear() * fcl::Vector3<S>(1, -1, -1).asDiagonal();
     if (random.oneIn(4)) {
       pose.linear() = Eigen::AngleAxis<S>(static_cast<S>(random.real(0, 3)),
@@ -95,9 +92,8 @@ TEST(PolygonObject, boxesHoldTheShapeAndLittleElse) { expectTightBoxes<double>(1
 TEST(PolygonObject, floatBoxesHoldTheShapeAndLittleElse) { expectTightBoxes<float>(3e-7); }
 
 TEST(PolygonObject, atAllHeightsTheBoxIsAsHighAsWide) {
-  const auto shape =
-      shapeWith<double>(tricover::Polygon({tricover::support::rectangle(0, 0, 4, 3)}), PolygonOptions::atAllHeights(1));
-  const PolygonObjectd object(shape, lifted(tricover::support::pose(0, 1, 2), 7));
+  const auto shape = shapeWith<double>(tricover::Polygon({rectangle(0, 0, 4, 3)}), PolygonOptions::atAllHeights(1));
+  const PolygonObjectd object(shape, lifted(0, 1, 2, 7));
   const fcl::AABB<double>& box = object.getAABB();
   EXPECT_NEAR(box.min_.z(), 7 - 6, 12 * tricover::kRigidTolerance);  // the farthest vertex and the margin
   EXPECT_NEAR(box.max_.z(), 7 + 6, 12 * tricover::kRigidTolerance);
@@ -109,7 +105,7 @@ TEST(PolygonObject, aTiltThatPairsLeaveOutIsInTheBoxBothWays) {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
   pose.linear()(0, 2) = 9e-7;
   pose.linear()(2, 0) = -9e-7;
-  const auto shape = shapeWith<double>(tricover::Polygon({tricover::support::rectangle(1, 0, 2, 1)}), {0, 1000, 2000});
+  const auto shape = shapeWith<double>(tricover::Polygon({rectangle(1, 0, 2, 1)}), {0, 1000, 2000});
   const PolygonObjectd object(shape, pose);
   const fcl::AABB<double>& box = object.getAABB();
   EXPECT_LE(box.min_.x(), 1);
@@ -120,8 +116,8 @@ TEST(PolygonObject, aTiltThatPairsLeaveOutIsInTheBoxBothWays) {
 
 TEST(PolygonObject, extremeSizesGiveUsableBoxes) {
   for (const double size : {5e-324, 1e-300, 1e300, 1e308}) {
-    const auto shape = shapeOf(tricover::Polygon({tricover::support::rectangle(-size, -size, size, size)}));
-    const PolygonObjectd object(shape, lifted(tricover::support::pose(0.5, 1, 2)));
+    const auto shape = rectangular(-size, -size, size, size);
+    const PolygonObjectd object(shape, lifted(0.5, 1, 2));
     EXPECT_FALSE(object.getAABB().min_.hasNaN() || object.getAABB().max_.hasNaN());
     EXPECT_TRUE(object.getAABB().contain(fcl::Vector3d(1, 2, 0)));
     EXPECT_LE(object.getAABB().max_.x() / 2 - object.getAABB().min_.x() / 2, 1.5 * size + 1e-14);
@@ -130,7 +126,7 @@ TEST(PolygonObject, extremeSizesGiveUsableBoxes) {
 
 TEST(PolygonObject, fclsOwnBoxIsRightToo) {
   Random random(42);
-  PolygonObjectd object(shapeOf(randomPolygon(random, 2)), lifted(tricover::support::pose(0.7, 3, 4)));
+  PolygonObjectd object(shapeOf(randomPolygon(random, 2)), lifted(0.7, 3, 4));
   const fcl::AABB<double> tight = object.getAABB();
   fcl::CollisionObjectd& plain = object;
   plain.computeAABB();
@@ -173,7 +169,7 @@ Asked askedOf(double off) {
   std::vector<char> numbers(300);
   for (char& number : numbers) {
     const tricover::Vec2 place(random.real(-30, 30), random.real(-30, 30)), origin(off, off);
-    const tricover::Polygon polygon({tricover::support::star(random, 12, 0.5, 2, origin)});
+    const tricover::Polygon polygon({star(random, 12, 0.5, 2, origin)});
     tricover::Pose pose = tricover::support::pose(random.real(0, 6), 0, 0);
     pose.translation() = place - pose.linear() * origin;
     objects.push_back(std::make_shared<Object>(shapeOf(polygon), lifted(pose)));

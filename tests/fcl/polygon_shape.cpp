@@ -11,12 +11,9 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "scene.h"
-#include "test_scale.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-using tricover::support::Random;
 
 template <typename S>
 fcl::AABB<S> boxOf(const Shape<S>& shape, const tricover::Pose& pose) {
@@ -24,7 +21,7 @@ fcl::AABB<S> boxOf(const Shape<S>& shape, const tricover::Pose& pose) {
 }
 
 TEST(PolygonShape, isTheGeometryThatItSays) {
-  const tricover::Polygon polygon({tricover::support::rectangle(1, 2, 4, 6)});
+  const tricover::Polygon polygon({rectangle(1, 2, 4, 6)});
   const PolygonShaped shape(polygon);
   EXPECT_EQ(shape.polygon().id(), polygon.id());
   EXPECT_EQ(shape.getObjectType(), fcl::OT_GEOM);
@@ -33,7 +30,7 @@ TEST(PolygonShape, isTheGeometryThatItSays) {
 }
 
 TEST(PolygonShape, boxIsTightAndPadded) {
-  const PolygonShaped shape(tricover::Polygon({tricover::support::rectangle(-3, -1, 4, 2)}));
+  const PolygonShaped shape(tricover::Polygon({rectangle(-3, -1, 4, 2)}));
   const double reach = std::hypot(4, 2);
   for (int axis = 0; axis < 2; ++axis) {
     const double low = axis == 0 ? -3 : -1, high = axis == 0 ? 4 : 2;
@@ -66,7 +63,7 @@ void expectBoxesToOverlapWherePolygonsMeet() {
   int hits = 0, parted = 0, parted_tightly = 0, cases = 0;
   for (const tricover::support::Family& family : tricover::support::families()) {
     SCOPED_TRACE(family.name);
-    for (int i = 0; i < tricover::support::scaledCount(300); ++i) {
+    for (int i = 0; i < scaledCount(300); ++i) {
       const tricover::support::Case c = family.make(static_cast<std::uint64_t>(i));
       const fcl::Transform3<S> tf_a = lifted<S>(c.pose_a), tf_b = lifted<S>(c.pose_b);
       if (!tf_a.matrix().allFinite() || !tf_b.matrix().allFinite()) continue;  // beyond float
@@ -94,7 +91,7 @@ TEST(PolygonShape, rotationThatFclTakesForTheIdentityStaysInTheBox) {
   // A bar whose tip a rotation just below FCL's threshold lifts by 0.9e-12 x 1e6; one that lies off its origin, too.
   const tricover::Pose tiny = tricover::support::pose(0.9e-12, 0, 0);
   for (const double x : {0.0, 1e6}) {
-    const Shape<double> bar = shapeOf(tricover::Polygon({tricover::support::rectangle(x, 0, 1e6 + 1, 1)}));
+    const Shape<double> bar = rectangular(x, 0, 1e6 + 1, 1);
     ASSERT_TRUE(lifted(tiny).linear().isIdentity());
     const tricover::Vec2 tip = tiny * tricover::Vec2(1e6 + 1, 1);
     EXPECT_GT(tip.y(), 1 + 5e-7);
@@ -110,8 +107,8 @@ TEST(PolygonShape, farOffTheBoxesStillTouch) {
   for (int i = 0; i < kCases; ++i) {
     const double place = 1e15, ulp = 0.125;
     const tricover::Vec2 off(random.real(-2, 2) * ulp, random.real(-2, 2) * ulp);
-    const tricover::Polygon a({tricover::support::star(random, 5, 0.5 * ulp, ulp)});
-    const tricover::Polygon b({tricover::support::star(random, 5, 0.5 * ulp, ulp, off)});
+    const tricover::Polygon a({star(random, 5, 0.5 * ulp, ulp)});
+    const tricover::Polygon b({star(random, 5, 0.5 * ulp, ulp, off)});
     const tricover::Pose pose_a = tricover::support::pose(random.coin() ? 0 : random.real(0, 6), place, place);
     const tricover::Pose pose_b =
         tricover::support::pose(random.coin() ? 0 : random.real(0, 6), place + random.integer(-1, 1) * ulp, place);
@@ -126,7 +123,7 @@ TEST(PolygonShape, farOffTheBoxesStillTouch) {
 
 TEST(PolygonShape, extremeSizesGiveUsableBoxes) {
   for (const double size : {5e-324, 1e-300, 1e300, 1e308}) {
-    const tricover::Polygon polygon({tricover::support::rectangle(-size, -size, size, size)});
+    const tricover::Polygon polygon({rectangle(-size, -size, size, size)});
     for (const double angle : {0.0, 1.0}) {
       const tricover::Pose pose = tricover::support::pose(angle, 1, 2);
       const fcl::AABB<double> box = boxOf(shapeOf(polygon), pose);
@@ -142,7 +139,7 @@ TEST(PolygonShape, extremeSizesGiveUsableBoxes) {
 
 /// Moving copies.
 TEST(PolygonShape, isAsItWasWhenMovedFrom) {
-  PolygonShaped shape(tricover::Polygon({tricover::support::rectangle(1, 2, 4, 6)}), tricover_fcl::PolygonOptions());
+  PolygonShaped shape(tricover::Polygon({rectangle(1, 2, 4, 6)}), tricover_fcl::PolygonOptions());
   const PolygonShaped moved(std::move(shape));
   EXPECT_EQ(shape.polygon().id(), moved.polygon().id());  // NOLINT
   EXPECT_TRUE(shape.boxAt(fcl::Transform3d::Identity()).equal(moved.boxAt(fcl::Transform3d::Identity())));
@@ -152,7 +149,7 @@ TEST(PolygonShape, isAsItWasWhenMovedFrom) {
 TEST(PolygonShape, tightBoxesOfCopiesAreAlike) {
   Random random(4);
   const tricover::Polygon polygon = randomPolygon(random, 1), other = randomPolygon(random, 3);
-  const fcl::Transform3d pose = lifted(tricover::support::pose(1, 2, 3));
+  const fcl::Transform3d pose = lifted(1, 2, 3);
   const fcl::AABB<double> box = PolygonShaped(polygon).boxAt(pose), other_box = PolygonShaped(other).boxAt(pose);
   ASSERT_FALSE(box.equal(other_box));
   for (const bool asked : {false, true}) {
@@ -178,7 +175,7 @@ TEST(PolygonShape, threadsFindTheTightBoxAtOnce) {
   Random random(5);
   for (int time = 0; time < 50; ++time) {
     const PolygonShaped shape(randomPolygon(random, 1));
-    const fcl::Transform3d pose = lifted(tricover::support::pose(time, 2, 3));
+    const fcl::Transform3d pose = lifted(time, 2, 3);
     std::vector<fcl::AABB<double>> boxes(6);
     std::vector<std::thread> threads;
     for (std::size_t i = 0; i < boxes.size(); ++i)

@@ -45,7 +45,7 @@ TEST(Registration, refusesAnotherFcl) {
 TEST(Registration, canBeRepeated) { EXPECT_NO_THROW(registerNarrowphase()); }
 
 TEST(Registration, threadsShareShapes) {
-  tricover::support::Random random(3);
+  Random random(3);
   const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
   constexpr int kSteps = 300;
   const auto hits = [&a, &b](int thread) {

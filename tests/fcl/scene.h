@@ -12,9 +12,19 @@
 
 #include "random.h"
 #include "shapes.h"
+#include "test_scale.h"
 #include "tricover_fcl/tricover_fcl.h"
 
 namespace tricover_fcl::test {
+
+using tricover::support::mirrored;
+using tricover::support::nudged;
+using tricover::support::Random;
+using tricover::support::randomPose;
+using tricover::support::rectangle;
+using tricover::support::regular;
+using tricover::support::scaledCount;
+using tricover::support::star;
 
 template <typename S>
 using Shape = std::shared_ptr<PolygonShape<S>>;
@@ -22,6 +32,10 @@ using Shape = std::shared_ptr<PolygonShape<S>>;
 template <typename S = double>
 Shape<S> shapeOf(const tricover::Polygon& polygon) {
   return std::make_shared<PolygonShape<S>>(polygon);
+}
+
+inline Shape<double> rectangular(double x_low, double y_low, double x_high, double y_high) {
+  return shapeOf(tricover::Polygon({rectangle(x_low, y_low, x_high, y_high)}));
 }
 
 /// The planar pose in space, at height z.
@@ -32,6 +46,12 @@ fcl::Transform3<S> lifted(const tricover::Pose& pose, double z = 0) {
   transform.translation() << static_cast<S>(pose.translation().x()), static_cast<S>(pose.translation().y()),
       static_cast<S>(z);
   return transform;
+}
+
+/// Turned about z, and moved.
+template <typename S = double>
+fcl::Transform3<S> lifted(double angle, double x, double y, double z = 0) {
+  return lifted<S>(tricover::support::pose(angle, x, y), z);
 }
 
 /// What FCL's transform does in the plane, exactly. Not inline: where GCC 12 sees double turned into float and back,

@@ -2,11 +2,6 @@
 // SceneManager shows its callbacks what brute force finds, whatever it is asked.
 #include "tricover_fcl/scene_manager.h"
 
-#include <fcl/broadphase/broadphase_SSaP.h>
-#include <fcl/broadphase/broadphase_SaP.h>
-#include <fcl/broadphase/broadphase_bruteforce.h>
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/broadphase/broadphase_interval_tree.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
 #include <algorithm>
@@ -16,15 +11,12 @@
 #include <thread>
 #include <utility>
 
+#include "managers.h"
 #include "mixed_scene.h"
 #include "seen_pairs.h"
-#include "test_scale.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-using tricover::support::Random;
-using tricover::support::scaledCount;
 
 template <typename S>
 double leastDistance(const std::vector<Object<S>*>& ps, const std::vector<Object<S>*>& qs) {
@@ -70,7 +62,7 @@ Geometry<S> randomGeometry(Random& random, double size) {
 template <typename S>
 fcl::Transform3<S> randomPlace(Random& random, const Object<S>& object, double width) {
   const double z = random.oneIn(3) ? random.real(-1, 1) : 0;
-  fcl::Transform3<S> pose = lifted<S>(tricover::support::randomPose(random, width), z);
+  fcl::Transform3<S> pose = lifted<S>(randomPose(random, width), z);
   if (!isPolygon(object))
     pose.linear() = turned(random.real(0, 6), {1, random.real(-1, 1), random.real(-1, 1)}).template cast<S>();
   else if (random.oneIn(5))
@@ -176,17 +168,6 @@ TEST(SceneManager, framesAsByBruteForce) { expectFramesAsByBruteForce<double>();
 
 TEST(SceneManager, floatFramesAsByBruteForce) { expectFramesAsByBruteForce<float>(); }
 
-std::vector<std::unique_ptr<fcl::BroadPhaseCollisionManagerd>> managersOfEveryKind() {
-  std::vector<std::unique_ptr<fcl::BroadPhaseCollisionManagerd>> all;
-  all.push_back(std::make_unique<SceneManagerd>());
-  all.push_back(std::make_unique<fcl::DynamicAABBTreeCollisionManagerd>());
-  all.push_back(std::make_unique<fcl::SaPCollisionManagerd>());
-  all.push_back(std::make_unique<fcl::SSaPCollisionManagerd>());
-  all.push_back(std::make_unique<fcl::NaiveCollisionManagerd>());
-  all.push_back(std::make_unique<fcl::IntervalTreeCollisionManagerd>());
-  return all;
-}
-
 TEST(SceneManager, anyManagerIsAPartner) {
   Random random(52);
   const Objects<double> mine = randomObjects<double>(random, 25, 2, 8),
@@ -198,7 +179,8 @@ TEST(SceneManager, anyManagerIsAPartner) {
   manager.setup();
   const Pairs expected = hitsOf(pointers(mine), others);
   EXPECT_GT(expected.size(), 10u);
-  for (const auto& partner : managersOfEveryKind()) {
+  for (const auto& [name, partner] : managersOfEveryKind()) {
+    SCOPED_TRACE(name);
     Seen<double> before;
     manager.collide(partner.get(), &before, see<double>);
     EXPECT_EQ(before.calls, 0u);  // empty
@@ -289,8 +271,7 @@ TEST(SceneManager, distanceShowsTheNearestFirst) {
   const Objects<double> objects = sparseObjects<double>(random, 6, 3, true, 0);
   SceneManagerd manager;
   manager.registerObjects(pointers(objects));
-  fcl::CollisionObjectd query(shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)})),
-                              shifted<double>(7, 30, 0));
+  fcl::CollisionObjectd query(rectangular(0, 0, 1, 1), shifted<double>(7, 30, 0));
   CountedDistance of_query, of_all;
   manager.distance(&query, &of_query, countDistance);
   EXPECT_LE(of_query.calls, 6);  // of 36; what lies at other heights is nearer in the plane than in space

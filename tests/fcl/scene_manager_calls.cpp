@@ -40,7 +40,7 @@ int calls(const std::function<void(void*)>& query) {
 /// Squares of 1, two by two in touch, and a halfspace that is everywhere.
 Objects<double> fourSquaresAndAHalfspace() {
   Objects<double> objects;
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+  const Shape<double> square = rectangular(0, 0, 1, 1);
   for (const double x : {0.0, 1.0, 5.0, 6.0})
     objects.push_back(std::make_unique<fcl::CollisionObjectd>(square, shifted<double>(x, 0, 0)));
   objects.push_back(
@@ -54,7 +54,7 @@ TEST(SceneManager, callbacksEndQueries) {
   manager.registerObjects(pointers(objects));
   partner.registerObjects(pointers(objects));
   fcl::CollisionObjectd& query = *objects[0];
-  const fcl::CollisionObjectd wide(shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 9, 1)})));
+  const fcl::CollisionObjectd wide(rectangular(0, 0, 9, 1));
   fcl::CollisionObjectd given = wide;
   EXPECT_EQ(calls([&](void* data) { manager.collide(data, count); }), 2 + 4);
   EXPECT_EQ(calls([&](void* data) { manager.collide(data, countAndStop); }), 1);
@@ -159,7 +159,7 @@ TEST(SceneManager, whatNoQueryTakesIsShownSoThatItIsRefused) {
 }
 
 TEST(SceneManager, boxesFollowWhatTurns) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(1, -0.5, 2, 0.5)}));
+  const Shape<double> square = rectangular(1, -0.5, 2, 0.5);
   fcl::CollisionObjectd bar(std::make_shared<fcl::Boxd>(1, 4, 1)), wall(square);
   SceneManagerd manager;
   manager.registerObjects({&bar, &wall});
@@ -180,7 +180,7 @@ TEST(SceneManager, boxesFollowWhatTurns) {
 TEST(SceneManager, hugeAndTinyBoxes) {
   // Where FCL's trees crash.
   for (const double size : {1e-300, 1e300}) {
-    const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, size, size)}));
+    const Shape<double> square = rectangular(0, 0, size, size);
     fcl::CollisionObjectd p(square), q(square, shifted<double>(size, 0, 0)), r(square, shifted<double>(3 * size, 0, 0));
     fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(size));
     SceneManagerd manager;
@@ -194,12 +194,11 @@ TEST(SceneManager, aTiltWithinTheToleranceMovesHighPrisms) {
   // To the ball the prism leans; to polygons it doesn't.
   fcl::Transform3d pose = fcl::Transform3d::Identity();
   pose.linear() = turned(9e-7, fcl::Vector3d::UnitY());
-  const auto tower = std::make_shared<PolygonShaped>(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}),
-                                                     PolygonOptions{0, 0, 1e6});
+  const auto tower =
+      std::make_shared<PolygonShaped>(tricover::Polygon({rectangle(0, 0, 1, 1)}), PolygonOptions{0, 0, 1e6});
   fcl::CollisionObjectd prism(tower);
   fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted<double>(1.5, 0.5, 9e5));
-  fcl::CollisionObjectd flat(shapeOf(tricover::Polygon({tricover::support::rectangle(1.2, 0, 2, 1)})),
-                             shifted<double>(0, 0, 9e5));
+  fcl::CollisionObjectd flat(rectangular(1.2, 0, 2, 1), shifted<double>(0, 0, 9e5));
   SceneManagerd manager;
   manager.registerObjects({&prism, &ball, &flat});
   Seen<double> upright;

@@ -14,15 +14,13 @@
 #include <limits>
 #include <vector>
 
-#include "scene.h"
-#include "test_scale.h"
+#include "ask.h"
 #include "tricover/distance.h"
 #include "tricover/trajectory.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::support::Random;
 using Geometry = fcl::CollisionGeometryd;
 using Motion = fcl::MotionBased;
 
@@ -30,25 +28,12 @@ constexpr double kError = 1e-7;
 
 fcl::ContinuousCollisionResultd along(const Geometry& a, const Motion& motion_a, const Geometry& b,
                                       const Motion& motion_b) {
-  const fcl::ContinuousCollisionRequestd request(10, kError, fcl::CCDM_TRANS, fcl::GST_LIBCCD,
-                                                 fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+  const fcl::ContinuousCollisionRequestd request = advancing(kError);
   fcl::ContinuousCollisionResultd result, ours;
   const double time = fcl::continuousCollide(&a, &motion_a, &b, &motion_b, request, result);
   EXPECT_EQ(tricover_fcl::continuousCollide(&a, &motion_a, &b, &motion_b, request, ours), time);
   EXPECT_EQ(ours.is_collide, result.is_collide);
   return result;
-}
-
-fcl::Transform3d at(const Motion& motion, double time) {
-  fcl::Transform3d transform;
-  motion.integrate(time);
-  motion.getCurrentTransform(transform);
-  return transform;
-}
-
-bool meet(const Geometry& a, const fcl::Transform3d& pose_a, const Geometry& b, const fcl::Transform3d& pose_b) {
-  fcl::CollisionResultd collision;
-  return fcl::collide(&a, pose_a, &b, pose_b, fcl::CollisionRequestd(), collision) > 0;
 }
 
 /// Splines, waits and turns, by a clock that begins at any time; some of mirror images.
@@ -84,10 +69,10 @@ void expectFirst(const Geometry& a, const Motion& motion_a, const Geometry& b, c
   const double until = result.is_collide ? result.time_of_contact : 1;
   for (int sample = 0; sample < 100; ++sample) {
     const double time = until * sample / 100;
-    ASSERT_FALSE(until > 0 && meet(a, at(motion_a, time), b, at(motion_b, time))) << time;
+    ASSERT_FALSE(until > 0 && collides(a, at(motion_a, time), b, at(motion_b, time))) << time;
   }
   if (!result.is_collide) {
-    ASSERT_FALSE(meet(a, at(motion_a, 1), b, at(motion_b, 1)));
+    ASSERT_FALSE(collides(a, at(motion_a, 1), b, at(motion_b, 1)));
     return;
   }
   fcl::DistanceRequestd request;
@@ -126,7 +111,7 @@ TEST(TrajectoryMotion, OfOneLegIsThatMotion) {
 TEST(TrajectoryMotion, FindsTheFirstContactOfPolygons) {
   Random random(72);
   int hits = 0, later = 0;
-  const int count = tricover::support::scaledCount(300);
+  const int count = scaledCount(300);
   for (int i = 0; i < count; ++i) {
     SCOPED_TRACE(i);
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
@@ -171,7 +156,7 @@ TEST(TrajectoryMotion, FindsTheFirstContactBesideOtherGeometriesAndMotions) {
   const fcl::Boxd box(1.5, 1, 0.5);
   const fcl::Sphered sphere(0.8);
   int hits = 0, later = 0;
-  const int count = tricover::support::scaledCount(100);
+  const int count = scaledCount(100);
   for (int i = 0; i < count; ++i) {
     SCOPED_TRACE(i);
     const Shape<double> a = shapeOf(randomPolygon(random, 1));
@@ -180,7 +165,7 @@ TEST(TrajectoryMotion, FindsTheFirstContactBesideOtherGeometriesAndMotions) {
         motion_b(randomTrajectory(random, 4), begin, end, 0.2);
     const Geometry& other = i % 2 == 0 ? static_cast<const Geometry&>(box) : sphere;
     ASSERT_NO_FATAL_FAILURE(expectFirst(*a, motion_a, other, motion_b, 4000, hits, later));
-    const fcl::Transform3d place = lifted(tricover::support::randomPose(random, 4), 0.1);
+    const fcl::Transform3d place = lifted(randomPose(random, 4), 0.1);
     const fcl::TranslationMotiond slides(
         place, lifted(tricover::support::pose(0, random.real(-4, 4), random.real(-4, 4)), 0.1));
     ASSERT_NO_FATAL_FAILURE(expectFirst(*a, slides, other, motion_b, 4000, hits, later));
@@ -195,11 +180,11 @@ TEST(TrajectoryMotion, FindsTheFirstContactBesideOtherGeometriesAndMotions) {
 
 /// What is in between is not met, what is there is.
 TEST(TrajectoryMotion, MayJumpBesideAMotionOfAnotherClass) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
+  const Shape<double> square = rectangular(-0.5, -0.5, 0.5, 0.5);
   const auto rest = [](double x) { return tricover::Motion::still(tricover::support::pose(0, x, 0)); };
   const TrajectoryMotiond jumps(tricover::Trajectory({{0, 0.5, rest(-9)}, {0.5, 1, rest(0)}}), 0, 1);
   const auto ask = [&](double x, double y) {
-    return along(*square, jumps, *square, Slide(lifted(tricover::support::pose(0, x, y)), {0, -12, 0}));
+    return along(*square, jumps, *square, Slide(lifted(0, x, y), {0, -12, 0}));
   };
   EXPECT_NEAR(ask(0, 9).time_of_contact, 8 / 12.0, 1e-6);
   EXPECT_NEAR(ask(-9, 5).time_of_contact, 4 / 12.0, 1e-6);
@@ -209,7 +194,7 @@ TEST(TrajectoryMotion, MayJumpBesideAMotionOfAnotherClass) {
 }
 
 TEST(TrajectoryMotion, MeetsAHalfspaceOnItsLastLeg) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
+  const Shape<double> square = rectangular(-0.5, -0.5, 0.5, 0.5);
   const auto here = [](double x, double y) { return tricover::support::pose(0, x, y); };
   const TrajectoryMotiond to_and_fro(
       tricover::Trajectory::through({{0, here(0, 1)}, {10, here(50, 1)}, {20, here(0, 1)}, {30, here(0, 0)}}), 0, 40);
@@ -222,7 +207,7 @@ TEST(TrajectoryMotion, MeetsAHalfspaceOnItsLastLeg) {
 }
 
 TEST(TrajectoryMotion, IsCutAndRestsByTheClock) {
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
+  const Shape<double> square = rectangular(-0.5, -0.5, 0.5, 0.5);
   const auto here = [](double x) { return tricover::support::pose(0, x, 0); };
   const tricover::Trajectory way = tricover::Trajectory::through({{10, here(-9)}, {20, here(1)}, {30, here(11)}});
   const auto ask = [&](double begin, double end) {
@@ -239,8 +224,7 @@ TEST(TrajectoryMotion, IsCutAndRestsByTheClock) {
 }
 
 TEST(TrajectoryMotion, WorksForFloatAndForObjectsWithMotions) {
-  const auto square =
-      std::make_shared<PolygonShapef>(tricover::Polygon({tricover::support::rectangle(-0.5, -0.5, 0.5, 0.5)}));
+  const auto square = std::make_shared<PolygonShapef>(tricover::Polygon({rectangle(-0.5, -0.5, 0.5, 0.5)}));
   const auto here = [](double x) { return tricover::support::pose(0, x, 0); };
   const auto comes = std::make_shared<TrajectoryMotionf>(
       tricover::Trajectory::through({{0, here(-9)}, {1, here(-9)}, {2, here(1)}}), 0, 2);
@@ -256,8 +240,7 @@ TEST(TrajectoryMotion, WorksForFloatAndForObjectsWithMotions) {
 
 TEST(TrajectoryMotion, RefusesWhatItDoesNotFollow) {
   const auto slides = [](double z) {
-    return std::make_shared<fcl::TranslationMotiond>(lifted(tricover::support::pose(0, 0, 0), z),
-                                                     lifted(tricover::support::pose(0, 1, 0), z));
+    return std::make_shared<fcl::TranslationMotiond>(lifted(0, 0, 0, z), lifted(0, 1, 0, z));
   };
   const auto refusal = [](const std::vector<TimedMotion<double>>& legs, double end = 9) {
     return thrownBy<std::invalid_argument>([&] { TrajectoryMotiond(legs, 0, end); });
@@ -276,14 +259,14 @@ TEST(TrajectoryMotion, RefusesWhatItDoesNotFollow) {
   EXPECT_NE(refusal({{0, 1, one}}).find("is none of FCL's motions"), std::string::npos);
   // FCL's own pairs would take it for a motion that stands still.
   const fcl::Sphered ball(1);
-  const fcl::Transform3d aside = lifted(tricover::support::pose(0, 5, 0), 1);
+  const fcl::Transform3d aside = lifted(0, 5, 0, 1);
   const fcl::TranslationMotiond rests(aside, aside);
   EXPECT_NE(thrownBy<std::logic_error>([&] { along(ball, *one, ball, rests); }).find("CCDC_NAIVE"), std::string::npos);
   // Of a polygon that isn't in the world's plane it would be a way out of its plane.
   fcl::Transform3d tilted = fcl::Transform3d::Identity();
   tilted.linear() = fcl::AngleAxis<double>(1, fcl::Vector3d::UnitX()).toRotationMatrix();
   const fcl::TranslationMotiond stays(tilted, tilted);
-  const Shape<double> square = shapeOf(tricover::Polygon({tricover::support::rectangle(-1, -1, 1, 1)}));
+  const Shape<double> square = rectangular(-1, -1, 1, 1);
   EXPECT_NE(thrownBy<std::invalid_argument>([&] { along(*square, stays, ball, *one); }).find("leaves the polygon's"),
             std::string::npos);
 }

@@ -95,7 +95,7 @@ void expectRefused(const fcl::CollisionGeometryd& a, const fcl::CollisionGeometr
   }
 }
 
-const Shape<double> kPolygon = shapeOf(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
+const Shape<double> kPolygon = rectangular(0, 0, 1, 1);
 
 TEST(Unsupported, fclsOwnTriangleAndUnknownGeometriesInBothOrders) {
   const std::vector<Named> others = otherGeometries();
