@@ -175,9 +175,8 @@ bool OverlapArcs::joinedRoundVertices(int side, const Stop& stop, const Stop& ne
 /// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.
 Inclusion OverlapArcs::includeVertex(int side, std::size_t v) const {
   const PosedPair& pair = side == 0 ? swapped_ : pair_;
-  const SeenFromA seen(pair);
-  const Inclusion found = seen.include(pair.b.path[v]);
-  return {found.location, found.winding * seen.handed()};
+  const Inclusion found = includeInPolygon(pair.a, seenFromA(pair, pair.b.path[v]));
+  return {found.location, isMirrored(pair.pose_a) ? -found.winding : found.winding};
 }
 
 }  // namespace tricover::detail

@@ -39,7 +39,7 @@ bool pointDistance(const PosedVertices& pair, const DistanceQuery& options, Dist
   if (!(distanceFromRoot(tree.root, place) > 0)) {
     Outcome outcome;
     outcome.edge_b = static_cast<std::ptrdiff_t>(pair.b.edgeBegin(0));
-    const Location location = SeenFromA(pair).locate(pair.b.path[pair.b.edgeBegin(0)]);
+    const Location location = locateInA(pair, pair.b.path[pair.b.edgeBegin(0)]);
     if (location == Location::Boundary) return false;
     if (location == Location::Inside) {
       result = containedResult(pair, outcome);

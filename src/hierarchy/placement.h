@@ -80,7 +80,6 @@ struct TurnBack {
     diagonal = Double2{r1[1], r0[0]};
     off = Double2{r1[0], r0[1]};
     d = 1 / det - Double2{};
-    handed = det < 0 ? -1 : 1;
   }
   Double2 operator()(Double2 v) const { return (diagonal * v - off * swapped(v)) * d; }
 
@@ -95,7 +94,6 @@ struct TurnBack {
   static_assert(kError >= kUnitRows * errorOf(6) && 1.5 > kUnitRows * kRoot2);
 
   Double2 diagonal, off, d;
-  int handed;  ///< the sign of det R
 };
 
 /// Two polygons under their poses in the world, seen from a's translation: lengths are the true ones. All of it is

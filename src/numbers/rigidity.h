@@ -63,6 +63,8 @@ inline double defectOf(const Pose& pose_a, const Pose& pose_b) {
   return sum[0] + sum[1] + (gram_a.dot + gram_b.dot) + 2 * Gram::kDefectRounding;
 }
 
+inline bool isMirrored(const Pose& pose) { return pose.linear().determinant() < 0; }
+
 /// Whether checkPose lets a pose pass, by one comparison: most that it does. Written so that NaN fails.
 inline bool isPlainlyRigid(const Pose& pose) { return defectOf(pose) <= kRigidTolerance; }
 

@@ -16,27 +16,6 @@
 namespace tricover::detail {
 namespace {
 
-/// In either coordinate R^-1 (p - t) errs by 7U |p - t|_1: 1 for the difference, 6 as TurnBack's table says.
-constexpr double kPointError = 8 * kUnitRoundoff;
-static_assert(kPointError >= kUnitRows * errorOf(7));
-
-/// From the world to the frame of a polygon under a pose.
-struct IntoFrame {
-  explicit IntoFrame(const Pose& pose_)
-      : pose(pose_), identity(pose_.matrix() == Pose::Identity().matrix()), turn_back(pose_) {}
-
-  ApproxPoint operator()(const Vec2& p) const {
-    if (identity) return {p.x(), p.y(), 0};
-    const Double2 shift = load2(p.data()) - load2(pose.data() + 6), apart = absolute(shift), at = turn_back(shift);
-    return {at[0], at[1], kPointError * (apart[0] + apart[1]) + kTiny};
-  }
-  int handed() const { return turn_back.handed; }
-
-  const Pose& pose;
-  bool identity;
-  TurnBack turn_back;
-};
-
 /// From v to w and of length 1; zero if they are equal.
 Vec2 unitVector(const Vec2& v, const Vec2& w) {
   Vec2 u = w - v;
@@ -59,10 +38,12 @@ class RayCast {
  public:
   RayCast(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to, double limit)
       : polygon_(polygon),
+        pose_(pose),
         into_frame_(pose),
+        vertex_error_(pose.linear() == Eigen::Matrix2d::Identity() ? 0 : kVertexError),
         exact_{{nullptr, from}, {nullptr, to}},
-        from_(into_frame_(from)),
-        to_(into_frame_(to)),
+        from_(fromTranslation(from)),
+        to_(fromTranslation(to)),
         limit_(limit) {}
 
   std::optional<RayHit> first() {
@@ -90,19 +71,30 @@ class RayCast {
 
     PosedPoint exact(int p) const {
       if (p < 2) return p == 0 ? cast.exact_.start : cast.exact_.end;
-      return {&cast.into_frame_.pose, cast.polygon_.path[edge + static_cast<std::size_t>(p - 2)]};
+      return {&cast.pose_, cast.polygon_.path[edge + static_cast<std::size_t>(p - 2)]};
     }
-    int handed() const { return cast.into_frame_.handed(); }
 
     const RayCast& cast;
     std::size_t edge;
   };
 
-  ApproxPoint vertex(std::size_t position) const {
-    return {polygon_.path[position].x(), polygon_.path[position].y(), 0};
+  /// An end of the ray. What it errs by is known exactly.
+  ApproxPoint fromTranslation(const Vec2& p) const {
+    const Twofold<Double2> at = twoSum(load2(p.data()), -load2(pose_.data() + 6));
+    const Double2 error = absolute(at.low);
+    return {at.high[0], at.high[1], error[0] + error[1]};
   }
+  /// R p in either coordinate: products 1U, sum 1U, of |p|_1. Nothing rounds where R is the identity.
+  ApproxPoint vertex(std::size_t position) const {
+    const Double2 p = load2(polygon_.path[position].data()), size = absolute(p);
+    const double* m = pose_.data();  // columns of three
+    const Double2 at = load2(m) * p[0] + load2(m + 3) * p[1];
+    return {at[0], at[1], vertex_error_ * (size[0] + size[1]) + kTiny};
+  }
+  static constexpr double kVertexError = 2.1 * kUnitRoundoff;
+  static_assert(kVertexError >= kUnitRows * errorOf(2) * (1 + errorOf(2)));
   PosedSegment segment(std::size_t edge) const {
-    return {{&into_frame_.pose, polygon_.path[edge]}, {&into_frame_.pose, polygon_.path[edge + 1]}};
+    return {{&pose_, polygon_.path[edge]}, {&pose_, polygon_.path[edge + 1]}};
   }
   const Vec2& from() const { return exact_.start.local; }
   const Vec2& to() const { return exact_.end.local; }
@@ -114,14 +106,15 @@ class RayCast {
   /// Where P is in the polygon, s |T - F| <= |F| + 1: so s is below the share 2 (|F| + 4) / |T - F|, since the ends err
   /// by little. A far end is so no reason for a large error. Beside that a few dozen U of coordinates below |F| + 4.
   bool bringToUnits() {
-    const Vec2 at = polygon_.inUnits({from_.x, from_.y}), way(to_.x - from_.x, to_.y - from_.y);
+    const ApproxPoint from = into_frame_(from_), to = into_frame_(to_);
+    const Vec2 at = polygon_.inUnits({from.x, from.y}), way(to.x - from.x, to.y - from.y);
     const double square = way.squaredNorm(), away = at.lpNorm<1>() + 4;
     const double length = square > 0x1p-960 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(way.x(), way.y());
     length_ = length * polygon_.inverse_unit;  // may overflow: nothing is left out by it then
     share_ = std::clamp(2 * away * polygon_.unit / length, kLeastFraction, 1.0);
     constexpr double kAnyDirection = 1.5;
-    start_error_ = kAnyDirection * from_.error * polygon_.inverse_unit + 0x1p-46 * away;
-    ray_ = {at.x(), at.y(), 1, 0, start_error_ + kAnyDirection * share_ * to_.error * polygon_.inverse_unit};
+    start_error_ = kAnyDirection * from.error * polygon_.inverse_unit + 0x1p-46 * away;
+    ray_ = {at.x(), at.y(), 1, 0, start_error_ + kAnyDirection * share_ * to.error * polygon_.inverse_unit};
     if (length > 0x1p-1000) {
       ray_.dx = way.x() / length;
       ray_.dy = way.y() / length;
@@ -151,7 +144,7 @@ class RayCast {
       const InnerDiscs* discs = innerDiscsIfPaid(polygon_);
       if (discs != nullptr && depthInDiscs(*discs, place) > 0) return true;
     }
-    const IncludedPoint start{&into_frame_.pose, from_, exact_.start, into_frame_.handed()};
+    const IncludedPoint start{&pose_, into_frame_(from_), exact_.start};
     return locateInPolygon(polygon_, start) != Location::Outside;
   }
 
@@ -191,9 +184,9 @@ class RayCast {
   /// Of the edge that is hit. The start is on its line only where the ray runs along it or it has no length.
   Vec2 normal() const {
     const Ends ends(*this, edge_);
-    const int side = ends.handed() * ends.resolve(ends.filter(2, 3, 0), 2, 3, 0);
+    const int side = ends.resolve(ends.filter(2, 3, 0), 2, 3, 0);
     if (side == 0) return -unitVector(from(), to());
-    const Vec2 along = into_frame_.pose.linear() * unitVector(polygon_.path[edge_], polygon_.path[edge_ + 1]);
+    const Vec2 along = pose_.linear() * unitVector(polygon_.path[edge_], polygon_.path[edge_ + 1]);
     return side * Vec2(-along.y(), along.x()).normalized();
   }
 
@@ -201,9 +194,11 @@ class RayCast {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const PolygonData& polygon_;
-  const IntoFrame into_frame_;
-  const PosedSegment exact_;  ///< in the world
-  const ApproxPoint from_, to_;
+  const Pose& pose_;
+  const TurnBack into_frame_;
+  const double vertex_error_;    ///< of |p|_1
+  const PosedSegment exact_;     ///< in the world
+  const ApproxPoint from_, to_;  ///< in the world, from the pose's translation
   const double limit_;
   Ray ray_;
   double length_, start_error_;  ///< in units

@@ -25,23 +25,17 @@ namespace {
 constexpr std::uint64_t kHeld = 3;
 constexpr std::size_t kPerWord = 32;
 
-/// A vertex of a as a's frame has it.
-ApproxPoint ofFrame(const Vec2& p) { return {p.x(), p.y(), 0}; }
-
-std::vector<std::uint64_t> influenceMask(const PosedPair& pair, int handed, const ApproxPoint& centroid, double length,
+std::vector<std::uint64_t> influenceMask(const PolygonData& a, const IncludedPoint& centroid, double length,
                                          std::vector<std::size_t>& held) {
-  std::vector<std::uint64_t> mask((pair.a.path.size() + kPerWord - 1) / kPerWord, 0);
-  for (std::size_t r = 0; r < pair.a.ringCount(); ++r)
-    for (std::size_t e = pair.a.edgeBegin(r); e < pair.a.edgeEnd(r); ++e) {
-      const Vec2 &v = pair.a.path[e], &w = pair.a.path[e + 1];
+  std::vector<std::uint64_t> mask((a.path.size() + kPerWord - 1) / kPerWord, 0);
+  for (std::size_t r = 0; r < a.ringCount(); ++r)
+    for (std::size_t e = a.edgeBegin(r); e < a.edgeEnd(r); ++e) {
+      const Vec2 &v = a.path[e], &w = a.path[e + 1];
       std::uint64_t state = kHeld;
-      if (inBoundedArea(v, w, centroid, length)) {
+      if (inBoundedArea(v, w, centroid.approx, length)) {
         held.push_back(e);
       } else {
-        int side = orientFilter(ofFrame(v), ofFrame(w), centroid);
-        if (side == kUncertain)
-          side = handed * orientExact({&pair.pose_a, v}, {&pair.pose_a, w}, {&pair.pose_b, pair.b.origin});
-        state = static_cast<std::uint64_t>(side + 1);
+        state = static_cast<std::uint64_t>(centroid.side(v, w) + 1);
       }
       mask[e / kPerWord] |= state << 2 * (e % kPerWord);
     }
@@ -85,16 +79,15 @@ bool collideByPaper(const PosedPair& pair, KeptMask* kept, const CollideOptions&
   const bool known = kept != nullptr && kept->size() > kIds;
 
   // Second step. Grown by the margin; rounded outwards, the areas by what the centroid is known to, as well.
-  const SeenFromA seen(pair);
-  const ApproxPoint centroid = seen.at(pair.b.origin);
+  const IncludedPoint centroid = seenFromA(pair, pair.b.origin);
   const double length = (pair.b.radius + options.margin) * (1 + 2.1 * kLargestDefect);
   std::vector<std::size_t> held;
-  const std::vector<std::uint64_t> mask = influenceMask(pair, seen.handed(), centroid, length, held);
+  const std::vector<std::uint64_t> mask = influenceMask(pair.a, centroid, length, held);
   if (held.empty()) {
     // No edge of a touches b's bounding disc: the disc, all of b with it, lies where the centroid lies. An unchanged
     // mask is an unchanged zone, by exact signs (repair 7).
     if (known && std::equal(mask.begin(), mask.end(), kept->begin() + kIds, kept->end())) return false;
-    const bool collides = seen.locate(pair.b.origin) != Location::Outside;
+    const bool collides = locateInA(pair, pair.b.origin) != Location::Outside;
     if (kept != nullptr) {
       kept->resize(kIds);
       if (!collides) kept->insert(kept->end(), mask.begin(), mask.end());

@@ -21,11 +21,11 @@ bool outsideRoot(const PolygonData& polygon, const ApproxPoint& p) {
 
 /// A disc around b in a's frame, rounded outwards: poses' defects grow its radius.
 struct DiscOfB {
-  explicit DiscOfB(const SeenFromA& seen, const PolygonData& b) {
-    const ApproxPoint center = seen.at(b.origin);
+  explicit DiscOfB(const PosedPair& pair) {
+    const ApproxPoint center = seenFromA(pair, pair.b.origin).approx;
     x = center.x;
     y = center.y;
-    radius = (b.radius * (1 + 2.1 * kLargestDefect) + 4 * center.error) * (1 + 16 * kUnitRoundoff);
+    radius = (pair.b.radius * (1 + 2.1 * kLargestDefect) + 4 * center.error) * (1 + 16 * kUnitRoundoff);
   }
 
   bool holds(const Vec2& p) const {
@@ -59,31 +59,30 @@ template <typename MakeDisc, typename IsNear, typename IsInside>
 }
 
 /// Of b in a, on its boundary or inside.
-std::ptrdiff_t ringOfBInside(const PosedPair& pair, const SeenFromA& seen, Location least) {
+std::ptrdiff_t ringOfBInside(const PosedPair& pair, Location least) {
   return firstInside(
-      pair.b, [&] { return DiscOfB(SeenFromA(pair.back()), pair.a); },
-      [&](const Vec2& p) { return !outsideRoot(pair.a, seen.at(p)); },
-      [&](const Vec2& p) { return seen.locate(p) >= least; });
+      pair.b, [&] { return DiscOfB(pair.back()); },
+      [&](const Vec2& p) { return !outsideRoot(pair.a, seenFromA(pair, p).approx); },
+      [&](const Vec2& p) { return locateInA(pair, p) >= least; });
 }
 
 /// Of a in b. Most starts are outside of b's disc, which is known in a's frame.
-std::ptrdiff_t ringOfAInside(const PosedPair& pair, const SeenFromA& seen) {
-  const DiscOfB disc(seen, pair.b);
+std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
+  const DiscOfB disc(pair);
   return firstInside(
       pair.a, [&] { return disc; }, [&](const Vec2& p) { return disc.holds(p); },
-      [&](const Vec2& p) { return SeenFromA(pair.back()).locate(p) != Location::Outside; });
+      [&](const Vec2& p) { return locateInA(pair.back(), p) != Location::Outside; });
 }
 
 }  // namespace
 
-std::ptrdiff_t ringInside(const PosedPair& pair) { return ringOfBInside(pair, SeenFromA(pair), Location::Inside); }
+std::ptrdiff_t ringInside(const PosedPair& pair) { return ringOfBInside(pair, Location::Inside); }
 
 Outcome findContainment(const PosedPair& pair) {
   Outcome outcome;
-  const SeenFromA seen(pair);
   // A segment holds nothing that doesn't meet it.
-  if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair, seen, Location::Boundary);
-  if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair, seen);
+  if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair, Location::Boundary);
+  if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
   outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
   return outcome;
 }

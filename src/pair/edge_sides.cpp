@@ -63,10 +63,9 @@ EdgeSides::EdgeSides(const PosedPair& pair, const PosedPair& back, Operand opera
 /// 2 e (|w| + 1) / l. Twice that is taken.
 void EdgeSides::findCuts(Operand operand, const PosedPair& seen) {
   const PolygonData& of = polygon(operand);
-  const SeenFromA view(seen);
   const auto place = [&](std::size_t position) {
     const Vec2& p = polygon(operand_).path[position];
-    return operand == operand_ ? ApproxPoint{p.x(), p.y(), 0} : view.at(p);
+    return operand == operand_ ? ApproxPoint{p.x(), p.y(), 0} : seenFromA(seen, p).approx;
   };
   const ApproxPoint v = place(edge_), w = place(edge_ + 1);
   const Vec2 from = of.inUnits({w.x, w.y}), way = of.inUnits({v.x, v.y}) - from;

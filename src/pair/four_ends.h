@@ -8,15 +8,13 @@ namespace tricover::detail {
 inline bool sameSide(int s, int t) { return s == t && (s == 1 || s == -1); }
 
 /// The ends of two segments, 0 and 1 of the first, 2 and 3 of the second: as filters see them and, by `Ends`, as they
-/// are: its exact(i) is the point in the world. Filters may see a frame from which the map to the world has a
-/// determinant of sign handed().
+/// are: its exact(i) is the point in the world.
 template <typename Ends>
 struct FourEnds {
   int filter(int p, int q, int r) const { return orientFilter(approx[p], approx[q], approx[r]); }
   int resolve(int sign, int p, int q, int r) const {
-    return sign != kUncertain ? sign : ends().handed() * orientExact(ends().exact(p), ends().exact(q), ends().exact(r));
+    return sign != kUncertain ? sign : orientExact(ends().exact(p), ends().exact(q), ends().exact(r));
   }
-  static int handed() { return 1; }
   bool between(int p, int v, int w) const { return betweenExact(ends().exact(p), ends().exact(v), ends().exact(w)); }
 
   /// Whether the two segments share a point. Exact.

@@ -108,8 +108,6 @@ double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
   return below > 0 ? below : 0;  // NaN is 0
 }
 
-Inclusion SeenFromA::include(const Vec2& local) const {
-  return includeInPolygon(pair_.a, {&pair_.pose_a, at(local), {&pair_.pose_b, local}, back_.handed});
-}
+Location locateInA(const PosedPair& pair, const Vec2& of_b) { return locateInPolygon(pair.a, seenFromA(pair, of_b)); }
 
 }  // namespace tricover::detail

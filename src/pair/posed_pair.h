@@ -24,20 +24,11 @@ int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j);
 /// How far each point of b may at least be moved before these two edges come apart; 0 where that isn't certain.
 double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j);
 
-/// b's points as a's frame sees them: for the winding of a's rings around them.
-class SeenFromA {
- public:
-  explicit SeenFromA(const PosedPair& pair) : pair_(pair), back_(pair.pose_a) {}
-
-  ApproxPoint at(const Vec2& local) const { return back_(pair_.fromB(local)); }
-  /// The paper's Algorithm 1 under a's fill rule. Exact.
-  Inclusion include(const Vec2& local) const;
-  Location locate(const Vec2& local) const { return include(local).location; }
-  int handed() const { return back_.handed; }
-
- private:
-  const PosedPair& pair_;
-  TurnBack back_;
-};
+/// A point of b as a's frame sees it: for the winding of a's rings around it.
+inline IncludedPoint seenFromA(const PosedPair& pair, const Vec2& of_b) {
+  return {&pair.pose_a, TurnBack(pair.pose_a)(pair.fromB(of_b)), {&pair.pose_b, of_b}};
+}
+/// Where that point is (the paper's Algorithm 1 under a's fill rule). Exact.
+Location locateInA(const PosedPair& pair, const Vec2& of_b);
 
 }  // namespace tricover::detail

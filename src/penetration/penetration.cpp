@@ -56,7 +56,7 @@ Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const 
   const std::size_t corner = convexOutlineOf(space.side(other).polygon).corners[gap.corner],
                     count = outline.corners.size();
   const PosedPair seen = side == 0 ? pair : pair.back();
-  const ApproxPoint deepest = SeenFromA(seen).at(space.side(other).polygon.path[corner]);
+  const ApproxPoint deepest = seenFromA(seen, space.side(other).polygon.path[corner]).approx;
   const Vec2 t = gap.normal * (gap.depth / space.unit()), vertex = space.side(other).vertex(corner);
   const auto at = [&](std::size_t k) {
     return featuresOf(space, t, side, pathEdge(own, outline, k, {deepest.x, deepest.y}), outline.corners[k],

@@ -27,9 +27,7 @@ CoveringSum::CoveringSum(const PolygonData& polygon, const IncludedPoint& point,
 }
 
 inline int CoveringSum::sign(const Vec2& v, const Vec2& w) const {
-  if (v == w) return 0;  // as at the vertex that the covering is taken from
-  const int sign = orientFilter({v.x(), v.y(), 0}, {w.x(), w.y(), 0}, point_.approx);
-  return sign != kUncertain ? sign : point_.handed * orientExact({point_.pose, v}, {point_.pose, w}, point_.exact);
+  return v == w ? 0 : point_.side(v, w);  // v == w at the vertex that the covering is taken from
 }
 
 inline bool CoveringSum::between(const Vec2& v, const Vec2& w) const {

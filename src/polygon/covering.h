@@ -2,6 +2,7 @@
 #pragma once
 
 #include "numbers/predicates.h"
+#include "numbers/rigidity.h"
 #include "polygon/polygon_data.h"
 #include "tricover/locate.h"
 
@@ -16,16 +17,22 @@ struct Inclusion {
 };
 
 /// A point that is located in a polygon. The point is given twice: in the polygon's frame to within its error, and
-/// exactly in the world, where `pose` (none: the identity) puts the polygon; `handed` is the sign of that pose's
-/// determinant.
+/// exactly in the world, where `pose` (none: the identity) puts the polygon.
 struct IncludedPoint {
   const Pose* pose;
   ApproxPoint approx;
   PosedPoint exact;
-  int handed;
 
   /// A point of the polygon's own frame, exactly.
-  static IncludedPoint ofFrame(const Vec2& p) { return {nullptr, {p.x(), p.y(), 0}, {nullptr, p}, 1}; }
+  static IncludedPoint ofFrame(const Vec2& p) { return {nullptr, {p.x(), p.y(), 0}, {nullptr, p}}; }
+
+  /// The sign of the signed area |v w p| in the polygon's frame, for v and w of that frame. Exact.
+  int side(const Vec2& v, const Vec2& w) const {
+    const int sign = orientFilter({v.x(), v.y(), 0}, {w.x(), w.y(), 0}, approx);
+    if (sign != kUncertain) return sign;
+    const int in_world = orientExact({pose, v}, {pose, w}, exact);
+    return pose != nullptr && isMirrored(*pose) ? -in_world : in_world;
+  }
 };
 
 inline bool outsideBoundingDisc(const PolygonData& polygon, const ApproxPoint& p) {

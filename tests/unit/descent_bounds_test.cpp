@@ -365,7 +365,7 @@ TEST(Ray, ThroughVerticesFarAway) {
     pose_dot.translation() = frame * point - pose_dot * far;
     const PosedPair by_tree(built.data(), frame, dot.data(), pose_dot),
         by_scan(scanned.data(), frame, dot.data(), pose_dot);
-    ASSERT_EQ(detail::SeenFromA(by_tree).locate(far), detail::SeenFromA(by_scan).locate(far));
+    ASSERT_EQ(detail::locateInA(by_tree, far), detail::locateInA(by_scan, far));
   }
   ASSERT_EQ(hierarchyIfBuilt(scanned.data()), nullptr) << "so it was scanned";
 }

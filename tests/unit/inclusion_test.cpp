@@ -129,8 +129,7 @@ TEST(Inclusion, AlongARayUnderPoses) {
     const Pose pose_b = pose(random.real(0, 6.28), at.x(), at.y());
     const detail::PosedPair pair(polygon.data(), pose_a, few.data(), pose_b);
     const Vec2 p(0, random.coin() ? 0 : 1e-17);
-    const detail::SeenFromA seen(pair);
-    points.locate(polygon, {&pair.pose_a, seen.at(p), {&pair.pose_b, p}, seen.handed()});
+    points.locate(polygon, detail::seenFromA(pair, p));
   });
 }
 
@@ -140,7 +139,7 @@ TEST(Inclusion, AlongARayOfPointsKnownRoughly) {
     const double error = polygon.data().unit * std::pow(2, random.integer(-23, -21));
     const auto aside = [&]() -> Vec2 { return error * Vec2(random.integer(-1, 1), random.integer(-1, 1)); };
     const Vec2 p = somePoint(random, polygon, 1) + 0.5 * aside(), seen = p + aside();
-    points.locate(polygon, {nullptr, {seen.x(), seen.y(), 1.001 * error}, {nullptr, p}, 1});
+    points.locate(polygon, {nullptr, {seen.x(), seen.y(), 1.001 * error}, {nullptr, p}});
   });
 }
 

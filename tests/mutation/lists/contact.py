@@ -16,7 +16,7 @@ MUTATIONS = [
     ("src/penetration/translation_space.cpp", "disc.holds(s.v) && disc.holds(s.w)", "disc.holds(s.v) || disc.holds(s.w)", "penetration: a segment that begins in a disc bounds nothing"),
     ("src/penetration/translation_space.cpp", "(radius + along.norm()) * (1 + 0x1p-20)", "radius", "penetration: edges reach no farther than where they begin"),
     ("src/contact/overlap_arcs.cpp", "side == 0 ? -c.direction : c.direction", "c.direction", "components: winding's change along a"),
-    ("src/contact/overlap_arcs.cpp", "found.winding * seen.handed()", "found.winding", "components: winding under a mirror"),
+    ("src/contact/overlap_arcs.cpp", "isMirrored(pair.pose_a) ? -found.winding : found.winding", "found.winding", "components: winding under a mirror"),
     ("src/contact/overlap_arcs.cpp", "winding.known = winding.known && stop.change.known;", "", "components: winding trusted past a touch"),
     ("src/penetration/penetration.cpp", "if (areApartMoved(pair.a, pair.pose_a, Vec2::Zero(), pair.b, pair.pose_b, t, margin) &&", "if (", "penetration: the translation of b isn't proven"),
     ("src/penetration/penetration.cpp", "std::min(shortest.lower_bound * unit, result.depth)", "result.depth", "penetration: the lower bound is the depth"),
