@@ -13,7 +13,6 @@
 #include "pair/certificate.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
-#include "pair/find_certificate.h"
 #include "pair/kernel_order.h"
 #include "penetration/penetration.h"
 #include "polygon/cache_access.h"

@@ -21,7 +21,7 @@ Outcome descend(const PosedPair& pair, DistanceSearch& search) {
     search.show(static_cast<std::uint32_t>(pair.a.degenerate_edge), static_cast<std::uint32_t>(pair.b.degenerate_edge));
     return Outcome();
   }
-  forNearPairs(
+  forEachPair(
       pair, limit(),
       [&](double, std::size_t i, std::size_t j) {
         return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;

@@ -7,7 +7,7 @@
 #include "impact/cubic.h"
 #include "impact/options.h"
 #include "numbers/rigidity.h"
-#include "pair/find_certificate.h"
+#include "pair/certificate.h"
 #include "pair/kernel_order.h"
 #include "tricover/collide.h"
 

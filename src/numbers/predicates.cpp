@@ -65,11 +65,11 @@ int compare(const Ratio& p, const Ratio& q) {
 /// With d along the ray and u along the edge, from + s d is on the edge's line where s |d u| = |(v - from) u|. On one
 /// line the edge's nearer end is met first.
 Ratio fractionOf(const PosedSegment& ray, const PosedSegment& edge) {
-  const ExactVector d = difference(ray.end, ray.start), u = difference(edge.end, edge.start);
-  const ExactVector to_start = difference(edge.start, ray.start);
+  const ExactVector d = difference(ray[1], ray[0]), u = difference(edge[1], edge[0]);
+  const ExactVector to_start = difference(edge[0], ray[0]);
   const Number slant = cross(d, u);
   if (slant.sign() != 0) return positive(cross(to_start, u), slant);
-  const ExactVector to_end = difference(edge.end, ray.start);
+  const ExactVector to_end = difference(edge[1], ray[0]);
   const bool along_x = d.x.sign() != 0;
   const Ratio start = positive(along_x ? to_start.x : to_start.y, along_x ? d.x : d.y);
   const Ratio end = positive(along_x ? to_end.x : to_end.y, along_x ? d.x : d.y);

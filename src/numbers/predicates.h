@@ -99,9 +99,12 @@ struct ExactDistance {
 };
 ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w);
 
-/// A segment or a ray between two points.
+/// A segment or a ray between two points that stand side by side; no pose means the identity.
 struct PosedSegment {
-  PosedPoint start, end;
+  PosedPoint operator[](int end) const { return {pose, ends[end]}; }
+
+  const Pose* pose;
+  const Vec2* ends;
 };
 
 /// Where a ray first meets an edge, from 0 at its start to 1 at its end. The two share a point, and the ray's start is

@@ -41,7 +41,7 @@ class RayCast {
         pose_(pose),
         into_frame_(pose),
         vertex_error_(pose.linear() == Eigen::Matrix2d::Identity() ? 0 : kVertexError),
-        exact_{{nullptr, from}, {nullptr, to}},
+        ends_{from, to},
         from_(fromTranslation(from)),
         to_(fromTranslation(to)),
         limit_(limit) {}
@@ -64,20 +64,9 @@ class RayCast {
   }
 
  private:
-  /// The ray and an edge.
-  struct Ends : FourEnds<Ends> {
-    Ends(const RayCast& cast_, std::size_t edge_)
-        : FourEnds{{cast_.from_, cast_.to_, cast_.vertex(edge_), cast_.vertex(edge_ + 1)}}, cast(cast_), edge(edge_) {}
-
-    PosedPoint exact(int p) const {
-      if (p < 2) return p == 0 ? cast.exact_.start : cast.exact_.end;
-      return {&cast.pose_, cast.polygon_.path[edge + static_cast<std::size_t>(p - 2)]};
-    }
-
-    const RayCast& cast;
-    std::size_t edge;
-  };
-
+  FourEnds endsWith(std::size_t edge) const {
+    return {{from_, to_, vertex(edge), vertex(edge + 1)}, ray(), segment(edge)};
+  }
   /// An end of the ray. What it errs by is known exactly.
   ApproxPoint fromTranslation(const Vec2& p) const {
     const Twofold<Double2> at = twoSum(load2(p.data()), -load2(pose_.data() + 6));
@@ -93,11 +82,10 @@ class RayCast {
   }
   static constexpr double kVertexError = 2.1 * kUnitRoundoff;
   static_assert(kVertexError >= kUnitRows * errorOf(2) * (1 + errorOf(2)));
-  PosedSegment segment(std::size_t edge) const {
-    return {{&pose_, polygon_.path[edge]}, {&pose_, polygon_.path[edge + 1]}};
-  }
-  const Vec2& from() const { return exact_.start.local; }
-  const Vec2& to() const { return exact_.end.local; }
+  PosedSegment ray() const { return {nullptr, ends_}; }
+  PosedSegment segment(std::size_t edge) const { return {&pose_, &polygon_.path[edge]}; }
+  const Vec2& from() const { return ends_[0]; }
+  const Vec2& to() const { return ends_[1]; }
 
   /// The ray as the hierarchy sees it. False where doubles don't know it that well, and of points and segments, which
   /// need no hierarchy.
@@ -144,12 +132,12 @@ class RayCast {
       const InnerDiscs* discs = innerDiscsIfPaid(polygon_);
       if (discs != nullptr && depthInDiscs(*discs, place) > 0) return true;
     }
-    const IncludedPoint start{&pose_, into_frame_(from_), exact_.start};
+    const IncludedPoint start{&pose_, into_frame_(from_), {nullptr, from()}};
     return locateInPolygon(polygon_, start) != Location::Outside;
   }
 
   void take(std::size_t edge) {
-    const Ends ends(*this, edge);
+    const FourEnds ends = endsWith(edge);
     if (!ends.meet()) return;
     const double fraction = fractionOf(ends);
     if (found_ && !isBefore(edge, fraction)) return;
@@ -162,7 +150,7 @@ class RayCast {
   /// With A and B the areas that the edge spans with the ray's ends, the fraction is f = A / (A - B). Where they err by
   /// a and b it errs by ((1 - f) a + f b) / (A - B), and rounds twice; f is at most the share. It is the true A - B
   /// that divides: 0 along an edge, whatever rounding makes of it.
-  double fractionOf(const Ends& ends) const {
+  double fractionOf(const FourEnds& ends) const {
     constexpr double kAreasError = 80 * kUnitRoundoff;
     static_assert(kFractionError >= kAreasError + 3 * kUnitRoundoff && kFractionError >= kExactFractionError);
     const auto& [from, to, v, w] = ends.approx;
@@ -171,20 +159,19 @@ class RayCast {
     const double error = (1 - fraction) * a.bound + fraction * b.bound;
     const double enough = kAreasError * share_ * (std::abs(whole) - 2 * (a.bound + b.bound));
     if (known_ && error < enough && enough < kInfinity) return fraction;
-    return std::min(fractionExact(exact_, segment(ends.edge)), 1.0);
+    return std::min(fractionExact(ends.first, ends.second), 1.0);
   }
 
   /// By the true fractions, so that the first edge is what it is in whatever order edges come.
   bool isBefore(std::size_t edge, double fraction) const {
     if (std::abs(fraction - fraction_) > kFractionsApart * (known_ ? share_ : 1)) return fraction < fraction_;
-    const int order = compareFractionsExact(exact_, segment(edge), segment(edge_));
+    const int order = compareFractionsExact(ray(), segment(edge), segment(edge_));
     return order != 0 ? order < 0 : edge < edge_;
   }
 
   /// Of the edge that is hit. The start is on its line only where the ray runs along it or it has no length.
   Vec2 normal() const {
-    const Ends ends(*this, edge_);
-    const int side = ends.resolve(ends.filter(2, 3, 0), 2, 3, 0);
+    const int side = endsWith(edge_).sign(2, 3, 0);
     if (side == 0) return -unitVector(from(), to());
     const Vec2 along = pose_.linear() * unitVector(polygon_.path[edge_], polygon_.path[edge_ + 1]);
     return side * Vec2(-along.y(), along.x()).normalized();
@@ -197,7 +184,7 @@ class RayCast {
   const Pose& pose_;
   const TurnBack into_frame_;
   const double vertex_error_;    ///< of |p|_1
-  const PosedSegment exact_;     ///< in the world
+  const Vec2 ends_[2];           ///< in the world
   const ApproxPoint from_, to_;  ///< in the world, from the pose's translation
   const double limit_;
   Ray ray_;

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
+#include "pair/outcome.h"
 #include "polygon/cache_contents.h"
 #include "polygon/polygon_data.h"
 #include "tricover/collide.h"
@@ -137,5 +140,22 @@ inline void countDown(Certificate& cache, const PolygonData& first, const Pose& 
                       const Pose& second_pose) {
   if (--cache.back_off.left == 0) rememberPoses(cache, first, first_pose, second, second_pose);
 }
+
+/// What finding a certificate is to look for.
+struct CertificateWish {
+  double lookahead;                         ///< the clearance, beyond the margin, that is of use
+  bool wants_clearance;                     ///< false: a clearance would be of no use
+  std::ptrdiff_t edge_a = -1, edge_b = -1;  ///< tried first, unless -1
+};
+
+/// Finds what a Certificate says of these poses: an Outcome whose clearance is a world length, 0 of a hit by the
+/// margin or the tolerance alone. Operands in the kernel's order, all arguments checked.
+Outcome findCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                        const CollideOptions& options, const CertificateWish& wish);
+
+/// After recall(): keeps a new certificate if one may be of use, and returns its answer.
+std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                                     Certificate& cache, const Recollection& recollection,
+                                     const CollideOptions& options);
 
 }  // namespace tricover::detail

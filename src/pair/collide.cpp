@@ -11,7 +11,6 @@
 #include "pair/collide_by_edges.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
-#include "pair/find_certificate.h"
 #include "pair/interiors.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
@@ -20,14 +19,12 @@ namespace tricover {
 namespace detail {
 namespace {
 
-/// Of polygons of which one lacks a hierarchy, for now or until now.
-Outcome collideAnew(const PosedPair& placement, double defect, const EdgeTest& test, double lookahead, Wanted wanted) {
-  if (const std::optional<Outcome> outcome = collideByEdges(placement, test)) return *outcome;
+/// By brute force over edges until both hierarchies are paid for, then by these.
+[[gnu::always_inline]] inline Outcome collideClose(const PosedPair& placement, double defect, const EdgeTest& test,
+                                                   double lookahead, Wanted wanted) {
+  if (!haveHierarchies(placement.a, placement.b))
+    if (const std::optional<Outcome> outcome = collideByEdges(placement, test)) return *outcome;
   return collideByHierarchy(placement.inUnits(defect), test, lookahead, wanted);
-}
-[[gnu::cold, gnu::noinline]] bool collideAnew(const PosedPair& placement, double defect,
-                                              const CollideOptions& options) {
-  return collideAnew(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 
 /// What bounding and inner discs tell, if they decide.
@@ -51,9 +48,7 @@ Outcome findCloseCertificate(const PosedPair& placement, const CollideOptions& o
       return hit(wish.edge_a, wish.edge_b);
   const Wanted wanted = wish.wants_clearance ? Wanted::Clearance : Wanted::Answer;
   const double defect = defectOf(placement.pose_a, placement.pose_b);
-  const Outcome outcome = haveHierarchies(placement.a, placement.b)
-                              ? collideByHierarchy(placement.inUnits(defect), test, wish.lookahead, wanted)
-                              : collideAnew(placement, defect, test, wish.lookahead, wanted);
+  const Outcome outcome = collideClose(placement, defect, test, wish.lookahead, wanted);
   assert(!(outcome.clearance < 0));
   if (outcome.edge_a >= 0 && outcome.edge_b >= 0) return hit(outcome.edge_a, outcome.edge_b);
   return outcome;
@@ -67,8 +62,7 @@ Outcome findCloseCertificate(const PosedPair& placement, const CollideOptions& o
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
   if (backing_off != nullptr) countDown(*backing_off, a, pose_a, b, pose_b);
-  if (!haveHierarchies(a, b)) return collideAnew(placement, defect, options);
-  return collideByHierarchy(placement.inUnits(defect), EdgeTest(placement, options), 0, Wanted::Answer).collides;
+  return collideClose(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 
 bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,

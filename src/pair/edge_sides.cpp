@@ -9,36 +9,22 @@
 
 namespace tricover::detail {
 
-/// The edge's ends, 0 and 1, and another one's, 2 and 3.
-struct EdgeSides::Ends : FourEnds<Ends> {
-  Ends(const EdgeSides& sides_, Operand operand_, std::size_t edge_)
-      : FourEnds{{sides_.approx(sides_.operand_, sides_.edge_), sides_.approx(sides_.operand_, sides_.edge_ + 1),
-                  sides_.approx(operand_, edge_), sides_.approx(operand_, edge_ + 1)}},
-        sides(sides_),
-        operand(operand_),
-        edge(edge_) {}
+namespace {
 
-  PosedPoint exact(int p) const {
-    const auto end = static_cast<std::size_t>(p);
-    return p < 2 ? sides.exact(sides.operand_, sides.edge_ + end) : sides.exact(operand, edge + end - 2);
-  }
+/// On which side of the first edge's line an end of the other one is: 0 at once for an end that both have.
+int sideOf(const FourEnds& ends, int end) {
+  const Vec2 *edge = ends.first.ends, &p = ends.second.ends[end - 2];
+  if (ends.first.pose == ends.second.pose && (p == edge[0] || p == edge[1])) return 0;
+  return ends.sign(0, 1, end);
+}
 
-  int sign(int p, int q, int r) const { return resolve(filter(p, q, r), p, q, r); }
+}  // namespace
 
-  /// On which side of the edge's line an end of the other one is: 0 at once for an end that both have.
-  int side(int end) const {
-    if (operand == sides.operand_) {
-      const Path& path = sides.polygon(operand).path;
-      const Vec2& p = path[edge + static_cast<std::size_t>(end - 2)];
-      if (p == path[sides.edge_] || p == path[sides.edge_ + 1]) return 0;
-    }
-    return sign(0, 1, end);
-  }
-
-  const EdgeSides& sides;
-  Operand operand;
-  std::size_t edge;
-};
+FourEnds EdgeSides::endsWith(Operand operand, std::size_t edge) const {
+  return {{approx(operand_, edge_), approx(operand_, edge_ + 1), approx(operand, edge), approx(operand, edge + 1)},
+          segment(operand_, edge_),
+          segment(operand, edge)};
+}
 
 EdgeSides::EdgeSides(const PosedPair& pair, const PosedPair& back, Operand operand, std::size_t edge)
     : pair_(pair), operand_(operand), edge_(edge) {
@@ -72,18 +58,21 @@ void EdgeSides::findCuts(Operand operand, const PosedPair& seen) {
   const double length = way.norm(), far = from.lpNorm<1>() + 4;
   const double error = 1.5 * std::max(v.error, w.error) * of.inverse_unit + 0x1p-48 * (far + length);
   const double error_of_ray = error * (2 + 4 * far / length);
-  const auto visit = [&](std::uint32_t edge) { add(operand, edge); };
   if (of.fitsUnit() && error_of_ray < 0x1p-4 && length < 0x1p1000) {
     const Ray ray{from.x(), from.y(), way.x() / length, way.y() / length, error_of_ray};
-    const auto show = [](void* context, std::uint32_t edge) {
-      return (*static_cast<const decltype(visit)*>(context))(edge), true;
+    struct To {
+      EdgeSides& sides;
+      Operand operand;
+    } to{*this, operand};
+    const auto visit = [](void* context, std::uint32_t edge) {
+      const To& found = *static_cast<const To*>(context);
+      return found.sides.add(found.operand, edge), true;
     };
-    visitEdgesOnRay(hierarchyOf(of), ray, show, const_cast<void*>(static_cast<const void*>(&visit)));
+    visitEdgesOnRay(hierarchyOf(of), ray, visit, &to);
     return;
   }
   for (std::size_t ring = 0; ring < of.ringCount(); ++ring)
-    for (std::size_t edge = of.edgeBegin(ring); edge < of.edgeEnd(ring); ++edge)
-      visit(static_cast<std::uint32_t>(edge));
+    for (std::size_t edge = of.edgeBegin(ring); edge < of.edgeEnd(ring); ++edge) add(operand, edge);
 }
 
 /// With u from v to w, d along the other edge from q to r, and D = |u d|, that edge's line meets this one's at
@@ -91,14 +80,12 @@ void EdgeSides::findCuts(Operand operand, const PosedPair& seen) {
 ///   s - 1 = |q r w| / D,
 /// and D has the sign of what r is to the left of q by. The way goes from the left of d to its right where D > 0.
 void EdgeSides::add(Operand operand, std::size_t edge) {
-  const Ends ends(*this, operand, edge);
-  const int q = ends.side(2), r = ends.side(3);
+  const FourEnds ends = endsWith(operand, edge);
+  const int q = sideOf(ends, 2), r = sideOf(ends, 3);
   if (q == r || q * r > 0) return;
   const int slant = r > q ? 1 : -1;
   if (ends.sign(2, 3, 1) * slant >= 0) return;
-  Cut cut{
-      operand, static_cast<std::uint32_t>(edge), static_cast<std::int8_t>(-slant), q > 0 || r > 0, q < 0 || r < 0, 0,
-      1};
+  Cut cut{ends.second, operand, static_cast<std::int8_t>(-slant), q > 0 || r > 0, q < 0 || r < 0, 0, 1};
   if (ends.sign(2, 3, 0) * slant <= 0) return windings_[operand].add(cut);
   // Of x / (x + y), with x and y wrong by their bounds, at most the sum of both divided by x + y, but for the latter's
   // error: twice.
@@ -116,10 +103,7 @@ void EdgeSides::add(Operand operand, std::size_t edge) {
 bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
   if (p.high < q.low) return true;
   if (q.high < p.low) return false;
-  const auto segment = [&](Operand operand, std::size_t edge) {
-    return PosedSegment{exact(operand, edge), exact(operand, edge + 1)};
-  };
-  return compareFractionsExact(segment(operand_, edge_), segment(p.operand, p.edge), segment(q.operand, q.edge)) < 0;
+  return compareFractionsExact(segment(operand_, edge_), p.edge, q.edge) < 0;
 }
 
 /// At the current piece.
@@ -138,13 +122,13 @@ void EdgeSides::look(std::size_t begin, std::size_t end) {
 
 /// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.
 /// Of an edge along the line each end is on it, at t: with c the cut's edge, the cut is at t + |c t| / D.
-bool EdgeSides::isBeyond(const Ends& ends, const Cut& cut, int side) const {
-  if (ends.side(2) != 0 || ends.side(3) != 0) {
-    const Cut at{ends.operand, static_cast<std::uint32_t>(ends.edge), 0, false, false, 0, 1};
+bool EdgeSides::isBeyond(const FourEnds& ends, const Cut& cut, int side) const {
+  if (sideOf(ends, 2) != 0 || sideOf(ends, 3) != 0) {
+    const Cut at{ends.second, A, 0, false, false, 0, 1};  // as isBefore() sees it
     return side > 0 ? isBefore(cut, at) : isBefore(at, cut);
   }
   const auto isEndBeyond = [&](int end) {
-    const int sign = orientExact(exact(cut.operand, cut.edge), exact(cut.operand, cut.edge + 1), ends.exact(end));
+    const int sign = orientExact(cut.edge[0], cut.edge[1], ends.exact(end));
     return sign * -cut.turn * side < 0;
   };
   return isEndBeyond(2) && isEndBeyond(3);
@@ -154,13 +138,13 @@ bool EdgeSides::bordersBothUntil(const std::vector<std::size_t>& edges, int side
   return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {
     const std::size_t cut = side > 0 ? piece.begin : piece.end;
     return cut == kNone || std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) {
-             return isBeyond(Ends(*this, operand_ == A ? B : A, edge), cuts_[cut], -side);
+             return isBeyond(endsWith(operand_ == A ? B : A, edge), cuts_[cut], -side);
            });
   });
 }
 
 bool EdgeSides::bordersBothAt(std::size_t edge) const {
-  const Ends ends(*this, operand_ == A ? B : A, edge);
+  const FourEnds ends = endsWith(operand_ == A ? B : A, edge);
   return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {
     return !(piece.begin != kNone && isBeyond(ends, cuts_[piece.begin], -1)) &&
            !(piece.end != kNone && isBeyond(ends, cuts_[piece.end], 1));

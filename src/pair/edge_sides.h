@@ -38,12 +38,10 @@ class EdgeSides {
   bool isBareInside() const { return is_bare_inside_; }
 
  private:
-  struct Ends;
-
   /// Where another edge leaves the line or comes to it.
   struct Cut {
+    PosedSegment edge;
     Operand operand;
-    std::uint32_t edge;
     std::int8_t turn;  ///< what it adds to the winding number of its polygon, as the way crosses it
     bool on_left, on_right;
     double low, high;  ///< of its place
@@ -57,17 +55,19 @@ class EdgeSides {
   };
 
   const PolygonData& polygon(Operand operand) const { return operand == A ? pair_.a : pair_.b; }
-  PosedPoint exact(Operand operand, std::size_t position) const {
-    return {operand == A ? &pair_.pose_a : &pair_.pose_b, polygon(operand).path[position]};
+  PosedSegment segment(Operand operand, std::size_t edge) const {
+    return {operand == A ? &pair_.pose_a : &pair_.pose_b, &polygon(operand).path[edge]};
   }
   ApproxPoint approx(Operand operand, std::size_t position) const {
     return operand == A ? pair_.fromA(pair_.a.path[position]) : pair_.fromB(pair_.b.path[position]);
   }
 
+  /// Of the edge, 0 and 1, and of another one, 2 and 3.
+  FourEnds endsWith(Operand operand, std::size_t edge) const;
   void findCuts(Operand operand, const PosedPair& seen);
   void add(Operand operand, std::size_t edge);
   bool isBefore(const Cut& p, const Cut& q) const;
-  bool isBeyond(const Ends& ends, const Cut& cut, int side) const;
+  bool isBeyond(const FourEnds& ends, const Cut& cut, int side) const;
   void look(std::size_t begin, std::size_t end);
 
   const PosedPair& pair_;

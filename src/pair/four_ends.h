@@ -7,15 +7,16 @@ namespace tricover::detail {
 
 inline bool sameSide(int s, int t) { return s == t && (s == 1 || s == -1); }
 
-/// The ends of two segments, 0 and 1 of the first, 2 and 3 of the second: as filters see them and, by `Ends`, as they
-/// are: its exact(i) is the point in the world.
-template <typename Ends>
+/// Two segments. Their ends are 0 and 1 of the first, 2 and 3 of the second: as filters see them, and as they are.
 struct FourEnds {
+  PosedPoint exact(int p) const { return p < 2 ? first[p] : second[p - 2]; }
   int filter(int p, int q, int r) const { return orientFilter(approx[p], approx[q], approx[r]); }
   int resolve(int sign, int p, int q, int r) const {
-    return sign != kUncertain ? sign : orientExact(ends().exact(p), ends().exact(q), ends().exact(r));
+    return sign != kUncertain ? sign : orientExact(exact(p), exact(q), exact(r));
   }
-  bool between(int p, int v, int w) const { return betweenExact(ends().exact(p), ends().exact(v), ends().exact(w)); }
+  /// The sign of the signed area |p q r|. Exact.
+  int sign(int p, int q, int r) const { return resolve(filter(p, q, r), p, q, r); }
+  bool between(int p, int v, int w) const { return betweenExact(exact(p), exact(v), exact(w)); }
 
   /// Whether the two segments share a point. Exact.
   bool meet() const {
@@ -36,9 +37,7 @@ struct FourEnds {
   }
 
   ApproxPoint approx[4];
-
- private:
-  const Ends& ends() const { return static_cast<const Ends&>(*this); }
+  PosedSegment first, second;
 };
 
 }  // namespace tricover::detail

@@ -13,26 +13,11 @@ namespace tricover::detail {
 
 namespace {
 
-/// a's edge at position i and b's at j.
-struct EdgePair : FourEnds<EdgePair> {
-  EdgePair(const PosedPair& pair_, std::size_t i_, std::size_t j_)
-      : FourEnds{{pair_.fromA(pair_.a.path[i_]), pair_.fromA(pair_.a.path[i_ + 1]), pair_.fromB(pair_.b.path[j_]),
-                  pair_.fromB(pair_.b.path[j_ + 1])}},
-        pair(pair_),
-        i(i_),
-        j(j_) {}
-
-  PosedPoint exact(int p) const {
-    const auto end = static_cast<std::size_t>(p);
-    return p < 2 ? PosedPoint{&pair.pose_a, pair.a.path[i + end]} : PosedPoint{&pair.pose_b, pair.b.path[j + end - 2]};
-  }
-  bool within(int p, int v, int w, double reach, bool strictly) const {
-    return withinExact(exact(p), exact(v), exact(w), reach, strictly);
-  }
-
-  const PosedPair& pair;
-  std::size_t i, j;
-};
+FourEnds endsOf(const PosedPair& pair, std::size_t i, std::size_t j) {
+  const Vec2 *p = &pair.a.path[i], *q = &pair.b.path[j];
+  return {
+      {pair.fromA(p[0]), pair.fromA(p[1]), pair.fromB(q[0]), pair.fromB(q[1])}, {&pair.pose_a, p}, {&pair.pose_b, q}};
+}
 
 /// What besideSegment() errs by, of |u| + D. What its squares lose by underflow, 2^-510 of D, is less than U |u| where
 /// the square of u is above kLeastSquare.
@@ -65,10 +50,10 @@ double endsError(const PosedPair& pair) {
 
 }  // namespace
 
-bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j) { return EdgePair(pair, i, j).meet(); }
+bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j) { return endsOf(pair, i, j).meet(); }
 
 bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance, bool strictly) {
-  const EdgePair ends(pair, i, j);
+  const FourEnds ends = endsOf(pair, i, j);
   if (reach == 0 && tolerance == 0) return ends.meet();
   // The rounded distance d between an end and the other edge. An upper bound always holds, and is above the truth, for
   // kTiny and what else is left of its bound; as a lower bound it holds unless the edges cross, so that is asked first.
@@ -84,18 +69,20 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
   if (apart && (pair.a.path[i] == pair.a.path[i + 1] || pair.b.path[j] == pair.b.path[j + 1])) return false;
   if (ends.meet()) return true;
   if (apart) return false;
-  const auto within = [&](int p, int v, int w) { return ends.within(p, v, w, reach, strictly); };
+  const auto within = [&](int p, int v, int w) {
+    return withinExact(ends.exact(p), ends.exact(v), ends.exact(w), reach, strictly);
+  };
   return within(0, 2, 3) || within(1, 2, 3) || within(2, 0, 1) || within(3, 0, 1);
 }
 
 int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j) {
-  const EdgePair ends(pair, i, j);
+  const FourEnds ends = endsOf(pair, i, j);
   const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
   return p * q == -1 && v * w == -1 ? q : 0;
 }
 
 double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
-  const EdgePair ends(pair, i, j);
+  const FourEnds ends = endsOf(pair, i, j);
   const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
   if (p * q != -1 || v * w != -1) return 0;
   // They cross, and do so until an end of one is on the other.

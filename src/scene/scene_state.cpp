@@ -14,7 +14,6 @@
 #include "numbers/rigidity.h"
 #include "numbers/rounding.h"
 #include "pair/certificate.h"
-#include "pair/find_certificate.h"
 #include "pair/kernel_order.h"
 #include "scene/in_parallel.h"
 

@@ -394,7 +394,7 @@ TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
       found = found || distances.bounds(k, l).high == least;
       return limit;
     };
-    detail::forNearPairs(pair, limit, visit, [&](double) { return limit; });
+    detail::forEachPair(pair, limit, visit, [&](double) { return limit; });
     ASSERT_TRUE(found) << "case " << i;
   }
 }
