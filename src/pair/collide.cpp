@@ -23,7 +23,7 @@ namespace {
 [[gnu::always_inline]] inline Outcome collideClose(const PosedPair& placement, double defect, const EdgeTest& test,
                                                    double lookahead, Wanted wanted) {
   if (!haveHierarchies(placement.a, placement.b))
-    if (const std::optional<Outcome> outcome = collideByEdges(placement, test)) return *outcome;
+    if (const std::optional<Outcome> outcome = collideByEdges(test)) return *outcome;
   return collideByHierarchy(placement.inUnits(defect), test, lookahead, wanted);
 }
 

@@ -12,7 +12,7 @@ namespace tricover::detail {
 /// The answer by the edges alone, of polygons that have been asked too seldom for a hierarchy each: O(n + m) but where
 /// many edges are near each other. Leaves clearance 0. Nothing where hierarchies have been paid for, where they cost
 /// less than this query alone, or coordinates may overflow.
-std::optional<Outcome> collideByEdges(const PosedPair& pair, const EdgeTest& test);
+std::optional<Outcome> collideByEdges(const EdgeTest& test);
 
 /// Whether both polygons have the hierarchies that are asked, a point's being none, so that there is no need for the
 /// above.
