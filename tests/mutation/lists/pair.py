@@ -25,7 +25,7 @@ MUTATIONS = [
     ("src/pair/containment.cpp", "for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)", "for (std::size_t ring = 0; ring < 1; ++ring)", "repair 2: first ring only"),
     ("src/pair/ring_starts.cpp", "if (r != s && edgesMeet(itself, i, j)) {", "if (r != s) {", "ring starts: rings connected that are apart"),
     ("src/pair/containment.cpp", "1.5 * p.error * polygon.inverse_unit", "0", "containment: error outside of the box"),
-    ("src/pair/containment.cpp", "(pair.b.radius * (1 + 2.1 * kLargestDefect) + 4 * center.error) * (1 + 16 * kUnitRoundoff)", "b.radius", "containment: error outside of the disc"),
+    ("src/pair/containment.cpp", "(pair.b.radius * (1 + 2.1 * kLargestDefect) + 4 * center.error) * (1 + 16 * kUnitRoundoff)", "pair.b.radius", "containment: error outside of the disc"),
     ("src/pair/discs.h", "isBeyond(way, sum + margin)", "isBeyond(way, sum)", "discs: margin ignored"),
     ("src/pair/discs.h", "(pair.a.radius + pair.b.radius) * (1 + kLargestDefect) + pair.error()", "(pair.a.radius + pair.b.radius) + pair.error()", "discs: defect of their radii"),
     ("src/pair/discs.h", "(pair.a.radius + pair.b.radius) * (1 + kLargestDefect) + pair.error()", "(pair.a.radius + pair.b.radius) * (1 + kLargestDefect)", "discs: error of their centres"),
