@@ -1,12 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair/collide_by_hierarchy.h"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 
 #include "pair/containment.h"
 
 namespace tricover::detail {
+namespace {
+
+/// What a descent found; if no edges meet, and one region `may_hold` the other, the answer is containment's.
+Outcome outcomeOf(const DescentResult& found, bool may_hold, const UnitPlacement& at, const EdgeTest& test,
+                  Wanted wanted) {
+  if (found.hit) return {true, 0, found.edge_a, found.edge_b};
+  Outcome outcome;
+  if (may_hold) outcome = findContainment(test.pair);
+  if (wanted == Wanted::Clearance)
+    outcome.clearance = std::min(at.inWorld(found.clearance, test.a.unit), std::numeric_limits<double>::max());
+  return outcome;
+}
+
+/// Of a point b: a's tree alone is descended.
+Outcome collidePoint(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
+  const Hierarchy& tree = hierarchyOf(test.a);
+  const Place place = at.origin();
+  const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
+  const double accept = at.within(test.options.margin + test.options.tolerance);
+  const double outside = distanceFromRoot(tree.root, place);
+  if (outside > limit) return {false, at.inWorld(outside, test.a.unit), -1, -1};
+  const bool may_be_inside = !(outside > 0);
+  if (may_be_inside && wanted != Wanted::Edges) {
+    if (const InnerDiscs* discs = innerDiscsIfPaid(test.a)) {
+      const double depth = depthInDiscs(*discs, place);
+      if (depth > 0 || -depth < accept) return {true, at.inWorld(std::max(depth, 0.0), test.a.unit), -1, -1};
+    }
+  }
+  DescentResult found = findEdgeNear(tree, place, limit, {&test, &EdgeTest::meetDegenerate, reach, accept});
+  found.edge_b = static_cast<std::ptrdiff_t>(test.b.degenerate_edge);
+  return outcomeOf(found, may_be_inside, at, test, wanted);
+}
+
+}  // namespace
 
 Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   const double sum = test.options.margin + test.options.tolerance;
@@ -15,17 +50,14 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
   const Descent descent{test.a,      test.b, hierarchyOf(test.a), hierarchyOf(test.b), at.map,
                         at.rounding, limit,  /*degenerate*/ true};
   const DescentResult found = findHit(descent, {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
-  Outcome outcome;
-  if (found.hit) {
-    outcome.collides = true;
-    outcome.edge_a = found.edge_a;
-    outcome.edge_b = found.edge_b;
-    return outcome;
-  }
-  outcome = findContainment(test.pair);
-  if (wanted == Wanted::Clearance)
-    outcome.clearance = std::min(at.inWorld(found.clearance, test.a.unit), std::numeric_limits<double>::max());
-  return outcome;
+  return outcomeOf(found, true, at, test, wanted);
+}
+
+Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
+  if (!test.a.isDegenerate()) return collidePoint(at, test, lookahead, wanted);
+  const std::size_t i = test.a.degenerate_edge, j = test.b.degenerate_edge;
+  if (!test(i, j)) return Outcome();
+  return {true, 0, static_cast<std::ptrdiff_t>(i), static_cast<std::ptrdiff_t>(j)};
 }
 
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {
