@@ -4,11 +4,18 @@
 #include <cstdint>
 
 #include "convex/convex_ring.h"
-#include "convex/feature_walk.h"
 #include "convex/posed_vertices.h"
 #include "hierarchy/simd.h"
 
 namespace tricover::detail {
+
+/// A pair of features of two convex polygons: two vertices, or a vertex beside an edge; or edges that cross. Either is
+/// given by an edge that it is, or that starts with it.
+struct FeaturePair {
+  enum Kind : std::uint8_t { kNone, kEdgeOfA, kEdgeOfB, kVertices, kCrossing };
+  Kind kind = kNone;  ///< of the first two: whose edge a vertex of the other is beside
+  std::uint32_t edge_a = 0, edge_b = 0;
+};
 
 /// What separating axes prove of two convex polygons without straight vertices (cornersOf()).
 struct NearestFeatures {

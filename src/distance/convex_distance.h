@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "convex/feature_walk.h"
 #include "convex/nearest_features.h"
 #include "distance/distance_result.h"
 #include "distance/options.h"

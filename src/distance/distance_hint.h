@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "convex/feature_walk.h"
+#include "convex/nearest_features.h"
 #include "distance/distance_result.h"
 #include "distance/distance_search.h"
 #include "polygon/cache_contents.h"
