@@ -42,6 +42,12 @@ double leastOfEnds(const ApproxPoint (&e)[4]) {
   return least;
 }
 
+/// See crossingDirection().
+int crossingOf(const FourEnds& ends) {
+  const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
+  return p * q == -1 && v * w == -1 ? q : 0;
+}
+
 /// What a distance is off by because both edges' ends are, in any direction.
 double endsError(const PosedPair& pair) {
   static_assert(1.5 > kRoot2 * (1 + errorOf(8)));
@@ -75,17 +81,12 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
   return within(0, 2, 3) || within(1, 2, 3) || within(2, 0, 1) || within(3, 0, 1);
 }
 
-int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j) {
-  const FourEnds ends = endsOf(pair, i, j);
-  const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
-  return p * q == -1 && v * w == -1 ? q : 0;
-}
+int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j) { return crossingOf(endsOf(pair, i, j)); }
 
 double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
   const FourEnds ends = endsOf(pair, i, j);
-  const int p = ends.filter(0, 1, 2), q = ends.filter(0, 1, 3), v = ends.filter(2, 3, 0), w = ends.filter(2, 3, 1);
-  if (p * q != -1 || v * w != -1) return 0;
-  // They cross, and do so until an end of one is on the other.
+  if (crossingOf(ends) == 0) return 0;
+  // They cross until an end of one is on the other.
   const ApproxPoint* e = ends.approx;
   const double d = leastOfEnds(ends.approx);
   const double length =
