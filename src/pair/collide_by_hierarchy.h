@@ -17,18 +17,6 @@ namespace tricover::detail {
 /// shorter the ways to it.
 enum class Wanted { Answer, Clearance, Edges };
 
-/// Whether b's S is within 4 of a's; false for NaN.
-inline bool areNear(const UnitMap& map) { return std::abs(map.tx) + std::abs(map.ty) < 4; }
-
-/// Two polygons that areNear() and areSmall(), without a margin.
-[[gnu::always_inline]] inline Meeting allEdgesMeet(const UnitPlacement& at, const Hierarchy& a, const Hierarchy& b,
-                                                   const EdgeTest& test) {
-  const Meeting meeting = fewEdgesMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
-  // They serve the next query that meets, before its boxes; of one that doesn't they tell nothing.
-  if (meeting == Meeting::Meet) innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
-  return meeting;
-}
-
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
 /// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
 [[gnu::always_inline]] inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted,
@@ -40,8 +28,14 @@ inline bool areNear(const UnitMap& map) { return std::abs(map.tx) + std::abs(map
     clearance = gap;
     return Meeting::Apart;
   }
-  if (!areNear(at.map) || wanted == Wanted::Edges) return Meeting::Unknown;
-  if (wanted == Wanted::Answer && limit == 0 && areSmall(a, b)) return allEdgesMeet(at, a, b, test);
+  const bool are_near = std::abs(at.map.tx) + std::abs(at.map.ty) < 4;  // false for NaN
+  if (!are_near || wanted == Wanted::Edges) return Meeting::Unknown;
+  if (wanted == Wanted::Answer && limit == 0 && areSmall(a, b)) {
+    const Meeting meeting = fewEdgesMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
+    // Inner discs serve the next query that meets, before its boxes; of one that doesn't they tell nothing.
+    if (meeting == Meeting::Meet) innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
+    return meeting;
+  }
   // Inner discs hardly meet unless the boxes are deep in each other.
   const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * at.map.scale);
   if (!(gap < -deep)) return Meeting::Unknown;

@@ -10,7 +10,8 @@
 namespace tricover::detail {
 
 /// Between squares of lengths: the products and the sum of one, the product of the other and that of a length with a
-/// last rounding by itself.
+/// last rounding by itself. What the sum of radii rounds by isn't counted: kWayError, of which half would do, and
+/// kLargestDefect pay for it.
 constexpr int kDiscSquares = 2 + 1 + 2;
 
 /// The largest disc known to be inside of a region. A point or segment has one of radius 0 around S, which is on it but
@@ -31,24 +32,13 @@ struct InnerDisc {
   double radius;  ///< negative if there is none
 };
 
-/// Whether what a way joins, from centre to centre, is certainly farther apart than `reach`: radii, grown by errors,
-/// and a margin. What the sum of radii rounds by, and a way that is a difference of two places, isn't counted:
-/// kWayError, of which half would do, and kLargestDefect pay for it.
-inline bool isBeyond(Double2 way, double reach) {
-  return squarable(reach) && dot(way, way) > roundedUp<kDiscSquares>(reach * reach);
-}
-/// Whether it is certainly no farther apart than `within`: radii, shrunk by errors, and a margin.
-inline bool isWithin(Double2 way, double within) {
-  return squarable(within) && roundedUp<kDiscSquares>(dot(way, way)) < within * within;
-}
-
 /// The gap between the bounding discs, a lower bound of the distance, if it is above the margin; otherwise -1.
 inline double gapOfDiscs(const PosedPair& pair, double margin) {
   const Double2 way = pair.way();
-  const double sum = (pair.a.radius + pair.b.radius) * (1 + kLargestDefect) + pair.error();
-  if (!isBeyond(way, sum + margin)) return -1;
-  // The root of two roundings and its own; the difference, at most what the root is.
+  const double sum = (pair.a.radius + pair.b.radius) * (1 + kLargestDefect) + pair.error(), reach = sum + margin;
   const double square = dot(way, way);
+  if (!(squarable(reach) && square > roundedUp<kDiscSquares>(reach * reach))) return -1;
+  // The root of two roundings and its own; the difference, at most what the root is.
   return square < 0x1p1000 ? roundedDown<3>(std::sqrt(square)) - sum : margin;
 }
 
@@ -57,9 +47,10 @@ inline double depthOfDiscs(const PosedPair& pair, double margin) {
   const InnerDisc disc_a(pair.a), disc_b(pair.b);
   if (!(disc_a.radius >= 0 && disc_b.radius >= 0)) return -1;
   const Double2 way = pair.way(disc_a.center, disc_b.center);
-  const double reach = (disc_a.radius + disc_b.radius) * (1 - kLargestDefect) - pair.error();
-  if (!isWithin(way, reach + margin)) return -1;
-  return std::max(roundedDown<2>(reach) - roundedUp<2>(std::sqrt(dot(way, way))), 0.0);
+  const double sum = (disc_a.radius + disc_b.radius) * (1 - kLargestDefect) - pair.error(), reach = sum + margin;
+  const double square = dot(way, way);
+  if (!(squarable(reach) && roundedUp<kDiscSquares>(square) < reach * reach)) return -1;
+  return std::max(roundedDown<2>(sum) - roundedUp<2>(std::sqrt(square)), 0.0);
 }
 
 }  // namespace tricover::detail
