@@ -43,15 +43,6 @@ double displacement(const PolygonData& polygon, Double2 d0, Double2 d1, Double2 
   return roundedUp<kRoundings>(std::sqrt(square_of_turn) * radius + std::sqrt(square_of_way));
 }
 
-/// The same for a polygon that was at `kept` and is at `pose` now, in the world.
-double displacement(const PolygonData& polygon, const double (&kept)[6], const Pose& pose) {
-  if (sameAs(kept, pose)) return 0;
-  const double* m = pose.data();
-  const Double2 d0 = load2(m) - load2(kept), d1 = load2(m + 3) - load2(kept + 2),
-                shift = load2(m + 6) - load2(kept + 4);
-  return displacement(polygon, d0, d1, d0 * polygon.origin.x() + d1 * polygon.origin.y() + shift);
-}
-
 /// What is left, at the least, of the certificate's clearance after the motion of the two against each other, seen in
 /// the first one's frame: for pairs that travel together.
 double clearanceLeft(const Certificate& cache, const PolygonData& first, const Pose& first_pose,
@@ -71,6 +62,14 @@ double clearanceLeft(const Certificate& cache, const PolygonData& first, const P
 }
 
 }  // namespace
+
+double displacement(const PolygonData& polygon, const double (&kept)[6], const Pose& pose) {
+  if (sameAs(kept, pose)) return 0;
+  const double* m = pose.data();
+  const Double2 d0 = load2(m) - load2(kept), d1 = load2(m + 3) - load2(kept + 2),
+                shift = load2(m + 6) - load2(kept + 4);
+  return displacement(polygon, d0, d1, d0 * polygon.origin.x() + d1 * polygon.origin.y() + shift);
+}
 
 void store(double (&kept)[6], const Pose& pose) {
   for (const int column : {0, 1, 2}) store2(kept + 2 * column, load2(pose.data() + 3 * column));

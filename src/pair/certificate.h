@@ -36,6 +36,10 @@ inline bool sameAs(const double (&kept)[6], const Pose& pose) {
 /// Keeps a pose with a certificate.
 void store(double (&kept)[6], const Pose& pose);
 
+/// How far any point of a polygon's bounding disc is at most, in the world, from where it was at the kept pose; 0 if
+/// that is the same pose.
+double displacement(const PolygonData& polygon, const double (&kept)[6], const Pose& pose);
+
 /// Throws for a pose that isn't rigid. One that equals the certificate's pose to the last bit, has been checked.
 Recollection recall(Certificate& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
                     const Pose& pose_b, double margin);

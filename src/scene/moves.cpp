@@ -43,13 +43,12 @@ Bounds SceneState::newBox(Slot body) {
   return box;
 }
 
-/// Returns a bound of how far the points of a body go that moves to a pose; negative if it doesn't move.
+/// Returns a bound of how far the points of a body go that moves to a pose; 0 if it doesn't move.
 double SceneState::stepTo(Slot body, const Pose& pose) const {
   const BodyState& state = bodies[body];
-  const double *was = state.pose.data(), *now = pose.data();
-  const Change change(state.polygon.data(), load2(now) - load2(was), load2(now + 3) - load2(was + 3),
-                      load2(now + 6) - load2(was + 6));
-  return change.any() ? change.displacement() : -1;
+  double was[6];
+  store(was, state.pose);
+  return displacement(state.polygon.data(), was, pose);
 }
 
 /// Changes the body's own data for a move and returns whether the body is due. Any number of threads may advance
@@ -71,7 +70,7 @@ bool SceneState::advance(Slot body, const Pose& pose, double step) {
 
 void SceneState::moveBody(Slot body, const Pose& pose) {
   const double step = stepTo(body, pose);
-  if (step < 0) return;
+  if (step == 0) return;
   tree.prepareMove();
   if (!advance(body, pose, step)) return;
   listDue(body);
@@ -98,7 +97,7 @@ void SceneState::setOptions(Slot body, const BodyOptions& options) {
 SceneState::Moving::What SceneState::moveInBox(Slot body, const Pose& pose) {
   BodyState& state = bodies[body];
   const double step = stepTo(body, pose);
-  if (step < 0) return Moving::Done;
+  if (step == 0) return Moving::Done;
   if (!(staysCounted(state, step) && movedAfter(state, step) <= state.box_until)) return Moving::Later;
   if (!advance(body, pose, step) || state.listed) return Moving::Done;
   // The body is listed later, by one thread, but its memory is at hand here.
