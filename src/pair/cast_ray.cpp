@@ -67,11 +67,11 @@ class RayCast {
   FourEnds endsWith(std::size_t edge) const {
     return {{from_, to_, vertex(edge), vertex(edge + 1)}, ray(), segment(edge)};
   }
-  /// An end of the ray. What it errs by is known exactly.
+  /// An end of the ray. What it errs by is known exactly, but for underflow.
   ApproxPoint fromTranslation(const Vec2& p) const {
     const Twofold<Double2> at = twoSum(load2(p.data()), -load2(pose_.data() + 6));
     const Double2 error = absolute(at.low);
-    return {at.high[0], at.high[1], error[0] + error[1]};
+    return {at.high[0], at.high[1], error[0] + error[1] + kTiny};
   }
   /// R p in either coordinate: products 1U, sum 1U, of |p|_1. Nothing rounds where R is the identity.
   ApproxPoint vertex(std::size_t position) const {

@@ -7,7 +7,7 @@ MUTATIONS = [
     ("src/pair/edge_sides.cpp", "(right[A] && right[B])", "(left[A] && right[B])", "interiors: one on either side"),
     ("src/pair/interiors.cpp", "has_bare_[operand] |= sides.isBareInside();", "", "interiors: edges without area lead there"),
     ("src/pair/interiors.cpp", "if (polygon_a.isDegenerate() || polygon_b.isDegenerate()) return false;", "", "interiors: of points"),
-    ("src/pair/cast_ray.cpp", "error[0] + error[1]}", "0}", "ray: no error of its ends"),
+    ("src/pair/cast_ray.cpp", "error[0] + error[1] + kTiny}", "0}", "ray: no error of its ends"),
     ("src/pair/cast_ray.cpp", "Identity() ? 0 : kVertexError", "Identity() ? 0 : 0", "ray: no error of vertices"),
     ("src/pair/cast_ray.cpp", "const double room = polygon_.radius * polygon_.inverse_unit + ray_.error;", "const double room = 0.9 * polygon_.radius * polygon_.inverse_unit;", "ray: beside a smaller disc"),
     ("src/pair/cast_ray.cpp", "shorten(std::min(fraction, limit_));", "shorten(0.5 * fraction);", "ray: shortened by too much"),
