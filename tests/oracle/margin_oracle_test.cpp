@@ -137,24 +137,5 @@ TEST_P(MarginOracle, MarginIsExactAndToleranceKeepsItsPromise) {
 INSTANTIATE_TEST_SUITE_P(Families, MarginOracle, testing::ValuesIn(families()),
                          [](const auto& family) { return family.param.name; });
 
-/// Distances that are doubles: 3-4-5 between two vertices, and the gap between two parallel edges, at every size.
-TEST(Margin, EqualityIsIncluded) {
-  for (const double unit : {1.0, 0x1p-498, 0x1p498, 0x1p990, 0x1p-1070}) {
-    const Polygon a({scaled(rectangle(0, 0, 1, 1), unit)});
-    for (const Vec2& by : {Vec2(4, 5), Vec2(-5, 4), Vec2(6, 0.5), Vec2(0, -6)}) {
-      const double distance = 5 * unit;
-      Pose pose_b = Pose::Identity();
-      pose_b.translation() = by * unit;
-      for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
-        const auto within = [&](double margin) { return collide(strategy, a, Pose::Identity(), a, pose_b, {margin}); };
-        EXPECT_TRUE(within(distance)) << hex(unit);
-        EXPECT_FALSE(within(nudged(distance, -1))) << hex(unit);
-        EXPECT_TRUE(within(nudged(distance, 1))) << hex(unit);
-        EXPECT_TRUE(within(kLargest)) << hex(unit);
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace tricover::support

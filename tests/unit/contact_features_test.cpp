@@ -98,26 +98,6 @@ TEST(ContactFeatures, OfRingsWithoutAreaOnOneEdgeAreSeparate) {
   EXPECT_EQ(ask({{{3, 2}, {3, 3}, {1, 3}}}, {{{-3, 1}, {1, 3}, {1, 2}}, {{2, 3}, {3, 3}, {3, 3}}}).size(), 2u);
 }
 
-/// Which way round rings run says nothing.
-TEST(ContactFeatures, OfRingsThatRunClockwiseAreTheSame) {
-  const Ring box = rectangle(0, 0, 2, 2), corner{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
-  const Ring beside = rectangle(1, 1, 2, 4);
-  for (const auto& [first, second] :
-       {std::pair(box, box), std::pair(corner, beside), std::pair(box, rectangle(2, 1, 5, 3))}) {
-    const std::vector<Contact> expected = ask({first}, {second});
-    ASSERT_EQ(expected.size(), 1u);
-    for (const int reversed : {1, 2, 3}) {
-      Ring a = first, b = second;
-      if (reversed & 1) std::reverse(a.begin(), a.end());
-      if (reversed & 2) std::reverse(b.begin(), b.end());
-      const std::vector<Contact> found = ask({a}, {b});
-      ASSERT_EQ(found.size(), 1u);
-      EXPECT_EQ(found[0].depth, expected[0].depth);
-      EXPECT_EQ(found[0].normal, expected[0].normal);
-    }
-  }
-}
-
 TEST(ContactFeatures, OfMirroredPolygons) {
   const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(0, 0, 2, 2)});
   Pose flipped = kHere;
