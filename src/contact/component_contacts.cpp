@@ -143,7 +143,7 @@ class ContactFinder {
   /// and by a quarter of that, which details that are as small may be between.
   bool parts(const Exit& exit) const {
     // By so much the pose's translation is known: near a corner a shorter way may be free where a longer one isn't.
-    const double spacing = 256 * kUnitRoundoff * (pair_.pose_b.translation() / frame_.unit()).lpNorm<1>();
+    const double spacing = 1024 * kUnitRoundoff * (pair_.pose_b.translation() / frame_.unit()).lpNorm<1>();
     const double more = 16 * frame_.error() + spacing + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
     const auto partsBy = [&](double length) {
       return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,

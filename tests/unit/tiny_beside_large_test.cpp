@@ -273,5 +273,43 @@ TEST(Contacts, OfRingsThatLieOnEachOtherTakeTheirEdgesPastEachOther) {
       EXPECT_FALSE(now.edge_a == then.edge_a && now.edge_b == then.edge_b) << now.edge_a << " " << now.edge_b;
 }
 
+/// A point at the outline of a tiny polygon at the frame's origin, itself far from its own: its translation is rounded
+/// by more than all other coordinates.
+Case farPointOnTinyPolygon(Random& random) {
+  const double size = std::ldexp(1, -random.integer(8, 24));
+  const int kind = random.integer(0, 2), n = random.integer(3, 12);
+  const Polygon a({kind == 0   ? star(random, n, 0.3 * size, size)
+                   : kind == 1 ? regular(n, size)
+                               : comb(2, 0.5 * size, 0.25 * size, size)});
+  const Pose pose_a = pose(random.real(0, 6.3), 0, 0);
+  const double x = random.real(-3, 3), y = random.real(-3, 3);
+  Pose pose_b = pose(random.real(0, 6.3), 0, 0);
+  const EdgeIndex edge = random.integer(0, static_cast<int>(a.edgeCount()) - 1);
+  const double share = random.coin() ? random.integer(0, 1) : random.unit();
+  const Vec2 at = pose_a * Vec2(a.edgeStart(edge) + share * (a.edgeEnd(edge) - a.edgeStart(edge)));
+  pose_b.translation() = nudged(random, at - pose_b.linear() * Vec2(x, y), random.integer(0, 2));
+  return {a, pose_a, Polygon({Ring(3, Vec2(x, y))}), pose_b};
+}
+
+/// Near a corner a translation by a few roundings may be free where a longer one along the same normal is not.
+TEST(Contacts, OfAFarPointOnATinyPolygonPartThem) {
+  int touches = 0;
+  const auto check = [&](std::uint64_t seed) {
+    Random random(seed);
+    const Case c = farPointOnTinyPolygon(random);
+    ContactOptions options;
+    options.detail = ContactDetail::GlobalDepth;
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, options);
+    if (found.empty()) return;
+    ++touches;
+    EXPECT_EQ(wrongWayApart(c, found[0]), "") << seed;
+  };
+  // Where steps of 4, and of 256 roundings are too few.
+  for (const std::uint64_t seed : {13387, 26429, 804234, 2412803, 3074748}) check(seed);
+  touches = 0;
+  for (int i = 0; i < scaledCount(2000); ++i) check(static_cast<std::uint64_t>(i));
+  EXPECT_GE(touches, scaledCount(2000) / 5);
+}
+
 }  // namespace
 }  // namespace tricover::support
