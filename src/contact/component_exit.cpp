@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "pair/edge_pairs.h"
-#include "penetration/convex_penetration.h"
 
 namespace tricover::detail {
 namespace {
@@ -66,9 +65,9 @@ std::ptrdiff_t ComponentExits::flatter(int side, const BoundaryPoint& p, const V
 
 Exit ComponentExits::exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const {
   const SupportGap gap = leastSupportGap(pair_, &axes, 4 * frame_.error() * frame_.unit());
-  const int face = gap.edge_of_a ? 0 : 1, other = 1 - face;
+  const int face = gap.of_a ? 0 : 1, other = 1 - face;
   const PolygonData &own = polygonOf(pair_, face), &behind = polygonOf(pair_, other);
-  const std::size_t corner = convexOutlineOf(behind).corners[gap.corner];
+  const std::size_t corner = convexOutlineOf(behind).corners[gap.deepest];
   const BoundaryPoint deepest = vertexPoint(behind, other, corner, frame_.from(other, behind.path[corner]));
   const Vec2 in_own = face == 0 ? frame_.toA(deepest.at) : frame_.toB(deepest.at);
   Exit exit{gap.normal, gap.depth / frame_.unit(), {-1, -1}, face};

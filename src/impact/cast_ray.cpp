@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair/cast_ray.h"
 
-#include "impact/round_ray.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "tricover/ray.h"
@@ -9,8 +8,9 @@
 #include "tricover/time_of_impact.h"
 
 namespace tricover {
-namespace detail {
+namespace {
 
+/// With a margin: the impact of a point that moves along the ray.
 std::optional<RayHit> castRoundRay(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
                                    double margin) {
   if (!(to - from).allFinite()) {  // no motion is as long: in two halves
@@ -30,14 +30,14 @@ std::optional<RayHit> castRoundRay(const Polygon& polygon, const Pose& pose, con
                 impact->time > 0 ? impact->edge_b : -1};
 }
 
-}  // namespace detail
+}  // namespace
 
 std::optional<RayHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
                               const RayOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
   detail::requireRigid(pose, "pose");
   detail::requireFiniteRay(from, to);
-  if (options.margin > 0) return detail::castRoundRay(polygon, pose, from, to, options.margin);
+  if (options.margin > 0) return castRoundRay(polygon, pose, from, to, options.margin);
   return detail::castPlainRay(polygon.data(), pose, from, to, 1);
 }
 

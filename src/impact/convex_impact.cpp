@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "impact/convex_impact.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
 #include "impact/interval_cutter.h"
+#include "impact/solvers.h"
 #include "numbers/rounding.h"
 #include "polygon/convexity.h"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "impact/convex_slide.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "convex/convex_ring.h"
 #include "hierarchy/placement.h"
 #include "impact/cubic.h"
+#include "impact/solvers.h"
 #include "numbers/rounding.h"
 #include "numbers/segment.h"
 

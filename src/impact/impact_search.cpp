@@ -1,35 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "impact/impact_search.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "impact/interval_cutter.h"
+#include "impact/solvers.h"
 #include "impact/vertex_paths.h"
+#include "numbers/best_first.h"
 
 namespace tricover::detail {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// An interval of time in which two nodes may meet: they certainly don't from time 0 to its begin.
 struct Encounter {
-  double begin, end;
+  double least, end;  ///< the time of its begin and end
   std::uint32_t a, b;
   int depth;
 
   /// Of those that begin together, the deepest leads to an impact soonest.
   bool operator<(const Encounter& other) const {
-    return begin != other.begin ? begin > other.begin : depth < other.depth;
+    return least != other.least ? least > other.least : depth < other.depth;
   }
 };
 
-/// Branch and bound, best first: the encounter that begins first is divided, its nodes or its interval, and what is
-/// left of the parts are encounters again. So their least begin is a proven lower bound of the time of impact; the
-/// upper one is the earliest time at which two edges were seen to touch. Divisions and encounters have a budget, at
-/// whose end the lower bound is the result.
+/// The encounter that begins first is divided, its nodes or its interval, and what is left of the parts are encounters
+/// again. The upper bound is the earliest time at which two edges were seen to touch. Divisions and encounters have a
+/// budget, at whose end the lower bound is the result.
 class ImpactSearch {
  public:
   ImpactSearch(const MovingPair& pair, double time_error)
@@ -38,22 +34,19 @@ class ImpactSearch {
         touch_distance_(pair.margin + 4 * pair.error),
         keep_lengths_(pair.keepLengths()),
         most_encounters_(mostEncounters(pair)),
-        most_divisions_(mostDivisions(pair)) {
-    encounters_.reserve(128);
-  }
+        most_divisions_(mostDivisions(pair)) {}
 
   FirstContact run(double begin) {
     offerAnew({begin, 1, kRootNode, kRootNode, 0});
-    while (!encounters_.empty() && upper_bound_ - lowerBound() > time_error_) {
-      if (divided_ >= most_divisions_ || encounters_.size() > most_encounters_) return provenSoFar();
-      std::pop_heap(encounters_.begin(), encounters_.end());
-      Encounter encounter = encounters_.back();
-      encounters_.pop_back();
-      encounter.end = std::min(encounter.end, upper_bound_);
-      ++divided_;
-      divide(encounter);
-    }
-    const double time = encounters_.empty() ? upper_bound_ : std::min(upper_bound_, lowerBound());
+    const bool lasted = search_.run(
+        time_error_, [&] { return divided_ >= most_divisions_ || search_.size() > most_encounters_; },
+        [&](Encounter encounter) {
+          encounter.end = std::min(encounter.end, search_.upper);
+          ++divided_;
+          divide(encounter);
+        });
+    if (!lasted) return provenSoFar();
+    const double time = search_.lower();
     return time <= 1 ? FirstContact::touch(time, edge_a_, edge_b_) : FirstContact::never();
   }
 
@@ -71,14 +64,12 @@ class ImpactSearch {
     return kDivisionsPerEncounter * mostEncounters(pair) * (1 + static_cast<std::size_t>(radians));
   }
 
-  double lowerBound() const { return encounters_.front().begin; }
-
   /// The budget ended: no contact before the lower bound. Unless edges were seen to touch, it names some that may.
   FirstContact provenSoFar() const {
-    FirstContact contact = upper_bound_ <= 1
-                               ? FirstContact::touch(lowerBound(), edge_a_, edge_b_)
-                               : FirstContact::touch(lowerBound(), edgeBelow(pair_.a, encounters_.front().a),
-                                                     edgeBelow(pair_.b, encounters_.front().b));
+    const Encounter& best = search_.best();
+    FirstContact contact =
+        search_.upper <= 1 ? FirstContact::touch(best.least, edge_a_, edge_b_)
+                           : FirstContact::touch(best.least, edgeBelow(pair_.a, best.a), edgeBelow(pair_.b, best.b));
     contact.budget_ended = true;
     return contact;
   }
@@ -88,16 +79,10 @@ class ImpactSearch {
     return node.child;
   }
 
-  void push(const Encounter& encounter) {
-    if (encounter.begin > upper_bound_) return;
-    encounters_.push_back(encounter);
-    std::push_heap(encounters_.begin(), encounters_.end());
-  }
-
   static Encounter cut(Encounter encounter, const Rest& rest) {
-    const double begin = encounter.begin, length = encounter.end - begin;
-    encounter.begin = std::min(begin + rest.low * length, encounter.end);
-    if (rest.high < 1) encounter.end = std::max(begin + rest.high * length, encounter.begin);
+    const double begin = encounter.least, length = encounter.end - begin;
+    encounter.least = std::min(begin + rest.low * length, encounter.end);
+    if (rest.high < 1) encounter.end = std::max(begin + rest.high * length, encounter.least);
     return encounter;
   }
 
@@ -107,13 +92,13 @@ class ImpactSearch {
     IntervalCutter cutter(interval, a, b);
     if (cutter.cutByAxesOfA() || cutter.cutByAxesOfB()) return;
     const Rest rest = cutter.rest();
-    if (rest.low <= rest.high) push(cut(encounter, rest));
+    if (rest.low <= rest.high) search_.push(cut(encounter, rest));
   }
 
-  void offerAnew(const Encounter& encounter) { offer(TimeInterval(pair_, encounter.begin, encounter.end), encounter); }
+  void offerAnew(const Encounter& encounter) { offer(TimeInterval(pair_, encounter.least, encounter.end), encounter); }
 
   void divide(const Encounter& encounter) {
-    const TimeInterval interval(pair_, encounter.begin, encounter.end);
+    const TimeInterval interval(pair_, encounter.least, encounter.end);
     const Node node_a = pair_.a.node(encounter.a), node_b = pair_.b.node(encounter.b);
     if (node_a.edge && node_b.edge) return divideEdges(interval, encounter, node_a.child, node_b.child);
     const MovingBox a = pair_.a.box(interval.a, node_a), b = pair_.b.box(interval.b, node_b);
@@ -157,16 +142,16 @@ class ImpactSearch {
          left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
       (divides_a ? part.a : part.b) = index * kLanes + static_cast<std::uint32_t>(lane);
-      push(cut(part, {static_cast<double>(from_begin[lane]), 1 - static_cast<double>(from_end[lane]), 0}));
+      search_.push(cut(part, {static_cast<double>(from_begin[lane]), 1 - static_cast<double>(from_end[lane]), 0}));
     }
     return true;
   }
 
   void halve(const Encounter& encounter) {
-    const double middle = 0.5 * (encounter.begin + encounter.end);
+    const double middle = 0.5 * (encounter.least + encounter.end);
     for (const bool later : {false, true}) {
       Encounter part = encounter;
-      (later ? part.begin : part.end) = middle;
+      (later ? part.least : part.end) = middle;
       offerAnew(part);
     }
   }
@@ -177,8 +162,8 @@ class ImpactSearch {
   static constexpr std::size_t kWithoutEnds = 64;
 
   void touch(double when, std::size_t position_a, std::size_t position_b) {
-    if (!(when < upper_bound_)) return;
-    upper_bound_ = when;
+    if (!(when < search_.upper)) return;
+    search_.upper = when;
     edge_a_ = position_a;
     edge_b_ = position_b;
   }
@@ -192,7 +177,7 @@ class ImpactSearch {
     };
     const NearestPoints at_begin = nearest(0);
     // Written so that NaN, as where bounds overflow, is a touch.
-    if (!(at_begin.distance > touch_distance_)) return touch(encounter.begin, position_a, position_b);
+    if (!(at_begin.distance > touch_distance_)) return touch(encounter.least, position_a, position_b);
     if (!(nearest(1).distance > touch_distance_)) touch(encounter.end, position_a, position_b);
 
     // Some axis separates the edges at the interval's begin by nearly their distance: an edge's normal or, vertex to
@@ -208,15 +193,15 @@ class ImpactSearch {
     // up to there is shorter by an order.
     const double aimed = rest.low + 3 * (rest.aim - rest.low) + 0.5 * time_error_ / interval.length;
     const double middle = 0.5 * (rest.low + rest.high), share = rest.aim > rest.low ? std::min(aimed, middle) : middle;
-    const double split = encounter.begin + share * interval.length;
+    const double split = encounter.least + share * interval.length;
     const Encounter part = cut(encounter, rest);
-    if (split > part.begin && split < part.end) {
-      push({part.begin, split, part.a, part.b, part.depth + 1});
-      push({split, part.end, part.a, part.b, part.depth + 1});
-    } else if (part.begin > encounter.begin) {
-      push(part);
+    if (split > part.least && split < part.end) {
+      search_.push({part.least, split, part.a, part.b, part.depth + 1});
+      search_.push({split, part.end, part.a, part.b, part.depth + 1});
+    } else if (part.least > encounter.least) {
+      search_.push(part);
     } else {
-      touch(encounter.begin, position_a, position_b);  // no time between the interval's ends
+      touch(encounter.least, position_a, position_b);  // no time between the interval's ends
     }
   }
 
@@ -224,9 +209,8 @@ class ImpactSearch {
   double time_error_, touch_distance_;
   bool keep_lengths_;
   std::size_t most_encounters_, most_divisions_;  ///< the budget
-  double upper_bound_ = kInfinity;
+  BestFirst<Encounter> search_{std::numeric_limits<double>::infinity()};
   std::size_t edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound
-  std::vector<Encounter> encounters_;
   std::size_t divided_ = 0;
 };
 

@@ -45,16 +45,12 @@ bool Mover::keepsLengths() const {
          Gram(load2(linear.data()), load2(linear.data() + 2)).defect() <= kMostDefect;
 }
 
-Node Mover::edgeNode(std::size_t position) const {
+MovingBox Mover::edge(const Places& p, std::size_t position) const {
   const Vec2 v = polygon->inUnits(polygon->path[position]), w = polygon->inUnits(polygon->path[position + 1]);
   const Vec2 mid = 0.5 * (v + w), half = 0.5 * (w - v);
   const double length = half.norm();
   const Vec2 axis = length > 0 ? Vec2(half / length) : Vec2(1, 0);
-  return {mid.x(), mid.y(), axis.x(), axis.y(), length, 0, static_cast<std::uint32_t>(position), true};
-}
-
-MovingBox Mover::edge(const Places& p, std::size_t position) const {
-  MovingBox edge = box(p, edgeNode(position));
+  MovingBox edge = box(p, {mid.x(), mid.y(), axis.x(), axis.y(), length, 0, 0, true});
   edge.vx = -edge.uy;
   edge.vy = edge.ux;
   return edge;
@@ -93,11 +89,6 @@ double shrinkOf(const PolygonData& polygon_a, const Motion& motion_a, const Poly
   return given > 0 ? powerOfTwo(std::min(1000 - exponentOf(given), 1000)) : 1;
 }
 
-bool isStraight(const Motion& motion) {
-  const Double2 bends = absolute(load2(motion.shift_2.data())) + absolute(load2(motion.shift_3.data()));
-  return bends[0] + bends[1] + (std::abs(motion.angle_2) + std::abs(motion.angle_3)) == 0;
-}
-
 /// In the frame of the world but for its pose's translation, all lengths times `shrink`.
 Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
   Mover mover;
@@ -110,10 +101,10 @@ Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
   mover.rotates = !mover.rotation.isZero();
   // Without a rotation any pivot will do, and S is the nearest.
   mover.pivot = mover.rotates ? motion.pivot : polygon.origin;
-  mover.is_straight = isStraight(motion);
   const Vec2 pivot = shrink * mover.pivot;
   mover.base = mover.linear * pivot;
   mover.path = shrink * pathOf(motion);
+  mover.is_straight = mover.path.isStraight() && mover.rotation.isStraight();
   mover.arm = mover.linear * (shrink * polygon.origin - pivot);
   mover.reach = mover.arm.lpNorm<1>() + shrink * polygon.radius * (1 + kLargestDefect);
   // Of the largest polygons the hierarchy knows nothing.
@@ -128,33 +119,20 @@ double roundedBy(const Mover& mover, double shrink) {
          mover.path.second.lpNorm<1>() + mover.path.third.lpNorm<1>();
 }
 
-/// Of constant velocities, at any time.
-Rates steadyRates(double a, double b, const Vec2& path) {
-  const double rate_a = std::abs(a), rate_b = std::abs(b);
-  return {
-      rate_a,      rate_b, a * a, b * b, (b - a) * (b - a), rate_a * std::abs(a - 2 * b), rate_b * std::abs(b - 2 * a),
-      path.norm(), 0};
-}
-
 }  // namespace
 
 MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
                        const Motion& motion_b, double margin_)
-    : MovingPair(polygon_a, motion_a, polygon_b, motion_b, margin_,
-                 shrinkOf(polygon_a, motion_a, polygon_b, motion_b, margin_)) {}
-
-MovingPair::MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b,
-                       const Motion& motion_b, double margin_, double shrink)
-    : a(moverOf(polygon_a, motion_a, shrink)),
-      b(moverOf(polygon_b, motion_b, shrink)),
+    : expansion(1 / shrinkOf(polygon_a, motion_a, polygon_b, motion_b, margin_)),
+      a(moverOf(polygon_a, motion_a, 1 / expansion)),
+      b(moverOf(polygon_b, motion_b, 1 / expansion)),
       is_steady(a.is_straight && b.is_straight),
       given_margin(margin_),
-      margin(shrink * margin_) {
+      margin(margin_ / expansion) {
+  const double shrink = 1 / expansion;
   const Vec2 apart = shrink * motion_b.start.translation() - shrink * motion_a.start.translation();
   const double rotated = a.rotation.size() * a.reach + b.rotation.size() * b.reach;
   const double others = roundedBy(a, shrink) + roundedBy(b, shrink) + (apart.lpNorm<1>() + margin);
-  expansion = 1 / shrink;
-
   b.base = apart + (b.base - a.base);
   b.path = b.path - a.path;
   a.base = Vec2::Zero();
@@ -203,7 +181,7 @@ Rates MovingPair::ratesOf(double begin, double end) const {
 }
 
 void MovingPair::prepare() {
-  if (is_steady) steady = steadyRates(a.rotation.first, b.rotation.first, b.path.first);
+  if (is_steady) steady = ratesOf(0, 1);
   for (Mover* mover : {&a, &b}) {
     if (const PolygonData* corners = cornersOf(*mover->given)) mover->polygon = corners;  // of the same S and unit
     mover->tree = &hierarchyOf(*mover->polygon);

@@ -84,7 +84,6 @@ struct Mover {
   MovingBox box(const Places& places, const Node& node) const { return box(places, node, 1); }
   /// By places in lengths of 1 / `inverse`.
   MovingBox box(const Places& places, const Node& node, double inverse) const;
-  Node edgeNode(std::size_t position) const;
   MovingBox edge(const Places& places, std::size_t position) const;
   /// A vertex by its position, in the mover's frame, from S.
   Vec2 vertex(std::size_t position) const { return scale * polygon->inUnits(polygon->path[position]); }
@@ -145,18 +144,17 @@ struct MovingPair {
   Rates rates(double begin, double end) const { return is_steady ? steady : ratesOf(begin, end); }
   Rates ratesOf(double begin, double end) const;
 
+  double expansion;  ///< two powers of two, `length` is the other: a length of 1 is their product in the world
   Mover a, b;
-  bool is_steady;            ///< all velocities are constant
-  Rates steady;              ///< then, at any time
-  double given_margin;       ///< what counts as contact is coming this near
-  double margin;             ///< the same in the pair's length
-  double error;              ///< of a gap: see the constructor
-  double still_error;        ///< of one between the pivots' places
-  double length, expansion;  ///< two powers of two: a length of 1 is their product in the world
+  bool is_steady;       ///< all velocities are constant
+  Rates steady;         ///< then, at any time
+  double given_margin;  ///< what counts as contact is coming this near
+  double margin;        ///< the same in the pair's length
+  double error;         ///< of a gap: see the constructor
+  double still_error;   ///< of one between the pivots' places
+  double length;
 
  private:
-  MovingPair(const PolygonData& polygon_a, const Motion& motion_a, const PolygonData& polygon_b, const Motion& motion_b,
-             double margin, double shrink);
   /// To the size of what is moved, of which squares are taken. Returns 1 / length.
   double divideByLength();
 };

@@ -9,12 +9,8 @@
 #include <utility>
 
 #include "impact/conflicts.h"
-#include "impact/convex_impact.h"
-#include "impact/convex_slide.h"
-#include "impact/impact_search.h"
-#include "impact/moving_pair.h"
 #include "impact/options.h"
-#include "impact/vertex_impact.h"
+#include "impact/solvers.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
 #include "polygon/convexity.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "impact/vertex_impact.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include "hierarchy/simd.h"
+#include "impact/solvers.h"
 #include "impact/vertex_paths.h"
 
 namespace tricover::detail {

@@ -77,11 +77,4 @@ Twofold<Real> operator*(const Twofold<Real>& x, const Twofold<Real>& y) {
 
 using DoubleDouble = Twofold<double>;
 
-struct DoubleDouble2 {
-  DoubleDouble x, y;
-};
-
-inline DoubleDouble2 operator-(const DoubleDouble2& p, const DoubleDouble2& q) { return {p.x - q.x, p.y - q.y}; }
-inline DoubleDouble dot(const DoubleDouble2& p, const DoubleDouble2& q) { return p.x * q.x + p.y * q.y; }
-
 }  // namespace tricover::detail

@@ -14,7 +14,7 @@
 #include "numbers/segment.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
-#include "penetration/convex_penetration.h"
+#include "penetration/separating_axes.h"
 #include "penetration/translation_search.h"
 #include "polygon/cache_access.h"
 #include "polygon/edge_walk.h"
@@ -50,14 +50,14 @@ Features featuresOf(const TranslationSpace& space, const Vec2& t, int side, std:
 /// Of convex regions. Edges beside the least face may be parallel to it but for rounding, and the corner behind it be
 /// beside one of those.
 Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const SupportGap& gap) {
-  const int side = gap.edge_of_a ? 0 : 1, other = 1 - side;
+  const int side = gap.of_a ? 0 : 1, other = 1 - side;
   const PolygonData& own = space.side(side).polygon;
   const ConvexOutline& outline = convexOutlineOf(own);
-  const std::size_t corner = convexOutlineOf(space.side(other).polygon).corners[gap.corner],
+  const std::size_t corner = convexOutlineOf(space.side(other).polygon).corners[gap.deepest],
                     count = outline.corners.size();
   const PosedPair seen = side == 0 ? pair : pair.back();
   const ApproxPoint deepest = seenFromA(seen, space.side(other).polygon.path[corner]).approx;
-  const Vec2 t = gap.normal * (gap.depth / space.unit()), vertex = space.side(other).vertex(corner);
+  const Vec2 t = gap.normal * (gap.depth / space.frame.unit()), vertex = space.side(other).vertex(corner);
   const auto at = [&](std::size_t k) {
     return featuresOf(space, t, side, pathEdge(own, outline, k, {deepest.x, deepest.y}), outline.corners[k],
                       outline.corners[(k + 1) % count], corner);
@@ -229,10 +229,10 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
     return straightOn(pair, are_apart ? nearestWithout(pair) : penetrationInOrder(a, pose_a, b, pose_b, 0, most, hint),
                       gap, margin, are_convex);
   }
-  TranslationSpace space(a, pose_a, b, pose_b);
+  TranslationSpace space(pair);
   if (!space.isFinite()) return noAnswer(gap.normal);
   Penetration result{gap.depth, gap.normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
-  const double unit = space.unit();
+  const double unit = space.frame.unit();
   const Vec2 known = gap.normal * (gap.depth / unit);
   ShortestParting shortest{known, known, known.norm()};
   Features features;
@@ -243,10 +243,10 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   } else {
     // Where b's S is in a's frame after the translation.
     Vec2 last;
-    if (hint != nullptr) last = pose_a.linear() * Vec2(hint->end[0], hint->end[1]) / unit - space.between();
+    if (hint != nullptr) last = pose_a.linear() * Vec2(hint->end[0], hint->end[1]) / unit + space.frame.originOfA();
     shortest = searchShortestParting(space, known, hint != nullptr ? &last : nullptr, most);
     if (hint != nullptr) {
-      const Vec2 end = pose_a.linear().inverse() * ((space.between() + shortest.parting) * unit);
+      const Vec2 end = pose_a.linear().inverse() * ((shortest.parting - space.frame.originOfA()) * unit);
       std::copy(end.begin(), end.end(), hint->end);
     }
     features = featuresOf(space, shortest);
@@ -267,8 +267,8 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
   if (!findTranslation(pair, shortest.limit * unit, way, 8 * space.noise() * unit, 0, result))
     return noAnswer(result.normal);
-  result.point_a = space.inWorld(features.points[0]);
-  result.point_b = space.inWorld(features.points[1]);
+  result.point_a = space.frame.toWorld(features.points[0]);
+  result.point_b = space.frame.toWorld(features.points[1]);
   result.edge_a = edgeAt(space, features, 0);
   result.edge_b = edgeAt(space, features, 1);
   assert(std::abs(result.normal.norm() - 1) < 0x1p-40);

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "hierarchy/simd.h"
+#include "numbers/double_double.h"
 #include "numbers/rigidity.h"
 
 namespace tricover::detail {
@@ -28,6 +31,86 @@ static_assert(kClimbError >= kUnitRows * errorOf(1) * (1 + 2 * kRoot2 + 2 * kRoo
 constexpr double kSumOfDepthErrors = 18 * 2 * kRoot2 + 5 * kRoot2 + 4.9 * 3 + 10 * 3;
 
 bool isLessDeep(const FaceDepth& f, const FaceDepth& g) { return f.depth < g.depth; }
+
+// How deep a corner is behind a face is |u x w| / |u|, u along the face and w from its start to the corner: right to
+// (sqrt2 100 + 3 * 32 + 3 * 16) U^2 of the size, as edge_distance.cpp has it, and in units of U of itself:
+//   u x w    its last sum            1
+//   |u|      u rounded, the root     1 + 2
+//   / |u|                            1
+// With 1e-14 of the size, that is below 1e-15 of the depth.
+static_assert((kRoot2 * 100 + 3 * 32 + 3 * 16) * kUnitRoundoff / 1e-14 + 5 * errorOf(1) / kUnitRoundoff <
+              1e-15 / kUnitRoundoff);
+
+/// The gaps behind faces of two outlines, in two-fold numbers from both poses as given. Lengths are times a power of
+/// two that keeps products in range.
+class SupportGaps {
+ public:
+  explicit SupportGaps(const PosedPair& pair)
+      : rings{ringOf(pair.a), ringOf(pair.b)}, poses_{&pair.pose_a, &pair.pose_b} {
+    const Vec2 ta = pair.pose_a.translation(), tb = pair.pose_b.translation();
+    const double largest =
+        std::max({pair.a.extent, pair.b.extent, ta.lpNorm<Eigen::Infinity>(), tb.lpNorm<Eigen::Infinity>()});
+    scale = std::ldexp(1, largest > 0 ? -std::clamp(std::ilogb(largest), -1000, 1000) : 0);
+    shift = twoSum(load2(tb.data()) * scale, load2(ta.data()) * -scale);
+  }
+
+  /// Along a convex outline heights fall and rise once each: the way to the deepest corner leads from corner
+  /// face.deepest on down, unless that is certain.
+  SupportGap behind(const FaceDepth& face) const {
+    const int side = face.of_a ? 0 : 1;
+    const ConvexRing &own = rings[side], &other = rings[1 - side];
+    const double *pose = poses_[side]->data(), *other_pose = poses_[1 - side]->data();
+    const Double2 v = own.vertex(face.edge) * scale, w = own.vertex(own.next(face.edge)) * scale;
+    const double hand = poses_[side]->linear().determinant() < 0 ? -1 : 1;
+    Double2 along;
+    Twofold<Double2> way;
+    const auto isDeeper = [&](std::uint32_t j, std::uint32_t i) {
+      twofoldWay(other_pose, other.vertex(i) * scale, other_pose, other.vertex(j) * scale, {}, way);
+      return hand * twofoldArea(pose, v, w, way, along) > 0;
+    };
+    std::uint32_t at = face.deepest, steps = face.certain ? other.size() : 0;
+    for (; steps < other.size() && isDeeper(other.next(at), at); ++steps) at = other.next(at);
+    for (; steps < other.size() && isDeeper(other.previous(at), at); ++steps) at = other.previous(at);
+    const Double2 deepest = other.vertex(at) * scale;
+    twofoldWay(poses_[0]->data(), face.of_a ? v : deepest, poses_[1]->data(), face.of_a ? deepest : v, shift, way);
+    const double from_a = face.of_a ? hand : -hand, area = from_a * twofoldArea(pose, v, w, way, along);
+    // Of short edges among huge ones the normal may be one of the smallest doubles, and its length hardly known.
+    const Vec2 normal = from_a * Vec2(along[1], -along[0]);
+    const double length = std::hypot(normal.x(), normal.y()), larger = normal.lpNorm<Eigen::Infinity>();
+    const double depth = length > 0 ? std::max(0.0, area / length) : std::numeric_limits<double>::infinity();
+    return {{face.of_a, true, face.edge, at, depth}, larger > 0 ? Vec2((normal / larger).normalized()) : Vec2(1, 0)};
+  }
+
+  const ConvexRing rings[2];  ///< counter-clockwise
+  double scale;
+  Twofold<Double2> shift;  ///< of b's translation from a's
+
+ private:
+  static ConvexRing ringOf(const PolygonData& polygon) {
+    const ConvexOutline& outline = convexOutlineOf(polygon);
+    return {outline.points.data(), outline.corners.size(), 1};
+  }
+
+  const Pose* poses_[2];
+};
+
+/// Of all faces that may be the least by plain doubles, or of all if these don't tell.
+std::vector<SupportGap> leastGaps(const SeparatingAxes* axes, const SupportGaps& outlines) {
+  std::vector<SupportGap> gaps;
+  if (axes != nullptr && axes->verdict() == SeparatingAxes::Meet) {
+    for (const FaceDepth& face : *axes) gaps.push_back(outlines.behind(face));
+    return gaps;
+  }
+  for (const int side : {0, 1}) {
+    const std::uint32_t size = outlines.rings[side].size();
+    std::uint32_t at = 0;
+    for (std::uint32_t k = 0; k < size && size > 1; ++k) {
+      gaps.push_back(outlines.behind({side == 0, false, k, at, 0}));
+      at = gaps.back().deepest;
+    }
+  }
+  return gaps;
+}
 
 }  // namespace
 
@@ -148,6 +231,25 @@ void SeparatingAxes::removeDeep() {
   if (count_ > 1)
     std::sort(begin, kept,
               [](const FaceDepth& f, const FaceDepth& g) { return f.of_a != g.of_a ? f.of_a : f.edge < g.edge; });
+}
+
+SupportGap leastSupportGap(const PosedPair& pair, const SeparatingAxes* axes, double tie) {
+  const SupportGaps outlines(pair);
+  const std::vector<SupportGap> gaps = leastGaps(axes, outlines);
+  if (gaps.empty()) return {{true, true, 0, 0, 0}, Vec2(1, 0)};  // two points, which any translation parts
+  double least = std::numeric_limits<double>::infinity();
+  for (const SupportGap& gap : gaps) least = std::min(least, gap.depth);
+  const double scale = outlines.scale;
+  const Vec2 towards_b = pair.pose_b.linear() * (pair.b.origin * scale) -
+                         pair.pose_a.linear() * (pair.a.origin * scale) +
+                         Vec2(outlines.shift.high[0], outlines.shift.high[1]);
+  const auto along = [&](const SupportGap& gap) { return gap.normal.dot(towards_b); };
+  const SupportGap* best = nullptr;
+  for (const SupportGap& gap : gaps)
+    if (gap.depth <= least + tie * scale && (best == nullptr || along(gap) > along(*best))) best = &gap;
+  SupportGap result = *best;
+  result.depth /= scale;
+  return result;
 }
 
 }  // namespace tricover::detail

@@ -25,11 +25,11 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
-#include <queue>
 #include <utility>
 #include <vector>
 
 #include "numbers/angle.h"
+#include "numbers/best_first.h"
 #include "pair/collide_by_hierarchy.h"
 #include "penetration/boundary_lines.h"
 
@@ -65,9 +65,8 @@ struct Cell {
   Vec2 center;
   double half;
   std::shared_ptr<const Segments> segments;  ///< all that may come near it; null where they aren't known
-};
-struct Farther {
-  bool operator()(const Cell& c, const Cell& d) const { return c.least > d.least; }
+
+  bool operator<(const Cell& other) const { return least > other.least; }
 };
 
 class PartingSearch {
@@ -79,23 +78,20 @@ class PartingSearch {
         resolution_(16 * noise_),
         lines_(noise_, resolution_),
         best_{known, known, 0},
-        best_length_(known.norm()) {}
+        search_(known.norm()) {}
 
   /// last: null, or where the last search ended.
   ShortestParting run(const Vec2* last) {
-    space_.prepareSearch(best_length_);
+    space_.prepareSearch(search_.upper);
     if (last != nullptr) tryFirst(*last);
-    const double half = best_length_ * (1 + 0x1p-20);
-    add(Cell(Vec2::Zero(), half, space_.areFew() ? segmentsAround(half) : nullptr));
-    while (!cells_.empty() && cells_.top().least < best_length_) {
-      const Cell cell = cells_.top();
-      best_.lower_bound = std::max(best_.lower_bound, cell.least);
-      if (tries_ >= most_) return best_;
-      cells_.pop();
-      if (!isDone(cell)) divide(cell);
-    }
-    const double left = cells_.empty() ? best_length_ : cells_.top().least;
-    best_.lower_bound = std::max(0.0, std::min(left, best_length_ - resolution_ - best_error_));
+    const double half = search_.upper * (1 + 0x1p-20);
+    search_.push(Cell(Vec2::Zero(), half, space_.areFew() ? segmentsAround(half) : nullptr));
+    search_.run(
+        0, [&] { return tries_ >= most_; },
+        [&](const Cell& cell) {
+          if (!isDone(cell)) divide(cell);
+        });
+    best_.lower_bound = std::max(0.0, std::min(search_.lower(), search_.upper - resolution_ - best_error_));
     return best_;
   }
 
@@ -104,28 +100,24 @@ class PartingSearch {
   void tryFirst(const Vec2& last) {
     for (const double farther : {1.0, 1.01, 1.05}) {
       Vec2 t = farther * last;
-      if (!(t.norm() < best_length_)) return;
+      if (!(t.norm() < search_.upper)) return;
       if (isFree(t)) return improve(t, t);
     }
   }
 
   void improve(const Vec2& limit, const Vec2& parting, double limit_error = 0) {
-    if (!(limit.norm() < best_length_)) return;
-    best_length_ = limit.norm();
+    if (!(limit.norm() < search_.upper)) return;
+    search_.upper = limit.norm();
     best_error_ = limit_error;
     best_.limit = limit;
     best_.parting = parting;
-  }
-
-  void add(Cell cell) {
-    if (cell.least < best_length_) cells_.push(std::move(cell));
   }
 
   void divide(const Cell& cell) {
     const auto segments = cell.segments ? std::make_shared<const Segments>(segments_) : nullptr;
     const double half = cell.half / 2;
     for (const Vec2& way : {Vec2(-half, -half), Vec2(half, -half), Vec2(-half, half), Vec2(half, half)})
-      add(Cell(cell.center + way, half, segments));
+      search_.push(Cell(cell.center + way, half, segments));
   }
 
   /// Whether a cell holds no limit that is shorter than the best.
@@ -177,12 +169,12 @@ class PartingSearch {
     Vec2 t = center;
     const PosedPair pair = space_.at(t);
     radius += (t - center).norm() * (1 + 0x1p-40);
-    const Outcome outcome = collideByHierarchy(pair, {}, 2 * radius * space_.unit(), Wanted::Clearance);
+    const Outcome outcome = collideByHierarchy(pair, {}, 2 * radius * space_.frame.unit(), Wanted::Clearance);
     const bool cross = outcome.collides && outcome.edge_a >= 0 && outcome.edge_b >= 0;
     const double length =
         cross ? crossingDepth(pair, static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b))
               : outcome.clearance;
-    const double unchanged = length / space_.unit();
+    const double unchanged = length / space_.frame.unit();
     if (outcome.collides) {
       keep(outcome);
     } else {
@@ -201,7 +193,7 @@ class PartingSearch {
 
   /// All segments that a search by squares of such a half side needs.
   std::shared_ptr<const Segments> segmentsAround(double half) {
-    for (const TranslationSpace::Segment& s : space_.segmentsWithin(best_length_ + surroundings(2 * half)))
+    for (const TranslationSpace::Segment& s : space_.segmentsWithin(search_.upper + surroundings(2 * half)))
       all_segments_.emplace_back(Ends{s.v, s.w}, s.both_sides, noise_);
     Segments all(all_segments_.size());
     std::iota(all.begin(), all.end(), 0);
@@ -226,7 +218,7 @@ class PartingSearch {
   /// All lines around a cell; or why there are none: too many, or two edges meet on all of it.
   Gathered gather(const Cell& cell, double radius) {
     Gathered result = Gathered::Lines;
-    lines_.clear(cell.half < kSmall * best_length_ ? kMostKnown : kMostGathered);
+    lines_.clear(cell.half < kSmall * search_.upper ? kMostKnown : kMostGathered);
     Vec2 t = cell.center;
     const PosedPair pair = space_.at(t);
     const double off = (t - cell.center).norm(), around = cutAt(radius) + off;
@@ -259,7 +251,7 @@ class PartingSearch {
   bool tryLimits(const Cell& cell, double room) {
     limits_.clear();
     lines_.forEachPossibleLimit([&](const Vec2& p, double error) {
-      if ((p - cell.center).lpNorm<Eigen::Infinity>() > cell.half + resolution_ || !(p.norm() < best_length_)) return;
+      if ((p - cell.center).lpNorm<Eigen::Infinity>() > cell.half + resolution_ || !(p.norm() < search_.upper)) return;
       for (const PossibleLimit& other : limits_)
         if ((p - other.p).norm() <= noise_) return;
       limits_.push_back({p, error});
@@ -268,7 +260,7 @@ class PartingSearch {
               [](const PossibleLimit& c, const PossibleLimit& d) { return c.p.squaredNorm() < d.p.squaredNorm(); });
     bool resolved = true;
     for (const PossibleLimit& limit : limits_) {
-      if (!(limit.p.norm() < best_length_)) break;
+      if (!(limit.p.norm() < search_.upper)) break;
       // Its lines may stand for others beside them.
       if (!overlapAround(limit.p, limit.error + 2 * resolution_)) resolved &= tryLimit(limit, room);
     }
@@ -313,14 +305,14 @@ class PartingSearch {
   const double resolution_;
   BoundaryLines lines_;
   ShortestParting best_;
-  double best_length_, best_error_ = 0;  ///< of its limit, and what that may be off by
-  std::size_t tries_ = 0;                ///< cells and translations
-  std::vector<MeetingEdges> met_;        ///< edges that met after some translations, the last first
+  BestFirst<Cell> search_;         ///< its upper bound is the length of the best limit
+  double best_error_ = 0;          ///< what that may be off by
+  std::size_t tries_ = 0;          ///< cells and translations
+  std::vector<MeetingEdges> met_;  ///< edges that met after some translations, the last first
   std::vector<PossibleLimit> limits_;
   std::vector<BoundaryLines::Ray> rays_;
   std::vector<BoundaryLines::Line> all_segments_;
   Segments segments_;  ///< near the cell
-  std::priority_queue<Cell, std::vector<Cell>, Farther> cells_;
 };
 
 }  // namespace

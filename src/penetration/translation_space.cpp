@@ -39,38 +39,25 @@ void PlacedPolygon::place(std::size_t i) const {
   }
   const std::size_t before = edgesAt(polygon, i).before;
   placed.is_edge = true;
-  placed.incoming = offset(polygon.path[before + 1], polygon.path[before]);
-  placed.outgoing = offset(polygon.path[i + 1], polygon.path[i]);
+  placed.incoming = way(before, before + 1);
+  placed.outgoing = way(i, i + 1);
   if (sides_ == nullptr) return;
   placed.side = static_cast<std::int8_t>((linear.determinant() < 0 ? -1 : 1) * sides_->rings[ring]);
   const double error = kVertexError * placed.incoming.lpNorm<1>() * placed.outgoing.lpNorm<1>();
   placed.is_reflex = placed.side * cross(placed.incoming, placed.outgoing) < -error;
 }
 
-TranslationSpace::TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-    : unit_(std::max(a.unit, b.unit)),
-      a_(a, pose_a, std::min(a.inverse_unit, b.inverse_unit)),
-      b_(b, pose_b, a_.inverse_unit),
-      pose_a_(pose_a),
-      pose_b_(pose_b),
-      quarter_origin_(pose_a.linear() * (a.origin / 4) + pose_a.translation() / 4) {
-  const double inverse_unit = a_.inverse_unit;
-  const auto& ra = pose_a.matrix();
-  const auto& rb = pose_b.matrix();
+TranslationSpace::TranslationSpace(const PosedPair& pair)
+    : frame(pair), a_(pair, frame, 0), b_(pair, frame, 1), pose_a_(pair.pose_a), pose_b_(pair.pose_b) {
   for (int row = 0; row < 2; ++row) {
-    const DoubleDouble shift = twoSum(rb(row, 2), -ra(row, 2));
+    const DoubleDouble shift = twoSum(pose_b_.translation()[row], -pose_a_.translation()[row]);
     shift_[row] = shift.high;
     shift_rest_[row] = shift.low;
-    const auto inUnits = [&](const Eigen::Matrix3d& m, const Vec2& s) {
-      return twoProduct(m(row, 0), s.x() * inverse_unit) + twoProduct(m(row, 1), s.y() * inverse_unit);
-    };
-    const DoubleDouble scaled{shift.high * inverse_unit, shift.low * inverse_unit};
-    b_.origin[row] = (inUnits(rb, b.origin) - inUnits(ra, a.origin) + scaled).high;
   }
   pose_a_.translation().setZero();
-  const double radii = (a.radius * inverse_unit + b.radius * inverse_unit) * (1 + kLargestDefect);
-  noise_ = kVertexError * (radii + b_.origin.norm()) + kShiftError * (shift_.lpNorm<1>() * inverse_unit) +
-           0x1p-1073 * inverse_unit;
+  const double radii = (pair.a.radius / frame.unit() + pair.b.radius / frame.unit()) * (1 + kLargestDefect);
+  noise_ =
+      kVertexError * (radii + frame.originOfA().norm()) + (kShiftError * shift_.lpNorm<1>() + 0x1p-1073) / frame.unit();
 }
 
 void TranslationSpace::prepareSearch(double farthest) {
@@ -80,7 +67,7 @@ void TranslationSpace::prepareSearch(double farthest) {
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
   const RegionSides *of_a = nullptr, *of_b = nullptr;
   // Of a shallow overlap the trees show few pairs of edges.
-  if (farthest > 0.25 * std::min(a.radius, b.radius) * a_.inverse_unit) {
+  if (farthest > 0.25 * std::min(a.radius, b.radius) / frame.unit()) {
     of_a = &regionSidesOf(a), of_b = &regionSidesOf(b);
     const auto edges_a = static_cast<double>(a.path.size()), edges_b = static_cast<double>(b.path.size());
     const double segments = of_a->corners * edges_b + of_b->corners * edges_a;
@@ -162,21 +149,20 @@ std::vector<TranslationSpace::Disc> TranslationSpace::overlappingDiscs() const {
   if (a_.polygon.isDegenerate() || b_.polygon.isDegenerate()) return discs;
   const InnerDiscs &of_a = innerDiscsOf(a_.polygon), &of_b = innerDiscsOf(b_.polygon);
   const auto placed = [](const PlacedPolygon& side, const InnerDiscs& inner, int k) {
-    const double scale = side.polygon.unit * side.inverse_unit;
-    return Disc{side.origin + side.linear * (Vec2(inner.x[k], inner.y[k]) * scale),
-                inner.radius[k] * scale * (1 - kLargestDefect)};
+    return Disc{side.linear * (Vec2(inner.x[k], inner.y[k]) * side.scale),
+                inner.radius[k] * side.scale * (1 - kLargestDefect)};
   };
   for (int i = 0; i < of_a.count; ++i)
     for (int j = 0; j < of_b.count && (i + 1) * (j + 1) <= kMost; ++j) {
       const Disc a = placed(a_, of_a, i), b = placed(b_, of_b, j);
-      discs.push_back({a.center - b.center, a.radius + b.radius - 8 * noise_});
+      discs.push_back({frame.originOfA() + a.center - b.center, a.radius + b.radius - 8 * noise_});
     }
   return discs;
 }
 
 PosedPair TranslationSpace::at(Vec2& t) {
-  const Vec2 translation = shift_ + (shift_rest_ + t * unit_);
-  t = ((translation - shift_) - shift_rest_) * a_.inverse_unit;
+  const Vec2 translation = shift_ + (shift_rest_ + t * frame.unit());
+  t = ((translation - shift_) - shift_rest_) / frame.unit();
   pose_b_.translation() = translation;
   return PosedPair(a_.polygon, pose_a_, b_.polygon, pose_b_);
 }

@@ -10,14 +10,15 @@
 
 #include "numbers/segment.h"
 #include "pair/edge_pairs.h"
+#include "pair/world_frame.h"
 #include "penetration/rings.h"
 
 namespace tricover::detail {
 
 // In units of U, r_a and r_b the radii, c the way between the origins; reach is their sum:
-//   a vertex of a     p - q 1, products 1, sum 1                           3 r_a in either coordinate
-//   one of b          the same, the sum with c 1, c itself 1               4 r_b + 2 c
-//   a segment's end   their difference 1                                   4 r_a + 5 r_b + 3 c
+//   a vertex of b     p - q 1, products 1, sum 1                           3 r_b in either coordinate
+//   one of a          the same, the sum with c 1, c itself 1               4 r_a + 2 c
+//   a segment's end   their difference 1                                   4 r_b + 5 r_a + 3 c
 // which is sqrt2 5 reach in any direction. at() rounds a translation to the spacing of
 // doubles at t_b - t_a + t, of which no component is larger than reach and shift: two sums there and two differences
 // back, 4.
@@ -32,15 +33,18 @@ struct PlacedVertex {
   std::int8_t side;         ///< of the outgoing edge on which the region is: 1: left, -1: right, 0: unknown
 };
 
-/// A polygon, in units. Its vertices, by position, are placed when they are first needed: shallow overlaps need few.
+/// One polygon (side 0: a, 1: b) in the WorldFrame. Its vertices, by position, are placed when they are first needed:
+/// shallow overlaps need few.
 class PlacedPolygon {
  public:
-  PlacedPolygon(const PolygonData& polygon_, const Pose& pose, double inverse_unit_)
-      : polygon(polygon_), linear(pose.linear()), inverse_unit(inverse_unit_) {}
+  PlacedPolygon(const PosedPair& pair, const WorldFrame& frame, int side)
+      : polygon(side == 0 ? pair.a : pair.b),
+        linear(side == 0 ? pair.pose_a.linear() : pair.pose_b.linear()),
+        scale(polygon.unit / frame.unit()),
+        frame_(frame),
+        side_(side) {}
 
-  /// From the origin S: of points in units, since their difference may overflow.
-  Vec2 offset(const Vec2& p, const Vec2& from) const { return linear * (p * inverse_unit - from * inverse_unit); }
-  Vec2 vertex(std::size_t i) const { return origin + offset(polygon.path[i], polygon.origin); }
+  Vec2 vertex(std::size_t i) const { return frame_.from(side_, polygon.path[i]); }
 
   /// To be called before the following ones. sides: null if they are not needed.
   void prepare(const RegionSides* sides);
@@ -52,19 +56,25 @@ class PlacedPolygon {
 
   const PolygonData& polygon;
   const Eigen::Matrix2d linear;
-  const double inverse_unit;
-  Vec2 origin = Vec2::Zero();  ///< where S is
+  const double scale;  ///< its unit in the frame's
 
  private:
   void place(std::size_t i) const;
+  /// Of vertices in units, since their difference may overflow.
+  Vec2 way(std::size_t from, std::size_t to) const {
+    const double inverse = polygon.inverse_unit;
+    return linear * ((polygon.path[to] * inverse - polygon.path[from] * inverse) * scale);
+  }
 
+  const WorldFrame& frame_;
+  const int side_;
   const RegionSides* sides_ = nullptr;
   mutable std::vector<std::uint8_t> is_placed_;
   std::unique_ptr<PlacedVertex[]> vertices_;
 };
 
-/// The plane of b's translations, in which the regions overlap on M = A + (-B). Axes are the world's, the origin is b
-/// where it is, lengths are in units.
+/// The plane of b's translations, in which the regions overlap on M = A + (-B), in the WorldFrame's lengths; its origin
+/// is b where it is.
 ///
 /// The boundary of M lies on convolution segments: a vertex of a less an edge of b, or an edge of a less a vertex of b;
 /// and of these only where the edges at the vertex don't leave to both sides of the other's line, since otherwise the
@@ -72,7 +82,10 @@ class PlacedPolygon {
 /// (regionSidesOf()), the other's vertex has to be a corner of its own region, and on the other side.
 class TranslationSpace {
  public:
-  TranslationSpace(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
+  explicit TranslationSpace(const PosedPair& pair);
+  TranslationSpace(const TranslationSpace&) = delete;
+  TranslationSpace& operator=(const TranslationSpace&) = delete;
+
   /// To be called before the functions about edges and segments, which then are no farther away than that.
   void prepareSearch(double farthest);
 
@@ -107,7 +120,7 @@ class TranslationSpace {
   /// within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
   template <typename Meet, typename Visit>
   void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) const {
-    const double limit = (radius + noise_) * unit_;
+    const double limit = (radius + noise_) * frame.unit();
     forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
       if (gap <= 0 && !meet(meetingOf(i, j))) return -1.0;
       const bool goes_on = !a_[i].is_edge || !b_[j].is_edge ||
@@ -122,17 +135,13 @@ class TranslationSpace {
   /// are. But for some that bound nothing.
   std::vector<Segment> segmentsWithin(double radius) const;
 
-  /// Where b's S is from a's.
-  const Vec2& between() const { return b_.origin; }
-  double unit() const { return unit_; }
-  bool isFinite() const { return noise_ < 1; }
+  bool isFinite() const { return noise_ < std::max(a_.scale, b_.scale); }
   /// At least what an end of a segment is wrong by, and t in at().
   double noise() const { return noise_; }
 
-  /// a (side 0) from its origin S in the world, in units, and b (side 1) where it is.
   const PlacedPolygon& side(int side) const { return side == 0 ? a_ : b_; }
-  /// Infinite where it is beyond the largest double, and only there.
-  Vec2 inWorld(const Vec2& p) const { return (quarter_origin_ + p * (unit_ / 4)) * 4; }
+
+  const WorldFrame frame;
 
  private:
   /// Where free translations may be on both sides of a segment, on one, or on none.
@@ -186,12 +195,10 @@ class TranslationSpace {
   template <typename Visit>
   static void forEachEdgeBeside(const PlacedVertex& vertex, const std::vector<Direction>& directions, Visit visit);
 
-  double unit_;
   PlacedPolygon a_, b_;
   Pose pose_a_, pose_b_;     ///< less a's translation
   Vec2 shift_, shift_rest_;  ///< t_b - t_a, as a rounded part and the rest
   double noise_;
-  Vec2 quarter_origin_;  ///< of a's S in the world
   bool are_few_ = false;
 };
 

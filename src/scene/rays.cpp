@@ -2,7 +2,6 @@
 // The body that a ray meets first.
 #include <utility>
 
-#include "impact/round_ray.h"
 #include "numbers/errors.h"
 #include "pair/cast_ray.h"
 #include "scene/scene_state.h"
@@ -25,7 +24,7 @@ std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, const
     if (!state.passes(slots, slot)) return limit;
     const Body body = state.handleOf(slot);
     const double margin = detail::marginSum(options.margin, other.options.margin);
-    const auto hit = margin > 0 ? detail::castRoundRay(other.polygon, other.pose, from, to, margin)
+    const auto hit = margin > 0 ? tricover::castRay(other.polygon, other.pose, from, to, {margin})
                                 : detail::castPlainRay(other.polygon.data(), other.pose, from, to, limit);
     if (hit && (!best || std::pair(hit->fraction, body) < std::pair(best->hit.fraction, best->body))) {
       best = BodyRayHit{body, *hit};

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short way to the time of impact of convex polygons, against the search through hierarchies, which takes
 // the same polygons with each ring gone round several times.
-#include "impact/convex_impact.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 #include <optional>
 
 #include "hierarchy/simd.h"
-#include "impact/convex_slide.h"
+#include "impact/solvers.h"
 #include "polygon/convexity.h"
 #include "portable_lanes.h"
 #include "random.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The time of impact by vertices that come to edges, of polygons with few edges, against the search through
 // hierarchies, which takes the same polygons with each vertex repeated; and the edges that it looks at.
-#include "impact/vertex_impact.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 
 #include "hierarchy/simd.h"
 #include "hierarchy/small_polygon.h"
+#include "impact/solvers.h"
 #include "numbers/segment.h"
 #include "portable_lanes.h"
 #include "random.h"
