@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "hierarchy/simd_function.h"
@@ -74,27 +72,10 @@ struct BoxRay {
 
 /// Bit per box that meets another one. Boxes of NaN meet nothing, here and below.
 extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds)> boxesMeeting;
-/// Of each of eight boxes when it comes, and its lane, as one number, so that the least one tells the first box without
-/// a branch that depends on them all: doubles that aren't negative are in the order of their bits, of which the last
-/// three are the lane, so that it comes a little earlier.
-using LaneKeys = std::int64_t[kLanes];
-inline std::int64_t laneKey(double least, std::int64_t lane) {
-  std::int64_t bits;
-  least += 0;  // -0, of a ray that begins on an outline, is 0
-  std::memcpy(&bits, &least, sizeof bits);
-  return (bits & -std::int64_t{kLanes}) | lane;
-}
-/// Of a box that doesn't come: those without a bit have this key.
-constexpr std::int64_t kNoLane = std::numeric_limits<std::int64_t>::max();
-inline std::int64_t firstOf(const LaneKeys& keys) {
-  return std::min(std::min(std::min(keys[0], keys[1]), std::min(keys[2], keys[3])),
-                  std::min(std::min(keys[4], keys[5]), std::min(keys[6], keys[7])));
-}
-
-/// Bit per box that a ray enters before the fraction `most`, and keys by lower bounds of these fractions.
-extern Simd<unsigned(const EightBoxes& boxes, const BoxRay& ray, double most, LaneKeys& keys)> boxesOnRay;
-/// Bit per box whose gap from `bounds`, squared and rounded, is at most `most`, and keys by these squares.
-extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds, double most, LaneKeys& keys)> boxesNear;
+/// Bit per box that a ray enters before the fraction `most`, and lower bounds of all these fractions.
+extern Simd<unsigned(const EightBoxes& boxes, const BoxRay& ray, double most, double* at)> boxesOnRay;
+/// Bit per box whose gap from `bounds`, squared and rounded, is at most `most`, and all these squares.
+extern Simd<unsigned(const EightBoxes& boxes, const Bounds& bounds, double most, double* at)> boxesNear;
 /// No square of boxesNear() is above this where the gap is at most `gap`: a difference, twice, its square and the
 /// sum are rounded, and the square and the sum here. Where those overflow, every gap is near; underflow loses kTiny at
 /// the most.

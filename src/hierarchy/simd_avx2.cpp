@@ -55,11 +55,6 @@ struct Avx2Doubles {
   [[gnu::always_inline]] static unsigned bitsOf(FourBits bits) {
     return static_cast<unsigned>(__builtin_ia32_movmskpd256((Four)bits));
   }
-  [[gnu::always_inline]] static void storeKeys(std::int64_t* keys, D least, FourBits met, int lane) {
-    const FourBits lanes = FourBits{0, 1, 2, 3} + lane;
-    *reinterpret_cast<FourBitsAnywhere*>(keys + lane) =
-        met ? (((FourBits)least.v & -kLanes) | lanes) : kNoLane - FourBits{};
-  }
 };
 
 /// See simd_gaps.h.

@@ -21,7 +21,7 @@ unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds) {
 }
 
 template <class Lanes>
-unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, LaneKeys& keys) {
+unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, double* at) {
   using Doubles = typename Lanes::Doubles;
   const bool right = ray.inverse[0] > 0, up = ray.inverse[1] > 0;
   const double *near_x = right ? boxes.min_x : boxes.max_x, *far_x = right ? boxes.max_x : boxes.min_x;
@@ -38,15 +38,14 @@ unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, Lan
     const Doubles begin = larger(larger(begin_x, begin_y), Doubles::all(-BoxRay::kEarlier));
     const Doubles end = smaller(smaller(end_x, end_y), Doubles::all(most));
     const auto is_box = noLarger(Doubles::load(boxes.min_x + i), Doubles::load(boxes.max_x + i));
-    const auto met = noLarger(begin, end) & is_box;
-    Doubles::storeKeys(keys, larger(begin, Doubles::all(0)), met, i);
-    bits |= Doubles::bitsOf(met) << i;
+    larger(begin, Doubles::all(0)).store(at + i);
+    bits |= Doubles::bitsOf(noLarger(begin, end) & is_box) << i;
   }
   return bits;
 }
 
 template <class Lanes>
-unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, LaneKeys& keys) {
+unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, double* at) {
   using Doubles = typename Lanes::Doubles;
   const Doubles min_x = Doubles::all(bounds.min_x), min_y = Doubles::all(bounds.min_y);
   const Doubles max_x = Doubles::all(bounds.max_x), max_y = Doubles::all(bounds.max_y);
@@ -57,9 +56,8 @@ unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, L
     const Doubles above = Doubles::load(boxes.min_y + i) - max_y, below = min_y - Doubles::load(boxes.max_y + i);
     const Doubles x = larger(none, larger(right, left)), y = larger(none, larger(above, below));  // NaN remains
     const Doubles square = x * x + y * y;
-    const auto met = noLarger(square, limit);
-    Doubles::storeKeys(keys, square, met, i);
-    bits |= Doubles::bitsOf(met) << i;
+    square.store(at + i);
+    bits |= Doubles::bitsOf(noLarger(square, limit)) << i;
   }
   return bits;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "hierarchy/simd_gaps.h"
-#include "hierarchy/simd_tree.h"
 
 namespace tricover::detail::simd {
 

@@ -2,7 +2,8 @@
 // A hierarchy and a point, still or moving. See simd_gaps.h for Lanes.
 #pragma once
 
-#include "hierarchy/simd_tree.h"
+#include "hierarchy/descend.h"
+#include "hierarchy/simd_gaps.h"
 
 namespace tricover::detail::simd {
 
@@ -60,8 +61,8 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
     }
     return true;
   };
-  descendOne<true>(
-      hierarchy, [](float) { return true; }, near, show);
+  descend<true, float>(
+      hierarchy.blocks.data(), 0, [](float) { return true; }, near, show);
   return result;
 }
 
@@ -79,8 +80,8 @@ void visitMarkedNear(const Hierarchy& hierarchy, const Place& place, double reac
     for (; lanes != 0; lanes &= lanes - 1) visit(context, block.child[__builtin_ctz(lanes)]);
     return true;
   };
-  descendOne<false>(
-      hierarchy, [](float) { return true; }, near, show);
+  descend<false, float>(
+      hierarchy.blocks.data(), 0, [](float) { return true; }, near, show);
 }
 
 template <class Lanes>
@@ -139,8 +140,8 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
     }
     return true;
   };
-  descendOne<true>(
-      hierarchy, [&](float at) { return !(at > upper); }, near, show);
+  descend<true, float>(
+      hierarchy.blocks.data(), 0, [&](float at) { return !(at > upper); }, near, show);
   keepNear();
   return found;
 }

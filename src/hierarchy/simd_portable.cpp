@@ -54,11 +54,6 @@ struct PortableDoubles {
   [[gnu::always_inline]] friend D smaller(D p, D q) { return {detail::smaller(p.v, q.v)}; }
   [[gnu::always_inline]] friend Bits2 noLarger(D p, D q) { return p.v <= q.v; }
   [[gnu::always_inline]] static unsigned bitsOf(Bits2 bits) { return detail::bitsOf(bits); }
-  [[gnu::always_inline]] static void storeKeys(std::int64_t* keys, D least, Bits2 met, int lane) {
-    const Bits2 key = ((Bits2)least.v & -kLanes) | (Bits2{0, 1} + lane);
-    const Bits2 kept = (met & key) | (~met & kNoLane);
-    keys[lane] = kept[0], keys[lane + 1] = kept[1];
-  }
 };
 
 /// See simd_gaps.h.

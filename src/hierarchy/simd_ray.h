@@ -46,8 +46,8 @@ unsigned boxesOn(const Ray& ray, const Block& block, float (&at)[kLanes]) {
 
 template <class Lanes>
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
-  descendOne<true>(
-      hierarchy, [&](float at) { return !(at > ray.length); },
+  descend<true, float>(
+      hierarchy.blocks.data(), 0, [&](float at) { return !(at > ray.length); },
       [&](const Block& block, float(&at)[kLanes]) {
         const unsigned lanes = boxesOn<Lanes>(ray, block, at);
         // A box that isn't around a chain is around whole rings.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hierarchy/axis_boxes.h"
+#include "hierarchy/descend.h"
 
 namespace tricover::detail {
 
@@ -41,19 +42,14 @@ class BoxTree {
   template <typename Visit>
   void visit(const Bounds& bounds, const Visit& visit) const {
     if (root_ == kNone) return;
-    std::uint32_t stack[kStack];
-    int top = 0;
-    stack[top++] = root_;
-    while (top > 0) {
-      const Node& node = nodes_[stack[--top]];
-      unsigned met = boxesMeeting(node.boxes, bounds);
-      if (!node.leaf) {
-        for (; met != 0; met &= met - 1) stack[top++] = node.child[__builtin_ctz(met)];
-        continue;
-      }
-      for (; met != 0; met &= met - 1)
-        if (!visit(node.child[__builtin_ctz(met)])) return;
-    }
+    descend<false, double>(
+        nodes_.data(), root_, [](double) { return true; },
+        [&](const Node& node, double*) { return boxesMeeting(node.boxes, bounds); },
+        [&](const Node& node, unsigned lanes, const double*) {
+          for (; lanes != 0; lanes &= lanes - 1)
+            if (!visit(node.child[__builtin_ctz(lanes)])) return false;
+          return true;
+        });
   }
 
   /// Calls visit(item) for every item whose box is no farther from `bounds` than `most`, near nodes and items first.
@@ -74,7 +70,7 @@ class BoxTree {
   /// A split leaves at most six boxes in a node, so that the node takes three more before its next split. Hence fewer
   /// than 3^31 insertions make fewer levels than this.
   static constexpr int kLevels = 32;
-  static constexpr int kStack = kLevels * (kLanes - 1) + 1;
+  static_assert(kLevels <= kMaxDepth);
 
   struct Node {
     EightBoxes boxes;             ///< beyond the count kNothing
@@ -94,10 +90,10 @@ class BoxTree {
     std::uint32_t entry;
   };
 
-  /// Calls visit(item) in the order of keys. lanes(boxes, most, keys) says which boxes of a node come before `most`,
-  /// and keys when, or earlier.
-  template <typename Lanes, typename Visit>
-  void visitInOrder(double most, const Lanes& lanes, const Visit& visit) const;
+  /// Calls visit(item), which returns the new `most`, of each leaf the nearest first. near(boxes, most, at) says which
+  /// boxes of a node may be within `most`, and how near they are at least.
+  template <typename Near, typename Visit>
+  void visitInOrder(double most, const Near& near, const Visit& visit) const;
 
   std::uint32_t packed(Middle* first, std::size_t count, int height, const std::vector<Entry>& entries);
   void packGroups(std::uint32_t node, Middle* first, std::size_t count, std::size_t groups, int height,
@@ -121,52 +117,31 @@ class BoxTree {
   std::size_t changes_ = 0;
 };
 
-template <typename Lanes, typename Visit>
-void BoxTree::visitInOrder(double most, const Lanes& lanes, const Visit& visit) const {
-  struct Level {
-    const Node* node;
-    unsigned left;  ///< lanes that haven't been entered
-    LaneKeys keys;
-  };
+template <typename Near, typename Visit>
+void BoxTree::visitInOrder(double most, const Near& near, const Visit& visit) const {
   if (root_ == kNone) return;
-  Level levels[kLevels];
-  std::int64_t last = laneKey(most, kLanes - 1);
-  const auto open = [&](Level& level, std::uint32_t index) {
-    level.node = &nodes_[index];
-    level.left = lanes(level.node->boxes, most, level.keys);
-  };
-  Level* level = levels;
-  open(*level, root_);
-  for (;;) {
-    const unsigned left = level->left;
-    if (left == 0) {
-      if (level-- == levels) return;
-      continue;
-    }
-    // The branch predictor foresees a single lane. The first of several is found without branches.
-    const bool alone = (left & (left - 1)) == 0;
-    const std::int64_t first = alone ? level->keys[__builtin_ctz(left)] : firstOf(level->keys);
-    if (first > last) {
-      level->left = 0;
-      continue;
-    }
-    const unsigned lane = static_cast<unsigned>(first) % kLanes;
-    level->left = left & ~(1u << lane);
-    level->keys[lane] = kNoLane;
-    const std::uint32_t child = level->node->child[lane];
-    if (!level->node->leaf) {
-      open(*++level, child);
-      continue;
-    }
-    most = visit(child);
-    last = laneKey(most, kLanes - 1);
-  }
+  descend<true, double>(
+      nodes_.data(), root_, [&](double at) { return !(at > most); },
+      [&](const Node& node, double(&at)[kLanes]) { return near(node.boxes, most, at); },
+      [&](const Node& node, unsigned left, const double* at) {
+        while (left != 0) {
+          int first = __builtin_ctz(left);
+          for (unsigned others = left & (left - 1); others != 0; others &= others - 1) {
+            const int i = __builtin_ctz(others);
+            first = at[i] < at[first] ? i : first;
+          }
+          if (at[first] > most) break;
+          left ^= 1u << first;
+          most = visit(node.child[first]);
+        }
+        return true;
+      });
 }
 
 template <typename Visit>
 void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
   visitInOrder(
-      most, [&](const EightBoxes& boxes, double limit, LaneKeys& keys) { return boxesOnRay(boxes, ray, limit, keys); },
+      most, [&](const EightBoxes& boxes, double limit, double* at) { return boxesOnRay(boxes, ray, limit, at); },
       visit);
 }
 
@@ -174,7 +149,7 @@ template <typename Visit>
 void BoxTree::visitNear(const Bounds& bounds, double most, const Visit& visit) const {
   visitInOrder(
       gapSquareAbove(most),
-      [&](const EightBoxes& boxes, double limit, LaneKeys& keys) { return boxesNear(boxes, bounds, limit, keys); },
+      [&](const EightBoxes& boxes, double limit, double* at) { return boxesNear(boxes, bounds, limit, at); },
       [&](std::uint32_t item) { return gapSquareAbove(visit(item)); });
 }
 
