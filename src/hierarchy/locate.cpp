@@ -45,14 +45,14 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
 /// here.
 [[gnu::noinline]] Location locateByCertificate(const detail::PolygonData& data, const Vec2& point,
                                                detail::PointCertificate& cache) {
-  const auto keep = [&](Location location, double clearance) {
-    cache = {data.id, {point.x(), point.y()}, clearance, 0, location, cache.back_off};
+  const auto keep = [&](Location location, bool was_sought, double clearance) {
+    cache = {{clearance, 0, was_sought, cache.back_off}, location, data.id, {point.x(), point.y()}};
     return location;
   };
   // The last query of a back-off keeps the point: the next one then knows how far the point has come.
   if (cache.back_off.isOn()) {
     cache.back_off.left = 0;
-    return keep(locateInDisc(data, hierarchyInTime(data), point), 0);
+    return keep(locateInDisc(data, hierarchyInTime(data), point), false, 0);
   }
   const Vec2 way = point - Vec2(cache.point[0], cache.point[1]);
   // At least as long: no squares, which might be 0.
@@ -63,15 +63,11 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
     return cache.location;
   }
   const detail::Hierarchy* tree = hierarchyInTime(data);
-  constexpr double kSteps = 16;         // that a certificate is to last for
-  constexpr std::uint32_t kPaying = 4;  // it costs one to two queries, and saves less than one
-  const double most = known ? kSteps * moved / (cache.uses + 1.0) : 0;
-  const bool jumped = !(most < 0.5 * data.radius);  // few points have edges so far away
-  if (known && (jumped || cache.clearance > 0)) cache.back_off.judge(!jumped && cache.uses >= kPaying);
+  const bool renews = cache.isWorthRenewing(known, known && moved <= detail::kCoherentPart * data.radius);
+  const double ahead = renews && tree != nullptr ? cache.lookahead(moved, data.radius) : 0;
   const Location location = locateInDisc(data, tree, point);
-  const bool may_last =
-      !cache.back_off.isOn() && tree != nullptr && most > 0 && !jumped && location != Location::Boundary;
-  return keep(location, may_last ? clearanceOf(data, *tree, point, most) : 0);
+  const bool seeks = ahead > 0 && location != Location::Boundary;
+  return keep(location, seeks, seeks ? clearanceOf(data, *tree, point, ahead) : 0);
 }
 
 }  // namespace

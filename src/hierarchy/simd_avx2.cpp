@@ -30,37 +30,17 @@ typedef float Eight __attribute__((vector_size(32)));
 typedef std::int32_t EightBits __attribute__((vector_size(32)));
 typedef float EightAnywhere __attribute__((vector_size(32), aligned(4), may_alias));
 
-/// See simd_boxes.h.
-struct Avx2Doubles {
-  typedef double Four __attribute__((vector_size(32)));
-  typedef double FourAnywhere __attribute__((vector_size(32), aligned(8), may_alias));
-  typedef std::int64_t FourBits __attribute__((vector_size(32)));
-  typedef std::int64_t FourBitsAnywhere __attribute__((vector_size(32), aligned(8), may_alias));
-  static constexpr int kCount = 4;
-  Four v;
-
-  [[gnu::always_inline]] static Avx2Doubles load(const double* p) {
-    return {*reinterpret_cast<const FourAnywhere*>(p)};
-  }
-  [[gnu::always_inline]] static Avx2Doubles all(double value) { return {value - Four{}}; }
-  [[gnu::always_inline]] void store(double* p) const { *reinterpret_cast<FourAnywhere*>(p) = v; }
-
-  using D = Avx2Doubles;
-  [[gnu::always_inline]] friend D operator+(D p, D q) { return {p.v + q.v}; }
-  [[gnu::always_inline]] friend D operator-(D p, D q) { return {p.v - q.v}; }
-  [[gnu::always_inline]] friend D operator*(D p, D q) { return {p.v * q.v}; }
-  [[gnu::always_inline]] friend D larger(D p, D q) { return {p.v > q.v ? p.v : q.v}; }
-  [[gnu::always_inline]] friend D smaller(D p, D q) { return {p.v < q.v ? p.v : q.v}; }
-  [[gnu::always_inline]] friend FourBits noLarger(D p, D q) { return p.v <= q.v; }
-  [[gnu::always_inline]] static unsigned bitsOf(FourBits bits) {
-    return static_cast<unsigned>(__builtin_ia32_movmskpd256((Four)bits));
-  }
-};
+typedef double FourDoubles __attribute__((vector_size(32)));
+typedef std::int64_t FourBits __attribute__((vector_size(32)));
 
 /// See simd_gaps.h.
 struct Avx2Lanes {
-  using Doubles = Avx2Doubles;
+  using Doubles = DoublesOf<FourDoubles>;
   Eight v;
+
+  [[gnu::always_inline]] static unsigned bitsOf(FourBits bits) {
+    return static_cast<unsigned>(__builtin_ia32_movmskpd256((FourDoubles)bits));
+  }
 
   [[gnu::always_inline]] static Double2 productRest(Double2 p, Double2 q, Double2 product) {
     return Double2{__builtin_fma(p[0], q[0], -product[0]), __builtin_fma(p[1], q[1], -product[1])};

@@ -1,10 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes along the axes, in doubles. Lanes::Doubles are as many of them as fit, with the operations of Lanes.
+// Boxes along the axes, in doubles. Lanes::Doubles are as many of them as fit, Lanes::bitsOf() a comparison's bits.
 #pragma once
 
 #include "hierarchy/axis_boxes.h"
 
 namespace tricover::detail::simd {
+
+/// As many doubles as a vector V holds.
+template <class V>
+struct DoublesOf {
+  static constexpr int kCount = sizeof(V) / sizeof(double);
+  V v;
+
+  [[gnu::always_inline]] static DoublesOf load(const double* p) {
+    DoublesOf loaded;
+    __builtin_memcpy(&loaded.v, p, sizeof(V));
+    return loaded;
+  }
+  [[gnu::always_inline]] static DoublesOf all(double value) { return {value - V{}}; }
+  [[gnu::always_inline]] void store(double* p) const { __builtin_memcpy(p, &v, sizeof(V)); }
+
+  using D = DoublesOf;
+  [[gnu::always_inline]] friend D operator+(D p, D q) { return {p.v + q.v}; }
+  [[gnu::always_inline]] friend D operator-(D p, D q) { return {p.v - q.v}; }
+  [[gnu::always_inline]] friend D operator*(D p, D q) { return {p.v * q.v}; }
+  [[gnu::always_inline]] friend D larger(D p, D q) { return {p.v > q.v ? p.v : q.v}; }
+  [[gnu::always_inline]] friend D smaller(D p, D q) { return {p.v < q.v ? p.v : q.v}; }
+  [[gnu::always_inline]] friend auto noLarger(D p, D q) { return p.v <= q.v; }
+};
 
 template <class Lanes>
 unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds) {
@@ -13,7 +36,7 @@ unsigned boxesMeeting(const EightBoxes& boxes, const Bounds& bounds) {
   const Doubles max_x = Doubles::all(bounds.max_x), max_y = Doubles::all(bounds.max_y);
   unsigned bits = 0;
   for (int i = 0; i < kLanes; i += Doubles::kCount)
-    bits |= Doubles::bitsOf(
+    bits |= Lanes::bitsOf(
                 noLarger(Doubles::load(boxes.min_x + i), max_x) & noLarger(min_x, Doubles::load(boxes.max_x + i)) &
                 noLarger(Doubles::load(boxes.min_y + i), max_y) & noLarger(min_y, Doubles::load(boxes.max_y + i)))
             << i;
@@ -39,7 +62,7 @@ unsigned boxesOnRay(const EightBoxes& boxes, const BoxRay& ray, double most, dou
     const Doubles end = smaller(smaller(end_x, end_y), Doubles::all(most));
     const auto is_box = noLarger(Doubles::load(boxes.min_x + i), Doubles::load(boxes.max_x + i));
     larger(begin, Doubles::all(0)).store(at + i);
-    bits |= Doubles::bitsOf(noLarger(begin, end) & is_box) << i;
+    bits |= Lanes::bitsOf(noLarger(begin, end) & is_box) << i;
   }
   return bits;
 }
@@ -57,7 +80,7 @@ unsigned boxesNear(const EightBoxes& boxes, const Bounds& bounds, double most, d
     const Doubles x = larger(none, larger(right, left)), y = larger(none, larger(above, below));  // NaN remains
     const Doubles square = x * x + y * y;
     square.store(at + i);
-    bits |= Doubles::bitsOf(noLarger(square, limit)) << i;
+    bits |= Lanes::bitsOf(noLarger(square, limit)) << i;
   }
   return bits;
 }

@@ -13,8 +13,6 @@ typedef float Four __attribute__((vector_size(16)));
 typedef std::int32_t FourBits __attribute__((vector_size(16)));
 typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias));
 
-[[gnu::always_inline]] inline Four absolute(Four p) { return (Four)((FourBits)p & 0x7fffffff); }
-[[gnu::always_inline]] inline Four flipped(Four p, Four q) { return (Four)((FourBits)p ^ ((FourBits)q & INT32_MIN)); }
 [[gnu::always_inline]] inline Four root(Four p) {
 #ifdef __SSE2__
   return __builtin_ia32_sqrtps(p);
@@ -23,9 +21,6 @@ typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias
   return p;
 #endif
 }
-[[gnu::always_inline]] inline Four larger(Four p, Four q) { return p > q ? p : q; }
-[[gnu::always_inline]] inline Four smaller(Four p, Four q) { return p < q ? p : q; }
-[[gnu::always_inline]] inline Four whereAbove(Four p, Four q) { return p > q ? p : 1e30f - Four{}; }
 [[gnu::always_inline]] inline unsigned above(Four p, Four q) {
   const FourBits greater = p > q;
 #ifdef __SSE2__
@@ -37,29 +32,12 @@ typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias
 #endif
 }
 
-/// See simd_boxes.h.
-struct PortableDoubles {
-  static constexpr int kCount = 2;
-  Double2 v;
-
-  [[gnu::always_inline]] static PortableDoubles load(const double* p) { return {load2(p)}; }
-  [[gnu::always_inline]] static PortableDoubles all(double value) { return {value - Double2{}}; }
-  [[gnu::always_inline]] void store(double* p) const { store2(p, v); }
-
-  using D = PortableDoubles;
-  [[gnu::always_inline]] friend D operator+(D p, D q) { return {p.v + q.v}; }
-  [[gnu::always_inline]] friend D operator-(D p, D q) { return {p.v - q.v}; }
-  [[gnu::always_inline]] friend D operator*(D p, D q) { return {p.v * q.v}; }
-  [[gnu::always_inline]] friend D larger(D p, D q) { return {detail::larger(p.v, q.v)}; }
-  [[gnu::always_inline]] friend D smaller(D p, D q) { return {detail::smaller(p.v, q.v)}; }
-  [[gnu::always_inline]] friend Bits2 noLarger(D p, D q) { return p.v <= q.v; }
-  [[gnu::always_inline]] static unsigned bitsOf(Bits2 bits) { return detail::bitsOf(bits); }
-};
-
 /// See simd_gaps.h.
 struct PortableLanes {
-  using Doubles = PortableDoubles;
+  using Doubles = DoublesOf<Double2>;
   Four low, high;
+
+  [[gnu::always_inline]] static unsigned bitsOf(Bits2 bits) { return detail::bitsOf(bits); }
 
   [[gnu::always_inline]] static Double2 productRest(Double2 p, Double2 q, Double2 product) {
     return detail::productRest(p, q, product);
@@ -82,19 +60,23 @@ struct PortableLanes {
   [[gnu::always_inline]] friend L operator+(L p, float q) { return {p.low + q, p.high + q}; }
   [[gnu::always_inline]] friend L operator-(L p, float q) { return {p.low - q, p.high - q}; }
   [[gnu::always_inline]] friend L operator*(L p, float q) { return {p.low * q, p.high * q}; }
-  [[gnu::always_inline]] friend L absolute(L p) { return {simd::absolute(p.low), simd::absolute(p.high)}; }
+  [[gnu::always_inline]] friend L absolute(L p) {
+    return {(Four)((FourBits)p.low & 0x7fffffff), (Four)((FourBits)p.high & 0x7fffffff)};
+  }
   [[gnu::always_inline]] friend L flipped(L p, L q) {
-    return {simd::flipped(p.low, q.low), simd::flipped(p.high, q.high)};
+    return {(Four)((FourBits)p.low ^ ((FourBits)q.low & INT32_MIN)),
+            (Four)((FourBits)p.high ^ ((FourBits)q.high & INT32_MIN))};
   }
   [[gnu::always_inline]] friend L root(L p) { return {simd::root(p.low), simd::root(p.high)}; }
   [[gnu::always_inline]] friend L larger(L p, L q) {
-    return {simd::larger(p.low, q.low), simd::larger(p.high, q.high)};
+    return {p.low > q.low ? p.low : q.low, p.high > q.high ? p.high : q.high};
   }
   [[gnu::always_inline]] friend L smaller(L p, L q) {
-    return {simd::smaller(p.low, q.low), simd::smaller(p.high, q.high)};
+    return {p.low < q.low ? p.low : q.low, p.high < q.high ? p.high : q.high};
   }
   [[gnu::always_inline]] friend L whereAbove(L p, L q) {
-    return {simd::whereAbove(p.low, q.low), simd::whereAbove(p.high, q.high)};
+    const Four far = 1e30f - Four{};
+    return {p.low > q.low ? p.low : far, p.high > q.high ? p.high : far};
   }
   [[gnu::always_inline]] friend unsigned above(L p, L q) {
     return simd::above(p.low, q.low) | simd::above(p.high, q.high) << 4;

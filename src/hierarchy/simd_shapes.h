@@ -101,12 +101,6 @@ template <class Lanes>
   return {most, __builtin_ctz(~below | 1u << (SmallPolygon::kMost - 1))};
 }
 
-template <class Lanes>
-[[gnu::always_inline]] inline Largest largestIn(const float* values, int lanes) {
-  return largestOf<Lanes>(valuesOf<Lanes>(
-      lanes, [&](int i) __attribute__((always_inline)) { return Lanes::load(values + i); }));
-}
-
 /// The first vertex that is farthest back along an axis.
 template <class Lanes>
 [[gnu::always_inline]] inline int farthestBack(const float* x, const float* y, int lanes, float nx, float ny) {
@@ -117,18 +111,12 @@ template <class Lanes>
       .index;
 }
 
-/// Of every edge of a and of b.
-template <class Lanes>
-struct EdgeScores {
-  Values<Lanes> a, b;
-};
-
-/// Scores of edges: each of a normal from its polygon to the other, turned to lead from a to b, and of how far the
-/// other is beyond the edge. b's vertices are at x, y, and its normals are left in a's frame.
+/// The edge with the highest score: of a normal from its polygon to the other, turned to lead from a to b, and of how
+/// far the other is beyond the edge. b's vertices are at x, y in a's frame.
 template <class Lanes, class Score>
-[[gnu::always_inline]] inline EdgeScores<Lanes> scoresOf(const SmallPolygon& a, const SmallPolygon& b,
-                                                         const UnitMap& map, const float* x, const float* y, float* bnx,
-                                                         float* bny, Score score) {
+[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
+                                                 const float* x, const float* y, Score score) {
+  float bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
   const FloatMap to_a(map);
   const auto of_a = [&](int i) __attribute__((always_inline)) {
     const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i);
@@ -142,23 +130,15 @@ template <class Lanes, class Score>
     const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
     return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.count));
   };
-  return {valuesOf<Lanes>(a.lanes, of_a), valuesOf<Lanes>(b.lanes, of_b)};
-}
-
-/// The edge with the highest score. b's vertices are at x, y.
-template <class Lanes, class Score>
-[[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
-                                                 const float* x, const float* y, Score score) {
-  float bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
-  const EdgeScores<Lanes> scores = scoresOf<Lanes>(a, b, map, x, y, bnx, bny, score);
+  const Values<Lanes> scores_a = valuesOf<Lanes>(a.lanes, of_a), scores_b = valuesOf<Lanes>(b.lanes, of_b);
   Largest best;
   bool is_of_a;
   if (a.lanes + b.lanes == 2 * kLanes) {  // all at once
-    best = largestOf<Lanes>({scores.a.first, scores.b.first});
+    best = largestOf<Lanes>({scores_a.first, scores_b.first});
     is_of_a = best.index < kLanes;
     best.index &= kLanes - 1;
   } else {
-    const Largest best_a = largestOf<Lanes>(scores.a), best_b = largestOf<Lanes>(scores.b);
+    const Largest best_a = largestOf<Lanes>(scores_a), best_b = largestOf<Lanes>(scores_b);
     is_of_a = best_a.value >= best_b.value;
     best = is_of_a ? best_a : best_b;
   }

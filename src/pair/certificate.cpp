@@ -11,10 +11,6 @@
 namespace tricover::detail {
 namespace {
 
-/// What is looked for pays for as many steps like the last ones: more of them cost more to find, and are seldom used
-/// up.
-constexpr double kStepsAhead = 32;
-
 Pose restore(const double (&kept)[6]) {
   Pose pose = Pose::Identity();
   pose.linear() << kept[0], kept[2], kept[1], kept[3];
@@ -97,9 +93,8 @@ Recollection recall(Certificate& cache, const PolygonData& a, const Pose& pose_a
     ++cache.uses;
     return {true, cache.overlapping, true, true, 0};
   }
-  const double ahead = kStepsAhead * motion / (cache.uses + 1.0);
-  const double most = kCoherentPart * std::min(first.radius, second.radius);
-  return {false, false, true, motion <= most, ahead <= most ? ahead : 0};
+  const double radius = std::min(first.radius, second.radius);
+  return {false, false, true, motion <= kCoherentPart * radius, cache.lookahead(motion, radius)};
 }
 
 void claim(Certificate& cache, const PolygonData& first, const PolygonData& second) {
@@ -107,13 +102,6 @@ void claim(Certificate& cache, const PolygonData& first, const PolygonData& seco
   cache = Certificate();
   cache.first_id = first.id;
   cache.second_id = second.id;
-}
-
-bool isWorthRenewing(Certificate& cache, const Recollection& recollection) {
-  constexpr std::uint32_t kPaying = 3;  // a certificate costs as much as two queries, at the most
-  const bool coherent = recollection.coherent;
-  if (recollection.known && (cache.was_sought || !coherent)) cache.back_off.judge(coherent && cache.uses >= kPaying);
-  return coherent && !cache.back_off.isOn();
 }
 
 void remember(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,

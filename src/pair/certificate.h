@@ -13,9 +13,6 @@
 
 namespace tricover::detail {
 
-/// A motion by more than this part of a polygon's radius is a jump, a step that no clearance would pay for.
-constexpr double kCoherentPart = 0.25;
-
 /// What a cache's certificate says of a query.
 struct Recollection {
   bool certain;  ///< `collides` is the answer
@@ -46,9 +43,6 @@ Recollection recall(Certificate& cache, const PolygonData& a, const Pose& pose_a
 
 /// Makes the cache one of these two polygons; empties it if it was another pair's.
 void claim(Certificate& cache, const PolygonData& first, const PolygonData& second);
-
-/// Whether another certificate is worth finding, now that this one doesn't answer; judges this one.
-bool isWorthRenewing(Certificate& cache, const Recollection& recollection);
 
 /// Keeps a new certificate of these poses.
 void remember(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,

@@ -112,7 +112,7 @@ std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, c
                                      Certificate& cache, const Recollection& recollection,
                                      const CollideOptions& options) {
   claim(cache, a, b);
-  if (!isWorthRenewing(cache, recollection)) {
+  if (!cache.isWorthRenewing(recollection.known, recollection.coherent)) {
     rememberPoses(cache, a, pose_a, b, pose_b);
     return std::nullopt;
   }

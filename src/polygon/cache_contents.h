@@ -29,23 +29,47 @@ struct BackOff {
   }
 };
 
+/// Finding a clearance looks ahead for as many steps like the last ones: more of them cost more to find, and are seldom
+/// used up.
+constexpr double kStepsAhead = 32;
+/// A motion by more than this part of a polygon's radius is a jump, a step that no clearance would pay for.
+constexpr double kCoherentPart = 0.25;
+
+/// The part that certificates of pairs and of points share: how far points may move before the answer can change, and
+/// whether finding that pays.
+struct Clearance {
+  double clearance = 0;
+  std::uint32_t uses = 0;   ///< queries answered since: their mean motion sets how far the next one looks ahead
+  bool was_sought = false;  ///< finding the clearance cost more than the answer; false: it is 0
+  BackOff back_off;
+
+  /// The clearance that would pay for a good many steps like the last ones; 0 if that is too long for the radius.
+  double lookahead(double motion, double radius) const {
+    const double ahead = kStepsAhead * motion / (uses + 1.0);
+    return ahead <= kCoherentPart * radius ? ahead : 0;
+  }
+  /// Judges the certificate, which doesn't answer any more, unless it is another pair's (not `known`). Returns whether
+  /// finding the next one may pay. `coherent`: there was no jump since.
+  bool isWorthRenewing(bool known, bool coherent) {
+    constexpr std::uint32_t kPaying = 3;  // a certificate costs as much as two queries, at the most
+    if (known && (was_sought || !coherent)) back_off.judge(coherent && uses >= kPaying);
+    return coherent && !back_off.isOn();
+  }
+};
+
 /// A certificate of collide(): "With the polygons at these poses (columns of R, then t) the answer was `overlapping`.
 /// Whether the regions overlap stays so while no point is moved against the other polygon by `clearance`, a world
 /// length, or more." A hit by the margin or the tolerance alone is kept as overlapping, with a clearance of 0, by which
 /// nothing stays so.
-struct Certificate {
+struct Certificate : Clearance {
+  bool overlapping = false;
   std::uint64_t first_id = 0;   ///< of the polygons, in the kernel's own order (0: none)
   std::uint64_t second_id = 0;  ///< likewise
   double first_pose[6] = {1, 0, 0, 1, 0, 0};
   double second_pose[6] = {1, 0, 0, 1, 0, 0};
-  double clearance = 0;
-  std::uint32_t uses = 0;  ///< queries answered since: their mean motion sets how far the next one looks ahead
   /// The edges of the last hit, as the kernel numbers them; -1 if there were none. They are tried first at the next
   /// pose.
   std::int32_t first_edge = -1, second_edge = -1;
-  bool overlapping = false;
-  bool was_sought = false;  ///< finding the clearance cost more than the answer; false: poses alone are kept
-  BackOff back_off;
 };
 
 /// The features or edges that were nearest at the last distance() of two polygons, or crossed: tried first.
@@ -70,13 +94,10 @@ struct PairCacheContents {
 };
 
 /// What a PointCache holds: "The point was here, and at least so far from all edges."
-struct PointCertificate {
+struct PointCertificate : Clearance {
+  Location location = Location::Outside;
   std::uint64_t polygon_id = 0;  ///< 0: none
   double point[2] = {0, 0};      ///< in the polygon's frame
-  double clearance = 0;
-  std::uint32_t uses = 0;  ///< queries answered since
-  Location location = Location::Outside;
-  BackOff back_off;
 };
 
 }  // namespace tricover::detail

@@ -38,7 +38,7 @@ MUTATIONS = [
     ("src/pair/collide.cpp", "found.collides, found.clearance);", "found.collides, 2 * found.clearance);", "certificates: clear for too long"),
     ("src/pair/collide.cpp", "cache.back_off.left = 1;", "", "certificates: asked before discs that answered last"),
     ("src/pair/certificate.h", "if (--cache.back_off.left == 0)", "if (--cache.back_off.left > 999)", "certificates: after a rest, another for want of poses"),
-    ("src/pair/certificate.cpp", "cache.uses >= kPaying", "true", "certificates: renewed though they don't pay"),
+    ("src/polygon/cache_contents.h", "coherent && uses >= kPaying", "coherent", "certificates: renewed though they don't pay"),
     ("src/polygon/cache_contents.h", "std::min(1 << failed, 255)", "2", "certificates: back-offs that stay short"),
     ("src/pair/kernel_order.cpp", "const int i : {0, 1}", "const int i : {0}", "order: by half of the coordinates"),
     ("src/polygon/polygon_data.h", "path[position] != path[position + 1] ? position : nextWithLength(position)", "position", "results that name edges without length"),
