@@ -8,7 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include "hierarchy/small_polygon.h"
 #include "numbers/float4.h"
 #include "numbers/power_of_two.h"
 #include "numbers/rounding.h"
@@ -52,16 +51,11 @@ struct Part {
 };
 
 /// What a part is divided into.
-class Parts {
- public:
-  void add(const Part& part) { parts_[size_++] = part; }
-  std::size_t size() const { return size_; }
-  Part& operator[](std::size_t i) { return parts_[i]; }
-  const Part& operator[](std::size_t i) const { return parts_[i]; }
+struct Parts {
+  void add(const Part& part) { all[count++] = part; }
 
- private:
-  Part parts_[kLanes];
-  std::size_t size_ = 0;
+  Part all[kLanes];
+  std::size_t count = 0;
 };
 
 /// A polygon's path in units, from S.
@@ -235,18 +229,18 @@ class Builder {
     const std::size_t below = roomBelow(room[0]);
     Parts parts;
     parts.add(whole);
-    while (parts.size() < kLanes) {
-      std::size_t largest = parts.size(), most = below;
-      for (std::size_t i = 0; i < parts.size(); ++i)
-        if (parts[i].kind == Part::Rings && room[i] > most) largest = i, most = room[i];
-      if (largest == parts.size()) break;
-      const Part halved = parts[largest];
+    while (parts.count < kLanes) {
+      std::size_t largest = parts.count, most = below;
+      for (std::size_t i = 0; i < parts.count; ++i)
+        if (parts.all[i].kind == Part::Rings && room[i] > most) largest = i, most = room[i];
+      if (largest == parts.count) break;
+      const Part halved = parts.all[largest];
       const std::size_t count = halved.end - halved.begin, groups = (most + below - 1) / below;
       const std::size_t mid = halved.begin + std::max<std::size_t>(count * (groups / 2) / groups, 1);
       halve(halved, mid);
-      room[parts.size()] = roomOf({Part::Rings, mid, halved.end});
-      room[largest] = most - room[parts.size()];
-      parts[largest] = rings(halved.begin, mid);
+      room[parts.count] = roomOf({Part::Rings, mid, halved.end});
+      room[largest] = most - room[parts.count];
+      parts.all[largest] = rings(halved.begin, mid);
       parts.add(rings(mid, halved.end));
     }
     return parts;
@@ -281,15 +275,15 @@ class Builder {
     const bool leaf = edgeCount(whole) <= kLanes;
     const Parts parts = leaf ? edgesOf(whole) : whole.kind == Part::Rings ? divideRings(whole) : cut(whole);
     FittedBox boxes[kLanes];
-    for (std::size_t i = 0; i < parts.size(); ++i) boxes[i] = leaf ? fitEdge(parts[i].begin) : fit(parts[i]);
+    for (std::size_t i = 0; i < parts.count; ++i) boxes[i] = leaf ? fitEdge(parts.all[i].begin) : fit(parts.all[i]);
     Double2 low{kInfinity, kInfinity}, high = -low;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t i = 0; i < parts.count; ++i) {
       low = smaller(boxes[i].center, low);
       high = larger(boxes[i].center, high);
     }
     const Double2 origin = 0.5 * (low + high);
     double size = kSmallestSize;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t i = 0; i < parts.count; ++i) {
       const Double2 away = absolute(boxes[i].center - origin);
       size = std::max(size, std::max(away[0], away[1]) + boxes[i].extents[0] + boxes[i].extents[1]);
     }
@@ -301,25 +295,25 @@ class Builder {
     block.scale = static_cast<float>(scale);
     block.inverse = static_cast<float>(1 / scale);
     block.leaf = leaf;
-    block.count = static_cast<std::uint8_t>(parts.size());
+    block.count = static_cast<std::uint8_t>(parts.count);
     for (std::size_t i = 0; i < kLanes; ++i) {
-      const Box box = i < parts.size() ? rounded(boxes[i], origin, 1 / scale) : Box{0, 0, 1, 0, -1e30f, -1e30f};
+      const Box box = i < parts.count ? rounded(boxes[i], origin, 1 / scale) : Box{0, 0, 1, 0, -1e30f, -1e30f};
       block.x[i] = box.x;
       block.y[i] = box.y;
       block.ux[i] = box.ux;
       block.uy[i] = box.uy;
       block.along[i] = box.along;
       block.across[i] = box.across;
-      if (i >= parts.size()) continue;
-      assert(!polygon_.fitsUnit() || holds(block, i, parts[i]));
-      if (parts[i].kind == Part::Chain) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
-      if (leaf) block.child[i] = static_cast<std::uint32_t>(parts[i].begin);
+      if (i >= parts.count) continue;
+      assert(!polygon_.fitsUnit() || holds(block, i, parts.all[i]));
+      if (parts.all[i].kind == Part::Chain) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
+      if (leaf) block.child[i] = static_cast<std::uint32_t>(parts.all[i].begin);
     }
     const std::size_t index = blocks_.size();
     blocks_.push_back(block);
     if (!leaf)
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::uint32_t child = addBlock(parts[i]);
+      for (std::size_t i = 0; i < parts.count; ++i) {
+        const std::uint32_t child = addBlock(parts.all[i]);
         blocks_[index].child[i] = child;
       }
     return static_cast<std::uint32_t>(index);

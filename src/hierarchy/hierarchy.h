@@ -84,6 +84,11 @@ struct SmallPolygon {
 };
 static_assert(SmallPolygon::kMost == 16, "half of the bits");
 
+/// Makes one without edges, its lanes all 0.
+std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes);
+/// Null where the polygon has more edges, or one without a direction; `local` is its path in units, from S.
+std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const Vec2* local);
+
 /// The influence hierarchy of a polygon: a tree of boxes over edges; a box grown by n is its edges' influence area of
 /// length n. Its unit is PolygonData::unit and its origin S. Blocks stand in preorder; the root is the first. Few edges
 /// are mostly asked at once: their blocks are built for who descends, at the first call of hierarchyOf().

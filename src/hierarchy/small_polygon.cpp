@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hierarchy/small_polygon.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "hierarchy/hierarchy.h"
 #include "numbers/float4.h"
 #include "polygon/convexity.h"
 

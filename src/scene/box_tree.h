@@ -55,12 +55,21 @@ class BoxTree {
   /// Calls visit(item) for every item whose box is no farther from `bounds` than `most`, near nodes and items first.
   /// visit returns the largest distance that is still of interest.
   template <typename Visit>
-  void visitNear(const Bounds& bounds, double most, const Visit& visit) const;
+  void visitNear(const Bounds& bounds, double most, const Visit& visit) const {
+    visitInOrder(
+        gapSquareAbove(most),
+        [&](const EightBoxes& boxes, double limit, double* at) { return boxesNear(boxes, bounds, limit, at); },
+        [&](std::uint32_t item) { return gapSquareAbove(visit(item)); });
+  }
 
   /// Calls visit(item) for every item whose box the ray enters before the fraction `most`, the first nodes and items
   /// first. visit returns the largest fraction that is still of interest. A box counts as entered by kEarlier earlier.
   template <typename Visit>
-  void visitOnRay(const BoxRay& ray, double most, const Visit& visit) const;
+  void visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
+    visitInOrder(
+        most, [&](const EightBoxes& boxes, double limit, double* at) { return boxesOnRay(boxes, ray, limit, at); },
+        visit);
+  }
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -93,7 +102,25 @@ class BoxTree {
   /// Calls visit(item), which returns the new `most`, of each leaf the nearest first. near(boxes, most, at) says which
   /// boxes of a node may be within `most`, and how near they are at least.
   template <typename Near, typename Visit>
-  void visitInOrder(double most, const Near& near, const Visit& visit) const;
+  void visitInOrder(double most, const Near& near, const Visit& visit) const {
+    if (root_ == kNone) return;
+    descend<true, double>(
+        nodes_.data(), root_, [&](double at) { return !(at > most); },
+        [&](const Node& node, double* at) { return near(node.boxes, most, at); },
+        [&](const Node& node, unsigned left, const double* at) {
+          while (left != 0) {
+            int first = __builtin_ctz(left);
+            for (unsigned others = left & (left - 1); others != 0; others &= others - 1) {
+              const int i = __builtin_ctz(others);
+              first = at[i] < at[first] ? i : first;
+            }
+            if (at[first] > most) break;
+            left ^= 1u << first;
+            most = visit(node.child[first]);
+          }
+          return true;
+        });
+  }
 
   std::uint32_t packed(Middle* first, std::size_t count, int height, const std::vector<Entry>& entries);
   void packGroups(std::uint32_t node, Middle* first, std::size_t count, std::size_t groups, int height,
@@ -116,41 +143,5 @@ class BoxTree {
   std::uint32_t root_ = kNone;
   std::size_t changes_ = 0;
 };
-
-template <typename Near, typename Visit>
-void BoxTree::visitInOrder(double most, const Near& near, const Visit& visit) const {
-  if (root_ == kNone) return;
-  descend<true, double>(
-      nodes_.data(), root_, [&](double at) { return !(at > most); },
-      [&](const Node& node, double(&at)[kLanes]) { return near(node.boxes, most, at); },
-      [&](const Node& node, unsigned left, const double* at) {
-        while (left != 0) {
-          int first = __builtin_ctz(left);
-          for (unsigned others = left & (left - 1); others != 0; others &= others - 1) {
-            const int i = __builtin_ctz(others);
-            first = at[i] < at[first] ? i : first;
-          }
-          if (at[first] > most) break;
-          left ^= 1u << first;
-          most = visit(node.child[first]);
-        }
-        return true;
-      });
-}
-
-template <typename Visit>
-void BoxTree::visitOnRay(const BoxRay& ray, double most, const Visit& visit) const {
-  visitInOrder(
-      most, [&](const EightBoxes& boxes, double limit, double* at) { return boxesOnRay(boxes, ray, limit, at); },
-      visit);
-}
-
-template <typename Visit>
-void BoxTree::visitNear(const Bounds& bounds, double most, const Visit& visit) const {
-  visitInOrder(
-      gapSquareAbove(most),
-      [&](const EightBoxes& boxes, double limit, double* at) { return boxesNear(boxes, bounds, limit, at); },
-      [&](std::uint32_t item) { return gapSquareAbove(visit(item)); });
-}
 
 }  // namespace tricover::detail

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "hierarchy/simd.h"
-#include "hierarchy/small_polygon.h"
 #include "impact/solvers.h"
 #include "numbers/segment.h"
 #include "portable_lanes.h"
