@@ -5,9 +5,9 @@
 
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/simd_function.h"
-#include "hierarchy/unit_map.h"
 #include "numbers/double2.h"
 #include "numbers/double_double.h"
+#include "numbers/rigidity.h"
 
 namespace tricover::detail {
 
@@ -23,6 +23,23 @@ namespace tricover::detail {
 /// centres' distance; and for a block's extents, which are rounded outwards beyond 1.
 constexpr double kFloatRoundoff = 0x1p-24, kGapRounding = 0x1p-19;
 static_assert(kGapRounding >= 3 * 9 * kFloatRoundoff && 6 * 2 + 9 * 1 <= 9 * 4);
+
+/// p -> scale r p + t, from one hierarchy's units to the other's.
+struct UnitMap {
+  double r00, r01, r10, r11, tx, ty, scale;
+  double error;  ///< a mapped point is no farther than this from the true one
+};
+
+/// The way back. Entries of R are wrong by 9U, those of its inverse by 13U. kStretch is what it may stretch an error
+/// by: both poses' defects, and this product's rounding.
+inline UnitMap inverse(const UnitMap& map) {
+  constexpr double kStretch = 1 + 0x1p-10;
+  static_assert(kStretch > (1 + 2 * kLargestDefect) * (1 + 2 * kLargestDefect));
+  const double d = 1 / (map.r00 * map.r11 - map.r01 * map.r10), scale = 1 / map.scale;
+  const double r00 = map.r11 * d, r01 = -map.r01 * d, r10 = -map.r10 * d, r11 = map.r00 * d;
+  const double tx = -(r00 * map.tx + r01 * map.ty) * scale, ty = -(r10 * map.tx + r11 * map.ty) * scale;
+  return {r00, r01, r10, r11, tx, ty, scale, map.error * scale * kStretch};
+}
 
 /// Two hierarchies, each with its polygon, as a descent sees them. Lengths are in a's units.
 struct Descent {

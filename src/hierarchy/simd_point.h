@@ -112,11 +112,10 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
     float farthest[kLanes];
     (gaps + Lanes::load(block.across) * 2.0f).store(farthest);
     float nearest = 1e30f;
-    if (block.leaf)  // lanes beyond the count are infinitely far
-      for (int i = 0; i < kLanes; ++i) nearest = farthest[i] < nearest ? farthest[i] : nearest;
-    else
-      for (int i = 0; i < kLanes; ++i)
-        nearest = (block.spanned >> i & 1) != 0 && farthest[i] < nearest ? farthest[i] : nearest;
+    for (unsigned left = block.spanned; left != 0; left &= left - 1) {
+      const float farther = farthest[__builtin_ctz(left)];
+      nearest = farther < nearest ? farther : nearest;
+    }
     const double least = (static_cast<double>(nearest) + p.slack) * block.scale * (1 + 0x1p-20);
     if (least < upper) upper = least;
     const unsigned lanes = lanesOf(block) & ~above(gaps, Lanes::all(upwards(upper * block.inverse + p.slack)));
@@ -153,11 +152,7 @@ double depthInDiscs(const InnerDiscs& discs, const Place& place) {
   if (!(slack < 1)) return -__builtin_inf();
   const Lanes dx = Lanes::load(discs.x) - static_cast<float>(place.x),
               dy = Lanes::load(discs.y) - static_cast<float>(place.y);
-  float depth[kLanes];
-  (Lanes::load(discs.radius) - root(dx * dx + dy * dy)).store(depth);
-  float deepest = depth[0];
-  for (int i = 1; i < kLanes; ++i) deepest = depth[i] > deepest ? depth[i] : deepest;
-  return deepest - slack;
+  return largest(Lanes::load(discs.radius) - root(dx * dx + dy * dy)) - slack;
 }
 
 }  // namespace tricover::detail::simd

@@ -9,7 +9,6 @@
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/simd.h"
 #include "hierarchy/simd_gaps.h"
-#include "hierarchy/unit_map.h"
 #include "impact/cubic.h"
 #include "numbers/double2.h"
 #include "polygon/polygon_data.h"

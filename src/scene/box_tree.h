@@ -44,7 +44,7 @@ class BoxTree {
     if (root_ == kNone) return;
     descend<false, double>(
         nodes_.data(), root_, [](double) { return true; },
-        [&](const Node& node, double*) { return boxesMeeting(node.boxes, bounds); },
+        [&](const Node& node, double*) { return boxesMeeting(node, bounds); },
         [&](const Node& node, unsigned lanes, const double*) {
           for (; lanes != 0; lanes &= lanes - 1)
             if (!visit(node.child[__builtin_ctz(lanes)])) return false;
@@ -81,15 +81,13 @@ class BoxTree {
   static constexpr int kLevels = 32;
   static_assert(kLevels <= kMaxDepth);
 
-  struct Node {
-    EightBoxes boxes;             ///< beyond the count kNothing
+  /// Boxes beyond the count are kNothing.
+  struct Node : EightBoxes {
     std::uint32_t child[kLanes];  ///< nodes, or a leaf's items
     std::uint32_t parent, lane;   ///< kNone for the root; the index of this node among the parent's boxes
     std::uint8_t count;
     bool leaf;
 
-    Bounds at(unsigned i) const { return boxes.at(i); }
-    void set(unsigned i, const Bounds& bounds) { boxes.set(i, bounds); }
     Bounds all() const;
   };
 
@@ -106,7 +104,7 @@ class BoxTree {
     if (root_ == kNone) return;
     descend<true, double>(
         nodes_.data(), root_, [&](double at) { return !(at > most); },
-        [&](const Node& node, double* at) { return near(node.boxes, most, at); },
+        [&](const Node& node, double* at) { return near(node, most, at); },
         [&](const Node& node, unsigned left, const double* at) {
           while (left != 0) {
             int first = __builtin_ctz(left);

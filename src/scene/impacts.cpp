@@ -226,9 +226,7 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
     for (std::uint32_t i = 0; i < motions.size(); ++i) {
       const Slot body = Scene::indexOf(motions[i].body);
       const auto add = [&](Slot other) {
-        if (!state.mayMeet(state.bodies[body], state.bodies[other])) return;
-        const BodyHandle p = state.handleOf(body), q = state.handleOf(other);
-        pairs.push_back({std::min(p, q), std::max(p, q)});
+        if (state.mayMeet(state.bodies[body], state.bodies[other])) pairs.push_back(state.handlesOf(body, other));
       };
       moving.visit(boxes[i].bounds, [&](std::uint32_t j) {
         if (j < i) add(Scene::indexOf(motions[j].body));

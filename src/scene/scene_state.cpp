@@ -147,7 +147,7 @@ void SceneState::linkFresh(const Parallel& parallel) {
 /// Removes a pair.
 void SceneState::unlink(std::uint32_t index) {
   Pair& pair = pairs[index];
-  if (pair.reported) lost.push_back(handlesOf(pair));
+  if (pair.reported) lost.push_back(handlesOf(pair.body[0], pair.body[1]));
   for (const std::size_t end : {0U, 1U}) {
     auto& links = bodies[pair.body[end]].links;
     Link& place = links[pair.link[end]];
@@ -264,7 +264,7 @@ void SceneState::report() {
   for (const std::uint32_t index : changed) {
     const Pair& pair = pairs[index];
     if (pair.collides == pair.reported) continue;
-    (pair.collides ? began : ended).push_back(handlesOf(pair));
+    (pair.collides ? began : ended).push_back(handlesOf(pair.body[0], pair.body[1]));
     pairs[index].reported = pair.collides;
   }
   changed.clear();

@@ -93,8 +93,8 @@ struct SceneState {
 
   BodyHandle handleOf(Slot body) const { return BodyHandle{tenancies[body].changes / 2} << 32 | body; }
   bool isUsed(Slot body) const { return tenancies[body].changes % 2 != 0; }
-  BodyPair handlesOf(const Pair& pair) const {
-    const BodyHandle p = handleOf(pair.body[0]), q = handleOf(pair.body[1]);
+  BodyPair handlesOf(Slot first, Slot second) const {
+    const BodyHandle p = handleOf(first), q = handleOf(second);
     return {std::min(p, q), std::max(p, q)};
   }
   bool has(BodyHandle body) const {
