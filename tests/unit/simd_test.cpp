@@ -250,7 +250,9 @@ TEST(EightBoxes, MeetABoxAndARay) {
       }
       met += other.meets(bounds);
       ++asked;
-      if ((on_ray >> k & 1) != 0) ASSERT_EQ(least[k], portable[k]);
+      if ((on_ray >> k & 1) != 0) {
+        ASSERT_EQ(least[k], portable[k]);
+      }
       if (std::isnan(other.min_x)) {
         ASSERT_EQ(on_ray >> k & 1, 0u);
         continue;
