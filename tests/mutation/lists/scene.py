@@ -3,7 +3,7 @@
 MUTATIONS = [
     ("src/scene/bounds.cpp", "(kTiny + reach)", "(kTiny)", "scene: boxes without the margin"),
     ("src/scene/bounds.cpp", "if (finite == 3)", "if (true)", "scene: boxes that overflow"),
-    ("src/scene/nearest.cpp", "boundsOf(polygon_.data(), pose_, options_.margin)", "boundsOf(polygon_.data(), pose_, 0)", "scene: the nearest is sought without the margin"),
+    ("src/scene/nearest.cpp", "boundsOf(polygon.data(), pose, options.margin)", "boundsOf(polygon.data(), pose, 0)", "scene: the nearest is sought without the margin"),
     ("src/scene/collides.cpp", "depthOfDiscs(pair, options.margin)", "depthOfDiscs(pair, 2 * options.margin)", "scene: discs that meet within twice the margin"),
     ("src/scene/collides.cpp", "options.margin) >= 0 && may_touch)", "options.margin) >= 0)", "scene: inner discs without an interior overlap"),
     ("src/scene/clear_box.cpp", "boundsOfEdge(polygon, edge, pose, margin)", "boundsOfEdge(polygon, edge, pose, 0)", "scene: where a body is clear, without its margin"),
