@@ -3,17 +3,15 @@
 #include <algorithm>
 
 #include "hierarchy/simd_templates.h"
-#include "numbers/double2.h"
+#include "numbers/float4.h"
 
 namespace tricover::detail {
 namespace simd {
 namespace {
 
-typedef float Four __attribute__((vector_size(16)));
-typedef std::int32_t FourBits __attribute__((vector_size(16)));
 typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias));
 
-[[gnu::always_inline]] inline Four root(Four p) {
+[[gnu::always_inline]] inline Float4 root(Float4 p) {
 #ifdef __SSE2__
   return __builtin_ia32_sqrtps(p);
 #else
@@ -21,10 +19,10 @@ typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias
   return p;
 #endif
 }
-[[gnu::always_inline]] inline unsigned above(Four p, Four q) {
-  const FourBits greater = p > q;
+[[gnu::always_inline]] inline unsigned above(Float4 p, Float4 q) {
+  const Bits4 greater = p > q;
 #ifdef __SSE2__
-  return static_cast<unsigned>(__builtin_ia32_movmskps((Four)greater));
+  return static_cast<unsigned>(__builtin_ia32_movmskps((Float4)greater));
 #else
   unsigned bits = 0;
   for (int i = 0; i < 4; ++i) bits |= (greater[i] != 0 ? 1u : 0u) << i;
@@ -35,7 +33,7 @@ typedef float FourAnywhere __attribute__((vector_size(16), aligned(4), may_alias
 /// See simd_gaps.h.
 struct PortableLanes {
   using Doubles = DoublesOf<Double2>;
-  Four low, high;
+  Float4 low, high;
 
   [[gnu::always_inline]] static unsigned bitsOf(Bits2 bits) { return detail::bitsOf(bits); }
 
@@ -46,7 +44,7 @@ struct PortableLanes {
   [[gnu::always_inline]] static PortableLanes load(const float* p) {
     return {*reinterpret_cast<const FourAnywhere*>(p), *reinterpret_cast<const FourAnywhere*>(p + 4)};
   }
-  [[gnu::always_inline]] static PortableLanes all(float value) { return {value - Four{}, value - Four{}}; }
+  [[gnu::always_inline]] static PortableLanes all(float value) { return {value - Float4{}, value - Float4{}}; }
   [[gnu::always_inline]] void store(float* p) const {
     *reinterpret_cast<FourAnywhere*>(p) = low;
     *reinterpret_cast<FourAnywhere*>(p + 4) = high;
@@ -60,22 +58,19 @@ struct PortableLanes {
   [[gnu::always_inline]] friend L operator+(L p, float q) { return {p.low + q, p.high + q}; }
   [[gnu::always_inline]] friend L operator-(L p, float q) { return {p.low - q, p.high - q}; }
   [[gnu::always_inline]] friend L operator*(L p, float q) { return {p.low * q, p.high * q}; }
-  [[gnu::always_inline]] friend L absolute(L p) {
-    return {(Four)((FourBits)p.low & 0x7fffffff), (Four)((FourBits)p.high & 0x7fffffff)};
-  }
+  [[gnu::always_inline]] friend L absolute(L p) { return {detail::absolute(p.low), detail::absolute(p.high)}; }
   [[gnu::always_inline]] friend L flipped(L p, L q) {
-    return {(Four)((FourBits)p.low ^ ((FourBits)q.low & INT32_MIN)),
-            (Four)((FourBits)p.high ^ ((FourBits)q.high & INT32_MIN))};
+    return {(Float4)((Bits4)p.low ^ ((Bits4)q.low & INT32_MIN)), (Float4)((Bits4)p.high ^ ((Bits4)q.high & INT32_MIN))};
   }
   [[gnu::always_inline]] friend L root(L p) { return {simd::root(p.low), simd::root(p.high)}; }
   [[gnu::always_inline]] friend L larger(L p, L q) {
-    return {p.low > q.low ? p.low : q.low, p.high > q.high ? p.high : q.high};
+    return {detail::larger(p.low, q.low), detail::larger(p.high, q.high)};
   }
   [[gnu::always_inline]] friend L smaller(L p, L q) {
     return {p.low < q.low ? p.low : q.low, p.high < q.high ? p.high : q.high};
   }
   [[gnu::always_inline]] friend L whereAbove(L p, L q) {
-    const Four far = 1e30f - Four{};
+    const Float4 far = 1e30f - Float4{};
     return {p.low > q.low ? p.low : far, p.high > q.high ? p.high : far};
   }
   [[gnu::always_inline]] friend unsigned above(L p, L q) {
