@@ -4,17 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "distance/edge_distance.h"
 #include "exact_reference.h"
+#include "families.h"
 #include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
+#include "laws.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
 #include "pair/root_box.h"
+#include "portable_lanes.h"
 #include "random.h"
+#include "reproduction.h"
 #include "shapes.h"
 #include "stages.h"
 #include "test_scale.h"
@@ -35,19 +41,17 @@ Outcome descend(const Polygon& a, const Pose& pose_a, const Polygon& b, const Po
   return collideByHierarchy({a.data(), pose_a, b.data(), pose_b}, {}, lookahead, Wanted::Clearance);
 }
 
-void expectBelowDistance(double clearance, const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
-  const mpq_class world(clearance * (1 - 1e-12));  // poses aren't quite rigid
-  ASSERT_TRUE(world * world <= exact::distanceSquared(a, pose_a, b, pose_b)) << clearance;
-}
-
 Ring turned(Ring ring, double angle) {
   for (Vec2& p : ring) p = pose(angle, 0, 0) * p;
   return ring;
 }
 
-/// The ring as part of the larger of two polygons: `far` away, beyond whatever it is asked about, there is another
-/// ring.
-Polygon enlarged(const Ring& ring, double far) { return Polygon({ring, shifted(rectangle(-1, -1, 1, 1), {far, far})}); }
+/// The ring alone, or as part of the larger of two polygons: far away, there is another ring.
+Polygon oneOrLarge(Random& random, const Ring& ring, double length) {
+  if (random.coin()) return Polygon({ring});
+  const double far = 4 * length + 100;
+  return Polygon({ring, shifted(rectangle(-1, -1, 1, 1), {far, far})});
+}
 
 /// b's lowest vertex, once turned, `depth` below the height 0 of the frame `ground`, at x.
 Pose standing(const Ring& b, const Pose& ground, double angle, double x, double depth) {
@@ -59,122 +63,137 @@ Pose standing(const Ring& b, const Pose& ground, double angle, double x, double 
 }
 
 /// A vertex a hair into an edge that is up to a million times as long as its polygon: x is known to few digits there.
-TEST(Touching, AShortPolygonOnALongEdge) {
-  Random random(31);
-  int hits = 0;
-  const int cases = scaledCount(3000);
-  for (int i = 0; i < cases; ++i) {
-    const double length = std::pow(10, random.real(0, i % 4 == 0 ? 6 : 2.6));
-    const Polygon a({rectangle(-length, -20, length, 0)});
-    const Ring ring = star(random, random.integer(9, 40), 0.6, 1);
-    const Pose ground = pose(random.real(0, 6.28), 0, 0);
-    const double x = random.real(-0.95, 0.95) * length, depth = std::pow(10, random.real(-12, -7)) * (1 + length);
-    const Pose pose_b = standing(ring, ground, random.real(0, 6.28), x, std::min(depth, 1e-6));
-    const Polygon b({ring});
-    const bool truth = exact::collide(a, ground, b, pose_b);
-    ASSERT_EQ(descend(a, ground, b, pose_b, 0).collides, truth);
-    const Polygon large_b = enlarged(ring, 4 * length + 100);
-    ASSERT_EQ(descend(large_b, pose_b, a, ground, 0).collides, exact::collide(large_b, pose_b, a, ground));
-    hits += truth;
-  }
-  EXPECT_GT(hits, cases / 2);
+Case shortOnALongEdge(Random& random) {
+  const double length = std::pow(10, random.real(0, random.oneIn(4) ? 6 : 2.6));
+  const Ring ring = star(random, random.integer(9, 40), 0.6, 1);
+  const Pose ground = pose(random.real(0, 6.28), 0, 0);
+  const double x = random.real(-0.95, 0.95) * length, depth = std::pow(10, random.real(-12, -7)) * (1 + length);
+  const Pose pose_b = standing(ring, ground, random.real(0, 6.28), x, std::min(depth, 1e-6));
+  return {Polygon({rectangle(-length, -20, length, 0)}), ground, oneOrLarge(random, ring, length), pose_b};
 }
 
 /// Nearly parallel to it, and near its end: the edge is cut to 64 times the polygon, whose tilt is below a float's last
 /// digit.
-TEST(Touching, AFlatPolygonNearTheEndOfALongEdge) {
-  Random random(36);
-  int hits = 0;
-  const int cases = scaledCount(3000);
-  for (int i = 0; i < cases; ++i) {
-    const double length = std::pow(10, random.real(3, 5));
-    const Polygon a({rectangle(-length, -20, length, 0)});
-    const double own = random.real(0, 6.28);  // a level box's axis would be exact
-    const Ring ring = turned(rectangle(-1, 0, 1, 1), own);
-    const Pose ground = pose(random.real(0, 6.28), 0, 0);
-    const double tilt = (random.coin() ? 1 : -1) * std::pow(10, random.real(-8, -6)), x = length - random.real(2, 60);
-    const double depth = i % 3 == 0 ? -random.real(0.001, 0.1) : std::pow(10, random.real(-10, -7));
-    const Pose pose_b = standing(ring, ground, tilt - own, random.coin() ? x : -x, depth);
-    const Polygon b({ring});
-    const bool truth = exact::collide(a, ground, b, pose_b);
-    const Polygon large_b = enlarged(ring, 4 * length + 100);
-    for (const bool swapped : {false, true}) {
-      const Outcome outcome = swapped ? descend(large_b, pose_b, a, ground, 0) : descend(a, ground, b, pose_b, 0);
-      ASSERT_EQ(outcome.collides, truth);
-      if (!truth) expectBelowDistance(outcome.clearance, a, ground, b, pose_b);
-    }
-    hits += truth;
-  }
-  EXPECT_GT(hits, cases / 2);
+Case flatNearTheEndOfALongEdge(Random& random) {
+  const double length = std::pow(10, random.real(3, 5)), own = random.real(0, 6.28);  // a level box's axis is exact
+  const Ring ring = turned(rectangle(-1, 0, 1, 1), own);
+  const Pose ground = pose(random.real(0, 6.28), 0, 0);
+  const double tilt = (random.coin() ? 1 : -1) * std::pow(10, random.real(-8, -6)), x = length - random.real(2, 60);
+  const double depth = random.oneIn(3) ? -random.real(0.001, 0.1) : std::pow(10, random.real(-10, -7));
+  const Pose pose_b = standing(ring, ground, tilt - own, random.coin() ? x : -x, depth);
+  return {Polygon({rectangle(-length, -20, length, 0)}), ground, oneOrLarge(random, ring, length), pose_b};
 }
 
 /// A small rectangle between walls parallel to its sides, so that their gap is their distance.
-TEST(Clearance, IsNoMoreThanTheDistanceToAParallelWall) {
-  Random random(32);
-  const int cases = scaledCount(1000);
-  int tight = 0;
-  for (int i = 0; i < cases; ++i) {
-    const double length = std::pow(10, random.real(0.5, 2.8)), gap = random.real(0.01, 2);
-    const Polygon a(
-        {rectangle(-length - 5, -length - 5, length + 5, length + 5), rectangle(-length, -length, length, length)});
-    const double own = random.real(0, 6.28);
-    const Ring ring = turned(rectangle(-1, -0.5, 1, 0.5), own);
-    const Polygon b({ring}), large_b = enlarged(ring, 4 * length + 100);
-    const Pose frame = pose(random.real(0, 6.28), 0, 0);
-    const Pose pose_b = frame * pose(-own, random.real(-0.6, 0.6) * length, 0.5 + gap - length);
-    const double lookahead = i % 3 == 0 ? 0 : random.real(0, 2 * length);
-    for (const bool swapped : {false, true}) {
-      const Outcome outcome =
-          swapped ? descend(large_b, pose_b, a, frame, lookahead) : descend(a, frame, b, pose_b, lookahead);
-      ASSERT_FALSE(outcome.collides);
-      expectBelowDistance(outcome.clearance, a, frame, b, pose_b);
-      tight += outcome.clearance > 0.9 * gap;
-    }
-  }
-  EXPECT_GT(tight, cases / 2);
+Case besideAParallelWall(Random& random) {
+  const double length = std::pow(10, random.real(0.5, 2.8)), gap = random.real(0.01, 2), own = random.real(0, 6.28);
+  const Ring ring = turned(rectangle(-1, -0.5, 1, 0.5), own);
+  const Pose frame = pose(random.real(0, 6.28), 0, 0);
+  return {Polygon({rectangle(-length - 5, -length - 5, length + 5, length + 5),
+                   rectangle(-length, -length, length, length)}),
+          frame, oneOrLarge(random, ring, length),
+          frame * pose(-own, random.real(-0.6, 0.6) * length, 0.5 + gap - length)};
 }
 
+double anyDepth(Random& random) { return (random.coin() ? 1e-3 : -1e-3) * std::pow(10, random.real(-7, 0)); }
+
 /// Half planes decide only what they can tell in floats.
-TEST(Touching, ConvexPolygonsFaceToFace) {
-  Random random(33);
-  int hits = 0;
-  const int cases = scaledCount(4000);
-  for (int i = 0; i < cases; ++i) {
-    const Ring ring = regular(random.integer(3, 16), 1);
-    const Polygon a({rectangle(-1, -0.2, 1, 0)}), b({ring});
-    const Pose ground = i % 2 == 0 ? pose(random.real(0, 6.28), 0, 0) : pose(random.real(0, 6.28), 3e11, -2e11);
-    const double depth = (random.coin() ? 1e-3 : -1e-3) * std::pow(10, random.real(-7, 0)), half = 0.5 * M_PI;
-    const double angle = random.coin() ? half : random.real(0, 6.28);
-    const Pose pose_b = standing(ring, ground, angle, random.real(-0.9, 0.9), depth);
-    const bool truth = exact::collide(a, ground, b, pose_b);
-    ASSERT_EQ(collide(a, ground, b, pose_b), truth) << depth;
-    hits += truth;
-  }
-  EXPECT_GT(hits, cases / 4);
-  EXPECT_LT(hits, 3 * cases / 4);
+Case convexFaceToFace(Random& random) {
+  const Ring ring = regular(random.integer(3, 16), 1);
+  const Pose ground = random.coin() ? pose(random.real(0, 6.28), 0, 0) : pose(random.real(0, 6.28), 3e11, -2e11);
+  const double angle = random.coin() ? 0.5 * M_PI : random.real(0, 6.28);
+  return {Polygon({rectangle(-1, -0.2, 1, 0)}), ground, Polygon({ring}),
+          standing(ring, ground, angle, random.real(-0.9, 0.9), anyDepth(random))};
 }
 
 /// The same for the edges of the larger one, of which there are up to sixteen.
-TEST(Touching, AnEdgeOfAConvexPolygonByATip) {
-  Random random(38);
-  int hits = 0;
-  const int cases = scaledCount(4000);
-  for (int i = 0; i < cases; ++i) {
-    const int n = random.integer(3, 16);
-    const double up = 0.5 * M_PI - (random.integer(0, n - 1) + 0.5) * 2 * M_PI / n;
-    const Polygon a({shifted(turned(regular(n, 2), up), {0, -2 * std::cos(M_PI / n)})});
-    const Ring ring = regular(3, 1);
-    const Pose ground = pose(random.real(0, 6.28), 0, 0);
-    const double depth = (random.coin() ? 1e-3 : -1e-3) * std::pow(10, random.real(-7, 0));
-    const Pose pose_b = standing(ring, ground, random.real(0, 6.28), 0, depth);
-    const Polygon b({ring});
-    const bool truth = exact::collide(a, ground, b, pose_b);
-    ASSERT_EQ(collide(a, ground, b, pose_b), truth) << depth;
-    hits += truth;
-  }
-  EXPECT_GT(hits, cases / 4);
-  EXPECT_LT(hits, 3 * cases / 4);
+Case convexByATip(Random& random) {
+  const int n = random.integer(3, 16);
+  const double up = 0.5 * M_PI - (random.integer(0, n - 1) + 0.5) * 2 * M_PI / n;
+  const Ring ring = regular(3, 1);
+  const Pose ground = pose(random.real(0, 6.28), 0, 0);
+  return {Polygon({shifted(turned(regular(n, 2), up), {0, -2 * std::cos(M_PI / n)})}), ground, Polygon({ring}),
+          standing(ring, ground, random.real(0, 6.28), 0, anyDepth(random))};
 }
+
+template <Case (*maker)(Random&)>
+Case seeded(std::uint64_t seed) {
+  Random random(seed);
+  return maker(random);
+}
+
+const std::vector<Family>& tightFamilies() {
+  static const std::vector<Family> all = {{"short_on_a_long_edge", seeded<shortOnALongEdge>},
+                                          {"flat_near_the_end_of_a_long_edge", seeded<flatNearTheEndOfALongEdge>},
+                                          {"beside_a_parallel_wall", seeded<besideAParallelWall>},
+                                          {"convex_face_to_face", seeded<convexFaceToFace>},
+                                          {"convex_by_a_tip", seeded<convexByATip>}};
+  return all;
+}
+
+PosedPair largerFirst(const Case& c) {
+  if (c.a.radius() >= c.b.radius()) return {c.a.data(), c.pose_a, c.b.data(), c.pose_b};
+  return {c.b.data(), c.pose_b, c.a.data(), c.pose_a};
+}
+
+class Descents : public testing::TestWithParam<Family> {};
+
+/// The answer is exact, and the one without a reason is the one with a reason; a clearance is a lower bound of the
+/// distance. On all lanes they are the same bits.
+TEST_P(Descents, AreAlikeAndProveWhatTheySay) {
+  const auto& own = tightFamilies();
+  const bool is_tight =
+      std::any_of(own.begin(), own.end(), [](const Family& family) { return family.make == GetParam().make; });
+  const bool is_wall = GetParam().make == seeded<besideAParallelWall>;
+  int hits = 0, clear = 0, tight = 0;
+  const int cases = scaledCount(is_tight ? 2000 : 400);
+  for (int i = 0; i < cases; ++i) {
+    const Case c = GetParam().make(static_cast<std::uint64_t>(i) + 5000000);
+    const PosedPair pair = largerFirst(c);
+    CollideOptions options;
+    if (i % 4 == 1 && !is_tight) options.tolerance = 1e-3 * pair.b.radius;
+    if (i % 4 == 2 && !is_tight) options.margin = 1e-3 * pair.b.radius;
+    if (!std::isfinite(options.margin) || !std::isfinite(options.tolerance)) options = {};
+    const double lookahead = i % 3 == 0 && std::isfinite(pair.b.radius) ? 0.5 * pair.b.radius : 0;
+    const auto find = [&] { return collideByHierarchy(pair, options, lookahead, Wanted::Clearance); };
+    const auto answer = [&] { return collideByHierarchy(pair, options, lookahead, Wanted::Answer).collides; };
+    const Outcome found = find(), on_portable = onPortableLanes(find);
+    const bool unexplained = answer();
+    ASSERT_EQ(on_portable.collides, found.collides) << reproduction(c);
+    ASSERT_EQ(on_portable.clearance, found.clearance) << reproduction(c);
+    ASSERT_EQ(on_portable.edge_a, found.edge_a) << reproduction(c);
+    ASSERT_EQ(on_portable.edge_b, found.edge_b) << reproduction(c);
+    ASSERT_EQ(onPortableLanes(answer), unexplained) << reproduction(c);
+    hits += found.collides;
+    if (options.tolerance == 0) {
+      ASSERT_EQ(unexplained, found.collides) << reproduction(c);
+      ASSERT_EQ(found.collides, areWithin(c, options.margin, Touching::Collides)) << reproduction(c);
+    }
+    if (found.collides || found.clearance == 0) continue;
+    ++clear;
+    const mpq_class distance_squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
+    const mpq_class clearance(found.clearance * (is_wall ? 1 - 1e-12 : 1));  // poses aren't quite rigid
+    ASSERT_TRUE(clearance * clearance <= distance_squared) << found.clearance << "\n" << reproduction(c);
+    tight += 9 * clearance * clearance >= distance_squared;
+  }
+  std::printf("%-34s %4d hits %4d clear %4d tight\n", GetParam().name, hits, clear, tight);
+  EXPECT_EQ(hits > 0, !is_wall);
+  if (is_tight) {
+    EXPECT_GT(is_wall ? tight : hits, cases / 4);
+  }
+  if (GetParam().name == std::string("large_outlines")) {
+    EXPECT_GT(tight, clear / 4) << "clearances that are worthless";
+  }
+}
+
+std::vector<Family> allFamilies() {
+  std::vector<Family> all = familiesOfAllSizes();
+  all.insert(all.end(), tightFamilies().begin(), tightFamilies().end());
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Descents, testing::ValuesIn(allFamilies()),
+                         [](const auto& family) { return family.param.name; });
 
 /// By the corners of both boxes, along the axes of both.
 double separation(const detail::Box& a, const detail::Box& b, const detail::UnitMap& map) {
@@ -370,8 +389,6 @@ TEST(Ray, ThroughVerticesFarAway) {
   ASSERT_EQ(hierarchyIfBuilt(scanned.data()), nullptr) << "so it was scanned";
 }
 
-/// A million million away from its own frame's origin, a polygon's place is known to a ten-thousandth: a ring that is
-/// contained, or touched, by less than that. The block's flat sides are those of the box around it.
 /// With the least distance itself for a limit, some boxes' gaps are above it and those of the deepest below, both by no
 /// more than a float's rounding.
 TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
@@ -399,6 +416,8 @@ TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
   }
 }
 
+/// A million million away from its own frame's origin, a polygon's place is known to a ten-thousandth: a ring that is
+/// contained, or touched, by less than that. The block's flat sides are those of the box around it.
 TEST(FarFromItsOwnOrigin, APolygonIsFoundWhereRoundingPutsItOutside) {
   Random random(35);
   int common = 0;

@@ -7,10 +7,11 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
-#include "pair/world_frame.h"
 #include "hierarchy/placement.h"
+#include "pair/world_frame.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -20,6 +21,10 @@ namespace {
 
 using detail::PosedPair;
 using detail::WorldFrame;
+
+static_assert(std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose&>);
+static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose, const detail::PolygonData&, Pose&>);
+static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose>);
 
 struct ExactVector {
   mpq_class x, y;

@@ -374,6 +374,7 @@ TEST(Scene, AnswersInContainersAsAnywhere) {
     const Scene::Body is_in = scene.add(container, pose(random.oneIn(2) ? 0 : random.real(0, 6), 0, 0), body);
     const Polygon part({rectangle(-0.5, -0.5, 0.5, 0.5)});
     for (int k = 0; k < 100; ++k) {
+      if (k == 25) body.margin += 0.25, scene.setOptions(is_in, body);  // where it was clear it may not be now
       if (k == 50) scene.move(is_in, pose(random.real(0, 6), random.real(-2, 2), random.real(-2, 2)));
       CollideOptions options;
       if (random.oneIn(3)) options.margin = random.real(0, 0.5);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The descents of eight boxes at a time: alike bit by bit for every instruction set, and what they prove is so.
+// Eight boxes, or all edges of small polygons, at once: alike bit by bit for every instruction set, and the truth.
 #include "hierarchy/simd.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <string>
-#include <type_traits>
 
 #include "exact_reference.h"
 #include "families.h"
@@ -19,7 +16,6 @@
 #include "random.h"
 #include "reproduction.h"
 #include "shapes.h"
-#include "stages.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
 
@@ -30,61 +26,10 @@ using detail::Outcome;
 using detail::PosedPair;
 using detail::Wanted;
 
-static_assert(std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose&>);
-static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose, const detail::PolygonData&, Pose&>);
-static_assert(!std::is_constructible_v<PosedPair, const detail::PolygonData&, Pose&, const detail::PolygonData&, Pose>);
-
 PosedPair largerFirst(const Case& c) {
   if (c.a.radius() >= c.b.radius()) return {c.a.data(), c.pose_a, c.b.data(), c.pose_b};
   return {c.b.data(), c.pose_b, c.a.data(), c.pose_a};
 }
-
-class Descents : public testing::TestWithParam<Family> {};
-
-/// A clearance is a lower bound of the exact distance (in a's frame, which the world's may differ from by 1e-6), and
-/// the answer without a reason is the one with a reason.
-TEST_P(Descents, AreAlikeAndProveWhatTheySay) {
-  int hits = 0, clear = 0, tight = 0;
-  for (int i = 0; i < scaledCount(400); ++i) {
-    const Case c = GetParam().make(static_cast<std::uint64_t>(i) + 5000000);
-    const PosedPair pair = largerFirst(c);
-    CollideOptions options;
-    if (i % 4 == 1) options.tolerance = 1e-3 * pair.b.radius;
-    if (i % 4 == 2) options.margin = 1e-3 * pair.b.radius;
-    if (!std::isfinite(options.margin) || !std::isfinite(options.tolerance)) options = {};
-    const double lookahead = i % 3 == 0 && std::isfinite(pair.b.radius) ? 0.5 * pair.b.radius : 0;
-    const Outcome found = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
-    const bool unexplained = collideByHierarchy(pair, options, lookahead, Wanted::Answer).collides;
-    {
-      const PortableLanes portable;
-      const Outcome on_portable = collideByHierarchy(pair, options, lookahead, Wanted::Clearance);
-      ASSERT_EQ(on_portable.collides, found.collides) << reproduction(c);
-      ASSERT_EQ(on_portable.clearance, found.clearance) << reproduction(c);
-      ASSERT_EQ(on_portable.edge_a, found.edge_a) << reproduction(c);
-      ASSERT_EQ(on_portable.edge_b, found.edge_b) << reproduction(c);
-      ASSERT_EQ(collideByHierarchy(pair, options, lookahead, Wanted::Answer).collides, unexplained) << reproduction(c);
-    }
-    if (options.tolerance == 0) {
-      ASSERT_EQ(unexplained, found.collides) << reproduction(c);
-    }
-    hits += found.collides;
-    if (found.collides || found.clearance == 0) continue;
-    ++clear;
-    const mpq_class distance_squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
-    const mpq_class clearance = mpq_class(found.clearance);
-    ASSERT_TRUE(clearance * clearance <= distance_squared) << found.clearance << "\n" << reproduction(c);
-    tight += 16 * clearance * clearance >= distance_squared;
-  }
-  std::printf("%-22s %4d hits %4d clear %4d tight\n", GetParam().name, hits, clear, tight);
-  EXPECT_GT(hits, 0);
-  if (GetParam().name == std::string("large_outlines")) {
-    EXPECT_GT(tight, clear / 4) << "clearances that are worthless";
-  }
-}
-
-std::string familyName(const testing::TestParamInfo<Family>& family) { return family.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Families, Descents, testing::ValuesIn(familiesOfAllSizes()), familyName);
 
 /// An answer about two polygons: the same on all lanes, and the truth unless it is Unknown.
 template <typename Answer>
