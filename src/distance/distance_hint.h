@@ -54,10 +54,11 @@ inline bool showHint(DistanceHint& hint, DistanceSearch& search) {
 /// it was tried; twice the distance still prunes most of the trees.
 inline void storeHint(DistanceHint& hint, bool was_tried, double hinted, const DistanceSearch& search) {
   if (was_tried) hint.back_off.judge(hinted <= 2 * search.upper());
-  if (!search.meets() && !search.hasUpper()) return;
-  hint.kind = kNearEdges;
-  hint.edge_a = search.meets() ? search.edgeA() : search.upperPair().i;
-  hint.edge_b = search.meets() ? search.edgeB() : search.upperPair().j;
+  if (const ShownPair* nearest = search.nearest()) {
+    hint.kind = kNearEdges;
+    hint.edge_a = nearest->i;
+    hint.edge_b = nearest->j;
+  }
 }
 
 }  // namespace tricover::detail

@@ -34,7 +34,7 @@ bool areWithin(const PosedVertices& pair, double margin) {
 /// What is left is above the limit, but what was found may be too large by rounding: whether the truth is within the
 /// limit and the margin together, their sum rounded down.
 bool isWithinLimit(const PosedVertices& pair, double found, const DistanceQuery& options) {
-  if (!(found <= SearchReach(options).most()) || options.limit == 0) return false;
+  if (!(found <= DistanceSearch::mostWithin(options)) || options.limit == 0) return false;
   const DoubleDouble sum = twoSum(std::min(options.limit, kLargest), options.margin);
   return areWithin(pair, std::min(sum.low < 0 ? std::nextafter(sum.high, 0) : sum.high, kLargest));
 }
