@@ -64,9 +64,9 @@ DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, 
                         pair.b.edgeName(j));
 }
 
-DistanceResult containedResult(const PosedVertices& pair, const Outcome& outcome) {
-  const bool in_b = outcome.edge_a >= 0;
-  const auto edge = static_cast<std::size_t>(in_b ? outcome.edge_a : outcome.edge_b);
+DistanceResult containedResult(const PosedVertices& pair, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
+  const bool in_b = edge_a >= 0;
+  const auto edge = static_cast<std::size_t>(in_b ? edge_a : edge_b);
   const Vec2 point = in_b ? worldPoint(pair.a, pair.pose_a, edge, 0) : worldPoint(pair.b, pair.pose_b, edge, 0);
   const auto number = (in_b ? pair.a : pair.b).edgeName(edge);
   return inCallersOrder(pair, 0, point, point, in_b ? number : -1, in_b ? -1 : number);
