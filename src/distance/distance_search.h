@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "distance/edge_distance.h"
 #include "distance/options.h"
@@ -74,7 +75,8 @@ class DistanceSearch {
   void finish() {
     if (meets_) return;
     if (upper_ < best_.distance) evaluate(nearest_);
-    evaluateKept();
+    std::sort(kept_, kept_ + count_, isNearer);
+    for (int k = 0; k < count_ && kept_[k].low <= best_.distance; ++k) evaluate(kept_[k]);
   }
 
   bool meets() const { return meets_; }
@@ -97,19 +99,19 @@ class DistanceSearch {
     return margin == 0 ? length : roundedUp<3 + 1>(length + margin);
   }
 
-  /// Most pairs turn out to be too far apart, and are never evaluated.
-  void keep(const ShownPair& pair) {
+  /// Most pairs turn out to be too far apart, and are never evaluated. Where there is no room, the farthest one is.
+  void keep(ShownPair pair) {
     const auto isFar = [this](const ShownPair& kept) { return kept.low > upper_; };
     if (count_ == kMostKept) count_ = static_cast<int>(std::remove_if(kept_, kept_ + count_, isFar) - kept_);
-    if (count_ == kMostKept) evaluateKept();
-    kept_[count_++] = pair;
+    if (count_ < kMostKept) {
+      kept_[count_++] = pair;
+      return;
+    }
+    ShownPair& farthest = *std::max_element(kept_, kept_ + count_, isNearer);
+    if (pair.low < farthest.low) std::swap(pair, farthest);
+    if (pair.low <= std::min(upper_, best_.distance)) evaluate(pair);
   }
-
-  void evaluateKept() {
-    std::sort(kept_, kept_ + count_, [](const ShownPair& p, const ShownPair& q) { return p.low < q.low; });
-    for (int k = 0; k < count_ && kept_[k].low <= std::min(upper_, best_.distance); ++k) evaluate(kept_[k]);
-    count_ = 0;
-  }
+  static bool isNearer(const ShownPair& p, const ShownPair& q) { return p.low < q.low; }
 
   void evaluate(const ShownPair& pair) {
     if (pair.i == best_pair_.i && pair.j == best_pair_.j) return;

@@ -10,7 +10,7 @@ MUTATIONS = [
     ("src/distance/distance_search.h", "(upper_ - options_.margin - options_.absolute_error) / (1 + options_.relative_error)", "upper_ / (2 + options_.relative_error)", "distance: pairs given up too early"),
     ("src/distance/distance_search.h", "upper_ <= most_ ? std::min(limit_, less_errors) : limit_", "std::min(limit_, less_errors)", "distance: errors allowed before the truth is known to be within the limit"),
     ("src/distance/distance_search.h", "return kept.low > upper_; };", "return kept.low > 0; };", "distance: a full list drops what may be nearest"),
-    ("src/distance/distance_search.h", "kept_[k].low <= std::min(upper_, best_.distance)", "kept_[k].low < best_.distance / 2", "distance: pairs that were kept aren't evaluated"),
+    ("src/distance/distance_search.h", "kept_[k].low <= best_.distance", "kept_[k].low < best_.distance / 2", "distance: pairs that were kept aren't evaluated"),
     ("src/convex/posed_vertices.cpp", "if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d)", "if (true)", "distance: an edge's direction in plain doubles beside a long way"),
     ("src/distance/edge_distance.cpp", "error_ = kDistanceError * size_;", "error_ = 0;", "distance: no error of rounded distances"),
     ("src/distance/edge_distance.cpp", "unsure_ = kProductError * size_ * size_;", "unsure_ = 0;", "distance: places beside an edge trusted"),
