@@ -113,16 +113,11 @@ class PosedVertices : public PosedPair {
   /// The same by two-fold numbers, plain if it is kLeastShare of the size.
   Foot twofoldBetween(std::size_t p, std::size_t q) const;
   static constexpr double kLeastShare = 0x1p-44;
-  /// How far a vertex that is certainly beside an edge, nearer to its end or its start, is from it, by two-fold
-  /// numbers: see EdgeDistances. All lengths times `scale`.
-  template <bool kEdgeOfA>
-  double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex, double scale = 1) const {
-    const Vec2* path = (kEdgeOfA ? a : b).path.data();
-    const Double2 v1 = load2(path[edge].data()) * scale, v2 = load2(path[edge + 1].data()) * scale,
-                  end = at_end ? v2 : v1, other = load2((kEdgeOfA ? b : a).path[vertex].data()) * scale;
-    return twofoldBeside(pose_a.data(), kEdgeOfA ? end : other, pose_b.data(), kEdgeOfA ? other : end,
-                         {shift_, shift_rest_}, (kEdgeOfA ? pose_a : pose_b).data(), v1, v2);
-  }
+  /// How far a vertex that is certainly beside an edge, nearer to its end or its start, is from it, by two-fold numbers
+  /// but for the last steps where the way from that end is no longer than kSteepest times the distance: see
+  /// EdgeDistances. All lengths times `scale`.
+  double distanceBeside(bool edge_of_a, bool at_end, std::size_t edge, std::size_t vertex, double scale = 1) const;
+  static constexpr double kSteepest = 8.5;
 
  protected:
   using Twofold2 = Twofold<Double2>;

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "distance/convex_distance.h"
-
 #include "distance/distance_hint.h"
 #include "distance/distance_search.h"
 #include "distance/edge_distance.h"
+#include "distance/solvers.h"
 
 namespace tricover::detail {
 namespace {
-
-EdgeDistance distanceOf(const NearestFeatures& nearest, const PosedVertices& vertices, const DistanceQuery& options) {
-  const FeaturePair& features = nearest.features;
-  const Foot& foot = nearest.foot;
-  const bool is_vertices = features.kind == FeaturePair::kVertices, of_a = features.kind == FeaturePair::kEdgeOfA;
-  if (!foot.is_plain && is_vertices)
-    return EdgeDistances::startAndStart(vertices, foot, features.edge_a, features.edge_b, options);
-  if (!foot.is_plain)
-    return EdgeDistances::startBeside(vertices, of_a, foot, features.edge_a, features.edge_b, options);
-  const double part = is_vertices ? 0 : foot.part();
-  return {foot.distance, of_a ? part : 0, of_a ? 0 : part};
-}
 
 /// Of edges that can hold the least distance, all pairs.
 DistanceResult leastDistance(const PosedVertices& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
@@ -35,16 +22,14 @@ DistanceResult leastDistance(const PosedVertices& pair, const NearestFeatures& n
 DistanceResult resultOf(const PosedVertices& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
   if (!nearest.is_unique) return leastDistance(pair, nearest, options);
   const std::size_t i = nearest.features.edge_a, j = nearest.features.edge_b;
-  return plainResultOf(pair, distanceOf(nearest, pair, options), false, i, j, options);
+  const EdgeDistance distance = EdgeDistances::ofFeatures(pair, nearest.features, nearest.foot, options);
+  return plainResultOf(pair, distance, false, i, j, options);
 }
 
 DistanceResult resultOf(const PosedVertices& pair, const ConvexOverlap& overlap, const DistanceQuery& options) {
   if (!overlap.isInside())
     return plainResultOf(pair, overlap.point, true, overlap.edges.edge_a, overlap.edges.edge_b, options);
-  Outcome outcome;
-  outcome.edge_a = overlap.inner_a;
-  outcome.edge_b = overlap.inner_b;
-  return containedResult(pair, outcome);
+  return containedResult(pair, overlap.inner_a, overlap.inner_b);
 }
 
 }  // namespace
@@ -66,7 +51,7 @@ void findConvexOverlap(const PosedVertices& pair, const ConvexCrossing& crossing
 
 bool convexDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options,
                     DistanceResult& result) {
-  const FeaturePair tried = hint != nullptr ? recallFeatures(*hint) : FeaturePair();
+  const FeaturePair tried = hint != nullptr ? recallFeatures(*hint, pair) : FeaturePair();
   const auto store = [&](bool were_right, const FeaturePair& found) {
     if (hint != nullptr) storeFeatures(*hint, tried, were_right, found);
   };

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/distance.h"
 
-#include "distance/convex_distance.h"
-#include "distance/distance_hint.h"
 #include "distance/options.h"
-#include "distance/point_distance.h"
-#include "distance/tree_distance.h"
+#include "distance/solvers.h"
 #include "numbers/rigidity.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
@@ -26,15 +23,12 @@ EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, co
   return static_cast<EdgeIndex>(edgeOfPath(polygon, static_cast<std::size_t>(edge), in_frame));
 }
 
-/// Where some of the two have straight vertices or aren't convex; by the corners alone of what is convex.
+/// Where one isn't convex or has straight vertices; by the corners alone of what is convex.
 [[gnu::noinline]] DistanceResult solveOthers(const PosedVertices& pair, const PolygonData* corners_a,
                                              const PolygonData* corners_b, DistanceHint* hint,
                                              const DistanceQuery& options) {
   const PolygonData &a = corners_a != nullptr ? *corners_a : pair.a, &b = corners_b != nullptr ? *corners_b : pair.b;
-  if (&a == &pair.a && &b == &pair.b) {
-    if (hint != nullptr) claim(*hint, pair);
-    return treeDistance(pair, hint, options);
-  }
+  if (&a == &pair.a && &b == &pair.b) return treeDistance(pair, hint, options);
   const DistanceResult found = solve({a, pair.pose_a, b, pair.pose_b, pair.defect}, hint, options);
   return inCallersOrder(pair, found.distance, found.point_a, found.point_b,
                         edgeOfGiven(pair.a, a, pair.pose_a, found.point_a, found.edge_a),
@@ -48,9 +42,7 @@ EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, co
   if (pair.b.isPoint() && pointDistance(pair, options, result)) return result;
   const PolygonData *a = cornersOf(pair.a), *b = cornersOf(pair.b);
   if (a != &pair.a || b != &pair.b) return solveOthers(pair, a, b, hint, options);
-  if (hint != nullptr) claim(*hint, pair);
-  if (!convexDistance(pair, hint, options, result)) result = treeDistance(pair, hint, options);
-  return result;
+  return convexDistance(pair, hint, options, result) ? result : treeDistance(pair, hint, options);
 }
 
 DistanceResult solve(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options) {

@@ -29,8 +29,9 @@ inline bool isTried(DistanceHint& hint) {
   return false;
 }
 
-/// The features that a hint names, if they are to be tried.
-inline FeaturePair recallFeatures(DistanceHint& hint) {
+/// The features that a hint names, if they are this pair's and to be tried.
+inline FeaturePair recallFeatures(DistanceHint& hint, const PosedVertices& pair) {
+  claim(hint, pair);
   if (hint.kind == kNearEdges || !isTried(hint)) return {};
   return {static_cast<FeaturePair::Kind>(hint.kind), hint.edge_a, hint.edge_b};
 }
@@ -44,7 +45,8 @@ inline void storeFeatures(DistanceHint& hint, const FeaturePair& tried, bool wer
 }
 
 /// Shows the search the edges that a hint names, as a first upper bound; whether there are any to be tried.
-inline bool showHint(DistanceHint& hint, DistanceSearch& search) {
+inline bool showHint(DistanceHint& hint, const PosedVertices& pair, DistanceSearch& search) {
+  claim(hint, pair);
   if (hint.kind != kNearEdges || !isTried(hint)) return false;
   search.show(hint.edge_a, hint.edge_b);
   return true;
@@ -54,10 +56,11 @@ inline bool showHint(DistanceHint& hint, DistanceSearch& search) {
 /// it was tried; twice the distance still prunes most of the trees.
 inline void storeHint(DistanceHint& hint, bool was_tried, double hinted, const DistanceSearch& search) {
   if (was_tried) hint.back_off.judge(hinted <= 2 * search.upper());
-  if (!search.meets() && !search.hasUpper()) return;
-  hint.kind = kNearEdges;
-  hint.edge_a = search.meets() ? search.edgeA() : search.upperPair().i;
-  hint.edge_b = search.meets() ? search.edgeB() : search.upperPair().j;
+  if (const ShownPair* nearest = search.nearest()) {
+    hint.kind = kNearEdges;
+    hint.edge_a = nearest->i;
+    hint.edge_b = nearest->j;
+  }
 }
 
 }  // namespace tricover::detail

@@ -34,7 +34,7 @@ bool areWithin(const PosedVertices& pair, double margin) {
 /// What is left is above the limit, but what was found may be too large by rounding: whether the truth is within the
 /// limit and the margin together, their sum rounded down.
 bool isWithinLimit(const PosedVertices& pair, double found, const DistanceQuery& options) {
-  if (!(found <= SearchReach(options).most()) || options.limit == 0) return false;
+  if (!(found <= DistanceSearch::mostWithin(options)) || options.limit == 0) return false;
   const DoubleDouble sum = twoSum(std::min(options.limit, kLargest), options.margin);
   return areWithin(pair, std::min(sum.low < 0 ? std::nextafter(sum.high, 0) : sum.high, kLargest));
 }
@@ -64,9 +64,9 @@ DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, 
                         pair.b.edgeName(j));
 }
 
-DistanceResult containedResult(const PosedVertices& pair, const Outcome& outcome) {
-  const bool in_b = outcome.edge_a >= 0;
-  const auto edge = static_cast<std::size_t>(in_b ? outcome.edge_a : outcome.edge_b);
+DistanceResult containedResult(const PosedVertices& pair, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
+  const bool in_b = edge_a >= 0;
+  const auto edge = static_cast<std::size_t>(in_b ? edge_a : edge_b);
   const Vec2 point = in_b ? worldPoint(pair.a, pair.pose_a, edge, 0) : worldPoint(pair.b, pair.pose_b, edge, 0);
   const auto number = (in_b ? pair.a : pair.b).edgeName(edge);
   return inCallersOrder(pair, 0, point, point, in_b ? number : -1, in_b ? -1 : number);

@@ -4,7 +4,6 @@
 #include "convex/posed_vertices.h"
 #include "distance/edge_distance.h"
 #include "distance/options.h"
-#include "pair/outcome.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {
@@ -56,7 +55,7 @@ inline DistanceResult plainResultOf(const PosedVertices& pair, const EdgeDistanc
   return inCallersOrder(pair, distance, point_a, point_b, pair.a.edgeName(i), pair.b.edgeName(j));
 }
 
-/// Where a ring lies inside the other region.
-DistanceResult containedResult(const PosedVertices& pair, const Outcome& outcome);
+/// Where a ring lies inside the other region: given by an edge of it, the other one is -1.
+DistanceResult containedResult(const PosedVertices& pair, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b);
 
 }  // namespace tricover::detail

@@ -20,8 +20,6 @@ double norm(Double2 u) { return std::sqrt(dot(u, u)); }
 /// A distance that is not 0 doesn't become so by rounding.
 double atLeastSmallest(double distance) { return std::max(distance, 0x1p-1074); }
 
-Double2 point(const PolygonData& polygon, std::size_t position) { return load2(polygon.path[position].data()); }
-
 }  // namespace
 
 // With M the size, |p|_1, |q|_1 and |t|_1 (of t_b - t_a) sum to at most M. In units of U, rows of R being unit vectors
@@ -84,15 +82,11 @@ EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
     v.length_square[k / 2] = side.length_square;
     return side.square[0] <= side.square[1] ? k : k + 1;
   };
-  const int at_a = put(beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1), 0);
-  if (b.isPoint()) {
-    v.nearest = 0;
-    v.distance = std::sqrt(v.square[0]);
-    v.feature = featureOf(v, i, j);
-    return v;
+  v.nearest = put(beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1), 0);
+  if (!b.isPoint()) {
+    const int at_b = put(beside(e.b2 - e.b1, e.a1 - e.b1, e.a2 - e.b1), 2);
+    if (v.square[at_b] < v.square[v.nearest]) v.nearest = at_b;
   }
-  const int at_b = put(beside(e.b2 - e.b1, e.a1 - e.b1, e.a2 - e.b1), 2);
-  v.nearest = v.square[at_a] <= v.square[at_b] ? at_a : at_b;
   v.distance = std::sqrt(v.square[v.nearest]);
   v.feature = featureOf(v, i, j);
   return v;
@@ -136,10 +130,8 @@ double EdgeDistances::allowed(double distance, const DistanceQuery& options) con
 EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, const DistanceQuery& options,
                                double least) const {
   const int nearest = v.nearest;
-  if (const double rounded = allowed(v.distance, options); rounded > 0) {
-    const double s = v.part[nearest], end = nearest % 2;
-    return {rounded, nearest < 2 ? s : end, nearest < 2 ? end : s};
-  }
+  if (const double rounded = allowed(v.distance, options); rounded > 0)
+    return placed(nearest, rounded, v.part[nearest]);
   EdgeDistance best = combination(nearest, v, i, j, least);
   if (v.feature != 0) return best;
   const double most = mostSquare(v);
@@ -167,10 +159,7 @@ bool EdgeDistances::cross(const PosedVertices& vertices, std::size_t i, std::siz
 // Where an end of one is on the other but for rounding, that is the point. Otherwise they cross, and so clearly that
 // the areas tell where.
 EdgeDistance EdgeDistances::whereTheyMeet(const View& v) const {
-  if (v.distance <= 2 * error_) {
-    const double s = v.part[v.nearest], end = v.nearest % 2;
-    return {0, v.nearest < 2 ? s : end, v.nearest < 2 ? end : s};
-  }
+  if (v.distance <= 2 * error_) return placed(v.nearest, 0, v.part[v.nearest]);
   const auto part = [](double from, double to) { return std::clamp(from / (from - to), 0.0, 1.0); };
   return {0, part(v.area[2], v.area[3]), part(v.area[0], v.area[1])};
 }
@@ -192,7 +181,8 @@ EdgeDistance EdgeDistances::whereTheyMeet(const View& v) const {
 // which is 54.1U d. To either the root of the square of u (u itself 4.3U, two roundings halved, and the root 1U) and
 // the quotient (U) add 7.3U: in all below 62U, and kRelativeError is 64U.
 static_assert(PosedVertices::kLeastShare * kUnitRoundoff >= (256 + 3 * 32 + 3 * 16) * kUnitRoundoff * kUnitRoundoff);
-static_assert(EdgeDistances::kRelativeError >= errorOf(1) * (kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
+static_assert(EdgeDistances::kRelativeError >=
+              errorOf(1) * (EdgeDistances::kSteepest * (3 * kRoot2 + 2) + 1 + 3 * kRoot2 + 2 + 1));
 static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
 
 /// What a distance below kLeastShare M is off by at most, beside kRelativeError of itself: the 400 U^2 M; and, where
@@ -201,65 +191,48 @@ static_assert(EdgeDistances::kRelativeError >= kExactDistanceError);
 constexpr double kTwofoldError = 1024 * kUnitRoundoff * kUnitRoundoff;
 static_assert(1024 >= 400 + 100 * kRoot2 + 3 * 32 + 3 * 16);
 
-template <bool kEdgeOfA>
-double EdgeDistances::distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const {
-  return PosedVertices::distanceBeside<kEdgeOfA>(at_end, edge, vertex, scale_);
-}
-
-/// If the options allow no error, none has to be bounded, see allowed().
-EdgeDistance EdgeDistances::startBeside(const PosedVertices& vertices, bool edge_of_a, const Foot& foot, std::size_t i,
-                                        std::size_t j, const DistanceQuery& options) {
-  const double rounded = allowsError(options) ? EdgeDistances(vertices).allowed(foot.distance, options) : 0;
+EdgeDistance EdgeDistances::ofCloseFeatures(const PosedVertices& vertices, const FeaturePair& features,
+                                            const Foot& foot, double part, const DistanceQuery& options) {
+  const std::size_t i = features.edge_a, j = features.edge_b;
+  const bool are_vertices = features.kind == FeaturePair::kVertices, edge_of_a = features.kind != FeaturePair::kEdgeOfB;
+  const int k = edge_of_a ? 0 : 2;
+  const bool allows_error = options.relative_error > 0 || options.absolute_error > 0;
+  const double rounded = allows_error ? EdgeDistances(vertices).allowed(foot.distance, options) : 0;
   const double d = rounded > 0 ? rounded
-                   : edge_of_a ? vertices.distanceBeside<true>(foot.at_end, i, j)
-                               : vertices.distanceBeside<false>(foot.at_end, j, i);
-  if (!(d >= kLeastShare * vertices.size())) return EdgeDistances(vertices).exactCombination(edge_of_a ? 0 : 2, i, j);
-  return {d, edge_of_a ? foot.part() : 0, edge_of_a ? 0 : foot.part()};
-}
-
-EdgeDistance EdgeDistances::startAndStart(const PosedVertices& vertices, const Foot& foot, std::size_t i, std::size_t j,
-                                          const DistanceQuery& options) {
-  const double rounded = allowsError(options) ? EdgeDistances(vertices).allowed(foot.distance, options) : 0,
-               d = rounded > 0 ? rounded : vertices.twofoldBetween(i, j).distance;
-  return d >= kLeastShare * vertices.size() ? EdgeDistance{d, 0, 0} : EdgeDistances(vertices).exactCombination(0, i, j);
+                   : are_vertices
+                       ? vertices.twofoldBetween(i, j).distance
+                       : vertices.distanceBeside(edge_of_a, foot.at_end, edge_of_a ? i : j, edge_of_a ? j : i);
+  return d >= kLeastShare * vertices.size() ? placed(k, d, part) : EdgeDistances(vertices).exactCombination(k, i, j);
 }
 
 EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j, double least) const {
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2), edge = end_of_b ? i : j,
                     vertex = end_of_b ? j + end : i + end;
-  const PolygonData& polygon = end_of_b ? a : b;
-  const double where = static_cast<double>(end);
   bool at_end = view.part[k] > 0.5;
   if (isUnscaled()) {
     const Foot foot = end_of_b ? PosedVertices::foot<true>(edge, vertex) : PosedVertices::foot<false>(edge, vertex);
-    if (foot.is_plain) return {foot.distance, end_of_b ? foot.part() : where, end_of_b ? where : foot.part()};
+    if (foot.is_plain) return placed(k, foot.distance, foot.part());
     at_end = foot.at_end;
   }
-  const auto answer = [&](double d, double part) -> EdgeDistance {
+  const auto answer = [&](double d, double part) {
     // Written so that NaN fails.
-    if (!(d >= kLeastShare * size_)) {
-      const bool is_beyond = d * (1 - 2 * kRelativeError) - kTwofoldError * size_ > least * scale_;
-      return is_beyond ? EdgeDistance{std::numeric_limits<double>::infinity(), 0, 0} : exactCombination(k, i, j);
-    }
-    return {atLeastSmallest(d * inverse_), end_of_b ? part : where, end_of_b ? where : part};
+    if (d >= kLeastShare * size_) return placed(k, atLeastSmallest(d * inverse_), part);
+    const bool is_beyond = d * (1 - 2 * kRelativeError) - kTwofoldError * size_ > least * scale_;
+    return is_beyond ? EdgeDistance{std::numeric_limits<double>::infinity(), 0, 0} : exactCombination(k, i, j);
   };
   const auto from = [&](std::size_t v) {
-    return end_of_b ? twofoldWay(i + v, vertex, scale_) : twofoldWay(vertex, j + v, scale_);
+    return end_of_b ? twofoldWay(edge + v, vertex, scale_) : twofoldWay(vertex, edge + v, scale_);
   };
-
   const int place = placeOf(view, k);
-  if (place == 0) {
-    const double d =
-        end_of_b ? distanceBeside<true>(at_end, edge, vertex) : distanceBeside<false>(at_end, edge, vertex);
-    return answer(d, view.part[k]);
-  }
+  if (place == 0) return answer(distanceBeside(end_of_b, at_end, edge, vertex, scale_), view.part[k]);
   const Twofold2 w = from(view.part[k] > 0.5 ? 1 : 0);
   if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
+  const Vec2* path = (end_of_b ? a : b).path.data() + edge;
   const double* r = (end_of_b ? pose_a : pose_b).data();
   const Twofold2 w1 = from(0), w2 = from(1);
   Double2 u;
-  const double area = twofoldArea(r, point(polygon, edge) * scale_, point(polygon, edge + 1) * scale_, w1, u);
+  const double area = twofoldArea(r, load2(path[0].data()) * scale_, load2(path[1].data()) * scale_, w1, u);
   const double square = dot(u, u);
   if (!(square > 0x1p-900)) return square == 0 ? answer(norm(w.high), 0) : exactCombination(k, i, j);
   const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u);
@@ -271,12 +244,11 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
 EdgeDistance EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2);
-  const double where = static_cast<double>(end);
   const PosedPoint p = end_of_b ? PosedPoint{&pose_b, b.path[j + end]} : PosedPoint{&pose_a, a.path[i + end]};
   const PosedPoint v1 = end_of_b ? PosedPoint{&pose_a, a.path[i]} : PosedPoint{&pose_b, b.path[j]};
   const PosedPoint v2 = end_of_b ? PosedPoint{&pose_a, a.path[i + 1]} : PosedPoint{&pose_b, b.path[j + 1]};
   const ExactDistance found = distanceExact(p, v1, v2);
-  return {atLeastSmallest(found.distance), end_of_b ? found.along : where, end_of_b ? where : found.along};
+  return placed(k, atLeastSmallest(found.distance), found.along);
 }
 
 }  // namespace tricover::detail

@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
-#include "convex/posed_vertices.h"
+#include "convex/nearest_features.h"
 #include "distance/options.h"
 #include "numbers/beside_segment.h"
 #include "numbers/double2.h"
@@ -71,7 +70,6 @@ class EdgeDistances : public PosedVertices {
     /// Equal for pairs whose nearest points are certainly of the same vertices and edges, so that at() finds them to be
     /// just as far apart; 0 if there is no telling.
     std::uint64_t feature;
-
     double square[kCombinations];  ///< of the distance
     double part[kCombinations];    ///< where on the edge the nearest point is, from 0 to 1
     double area[kCombinations];    ///< spanned by the point and the edge, twice
@@ -84,13 +82,13 @@ class EdgeDistances : public PosedVertices {
   /// what is left beyond the margin, if something certainly is, and no more than the limit. Infinity may stand for
   /// what is certainly above `least`, and dear.
   EdgeDistance at(const View& view, std::size_t i, std::size_t j, const DistanceQuery& options, double least) const;
-  /// The same where the features are known to be the nearest: the start of b's edge j beside a's edge i, certainly
-  /// between its ends; or the start of a's edge beside b's. Only for what is unscaled.
-  static EdgeDistance startBeside(const PosedVertices& vertices, bool edge_of_a, const Foot& foot, std::size_t i,
-                                  std::size_t j, const DistanceQuery& options);
-  /// The same for the starts of both edges.
-  static EdgeDistance startAndStart(const PosedVertices& vertices, const Foot& foot, std::size_t i, std::size_t j,
-                                    const DistanceQuery& options);
+  /// The same where the features are known to be the nearest ones, with their foot. Only for what is unscaled.
+  static EdgeDistance ofFeatures(const PosedVertices& vertices, const FeaturePair& features, const Foot& foot,
+                                 const DistanceQuery& options) {
+    const double part = features.kind == FeaturePair::kVertices ? 0 : foot.part();
+    if (!foot.is_plain) return ofCloseFeatures(vertices, features, foot, part, options);
+    return placed(features.kind == FeaturePair::kEdgeOfB ? 2 : 0, foot.distance, part);
+  }
 
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   EdgeDistance whereTheyMeet(const View& view) const;
@@ -130,12 +128,13 @@ class EdgeDistances : public PosedVertices {
   /// What an answer may be where the doubles' distance is this, scaled, if that is within the errors that the options
   /// allow; otherwise 0.
   double allowed(double distance, const DistanceQuery& options) const;
-  static bool allowsError(const DistanceQuery& options) {
-    return options.relative_error > 0 || options.absolute_error > 0;
+  /// A combination's: the nearest point is at `part` of the edge.
+  static EdgeDistance placed(int k, double distance, double part) {
+    const double end = k % 2;
+    return {distance, k < 2 ? part : end, k < 2 ? end : part};
   }
-  /// Of a vertex that is certainly beside an edge, nearer to its end or its start; scaled.
-  template <bool kEdgeOfA>
-  double distanceBeside(bool at_end, std::size_t edge, std::size_t vertex) const;
+  static EdgeDistance ofCloseFeatures(const PosedVertices& vertices, const FeaturePair& features, const Foot& foot,
+                                      double part, const DistanceQuery& options);
   EdgeDistance combination(int k, const View& view, std::size_t i, std::size_t j, double least) const;
   EdgeDistance exactCombination(int k, std::size_t i, std::size_t j) const;
   std::uint64_t featureOf(const View& view, std::size_t i, std::size_t j) const;

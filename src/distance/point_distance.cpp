@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "distance/point_distance.h"
-
 #include <cstdint>
 #include <limits>
 
+#include "distance/solvers.h"
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 #include "pair/root_box.h"
@@ -37,12 +36,10 @@ bool pointDistance(const PosedVertices& pair, const DistanceQuery& options, Dist
   const Place place = pair.inUnits(pair.defect).origin();
   const Hierarchy& tree = hierarchyOf(pair.a);
   if (!(distanceFromRoot(tree.root, place) > 0)) {
-    Outcome outcome;
-    outcome.edge_b = static_cast<std::ptrdiff_t>(pair.b.edgeBegin(0));
     const Location location = locateInA(pair, pair.b.path[pair.b.edgeBegin(0)]);
     if (location == Location::Boundary) return false;
     if (location == Location::Inside) {
-      result = containedResult(pair, outcome);
+      result = containedResult(pair, -1, static_cast<std::ptrdiff_t>(pair.b.edgeBegin(0)));
       return true;
     }
   }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "distance/tree_distance.h"
-
 #include "distance/distance_hint.h"
 #include "distance/distance_search.h"
+#include "distance/solvers.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/containment.h"
 #include "pair/discs.h"
@@ -33,21 +32,17 @@ Outcome descend(const PosedPair& pair, DistanceSearch& search) {
   return search.meets() ? Outcome() : findContainment(pair);
 }
 
-/// Shows the search where the regions meet, which is known to be so, as collide() finds it: the deepest boxes first.
-Outcome findMeeting(const PosedPair& pair, DistanceSearch& search) {
+/// Shows the search what it must see when no hint meets; the result is where a ring lies inside the other region. The
+/// discs are built for it: where they meet the regions do, and the common point is the one that collide() finds, the
+/// deepest boxes first.
+Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
+  for (const PolygonData* polygon : {&pair.a, &pair.b})
+    if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
+  if (!(depthOfDiscs(pair, 0) > 0)) return descend(pair, search);
   const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
   if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
     search.setMeeting(static_cast<std::uint32_t>(outcome.edge_a), static_cast<std::uint32_t>(outcome.edge_b));
   return outcome;
-}
-
-/// Shows the search what it must see when no hint meets; the result is where a ring lies inside the other region. The
-/// discs are built for it, because where they meet another common point is found.
-Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
-  for (const PolygonData* polygon : {&pair.a, &pair.b})
-    if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
-  if (depthOfDiscs(pair, 0) > 0) return findMeeting(pair, search);
-  return descend(pair, search);
 }
 
 }  // namespace
@@ -55,12 +50,12 @@ Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
 DistanceResult treeDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options) {
   const EdgeDistances edges(pair);
   DistanceSearch search(edges, options);
-  const bool was_tried = hint != nullptr && showHint(*hint, search);
+  const bool was_tried = hint != nullptr && showHint(*hint, pair, search);
   const double hinted = search.upper();
   Outcome outcome;
   if (!search.meets()) outcome = searchAll(pair, search);
   if (hint != nullptr) storeHint(*hint, was_tried, hinted, search);
-  if (outcome.collides && !search.meets()) return containedResult(pair, outcome);
+  if (outcome.collides && !search.meets()) return containedResult(pair, outcome.edge_a, outcome.edge_b);
   search.finish();
   return resultOf(pair, search.best(), search.meets(), search.edgeA(), search.edgeB(), options);
 }

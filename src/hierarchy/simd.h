@@ -195,13 +195,6 @@ extern Simd<void(const double* pose_a, Double2 p, const double* pose_b, Double2 
     twofoldWay;
 /// R (q - p) x way, and the first of these, rounded.
 extern Simd<double(const double* pose, Double2 p, Double2 q, const Twofold<Double2>& way, Double2& along)> twofoldArea;
-/// How far the line of an edge, from v1 to v2 under `pose`, is from a vertex of the other polygon; of p and q one is
-/// the vertex, the other the edge's nearer end. In two-fold numbers, but for the last steps where the way between them
-/// is no longer than kSteepest times the distance.
-extern Simd<double(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold<Double2>& shift,
-                   const double* pose, Double2 v1, Double2 v2)>
-    twofoldBeside;
-constexpr double kSteepest = 8.5;
 
 /// A ray in a hierarchy's units: every point known to within `error`, which may be a moving disc's radius, too.
 struct Ray {

@@ -41,7 +41,7 @@ class Simd<Result(Arguments...)> {
   X(cutIntervals) X(depthInDiscs) X(innerDepth) \
   X(convexGap) X(convexEntry) X(convexCrossing) X(fewEdgesMeet) \
   X(boxesMeeting) X(boxesOnRay) X(boxesNear) \
-  X(measureDepths) X(twofoldWay) X(twofoldArea) X(twofoldBeside)
+  X(measureDepths) X(twofoldWay) X(twofoldArea)
 // clang-format on
 
 #ifdef __x86_64__

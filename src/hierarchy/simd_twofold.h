@@ -21,25 +21,18 @@ template <class Lanes>
 // Each of the four products and four sums is at most M, the size, and rounds by U M, which is kept in the low parts, as
 // is what t was rounded by; their own eight sums round by U of at most 9U M.
 template <class Lanes>
-[[gnu::always_inline]] inline Twofold2 wayBetween(const double* pose_a, Double2 p, const double* pose_b, Double2 q,
-                                                  const Twofold2& shift) {
+void twofoldWay(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold2& shift,
+                Twofold2& way) {
   const Twofold2 b0 = product<Lanes>(load2(pose_b), inBoth(q[0])), b1 = product<Lanes>(load2(pose_b + 3), inBoth(q[1]));
   const Twofold2 a0 = product<Lanes>(load2(pose_a), inBoth(p[0])), a1 = product<Lanes>(load2(pose_a + 3), inBoth(p[1]));
   const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);
   const Twofold2 of_both = twoSum(of_b.high, -of_a.high), w = twoSum(shift.high, of_both.high);
   const Double2 rests = (b0.low + b1.low) - (a0.low + a1.low), sums = (of_b.low - of_a.low) + (of_both.low + w.low);
-  return twoSum(w.high, rests + (sums + shift.low));
+  way = twoSum(w.high, rests + (sums + shift.low));
 }
 
 template <class Lanes>
-void twofoldWay(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold2& shift,
-                Twofold2& way) {
-  way = wayBetween<Lanes>(pose_a, p, pose_b, q, shift);
-}
-
-template <class Lanes>
-[[gnu::always_inline]] inline double areaBeside(const double* pose, Double2 p, Double2 q, const Twofold2& way,
-                                                Double2& along) {
+double twofoldArea(const double* pose, Double2 p, Double2 q, const Twofold2& way, Double2& along) {
   const Double2 column_0 = load2(pose), column_1 = load2(pose + 3);
   const Twofold2 difference = twoSum(q, -p);
   const Twofold2 first = product<Lanes>(column_0, inBoth(difference.high[0]));
@@ -51,23 +44,6 @@ template <class Lanes>
   const Double2 rest = products.low + (u.high * swapped(way.low) + u.low * swapped(way.high));
   const Twofold2 area = twoSum(inBoth(products.high[0]), inBoth(-products.high[1]));
   return area.high[0] + (area.low[0] + (rest[0] - rest[1]));
-}
-
-template <class Lanes>
-double twofoldArea(const double* pose, Double2 p, Double2 q, const Twofold2& way, Double2& along) {
-  return areaBeside<Lanes>(pose, p, q, way, along);
-}
-
-template <class Lanes>
-double twofoldBeside(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold2& shift,
-                     const double* pose, Double2 v1, Double2 v2) {
-  const Twofold2 w = wayBetween<Lanes>(pose_a, p, pose_b, q, shift);
-  const Double2 difference = v2 - v1, plain = load2(pose) * difference[0] + load2(pose + 3) * difference[1];
-  const double d = __builtin_fabs(cross(plain, w.high)) / __builtin_sqrt(dot(plain, plain));
-  if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return d;
-  Double2 u;
-  const double area = areaBeside<Lanes>(pose, v1, v2, w, u), square = dot(u, u);
-  return square > 0x1p-900 ? __builtin_fabs(area) / __builtin_sqrt(square) : 0;
 }
 
 }  // namespace tricover::detail::simd

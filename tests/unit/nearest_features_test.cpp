@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/convex_distance.h"
 #include "distance/distance_search.h"
+#include "distance/solvers.h"
 #include "families.h"
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"

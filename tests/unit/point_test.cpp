@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "distance/point_distance.h"
+#include "distance/solvers.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/simd.h"

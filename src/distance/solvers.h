@@ -8,11 +8,19 @@
 
 namespace tricover::detail {
 
+// Each solver finds the distance of some pairs, and returns false for the others. `hint` may be null; otherwise it is
+// tried first, and keeps what is found.
+
+/// Of a point b and anything, beside its nearest edges; false where these are no way to tell.
+bool pointDistance(const PosedVertices& pair, const DistanceQuery& options, DistanceResult& result);
+
 /// Of two convex polygons without straight vertices (cornersOf()) that are clearly apart, or small ones (SmallPolygon)
-/// that clearly meet; false of others. Tries the features of the hint first and keeps those that it finds there,
-/// unless `hint` is null.
+/// that clearly meet.
 bool convexDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options,
                     DistanceResult& result);
+
+/// Of any polygons, by branch and bound over the pairs of their edges.
+DistanceResult treeDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options);
 
 /// Where two convex polygons meet.
 struct ConvexOverlap {
