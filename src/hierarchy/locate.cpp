@@ -63,10 +63,11 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
     return cache.location;
   }
   const detail::Hierarchy* tree = hierarchyInTime(data);
-  const bool renews = cache.isWorthRenewing(known, known && moved <= detail::kCoherentPart * data.radius);
-  const double ahead = renews && tree != nullptr ? cache.lookahead(moved, data.radius) : 0;
+  // A point looks ahead for half as many steps as a pair, and up to twice as far: its clearance costs little.
+  const double ahead = known ? cache.lookahead(0.5 * moved, 2 * data.radius) : 0;
+  const bool renews = cache.isWorthRenewing(known, ahead > 0);
   const Location location = locateInDisc(data, tree, point);
-  const bool seeks = ahead > 0 && location != Location::Boundary;
+  const bool seeks = renews && tree != nullptr && location != Location::Boundary;
   return keep(location, seeks, seeks ? clearanceOf(data, *tree, point, ahead) : 0);
 }
 
