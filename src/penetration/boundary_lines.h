@@ -131,7 +131,8 @@ class BoundaryLines {
 
   template <typename Offer>
   void offerFoot(const Line& line, Offer offer) const {
-    const Vec2 p = nearestOnSegment(Vec2::Zero(), line.v, line.w);
+    // By the axis: the ends of a short piece know the direction of a long segment less well.
+    const Vec2 p = line.v + std::clamp(-line.axis.dot(line.v), 0.0, line.length) * line.axis;
     const bool is_foot = std::abs(line.axis.dot(p)) <= 4 * resolution_ + line.slack * p.norm();
     if (is_foot && leads(p, line, cross(line.axis, p), 0)) offer(p, 0.0);
   }
