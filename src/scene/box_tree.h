@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
 #include "hierarchy/axis_boxes.h"
-#include "hierarchy/descend.h"
 
 namespace tricover::detail {
 
@@ -42,14 +42,19 @@ class BoxTree {
   template <typename Visit>
   void visit(const Bounds& bounds, const Visit& visit) const {
     if (root_ == kNone) return;
-    descend<false, double>(
-        nodes_.data(), root_, [](double) { return true; },
-        [&](const Node& node, double*) { return boxesMeeting(node, bounds); },
-        [&](const Node& node, unsigned lanes, const double*) {
-          for (; lanes != 0; lanes &= lanes - 1)
-            if (!visit(node.child[__builtin_ctz(lanes)])) return false;
-          return true;
-        });
+    std::uint32_t stack[kStack];
+    int top = 0;
+    stack[top++] = root_;
+    while (top > 0) {
+      const Node& node = nodes_[stack[--top]];
+      unsigned met = boxesMeeting(node, bounds);
+      if (!node.leaf) {
+        for (; met != 0; met &= met - 1) stack[top++] = node.child[__builtin_ctz(met)];
+        continue;
+      }
+      for (; met != 0; met &= met - 1)
+        if (!visit(node.child[__builtin_ctz(met)])) return;
+    }
   }
 
   /// Calls visit(item) for every item whose box is no farther from `bounds` than `most`, near nodes and items first.
@@ -79,7 +84,7 @@ class BoxTree {
   /// A split leaves at most six boxes in a node, so that the node takes three more before its next split. Hence fewer
   /// than 3^31 insertions make fewer levels than this.
   static constexpr int kLevels = 32;
-  static_assert(kLevels <= kMaxDepth);
+  static constexpr int kStack = kLevels * (kLanes - 1) + 1;
 
   /// Boxes beyond the count are kNothing.
   struct Node : EightBoxes {
@@ -97,28 +102,20 @@ class BoxTree {
     std::uint32_t entry;
   };
 
-  /// Calls visit(item), which returns the new `most`, of each leaf the nearest first. near(boxes, most, at) says which
-  /// boxes of a node may be within `most`, and how near they are at least.
-  template <typename Near, typename Visit>
-  void visitInOrder(double most, const Near& near, const Visit& visit) const {
-    if (root_ == kNone) return;
-    descend<true, double>(
-        nodes_.data(), root_, [&](double at) { return !(at > most); },
-        [&](const Node& node, double* at) { return near(node, most, at); },
-        [&](const Node& node, unsigned left, const double* at) {
-          while (left != 0) {
-            int first = __builtin_ctz(left);
-            for (unsigned others = left & (left - 1); others != 0; others &= others - 1) {
-              const int i = __builtin_ctz(others);
-              first = at[i] < at[first] ? i : first;
-            }
-            if (at[first] > most) break;
-            left ^= 1u << first;
-            most = visit(node.child[first]);
-          }
-          return true;
-        });
+  /// How near a box is at least, and its lane, as one number, so that the least one tells the first box without a
+  /// branch that depends on them all: doubles that aren't negative are in the order of their bits, of which the last
+  /// three are the lane, so that it comes a little earlier.
+  static std::int64_t keyOf(double least, std::int64_t lane) {
+    std::int64_t bits;
+    least += 0;  // -0, of a ray that begins on an outline, is 0
+    std::memcpy(&bits, &least, sizeof bits);
+    return (bits & -std::int64_t{kLanes}) | lane;
   }
+
+  /// Calls visit(item), which returns the new `most`, the nearest node and item first: descend() by keys. near(boxes,
+  /// most, at) says which boxes of a node may be within `most`, and how near they are at least.
+  template <typename Near, typename Visit>
+  void visitInOrder(double most, const Near& near, const Visit& visit) const;
 
   std::uint32_t packed(Middle* first, std::size_t count, int height, const std::vector<Entry>& entries);
   void packGroups(std::uint32_t node, Middle* first, std::size_t count, std::size_t groups, int height,
@@ -141,5 +138,53 @@ class BoxTree {
   std::uint32_t root_ = kNone;
   std::size_t changes_ = 0;
 };
+
+template <typename Near, typename Visit>
+void BoxTree::visitInOrder(double most, const Near& near, const Visit& visit) const {
+  struct Level {
+    const Node* node;
+    unsigned left;  ///< lanes that haven't been entered
+    std::int64_t keys[kLanes];
+  };
+  if (root_ == kNone) return;
+  constexpr std::int64_t kEntered = std::numeric_limits<std::int64_t>::max();
+  Level levels[kLevels];
+  std::int64_t last = keyOf(most, kLanes - 1);
+  const auto open = [&](Level& level, std::uint32_t index) {
+    double at[kLanes];
+    level.node = &nodes_[index];
+    level.left = near(*level.node, most, at);
+    for (int i = 0; i < kLanes; ++i) level.keys[i] = level.left >> i & 1 ? keyOf(at[i], i) : kEntered;
+  };
+  Level* level = levels;
+  open(*level, root_);
+  for (;;) {
+    const unsigned left = level->left;
+    if (left == 0) {
+      if (level-- == levels) return;
+      continue;
+    }
+    // The branch predictor foresees a single lane. The first of several is found without branches.
+    const std::int64_t* keys = level->keys;
+    const bool alone = (left & (left - 1)) == 0;
+    const std::int64_t first = alone ? keys[__builtin_ctz(left)]
+                                     : std::min(std::min(std::min(keys[0], keys[1]), std::min(keys[2], keys[3])),
+                                                std::min(std::min(keys[4], keys[5]), std::min(keys[6], keys[7])));
+    if (first > last) {
+      level->left = 0;
+      continue;
+    }
+    const unsigned lane = static_cast<unsigned>(first) % kLanes;
+    level->left = left & ~(1u << lane);
+    level->keys[lane] = kEntered;
+    const std::uint32_t child = level->node->child[lane];
+    if (!level->node->leaf) {
+      open(*++level, child);
+      continue;
+    }
+    most = visit(child);
+    last = keyOf(most, kLanes - 1);
+  }
+}
 
 }  // namespace tricover::detail

@@ -7,7 +7,7 @@ MUTATIONS = [
     ("src/scene/collides.cpp", "depthOfDiscs(pair, options.margin)", "depthOfDiscs(pair, 2 * options.margin)", "scene: discs that meet within twice the margin"),
     ("src/scene/collides.cpp", "options.margin) >= 0 && may_touch)", "options.margin) >= 0)", "scene: inner discs without an interior overlap"),
     ("src/scene/clear_box.cpp", "boundsOfEdge(polygon, edge, pose, margin)", "boundsOfEdge(polygon, edge, pose, 0)", "scene: where a body is clear, without its margin"),
-    ("src/scene/box_tree.h", "if (at[first] > most) break;", "if (at[first] > 0.5 * most) break;", "scene: bodies near the limit left out"),
+    ("src/scene/box_tree.h", "last = keyOf(most, kLanes - 1);\n  }", "last = keyOf(0.5 * most, kLanes - 1);\n  }", "scene: bodies near the limit left out"),
     ("src/scene/moves.cpp", "  state.pose = pose;\n  state.clear.forget();\n", "  state.pose = pose;\n", "scene: where a body was clear before it moved"),
     ("src/scene/moves.cpp", "  state.options = options;\n  state.clear.forget();\n", "  state.options = options;\n", "scene: where a body was clear with other options"),
     ("src/scene/scene_state.h", "BodyHandle{tenancies[body].changes / 2} << 32", "BodyHandle{0} << 32", "scene: a stale handle names another body"),
