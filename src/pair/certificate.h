@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "numbers/double2.h"
+#include "numbers/rigidity.h"
+#include "numbers/rounding.h"
 #include "pair/outcome.h"
 #include "polygon/cache_contents.h"
 #include "polygon/polygon_data.h"
@@ -33,13 +38,79 @@ inline bool sameAs(const double (&kept)[6], const Pose& pose) {
 /// Keeps a pose with a certificate.
 void store(double (&kept)[6], const Pose& pose);
 
-/// How far any point of a polygon's bounding disc is at most, in the world, from where it was at the kept pose; 0 if
-/// that is the same pose.
+/// How far a map's change, p -> D p + d, takes any point of a polygon's bounding disc at most: |D| r + |D S + d|, the
+/// norm of D by the eigenvalues of D^T D, which are at most the larger squared column and their product. D by its
+/// columns; `way` is D S + d. What underflows in the squares is put back. Rounding, in units of U:
+///   D, d               differences of doubles                                                   1
+///   D S + d            in either coordinate: D, product, two sums 4 |D| |S|_1; d 1 |d|, the last sum 1 of itself; with
+///                      |d| <= |D| |S|_1 + |D S + d|, and sqrt2 of it in any direction           7.1 |D| |S|_1, 2.9
+///   squares of D       entries 2, product 1, sum 1, of either term; two more sums               10
+///   squares of the way 2.9 twice, product 1, two sums 2                                         8.8
+///   length()           root of a square 5 + 1, r 1, product 1, sum 1                            9
+///   isBelow()          a square 10, square of r 2 + 1, product 1, sum 1; the length's square 1  16
+/// r is taken larger by 7.1 |S|_1.
+struct Displacement {
+  Displacement(const PolygonData& polygon, Double2 d0, Double2 d1, Double2 way)
+      : radius(polygon.radius + kWayError * (std::abs(polygon.origin.x()) + std::abs(polygon.origin.y()))) {
+    const Double2 x{d0[0], d1[0]}, y{d0[1], d1[1]}, norms = x * x + y * y, product = d0 * d1;
+    square_of_turn = std::max(norms[0], norms[1]) + std::abs(product[0] + product[1]) + 0x1p-1000;
+    square_of_way = dot(way, way) + 0x1p-1000;
+  }
+  /// From a kept pose to another one.
+  Displacement(const PolygonData& polygon, const double (&kept)[6], const Pose& pose)
+      : Displacement(polygon, kept, pose, load2(pose.data()) - load2(kept), load2(pose.data() + 3) - load2(kept + 2)) {}
+
+  double length() const {
+    return roundedUp<kLengthRoundings>(std::sqrt(square_of_turn) * radius + std::sqrt(square_of_way));
+  }
+  /// Whether it is certainly below `length`, without a root: (x + y)^2 <= 2 (x^2 + y^2).
+  bool isBelow(double length) const {
+    return squarable(length) &&
+           roundedUp<kSquareRoundings>(2 * (square_of_turn * (radius * radius) + square_of_way)) < length * length;
+  }
+
+  double radius, square_of_turn, square_of_way;
+
+ private:
+  Displacement(const PolygonData& polygon, const double (&kept)[6], const Pose& pose, Double2 d0, Double2 d1)
+      : Displacement(polygon, d0, d1,
+                     d0 * polygon.origin.x() + d1 * polygon.origin.y() + (load2(pose.data() + 6) - load2(kept + 4))) {}
+
+  static constexpr double kWayError = 8 * kUnitRoundoff;
+  static constexpr int kLengthRoundings = 9, kSquareRoundings = 16;
+  static_assert(kWayError >= kRoot2 * errorOf(5));
+};
+
+/// The same in the world; 0 for the kept pose.
 double displacement(const PolygonData& polygon, const double (&kept)[6], const Pose& pose);
 
+/// What recall() can't tell at a glance.
+Recollection recallMoved(Certificate& cache, const PolygonData& first, const Pose& first_pose,
+                         const PolygonData& second, const Pose& second_pose, double margin);
+
 /// Throws for a pose that isn't rigid. One that equals the certificate's pose to the last bit, has been checked.
-Recollection recall(Certificate& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
-                    const Pose& pose_b, double margin);
+inline Recollection recall(Certificate& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
+                           const Pose& pose_b, double margin) {
+  const bool direct = cache.first_id == a.id && cache.second_id == b.id;
+  if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) {
+    requireRigid(pose_a, pose_b);
+    return {};
+  }
+  const PolygonData &first = direct ? a : b, &second = direct ? b : a;
+  const Pose &first_pose = direct ? pose_a : pose_b, &second_pose = direct ? pose_b : pose_a;
+  assert(cache.clearance >= 0);
+  const bool first_moved = !sameAs(cache.first_pose, first_pose),
+             second_moved = !sameAs(cache.second_pose, second_pose);
+  if (first_moved) requireRigid(first_pose, direct ? "pose_a" : "pose_b");
+  if (second_moved) requireRigid(second_pose, direct ? "pose_b" : "pose_a");
+  // As a rule one of them stands still.
+  const double room = roundedDown<1>(cache.clearance - (cache.overlapping ? 0 : margin));
+  const bool certain = first_moved ? !second_moved && Displacement(first, cache.first_pose, first_pose).isBelow(room)
+                                   : Displacement(second, cache.second_pose, second_pose).isBelow(room);
+  if (!certain) return recallMoved(cache, first, first_pose, second, second_pose, margin);
+  ++cache.uses;
+  return {true, cache.overlapping, true, true, 0};
+}
 
 /// Makes the cache one of these two polygons; empties it if it was another pair's.
 void claim(Certificate& cache, const PolygonData& first, const PolygonData& second);

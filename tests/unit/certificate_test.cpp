@@ -36,7 +36,14 @@ TEST(Displacement, BoundsTheWayOfEveryVertex) {
     for (const Vec2& p : ring) farthest = std::max(farthest, (after * p - before * p).norm());
     double kept[6];
     detail::store(kept, before);
-    ASSERT_GE(detail::displacement(polygon.data(), kept, after), farthest * (1 - 1e-9) - 1e-15);
+    const detail::Displacement change(polygon.data(), kept, after);
+    ASSERT_EQ(detail::displacement(polygon.data(), kept, after), change.length());
+    ASSERT_GE(change.length(), farthest * (1 - 1e-9) - 1e-15);
+    if (i % 5 > 1) {
+      ASSERT_LE(change.length(), 1.01 * farthest + 1e-12);
+    }
+    ASSERT_FALSE(change.isBelow(farthest * (1 - 1e-9) - 1e-15));
+    ASSERT_TRUE(change.isBelow(1.42 * change.length()));
     ASSERT_EQ(detail::displacement(polygon.data(), kept, before), 0);
   }
 }
