@@ -11,15 +11,15 @@ namespace tricover::detail {
 // Each solver finds the distance of some pairs, and returns false for the others. `hint` may be null; otherwise it is
 // tried first, and keeps what is found.
 
-/// Of a point b and anything, beside its nearest edges; false where these are no way to tell.
+/// The distance of a point b from anything, beside its nearest edges; false where these do not tell.
 bool pointDistance(const PosedVertices& pair, const DistanceQuery& options, DistanceResult& result);
 
-/// Of two convex polygons without straight vertices (cornersOf()) that are clearly apart, or small ones (SmallPolygon)
-/// that clearly meet.
+/// The distance of two convex polygons without straight vertices (cornersOf()) that are clearly apart, or small ones
+/// (SmallPolygon) that clearly meet.
 bool convexDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options,
                     DistanceResult& result);
 
-/// Of any polygons, by branch and bound over the pairs of their edges.
+/// The distance of any polygons, by branch and bound over the pairs of their edges.
 DistanceResult treeDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options);
 
 /// Where two convex polygons meet.

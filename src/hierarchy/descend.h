@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The loop that descends one tree: a polygon's or that of a scene's bodies.
 //
-// What isn't a template here must be always inlined: simd_avx2.cpp compiles it for AVX2.
+// Functions here that aren't templates must be always inlined: simd_avx2.cpp compiles them for AVX2.
 #pragma once
 
 #include <cstdint>

@@ -128,7 +128,7 @@ inline void countDown(Certificate& cache, const PolygonData& first, const Pose& 
   if (--cache.back_off.left == 0) rememberPoses(cache, first, first_pose, second, second_pose);
 }
 
-/// What finding a certificate is to look for.
+/// The aims of a search for a certificate.
 struct CertificateWish {
   double lookahead;                         ///< the clearance, beyond the margin, that is of use
   bool wants_clearance;                     ///< false: a clearance would be of no use

@@ -10,7 +10,7 @@
 namespace tricover::detail {
 namespace {
 
-/// What a descent found; if no edges meet, and one region `may_hold` the other, the answer is containment's.
+/// The outcome of a descent; if no edges meet, and one region `may_hold` the other, the answer is containment's.
 Outcome outcomeOf(const DescentResult& found, bool may_hold, const UnitPlacement& at, const EdgeTest& test,
                   Wanted wanted) {
   if (found.hit) return {true, 0, found.edge_a, found.edge_b};
@@ -21,7 +21,7 @@ Outcome outcomeOf(const DescentResult& found, bool may_hold, const UnitPlacement
   return outcome;
 }
 
-/// Of a point b: a's tree alone is descended.
+/// The same with a point b: a's tree alone is descended.
 Outcome collidePoint(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   const Hierarchy& tree = hierarchyOf(test.a);
   const Place place = at.origin();

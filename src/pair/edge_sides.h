@@ -62,7 +62,7 @@ class EdgeSides {
     return operand == A ? pair_.fromA(pair_.a.path[position]) : pair_.fromB(pair_.b.path[position]);
   }
 
-  /// Of the edge, 0 and 1, and of another one, 2 and 3.
+  /// The ends of the edge, 0 and 1, and of another one, 2 and 3.
   FourEnds endsWith(Operand operand, std::size_t edge) const;
   void findCuts(Operand operand, const PosedPair& seen);
   void add(Operand operand, std::size_t edge);

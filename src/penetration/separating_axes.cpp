@@ -74,7 +74,7 @@ class SupportGaps {
     const Double2 deepest = other.vertex(at) * scale;
     twofoldWay(poses_[0]->data(), face.of_a ? v : deepest, poses_[1]->data(), face.of_a ? deepest : v, shift, way);
     const double from_a = face.of_a ? hand : -hand, area = from_a * twofoldArea(pose, v, w, way, along);
-    // Of short edges among huge ones the normal may be one of the smallest doubles, and its length hardly known.
+    // The normal of a short edge among huge ones may be one of the smallest doubles, and its length hardly known.
     const Vec2 normal = from_a * Vec2(along[1], -along[0]);
     const double length = std::hypot(normal.x(), normal.y()), larger = normal.lpNorm<Eigen::Infinity>();
     const double depth = length > 0 ? std::max(0.0, area / length) : std::numeric_limits<double>::infinity();
