@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loop that descends one tree: a polygon's or that of a scene's bodies.
+// The loop that descends one polygon's tree.
 //
 // Functions here that aren't templates must be always inlined: simd_avx2.cpp compiles them for AVX2.
 #pragma once
@@ -14,19 +14,19 @@ namespace tricover::detail {
 /// each node that is entered, near(node, at) says which lanes may hold what is looked for, and how near they are at
 /// least. If kOrdered, a node's nearest child is entered first, otherwise its last. A child is entered if keeps(its at)
 /// says so by then. show(node, lanes, at) gets a leaf's lanes and returns false to end the descent.
-template <bool kOrdered, class At, class Node, class Keeps, class Near, class Show>
-[[gnu::always_inline]] inline void descend(const Node* nodes, std::uint32_t root, Keeps keeps, Near near, Show show) {
+template <bool kOrdered, class Keeps, class Near, class Show>
+[[gnu::always_inline]] inline void descend(const Block* nodes, std::uint32_t root, Keeps keeps, Near near, Show show) {
   constexpr int kMost = (kLanes - 1) * kMaxDepth + 1;  // a step takes one, adds at most 8, a level below
   std::uint32_t left[kMost];                           // to be entered, the next one on top
-  At left_at[kMost];
+  float left_at[kMost];
   int top = 1;
   left[0] = root;
   if (kOrdered) left_at[0] = 0;
   while (top > 0) {
     --top;
     if (kOrdered && !keeps(left_at[top])) continue;
-    const Node& node = nodes[left[top]];
-    At at[kLanes];
+    const Block& node = nodes[left[top]];
+    float at[kLanes];
     unsigned lanes = near(node, at);
     if (lanes == 0) continue;
     if (node.leaf) {
@@ -43,7 +43,7 @@ template <bool kOrdered, class At, class Node, class Keeps, class Near, class Sh
     }
     if (!kOrdered) continue;
     const std::uint32_t last = left[top - 1];
-    const At last_at = left_at[top - 1];
+    const float last_at = left_at[top - 1];
     left[top - 1] = left[nearest];
     left_at[top - 1] = left_at[nearest];
     left[nearest] = last;

@@ -61,7 +61,7 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
     }
     return true;
   };
-  descend<true, float>(
+  descend<true>(
       hierarchy.blocks.data(), 0, [](float) { return true; }, near, show);
   return result;
 }
@@ -80,7 +80,7 @@ void visitMarkedNear(const Hierarchy& hierarchy, const Place& place, double reac
     for (; lanes != 0; lanes &= lanes - 1) visit(context, block.child[__builtin_ctz(lanes)]);
     return true;
   };
-  descend<false, float>(
+  descend<false>(
       hierarchy.blocks.data(), 0, [](float) { return true; }, near, show);
 }
 
@@ -139,7 +139,7 @@ int findNearestEdges(const Hierarchy& hierarchy, const Place& place, std::uint32
     }
     return true;
   };
-  descend<true, float>(
+  descend<true>(
       hierarchy.blocks.data(), 0, [&](float at) { return !(at > upper); }, near, show);
   keepNear();
   return found;

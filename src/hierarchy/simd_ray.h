@@ -46,7 +46,7 @@ unsigned boxesOn(const Ray& ray, const Block& block, float (&at)[kLanes]) {
 
 template <class Lanes>
 void visitEdgesOnRay(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*, std::uint32_t), void* context) {
-  descend<true, float>(
+  descend<true>(
       hierarchy.blocks.data(), 0, [&](float at) { return !(at > ray.length); },
       [&](const Block& block, float(&at)[kLanes]) {
         const unsigned lanes = boxesOn<Lanes>(ray, block, at);

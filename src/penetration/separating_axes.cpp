@@ -94,7 +94,7 @@ class SupportGaps {
   const Pose* poses_[2];
 };
 
-/// Of all faces that may be the least by plain doubles, or of all if these don't tell.
+/// Looks at all faces that may be the least by plain doubles, or at all if these don't tell.
 std::vector<SupportGap> leastGaps(const SeparatingAxes* axes, const SupportGaps& outlines) {
   std::vector<SupportGap> gaps;
   if (axes != nullptr && axes->verdict() == SeparatingAxes::Meet) {

@@ -60,7 +60,7 @@ class PlacedPolygon {
 
  private:
   void place(std::size_t i) const;
-  /// Of vertices in units, since their difference may overflow.
+  /// From vertices in units, since their difference may overflow.
   Vec2 way(std::size_t from, std::size_t to) const {
     const double inverse = polygon.inverse_unit;
     return linear * ((polygon.path[to] * inverse - polygon.path[from] * inverse) * scale);
