@@ -44,6 +44,7 @@ class RayCast {
         ends_{from, to},
         from_(fromTranslation(from)),
         to_(fromTranslation(to)),
+        start_(into_frame_(from_)),
         limit_(limit) {}
 
   std::optional<RayHit> first() {
@@ -94,14 +95,14 @@ class RayCast {
   /// Where P is in the polygon, s |T - F| <= |F| + 1: so s is below the share 2 (|F| + 4) / |T - F|, since the ends err
   /// by little. A far end is so no reason for a large error. Beside that a few dozen U of coordinates below |F| + 4.
   bool bringToUnits() {
-    const ApproxPoint from = into_frame_(from_), to = into_frame_(to_);
-    const Vec2 at = polygon_.inUnits({from.x, from.y}), way(to.x - from.x, to.y - from.y);
+    const ApproxPoint to = into_frame_(to_);
+    const Vec2 at = polygon_.inUnits({start_.x, start_.y}), way(to.x - start_.x, to.y - start_.y);
     const double square = way.squaredNorm(), away = at.lpNorm<1>() + 4;
     const double length = square > 0x1p-960 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(way.x(), way.y());
     length_ = length * polygon_.inverse_unit;  // may overflow: nothing is left out by it then
     share_ = std::clamp(2 * away * polygon_.unit / length, kLeastFraction, 1.0);
     constexpr double kAnyDirection = 1.5;
-    start_error_ = kAnyDirection * from.error * polygon_.inverse_unit + 0x1p-46 * away;
+    start_error_ = kAnyDirection * start_.error * polygon_.inverse_unit + 0x1p-46 * away;
     ray_ = {at.x(), at.y(), 1, 0, start_error_ + kAnyDirection * share_ * to.error * polygon_.inverse_unit};
     if (length > 0x1p-1000) {
       ray_.dx = way.x() / length;
@@ -132,7 +133,7 @@ class RayCast {
       const InnerDiscs* discs = innerDiscsIfPaid(polygon_);
       if (discs != nullptr && depthInDiscs(*discs, place) > 0) return true;
     }
-    const IncludedPoint start{&pose_, into_frame_(from_), {nullptr, from()}};
+    const IncludedPoint start{&pose_, start_, {nullptr, from()}};
     return locateInPolygon(polygon_, start) != Location::Outside;
   }
 
@@ -186,6 +187,7 @@ class RayCast {
   const double vertex_error_;    ///< of |p|_1
   const Vec2 ends_[2];           ///< in the world
   const ApproxPoint from_, to_;  ///< in the world, from the pose's translation
+  const ApproxPoint start_;      ///< the ray's, in the polygon's frame
   const double limit_;
   Ray ray_;
   double length_, start_error_;  ///< in units
