@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The search of penetrations from within: the lines that it gathers, and what it knows when it ends early.
 #include "penetration/boundary_lines.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +7,10 @@
 #include <cmath>
 
 #include "numbers/rounding.h"
+#include "penetration/penetration.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/collide.h"
 
 namespace tricover::detail {
 namespace {
@@ -33,6 +36,31 @@ TEST(BoundaryLines, TheNearestPointOfALongSegmentIsOfferedByAShortPiece) {
     });
     EXPECT_EQ(offered, 1) << "case " << i << ", away " << away << ", length " << length;
   }
+}
+
+/// What the cells that are left bound, with a margin and without.
+TEST(PenetrationSearch, ThatEndsEarlyKeepsItsLowerBoundTrue) {
+  support::Random random(2);
+  const int cases = support::scaledCount(300);
+  int unfinished = 0, longer = 0;
+  for (int i = 0; i < cases; ++i) {
+    const Polygon a({support::star(random, 24, 0.4, 1)}), b({support::star(random, 16, 0.3, 0.8)});
+    const Pose pose_a = support::pose(random.real(0, 7), 0, 0);
+    const Pose pose_b = support::pose(random.real(0, 7), random.real(-0.5, 0.5), random.real(-0.5, 0.5));
+    if (!collide(a, pose_a, b, pose_b)) continue;
+    for (const double margin : {0.0, 0.05}) {
+      const Penetration whole = penetrationInOrder(a.data(), pose_a, b.data(), pose_b, margin);
+      for (const std::size_t most : {1u, 4u, 16u, 64u}) {
+        const Penetration cut = penetrationInOrder(a.data(), pose_a, b.data(), pose_b, margin, most);
+        EXPECT_LE(cut.lower_bound, whole.depth + 1e-12) << "case " << i << ", margin " << margin << ", most " << most;
+        EXPECT_GE(cut.depth, whole.lower_bound - 1e-12) << "case " << i << ", margin " << margin << ", most " << most;
+        unfinished += cut.lower_bound < cut.depth - 1e-9;
+        longer += cut.depth > whole.depth + 1e-9;
+      }
+    }
+  }
+  EXPECT_GT(unfinished, cases);
+  EXPECT_GT(longer, cases / 2);
 }
 
 }  // namespace
