@@ -8,14 +8,58 @@
 #include <limits>
 #include <queue>
 
+#include "hierarchy/inclusion.h"
+#include "hierarchy/simd.h"
+#include "numbers/errors.h"
 #include "numbers/segment.h"
 #include "pair/edge_sides.h"
-#include "pair/interiors.h"
 #include "polygon/simplified.h"
 
 namespace tricover {
 namespace detail {
 namespace {
+
+/// Calls visit(edge), a position, for every edge that may come within `reach`, in units, of the segment between two
+/// points no farther than a unit away, until it returns false.
+template <typename Visit>
+void forEachEdgeBeside(const PolygonData& polygon, const Vec2& from, const Vec2& to, double reach, Visit visit) {
+  if (polygon.isDegenerate() || !polygon.fitsUnit()) {
+    for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
+      for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
+        if (!visit(edge)) return;
+    return;
+  }
+  const Vec2 at = polygon.inUnits(from), along = polygon.inUnits(to) - at;
+  const double length = along.norm();
+  Ray ray{at.x(), at.y(), 1, 0, reach + 0x1p-44, length};
+  if (length > 0) ray.dx = along.x() / length, ray.dy = along.y() / length;
+  const auto call = [](void* context, std::uint32_t edge) { return (*static_cast<Visit*>(context))(edge); };
+  visitEdgesOnRay(hierarchyOf(polygon), ray, call, &visit);
+}
+
+/// A triangle that isn't flat, counter-clockwise.
+struct Triangle {
+  /// Whether a segment has points inside. If not, a side's line or the segment's own parts them.
+  bool isEnteredBy(const Vec2& v, const Vec2& w) const {
+    for (int i = 0; i < 3; ++i)
+      if (orientation(at(i), at(i + 1), v) <= 0 && orientation(at(i), at(i + 1), w) <= 0) return false;
+    const int p = orientation(v, w, corner[0]), q = orientation(v, w, corner[1]), r = orientation(v, w, corner[2]);
+    return std::min({p, q, r}) < 0 && std::max({p, q, r}) > 0;
+  }
+
+  /// Whether the region holds a point inside of it, exactly (2 p + q + r) / 4.
+  bool holdsInside(const PolygonData& polygon) const {
+    const Vec2 &p = corner[0], &q = corner[1], &r = corner[2], middle = 0.5 * p + (0.25 * q + 0.25 * r);
+    Pose sum = Pose::Identity();
+    sum.matrix().topRows<2>() << 0.25 * q, 0.25 * r, 0.5 * p;
+    const double error = 4 * kUnitRoundoff * (p.lpNorm<1>() + q.lpNorm<1>() + r.lpNorm<1>()) + kTiny;
+    return locateInPolygon(polygon, {nullptr, {middle.x(), middle.y(), error}, {&sum, Vec2(1, 1)}, 1}) !=
+           Location::Outside;
+  }
+
+  const Vec2& at(int i) const { return corner[i % 3]; }
+  Vec2 corner[3];
+};
 
 /// Leaves corners out, those first that cost least (as progressive hulls do: Sander et al., Silhouette Clipping, 2000):
 /// one between two others, whose triangle is filled; or an edge, whose neighbours are lengthened until they meet. Old
@@ -122,7 +166,7 @@ class RingCover {
   bool removeCorner(std::size_t b) {
     const std::size_t a = at(b).previous, c = at(b).next, chain = at(a).chain + at(b).chain;
     if (!isInReach(at(a), chain, at(c)) || isBare(a) || isBare(b)) return false;
-    if (!isOutside({at(a).place, at(b).place, at(c).place})) return false;
+    if (!isOutside(at(a).place, at(b).place, at(c).place)) return false;
     at(a).chain = chain;
     join(a, c);
     at(b).changed = ~std::uint64_t{0};
@@ -139,7 +183,10 @@ class RingCover {
     if (!near_.holds(corner.place, vertex(corner.foot), vertex(corner.foot + 1))) return false;
     if (!isInReach(at(a), at(a).chain + before, corner) || !isInReach(corner, after, at(d))) return false;
     if (isBare(a) || isBare(b) || isBare(c)) return false;
-    if (!isOutside({at(a).place, corner.place, at(d).place, at(c).place, at(b).place})) return false;
+    const Vec2 &p = at(b).place, &q = at(c).place;
+    if (!isOutside(p, corner.place, q) || !isOutside(at(a).place, corner.place, p) ||
+        !isOutside(q, corner.place, at(d).place))
+      return false;
     at(c).changed = ~std::uint64_t{0};
     at(a).chain += before;
     at(b) = corner;
@@ -171,15 +218,40 @@ class RingCover {
     return true;
   }
 
-  /// Whether the inside is missing beside an old edge. An edge that stands for several was tested before.
+  /// Whether the inside is missing beside an old edge: only where another edge lies along it, as the winding differs by
+  /// one from side to side elsewhere. An edge that stands for several was tested before.
   bool isBare(std::size_t corner) {
     if (at(corner).chain != 1 || at(corner).isNew() || at(at(corner).next).isNew()) return false;
-    return EdgeSides(itself_, itself_, EdgeSides::A, begin_ + at(corner).foot).isBare();
+    const std::size_t old = begin_ + at(corner).foot;
+    const Vec2 &v = polygon_.path[old], &w = polygon_.path[old + 1];
+    const int axis = std::abs(w.x() - v.x()) >= std::abs(w.y() - v.y()) ? 0 : 1;
+    bool is_alone = true;
+    forEachEdgeBeside(polygon_, v, w, 0, [&](std::size_t edge) {
+      const Vec2 &p = polygon_.path[edge], &q = polygon_.path[edge + 1];
+      if (edge == old || p == q || orientation(v, w, p) != 0 || orientation(v, w, q) != 0) return true;
+      const double begin = std::max(std::min(v[axis], w[axis]), std::min(p[axis], q[axis]));
+      is_alone = begin >= std::min(std::max(v[axis], w[axis]), std::max(p[axis], q[axis]));
+      return is_alone;
+    });
+    return !is_alone && EdgeSides(itself_, itself_, EdgeSides::A, old).isBare();
   }
 
-  bool isOutside(const Ring& loop) const {
-    const Polygon wound({loop}, FillRule::NonZero);
-    return !interiorsMeet(polygon_, here_, wound.data(), here_);
+  /// Whether the inside of a triangle shares no point with the region's interior, nor with edges: then it is on one
+  /// side of all of them.
+  bool isOutside(const Vec2& p, const Vec2& q, const Vec2& r) const {
+    const int turn = orientation(p, q, r);
+    if (turn == 0) return true;
+    const Triangle triangle{{p, turn > 0 ? q : r, turn > 0 ? r : q}};
+    int longest = 0;
+    for (int i = 1; i < 3; ++i)
+      if ((triangle.at(i + 1) - triangle.at(i)).norm() > (triangle.at(longest + 1) - triangle.at(longest)).norm())
+        longest = i;
+    const Vec2 &from = triangle.at(longest), &to = triangle.at(longest + 1);
+    bool is_clear = true;
+    forEachEdgeBeside(polygon_, from, to, near_.distance(triangle.at(longest + 2), from, to), [&](std::size_t edge) {
+      return is_clear = !triangle.isEnteredBy(polygon_.path[edge], polygon_.path[edge + 1]);
+    });
+    return is_clear && !triangle.holdsInside(polygon_);
   }
 
   void join(std::size_t p, std::size_t q) {
@@ -202,11 +274,29 @@ class RingCover {
   std::uint64_t now_ = 0;
 };
 
+/// The same ring without the vertices on straight chains, each of which would look along all of its chain.
+Ring corners(const Ring& ring) {
+  const auto isStraight = [](const Vec2& p, const Vec2& q, const Vec2& r) {
+    const auto isBetween = [&](int i) { return std::min(p[i], r[i]) <= q[i] && q[i] <= std::max(p[i], r[i]); };
+    return isBetween(0) && isBetween(1) && orientation(p, q, r) == 0;
+  };
+  Ring left;
+  for (const Vec2& vertex : ring) {
+    while (left.size() > 1 && isStraight(left.end()[-2], left.back(), vertex)) left.pop_back();
+    left.push_back(vertex);
+  }
+  while (left.size() > 2 && isStraight(left.end()[-2], left.back(), left.front())) left.pop_back();
+  if (left.size() > 2 && isStraight(left.back(), left[0], left[1])) left.erase(left.begin());
+  while (left.size() < 3) left.push_back(left.back());  // as rings are written
+  return left;
+}
+
 }  // namespace
 
 std::vector<Ring> outerRings(const PolygonData& polygon, double tolerance) {
-  // The same region without the vertices on straight chains, each of which would look along all of its chain.
-  const Polygon same(simplifiedRings(polygon, 0), polygon.fill);
+  std::vector<Ring> rings_of_corners;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r) rings_of_corners.push_back(corners(polygon.vertices(r)));
+  const Polygon same(rings_of_corners, polygon.fill);
   RingCover rings(same.data(), tolerance);
   std::vector<Ring> cover;
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) cover.push_back(rings.cover(r));
