@@ -6,8 +6,10 @@
 
 #include "impact/cubic.h"
 #include "impact/options.h"
+#include "impact/vertex_paths.h"
 #include "numbers/rigidity.h"
 #include "pair/certificate.h"
+#include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
 #include "tricover/collide.h"
 
@@ -27,6 +29,16 @@ double speedOf(const PolygonData& polygon, const Motion& motion) {
   return (path.mostRate(0, 1) + rotation.mostRate(0, 1) * reach) * kSpared;
 }
 
+/// In the kernel's order, with trees.
+MovingPair preparedPair(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                        double margin) {
+  MovingPair pair = inKernelOrder(
+      a.data(), motion_a, b.data(), motion_b, [&](const auto&... operands) { return MovingPair(operands..., margin); },
+      [](MovingPair&) {});
+  pair.prepare();
+  return pair;
+}
+
 }  // namespace
 
 MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
@@ -35,46 +47,70 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       b_(b),
       motion_a_(motion_a),
       motion_b_(motion_b),
+      pair_(preparedPair(a, motion_a, b, motion_b, options.margin)),
       margin_(options.margin),
       seen_(0.5 * std::max(options.time_error, 1e-9)),
-      speed_(speedOf(a.data(), motion_a) + speedOf(b.data(), motion_b)) {}
-
-bool MovingContact::meetAt(double time, double margin) const {
-  return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {margin, 0});
+      touch_margin_(margin_ + 8 * pair_.error * pair_.length * pair_.expansion),
+      speed_(speedOf(a.data(), motion_a) + speedOf(b.data(), motion_b)) {
+  if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
 }
 
-/// Whether they certainly meet for all of a step, by how deep they are in each other, or within the margin, at its
-/// begin: no two points approach or separate by more than `travel`.
-bool MovingContact::meetUntil(double time, double step) const {
-  const double travel = speed_ * step * kSpared;
-  if (travel <= margin_) return meetAt(time, margin_ - travel);
+bool MovingContact::touchAt(double time) const {
+  return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {touch_margin_, 0});
+}
+
+/// Whether they certainly touch throughout: by how deep they are in each other, or within the margin, at the first
+/// time, as no two points approach or separate by more than `travel`; or by features that stay near.
+bool MovingContact::meetUntil(double time, double next) const {
+  const double travel = speed_ * (next - time) * kSpared;
   const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
+  if (travel <= margin_ && collide(a_, pose_a, b_, pose_b, {margin_ - travel, 0})) return true;
   const Outcome found = inKernelOrder(
       a_.data(), pose_a, b_.data(), pose_b,
       [&](const auto&... operands) {
         return findCertificate(operands..., {0, 0}, {2 * travel, true});
       },
       [](const Outcome&) {});
-  return found.collides && found.clearance + margin_ > travel;
+  if (found.collides && found.clearance + margin_ > travel) return true;
+  return featuresStay(time, next);
+}
+
+/// Whether two edges that touch at either time have an end that stays so near to the other edge: its distance from that
+/// is largest at one of both times, but for how far its path bends.
+bool MovingContact::featuresStay(double time, double next) const {
+  if (!pair_.keepLengths()) return false;
+  const TimeInterval interval(pair_, time, next);
+  for (const double at : {time, next}) {
+    const Pose pose_a = pair_.a.motion->at(at), pose_b = pair_.b.motion->at(at);
+    const PosedPair posed(*pair_.a.polygon, pose_a, *pair_.b.polygon, pose_b);
+    CollideOptions options;
+    options.margin = touch_margin_;
+    const Outcome touch = collideByHierarchy(posed, options, 0, Wanted::Edges);
+    if (touch.edge_a < 0 || touch.edge_b < 0) continue;
+    if (endStaysBeside(interval, static_cast<std::size_t>(touch.edge_a), static_cast<std::size_t>(touch.edge_b)))
+      return true;
+  }
+  return false;
 }
 
 MovingContact::End MovingContact::endOfContact(double begin) {
   if (steps_left_-- <= 0) return {begin, false};
   // An impact is told up to so much too early.
   double time = begin, step = seen_;
-  if (begin > 0 || !meetAt(0, margin_)) {
+  if (begin > 0 || !touchAt(0)) {
     time = std::min(1.0, begin + step);
-    if (!meetAt(time, margin_)) return {time, true};
+    if (!touchAt(time)) return {time, true};
   }
+  if (meetUntil(time, 1)) return {1, true};
   while (time < 1) {
-    if (step > seen_ && !meetUntil(time, step)) {
+    const double next = std::min(1.0, time + step);
+    if (step > seen_ && !meetUntil(time, next)) {
       step = std::max(0.5 * step, seen_);
       continue;
     }
     if (steps_left_-- <= 0) return {time, false};
     // A step that proves nothing is no longer than what is seen.
-    const double next = std::min(1.0, time + step);
-    if (!meetAt(next, margin_)) return {next, true};
+    if (!touchAt(next)) return {next, true};
     time = next;
     step *= 4;
   }
@@ -89,24 +125,46 @@ std::optional<Impact> MovingContact::next(double begin) const {
   return impact;
 }
 
+std::vector<Conflict> conflictsFrom(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                                    const ImpactOptions& options, bool& leaves_out) {
+  MovingContact contact(a, motion_a, b, motion_b, options);
+  std::vector<Conflict> found;
+  const auto lastsUntil = [&](const Impact& impact, const MovingContact::End& end) {
+    const double time = end.is_known ? end.time : 1;
+    if (found.empty() || impact.time > found.back().end) found.push_back({impact, time});
+    found.back().end = time;
+    found.back().budget_ended = !end.is_known;
+    return time;
+  };
+  double time = 0;
+  leaves_out = leaves_out && contact.touchAt(0);
+  if (leaves_out) {
+    const auto end = contact.endOfContact(0);
+    time = end.time;
+    leaves_out = time == 1;
+    // Whether the first contact lasts is unknown.
+    if (!end.is_known) {
+      Impact impact = *timeOfImpact(a, motion_a, b, motion_b, {options.margin, options.time_error});
+      impact.time = end.time;
+      impact.budget_ended = true;
+      lastsUntil(impact, end);
+      return found;
+    }
+  }
+  while (const auto impact = contact.next(time))
+    time =
+        lastsUntil(*impact, impact->budget_ended ? MovingContact::End{1, false} : contact.endOfContact(impact->time));
+  return found;
+}
+
 }  // namespace detail
 
 std::vector<Conflict> conflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                 const ImpactOptions& options) {
   detail::checkOptions(options);
   detail::checkMotions(motion_a, motion_b);
-  detail::MovingContact contact(a, motion_a, b, motion_b, options);
-  std::vector<Conflict> found;
-  double time = 0;
-  while (auto impact = contact.next(time)) {
-    const auto end = impact->budget_ended ? detail::MovingContact::End{1, false} : contact.endOfContact(impact->time);
-    time = end.is_known ? end.time : 1;
-    if (found.empty() || impact->time > found.back().end) found.push_back({*impact, time});
-    found.back().end = time;
-    found.back().budget_ended = !end.is_known;
-  }
-  if (options.ignore_initial) detail::leaveOutInitial(found, 0);
-  return found;
+  bool leaves_out = options.ignore_initial;
+  return detail::conflictsFrom(a, motion_a, b, motion_b, options, leaves_out);
 }
 
 }  // namespace tricover

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "impact/moving_pair.h"
 #include "tricover/conflicts.h"
 
 namespace tricover::detail {
 
-/// What two polygons that move make of time: how long they meet from one moment on, and when they do again.
+/// Two moving polygons: when contact ends, and when it begins again. What comes within 8 of MovingPair::error touches:
+/// less is not known of where they are, and contact that lasts is proven by features that stay so near.
 class MovingContact {
  public:
-  /// Of arguments that have been checked; `options` are for time from 0 to 1.
+  /// Takes arguments that have been checked; `options` are for time from 0 to 1.
   MovingContact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                 const ImpactOptions& options);
 
@@ -16,27 +18,31 @@ class MovingContact {
     double time;    ///< until which all steps met; by half of time_error too late at most
     bool is_known;  ///< false if the steps ended before the contact did
   };
-  /// When they are apart again that met, or were about to, at `begin`; 1 if they meet until then.
+  /// Returns when polygons are apart again that met, or were about to, at `begin`; 1 if they meet until then.
   End endOfContact(double begin);
 
-  /// The first contact from `begin` on, where they are apart unless it is 0.
+  /// Returns the first contact from `begin` on, where they are apart unless it is 0.
   std::optional<Impact> next(double begin) const;
 
+  /// Whether they touch at a time.
+  bool touchAt(double time) const;
+
  private:
-  bool meetAt(double time, double margin) const;
-  bool meetUntil(double time, double step) const;
+  bool meetUntil(double time, double next) const;
+  bool featuresStay(double time, double next) const;
 
   const Polygon &a_, &b_;
   const Motion &motion_a_, &motion_b_;
+  const MovingPair pair_;
   const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
+  double touch_margin_;         ///< within which they touch
   int steps_left_ = 1 << 21;    ///< of endOfContact(), for all contacts together
   double speed_;                ///< no point of one moves faster against the other one
 };
 
-/// Leaves out the conflict that begins with the motion, unless a budget ended within it: then what follows is unknown.
-inline void leaveOutInitial(std::vector<Conflict>& conflicts, double begin) {
-  if (conflicts.empty() || conflicts.front().impact.time != begin || conflicts.front().budget_ended) return;
-  conflicts.erase(conflicts.begin());
-}
+/// conflicts() of arguments that have been checked. If `leaves_out`, contact that lasts from the begin is left out;
+/// then that says whether it lasts to the end.
+std::vector<Conflict> conflictsFrom(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                                    const ImpactOptions& options, bool& leaves_out);
 
 }  // namespace tricover::detail

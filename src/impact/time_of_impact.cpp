@@ -153,8 +153,9 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
         impact->normal = -impact->normal;
         std::swap(impact->edge_a, impact->edge_b);
       });
-  if (!options.ignore_initial || !first || first->time > 0) return first;
+  if (!options.ignore_initial || !first) return first;
   detail::MovingContact contact(a, motion_a, b, motion_b, options);
+  if (!contact.touchAt(0)) return first;
   const auto end = contact.endOfContact(0);
   std::optional<Impact> next = contact.next(end.time);
   if (end.is_known) return next;

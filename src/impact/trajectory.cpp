@@ -103,10 +103,7 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajector
   if (options.ignore_initial) {
     const std::vector<Conflict> all = conflicts(a, trajectory_a, b, trajectory_b, options);
     if (all.empty()) return std::nullopt;
-    const bool is_initial = all.front().impact.time == std::min(trajectory_a.begin(), trajectory_b.begin());
-    Impact first = all.front().impact;
-    first.budget_ended |= is_initial;  // see leaveOutInitial()
-    return first;
+    return all.front().impact;
   }
   std::optional<Impact> found;
   forEachInterval(trajectory_a, trajectory_b, [&](double begin, double end) {
@@ -122,10 +119,11 @@ std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a
                                 const Trajectory& trajectory_b, const ImpactOptions& options) {
   detail::checkOptions(options);
   std::vector<Conflict> all;
+  bool leaves_out = options.ignore_initial;
   forEachInterval(trajectory_a, trajectory_b, [&](double begin, double end) {
     const double length = end - begin;
-    for (Conflict& found : conflicts(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end),
-                                     detail::optionsWithin(options, length))) {
+    for (Conflict& found : detail::conflictsFrom(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end),
+                                                 detail::optionsWithin(options, length), leaves_out)) {
       found.impact.time = detail::timeWithin(begin, length, found.impact.time);
       found.end = found.end < 1 ? std::min(end, begin + length * found.end) : end;
       if (all.empty() || found.impact.time > all.back().end) all.push_back(found);
@@ -134,7 +132,6 @@ std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a
     }
     return true;
   });
-  if (options.ignore_initial) detail::leaveOutInitial(all, std::min(trajectory_a.begin(), trajectory_b.begin()));
   return all;
 }
 

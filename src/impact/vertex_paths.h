@@ -75,6 +75,7 @@ class VertexView {
     seen_ = p.seen(q, inverse_);
     limit_ = (pair.margin + 2 * pair.error) * inverse_;
     touch_ = (pair.margin + 4 * pair.error) * inverse_;
+    near_ = (pair.margin + 8 * pair.error) * inverse_;
     if (interval.pull.most > 0 && (of_b ? interval.rates.a : interval.rates.b) == 0) {
       const Double2 x = interval.pull.x * inverse_, y = interval.pull.y * inverse_;
       pull_ = {interval.pull.most * inverse_, p.m00 * x + p.m10 * y, p.m01 * x + p.m11 * y};
@@ -114,6 +115,18 @@ class VertexView {
     if (!(found.share <= 1)) return false;
     if (found < best) best = found;
     return true;
+  }
+
+  /// Whether the vertex stays in contact with the edge: how far it is from that, across and along, is most at an end of
+  /// a straight path.
+  bool staysBeside(const VertexPath& path, const EdgeInUnits& edge) const {
+    const auto [aside, along] = edge.beside(path);
+    const Double2 across = absolute(aside), beyond = absolute(along) - edge.half();
+    const double off =
+        std::max(across[0], across[1]) + 0.25 * (path.chord_error - pull_.sparedAlong(-edge.uy, edge.ux));
+    const double past =
+        std::max(beyond[0], beyond[1]) + 0.25 * (path.chord_error - pull_.sparedAlong(edge.ux, edge.uy));
+    return std::hypot(off, std::max(past, 0.0)) <= near_;
   }
 
   /// Whether the two touch at the interval's end, or have passed each other by then.
@@ -183,10 +196,11 @@ class VertexView {
   const Mover& from_;
   const RotatingChordError& chord_error_;
   bool of_b_;
-  double unit_, inverse_, scale_, limit_, touch_;  ///< in units: what a gap must exceed, and what is near enough
-  Places seen_;                                    ///< the vertices' polygon, in units
-  Vec2 pivot_;                                     ///< of the polygon that is looked from
-  Pull pull_;                                      ///< in its units, where it stands still
+  double unit_, inverse_, scale_;
+  double limit_, touch_, near_;  ///< in units: what a gap must exceed, what is near enough, and what stays in contact
+  Places seen_;                  ///< the vertices' polygon, in units
+  Vec2 pivot_;                   ///< of the polygon that is looked from
+  Pull pull_;                    ///< in its units, where it stands still
 };
 
 /// How far a vertex, in units, is from its polygon's pivot, at the most; in the pair's length.
@@ -195,10 +209,9 @@ inline double leverOf(const Mover& mover, const Vec2& vertex) {
   return lengthAbove(lever.x(), lever.y());
 }
 
-/// The share of the interval that contact of two edges may lie in, which are apart at its begin; none if low > high. By
-/// their ends one by one: an end near its pivot moves by little, however far the other one does.
-inline Rest restOfEdges(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
-  Approach first;
+/// visit(view, path, edge, end) for each end of two edges beside the other one, until it returns true.
+template <typename Visit>
+bool anyEndBeside(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b, Visit visit) {
   for (const bool of_b : {false, true}) {
     const VertexView view(interval, of_b);
     const Mover &of = of_b ? interval.pair.b : interval.pair.a, &from = of_b ? interval.pair.a : interval.pair.b;
@@ -206,9 +219,29 @@ inline Rest restOfEdges(const TimeInterval& interval, std::size_t edge_a, std::s
     const EdgeInUnits edge(*from.polygon, other);
     for (std::uint32_t end = 0; end < 2; ++end) {
       const Vec2 vertex = of.polygon->inUnits(of.polygon->path[own + end]);
-      view.approach(view.pathOf(vertex, leverOf(of, vertex)), edge, end, 0, first);
+      if (visit(view, view.pathOf(vertex, leverOf(of, vertex)), edge, end)) return true;
     }
   }
+  return false;
+}
+
+/// Whether an end of one of two edges stays in contact with the other one throughout.
+inline bool endStaysBeside(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+  return anyEndBeside(interval, edge_a, edge_b,
+                      [](const VertexView& view, const VertexPath& path, const EdgeInUnits& edge, std::uint32_t) {
+                        return view.staysBeside(path, edge);
+                      });
+}
+
+/// The share of the interval that contact of two edges may lie in, which are apart at its begin; none if low > high. By
+/// their ends one by one: an end near its pivot moves by little, however far the other one does.
+inline Rest restOfEdges(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+  Approach first;
+  anyEndBeside(interval, edge_a, edge_b,
+               [&](const VertexView& view, const VertexPath& path, const EdgeInUnits& edge, std::uint32_t end) {
+                 view.approach(path, edge, end, 0, first);
+                 return false;
+               });
   return {first.share, 1, first.aim};
 }
 
