@@ -78,7 +78,7 @@ bool MovingContact::meetUntil(double time, double next) const {
 /// Whether two edges that touch at either time have an end that stays so near to the other edge: its distance from that
 /// is largest at one of both times, but for how far its path bends.
 bool MovingContact::featuresStay(double time, double next) const {
-  if (!pair_.keepLengths()) return false;
+  if (!pair_.isInRange()) return false;
   const TimeInterval interval(pair_, time, next);
   for (const double at : {time, next}) {
     const Pose pose_a = pair_.a.motion->at(at), pose_b = pair_.b.motion->at(at);

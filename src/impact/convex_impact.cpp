@@ -53,7 +53,7 @@ class Body {
     RingRange range{support_, 0};
     const bool is_certain = ring_.supportVertex(
         [&](std::uint32_t edge) {
-          const Double2 e = ring_.edge(edge);
+          const Double2 e = stretched(ring_.edge(edge));
           return mx * e[0] + my * e[1];
         },
         [&](Double2 up) { return up[0] > doubt_ && up[1] > doubt_; },
@@ -65,8 +65,7 @@ class Body {
     return most;
   }
 
-  /// The outer normal of an edge of a small polygon, at the interval's begin: that of its image, as a pose may be off
-  /// rigid.
+  /// The outer normal of an edge of a small polygon, at the interval's begin.
   Vec2 normal(const Places& p, std::uint32_t edge) const {
     const Double2 e = ring_.edge(edge);
     const double x = p.m00[0] * e[0] + p.m01[0] * e[1], y = p.m10[0] * e[0] + p.m11[0] * e[1];
@@ -108,8 +107,16 @@ class Body {
   const double lever;  ///< how far it reaches from its own pivot
 
  private:
-  static Double2 inFrame(const Places& p, const Vec2& n) {
-    return Double2{p.m00[0] * n.x() + p.m10[0] * n.y(), p.m01[0] * n.x() + p.m11[0] * n.y()};
+  /// An axis in the ring's frame.
+  Double2 inFrame(const Places& p, const Vec2& n) const {
+    const Double2 m{p.m00[0] * n.x() + p.m10[0] * n.y(), p.m01[0] * n.x() + p.m11[0] * n.y()};
+    return is_small_ ? m : stretched(m);
+  }
+  /// The stretch is its own transpose.
+  Double2 stretched(Double2 v) const {
+    if (mover.stretched == 0) return v;
+    const Vec2 at = mover.stretch * Vec2(v[0], v[1]);
+    return Double2{at.x(), at.y()};
   }
   std::uint32_t flatterEdge(Double2 n, std::uint32_t vertex) const {
     const std::uint32_t before = ring_.previous(vertex);
@@ -301,9 +308,8 @@ class ConvexAdvancement {
 bool isConvexPair(const MovingPair& pair) {
   const auto isConvex = [](const PolygonData& p) { return p.isDegenerate() || cornersOf(p) != nullptr; };
   if (!isConvex(*pair.a.polygon) || !isConvex(*pair.b.polygon)) return false;
-  // Axes may rotate with the polygons: off rigid, they wouldn't separate what touches to its precision. A point is
-  // followed for less.
-  return pair.keepLengths() ? !pair.b.polygon->isPoint() : pair.slides() && pair.error < 1;
+  // A point is followed for less.
+  return pair.isInRange() ? !pair.b.polygon->isPoint() : pair.slides() && pair.error < 1;
 }
 
 FirstContact advanceAlongAxis(const MovingPair& pair, double begin, double time_error) {

@@ -32,7 +32,7 @@ class ImpactSearch {
       : pair_(pair),
         time_error_(time_error),
         touch_distance_(pair.margin + 4 * pair.error),
-        keep_lengths_(pair.keepLengths()),
+        is_in_range_(pair.isInRange()),
         most_encounters_(mostEncounters(pair)),
         most_divisions_(mostDivisions(pair)) {}
 
@@ -135,7 +135,7 @@ class ImpactSearch {
     const double sum = std::max(sizes[0], sizes[1]) + box.along + box.across + 4;
     // Lengths are kept to 2^-47 in rotating differences back: as much as the error is once more.
     const double slack = kMovingGapRounding * sum + (pair_.margin * (1 + 0x1p-20) + 2 * pair_.error) * inverse;
-    if (!keep_lengths_ || !(sum + slack + chord_error_a + chord_error_b < 0x1p30)) return false;
+    if (!is_in_range_ || mover.stretched > 0 || !(sum + slack + chord_error_a + chord_error_b < 0x1p30)) return false;
     float from_begin[kLanes], from_end[kLanes];
     for (unsigned left = cutIntervals(block, box, divides_a ? chord_error_a : chord_error_b,
                                       divides_a ? chord_error_b : chord_error_a, slack, from_begin, from_end);
@@ -185,7 +185,7 @@ class ImpactSearch {
     IntervalCutter cutter(interval, a, b);
     if (cutter.cutByAxis((at_begin.on_b - at_begin.on_a) / at_begin.distance) || cutter.cutByNormals()) return;
     Rest rest = cutter.rest();
-    if (rest.low < kLittle && divided_ > kWithoutEnds && cutter.bend() > 0 && keep_lengths_)
+    if (rest.low < kLittle && divided_ > kWithoutEnds && cutter.bend() > 0 && is_in_range_)
       rest = restOfEdges(interval, position_a, position_b);
     if (rest.low > rest.high) return;
 
@@ -207,7 +207,7 @@ class ImpactSearch {
 
   const MovingPair& pair_;
   double time_error_, touch_distance_;
-  bool keep_lengths_;
+  bool is_in_range_;
   std::size_t most_encounters_, most_divisions_;  ///< the budget
   BestFirst<Encounter> search_{std::numeric_limits<double>::infinity()};
   std::size_t edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound

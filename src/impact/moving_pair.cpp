@@ -39,14 +39,8 @@ Places Mover::places(double begin, double end) const {
           y};
 }
 
-bool Mover::keepsLengths() const {
-  constexpr double kMostDefect = 0x1p-47;
-  return polygon->fitsUnit() && (polygon->isPoint() || scale > 0x1p-200) &&
-         Gram(load2(linear.data()), load2(linear.data() + 2)).defect() <= kMostDefect;
-}
-
 MovingBox Mover::edge(const Places& p, std::size_t position) const {
-  const Vec2 v = polygon->inUnits(polygon->path[position]), w = polygon->inUnits(polygon->path[position + 1]);
+  const Vec2 v = inUnits(position), w = inUnits(position + 1);
   const Vec2 mid = 0.5 * (v + w), half = 0.5 * (w - v);
   const double length = half.norm();
   const Vec2 axis = length > 0 ? Vec2(half / length) : Vec2(1, 0);
@@ -89,12 +83,28 @@ double shrinkOf(const PolygonData& polygon_a, const Motion& motion_a, const Poly
   return given > 0 ? powerOfTwo(std::min(1000 - exponentOf(given), 1000)) : 1;
 }
 
+/// L = Q S, with S the root of L^T L, unless L is off rigid by no more than rotations that were made of doubles: that
+/// is less than what MovingPair::error allows for, and so is what S and Q are rounded by. S's eigenvalues are L's
+/// singular values.
+void decompose(const Eigen::Matrix2d& linear, Mover& mover) {
+  constexpr double kMostDefect = 0x1p-47;
+  const double defect = Gram(load2(linear.data()), load2(linear.data() + 2)).defect();
+  mover.linear = linear;
+  if (defect <= kMostDefect) return;
+  const Eigen::Matrix2d gram = linear.transpose() * linear;
+  const double root = std::abs(linear.determinant());
+  mover.stretch = (gram + root * Eigen::Matrix2d::Identity()) / std::sqrt(gram.trace() + 2 * root);
+  mover.linear = linear * mover.stretch.inverse();
+  mover.stretched = defect * (1 + 0x1p-20);
+}
+
 /// In the frame of the world but for its pose's translation, all lengths times `shrink`.
 Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
   Mover mover;
   mover.polygon = mover.given = &polygon;
   mover.motion = &motion;
-  mover.linear = motion.start.linear();
+  const Eigen::Matrix2d linear = motion.start.linear();
+  decompose(linear, mover);
   // A point stays where it is if it rotates about itself.
   const bool rotates = !(polygon.isPoint() && motion.pivot == polygon.origin);
   mover.rotation = rotates ? rotationOf(motion) : Cubic<double>{0, 0, 0};
@@ -102,10 +112,10 @@ Mover moverOf(const PolygonData& polygon, const Motion& motion, double shrink) {
   // Without a rotation any pivot will do, and S is the nearest.
   mover.pivot = mover.rotates ? motion.pivot : polygon.origin;
   const Vec2 pivot = shrink * mover.pivot;
-  mover.base = mover.linear * pivot;
+  mover.base = linear * pivot;
   mover.path = shrink * pathOf(motion);
   mover.is_straight = mover.path.isStraight() && mover.rotation.isStraight();
-  mover.arm = mover.linear * (shrink * polygon.origin - pivot);
+  mover.arm = linear * (shrink * polygon.origin - pivot);
   mover.reach = mover.arm.lpNorm<1>() + shrink * polygon.radius * (1 + kLargestDefect);
   // Of the largest polygons the hierarchy knows nothing.
   if (!polygon.fitsUnit()) mover.reach = std::numeric_limits<double>::infinity();

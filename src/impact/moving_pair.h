@@ -76,7 +76,8 @@ struct Node {
 /// The node that is around everything; all others are block * kLanes + lane.
 constexpr std::uint32_t kRootNode = simd::kRoot;
 
-/// A polygon that moves, in the pair's frame.
+/// A polygon that moves, in the pair's frame. A pose that is off rigid is a rotation of a polygon that is stretched a
+/// little: by the polar decomposition of its matrix, so that whatever moves keeps lengths.
 struct Mover {
   Places places(double begin, double end) const;
   Node node(std::uint32_t index) const;
@@ -84,21 +85,26 @@ struct Mover {
   /// By places in lengths of 1 / `inverse`.
   MovingBox box(const Places& places, const Node& node, double inverse) const;
   MovingBox edge(const Places& places, std::size_t position) const;
-  /// A vertex by its position, in the mover's frame, from S.
-  Vec2 vertex(std::size_t position) const { return scale * polygon->inUnits(polygon->path[position]); }
+  /// A vertex by its position, stretched, from S: in units, and in the pair's length.
+  Vec2 inUnits(std::size_t position) const {
+    const Vec2 at = polygon->inUnits(polygon->path[position]);
+    return stretched == 0 ? at : Vec2(stretch * at);
+  }
+  Vec2 vertex(std::size_t position) const { return scale * inUnits(position); }
   MovingEdge ends(const Places& places, int lane, std::size_t position) const {
     return {places, lane, vertex(position), vertex(position + 1)};
   }
-  /// Whether its unit and its pose do, and squares don't overflow. A pose: if it is off rigid by no more than rotations
-  /// that were made of doubles, which is less than what MovingPair::error allows for.
-  bool keepsLengths() const;
+  /// Whether it fits its unit, and squares don't overflow.
+  bool isInRange() const { return polygon->fitsUnit() && (polygon->isPoint() || scale > 0x1p-200); }
 
   const PolygonData* polygon;       ///< once MovingPair::prepare() was called by its corners alone, if it is convex
   const PolygonData* given;         ///< as it was given
   const Motion* motion;             ///< likewise
   const Hierarchy* tree = nullptr;  ///< once MovingPair::prepare() was called
   Vec2 pivot;                       ///< in the polygon's frame
-  Eigen::Matrix2d linear;           ///< the start's
+  Eigen::Matrix2d linear;           ///< the start's, a rotation or a reflection
+  Eigen::Matrix2d stretch;          ///< before that: symmetric
+  double stretched = 0;             ///< by how much of a length that moves a point at most; 0 for the identity
   Vec2 base;                        ///< where the pivot is at time 0
   Cubic<Vec2> path;                 ///< of the pivot, from there
   Vec2 arm;                         ///< from the pivot to S, at time 0
@@ -137,8 +143,8 @@ struct MovingPair {
   /// Whether no direction changes, nor any velocity.
   bool slides() const { return is_steady && !a.rotates && !b.rotates; }
 
-  /// Whether both keep lengths but for rounding. A point b has none.
-  bool keepLengths() const { return error < 1 && a.keepsLengths() && (b.polygon->isPoint() || b.keepsLengths()); }
+  /// Whether paths may be followed in doubles. A point b has no lengths.
+  bool isInRange() const { return error < 1 && a.isInRange() && (b.polygon->isPoint() || b.isInRange()); }
 
   Rates rates(double begin, double end) const { return is_steady ? steady : ratesOf(begin, end); }
   Rates ratesOf(double begin, double end) const;
@@ -160,7 +166,11 @@ struct MovingPair {
 
 inline Node Mover::node(std::uint32_t index) const {
   const simd::Item item = simd::itemAt(*tree, index, polygon->degenerate_edge);
-  return {item.x, item.y, item.ux, item.uy, item.along, item.across, item.child, item.leaf};
+  if (stretched == 0) return {item.x, item.y, item.ux, item.uy, item.along, item.across, item.child, item.leaf};
+  // Around what the box becomes, along the same axes.
+  const Vec2 center = stretch * Vec2(item.x, item.y);
+  const double more = stretched * (item.along + item.across);
+  return {center.x(), center.y(), item.ux, item.uy, item.along + more, item.across + more, item.child, item.leaf};
 }
 
 inline MovingBox Mover::box(const Places& p, const Node& node, double inverse) const {

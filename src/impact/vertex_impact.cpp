@@ -24,7 +24,7 @@ class PointBesideTree {
     struct Call {
       static bool visit(void* context, std::uint32_t position) {
         Call& c = *static_cast<Call*>(context);
-        c.view.approach(c.path, EdgeInUnits(c.self.a_, position), 0, position, c.best);
+        c.view.approach(c.path, EdgeInUnits(c.self.pair_.a, position), 0, position, c.best);
         c.ray.length = std::min(c.best.share, 1.0) * c.length;
         return true;
       }
@@ -38,7 +38,7 @@ class PointBesideTree {
     const VertexPath& path = call.path;
     const double dx = path.x[1] - path.x[0], dy = path.y[1] - path.y[0];
     call.length = std::hypot(dx, dy);
-    call.ray = {path.x[0], path.y[0], 1, 0, view.reach(path) + 0x1p-50 * call.length, call.length};
+    call.ray = {path.x[0], path.y[0], 1, 0, view.reachOfRing(path) + 0x1p-50 * call.length, call.length};
     if (call.length > 0) call.ray.dx = dx / call.length, call.ray.dy = dy / call.length;
     if (a_.isDegenerate())
       Call::visit(&call, static_cast<std::uint32_t>(a_.degenerate_edge));
@@ -51,7 +51,7 @@ class PointBesideTree {
   bool touchByEnd(const TimeInterval& interval, const Approach& found) const {
     if (a_.isDegenerate()) return false;
     const VertexView view(interval, true);
-    return view.touchByEnd(view.pathOf(Vec2::Zero(), lever_), EdgeInUnits(a_, found.edge));
+    return view.touchByEnd(view.pathOf(Vec2::Zero(), lever_), EdgeInUnits(pair_.a, found.edge));
   }
 
   FirstContact touch(double time, const Approach& found) const {
@@ -72,11 +72,11 @@ struct SmallVertices {
   SmallVertices(const Mover& mover, bool rotates) : small(mover.tree->small.get()) {
     const PolygonData& polygon = *mover.polygon;
     if (polygon.isDegenerate()) {
-      addVertex(polygon, polygon.degenerate_edge, polygon.degenerate_edge);
-      addVertex(polygon, polygon.degenerate_edge + 1, polygon.degenerate_edge);
+      addVertex(mover, polygon.degenerate_edge, polygon.degenerate_edge);
+      addVertex(mover, polygon.degenerate_edge + 1, polygon.degenerate_edge);
       edge[edge_count++] = EdgeInUnits(vertex[0], vertex[1]);
     } else {
-      for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) addRing(polygon, ring);
+      for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) addRing(mover, ring);
     }
     if (!rotates) return;
     for (int i = 0; i < count; ++i) levers[i] = leverOf(mover, vertex[i]);
@@ -92,13 +92,13 @@ struct SmallVertices {
   EdgeInUnits edge[kMost];
 
  private:
-  void addVertex(const PolygonData& polygon, std::size_t at, std::size_t edge_position) {
-    vertex[count] = polygon.inUnits(polygon.path[at]);
+  void addVertex(const Mover& mover, std::size_t at, std::size_t edge_position) {
+    vertex[count] = mover.inUnits(at);
     position[count++] = edge_position;
   }
-  void addRing(const PolygonData& polygon, std::size_t ring) {
+  void addRing(const Mover& mover, std::size_t ring) {
     const int first = count;
-    for (std::size_t e = polygon.edgeBegin(ring); e < polygon.edgeEnd(ring); ++e) addVertex(polygon, e, e);
+    for (std::size_t e = mover.polygon->edgeBegin(ring); e < mover.polygon->edgeEnd(ring); ++e) addVertex(mover, e, e);
     for (; edge_count < count; ++edge_count)
       edge[edge_count] = EdgeInUnits(vertex[edge_count], vertex[edge_count + 1 < count ? edge_count + 1 : first]);
   }
@@ -160,7 +160,7 @@ class SmallBesideSmall {
     bool fits = from.small != nullptr;  // into floats
     for (int k = 0; k < of.count; ++k) {
       const VertexPath path = of.pathIn(view, static_cast<std::uint32_t>(k));
-      const double reach = view.reach(path);
+      const double reach = view.reachOfRing(path);
       const Double2 size = absolute(path.x) + absolute(path.y);
       fits = fits && size[0] + size[1] + reach < 0x1p30;
       paths.x[k] = static_cast<float>(path.x[0]);
@@ -227,7 +227,7 @@ bool haveFewVertices(const MovingPair& pair) {
   const auto areFew = [](const PolygonData& polygon) {
     return polygon.path.size() - polygon.ringCount() <= static_cast<std::size_t>(kMost) && !polygon.isPoint();
   };
-  return pair.keepLengths() && (pair.b.polygon->isPoint() || (areFew(*pair.a.polygon) && areFew(*pair.b.polygon)));
+  return pair.isInRange() && (pair.b.polygon->isPoint() || (areFew(*pair.a.polygon) && areFew(*pair.b.polygon)));
 }
 
 FirstContact followVertices(const MovingPair& pair, double begin, double time_error) {

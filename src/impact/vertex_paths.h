@@ -24,8 +24,8 @@ struct EdgeInUnits {
     length = std::sqrt(square);
     if (square > 0x1p-900) ux = dx / length, uy = dy / length;
   }
-  EdgeInUnits(const PolygonData& polygon, std::size_t position)
-      : EdgeInUnits(polygon.inUnits(polygon.path[position]), polygon.inUnits(polygon.path[position + 1])) {}
+  EdgeInUnits(const Mover& mover, std::size_t position)
+      : EdgeInUnits(mover.inUnits(position), mover.inUnits(position + 1)) {}
 
   double half() const { return 0.5 * length; }
   /// A path across its line and along it, from its middle.
@@ -93,6 +93,8 @@ class VertexView {
 
   /// What a straight path must not come within for its vertex to stay away.
   double reach(const VertexPath& path) const { return limit_ + 0.25 * path.chord_error; }
+  /// The same beside the polygon as it is before it is stretched, all of it within 2 of S.
+  double reachOfRing(const VertexPath& path) const { return reach(path) + 2 * from_.stretched; }
 
   /// Whether the two may meet in the interval. If they may do so before `best` does, they are the best.
   bool approach(const VertexPath& path, const EdgeInUnits& edge, std::uint32_t vertex, std::uint32_t edge_number,
@@ -216,9 +218,9 @@ bool anyEndBeside(const TimeInterval& interval, std::size_t edge_a, std::size_t 
     const VertexView view(interval, of_b);
     const Mover &of = of_b ? interval.pair.b : interval.pair.a, &from = of_b ? interval.pair.a : interval.pair.b;
     const std::size_t own = of_b ? edge_b : edge_a, other = of_b ? edge_a : edge_b;
-    const EdgeInUnits edge(*from.polygon, other);
+    const EdgeInUnits edge(from, other);
     for (std::uint32_t end = 0; end < 2; ++end) {
-      const Vec2 vertex = of.polygon->inUnits(of.polygon->path[own + end]);
+      const Vec2 vertex = of.inUnits(own + end);
       if (visit(view, view.pathOf(vertex, leverOf(of, vertex)), edge, end)) return true;
     }
   }
